@@ -1,0 +1,34 @@
+# How everything of ours is compiled. Link snug_options and have it all.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug or Release" FORCE)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+add_library(snug_options INTERFACE)
+target_compile_options(snug_options INTERFACE
+  -ffp-contract=off # a fused multiply-add rounds once where wasm rounds twice: other bits
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  -Wno-missing-field-initializers # designated initialisers leave the rest at their defaults
+  $<$<BOOL:${SNUG_WERROR}>:-Werror>)
+
+# Rooms report errors as values, and pay for neither exceptions nor type information.
+add_library(snug_lean INTERFACE)
+target_compile_options(snug_lean INTERFACE -fno-exceptions -fno-rtti)
+
+if(EMSCRIPTEN)
+  target_compile_options(snug_options INTERFACE -msimd128)
+  # A Node that is not Debian's own does not look where Debian's emscripten keeps acorn.
+  if(NOT DEFINED ENV{NODE_PATH} AND EXISTS /usr/share/nodejs/acorn)
+    set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK
+      "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")
+  endif()
+endif()

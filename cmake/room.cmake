@@ -1,0 +1,25 @@
+# snug_room(NAME LINKS target...)
+#
+# One static library snug_NAME of the .cpp files in this folder. Its include path is a folder
+# of the build tree that holds a single link, NAME, to this one: a room can name the headers of
+# the rooms it links ("geometry/sphere.hpp"), and those of no other.
+function(snug_room name)
+  cmake_parse_arguments(PARSE_ARGV 1 room "" "" "LINKS")
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  if(NOT sources) # a room may be headers alone
+    set(sources ${PROJECT_BINARY_DIR}/include/${name}/nothing.cpp)
+    file(CONFIGURE OUTPUT ${sources} CONTENT "" @ONLY)
+  endif()
+  add_library(snug_${name} STATIC ${sources})
+  snug_door(${name} ${CMAKE_CURRENT_SOURCE_DIR} door)
+  target_include_directories(snug_${name} PUBLIC ${door})
+  target_link_libraries(snug_${name} PUBLIC ${room_LINKS} PRIVATE snug_options snug_lean)
+endfunction()
+
+# snug_door(NAME FOLDER OUT): an include directory in which NAME leads to FOLDER.
+function(snug_door name folder out)
+  set(door ${PROJECT_BINARY_DIR}/include/${name})
+  file(MAKE_DIRECTORY ${door})
+  file(CREATE_LINK ${folder} ${door}/${name} SYMBOLIC)
+  set(${out} ${door} PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,3 @@
+#pragma once
+/// OpenGL as the desktop has it: libepoxy finds the functions of the 3.3 core profile.
+#include <epoxy/gl.h>
