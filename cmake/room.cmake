@@ -5,7 +5,7 @@
 # the rooms it links ("geometry/sphere.hpp"), and those of no other.
 function(snug_room name)
   cmake_parse_arguments(PARSE_ARGV 1 room "" "" "LINKS")
-  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
   if(NOT sources) # a room may be headers alone
     set(sources ${PROJECT_BINARY_DIR}/include/${name}/nothing.cpp)
     file(CONFIGURE OUTPUT ${sources} CONTENT "" @ONLY)
