@@ -1,0 +1,105 @@
+// The front end that both doors share: a lesson on a stage, its timeline and its inspector.
+// A door gives it a GL context, an ImGui context that it feeds with input, fonts, and rectangles to draw in.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "lesson/session.hpp"
+
+namespace snug::app {
+
+/// In pixels of the page (CSS pixels; logical pixels on the desktop), from the top left of the canvas.
+struct Rect {
+  float x = 0, y = 0, width = 0, height = 0;
+};
+
+/// Where things stand. An empty rectangle leaves its part out (a phone shows the inspector on a tab of its own).
+struct Layout {
+  Rect stage;
+  Rect timeline;
+  Rect inspector;
+  bool fingers = false;  // large targets: 44 px
+};
+
+enum class Theme { kLight, kDark, kHighContrast, kProjector };
+
+struct Settings {
+  Theme theme = Theme::kLight;
+  float text_scale = 1;          // 1 is 15 px prose
+  bool reduced_motion = false;
+};
+
+/// What differs between the doors.
+struct Platform {
+  /// The bytes of a font: "Inter-Regular", "Inter-SemiBold", "JetBrainsMono-Regular", "JetBrainsMono-Bold".
+  std::string (*font)(std::string_view name) = nullptr;
+};
+
+/// A draggable thing, at its place on the canvas.
+struct Handle {
+  std::string id;  // "P0", "P1" …; in 3-D only those in front of the camera
+  float x = 0, y = 0;
+};
+
+class App {
+ public:
+  /// Needs a current ImGui context; no GL yet.
+  explicit App(const Platform& platform);
+  ~App();
+  App(const App&) = delete;
+  App& operator=(const App&) = delete;
+
+  /// Makes what lives in the GL context; again after a lost context. false: the shaders did not build (see graphics_error).
+  bool create_graphics();
+  /// Forgets GL objects of a context that is lost.
+  void abandon_graphics();
+  [[nodiscard]] const std::string& graphics_error() const;
+
+  /// Opens a lesson at its start. Errors: as of Session::open; what was open then stays.
+  tl::expected<void, InputError> open(lesson::Lesson lesson, std::optional<io::PointFile> mesh = {});
+  /// Null before the first open.
+  [[nodiscard]] lesson::Session* session();
+
+  [[nodiscard]] Settings& settings();
+
+  /// Does what a button or key says. Names: first back step play last next_mark previous_mark faster slower undo redo
+  /// add_point delete_point scatter reset_points reset_view skip_question select_next select_previous select_none
+  /// move_left move_right move_up move_down move_nearer move_farther (the selected point; "_fine" behind it for a
+  /// tenth), zoom_in zoom_out orbit_left orbit_right orbit_up orbit_down.
+  /// Returns false where the name is unknown or it cannot be done now (undo with nothing to undo).
+  bool command(std::string_view name);
+  /// The command of a key, as the browser names keys ("ArrowRight", "PageDown", " ", "Home", "z"); empty for none.
+  /// Arrow keys move the selected point where there is one and step otherwise.
+  [[nodiscard]] std::string_view command_of_key(std::string_view key, bool shift, bool control) const;
+
+  /// The selected point, kNoIndex for none.
+  [[nodiscard]] Index selected() const;
+  void select(Index point);
+  [[nodiscard]] bool playing() const;
+  [[nodiscard]] float speed() const;  // steps a second are 2 * speed
+
+  /// Draws into the rectangles and answers ImGui's input; call between ImGui::NewFrame and ImGui::Render, then
+  /// draw_3d_behind with the framebuffer bound, then ImGui's own drawing. now: seconds, rising.
+  void frame(const Layout& layout, double now);
+  /// The GL part of the stage, beneath ImGui's. framebuffer size in device pixels, scale: device pixels per page pixel.
+  void draw_3d_behind(int framebuffer_width, int framebuffer_height, float scale);
+  /// Whether another frame is due without any input: something moves, plays, or the session changed since the last.
+  [[nodiscard]] bool wants_frame(double now) const;
+  /// How many frames were drawn.
+  [[nodiscard]] long frames_drawn() const;
+
+  /// The sentence of the step, for both doors; "" before a lesson is open.
+  [[nodiscard]] std::string caption() const;
+  [[nodiscard]] std::vector<Handle> handles() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace snug::app

@@ -1,0 +1,46 @@
+// Source: C. Ericson, "Real-Time Collision Detection", 2005, section 4.3.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "fit/extremes.hpp"
+#include "fit/sphere_steps.hpp"
+
+namespace snug::fit {
+
+inline constexpr std::array<std::string_view, 4> kAabbCenterPseudocode{
+    "box ← least and greatest coordinates",
+    "center ← midpoint of the box",
+    "radius ← distance to the farthest point",
+    "return ball",
+};
+
+/// The sphere around the midpoint of the points' axis-aligned bounding box.
+/// points: n >= 1 finite points, scene units. O(n) time: two passes.
+template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer = Ignore>
+Fit<Sphere<Scalar, Dim>> aabb_center(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
+  using Step = SphereStep<Scalar, Dim>;
+  const ExtremesFound<Scalar, Dim> extremes = extreme_points(points, observe);
+  observe(Step{0, false, {}, extremes});
+
+  Vector<Scalar, Dim> least, greatest;
+  for (int axis = 0; axis < Dim; ++axis) {
+    least[axis] = points[extremes.least[static_cast<std::size_t>(axis)]][axis];
+    greatest[axis] = points[extremes.greatest[static_cast<std::size_t>(axis)]][axis];
+  }
+  Sphere<Scalar, Dim> ball;
+  ball.center = (least + greatest) / 2;
+  observe(Step{1, false, {}, MidpointFound<Scalar, Dim>{least, greatest, ball.center}});
+
+  const EnclosingRadius<Scalar> enclosing = enclosing_radius(ball.center, points);
+  ball.radius = enclosing.radius;
+  observe.count(Operation::kPointsTouched, points.size());
+  observe.count(Operation::kDistanceTests, points.size());
+  observe.count(Operation::kSquareRoots, 1);
+  observe(Step{2, true, ball, FarthestFound{enclosing.farthest, static_cast<double>(ball.radius)}});
+  observe(Step{3, true, ball, Finished{{enclosing.farthest}}});
+  return {ball, {enclosing.farthest}};
+}
+
+}  // namespace snug::fit

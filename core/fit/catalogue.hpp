@@ -1,0 +1,72 @@
+// Every algorithm by its name: what the command line, lessons and charts choose from.
+// A new fitter is its own file and one row in catalogue.cpp.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fit/certify.hpp"
+#include "fit/sphere_steps.hpp"
+#include "geometry/point_set.hpp"
+#include "trace/observer.hpp"
+
+namespace snug::fit {
+
+/// A result in double and 3-D, whatever it was computed in; 2-D has z = 0.
+using Sphere3 = Sphere<double, 3>;
+using Step3 = SphereStep<double, 3>;
+
+struct Result {
+  Sphere3 sphere;
+  Support support;
+};
+
+/// A watched run: the result, every step with the counts as they stood then, and the proof.
+struct Recording {
+  Result result;
+  std::vector<Recorder<Step3>::Entry> steps;
+  OperationCounts counts{};
+  Certificate certificate;
+};
+
+struct Algorithm {
+  std::string_view volume;      // "sphere"
+  std::string_view name;        // as scripts say it: "ritter_iterative"
+  std::string_view title;       // as people say it: "Iterative Ritter"
+  bool exact;                   // whether it claims the smallest volume of its kind
+  Index max_points;             // more are refused
+  std::string_view source;      // author, title, year
+  std::span<const std::string_view> pseudocode;  // steps name its lines, counted from 0
+
+  /// The unwatched run, as timed. points: at most max_points.
+  Result (*fit)(const AnyPointSet& points, const Options& options);
+  /// The same code, watched.
+  Recording (*record)(const AnyPointSet& points, const Options& options);
+};
+
+[[nodiscard]] std::span<const Algorithm> algorithms();
+
+/// Null where there is none of that volume and name.
+[[nodiscard]] const Algorithm* find_algorithm(std::string_view volume, std::string_view name);
+
+/// The fact's name, as traces and lessons say it: "ball_grown".
+[[nodiscard]] std::string_view name_of(const Step3& step);
+
+/// The names of all facts.
+[[nodiscard]] std::span<const std::string_view> fact_names();
+
+/// FNV-1a over every number of every step, in order: equal traces have equal hashes, natively and in WebAssembly.
+[[nodiscard]] std::uint64_t hash_of(std::span<const Recorder<Step3>::Entry> steps);
+
+/// One step as one line of JSON, without a line feed: {"step":"ball_grown","line":3,"ball":{...},...}.
+[[nodiscard]] std::string json_of(const Step3& step, int dim);
+
+[[nodiscard]] int dim_of(const AnyPointSet& points);
+[[nodiscard]] Index size_of(const AnyPointSet& points);
+/// Point i in double and 3-D.
+[[nodiscard]] Vector<double, 3> point_of(const AnyPointSet& points, Index i);
+
+}  // namespace snug::fit

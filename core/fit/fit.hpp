@@ -1,0 +1,49 @@
+// What every fitter returns.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+
+#include "geometry/point_set.hpp"
+#include "geometry/vector.hpp"
+#include "trace/observer.hpp"
+
+namespace snug::fit {
+
+/// A few points of the set, by index, without memory of its own: at most Dim + 1 hold a ball, and one may enter.
+class Support {
+ public:
+  constexpr Support() = default;
+  constexpr Support(std::initializer_list<Index> indices) {
+    for (const Index i : indices) add(i);
+  }
+  constexpr void add(Index i) { indices_[static_cast<std::size_t>(size_++)] = i; }
+  [[nodiscard]] constexpr int size() const { return size_; }
+  [[nodiscard]] constexpr Index operator[](int i) const { return indices_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] constexpr const Index* begin() const { return indices_.data(); }
+  [[nodiscard]] constexpr const Index* end() const { return indices_.data() + size_; }
+  [[nodiscard]] constexpr bool contains(Index i) const {
+    for (const Index own : *this)
+      if (own == i) return true;
+    return false;
+  }
+
+ private:
+  std::array<Index, 5> indices_{};
+  int size_ = 0;
+};
+
+/// A volume that holds every point, and the points that hold it in place. Nothing that can be recomputed.
+template <class Volume>
+struct Fit {
+  Volume volume;
+  Support support;
+};
+
+/// What a caller may choose; each fitter takes what it knows.
+struct Options {
+  std::uint64_t seed = 1;  // of the random orders
+};
+
+}  // namespace snug::fit

@@ -1,0 +1,53 @@
+// Mean, covariance and its eigenvectors.
+// Source: X. Wu, "A linear-time simple bounding volume algorithm", Graphics Gems III, 1992.
+#pragma once
+
+#include <Eigen/Eigenvalues>
+
+#include "fit/sphere_steps.hpp"
+#include "trace/observer.hpp"
+
+namespace snug::fit {
+
+/// points: n >= 1. One pass, measured from the first point, so that a far set keeps its digits.
+template <class Scalar, int Dim, class Observer>
+MeanFound<Scalar, Dim> mean_of(PointSpan<Scalar, Dim> points, Observer& observe) {
+  Vector<Scalar, Dim> sum = Vector<Scalar, Dim>::Zero();
+  for (const auto& p : points) sum += p - points[0];
+  observe.count(Operation::kPointsTouched, points.size());
+  return {points[0] + sum / static_cast<Scalar>(points.size())};
+}
+
+/// The mean of (p - mean)(p - mean)^T. One pass.
+template <class Scalar, int Dim, class Observer>
+CovarianceFound<Scalar, Dim> covariance_of(const Vector<Scalar, Dim>& mean, PointSpan<Scalar, Dim> points,
+                                           Observer& observe) {
+  Matrix<Scalar, Dim> sum = Matrix<Scalar, Dim>::Zero();
+  for (const auto& p : points) {
+    const Vector<Scalar, Dim> d = p - mean;
+    for (int row = 0; row < Dim; ++row)
+      for (int column = 0; column <= row; ++column) sum(row, column) += d[row] * d[column];
+  }
+  for (int row = 0; row < Dim; ++row)
+    for (int column = 0; column < row; ++column) sum(column, row) = sum(row, column);
+  observe.count(Operation::kPointsTouched, points.size());
+  observe.count(Operation::kDotProducts, Dim * (Dim + 1) / 2 * std::int64_t{points.size()});
+  return {mean, sum / static_cast<Scalar>(points.size())};
+}
+
+/// The principal axes of a covariance, each with its largest coordinate positive. Eigen's iterative solver uses
+/// only the four operations and square roots: the same bits everywhere (its direct solver does not).
+template <class Scalar, int Dim>
+AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread) {
+  using Plain = Eigen::Matrix<Scalar, Dim, Dim>;
+  const Eigen::SelfAdjointEigenSolver<Plain> solver(Plain(spread.covariance));
+  AxesFound<Scalar, Dim> found{spread.mean, solver.eigenvectors(), solver.eigenvalues()};
+  for (int i = 0; i < Dim; ++i) {
+    int largest = 0;
+    found.axes.col(i).cwiseAbs().maxCoeff(&largest);
+    if (found.axes(largest, i) < 0) found.axes.col(i) *= -1;
+  }
+  return found;
+}
+
+}  // namespace snug::fit

@@ -1,0 +1,188 @@
+// The steps of the sphere fitters: facts in geometric words. Colours and captions live with those who show them.
+// Each fact lists its fields by name once, for every reader of traces (hash, JSON lines, inspector).
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <variant>
+
+#include "fit/fit.hpp"
+#include "geometry/sphere.hpp"
+
+namespace snug::fit {
+
+/// The points with the least and the greatest coordinate along each axis.
+template <class Scalar, int Dim>
+struct ExtremesFound {
+  static constexpr std::string_view kName = "extremes_found";
+  std::array<Index, Dim> least{};
+  std::array<Index, Dim> greatest{};
+  void fields(auto&& see) const { see("least", least), see("greatest", greatest); }
+};
+
+/// The midpoint of the axis-aligned box, with the box.
+template <class Scalar, int Dim>
+struct MidpointFound {
+  static constexpr std::string_view kName = "midpoint_found";
+  Vector<Scalar, Dim> least, greatest, midpoint;
+  void fields(auto&& see) const { see("least", least), see("greatest", greatest), see("midpoint", midpoint); }
+};
+
+/// Two points chosen as the first diameter. axis: 0 .. Dim - 1 for a coordinate axis, kNoIndex for another direction.
+struct PairChosen {
+  static constexpr std::string_view kName = "pair_chosen";
+  Index a = kNoIndex, b = kNoIndex;
+  int axis = kNoIndex;
+  double distance = 0;
+  void fields(auto&& see) const { see("a", a), see("b", b), see("axis", axis), see("distance", distance); }
+};
+
+/// The point farthest from a centre, which sets the radius.
+struct FarthestFound {
+  static constexpr std::string_view kName = "farthest_found";
+  Index point = kNoIndex;
+  double distance = 0;
+  void fields(auto&& see) const { see("point", point), see("distance", distance); }
+};
+
+/// A point was held against the ball: distance is from its centre, in scene units; depth: how many points were then
+/// forced onto the boundary (Welzl only).
+struct PointExamined {
+  static constexpr std::string_view kName = "point_examined";
+  Index point = kNoIndex;
+  double distance = 0;
+  bool outside = false;
+  int depth = 0;
+  void fields(auto&& see) const {
+    see("point", point), see("distance", distance), see("outside", outside), see("depth", depth);
+  }
+};
+
+/// The ball grew just enough to take the point in.
+template <class Scalar, int Dim>
+struct BallGrown {
+  static constexpr std::string_view kName = "ball_grown";
+  Index point = kNoIndex;
+  Sphere<Scalar, Dim> before;
+  void fields(auto&& see) const { see("point", point), see("before", before); }
+};
+
+template <class Scalar, int Dim>
+struct MeanFound {
+  static constexpr std::string_view kName = "mean_found";
+  Vector<Scalar, Dim> mean;
+  void fields(auto&& see) const { see("mean", mean); }
+};
+
+/// covariance: in scene units squared, divided by n.
+template <class Scalar, int Dim>
+struct CovarianceFound {
+  static constexpr std::string_view kName = "covariance_found";
+  Vector<Scalar, Dim> mean;
+  Matrix<Scalar, Dim> covariance;
+  void fields(auto&& see) const { see("mean", mean), see("covariance", covariance); }
+};
+
+/// Eigenvectors as columns, by rising eigenvalue; variances: the eigenvalues, in scene units squared.
+template <class Scalar, int Dim>
+struct AxesFound {
+  static constexpr std::string_view kName = "axes_found";
+  Vector<Scalar, Dim> mean;
+  Matrix<Scalar, Dim> axes;
+  Vector<Scalar, Dim> variances;
+  void fields(auto&& see) const { see("mean", mean), see("axes", axes), see("variances", variances); }
+};
+
+/// One more pass of the iterative method: the ball was shrunk and the order shuffled.
+template <class Scalar, int Dim>
+struct BallShrunk {
+  static constexpr std::string_view kName = "ball_shrunk";
+  int pass = 0;  // counted from 1
+  Sphere<Scalar, Dim> before;
+  void fields(auto&& see) const { see("pass", pass), see("before", before); }
+};
+
+/// The end of a pass: whether its ball is smaller than the best so far.
+template <class Scalar, int Dim>
+struct PassJudged {
+  static constexpr std::string_view kName = "pass_judged";
+  int pass = 0;
+  bool better = false;
+  Sphere<Scalar, Dim> best;
+  void fields(auto&& see) const { see("pass", pass), see("better", better), see("best", best); }
+};
+
+/// A ball through all points of the boundary; depth: how many of them are forced onto it.
+struct BoundaryForced {
+  static constexpr std::string_view kName = "boundary_forced";
+  Support boundary;
+  int depth = 0;
+  void fields(auto&& see) const { see("boundary", boundary), see("depth", depth); }
+};
+
+/// The point was moved to the front of the list, now that the ball of all before it holds it.
+struct MovedToFront {
+  static constexpr std::string_view kName = "moved_to_front";
+  Index point = kNoIndex;
+  int depth = 0;
+  void fields(auto&& see) const { see("point", point), see("depth", depth); }
+};
+
+/// Every point was held against the ball: how many lay outside.
+struct AllChecked {
+  static constexpr std::string_view kName = "all_checked";
+  Index outside = 0;
+  void fields(auto&& see) const { see("outside", outside); }
+};
+
+/// The finished ball was held against every point: the farthest one, and whether rounding had left it outside, so that
+/// the radius was widened by its last digits.
+struct RadiusChecked {
+  static constexpr std::string_view kName = "radius_checked";
+  Index farthest = kNoIndex;
+  bool widened = false;
+  void fields(auto&& see) const { see("farthest", farthest), see("widened", widened); }
+};
+
+/// A point entered the support set; those that no longer hold the ball left it.
+struct SupportReplaced {
+  static constexpr std::string_view kName = "support_replaced";
+  Index entered = kNoIndex;
+  Support before, after;
+  void fields(auto&& see) const { see("entered", entered), see("before", before), see("after", after); }
+};
+
+/// Brute force: the ball of a few points, which was kept, was no smaller than the best, or left a point outside.
+template <class Scalar, int Dim>
+struct CandidateTried {
+  static constexpr std::string_view kName = "candidate_tried";
+  enum class Verdict { kKept, kNotSmaller, kLeavesPointOutside, kNoBall };
+  Support points;
+  Sphere<Scalar, Dim> candidate;
+  Verdict verdict = Verdict::kKept;
+  Index outside = kNoIndex;  // the first point found outside
+  void fields(auto&& see) const {
+    see("points", points), see("candidate", candidate), see("verdict", static_cast<int>(verdict)), see("outside", outside);
+  }
+};
+
+/// The last step of every way out: the ball is the result.
+struct Finished {
+  static constexpr std::string_view kName = "finished";
+  Support support;
+  void fields(auto&& see) const { see("support", support); }
+};
+
+template <class Scalar, int Dim>
+struct SphereStep {
+  using Fact = std::variant<ExtremesFound<Scalar, Dim>, MidpointFound<Scalar, Dim>, PairChosen, FarthestFound, PointExamined,
+                            BallGrown<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>,
+                            AxesFound<Scalar, Dim>, BallShrunk<Scalar, Dim>, PassJudged<Scalar, Dim>, BoundaryForced,
+                            MovedToFront, AllChecked, RadiusChecked, SupportReplaced, CandidateTried<Scalar, Dim>, Finished>;
+  int line = 0;              // of the algorithm's pseudocode, counted from 0
+  bool has_ball = false;     // whether there is a ball yet
+  Sphere<Scalar, Dim> ball;  // as it stands after this step
+  Fact fact;
+};
+
+}  // namespace snug::fit

@@ -1,0 +1,154 @@
+#include "fit/support_ball.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/tolerance.hpp"
+
+namespace snug::fit {
+namespace {
+
+using Wide = DoubleDouble;
+
+/// Solves the symmetric positive semidefinite system gram * x = right, n <= 3, by elimination with the largest
+/// pivot first. Entries are scaled to 1 or below. False where a pivot counts as zero.
+template <int N>
+bool solve(std::array<std::array<Wide, N>, N>& gram, std::array<Wide, N>& right, int n) {
+  std::array<int, N> order{};
+  for (int i = 0; i < n; ++i) order[static_cast<std::size_t>(i)] = i;
+  const auto at = [&](int row, int column) -> Wide& {
+    return gram[static_cast<std::size_t>(order[static_cast<std::size_t>(row)])]
+               [static_cast<std::size_t>(order[static_cast<std::size_t>(column)])];
+  };
+  const auto b = [&](int row) -> Wide& { return right[static_cast<std::size_t>(order[static_cast<std::size_t>(row)])]; };
+
+  for (int k = 0; k < n; ++k) {
+    int largest = k;
+    for (int i = k + 1; i < n; ++i)
+      if (at(largest, largest) < at(i, i)) largest = i;
+    std::swap(order[static_cast<std::size_t>(k)], order[static_cast<std::size_t>(largest)]);
+    if (!(at(k, k).high > tolerance::kDependentPivot)) return false;
+    for (int i = k + 1; i < n; ++i) {
+      const Wide factor = at(i, k) / at(k, k);
+      for (int j = k + 1; j < n; ++j) at(i, j) -= factor * at(k, j);
+      b(i) -= factor * b(k);
+    }
+  }
+  for (int k = n - 1; k >= 0; --k) {
+    for (int j = k + 1; j < n; ++j) b(k) -= at(k, j) * b(j);
+    b(k) = b(k) / at(k, k);
+  }
+  return true;
+}
+
+/// value * 2^exponent, both parts exactly.
+Wide scaled(Wide value, int exponent) { return {std::ldexp(value.high, exponent), std::ldexp(value.low, exponent)}; }
+
+template <int Dim>
+using WideVector = std::array<Wide, Dim>;
+
+template <int Dim>
+Wide dot(const WideVector<Dim>& a, const WideVector<Dim>& b) {
+  Wide sum;
+  for (std::size_t i = 0; i < Dim; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+/// The edges from the first support point to the others, scaled by a power of two to a largest coordinate near 1.
+template <class Scalar, int Dim>
+struct Edges {
+  std::array<WideVector<Dim>, Dim> edge;
+  int exponent = 0;
+
+  Edges(PointSpan<Scalar, Dim> points, const Support& support) {
+    const Vector<double, Dim> base = points[support[0]].template cast<double>();
+    double largest = 0;
+    for (int k = 1; k < support.size(); ++k) {
+      const Vector<double, Dim> p = points[support[k]].template cast<double>();
+      for (int i = 0; i < Dim; ++i) {
+        const Wide difference = Wide::sum(p[i], -base[i]);
+        edge[static_cast<std::size_t>(k - 1)][static_cast<std::size_t>(i)] = difference;
+        largest = std::max(largest, std::abs(difference.high));
+      }
+    }
+    exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
+    for (int k = 1; k < support.size(); ++k)
+      for (Wide& coordinate : edge[static_cast<std::size_t>(k - 1)]) coordinate = scaled(coordinate, -exponent);
+  }
+};
+
+}  // namespace
+
+template <int Dim>
+bool smaller(const SupportBall<Dim>& a, const SupportBall<Dim>& b) {
+  const int apart = a.exponent - b.exponent;
+  if (a.scaled_square.high == 0 || b.scaled_square.high == 0 || std::abs(apart) > 200)
+    return a.scaled_square.high == 0 || b.scaled_square.high == 0 ? a.scaled_square < b.scaled_square : apart < 0;
+  return scaled(a.scaled_square, 2 * apart) < b.scaled_square;
+}
+
+template <class Scalar, int Dim>
+std::optional<SupportBall<Dim>> ball_through(PointSpan<Scalar, Dim> points, const Support& support) {
+  const int n = support.size() - 1;
+  const Edges<Scalar, Dim> edges(points, support);
+  const auto edge = [&](int i) -> const WideVector<Dim>& { return edges.edge[static_cast<std::size_t>(i)]; };
+
+  std::array<std::array<Wide, Dim>, Dim> gram{};
+  std::array<Wide, Dim> weight{};
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      const Wide entry = dot<Dim>(edge(i), edge(j));
+      gram[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = entry;
+      gram[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] = entry;
+    }
+    weight[static_cast<std::size_t>(i)] = scaled(gram[static_cast<std::size_t>(i)][static_cast<std::size_t>(i)], -1);
+  }
+  if (!solve<Dim>(gram, weight, n)) return std::nullopt;
+
+  WideVector<Dim> to_center{};
+  Wide first = 1.0;
+  SupportBall<Dim> ball{.support = support};
+  for (int i = 0; i < n; ++i) {
+    const Wide w = weight[static_cast<std::size_t>(i)];
+    first -= w;
+    ball.weights[static_cast<std::size_t>(i + 1)] = w.value();
+    for (std::size_t axis = 0; axis < Dim; ++axis) to_center[axis] += w * edge(i)[axis];
+  }
+  ball.weights[0] = first.value();
+  ball.exponent = edges.exponent;
+  ball.scaled_square = dot<Dim>(to_center, to_center);
+  ball.radius = std::ldexp(std::sqrt(ball.scaled_square.value()), edges.exponent);
+  const Vector<double, Dim> base = points[support[0]].template cast<double>();
+  for (int axis = 0; axis < Dim; ++axis)
+    ball.center[axis] = (scaled(to_center[static_cast<std::size_t>(axis)], edges.exponent) + Wide(base[axis])).value();
+  return ball;
+}
+
+template <class Scalar, int Dim>
+SupportBall<Dim> smallest_ball_with(PointSpan<Scalar, Dim> points, Index on_boundary, const Support& others) {
+  SupportBall<Dim> best = *ball_through(points, Support{on_boundary});
+  for (unsigned subset = 1; subset < (1u << static_cast<unsigned>(others.size())); ++subset) {
+    Support support{on_boundary};
+    for (int i = 0; i < others.size(); ++i)
+      if ((subset >> static_cast<unsigned>(i) & 1u) != 0 && support.size() <= Dim + 1) support.add(others[i]);
+    if (support.size() > Dim + 1) continue;
+    const auto ball = ball_through(points, support);
+    if (ball && ball->center_in_hull() && smaller(best, *ball)) best = *ball;
+  }
+  return best;
+}
+
+template bool smaller(const SupportBall<2>&, const SupportBall<2>&);
+template bool smaller(const SupportBall<3>&, const SupportBall<3>&);
+
+#define SNUG_INSTANTIATE(Scalar, Dim)                                                                             \
+  template std::optional<SupportBall<Dim>> ball_through(PointSpan<Scalar, Dim>, const Support&);                  \
+  template SupportBall<Dim> smallest_ball_with(PointSpan<Scalar, Dim>, Index, const Support&);
+SNUG_INSTANTIATE(float, 2)
+SNUG_INSTANTIATE(float, 3)
+SNUG_INSTANTIATE(double, 2)
+SNUG_INSTANTIATE(double, 3)
+#undef SNUG_INSTANTIATE
+
+}  // namespace snug::fit

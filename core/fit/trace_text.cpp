@@ -1,0 +1,137 @@
+// Reading a trace: the names of its facts, its hash, its lines of JSON. All go over the fields that facts list.
+#include <array>
+#include <bit>
+#include <cstdio>
+
+#include "fit/catalogue.hpp"
+
+namespace snug::fit {
+namespace {
+
+using Fact = Step3::Fact;
+
+template <std::size_t... kAt>
+constexpr auto names_of(std::index_sequence<kAt...>) {
+  return std::array<std::string_view, sizeof...(kAt)>{std::variant_alternative_t<kAt, Fact>::kName...};
+}
+constexpr auto kFactNames = names_of(std::make_index_sequence<std::variant_size_v<Fact>>{});
+
+/// Source: G. Fowler, L. C. Noll, K.-P. Vo, the FNV hash, 1991.
+class Fnv1a {
+ public:
+  void operator()(std::string_view, const auto& value) { add(value); }
+  [[nodiscard]] std::uint64_t hash() const { return hash_; }
+
+  void add(std::int64_t value) { add_bits(static_cast<std::uint64_t>(value)); }
+  void add(int value) { add(std::int64_t{value}); }
+  void add(bool value) { add(std::int64_t{value}); }
+  void add(double value) { add_bits(std::bit_cast<std::uint64_t>(value)); }
+  void add(const Support& support) {
+    add(support.size());
+    for (const Index i : support) add(i);
+  }
+  void add(const Sphere3& sphere) { add(sphere.center), add(sphere.radius); }
+  void add(const std::array<Index, 3>& indices) {
+    for (const Index i : indices) add(i);
+  }
+  template <class Derived>
+  void add(const Eigen::MatrixBase<Derived>& matrix) {
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+      for (Eigen::Index row = 0; row < matrix.rows(); ++row) add(static_cast<double>(matrix(row, column)));
+  }
+
+ private:
+  void add_bits(std::uint64_t bits) {
+    for (int byte = 0; byte < 8; ++byte, bits >>= 8) hash_ = (hash_ ^ (bits & 0xff)) * 0x100000001b3u;
+  }
+  std::uint64_t hash_ = 0xcbf29ce484222325u;
+};
+
+class Json {
+ public:
+  explicit Json(int dim) : dim_(dim) {}
+  std::string text;
+
+  void operator()(std::string_view name, const auto& value) {
+    text += text.empty() ? "{\"" : ",\"";
+    text.append(name) += "\":";
+    put(value);
+  }
+
+  void put(std::string_view value) { (text += '"').append(value) += '"'; }
+  void put(int value) { text += std::to_string(value); }
+  void put(bool value) { text += value ? "true" : "false"; }
+  void put(double value) {
+    std::array<char, 32> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), "%.17g", value);
+    text += buffer.data();
+  }
+  void put(const Support& support) { put_list(support.size(), [&](int i) { put(support[i]); }); }
+  void put(const std::array<Index, 3>& indices) {
+    put_list(dim_, [&](int i) { put(indices[static_cast<std::size_t>(i)]); });
+  }
+  void put(const Vector<double, 3>& v) { put_list(dim_, [&](int i) { put(v[i]); }); }
+  void put(const Matrix<double, 3>& m) {
+    put_list(dim_, [&](int row) { put_list(dim_, [&](int column) { put(m(row, column)); }); });
+  }
+  void put(const Sphere3& sphere) {
+    text += "{\"center\":";
+    put(sphere.center);
+    text += ",\"radius\":";
+    put(sphere.radius);
+    text += '}';
+  }
+
+ private:
+  template <class Item>
+  void put_list(int n, Item&& item) {
+    text += '[';
+    for (int i = 0; i < n; ++i) {
+      if (i > 0) text += ',';
+      item(i);
+    }
+    text += ']';
+  }
+  int dim_;
+};
+
+/// Eigenvectors one a row, and in 2-D without the added axis, which lift puts first.
+void put_axes(Json& json, const AxesFound<double, 3>& fact, int dim) {
+  Matrix<double, 3> rows = Matrix<double, 3>::Zero();
+  Vector<double, 3> variances = Vector<double, 3>::Zero();
+  rows.topRows(dim) = fact.axes.rightCols(dim).transpose();
+  variances.head(dim) = fact.variances.tail(dim);
+  json("mean", fact.mean), json("axes", rows), json("variances", variances);
+}
+
+}  // namespace
+
+std::string_view name_of(const Step3& step) { return kFactNames[step.fact.index()]; }
+
+std::span<const std::string_view> fact_names() { return kFactNames; }
+
+std::uint64_t hash_of(std::span<const Recorder<Step3>::Entry> steps) {
+  Fnv1a hash;
+  for (const auto& entry : steps) {
+    hash.add(static_cast<std::int64_t>(entry.step.fact.index()));
+    hash.add(entry.step.line);
+    hash.add(entry.step.has_ball);
+    hash.add(entry.step.ball);
+    std::visit([&](const auto& fact) { fact.fields(hash); }, entry.step.fact);
+  }
+  return hash.hash();
+}
+
+std::string json_of(const Step3& step, int dim) {
+  Json json(dim);
+  json("step", name_of(step));
+  json("line", step.line);
+  if (step.has_ball) json("ball", step.ball);
+  if (const auto* axes = std::get_if<AxesFound<double, 3>>(&step.fact))
+    put_axes(json, *axes, dim);
+  else
+    std::visit([&](const auto& fact) { fact.fields(json); }, step.fact);
+  return json.text + '}';
+}
+
+}  // namespace snug::fit

@@ -1,0 +1,31 @@
+// Every tolerance of the core, each relative to the size of its input, with the reason for its number.
+#pragma once
+
+#include <limits>
+
+namespace snug::tolerance {
+
+/// The unit roundoff u: the largest relative error of one rounded operation.
+template <class Scalar>
+inline constexpr Scalar kRoundoff = std::numeric_limits<Scalar>::epsilon() / 2;
+
+/// A squared distance |p - c|^2 in 3-D carries at most: one rounding per difference (2u once squared), one per
+/// square, two for the sum, so 5u; its square root half of that and u/2 more. 8u covers all of it with room for
+/// the terms in u^2. Held by "a computed squared distance stays within its bound".
+template <class Scalar>
+inline constexpr Scalar kSquaredDistance = 8 * kRoundoff<Scalar>;
+
+/// A pivot of the support's Gram matrix, scaled to a largest entry near 1 and solved in about 106 bits (relative
+/// error 2^-104), below which its points count as affinely dependent: half of those digits are then gone, but the
+/// centre still keeps all of double's. Held by "support points 1e-10 apart".
+inline constexpr double kDependentPivot = 0x1p-90;
+
+/// How far a proven lower bound may stay below the radius for the ball to be called the smallest, in units of
+/// u * (radius + largest coordinate): the centre is rounded once per coordinate (sqrt(3) u of its size), the radius
+/// grows by as much again, and the distances by kSquaredDistance / 2. Held by "certificates of far and tiny balls".
+inline constexpr double kOptimalityRoundoffs = 16;
+
+/// The same, for a support point to count as lying on the boundary.
+inline constexpr double kBoundaryRoundoffs = 16;
+
+}  // namespace snug::tolerance

@@ -1,0 +1,91 @@
+// A lesson as its TOML file says it. The format is documented in lessons/README.md.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "geometry/input_error.hpp"
+#include "geometry/vector.hpp"
+
+namespace snug::lesson {
+
+/// A stretch of prose; strong where the file says **so**: a term where it first stands.
+struct Stretch {
+  std::string text;
+  bool strong = false;
+};
+using Paragraph = std::vector<Stretch>;
+
+struct Section {
+  std::string title;
+  std::vector<Paragraph> paragraphs;
+};
+
+/// Where the points come from: exactly one of a generator, a mesh by name, or a list.
+struct Points {
+  int dim = 2;
+  std::string generate;  // a kind of snug::generate: "gaussian", "clusters" …
+  int count = 0;         // of generated points
+  std::string mesh;      // "bunny", "teapot", "dragon": loaded by the door that runs the lesson
+  std::vector<Vector<double, 3>> list;
+};
+
+/// The step that a question stands before: the n-th step of that name, counted from 1, in the algorithm's trace.
+struct Gate {
+  std::string algorithm;
+  std::string fact;  // as fit::fact_names() has it: "pair_chosen"
+  int occurrence = 1;
+};
+
+struct Question {
+  enum class Asks {
+    kPoint,   // which point the step speaks of: answered on the stage
+    kAxis,    // of pair_chosen: which pair of extremes; the choices are the axes, or one of the pair's points
+    kGrows,   // whether the radius is larger after the step than before: yes or no
+    kLeaves,  // of support_replaced or boundary_forced: which point leaves the support; the choices are its points and none
+    kChoice,  // one of the choices that the file gives
+  };
+  std::string id;
+  Gate gate;
+  Asks asks = Asks::kPoint;
+  std::string prompt;
+  std::vector<std::string> choices;  // of kChoice
+  int answer = 0;                    // of kChoice, counted from 0
+  std::string because;               // shown with what happened, right or wrong
+};
+
+/// "Make it fail" or "construct it": graded on the points as they stand.
+struct Task {
+  std::string prompt;
+  std::string algorithm;           // whose ball is compared with the smallest
+  double excess_at_least = 0;      // radius / smallest radius - 1
+  int points = 0;                  // how many points there must be
+  std::string hint;
+  std::vector<Vector<double, 3>> model;  // a solution, which the checks play
+};
+
+struct Lesson {
+  std::string id;       // the file's name without .toml
+  std::string group;    // "Spheres"
+  std::string title;
+  std::string summary;  // one sentence
+  int order = 0;        // among the lessons of its group
+  std::vector<std::string> covers;  // "lecture title: slide title", what of the lectures it stands for
+  std::vector<Section> sections;
+  Points points;
+  std::uint64_t seed = 1;
+  std::vector<std::string> algorithms;  // offered, in this order; the first is shown at the start
+  std::string compare;                  // a second one beside it from the start; empty for none
+  std::vector<Question> questions;
+  std::optional<Task> task;
+};
+
+/// Reads a lesson file. name: for errors and for the id. Errors: of TOML, of an unknown or missing key, of an
+/// algorithm, fact, generator or answer that does not exist, each with its line.
+[[nodiscard]] tl::expected<Lesson, InputError> read_lesson(std::string_view toml, std::string_view name);
+
+}  // namespace snug::lesson
