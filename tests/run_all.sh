@@ -1,0 +1,86 @@
+# Sourced by ./run test: builds what the tests need, runs each kind, adds up what they count.
+passed=0
+failed=0
+
+count() { # title passed failed log-name
+    passed=$((passed + $2)) failed=$((failed + $3))
+    say "$1: $2 passed, $3 failed"
+    (($3 == 0)) || why "$4"
+}
+
+# A program of doctest's: its last line has the figures. None, or no test at all, is a failure.
+doctest_suite() { # title log-name command...
+    local status=0 figures
+    quietly "$2" "${@:3}" || status=$?
+    figures=$(grep -aoP 'test cases: *\d+ \| *\K\d+ passed \| *\d+ failed' "build/logs/$2.log" |
+        tail -n 1 | tr -cd '0-9 ') || true
+    read -r ok bad <<<"$figures" || true
+    ok=${ok:-0} bad=${bad:-0}
+    ((bad > 0 || (status == 0 && ok > 0))) || bad=1
+    count "$1" "$ok" "$bad" "$2"
+}
+
+# Files for node's own test runner.
+node_suite() { # title log-name command-before-node... -- files...
+    local title=$1 log=$2 before=() status=0 figure ok bad
+    shift 2
+    while [[ $1 != -- ]]; do before+=("$1"); shift; done
+    shift
+    quietly "$log" "${before[@]}" node --test --test-reporter=tap "$@" || status=$?
+    figure() { grep -aoP "^# $1 \K\d+" "build/logs/$log.log" | tail -n 1 || echo 0; }
+    ok=$(figure pass) bad=$(($(figure fail) + $(figure cancelled)))
+    ((bad > 0 || (status == 0 && ok > 0))) || bad=1
+    count "$title" "${ok:-0}" "$bad" "$log"
+}
+
+# Shell scripts: each is one test, by its exit status.
+shell_suite() { # title log-name command-before... -- files...
+    local title=$1 log=$2 before=() ok=0 bad=0 file
+    shift 2
+    while [[ $1 != -- ]]; do before+=("$1"); shift; done
+    shift
+    for file in "$@"; do
+        if quietly "$log" "${before[@]}" bash "$file"; then ok=$((ok + 1)); else
+            bad=$((bad + 1))
+            why "$log"
+        fi
+    done
+    count "$title" "$ok" "$bad" "$log"
+}
+
+built() { # preset targets...: whether it could be built; if not, that is a failure
+    say "Building $1"
+    build "$@" && return
+    failed=$((failed + 1))
+    return 1
+}
+
+shopt -s nullglob
+screen=(xvfb-run -a -s "-screen 0 1280x800x24")
+
+if built release snug_tests snug_desktop; then
+    doctest_suite "core, native" core-native build/release/tests/snug_tests
+    node_suite "command line" command-line -- tests/command/*.test.mjs
+    node_suite "desktop window" desktop-window "${screen[@]}" -- tests/desktop/*.test.mjs
+    shell_suite "desktop window" desktop-window "${screen[@]}" -- tests/desktop/*.test.sh
+fi
+
+if built sanitize snug_tests; then
+    doctest_suite "core, sanitized" core-sanitized build/sanitize/tests/snug_tests
+fi
+
+if built wasm all; then
+    # Emscripten 3.1.6 mistakes Node for a browser when it finds fetch.
+    doctest_suite "core, WebAssembly" core-wasm \
+        node --no-experimental-fetch build/wasm/tests/snug_tests.js
+    shell_suite "native and WebAssembly traces are equal" trace-hash -- tests/trace_hash.sh
+    if [[ tests/browser/package-lock.json -nt tests/browser/node_modules/.package-lock.json ]]; then
+        quietly npm-browser npm --prefix tests/browser ci ||
+            stop "npm could not fetch the test packages: connect to a network, then run this again."
+        touch tests/browser/node_modules/.package-lock.json
+    fi
+    node_suite "browser" browser -- tests/browser/*.test.mjs
+fi
+
+say "$passed passed, $failed failed"
+((failed == 0))
