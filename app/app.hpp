@@ -32,12 +32,16 @@ struct Settings {
   Theme theme = Theme::kLight;
   float text_scale = 1;          // 1 is 15 px prose
   bool reduced_motion = false;
+  bool prose_in_canvas = false;  // the step's sentence on the stage; the page has it as HTML above the canvas instead
+  bool show_optimum = false;     // the smallest ball beside the current one before the end; there it always shows
 };
 
 /// What differs between the doors.
 struct Platform {
   /// The bytes of a font: "Inter-Regular", "Inter-SemiBold", "JetBrainsMono-Regular", "JetBrainsMono-Bold".
   std::string (*font)(std::string_view name) = nullptr;
+  /// The first line of each shader: "#version 330 core" or "#version 300 es".
+  const char* glsl_version = "#version 330 core";
 };
 
 /// A draggable thing, at its place on the canvas.
@@ -70,7 +74,8 @@ class App {
   /// Does what a button or key says. Names: first back step play last next_mark previous_mark faster slower undo redo
   /// add_point delete_point scatter reset_points reset_view skip_question select_next select_previous select_none
   /// move_left move_right move_up move_down move_nearer move_farther (the selected point; "_fine" behind it for a
-  /// tenth), zoom_in zoom_out orbit_left orbit_right orbit_up orbit_down.
+  /// tenth), zoom_in zoom_out orbit_left orbit_right orbit_up orbit_down
+  /// toggle_optimum.
   /// Returns false where the name is unknown or it cannot be done now (undo with nothing to undo).
   bool command(std::string_view name);
   /// The command of a key, as the browser names keys ("ArrowRight", "PageDown", " ", "Home", "z"); empty for none.
@@ -82,6 +87,10 @@ class App {
   void select(Index point);
   [[nodiscard]] bool playing() const;
   [[nodiscard]] float speed() const;  // steps a second are 2 * speed
+
+  /// Two fingers on the stage: factor > 1 as they part, around their middle (canvas coordinates), which moved by
+  /// (dx, dy) since the last call.
+  void pinch(float factor, float x, float y, float dx = 0, float dy = 0);
 
   /// Draws into the rectangles and answers ImGui's input; call between ImGui::NewFrame and ImGui::Render, then
   /// draw_3d_behind with the framebuffer bound, then ImGui's own drawing. now: seconds, rising.
