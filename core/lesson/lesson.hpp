@@ -30,24 +30,32 @@ struct Points {
   int dim = 2;
   std::string generate;  // a kind of snug::generate: "gaussian", "clusters" …
   int count = 0;         // of generated points
-  std::string mesh;      // "bunny", "teapot", "dragon": loaded by the door that runs the lesson
+  std::string mesh;      // one of mesh_names(): loaded by the door that runs the lesson
   std::vector<Vector<double, 3>> list;
 };
 
-/// The step that a question stands before: the n-th step of that name, counted from 1, in the algorithm's trace.
+/// The meshes that every door has: "bunny", "teapot", "dragon".
+[[nodiscard]] const std::vector<std::string>& mesh_names();
+
+/// What a question speaks of: the n-th step of that name, counted from 1, in the algorithm's trace. The question stands
+/// just before it; or, where after is given, right after the last step of that name before it, so that what leads to
+/// the answer is not shown yet (the next growth, asked right after the last one).
 struct Gate {
   std::string algorithm;
   std::string fact;  // as fit::fact_names() has it: "pair_chosen"
   int occurrence = 1;
+  std::string after;  // a fact's name, or empty
 };
 
 struct Question {
   enum class Asks {
     kPoint,   // which point the step speaks of: answered on the stage
     kAxis,    // of pair_chosen: which pair of extremes; the choices are the axes, or one of the pair's points
-    kGrows,   // whether the radius is larger after the step than before: yes or no
+    kGrows,   // whether the radius is larger after the step than where the question stands: yes or no
     kLeaves,  // of support_replaced or boundary_forced: which point leaves the support; the choices are its points and none
     kChoice,  // one of the choices that the file gives
+    kBetter,  // of pass_judged or candidate_tried: whether the ball becomes the best so far: yes or no
+    kHolds,   // of finished: how many points hold the ball; the choices are 1 to Dim + 1
   };
   std::string id;
   Gate gate;
@@ -55,7 +63,9 @@ struct Question {
   std::string prompt;
   std::vector<std::string> choices;  // of kChoice
   int answer = 0;                    // of kChoice, counted from 0
+  bool own_points = false;           // asked only on the lesson's own points: the answer is true of those alone
   std::string because;               // shown with what happened, right or wrong
+  int line = 0;                      // of the file, for errors
 };
 
 /// "Make it fail" or "construct it": graded on the points as they stand.
@@ -63,12 +73,24 @@ struct Task {
   std::string prompt;
   std::string algorithm;           // whose ball is compared with the smallest
   double excess_at_least = 0;      // radius / smallest radius - 1
+  int support_size = 0;            // how many points must hold the smallest ball; 0 where the task does not say
   int points = 0;                  // how many points there must be
   std::string hint;
   std::vector<Vector<double, 3>> model;  // a solution, which the checks play
 };
 
+/// An algorithm's pseudocode in the lesson's own words; as many lines as the catalogue's.
+struct Pseudocode {
+  std::string algorithm;
+  std::vector<std::string> lines;
+};
+
 struct Lesson {
+  /// What stands on the stage when the lesson opens.
+  enum class Start {
+    kBegin,  // the points alone, before the first step
+    kEnd,    // the result: see Session::previewing
+  };
   std::string id;       // the file's name without .toml
   std::string group;    // "Spheres"
   std::string title;
@@ -77,15 +99,20 @@ struct Lesson {
   std::vector<std::string> covers;  // "lecture title: slide title", what of the lectures it stands for
   std::vector<Section> sections;
   Points points;
+  std::vector<std::string> meshes;      // which the student may load instead
+  std::vector<std::string> generators;  // which the student may scatter by instead
   std::uint64_t seed = 1;
+  Start start = Start::kBegin;
   std::vector<std::string> algorithms;  // offered, in this order; the first is shown at the start
   std::string compare;                  // a second one beside it from the start; empty for none
+  std::vector<Pseudocode> pseudocode;   // where the lesson has its own
   std::vector<Question> questions;
   std::optional<Task> task;
 };
 
 /// Reads a lesson file. name: for errors and for the id. Errors: of TOML, of an unknown or missing key, of an
-/// algorithm, fact, generator or answer that does not exist, each with its line.
+/// algorithm, fact, generator, mesh or answer that does not exist, of a question whose step the algorithm does not take
+/// on the lesson's own points, of a model solution that the task does not accept, each with its line.
 [[nodiscard]] tl::expected<Lesson, InputError> read_lesson(std::string_view toml, std::string_view name);
 
 }  // namespace snug::lesson

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -12,102 +14,98 @@
 
 #include "fit/catalogue.hpp"
 #include "io/point_file.hpp"
+#include "lesson/ask.hpp"
+#include "lesson/figures.hpp"
+#include "lesson/grade.hpp"
 #include "lesson/lesson.hpp"
 
 namespace snug::lesson {
 
-/// An answer to a question: a point of the stage, or one of the question's choices.
-struct Answer {
-  enum class Kind { kPoint, kChoice, kSkipped } kind = Kind::kSkipped;
-  int value = 0;  // the point's index, or the choice counted from 0
-};
-
-/// A question as it is asked now, with the choices worked out from the trace.
-struct Asked {
-  const Question* question = nullptr;
-  int step = 0;                       // the step that it stands before
-  std::vector<std::string> choices;   // what may be chosen; empty where only the stage answers
-  std::vector<Index> choice_points;   // the point that each choice names, or kNoIndex
-  bool on_stage = false;              // whether a click on a point answers
-};
-
-/// What happened, beside what was predicted.
-struct Outcome {
-  std::string question;    // its id
-  Answer given;
-  bool right = false;
-  bool skipped = false;
-  std::string predicted;   // "P9", "yes", "the x pair"
-  std::string happened;    // the same in fact
-  std::string because;
-};
-
-/// The grading of the task on the points as they stand.
-struct Grade {
-  bool done = false;
-  int points = 0;          // how many there are
-  double excess = 0;       // radius / smallest radius - 1
-  std::string says;        // one sentence
-};
-
-/// A mark on the timeline: a step that matters.
+/// A mark on the timeline: a step that matters. step: the player's place that shows it, for go.
 struct Mark {
   int step = 0;
-  enum class Kind { kGrew, kReplaced, kQuestion } kind = Kind::kGrew;
+  enum class Kind {
+    kGrew,      // there is a ball, or it grew
+    kReplaced,  // the support set was replaced
+    kQuestion,  // a question stands here
+    kBest,      // the ball became the best so far
+  } kind = Kind::kGrew;
 };
 
 class Session {
  public:
   /// mesh: what lesson.points.mesh names, where it names one. Errors: points that no set can be made of.
   [[nodiscard]] static tl::expected<Session, InputError> open(Lesson lesson, std::optional<io::PointFile> mesh = {});
+  // Asked points into the lesson, which a move leaves in place and a copy would not.
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  Session(Session&&) = default;
+  Session& operator=(Session&&) = default;
+  ~Session() = default;
 
   [[nodiscard]] const Lesson& lesson() const { return lesson_; }
 
   // ---- the points -------------------------------------------------------------------------------------------
-  [[nodiscard]] const AnyPointSet& points() const { return points_; }
+  [[nodiscard]] const AnyPointSet& points() const { return now_.points; }
   [[nodiscard]] int dim() const;
   [[nodiscard]] Index size() const;
   [[nodiscard]] Vector<double, 3> point(Index i) const;
   /// Triangles of the mesh that the points are vertices of; empty otherwise. Moving a vertex keeps them, adding or
   /// deleting a point drops them (undo brings them back).
   [[nodiscard]] const std::vector<std::array<Index, 3>>& triangles() const;
-  [[nodiscard]] std::uint64_t seed() const { return seed_; }
+  [[nodiscard]] std::uint64_t seed() const { return now_.seed; }
+  /// Where the points come from: a generator's kind, a mesh's or file's name, "own" for the lesson's own list, "task"
+  /// for the start of its task.
+  [[nodiscard]] const std::string& source() const { return now_.source; }
 
   /// Edits. Each runs the algorithms anew at once and is one entry of undo; a drag is one entry from begin to end.
-  /// The player stays at its step, or at the last one where the new trace is shorter.
+  /// The player stays at its step, or at the last one where the new trace is shorter; at the end it stays at the end.
   tl::expected<void, InputError> move(Index i, const Vector<double, 3>& to);
+  /// Errors: more points than the main algorithm takes.
   tl::expected<void, InputError> add(const Vector<double, 3>& at);
   /// Errors: the last point cannot be deleted.
   tl::expected<void, InputError> remove(Index i);
-  /// Points anew from a seed: the lesson's generator, or one of the same dimension where the lesson has a mesh or list.
+  /// Points anew from a seed, of the kind that they are now; those of a mesh, file or list give way to as many of the
+  /// lesson's generator as the lesson has points. The lesson's own seed brings a lesson's own list back.
   void scatter(std::uint64_t seed);
-  /// The lesson's own points again.
+  /// Points of another kind. Errors: unknown kind, a count out of 1 … 100,000, a dimension other than 2 and 3.
+  tl::expected<void, InputError> set_generator(std::string_view kind, int count, int dim, std::uint64_t seed);
+  /// The lesson's own points and seed again.
   void reset();
+  /// An algorithm that does not take so many points gives way to the first of the lesson's that does. Errors: as of
+  /// io::to_point_set; no algorithm of the lesson takes so many.
   tl::expected<void, InputError> load(const io::PointFile& file, std::string_view name);
+  /// The first points of the lesson's own, as many as the task asks for, and the task's algorithm in slot 0.
+  void start_task();
   void begin_drag();
   void end_drag();
-  [[nodiscard]] bool can_undo() const { return !past_.empty(); }
+  [[nodiscard]] bool can_undo() const { return !past_.empty() || drag_moved_; }
   [[nodiscard]] bool can_redo() const { return !future_.empty(); }
   void undo();
   void redo();
   /// Whether the points are other than the lesson's own for this seed (an address cannot restore them then).
-  [[nodiscard]] bool edited() const { return edited_; }
+  [[nodiscard]] bool edited() const { return now_.edited; }
 
   // ---- the algorithms ---------------------------------------------------------------------------------------
   /// slot 0 is the main one, which the timeline, sentence and pseudocode speak of; slot 1 stands beside it.
   [[nodiscard]] const fit::Algorithm* algorithm(int slot) const { return slots_[static_cast<std::size_t>(slot)].algorithm; }
-  /// Null clears slot 1; slot 0 must have one. Errors: too many points for it; unknown name.
+  /// An empty name clears slot 1; slot 0 must have one. Errors: too many points for it; unknown name.
   tl::expected<void, InputError> choose(int slot, std::string_view name);
   [[nodiscard]] const fit::Recording& recording(int slot) const { return slots_[static_cast<std::size_t>(slot)].recording; }
-  /// The smallest ball of the points, for the excess.
-  [[nodiscard]] const fit::Recording& optimum() const { return optimum_; }
-  /// Every algorithm that the lesson offers, with its result on the points ("In the end, beside the others").
+  /// The lesson's own pseudocode of that slot's algorithm, or the catalogue's.
+  [[nodiscard]] std::span<const std::string_view> pseudocode(int slot) const;
+  /// The smallest ball of the points, watched: run when first asked for after an edit. For the excess alone,
+  /// smallest_radius is cheaper.
+  [[nodiscard]] const fit::Recording& optimum() const;
+  [[nodiscard]] double smallest_radius() const;
+  /// Every algorithm that the lesson offers, with its result on the points ("In the end, beside the others"). Run when
+  /// first asked for after an edit. Those that do not take so many points are left out.
   struct Rival {
     const fit::Algorithm* algorithm;
     double radius;
     double excess;  // over the optimum, 0.1 for 10 per cent
   };
-  [[nodiscard]] const std::vector<Rival>& rivals() const { return rivals_; }
+  [[nodiscard]] const std::vector<Rival>& rivals() const;
 
   // ---- the player -------------------------------------------------------------------------------------------
   /// Steps of slot 0: 0 is before the first, steps() is after the last. step() shows the state after that many steps.
@@ -116,24 +114,32 @@ class Session {
   /// The step just done (null at 0), and slot 1's at the same share of its own trace.
   [[nodiscard]] const Recorder<fit::Step3>::Entry* current(int slot) const;
   [[nodiscard]] int step_of(int slot) const;
+  /// The points that hold the ball as it stands: those it touches by construction, or the result's in the end.
+  [[nodiscard]] fit::Support support(int slot) const;
   /// Goes to a step; forward only up to the first unanswered question's gate. jump goes past gates: their questions
-  /// then count as skipped (an address names a step).
+  /// then count as skipped (an address names a step), and are asked when the player comes to them again.
   void go(int step);
   void jump(int step);
+  void first() { go(0); }
   void forward() { go(step_ + 1); }
   void back() { go(step_ - 1); }
+  void last() { go(steps()); }
+  /// Whether the result is shown before the player was used: a lesson that starts at its end. Edits keep it so. No
+  /// question was passed then: to step forward (or play) begins at step 0, to scrub back stops at the first gate.
+  [[nodiscard]] bool previewing() const { return previewing_; }
   [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }
   /// The next or previous mark from here, or the end or start.
   [[nodiscard]] int next_mark() const;
   [[nodiscard]] int previous_mark() const;
 
   // ---- questions and the task -------------------------------------------------------------------------------
-  /// The question that stands before the next step and has no answer yet; playing waits for it.
+  /// The question that stands here and has no answer yet; playing waits for it.
   [[nodiscard]] const Asked* asked() const;
   /// Every question of this trace in the timeline's order. Questions whose gate the trace does not have are left out.
   [[nodiscard]] const std::vector<Asked>& questions() const { return asked_; }
-  /// Commits an answer and takes the step, so that what happened stands beside what was predicted.
-  void answer(const Answer& answer);
+  /// Commits an answer and goes to where it is decided, so that what happened stands beside what was predicted.
+  /// false: nothing is asked, or that is no answer to it (a point that is none of the choices); nothing changes then.
+  bool answer(const Answer& answer);
   /// The last outcome, as long as the player stands on the step it speaks of; null otherwise.
   [[nodiscard]] const Outcome* outcome() const;
   [[nodiscard]] const std::vector<Outcome>& outcomes() const { return outcomes_; }
@@ -143,50 +149,72 @@ class Session {
   void forget_answers();
 
   // ---- figures ----------------------------------------------------------------------------------------------
-  /// What the inspector shows, by name, in its order; values as text with their unit.
-  struct Figure {
-    std::string name;   // "Radius so far"
-    std::string key;    // "radius": the name in window.snug.state().readout
-    std::string text;   // "2.118"
-    double value = 0;
-  };
-  [[nodiscard]] std::vector<Figure> figures() const;
+  using Figure = lesson::Figure;
+  [[nodiscard]] std::vector<Figure> figures(int slot = 0) const;
+  /// What is proven of the ball as it stands ("Proof, so far"), and in the end the result's certificate.
+  [[nodiscard]] std::vector<Proof> proofs(int slot = 0) const;
   /// Changes whenever anything that a view shows has changed.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   /// The hash of slot 0's trace.
-  [[nodiscard]] std::uint64_t trace_hash() const { return hash_; }
+  [[nodiscard]] std::uint64_t trace_hash() const;
 
  private:
-  Session(Lesson lesson, AnyPointSet points);
+  using Triangles = std::vector<std::array<Index, 3>>;
+  /// The points and what is said of them; shared triangles keep a snapshot small.
   struct Snapshot {
     AnyPointSet points;
-    std::vector<std::array<Index, 3>> triangles;
-    std::uint64_t seed;
-    bool edited;
+    std::shared_ptr<const Triangles> triangles;
+    std::uint64_t seed = 1;
+    std::string source;
+    int generated = 0;  // how many points the source's generator made; 0 where there is none
+    bool edited = false;
   };
   struct Slot {
     const fit::Algorithm* algorithm = nullptr;
     fit::Recording recording;
+    std::vector<std::string_view> pseudocode;
+  };
+  /// What is worked out when asked for, and forgotten with the next edit.
+  struct Worked {
+    std::optional<fit::Recording> optimum;
+    std::optional<double> smallest_radius;
+    std::optional<std::vector<Rival>> rivals;
+    std::optional<Grade> grade;
+    std::optional<std::uint64_t> hash;
   };
 
+  Session(Lesson lesson, Snapshot own);
+  tl::expected<void, InputError> make_room_for(Index points);
+  tl::expected<void, InputError> become(Snapshot next);
+  void remember();
+  void restore(std::vector<Snapshot>& from, std::vector<Snapshot>& to);
+  [[nodiscard]] Snapshot generated(std::string_view kind, int count, int dim, std::uint64_t seed, bool edited) const;
+  void use(int slot, const fit::Algorithm* algorithm);
+  void run(int slot);
+  void points_changed();
+  void trace_changed(bool at_end);
+  void stand(int step);
+  [[nodiscard]] bool open_question(const Asked& asked) const;
+  Outcome& outcome_for(const std::string& id);
+  [[nodiscard]] RunView view(int slot) const;
+
   Lesson lesson_;
-  AnyPointSet points_;
-  std::vector<std::array<Index, 3>> triangles_;
-  std::optional<io::PointFile> mesh_;
-  std::uint64_t seed_ = 1;
-  bool edited_ = false;
-  bool dragging_ = false;
+  Snapshot own_;  // the lesson's own points, for reset
+  Snapshot now_;
   std::vector<Snapshot> past_;
   std::vector<Snapshot> future_;
+  std::optional<Snapshot> drag_;  // the points where the drag began
+  bool drag_moved_ = false;
   std::array<Slot, 2> slots_;
-  fit::Recording optimum_;
-  std::vector<Rival> rivals_;
+  mutable Worked worked_;
   int step_ = 0;
+  bool previewing_ = false;
   std::vector<Mark> marks_;
   std::vector<Asked> asked_;
   std::vector<Outcome> outcomes_;
-  std::uint64_t revision_ = 0;
-  std::uint64_t hash_ = 0;
+  int shown_outcome_ = -1;  // of outcomes_, at step shown_at_
+  int shown_at_ = -1;
+  std::uint64_t revision_ = 1;
 };
 
 }  // namespace snug::lesson

@@ -1,0 +1,74 @@
+// Questions on a trace: where each stands, what may be answered, whether an answer is right, and what is said then.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fit/catalogue.hpp"
+#include "lesson/lesson.hpp"
+
+namespace snug::lesson {
+
+using Trace = std::span<const Recorder<fit::Step3>::Entry>;
+
+/// An answer to a question: a point of the stage, or one of the question's choices.
+struct Answer {
+  enum class Kind { kPoint, kChoice, kSkipped } kind = Kind::kSkipped;
+  int value = 0;  // the point's index, or the choice counted from 0
+};
+
+/// A question as it is asked now, with the choices worked out from the trace.
+struct Asked {
+  const Question* question = nullptr;
+  int step = 0;                       // the player's place where it stands
+  std::vector<std::string> choices;   // what may be chosen; empty where only the stage answers
+  std::vector<Index> choice_points;   // the point that each choice names, or kNoIndex
+  bool on_stage = false;              // whether a click on a point answers
+  int fact = 0;                       // which step of the trace it speaks of, counted from 0
+  int until = 0;                      // the player's place where it is decided: answering goes there
+};
+
+/// What happened, beside what was predicted.
+struct Outcome {
+  std::string question;    // its id
+  Answer given;
+  bool right = false;
+  bool skipped = false;
+  bool passed = false;     // skipped by a jump: it is asked when the player comes to it again
+  std::string predicted;   // "P9", "yes", "the x pair"
+  std::string happened;    // the same in fact: "P12"
+  std::string says;        // both in a sentence: "You said P9. P12 left the support set."
+  std::string because;
+};
+
+/// "P9": how a point is called, everywhere.
+[[nodiscard]] std::string point_name(Index i);
+
+/// The questions of that algorithm that this trace has the gates of, in the timeline's order. One that stands where
+/// another is still open is left out. own_points: whether the points are the lesson's own.
+[[nodiscard]] std::vector<Asked> asked_on(const Lesson& lesson, std::string_view algorithm, Trace trace, int dim,
+                                          bool own_points);
+
+/// Where one question stands on a trace; nothing where the trace does not have its step. why: in one fragment, then.
+[[nodiscard]] std::optional<Asked> resolve(const Question& question, Trace trace, int dim, std::string& why);
+
+/// Whether that is an answer to it at all: a choice in range, a point that it can mean. points: how many there are.
+[[nodiscard]] bool answers(const Asked& asked, const Answer& answer, Index points);
+
+/// The outcome of an answer, which answers it (or is skipped).
+[[nodiscard]] Outcome judge(const Asked& asked, const Answer& answer, Trace trace);
+
+/// An answer that is right.
+[[nodiscard]] Answer model_answer(const Asked& asked, Trace trace);
+
+/// The points that a step speaks of, any of which is a right answer to "which point":
+/// the extremes of extremes_found, both of pair_chosen, the point of farthest_found, point_examined, ball_grown and
+/// moved_to_front, the one entered of support_replaced, the last one forced of boundary_forced, the farthest of
+/// radius_checked, the one left outside by a candidate_tried or else its points, the support of finished. No others.
+[[nodiscard]] std::vector<Index> points_named(const fit::Step3& step);
+
+/// The points that hold the ball after the first so many steps: those that it touches by construction.
+[[nodiscard]] fit::Support support_after(Trace trace, int steps);
+
+}  // namespace snug::lesson

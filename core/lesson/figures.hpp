@@ -1,0 +1,49 @@
+// The figures of the inspector and the lines of the proof, from a run and a place in its trace.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fit/catalogue.hpp"
+
+namespace snug::lesson {
+
+/// What the inspector shows, by name, in its order; values as text with their unit.
+struct Figure {
+  std::string name;   // "Radius so far"
+  std::string key;    // "radius": the name in window.snug.state().readout
+  std::string text;   // "2.118 units"
+  double value = 0;
+  std::string unit;   // "units", "%", "points"; empty for a count
+};
+
+/// A line of the proof: what is claimed of the ball, and whether it holds.
+struct Proof {
+  std::string text;      // "holds all 26 points, exactly"
+  bool holds = false;
+  bool claimed = false;  // whether the algorithm claims it; where it does not, holds says nothing against it
+};
+
+/// A run and how much of it has been shown.
+struct RunView {
+  const AnyPointSet* points = nullptr;
+  const fit::Algorithm* algorithm = nullptr;
+  const fit::Recording* recording = nullptr;
+  int step = 0;
+  double smallest_radius = 0;
+};
+
+/// Keys: radius excess outside seen outside_by support pass best candidates mean_x mean_y mean_z variance_1 …
+/// deviation_1 … (along the axis of greatest spread first), and the operations' names. All are stable.
+[[nodiscard]] std::vector<Figure> figures_of(const RunView& run);
+
+[[nodiscard]] std::vector<Proof> proofs_of(const RunView& run);
+
+/// Four significant digits: "2.118", "0.004321", "1.234e+10". The minus is a real one.
+[[nodiscard]] std::string number_text(double value);
+
+/// 0.091 as "+9.1 %".
+[[nodiscard]] std::string percent_text(double ratio);
+
+}  // namespace snug::lesson
