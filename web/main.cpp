@@ -1,0 +1,296 @@
+// The browser's door: it gives the front end a canvas, input and files, and hands the page what its HTML shows.
+// The page's own half is page/door.js; every function here is one that it calls.
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+#include <imgui.h>
+#include <imgui_impl_opengl3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "app/app.hpp"
+#include "geometry/generate.hpp"
+#include "io/point_file.hpp"
+#include "snug_gl.h"
+#include "web/canvas.hpp"
+#include "web/shared_points.hpp"
+#include "web/view.hpp"
+
+namespace {
+
+using emscripten::val;
+using namespace snug;
+
+struct Door {
+  std::map<std::string, std::string, std::less<>> fonts;
+  std::unique_ptr<app::App> app;
+  bool graphics = false;
+  app::Layout layout;
+  float width = 1, height = 1, scale = 1;
+  double last_frame = 0;
+  std::array<float, 3> ground{};
+  web::SharedPoints shared;
+};
+
+Door& door() {
+  static Door only;
+  return only;
+}
+
+/// Null before the first lesson is open.
+lesson::Session* session() { return door().app ? door().app->session() : nullptr; }
+
+/// An error's sentence; "" for none: the page tells them apart by that.
+template <class Value>
+std::string sentence(const tl::expected<Value, InputError>& result) {
+  return result ? std::string() : result.error().message();
+}
+
+// ---- starting -------------------------------------------------------------------------------------------------
+
+void give_font(const std::string& name, const std::string& bytes) { door().fonts[name] = bytes; }
+
+/// "" or why nothing can be drawn; the lesson itself works either way.
+std::string start_graphics() {
+  web::start_renderer();
+  door().graphics = door().app->create_graphics();
+  return door().graphics ? "" : door().app->graphics_error();
+}
+
+void stop_graphics() {
+  if (!door().graphics) return;
+  door().graphics = false;
+  door().app->abandon_graphics();
+  web::abandon_renderer();
+}
+
+std::string start(const std::string& selector) {
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;
+  door().app = std::make_unique<app::App>(app::Platform{.font = [](std::string_view name) {
+    const auto found = door().fonts.find(name);
+    return found == door().fonts.end() ? std::string() : found->second;
+  }});
+  if (!web::make_graphics_context(selector.c_str())) return "no WebGL 2";
+  return start_graphics();
+}
+
+// ---- frames ---------------------------------------------------------------------------------------------------
+
+app::Rect rectangle(const val& from) {
+  return {from["x"].as<float>(), from["y"].as<float>(), from["width"].as<float>(), from["height"].as<float>()};
+}
+
+/// {width, height, scale, fingers, stage, timeline, inspector: {x, y, width, height}}
+void set_layout(val from) {
+  door().layout = {rectangle(from["stage"]), rectangle(from["timeline"]), rectangle(from["inspector"]), from["fingers"].as<bool>()};
+  door().width = from["width"].as<float>();
+  door().height = from["height"].as<float>();
+  door().scale = from["scale"].as<float>();
+}
+
+/// {theme, textScale, reducedMotion, ground: [r, g, b] between the parts}
+void set_settings(val from) {
+  const std::string theme = from["theme"].as<std::string>();
+  app::Settings& settings = door().app->settings();
+  settings.theme = theme == "dark"        ? app::Theme::kDark
+                   : theme == "contrast"  ? app::Theme::kHighContrast
+                   : theme == "projector" ? app::Theme::kProjector
+                                          : app::Theme::kLight;
+  settings.text_scale = from["textScale"].as<float>();
+  settings.reduced_motion = from["reducedMotion"].as<bool>();
+  for (int channel = 0; channel < 3; ++channel) door().ground[static_cast<std::size_t>(channel)] = from["ground"][channel].as<float>();
+}
+
+/// Draws one frame, where there is something to draw on. now: in seconds.
+void frame(double now) {
+  if (!door().graphics) return;
+  Door& d = door();
+  web::begin_frame(d.width, d.height, d.scale, static_cast<float>(now - d.last_frame));
+  d.last_frame = now;
+  d.app->frame(d.layout, now);
+  ImGui::Render();
+  const int across = static_cast<int>(std::lround(d.width * d.scale));
+  const int down = static_cast<int>(std::lround(d.height * d.scale));
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, across, down);
+  glDisable(GL_SCISSOR_TEST);
+  glClearColor(d.ground[0], d.ground[1], d.ground[2], 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  d.app->draw_3d_behind(across, down, d.scale);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+bool wants_frame(double now) { return door().graphics && (web::input_pending() || door().app->wants_frame(now)); }
+
+// ---- lessons --------------------------------------------------------------------------------------------------
+
+/// {error} or {mesh}: the mesh that the page must bring to open_lesson, "" for none.
+val check_lesson(const std::string& toml, const std::string& name) {
+  val answer = val::object();
+  const auto lesson = lesson::read_lesson(toml, name);
+  if (lesson)
+    answer.set("mesh", lesson->points.mesh);
+  else
+    answer.set("error", lesson.error().message());
+  return answer;
+}
+
+/// mesh: a PLY file's bytes, "" for none.
+std::string open_lesson(const std::string& toml, const std::string& name, const std::string& mesh) {
+  auto lesson = lesson::read_lesson(toml, name);
+  if (!lesson) return lesson.error().message();
+  std::optional<io::PointFile> file;
+  if (!mesh.empty()) {
+    auto read = io::read_points(mesh, lesson->points.mesh + ".ply");
+    if (!read) return read.error().message();
+    file = std::move(*read);
+  }
+  if (const auto opened = door().app->open(std::move(*lesson), std::move(file)); !opened) return opened.error().message();
+  door().shared.forget();
+  door().shared.remember(*session(), "");
+  return "";
+}
+
+val opened_lesson() { return session() ? web::lesson_object(session()->lesson()) : val::null(); }
+val view_now() { return session() ? web::view_object(*door().app, *session()) : val::null(); }
+
+val handles() {
+  val array = val::array();
+  if (!door().app) return array;
+  for (const app::Handle& handle : door().app->handles()) {
+    val object = val::object();
+    object.set("id", handle.id);
+    object.set("x", handle.x);
+    object.set("y", handle.y);
+    array.call<void>("push", object);
+  }
+  return array;
+}
+
+// ---- what the user does ---------------------------------------------------------------------------------------
+
+bool command(const std::string& name) {
+  if (!session() || !door().app->command(name)) return false;
+  if (name == "scatter" || name == "reset_points") door().shared.remember(*session(), session()->edited() ? "scatter" : "");
+  return true;
+}
+
+std::string command_of_key(const std::string& key, bool shift, bool control) {
+  return door().app ? std::string(door().app->command_of_key(key, shift, control)) : std::string();
+}
+
+/// kind: "point", "choice" or "skip".
+void answer(const std::string& kind, int value) {
+  using Kind = lesson::Answer::Kind;
+  if (session()) session()->answer({kind == "point" ? Kind::kPoint : kind == "choice" ? Kind::kChoice : Kind::kSkipped, value});
+}
+
+void go(int step) {
+  if (session()) session()->go(step);
+}
+
+void jump(int step) {
+  if (session()) session()->jump(step);
+}
+
+void forget_answers() {
+  if (session()) session()->forget_answers();
+}
+
+/// name: "" clears the one beside.
+std::string choose(int slot, const std::string& name) { return session() ? sentence(session()->choose(slot, name)) : ""; }
+
+void select_point(int point) {
+  if (session()) door().app->select(point >= 0 && point < session()->size() ? point : kNoIndex);
+}
+
+std::string move_point(int point, double x, double y, double z) {
+  if (!session() || point < 0 || point >= session()->size()) return "there is no such point";
+  return sentence(session()->move(point, {x, y, session()->dim() == 2 ? 0 : z}));
+}
+
+/// Many moves as one entry of undo: [[point, x, y(, z)] …].
+std::string move_points(val rows) {
+  if (!session()) return "";
+  std::string error;
+  session()->begin_drag();
+  for (int i = 0; i < rows["length"].as<int>() && error.empty(); ++i) {
+    const val row = rows[i];
+    error = move_point(row[0].as<int>(), row[1].as<double>(), row[2].as<double>(), session()->dim() == 3 ? row[3].as<double>() : 0);
+  }
+  session()->end_drag();
+  return error;
+}
+
+/// Points anew from a seed: of the lesson's own kind ("") or of a generator's, as one entry of undo.
+std::string scatter(double seed, const std::string& kind, int count) {
+  if (!session()) return "";
+  const auto whole_seed = static_cast<std::uint64_t>(std::clamp(seed, 0.0, 0x1p53));
+  session()->begin_drag();
+  session()->scatter(whole_seed);
+  std::string error;
+  if (!kind.empty()) {
+    auto points = generate(kind, count, session()->dim(), whole_seed);
+    error = points ? sentence(session()->load({.dim = session()->dim(), .points = std::move(*points), .triangles = {}}, kind))
+                   : "there is no generator “" + kind + "” for so many points";
+  }
+  session()->end_drag();
+  const bool lessons_own = kind.empty() && !session()->edited();
+  door().shared.remember(*session(), lessons_own ? "" : kind.empty() ? "scatter" : kind + ":" + std::to_string(count));
+  return error;
+}
+
+/// A point file of any of the formats. how: what an address may call it ("bunny"), "" where it cannot.
+std::string load_file(const std::string& bytes, const std::string& name, const std::string& how) {
+  if (!session()) return "";
+  const auto file = io::read_points(bytes, name);
+  if (!file) return file.error().message();
+  if (const auto loaded = session()->load(*file, name); !loaded) return loaded.error().message();
+  if (!how.empty()) door().shared.remember(*session(), how);
+  return "";
+}
+
+val shared_points() { return session() ? door().shared.describe(*session()) : val::object(); }
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(snug) {
+  using emscripten::function;
+  function("give_font", &give_font);
+  function("start", &start);
+  function("start_graphics", &start_graphics);
+  function("stop_graphics", &stop_graphics);
+  function("set_layout", &set_layout);
+  function("set_settings", &set_settings);
+  function("frame", &frame);
+  function("wants_frame", &wants_frame);
+  function("pointer_moved", &web::pointer_moved);
+  function("pointer_left", &web::pointer_left);
+  function("pointer_button", &web::pointer_button);
+  function("wheel_turned", &web::wheel_turned);
+  function("modifiers_held", &web::modifiers_held);
+  function("cursor", &web::cursor);
+  function("check_lesson", &check_lesson);
+  function("open_lesson", &open_lesson);
+  function("lesson", &opened_lesson);
+  function("view", &view_now);
+  function("handles", &handles);
+  function("command", &command);
+  function("command_of_key", &command_of_key);
+  function("answer", &answer);
+  function("go", &go);
+  function("jump", &jump);
+  function("forget_answers", &forget_answers);
+  function("choose", &choose);
+  function("select_point", &select_point);
+  function("move_point", &move_point);
+  function("move_points", &move_points);
+  function("scatter", &scatter);
+  function("load_file", &load_file);
+  function("shared_points", &shared_points);
+}

@@ -1,0 +1,67 @@
+#include "web/shared_points.hpp"
+
+#include "web/view.hpp"
+
+namespace snug::web {
+namespace {
+
+using emscripten::val;
+
+constexpr std::size_t kMostInAddress = 64;  // of full precision: some 4000 characters, which every browser takes
+constexpr std::size_t kMostKnown = 16;
+
+std::vector<Vector<double, 3>> points_of(const lesson::Session& session) {
+  std::vector<Vector<double, 3>> points;
+  points.reserve(static_cast<std::size_t>(session.size()));
+  for (Index i = 0; i < session.size(); ++i) points.push_back(session.point(i));
+  return points;
+}
+
+std::vector<Index> differences(const std::vector<Vector<double, 3>>& a, const std::vector<Vector<double, 3>>& b) {
+  std::vector<Index> moved;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (a[i] != b[i]) moved.push_back(static_cast<Index>(i));
+  return moved;
+}
+
+val row(const lesson::Session& session, Index i, bool with_index) {
+  val numbers = val::array();
+  if (with_index) numbers.call<int>("push", i);
+  for (int axis = 0; axis < session.dim(); ++axis) numbers.call<int>("push", session.point(i)[axis]);
+  return numbers;
+}
+
+}  // namespace
+
+void SharedPoints::remember(const lesson::Session& session, std::string how) {
+  if (known_.size() == kMostKnown) known_.erase(known_.begin() + 1);  // the first is the lesson as it opened
+  known_.push_back({std::move(how), session.seed(), session.dim(), points_of(session)});
+}
+
+val SharedPoints::describe(const lesson::Session& session) const {
+  val object = val::object();
+  const auto points = points_of(session);
+  const Known* nearest = nullptr;
+  std::vector<Index> fewest;
+  for (const Known& known : known_) {
+    if (known.seed != session.seed() || known.dim != session.dim() || known.points.size() != points.size()) continue;
+    auto moved = differences(known.points, points);
+    if (nearest != nullptr && moved.size() >= fewest.size()) continue;
+    nearest = &known;
+    fewest = std::move(moved);
+  }
+  const bool few = points.size() <= kMostInAddress;
+  if (nearest != nullptr && fewest.size() <= kMostInAddress && (!few || 2 * fewest.size() < points.size())) {
+    object.set("how", nearest->how);
+    val moved = val::array();
+    for (const Index i : fewest) moved.call<void>("push", row(session, i, true));
+    object.set("moved", moved);
+  } else if (few) {
+    val all = val::array();
+    for (Index i = 0; i < session.size(); ++i) all.call<void>("push", row(session, i, false));
+    object.set("points", all);
+  }
+  return object;
+}
+
+}  // namespace snug::web

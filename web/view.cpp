@@ -1,0 +1,191 @@
+#include "web/view.hpp"
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace snug::web {
+namespace {
+
+using emscripten::val;
+
+val text(std::string_view words) { return val(std::string(words)); }
+
+/// An array of what make(item) makes of each item.
+template <class Items, class Make>
+val array_of(const Items& items, Make make) {
+  val array = val::array();
+  int i = 0;
+  for (const auto& item : items) array.set(i++, make(item));
+  return array;
+}
+
+val section_object(const lesson::Section& section) {
+  val object = val::object();
+  object.set("title", section.title);
+  object.set("paragraphs", array_of(section.paragraphs, [](const lesson::Paragraph& paragraph) {
+               return array_of(paragraph, [](const lesson::Stretch& stretch) {
+                 val piece = val::object();
+                 piece.set("text", stretch.text);
+                 piece.set("strong", stretch.strong);
+                 return piece;
+               });
+             }));
+  return object;
+}
+
+val algorithm_object(std::string_view name) {
+  val object = val::object();
+  const fit::Algorithm* algorithm = fit::find_algorithm("sphere", name);
+  object.set("name", text(name));
+  object.set("title", text(algorithm != nullptr ? algorithm->title : name));
+  object.set("source", text(algorithm != nullptr ? algorithm->source : ""));
+  object.set("maxPoints", algorithm != nullptr ? algorithm->max_points : 0);
+  return object;
+}
+
+val asked_object(const lesson::Asked* asked, const lesson::Session& session) {
+  if (asked == nullptr) return val::null();
+  val object = val::object();
+  object.set("id", asked->question->id);
+  object.set("prompt", asked->question->prompt);
+  object.set("step", asked->step);
+  object.set("choices", array_of(asked->choices, text));
+  object.set("choicePoints", array_of(asked->choice_points, [](Index point) { return val(point); }));
+  object.set("onStage", asked->on_stage);
+  int number = 1;
+  for (const lesson::Asked& other : session.questions()) {
+    if (other.question == asked->question) break;
+    ++number;
+  }
+  object.set("number", number);
+  return object;
+}
+
+val outcome_object(const lesson::Outcome& outcome) {
+  val object = val::object();
+  object.set("question", outcome.question);
+  object.set("right", outcome.right);
+  object.set("skipped", outcome.skipped);
+  object.set("predicted", outcome.predicted);
+  object.set("happened", outcome.happened);
+  object.set("because", outcome.because);
+  return object;
+}
+
+val grade_object(const std::optional<lesson::Grade>& grade) {
+  if (!grade) return val::null();
+  val object = val::object();
+  object.set("done", grade->done);
+  object.set("points", grade->points);
+  object.set("excess", grade->excess);
+  object.set("says", grade->says);
+  return object;
+}
+
+val hexadecimal(std::uint64_t number) {
+  std::string digits(16, '0');
+  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, number >>= 4U) *digit = "0123456789abcdef"[number & 15U];
+  return val(digits);
+}
+
+void set_algorithms(val& object, const lesson::Session& session) {
+  const fit::Algorithm* main = session.algorithm(0);
+  const fit::Algorithm* beside = session.algorithm(1);
+  object.set("algorithm", text(main->name));
+  object.set("beside", beside != nullptr ? text(beside->name) : val::null());
+  object.set("codeTitle", text(main->title));
+  object.set("code", array_of(main->pseudocode, text));
+  const auto* entry = session.current(0);
+  object.set("line", entry != nullptr ? entry->step.line : -1);
+  object.set("rivals", array_of(session.rivals(), [](const lesson::Session::Rival& rival) {
+               val row = val::object();
+               row.set("name", text(rival.algorithm->name));
+               row.set("title", text(rival.algorithm->title));
+               row.set("radius", rival.radius);
+               row.set("excess", rival.excess);
+               return row;
+             }));
+}
+
+void set_figures(val& object, const lesson::Session& session) {
+  val readout = val::object();
+  const auto figures = session.figures();
+  for (const auto& figure : figures) readout.set(figure.key, figure.value);
+  object.set("readout", readout);
+  object.set("figures", array_of(figures, [](const lesson::Session::Figure& figure) {
+               val row = val::object();
+               row.set("key", figure.key);
+               row.set("name", figure.name);
+               row.set("text", figure.text);
+               return row;
+             }));
+}
+
+void set_points(val& object, const app::App& app, const lesson::Session& session) {
+  object.set("size", session.size());
+  object.set("dim", session.dim());
+  object.set("edited", session.edited());
+  object.set("seed", static_cast<double>(session.seed()));
+  object.set("canUndo", session.can_undo());
+  object.set("canRedo", session.can_redo());
+  const Index selected = app.selected();
+  const bool any = selected >= 0 && selected < session.size();
+  object.set("selected", any ? val(selected) : val::null());
+  object.set("coordinates", any ? coordinates(session.point(selected), session.dim()) : val::null());
+}
+
+}  // namespace
+
+val coordinates(const Vector<double, 3>& point, int dim) {
+  return array_of(std::span(point.data(), static_cast<std::size_t>(dim)), [](double number) { return val(number); });
+}
+
+val lesson_object(const lesson::Lesson& lesson) {
+  val object = val::object();
+  object.set("id", lesson.id);
+  object.set("group", lesson.group);
+  object.set("title", lesson.title);
+  object.set("summary", lesson.summary);
+  object.set("sections", array_of(lesson.sections, section_object));
+  object.set("algorithms", array_of(lesson.algorithms, algorithm_object));
+  object.set("dim", lesson.points.dim);
+  object.set("generate", lesson.points.generate);
+  object.set("count", lesson.points.count);
+  object.set("mesh", lesson.points.mesh);
+  object.set("seed", static_cast<double>(lesson.seed));
+  if (lesson.task) {
+    val task = val::object();
+    task.set("prompt", lesson.task->prompt);
+    task.set("hint", lesson.task->hint);
+    task.set("algorithm", lesson.task->algorithm);
+    object.set("task", task);
+  } else {
+    object.set("task", val::null());
+  }
+  return object;
+}
+
+val view_object(app::App& app, const lesson::Session& session) {
+  val object = val::object();
+  object.set("lesson", session.lesson().id);
+  object.set("step", session.step());
+  object.set("steps", session.steps());
+  object.set("caption", app.caption());
+  object.set("playing", app.playing());
+  object.set("speed", app.speed());
+  object.set("trace", hexadecimal(session.trace_hash()));
+  object.set("asked", asked_object(session.asked(), session));
+  object.set("questions", static_cast<int>(session.questions().size()));
+  object.set("outcome", session.outcome() != nullptr ? outcome_object(*session.outcome()) : val::null());
+  object.set("outcomes", array_of(session.outcomes(), outcome_object));
+  object.set("grade", grade_object(session.grade()));
+  object.set("framesDrawn", static_cast<double>(app.frames_drawn()));
+  set_algorithms(object, session);
+  set_figures(object, session);
+  set_points(object, app, session);
+  return object;
+}
+
+}  // namespace snug::web

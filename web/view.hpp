@@ -1,0 +1,21 @@
+// A lesson and its session as plain JavaScript objects, for the page's HTML and for window.snug.
+#pragma once
+
+#include <emscripten/val.h>
+
+#include "app/app.hpp"
+#include "lesson/lesson.hpp"
+#include "lesson/session.hpp"
+
+namespace snug::web {
+
+/// What does not change while the lesson is open: {id, group, title, dim, sections, task, algorithms, points …}.
+emscripten::val lesson_object(const lesson::Lesson& lesson);
+
+/// What does: {step, steps, caption, asked, outcome, grade, algorithms, code, rivals, readout, selected …}.
+emscripten::val view_object(app::App& app, const lesson::Session& session);
+
+/// [x, y] or [x, y, z].
+emscripten::val coordinates(const Vector<double, 3>& point, int dim);
+
+}  // namespace snug::web
