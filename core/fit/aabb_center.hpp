@@ -33,14 +33,15 @@ Fit<Sphere<Scalar, Dim>> aabb_center(PointSpan<Scalar, Dim> points, Observer&& o
   ball.center = (least + greatest) / 2;
   observe(Step{1, false, {}, MidpointFound<Scalar, Dim>{least, greatest, ball.center}});
 
-  const EnclosingRadius<Scalar> enclosing = enclosing_radius(ball.center, points);
-  ball.radius = enclosing.radius;
+  const FarthestPoints<Scalar> far = farthest_points(ball.center, points);
+  const Index farthest = far.overall.point;
+  ball.radius = enclosing_radius(ball.center, points, far);
   observe.count(Operation::kPointsTouched, points.size());
   observe.count(Operation::kDistanceTests, points.size());
   observe.count(Operation::kSquareRoots, 1);
-  observe(Step{2, true, ball, FarthestFound{enclosing.farthest, static_cast<double>(ball.radius)}});
-  observe(Step{3, true, ball, Finished{{enclosing.farthest}}});
-  return {ball, {enclosing.farthest}};
+  observe(Step{2, true, ball, FarthestFound{farthest, static_cast<double>(ball.radius)}});
+  observe(Step{3, true, ball, Finished{{farthest}}});
+  return {ball, {farthest}};
 }
 
 }  // namespace snug::fit

@@ -29,9 +29,9 @@ class BruteForce {
   BruteForce(PointSpan<Scalar, Dim> points, Observer& observe) : points_(points), observe_(observe) {}
 
   Fit<Sphere<Scalar, Dim>> run() {
-    if (points_.size() == 1) attempt({0});
     for (int size = 2; size <= Dim + 1; ++size) choose(size, 0, {});
-    best_.radius = enclosing_radius(best_.center, points_).radius;
+    if (!has_ball_) attempt({0});  // one point, or the same one many times
+    best_.radius = enclosing_radius(best_.center, points_, farthest_points(best_.center, points_));
     observe_(Step{5, true, best_, Finished{support_}});
     return {best_, support_};
   }
@@ -53,7 +53,8 @@ class BruteForce {
   void attempt(const Support& support) {
     const auto ball = ball_through(points_, support);
     observe_.count(Operation::kBallSolves, 1);
-    if (!ball) return tell(0, {support, best_, Verdict::kNoBall, kNoIndex});
+    // Where the centre is outside their hull, fewer of them hold a smaller ball, which is a candidate of its own.
+    if (!ball || !ball->center_in_hull()) return tell(1, {support, best_, Verdict::kNoBall, kNoIndex});
     const Sphere<Scalar, Dim> candidate{ball->center.template cast<Scalar>(), static_cast<Scalar>(ball->radius)};
     if (has_ball_ && !(candidate.radius < best_.radius)) return tell(2, {support, candidate, Verdict::kNotSmaller, kNoIndex});
     const Index outside = first_outside(candidate);

@@ -41,12 +41,13 @@ template <class Scalar, int Dim, class Observer>
 Fit<Sphere<Scalar, Dim>> finish_grown(Sphere<Scalar, Dim> ball, Support support, PointSpan<Scalar, Dim> points, int line,
                                       Observer& observe) {
   using Step = SphereStep<Scalar, Dim>;
-  const EnclosingRadius<Scalar> enclosing = enclosing_radius(ball.center, points);
-  const bool widened = enclosing.radius > ball.radius;
-  ball.radius = std::max(ball.radius, enclosing.radius);
+  const FarthestPoints<Scalar> far = farthest_points(ball.center, points);
+  const Scalar enclosing = enclosing_radius(ball.center, points, far);
+  const bool widened = enclosing > ball.radius;
+  ball.radius = std::max(ball.radius, enclosing);
   observe.count(Operation::kPointsTouched, points.size());
   observe.count(Operation::kDistanceTests, points.size());
-  observe(Step{line, true, ball, RadiusChecked{enclosing.farthest, widened}});
+  observe(Step{line, true, ball, RadiusChecked{far.overall.point, widened}});
   observe(Step{line + 1, true, ball, Finished{support}});
   return {ball, support};
 }

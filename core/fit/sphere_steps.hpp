@@ -128,7 +128,8 @@ struct MovedToFront {
   void fields(auto&& see) const { see("point", point), see("depth", depth); }
 };
 
-/// Every point was held against the ball: how many lay outside.
+/// Every point was held against the ball. outside: in how many of the blocks of points (one block, where there are few)
+/// the farthest lay outside; 0 where the ball holds them all.
 struct AllChecked {
   static constexpr std::string_view kName = "all_checked";
   Index outside = 0;
@@ -152,7 +153,8 @@ struct SupportReplaced {
   void fields(auto&& see) const { see("entered", entered), see("before", before), see("after", after); }
 };
 
-/// Brute force: the ball of a few points, which was kept, was no smaller than the best, or left a point outside.
+/// Brute force: the ball of a few points, which was kept, was no smaller than the best, or left a point outside; or
+/// there was none (kNoBall: fewer of them hold their ball).
 template <class Scalar, int Dim>
 struct CandidateTried {
   static constexpr std::string_view kName = "candidate_tried";

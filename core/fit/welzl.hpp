@@ -16,7 +16,7 @@
 namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 10> kWelzlPseudocode{
-    "ball ← solve(all points, no support)",
+    "ball ← solve(all points or a sample, no support)",
     "while a point lies outside: let it in",
     "return ball",
     "solve(list, support):",
@@ -41,13 +41,10 @@ class Welzl {
     sample(seed);
     recursion();
     drop_idle_support();
-    while (let_in_outsiders()) {
-    }
-    Sphere<Scalar, Dim> result = rounded();
-    const EnclosingRadius<Scalar> enclosing = enclosing_radius(result.center, points_);
-    result.radius = enclosing.radius;
-    observe_.count(Operation::kPointsTouched, points_.size());
-    observe_.count(Operation::kDistanceTests, points_.size());
+    FarthestPoints<Scalar> far = check_all();
+    while (let_in_outsiders(far)) far = check_all();
+    Sphere<Scalar, Dim> result = current_;
+    result.radius = enclosing_radius(result.center, points_, far);
     observe_(Step{2, true, result, Finished{ball_.support}});
     return {result, ball_.support};
   }
@@ -64,13 +61,9 @@ class Welzl {
     for (Index& i : list_) i = static_cast<Index>(random.below(static_cast<std::uint32_t>(points_.size())));
   }
 
-  [[nodiscard]] Sphere<Scalar, Dim> rounded() const {
-    return {ball_.center.template cast<Scalar>(), static_cast<Scalar>(ball_.radius)};
-  }
-
   void take(const SupportBall<Dim>& ball) {
     ball_ = ball;
-    current_ = rounded();
+    current_ = {ball_.center.template cast<Scalar>(), static_cast<Scalar>(ball_.radius)};
     limit_ = current_.radius * current_.radius * (1 + tolerance::kSquaredDistance<Scalar>);
     observe_.count(Operation::kBallSolves, 1);
   }
@@ -147,53 +140,43 @@ class Welzl {
     observe_(Step{1, true, current_, SupportReplaced{kNoIndex, before, ball_.support}});
   }
 
-  // Holds every point against the ball, then lets in the farthest outside point of each block, the farthest first.
-  // Each entry makes the ball strictly larger, so that this ends whatever the rounding. Returns whether it grew.
-  bool let_in_outsiders() {
-    const std::vector<Index> outsiders = farthest_outside_of_blocks();
+  /// Holds every point against the ball.
+  [[nodiscard]] FarthestPoints<Scalar> check_all() {
+    observe_.count(Operation::kPointsTouched, points_.size());
+    observe_.count(Operation::kDistanceTests, points_.size());
+    return farthest_points(current_.center, points_);
+  }
+
+  // Lets in the farthest outside point of each block, the farthest of them first. Each entry makes the ball strictly
+  // larger, so that this ends whatever the rounding. Returns whether the ball has changed.
+  bool let_in_outsiders(const FarthestPoints<Scalar>& far) {
+    std::vector<Index> outsiders;
+    for (const auto& block : far.of_block)
+      if (block.square > limit_) outsiders.push_back(block.point);
     observe_(Step{1, true, current_, AllChecked{static_cast<Index>(outsiders.size())}});
-    bool grew = false;
-    for (;;) {
-      Index farthest = kNoIndex;
-      Scalar most = limit_;
-      for (const Index i : outsiders) {
-        const Scalar square = (points_[i] - current_.center).squaredNorm();
-        if (square > most) {
-          most = square;
-          farthest = i;
-        }
-      }
-      observe_.count(Operation::kDistanceTests, static_cast<std::int64_t>(outsiders.size()));
+    for (bool grew = false;; grew = true) {
+      const Index farthest = farthest_outside(outsiders);
       if (farthest == kNoIndex || ball_.support.contains(farthest)) return grew;
       const SupportBall<Dim> next = smallest_ball_with(points_, farthest, ball_.support);
       if (!smaller(ball_, next)) return grew;
       const Support before = ball_.support;
       take(next);
       observe_(Step{1, true, current_, SupportReplaced{farthest, before, ball_.support}});
-      grew = true;
     }
   }
 
-  [[nodiscard]] std::vector<Index> farthest_outside_of_blocks() {
-    constexpr Index kBlocks = 64;
-    const Index block = std::max<Index>((points_.size() + kBlocks - 1) / kBlocks, 16);
-    std::vector<Index> found;
-    for (Index begin = 0; begin < points_.size(); begin += block) {
-      const Index end = std::min(points_.size() - begin, block) + begin;
-      Scalar most = limit_;
-      Index farthest = kNoIndex;
-      for (Index i = begin; i < end; ++i) {
-        const Scalar square = (points_[i] - current_.center).squaredNorm();
-        if (square > most) {
-          most = square;
-          farthest = i;
-        }
+  [[nodiscard]] Index farthest_outside(const std::vector<Index>& candidates) {
+    Index farthest = kNoIndex;
+    Scalar most = limit_;
+    for (const Index i : candidates) {
+      const Scalar square = (points_[i] - current_.center).squaredNorm();
+      if (square > most) {
+        most = square;
+        farthest = i;
       }
-      if (farthest != kNoIndex) found.push_back(farthest);
     }
-    observe_.count(Operation::kPointsTouched, points_.size());
-    observe_.count(Operation::kDistanceTests, points_.size());
-    return found;
+    observe_.count(Operation::kDistanceTests, static_cast<std::int64_t>(candidates.size()));
+    return farthest;
   }
 
   PointSpan<Scalar, Dim> points_;

@@ -19,40 +19,8 @@ bool square_is_sound(Scalar square) {
   return square > kSmall && square < kLarge;
 }
 
-constexpr Index kBlock = 2048;
 // Up to this many points near the boundary are decided exactly; with more, the radius is widened by its error bound.
 constexpr Index kExactCandidates = 4096;
-
-template <class Scalar>
-struct Farthest {
-  Scalar square = 0;
-  Index point = 0;
-  std::vector<Scalar> of_block;
-};
-
-template <class Scalar, int Dim>
-Farthest<Scalar> farthest(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim> points) {
-  Farthest<Scalar> result;
-  result.of_block.reserve(static_cast<std::size_t>(points.size() / kBlock + 1));
-  for (Index begin = 0; begin < points.size(); begin += kBlock) {
-    const Index end = std::min(points.size(), begin + kBlock);
-    Scalar most = -1;
-    Index at = begin;
-    for (Index i = begin; i < end; ++i) {
-      const Scalar square = (points[i] - center).squaredNorm();
-      if (square > most) {
-        most = square;
-        at = i;
-      }
-    }
-    result.of_block.push_back(most);
-    if (most > result.square) {
-      result.square = most;
-      result.point = at;
-    }
-  }
-  return result;
-}
 
 /// Widens the radius until each of the points given holds; calls are few, for it starts within a few ulps.
 template <class Scalar, int Dim>
@@ -62,15 +30,11 @@ void widen_to_hold(Sphere<Scalar, Dim>& sphere, const Vector<Scalar, Dim>& point
 }
 
 template <class Scalar, int Dim>
-EnclosingRadius<Scalar> enclosing_radius_by_norms(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim> points) {
-  EnclosingRadius<Scalar> result;
-  for (Index i = 0; i < points.size(); ++i) {
-    const Scalar norm = scaled_norm<Scalar, Dim>(points[i] - center);
-    if (norm > result.radius) result = {norm, i};
-  }
-  Sphere<Scalar, Dim> sphere{center, result.radius};
+Scalar enclosing_radius_by_norms(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim> points) {
+  Sphere<Scalar, Dim> sphere{center, 0};
+  for (const auto& p : points) sphere.radius = std::max(sphere.radius, scaled_norm<Scalar, Dim>(p - center));
   for (const auto& p : points) widen_to_hold(sphere, p);
-  return {sphere.radius, result.farthest};
+  return sphere.radius;
 }
 
 }  // namespace
@@ -98,29 +62,49 @@ int side_of_sphere(const double* point, const double* center, double radius, int
 }
 
 template <class Scalar, int Dim>
-EnclosingRadius<Scalar> enclosing_radius(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim> points) {
-  const Farthest<Scalar> far = farthest(center, points);
-  if (!square_is_sound(far.square)) return enclosing_radius_by_norms(center, points);
-
-  constexpr Scalar kBound = tolerance::kSquaredDistance<Scalar>;
-  const Scalar threshold = far.square * (1 - 2 * kBound);
-  Sphere<Scalar, Dim> sphere{center, std::sqrt(far.square)};
-  Index candidates = 0;
-  for (std::size_t block = 0; block < far.of_block.size(); ++block) {
-    if (far.of_block[block] < threshold) continue;
-    const Index begin = static_cast<Index>(block) * kBlock;
-    const Index end = std::min(points.size(), begin + kBlock);
+FarthestPoints<Scalar> farthest_points(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim> points) {
+  using Farthest = FarthestPoints<Scalar>;
+  Farthest result;
+  result.of_block.reserve(static_cast<std::size_t>(points.size() / Farthest::kBlock + 1));
+  for (Index begin = 0; begin < points.size(); begin += Farthest::kBlock) {
+    const Index end = begin + std::min(points.size() - begin, Farthest::kBlock);
+    typename Farthest::Far most{-1, begin};
     for (Index i = begin; i < end; ++i) {
-      if ((points[i] - center).squaredNorm() < threshold) continue;
-      if (++candidates > kExactCandidates) return {std::sqrt(far.square * (1 + 2 * kBound)), far.point};
-      widen_to_hold(sphere, points[i]);
+      const Scalar square = (points[i] - center).squaredNorm();
+      if (square > most.square) most = {square, i};
     }
+    result.of_block.push_back(most);
+    if (most.square > result.overall.square) result.overall = most;
   }
-  return {sphere.radius, far.point};
+  return result;
 }
 
-#define SNUG_INSTANTIATE(Scalar, Dim) \
-  template EnclosingRadius<Scalar> enclosing_radius(const Vector<Scalar, Dim>&, PointSpan<Scalar, Dim>);
+template <class Scalar, int Dim>
+Scalar enclosing_radius(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim> points,
+                        const FarthestPoints<Scalar>& far) {
+  const Scalar most = far.overall.square;
+  if (!square_is_sound(most)) return enclosing_radius_by_norms(center, points);
+
+  constexpr Scalar kBound = tolerance::kSquaredDistance<Scalar>;
+  const Scalar threshold = most * (1 - 2 * kBound);
+  Sphere<Scalar, Dim> sphere{center, std::sqrt(most)};
+  Index candidates = 0;
+  Index begin = 0;
+  for (const auto& block : far.of_block) {
+    const Index end = begin + std::min(points.size() - begin, far.kBlock);
+    for (Index i = begin; i < end && block.square >= threshold; ++i) {
+      if ((points[i] - center).squaredNorm() < threshold) continue;
+      if (++candidates > kExactCandidates) return std::sqrt(most * (1 + 2 * kBound));
+      widen_to_hold(sphere, points[i]);
+    }
+    begin = end;
+  }
+  return sphere.radius;
+}
+
+#define SNUG_INSTANTIATE(Scalar, Dim)                                                                       \
+  template FarthestPoints<Scalar> farthest_points(const Vector<Scalar, Dim>&, PointSpan<Scalar, Dim>);      \
+  template Scalar enclosing_radius(const Vector<Scalar, Dim>&, PointSpan<Scalar, Dim>, const FarthestPoints<Scalar>&);
 SNUG_INSTANTIATE(float, 2)
 SNUG_INSTANTIATE(float, 3)
 SNUG_INSTANTIATE(double, 2)

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "geometry/point_set.hpp"
 #include "geometry/vector.hpp"
@@ -37,21 +38,27 @@ template <class Scalar, int Dim>
   return std::ldexp(std::sqrt(scaled.squaredNorm()), exponent);
 }
 
+/// The farthest point from a centre, and that of each block of kBlock points.
 template <class Scalar>
-struct EnclosingRadius {
-  Scalar radius = 0;
-  Index farthest = 0;  // the point that sets it
+struct FarthestPoints {
+  static constexpr Index kBlock = 2048;
+  struct Far {
+    Scalar square = 0;  // the squared distance, as rounded
+    Index point = 0;
+  };
+  Far overall;
+  std::vector<Far> of_block;
 };
 
-/// The smallest radius, within kSquaredDistance, with which a sphere around center holds every point exactly.
-/// One pass over the points and a second over those blocks of them that reach the boundary.
+/// One pass.
 template <class Scalar, int Dim>
-[[nodiscard]] EnclosingRadius<Scalar> enclosing_radius(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim> points);
+[[nodiscard]] FarthestPoints<Scalar> farthest_points(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim> points);
 
-extern template EnclosingRadius<float> enclosing_radius(const Vector<float, 2>&, PointSpan<float, 2>);
-extern template EnclosingRadius<float> enclosing_radius(const Vector<float, 3>&, PointSpan<float, 3>);
-extern template EnclosingRadius<double> enclosing_radius(const Vector<double, 2>&, PointSpan<double, 2>);
-extern template EnclosingRadius<double> enclosing_radius(const Vector<double, 3>&, PointSpan<double, 3>);
+/// The smallest radius, within kSquaredDistance, with which a sphere around center holds every point exactly.
+/// far: of the same centre and points. Looks again at just those blocks that reach the boundary.
+template <class Scalar, int Dim>
+[[nodiscard]] Scalar enclosing_radius(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim> points,
+                                      const FarthestPoints<Scalar>& far);
 
 /// Area (2-D) or volume (3-D), in scene units squared or cubed.
 template <class Scalar, int Dim>

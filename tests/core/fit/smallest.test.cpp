@@ -1,0 +1,81 @@
+// The smallest ball against an oracle in rational arithmetic, and results worked out by hand.
+#include <doctest/doctest.h>
+
+#include "core/exact.hpp"
+#include "core/point_clouds.hpp"
+#include "fit/catalogue.hpp"
+#include "geometry/tolerance.hpp"
+
+using namespace snug;
+using exact::Rational;
+
+namespace {
+
+const fit::Algorithm& welzl() { return *fit::find_algorithm("sphere", "welzl"); }
+
+/// Whether radius is at least the exact one, and at most it plus what certificates allow.
+template <class Scalar, int Dim>
+void check_smallest(const std::string& name, const test::Cloud<Scalar, Dim>& points) {
+  INFO(name << ", " << points.size() << " points, dim " << Dim << ", " << sizeof(Scalar) << " bytes");
+  const Rational exact = exact::smallest_square(points);
+  const auto set = test::set_of<Scalar, Dim>(points);
+  for (const char* algorithm : {"welzl", "brute_force"}) {
+    CAPTURE(algorithm);
+    const auto fit = fit::find_algorithm("sphere", algorithm)->fit(set, {});
+    const Rational radius(fit.sphere.radius);
+    CHECK(radius * radius >= exact);
+    double size = fit.sphere.radius;
+    for (const auto& p : points) size = std::max(size, static_cast<double>(p.cwiseAbs().maxCoeff()) + fit.sphere.radius);
+    const Rational slack(tolerance::kOptimalityRoundoffs * static_cast<double>(tolerance::kRoundoff<Scalar>) * size);
+    const Rational lower = radius - slack;
+    CHECK((lower <= 0 || lower * lower <= exact));
+  }
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("the smallest ball is as small as the exact one on degenerate clouds", Scalar, float, double) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, 7)) check_smallest<Scalar, 2>(name, points);
+    for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, 6)) check_smallest<Scalar, 3>(name, points);
+  }
+}
+
+TEST_CASE("the smallest ball is as small as the exact one on random clouds") {
+  for (std::uint64_t seed = 1; seed <= 25; ++seed)
+    for (const char* kind : {"cube", "gaussian", "sphere", "stick"}) {
+      check_smallest<double, 2>(kind, test::generated<double, 2>(kind, 9, seed));
+      check_smallest<double, 3>(kind, test::generated<double, 3>(kind, 7, seed));
+    }
+}
+
+TEST_CASE("a regular tetrahedron's smallest ball has its four corners as support") {
+  const auto set = test::set_of<double, 3>({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}});
+  const auto run = welzl().record(set, {});
+  CHECK(run.result.sphere.radius == doctest::Approx(std::sqrt(3.0)).epsilon(1e-15));
+  CHECK(run.result.sphere.center.norm() < 1e-15);
+  CHECK(run.result.support.size() == 4);
+}
+
+TEST_CASE("an obtuse triangle is held by its longest side") {
+  const auto run = welzl().record(test::set_of<double, 2>({{-2, 0}, {2, 0}, {0, 1}}), {});
+  CHECK(run.result.sphere.radius == 2);
+  CHECK(run.result.support.size() == 2);
+}
+
+TEST_CASE("a certificate does not call a ball smallest that is not, nor holding that does not hold") {
+  const auto set = *PointSet<double, 2>::make({{-1, 0}, {1, 0}, {0, 0.5}});
+  using Ball = fit::Fit<Sphere<double, 2>>;
+  CHECK(*certify(Ball{{{0, 0}, 1}, {0, 1}}, set.span(), true).optimal);
+  const auto larger = certify(Ball{{{0, 0}, 1.0000001}, {0, 1}}, set.span(), true);
+  CHECK(larger.contains);
+  CHECK_FALSE(*larger.optimal);
+  CHECK_FALSE(larger.on_boundary);
+  const auto smaller = certify(Ball{{{0, 0}, std::nextafter(1.0, 0.0)}, {0, 1}}, set.span(), true);
+  CHECK_FALSE(smaller.contains);
+  CHECK_FALSE(*smaller.optimal);
+  CHECK(smaller.outside == 2);
+  CHECK(smaller.max_outside > 0);
+  // The ball of the two lower points with the wrong support: its bound proves nothing.
+  CHECK_FALSE(*certify(Ball{{{0, 0}, 1}, {2}}, set.span(), true).optimal);
+}

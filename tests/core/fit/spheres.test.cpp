@@ -1,0 +1,148 @@
+// What every sphere fitter promises, on every cloud: it holds all points exactly, its support lies on its boundary, it
+// ends with a last step, and being watched changes nothing.
+#include <doctest/doctest.h>
+
+#include <set>
+
+#include "core/point_clouds.hpp"
+#include "fit/catalogue.hpp"
+
+using namespace snug;
+using fit::Algorithm;
+
+namespace {
+
+template <class Scalar, int Dim>
+void check_promises(const std::string& name, const test::Cloud<Scalar, Dim>& points) {
+  const AnyPointSet set = test::set_of<Scalar, Dim>(points);
+  for (const Algorithm& algorithm : fit::algorithms()) {
+    if (fit::size_of(set) > algorithm.max_points) continue;
+    INFO(name << ", " << algorithm.name << ", " << points.size() << " points, dim " << Dim << ", " << sizeof(Scalar) << " bytes");
+    const fit::Recording run = algorithm.record(set, {});
+    CHECK(run.certificate.contains);
+    CHECK(run.certificate.max_outside == 0);
+    CHECK(run.certificate.on_boundary);
+    CHECK(run.certificate.optimal == (algorithm.exact ? std::optional(true) : std::nullopt));
+    CHECK(run.result.support.size() >= 1);
+    CHECK(run.result.support.size() <= Dim + 1);
+
+    const fit::Result unwatched = algorithm.fit(set, {});
+    CHECK(unwatched.sphere.center == run.result.sphere.center);
+    CHECK(unwatched.sphere.radius == run.result.sphere.radius);
+
+    REQUIRE(!run.steps.empty());
+    CHECK(name_of(run.steps.back().step) == "finished");
+    CHECK(run.steps.back().step.ball.radius == run.result.sphere.radius);
+    for (const auto& entry : run.steps) REQUIRE(static_cast<std::size_t>(entry.step.line) < algorithm.pseudocode.size());
+  }
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("every fitter keeps its promises on degenerate clouds", Scalar, float, double) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    for (const int n : {3, 7, 14}) {
+      for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, n)) check_promises<Scalar, 2>(name, points);
+      for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, n)) check_promises<Scalar, 3>(name, points);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("every fitter keeps its promises on larger clouds", Scalar, float, double) {
+  for (const auto kind : generator_kinds()) {
+    for (const int n : {100, 1000, 5000}) {
+      const std::string name(kind);
+      check_promises<Scalar, 2>(name, test::generated<Scalar, 2>(name.c_str(), n, 11));
+      check_promises<Scalar, 3>(name, test::generated<Scalar, 3>(name.c_str(), n, 12));
+    }
+  }
+  for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(5, 2000)) check_promises<Scalar, 3>(name, points);
+}
+
+TEST_CASE("certificates of far and tiny balls") {
+  for (const double offset : {0.0, 1e3, 1e8, -1e8})
+    for (const double scale : {1e-150, 1e-75, 1e-3, 1.0, 1e75, 1e150}) {
+      if (offset != 0 && scale != 1) continue;
+      for (const char* kind : {"cube", "sphere", "gaussian", "lattice", "line"}) {
+        check_promises<double, 2>(kind, test::generated<double, 2>(kind, 30, 3, scale, offset));
+        check_promises<double, 3>(kind, test::generated<double, 3>(kind, 300, 4, scale, offset));
+      }
+    }
+}
+
+TEST_CASE("the order of its points changes the smallest ball by no more than rounding") {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    auto points = test::generated<double, 3>("gaussian", 60, seed);
+    const Algorithm& welzl = *fit::find_algorithm("sphere", "welzl");
+    const double radius = welzl.fit(test::set_of<double, 3>(points), {}).sphere.radius;
+    Random random(seed);
+    for (std::size_t i = points.size() - 1; i > 0; --i)
+      std::swap(points[i], points[random.below(static_cast<std::uint32_t>(i + 1))]);
+    CHECK(welzl.fit(test::set_of<double, 3>(points), {}).sphere.radius == doctest::Approx(radius).epsilon(1e-15));
+  }
+}
+
+TEST_CASE("Welzl holds no more points on the boundary than Dim + 1, however many there are") {
+  for (const int n : {10, 100, 1000, 20000}) {
+    const auto run = fit::find_algorithm("sphere", "welzl")->record(test::set_of<double, 3>(test::generated<double, 3>("ball", n, 2)), {});
+    int deepest = 0;
+    for (const auto& entry : run.steps)
+      if (const auto* forced = std::get_if<fit::BoundaryForced>(&entry.step.fact)) deepest = std::max(deepest, forced->depth);
+    CHECK(deepest >= 2);
+    CHECK(deepest <= 4);
+  }
+}
+
+TEST_CASE("every kind of step happens, and reads as JSON with its own name") {
+  std::set<std::string_view> seen;
+  for (const Algorithm& algorithm : fit::algorithms())
+    for (const char* kind : {"gaussian", "lattice", "clusters"})
+      for (const int n : {12, 3000}) {
+        if (n > algorithm.max_points) continue;
+        const auto run = algorithm.record(test::set_of<double, 3>(test::generated<double, 3>(kind, n, 9)), {});
+        for (const auto& entry : run.steps) {
+          if (!seen.insert(name_of(entry.step)).second) continue;
+          const std::string json = json_of(entry.step, 3);
+          CHECK(json.find("{\"step\":\"" + std::string(name_of(entry.step)) + "\",\"line\":") == 0);
+          CHECK(json.back() == '}');
+        }
+      }
+  for (const auto name : fit::fact_names()) {
+    CAPTURE(name);
+    CHECK(seen.contains(name));
+  }
+}
+
+TEST_CASE("traces have equal hashes for equal seeds, and others for others") {
+  const AnyPointSet set = test::set_of<double, 2>(test::generated<double, 2>("gaussian", 50, 3));
+  for (const Algorithm& algorithm : fit::algorithms()) {
+    if (fit::size_of(set) > algorithm.max_points) continue;
+    const auto hash = [&](std::uint64_t seed) { return fit::hash_of(algorithm.record(set, {seed}).steps); };
+    CHECK(hash(1) == hash(1));
+    if (algorithm.name == "ritter_iterative") CHECK(hash(1) != hash(2));
+  }
+}
+
+TEST_CASE("counts grow along a trace and end at the whole run's") {
+  const AnyPointSet set = test::set_of<double, 3>(test::generated<double, 3>("cube", 200, 3));
+  for (const Algorithm& algorithm : fit::algorithms()) {
+    if (fit::size_of(set) > algorithm.max_points) continue;
+    const auto run = algorithm.record(set, {});
+    OperationCounts before{};
+    for (const auto& entry : run.steps) {
+      for (std::size_t i = 0; i < before.size(); ++i) REQUIRE(entry.counts[i] >= before[i]);
+      before = entry.counts;
+    }
+    CHECK(before == run.counts);
+    CHECK(run.counts[static_cast<std::size_t>(Operation::kPointsTouched)] >= 200);
+  }
+}
+
+TEST_CASE("one point is a ball of radius zero, for every algorithm") {
+  for (const Algorithm& algorithm : fit::algorithms()) {
+    const auto run = algorithm.record(test::set_of<double, 3>({{1, 2, 3}}), {});
+    CHECK(run.result.sphere.radius == 0);
+    CHECK(run.result.sphere.center == Vector<double, 3>(1, 2, 3));
+    CHECK(run.certificate.contains);
+  }
+}
