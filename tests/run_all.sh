@@ -33,19 +33,9 @@ node_suite() { # title log-name command-before-node... -- files...
     count "$title" "${ok:-0}" "$bad" "$log"
 }
 
-# Shell scripts: each is one test, by its exit status.
-shell_suite() { # title log-name command-before... -- files...
-    local title=$1 log=$2 before=() ok=0 bad=0 file
-    shift 2
-    while [[ $1 != -- ]]; do before+=("$1"); shift; done
-    shift
-    for file in "$@"; do
-        if quietly "$log" "${before[@]}" bash "$file"; then ok=$((ok + 1)); else
-            bad=$((bad + 1))
-            why "$log"
-        fi
-    done
-    count "$title" "$ok" "$bad" "$log"
+# A command that is one test, by its exit status.
+one_test() { # title log-name command...
+    if quietly "$2" "${@:3}"; then count "$1" 1 0 "$2"; else count "$1" 0 1 "$2"; fi
 }
 
 built() { # preset targets...: whether it could be built; if not, that is a failure
@@ -62,7 +52,9 @@ if built release snug_tests snug_desktop; then
     doctest_suite "core, native" core-native build/release/tests/snug_tests
     node_suite "command line" command-line -- tests/command/*.test.mjs
     node_suite "desktop window" desktop-window "${screen[@]}" -- tests/desktop/*.test.mjs
-    shell_suite "desktop window" desktop-window "${screen[@]}" -- tests/desktop/*.test.sh
+    for file in tests/desktop/*.test.sh; do
+        one_test "$file" "desktop-$(basename "$file" .test.sh)" "${screen[@]}" bash "$file"
+    done
 fi
 
 if built sanitize snug_tests; then
@@ -73,7 +65,8 @@ if built wasm all; then
     # Emscripten 3.1.6 mistakes Node for a browser when it finds fetch.
     doctest_suite "core, WebAssembly" core-wasm \
         node --no-experimental-fetch build/wasm/tests/snug_tests.js
-    shell_suite "native and WebAssembly traces are equal" trace-hash -- tests/trace_hash.sh
+    one_test "native and WebAssembly traces are equal" trace-hash tests/trace_hash.sh
+    one_test "transfer within budget" transfer python3 web/size_report.py build/wasm/site
     if [[ tests/browser/package-lock.json -nt tests/browser/node_modules/.package-lock.json ]]; then
         quietly npm-browser npm --prefix tests/browser ci ||
             stop "npm could not fetch the test packages: connect to a network, then run this again."
