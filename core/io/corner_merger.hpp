@@ -1,0 +1,52 @@
+// STL repeats each corner for each triangle that meets there; points are wanted once.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <unordered_map>
+
+#include "io/point_file.hpp"
+
+namespace snug::io {
+
+/// Collects corners, three to a triangle; those with equal bits become one point.
+class CornerMerger {
+ public:
+  void add(const Vector<double, 3>& corner) {
+    const auto next = static_cast<Index>(file_.points.size());
+    const auto [known, is_new] = points_.try_emplace(bits_of(corner), next);
+    if (is_new) file_.points.push_back(corner);
+    triangle_[corners_++] = known->second;
+    if (corners_ < 3) return;
+    file_.triangles.push_back(triangle_);
+    corners_ = 0;
+  }
+  /// Whether one corner more would be one point too many.
+  [[nodiscard]] bool full() const { return file_.points.size() == static_cast<std::size_t>(INT32_MAX); }
+  [[nodiscard]] PointFile take() { return std::move(file_); }
+
+ private:
+  using Bits = std::array<std::uint64_t, 3>;
+  static Bits bits_of(const Vector<double, 3>& corner) {
+    return {std::bit_cast<std::uint64_t>(corner[0]), std::bit_cast<std::uint64_t>(corner[1]),
+            std::bit_cast<std::uint64_t>(corner[2])};
+  }
+  struct Hash {
+    std::size_t operator()(const Bits& bits) const {
+      std::uint64_t hash = 0;
+      for (const std::uint64_t word : bits) {  // a round number's low bits are all zero: fold the high ones down
+        hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 32;
+      }
+      return static_cast<std::size_t>(hash);
+    }
+  };
+
+  PointFile file_;
+  std::unordered_map<Bits, Index, Hash> points_;
+  std::array<Index, 3> triangle_{};
+  std::size_t corners_ = 0;
+};
+
+}  // namespace snug::io

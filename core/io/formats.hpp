@@ -1,0 +1,37 @@
+// A reader for each format. They name no file in their errors: read_points does, once for all.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string_view>
+
+#include "io/point_file.hpp"
+#include "io/text.hpp"
+
+namespace snug::io {
+
+/// More points than this have no Index.
+inline constexpr std::size_t kMostPoints = std::numeric_limits<Index>::max();
+inline constexpr std::string_view kTooManyPoints = "there are more than 2147483647 points";
+
+/// Two or three numbers a line; '#' starts a comment. csv: the first line may be a header, and a tab parts fields as a
+/// comma or a semicolon does, so that an empty one is noticed.
+[[nodiscard]] Read<PointFile> read_rows(std::string_view text, bool csv);
+
+/// Wavefront OBJ: the v lines are points, the f lines faces, everything else is passed over.
+/// Source: Wavefront Technologies, "Advanced Visualizer Manual", appendix B1, 1993.
+[[nodiscard]] Read<PointFile> read_obj(std::string_view text);
+/// Whether it is a statement that the format knows ("v", "f", "usemtl" ...).
+[[nodiscard]] bool is_obj_keyword(std::string_view word);
+
+/// Stanford PLY: x, y and perhaps z of the element vertex are points, the element face has faces.
+/// Source: G. Turk, "The PLY Polygon File Format", 1994.
+[[nodiscard]] Read<PointFile> read_ply(std::string_view bytes);
+
+/// Stereolithography, as text and as bytes. Source: 3D Systems, "StereoLithography Interface Specification", 1988.
+[[nodiscard]] Read<PointFile> read_stl_text(std::string_view text);
+[[nodiscard]] Read<PointFile> read_stl_binary(std::string_view bytes);
+/// Whether the size is just what the count of triangles in the header calls for.
+[[nodiscard]] bool has_size_of_stl(std::string_view bytes);
+
+}  // namespace snug::io

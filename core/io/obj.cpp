@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <array>
+
+#include "io/formats.hpp"
+
+namespace snug::io {
+namespace {
+
+constexpr std::string_view kKeywords[] = {
+    "v",    "vt",    "vn",     "vp",   "cstype", "deg",      "bmat",     "step",       "p",         "l",     "f",
+    "fo",   "curv",  "curv2",  "surf", "parm",   "trim",     "hole",     "scrv",       "sp",        "end",   "con",
+    "g",    "s",     "mg",     "o",    "bevel",  "c_interp", "d_interp", "lod",        "usemtl",    "mtllib",
+    "call", "maplib", "usemap", "csh", "ctech",  "stech",    "shadow_obj", "trace_obj"};
+
+/// Lines that a backslash joins to the next are one statement, with the first one's number.
+class Statements {
+ public:
+  explicit Statements(std::string_view text) : lines_(text) {}
+
+  bool next() {
+    if (!lines_.next()) return false;
+    number_ = lines_.number();
+    statement_ = lines_.line();
+    if (!statement_.empty() && statement_.back() == '\\') join();
+    statement_ = statement_.substr(0, statement_.find('#'));
+    return true;
+  }
+  [[nodiscard]] std::string_view statement() const { return statement_; }
+  [[nodiscard]] std::int64_t line() const { return number_; }
+
+ private:
+  void join() {
+    joined_.clear();
+    do {
+      joined_.append(lines_.line());
+      if (joined_.empty() || joined_.back() != '\\') break;
+      joined_.back() = ' ';
+    } while (lines_.next());
+    statement_ = joined_;
+  }
+  Lines lines_;
+  std::string_view statement_;
+  std::string joined_;
+  std::int64_t number_ = 0;
+};
+
+class ObjReader {
+ public:
+  Read<PointFile> read(std::string_view text) {
+    for (Statements statements(text); statements.next();) {
+      std::string_view rest = statements.statement();
+      const std::string_view keyword = take_word(rest);
+      if (keyword.empty()) continue;
+      line_ = statements.line();
+      const std::string wrong = keyword == "v"             ? add_vertex(rest)
+                                : keyword == "f"           ? add_face(rest)
+                                : is_obj_keyword(keyword) ? std::string()
+                                                           : quoted(keyword) + " is not a statement of OBJ";
+      if (!wrong.empty()) return at_line(line_, wrong);
+    }
+    if (largest_ > vertices()) return at_line(line_of_largest_, out_of_range(largest_));
+    return std::move(file_);
+  }
+
+ private:
+  [[nodiscard]] std::int64_t vertices() const { return static_cast<std::int64_t>(file_.points.size()); }
+
+  [[nodiscard]] std::string out_of_range(std::int64_t reference) const {
+    return "the face names vertex " + std::to_string(reference) + ", and there " +
+           (vertices() == 1 ? "is " : "are ") + std::to_string(vertices());
+  }
+
+  /// x y z, and perhaps a weight or a colour, which are checked and passed over. Empty, or what is wrong.
+  std::string add_vertex(std::string_view rest) {
+    Vector<double, 3> point;
+    int count = 0;
+    for (auto word = take_word(rest); !word.empty(); word = take_word(rest), ++count) {
+      const auto value = parse_coordinate(word);
+      if (!value) return value.error();
+      if (count < 3) point[count] = *value;
+    }
+    if (count < 3 || count > 7) return "a vertex has three coordinates, and there are " + counted(count, "number");
+    if (file_.points.size() == kMostPoints) return std::string(kTooManyPoints);
+    file_.points.push_back(point);
+    return {};
+  }
+
+  /// Empty, or what is wrong.
+  std::string add_face(std::string_view rest) {
+    std::array<Index, 3> corners{};
+    int count = 0;
+    for (auto word = take_word(rest); !word.empty(); word = take_word(rest), ++count) {
+      const auto index = index_of(word);
+      if (!index) return index.error();
+      corners[static_cast<std::size_t>(std::min(count, 2))] = *index;
+      if (count < 2) continue;
+      file_.triangles.push_back(corners);
+      corners[1] = corners[2];
+    }
+    return count < 3 ? "a face has at least three corners, and there are " + std::to_string(count) : std::string();
+  }
+
+  /// The vertex that "v", "v/vt", "v//vn" or "v/vt/vn" names. One that is yet to come may be named: the end tells.
+  tl::expected<Index, std::string> index_of(std::string_view word) {
+    const auto reference = reference_of(word);
+    if (!reference) return tl::unexpected(quoted(word) + " does not name a corner");
+    if (*reference == 0) return tl::unexpected(std::string("the face names vertex 0, and counting starts at 1"));
+    if (*reference < -vertices() || *reference > static_cast<std::int64_t>(kMostPoints))
+      return tl::unexpected(out_of_range(*reference));
+    if (*reference < 0) return static_cast<Index>(vertices() + *reference);
+    if (*reference > largest_) {
+      largest_ = *reference;
+      line_of_largest_ = line_;
+    }
+    return static_cast<Index>(*reference - 1);
+  }
+
+  /// The first of up to three integers between slashes; the others may be left out, but must be integers.
+  static std::optional<std::int64_t> reference_of(std::string_view word) {
+    std::optional<std::int64_t> vertex;
+    for (int part = 0; part < 3; ++part) {
+      const std::size_t slash = word.find('/');
+      const bool last = slash == std::string_view::npos;
+      const std::string_view digits = word.substr(0, slash);
+      const auto value = parse_integer(digits);
+      if (!value && (part == 0 || last || !digits.empty())) return std::nullopt;
+      if (part == 0) vertex = value;
+      if (last) return vertex;
+      word.remove_prefix(slash + 1);
+    }
+    return std::nullopt;
+  }
+
+  PointFile file_;
+  std::int64_t line_ = 0;
+  std::int64_t largest_ = 0;
+  std::int64_t line_of_largest_ = 0;
+};
+
+}  // namespace
+
+bool is_obj_keyword(std::string_view word) {
+  return std::find(std::begin(kKeywords), std::end(kKeywords), word) != std::end(kKeywords);
+}
+
+Read<PointFile> read_obj(std::string_view text) { return ObjReader().read(text); }
+
+}  // namespace snug::io

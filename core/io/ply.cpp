@@ -1,0 +1,122 @@
+#include <array>
+
+#include "io/formats.hpp"
+#include "io/ply_body.hpp"
+#include "io/ply_header.hpp"
+
+namespace snug::io {
+namespace {
+
+constexpr int kNoAxis = -1;
+
+int axis_of(const PlyProperty& property) {
+  return property.name == "x" ? 0 : property.name == "y" ? 1 : property.name == "z" ? 2 : kNoAxis;
+}
+bool is_vertices(const PlyElement& element) { return element.name == "vertex"; }
+bool is_faces(const PlyElement& element) { return element.name == "face"; }
+bool is_polygon(const PlyProperty& property) {
+  return property.name == "vertex_indices" || property.name == "vertex_index";
+}
+
+/// The dimension that the vertices' properties give. Errors: no vertices, no x and y, properties of no use as such.
+Read<int> dim_of(const PlyHeader& header) {
+  for (const PlyElement& element : header.elements) {
+    if (!is_vertices(element)) continue;
+    std::array<bool, 3> has{};
+    for (const PlyProperty& property : element.properties) {
+      if (axis_of(property) == kNoAxis) continue;
+      if (property.count_type) return at_line(element.line, "a coordinate of the vertices is a list");
+      has[static_cast<std::size_t>(axis_of(property))] = true;
+    }
+    if (element.count == 0) return at_line(element.line, "there are no points");
+    if (!has[0] || !has[1]) return at_line(element.line, "the vertices have no x and y");
+    if (element.count > static_cast<std::int64_t>(kMostPoints)) return at_line(element.line, std::string(kTooManyPoints));
+    return has[2] ? 3 : 2;
+  }
+  return at_line(header.lines, "the header has no element \"vertex\"");
+}
+
+/// Reads the elements in the header's order from a PlyText or PlyBytes.
+template <class Body>
+class PlyReader {
+ public:
+  PlyReader(const PlyHeader& header, std::string_view whole, int dim)
+      : header_(header), body_(header, whole) {
+    file_.dim = dim;
+    for (const PlyElement& element : header.elements)
+      if (is_vertices(element)) vertices_ = element.count;
+  }
+
+  Read<PointFile> read() {
+    for (const PlyElement& element : header_.elements) {
+      // What is claimed is held against what is there before any memory is asked for.
+      if (element.count > 0 && element.count > body_.left() / Body::smallest(element))
+        return at_line(element.line, "the header claims " + std::to_string(element.count) + " of " +
+                                         quoted(element.name) + ", and the file is too short for that");
+      if (is_vertices(element)) file_.points.reserve(static_cast<std::size_t>(element.count));
+      if (!read_element(element)) return tl::unexpected(body_.error());
+    }
+    if (!body_.finish()) return tl::unexpected(body_.error());
+    return std::move(file_);
+  }
+
+ private:
+  bool read_element(const PlyElement& element) {
+    for (std::int64_t i = 0; i < element.count; ++i) {
+      if (!body_.begin(element, i)) return false;
+      if (is_vertices(element)) file_.points.push_back(Vector<double, 3>::Zero());
+      for (const PlyProperty& property : element.properties)
+        if (!read_property(element, property)) return false;
+      if (!body_.end()) return false;
+    }
+    return true;
+  }
+
+  bool read_property(const PlyElement& element, const PlyProperty& property) {
+    if (is_vertices(element) && axis_of(property) != kNoAxis)
+      return body_.number(property.type, file_.points.back()[axis_of(property)]);
+    if (!property.count_type) return body_.skip(property.type, 1);
+    std::int64_t count = 0;
+    if (!body_.integer(*property.count_type, count)) return false;
+    if (count < 0) return body_.fail("a list has " + std::to_string(count) + " items");
+    if (is_faces(element) && is_polygon(property)) return read_polygon(property.type, count);
+    return body_.skip(property.type, count);
+  }
+
+  /// As a fan of triangles around the first corner.
+  bool read_polygon(PlyType type, std::int64_t count) {
+    if (!is_integer(type)) return body_.fail("the faces name vertices by numbers that are not integers");
+    if (count < 3) return body_.fail("a face has at least three corners, and there are " + std::to_string(count));
+    std::array<Index, 3> corners{};
+    for (std::int64_t i = 0; i < count; ++i) {
+      std::int64_t index = 0;
+      if (!body_.integer(type, index)) return false;
+      if (index < 0 || index >= vertices_)
+        return body_.fail("the face names vertex " + std::to_string(index) + ", counted from 0, and there " +
+                          (vertices_ == 1 ? "is " : "are ") + std::to_string(vertices_));
+      corners[static_cast<std::size_t>(i < 2 ? i : 2)] = static_cast<Index>(index);
+      if (i < 2) continue;
+      file_.triangles.push_back(corners);
+      corners[1] = corners[2];
+    }
+    return true;
+  }
+
+  const PlyHeader& header_;
+  Body body_;
+  PointFile file_;
+  std::int64_t vertices_ = 0;
+};
+
+}  // namespace
+
+Read<PointFile> read_ply(std::string_view bytes) {
+  const auto header = read_ply_header(bytes);
+  if (!header) return tl::unexpected(header.error());
+  const auto dim = dim_of(*header);
+  if (!dim) return tl::unexpected(dim.error());
+  if (header->form == PlyForm::kAscii) return PlyReader<PlyText>(*header, bytes, *dim).read();
+  return PlyReader<PlyBytes>(*header, bytes, *dim).read();
+}
+
+}  // namespace snug::io

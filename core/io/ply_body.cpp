@@ -1,0 +1,159 @@
+#include "io/ply_body.hpp"
+
+#include <bit>
+
+namespace snug::io {
+namespace {
+
+template <class Integer>
+std::int64_t as_signed(std::uint64_t bits) {
+  return static_cast<std::int64_t>(static_cast<Integer>(bits));
+}
+
+std::int64_t integer_of(PlyType type, std::uint64_t bits) {
+  switch (type) {
+    case PlyType::kInt8: return as_signed<std::int8_t>(bits);
+    case PlyType::kInt16: return as_signed<std::int16_t>(bits);
+    case PlyType::kInt32: return as_signed<std::int32_t>(bits);
+    default: return static_cast<std::int64_t>(bits);  // read from as many bytes as it has
+  }
+}
+
+double number_of(PlyType type, std::uint64_t bits) {
+  if (type == PlyType::kFloat32) return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+  if (type == PlyType::kFloat64) return std::bit_cast<double>(bits);
+  return static_cast<double>(integer_of(type, bits));
+}
+
+}  // namespace
+
+// ---- text ------------------------------------------------------------------------------------------------------
+
+PlyText::PlyText(const PlyHeader& header, std::string_view) : lines_(header.body, header.lines + 1) {}
+
+std::int64_t PlyText::smallest(const PlyElement& element) {
+  return 2 * static_cast<std::int64_t>(element.properties.size());  // a digit and what parts it from the next
+}
+
+bool PlyText::begin(const PlyElement& element, std::int64_t instance) {
+  if (!lines_.next_filled())
+    return fail("the file ends after " + std::to_string(instance) + " of " +
+                counted(element.count, "line") + " of " + quoted(element.name));
+  rest_ = lines_.line();
+  return true;
+}
+
+bool PlyText::word(std::string_view& word) {
+  word = take_word(rest_);
+  return !word.empty() || fail("the line has fewer values than the header says");
+}
+
+bool PlyText::number(PlyType, double& value) {
+  std::string_view text;
+  if (!word(text)) return false;
+  const auto coordinate = parse_coordinate(text);
+  if (!coordinate) return fail(coordinate.error());
+  value = *coordinate;
+  return true;
+}
+
+bool PlyText::integer(PlyType, std::int64_t& value) {
+  std::string_view text;
+  if (!word(text)) return false;
+  const auto integer = parse_integer(text);
+  if (!integer) return fail(quoted(text) + " is not an integer");
+  value = *integer;
+  return true;
+}
+
+bool PlyText::skip(PlyType, std::int64_t n) {
+  std::string_view text;
+  for (std::int64_t i = 0; i < n; ++i) {
+    if (!word(text)) return false;
+    if (!parse_number(text)) return fail(quoted(text) + " is not a number");
+  }
+  return true;
+}
+
+bool PlyText::end() {
+  return trim(rest_).empty() || fail("the line has more values than the header says");
+}
+
+bool PlyText::finish() { return !lines_.next_filled() || fail("there are more lines than the header says"); }
+
+bool PlyText::fail(std::string what) {
+  error_ = at_line(lines_.number(), std::move(what)).value();
+  return false;
+}
+
+// ---- bytes -----------------------------------------------------------------------------------------------------
+
+PlyBytes::PlyBytes(const PlyHeader& header, std::string_view whole)
+    : bytes_(whole),
+      at_(whole.size() - header.body.size()),
+      value_(at_),
+      big_endian_(header.form == PlyForm::kBigEndian) {}
+
+std::int64_t PlyBytes::smallest(const PlyElement& element) {
+  std::size_t size = 0;
+  for (const PlyProperty& property : element.properties) size += size_of(property.count_type.value_or(property.type));
+  return static_cast<std::int64_t>(size);
+}
+
+bool PlyBytes::begin(const PlyElement&, std::int64_t) {
+  value_ = at_;
+  return true;
+}
+
+bool PlyBytes::bits(PlyType type, std::uint64_t& value) {
+  const std::size_t size = size_of(type);
+  if (bytes_.size() - at_ < size) return cut_short();
+  value = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto byte = static_cast<unsigned char>(bytes_[at_ + i]);
+    value |= std::uint64_t{byte} << 8 * (big_endian_ ? size - 1 - i : i);
+  }
+  value_ = at_;
+  at_ += size;
+  return true;
+}
+
+bool PlyBytes::number(PlyType type, double& value) {
+  std::uint64_t raw = 0;
+  if (!bits(type, raw)) return false;
+  value = number_of(type, raw);
+  const std::string_view fault = fault_of_coordinate(value);
+  return fault.empty() || fail(std::string("the coordinate ").append(fault));
+}
+
+bool PlyBytes::integer(PlyType type, std::int64_t& value) {
+  std::uint64_t raw = 0;
+  if (!bits(type, raw)) return false;
+  value = integer_of(type, raw);
+  return true;
+}
+
+bool PlyBytes::skip(PlyType type, std::int64_t n) {
+  const auto size = static_cast<std::int64_t>(size_of(type));
+  if (n > left() / size) return cut_short();
+  at_ += static_cast<std::size_t>(n * size);
+  return true;
+}
+
+bool PlyBytes::finish() {
+  value_ = at_;
+  return left() == 0 || fail("there " + std::string(left() == 1 ? "is " : "are ") + counted(left(), "byte") +
+                             " more than the header says");
+}
+
+bool PlyBytes::cut_short() {
+  value_ = bytes_.size();
+  return fail("the file is cut short: the header says that there is more");
+}
+
+bool PlyBytes::fail(std::string what) {
+  error_ = at_byte(static_cast<std::int64_t>(value_), std::move(what)).value();
+  return false;
+}
+
+}  // namespace snug::io

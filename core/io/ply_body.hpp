@@ -1,0 +1,66 @@
+// The data behind a PLY header, one value at a time, as text and as bytes. Both remember the first thing that was
+// wrong, so that a reader need only ask whether a value came.
+#pragma once
+
+#include "io/ply_header.hpp"
+
+namespace snug::io {
+
+/// One instance of an element is one line.
+class PlyText {
+ public:
+  PlyText(const PlyHeader& header, std::string_view whole);
+
+  /// The fewest bytes that an instance takes up.
+  [[nodiscard]] static std::int64_t smallest(const PlyElement& element);
+  /// How many bytes are left, and one for a line feed that the last line may lack.
+  [[nodiscard]] std::int64_t left() const { return static_cast<std::int64_t>(lines_.rest().size()) + 1; }
+
+  bool begin(const PlyElement& element, std::int64_t instance);
+  bool number(PlyType type, double& value);
+  bool integer(PlyType type, std::int64_t& value);
+  bool skip(PlyType type, std::int64_t n);
+  bool end();
+  /// Whether nothing follows.
+  bool finish();
+
+  bool fail(std::string what);
+  [[nodiscard]] InputError error() const { return error_; }
+
+ private:
+  bool word(std::string_view& word);
+
+  Lines lines_;
+  std::string_view rest_;
+  InputError error_;
+};
+
+class PlyBytes {
+ public:
+  PlyBytes(const PlyHeader& header, std::string_view whole);
+
+  [[nodiscard]] static std::int64_t smallest(const PlyElement& element);
+  [[nodiscard]] std::int64_t left() const { return static_cast<std::int64_t>(bytes_.size() - at_); }
+
+  bool begin(const PlyElement& element, std::int64_t instance);
+  bool number(PlyType type, double& value);
+  bool integer(PlyType type, std::int64_t& value);
+  bool skip(PlyType type, std::int64_t n);
+  bool end() { return true; }
+  bool finish();
+
+  bool fail(std::string what);
+  [[nodiscard]] InputError error() const { return error_; }
+
+ private:
+  bool bits(PlyType type, std::uint64_t& value);
+  bool cut_short();
+
+  std::string_view bytes_;
+  std::size_t at_;     // of the next value
+  std::size_t value_;  // of the last value, for errors
+  bool big_endian_;
+  InputError error_;
+};
+
+}  // namespace snug::io

@@ -1,0 +1,46 @@
+// What a PLY file says of itself before its data.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "io/text.hpp"
+
+namespace snug::io {
+
+enum class PlyType : std::uint8_t { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
+
+[[nodiscard]] constexpr std::size_t size_of(PlyType type) {
+  constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  return kSizes[static_cast<std::size_t>(type)];
+}
+[[nodiscard]] constexpr bool is_integer(PlyType type) { return type < PlyType::kFloat32; }
+
+struct PlyProperty {
+  std::string_view name;
+  PlyType type;                       // of a list: of its items
+  std::optional<PlyType> count_type;  // of a list only
+};
+
+struct PlyElement {
+  std::string_view name;
+  std::int64_t count = 0;
+  std::int64_t line = 0;  // where the header claims it
+  std::vector<PlyProperty> properties;
+};
+
+enum class PlyForm : std::uint8_t { kAscii, kLittleEndian, kBigEndian };
+
+struct PlyHeader {
+  PlyForm form = PlyForm::kAscii;
+  std::vector<PlyElement> elements;
+  std::string_view body;          // the bytes behind the header; names are views of the file as well
+  std::int64_t lines = 0;         // of the header
+};
+
+/// Errors: with the header's line.
+[[nodiscard]] Read<PlyHeader> read_ply_header(std::string_view bytes);
+
+}  // namespace snug::io

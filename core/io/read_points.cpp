@@ -1,0 +1,98 @@
+// Tells the formats apart, and gives every error the file's name.
+#include <algorithm>
+
+#include "io/formats.hpp"
+
+namespace snug::io {
+namespace {
+
+enum class Format { kRows, kCsv, kObj, kPly, kStlText, kStlBinary };
+
+std::string extension_of(std::string_view name) {
+  const std::size_t dot = name.find_last_of("./\\");
+  return dot == std::string_view::npos || name[dot] != '.' ? "" : lower_case(name.substr(dot + 1));
+}
+
+/// Text has no zero bytes; the start of a file is enough to see them.
+bool looks_binary(std::string_view bytes) {
+  return bytes.substr(0, 4096).find('\0') != std::string_view::npos;
+}
+
+/// The first line that holds more than a comment.
+std::string_view first_content(std::string_view text) {
+  Lines lines(text);
+  while (lines.next_filled()) {
+    const std::string_view line = trim(lines.line());
+    if (line.front() != '#') return line;
+  }
+  return {};
+}
+
+Format format_of_text(std::string_view text, std::string_view extension) {
+  std::string_view rest = first_content(text);
+  const std::string_view line = rest;
+  const std::string_view word = take_word(rest);
+  if (lower_case(word) == "solid") return Format::kStlText;
+  if (is_obj_keyword(word) && !rest.empty()) return Format::kObj;
+  const Format rows = extension == "csv" ? Format::kCsv : Format::kRows;
+  if (line.empty() || parse_number(line.substr(0, line.find_first_of(" \t,;")))) return rows;
+  if (extension == "obj") return Format::kObj;
+  if (extension == "ply") return Format::kPly;
+  if (extension == "stl") return Format::kStlText;
+  return rows;
+}
+
+/// The content decides where it can: binary STL by its size, for its header may well begin with "solid".
+Format format_of(std::string_view bytes, std::string_view extension) {
+  const std::string_view start = bytes.substr(0, 4);
+  if (start == "ply\n" || start == "ply\r") return Format::kPly;
+  if (has_size_of_stl(bytes)) return Format::kStlBinary;
+  if (!looks_binary(bytes)) return format_of_text(bytes, extension);
+  if (extension == "ply") return Format::kPly;
+  return Format::kStlBinary;
+}
+
+Read<PointFile> read_as(Format format, std::string_view bytes) {
+  switch (format) {
+    case Format::kRows: return read_rows(bytes, false);
+    case Format::kCsv: return read_rows(bytes, true);
+    case Format::kObj: return read_obj(bytes);
+    case Format::kPly: return read_ply(bytes);
+    case Format::kStlText: return read_stl_text(bytes);
+    case Format::kStlBinary: break;
+  }
+  return read_stl_binary(bytes);
+}
+
+/// The text behind a byte order mark, where there is one.
+Read<std::string_view> without_mark(std::string_view bytes) {
+  if (has_size_of_stl(bytes)) return bytes;  // whose header may hold anything
+  if (bytes.substr(0, 2) == "\xff\xfe" || bytes.substr(0, 2) == "\xfe\xff")
+    return at_byte(0, "the text is UTF-16: save it as UTF-8");
+  return bytes.substr(bytes.substr(0, 3) == "\xef\xbb\xbf" ? 3 : 0);
+}
+
+Read<PointFile> read_any(std::string_view bytes, std::string_view name) {
+  if (const auto text = without_mark(bytes))
+    bytes = *text;
+  else
+    return tl::unexpected(text.error());
+  const std::string extension = extension_of(name);
+  const Format format = format_of(bytes, extension);
+  const std::string_view start = bytes.substr(0, 5);
+  if (format == Format::kStlBinary && !has_size_of_stl(bytes) && extension != "stl" && lower_case(start) != "solid")
+    return at_byte(static_cast<std::int64_t>(bytes.find('\0')), "the data is binary, but neither PLY nor STL");
+  Read<PointFile> file = read_as(format, bytes);
+  if (file && file->points.empty()) return tl::unexpected(InputError{.what = "there are no points"});
+  return file;
+}
+
+}  // namespace
+
+tl::expected<PointFile, InputError> read_points(std::string_view bytes, std::string_view name) {
+  Read<PointFile> file = read_any(bytes, name);
+  if (!file) file.error().file = name;
+  return file;
+}
+
+}  // namespace snug::io

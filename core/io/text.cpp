@@ -1,0 +1,109 @@
+#include "io/text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fast_float/fast_float.h>
+
+#include "geometry/point_set.hpp"
+
+namespace snug::io {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\v\f";
+
+}  // namespace
+
+bool Lines::next() {
+  if (rest_.empty()) return false;
+  const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+  line_ = rest_.substr(0, end);
+  rest_.remove_prefix(end);
+  rest_.remove_prefix(rest_.substr(0, 2) == "\r\n" ? 2 : std::min<std::size_t>(1, rest_.size()));
+  ++number_;
+  return true;
+}
+
+bool Lines::next_filled() {
+  while (next())
+    if (!trim(line_).empty()) return true;
+  return false;
+}
+
+std::string_view trim(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+std::string_view take_word(std::string_view& rest) {
+  rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));
+  const std::string_view word = rest.substr(0, rest.find_first_of(kBlanks));
+  rest.remove_prefix(word.size());
+  return word;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kShown = 32;
+  std::string result = "\"";
+  for (const char c : text.substr(0, kShown)) result += c >= ' ' && c <= '~' ? c : '?';
+  return result + (text.size() > kShown ? "...\"" : "\"");
+}
+
+std::string counted(std::int64_t n, std::string_view noun) {
+  std::string result = std::to_string(n) + ' ';
+  result += noun;
+  return n == 1 ? result : result + 's';
+}
+
+std::optional<double> parse_number(std::string_view word) {
+  if (!word.empty() && word.front() == '+') {
+    word.remove_prefix(1);
+    if (!word.empty() && word.front() == '-') return std::nullopt;
+  }
+  double value = 0;
+  const char* end = word.data() + word.size();
+  const auto result = fast_float::from_chars(word.data(), end, value);
+  // Out of range still gives the nearest there is: an infinity, or zero for what is too small to tell from it.
+  if (result.ec == std::errc::invalid_argument || result.ptr != end) return std::nullopt;
+  return value;
+}
+
+std::optional<std::int64_t> parse_integer(std::string_view word) {
+  if (!word.empty() && word.front() == '+') {
+    word.remove_prefix(1);
+    if (!word.empty() && word.front() == '-') return std::nullopt;
+  }
+  std::int64_t value = 0;
+  const char* end = word.data() + word.size();
+  const auto result = std::from_chars(word.data(), end, value);
+  if (result.ec != std::errc{} || result.ptr != end) return std::nullopt;
+  return value;
+}
+
+tl::expected<double, std::string> parse_coordinate(std::string_view word) {
+  const std::optional<double> value = parse_number(word);
+  if (!value) return tl::unexpected(quoted(word) + " is not a number");
+  std::string_view fault = fault_of_coordinate(*value);
+  // An infinity that was written in digits is a number, but one that no double holds.
+  if (std::isinf(*value) && word.find_first_of("0123456789") != std::string_view::npos)
+    fault = fault_of_coordinate(std::numeric_limits<double>::max());
+  if (fault.empty()) return *value;
+  return tl::unexpected(quoted(word).append(" ").append(fault));
+}
+
+std::string_view fault_of_coordinate(double value) {
+  if (!std::isfinite(value)) return "is not a finite number";
+  if (std::abs(value) > PointSet<double, 3>::kLargest)
+    return "is too large: coordinates reach to 2^508, about 8.4e152";
+  return {};
+}
+
+}  // namespace snug::io

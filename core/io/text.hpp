@@ -1,0 +1,72 @@
+// What the text formats share: lines, words, numbers, and how an error quotes what it found.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+#include "geometry/input_error.hpp"
+
+namespace snug::io {
+
+template <class T>
+using Read = tl::expected<T, InputError>;
+
+[[nodiscard]] inline tl::unexpected<InputError> at_line(std::int64_t line, std::string what) {
+  return tl::unexpected(InputError{std::move(what), {}, InputError::Unit::kLine, line});
+}
+[[nodiscard]] inline tl::unexpected<InputError> at_byte(std::int64_t byte, std::string what) {
+  return tl::unexpected(InputError{std::move(what), {}, InputError::Unit::kByte, byte});
+}
+
+/// A text's lines with their numbers. A line ends with LF, CRLF or CR; blank ones count.
+class Lines {
+ public:
+  explicit Lines(std::string_view text, std::int64_t first = 1) : rest_(text), number_(first - 1) {}
+
+  /// Goes to the next line; false at the end of the text.
+  bool next();
+  /// Goes to the next line that is not blank.
+  bool next_filled();
+
+  [[nodiscard]] std::string_view line() const { return line_; }
+  /// The line's number; at the end of the text, that of the last line.
+  [[nodiscard]] std::int64_t number() const { return number_; }
+  /// What follows the line.
+  [[nodiscard]] std::string_view rest() const { return rest_; }
+
+ private:
+  std::string_view rest_;
+  std::string_view line_;
+  std::int64_t number_;
+};
+
+[[nodiscard]] std::string_view trim(std::string_view text);
+
+/// Takes the next word, between blanks and tabs, off the front of rest; an empty one where there is none.
+[[nodiscard]] std::string_view take_word(std::string_view& rest);
+
+/// ASCII letters only, so that no locale has a say.
+[[nodiscard]] std::string lower_case(std::string_view text);
+
+/// In quotation marks, short and printable whatever it is.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+/// "1 byte", "2 bytes".
+[[nodiscard]] std::string counted(std::int64_t n, std::string_view noun);
+
+/// A decimal number, a leading + allowed; also nan and the infinities. None where the word is no number.
+[[nodiscard]] std::optional<double> parse_number(std::string_view word);
+
+/// None where the word is no integer of 64 bits.
+[[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view word);
+
+/// A coordinate that a PointSet takes, or what is wrong with it.
+[[nodiscard]] tl::expected<double, std::string> parse_coordinate(std::string_view word);
+
+/// Empty where a PointSet takes the coordinate, else what is wrong with it.
+[[nodiscard]] std::string_view fault_of_coordinate(double value);
+
+}  // namespace snug::io
