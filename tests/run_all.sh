@@ -26,6 +26,7 @@ node_suite() { # title log-name command-before-node... -- files...
     shift 2
     while [[ $1 != -- ]]; do before+=("$1"); shift; done
     shift
+    (($#)) || { say "$title: there are no tests"; failed=$((failed + 1)); return; }
     quietly "$log" "${before[@]}" node --test --test-reporter=tap "$@" || status=$?
     figure() { grep -aoP "^# $1 \K\d+" "build/logs/$log.log" | tail -n 1 || echo 0; }
     ok=$(figure pass) bad=$(($(figure fail) + $(figure cancelled)))
