@@ -24,7 +24,7 @@ target_include_directories(snug_eigen SYSTEM INTERFACE
 snug_headers(expected tl)
 snug_headers(fast_float fast_float)
 snug_headers(toml toml++ DEFINES TOML_EXCEPTIONS=0 TOML_ENABLE_FORMATTERS=0)
-snug_headers(cli CLI)
+snug_headers(cli11 CLI)
 snug_headers(json nlohmann)
 snug_headers(doctest doctest)
 snug_headers(boost boost) # tests only: the exact oracle's rationals
