@@ -16,6 +16,9 @@ endif()
 add_library(snug_options INTERFACE)
 target_compile_options(snug_options INTERFACE
   -ffp-contract=off # a fused multiply-add rounds once where wasm rounds twice: other bits
+  # GCC 12 vectorises (double)(float)x to x, two at a time: a rounding that never happens. Held by
+  # "a double rounded to float stays rounded".
+  -fno-tree-slp-vectorize
   -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
   -Wno-missing-field-initializers # designated initialisers leave the rest at their defaults
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> # GCC 12 mistakes string's operator+ (its bug 105329)
@@ -27,7 +30,6 @@ target_compile_options(snug_lean INTERFACE -fno-exceptions -fno-rtti)
 
 if(EMSCRIPTEN)
   target_compile_options(snug_options INTERFACE -msimd128)
-  target_include_directories(snug_options SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/web/libcxx)
   # A Node that is not Debian's own does not look where Debian's emscripten keeps acorn.
   if(NOT DEFINED ENV{NODE_PATH} AND EXISTS /usr/share/nodejs/acorn)
     set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK

@@ -50,7 +50,7 @@ shopt -s nullglob
 screen=(xvfb-run -a -s "-screen 0 1280x800x24")
 
 if built release snug_tests snug_desktop; then
-    doctest_suite "core, native" core-native build/release/tests/snug_tests
+    doctest_suite "core, native" core-native build/release/tests/snug_tests --no-colors=1
     node_suite "command line" command-line -- tests/command/*.test.mjs
     node_suite "desktop window" desktop-window "${screen[@]}" -- tests/desktop/*.test.mjs
     for file in tests/desktop/*.test.sh; do
@@ -59,13 +59,13 @@ if built release snug_tests snug_desktop; then
 fi
 
 if built sanitize snug_tests; then
-    doctest_suite "core, sanitized" core-sanitized build/sanitize/tests/snug_tests
+    doctest_suite "core, sanitized" core-sanitized build/sanitize/tests/snug_tests --no-colors=1
 fi
 
 if built wasm all; then
     # Emscripten 3.1.6 mistakes Node for a browser when it finds fetch.
     doctest_suite "core, WebAssembly" core-wasm \
-        node --no-experimental-fetch build/wasm/tests/snug_tests.js
+        node --no-experimental-fetch build/wasm/tests/snug_tests.js --no-colors=1
     one_test "native and WebAssembly traces are equal" trace-hash tests/trace_hash.sh
     one_test "transfer within budget" transfer python3 web/size_report.py build/wasm/site
     if [[ tests/browser/package-lock.json -nt tests/browser/node_modules/.package-lock.json ]]; then
