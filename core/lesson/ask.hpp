@@ -25,6 +25,7 @@ struct Asked {
   std::vector<std::string> choices;   // what may be chosen; empty where only the stage answers
   std::vector<Index> choice_points;   // the point that each choice names, or kNoIndex
   bool on_stage = false;              // whether a click on a point answers
+  std::vector<Index> stage_points;    // the points that a click can mean; empty where it can mean any
   int fact = 0;                       // which step of the trace it speaks of, counted from 0
   int until = 0;                      // the player's place where it is decided: answering goes there
 };
@@ -50,7 +51,9 @@ struct Outcome {
 [[nodiscard]] std::vector<Asked> asked_on(const Lesson& lesson, std::string_view algorithm, Trace trace, int dim,
                                           bool own_points);
 
-/// Where one question stands on a trace; nothing where the trace does not have its step. why: in one fragment, then.
+/// Where one question stands on a trace; nothing where the trace does not have its step, or the step cannot be asked
+/// that: why says it in one fragment then. Of boundary_forced and moved_to_front only the outermost count, at which a
+/// point lies outside the smallest ball of all before it; "leaves" and "grows" of it are decided when that point is in.
 [[nodiscard]] std::optional<Asked> resolve(const Question& question, Trace trace, int dim, std::string& why);
 
 /// Whether that is an answer to it at all: a choice in range, a point that it can mean. points: how many there are.

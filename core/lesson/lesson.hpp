@@ -44,7 +44,8 @@ struct Gate {
   std::string algorithm;
   std::string fact;  // as fit::fact_names() has it: "pair_chosen"
   int occurrence = 1;
-  std::string after;  // a fact's name, or empty
+  std::string after;  // a fact's name, kStart for the beginning, or empty
+  static constexpr std::string_view kStart = "start";
 };
 
 struct Question {

@@ -75,7 +75,7 @@ class Session {
   /// An algorithm that does not take so many points gives way to the first of the lesson's that does. Errors: as of
   /// io::to_point_set; no algorithm of the lesson takes so many.
   tl::expected<void, InputError> load(const io::PointFile& file, std::string_view name);
-  /// The first points of the lesson's own, as many as the task asks for, and the task's algorithm in slot 0.
+  /// The first points of the lesson's own, as many as the task asks for, the task's algorithm in slot 0, and its result.
   void start_task();
   void begin_drag();
   void end_drag();
@@ -183,7 +183,15 @@ class Session {
     std::optional<std::uint64_t> hash;
   };
 
+  struct Recipe {
+    std::string_view kind;
+    int count = 0;
+    int dim = 2;
+    friend bool operator==(const Recipe&, const Recipe&) = default;
+  };
+
   Session(Lesson lesson, Snapshot own);
+  [[nodiscard]] Recipe recipe() const;
   tl::expected<void, InputError> make_room_for(Index points);
   tl::expected<void, InputError> become(Snapshot next);
   void remember();

@@ -1,0 +1,165 @@
+#include "lesson/ask.hpp"
+
+#include <algorithm>
+
+#include "lesson/figures.hpp"
+
+namespace snug::lesson {
+namespace {
+
+using namespace fit;
+using Asks = Question::Asks;
+using Kind = Answer::Kind;
+
+/// What is the case: the right choices and points, in few words and in a sentence.
+struct Truth {
+  std::vector<int> choices;
+  std::vector<Index> points;
+  std::string happened;
+  std::string sentence;
+};
+
+/// "P3", "P3 and P8", "P1, P3 and P8"
+std::string names(const std::vector<Index>& points) {
+  std::string text;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i > 0) text += i + 1 == points.size() ? " and " : ", ";
+    text += point_name(points[i]);
+  }
+  return text;
+}
+
+/// What a step does with the points that it names, in the present tense; plural: of them.
+struct Predicate {
+  bool plural;
+  std::string operator()(const ExtremesFound<double, 3>&) const { return "reach farthest along the axes"; }
+  std::string operator()(const PairChosen&) const { return plural ? "are chosen" : "is chosen"; }
+  std::string operator()(const FarthestFound&) const { return "is the farthest"; }
+  std::string operator()(const PointExamined&) const { return "is held against the ball"; }
+  std::string operator()(const BallGrown<double, 3>&) const { return "lies outside, and the ball grows to it"; }
+  std::string operator()(const MovedToFront&) const { return "moves to the front"; }
+  std::string operator()(const SupportReplaced&) const { return "enters the support set"; }
+  std::string operator()(const RadiusChecked&) const { return "is the farthest from the centre"; }
+  std::string operator()(const BoundaryForced&) const { return "lies outside, so the next ball passes through it"; }
+  std::string operator()(const CandidateTried<double, 3>& fact) const {
+    return fact.outside != kNoIndex ? "lies outside" : plural ? "are tried" : "is tried";
+  }
+  std::string operator()(const auto&) const { return plural ? "hold the ball" : "holds the ball"; }
+};
+
+Truth point_truth(const Step3& step) {
+  Truth truth;
+  truth.points = points_named(step);
+  truth.happened = names(truth.points);
+  truth.sentence = truth.happened + " " + std::visit(Predicate{truth.points.size() > 1}, step.fact) + ".";
+  return truth;
+}
+
+Truth axis_truth(const PairChosen& pair, const std::vector<std::string>& choices) {
+  const std::string& name = choices[static_cast<std::size_t>(pair.axis)];
+  const std::string sentence = names({pair.a, pair.b}) + ", " + name + ", lie farthest apart.";
+  return {{pair.axis}, {pair.a, pair.b}, name, sentence};
+}
+
+Truth grows_truth(const Asked& asked, Trace trace) {
+  const auto radius = [&](int steps) {
+    return steps == 0 ? 0.0 : trace[static_cast<std::size_t>(steps - 1)].step.ball.radius;
+  };
+  const double before = radius(asked.step);
+  const double after = radius(asked.until);
+  if (after > before)
+    return {{0}, {}, "yes", "The radius grows from " + number_text(before) + " to " + number_text(after) + "."};
+  if (after < before)
+    return {{1}, {}, "no", "The radius shrinks from " + number_text(before) + " to " + number_text(after) + "."};
+  return {{1}, {}, "no", "The radius stays " + number_text(before) + "."};
+}
+
+Truth leaves_truth(const Asked& asked, Trace trace) {
+  const Support after = support_after(trace, asked.until);
+  Truth truth;
+  for (std::size_t i = 1; i < asked.choices.size(); ++i) {
+    if (after.contains(asked.choice_points[i])) continue;
+    truth.choices.push_back(static_cast<int>(i));
+    truth.points.push_back(asked.choice_points[i]);
+  }
+  if (truth.choices.empty()) return {{0}, {}, "none", "No point left the support set."};
+  truth.happened = names(truth.points);
+  truth.sentence = truth.happened + " left the support set.";
+  return truth;
+}
+
+Truth better_truth(const Step3& step) {
+  const auto* pass = std::get_if<PassJudged<double, 3>>(&step.fact);
+  const auto* tried = std::get_if<CandidateTried<double, 3>>(&step.fact);
+  const bool better = pass != nullptr ? pass->better : tried->verdict == CandidateTried<double, 3>::Verdict::kKept;
+  if (better) return {{0}, {}, "yes", "It is the smallest so far, and is kept."};
+  if (tried != nullptr && tried->outside != kNoIndex)
+    return {{1}, {}, "no", point_name(tried->outside) + " lies outside, so it is not kept."};
+  return {{1}, {}, "no", "It is no smaller than the best so far."};
+}
+
+Truth holds_truth(const Finished& finished) {
+  const int n = finished.support.size();
+  const std::string count = std::to_string(n);
+  const std::vector<Index> points(finished.support.begin(), finished.support.end());
+  return {{n - 1}, points, count, names(points) + (n == 1 ? " holds" : " hold") + " the ball."};
+}
+
+Truth truth_of(const Asked& asked, Trace trace) {
+  const Step3& step = trace[static_cast<std::size_t>(asked.fact)].step;
+  const Question& question = *asked.question;
+  switch (question.asks) {
+    case Asks::kPoint: return point_truth(step);
+    case Asks::kAxis: return axis_truth(*std::get_if<PairChosen>(&step.fact), asked.choices);
+    case Asks::kGrows: return grows_truth(asked, trace);
+    case Asks::kLeaves: return leaves_truth(asked, trace);
+    case Asks::kBetter: return better_truth(step);
+    case Asks::kHolds: return holds_truth(*std::get_if<Finished>(&step.fact));
+    case Asks::kChoice: break;
+  }
+  const std::string& right = question.choices[static_cast<std::size_t>(question.answer)];
+  return {{question.answer}, {}, right, "The answer is: " + right + "."};
+}
+
+bool contains(const auto& values, int value) { return std::find(values.begin(), values.end(), value) != values.end(); }
+
+}  // namespace
+
+bool answers(const Asked& asked, const Answer& answer, Index points) {
+  switch (answer.kind) {
+    case Kind::kSkipped: return true;
+    case Kind::kChoice: return answer.value >= 0 && answer.value < static_cast<int>(asked.choices.size());
+    case Kind::kPoint:
+      return asked.on_stage && answer.value >= 0 && answer.value < points &&
+             (asked.stage_points.empty() || contains(asked.stage_points, answer.value));
+  }
+  return false;
+}
+
+Outcome judge(const Asked& asked, const Answer& answer, Trace trace) {
+  Truth truth = truth_of(asked, trace);
+  Outcome outcome;
+  outcome.question = asked.question->id;
+  outcome.given = answer;
+  outcome.skipped = answer.kind == Kind::kSkipped;
+  outcome.because = asked.question->because;
+  if (answer.kind == Kind::kPoint) {
+    outcome.predicted = point_name(answer.value);
+    outcome.right = contains(truth.points, answer.value);
+  } else if (answer.kind == Kind::kChoice) {
+    outcome.predicted = asked.choices[static_cast<std::size_t>(answer.value)];
+    outcome.right = contains(truth.choices, answer.value);
+  }
+  const std::string said = outcome.skipped ? "You skipped this." : "You said " + outcome.predicted + ".";
+  outcome.says = said + " " + truth.sentence;
+  outcome.happened = std::move(truth.happened);
+  return outcome;
+}
+
+Answer model_answer(const Asked& asked, Trace trace) {
+  const Truth truth = truth_of(asked, trace);
+  if (!truth.choices.empty()) return {Kind::kChoice, truth.choices.front()};
+  return {Kind::kPoint, truth.points.front()};
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,78 @@
+#include "lesson/check_lesson.hpp"
+
+#include <algorithm>
+
+#include "fit/catalogue.hpp"
+#include "lesson/ask.hpp"
+#include "lesson/grade.hpp"
+#include "lesson/own_points.hpp"
+
+namespace snug::lesson {
+namespace {
+
+bool offers(const Lesson& lesson, std::string_view algorithm) {
+  return std::find(lesson.algorithms.begin(), lesson.algorithms.end(), algorithm) != lesson.algorithms.end();
+}
+
+void check_ids(const Lesson& lesson, Complaints& complaints) {
+  for (auto question = lesson.questions.begin(); question != lesson.questions.end(); ++question) {
+    const auto same = [&](const Question& other) { return other.id == question->id; };
+    if (std::any_of(lesson.questions.begin(), question, same))
+      complaints.add(question->line, "there is another question with the id " + question->id);
+    if (!offers(lesson, question->gate.algorithm))
+      complaints.add(question->line, "the lesson does not offer the algorithm " + question->gate.algorithm);
+  }
+}
+
+/// The questions of one algorithm on its trace. A question must not stand where another is still open, for answering
+/// that one would pass it by.
+void check_questions(const Lesson& lesson, const fit::Algorithm& algorithm, const AnyPointSet& points, Complaints& complaints) {
+  const fit::Recording recording = algorithm.record(points, {.seed = lesson.seed});
+  std::string why;
+  for (const Question& question : lesson.questions)
+    if (question.gate.algorithm == algorithm.name && !resolve(question, recording.steps, fit::dim_of(points), why))
+      complaints.add(question.line, why);
+  const std::vector<Asked> asked = asked_on(lesson, algorithm.name, recording.steps, fit::dim_of(points), true);
+  for (const Question& question : lesson.questions) {
+    const auto is_it = [&](const Asked& one) { return one.question == &question; };
+    if (question.gate.algorithm == algorithm.name && std::none_of(asked.begin(), asked.end(), is_it))
+      complaints.add(question.line, "the question stands where another one is not decided yet");
+  }
+}
+
+void check_task(const Lesson& lesson, const AnyPointSet& points, int line, int model_line, Complaints& complaints) {
+  const Task& task = *lesson.task;
+  if (fit::size_of(points) < task.points)
+    complaints.add(line, "the task is for more points than the lesson has");
+  if (!offers(lesson, task.algorithm)) complaints.add(line, "the lesson does not offer the algorithm " + task.algorithm);
+  const auto model = to_set(task.model, fit::dim_of(points));
+  if (!model) return complaints.add(model_line, model.error().what);
+  const Grade graded = grade(task, *model, lesson.seed);
+  if (!graded.done) complaints.add(model_line, "the model does not solve the task: " + graded.says);
+}
+
+}  // namespace
+
+void check_lesson(const Lesson& lesson, const toml::table& toml, Complaints& complaints) {
+  const TomlTable root(toml, "the lesson", complaints);
+  check_ids(lesson, complaints);
+  if (!lesson.compare.empty() && !offers(lesson, lesson.compare))
+    complaints.add(root.line_of("compare"), "the lesson does not offer the algorithm " + lesson.compare);
+  if (!lesson.points.mesh.empty() || complaints.first()) return;
+
+  const auto points = own_points(lesson, lesson.seed, std::nullopt);
+  if (!points) return complaints.add(root.line_of("points"), points.error().what);
+  for (const std::string& name : lesson.algorithms) {
+    const fit::Algorithm& algorithm = *fit::find_algorithm("sphere", name);
+    if (fit::size_of(*points) <= algorithm.max_points) check_questions(lesson, algorithm, *points, complaints);
+    else if (&name == &lesson.algorithms.front() || name == lesson.compare)
+      complaints.add(root.line_of("points"), "too many points for " + std::string(algorithm.title) + ": at most " +
+                                                 std::to_string(algorithm.max_points));
+  }
+  if (!lesson.task) return;
+  const toml::table& task = *toml.get_as<toml::table>("task");
+  const TomlTable task_table(task, "[task]", complaints);
+  check_task(lesson, *points, task_table.line(), task_table.line_of("model"), complaints);
+}
+
+}  // namespace snug::lesson

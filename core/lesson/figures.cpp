@@ -1,0 +1,153 @@
+#include "lesson/figures.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "lesson/ask.hpp"
+#include "lesson/ball_check.hpp"
+
+namespace snug::lesson {
+namespace {
+
+using namespace fit;
+
+constexpr std::array<std::string_view, kOperations> kOperationTitles{"Points touched", "Distance tests", "Comparisons",
+                                                                     "Dot products",   "Square roots",   "Ball solves"};
+
+std::string count_text(std::int64_t n, std::string_view one, std::string_view many) {
+  return std::to_string(n) + " " + std::string(n == 1 ? one : many);
+}
+
+/// Collects the figures of one place in a run.
+class Board {
+ public:
+  explicit Board(const RunView& run)
+      : run_(run), trace_(run.recording->steps), entry_(run.step > 0 ? &trace_[static_cast<std::size_t>(run.step - 1)] : nullptr) {}
+
+  std::vector<Figure> figures() {
+    ball();
+    seen();
+    best();
+    if (entry_ != nullptr) spread(entry_->step.fact);
+    operations();
+    return std::move(figures_);
+  }
+
+ private:
+  void add(std::string_view name, std::string key, std::string text, double value, std::string_view unit) {
+    figures_.push_back({std::string(name), std::move(key), std::move(text), value, std::string(unit)});
+  }
+  void length(std::string_view name, std::string key, double value) {
+    add(name, std::move(key), number_text(value) + " units", value, "units");
+  }
+
+  void ball() {
+    if (entry_ == nullptr || !entry_->step.has_ball) return;
+    const Sphere3& ball = entry_->step.ball;
+    const bool last = run_.step == static_cast<int>(trace_.size());
+    length(last ? "Radius" : "Radius so far", "radius", ball.radius);
+    if (run_.smallest_radius > 0) {
+      const double excess = ball.radius / run_.smallest_radius - 1;
+      add("Excess over the optimum", "excess", percent_text(excess), 100 * excess, "%");
+    }
+    const Index outside = count_outside(*run_.points, ball);
+    add("Points outside", "outside", std::to_string(outside) + " of " + std::to_string(size_of(*run_.points)), outside, "points");
+    const int holding = support_after(trace_, run_.step).size();
+    add("Support set", "support", count_text(holding, "point", "points"), holding, "points");
+  }
+
+  /// How far the pass over the points has come; Welzl's recursion goes over some again, which does not count.
+  void seen() {
+    if (entry_ == nullptr) return;
+    int seen = 0;
+    bool passes = false;
+    for (int i = run_.step; i-- > 0;) {
+      const auto& fact = trace_[static_cast<std::size_t>(i)].step.fact;
+      if (const auto* shrunk = std::get_if<BallShrunk<double, 3>>(&fact)) {
+        add("Pass", "pass", std::to_string(shrunk->pass), shrunk->pass, "");
+        break;
+      }
+      const auto* examined = std::get_if<PointExamined>(&fact);
+      passes = passes || examined != nullptr;
+      if (examined != nullptr && examined->depth == 0) ++seen;
+    }
+    if (passes) add("Points seen", "seen", std::to_string(seen) + " of " + std::to_string(size_of(*run_.points)), seen, "points");
+    const auto* examined = std::get_if<PointExamined>(&entry_->step.fact);
+    if (examined != nullptr && examined->outside && entry_->step.has_ball)
+      length("Outside by", "outside_by", examined->distance - entry_->step.ball.radius);
+  }
+
+  void best() {
+    if (run_.step == static_cast<int>(trace_.size()) || entry_ == nullptr) return;
+    int tried = 0;
+    for (int i = run_.step; i-- > 0;) {
+      const auto& fact = trace_[static_cast<std::size_t>(i)].step.fact;
+      if (std::holds_alternative<CandidateTried<double, 3>>(fact)) ++tried;
+      if (const auto* pass = std::get_if<PassJudged<double, 3>>(&fact)) return length("Best so far", "best", pass->best.radius);
+    }
+    if (tried > 0) add("Candidates tried", "candidates", count_text(tried, "ball", "balls"), tried, "balls");
+  }
+
+  void spread(const Step3::Fact& fact) {
+    if (const auto* mean = std::get_if<MeanFound<double, 3>>(&fact)) middle(mean->mean);
+    if (const auto* covariance = std::get_if<CovarianceFound<double, 3>>(&fact)) middle(covariance->mean);
+    const auto* axes = std::get_if<AxesFound<double, 3>>(&fact);
+    if (axes == nullptr) return;
+    for (int i = 1; i <= dim_of(*run_.points); ++i) {
+      const double variance = axes->variances[3 - i];
+      const std::string n = std::to_string(i);
+      add("Variance along v" + n, "variance_" + n, number_text(variance) + " units²", variance, "units²");
+      length("Standard deviation along v" + n, "deviation_" + n, std::sqrt(std::max(variance, 0.0)));
+    }
+  }
+  void middle(const Vector<double, 3>& mean) {
+    for (int i = 0; i < dim_of(*run_.points); ++i)
+      length(std::string("Mean ") + "xyz"[i], std::string("mean_") + "xyz"[i], mean[i]);
+  }
+
+  /// Those that the algorithm spends at all, so that the rows stay the same from step to step.
+  void operations() {
+    for (std::size_t i = 0; i < kOperations; ++i) {
+      if (run_.recording->counts[i] == 0) continue;
+      const std::int64_t n = entry_ != nullptr ? entry_->counts[i] : 0;
+      add(kOperationTitles[i], std::string(kOperationNames[i]), std::to_string(n), static_cast<double>(n), "");
+    }
+  }
+
+  const RunView& run_;
+  Trace trace_;
+  const Recorder<Step3>::Entry* entry_;
+  std::vector<Figure> figures_;
+};
+
+std::string printed(const char* format, int precision, double value) {
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, precision, value);
+  return buffer.data();
+}
+
+}  // namespace
+
+std::string number_text(double value) {
+  const double size = std::abs(value);
+  std::string text;
+  if (size == 0) {
+    text = "0.000";
+  } else if (size < 1e-3 || size >= 1e6) {
+    text = printed("%.*e", 3, size);
+  } else {
+    const int before = size >= 1 ? static_cast<int>(std::floor(std::log10(size))) : 0;
+    text = printed("%.*f", std::max(0, 3 - before), size);
+  }
+  return value < 0 ? std::string("−").append(text) : text;
+}
+
+std::string percent_text(double ratio) {
+  const std::string text = printed("%.*f", 1, std::abs(100 * ratio));
+  return (text == "0.0" ? "" : ratio < 0 ? "−" : "+") + text + " %";
+}
+
+std::vector<Figure> figures_of(const RunView& run) { return Board(run).figures(); }
+
+}  // namespace snug::lesson

@@ -1,0 +1,148 @@
+// Where questions stand on a trace.
+#include <algorithm>
+#include <optional>
+
+#include "lesson/ask.hpp"
+
+namespace snug::lesson {
+namespace {
+
+using namespace fit;
+using Asks = Question::Asks;
+
+const Step3& step_at(Trace trace, int i) { return trace[static_cast<std::size_t>(i)].step; }
+
+std::size_t fact_index(std::string_view name) {
+  const auto names = fact_names();
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+bool outermost(const Step3& step) {
+  if (const auto* forced = std::get_if<BoundaryForced>(&step.fact)) return forced->depth == 1;
+  if (const auto* moved = std::get_if<MovedToFront>(&step.fact)) return moved->depth == 0;
+  return true;
+}
+
+/// The n-th step of that name, or the trace's size.
+int find_fact(Trace trace, std::string_view name, int occurrence) {
+  const std::size_t fact = fact_index(name);
+  int i = 0;
+  for (; i < static_cast<int>(trace.size()); ++i)
+    if (step_at(trace, i).fact.index() == fact && outermost(step_at(trace, i)) && --occurrence == 0) break;
+  return i;
+}
+
+/// Just behind the last step of that name before a step; the step itself where there is none.
+int place_after(Trace trace, std::string_view name, int before) {
+  if (name == Gate::kStart) return 0;
+  const std::size_t fact = fact_index(name);
+  for (int i = before; i-- > 0;)
+    if (step_at(trace, i).fact.index() == fact) return i + 1;
+  return before;
+}
+
+/// Behind the step; of a point forced onto the boundary, behind the end of its recursion.
+int place_decided(Trace trace, int fact, Asks asks) {
+  const bool whole = asks == Asks::kLeaves || asks == Asks::kGrows;
+  if (!whole || !std::holds_alternative<BoundaryForced>(step_at(trace, fact).fact)) return fact + 1;
+  for (int i = fact; i < static_cast<int>(trace.size()); ++i)
+    if (std::holds_alternative<MovedToFront>(step_at(trace, i).fact) && outermost(step_at(trace, i))) return i + 1;
+  return fact + 1;
+}
+
+void add_choice(Asked& asked, std::string text, Index point = kNoIndex) {
+  asked.choices.push_back(std::move(text));
+  asked.choice_points.push_back(point);
+}
+
+const char* add_axes(Asked& asked, Trace trace, int dim) {
+  const auto* pair = std::get_if<PairChosen>(&step_at(trace, asked.fact).fact);
+  if (pair == nullptr || pair->axis == kNoIndex) return "\"axis\" asks of a pair of extreme points along the axes";
+  const ExtremesFound<double, 3>* extremes = nullptr;
+  for (int i = asked.fact; extremes == nullptr && i-- > 0;)
+    extremes = std::get_if<ExtremesFound<double, 3>>(&step_at(trace, i).fact);
+  if (extremes == nullptr) return "\"axis\" asks of a pair after the extreme points are found";
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) {
+    add_choice(asked, std::string("the ") + "xyz"[axis] + " pair", extremes->least[axis]);
+    asked.stage_points.push_back(extremes->least[axis]);
+    asked.stage_points.push_back(extremes->greatest[axis]);
+  }
+  asked.on_stage = true;
+  return nullptr;
+}
+
+const char* add_support(Asked& asked, Trace trace) {
+  const auto& fact = step_at(trace, asked.fact).fact;
+  if (!std::holds_alternative<SupportReplaced>(fact) && !std::holds_alternative<BoundaryForced>(fact))
+    return "\"leaves\" asks of support_replaced or boundary_forced";
+  add_choice(asked, "none");
+  for (const Index i : support_after(trace, asked.fact)) {
+    add_choice(asked, point_name(i), i);
+    asked.stage_points.push_back(i);
+  }
+  if (asked.stage_points.empty()) return "\"leaves\" asks where no point holds the ball yet";
+  asked.on_stage = true;
+  return nullptr;
+}
+
+/// What may be answered. Returns why the step cannot be asked that, or null.
+const char* add_choices(Asked& asked, Trace trace, int dim) {
+  const auto& fact = step_at(trace, asked.fact).fact;
+  switch (asked.question->asks) {
+    case Asks::kPoint:
+      asked.on_stage = true;
+      return points_named(step_at(trace, asked.fact)).empty() ? "\"point\" asks of a step that names no point" : nullptr;
+    case Asks::kAxis: return add_axes(asked, trace, dim);
+    case Asks::kLeaves: return add_support(asked, trace);
+    case Asks::kBetter:
+      if (!std::holds_alternative<PassJudged<double, 3>>(fact) && !std::holds_alternative<CandidateTried<double, 3>>(fact))
+        return "\"better\" asks of pass_judged or candidate_tried";
+      [[fallthrough]];
+    case Asks::kGrows: add_choice(asked, "yes"), add_choice(asked, "no"); return nullptr;
+    case Asks::kHolds:
+      if (!std::holds_alternative<Finished>(fact)) return "\"holds\" asks of finished";
+      for (int n = 1; n <= dim + 1; ++n) add_choice(asked, std::to_string(n));
+      return nullptr;
+    case Asks::kChoice:
+      for (const std::string& choice : asked.question->choices) add_choice(asked, choice);
+      return nullptr;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<Asked> resolve(const Question& question, Trace trace, int dim, std::string& why) {
+  const Gate& gate = question.gate;
+  Asked asked;
+  asked.question = &question;
+  asked.fact = find_fact(trace, gate.fact, gate.occurrence);
+  if (asked.fact == static_cast<int>(trace.size())) {
+    why = gate.algorithm + " does not take step " + gate.fact +
+          (gate.occurrence > 1 ? " " + std::to_string(gate.occurrence) + " times" : "") + " on these points";
+    return std::nullopt;
+  }
+  asked.step = gate.after.empty() ? asked.fact : place_after(trace, gate.after, asked.fact);
+  asked.until = place_decided(trace, asked.fact, question.asks);
+  if (const char* refused = add_choices(asked, trace, dim)) {
+    why = refused;
+    return std::nullopt;
+  }
+  return asked;
+}
+
+std::vector<Asked> asked_on(const Lesson& lesson, std::string_view algorithm, Trace trace, int dim, bool own_points) {
+  std::vector<Asked> all;
+  std::string why;
+  for (const Question& question : lesson.questions) {
+    if (question.gate.algorithm != algorithm || (question.own_points && !own_points)) continue;
+    if (auto asked = resolve(question, trace, dim, why)) all.push_back(*std::move(asked));
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Asked& a, const Asked& b) { return a.step < b.step; });
+  std::vector<Asked> apart;
+  for (Asked& asked : all)
+    if (apart.empty() || asked.step >= apart.back().until) apart.push_back(std::move(asked));
+  return apart;
+}
+
+}  // namespace snug::lesson

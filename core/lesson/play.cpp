@@ -1,0 +1,68 @@
+#include "lesson/play.hpp"
+
+#include <algorithm>
+
+namespace snug::lesson {
+namespace {
+
+/// Answers what is asked, or takes a step. false: neither could be done.
+bool advance(Session& session, std::vector<Outcome>& outcomes) {
+  const int step = session.step();
+  if (const Asked* asked = session.asked()) {
+    if (!session.answer(model_answer(*asked, session.recording(0).steps))) return false;
+    if (const Outcome* outcome = session.outcome()) outcomes.push_back(*outcome);
+    return true;
+  }
+  session.forward();
+  return session.step() > step;
+}
+
+tl::expected<Played::Algorithm, InputError> play_algorithm(Session& session, const std::string& name) {
+  if (const auto chosen = session.choose(0, name); !chosen) return tl::unexpected(chosen.error());
+  Played::Algorithm played{name, session.steps(), {}};
+  session.first();
+  // Every turn answers a question or takes a step, so that more turns than both are one too many.
+  std::size_t turns = session.questions().size() + static_cast<std::size_t>(session.steps());
+  while (session.step() < session.steps() || session.asked() != nullptr)
+    if (turns-- == 0 || !advance(session, played.outcomes))
+      return tl::unexpected(InputError{.what = "the player does not get past step " + std::to_string(session.step()) +
+                                               " of " + name});
+  return played;
+}
+
+void find_not_asked(const Lesson& lesson, Played& played) {
+  for (const Question& question : lesson.questions) {
+    bool asked = false;
+    for (const auto& algorithm : played.algorithms)
+      for (const Outcome& outcome : algorithm.outcomes) asked = asked || outcome.question == question.id;
+    if (!asked) played.not_asked.push_back(question.id);
+  }
+}
+
+}  // namespace
+
+bool Played::sound() const {
+  for (const Algorithm& algorithm : algorithms)
+    for (const Outcome& outcome : algorithm.outcomes)
+      if (!outcome.right) return false;
+  return not_asked.empty() && (!grade || grade->done);
+}
+
+tl::expected<Played, InputError> play(Session& session) {
+  Played played;
+  session.forget_answers();
+  for (const std::string& name : session.lesson().algorithms) {
+    auto algorithm = play_algorithm(session, name);
+    if (!algorithm) return tl::unexpected(std::move(algorithm.error()));
+    played.algorithms.push_back(std::move(*algorithm));
+  }
+  find_not_asked(session.lesson(), played);
+  if (const auto& task = session.lesson().task) {
+    const auto loaded = session.load({session.lesson().points.dim, task->model, {}}, "the task's model answer");
+    if (!loaded) return tl::unexpected(loaded.error());
+    played.grade = session.grade();
+  }
+  return played;
+}
+
+}  // namespace snug::lesson

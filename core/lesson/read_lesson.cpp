@@ -1,0 +1,214 @@
+// From a lesson's TOML to a Lesson. What its numbers and names mean together is checked in check_lesson.cpp.
+#include <algorithm>
+
+#include "fit/catalogue.hpp"
+#include "geometry/generate.hpp"
+#include "lesson/check_lesson.hpp"
+#include "lesson/own_points.hpp"
+#include "lesson/prose.hpp"
+#include "lesson/toml_table.hpp"
+
+namespace snug::lesson {
+namespace {
+
+using Asks = Question::Asks;
+
+constexpr std::int64_t kVersion = 1;
+
+constexpr std::array<std::pair<std::string_view, Asks>, 7> kAsks{{{"point", Asks::kPoint},
+                                                                  {"axis", Asks::kAxis},
+                                                                  {"grows", Asks::kGrows},
+                                                                  {"leaves", Asks::kLeaves},
+                                                                  {"choice", Asks::kChoice},
+                                                                  {"better", Asks::kBetter},
+                                                                  {"holds", Asks::kHolds}}};
+
+/// "bunny, teapot or dragon"
+std::string one_of(const auto& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+    text += names[i];
+  }
+  return text;
+}
+
+bool among(const auto& names, std::string_view name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+
+void check_name(TomlTable& table, std::string_view key, std::string_view name, const auto& names) {
+  if (!name.empty() && !among(names, name)) table.wrong(key, "is none of " + one_of(names) + ": " + std::string(name));
+}
+
+std::vector<std::string_view> algorithm_names() {
+  std::vector<std::string_view> names;
+  for (const fit::Algorithm& algorithm : fit::algorithms()) names.push_back(algorithm.name);
+  return names;
+}
+
+std::string read_algorithm(TomlTable& table, std::string_view key) {
+  std::string name = table.text(key);
+  check_name(table, key, name, algorithm_names());
+  return name;
+}
+
+std::vector<std::string> read_names(TomlTable& table, std::string_view key, std::size_t least, const auto& names) {
+  std::vector<std::string> all = table.texts(key, least);
+  for (const std::string& name : all) check_name(table, key, name.empty() ? " " : name, names);
+  return all;
+}
+
+Section read_section(const toml::table& toml, Complaints& complaints) {
+  TomlTable table(toml, "[[section]]", complaints);
+  Section section;
+  section.title = table.text("title");
+  bool closed = true;
+  section.paragraphs = paragraphs_of(table.text("text"), closed);
+  if (!closed) table.wrong("text", "has a ** without a partner");
+  table.refuse_others();
+  return section;
+}
+
+Points read_points(const toml::table& toml, Complaints& complaints) {
+  TomlTable table(toml, "[points]", complaints);
+  Points points;
+  points.dim = static_cast<int>(table.integer_or("dim", 2, 3, 2));
+  const int ways = int{table.has("generate")} + int{table.has("mesh")} + int{table.has("list")};
+  if (ways != 1) complaints.add(table.line(), "[points] needs exactly one of \"generate\", \"mesh\" and \"list\"");
+  if (table.has("generate")) {
+    points.generate = table.text("generate");
+    check_name(table, "generate", points.generate, generator_kinds());
+    points.count = static_cast<int>(table.integer("count", 1, kMostGenerated));
+  }
+  if (table.has("mesh")) {
+    points.mesh = table.text("mesh");
+    check_name(table, "mesh", points.mesh, mesh_names());
+    if (table.has("dim") && points.dim != 3) table.wrong("dim", "of a mesh is 3");
+    points.dim = 3;
+  }
+  if (table.has("list")) points.list = table.points("list", points.dim);
+  table.refuse_others();
+  return points;
+}
+
+void read_choices(TomlTable& table, Question& question) {
+  question.choices = table.texts("choices", 2);
+  const std::string answer = table.text("answer");
+  const auto found = std::find(question.choices.begin(), question.choices.end(), answer);
+  if (found == question.choices.end() && !answer.empty()) table.wrong("answer", "is none of the choices: " + answer);
+  question.answer = static_cast<int>(found - question.choices.begin());
+}
+
+Question read_question(const toml::table& toml, Complaints& complaints) {
+  TomlTable table(toml, "[[question]]", complaints);
+  Question question;
+  question.line = table.line();
+  question.id = table.text("id");
+  question.gate.algorithm = read_algorithm(table, "algorithm");
+  question.gate.fact = table.text("before");
+  check_name(table, "before", question.gate.fact, fit::fact_names());
+  question.gate.occurrence = static_cast<int>(table.integer_or("nth", 1, 100000, 1));
+  question.gate.after = table.text_or("after", "");
+  if (question.gate.after != Gate::kStart) check_name(table, "after", question.gate.after, fit::fact_names());
+  const std::string asks = table.text("asks");
+  const auto* kind = std::find_if(kAsks.begin(), kAsks.end(), [&](const auto& row) { return row.first == asks; });
+  if (kind != kAsks.end()) question.asks = kind->second;
+  if (kind == kAsks.end()) table.wrong("asks", "is none of point, axis, grows, leaves, choice, better or holds: " + asks);
+  question.prompt = table.text("prompt");
+  if (question.asks == Asks::kChoice) read_choices(table, question);
+  question.own_points = table.flag_or("own_points", false);
+  question.because = table.text("because");
+  table.refuse_others();
+  return question;
+}
+
+Task read_task(const toml::table& toml, int dim, Complaints& complaints) {
+  TomlTable table(toml, "[task]", complaints);
+  Task task;
+  task.prompt = table.text("prompt");
+  task.points = static_cast<int>(table.integer("points", 1, 1000));
+  task.algorithm = read_algorithm(table, "algorithm");
+  if (!table.has("excess_at_least") && !table.has("support_size"))
+    complaints.add(table.line(), "[task] needs \"excess_at_least\" or \"support_size\"");
+  if (table.has("excess_at_least")) task.excess_at_least = table.number("excess_at_least", 1);
+  if (table.has("support_size")) task.support_size = static_cast<int>(table.integer("support_size", 1, dim + 1));
+  task.hint = table.text("hint");
+  task.model = table.points("model", dim);
+  table.refuse_others();
+  return task;
+}
+
+void read_pseudocode(const toml::table& toml, Complaints& complaints, Lesson& lesson) {
+  for (const auto& [key, node] : toml) {
+    const auto line = static_cast<int>(key.source().begin.line);
+    const fit::Algorithm* algorithm = fit::find_algorithm("sphere", key.str());
+    if (algorithm == nullptr) complaints.add(line, "[pseudocode] of no algorithm: " + std::string(key.str()));
+    if (!node.is_table()) complaints.add(line, "[pseudocode] has a table for each algorithm: [pseudocode.ritter]");
+    if (complaints.first()) return;
+    TomlTable table(*node.as_table(), "[pseudocode." + std::string(key.str()) + "]", complaints);
+    Pseudocode words{std::string(key.str()), table.texts("lines", 1)};
+    const std::size_t due = algorithm->pseudocode.size();
+    if (words.lines.size() != due)
+      table.wrong("lines", "must be " + std::to_string(due) + ", as many as the program's, and not " +
+                               std::to_string(words.lines.size()));
+    table.refuse_others();
+    lesson.pseudocode.push_back(std::move(words));
+  }
+}
+
+void read_head(TomlTable& table, Lesson& lesson) {
+  if (table.integer("version", 1, 1000000) != kVersion) table.wrong("version", "is not one that this program reads: it reads 1");
+  lesson.group = table.text("group");
+  lesson.title = table.text("title");
+  lesson.summary = table.text("summary");
+  lesson.order = static_cast<int>(table.integer("order", 1, 1000));
+  lesson.covers = table.texts("covers", 0);
+  lesson.seed = static_cast<std::uint64_t>(table.integer_or("seed", 0, 1LL << 53, 1));
+  const std::string start = table.text_or("start", "begin");
+  check_name(table, "start", start, std::array<std::string_view, 2>{"begin", "end"});
+  lesson.start = start == "end" ? Lesson::Start::kEnd : Lesson::Start::kBegin;
+  lesson.algorithms = read_names(table, "algorithms", 1, algorithm_names());
+  lesson.compare = table.has("compare") ? read_algorithm(table, "compare") : table.text_or("compare", "");
+  lesson.meshes = read_names(table, "meshes", 0, mesh_names());
+  lesson.generators = read_names(table, "generators", 0, generator_kinds());
+}
+
+Lesson read(const toml::table& toml, Complaints& complaints) {
+  TomlTable table(toml, "the lesson", complaints);
+  Lesson lesson;
+  read_head(table, lesson);
+  for (const toml::table* section : table.tables("section")) lesson.sections.push_back(read_section(*section, complaints));
+  if (lesson.sections.empty()) complaints.add(1, "the lesson has no [[section]]");
+  if (const toml::table* points = table.table("points")) lesson.points = read_points(*points, complaints);
+  else complaints.add(1, "the lesson lacks [points]");
+  if (const toml::table* words = table.table("pseudocode")) read_pseudocode(*words, complaints, lesson);
+  for (const toml::table* question : table.tables("question")) lesson.questions.push_back(read_question(*question, complaints));
+  if (const toml::table* task = table.table("task")) lesson.task = read_task(*task, lesson.points.dim, complaints);
+  table.refuse_others();
+  return lesson;
+}
+
+/// The file's name without folders and .toml.
+std::string id_of(std::string_view name) {
+  name.remove_prefix(std::min(name.find_last_of("/\\") + 1, name.size()));
+  if (name.size() > 5 && name.substr(name.size() - 5) == ".toml") name.remove_suffix(5);
+  return std::string(name);
+}
+
+}  // namespace
+
+tl::expected<Lesson, InputError> read_lesson(std::string_view text, std::string_view name) {
+  Complaints complaints(name);
+  const toml::parse_result parsed = toml::parse(text);
+  if (!parsed) {
+    const toml::parse_error& error = parsed.error();
+    complaints.add(static_cast<int>(error.source().begin.line), std::string(error.description()));
+    return tl::unexpected(*complaints.first());
+  }
+  Lesson lesson = read(parsed.table(), complaints);
+  lesson.id = id_of(name);
+  if (!complaints.first()) check_lesson(lesson, parsed.table(), complaints);
+  if (complaints.first()) return tl::unexpected(*complaints.first());
+  return lesson;
+}
+
+}  // namespace snug::lesson

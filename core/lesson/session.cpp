@@ -1,0 +1,166 @@
+// Opening a session, the algorithms, and what is worked out when asked for.
+#include "lesson/session.hpp"
+
+#include <cmath>
+
+#include "lesson/own_points.hpp"
+
+namespace snug::lesson {
+namespace {
+
+const fit::Algorithm& welzl() { return *fit::find_algorithm("sphere", "welzl"); }
+
+InputError too_many(const fit::Algorithm& algorithm) {
+  return {.what = std::string(algorithm.title) + " takes at most " + std::to_string(algorithm.max_points) + " points"};
+}
+
+}  // namespace
+
+tl::expected<Session, InputError> Session::open(Lesson lesson, std::optional<io::PointFile> mesh) {
+  if (lesson.algorithms.empty()) return tl::unexpected(InputError{.what = "the lesson offers no algorithm"});
+  auto points = own_points(lesson, lesson.seed, mesh);
+  if (!points) return tl::unexpected(std::move(points.error()));
+  Snapshot own{*std::move(points), nullptr, lesson.seed, "own"};
+  if (!lesson.points.generate.empty()) {
+    own.source = lesson.points.generate;
+    own.generated = lesson.points.count;
+  }
+  if (!lesson.points.mesh.empty()) {
+    own.source = lesson.points.mesh;
+    own.triangles = std::make_shared<const Triangles>(std::move(mesh->triangles));
+  }
+  Session session(std::move(lesson), std::move(own));
+  if (auto made = session.make_room_for(session.size()); !made) return tl::unexpected(std::move(made.error()));
+  session.points_changed();
+  session.step_ = 0;
+  if (session.lesson_.start == Lesson::Start::kEnd) {
+    session.step_ = session.steps();
+    session.previewing_ = true;
+  }
+  return session;
+}
+
+Session::Session(Lesson lesson, Snapshot own) : lesson_(std::move(lesson)), own_(own), now_(std::move(own)) {
+  use(0, fit::find_algorithm("sphere", lesson_.algorithms.front()));
+  if (!lesson_.compare.empty()) use(1, fit::find_algorithm("sphere", lesson_.compare));
+}
+
+void Session::use(int slot, const fit::Algorithm* algorithm) {
+  Slot& own = slots_[static_cast<std::size_t>(slot)];
+  own = {algorithm, {}, {}};
+  if (algorithm == nullptr) return;
+  own.pseudocode.assign(algorithm->pseudocode.begin(), algorithm->pseudocode.end());
+  for (const Pseudocode& words : lesson_.pseudocode)
+    if (words.algorithm == algorithm->name) own.pseudocode.assign(words.lines.begin(), words.lines.end());
+}
+
+std::span<const std::string_view> Session::pseudocode(int slot) const {
+  return slots_[static_cast<std::size_t>(slot)].pseudocode;
+}
+
+tl::expected<void, InputError> Session::choose(int slot, std::string_view name) {
+  const bool clear = name.empty() && slot == 1;
+  const fit::Algorithm* algorithm = clear ? nullptr : fit::find_algorithm("sphere", name);
+  if (algorithm == nullptr && !clear) return tl::unexpected(InputError{.what = "there is no algorithm " + std::string(name)});
+  if (algorithm != nullptr && size() > algorithm->max_points) return tl::unexpected(too_many(*algorithm));
+  if (algorithm == this->algorithm(slot)) return {};
+  const bool at_end = step_ == steps();
+  use(slot, algorithm);
+  run(slot);
+  if (slot == 0) {
+    step_ = 0;
+    trace_changed(at_end);
+  }
+  ++revision_;
+  return {};
+}
+
+/// An algorithm that does not take so many points gives way: the main one to the first of the lesson's that does.
+tl::expected<void, InputError> Session::make_room_for(Index points) {
+  if (slots_[0].algorithm->max_points < points) {
+    const fit::Algorithm* fits = nullptr;
+    for (const std::string& name : lesson_.algorithms) {
+      const fit::Algorithm* offered = fit::find_algorithm("sphere", name);
+      if (fits == nullptr && offered->max_points >= points) fits = offered;
+    }
+    if (fits == nullptr) return tl::unexpected(too_many(*slots_[0].algorithm));
+    use(0, fits);
+  }
+  if (slots_[1].algorithm != nullptr && slots_[1].algorithm->max_points < points) use(1, nullptr);
+  return {};
+}
+
+void Session::run(int slot) {
+  Slot& own = slots_[static_cast<std::size_t>(slot)];
+  if (own.algorithm == nullptr) return;
+  own.recording = own.algorithm->record(points(), {.seed = seed()});
+}
+
+void Session::points_changed() {
+  const bool at_end = step_ == steps() && step_ > 0;
+  worked_ = {};
+  run(0);
+  run(1);
+  trace_changed(at_end);
+  ++revision_;
+}
+
+const fit::Recording& Session::optimum() const {
+  for (const Slot& slot : slots_)
+    if (slot.algorithm == &welzl()) return slot.recording;
+  if (!worked_.optimum) worked_.optimum = welzl().record(points(), {.seed = seed()});
+  return *worked_.optimum;
+}
+
+double Session::smallest_radius() const {
+  for (const Slot& slot : slots_)
+    if (slot.algorithm == &welzl()) return slot.recording.result.sphere.radius;
+  if (!worked_.smallest_radius) worked_.smallest_radius = welzl().fit(points(), {.seed = seed()}).sphere.radius;
+  return *worked_.smallest_radius;
+}
+
+const std::vector<Session::Rival>& Session::rivals() const {
+  if (worked_.rivals) return *worked_.rivals;
+  std::vector<Rival> rivals;
+  const double smallest = smallest_radius();
+  for (const std::string& name : lesson_.algorithms) {
+    const fit::Algorithm* algorithm = fit::find_algorithm("sphere", name);
+    if (algorithm->max_points < size()) continue;
+    const Slot* shown = nullptr;
+    for (const Slot& slot : slots_)
+      if (slot.algorithm == algorithm) shown = &slot;
+    const double radius = shown != nullptr    ? shown->recording.result.sphere.radius
+                          : algorithm == &welzl() ? smallest
+                                              : algorithm->fit(points(), {.seed = seed()}).sphere.radius;
+    rivals.push_back({algorithm, radius, smallest > 0 ? radius / smallest - 1 : 0});
+  }
+  return worked_.rivals.emplace(std::move(rivals));
+}
+
+std::optional<Grade> Session::grade() const {
+  if (!lesson_.task) return std::nullopt;
+  if (!worked_.grade) worked_.grade = lesson::grade(*lesson_.task, points(), seed());
+  return worked_.grade;
+}
+
+std::uint64_t Session::trace_hash() const {
+  if (!worked_.hash) worked_.hash = fit::hash_of(recording(0).steps);
+  return *worked_.hash;
+}
+
+RunView Session::view(int slot) const {
+  const Slot& own = slots_[static_cast<std::size_t>(slot)];
+  return {&now_.points, own.algorithm, &own.recording, step_of(slot), smallest_radius()};
+}
+
+std::vector<Figure> Session::figures(int slot) const {
+  if (algorithm(slot) == nullptr) return {};
+  return figures_of(view(slot));
+}
+
+std::vector<Proof> Session::proofs(int slot) const {
+  if (algorithm(slot) == nullptr) return {};
+  return proofs_of(view(slot));
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,108 @@
+// The player: the place in the timeline, its gates and its marks.
+#include <algorithm>
+#include <cmath>
+
+#include "lesson/session.hpp"
+
+namespace snug::lesson {
+namespace {
+
+using namespace fit;
+
+/// Which mark a step deserves, if any. first_ball: whether there was none before it.
+std::optional<Mark::Kind> mark_of(const Step3& step, bool first_ball) {
+  if (std::holds_alternative<SupportReplaced>(step.fact)) return Mark::Kind::kReplaced;
+  if (const auto* forced = std::get_if<BoundaryForced>(&step.fact); forced != nullptr && forced->depth == 1)
+    return Mark::Kind::kReplaced;
+  if (const auto* moved = std::get_if<MovedToFront>(&step.fact); moved != nullptr && moved->depth == 0)
+    return Mark::Kind::kGrew;
+  if (const auto* pass = std::get_if<PassJudged<double, 3>>(&step.fact); pass != nullptr && pass->better)
+    return Mark::Kind::kBest;
+  if (const auto* tried = std::get_if<CandidateTried<double, 3>>(&step.fact);
+      tried != nullptr && tried->verdict == CandidateTried<double, 3>::Verdict::kKept)
+    return Mark::Kind::kBest;
+  if (first_ball || std::holds_alternative<BallGrown<double, 3>>(step.fact)) return Mark::Kind::kGrew;
+  return std::nullopt;
+}
+
+std::vector<Mark> marks_of(Trace trace, const std::vector<Asked>& questions) {
+  std::vector<Mark> marks;
+  for (const Asked& asked : questions) marks.push_back({asked.step, Mark::Kind::kQuestion});
+  bool has_ball = false;
+  for (int i = 0; i < static_cast<int>(trace.size()); ++i) {
+    const Step3& step = trace[static_cast<std::size_t>(i)].step;
+    if (const auto kind = mark_of(step, step.has_ball && !has_ball)) marks.push_back({i + 1, *kind});
+    has_ball = step.has_ball;
+  }
+  std::stable_sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.step < b.step; });
+  return marks;
+}
+
+}  // namespace
+
+/// Gates and marks of a new trace. at_end: whether the player stood at the old one's end.
+void Session::trace_changed(bool at_end) {
+  asked_ = asked_on(lesson_, algorithm(0)->name, recording(0).steps, dim(), !edited() && seed() == lesson_.seed);
+  marks_ = marks_of(recording(0).steps, asked_);
+  step_ = at_end ? steps() : std::min(step_, steps());
+  worked_.hash.reset();
+  shown_outcome_ = -1;
+}
+
+const Recorder<Step3>::Entry* Session::current(int slot) const {
+  const int step = step_of(slot);
+  return step > 0 ? &recording(slot).steps[static_cast<std::size_t>(step - 1)] : nullptr;
+}
+
+int Session::step_of(int slot) const {
+  if (slot == 0) return step_;
+  const auto all = static_cast<std::int64_t>(recording(slot).steps.size());
+  if (step_ == steps()) return static_cast<int>(all);
+  return static_cast<int>(step_ * all / steps());
+}
+
+Support Session::support(int slot) const { return support_after(recording(slot).steps, step_of(slot)); }
+
+void Session::stand(int step) {
+  if (step == step_ && !previewing_) return;
+  step_ = step;
+  previewing_ = false;
+  ++revision_;
+}
+
+void Session::go(int step) {
+  if (previewing_ && step == steps()) return;
+  if (previewing_ && step > steps()) return stand(0);
+  const int from = previewing_ ? 0 : step_;
+  int to = std::clamp(step, 0, steps());
+  for (const Asked& asked : asked_)
+    if (asked.step >= from && asked.step < to && open_question(asked)) to = asked.step;
+  stand(to);
+}
+
+void Session::jump(int step) {
+  if (previewing_ && step >= steps()) return;
+  const int to = std::clamp(step, 0, steps());
+  const int from = previewing_ ? 0 : step_;
+  for (const Asked& asked : asked_) {
+    if (asked.step < from || asked.step >= to || !open_question(asked)) continue;
+    Outcome& outcome = outcome_for(asked.question->id);
+    outcome = judge(asked, {}, recording(0).steps);
+    outcome.passed = true;
+  }
+  stand(to);
+}
+
+int Session::next_mark() const {
+  for (const Mark& mark : marks_)
+    if (mark.step > step_) return mark.step;
+  return steps();
+}
+
+int Session::previous_mark() const {
+  for (std::size_t i = marks_.size(); i-- > 0;)
+    if (marks_[i].step < step_) return marks_[i].step;
+  return 0;
+}
+
+}  // namespace snug::lesson

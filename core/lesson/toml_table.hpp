@@ -1,0 +1,74 @@
+// A table of a lesson file, read key by key: the first thing wrong is kept with its line, and what nobody asked for is
+// wrong as well. Reading goes on after an error with empty values, so that those who read need not stop and ask.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/input_error.hpp"
+#include "geometry/vector.hpp"
+
+namespace snug::lesson {
+
+/// The first error of a file.
+class Complaints {
+ public:
+  explicit Complaints(std::string_view file) : file_(file) {}
+  /// line: counted from 1.
+  void add(int line, std::string what);
+  [[nodiscard]] const std::optional<InputError>& first() const { return first_; }
+
+ private:
+  std::string file_;
+  std::optional<InputError> first_;
+};
+
+class TomlTable {
+ public:
+  /// name: what the table is called in errors: "the lesson", "[points]", "[[question]]".
+  TomlTable(const toml::table& table, std::string name, Complaints& complaints);
+
+  [[nodiscard]] int line() const { return line_; }
+  /// Of a key, or of the table where it is not there.
+  [[nodiscard]] int line_of(std::string_view key) const;
+  [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
+
+  // Required where no default is given. Text is trimmed, and must not be empty.
+  std::string text(std::string_view key);
+  std::string text_or(std::string_view key, std::string_view otherwise);
+  std::int64_t integer(std::string_view key, std::int64_t least, std::int64_t most);
+  std::int64_t integer_or(std::string_view key, std::int64_t least, std::int64_t most, std::int64_t otherwise);
+  /// Greater than 0.
+  double number(std::string_view key, double most);
+  bool flag_or(std::string_view key, bool otherwise);
+  /// A list of texts, with at least so many.
+  std::vector<std::string> texts(std::string_view key, std::size_t least);
+  /// A list of points of dim numbers each.
+  std::vector<Vector<double, 3>> points(std::string_view key, int dim);
+  /// Null where it is not there.
+  const toml::table* table(std::string_view key);
+  /// An array of tables; empty where it is not there.
+  std::vector<const toml::table*> tables(std::string_view key);
+
+  /// A complaint about a key's value.
+  void wrong(std::string_view key, const std::string& what);
+  /// A complaint about every key that was not asked for above.
+  void refuse_others();
+
+ private:
+  const toml::node* find(std::string_view key);
+  const toml::node* require(std::string_view key);
+
+  const toml::table& table_;
+  std::string name_;
+  Complaints& complaints_;
+  int line_;
+  std::vector<std::string> asked_;
+};
+
+}  // namespace snug::lesson

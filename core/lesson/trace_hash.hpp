@@ -1,0 +1,27 @@
+// A lesson's traces in one number: where it is the same natively and in WebAssembly, so is every bit of every step.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "lesson/session.hpp"
+
+namespace snug::lesson {
+
+struct TraceHash {
+  std::string lesson;      // its id
+  std::int64_t steps = 0;  // of all algorithms together
+  std::uint64_t hash = 0;  // FNV-1a over the hashes of their traces
+};
+
+/// Of every algorithm that the lesson offers, in its order, on the session's points. The session is left with the last
+/// of them in slot 0. Errors: more points than one of the algorithms takes.
+[[nodiscard]] tl::expected<TraceHash, InputError> trace_hash(Session& session);
+
+/// "ID STEPS HASH" without a line feed; the hash has 16 hexadecimal digits.
+[[nodiscard]] std::string line_of(const TraceHash& hash);
+
+/// The order that lessons are listed in: by group, by place in the group, by id.
+[[nodiscard]] bool comes_before(const Lesson& a, const Lesson& b);
+
+}  // namespace snug::lesson
