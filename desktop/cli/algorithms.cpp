@@ -1,0 +1,30 @@
+#include "desktop/cli/command.hpp"
+#include "desktop/cli/json.hpp"
+#include "fit/catalogue.hpp"
+
+namespace snug::desktop {
+namespace {
+
+CommandResult run_algorithms() {
+  Printed printed;
+  for (const fit::Algorithm& algorithm : fit::algorithms())
+    printed.text += line_of({{"volume", algorithm.volume},
+                             {"algorithm", algorithm.name},
+                             {"dims", {2, 3}},  // a fitter takes an AnyPointSet, and so both
+                             {"exact", algorithm.exact},
+                             {"source", algorithm.source},
+                             {"title", algorithm.title}});
+  return printed;
+}
+
+}  // namespace
+
+void add_algorithms(Commands& commands) {
+  CLI::App& command = *commands.app.add_subcommand("algorithms", "List every volume and algorithm that fit takes");
+  command.footer(
+      "JSON Lines: {\"volume\",\"algorithm\",\"dims\":[..],\"exact\":bool,\"source\",\"title\"}; exact says whether the\n"
+      "algorithm claims the smallest volume of its kind.");
+  command.callback([&commands] { commands.chosen = run_algorithms; });
+}
+
+}  // namespace snug::desktop

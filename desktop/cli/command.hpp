@@ -1,0 +1,53 @@
+// What the subcommands share: how one registers itself, and what it gives back.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "desktop/window.hpp"
+#include "geometry/input_error.hpp"
+
+namespace snug::desktop {
+
+/// What goes to stdout in the end: a command that fails half way has printed nothing.
+struct Printed {
+  std::string text;
+  int status = 0;  // 1 where a check says no
+};
+
+/// Each error is a line on stderr, and the status is 2.
+using CommandResult = tl::expected<Printed, std::vector<InputError>>;
+
+[[nodiscard]] inline tl::unexpected<std::vector<InputError>> bad_input(InputError error) {
+  return tl::unexpected(std::vector<InputError>{std::move(error)});
+}
+[[nodiscard]] inline tl::unexpected<std::vector<InputError>> bad_input(std::string what) {
+  return bad_input(InputError{.what = std::move(what)});
+}
+
+/// The program as it is put together: each group of subcommands adds itself, and says what to run when it is chosen.
+struct Commands {
+  CLI::App& app;
+  int (*open_window)(const WindowOptions&);
+  std::function<CommandResult()> chosen;
+};
+
+void add_window(Commands& commands);
+void add_fit(Commands& commands);
+void add_algorithms(Commands& commands);
+void add_lesson(Commands& commands);
+void add_trace_hash(Commands& commands);
+void add_render(Commands& commands);
+
+/// A subcommand with options of its own, which live as long as the parser may write to them.
+template <class Options, class Run>
+std::shared_ptr<Options> add_command(Commands& commands, CLI::App& command, Run run) {
+  auto options = std::make_shared<Options>();
+  command.callback([&commands, options, run] { commands.chosen = [options, run] { return run(*options); }; });
+  return options;
+}
+
+}  // namespace snug::desktop

@@ -1,0 +1,136 @@
+#include "desktop/cli/command.hpp"
+#include "desktop/cli/files.hpp"
+#include "desktop/cli/json.hpp"
+#include "desktop/cli/timing.hpp"
+#include "fit/catalogue.hpp"
+
+namespace snug::desktop {
+namespace {
+
+struct FitOptions {
+  std::string volume;
+  std::string algorithm;
+  std::string scalar = "double";
+  int dim = 0;
+  std::uint64_t seed = 1;
+  int repeat = 5;
+  std::string steps;
+  std::string file;
+};
+
+/// The volumes, or one volume's algorithms, as a sentence lists them.
+std::string names(std::string_view volume) {
+  std::string list;
+  std::string_view last;
+  for (const fit::Algorithm& algorithm : fit::algorithms()) {
+    const std::string_view name = volume.empty() ? algorithm.volume : algorithm.name;
+    if ((!volume.empty() && algorithm.volume != volume) || name == last) continue;
+    list.append(list.empty() ? "" : ", ").append(name);
+    last = name;
+  }
+  return list;
+}
+
+tl::expected<const fit::Algorithm*, InputError> algorithm_of(const FitOptions& options) {
+  if (const fit::Algorithm* algorithm = fit::find_algorithm(options.volume, options.algorithm)) return algorithm;
+  const std::string algorithms = names(options.volume);
+  return tl::unexpected(InputError{
+      .what = options.volume.empty() || algorithms.empty()
+                  ? "there is no volume \"" + options.volume + "\": there is " + names("")
+                  : "there is no algorithm \"" + options.algorithm + "\" for " + options.volume + ": there are " +
+                        algorithms});
+}
+
+tl::expected<AnyPointSet, InputError> points_of(const FitOptions& options, const fit::Algorithm& algorithm) {
+  auto points = read_point_file(options.file).and_then([&](const io::PointFile& file) {
+    return io::to_point_set(file, options.file, options.dim, options.scalar == "float");
+  });
+  if (points && fit::size_of(*points) > algorithm.max_points)
+    return tl::unexpected(InputError{.what = "there are " + std::to_string(fit::size_of(*points)) + " points, and " +
+                                             options.algorithm + " takes at most " +
+                                             std::to_string(algorithm.max_points),
+                                     .file = options.file});
+  return points;
+}
+
+tl::expected<void, InputError> write_steps(const std::string& path, const fit::Recording& recording, int dim) {
+  if (path.empty()) return {};
+  std::string lines;
+  for (const auto& entry : recording.steps) lines += fit::json_of(entry.step, dim) + '\n';
+  return write_file(path, lines);
+}
+
+double measure_of(const Sphere<double, 3>& sphere, int dim) {
+  return dim == 3 ? measure(sphere) : measure(Sphere<double, 2>{sphere.center.head<2>(), sphere.radius});
+}
+
+Json result_of(const fit::Algorithm& algorithm, const AnyPointSet& points, const fit::Recording& recording,
+             const Timing& timing) {
+  const int dim = fit::dim_of(points);
+  const fit::Certificate& proof = recording.certificate;
+  Json json;
+  json[std::string(algorithm.volume)] = json_of(recording.result.sphere, dim);
+  json["points"] = fit::size_of(points);
+  json["support"] = Json::array();
+  for (const Index i : recording.result.support) json["support"].push_back(i);
+  json["measure"] = measure_of(recording.result.sphere, dim);
+  json["max_outside"] = proof.max_outside;
+  json["certificate"] = {{"contains", proof.contains},
+                         {"on_boundary", proof.on_boundary},
+                         {"optimal", proof.optimal ? Json(*proof.optimal) : Json()}};
+  json["steps"] = recording.steps.size();
+  for (std::size_t i = 0; i < kOperationNames.size(); ++i)
+    json["operations"][std::string(kOperationNames[i])] = recording.counts[i];
+  json["time_ns"] = {{"median", timing.median}, {"min", timing.min}, {"repeats", timing.repeats}};
+  return json;
+}
+
+CommandResult run_fit(const FitOptions& options) {
+  const auto algorithm = algorithm_of(options);
+  if (!algorithm) return bad_input(algorithm.error());
+  const auto points = points_of(options, **algorithm);
+  if (!points) return bad_input(points.error());
+
+  const fit::Options chosen{.seed = options.seed};
+  const fit::Recording recording = (*algorithm)->record(*points, chosen);
+  const Timing timing = time_of([&] { (void)(*algorithm)->fit(*points, chosen); }, options.repeat);
+  if (const auto written = write_steps(options.steps, recording, fit::dim_of(*points)); !written)
+    return bad_input(written.error());
+  return Printed{line_of(result_of(**algorithm, *points, recording, timing)), recording.certificate.contains ? 0 : 1};
+}
+
+constexpr const char* kFitFooter = R"(Prints one JSON object:
+  the volume                {"sphere":{"center":[x,y,z],"radius":r}}; in 2-D two numbers instead of three
+  points, support           how many there are, and the indices of those that hold the volume in place
+  measure                   its 3-D volume or 2-D area; null where that is more than a double can hold
+  max_outside               the farthest any point lies outside, 0 when all are in
+  certificate               {contains, on_boundary, optimal}; optimal is null where the algorithm claims none
+  steps, operations         how many steps, and named counts of what was done
+  time_ns                   {median, min, repeats} of the run without an observer
+
+Point files, told apart by content and extension: .xyz .csv .txt (two or three numbers a line; # comments), .obj,
+.ply (ascii, binary little and big endian), .stl (ascii, binary); - is xyz on standard input.
+
+Exit status: 0 done, 1 the volume does not hold every point, 2 bad input or usage.)";
+
+}  // namespace
+
+void add_fit(Commands& commands) {
+  CLI::App& command = *commands.app.add_subcommand("fit", "Fit a volume to the points of a file");
+  command.footer(kFitFooter);
+  const auto options = add_command<FitOptions>(commands, command, run_fit);
+  command.add_option("--volume", options->volume, "Kind of volume: " + names(""))->required();
+  command.add_option("--algorithm", options->algorithm, "Algorithm; `snug algorithms` lists all")->required();
+  command.add_option("--scalar", options->scalar, "Arithmetic: double or float")
+      ->check(CLI::IsMember({"double", "float"}))
+      ->capture_default_str();
+  command.add_option("--dim", options->dim, "2 or 3; the file's own where none is given")->check(CLI::IsMember({2, 3}));
+  command.add_option("--seed", options->seed, "Seed of the random order")->capture_default_str();
+  command.add_option("--repeat", options->repeat, "How many times to take the time")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  command.add_option("--steps", options->steps, "File for the trace, one JSON object a line");
+  command.add_option("FILE", options->file, "Point file")->required();
+}
+
+}  // namespace snug::desktop

@@ -1,0 +1,128 @@
+// snug lesson list, check and play.
+#include "desktop/cli/command.hpp"
+#include "desktop/cli/json.hpp"
+#include "desktop/cli/lesson_files.hpp"
+#include "lesson/play.hpp"
+
+namespace snug::desktop {
+namespace {
+
+struct LessonOptions {
+  std::string folder;
+  std::string id;
+  std::vector<std::string> files;
+};
+
+// ---- list ------------------------------------------------------------------------------------------------------
+
+CommandResult run_list(const LessonOptions& options) {
+  const auto lessons = read_lessons(options.folder);
+  if (!lessons) return bad_input(lessons.error());
+  Printed printed;
+  for (const auto& [path, lesson] : *lessons)
+    printed.text += line_of({{"lesson", lesson.id},
+                             {"group", lesson.group},
+                             {"title", lesson.title},
+                             {"summary", lesson.summary},
+                             {"algorithms", lesson.algorithms},
+                             {"questions", lesson.questions.size()},
+                             {"task", lesson.task.has_value()},
+                             {"file", path}});
+  return printed;
+}
+
+// ---- check -----------------------------------------------------------------------------------------------------
+
+/// The file's lesson played with its model answers, which finds what reading alone cannot: a question that is never
+/// asked, a task whose own solution does not do it.
+tl::expected<Json, InputError> check(const std::string& path) {
+  const auto file = read_lesson_file(path);
+  if (!file) return tl::unexpected(file.error());
+  const auto played = open_lesson(*file).and_then([](lesson::Session&& session) { return lesson::play(session); });
+  if (!played) {
+    InputError error = played.error();
+    if (error.file.empty()) error.file = path;
+    return tl::unexpected(std::move(error));
+  }
+  const auto refuse = [&](std::string what) { return tl::unexpected(InputError{std::move(what), path}); };
+  if (!played->not_asked.empty())
+    return refuse("the question \"" + played->not_asked.front() + "\" is never asked: its step does not come on the lesson's own points");
+  if (played->grade && !played->grade->done) return refuse("the task's model answer does not do it: " + played->grade->says);
+  if (!played->sound()) return refuse("a question's model answer is graded as wrong");
+  return Json{{"lesson", file->lesson.id}, {"questions", file->lesson.questions.size()}, {"file", path}};
+}
+
+CommandResult run_check(const LessonOptions& options) {
+  Printed printed;
+  std::vector<InputError> errors;
+  for (const std::string& path : options.files) {
+    if (const auto checked = check(path))
+      printed.text += line_of(*checked);
+    else
+      errors.push_back(checked.error());
+  }
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return printed;
+}
+
+// ---- play ------------------------------------------------------------------------------------------------------
+
+Json json_of(const lesson::Played::Algorithm& algorithm) {
+  Json questions = Json::array();
+  for (const lesson::Outcome& outcome : algorithm.outcomes)
+    questions.push_back({{"question", outcome.question},
+                         {"answer", outcome.predicted},
+                         {"happened", outcome.happened},
+                         {"right", outcome.right}});
+  return {{"algorithm", algorithm.name}, {"steps", algorithm.steps}, {"questions", std::move(questions)}};
+}
+
+CommandResult run_play(const LessonOptions& options) {
+  const auto file = find_lesson(options.folder, options.id);
+  if (!file) return bad_input(file.error());
+  const auto played = open_lesson(*file).and_then([](lesson::Session&& session) { return lesson::play(session); });
+  if (!played) return bad_input(played.error());
+  Printed printed{"", played->sound() ? 0 : 1};
+  for (const auto& algorithm : played->algorithms) printed.text += line_of(json_of(algorithm));
+  Json task;
+  if (played->grade)
+    task = {{"done", played->grade->done}, {"excess", played->grade->excess}, {"says", played->grade->says}};
+  printed.text += line_of({{"lesson", file->lesson.id},
+                           {"not_asked", played->not_asked},
+                           {"task", std::move(task)},
+                           {"sound", played->sound()}});
+  return printed;
+}
+
+void add_folder(CLI::App& command, LessonOptions& options) {
+  command.add_option("--lessons", options.folder, "Folder of the lesson files; the one beside the program if none");
+}
+
+}  // namespace
+
+void add_lesson(Commands& commands) {
+  CLI::App& group = *commands.app.add_subcommand("lesson", "List, check or play lessons");
+  group.require_subcommand(1);
+
+  CLI::App& list = *group.add_subcommand("list", "List the lessons");
+  list.footer("JSON Lines: {\"lesson\",\"group\",\"title\",\"summary\",\"algorithms\",\"questions\",\"task\",\"file\"}.");
+  add_folder(list, *add_command<LessonOptions>(commands, list, run_list));
+
+  CLI::App& check = *group.add_subcommand("check", "Check lesson files");
+  check.footer(
+      "Reads each file, plays it with its model answers, and prints {\"lesson\",\"questions\",\"file\"} for each where all\n"
+      "are sound; else one line on stderr for each that is not, with file and line, and exit status 2.");
+  const auto checked = add_command<LessonOptions>(commands, check, run_check);
+  check.add_option("FILE", checked->files, "Lesson files")->required();
+
+  CLI::App& play = *group.add_subcommand("play", "Play a lesson to its end");
+  play.footer(
+      "Plays each algorithm that the lesson offers to the last step and gives each exercise its model answer.\n"
+      "JSON Lines: {\"algorithm\",\"steps\",\"questions\":[{\"question\",\"answer\",\"happened\",\"right\"}]} for each, then\n"
+      "{\"lesson\",\"not_asked\",\"task\",\"sound\"}. Exit status 1 where an answer is wrong or was never asked for.");
+  const auto played = add_command<LessonOptions>(commands, play, run_play);
+  add_folder(play, *played);
+  play.add_option("ID", played->id, "The lesson's id")->required();
+}
+
+}  // namespace snug::desktop

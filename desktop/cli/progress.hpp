@@ -1,0 +1,29 @@
+// A progress bar on stderr, for work that lets itself be waited for.
+#pragma once
+
+#include <chrono>
+
+namespace snug::desktop {
+
+/// Shown only on a terminal and only when the work is long; gone when done.
+class Progress {
+ public:
+  /// label: a word that outlives it. total: how many times advance will be called.
+  Progress(const char* label, int total);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void advance();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const char* label_;
+  int total_;
+  int done_ = 0;
+  bool terminal_;
+  bool shown_ = false;
+  Clock::time_point due_;
+};
+
+}  // namespace snug::desktop
