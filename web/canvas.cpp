@@ -37,7 +37,7 @@ bool make_graphics_context(const char* selector) {
 }
 
 void start_renderer() {
-  ImGui_ImplOpenGL3_Init("#version 300 es");
+  ImGui_ImplOpenGL3_Init(kGlslVersion);
   owe_frames();
 }
 

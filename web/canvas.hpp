@@ -5,6 +5,8 @@
 
 namespace snug::web {
 
+inline constexpr const char* kGlslVersion = "#version 300 es";
+
 /// Makes the context of the canvas that the selector names, and it current. false: the browser has no WebGL 2.
 bool make_graphics_context(const char* selector);
 

@@ -13,7 +13,6 @@
 #include <string>
 
 #include "app/app.hpp"
-#include "geometry/generate.hpp"
 #include "io/point_file.hpp"
 #include "snug_gl.h"
 #include "web/canvas.hpp"
@@ -71,10 +70,11 @@ void stop_graphics() {
 std::string start(const std::string& selector) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
-  door().app = std::make_unique<app::App>(app::Platform{.font = [](std::string_view name) {
+  const auto font = [](std::string_view name) {
     const auto found = door().fonts.find(name);
     return found == door().fonts.end() ? std::string() : found->second;
-  }});
+  };
+  door().app = std::make_unique<app::App>(app::Platform{.font = font, .glsl_version = web::kGlslVersion});
   if (!web::make_graphics_context(selector.c_str())) return "no WebGL 2";
   return start_graphics();
 }
@@ -152,7 +152,7 @@ std::string open_lesson(const std::string& toml, const std::string& name, const 
   }
   if (const auto opened = door().app->open(std::move(*lesson), std::move(file)); !opened) return opened.error().message();
   door().shared.forget();
-  door().shared.remember(*session(), "");
+  door().shared.remember(*session());
   return "";
 }
 
@@ -174,9 +174,12 @@ val handles() {
 
 // ---- what the user does ---------------------------------------------------------------------------------------
 
+/// Remembers that an address can lead to the points as they stand, by the words that it needs for that.
+void remember_points() { door().shared.remember(*session()); }
+
 bool command(const std::string& name) {
   if (!session() || !door().app->command(name)) return false;
-  if (name == "scatter" || name == "reset_points") door().shared.remember(*session(), session()->edited() ? "scatter" : "");
+  if (name == "scatter" || name == "reset_points") remember_points();
   return true;
 }
 
@@ -184,11 +187,14 @@ std::string command_of_key(const std::string& key, bool shift, bool control) {
   return door().app ? std::string(door().app->command_of_key(key, shift, control)) : std::string();
 }
 
-/// kind: "point", "choice" or "skip".
-void answer(const std::string& kind, int value) {
+/// kind: "point", "choice" or "skip". false: that is no answer to what is asked.
+bool answer(const std::string& kind, int value) {
   using Kind = lesson::Answer::Kind;
-  if (session()) session()->answer({kind == "point" ? Kind::kPoint : kind == "choice" ? Kind::kChoice : Kind::kSkipped, value});
+  return session() && session()->answer({kind == "point" ? Kind::kPoint : kind == "choice" ? Kind::kChoice : Kind::kSkipped, value});
 }
+
+/// Two fingers: factor > 1 as they part, around (x, y), which moved by (dx, dy).
+void pinch(float factor, float x, float y, float dx, float dy) { door().app->pinch(factor, x, y, dx, dy); }
 
 void go(int step) {
   if (session()) session()->go(step);
@@ -227,32 +233,37 @@ std::string move_points(val rows) {
   return error;
 }
 
-/// Points anew from a seed: of the lesson's own kind ("") or of a generator's, as one entry of undo.
-std::string scatter(double seed, const std::string& kind, int count) {
-  if (!session()) return "";
-  const auto whole_seed = static_cast<std::uint64_t>(std::clamp(seed, 0.0, 0x1p53));
-  session()->begin_drag();
-  session()->scatter(whole_seed);
-  std::string error;
-  if (!kind.empty()) {
-    auto points = generate(kind, count, session()->dim(), whole_seed);
-    error = points ? sentence(session()->load({.dim = session()->dim(), .points = std::move(*points), .triangles = {}}, kind))
-                   : "there is no generator “" + kind + "” for so many points";
-  }
-  session()->end_drag();
-  const bool lessons_own = kind.empty() && !session()->edited();
-  door().shared.remember(*session(), lessons_own ? "" : kind.empty() ? "scatter" : kind + ":" + std::to_string(count));
-  return error;
+std::uint64_t whole(double seed) { return static_cast<std::uint64_t>(std::clamp(seed, 0.0, 0x1p53)); }
+
+/// Points anew from a seed, of the kind that they are now.
+void scatter(double seed) {
+  if (!session()) return;
+  session()->scatter(whole(seed));
+  remember_points();
 }
 
-/// A point file of any of the formats. how: what an address may call it ("bunny"), "" where it cannot.
-std::string load_file(const std::string& bytes, const std::string& name, const std::string& how) {
+/// Points of another kind.
+std::string set_generator(const std::string& kind, int count, double seed) {
+  if (!session()) return "";
+  const auto set = session()->set_generator(kind, count, session()->dim(), whole(seed));
+  if (set) remember_points();
+  return sentence(set);
+}
+
+/// A point file of any of the formats.
+std::string load_file(const std::string& bytes, const std::string& name) {
   if (!session()) return "";
   const auto file = io::read_points(bytes, name);
   if (!file) return file.error().message();
-  if (const auto loaded = session()->load(*file, name); !loaded) return loaded.error().message();
-  if (!how.empty()) door().shared.remember(*session(), how);
-  return "";
+  const auto loaded = session()->load(*file, name);
+  if (loaded) remember_points();
+  return sentence(loaded);
+}
+
+void start_task() {
+  if (!session()) return;
+  session()->start_task();
+  remember_points();
 }
 
 val shared_points() { return session() ? door().shared.describe(*session()) : val::object(); }
@@ -273,6 +284,7 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("pointer_left", &web::pointer_left);
   function("pointer_button", &web::pointer_button);
   function("wheel_turned", &web::wheel_turned);
+  function("pinch", &pinch);
   function("modifiers_held", &web::modifiers_held);
   function("cursor", &web::cursor);
   function("check_lesson", &check_lesson);
@@ -291,6 +303,8 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("move_point", &move_point);
   function("move_points", &move_points);
   function("scatter", &scatter);
+  function("set_generator", &set_generator);
+  function("start_task", &start_task);
   function("load_file", &load_file);
   function("shared_points", &shared_points);
 }

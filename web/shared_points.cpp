@@ -1,5 +1,9 @@
 #include "web/shared_points.hpp"
 
+#include <algorithm>
+#include <optional>
+
+#include "geometry/generate.hpp"
 #include "web/view.hpp"
 
 namespace snug::web {
@@ -24,6 +28,19 @@ std::vector<Index> differences(const std::vector<Vector<double, 3>>& a, const st
   return moved;
 }
 
+bool is_one_of(const auto& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+
+/// How an address names the points, the seed aside; nothing where it cannot.
+std::optional<std::string> words_for(const lesson::Session& session) {
+  const lesson::Points& own = session.lesson().points;
+  const std::string& source = session.source();
+  if (source == "own" || (!own.mesh.empty() && source == own.mesh)) return "";
+  if (source == own.generate && session.size() == own.count) return "";
+  if (source == "task" || is_one_of(lesson::mesh_names(), source)) return source;
+  if (is_one_of(generator_kinds(), source)) return source + ":" + std::to_string(session.size());
+  return std::nullopt;
+}
+
 val row(const lesson::Session& session, Index i, bool with_index) {
   val numbers = val::array();
   if (with_index) numbers.call<int>("push", i);
@@ -33,9 +50,11 @@ val row(const lesson::Session& session, Index i, bool with_index) {
 
 }  // namespace
 
-void SharedPoints::remember(const lesson::Session& session, std::string how) {
+void SharedPoints::remember(const lesson::Session& session) {
+  const auto how = words_for(session);
+  if (!how) return;
   if (known_.size() == kMostKnown) known_.erase(known_.begin() + 1);  // the first is the lesson as it opened
-  known_.push_back({std::move(how), session.seed(), session.dim(), points_of(session)});
+  known_.push_back({*how, session.seed(), session.dim(), points_of(session)});
 }
 
 val SharedPoints::describe(const lesson::Session& session) const {

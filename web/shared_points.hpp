@@ -12,12 +12,14 @@ namespace snug::web {
 
 class SharedPoints {
  public:
-  /// The session's points as they stand are what `how` and the seed lead to. how: "" for the lesson's own.
-  void remember(const lesson::Session& session, std::string how);
+  /// The session's points as they stand come from somewhere that an address can name: the lesson, a generator, a mesh,
+  /// the start of the task. Points of the user's own file do not, and are passed over.
+  void remember(const lesson::Session& session);
   void forget() { known_.clear(); }
 
-  /// {how, seed, moved: [[i, x, y(, z)] …]} against the nearest of the known sets, {points: [[x, y(, z)] …]} where none
-  /// is near and there are few, or {} where an address cannot hold them.
+  /// {how, moved: [[i, x, y(, z)] …]} against the nearest of the known sets, {points: [[x, y(, z)] …]} where none is
+  /// near and there are few, or {} where an address cannot hold them. how: "" for the lesson's own, "clusters:200",
+  /// "bunny", "task".
   [[nodiscard]] emscripten::val describe(const lesson::Session& session) const;
 
  private:

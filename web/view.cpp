@@ -54,6 +54,7 @@ val asked_object(const lesson::Asked* asked, const lesson::Session& session) {
   object.set("choices", array_of(asked->choices, text));
   object.set("choicePoints", array_of(asked->choice_points, [](Index point) { return val(point); }));
   object.set("onStage", asked->on_stage);
+  object.set("stagePoints", array_of(asked->stage_points, [](Index point) { return val(point); }));
   int number = 1;
   for (const lesson::Asked& other : session.questions()) {
     if (other.question == asked->question) break;
@@ -68,8 +69,10 @@ val outcome_object(const lesson::Outcome& outcome) {
   object.set("question", outcome.question);
   object.set("right", outcome.right);
   object.set("skipped", outcome.skipped);
+  object.set("passed", outcome.passed);
   object.set("predicted", outcome.predicted);
   object.set("happened", outcome.happened);
+  object.set("says", outcome.says);
   object.set("because", outcome.because);
   return object;
 }
@@ -96,7 +99,7 @@ void set_algorithms(val& object, const lesson::Session& session) {
   object.set("algorithm", text(main->name));
   object.set("beside", beside != nullptr ? text(beside->name) : val::null());
   object.set("codeTitle", text(main->title));
-  object.set("code", array_of(main->pseudocode, text));
+  object.set("code", array_of(session.pseudocode(0), text));
   const auto* entry = session.current(0);
   object.set("line", entry != nullptr ? entry->step.line : -1);
   object.set("rivals", array_of(session.rivals(), [](const lesson::Session::Rival& rival) {
@@ -127,6 +130,7 @@ void set_points(val& object, const app::App& app, const lesson::Session& session
   object.set("size", session.size());
   object.set("dim", session.dim());
   object.set("edited", session.edited());
+  object.set("source", session.source());
   object.set("seed", static_cast<double>(session.seed()));
   object.set("canUndo", session.can_undo());
   object.set("canRedo", session.can_redo());
@@ -155,11 +159,15 @@ val lesson_object(const lesson::Lesson& lesson) {
   object.set("count", lesson.points.count);
   object.set("mesh", lesson.points.mesh);
   object.set("seed", static_cast<double>(lesson.seed));
+  object.set("meshes", array_of(lesson.meshes, text));
+  object.set("generators", array_of(lesson.generators, text));
+  object.set("compare", lesson.compare);
   if (lesson.task) {
     val task = val::object();
     task.set("prompt", lesson.task->prompt);
     task.set("hint", lesson.task->hint);
     task.set("algorithm", lesson.task->algorithm);
+    task.set("points", lesson.task->points);
     object.set("task", task);
   } else {
     object.set("task", val::null());
@@ -175,6 +183,7 @@ val view_object(app::App& app, const lesson::Session& session) {
   object.set("caption", app.caption());
   object.set("playing", app.playing());
   object.set("speed", app.speed());
+  object.set("previewing", session.previewing());
   object.set("trace", hexadecimal(session.trace_hash()));
   object.set("asked", asked_object(session.asked(), session));
   object.set("questions", static_cast<int>(session.questions().size()));

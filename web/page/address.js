@@ -1,0 +1,54 @@
+// The address says what is on the page: lesson, step, seed, algorithms, points.
+
+/** What an address asks for; what it gets wrong goes to `problems`, one sentence each, and is left out. */
+export function read_address(search) {
+  const given = new URLSearchParams(search);
+  const problems = [];
+  const asked = { lesson: given.get("lesson"), embed: given.get("embed") === "1", a: given.get("a"), b: given.get("b"), problems };
+
+  const whole = (name) => {
+    const text = given.get(name);
+    if (text === null) return null;
+    if (/^\d+$/.test(text) && Number.isSafeInteger(Number(text))) return Number(text);
+    problems.push(`The address names ${name} “${text.slice(0, 40)}”, which is not a whole number.`);
+    return null;
+  };
+  asked.step = whole("step");
+  asked.seed = whole("seed");
+
+  const from = given.get("from");
+  asked.from = from === null ? "" : from;
+  if (!/^([a-z]+|[a-z]+:[1-9]\d{0,4})?$/.test(asked.from)) {
+    problems.push("The address names points that there are not.");
+    asked.from = "";
+  }
+
+  const rows = (name, shortest, longest) => {
+    const text = given.get(name);
+    if (!text) return null;
+    const read = text.split(";").map((row) => row.split(",").map((field) => (field.trim() === "" ? NaN : Number(field))));
+    const length = read[0].length;
+    const good = length >= shortest && length <= longest && read.every((row) => row.length === length && row.every(Number.isFinite));
+    if (good) return read;
+    problems.push("The points in the address cannot be read.");
+    return null;
+  };
+  asked.points = rows("points", 2, 3);
+  asked.moved = rows("moved", 3, 4);
+  return asked;
+}
+
+/** The address of what is on the page. shared: as web/main.cpp's shared_points says it. */
+export function write_address(view, lesson, shared, embed) {
+  const rows = (list) => list.map((row) => row.join(",")).join(";");
+  const parts = [`lesson=${encodeURIComponent(lesson.id)}`];
+  if (!view.previewing) parts.push(`step=${view.step}`); // the result before the player is used is no step gone to
+  parts.push(`seed=${view.seed}`);
+  if (view.algorithm !== lesson.algorithms[0]?.name) parts.push(`a=${view.algorithm}`);
+  if ((view.beside ?? "") !== lesson.compare) parts.push(`b=${view.beside ?? "none"}`);
+  if (shared.how) parts.push(`from=${shared.how}`);
+  if (shared.moved?.length) parts.push(`moved=${rows(shared.moved)}`);
+  if (shared.points) parts.push(`points=${rows(shared.points)}`);
+  if (embed) parts.push("embed=1");
+  return `?${parts.join("&")}`;
+}

@@ -1,0 +1,68 @@
+// The algorithm, the one beside it, and the pseudocode with the line that the step belongs to.
+import { by_id, element, set_text } from "./dom.js";
+import { notice } from "./messages.js";
+
+export class Code {
+  #door;
+  #act;
+  #main = element("select", { id: "algorithm", onchange: () => this.#choose(0, this.#main) });
+  #beside = element("select", { id: "beside", onchange: () => this.#choose(1, this.#beside) });
+  #lines = element("ol", { class: "lines" });
+  #source = element("p", { class: "source" });
+
+  constructor(door, act) {
+    this.#door = door;
+    this.#act = act;
+    by_id("code").append(
+      element("h2", { class: "unseen", id: "code-heading" }, "Algorithm"),
+      element("div", { class: "fields" },
+        element("label", {}, element("span", {}, "Algorithm"), this.#main),
+        element("label", {}, element("span", {}, "Beside it"), this.#beside)),
+      this.#lines, this.#source);
+  }
+
+  open(lesson) {
+    const options = lesson.algorithms.map(({ name, title }) => element("option", { value: name }, title));
+    this.#main.replaceChildren(...options);
+    this.#beside.replaceChildren(element("option", { value: "" }, "none"), ...options.map((option) => option.cloneNode(true)));
+    this.#sources = new Map(lesson.algorithms.map(({ name, source }) => [name, source]));
+  }
+
+  #sources = new Map();
+
+  #choose(slot, select) {
+    this.#act(() => {
+      const error = this.#door.choose(slot, select.value);
+      if (error) notice(`That algorithm cannot be shown: ${error}.`);
+    });
+    this.#shown = {};
+  }
+
+  #shown = {};
+
+  update(view) {
+    if (this.#shown.algorithm !== view.algorithm || this.#main.value !== view.algorithm) this.#main.value = view.algorithm;
+    if (this.#beside.value !== (view.beside ?? "")) this.#beside.value = view.beside ?? "";
+    if (this.#shown.algorithm !== view.algorithm) {
+      this.#lines.replaceChildren(...view.code.map((line) => {
+        const text = line.trimStart();
+        return element("li", { style: `--depth: ${(line.length - text.length) / 2}` }, element("code", {}, text));
+      }));
+      set_text(this.#source, this.#sources.get(view.algorithm) ?? "");
+      this.#shown = { algorithm: view.algorithm, line: -1 };
+    }
+    if (this.#shown.line === view.line) return;
+    this.#lines.children[this.#shown.line]?.removeAttribute("aria-current");
+    const lit = this.#lines.children[view.line];
+    lit?.setAttribute("aria-current", "step");
+    if (lit) keep_in_view(lit, this.#lines);
+    this.#shown.line = view.line;
+  }
+}
+
+/** Scrolls the list alone, never the page under the reader's eyes. */
+function keep_in_view(item, list) {
+  const above = item.offsetTop - list.offsetTop;
+  if (above < list.scrollTop) list.scrollTop = above;
+  else if (above + item.offsetHeight > list.scrollTop + list.clientHeight) list.scrollTop = above + item.offsetHeight - list.clientHeight;
+}

@@ -1,0 +1,39 @@
+// Small helpers for making and changing HTML.
+
+export const by_id = (id) => document.getElementById(id);
+
+/** An element with properties (on… are listeners, the rest attributes) and children (elements or text). */
+export function element(tag, properties = {}, ...children) {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(properties)) {
+    if (name.startsWith("on")) made.addEventListener(name.slice(2), value);
+    else if (value === true) made.setAttribute(name, "");
+    else if (value !== false && value !== null && value !== undefined) made.setAttribute(name, value);
+  }
+  made.append(...children);
+  return made;
+}
+
+/** A button with its words. */
+export const button = (words, onclick, properties = {}) =>
+  element("button", { type: "button", class: "button", onclick, ...properties }, words);
+
+/** Writes only what differs, so that a live region does not speak twice and nothing is laid out for naught. */
+export function set_text(node, text) {
+  if (node.textContent !== text) node.textContent = text;
+}
+
+export function set_hidden(node, hidden) {
+  if (node.hidden !== hidden) node.hidden = hidden;
+}
+
+/** Calls make only when what it is made from has changed. */
+export function when_changed(make) {
+  let last;
+  return (...from) => {
+    const now = JSON.stringify(from);
+    if (now === last) return;
+    last = now;
+    make(...from);
+  };
+}

@@ -1,0 +1,48 @@
+// Files with true progress: sizes.json, made at build time, says how large each is once it is unpacked, which a
+// packed transfer's own headers do not.
+
+export class Downloads {
+  #sizes = null;
+  #expected = new Map();
+  #arrived = new Map();
+  #show;
+
+  constructor(show) {
+    this.#show = show;
+    this.#sizes = fetch("sizes.json").then((answer) => (answer.ok ? answer.json() : {}), () => ({}));
+  }
+
+  #report() {
+    let expected = 0;
+    let arrived = 0;
+    for (const [path, size] of this.#expected) {
+      expected += size;
+      arrived += Math.min(size, this.#arrived.get(path) ?? 0);
+    }
+    if (expected > 0) this.#show(arrived / expected);
+  }
+
+  /** The file as an answer whose body reports as it comes. Throws where it does not come. */
+  async answer(path, type) {
+    const [sizes, answer] = await Promise.all([this.#sizes, fetch(path)]);
+    if (!answer.ok) throw new Error(`${path}: ${answer.status}`);
+    this.#expected.set(path, sizes[path] ?? 0);
+    this.#arrived.set(path, 0);
+    const count = new TransformStream({
+      transform: (chunk, to) => {
+        this.#arrived.set(path, this.#arrived.get(path) + chunk.byteLength);
+        this.#report();
+        to.enqueue(chunk);
+      },
+    });
+    return new Response(answer.body.pipeThrough(count), { headers: { "Content-Type": type } });
+  }
+
+  async bytes(path) {
+    return new Uint8Array(await (await this.answer(path, "application/octet-stream")).arrayBuffer());
+  }
+
+  async text(path) {
+    return (await this.answer(path, "text/plain; charset=utf-8")).text();
+  }
+}

@@ -1,0 +1,21 @@
+// The stage's keys, from anywhere on the page but where a key has a meaning of its own.
+
+const kWrites = "input, select, textarea, [contenteditable]";
+const kPresses = "button, a, summary";
+
+/** do_command(name): whether it could be done. choose(digit): whether a question took it. */
+export function listen_to_keys(door, act, choose, leave) {
+  document.addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || event.altKey || event.isComposing) return;
+    const target = event.target instanceof Element ? event.target : document.body;
+    if (target.closest(kWrites)) return;
+    if (target.closest(kPresses) && (event.key === "Enter" || event.key === " ")) return;
+    const control = event.ctrlKey || event.metaKey;
+    if (!control && event.key >= "1" && event.key <= "9" && choose(Number(event.key))) return event.preventDefault();
+    if (event.key === "Escape" && leave()) return event.preventDefault();
+    const command = door.command_of_key(event.key, event.shiftKey, control);
+    if (!command) return;
+    event.preventDefault();
+    act(() => door.command(command));
+  });
+}

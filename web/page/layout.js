@@ -1,0 +1,54 @@
+// Which of the three arrangements fits, and where in it the canvas' parts stand.
+import { by_id } from "./dom.js";
+
+const kLandscape = matchMedia("(min-width: 37.5em) and (orientation: landscape)");
+const kWide = matchMedia("(min-width: 64em) and (min-height: 33em)");
+const kCoarse = matchMedia("(pointer: coarse)");
+const kParts = ["stage", "timeline", "numbers"];
+
+/** Keeps data-layout ("wide", "beside" or "phone") on the root, and calls changed when anything has moved. */
+export function watch_layout(changed) {
+  const name = () => {
+    document.documentElement.dataset.layout = kWide.matches ? "wide" : kLandscape.matches ? "beside" : "phone";
+    document.documentElement.classList.toggle("fingers", has_fingers());
+    changed();
+  };
+  for (const query of [kLandscape, kWide, kCoarse]) query.addEventListener("change", name);
+  const moved = new ResizeObserver(changed);
+  for (const id of ["work", "column", ...kParts]) moved.observe(by_id(id));
+  addEventListener("resize", changed);
+  name();
+}
+
+const has_fingers = () => kCoarse.matches || document.documentElement.dataset.layout === "phone";
+
+/** Where the parts stand in #work, in its own pixels; a part that is not shown is empty. */
+function measured() {
+  const work = by_id("work").getBoundingClientRect();
+  const rectangles = kParts.map((id) => {
+    const { left, top, width, height } = by_id(id).getBoundingClientRect();
+    return { x: left - work.left, y: top - work.top, width, height };
+  });
+  return Object.fromEntries(kParts.map((id, i) => [id, rectangles[i]]));
+}
+
+/** Lays the canvas under its parts and says it as web/main.cpp's set_layout takes it. */
+export function arrange(canvas) {
+  const parts = measured();
+  const shown = Object.values(parts).filter((part) => part.width > 0 && part.height > 0);
+  const left = Math.floor(Math.min(...shown.map((part) => part.x)));
+  const top = Math.floor(Math.min(...shown.map((part) => part.y)));
+  const width = Math.max(1, Math.ceil(Math.max(...shown.map((part) => part.x + part.width))) - left);
+  const height = Math.max(1, Math.ceil(Math.max(...shown.map((part) => part.y + part.height))) - top);
+  Object.assign(canvas.style, { left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` });
+  const within = ({ x, y, width, height }) => ({ x: x - left, y: y - top, width, height });
+  return {
+    width,
+    height,
+    scale: devicePixelRatio,
+    fingers: has_fingers(),
+    stage: within(parts.stage),
+    timeline: within(parts.timeline),
+    inspector: within(parts.numbers),
+  };
+}

@@ -1,0 +1,85 @@
+// The lessons: which there are, and the menu that leads to them. Each is a true link, to open beside or to copy.
+import { by_id, element, set_hidden, set_text } from "./dom.js";
+
+export const link_of = (id) => `?lesson=${encodeURIComponent(id)}`;
+
+/** Links by group, the open one marked. choose(id): called in place of loading the page anew. */
+export function lesson_links(lessons, open_id, choose) {
+  const groups = Map.groupBy ? Map.groupBy(lessons, (lesson) => lesson.group) : grouped(lessons);
+  return element("ul", { class: "lesson-groups" }, ...[...groups].map(([group, members]) =>
+    element("li", {}, element("p", { class: "label" }, group),
+      element("ul", {}, ...members.map((lesson) => element("li", {}, lesson_link(lesson, open_id, choose)))))));
+}
+
+function grouped(lessons) {
+  const groups = new Map();
+  for (const lesson of lessons) groups.set(lesson.group, [...(groups.get(lesson.group) ?? []), lesson]);
+  return groups;
+}
+
+function lesson_link(lesson, open_id, choose) {
+  const onclick = (event) => {
+    if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
+    event.preventDefault();
+    choose(lesson.id);
+  };
+  return element("a", { href: link_of(lesson.id), onclick, "aria-current": lesson.id === open_id ? "page" : null },
+    element("b", {}, lesson.title), element("span", {}, lesson.summary));
+}
+
+export class LessonMenu {
+  #lessons;
+  #choose;
+  #open_id = null;
+
+  constructor(lessons, choose) {
+    this.#lessons = lessons;
+    this.#choose = choose;
+    by_id("picker").addEventListener("click", () => this.#toggle(by_id("lessons").hidden));
+    by_id("lessons").addEventListener("keydown", (event) => this.#key(event));
+    addEventListener("pointerdown", (event) => {
+      if (!event.target.closest?.(".picker")) this.#toggle(false);
+    });
+    by_id("lessons").parentElement.addEventListener("focusout", (event) => {
+      if (event.relatedTarget && !event.relatedTarget.closest(".picker")) this.#toggle(false);
+    });
+  }
+
+  get is_open() {
+    return !by_id("lessons").hidden;
+  }
+
+  show(lesson) {
+    this.#open_id = lesson.id;
+    set_text(by_id("picker-group"), lesson.group);
+    set_text(by_id("picker-title"), lesson.title);
+  }
+
+  #toggle(open) {
+    if (open === this.is_open) return;
+    const menu = by_id("lessons");
+    set_hidden(menu, !open);
+    by_id("picker").setAttribute("aria-expanded", open);
+    if (!open) return menu.replaceChildren();
+    menu.replaceChildren(lesson_links(this.#lessons, this.#open_id, (id) => {
+      this.#toggle(false);
+      by_id("picker").focus();
+      this.#choose(id);
+    }));
+    (menu.querySelector("[aria-current]") ?? menu.querySelector("a"))?.focus();
+  }
+
+  #key(event) {
+    if (event.key === "Escape") {
+      this.#toggle(false);
+      by_id("picker").focus();
+    }
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (step) {
+      event.preventDefault();
+      const links = [...by_id("lessons").querySelectorAll("a")];
+      links[(links.indexOf(document.activeElement) + step + links.length) % links.length].focus();
+    }
+    event.stopPropagation(); // the keys of the stage sleep while the menu is open
+  }
+}

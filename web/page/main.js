@@ -1,0 +1,216 @@
+// The page: brings the program and a lesson, shows what the lesson's state says, and keeps the address in step.
+import { read_address, write_address } from "./address.js";
+import { Code } from "./code.js";
+import { by_id, element, set_text, when_changed } from "./dom.js";
+import { open_door } from "./door.js";
+import { Downloads } from "./download.js";
+import { listen_to_keys } from "./keys.js";
+import { LessonMenu, lesson_links } from "./lesson_menu.js";
+import { notice, veil } from "./messages.js";
+import { Player } from "./player.js";
+import { PointTools } from "./points.js";
+import { QuestionCard } from "./question.js";
+import { Reading } from "./reading.js";
+import { Settings } from "./settings.js";
+import { Stage } from "./stage.js";
+import { Tabs } from "./tabs.js";
+
+const kAddressDelay = 250; // milliseconds: browsers count how often the address is replaced
+
+class Page {
+  #door;
+  #downloads;
+  #lessons;
+  #stage;
+  #settings;
+  #menu;
+  #panels;
+  #lesson = null;
+  #view = null;
+  #embed;
+  #address_timer = 0;
+
+  constructor(door, downloads, lessons, embed) {
+    this.#door = door;
+    this.#downloads = downloads;
+    this.#lessons = lessons;
+    this.#embed = embed;
+    const act = (what) => this.act(what);
+    const question = new QuestionCard(door, act);
+    this.#panels = [new Reading(() => act(() => door.start_task())), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new Player(door, act)];
+    this.#menu = new LessonMenu(lessons, (id) => this.#go_to(id));
+    new Tabs();
+    this.#stage = new Stage(door, () => this.#show());
+    this.#settings = new Settings(() => this.#apply_settings());
+    this.#apply_settings();
+    listen_to_keys(door, act, (digit) => question.choose(digit), () => this.#leave_presentation());
+    for (const [id, command] of [["undo", "undo"], ["redo", "redo"], ["reset-view", "reset_view"]])
+      by_id(id).addEventListener("click", () => act(() => door.command(command)));
+    by_id("share").addEventListener("click", () => this.#share());
+    addEventListener("popstate", () => this.open(read_address(location.search)));
+  }
+
+  /** Does what the user asks for, then shows what came of it. */
+  act(what) {
+    what();
+    this.#show();
+    this.#stage.request();
+  }
+
+  #apply_settings() {
+    if (!this.#settings) return; // called from its own constructor
+    this.#door.set_settings(this.#settings.for_door());
+    this.#stage.request();
+  }
+
+  #leave_presentation() {
+    if (!this.#settings.presenting) return false;
+    this.#settings.present(false);
+    return true;
+  }
+
+  #mesh(name) {
+    return this.#downloads.bytes(`meshes/${name}.ply`);
+  }
+
+  // ---- lessons ------------------------------------------------------------------------------------------------
+
+  #go_to(id) {
+    this.#write_address();
+    history.pushState(null, "", `?lesson=${encodeURIComponent(id)}${this.#embed ? "&embed=1" : ""}`);
+    this.open(read_address(location.search));
+  }
+
+  /** Opens what an address asks for, or says why it cannot. */
+  async open(asked) {
+    const id = asked.lesson ?? this.#lessons[0]?.id;
+    if (!this.#lessons.some((lesson) => lesson.id === id)) return this.#offer_lessons(asked.lesson);
+    const error = await this.#load(id).catch(() => null);
+    if (error === null) return veil.failed("The lesson did not arrive. Check the connection, then try again.", () => this.open(asked));
+    if (error) return veil.failed(`This lesson cannot be opened. ${error}.`, null);
+    this.#lesson = this.#door.lesson();
+    this.#menu.show(this.#lesson);
+    document.title = `${this.#lesson.title} · Snug`;
+    for (const panel of this.#panels) panel.open?.(this.#lesson);
+    await this.#restore(asked);
+    for (const problem of asked.problems) notice(problem);
+    veil.lift();
+    this.act(() => {});
+  }
+
+  /** The program's error, or "". Throws where a file does not come. */
+  async #load(id) {
+    const toml = await this.#downloads.text(`lessons/${id}.toml`);
+    const { error, mesh } = this.#door.check_lesson(toml, `${id}.toml`);
+    return error ?? this.#door.open_lesson(toml, `${id}.toml`, mesh ? await this.#mesh(mesh) : "");
+  }
+
+  #offer_lessons(id) {
+    const links = lesson_links(this.#lessons, null, (chosen) => this.#go_to(chosen));
+    veil.choose(this.#lessons.length === 0 ? "There are no lessons here." : `There is no lesson “${id.slice(0, 60)}”. These are the lessons:`, links);
+  }
+
+  /** Brings the lesson to where the address says, as far as it can. */
+  async #restore(asked) {
+    const door = this.#door;
+    const tell = (error) => error && asked.problems.push(`Part of the address cannot be followed: ${error}.`);
+    if (asked.seed !== null && asked.seed !== this.#lesson.seed) door.scatter(asked.seed);
+    if (asked.from) tell(await this.#restore_source(asked.from, asked.seed ?? this.#lesson.seed));
+    if (asked.points) tell(door.load_file(new TextEncoder().encode(asked.points.map((row) => row.join(" ")).join("\n")), "the address.xyz"));
+    if (asked.moved) tell(door.move_points(asked.moved));
+    if (asked.a) tell(door.choose(0, asked.a));
+    if (asked.b) tell(door.choose(1, asked.b === "none" ? "" : asked.b));
+    if (asked.step !== null) {
+      const { steps } = door.view();
+      if (asked.step > steps) asked.problems.push(`The address names step ${asked.step}; there are ${steps}.`);
+      door.jump(Math.min(asked.step, steps));
+    }
+  }
+
+  async #restore_source(from, seed) {
+    const [name, count] = from.split(":");
+    if (name === "task") return this.#door.start_task();
+    if (count) return this.#door.set_generator(name, Number(count), seed);
+    if (!this.#lesson.meshes.includes(name)) return `this lesson has no points “${name}”`;
+    return this.#mesh(name).then((bytes) => this.#door.load_file(bytes, name), () => `the mesh “${name}” did not arrive`);
+  }
+
+  // ---- what is shown ------------------------------------------------------------------------------------------
+
+  #show() {
+    this.#view = this.#door.view();
+    if (!this.#view) return;
+    set_text(by_id("caption"), this.#view.caption);
+    for (const panel of this.#panels) panel.update(this.#view);
+    this.#show_figures(this.#view.figures);
+    this.#address_timer ||= setTimeout(() => this.#write_address(), kAddressDelay);
+  }
+
+  #show_figures = when_changed((figures) => {
+    by_id("figures").replaceChildren(...figures.map(({ name, text }) =>
+      element("tr", {}, element("th", { scope: "row" }, name), element("td", {}, text))));
+  });
+
+  // ---- the address --------------------------------------------------------------------------------------------
+
+  #address() {
+    return write_address(this.#view, this.#lesson, this.#door.shared_points(), this.#embed);
+  }
+
+  #write_address() {
+    clearTimeout(this.#address_timer);
+    this.#address_timer = 0;
+    if (!this.#lesson) return;
+    const address = this.#address();
+    if (address !== location.search) history.replaceState(null, "", address);
+  }
+
+  async #share() {
+    this.#write_address();
+    const whole = Object.keys(this.#door.shared_points()).length > 0;
+    const leads = whole ? "It leads to what you see." : "It leads to this lesson, but these points are too many for an address.";
+    try {
+      await navigator.clipboard.writeText(location.href);
+      notice(`The address is copied. ${leads}`, "told");
+    } catch {
+      notice(`The browser does not let the page copy: take the address from the address bar. ${leads}`, "told");
+    }
+  }
+
+  // ---- for scripts and tests ----------------------------------------------------------------------------------
+
+  state() {
+    return this.#door.view();
+  }
+
+  handles() {
+    return this.#door.handles().map((handle) => this.#stage.on_page(handle));
+  }
+
+  frame_times() {
+    return this.#stage.times;
+  }
+}
+
+let resolve_ready;
+window.snug = { ready: new Promise((resolve) => (resolve_ready = resolve)), state: () => null, handles: () => [], frameTimes: () => [] };
+
+async function begin(attempt) {
+  const asked = read_address(location.search);
+  document.documentElement.classList.toggle("embed", asked.embed);
+  veil.loading();
+  let page;
+  try {
+    const downloads = new Downloads((share) => veil.progress(share));
+    const [index, door] = await Promise.all([downloads.text("lessons/index.json"), open_door(downloads, attempt)]);
+    page = new Page(door, downloads, JSON.parse(index), asked.embed);
+  } catch (error) {
+    console.warn(error);
+    return veil.failed("Snug did not arrive whole. Check the connection, then try again.", () => begin(attempt + 1));
+  }
+  Object.assign(window.snug, { state: () => page.state(), handles: () => page.handles(), frameTimes: () => page.frame_times() });
+  await page.open(asked);
+  resolve_ready();
+}
+
+begin(0);

@@ -1,0 +1,60 @@
+// What the page says when something is not as it should be: over the whole page, on the stage, or in passing.
+import { by_id, button, element, set_hidden, set_text } from "./dom.js";
+
+/** The veil over the page while it loads, and where it cannot go on. */
+export const veil = {
+  progress(share) {
+    const bar = by_id("veil-bar");
+    bar.setAttribute("aria-valuenow", Math.round(share * 100));
+    bar.firstElementChild.style.transform = `scaleX(${share})`;
+  },
+  loading() {
+    show_veil("Loading");
+    set_hidden(by_id("veil-bar"), false);
+  },
+  /** retry: null where it makes no sense. */
+  failed(text, retry) {
+    show_veil(text);
+    const again = by_id("veil-retry");
+    set_hidden(again, !retry);
+    again.onclick = retry;
+    if (retry) again.focus();
+  },
+  /** A lesson that there is not: the real ones instead. */
+  choose(text, links) {
+    show_veil(text);
+    by_id("veil-lessons").append(links);
+  },
+  lift() {
+    set_hidden(by_id("veil"), true);
+    by_id("work").inert = by_id("bar").inert = false;
+  },
+};
+
+function show_veil(text) {
+  set_hidden(by_id("veil"), false);
+  by_id("work").inert = by_id("bar").inert = true;
+  set_text(by_id("veil-text"), text);
+  set_hidden(by_id("veil-bar"), true);
+  set_hidden(by_id("veil-retry"), true);
+  by_id("veil-lessons").replaceChildren();
+}
+
+/** A message where the stage would be; "" takes it away. */
+export function stage_message(text, action_words, action) {
+  const box = by_id("stage-message");
+  set_hidden(box, !text);
+  if (!text) return box.replaceChildren();
+  box.replaceChildren(element("p", {}, text), ...(action ? [button(action_words, action)] : []));
+}
+
+/** A message in passing, which can be put away. kind: "wrong" or "told". */
+export function notice(text, kind = "wrong") {
+  const box = element("div", { class: `notice ${kind}` }, element("p", {}, text));
+  const away = () => box.remove();
+  box.append(element("button", { type: "button", class: "away", "aria-label": "Put this message away", onclick: away }, "×"));
+  const list = by_id("notices");
+  for (const old of [...list.children].slice(0, -2)) old.remove();
+  list.append(box);
+  if (kind === "told") setTimeout(away, 4000);
+}

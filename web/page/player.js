@@ -1,0 +1,26 @@
+// The timeline's buttons once more as HTML: unseen until the keyboard comes to them, for those who cannot see the canvas.
+import { by_id, element, set_text } from "./dom.js";
+
+const kButtons = [["first", "First step"], ["back", "Step back"], ["step", "Step"], ["play", "Play"], ["last", "Last step"],
+  ["slower", "Slower"], ["faster", "Faster"]];
+
+export class Player {
+  #slider;
+  #play;
+
+  constructor(door, act) {
+    this.#slider = element("input", { type: "range", min: 0, step: 1, "aria-label": "Step",
+      oninput: () => act(() => door.go(Number(this.#slider.value))) });
+    const buttons = kButtons.map(([command, words]) =>
+      element("button", { type: "button", class: "button", onclick: () => act(() => door.command(command)) }, words));
+    this.#play = buttons[3];
+    by_id("player").append(...buttons, this.#slider);
+  }
+
+  update(view) {
+    this.#slider.max = view.steps;
+    this.#slider.value = view.step;
+    this.#slider.setAttribute("aria-valuetext", `step ${view.step} of ${view.steps}`);
+    set_text(this.#play, view.playing ? "Pause" : "Play");
+  }
+}

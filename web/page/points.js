@@ -1,0 +1,158 @@
+// The points' tools: which set, add, delete, scatter, reset, a file, and a point's place in numbers.
+import { by_id, button, element, set_text, when_changed } from "./dom.js";
+import { notice } from "./messages.js";
+
+const kAxes = ["x", "y", "z"];
+const kMostBytes = 64e6;
+
+const label = (words, field) => element("label", {}, element("span", {}, words), field);
+const capital = (word) => word[0].toUpperCase() + word.slice(1);
+
+export class PointTools {
+  #door;
+  #act;
+  #bring_mesh;
+  #view = null;
+  #says = element("p", { class: "label", id: "points-heading" });
+  #set = element("select", { onchange: () => this.#choose_set() });
+  #count = element("input", { type: "number", min: 1, max: 5000, step: 1, value: 26, inputmode: "numeric" });
+  #seed = element("input", { type: "number", min: 0, max: Number.MAX_SAFE_INTEGER, step: 1, inputmode: "numeric" });
+  #point = element("input", { type: "number", min: 0, step: 1, inputmode: "numeric", placeholder: "none", "aria-label": "Selected point" });
+  #axes = kAxes.map((axis) => element("input", { type: "number", step: "any", inputmode: "decimal", "aria-label": `${axis} of the selected point` }));
+  #file = element("input", { type: "file", class: "unseen", tabindex: "-1", "aria-hidden": "true", accept: ".xyz,.csv,.txt,.obj,.ply,.stl" });
+  #delete = button("Delete", () => this.#command("delete_point"));
+  #count_label = label("How many", this.#count);
+
+  /** bring_mesh(name): its bytes. */
+  constructor(door, act, bring_mesh) {
+    this.#door = door;
+    this.#act = act;
+    this.#bring_mesh = bring_mesh;
+    const scatter = (event) => {
+      event.preventDefault();
+      this.#scatter();
+    };
+    by_id("points").append(
+      element("h2", {}, "Points"), this.#says,
+      element("form", { class: "fields", onsubmit: scatter }, label("Set", this.#set), this.#count_label,
+        label("Seed", this.#seed), element("button", { type: "submit", class: "button" }, "Scatter")),
+      element("div", { class: "row" }, button("Add", () => this.#command("add_point")), this.#delete,
+        button("Reset", () => this.#command("reset_points")), button("Open file…", () => this.#file.click()), this.#file),
+      element("div", { class: "coordinates" }, label("Point", this.#point), ...kAxes.map((axis, i) => label(axis, this.#axes[i]))));
+    this.#point.addEventListener("change", () => this.#select());
+    for (const field of this.#axes) field.addEventListener("change", () => this.#move());
+    this.#file.addEventListener("change", () => {
+      if (this.#file.files[0]) this.load(this.#file.files[0]);
+      this.#file.value = "";
+    });
+    this.#accept_drops();
+  }
+
+  open(lesson) {
+    const own = lesson.mesh ? capital(lesson.mesh) : lesson.generate ? capital(lesson.generate) : "The lesson’s own";
+    const others = (names, kind, own_name) => names.filter((name) => name !== own_name)
+      .map((name) => element("option", { value: `${kind}:${name}` }, capital(name)));
+    this.#set.replaceChildren(element("option", { value: "" }, own), ...others(lesson.generators, "generate", lesson.generate),
+      ...others(lesson.meshes, "mesh", lesson.mesh));
+    this.#count.value = lesson.count || 26;
+    this.#axes[2].parentElement.hidden = lesson.dim !== 3;
+    this.#count_label.hidden = true;
+    this.#seed.value = lesson.seed;
+  }
+
+  #command(name) {
+    this.#act(() => this.#door.command(name) || notice(`That cannot be done now${name === "delete_point" ? ": select a point first, and keep one" : ""}.`));
+  }
+
+  #choose_set() {
+    const [kind, name] = this.#set.value.split(":");
+    this.#count_label.hidden = kind !== "generate";
+    if (kind === "mesh") return this.#load_mesh(name);
+    if (kind === "generate") return this.#scatter();
+    this.#command("reset_points");
+  }
+
+  #scatter() {
+    const [kind, name] = this.#set.value.split(":");
+    const seed = Number(this.#seed.value);
+    this.#act(() => {
+      const error = kind === "generate" ? this.#door.set_generator(name, Number(this.#count.value), seed) : this.#door.scatter(seed);
+      if (error) notice(`${capital(error)}.`);
+    });
+  }
+
+  async #load_mesh(name) {
+    try {
+      const bytes = await this.#bring_mesh(name);
+      this.#use(bytes, name);
+    } catch {
+      notice(`The mesh “${name}” did not arrive. Check the connection, then choose it again.`);
+    }
+  }
+
+  async load(file) {
+    if (file.size > kMostBytes) return notice(`${file.name} is larger than ${kMostBytes / 1e6} MB, which is more than a page should hold.`);
+    this.#use(new Uint8Array(await file.arrayBuffer()), file.name);
+  }
+
+  #use(bytes, name) {
+    this.#act(() => {
+      const error = this.#door.load_file(bytes, name);
+      if (error) notice(`That file cannot be used. ${error}.`);
+    });
+  }
+
+  #select() {
+    this.#act(() => this.#door.select_point(this.#point.value === "" ? -1 : Number(this.#point.value)));
+  }
+
+  #move() {
+    const to = this.#axes.map((field) => (field.value.trim() === "" ? 0 : field.valueAsNumber));
+    if (this.#view.selected === null) return;
+    this.#act(() => {
+      const error = this.#door.move_point(this.#view.selected, ...to);
+      if (error) notice(`${capital(error)}.`);
+    });
+    this.#show_place(this.#view.selected, this.#view.coordinates);
+  }
+
+  #accept_drops() {
+    const carries_file = (event) => [...(event.dataTransfer?.types ?? [])].includes("Files");
+    const show = (on) => (by_id("drop").hidden = !on);
+    addEventListener("dragover", (event) => {
+      if (!carries_file(event)) return;
+      event.preventDefault();
+      show(true);
+    });
+    addEventListener("dragleave", (event) => event.relatedTarget || show(false));
+    addEventListener("drop", (event) => {
+      if (!carries_file(event)) return;
+      event.preventDefault();
+      show(false);
+      if (event.dataTransfer.files[0]) this.load(event.dataTransfer.files[0]);
+    });
+  }
+
+  #show_place(selected, coordinates) {
+    const none = selected === null;
+    this.#point.value = none ? "" : selected;
+    this.#axes.forEach((field, i) => {
+      field.disabled = none || i >= coordinates.length;
+      field.value = field.disabled ? "" : coordinates[i];
+    });
+    this.#delete.disabled = none;
+  }
+
+  #show_seed = when_changed((seed) => (this.#seed.value = seed));
+  #show_selected = when_changed((selected, coordinates) => this.#show_place(selected, coordinates));
+
+  update(view) {
+    this.#view = view;
+    set_text(this.#says, `${view.size} ${view.size === 1 ? "point" : "points"}${view.edited ? ", changed" : ""}`);
+    this.#point.max = view.size - 1;
+    this.#show_seed(view.seed);
+    this.#show_selected(view.selected, view.coordinates);
+    by_id("undo").disabled = !view.canUndo;
+    by_id("redo").disabled = !view.canRedo;
+  }
+}

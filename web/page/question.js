@@ -1,0 +1,86 @@
+// The prediction that the player waits for, and what happened beside what was predicted.
+import { by_id, button, element } from "./dom.js";
+
+export class QuestionCard {
+  #door;
+  #act;
+  #shown = "";
+
+  /** act(what): does it and shows what came of it. */
+  constructor(door, act) {
+    this.#door = door;
+    this.#act = act;
+  }
+
+  update(view) {
+    const { asked, outcome, outcomes, questions } = view;
+    const ended = view.step === view.steps && !asked && !view.previewing;
+    const given = outcomes.filter((each) => !each.passed);
+    const now = JSON.stringify([view.lesson, asked, outcome, questions, ended && given]);
+    if (now === this.#shown) return;
+    this.#shown = now;
+    const box = by_id("ask");
+    const had_focus = box.contains(document.activeElement);
+    const cards = [];
+    if (outcome) cards.push(outcome_card(outcome));
+    if (asked) cards.push(this.#asked_card(asked, questions));
+    if (ended && given.length > 0) cards.push(this.#score_card(given));
+    box.replaceChildren(...cards);
+    if (had_focus) (box.querySelector("[tabindex]") ?? by_id("canvas")).focus({ preventScroll: true });
+    if (cards.length > 0) box.scrollIntoView?.({ block: "nearest" });
+  }
+
+  /** Whether a digit key chose something. */
+  choose(digit) {
+    const choices = [...by_id("ask").querySelectorAll(".choices button")];
+    choices[digit - 1]?.click();
+    return digit >= 1 && digit <= choices.length;
+  }
+
+  #answer(kind, value) {
+    this.#act(() => this.#door.answer(kind, value));
+  }
+
+  #asked_card(asked, questions) {
+    const tap = asked.onStage ? (asked.choices.length > 0 ? " Choose, or tap it on the stage." : " Tap it on the stage.") : "";
+    const choices = asked.choices.map((words, i) => button(words, () => this.#answer("choice", i)));
+    return element("div", { class: "card predict", tabindex: "-1" },
+      element("h2", { class: "kicker" }, "Predict"),
+      element("p", { class: "prompt" }, asked.prompt, tap),
+      ...(choices.length > 0 ? [element("div", { class: "choices" }, ...choices)] : []),
+      ...(asked.onStage && choices.length === 0 ? [this.#point_form()] : []),
+      element("p", { class: "foot" }, element("span", {}, `Answer to go on · ${asked.number} of ${questions}`),
+        element("button", { type: "button", class: "quiet", onclick: () => this.#answer("skip", 0) }, "Skip")));
+  }
+
+  /** The way to name a point without pointing at it. */
+  #point_form() {
+    const field = element("input", { type: "number", min: 0, step: 1, required: true, inputmode: "numeric", "aria-label": "Point number" });
+    const onsubmit = (event) => {
+      event.preventDefault();
+      this.#answer("point", Number(field.value));
+    };
+    return element("form", { class: "choices", onsubmit }, element("span", {}, "P"), field,
+      element("button", { type: "submit", class: "button" }, "Answer"));
+  }
+
+  #score_card(outcomes) {
+    const right = outcomes.filter((outcome) => outcome.right).length;
+    const again = () => this.#act(() => {
+      this.#door.forget_answers();
+      this.#door.command("first");
+    });
+    return element("div", { class: "card score" },
+      element("p", {}, `The end: ${right} of ${outcomes.length} ${outcomes.length === 1 ? "prediction" : "predictions"} right.`),
+      button("Predict again", again));
+  }
+}
+
+function outcome_card({ right, skipped, predicted, happened, says, because }) {
+  const word = skipped ? "Skipped" : right ? "✓ As you predicted" : "✕ Not as you predicted";
+  const rows = skipped ? [["It was", happened]] : [["You predicted", predicted], ["It was", happened]];
+  return element("div", { class: `card outcome ${skipped ? "skipped" : right ? "right" : "wrong"}`, tabindex: "-1" },
+    element("h2", { class: "kicker" }, word),
+    element("dl", {}, ...rows.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value)))),
+    element("p", {}, [skipped ? "" : says, because].filter(Boolean).join(" ")));
+}

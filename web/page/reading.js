@@ -1,0 +1,38 @@
+// What is read: the title, the prose and the task with its grade as it stands.
+import { button, by_id, element, set_hidden, set_text, when_changed } from "./dom.js";
+
+const paragraph = (stretches) =>
+  element("p", {}, ...stretches.map(({ text, strong }) => (strong ? element("strong", {}, text) : text)));
+
+export class Reading {
+  #start_task;
+  #grade_says = element("p", { class: "grade", role: "status" });
+
+  /** start_task: lays out the points that the task begins with. */
+  constructor(start_task) {
+    this.#start_task = start_task;
+  }
+
+  open(lesson) {
+    set_text(by_id("title"), lesson.title);
+    by_id("prose").replaceChildren(...lesson.sections.flatMap((section) => [
+      ...(section.title ? [element("h2", {}, section.title)] : []), ...section.paragraphs.map(paragraph)]));
+    by_id("read").scrollTop = 0;
+    const box = by_id("task");
+    set_hidden(box, !lesson.task);
+    if (!lesson.task) return box.replaceChildren();
+    box.replaceChildren(element("h2", { class: "kicker" }, "Your turn"), element("p", {}, lesson.task.prompt),
+      element("p", {}, button(`Start with ${lesson.task.points} points`, this.#start_task)), this.#grade_says,
+      ...(lesson.task.hint ? [element("details", {}, element("summary", {}, "A hint"), element("p", {}, lesson.task.hint))] : []));
+  }
+
+  update(view) {
+    this.#show_grade(view.grade);
+  }
+
+  #show_grade = when_changed((grade) => {
+    if (!grade) return;
+    by_id("task").classList.toggle("done", grade.done);
+    set_text(this.#grade_says, `${grade.done ? "✓ " : ""}${grade.says}`);
+  });
+}

@@ -1,0 +1,97 @@
+// Theme, text size, motion and the lecturer's presentation: the page's and the canvas' alike.
+import { by_id, set_hidden, set_text } from "./dom.js";
+
+const kThemes = ["light", "dark", "contrast", "projector"];
+const kNames = { light: "Light", dark: "Dark", contrast: "High contrast", projector: "Projector" };
+const kTextScales = [1, 1.15, 1.3, 1.5];
+const kPresentingScale = 1.3;
+const asks = (query) => matchMedia(query);
+
+function remembered(name) {
+  try {
+    return localStorage.getItem(`snug-${name}`);
+  } catch {
+    return null; // a page in a frame may have no storage
+  }
+}
+
+function remember(name, value) {
+  try {
+    localStorage.setItem(`snug-${name}`, value);
+  } catch {
+    // then the next visit starts as the first did
+  }
+}
+
+function first_theme() {
+  if (kThemes.includes(remembered("theme"))) return remembered("theme");
+  if (asks("(prefers-contrast: more)").matches) return "contrast";
+  return asks("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+}
+
+export class Settings {
+  #changed;
+  #before_presenting = null;
+
+  /** changed: called after each change. */
+  constructor(changed) {
+    this.#changed = changed;
+    this.theme = first_theme();
+    this.text = kTextScales.includes(Number(remembered("text"))) ? Number(remembered("text")) : 1;
+    this.presenting = false;
+    this.motion = asks("(prefers-reduced-motion: reduce)");
+    this.motion.addEventListener("change", () => this.#apply());
+    by_id("theme").addEventListener("click", () => this.#next_theme());
+    by_id("text-size").addEventListener("click", () => this.#next_text());
+    by_id("present").addEventListener("click", () => this.present(true));
+    by_id("leave").addEventListener("click", () => this.present(false));
+    this.#apply();
+  }
+
+  #next_theme() {
+    this.theme = kThemes[(kThemes.indexOf(this.theme) + 1) % kThemes.length];
+    remember("theme", this.theme);
+    this.#apply();
+  }
+
+  #next_text() {
+    this.text = kTextScales[(kTextScales.indexOf(this.text) + 1) % kTextScales.length];
+    remember("text", this.text);
+    this.#apply();
+  }
+
+  /** A projector's theme, larger, without what only a reader at a desk needs. */
+  present(on) {
+    if (on === this.presenting) return;
+    this.presenting = on;
+    if (on) this.#before_presenting = this.theme;
+    this.theme = on ? "projector" : this.#before_presenting;
+    this.#apply();
+    by_id(on ? "canvas" : "present").focus({ preventScroll: true });
+  }
+
+  get text_scale() {
+    return this.presenting ? Math.max(this.text, kPresentingScale) : this.text;
+  }
+
+  #apply() {
+    const root = document.documentElement;
+    root.dataset.theme = this.theme;
+    root.classList.toggle("presenting", this.presenting);
+    root.style.setProperty("--text-scale", this.text_scale);
+    set_text(by_id("theme-name"), kNames[this.theme]);
+    by_id("theme").setAttribute("aria-label", `Theme: ${kNames[this.theme]}`);
+    by_id("theme").title = "Theme";
+    by_id("text-size").setAttribute("aria-label", `Text size: ${Math.round(this.text * 100)} %`);
+    by_id("text-size").title = `Text size: ${Math.round(this.text * 100)} %`;
+    set_hidden(by_id("leave"), !this.presenting);
+    this.#changed();
+  }
+
+  /** As web/main.cpp's set_settings takes them. */
+  for_door() {
+    const panel = getComputedStyle(document.documentElement).getPropertyValue("--panel").trim();
+    const ground = [1, 3, 5].map((i) => parseInt(panel.slice(i, i + 2), 16) / 255);
+    return { theme: this.theme, textScale: this.text_scale, reducedMotion: this.motion.matches, ground };
+  }
+}

@@ -1,0 +1,175 @@
+// The canvas: frames when they are due and only then, input, a context that may be lost.
+import { by_id } from "./dom.js";
+import { arrange, watch_layout } from "./layout.js";
+import { stage_message } from "./messages.js";
+
+const kButtonsOfImgui = [0, 1, 2];
+const kFramesTimed = 600;
+const kPatience = 5000; // milliseconds until a lost context is said not to come back
+
+export class Stage {
+  #door;
+  #canvas = by_id("canvas");
+  #after_frame;
+  #due = 0;
+  #moved = true;
+  #touches = new Map();
+  #lost_timer = 0;
+  /** {at, cost}: when each of the last frames began, and the milliseconds that the program took for it. */
+  times = [];
+
+  /** after_frame: called once each frame was drawn. */
+  constructor(door, after_frame) {
+    this.#door = door;
+    this.#after_frame = after_frame;
+    const error = door.start("#canvas");
+    if (error) this.#cannot_draw(error);
+    this.#listen();
+    watch_layout(() => {
+      this.#moved = true;
+      this.request();
+    });
+  }
+
+  #cannot_draw(error) {
+    stage_message(
+      error === "no WebGL 2"
+        ? "This browser does not give the page WebGL 2, which the stage is drawn with. The text, the steps and the numbers work all the same. A current Firefox, Chrome, Edge or Safari draws it, unless hardware acceleration is switched off in its settings."
+        : `The stage cannot be drawn here: ${error}`);
+    document.documentElement.classList.add("no-stage");
+  }
+
+  /** Asks for a frame; many times before it comes are one. */
+  request() {
+    this.#due ||= requestAnimationFrame((time) => this.#draw(time / 1000));
+  }
+
+  #draw(now) {
+    this.#due = 0;
+    if (this.#moved) this.#arrange();
+    const start = performance.now();
+    this.#door.frame(now);
+    this.times.push({ at: start, cost: performance.now() - start });
+    if (this.times.length > kFramesTimed) this.times.shift();
+    this.#after_frame();
+    by_id("stage").style.cursor = by_id("timeline").style.cursor = by_id("numbers").style.cursor = this.#door.cursor();
+    if (this.#door.wants_frame(now)) this.request();
+  }
+
+  #arrange() {
+    this.#moved = false;
+    const layout = arrange(this.#canvas);
+    const [across, down] = [Math.round(layout.width * layout.scale), Math.round(layout.height * layout.scale)];
+    if (this.#canvas.width !== across) this.#canvas.width = across;
+    if (this.#canvas.height !== down) this.#canvas.height = down;
+    this.#door.set_layout(layout);
+  }
+
+  /** A place on the canvas as one on the page's view. */
+  on_page({ id, x, y }) {
+    const { left, top } = this.#canvas.getBoundingClientRect();
+    return { id, x: left + x, y: top + y };
+  }
+
+  #on_canvas(event) {
+    const { left, top } = this.#canvas.getBoundingClientRect();
+    return [event.clientX - left, event.clientY - top];
+  }
+
+  #listen() {
+    for (const surface of [this.#canvas, by_id("stage"), by_id("timeline"), by_id("numbers")]) {
+      const on = (name, act) => surface.addEventListener(name, (event) => {
+        if (event.target !== surface) return; // HTML that stands on the stage answers for itself
+        act(event, surface);
+        this.request();
+      }, { passive: false });
+      on("pointerdown", (event) => this.#down(event, surface));
+      on("pointermove", (event) => this.#move(event));
+      on("pointerup", (event) => this.#up(event));
+      on("pointercancel", (event) => this.#up(event));
+      on("pointerleave", () => this.#touches.size === 0 && this.#door.pointer_left());
+      on("wheel", (event) => this.#wheel(event));
+      on("contextmenu", (event) => event.preventDefault());
+    }
+    this.#canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault(); // so that it may come back
+      this.#lose();
+    });
+    this.#canvas.addEventListener("webglcontextrestored", () => this.#restore());
+  }
+
+  #down(event, surface) {
+    event.preventDefault(); // the page's text is not selected by a drag
+    this.#canvas.focus({ preventScroll: true });
+    surface.setPointerCapture(event.pointerId);
+    const [x, y] = this.#on_canvas(event);
+    this.#door.modifiers_held(event.shiftKey, event.ctrlKey || event.metaKey, event.altKey);
+    if (event.pointerType === "touch") {
+      this.#touches.set(event.pointerId, { x, y });
+      if (this.#touches.size === 2) return this.#begin_pinch();
+      if (this.#touches.size > 2) return;
+    }
+    this.#door.pointer_moved(x, y, event.pointerType);
+    if (kButtonsOfImgui.includes(event.button)) this.#door.pointer_button(event.button, true, event.pointerType);
+  }
+
+  #move(event) {
+    const [x, y] = this.#on_canvas(event);
+    if (this.#touches.size >= 2) return this.#pinch(event.pointerId, { x, y });
+    if (this.#touches.has(event.pointerId)) this.#touches.set(event.pointerId, { x, y });
+    this.#door.modifiers_held(event.shiftKey, event.ctrlKey || event.metaKey, event.altKey);
+    this.#door.pointer_moved(x, y, event.pointerType);
+  }
+
+  #up(event) {
+    const pinching = this.#touches.size >= 2;
+    this.#touches.delete(event.pointerId);
+    if (pinching) return this.#touches.clear(); // the finger that stays drags nothing
+    if (kButtonsOfImgui.includes(event.button)) this.#door.pointer_button(event.button, false, event.pointerType);
+    else this.#door.pointer_button(0, false, event.pointerType); // cancelled
+    if (event.pointerType === "touch") this.#door.pointer_left(); // a finger that has gone hovers over nothing
+  }
+
+  #begin_pinch() {
+    this.#door.pointer_left(); // first away, so that letting go presses nothing
+    this.#door.pointer_button(0, false, "touch");
+  }
+
+  #pinch(id, to) {
+    if (!this.#touches.has(id)) return;
+    const spread = () => {
+      const [a, b] = [...this.#touches.values()];
+      return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, apart: Math.hypot(a.x - b.x, a.y - b.y) };
+    };
+    const before = spread();
+    this.#touches.set(id, to);
+    const now = spread();
+    this.#door.pinch(before.apart > 0 ? now.apart / before.apart : 1, now.x, now.y, now.x - before.x, now.y - before.y);
+  }
+
+  #wheel(event) {
+    if (event.target.id === "timeline") return; // the page scrolls on
+    event.preventDefault();
+    const pixels = [1, 16, 400][event.deltaMode];
+    const [x, y] = this.#on_canvas(event);
+    if (event.ctrlKey) return this.#door.pinch(Math.exp((-event.deltaY * pixels) / 100), x, y, 0, 0); // a touchpad's pinch
+    this.#door.pointer_moved(x, y, "mouse");
+    this.#door.wheel_turned((-event.deltaX * pixels) / 100, (-event.deltaY * pixels) / 100);
+  }
+
+  #lose() {
+    this.#door.stop_graphics();
+    stage_message("The browser has taken the stage’s graphics away. It comes back by itself in a moment.");
+    this.#lost_timer = setTimeout(
+      () => stage_message("The stage’s graphics have not come back. The address keeps your work: load the page again.",
+        "Load again", () => location.reload()), kPatience);
+  }
+
+  #restore() {
+    clearTimeout(this.#lost_timer);
+    const error = this.#door.start_graphics();
+    if (error) return this.#cannot_draw(error);
+    stage_message("");
+    this.request();
+  }
+}
