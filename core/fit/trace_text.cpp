@@ -1,9 +1,9 @@
 // Reading a trace: the names of its facts, its hash, its lines of JSON. All go over the fields that facts list.
 #include <array>
-#include <bit>
 #include <cstdio>
 
 #include "fit/catalogue.hpp"
+#include "geometry/bits.hpp"
 
 namespace snug::fit {
 namespace {
@@ -25,7 +25,7 @@ class Fnv1a {
   void add(std::int64_t value) { add_bits(static_cast<std::uint64_t>(value)); }
   void add(int value) { add(std::int64_t{value}); }
   void add(bool value) { add(std::int64_t{value}); }
-  void add(double value) { add_bits(std::bit_cast<std::uint64_t>(value)); }
+  void add(double value) { add_bits(bits_of(value)); }
   void add(const Support& support) {
     add(support.size());
     for (const Index i : support) add(i);

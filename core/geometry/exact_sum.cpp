@@ -1,6 +1,6 @@
 #include "geometry/exact_sum.hpp"
 
-#include <bit>
+#include "geometry/bits.hpp"
 
 namespace snug {
 namespace {
@@ -12,7 +12,7 @@ struct Parts {
 };
 
 Parts parts(double value) noexcept {
-  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const auto bits = bits_of(value);
   const auto field = static_cast<int>((bits >> 52) & 0x7ff);
   const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
   const bool subnormal = field == 0;

@@ -1,9 +1,9 @@
 #include "geometry/exact_sum.hpp"
 
-#include <bit>
 #include <doctest/doctest.h>
 
 #include "core/exact.hpp"
+#include "geometry/bits.hpp"
 #include "geometry/double_double.hpp"
 #include "geometry/random.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 double any_finite(Random& random) {
   for (;;) {
-    const auto value = std::bit_cast<double>(random.bits());
+    const auto value = snug::double_of(random.bits());
     if (std::isfinite(value)) return value;
   }
 }

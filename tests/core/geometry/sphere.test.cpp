@@ -50,13 +50,13 @@ TEST_CASE_TEMPLATE("a computed squared distance stays within its bound", Scalar,
 
 TEST_CASE_TEMPLATE("an enclosing radius holds every point exactly and is at most a few ulps too large", Scalar, float, double) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, 40)) {
-      CAPTURE(name);
-      const auto set = test::set_of<Scalar, 3>(points);
+    for (const auto& cloud : test::degenerate_clouds<Scalar, 3>(seed, 40)) {
+      CAPTURE(cloud.name);
+      const auto set = test::set_of<Scalar, 3>(cloud.points);
       const Vector<Scalar, 3> center = set[0] / 2;
       const Scalar found = enclosing_radius(center, set.span(), farthest_points(center, set.span()));
       Rational most = 0;
-      for (const auto& p : points) {
+      for (const auto& p : cloud.points) {
         CHECK(side_of_sphere(p, Sphere<Scalar, 3>{center, found}) <= 0);
         most = std::max(most, exact::squared_distance<Scalar, 3>(p, center));
       }
