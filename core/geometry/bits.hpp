@@ -8,5 +8,6 @@ namespace snug {
 
 constexpr std::uint64_t bits_of(double value) { return __builtin_bit_cast(std::uint64_t, value); }
 constexpr double double_of(std::uint64_t bits) { return __builtin_bit_cast(double, bits); }
+constexpr float float_of(std::uint32_t bits) { return __builtin_bit_cast(float, bits); }
 
 }  // namespace snug

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <unordered_map>
 
+#include "geometry/bits.hpp"
 #include "io/point_file.hpp"
 
 namespace snug::io {
@@ -29,8 +29,7 @@ class CornerMerger {
  private:
   using Bits = std::array<std::uint64_t, 3>;
   static Bits bits_of(const Vector<double, 3>& corner) {
-    return {std::bit_cast<std::uint64_t>(corner[0]), std::bit_cast<std::uint64_t>(corner[1]),
-            std::bit_cast<std::uint64_t>(corner[2])};
+    return {snug::bits_of(corner[0]), snug::bits_of(corner[1]), snug::bits_of(corner[2])};
   }
   struct Hash {
     std::size_t operator()(const Bits& bits) const {

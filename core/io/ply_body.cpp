@@ -1,6 +1,6 @@
 #include "io/ply_body.hpp"
 
-#include <bit>
+#include "geometry/bits.hpp"
 
 namespace snug::io {
 namespace {
@@ -20,8 +20,8 @@ std::int64_t integer_of(PlyType type, std::uint64_t bits) {
 }
 
 double number_of(PlyType type, std::uint64_t bits) {
-  if (type == PlyType::kFloat32) return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-  if (type == PlyType::kFloat64) return std::bit_cast<double>(bits);
+  if (type == PlyType::kFloat32) return static_cast<double>(float_of(static_cast<std::uint32_t>(bits)));
+  if (type == PlyType::kFloat64) return double_of(bits);
   return static_cast<double>(integer_of(type, bits));
 }
 

@@ -1,5 +1,4 @@
-#include <bit>
-
+#include "geometry/bits.hpp"
 #include "io/corner_merger.hpp"
 #include "io/formats.hpp"
 
@@ -41,7 +40,7 @@ Read<PointFile> read_stl_binary(std::string_view bytes) {
       Vector<double, 3> point;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::size_t at = triangle + 12 * corner + 4 * axis;
-        const double value = static_cast<double>(std::bit_cast<float>(word_at(bytes, at)));
+        const double value = static_cast<double>(float_of(word_at(bytes, at)));
         const std::string_view fault = fault_of_coordinate(value);
         if (!fault.empty())
           return at_byte(static_cast<std::int64_t>(at), std::string("the coordinate ").append(fault));
