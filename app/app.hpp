@@ -50,6 +50,8 @@ struct Handle {
   float x = 0, y = 0;
 };
 
+struct Look;
+
 class App {
  public:
   /// Needs a current ImGui context; no GL yet.
@@ -70,6 +72,8 @@ class App {
   [[nodiscard]] lesson::Session* session();
 
   [[nodiscard]] Settings& settings();
+  /// Fonts and palette as of the last frame, for a door that draws more (app/look.hpp).
+  [[nodiscard]] const Look& look() const;
 
   /// Does what a button or key says. Names: first back step play last next_mark previous_mark faster slower undo redo
   /// add_point delete_point scatter reset_points reset_view skip_question select_next select_previous select_none

@@ -1,0 +1,283 @@
+#include "app/app.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "app/captions.hpp"
+#include "app/commands.hpp"
+#include "app/inspector.hpp"
+#include "app/look.hpp"
+#include "app/stage.hpp"
+#include "app/timeline.hpp"
+#include "app/widgets.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr double kStepsPerSecond = 2;  // at speed 1
+constexpr int kSettleFrames = 2;       // ImGui answers an input over this many frames
+constexpr double kOrbitStep = 0.2, kZoomStep = 1.25;
+
+/// Whether someone is at the controls in this frame: what was hovered or pressed has yet to be drawn.
+bool has_input(const ImGuiIO& io) {
+  return io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || io.MouseWheelH != 0 ||
+         std::any_of(std::begin(io.MouseClicked), std::end(io.MouseClicked), std::identity{}) ||
+         std::any_of(std::begin(io.MouseReleased), std::end(io.MouseReleased), std::identity{}) || io.InputQueueCharacters.Size > 0;
+}
+
+bool same(const Settings& a, const Settings& b) {
+  return a.theme == b.theme && a.text_scale == b.text_scale && a.reduced_motion == b.reduced_motion &&
+         a.prose_in_canvas == b.prose_in_canvas && a.show_optimum == b.show_optimum;
+}
+
+}  // namespace
+
+struct App::State {
+  Platform platform;
+  Settings settings, drawn_settings;
+  std::array<std::string, 4> font_bytes;  // ImGui reads glyphs from them when it first needs them
+  Look look;
+  std::optional<lesson::Session> session;
+  Stage stage;
+  StageGl gl;
+  bool playing = false;
+  float speed = 1;
+  double next_step_at = 0;
+  double now = 0;
+  std::uint64_t drawn_revision = 0;
+  int settle = kSettleFrames;
+  long frames = 0;
+
+  void load_fonts();
+  void refresh_look(bool fingers);
+  void play_on();
+  [[nodiscard]] bool player(std::string_view name);
+  [[nodiscard]] bool edit(std::string_view name);
+  [[nodiscard]] bool select(std::string_view name);
+  [[nodiscard]] bool view(std::string_view name);
+  [[nodiscard]] bool move(std::string_view name);
+  void set_speed(int by);
+  void toggle_play();
+};
+
+void App::State::load_fonts() {
+  constexpr std::array<std::string_view, 4> kNames{"Inter-Regular", "Inter-SemiBold", "JetBrainsMono-Regular", "JetBrainsMono-Bold"};
+  ImFontAtlas* atlas = ImGui::GetIO().Fonts;
+  for (std::size_t i = 0; i < kNames.size(); ++i)
+    font_bytes[i] = platform.font != nullptr ? platform.font(kNames[i]) : std::string();
+  const auto add = [&](std::size_t i, bool merge) {
+    ImFontConfig config;
+    config.FontDataOwnedByAtlas = false;
+    config.MergeMode = merge;
+    if (font_bytes[i].empty()) return static_cast<ImFont*>(nullptr);
+    return atlas->AddFontFromMemoryTTF(font_bytes[i].data(), static_cast<int>(font_bytes[i].size()), 15, &config);
+  };
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    look.fonts[i] = add(i, false);
+    if (i < 2) add(i + 2, true);  // what Inter lacks (∈, ∪ …)
+  }
+  // A door that could not read one face shows its words in another.
+  ImFont* any = *std::find_if(look.fonts.begin(), look.fonts.end() - 1, [](ImFont* font) { return font != nullptr; });
+  for (ImFont*& font : look.fonts)
+    if (font == nullptr) font = any;
+}
+
+void App::State::refresh_look(bool fingers) {
+  look.palette = &palette_of(settings.theme);
+  look.text_scale = settings.text_scale * look.palette->text;
+  look.fingers = fingers;
+  look.still = settings.reduced_motion;
+  apply_style(look);
+}
+
+/// Takes the steps that are due.
+void App::State::play_on() {
+  if (!playing) return;
+  const double pause = 1 / (kStepsPerSecond * static_cast<double>(speed));
+  if (now - next_step_at > 1) next_step_at = now;  // nobody drew for a while: don't catch up
+  while (playing && now >= next_step_at) {
+    session->forward();
+    next_step_at += pause;
+    if (session->asked() != nullptr || session->step() == session->steps()) playing = false;
+  }
+}
+
+void App::State::toggle_play() {
+  playing = !playing && session->asked() == nullptr;
+  if (!playing) return;
+  if (session->step() == session->steps() && !session->previewing()) session->first();
+  next_step_at = now + (session->previewing() ? 0 : 1 / (kStepsPerSecond * static_cast<double>(speed)));
+}
+
+void App::State::set_speed(int by) {
+  const auto at = std::find(kSpeeds.begin(), kSpeeds.end(), speed) - kSpeeds.begin();
+  speed = kSpeeds[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at + by, 0, static_cast<std::ptrdiff_t>(kSpeeds.size()) - 1))];
+}
+
+bool App::State::player(std::string_view name) {
+  const int before = session->step();
+  const bool previewing = session->previewing();
+  if (name == "play") return toggle_play(), true;
+  if (name == "slower") return set_speed(-1), true;
+  if (name == "faster") return set_speed(1), true;
+  if (name == "first") session->first();
+  else if (name == "back") session->back();
+  else if (name == "step") session->forward();
+  else if (name == "last") session->last();
+  else if (name == "next_mark") previewing ? session->forward() : session->go(session->next_mark());
+  else if (name == "previous_mark") session->go(session->previous_mark());
+  else if (name == "skip_question") return session->answer({});
+  else return false;
+  playing = false;
+  return session->step() != before || session->previewing() != previewing;
+}
+
+bool App::State::edit(std::string_view name) {
+  if (name == "undo" || name == "redo") {
+    if (name == "undo" ? !session->can_undo() : !session->can_redo()) return false;
+    name == "undo" ? session->undo() : session->redo();
+    return true;
+  }
+  if (name == "add_point") return stage.add_point(*session);
+  if (name == "delete_point") return stage.delete_point(*session);
+  if (name == "scatter") return session->scatter(session->seed() + 1), true;
+  if (name == "reset_points") return session->reset(), true;
+  return false;
+}
+
+bool App::State::select(std::string_view name) {
+  const Index n = session->size(), at = stage.selected();
+  if (name == "select_next") stage.select(at == kNoIndex ? 0 : (at + 1) % n);
+  else if (name == "select_previous") stage.select(at == kNoIndex ? n - 1 : (at + n - 1) % n);
+  else if (name == "select_none" && at != kNoIndex) stage.select(kNoIndex);
+  else return false;
+  return true;
+}
+
+bool App::State::view(std::string_view name) {
+  if (name == "reset_view") stage.reset_view(*session);
+  else if (name == "zoom_in") stage.zoom_by(kZoomStep);
+  else if (name == "zoom_out") stage.zoom_by(1 / kZoomStep);
+  else if (name == "toggle_optimum") settings.show_optimum = !settings.show_optimum;
+  else if (name == "orbit_left") return stage.orbit_by(-kOrbitStep, 0);
+  else if (name == "orbit_right") return stage.orbit_by(kOrbitStep, 0);
+  else if (name == "orbit_up") return stage.orbit_by(0, kOrbitStep);
+  else if (name == "orbit_down") return stage.orbit_by(0, -kOrbitStep);
+  else return false;
+  return true;
+}
+
+bool App::State::move(std::string_view name) {
+  constexpr std::string_view kFine = "_fine";
+  const bool fine = name.size() > kFine.size() && name.substr(name.size() - kFine.size()) == kFine;
+  if (fine) name.remove_suffix(kFine.size());
+  if (name == "move_left") return stage.nudge(*session, -1, 0, 0, fine);
+  if (name == "move_right") return stage.nudge(*session, 1, 0, 0, fine);
+  if (name == "move_up") return stage.nudge(*session, 0, 1, 0, fine);
+  if (name == "move_down") return stage.nudge(*session, 0, -1, 0, fine);
+  if (name == "move_nearer") return stage.nudge(*session, 0, 0, -1, fine);
+  if (name == "move_farther") return stage.nudge(*session, 0, 0, 1, fine);
+  return false;
+}
+
+App::App(const Platform& platform) : state_(std::make_unique<State>()) {
+  state_->platform = platform;
+  state_->load_fonts();
+  ImGui::GetIO().IniFilename = nullptr;
+}
+App::~App() = default;
+
+bool App::create_graphics() {
+  state_->settle = kSettleFrames;
+  return state_->gl.create(state_->platform.glsl_version);
+}
+void App::abandon_graphics() { state_->gl.abandon(); }
+const std::string& App::graphics_error() const { return state_->gl.error(); }
+
+tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io::PointFile> mesh) {
+  auto session = lesson::Session::open(std::move(lesson), std::move(mesh));
+  if (!session) return tl::unexpected(std::move(session.error()));
+  state_->session.emplace(std::move(*session));
+  state_->stage.open(*state_->session);
+  state_->playing = false;
+  state_->settle = kSettleFrames;
+  return {};
+}
+
+lesson::Session* App::session() { return state_->session ? &*state_->session : nullptr; }
+Settings& App::settings() { return state_->settings; }
+const Look& App::look() const { return state_->look; }
+
+bool App::command(std::string_view name) {
+  State& s = *state_;
+  if (!s.session) return false;
+  const bool done = s.player(name) || s.edit(name) || s.select(name) || s.view(name) || s.move(name);
+  if (done) s.settle = std::max(s.settle, 1);
+  return done;
+}
+
+std::string_view App::command_of_key(std::string_view key, bool shift, bool control) const {
+  return command_for(key, shift, control, selected() != kNoIndex);
+}
+
+Index App::selected() const { return state_->stage.selected(); }
+void App::select(Index point) {
+  const bool valid = state_->session && point >= 0 && point < state_->session->size();
+  state_->stage.select(valid ? point : kNoIndex);
+  state_->settle = std::max(state_->settle, 1);
+}
+bool App::playing() const { return state_->playing; }
+float App::speed() const { return state_->speed; }
+
+void App::pinch(float factor, float x, float y, float dx, float dy) {
+  state_->stage.pinch(factor, x, y, dx, dy);
+  state_->settle = std::max(state_->settle, 1);
+}
+
+void App::frame(const Layout& layout, double now) {
+  State& s = *state_;
+  s.now = now;
+  s.settle = has_input(ImGui::GetIO()) ? kSettleFrames : std::max(0, s.settle - 1);
+  s.refresh_look(layout.fingers);
+  ++s.frames;
+  if (!s.session) return;
+  s.play_on();
+  const auto shows = [](const Rect& rect) { return rect.width >= 1 && rect.height >= 1; };
+  // The timeline and the stage change the session; the inspector comes last and says the same frame's figures.
+  if (shows(layout.timeline)) {
+    const Pane pane("##timeline", layout.timeline);
+    const PlayerWish wish = draw_timeline(s.look, *s.session, layout.timeline, {s.playing, s.speed});
+    if (!wish.command.empty()) command(wish.command);
+    if (wish.speed > 0) s.speed = wish.speed;
+  }
+  if (shows(layout.stage)) {
+    const Pane pane("##stage", layout.stage);
+    s.stage.draw(s.look, s.settings, *s.session, layout.stage, now);
+  }
+  if (shows(layout.inspector)) {
+    const Pane pane("##inspector", layout.inspector, true);
+    draw_inspector(s.look, *s.session, layout.inspector);
+  }
+  s.drawn_revision = s.session->revision();
+  s.drawn_settings = s.settings;
+}
+
+void App::draw_3d_behind(int framebuffer_width, int framebuffer_height, float scale) {
+  GlScene empty;
+  empty.panel = palette_of(state_->settings.theme).panel;
+  state_->gl.draw(state_->session ? state_->stage.scene() : empty, framebuffer_width, framebuffer_height, scale);
+}
+
+bool App::wants_frame(double now) const {
+  const State& s = *state_;
+  if (s.settle > 0 || !same(s.settings, s.drawn_settings)) return true;
+  if (!s.session) return false;
+  return (s.playing && now >= s.next_step_at) || s.stage.moving() || s.session->revision() != s.drawn_revision;
+}
+
+long App::frames_drawn() const { return state_->frames; }
+std::string App::caption() const { return state_->session ? caption_at(*state_->session) : std::string(); }
+std::vector<Handle> App::handles() const { return state_->session ? state_->stage.handles() : std::vector<Handle>{}; }
+
+}  // namespace snug::app

@@ -1,0 +1,146 @@
+#include "app/camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace snug::app {
+namespace {
+
+using V3 = Vector<double, 3>;
+
+constexpr double kFieldOfView = 30 * std::numbers::pi / 180;  // long enough a lens that spheres look round
+constexpr double kSteepest = 85 * std::numbers::pi / 180;
+constexpr double kRadiansPerPixel = 0.008;
+constexpr double kEaseSeconds = 0.06;  // the time in which the way left falls to 1/e: at rest after about 0.3 s
+constexpr double kArrived = 1e-3;      // of the view's height
+
+const double kTanHalf = std::tan(kFieldOfView / 2);
+
+}  // namespace
+
+void Camera::set_stage(const Rect& stage, float margin_top, float margin_side, float margin_bottom) {
+  stage_ = stage;
+  top_ = margin_top, side_ = margin_side, bottom_ = margin_bottom;
+}
+
+double Camera::free_height() const { return std::max(1.0, static_cast<double>(stage_.height - top_ - bottom_)); }
+double Camera::free_width() const { return std::max(1.0, static_cast<double>(stage_.width - 2 * side_)); }
+float Camera::center_x() const { return stage_.x + stage_.width / 2; }
+float Camera::center_y() const { return stage_.y + top_ + static_cast<float>(free_height()) / 2; }
+double Camera::focal() const { return free_height() / (2 * kTanHalf); }
+double Camera::distance() const { return now_.height / (2 * kTanHalf); }
+
+V3 Camera::forward() const {
+  if (dim_ == 2) return {0, 0, -1};
+  return {-std::sin(now_.yaw) * std::cos(now_.pitch), -std::sin(now_.pitch), -std::cos(now_.yaw) * std::cos(now_.pitch)};
+}
+V3 Camera::right() const {
+  if (dim_ == 2) return {1, 0, 0};
+  return {std::cos(now_.yaw), 0, -std::sin(now_.yaw)};
+}
+V3 Camera::up() const { return right().cross(forward()); }
+V3 Camera::eye() const { return now_.target - forward() * distance(); }
+
+void Camera::frame(const Sphere<double, 3>& ball, bool at_once) {
+  double radius = ball.radius > 0 ? ball.radius : std::max(ball.center.cwiseAbs().maxCoeff() * 1e-3, 1e-300);
+  if (ball.radius <= 0 && ball.center.isZero()) radius = 1;
+  goal_.target = ball.center;
+  // A ball of radius r has its silhouette at r / sqrt(1 - (r/d)^2) of the plane through its centre.
+  const double fit = std::min(1.0, free_width() / free_height());
+  goal_.height = 2 * radius / fit * (dim_ == 3 ? 1.0 / std::cos(kFieldOfView / 2 * fit) : 1.0);
+  if (dim_ == 3 && framed_ && now_.yaw == 0 && now_.pitch == 0) goal_.yaw = 0.55, goal_.pitch = 0.32;
+  framed_ = true;
+  if (at_once) now_ = goal_;
+}
+
+double Camera::share_of_room(const Sphere<double, 3>& ball) const {
+  const ScreenPoint center = project(ball.center);
+  const double reach = ball.radius * scale_at(ball.center);
+  const double across = (std::abs(static_cast<double>(center.x - center_x())) + reach) / (free_width() / 2);
+  const double along = (std::abs(static_cast<double>(center.y - center_y())) + reach) / (free_height() / 2);
+  return std::max(across, along);
+}
+
+ScreenPoint Camera::project(const V3& p) const {
+  if (dim_ == 2) {
+    const double scale = free_height() / now_.height;
+    return {static_cast<float>(center_x() + (p[0] - now_.target[0]) * scale),
+            static_cast<float>(center_y() - (p[1] - now_.target[1]) * scale), 0, true};
+  }
+  const V3 from_eye = p - eye();
+  const double depth = from_eye.dot(forward());
+  const bool visible = depth > 0.02 * now_.height;
+  const double scale = focal() / std::max(depth, 0.02 * now_.height);
+  return {static_cast<float>(center_x() + from_eye.dot(right()) * scale),
+          static_cast<float>(center_y() - from_eye.dot(up()) * scale), static_cast<float>(depth / now_.height), visible};
+}
+
+V3 Camera::unproject(float x, float y, const V3& through) const {
+  const double scale = scale_at(through);
+  const double dx = (x - center_x()) / scale;
+  const double dy = (center_y() - y) / scale;
+  if (dim_ == 2) return {now_.target[0] + dx, now_.target[1] + dy, 0};
+  const V3 middle = eye() + forward() * (through - eye()).dot(forward());
+  return middle + right() * dx + up() * dy;
+}
+
+double Camera::scale_at(const V3& p) const {
+  if (dim_ == 2) return free_height() / now_.height;
+  return focal() / std::max((p - eye()).dot(forward()), 0.02 * now_.height);
+}
+
+void Camera::pan(float dx, float dy) {
+  const double scale = free_height() / now_.height;
+  now_.target += (-dx * right() + dy * up()) / scale;
+  goal_ = now_;
+  framed_ = false;
+}
+
+void Camera::zoom(double factor, float x, float y) {
+  const V3 under = unproject(x, y, now_.target);
+  now_.height = std::max(now_.height / factor, 1e-300);
+  const V3 moved = unproject(x, y, now_.target);
+  now_.target += under - moved;
+  goal_ = now_;
+  framed_ = false;
+}
+
+void Camera::orbit(float dx, float dy) {
+  now_.yaw -= dx * kRadiansPerPixel;
+  now_.pitch = std::clamp(now_.pitch + dy * kRadiansPerPixel, -kSteepest, kSteepest);
+  goal_ = now_;
+  framed_ = false;
+}
+
+void Camera::zoom_eased(double factor) {
+  goal_.height = std::max(goal_.height / factor, 1e-300);
+  framed_ = false;
+}
+
+void Camera::orbit_eased(double yaw, double pitch) {
+  goal_.yaw += yaw;
+  goal_.pitch = std::clamp(goal_.pitch + pitch, -kSteepest, kSteepest);
+  framed_ = false;
+}
+
+bool Camera::moving() const {
+  return (goal_.target - now_.target).norm() > 0 || goal_.height != now_.height || goal_.yaw != now_.yaw ||
+         goal_.pitch != now_.pitch;
+}
+
+bool Camera::ease(double dt, bool at_once) {
+  if (!moving()) return false;
+  const double share = 1 - std::exp(-std::max(dt, 0.0) / kEaseSeconds);
+  now_.target += (goal_.target - now_.target) * share;
+  now_.height *= std::pow(goal_.height / now_.height, share);
+  now_.yaw += (goal_.yaw - now_.yaw) * share;
+  now_.pitch += (goal_.pitch - now_.pitch) * share;
+  const bool arrived = (goal_.target - now_.target).norm() < kArrived * goal_.height &&
+                       std::abs(std::log(goal_.height / now_.height)) < kArrived &&
+                       std::abs(goal_.yaw - now_.yaw) < kArrived && std::abs(goal_.pitch - now_.pitch) < kArrived;
+  if (arrived || at_once) now_ = goal_;
+  return moving();
+}
+
+}  // namespace snug::app

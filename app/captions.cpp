@@ -1,0 +1,192 @@
+#include "app/captions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <variant>
+
+#include "app/numbers.hpp"
+#include "lesson/ask.hpp"
+#include "lesson/figures.hpp"
+
+namespace snug::app {
+namespace {
+
+using fit::Step3;
+using lesson::number_text;
+using lesson::point_name;
+using fit::Support;
+using Point = Vector<double, 3>;
+
+std::string counted(std::int64_t n, const char* thing) {
+  return std::to_string(n) + " " + thing + (n == 1 ? "" : "s");
+}
+
+std::string direction_name(int axis) {
+  constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
+  return kNames[static_cast<std::size_t>(axis)];
+}
+
+std::span<const Index> span_of(const Support& support) {
+  return {support.begin(), static_cast<std::size_t>(support.size())};
+}
+
+/// Says each fact. One overload per fact, so that a new one does not compile before it has its sentence.
+struct Sayer {
+  const Step3& step;
+  const Step3* next;
+  const AnyPointSet& points;
+
+  [[nodiscard]] int dim() const { return fit::dim_of(points); }
+  [[nodiscard]] Point at(Index i) const { return fit::point_of(points, i); }
+
+  std::string operator()(const fit::ExtremesFound<double, 3>&) const {
+    const char* sides = dim() == 2 ? "leftmost, rightmost, lowest and highest" : "least and greatest";
+    return std::string("The extreme points are found: the ") + sides +
+           (dim() == 2 ? "." : " along each of the three axes.");
+  }
+
+  std::string operator()(const fit::MidpointFound<double, 3>& fact) const {
+    const Point widths = fact.greatest - fact.least;
+    std::string size = number_text(widths[0]) + " × " + number_text(widths[1]);
+    if (dim() == 3) size += " × " + number_text(widths[2]);
+    return "The box around all points is " + size + "; its midpoint becomes the centre.";
+  }
+
+  std::string operator()(const fit::PairChosen& fact) const {
+    const std::string pair = point_name(fact.a) + " and " + point_name(fact.b);
+    if (!step.has_ball) return pair + " reach farthest to either side along the main axis.";
+    const std::string why = fact.axis == kNoIndex
+                                ? ", the ends along the main axis, become"
+                                : ", the extremes along " + direction_name(fact.axis) + ", are farthest apart and become";
+    return pair + why + " the first diameter: " + number_text(fact.distance) + ".";
+  }
+
+  std::string operator()(const fit::FarthestFound& fact) const {
+    return point_name(fact.point) + " is farthest from the centre, at " + number_text(fact.distance) + ", so it sets the radius.";
+  }
+
+  std::string operator()(const fit::PointExamined& fact) const {
+    const std::string point = point_name(fact.point);
+    if (!step.has_ball) return point + " is the first point: there is no ball yet to hold it.";
+    const double gap = fact.distance - step.ball.radius;
+    const bool forced = next != nullptr && std::holds_alternative<fit::BoundaryForced>(next->fact);
+    if (!fact.outside) return point + " lies inside" + (gap < 0 ? " by " + short_figure(-gap) : "") + ": nothing changes.";
+    return point + " lies outside by " + short_figure(gap) + (forced ? ", so it is on the boundary of the next ball." : ".");
+  }
+
+  std::string operator()(const fit::BallGrown<double, 3>& fact) const {
+    const double gap = (at(fact.point) - fact.before.center).norm() - fact.before.radius;
+    return point_name(fact.point) + " lies outside by " + short_figure(gap) + ", so the ball grows to take it in.";
+  }
+
+  std::string operator()(const fit::MeanFound<double, 3>& fact) const {
+    std::string where = number_text(fact.mean[0]) + ", " + number_text(fact.mean[1]);
+    if (dim() == 3) where += ", " + number_text(fact.mean[2]);
+    return "The mean of all " + counted(fit::size_of(points), "point") + " is their balance point: (" + where + ").";
+  }
+
+  std::string operator()(const fit::CovarianceFound<double, 3>&) const {
+    return std::string("The covariance says how the points spread about the mean; drawn as ") +
+           (dim() == 2 ? "an ellipse" : "an ellipsoid") + " at one and two standard deviations.";
+  }
+
+  std::string operator()(const fit::AxesFound<double, 3>& fact) const {
+    const double most = std::sqrt(std::max(fact.variances[2], 0.0));
+    return std::string("The eigenvectors are the ") + (dim() == 2 ? "ellipse" : "ellipsoid") +
+           "'s axes: the points spread most along the longest, with σ = " + number_text(most) + ".";
+  }
+
+  std::string operator()(const fit::BallShrunk<double, 3>& fact) const {
+    return "Pass " + std::to_string(fact.pass) + ": the ball shrinks by 5 % to " + number_text(step.ball.radius) +
+           ", and the points are shuffled.";
+  }
+
+  std::string operator()(const fit::PassJudged<double, 3>& fact) const {
+    const std::string pass = "Pass " + std::to_string(fact.pass) + " ends at " + number_text(step.ball.radius);
+    return fact.better ? pass + ", the smallest so far: it is kept."
+                       : pass + ", no smaller than the best, " + number_text(fact.best.radius) + ": it is dropped.";
+  }
+
+  std::string operator()(const fit::BoundaryForced& fact) const {
+    const std::string names = name_of_points(span_of(fact.boundary));
+    if (fact.boundary.size() == 1) return names + " must be on the boundary: the ball starts again as that point alone.";
+    return names + " must be on the boundary: the smallest ball through them has radius " + number_text(step.ball.radius) + ".";
+  }
+
+  std::string operator()(const fit::MovedToFront& fact) const {
+    return point_name(fact.point) + " moves to the front of the list: it will be tested first from now on.";
+  }
+
+  std::string operator()(const fit::AllChecked& fact) const {
+    if (fact.outside == 0) return "Every point is held against the ball: none lies outside.";
+    return "All points are held against the ball: " + counted(fact.outside, "candidate") +
+           (fact.outside == 1 ? " lies outside." : " lie outside.");
+  }
+
+  std::string operator()(const fit::RadiusChecked& fact) const {
+    return "The last check, in exact arithmetic: " + point_name(fact.farthest) + " is farthest out, " +
+           (fact.widened ? "and the radius widens by its last digit to hold it." : "and the ball holds it.");
+  }
+
+  std::string operator()(const fit::SupportReplaced& fact) const {
+    Support gone;
+    for (const Index i : fact.before)
+      if (!fact.after.contains(i)) gone.add(i);
+    const std::string left = gone.size() == 0 ? "" : name_of_points(span_of(gone)) + (gone.size() == 1 ? " leaves" : " leave");
+    if (fact.entered == kNoIndex)
+      return (left.empty() ? "The support set is solved again" : left + " the support set") + ": the rest hold the ball alone.";
+    return point_name(fact.entered) + " joins the support set" +
+           (left.empty() ? ", and none leaves it." : ", and " + left + " it.");
+  }
+
+  std::string operator()(const fit::CandidateTried<double, 3>& fact) const {
+    using Verdict = fit::CandidateTried<double, 3>::Verdict;
+    const std::string names = name_of_points(span_of(fact.points));
+    const std::string ball = "The ball of " + names;
+    switch (fact.verdict) {
+      case Verdict::kKept: return ball + " holds every point and is the smallest so far, " + number_text(fact.candidate.radius) + ": kept.";
+      case Verdict::kNotSmaller: return ball + " is no smaller than the best: dropped unseen.";
+      case Verdict::kLeavesPointOutside: return ball + " leaves " + point_name(fact.outside) + " outside: dropped.";
+      case Verdict::kNoBall: break;
+    }
+    return names + " have no ball of their own: they are in line, or on one spot.";
+  }
+
+  std::string operator()(const fit::Finished& fact) const {
+    // The iterative method starts from a finished ball of Ritter's: the same fact, but not the end.
+    if (next != nullptr)
+      return "Ritter's ball is where it starts, with radius " + number_text(step.ball.radius) + ".";
+    return "Done: radius " + number_text(step.ball.radius) + ", held by " + name_of_points(span_of(fact.support)) + ".";
+  }
+};
+
+}  // namespace
+
+std::string name_of_points(std::span<const Index> points) {
+  if (points.empty()) return "no point";
+  std::string text;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i > 0) text += i + 1 == points.size() ? " and " : ", ";
+    text += lesson::point_name(points[i]);
+  }
+  return text;
+}
+
+std::string caption_of(const Step3& step, const Step3* next, const AnyPointSet& points) {
+  return std::visit(Sayer{step, next, points}, step.fact);
+}
+
+std::string caption_at_start(const fit::Algorithm& algorithm, Index points) {
+  return std::string(algorithm.title) + " on " + counted(points, "point") + ": nothing is known yet. Take the first step.";
+}
+
+std::string caption_at(const lesson::Session& session) {
+  const auto* entry = session.current(0);
+  if (entry == nullptr) return caption_at_start(*session.algorithm(0), session.size());
+  const auto& steps = session.recording(0).steps;
+  const auto next = static_cast<std::size_t>(session.step());
+  return caption_of(entry->step, next < steps.size() ? &steps[next].step : nullptr, session.points());
+}
+
+}  // namespace snug::app

@@ -1,0 +1,25 @@
+// What a step says, in a student's words: one sentence for each fact.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "fit/catalogue.hpp"
+#include "lesson/session.hpp"
+
+namespace snug::app {
+
+/// "P3", "P3 and P9", "P3, P9 and P12"; "no point" of none.
+[[nodiscard]] std::string name_of_points(std::span<const Index> points);
+
+/// One sentence on a step. next: the step after it, null where it is the last; it says what follows from this one.
+/// points: those that the trace was made of.
+[[nodiscard]] std::string caption_of(const fit::Step3& step, const fit::Step3* next, const AnyPointSet& points);
+
+/// The sentence before the first step.
+[[nodiscard]] std::string caption_at_start(const fit::Algorithm& algorithm, Index points);
+
+/// The sentence of where the session stands.
+[[nodiscard]] std::string caption_at(const lesson::Session& session);
+
+}  // namespace snug::app

@@ -1,0 +1,48 @@
+#include "app/commands.hpp"
+
+#include <array>
+
+namespace snug::app {
+namespace {
+
+struct Row {
+  std::string_view key, command;
+};
+
+constexpr std::array kAlways{
+    Row{" ", "play"}, Row{"Home", "first"}, Row{"End", "last"}, Row{"PageDown", "next_mark"}, Row{"PageUp", "previous_mark"},
+    Row{"Delete", "delete_point"}, Row{"Backspace", "delete_point"}, Row{"Escape", "select_none"}, Row{"a", "add_point"},
+    Row{"A", "add_point"}, Row{"+", "zoom_in"}, Row{"=", "zoom_in"}, Row{"-", "zoom_out"}, Row{"0", "reset_view"},
+    Row{"<", "slower"}, Row{">", "faster"}, Row{"[", "select_previous"}, Row{"]", "select_next"}, Row{"o", "toggle_optimum"},
+    Row{"O", "toggle_optimum"}, Row{"s", "skip_question"}, Row{"S", "skip_question"}};
+constexpr std::array kWithControl{Row{"z", "undo"}, Row{"Z", "redo"}, Row{"y", "redo"}, Row{"Y", "redo"},
+                                  Row{"ArrowLeft", "orbit_left"}, Row{"ArrowRight", "orbit_right"},
+                                  Row{"ArrowUp", "orbit_up"}, Row{"ArrowDown", "orbit_down"}};
+constexpr std::array kStepping{Row{"ArrowRight", "step"}, Row{"ArrowLeft", "back"}, Row{"ArrowDown", "step"}, Row{"ArrowUp", "back"}};
+constexpr std::array kMoving{Row{"ArrowLeft", "move_left"}, Row{"ArrowRight", "move_right"}, Row{"ArrowUp", "move_up"},
+                             Row{"ArrowDown", "move_down"}, Row{".", "move_nearer"}, Row{",", "move_farther"}};
+constexpr std::array kMovingFine{Row{"ArrowLeft", "move_left_fine"}, Row{"ArrowRight", "move_right_fine"},
+                                 Row{"ArrowUp", "move_up_fine"}, Row{"ArrowDown", "move_down_fine"},
+                                 Row{">", "move_nearer_fine"}, Row{"<", "move_farther_fine"}};
+
+std::string_view found(const auto& rows, std::string_view key) {
+  for (const Row& row : rows)
+    if (row.key == key) return row.command;
+  return {};
+}
+
+}  // namespace
+
+std::string_view command_for(std::string_view key, bool shift, bool control, bool has_selection) {
+  // Shift with Z is another letter on some keyboards' way to say it, and the same one with Caps Lock on.
+  if (control) return key == "z" && shift ? "redo" : key == "Z" && !shift ? "undo" : found(kWithControl, key);
+  if (has_selection) {
+    const std::string_view move = shift ? found(kMovingFine, key) : found(kMoving, key);
+    if (!move.empty()) return move;
+  } else if (const std::string_view step = found(kStepping, key); !step.empty()) {
+    return step;
+  }
+  return found(kAlways, key);
+}
+
+}  // namespace snug::app

@@ -1,0 +1,35 @@
+// The names of what keys and buttons do, and the keys that say them.
+#pragma once
+
+#include <string_view>
+
+namespace snug::app {
+
+/// The command of a key, as the browser names keys; empty for none. has_selection: whether a point is selected, which
+/// the arrow keys move then. flat: whether the stage is 2-D.
+[[nodiscard]] std::string_view command_for(std::string_view key, bool shift, bool control, bool has_selection);
+
+/// What the keys do, for people: pairs of keys and words, in the order of a help card.
+struct KeyHelp {
+  std::string_view keys, does;
+};
+inline constexpr KeyHelp kKeyHelp[] = {
+    {"→  ←", "one step on, one step back; with a point selected, move it"},
+    {"Space", "play or pause"},
+    {"Home  End", "the beginning, the end"},
+    {"PgDn  PgUp", "the next mark, the one before"},
+    {"<  >", "slower, faster"},
+    {"[  ]", "select the point before, the next one"},
+    {"↑ ↓ ← →", "move the selected point; with Shift by a tenth"},
+    {",  .", "move it away, move it nearer (3-D)"},
+    {"A", "add a point"},
+    {"Delete", "delete the selected point"},
+    {"Esc", "select nothing"},
+    {"Ctrl Z  Ctrl Y", "undo, redo"},
+    {"+  −  0", "nearer, farther, the whole view"},
+    {"Ctrl + arrows", "orbit (3-D)"},
+    {"O", "show the smallest ball"},
+    {"S", "skip the question"},
+};
+
+}  // namespace snug::app

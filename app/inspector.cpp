@@ -1,0 +1,101 @@
+#include "app/inspector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "app/marks.hpp"
+#include "app/widgets.hpp"
+#include "lesson/figures.hpp"
+
+namespace snug::app {
+namespace {
+
+/// Writes from top to bottom within a column.
+class Column {
+ public:
+  Column(const Look& look, const Rect& rect)
+      : look_(look), list_(ImGui::GetWindowDrawList()), x_(rect.x + 24), width_(rect.width - 48), y_(rect.y + 24 - ImGui::GetScrollY()) {}
+
+  void heading(std::string_view words) {
+    text(list_, look_, Face::kSemiBold, 13, {x_, y_ + look_.px(5)}, look_->muted, words);
+    y_ += look_.px(24);
+  }
+
+  void figure(const lesson::Figure& figure) {
+    const float row = look_.px(30), size = 14, small = 13;
+    const float at = middle_of(y_ + row / 2, look_.px(size));
+    const float value = measure(look_, Face::kMonoBold, small, figure.text).x;
+    text_right(list_, look_, Face::kMonoBold, small, {x_ + width_, middle_of(y_ + row / 2, look_.px(small))}, look_->ink, figure.text);
+    const float room = width_ - value - 10;
+    text(list_, look_, Face::kRegular, size, {x_, at}, look_->ink, shortened(look_, Face::kRegular, size, figure.name, room));
+    y_ += row;
+    rule(list_, x_, y_ - 1, width_, look_->line);
+  }
+
+  void rival(const lesson::Session::Rival& rival, double widest, bool chosen, bool beside) {
+    const float size = 14, small = 13;
+    const std::string value = chosen ? lesson::number_text(rival.radius) : lesson::percent_text(rival.excess);
+    const Color bar = chosen ? look_->current : look_->previous;
+    text_right(list_, look_, chosen ? Face::kMonoBold : Face::kMono, small, {x_ + width_, y_ + look_.px(4)}, chosen ? look_->current_text : look_->muted, value);
+    const float room = width_ - measure(look_, Face::kMono, small, value).x - 10;
+    text(list_, look_, chosen || beside ? Face::kSemiBold : Face::kRegular, size, {x_, y_ + look_.px(3)}, look_->ink, shortened(look_, Face::kRegular, size, rival.algorithm->title, room));
+    const float top = y_ + look_.px(24), height = 6;
+    const float share = widest > 0 ? static_cast<float>(rival.radius / widest) : 1.0f;
+    list_->AddRectFilled({x_, top}, {x_ + width_, top + height}, look_->track, height / 2);
+    list_->AddRectFilled({x_, top}, {x_ + width_ * share, top + height}, bar, height / 2);
+    y_ += look_.px(40);
+  }
+
+  void proof(const lesson::Proof& proof) {
+    const float size = 14, indent = 22, leading = 20;
+    const float middle = y_ + look_.px(14);
+    if (proof.holds) tick(list_, {x_ + 6, middle}, 5, look_->optimum, 2);
+    else if (proof.claimed) cross(list_, {x_ + 6, middle}, 4, look_->wrong, 2);
+    else list_->AddLine({x_ + 2, middle}, {x_ + 10, middle}, look_->muted, 2);
+    const float height = paragraph(list_, look_, Face::kRegular, size, leading, {x_ + indent, y_ + look_.px(4)}, width_ - indent,
+                                   proof.holds ? look_->ink : proof.claimed ? look_->wrong_text : look_->muted, proof.text);
+    y_ += height + look_.px(8);
+  }
+
+  void gap(float height) { y_ += height; }
+  /// Tells ImGui how far it went, so that it can scroll.
+  void finish() const {
+    ImGui::SetCursorScreenPos({x_, y_ + 12});
+    ImGui::Dummy({1, 1});
+  }
+
+ private:
+  const Look& look_;
+  ImDrawList* list_;
+  float x_, width_, y_;
+};
+
+}  // namespace
+
+void draw_inspector(const Look& look, const lesson::Session& session, const Rect& rect) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->panel);
+  Column column(look, rect);
+  column.heading(session.step() == session.steps() ? "In the end" : "Now");
+  for (const lesson::Figure& figure : session.figures()) column.figure(figure);
+  column.gap(look.px(28));
+
+  if (session.rivals().size() > 1) {
+    column.heading("In the end, beside the others");
+    double widest = 0;
+    for (const auto& rival : session.rivals()) widest = std::max(widest, rival.radius);
+    for (const auto& rival : session.rivals())
+      column.rival(rival, widest * 1.08, rival.algorithm == session.algorithm(0), rival.algorithm == session.algorithm(1));
+    column.gap(look.px(20));
+  }
+
+  const auto proofs = session.proofs();
+  if (!proofs.empty()) {
+    column.heading(session.step() == session.steps() ? "Proof" : "Proof, so far");
+    for (const lesson::Proof& proof : proofs) column.proof(proof);
+  }
+  column.finish();
+}
+
+}  // namespace snug::app

@@ -1,0 +1,111 @@
+#include "app/look.hpp"
+
+#include <algorithm>
+
+namespace snug::app {
+namespace {
+
+float advance(ImFont* font, float size, const char* begin, const char* end) {
+  return font->CalcTextSizeA(size, FLT_MAX, 0, begin, end).x;
+}
+
+bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }  // inside a UTF-8 character
+
+}  // namespace
+
+ImVec2 measure(const Look& look, Face face, float size, std::string_view words) {
+  return look.font(face)->CalcTextSizeA(look.px(size), FLT_MAX, 0, words.data(), words.data() + words.size());
+}
+
+void text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words) {
+  list->AddText(look.font(face), look.px(size), at, color, words.data(), words.data() + words.size());
+}
+
+void text_right(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words) {
+  text(list, look, face, size, {at.x - measure(look, face, size, words).x, at.y}, color, words);
+}
+
+void text_middle(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words) {
+  text(list, look, face, size, {at.x - measure(look, face, size, words).x / 2, at.y}, color, words);
+}
+
+std::string shortened(const Look& look, Face face, float size, std::string_view words, float width) {
+  if (measure(look, face, size, words).x <= width) return std::string(words);
+  std::size_t length = words.size();
+  while (length > 0) {
+    do --length;
+    while (length > 0 && continues(words[length]));
+    const std::string cut = std::string(words.substr(0, length)) + "…";
+    if (measure(look, face, size, cut).x <= width) return cut;
+  }
+  return "…";
+}
+
+std::vector<std::string_view> lines_of(const Look& look, Face face, float size, std::string_view words, float width) {
+  std::vector<std::string_view> lines;
+  ImFont* font = look.font(face);
+  const float px = look.px(size);
+  std::size_t begin = 0;
+  while (begin < words.size()) {
+    std::size_t end = begin, space = std::string_view::npos;
+    while (end < words.size() && words[end] != '\n') {
+      std::size_t next = end + 1;
+      while (next < words.size() && continues(words[next])) ++next;
+      if (advance(font, px, words.data() + begin, words.data() + next) > width && end > begin && words[end] != ' ') break;
+      if (words[end] == ' ') space = end;
+      end = next;
+    }
+    const bool whole = end == words.size() || words[end] == '\n';
+    if (!whole && space != std::string_view::npos) end = space;
+    lines.push_back(words.substr(begin, end - begin));
+    begin = end;
+    if (begin < words.size() && (words[begin] == ' ' || words[begin] == '\n')) ++begin;
+  }
+  return lines;
+}
+
+float paragraph(ImDrawList* list, const Look& look, Face face, float size, float leading, ImVec2 at, float width, Color color,
+                std::string_view words) {
+  const float step = look.px(leading);
+  float y = at.y + (step - look.px(size)) / 2;
+  const auto lines = lines_of(look, face, size, words, width);
+  for (const std::string_view line : lines) {
+    text(list, look, face, size, {at.x, y}, color, line);
+    y += step;
+  }
+  return step * static_cast<float>(lines.size());
+}
+
+void apply_style(const Look& look) {
+  ImGuiStyle& style = ImGui::GetStyle();
+  style.WindowPadding = {0, 0};
+  style.WindowBorderSize = 0;
+  style.WindowRounding = 0;
+  style.ChildBorderSize = 0;
+  style.PopupBorderSize = 1;
+  style.PopupRounding = style.FrameRounding = style.GrabRounding = 8;
+  style.FrameBorderSize = 1;
+  style.FramePadding = {8, look.fingers ? 12.0f : 8.0f};
+  style.ItemSpacing = {8, 8};
+  style.ScrollbarSize = 10;
+  style.ScrollbarRounding = 5;
+  style.FontSizeBase = look.px(15);
+  style.WindowMinSize = {1, 1};
+  const auto color = [](Color c) { return ImGui::ColorConvertU32ToFloat4(c); };
+  const Palette& p = *look.palette;
+  for (ImVec4& each : style.Colors) each = color(p.raised);
+  style.Colors[ImGuiCol_Text] = color(p.ink);
+  style.Colors[ImGuiCol_TextDisabled] = color(p.muted);
+  style.Colors[ImGuiCol_WindowBg] = style.Colors[ImGuiCol_ChildBg] = style.Colors[ImGuiCol_ScrollbarBg] =
+      style.Colors[ImGuiCol_NavCursor] = {0, 0, 0, 0};
+  style.Colors[ImGuiCol_PopupBg] = color(p.panel);
+  style.Colors[ImGuiCol_Border] = color(p.line);
+  style.Colors[ImGuiCol_BorderShadow] = {0, 0, 0, 0};
+  style.Colors[ImGuiCol_FrameBg] = style.Colors[ImGuiCol_FrameBgHovered] = style.Colors[ImGuiCol_FrameBgActive] = color(p.panel);
+  style.Colors[ImGuiCol_ScrollbarGrab] = color(p.line);
+  style.Colors[ImGuiCol_ScrollbarGrabHovered] = style.Colors[ImGuiCol_ScrollbarGrabActive] = color(p.muted);
+  style.Colors[ImGuiCol_TextSelectedBg] = color(with_alpha(p.current, 0.35f));
+  style.Colors[ImGuiCol_InputTextCursor] = color(p.ink);
+}
+
+}  // namespace snug::app

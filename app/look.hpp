@@ -1,0 +1,50 @@
+// How things are drawn just now: palette, fonts, sizes; and words on a draw list. Everything drawn goes through it.
+#pragma once
+
+#include <imgui.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/palette.hpp"
+
+namespace snug::app {
+
+enum class Face { kRegular, kSemiBold, kMono, kMonoBold };
+
+struct Look {
+  const Palette* palette = &kLight;
+  std::array<ImFont*, 4> fonts{};
+  float text_scale = 1;
+  bool fingers = false;
+  bool still = false;  // no motion
+
+  [[nodiscard]] ImFont* font(Face face) const { return fonts[static_cast<std::size_t>(face)]; }
+  /// A size of words in page pixels, from its size at scale 1.
+  [[nodiscard]] float px(float size) const { return size * text_scale; }
+  const Palette* operator->() const { return palette; }
+};
+
+// size: at text scale 1; the look's scale is applied in here.
+[[nodiscard]] ImVec2 measure(const Look& look, Face face, float size, std::string_view text);
+/// at: the top left of the line box, which is as high as the size.
+void text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words);
+void text_right(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words);
+void text_middle(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words);
+/// As much of it as fits, with an ellipsis where some does not.
+[[nodiscard]] std::string shortened(const Look& look, Face face, float size, std::string_view words, float width);
+/// Its lines at a width. Words longer than a line are broken.
+[[nodiscard]] std::vector<std::string_view> lines_of(const Look& look, Face face, float size, std::string_view words, float width);
+/// Draws lines and returns their height. leading: at text scale 1.
+float paragraph(ImDrawList* list, const Look& look, Face face, float size, float leading, ImVec2 at, float width, Color color,
+                std::string_view words);
+
+/// Where the words' middle stands for a line box of this size: Inter's capitals sit a little above the box's middle.
+[[nodiscard]] inline float middle_of(float y, float size) { return y - size / 2; }
+
+/// ImGui's own colours and measures, for the few of its widgets that are used (text fields, scroll bars, popups).
+void apply_style(const Look& look);
+
+}  // namespace snug::app

@@ -1,0 +1,158 @@
+#include "app/marks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace snug::app {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kDotPitch = 6.5f, kDash = 8, kDashGap = 5;  // page pixels at a width of 2
+constexpr std::size_t kMostParts = 4000;                    // of one patterned path
+
+bool near_clip(const ImDrawList* list, ImVec2 p, float reach) {
+  const ImVec2 low = list->GetClipRectMin(), high = list->GetClipRectMax();
+  return p.x > low.x - reach && p.x < high.x + reach && p.y > low.y - reach && p.y < high.y + reach;
+}
+
+ImVec2 between(ImVec2 a, ImVec2 b, float share) { return {a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share}; }
+
+/// Walks a path and calls part(from, to) for each stretch of `on` pixels, `off` pixels apart.
+template <class Part>
+void walk(std::span<const ImVec2> points, bool closed, float on, float off, Part part) {
+  float left = on;  // of the present stretch or gap
+  bool drawing = true;
+  std::size_t parts = 0;
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size() && parts < kMostParts; ++i) {
+    const ImVec2 a = points[i], b = points[(i + 1) % points.size()];
+    const float length = std::hypot(b.x - a.x, b.y - a.y);
+    float done = 0;
+    while (done < length && parts < kMostParts) {
+      const float step = std::min(left, length - done);
+      if (drawing) part(between(a, b, done / length), between(a, b, (done + step) / length)), ++parts;
+      done += step;
+      left -= step;
+      if (left <= 0) drawing = !drawing, left = drawing ? on : off;
+    }
+  }
+}
+
+void patterned(ImDrawList* list, std::span<const ImVec2> points, bool closed, Stroke stroke, Color color, float width) {
+  const float scale = std::max(1.0f, width / 2);
+  if (stroke == Stroke::kDashed) {
+    walk(points, closed, kDash * scale, kDashGap * scale, [&](ImVec2 a, ImVec2 b) {
+      if (near_clip(list, a, 20)) list->AddLine(a, b, color, width);
+    });
+    return;
+  }
+  // A dot is a stretch of no length: the walk's parts of a hair's breadth give its place.
+  walk(points, closed, 0.01f, kDotPitch * scale, [&](ImVec2 a, ImVec2) {
+    if (near_clip(list, a, 4)) list->AddCircleFilled(a, std::max(1.1f, width * 0.62f), color, 8);
+  });
+}
+
+}  // namespace
+
+void path(ImDrawList* list, std::span<const ImVec2> points, bool closed, Stroke stroke, Color color, float width) {
+  if (points.size() < 2) return;
+  if (stroke == Stroke::kSolid)
+    list->AddPolyline(points.data(), static_cast<int>(points.size()), color, closed ? ImDrawFlags_Closed : ImDrawFlags_None, width);
+  else
+    patterned(list, points, closed, stroke, color, width);
+}
+
+void line(ImDrawList* list, ImVec2 a, ImVec2 b, Stroke stroke, Color color, float width) {
+  const std::array<ImVec2, 2> ends{a, b};
+  path(list, ends, false, stroke, color, width);
+}
+
+void circle(ImDrawList* list, ImVec2 center, float radius, Stroke stroke, Color color, float width) {
+  if (radius < 0.5f) return;
+  const ImVec2 low = list->GetClipRectMin(), high = list->GetClipRectMax();
+  const float across = std::hypot(high.x - low.x, high.y - low.y);
+  const ImVec2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
+  const float away = std::hypot(middle.x - center.x, middle.y - center.y);
+  if (std::abs(away - radius) > across && away + radius > across) return;  // the line does not reach the clip rectangle
+  float from = 0, to = 2 * kPi;
+  const bool part = radius > 2 * across;
+  if (part) {  // the arc towards the clip rectangle
+    const float towards = std::atan2(middle.y - center.y, middle.x - center.x);
+    const float half = std::min(kPi, 1.2f * across / radius);
+    from = towards - half, to = towards + half;
+  }
+  const int count = std::clamp(static_cast<int>((to - from) * radius / 4), 24, 512);
+  std::vector<ImVec2> points(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    const float angle = from + (to - from) * static_cast<float>(i) / static_cast<float>(part ? count - 1 : count);
+    points[static_cast<std::size_t>(i)] = {center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)};
+  }
+  path(list, points, !part, stroke, color, width);
+}
+
+void disc(ImDrawList* list, ImVec2 center, float radius, Color color) {
+  list->AddCircleFilled(center, radius, color, radius > 40 ? 128 : 0);
+}
+
+void diamond(ImDrawList* list, ImVec2 center, float size, Color color, Color rim) {
+  const auto quad = [&](float s, Color c) {
+    list->AddQuadFilled({center.x, center.y - s}, {center.x + s, center.y}, {center.x, center.y + s}, {center.x - s, center.y}, c);
+  };
+  quad(size + 2.5f, rim);
+  quad(size, color);
+}
+
+void ring(ImDrawList* list, ImVec2 center, float radius, Color color, float width) {
+  list->AddCircle(center, radius, color, 0, width);
+}
+
+void plus(ImDrawList* list, ImVec2 center, float size, Color color, float width) {
+  list->AddLine({center.x - size, center.y}, {center.x + size, center.y}, color, width);
+  list->AddLine({center.x, center.y - size}, {center.x, center.y + size}, color, width);
+}
+
+void cross(ImDrawList* list, ImVec2 center, float size, Color color, float width) {
+  list->AddLine({center.x - size, center.y - size}, {center.x + size, center.y + size}, color, width);
+  list->AddLine({center.x - size, center.y + size}, {center.x + size, center.y - size}, color, width);
+}
+
+void tick(ImDrawList* list, ImVec2 center, float size, Color color, float width) {
+  const std::array<ImVec2, 3> points{ImVec2{center.x - size, center.y}, {center.x - size * 0.3f, center.y + size * 0.65f},
+                                     {center.x + size, center.y - size * 0.7f}};
+  path(list, points, false, Stroke::kSolid, color, width);
+}
+
+void arrow(ImDrawList* list, ImVec2 from, ImVec2 to, Color color, float width) {
+  const float length = std::hypot(to.x - from.x, to.y - from.y);
+  if (length < 1) return;
+  const float head = std::min(length * 0.6f, 5 + 3 * width), half = head * 0.42f;
+  const ImVec2 along{(to.x - from.x) / length, (to.y - from.y) / length};
+  const ImVec2 neck{to.x - along.x * head, to.y - along.y * head};
+  list->AddLine(from, neck, color, width);
+  list->AddTriangleFilled(to, {neck.x - along.y * half, neck.y + along.x * half}, {neck.x + along.y * half, neck.y - along.x * half}, color);
+}
+
+void hatching(ImDrawList* list, ImVec2 center, float radius, Color color) {
+  constexpr float kPitch = 12;
+  const ImVec2 low = list->GetClipRectMin(), high = list->GetClipRectMax();
+  const float half_root = std::sqrt(0.5f);
+  const int most = std::min(static_cast<int>(radius / kPitch), 400);
+  for (int i = -most; i <= most; ++i) {
+    const float off = kPitch * static_cast<float>(i);
+    const float half = std::sqrt(std::max(0.0f, radius * radius - off * off)) * half_root;
+    const ImVec2 middle{center.x + off * half_root, center.y + off * half_root};
+    const ImVec2 a{middle.x - half, middle.y + half}, b{middle.x + half, middle.y - half};
+    if (std::max(a.x, b.x) < low.x || std::min(a.x, b.x) > high.x || std::max(a.y, b.y) < low.y || std::min(a.y, b.y) > high.y) continue;
+    list->AddLine(a, b, color, 1);
+  }
+}
+
+void halo_text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, Color halo,
+               std::string_view words) {
+  constexpr std::array<ImVec2, 8> kAround{ImVec2{-2, 0}, {2, 0}, {0, -2}, {0, 2}, {-1.5f, -1.5f}, {1.5f, -1.5f}, {-1.5f, 1.5f}, {1.5f, 1.5f}};
+  for (const ImVec2 off : kAround) text(list, look, face, size, {at.x + off.x, at.y + off.y}, with_alpha(halo, 0.7f), words);
+  text(list, look, face, size, at, color, words);
+}
+
+}  // namespace snug::app

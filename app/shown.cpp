@@ -1,0 +1,129 @@
+#include "app/shown.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <variant>
+
+namespace snug::app {
+namespace {
+
+using Entry = Recorder<fit::Step3>::Entry;
+using Steps = std::span<const Entry>;
+
+template <class Fact>
+const Fact* last(Steps steps) {
+  for (auto entry = steps.rbegin(); entry != steps.rend(); ++entry)
+    if (const auto* fact = std::get_if<Fact>(&entry->step.fact)) return fact;
+  return nullptr;
+}
+
+/// The ball before the last step, where that step changed it.
+std::optional<fit::Sphere3> ball_before(Steps steps) {
+  if (steps.size() < 2) return std::nullopt;
+  const fit::Step3& step = steps[steps.size() - 1].step;
+  const fit::Step3& earlier = steps[steps.size() - 2].step;
+  if (!earlier.has_ball || (earlier.ball.center == step.ball.center && earlier.ball.radius == step.ball.radius))
+    return std::nullopt;
+  return earlier.ball;
+}
+
+Point3 deviations(const Point3& variances) { return variances.cwiseMax(0).cwiseSqrt(); }
+
+/// Fills in what each fact has to show. Facts without anything of their own are left to the defaults.
+struct Filler {
+  Shown& shown;
+  const fit::Step3& step;
+  Steps steps;  // up to and with this one
+
+  void operator()(const fit::ExtremesFound<double, 3>& fact) const { shown.extremes = {fact.least, fact.greatest}; }
+  void operator()(const fit::MidpointFound<double, 3>& fact) const {
+    shown.box = {fact.least, fact.greatest, fact.midpoint};
+    if (const auto* found = last<fit::ExtremesFound<double, 3>>(steps)) shown.extremes = {found->least, found->greatest};
+  }
+  void operator()(const fit::PairChosen& fact) const {
+    shown.pair = fact;
+    if (const auto* found = last<fit::ExtremesFound<double, 3>>(steps)) shown.extremes = {found->least, found->greatest};
+    if (const auto* axes = last<fit::AxesFound<double, 3>>(steps)) {
+      shown.mean = axes->mean;
+      shown.spread = {axes->axes, deviations(axes->variances), true, true};
+    }
+  }
+  void operator()(const fit::FarthestFound& fact) const {
+    shown.examined = fact.point;
+    if (const auto* found = last<fit::MidpointFound<double, 3>>(steps))
+      shown.box = {found->least, found->greatest, found->midpoint};
+  }
+  void operator()(const fit::PointExamined& fact) const {
+    shown.examined = fact.point;
+    shown.examined_outside = fact.outside;
+    shown.outside_by = step.has_ball ? fact.distance - step.ball.radius : 0;
+    force(fact.depth);
+  }
+  void operator()(const fit::BallGrown<double, 3>& fact) const { shown.before = fact.before; }
+  void operator()(const fit::MeanFound<double, 3>& fact) const { shown.mean = fact.mean; }
+  void operator()(const fit::CovarianceFound<double, 3>& fact) const {
+    shown.mean = fact.mean;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(Eigen::Matrix3d(fact.covariance));
+    shown.spread = {solver.eigenvectors(), deviations(solver.eigenvalues()), false, false};
+  }
+  void operator()(const fit::AxesFound<double, 3>& fact) const {
+    shown.mean = fact.mean;
+    shown.spread = {fact.axes, deviations(fact.variances), true, false};
+  }
+  void operator()(const fit::BallShrunk<double, 3>& fact) const { shown.before = fact.before; }
+  void operator()(const fit::PassJudged<double, 3>& fact) const {
+    shown.candidate = fact.better ? std::nullopt : std::optional(fact.best);
+  }
+  void operator()(const fit::BoundaryForced& fact) const {
+    shown.before = ball_before(steps);
+    force(fact.depth);
+  }
+  void operator()(const fit::MovedToFront& fact) const {
+    shown.examined = fact.point;
+    force(fact.depth);
+  }
+  void operator()(const fit::AllChecked&) const {}
+  void operator()(const fit::RadiusChecked& fact) const { shown.examined = fact.farthest; }
+  void operator()(const fit::SupportReplaced&) const { shown.before = ball_before(steps); }
+  void operator()(const fit::CandidateTried<double, 3>& fact) const {
+    using Verdict = fit::CandidateTried<double, 3>::Verdict;
+    if (fact.verdict == Verdict::kKept) {
+      shown.before = ball_before(steps);
+      return;
+    }
+    if (fact.verdict != Verdict::kNoBall) shown.candidate = fact.candidate;
+    shown.candidate_fails = true;
+    shown.left_outside = fact.outside;
+  }
+  void operator()(const fit::Finished&) const {}
+
+  /// The first `depth` points of the boundary are forced while a frame of that depth runs.
+  void force(int depth) const {
+    shown.depth = depth;
+    const auto* boundary = last<fit::BoundaryForced>(steps);
+    if (boundary == nullptr) return;
+    for (int i = 0; i < std::min(depth, boundary->boundary.size()); ++i) shown.forced.add(boundary->boundary[i]);
+  }
+};
+
+}  // namespace
+
+Shown shown_at(const lesson::Session& session, bool want_optimum) {
+  Shown shown;
+  if (const Entry* rival = session.current(1); rival != nullptr && rival->step.has_ball) shown.rival = rival->step.ball;
+  if (const Entry* entry = session.current(0); entry != nullptr) {
+    const Steps steps = Steps(session.recording(0).steps).first(static_cast<std::size_t>(session.step()));
+    if (entry->step.has_ball) shown.ball = entry->step.ball;
+    shown.support = session.support(0);
+    std::visit(Filler{shown, entry->step, steps}, entry->step.fact);
+    shown.finished = session.step() == session.steps();
+  }
+  // An exact method's result is the optimum: no second run says it better.
+  if (shown.finished && session.algorithm(0)->exact) shown.optimum = shown.ball;
+  else if (want_optimum || shown.finished) shown.optimum = session.optimum().result.sphere;
+  return shown;
+}
+
+}  // namespace snug::app

@@ -1,0 +1,237 @@
+#include "app/stage.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/mesh_normals.hpp"
+#include "app/numbers.hpp"
+#include "app/stage_brush.hpp"
+#include "app/widgets.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr double kMotionSeconds = 0.18;
+constexpr double kRoomy = 0.55, kTight = 1.06;  // shares of the free room at which an automatic view is set anew
+
+double ease_out(double t) { return 1 - std::pow(1 - t, 3); }
+
+/// A ball that holds both.
+fit::Sphere3 around(const fit::Sphere3& a, const fit::Sphere3& b) {
+  const double apart = (b.center - a.center).norm();
+  if (apart + b.radius <= a.radius) return a;
+  if (apart + a.radius <= b.radius) return b;
+  const double radius = (apart + a.radius + b.radius) / 2;
+  return {a.center + (b.center - a.center) * ((radius - a.radius) / apart), radius};
+}
+
+/// What the view has to have room for: what both algorithms end with.
+fit::Sphere3 extent_of(const lesson::Session& session) {
+  const fit::Sphere3 ball = session.recording(0).result.sphere;
+  return session.algorithm(1) == nullptr ? ball : around(ball, session.recording(1).result.sphere);
+}
+
+float radius_for(Index points, bool has_surface) {
+  if (has_surface) return 1.7f;
+  return points <= 60 ? 5.0f : points <= 250 ? 4.0f : points <= 1000 ? 2.8f : 1.9f;
+}
+
+std::array<float, 16> matrix_of(const Camera& camera, const Frame& frame) {
+  const Rect& stage = camera.stage();
+  const double width = std::max(1.0f, stage.width), height = std::max(1.0f, stage.height);
+  const double x = 2 * (camera.center_x() - stage.x) / width - 1, y = 1 - 2 * (camera.center_y() - stage.y) / height;
+  Eigen::Matrix4d m = Eigen::Matrix4d::Zero();
+  if (camera.dim() == 2) {
+    const double scale = camera.scale_at(Point3::Zero());
+    const Point3 offset = (frame.origin - camera.view().target) * scale;
+    m(0, 0) = 2 * frame.unit * scale / width, m(0, 3) = x + 2 * offset[0] / width;
+    m(1, 1) = 2 * frame.unit * scale / height, m(1, 3) = y + 2 * offset[1] / height;
+    m(3, 3) = 1;
+  } else {
+    // In stage units: what is nearer than a fiftieth of the view's height, or farther than a hundred, is not drawn.
+    const double view = camera.view().height / frame.unit, near = view / 50, far = view * 100;
+    const Point3 eye = (camera.eye() - frame.origin) / frame.unit;
+    const auto row = [&](const Point3& axis) { return Eigen::RowVector4d(axis[0], axis[1], axis[2], -axis.dot(eye)); };
+    const Eigen::RowVector4d depth = row(camera.forward());
+    m.row(0) = row(camera.right()) * (2 * camera.focal() / width) + depth * x;
+    m.row(1) = row(camera.up()) * (2 * camera.focal() / height) + depth * y;
+    m.row(2) = depth * ((far + near) / (far - near)) + Eigen::RowVector4d(0, 0, 0, -2 * far * near / (far - near));
+    m.row(3) = depth;
+  }
+  std::array<float, 16> out{};
+  for (int i = 0; i < 16; ++i) out[static_cast<std::size_t>(i)] = static_cast<float>(m(i % 4, i / 4));
+  return out;
+}
+
+}  // namespace
+
+std::optional<fit::Sphere3> Motion::at(const std::optional<fit::Sphere3>& target, bool jump, double now) {
+  const bool same = target && to_ && target->center == to_->center && target->radius == to_->radius;
+  if (!target || !drawn_ || jump) {
+    moving_ = false;
+    to_ = drawn_ = target;
+    return drawn_;
+  }
+  if (!same) from_ = drawn_, to_ = target, since_ = now, moving_ = true;
+  if (moving_) {
+    const double t = std::clamp((now - since_) / kMotionSeconds, 0.0, 1.0);
+    const double share = ease_out(t);
+    drawn_ = fit::Sphere3{from_->center + (to_->center - from_->center) * share, from_->radius + (to_->radius - from_->radius) * share};
+    if (t >= 1) moving_ = false, drawn_ = to_;
+  }
+  return drawn_;
+}
+
+void Stage::open(const lesson::Session& session) {
+  *this = Stage();
+  camera_ = Camera(session.dim());
+  framed_ball_ = extent_of(session);
+  seen_ = session.revision() - 1;
+}
+
+void Stage::reset_view(const lesson::Session& session) {
+  framed_ball_ = extent_of(session);
+  camera_.frame(framed_ball_, false);
+}
+
+bool Stage::orbit_by(double yaw, double pitch) {
+  if (camera_.dim() == 2) return false;
+  camera_.orbit_eased(yaw, pitch);
+  return true;
+}
+
+void Stage::set_room(const Rect& rect, const Settings& settings) {
+  const bool wide = rect.width >= 560;
+  const float words = settings.text_scale * palette_of(settings.theme).text;
+  camera_.set_stage(rect, wide ? 52.0f * words : 28, wide ? 56.0f : 28, wide ? 92.0f * words : 28);
+}
+
+/// Takes over what changed in the session since the last frame.
+void Stage::sync(const lesson::Session& session, const Settings& settings) {
+  if (camera_.dim() != session.dim()) {
+    const Rect stage = camera_.stage();
+    camera_ = Camera(session.dim());
+    set_room(stage, settings);
+    scene_.points.clear();
+    selected_ = kNoIndex;
+  }
+  const bool first = scene_.points.empty();
+  points_moved_ = false;
+  if (!first && seen_ == session.revision() && seen_optimum_ == settings.show_optimum) return;
+  seen_ = session.revision();
+  seen_optimum_ = settings.show_optimum;
+  shown_ = shown_at(session, settings.show_optimum);
+  if (first) {
+    framed_ball_ = extent_of(session);
+    camera_.frame(framed_ball_, true);
+  }
+  keep_framed(session);
+  if (selected_ >= session.size()) selected_ = kNoIndex;
+
+  std::vector<Point3f> points;
+  points.reserve(static_cast<std::size_t>(session.size()));
+  for (Index i = 0; i < session.size(); ++i) points.push_back(frame_.to_stage(session.point(i)));
+  points_moved_ = points != scene_.points || session.triangles().size() != scene_.triangles.size();
+  if (!points_moved_) return;
+  scene_.points = std::move(points);
+  scene_.triangles = session.triangles();
+  scene_.normals = scene_.triangles.empty() ? std::vector<Point3f>{} : mesh_normals(scene_.points, scene_.triangles);
+  ++scene_.points_version;
+}
+
+/// An automatic view follows the points when they outgrow it or shrink away; never under a hand.
+void Stage::keep_framed(const lesson::Session& session) {
+  if (dragging_) return;
+  const fit::Sphere3 extent = extent_of(session);
+  if (camera_.framed()) {
+    const double share = camera_.share_of_room(extent);
+    const bool elsewhere = (extent.center - framed_ball_.center).norm() > 0.25 * framed_ball_.radius;
+    if (share > kTight || share < kRoomy || (elsewhere && !camera_.moving())) {
+      framed_ball_ = extent;
+      camera_.frame(extent, false);
+    }
+  }
+  const double unit = extent.radius > 0 ? extent.radius : 1;
+  const bool off = (extent.center - frame_.origin).norm() > 4 * frame_.unit;
+  if (scene_.points.empty() || off || unit > 4 * frame_.unit || unit < frame_.unit / 4) {
+    frame_ = {extent.center, unit};  // floats hold what lies around it
+    scene_.points.clear();
+  }
+}
+
+void Stage::project_points(const lesson::Session& session) {
+  screen_.resize(static_cast<std::size_t>(session.size()));
+  const bool surface = !scene_.normals.empty();
+  const Point3f eye = surface ? frame_.to_stage(camera_.eye()) : Point3f::Zero();
+  for (Index i = 0; i < session.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    screen_[k] = camera_.project(session.point(i));
+    // A vertex on the far side of a closed surface cannot be seen, nor meant.
+    if (surface && scene_.normals[k].dot(eye - scene_.points[k]) < 0) screen_[k].visible = false;
+  }
+}
+
+void Stage::fill_scene(const Look& look, const Rect& rect) {
+  const Palette& p = *look.palette;
+  scene_.stage = rect;
+  scene_.panel = p.panel, scene_.ground = p.ground, scene_.grid = p.grid, scene_.surface = p.surface;
+  scene_.three_d = camera_.dim() == 3;
+  scene_.point = scene_.normals.empty() ? with_alpha(p.point, 0.92f) : with_alpha(p.point, 0.55f);
+  scene_.point_radius = point_radius_ * std::sqrt(p.mark);
+  scene_.view_projection = matrix_of(camera_, frame_);
+  scene_.volumes.clear();
+  if (!scene_.three_d) {
+    const double scale = camera_.scale_at(Point3::Zero());
+    const double step = nice_at_least(32 / scale);  // cells of 32 to 80 pixels
+    const Point3 target = camera_.view().target;
+    const auto rest = [&](double at) { return static_cast<float>(std::fmod(-at, step) * scale); };
+    scene_.grid_step = static_cast<float>(step * scale);
+    scene_.grid_x = camera_.center_x() - rect.x + rest(target[0]);
+    scene_.grid_y = rect.y + rect.height - camera_.center_y() + rest(target[1]);
+    return;
+  }
+  scene_.grid = with_alpha(p.line, 1);
+  scene_.eye = frame_.to_stage(camera_.eye());
+  scene_.light = (-0.5 * camera_.right() + 0.75 * camera_.up() - 0.55 * camera_.forward()).normalized().cast<float>();
+  scene_.plane_height = -1.25f;
+  scene_.plane_step = 0.25f;
+  scene_.plane_reach = 5;
+}
+
+void Stage::draw(const Look& look, Settings& settings, lesson::Session& session, const Rect& rect, double now) {
+  set_room(rect, settings);
+  if (camera_.dim() == session.dim()) {
+    project_points(session);
+    hands(session, look, rect);
+  }
+  sync(session, settings);
+  camera_.ease(std::min(now - last_now_, 0.05), look.still);
+  last_now_ = now;
+  const bool stepped = session.step() != seen_step_ && seen_run_ == session.algorithm(0) && !points_moved_;
+  const bool jump = look.still || dragging_ || (!stepped && !motion_.moving());
+  ball_ = motion_.at(shown_.ball, jump, now);
+  seen_step_ = session.step();
+  seen_run_ = session.algorithm(0);
+
+  project_points(session);
+  point_radius_ = radius_for(session.size(), !scene_.triangles.empty());
+  fill_scene(look, rect);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->PushClipRect({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, true);
+  Obstacles obstacles;
+  Brush brush{list, look, *look.palette, session, rect, {list, look, camera_, frame_, scene_, obstacles}, {}};
+  draw_volumes(brush);
+  draw_points(brush);
+  draw_notes(brush, settings);
+  draw_labels(brush);
+  list->PopClipRect();
+}
+
+std::vector<Handle> Stage::handles() const {
+  std::vector<Handle> handles;
+  for (std::size_t i = 0; i < screen_.size(); ++i)
+    if (screen_[i].visible) handles.push_back({lesson::point_name(static_cast<Index>(i)), screen_[i].x, screen_[i].y});
+  return handles;
+}
+
+}  // namespace snug::app

@@ -1,0 +1,124 @@
+// The stage: the points, the volumes of the step, and the hands on them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/camera.hpp"
+#include "app/look.hpp"
+#include "app/shown.hpp"
+#include "app/stage_gl.hpp"
+#include "app/volumes.hpp"
+
+namespace snug::app {
+
+/// A label that is still to be placed.
+struct Label {
+  LabelRequest request;
+  std::string words;
+  Face face = Face::kSemiBold;
+  float size = 14;
+  Color color = 0;
+};
+
+/// The ball on its short way from one step's place to the next one's.
+class Motion {
+ public:
+  /// The ball to draw. jump: go there at once.
+  [[nodiscard]] std::optional<fit::Sphere3> at(const std::optional<fit::Sphere3>& target, bool jump, double now);
+  [[nodiscard]] bool moving() const { return moving_; }
+
+ private:
+  std::optional<fit::Sphere3> from_, to_, drawn_;
+  double since_ = 0;
+  bool moving_ = false;
+};
+
+class Stage {
+ public:
+  /// Of a session that was just opened: frames it, forgets the selection.
+  void open(const lesson::Session& session);
+  void draw(const Look& look, Settings& settings, lesson::Session& session, const Rect& rect, double now);
+  /// Whether something on it is under way without any input.
+  [[nodiscard]] bool moving() const { return motion_.moving() || camera_.moving(); }
+  [[nodiscard]] const GlScene& scene() const { return scene_; }
+
+  /// Moves the selected point by the arrow keys' step; directions on the screen. away: into it, in 3-D.
+  bool nudge(lesson::Session& session, int right, int up, int away, bool fine);
+  bool add_point(lesson::Session& session);
+  bool delete_point(lesson::Session& session);
+  void reset_view(const lesson::Session& session);
+  void zoom_by(double factor) { camera_.zoom_eased(factor); }
+  bool orbit_by(double yaw, double pitch);
+  void pinch(float factor, float x, float y, float dx, float dy);
+
+  [[nodiscard]] Index selected() const { return selected_; }
+  void select(Index point) { selected_ = point; }
+  [[nodiscard]] std::vector<Handle> handles() const;
+  /// A point's place on the screen as last drawn.
+  [[nodiscard]] const Camera& camera() const { return camera_; }
+  [[nodiscard]] bool dragging() const { return dragging_; }
+
+ private:
+  struct Brush;  // what drawing needs, for the length of a frame
+
+  // stage.cpp
+  void sync(const lesson::Session& session, const Settings& settings);
+  void keep_framed(const lesson::Session& session);
+  void set_room(const Rect& rect, const Settings& settings);
+  void project_points(const lesson::Session& session);
+  void fill_scene(const Look& look, const Rect& rect);
+  // stage_hands.cpp
+  void hands(lesson::Session& session, const Look& look, const Rect& rect);
+  void press(lesson::Session& session, const Look& look);
+  void drag(lesson::Session& session);
+  void release(lesson::Session& session);
+  void steer_camera();
+  // stage_volumes.cpp
+  void draw_volumes(Brush& brush) const;
+  void draw_ball(Brush& brush) const;
+  void draw_rivals(Brush& brush) const;
+  void draw_candidate(Brush& brush) const;
+  void draw_extremes(Brush& brush) const;
+  void draw_spread(Brush& brush) const;
+  void draw_axis_ends(Brush& brush) const;
+  // stage_points.cpp
+  void draw_points(Brush& brush) const;
+  void draw_invitation(Brush& brush) const;
+  void draw_selected(Brush& brush) const;
+  void name_points(Brush& brush) const;
+  void draw_labels(Brush& brush) const;
+  // stage_notes.cpp
+  void draw_notes(Brush& brush, Settings& settings);
+  void draw_axis_cross(Brush& brush) const;
+
+  Camera camera_;
+  Frame frame_;
+  fit::Sphere3 framed_ball_;
+  GlScene scene_;
+  Shown shown_;
+  Motion motion_;
+  std::optional<fit::Sphere3> ball_;       // as drawn, on its way
+  std::vector<ScreenPoint> screen_;
+  std::vector<bool> special_;              // points that have a mark of their own
+  float point_radius_ = 5;
+
+  std::uint64_t seen_ = 0;                 // the session's revision that shown_ is of
+  bool seen_optimum_ = false;
+  bool points_moved_ = false;
+  int seen_step_ = -1;
+  const void* seen_run_ = nullptr;
+  double last_now_ = 0;
+
+  Index selected_ = kNoIndex;
+  Index hovered_ = kNoIndex;
+  Index pressed_ = kNoIndex;
+  bool pressing_ = false;                  // a button is down that went down on the stage
+  bool panning_ = false;
+  bool dragging_ = false;
+  float press_x_ = 0, press_y_ = 0, grab_x_ = 0, grab_y_ = 0;
+  bool travelled_ = false;                 // since the press
+};
+
+}  // namespace snug::app

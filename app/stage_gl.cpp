@@ -1,0 +1,442 @@
+#include "app/stage_gl.hpp"
+
+#include <snug_gl.h>
+
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace snug::app {
+namespace {
+
+// ---- shaders: each is put behind the door's version line and a precision that desktop GL ignores -------------------
+
+constexpr const char* kGridFlatVertex = R"(
+in vec2 corner;
+void main() { gl_Position = vec4(corner, 0.0, 1.0); }
+)";
+constexpr const char* kGridFlatFragment = R"(
+uniform vec2 origin;   // of the grid, device pixels
+uniform float pitch;   // device pixels
+uniform float width;   // of a line, device pixels
+uniform vec4 color;
+out vec4 result;
+void main() {
+  vec2 from_line = abs(mod(gl_FragCoord.xy - origin + 0.5 * pitch, pitch) - 0.5 * pitch);
+  float line = clamp(0.5 * width + 0.5 - min(from_line.x, from_line.y), 0.0, 1.0);
+  result = vec4(color.rgb, color.a * line);
+}
+)";
+
+constexpr const char* kGridPlaneVertex = R"(
+uniform mat4 view_projection;
+uniform float height;
+uniform float reach;
+in vec2 corner;
+out vec2 place;
+void main() {
+  place = corner * reach;
+  gl_Position = view_projection * vec4(place.x, height, place.y, 1.0);
+}
+)";
+constexpr const char* kGridPlaneFragment = R"(
+uniform float pitch;
+uniform float reach;
+uniform vec4 color;
+in vec2 place;
+out vec4 result;
+void main() {
+  vec2 cell = place / pitch;
+  vec2 span = max(fwidth(cell), vec2(1e-6));
+  vec2 from_line = abs(fract(cell + 0.5) - 0.5) / span;
+  // Where cells shrink below a few pixels, their lines would shimmer: they fade before.
+  vec2 line = clamp(1.2 - from_line, 0.0, 1.0) * (1.0 - smoothstep(0.15, 0.5, span));
+  float fade = 1.0 - smoothstep(0.25 * reach, reach, length(place));
+  result = vec4(color.rgb, color.a * max(line.x, line.y) * fade);
+}
+)";
+
+constexpr const char* kMeshVertex = R"(
+uniform mat4 view_projection;
+in vec3 position;
+in vec3 normal;
+out vec3 facing;
+out vec3 place;
+void main() {
+  facing = normal;
+  place = position;
+  gl_Position = view_projection * vec4(position, 1.0);
+}
+)";
+constexpr const char* kMeshFragment = R"(
+uniform vec3 eye;
+uniform vec3 light;
+uniform vec4 color;
+in vec3 facing;
+in vec3 place;
+out vec4 result;
+void main() {
+  vec3 n = normalize(facing);
+  vec3 to_eye = normalize(eye - place);
+  n = dot(n, to_eye) < 0.0 ? -n : n;
+  // Matte: light wraps a little round the edge, and what faces away keeps its shape.
+  float lit = pow(0.5 + 0.5 * dot(n, light), 1.4);
+  float edge = pow(1.0 - clamp(dot(n, to_eye), 0.0, 1.0), 3.0);
+  result = vec4(color.rgb * (0.52 + 0.52 * lit) * (1.0 - 0.25 * edge), 1.0);
+}
+)";
+
+constexpr const char* kVolumeVertex = R"(
+uniform mat4 view_projection;
+uniform mat3 axes;
+uniform mat3 axes_inverse_transposed;
+uniform vec3 center;
+in vec3 position;
+out vec3 facing;
+out vec3 place;
+void main() {
+  facing = axes_inverse_transposed * position;
+  place = center + axes * position;
+  gl_Position = view_projection * vec4(place, 1.0);
+}
+)";
+constexpr const char* kVolumeFragment = R"(
+uniform vec3 eye;
+uniform vec3 light;
+uniform vec4 color;  // a: the fill
+uniform float side;  // 1 for the front, less for the back
+in vec3 facing;
+in vec3 place;
+out vec4 result;
+void main() {
+  vec3 n = normalize(facing);
+  vec3 to_eye = normalize(eye - place);
+  n = dot(n, to_eye) < 0.0 ? -n : n;
+  float rim = pow(1.0 - clamp(dot(n, to_eye), 0.0, 1.0), 3.0);
+  float lit = 0.5 + 0.5 * dot(n, light);
+  float alpha = (color.a * (0.8 + 0.4 * (1.0 - lit)) + 0.30 * rim) * side;
+  result = vec4(mix(color.rgb, vec3(1.0), 0.18 * lit * side), alpha);
+}
+)";
+
+constexpr const char* kPointVertex = R"(
+uniform mat4 view_projection;
+uniform vec3 eye;
+uniform vec2 pixel;    // one device pixel in clip space
+uniform float radius;  // device pixels
+uniform float towards; // how much nearer to the eye, so that a surface does not swallow its own vertices
+in vec2 corner;
+in vec3 position;
+out vec2 offset;
+void main() {
+  offset = corner * (radius + 1.0);
+  vec4 at = view_projection * vec4(mix(position, eye, towards), 1.0);
+  gl_Position = at + vec4(offset * pixel * at.w, 0.0, 0.0);
+}
+)";
+constexpr const char* kPointFragment = R"(
+uniform float radius;
+uniform vec4 color;
+in vec2 offset;
+out vec4 result;
+void main() {
+  float inside = clamp(radius + 0.5 - length(offset), 0.0, 1.0);
+  if (inside <= 0.0) discard;
+  result = vec4(color.rgb, color.a * inside);
+}
+)";
+
+constexpr int kCornerSlot = 0, kPositionSlot = 1, kNormalSlot = 2;
+
+struct Rgba {
+  float r, g, b, a;
+};
+
+Rgba channels(Color color) {
+  const auto part = [&](int shift) { return static_cast<float>(color >> shift & 0xffu) / 255.0f; };
+  return {part(0), part(8), part(16), part(24)};
+}
+
+GLuint compile(GLenum kind, const char* version, const char* body, std::string& error) {
+  const GLuint shader = glCreateShader(kind);
+  const std::array<const char*, 3> parts{version, "\nprecision highp float;\n", body};
+  glShaderSource(shader, 3, parts.data(), nullptr);
+  glCompileShader(shader);
+  GLint good = 0;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
+  if (good) return shader;
+  std::array<char, 1024> log{};
+  glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
+  error = log.data();
+  glDeleteShader(shader);
+  return 0;
+}
+
+template <class T>
+void fill_buffer(GLenum target, GLuint buffer, std::span<const T> data, GLenum usage) {
+  glBindBuffer(target, buffer);
+  glBufferData(target, static_cast<GLsizeiptr>(data.size_bytes()), data.data(), usage);
+}
+
+void attribute(int slot, int size, std::size_t stride, std::size_t offset) {
+  glEnableVertexAttribArray(static_cast<GLuint>(slot));
+  glVertexAttribPointer(static_cast<GLuint>(slot), size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                        reinterpret_cast<const void*>(offset));
+}
+
+/// A unit sphere of rings: fine enough that its polygon hides beneath the outline.
+void unit_sphere(std::vector<Point3f>& vertices, std::vector<std::uint32_t>& indices) {
+  constexpr int kRings = 32, kSectors = 64;
+  constexpr float kPi = std::numbers::pi_v<float>;
+  for (int ring = 0; ring <= kRings; ++ring) {
+    const float polar = kPi * static_cast<float>(ring) / kRings;
+    for (int sector = 0; sector <= kSectors; ++sector) {
+      const float around = 2 * kPi * static_cast<float>(sector) / kSectors;
+      vertices.push_back({std::sin(polar) * std::cos(around), std::cos(polar), std::sin(polar) * std::sin(around)});
+    }
+  }
+  for (std::uint32_t ring = 0; ring < kRings; ++ring) {
+    for (std::uint32_t sector = 0; sector < kSectors; ++sector) {
+      const std::uint32_t a = ring * (kSectors + 1) + sector, b = a + kSectors + 1;
+      indices.insert(indices.end(), {a, a + 1, b, a + 1, b + 1, b});  // counter-clockwise from outside
+    }
+  }
+}
+
+/// Position, normal, position, normal …
+std::vector<Point3f> interleaved(std::span<const Point3f> points, std::span<const Point3f> normals) {
+  std::vector<Point3f> mixed;
+  mixed.reserve(points.size() * 2);
+  for (std::size_t i = 0; i < points.size(); ++i) mixed.insert(mixed.end(), {points[i], normals[i]});
+  return mixed;
+}
+
+}  // namespace
+
+bool StageGl::build(const char* version, Program program, const char* vertex, const char* fragment) {
+  const GLuint v = compile(GL_VERTEX_SHADER, version, vertex, error_);
+  const GLuint f = v != 0 ? compile(GL_FRAGMENT_SHADER, version, fragment, error_) : 0;
+  if (v == 0 || f == 0) return false;
+  const GLuint linked = glCreateProgram();
+  glAttachShader(linked, v);
+  glAttachShader(linked, f);
+  glBindAttribLocation(linked, kCornerSlot, "corner");
+  glBindAttribLocation(linked, kPositionSlot, "position");
+  glBindAttribLocation(linked, kNormalSlot, "normal");
+  glLinkProgram(linked);
+  glDeleteShader(v);
+  glDeleteShader(f);
+  GLint good = 0;
+  glGetProgramiv(linked, GL_LINK_STATUS, &good);
+  if (!good) {
+    std::array<char, 1024> log{};
+    glGetProgramInfoLog(linked, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    error_ = log.data();
+    return false;
+  }
+  programs_[program] = linked;
+  return true;
+}
+
+bool StageGl::create(const char* glsl_version) {
+  abandon();
+  error_.clear();
+  const bool built = build(glsl_version, kGridFlat, kGridFlatVertex, kGridFlatFragment) &&
+                     build(glsl_version, kGridPlane, kGridPlaneVertex, kGridPlaneFragment) &&
+                     build(glsl_version, kMesh, kMeshVertex, kMeshFragment) &&
+                     build(glsl_version, kVolume, kVolumeVertex, kVolumeFragment) &&
+                     build(glsl_version, kPoint, kPointVertex, kPointFragment);
+  if (!built) {
+    programs_ = {};
+    if (error_.empty()) error_ = "the graphics driver refused a shader without saying why";
+    return false;
+  }
+  make_shapes();
+  return true;
+}
+
+void StageGl::abandon() {
+  programs_ = {};
+  quad_ = sphere_ = mesh_ = points_ = {};
+  uploaded_ = ~std::uint64_t{0};
+  point_count_ = 0;
+}
+
+void StageGl::destroy() {
+  for (const GLuint program : programs_)
+    if (program != 0) glDeleteProgram(program);
+  for (const Shape* shape : {&quad_, &sphere_, &mesh_, &points_}) {
+    glDeleteVertexArrays(1, &shape->array);
+    glDeleteBuffers(1, &shape->vertices);
+    glDeleteBuffers(1, &shape->indices);
+  }
+  abandon();
+}
+
+void StageGl::make_shapes() {
+  for (Shape* shape : {&quad_, &sphere_, &mesh_, &points_}) {
+    glGenVertexArrays(1, &shape->array);
+    glGenBuffers(1, &shape->vertices);
+    glGenBuffers(1, &shape->indices);
+  }
+  constexpr std::array<float, 8> kCorners{-1, -1, 1, -1, -1, 1, 1, 1};
+  glBindVertexArray(quad_.array);
+  fill_buffer<float>(GL_ARRAY_BUFFER, quad_.vertices, kCorners, GL_STATIC_DRAW);
+  attribute(kCornerSlot, 2, 2 * sizeof(float), 0);
+
+  std::vector<Point3f> vertices;
+  std::vector<std::uint32_t> indices;
+  unit_sphere(vertices, indices);
+  glBindVertexArray(sphere_.array);
+  fill_buffer<Point3f>(GL_ARRAY_BUFFER, sphere_.vertices, vertices, GL_STATIC_DRAW);
+  fill_buffer<std::uint32_t>(GL_ELEMENT_ARRAY_BUFFER, sphere_.indices, indices, GL_STATIC_DRAW);
+  attribute(kPositionSlot, 3, sizeof(Point3f), 0);
+  sphere_.count = static_cast<int>(indices.size());
+
+  glBindVertexArray(mesh_.array);
+  glBindBuffer(GL_ARRAY_BUFFER, mesh_.vertices);
+  attribute(kPositionSlot, 3, 2 * sizeof(Point3f), 0);
+  attribute(kNormalSlot, 3, 2 * sizeof(Point3f), sizeof(Point3f));
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh_.indices);
+
+  glBindVertexArray(points_.array);  // the quad's corners, once for each point
+  glBindBuffer(GL_ARRAY_BUFFER, quad_.vertices);
+  attribute(kCornerSlot, 2, 2 * sizeof(float), 0);
+  glBindBuffer(GL_ARRAY_BUFFER, points_.vertices);
+  attribute(kPositionSlot, 3, sizeof(Point3f), 0);
+  glVertexAttribDivisor(kPositionSlot, 1);
+  glBindVertexArray(0);
+}
+
+void StageGl::upload(const GlScene& scene) {
+  if (uploaded_ == scene.points_version) return;
+  uploaded_ = scene.points_version;
+  fill_buffer<Point3f>(GL_ARRAY_BUFFER, points_.vertices, scene.points, GL_DYNAMIC_DRAW);
+  point_count_ = static_cast<int>(scene.points.size());
+  mesh_.count = static_cast<int>(scene.triangles.size()) * 3;
+  if (mesh_.count == 0) return;
+  const auto mixed = interleaved(scene.points, scene.normals);
+  glBindVertexArray(mesh_.array);
+  fill_buffer<Point3f>(GL_ARRAY_BUFFER, mesh_.vertices, mixed, GL_DYNAMIC_DRAW);
+  fill_buffer<std::array<Index, 3>>(GL_ELEMENT_ARRAY_BUFFER, mesh_.indices, scene.triangles, GL_DYNAMIC_DRAW);
+  glBindVertexArray(0);
+}
+
+int StageGl::uniform(Program program, const char* name) const { return glGetUniformLocation(programs_[program], name); }
+
+void StageGl::set_color(Program program, const char* name, Color color) const {
+  const Rgba c = channels(color);
+  glUniform4f(uniform(program, name), c.r, c.g, c.b, c.a);
+}
+
+void StageGl::use(Program program, const GlScene& scene) const {
+  glUseProgram(programs_[program]);
+  glUniformMatrix4fv(uniform(program, "view_projection"), 1, GL_FALSE, scene.view_projection.data());
+  glUniform3fv(uniform(program, "eye"), 1, scene.eye.data());
+  glUniform3fv(uniform(program, "light"), 1, scene.light.data());
+}
+
+void StageGl::draw_ground(const GlScene& scene, float scale) const {
+  glDisable(GL_DEPTH_TEST);
+  const Program program = scene.three_d ? kGridPlane : kGridFlat;
+  use(program, scene);
+  set_color(program, "color", scene.grid);
+  if (scene.three_d) {
+    glUniform1f(uniform(program, "height"), scene.plane_height);
+    glUniform1f(uniform(program, "reach"), scene.plane_reach);
+    glUniform1f(uniform(program, "pitch"), scene.plane_step);
+  } else {
+    std::array<GLint, 4> viewport{};
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    glUniform1f(uniform(program, "pitch"), scene.grid_step * scale);
+    glUniform1f(uniform(program, "width"), scale);
+    glUniform2f(uniform(program, "origin"), static_cast<float>(viewport[0]) + std::round(scene.grid_x * scale) + 0.5f,
+                static_cast<float>(viewport[1]) + std::round(scene.grid_y * scale) + 0.5f);
+  }
+  glBindVertexArray(quad_.array);
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void StageGl::draw_mesh(const GlScene& scene) const {
+  if (mesh_.count == 0) return;
+  glDisable(GL_BLEND);
+  use(kMesh, scene);
+  set_color(kMesh, "color", scene.surface);
+  glBindVertexArray(mesh_.array);
+  glDrawElements(GL_TRIANGLES, mesh_.count, GL_UNSIGNED_INT, nullptr);
+  glEnable(GL_BLEND);
+}
+
+void StageGl::draw_volumes(const GlScene& scene) const {
+  if (scene.volumes.empty()) return;
+  glDepthMask(GL_FALSE);
+  glEnable(GL_CULL_FACE);
+  use(kVolume, scene);
+  glBindVertexArray(sphere_.array);
+  for (const GlVolume& volume : scene.volumes) {
+    const Eigen::Matrix3f axes = volume.axes;
+    const Eigen::Matrix3f inverse_transposed = axes.inverse().transpose();
+    glUniformMatrix3fv(uniform(kVolume, "axes"), 1, GL_FALSE, axes.data());
+    glUniformMatrix3fv(uniform(kVolume, "axes_inverse_transposed"), 1, GL_FALSE, inverse_transposed.data());
+    glUniform3fv(uniform(kVolume, "center"), 1, volume.center.data());
+    set_color(kVolume, "color", with_alpha(volume.color, volume.fill));
+    glCullFace(GL_FRONT);
+    glUniform1f(uniform(kVolume, "side"), 0.45f);
+    glDrawElements(GL_TRIANGLES, sphere_.count, GL_UNSIGNED_INT, nullptr);
+    glCullFace(GL_BACK);
+    glUniform1f(uniform(kVolume, "side"), 1.0f);
+    glDrawElements(GL_TRIANGLES, sphere_.count, GL_UNSIGNED_INT, nullptr);
+  }
+  glDisable(GL_CULL_FACE);
+  glDepthMask(GL_TRUE);
+}
+
+void StageGl::draw_points(const GlScene& scene, float scale) const {
+  if (point_count_ == 0 || scene.point_radius <= 0) return;
+  glDepthMask(GL_FALSE);
+  use(kPoint, scene);
+  set_color(kPoint, "color", scene.point);
+  glUniform1f(uniform(kPoint, "radius"), scene.point_radius * scale);
+  glUniform1f(uniform(kPoint, "towards"), scene.three_d ? 0.004f : 0.0f);
+  glUniform2f(uniform(kPoint, "pixel"), 2 / (scene.stage.width * scale), 2 / (scene.stage.height * scale));
+  glBindVertexArray(points_.array);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, point_count_);
+  glDepthMask(GL_TRUE);
+}
+
+void StageGl::draw(const GlScene& scene, int width, int height, float scale) {
+  const auto px = [&](float v) { return static_cast<int>(std::lround(v * scale)); };
+  const Rgba panel = channels(scene.panel), ground = channels(scene.ground);
+  glViewport(0, 0, width, height);
+  glDisable(GL_SCISSOR_TEST);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  glClearColor(panel.r, panel.g, panel.b, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  if (!ready() || scene.stage.width < 1 || scene.stage.height < 1) return;
+
+  const int x = px(scene.stage.x), y = height - px(scene.stage.y + scene.stage.height);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(x, y, px(scene.stage.width), px(scene.stage.height));
+  glViewport(x, y, px(scene.stage.width), px(scene.stage.height));
+  glClearColor(ground.r, ground.g, ground.b, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  upload(scene);
+  draw_ground(scene, scale);
+  if (scene.three_d) {
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    draw_mesh(scene);
+    draw_volumes(scene);
+  }
+  draw_points(scene, scale);
+  glBindVertexArray(0);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_SCISSOR_TEST);
+  glViewport(0, 0, width, height);
+}
+
+}  // namespace snug::app

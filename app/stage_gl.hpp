@@ -1,0 +1,83 @@
+// What of the stage OpenGL draws, beneath ImGui's draw lists: grounds, grids, meshes, translucent volumes, points.
+// It knows no lesson and no ImGui: plain buffers in, pixels out.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/app.hpp"
+#include "app/palette.hpp"
+
+namespace snug::app {
+
+using Point3f = Vector<float, 3>;
+
+/// A ball or an ellipsoid: where the unit sphere goes, in the stage's own units.
+struct GlVolume {
+  Matrix<float, 3> axes = Matrix<float, 3>::Identity();  // columns: half axes
+  Point3f center = Point3f::Zero();
+  Color color = 0;
+  float fill = 0.09f;  // alpha where one looks straight through one side; the rim has more
+};
+
+struct GlScene {
+  Rect stage;
+  Color panel = 0, ground = 0, grid = 0, surface = 0, point = 0;
+  bool three_d = false;
+  std::array<float, 16> view_projection{};  // column-major, into the stage's rectangle
+  Point3f eye = Point3f::Zero();
+  Point3f light = Point3f::UnitY();         // towards it
+
+  float grid_step = 40;                     // 2-D: page pixels
+  float grid_x = 0, grid_y = 0;             // 2-D: where a line stands, page pixels from the stage's left and bottom
+  float plane_height = -1, plane_step = 0.25f, plane_reach = 4;  // 3-D: stage units
+
+  std::vector<Point3f> points;
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<Point3f> normals;             // one per point where there are triangles
+  std::uint64_t points_version = 0;         // changes with the points or the triangles
+  float point_radius = 5;                   // page pixels
+  std::vector<GlVolume> volumes;            // the farthest first
+};
+
+class StageGl {
+ public:
+  /// Compiles and allocates; what it made before is forgotten. false: see error().
+  bool create(const char* glsl_version);
+  /// Forgets every object, without freeing any: their context is gone.
+  void abandon();
+  void destroy();
+  [[nodiscard]] bool ready() const { return programs_[0] != 0; }
+  [[nodiscard]] const std::string& error() const { return error_; }
+
+  /// framebuffer in device pixels; scale: device pixels per page pixel.
+  void draw(const GlScene& scene, int framebuffer_width, int framebuffer_height, float scale);
+
+ private:
+  enum Program { kGridFlat, kGridPlane, kMesh, kVolume, kPoint, kPrograms };
+  struct Shape {
+    std::uint32_t array = 0, vertices = 0, indices = 0;
+    int count = 0;
+  };
+
+  bool build(const char* glsl_version, Program program, const char* vertex, const char* fragment);
+  [[nodiscard]] int uniform(Program program, const char* name) const;
+  void use(Program program, const GlScene& scene) const;
+  void set_color(Program program, const char* name, Color color) const;
+  void make_shapes();
+  void upload(const GlScene& scene);
+  void draw_ground(const GlScene& scene, float scale) const;
+  void draw_mesh(const GlScene& scene) const;
+  void draw_volumes(const GlScene& scene) const;
+  void draw_points(const GlScene& scene, float scale) const;
+
+  std::array<std::uint32_t, kPrograms> programs_{};
+  Shape quad_, sphere_, mesh_, points_;
+  std::uint64_t uploaded_ = ~std::uint64_t{0};
+  int point_count_ = 0;
+  std::string error_;
+};
+
+}  // namespace snug::app

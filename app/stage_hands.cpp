@@ -1,0 +1,117 @@
+// Hands on the stage: points are selected, dragged and answered with; the view is panned, orbited and zoomed.
+#include <cmath>
+
+#include "app/numbers.hpp"
+#include "app/picking.hpp"
+#include "app/stage.hpp"
+#include "app/widgets.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr float kTravel = 3;           // pixels a pointer may tremble without it being a drag
+constexpr double kNudgePixels = 12;    // an arrow key's step is the round number next above
+
+}  // namespace
+
+void Stage::hands(lesson::Session& session, const Look& look, const Rect& rect) {
+  ImGuiIO& io = ImGui::GetIO();
+  ImGui::SetNextItemAllowOverlap();
+  ImGui::SetCursorScreenPos({rect.x, rect.y});
+  ImGui::InvisibleButton("stage", {std::max(1.0f, rect.width), std::max(1.0f, rect.height)},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+  const bool over = ImGui::IsItemHovered();
+  const float reach = look.fingers ? kFingerReach : kMouseReach;
+  hovered_ = over || dragging_ ? pick(screen_, io.MousePos.x, io.MousePos.y, reach) : kNoIndex;
+  if (pressed_ != kNoIndex) hovered_ = pressed_;
+  if (ImGui::IsItemActivated()) press(session, look);
+  if (pressing_ && ImGui::IsItemActive()) drag(session);
+  if (pressing_ && !ImGui::IsItemActive()) release(session);
+  if (over) steer_camera();
+  if (over && hovered_ == kNoIndex && !travelled_ && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    const Point3 at = camera_.unproject(io.MousePos.x, io.MousePos.y, camera_.view().target);
+    if (session.add(at)) selected_ = session.size() - 1;
+  }
+}
+
+void Stage::press(lesson::Session& session, const Look& look) {
+  const ImGuiIO& io = ImGui::GetIO();
+  pressing_ = true;
+  travelled_ = false;
+  press_x_ = io.MousePos.x, press_y_ = io.MousePos.y;
+  const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  pressed_ = left && !io.KeyShift ? pick(screen_, press_x_, press_y_, look.fingers ? kFingerReach : kMouseReach) : kNoIndex;
+  panning_ = !left || io.KeyShift || session.dim() == 2;
+  if (pressed_ == kNoIndex) return;
+  const ScreenPoint& point = screen_[static_cast<std::size_t>(pressed_)];
+  grab_x_ = point.x - press_x_, grab_y_ = point.y - press_y_;
+  selected_ = pressed_;
+}
+
+void Stage::drag(lesson::Session& session) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!travelled_ && std::hypot(io.MousePos.x - press_x_, io.MousePos.y - press_y_) < kTravel) return;
+  const bool begins = !travelled_;
+  travelled_ = true;
+  if (pressed_ == kNoIndex) {
+    // The first few pixels, by which a drag was told from a click, are part of the way.
+    const float dx = begins ? io.MousePos.x - press_x_ : io.MouseDelta.x, dy = begins ? io.MousePos.y - press_y_ : io.MouseDelta.y;
+    if (panning_) camera_.pan(dx, dy);
+    else camera_.orbit(dx, dy);
+    return;
+  }
+  if (begins) {
+    session.begin_drag();
+    dragging_ = true;
+  }
+  if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0 && !begins) return;
+  const Point3 to = camera_.unproject(io.MousePos.x + grab_x_, io.MousePos.y + grab_y_, session.point(pressed_));
+  static_cast<void>(session.move(pressed_, to));  // refused beyond the largest coordinate: the point stays
+}
+
+void Stage::release(lesson::Session& session) {
+  if (dragging_) session.end_drag();
+  else if (pressed_ != kNoIndex && session.asked() != nullptr && session.asked()->on_stage)
+    session.answer({lesson::Answer::Kind::kPoint, pressed_});
+  else if (pressed_ == kNoIndex && !travelled_) selected_ = kNoIndex;
+  if (dragging_) seen_ = session.revision() - 1;  // the view may follow now
+  pressing_ = dragging_ = panning_ = false;
+  pressed_ = kNoIndex;
+}
+
+void Stage::steer_camera() {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.MouseWheel == 0 || dragging_) return;
+  camera_.zoom(std::pow(1.12, io.MouseWheel), io.MousePos.x, io.MousePos.y);
+}
+
+void Stage::pinch(float factor, float x, float y, float dx, float dy) {
+  camera_.pan(dx, dy);
+  if (factor > 0) camera_.zoom(factor, x, y);
+}
+
+bool Stage::nudge(lesson::Session& session, int right, int up, int away, bool fine) {
+  if (selected_ == kNoIndex || (away != 0 && session.dim() == 2)) return false;
+  const Point3 from = session.point(selected_);
+  const double step = nice_at_least(kNudgePixels / camera_.scale_at(from)) * (fine ? 0.1 : 1);
+  const Point3 by = camera_.right() * right + camera_.up() * up + camera_.forward() * away;
+  return session.move(selected_, from + by * step).has_value();
+}
+
+bool Stage::add_point(lesson::Session& session) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const Rect& stage = camera_.stage();
+  const bool over = mouse.x >= stage.x && mouse.y >= stage.y && mouse.x < stage.x + stage.width && mouse.y < stage.y + stage.height;
+  const Point3 at = over ? camera_.unproject(mouse.x, mouse.y, camera_.view().target) : Point3(camera_.view().target);
+  if (!session.add(at)) return false;
+  selected_ = session.size() - 1;
+  return true;
+}
+
+bool Stage::delete_point(lesson::Session& session) {
+  if (selected_ == kNoIndex || !session.remove(selected_)) return false;
+  selected_ = kNoIndex;
+  return true;
+}
+
+}  // namespace snug::app

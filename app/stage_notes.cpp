@@ -1,0 +1,89 @@
+// What stands over the stage: the sentence, two buttons, Welzl's depth, the axis cross. All of it is kept free of labels.
+#include <algorithm>
+
+#include "app/captions.hpp"
+#include "app/stage_brush.hpp"
+#include "app/widgets.hpp"
+
+namespace snug::app {
+namespace {
+
+void keep_free(Obstacles& obstacles, const Rect& rect) {
+  obstacles.taken.push_back({rect.x - 4, rect.y - 4, rect.width + 8, rect.height + 8});
+}
+
+/// The sentence of the step, on a pill at the stage's foot.
+void draw_sentence(ImDrawList* list, const Look& look, Obstacles& obstacles, const Rect& stage, std::string_view sentence) {
+  constexpr float kSize = 15, kLeading = 22, kMargin = 24, kPad = 20;
+  if (sentence.empty()) return;
+  const Palette& p = *look.palette;
+  const float widest = std::min(stage.width - 2 * kMargin, look.px(620));
+  const auto lines = lines_of(look, Face::kRegular, kSize, sentence, widest - 2 * kPad);
+  float words = 0;
+  for (const std::string_view line : lines) words = std::max(words, measure(look, Face::kRegular, kSize, line).x);
+  const float width = words + 2 * kPad + 4, height = look.px(kLeading) * static_cast<float>(lines.size()) + 18;
+  const Rect pill{stage.x + (stage.width - width) / 2, stage.y + stage.height - height - 12, width, height};
+  const float corner = std::min(height / 2, 20.0f);
+  list->AddRectFilled({pill.x, pill.y}, {pill.x + width, pill.y + height}, p.panel, corner);
+  list->AddRect({pill.x, pill.y}, {pill.x + width, pill.y + height}, p.line, corner, 0, 1);
+  float y = pill.y + 9 + (look.px(kLeading) - look.px(kSize)) / 2;
+  for (const std::string_view line : lines) {
+    text_middle(list, look, Face::kRegular, kSize, {pill.x + width / 2, y}, p.ink, line);
+    y += look.px(kLeading);
+  }
+  keep_free(obstacles, pill);
+}
+
+}  // namespace
+
+void Stage::draw_notes(Brush& brush, Settings& settings) {
+  const Palette& p = brush.p;
+  const Look& look = brush.look;
+  const float height = look.fingers ? 44.0f : look.px(32);
+  const float y = brush.rect.y + 12;
+  float right = brush.rect.x + brush.rect.width - 12;
+  const Rect fit{right - height, y, height, height};
+  if (button(brush.list, look, {.id = "fit", .rect = fit, .icon = Icon::kFit, .kind = ButtonKind::kOutlined})) reset_view(brush.session);
+  right -= height + 8;
+
+  const float width = measure(look, Face::kSemiBold, 13, "Smallest").x + look.px(52);
+  const Rect toggle{right - width, y, width, height};
+  const bool on = settings.show_optimum;
+  if (button(brush.list, look, {.id = "smallest", .rect = toggle, .kind = on ? ButtonKind::kChosen : ButtonKind::kOutlined}))
+    settings.show_optimum = !on;
+  const float middle = y + height / 2;
+  line(brush.list, {toggle.x + look.px(12), middle}, {toggle.x + look.px(36), middle}, Stroke::kDashed, p.optimum, 2);
+  text(brush.list, look, Face::kSemiBold, 13, {toggle.x + look.px(42), middle_of(middle, look.px(13))}, p.ink, "Smallest");
+  keep_free(brush.canvas.obstacles, fit);
+  keep_free(brush.canvas.obstacles, toggle);
+
+  if (shown_.depth > 0 && shown_.forced.size() > 0) {
+    const std::string words = "Forced onto the boundary: " +
+                              name_of_points({shown_.forced.begin(), static_cast<std::size_t>(shown_.forced.size())}) + " (depth " +
+                              std::to_string(shown_.depth) + ")";
+    const Rect place{brush.rect.x + 16, y, toggle.x - brush.rect.x - 32, look.px(20)};
+    const std::string fitting = shortened(look, Face::kSemiBold, 13, words, place.width);
+    halo_text(brush.list, look, Face::kSemiBold, 13, {place.x, middle_of(middle, look.px(13))}, p.support_text, p.ground, fitting);
+    keep_free(brush.canvas.obstacles, {place.x, middle - look.px(10), measure(look, Face::kSemiBold, 13, fitting).x, look.px(20)});
+  }
+  if (camera_.dim() == 3) draw_axis_cross(brush);
+  if (settings.prose_in_canvas) draw_sentence(brush.list, look, brush.canvas.obstacles, brush.rect, caption_at(brush.session));
+}
+
+void Stage::draw_axis_cross(Brush& brush) const {
+  constexpr float kLength = 22;
+  const ImVec2 origin{brush.rect.x + 44, brush.rect.y + brush.rect.height - 44};
+  std::array<int, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return camera_.forward()[a] > camera_.forward()[b]; });
+  for (const int axis : order) {
+    const float dx = static_cast<float>(camera_.right()[axis]) * kLength, dy = -static_cast<float>(camera_.up()[axis]) * kLength;
+    brush.list->AddLine(origin, {origin.x + dx, origin.y + dy}, brush.p.muted, 1.5f);
+    const ImVec2 end{origin.x + dx * 1.5f, origin.y + dy * 1.5f};
+    const float size = brush.look.px(12);
+    const bool towards = dx * dx + dy * dy < 0.06f * kLength * kLength;  // it would stand on the origin
+    if (!towards) text_middle(brush.list, brush.look, Face::kSemiBold, 12, {end.x, end.y - size / 2}, brush.p.muted, std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1));
+  }
+  keep_free(brush.canvas.obstacles, {origin.x - 36, origin.y - 36, 72, 72});
+}
+
+}  // namespace snug::app

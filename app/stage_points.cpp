@@ -1,0 +1,133 @@
+// The points' own marks and their names.
+#include <algorithm>
+#include <cmath>
+
+#include "app/numbers.hpp"
+#include "app/stage_brush.hpp"
+#include "lesson/figures.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr Index kNameAll = 30;    // so many points have room for all their names
+constexpr Index kInviteAll = 250; // more rings than this hide the points
+constexpr float kDiamond = 7.5f, kRing = 11;
+
+std::string coordinates(const Point3& p, int dim) {
+  std::string text = "(" + lesson::number_text(p[0]) + ", " + lesson::number_text(p[1]);
+  if (dim == 3) text += ", " + lesson::number_text(p[2]);
+  return text + ")";
+}
+
+}  // namespace
+
+void Stage::draw_points(Brush& brush) const {
+  const Palette& p = brush.p;
+  // On a mesh of thousands, labels keep clear of the surface's marked points alone.
+  if (screen_.size() <= 1500 && scene_.triangles.empty())
+    for (const ScreenPoint& point : screen_)
+      if (point.visible) brush.canvas.obstacles.discs.push_back({point.x, point.y, point_radius_ + 1});
+  draw_invitation(brush);
+
+  const auto at = [&](Index i) { return brush.at(brush.session.point(i)); };
+  fit::Support touching = shown_.support;
+  if (shown_.extremes && !shown_.ball) touching = {};
+  for (const Index i : touching) diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
+  for (const Index i : shown_.forced) ring(brush.list, at(i), kRing * p.mark, p.support, brush.stroke(0.7f));
+  if (shown_.extremes && !shown_.ball)
+    for (int axis = 0; axis < camera_.dim(); ++axis)
+      for (const Index i : {shown_.extremes->least[static_cast<std::size_t>(axis)], shown_.extremes->greatest[static_cast<std::size_t>(axis)]})
+        diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
+  if (shown_.pair && !shown_.ball)
+    for (const Index i : {shown_.pair->a, shown_.pair->b}) diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
+  if (shown_.examined != kNoIndex) {
+    const ImVec2 point = at(shown_.examined);
+    if (!touching.contains(shown_.examined)) disc(brush.list, point, (point_radius_ + 1) * p.mark, p.examined);
+    ring(brush.list, point, (kRing + 4) * p.mark, p.examined, brush.stroke());
+    brush.canvas.obstacles.discs.push_back({point.x, point.y, kRing + 6});
+  }
+  draw_selected(brush);
+  name_points(brush);
+}
+
+/// Rings that say "click me", while a question is answered on the stage.
+void Stage::draw_invitation(Brush& brush) const {
+  const lesson::Asked* asked = brush.session.asked();
+  if (asked == nullptr || !asked->on_stage) return;
+  const auto invite = [&](const ScreenPoint& point) {
+    if (point.visible) ring(brush.list, {point.x, point.y}, point_radius_ + 5, with_alpha(brush.p.current, 0.75f), 1.5f);
+  };
+  if (!asked->stage_points.empty())
+    for (const Index i : asked->stage_points) invite(screen_[static_cast<std::size_t>(i)]);
+  else if (screen_.size() <= static_cast<std::size_t>(kInviteAll))
+    for (const ScreenPoint& point : screen_) invite(point);
+}
+
+/// The point under the pointer, and the selected one with its ring and, while it is dragged, its coordinates.
+void Stage::draw_selected(Brush& brush) const {
+  const Palette& p = brush.p;
+  const bool special = hovered_ != kNoIndex && shown_.support.contains(hovered_);
+  if (hovered_ != kNoIndex && hovered_ < brush.session.size()) {
+    const ImVec2 at = brush.at(brush.session.point(hovered_));
+    if (special) diamond(brush.list, at, kDiamond * p.mark + 2, p.support, p.ground);
+    else disc(brush.list, at, std::max(point_radius_, 3.0f) + 2, hovered_ == shown_.examined ? p.examined : p.ink);
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  }
+  if (selected_ == kNoIndex || selected_ >= brush.session.size()) return;
+  const Point3 place = brush.session.point(selected_);
+  const ImVec2 at = brush.at(place);
+  const float radius = std::max(point_radius_, 4.0f) + 6;
+  ring(brush.list, at, radius + 2, p.ground, 2);
+  ring(brush.list, at, radius, p.ink, 2);
+  if (!dragging_) return;
+  brush.label(at, radius + 4, {0.3f, 1}, coordinates(place, brush.session.dim()), p.ink, Face::kMono, 13);
+}
+
+/// Names of what the step speaks of; all others where there is room for them.
+void Stage::name_points(Brush& brush) const {
+  const Palette& p = brush.p;
+  const lesson::Session& session = brush.session;
+  std::vector<bool> named(static_cast<std::size_t>(session.size()), false);
+  const ImVec2 middle = ball_ ? brush.at(ball_->center) : brush.at(framed_ball_.center);
+  const auto name = [&](Index i, std::string words, Color color, Face face, float gap, float size = 14, bool optional = false) {
+    if (i == kNoIndex || named[static_cast<std::size_t>(i)]) return;
+    named[static_cast<std::size_t>(i)] = true;
+    const ImVec2 at = brush.at(session.point(i));
+    brush.label(at, gap, {at.x - middle.x, at.y - middle.y}, std::move(words), color, face, size, optional);
+  };
+  const auto plain = [&](Index i) { name(i, lesson::point_name(i), p.support_text, Face::kSemiBold, 11 * p.mark); };
+
+  if (shown_.left_outside != kNoIndex) named[static_cast<std::size_t>(shown_.left_outside)] = true;
+  if (shown_.examined != kNoIndex) {
+    std::string words = lesson::point_name(shown_.examined);
+    if (shown_.examined_outside && shown_.outside_by > 0) words += " outside by " + short_figure(shown_.outside_by);
+    else if (shown_.outside_by < 0) words += " inside";
+    name(shown_.examined, std::move(words), p.examined_text, Face::kSemiBold, 19 * p.mark, 15);
+  }
+  if (shown_.extremes && !shown_.ball) {
+    for (int axis = 0; axis < camera_.dim(); ++axis)
+      for (const Index i : {shown_.extremes->least[static_cast<std::size_t>(axis)], shown_.extremes->greatest[static_cast<std::size_t>(axis)]}) plain(i);
+  } else {
+    for (const Index i : shown_.support) plain(i);
+  }
+  if (shown_.pair)
+    for (const Index i : {shown_.pair->a, shown_.pair->b}) plain(i);
+  for (const Index i : {selected_, hovered_})
+    if (i != kNoIndex && i < session.size()) name(i, lesson::point_name(i), p.ink, Face::kSemiBold, 13);
+  if (session.size() > kNameAll) return;
+  for (Index i = 0; i < session.size(); ++i) name(i, lesson::point_name(i), p.muted, Face::kRegular, 7, 12, true);
+}
+
+void Stage::draw_labels(Brush& brush) const {
+  std::vector<LabelRequest> requests;
+  for (const Label& label : brush.labels) requests.push_back(label.request);
+  const Rect& r = brush.rect;
+  const auto places = place_labels(requests, brush.canvas.obstacles, {r.x + 4, r.y + 4, r.width - 8, r.height - 8});
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!places[i]) continue;
+    const Label& label = brush.labels[i];
+    halo_text(brush.list, brush.look, label.face, label.size, {places[i]->x + 3, places[i]->y + 1}, label.color, brush.p.ground, label.words);
+  }
+}
+
+}  // namespace snug::app

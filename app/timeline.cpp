@@ -1,0 +1,188 @@
+#include "app/timeline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "app/marks.hpp"
+#include "app/timeline_map.hpp"
+#include "app/widgets.hpp"
+
+namespace snug::app {
+namespace {
+
+using Kind = lesson::Mark::Kind;
+
+constexpr float kMargin = 28, kMarksApart = 13;
+
+void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, bool open) {
+  const Palette& p = *look.palette;
+  switch (kind) {
+    case Kind::kGrew:
+      disc(list, at, 5.5f * p.mark, p.support);
+      disc(list, at, 3.5f * p.mark, p.panel);
+      break;
+    case Kind::kReplaced: diamond(list, at, 6 * p.mark, p.support, p.panel); break;
+    case Kind::kBest:
+      disc(list, at, 6.5f * p.mark, p.panel);
+      tick(list, at, 5 * p.mark, p.optimum, 2.25f);
+      break;
+    case Kind::kQuestion: {
+      // A gate: a flag above the track, closed (filled) until it is answered.
+      const float height = 17, width = 15;
+      const ImVec2 low{at.x - width / 2, at.y - height - 7};
+      list->AddLine({at.x, at.y - 8}, {at.x, at.y + 5}, p.current, 2);
+      list->AddRectFilled(low, {low.x + width, low.y + height}, open ? p.current : p.panel, 4);
+      list->AddRect(low, {low.x + width, low.y + height}, p.current, 4, 0, 1.5f);
+      const float size = 12 / look.text_scale;  // a mark, not a word: it does not grow with the text
+      text_middle(list, look, Face::kSemiBold, size, {at.x, low.y + height / 2 - 6}, open ? p.on_current : p.current_text, "?");
+      break;
+    }
+  }
+}
+
+bool is_open(const lesson::Session& session, int step) {
+  for (const lesson::Asked& asked : session.questions()) {
+    if (asked.step != step) continue;
+    for (const lesson::Outcome& outcome : session.outcomes())
+      if (outcome.question == asked.question->id) return outcome.passed;
+    return true;
+  }
+  return false;
+}
+
+void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, const TimelineMap& map, float y) {
+  const Palette& p = *look.palette;
+  const float half = 3;
+  const float reach = look.fingers ? 22.0f : 14.0f;
+  const Touch touch = touch_area("track", {map.left - 12, y - reach, map.width + 24, 2 * reach});
+  if (touch.held) {
+    const int step = map.step_at(ImGui::GetIO().MousePos.x);
+    if (step != session.step()) session.go(step);
+  }
+  const float thumb = map.x_of(session.step());
+  list->AddRectFilled({map.left, y - half}, {map.left + map.width, y + half}, p.track, half);
+  list->AddRectFilled({map.left, y - half}, {thumb, y + half}, p.current, half);
+  for (const lesson::Mark& mark : marks_with_room(session.marks(), map, kMarksApart))
+    draw_mark(list, look, mark.kind, {map.x_of(mark.step), y}, mark.kind == Kind::kQuestion && is_open(session, mark.step));
+  const float radius = (touch.held || touch.hovered ? 10.0f : 8.0f) + (look.fingers ? 2.0f : 0.0f);
+  disc(list, {thumb, y}, radius + 3, p.panel);
+  disc(list, {thumb, y}, radius, p.current);
+}
+
+/// What the marks mean, of those that there are; from the right.
+void draw_legend(ImDrawList* list, const Look& look, const lesson::Session& session, float right, float y, float room) {
+  constexpr float kSize = 13;
+  const std::array<std::pair<Kind, const char*>, 3> kinds{{{Kind::kGrew, "the ball grew"}, {Kind::kReplaced, "new support"}, {Kind::kBest, "best so far"}}};
+  for (const auto& [kind, words] : kinds) {
+    const auto& marks = session.marks();
+    if (std::none_of(marks.begin(), marks.end(), [kind = kind](const lesson::Mark& m) { return m.kind == kind; })) continue;
+    const float width = measure(look, Face::kRegular, kSize, words).x + 18;
+    if ((room -= width + 16) < 0) return;
+    text_right(list, look, Face::kRegular, kSize, {right, middle_of(y, look.px(kSize))}, look->muted, words);
+    draw_mark(list, look, kind, {right - width + 6, y}, false);
+    right -= width + 16;
+  }
+}
+
+std::string speed_text(float speed) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%g×", static_cast<double>(speed));
+  return text.data();
+}
+
+/// The choice of speeds, above its button.
+float speed_menu(const Look& look, const Rect& anchor, float current) {
+  float chosen = 0;
+  const float row = look.fingers ? 44.0f : look.px(30), width = look.px(80);
+  const float height = row * static_cast<float>(kSpeeds.size()) + 8;
+  ImGui::SetNextWindowPos({anchor.x + anchor.width - width, anchor.y - height - 4});
+  ImGui::SetNextWindowSize({width, height});
+  if (!ImGui::BeginPopup("speeds")) return 0;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 corner = ImGui::GetWindowPos();
+  for (std::size_t i = 0; i < kSpeeds.size(); ++i) {
+    const float speed = kSpeeds[kSpeeds.size() - 1 - i];
+    const std::string words = speed_text(speed);
+    const Rect rect{corner.x + 4, corner.y + 4 + row * static_cast<float>(i), width - 8, row};
+    if (button(list, look, {.id = words.c_str(), .rect = rect, .words = words, .kind = speed == current ? ButtonKind::kPlain : ButtonKind::kQuiet})) {
+      chosen = speed;
+      ImGui::CloseCurrentPopup();
+    }
+  }
+  ImGui::EndPopup();
+  return chosen;
+}
+
+struct Controls {
+  float height, small, wide, gap;
+};
+
+Controls sizes(const Look& look, float width) {
+  if (!look.fingers) return {look.px(36), look.px(44), look.px(96), 6};
+  // Under the thumb: as wide as there is room for, two small, two large, one small.
+  const float gap = 6;
+  const float unit = (width - 4 * gap) / 7.4f;
+  return {52, std::max(44.0f, unit), unit * 2.2f, gap};
+}
+
+void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& session, const Rect& rect, float y,
+                  const PlayerView& player, PlayerWish& wish) {
+  const Controls c = sizes(look, rect.width - 2 * 8);
+  const bool gate = session.asked() != nullptr, at_end = session.step() == session.steps() && !session.previewing();
+  const bool at_start = session.step() == 0;
+  float x = rect.x + (rect.width - 3 * c.small - 2 * c.wide - 4 * c.gap) / 2;
+  const auto place = [&](float width) {
+    const Rect at{x, y, width, c.height};
+    x += width + c.gap;
+    return at;
+  };
+  const auto press = [&](const Button& b, std::string_view command) {
+    if (button(list, look, b)) wish.command = command;
+  };
+  press({.id = "first", .rect = place(c.small), .icon = Icon::kFirst, .enabled = !at_start}, "first");
+  press({.id = "back", .rect = place(c.small), .icon = Icon::kBack, .enabled = !at_start}, "back");
+  press({.id = "step", .rect = place(c.wide), .words = gate ? "Answer" : "Step", .icon = gate ? Icon::kLock : Icon::kStep,
+         .kind = ButtonKind::kPrimary, .enabled = !gate && !at_end}, "step");
+  press({.id = "play", .rect = place(c.wide), .words = player.playing ? "Pause" : "Play",
+         .icon = player.playing ? Icon::kPause : Icon::kNone, .enabled = player.playing || !gate}, "play");
+  press({.id = "last", .rect = place(c.small), .icon = Icon::kLast, .enabled = !gate && !at_end}, "last");
+}
+
+}  // namespace
+
+float timeline_height(const Look& look) { return look.fingers ? 158.0f : 100 + look.px(36); }
+
+PlayerWish draw_timeline(const Look& look, lesson::Session& session, const Rect& rect, const PlayerView& player) {
+  constexpr float kSize = 14;
+  PlayerWish wish;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const Palette& p = *look.palette;
+  list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, p.panel);
+  rule(list, rect.x, rect.y, rect.width, p.line);
+
+  const float margin = look.fingers ? 20 : kMargin;
+  const TimelineMap map{rect.x + margin, rect.width - 2 * margin, session.steps()};
+  const float track = rect.y + 36, words = rect.y + 36 + look.px(30);
+  draw_track(list, look, session, map, track);
+
+  const std::string step = "step " + std::to_string(session.step()) + " of " + std::to_string(session.steps());
+  text(list, look, Face::kRegular, kSize, {map.left + 2, middle_of(words, look.px(kSize))}, p.muted, step);
+  const float said = measure(look, Face::kRegular, kSize, step).x;
+
+  const std::string speed = speed_text(player.speed);
+  const float row = sizes(look, rect.width - 16).height;
+  // On a phone the buttons take the whole row below: the speed stands beside the step.
+  const float speed_width = look.px(48), speed_height = look.fingers ? 40 : look.px(32);
+  const Rect at = look.fingers ? Rect{map.left + map.width - speed_width + 8, words - speed_height / 2, speed_width, speed_height}
+                               : Rect{map.left + map.width - speed_width + 8, rect.y + rect.height - 14 - row / 2 - speed_height / 2, speed_width, speed_height};
+  const float legend = look.fingers ? at.x - 8 : map.left + map.width;
+  draw_legend(list, look, session, legend, words, legend - map.left - said - 12);
+  draw_buttons(list, look, session, rect, rect.y + rect.height - 14 - row, player, wish);
+  if (button(list, look, {.id = "speed", .rect = at, .words = speed, .kind = ButtonKind::kQuiet})) ImGui::OpenPopup("speeds");
+  wish.speed = speed_menu(look, at, player.speed);
+  return wish;
+}
+
+}  // namespace snug::app

@@ -1,0 +1,31 @@
+// The timeline: track, marks, gates, thumb, and the buttons of the player.
+#pragma once
+
+#include <string_view>
+
+#include "app/look.hpp"
+#include "lesson/session.hpp"
+
+namespace snug::app {
+
+struct PlayerView {
+  bool playing = false;
+  float speed = 1;
+};
+
+/// What was asked for: a command's name or empty; a speed or 0.
+struct PlayerWish {
+  std::string_view command;
+  float speed = 0;
+};
+
+/// The speeds that can be chosen, slowest first.
+inline constexpr std::array kSpeeds{0.25f, 0.5f, 1.0f, 2.0f, 4.0f, 8.0f, 16.0f, 32.0f};
+
+/// Draws into the rectangle of the current pane. Scrubbing goes to steps of the session by itself.
+[[nodiscard]] PlayerWish draw_timeline(const Look& look, lesson::Session& session, const Rect& rect, const PlayerView& player);
+
+/// The height in which everything has its place.
+[[nodiscard]] float timeline_height(const Look& look);
+
+}  // namespace snug::app

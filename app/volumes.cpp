@@ -1,0 +1,145 @@
+#include "app/volumes.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace snug::app {
+namespace {
+
+using V3 = Vector<double, 3>;
+
+constexpr int kParts = 128;  // of an ellipse
+constexpr float kFrontLine = 0.42f, kBackLine = 0.2f;  // alphas of great circles
+
+float bounded(double value) { return static_cast<float>(std::clamp(value, -1e30, 1e30)); }
+
+bool is_flat(const Canvas& canvas) { return canvas.camera.dim() == 2; }
+
+/// Points of center + u cos t + v sin t.
+std::vector<V3> ellipse(const V3& center, const V3& u, const V3& v) {
+  std::vector<V3> points;
+  for (int i = 0; i < kParts; ++i) {
+    const double t = 2 * std::numbers::pi * i / kParts;
+    points.push_back(center + u * std::cos(t) + v * std::sin(t));
+  }
+  return points;
+}
+
+std::vector<ImVec2> projected(const Canvas& canvas, const std::vector<V3>& points) {
+  std::vector<ImVec2> screen;
+  for (const V3& p : points) screen.push_back(canvas.at(p));
+  return screen;
+}
+
+void add_obstacle(const Canvas& canvas, const std::vector<ImVec2>& outline) {
+  for (std::size_t i = 0; i < outline.size(); i += 4) {
+    const ImVec2 a = outline[i], b = outline[(i + 4) % outline.size()];
+    canvas.obstacles.segments.push_back({a.x, a.y, b.x, b.y});
+  }
+}
+
+/// Where the line of sight just touches the ellipsoid: an ellipse, found on the unit sphere that it is a stretching of.
+std::vector<V3> silhouette(const V3& center, const Eigen::Matrix3d& axes, const V3& unit_eye) {
+  const double square = unit_eye.squaredNorm();
+  if (square <= 1.0001) return {};  // the eye is inside
+  const V3 direction = unit_eye / std::sqrt(square);
+  const V3 aside = direction.cross(std::abs(direction[1]) < 0.9 ? V3(V3::UnitY()) : V3(V3::UnitX())).normalized();
+  const double radius = std::sqrt(1 - 1 / square);
+  return ellipse(center + axes * (unit_eye / square), axes * (aside * radius), axes * (direction.cross(aside) * radius));
+}
+
+/// A great circle, its far half thinner and paler.
+void great_circle(const Canvas& canvas, const V3& center, const Eigen::Matrix3d& axes, const V3& unit_eye, int a, int b, Color color) {
+  const std::vector<V3> points = ellipse(center, axes.col(a), axes.col(b));
+  const std::vector<ImVec2> screen = projected(canvas, points);
+  for (int i = 0; i < kParts; ++i) {
+    const double t = 2 * std::numbers::pi * (i + 0.5) / kParts;
+    V3 unit = V3::Zero();
+    unit[a] = std::cos(t), unit[b] = std::sin(t);
+    const bool front = unit.dot(unit_eye) > 1;
+    canvas.list->AddLine(screen[static_cast<std::size_t>(i)], screen[static_cast<std::size_t>((i + 1) % kParts)],
+                         with_alpha(color, front ? kFrontLine : kBackLine), front ? 1.25f : 0.8f);
+  }
+}
+
+void draw_solid(const Canvas& canvas, const V3& center, const Eigen::Matrix3d& axes, const VolumeStyle& style) {
+  const double reach = axes.cwiseAbs().maxCoeff();
+  if (!(reach > 0)) return;
+  // A flat ellipsoid (points in a plane) has no inverse: a hair's breadth of thickness gives it one.
+  Eigen::Matrix3d full = axes;
+  for (int i = 0; i < 3; ++i)
+    if (full.col(i).norm() < 1e-4 * reach) full.col(i) = full.col((i + 1) % 3).cross(full.col((i + 2) % 3)).normalized() * 1e-4 * reach;
+  const V3 unit_eye = full.inverse() * (canvas.camera.eye() - center);
+  if (style.fill > 0) {
+    GlVolume volume;
+    volume.axes = (full / canvas.frame.unit).cast<float>();
+    volume.center = canvas.frame.to_stage(center);
+    volume.color = style.color;
+    volume.fill = style.fill;
+    canvas.gl.volumes.push_back(volume);
+    for (const auto& [a, b] : {std::pair{0, 2}, {0, 1}, {1, 2}}) great_circle(canvas, center, full, unit_eye, a, b, style.color);
+  }
+  const std::vector<ImVec2> outline = projected(canvas, silhouette(center, full, unit_eye));
+  path(canvas.list, outline, true, style.stroke, style.color, style.width);
+  if (!outline.empty()) add_obstacle(canvas, outline);
+}
+
+}  // namespace
+
+Point3f Frame::to_stage(const V3& p) const {
+  const V3 q = (p - origin) / unit;
+  return {bounded(q[0]), bounded(q[1]), bounded(q[2])};
+}
+
+void draw_volume(const Canvas& canvas, const Sphere<double, 3>& ball, const VolumeStyle& style) {
+  if (!is_flat(canvas)) {
+    draw_solid(canvas, ball.center, Eigen::Matrix3d(Eigen::Matrix3d::Identity() * ball.radius), style);
+    return;
+  }
+  const ImVec2 center = canvas.at(ball.center);
+  const float radius = bounded(ball.radius * canvas.camera.scale_at(ball.center));
+  if (style.fill > 0 && radius < 1e5f) disc(canvas.list, center, radius, with_alpha(style.color, style.fill));
+  circle(canvas.list, center, radius, style.stroke, style.color, style.width);
+  canvas.obstacles.circles.push_back({center.x, center.y, radius});
+}
+
+void draw_volume(const Canvas& canvas, const Ellipsoid& ellipsoid, const VolumeStyle& style) {
+  if (!is_flat(canvas)) {
+    draw_solid(canvas, ellipsoid.center, Eigen::Matrix3d(ellipsoid.half_axes), style);
+    return;
+  }
+  std::array<V3, 2> axes{V3::Zero(), V3::Zero()};
+  std::size_t found = 0;
+  for (int i = 2; i >= 0 && found < 2; --i)
+    if (std::abs(ellipsoid.half_axes(2, i)) == 0) axes[found++] = ellipsoid.half_axes.col(i);
+  const std::vector<ImVec2> outline = projected(canvas, ellipse(ellipsoid.center, axes[0], axes[1]));
+  if (style.fill > 0) canvas.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), with_alpha(style.color, style.fill));
+  path(canvas.list, outline, true, style.stroke, style.color, style.width);
+  add_obstacle(canvas, outline);
+}
+
+void draw_box(const Canvas& canvas, const V3& least, const V3& greatest, const VolumeStyle& style) {
+  const int corners = is_flat(canvas) ? 4 : 8;
+  const auto corner = [&](int bits) {
+    V3 p = least;
+    for (int axis = 0; axis < 3; ++axis)
+      if (bits >> axis & 1) p[axis] = greatest[axis];
+    return p;
+  };
+  for (int from = 0; from < corners; ++from)
+    for (int axis = 0; axis < canvas.camera.dim(); ++axis)
+      if ((from >> axis & 1) == 0) draw_line(canvas, corner(from), corner(from | 1 << axis), style);
+}
+
+void draw_line(const Canvas& canvas, const V3& a, const V3& b, const VolumeStyle& style) {
+  const ScreenPoint from = canvas.camera.project(a), to = canvas.camera.project(b);
+  if (!from.visible || !to.visible) return;
+  line(canvas.list, {from.x, from.y}, {to.x, to.y}, style.stroke, style.color, style.width);
+  canvas.obstacles.segments.push_back({from.x, from.y, to.x, to.y});
+}
+
+}  // namespace snug::app

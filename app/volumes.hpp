@@ -1,0 +1,55 @@
+// How each kind of volume is drawn, in 2-D and in 3-D: the outline on ImGui's draw list, the body by OpenGL.
+// A new volume is one more overload of draw_volume.
+#pragma once
+
+#include "app/camera.hpp"
+#include "app/labels.hpp"
+#include "app/marks.hpp"
+#include "app/stage_gl.hpp"
+#include "geometry/sphere.hpp"
+
+namespace snug::app {
+
+/// The scene's place and size for OpenGL's floats: scene = origin + unit * stage.
+struct Frame {
+  Vector<double, 3> origin = Vector<double, 3>::Zero();
+  double unit = 1;
+
+  [[nodiscard]] Point3f to_stage(const Vector<double, 3>& p) const;
+};
+
+/// What is drawn on.
+struct Canvas {
+  ImDrawList* list;
+  const Look& look;
+  const Camera& camera;
+  const Frame& frame;
+  GlScene& gl;
+  Obstacles& obstacles;  // lines that labels keep clear of are added as they are drawn
+
+  [[nodiscard]] ImVec2 at(const Vector<double, 3>& p) const {
+    const ScreenPoint screen = camera.project(p);
+    return {screen.x, screen.y};
+  }
+};
+
+struct VolumeStyle {
+  Stroke stroke = Stroke::kSolid;
+  Color color = 0;
+  float width = 2;
+  float fill = 0;  // alpha; 0: the outline alone
+};
+
+struct Ellipsoid {
+  Vector<double, 3> center;
+  Matrix<double, 3> half_axes;  // columns; in 2-D those with a z are left out
+};
+
+void draw_volume(const Canvas& canvas, const Sphere<double, 3>& ball, const VolumeStyle& style);
+void draw_volume(const Canvas& canvas, const Ellipsoid& ellipsoid, const VolumeStyle& style);
+/// An axis-aligned box's edges.
+void draw_box(const Canvas& canvas, const Vector<double, 3>& least, const Vector<double, 3>& greatest, const VolumeStyle& style);
+/// A straight line of the scene, and an obstacle to labels.
+void draw_line(const Canvas& canvas, const Vector<double, 3>& a, const Vector<double, 3>& b, const VolumeStyle& style);
+
+}  // namespace snug::app

@@ -1,0 +1,137 @@
+#include "app/widgets.hpp"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "app/marks.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr float kCorner = 8;
+
+void triangle(ImDrawList* list, ImVec2 m, float size, float direction, Color color) {
+  const float w = size * 0.5f * direction, h = size * 0.55f;
+  // AddTriangleFilled wants clockwise corners for its fringe.
+  if (direction > 0) list->AddTriangleFilled({m.x - w, m.y - h}, {m.x + w, m.y}, {m.x - w, m.y + h}, color);
+  else list->AddTriangleFilled({m.x - w, m.y + h}, {m.x + w, m.y}, {m.x - w, m.y - h}, color);
+}
+
+void bar(ImDrawList* list, float x, float y, float size, float width, Color color) {
+  list->AddRectFilled({x - width / 2, y - size * 0.58f}, {x + width / 2, y + size * 0.58f}, color, 1);
+}
+
+void turning_arrow(ImDrawList* list, ImVec2 m, float size, float direction, Color color) {
+  const float r = size * 0.42f;
+  std::array<ImVec2, 14> arc;
+  for (std::size_t i = 0; i < arc.size(); ++i) {
+    const float t = -0.15f + 3.5f * static_cast<float>(i) / static_cast<float>(arc.size() - 1);
+    arc[i] = {m.x + direction * r * std::cos(t), m.y + size * 0.08f - r * std::sin(t)};
+  }
+  path(list, arc, false, Stroke::kSolid, color, 1.75f);
+  const ImVec2 tip = arc.back();
+  const float h = size * 0.3f;
+  list->AddTriangleFilled({tip.x - h, tip.y - h * 0.2f}, {tip.x + h, tip.y - h * 0.2f}, {tip.x, tip.y + h * 0.9f}, color);
+}
+
+void lock(ImDrawList* list, ImVec2 m, float size, Color color) {
+  const float w = size * 0.36f;
+  list->AddRectFilled({m.x - w, m.y - size * 0.05f}, {m.x + w, m.y + size * 0.5f}, color, 2);
+  list->PathArcTo({m.x, m.y - size * 0.05f}, w * 0.66f, 3.14159f, 6.28318f, 12);
+  list->PathStroke(color, ImDrawFlags_None, 1.75f);
+}
+
+}  // namespace
+
+Pane::Pane(const char* id, const Rect& rect, bool scrolls) {
+  ImGui::SetNextWindowPos({rect.x, rect.y});
+  ImGui::SetNextWindowSize({std::max(rect.width, 1.0f), std::max(rect.height, 1.0f)});
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                           ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav;
+  if (scrolls) flags &= ~ImGuiWindowFlags_NoScrollbar;
+  else flags |= ImGuiWindowFlags_NoScrollWithMouse;
+  ImGui::Begin(id, nullptr, flags);
+  list_ = ImGui::GetWindowDrawList();
+}
+
+Pane::~Pane() { ImGui::End(); }
+
+Touch touch_area(const char* id, const Rect& rect, bool enabled) {
+  if (rect.width < 1 || rect.height < 1) return {};
+  ImGui::SetCursorScreenPos({rect.x, rect.y});
+  ImGui::BeginDisabled(!enabled);
+  Touch touch;
+  touch.clicked = ImGui::InvisibleButton(id, {rect.width, rect.height});
+  touch.hovered = enabled && ImGui::IsItemHovered();
+  touch.held = enabled && ImGui::IsItemActive();
+  ImGui::EndDisabled();
+  return touch;
+}
+
+void draw_icon(ImDrawList* list, Icon icon, ImVec2 m, float size, Color color) {
+  switch (icon) {
+    case Icon::kNone: break;
+    case Icon::kFirst: bar(list, m.x - size * 0.5f, m.y, size, 2, color), triangle(list, {m.x + size * 0.15f, m.y}, size * 0.95f, -1, color); break;
+    case Icon::kBack: triangle(list, m, size, -1, color); break;
+    case Icon::kStep:
+    case Icon::kPlay: triangle(list, m, size, 1, color); break;
+    case Icon::kPause: bar(list, m.x - size * 0.25f, m.y, size * 0.9f, 3.5f, color), bar(list, m.x + size * 0.25f, m.y, size * 0.9f, 3.5f, color); break;
+    case Icon::kLast: bar(list, m.x + size * 0.5f, m.y, size, 2, color), triangle(list, {m.x - size * 0.15f, m.y}, size * 0.95f, 1, color); break;
+    case Icon::kLock: lock(list, m, size, color); break;
+    case Icon::kFit: {
+      const float s = size * 0.5f, c = size * 0.22f;
+      for (const float dx : {-1.0f, 1.0f})
+        for (const float dy : {-1.0f, 1.0f}) {
+          const std::array<ImVec2, 3> corner{ImVec2{m.x + dx * (s - c), m.y + dy * s}, {m.x + dx * s, m.y + dy * s}, {m.x + dx * s, m.y + dy * (s - c)}};
+          path(list, corner, false, Stroke::kSolid, color, 1.6f);
+        }
+      disc(list, m, 2, color);
+      break;
+    }
+    case Icon::kPlus: plus(list, m, size * 0.45f, color, 1.75f); break;
+    case Icon::kMinus: list->AddLine({m.x - size * 0.45f, m.y}, {m.x + size * 0.45f, m.y}, color, 1.75f); break;
+    case Icon::kUndo: turning_arrow(list, m, size, 1, color); break;
+    case Icon::kRedo: turning_arrow(list, m, size, -1, color); break;
+    case Icon::kTheme:
+      list->AddCircle(m, size * 0.42f, color, 24, 1.5f);
+      list->PathArcTo(m, size * 0.42f, -1.5708f, 1.5708f, 16);
+      list->PathFillConvex(color);
+      break;
+    case Icon::kClose: cross(list, m, size * 0.35f, color, 1.75f); break;
+  }
+}
+
+bool button(ImDrawList* list, const Look& look, const Button& b) {
+  const Palette& p = *look.palette;
+  const Touch touch = touch_area(b.id, b.rect, b.enabled);
+  const ImVec2 low{b.rect.x, b.rect.y}, high{b.rect.x + b.rect.width, b.rect.y + b.rect.height};
+  const bool filled = b.kind == ButtonKind::kPrimary;
+  Color ground = filled ? p.current : b.kind == ButtonKind::kQuiet || b.kind == ButtonKind::kOutlined ? p.panel : p.raised;
+  if (b.kind == ButtonKind::kChosen) ground = p.panel;
+  Color ink = filled ? p.on_current : b.kind == ButtonKind::kChosen ? p.current_text : p.ink;
+  if (!b.enabled) {
+    if (filled) ground = p.raised;
+    ink = p.muted;
+  }
+  if (b.kind != ButtonKind::kQuiet) list->AddRectFilled(low, high, ground, kCorner);
+  if (touch.hovered) list->AddRectFilled(low, high, with_alpha(p.ink, touch.held ? 0.14f : 0.07f), kCorner);
+  if (b.kind == ButtonKind::kChosen) list->AddRect(low, high, p.current, kCorner, 0, 2);
+  else if (b.kind == ButtonKind::kOutlined || p.panel == p.ground) list->AddRect(low, high, p.line, kCorner, 0, 1);
+
+  const ImVec2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
+  const float icon = b.icon == Icon::kNone ? 0 : look.px(13), gap = icon > 0 && !b.words.empty() ? look.px(8) : 0;
+  const Face face = b.kind == ButtonKind::kQuiet ? Face::kRegular : Face::kSemiBold;
+  const std::string words = shortened(look, face, b.size, b.words, b.rect.width - icon - gap - 8);
+  const float width = b.words.empty() ? 0 : measure(look, face, b.size, words).x;
+  const float left = middle.x - (icon + gap + width) / 2;
+  draw_icon(list, b.icon, {left + icon / 2, middle.y}, icon, ink);
+  if (width > 0) text(list, look, face, b.size, {left + icon + gap, middle_of(middle.y, look.px(b.size))}, ink, words);
+  return touch.clicked;
+}
+
+void rule(ImDrawList* list, float x, float y, float width, Color color) {
+  list->AddRectFilled({x, std::floor(y)}, {x + width, std::floor(y) + 1}, color);
+}
+
+}  // namespace snug::app
