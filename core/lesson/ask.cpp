@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/tolerance.hpp"
 #include "lesson/figures.hpp"
 
 namespace snug::lesson {
@@ -61,15 +62,20 @@ Truth axis_truth(const PairChosen& pair, const std::vector<std::string>& choices
   return {{pair.axis}, {pair.a, pair.b}, name, sentence};
 }
 
+/// Whether a radius grew by more than the last digits that a check of the result may widen it by.
+bool grew(double before, double after) {
+  return after - before > tolerance::kBoundaryRoundoffs * tolerance::kRoundoff<double> * after;
+}
+
 Truth grows_truth(const Asked& asked, Trace trace) {
   const auto radius = [&](int steps) {
     return steps == 0 ? 0.0 : trace[static_cast<std::size_t>(steps - 1)].step.ball.radius;
   };
   const double before = radius(asked.step);
   const double after = radius(asked.until);
-  if (after > before)
+  if (grew(before, after))
     return {{0}, {}, "yes", "The radius grows from " + number_text(before) + " to " + number_text(after) + "."};
-  if (after < before)
+  if (grew(after, before))
     return {{1}, {}, "no", "The radius shrinks from " + number_text(before) + " to " + number_text(after) + "."};
   return {{1}, {}, "no", "The radius stays " + number_text(before) + "."};
 }
@@ -118,10 +124,15 @@ Truth truth_of(const Asked& asked, Trace trace) {
     case Asks::kChoice: break;
   }
   const std::string& right = question.choices[static_cast<std::size_t>(question.answer)];
-  return {{question.answer}, {}, right, "The answer is: " + right + "."};
+  return {{question.answer}, {}, right, "The answer is “" + right + "”."};
 }
 
 bool contains(const auto& values, int value) { return std::find(values.begin(), values.end(), value) != values.end(); }
+
+std::string what_was_said(const Outcome& outcome, Asks asks) {
+  if (outcome.skipped) return "You skipped this.";
+  return asks == Asks::kChoice ? "You said “" + outcome.predicted + "”." : "You said " + outcome.predicted + ".";
+}
 
 }  // namespace
 
@@ -150,8 +161,7 @@ Outcome judge(const Asked& asked, const Answer& answer, Trace trace) {
     outcome.predicted = asked.choices[static_cast<std::size_t>(answer.value)];
     outcome.right = contains(truth.choices, answer.value);
   }
-  const std::string said = outcome.skipped ? "You skipped this." : "You said " + outcome.predicted + ".";
-  outcome.says = said + " " + truth.sentence;
+  outcome.says = what_was_said(outcome, asked.question->asks) + " " + truth.sentence;
   outcome.happened = std::move(truth.happened);
   return outcome;
 }

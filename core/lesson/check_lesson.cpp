@@ -45,6 +45,8 @@ void check_task(const Lesson& lesson, const AnyPointSet& points, int line, int m
   if (fit::size_of(points) < task.points)
     complaints.add(line, "the task is for more points than the lesson has");
   if (!offers(lesson, task.algorithm)) complaints.add(line, "the lesson does not offer the algorithm " + task.algorithm);
+  if (grade(task, start_of_task(lesson, points), lesson.seed).done)
+    complaints.add(line, "the task is solved before the student begins");
   const auto model = to_set(task.model, fit::dim_of(points));
   if (!model) return complaints.add(model_line, model.error().what);
   const Grade graded = grade(task, *model, lesson.seed);

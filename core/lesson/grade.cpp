@@ -1,5 +1,7 @@
 #include "lesson/grade.hpp"
 
+#include <cmath>
+
 #include "fit/catalogue.hpp"
 #include "lesson/figures.hpp"
 
@@ -8,12 +10,17 @@ namespace {
 
 std::string points_text(int n) { return std::to_string(n) + (n == 1 ? " point" : " points"); }
 
+/// Rounded down, so that what is not reached does not look as if it were: "9.9 %".
+std::string reached_text(double excess) {
+  const std::string text = percent_text(std::floor(1000 * excess) / 1000);
+  return text.front() == '+' ? text.substr(1) : text;
+}
+
 /// What is reached of a measure, and what is asked for.
 std::string excess_sentence(const Task& task, const fit::Algorithm& algorithm, double excess) {
-  const std::string ball = std::string(algorithm.title) + ": its ball is ";
-  const std::string reached = excess > 0 ? percent_text(excess).substr(1) + " too large" : "as small as can be";
-  if (excess >= task.excess_at_least) return ball + reached + ".";
-  return ball + reached + "; at least " + percent_text(task.excess_at_least).substr(1) + " is asked for.";
+  const std::string reached = std::string(algorithm.title) + ": its ball is " + reached_text(excess) + " larger than the smallest";
+  if (excess >= task.excess_at_least) return reached + ".";
+  return reached + "; at least " + percent_text(task.excess_at_least).substr(1) + " is asked for.";
 }
 
 std::string support_sentence(const Task& task, int support) {

@@ -1,5 +1,8 @@
 #include "lesson/own_points.hpp"
 
+#include <algorithm>
+
+#include "fit/catalogue.hpp"
 #include "geometry/generate.hpp"
 
 namespace snug::lesson {
@@ -23,6 +26,13 @@ tl::expected<AnyPointSet, InputError> own_points(const Lesson& lesson, std::uint
   const auto made = generate(points.generate, points.count, points.dim, seed);
   if (!made) return tl::unexpected(InputError{.what = "there is no generator " + points.generate});
   return to_set(*made, points.dim);
+}
+
+AnyPointSet start_of_task(const Lesson& lesson, const AnyPointSet& own) {
+  const Index count = std::min(fit::size_of(own), Index{lesson.task->points});
+  std::vector<Vector<double, 3>> points;
+  for (Index i = 0; i < count; ++i) points.push_back(fit::point_of(own, i));
+  return *to_set(points, fit::dim_of(own));  // of points that were accepted before
 }
 
 }  // namespace snug::lesson

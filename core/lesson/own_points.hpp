@@ -16,6 +16,9 @@ namespace snug::lesson {
 [[nodiscard]] tl::expected<AnyPointSet, InputError> own_points(const Lesson& lesson, std::uint64_t seed,
                                                                const std::optional<io::PointFile>& mesh);
 
+/// The first of the lesson's own points, as many as its task is for (or all, where it has fewer).
+[[nodiscard]] AnyPointSet start_of_task(const Lesson& lesson, const AnyPointSet& own);
+
 /// How many points a set may be generated with.
 inline constexpr int kMostGenerated = 100000;
 

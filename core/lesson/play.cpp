@@ -25,8 +25,8 @@ tl::expected<Played::Algorithm, InputError> play_algorithm(Session& session, con
   std::size_t turns = session.questions().size() + static_cast<std::size_t>(session.steps());
   while (session.step() < session.steps() || session.asked() != nullptr)
     if (turns-- == 0 || !advance(session, played.outcomes))
-      return tl::unexpected(InputError{.what = "the player does not get past step " + std::to_string(session.step()) +
-                                               " of " + name});
+      return tl::unexpected(
+          InputError{.what = "the player does not get past step " + std::to_string(session.step()) + " of " + name});
   return played;
 }
 
@@ -34,7 +34,8 @@ void find_not_asked(const Lesson& lesson, Played& played) {
   for (const Question& question : lesson.questions) {
     bool asked = false;
     for (const auto& algorithm : played.algorithms)
-      for (const Outcome& outcome : algorithm.outcomes) asked = asked || outcome.question == question.id;
+      for (const Outcome& outcome : algorithm.outcomes)
+        asked = asked || outcome.question == question.id;
     if (!asked) played.not_asked.push_back(question.id);
   }
 }

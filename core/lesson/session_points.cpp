@@ -126,9 +126,7 @@ tl::expected<void, InputError> Session::load(const io::PointFile& file, std::str
 
 void Session::start_task() {
   if (!lesson_.task) return;
-  std::vector<Vector<double, 3>> all = all_points(own_.points);
-  all.resize(std::min(all.size(), static_cast<std::size_t>(lesson_.task->points)));
-  static_cast<void>(become({*to_set(all, fit::dim_of(own_.points)), nullptr, own_.seed, "task", 0, true}));
+  static_cast<void>(become({start_of_task(lesson_, own_.points), nullptr, own_.seed, "task", 0, true}));
   static_cast<void>(choose(0, lesson_.task->algorithm));
   step_ = steps();
   previewing_ = true;  // who builds an example looks at results, and was asked nothing yet

@@ -6,7 +6,8 @@ namespace snug::lesson {
 namespace {
 
 std::uint64_t fold(std::uint64_t hash, std::uint64_t bits) {
-  for (int byte = 0; byte < 8; ++byte, bits >>= 8) hash = (hash ^ (bits & 0xff)) * 0x100000001b3u;
+  for (int byte = 0; byte < 8; ++byte, bits >>= 8)
+    hash = (hash ^ (bits & 0xff)) * 0x100000001b3u;
   return hash;
 }
 
@@ -24,7 +25,8 @@ tl::expected<TraceHash, InputError> trace_hash(Session& session) {
 
 std::string line_of(const TraceHash& hash) {
   std::string line = hash.lesson + ' ' + std::to_string(hash.steps) + ' ';
-  for (int shift = 60; shift >= 0; shift -= 4) line += "0123456789abcdef"[hash.hash >> shift & 0xf];
+  for (int shift = 60; shift >= 0; shift -= 4)
+    line += "0123456789abcdef"[hash.hash >> shift & 0xf];
   return line;
 }
 
