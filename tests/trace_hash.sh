@@ -4,6 +4,6 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 native=$(build/release/snug trace-hash)
-wasm=$(node --no-experimental-fetch build/wasm/tests/snug_trace_hash.js)
+wasm=$(node --no-experimental-fetch build/wasm/tests/snug_trace_hash.js build/wasm/assets/meshes lessons/*.toml)
 [[ -n $native ]] || { echo "no lesson has a trace"; exit 1; }
 diff <(echo "$native") <(echo "$wasm") && echo "$native"

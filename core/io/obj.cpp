@@ -7,10 +7,10 @@ namespace snug::io {
 namespace {
 
 constexpr std::string_view kKeywords[] = {
-    "v",    "vt",    "vn",     "vp",   "cstype", "deg",      "bmat",     "step",       "p",         "l",     "f",
-    "fo",   "curv",  "curv2",  "surf", "parm",   "trim",     "hole",     "scrv",       "sp",        "end",   "con",
-    "g",    "s",     "mg",     "o",    "bevel",  "c_interp", "d_interp", "lod",        "usemtl",    "mtllib",
-    "call", "maplib", "usemap", "csh", "ctech",  "stech",    "shadow_obj", "trace_obj"};
+    "v",      "vt",     "vn",   "vp",     "cstype", "deg",  "bmat",  "step",     "p",          "l",
+    "f",      "fo",     "curv", "curv2",  "surf",   "parm", "trim",  "hole",     "scrv",       "sp",
+    "end",    "con",    "g",    "s",      "mg",     "o",    "bevel", "c_interp", "d_interp",   "lod",
+    "usemtl", "mtllib", "call", "maplib", "usemap", "csh",  "ctech", "stech",    "shadow_obj", "trace_obj"};
 
 /// Lines that a backslash joins to the next are one statement, with the first one's number.
 class Statements {
@@ -52,10 +52,10 @@ class ObjReader {
       const std::string_view keyword = take_word(rest);
       if (keyword.empty()) continue;
       line_ = statements.line();
-      const std::string wrong = keyword == "v"             ? add_vertex(rest)
-                                : keyword == "f"           ? add_face(rest)
+      const std::string wrong = keyword == "v"            ? add_vertex(rest)
+                                : keyword == "f"          ? add_face(rest)
                                 : is_obj_keyword(keyword) ? std::string()
-                                                           : quoted(keyword) + " is not a statement of OBJ";
+                                                          : quoted(keyword) + " is not a statement of OBJ";
       if (!wrong.empty()) return at_line(line_, wrong);
     }
     if (largest_ > vertices()) return at_line(line_of_largest_, out_of_range(largest_));
@@ -66,8 +66,8 @@ class ObjReader {
   [[nodiscard]] std::int64_t vertices() const { return static_cast<std::int64_t>(file_.points.size()); }
 
   [[nodiscard]] std::string out_of_range(std::int64_t reference) const {
-    return "the face names vertex " + std::to_string(reference) + ", and there " +
-           (vertices() == 1 ? "is " : "are ") + std::to_string(vertices());
+    return "the face names vertex " + std::to_string(reference) + ", and there " + (vertices() == 1 ? "is " : "are ") +
+           std::to_string(vertices());
   }
 
   /// x y z, and perhaps a weight or a colour, which are checked and passed over. Empty, or what is wrong.

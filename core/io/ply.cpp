@@ -30,7 +30,8 @@ Read<int> dim_of(const PlyHeader& header) {
     }
     if (element.count == 0) return at_line(element.line, "there are no points");
     if (!has[0] || !has[1]) return at_line(element.line, "the vertices have no x and y");
-    if (element.count > static_cast<std::int64_t>(kMostPoints)) return at_line(element.line, std::string(kTooManyPoints));
+    if (element.count > static_cast<std::int64_t>(kMostPoints))
+      return at_line(element.line, std::string(kTooManyPoints));
     return has[2] ? 3 : 2;
   }
   return at_line(header.lines, "the header has no element \"vertex\"");
@@ -40,8 +41,7 @@ Read<int> dim_of(const PlyHeader& header) {
 template <class Body>
 class PlyReader {
  public:
-  PlyReader(const PlyHeader& header, std::string_view whole, int dim)
-      : header_(header), body_(header, whole) {
+  PlyReader(const PlyHeader& header, std::string_view whole, int dim) : header_(header), body_(header, whole) {
     file_.dim = dim;
     for (const PlyElement& element : header.elements)
       if (is_vertices(element)) vertices_ = element.count;

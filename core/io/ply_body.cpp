@@ -12,10 +12,10 @@ std::int64_t as_signed(std::uint64_t bits) {
 
 std::int64_t integer_of(PlyType type, std::uint64_t bits) {
   switch (type) {
-    case PlyType::kInt8: return as_signed<std::int8_t>(bits);
-    case PlyType::kInt16: return as_signed<std::int16_t>(bits);
-    case PlyType::kInt32: return as_signed<std::int32_t>(bits);
-    default: return static_cast<std::int64_t>(bits);  // read from as many bytes as it has
+  case PlyType::kInt8: return as_signed<std::int8_t>(bits);
+  case PlyType::kInt16: return as_signed<std::int16_t>(bits);
+  case PlyType::kInt32: return as_signed<std::int32_t>(bits);
+  default: return static_cast<std::int64_t>(bits);  // read from as many bytes as it has
   }
 }
 
@@ -37,8 +37,8 @@ std::int64_t PlyText::smallest(const PlyElement& element) {
 
 bool PlyText::begin(const PlyElement& element, std::int64_t instance) {
   if (!lines_.next_filled())
-    return fail("the file ends after " + std::to_string(instance) + " of " +
-                counted(element.count, "line") + " of " + quoted(element.name));
+    return fail("the file ends after " + std::to_string(instance) + " of " + counted(element.count, "line") + " of " +
+                quoted(element.name));
   rest_ = lines_.line();
   return true;
 }
@@ -75,9 +75,7 @@ bool PlyText::skip(PlyType, std::int64_t n) {
   return true;
 }
 
-bool PlyText::end() {
-  return trim(rest_).empty() || fail("the line has more values than the header says");
-}
+bool PlyText::end() { return trim(rest_).empty() || fail("the line has more values than the header says"); }
 
 bool PlyText::finish() { return !lines_.next_filled() || fail("there are more lines than the header says"); }
 
@@ -96,7 +94,8 @@ PlyBytes::PlyBytes(const PlyHeader& header, std::string_view whole)
 
 std::int64_t PlyBytes::smallest(const PlyElement& element) {
   std::size_t size = 0;
-  for (const PlyProperty& property : element.properties) size += size_of(property.count_type.value_or(property.type));
+  for (const PlyProperty& property : element.properties)
+    size += size_of(property.count_type.value_or(property.type));
   return static_cast<std::int64_t>(size);
 }
 

@@ -36,8 +36,8 @@ enum class PlyForm : std::uint8_t { kAscii, kLittleEndian, kBigEndian };
 struct PlyHeader {
   PlyForm form = PlyForm::kAscii;
   std::vector<PlyElement> elements;
-  std::string_view body;          // the bytes behind the header; names are views of the file as well
-  std::int64_t lines = 0;         // of the header
+  std::string_view body;   // the bytes behind the header; names are views of the file as well
+  std::int64_t lines = 0;  // of the header
 };
 
 /// Errors: with the header's line.

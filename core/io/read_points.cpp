@@ -14,9 +14,7 @@ std::string extension_of(std::string_view name) {
 }
 
 /// Text has no zero bytes; the start of a file is enough to see them.
-bool looks_binary(std::string_view bytes) {
-  return bytes.substr(0, 4096).find('\0') != std::string_view::npos;
-}
+bool looks_binary(std::string_view bytes) { return bytes.substr(0, 4096).find('\0') != std::string_view::npos; }
 
 /// The first line that holds more than a comment.
 std::string_view first_content(std::string_view text) {
@@ -54,12 +52,12 @@ Format format_of(std::string_view bytes, std::string_view extension) {
 
 Read<PointFile> read_as(Format format, std::string_view bytes) {
   switch (format) {
-    case Format::kRows: return read_rows(bytes, false);
-    case Format::kCsv: return read_rows(bytes, true);
-    case Format::kObj: return read_obj(bytes);
-    case Format::kPly: return read_ply(bytes);
-    case Format::kStlText: return read_stl_text(bytes);
-    case Format::kStlBinary: break;
+  case Format::kRows: return read_rows(bytes, false);
+  case Format::kCsv: return read_rows(bytes, true);
+  case Format::kObj: return read_obj(bytes);
+  case Format::kPly: return read_ply(bytes);
+  case Format::kStlText: return read_stl_text(bytes);
+  case Format::kStlBinary: break;
   }
   return read_stl_binary(bytes);
 }

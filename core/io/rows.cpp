@@ -1,5 +1,7 @@
 // xyz, csv and txt: two or three numbers a line.
 #include <array>
+#include <span>
+#include <utility>
 
 #include "io/formats.hpp"
 
@@ -30,7 +32,8 @@ Fields fields_of(std::string_view line, bool csv) {
   Fields fields;
   const char separator = separator_of(line, csv);
   if (separator == '\0') {
-    for (auto word = take_word(line); !word.empty() && !fields.full(); word = take_word(line)) fields.add(word);
+    for (auto word = take_word(line); !word.empty() && !fields.full(); word = take_word(line))
+      fields.add(word);
     return fields;
   }
   for (bool more = true; more && !fields.full();) {
@@ -42,9 +45,12 @@ Fields fields_of(std::string_view line, bool csv) {
   return fields;
 }
 
+/// Whether every field is a name: "1,5" is no number and yet no name, but one with a decimal comma.
 bool is_header(const Fields& fields) {
-  for (std::size_t i = 0; i < fields.count; ++i)
-    if (fields.at[i].empty() || parse_number(fields.at[i])) return false;
+  constexpr std::string_view kNumberStarts = "0123456789+-.";
+  for (const std::string_view field : std::span(fields.at).first(fields.count))
+    if (field.empty() || kNumberStarts.find(field.front()) != std::string_view::npos || parse_number(field))
+      return false;
   return true;
 }
 

@@ -22,14 +22,11 @@ std::uint64_t size_claimed(std::string_view bytes) {
 
 }  // namespace
 
-bool has_size_of_stl(std::string_view bytes) {
-  return bytes.size() >= kStart && bytes.size() == size_claimed(bytes);
-}
+bool has_size_of_stl(std::string_view bytes) { return bytes.size() >= kStart && bytes.size() == size_claimed(bytes); }
 
 Read<PointFile> read_stl_binary(std::string_view bytes) {
   const auto size = static_cast<std::int64_t>(bytes.size());
-  if (bytes.size() < kStart)
-    return at_byte(size, "the file is cut short: a binary STL has at least 84 bytes");
+  if (bytes.size() < kStart) return at_byte(size, "the file is cut short: a binary STL has at least 84 bytes");
   if (!has_size_of_stl(bytes))
     return at_byte(kHeader, "the header claims " + counted(word_at(bytes, kHeader), "triangle") + ", which is " +
                                 std::to_string(size_claimed(bytes)) + " bytes, and the file has " +
@@ -42,8 +39,7 @@ Read<PointFile> read_stl_binary(std::string_view bytes) {
         const std::size_t at = triangle + 12 * corner + 4 * axis;
         const double value = static_cast<double>(float_of(word_at(bytes, at)));
         const std::string_view fault = fault_of_coordinate(value);
-        if (!fault.empty())
-          return at_byte(static_cast<std::int64_t>(at), std::string("the coordinate ").append(fault));
+        if (!fault.empty()) return at_byte(static_cast<std::int64_t>(at), std::string("the coordinate ").append(fault));
         point[static_cast<int>(axis)] = value;
       }
       if (merger.full()) return at_byte(static_cast<std::int64_t>(triangle), std::string(kTooManyPoints));

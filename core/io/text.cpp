@@ -53,7 +53,8 @@ std::string lower_case(std::string_view text) {
 std::string quoted(std::string_view text) {
   constexpr std::size_t kShown = 32;
   std::string result = "\"";
-  for (const char c : text.substr(0, kShown)) result += c >= ' ' && c <= '~' ? c : '?';
+  for (const char c : text.substr(0, kShown))
+    result += c >= ' ' && c <= '~' ? c : '?';
   return result + (text.size() > kShown ? "...\"" : "\"");
 }
 
@@ -101,8 +102,7 @@ tl::expected<double, std::string> parse_coordinate(std::string_view word) {
 
 std::string_view fault_of_coordinate(double value) {
   if (!std::isfinite(value)) return "is not a finite number";
-  if (std::abs(value) > PointSet<double, 3>::kLargest)
-    return "is too large: coordinates reach to 2^508, about 8.4e152";
+  if (std::abs(value) > PointSet<double, 3>::kLargest) return "is too large: coordinates reach to 2^508, about 8.3e152";
   return {};
 }
 

@@ -14,7 +14,7 @@ std::optional<InputError> beyond_range(const std::vector<Vector<double, 3>>& poi
     if (!(points[i].cwiseAbs().maxCoeff() <= kLargest))
       return InputError{.what = "point " + std::to_string(i) + " is too far out for " +
                                 (sizeof(Scalar) == 4 ? "float: coordinates reach to 2^60, about 1.15e18"
-                                                     : "double: coordinates reach to 2^508, about 8.4e152")};
+                                                     : "double: coordinates reach to 2^508, about 8.3e152")};
   return std::nullopt;
 }
 
@@ -23,7 +23,8 @@ tl::expected<AnyPointSet, InputError> make(const PointFile& file) {
   if (auto error = beyond_range<Scalar>(file.points)) return tl::unexpected(std::move(*error));
   std::vector<Vector<Scalar, Dim>> points;
   points.reserve(file.points.size());
-  for (const auto& point : file.points) points.push_back(point.head<Dim>().template cast<Scalar>());
+  for (const auto& point : file.points)
+    points.push_back(point.head<Dim>().template cast<Scalar>());
   return PointSet<Scalar, Dim>::make(std::move(points)).map([](PointSet<Scalar, Dim>&& set) {
     return AnyPointSet(std::move(set));
   });
@@ -39,8 +40,7 @@ tl::expected<AnyPointSet, InputError> make_any(const PointFile& file, int dim, b
 
 }  // namespace
 
-tl::expected<AnyPointSet, InputError> to_point_set(const PointFile& file, std::string_view name, int dim,
-                                                   bool single) {
+tl::expected<AnyPointSet, InputError> to_point_set(const PointFile& file, std::string_view name, int dim, bool single) {
   auto set = make_any(file, dim, single);
   if (!set) set.error().file = name;
   return set;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <functional>
 #include <string>
 #include <tl/expected.hpp>
@@ -34,6 +35,17 @@ struct Commands {
   int (*open_window)(const WindowOptions&);
   std::function<CommandResult()> chosen;
 };
+
+/// The parser's own reading of numbers wraps -1 around and lets what is too large pass.
+inline const CLI::Validator kWholeNumber(
+    [](const std::string& text) {
+      std::uint64_t value = 0;
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+      return error == std::errc{} && end == text.data() + text.size()
+                 ? std::string()
+                 : "\"" + text + "\" is not a whole number from 0 to 18446744073709551615";
+    },
+    "");
 
 void add_window(Commands& commands);
 void add_fit(Commands& commands);

@@ -24,7 +24,8 @@ tl::unexpected<InputError> cannot(const std::string& path, const char* what, int
 tl::expected<std::string, InputError> read_all(std::FILE* file, const std::string& path) {
   std::string bytes;
   std::array<char, 1 << 16> buffer;
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), file)) bytes.append(buffer.data(), n);
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), file))
+    bytes.append(buffer.data(), n);
   if (std::ferror(file) != 0) return cannot(path, "cannot be read", errno);
   return bytes;
 }

@@ -34,11 +34,11 @@ std::string names(std::string_view volume) {
 tl::expected<const fit::Algorithm*, InputError> algorithm_of(const FitOptions& options) {
   if (const fit::Algorithm* algorithm = fit::find_algorithm(options.volume, options.algorithm)) return algorithm;
   const std::string algorithms = names(options.volume);
-  return tl::unexpected(InputError{
-      .what = options.volume.empty() || algorithms.empty()
-                  ? "there is no volume \"" + options.volume + "\": there is " + names("")
-                  : "there is no algorithm \"" + options.algorithm + "\" for " + options.volume + ": there are " +
-                        algorithms});
+  const std::string known = names(options.volume);
+  return tl::unexpected(InputError{.what = options.volume.empty() || known.empty()
+                                               ? "there is no volume \"" + options.volume + "\"; known: " + names("")
+                                               : "there is no algorithm \"" + options.algorithm + "\" for " +
+                                                     options.volume + "; known: " + known});
 }
 
 tl::expected<AnyPointSet, InputError> points_of(const FitOptions& options, const fit::Algorithm& algorithm) {
@@ -56,7 +56,8 @@ tl::expected<AnyPointSet, InputError> points_of(const FitOptions& options, const
 tl::expected<void, InputError> write_steps(const std::string& path, const fit::Recording& recording, int dim) {
   if (path.empty()) return {};
   std::string lines;
-  for (const auto& entry : recording.steps) lines += fit::json_of(entry.step, dim) + '\n';
+  for (const auto& entry : recording.steps)
+    lines += fit::json_of(entry.step, dim) + '\n';
   return write_file(path, lines);
 }
 
@@ -65,14 +66,15 @@ double measure_of(const Sphere<double, 3>& sphere, int dim) {
 }
 
 Json result_of(const fit::Algorithm& algorithm, const AnyPointSet& points, const fit::Recording& recording,
-             const Timing& timing) {
+               const Timing& timing) {
   const int dim = fit::dim_of(points);
   const fit::Certificate& proof = recording.certificate;
   Json json;
   json[std::string(algorithm.volume)] = json_of(recording.result.sphere, dim);
   json["points"] = fit::size_of(points);
   json["support"] = Json::array();
-  for (const Index i : recording.result.support) json["support"].push_back(i);
+  for (const Index i : recording.result.support)
+    json["support"].push_back(i);
   json["measure"] = measure_of(recording.result.sphere, dim);
   json["max_outside"] = proof.max_outside;
   json["certificate"] = {{"contains", proof.contains},
@@ -125,7 +127,7 @@ void add_fit(Commands& commands) {
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
   command.add_option("--dim", options->dim, "2 or 3; the file's own where none is given")->check(CLI::IsMember({2, 3}));
-  command.add_option("--seed", options->seed, "Seed of the random order")->capture_default_str();
+  command.add_option("--seed", options->seed, "Seed of the random order")->check(kWholeNumber)->capture_default_str();
   command.add_option("--repeat", options->repeat, "How many times to take the time")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();

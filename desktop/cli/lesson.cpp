@@ -46,8 +46,10 @@ tl::expected<Json, InputError> check(const std::string& path) {
   }
   const auto refuse = [&](std::string what) { return tl::unexpected(InputError{std::move(what), path}); };
   if (!played->not_asked.empty())
-    return refuse("the question \"" + played->not_asked.front() + "\" is never asked: its step does not come on the lesson's own points");
-  if (played->grade && !played->grade->done) return refuse("the task's model answer does not do it: " + played->grade->says);
+    return refuse("the question \"" + played->not_asked.front() +
+                  "\" is never asked: its step does not come on the lesson's own points");
+  if (played->grade && !played->grade->done)
+    return refuse("the task's model answer does not do it: " + played->grade->says);
   if (!played->sound()) return refuse("a question's model answer is graded as wrong");
   return Json{{"lesson", file->lesson.id}, {"questions", file->lesson.questions.size()}, {"file", path}};
 }
@@ -83,7 +85,8 @@ CommandResult run_play(const LessonOptions& options) {
   const auto played = open_lesson(*file).and_then([](lesson::Session&& session) { return lesson::play(session); });
   if (!played) return bad_input(played.error());
   Printed printed{"", played->sound() ? 0 : 1};
-  for (const auto& algorithm : played->algorithms) printed.text += line_of(json_of(algorithm));
+  for (const auto& algorithm : played->algorithms)
+    printed.text += line_of(json_of(algorithm));
   Json task;
   if (played->grade)
     task = {{"done", played->grade->done}, {"excess", played->grade->excess}, {"says", played->grade->says}};
@@ -105,20 +108,22 @@ void add_lesson(Commands& commands) {
   group.require_subcommand(1);
 
   CLI::App& list = *group.add_subcommand("list", "List the lessons");
-  list.footer("JSON Lines: {\"lesson\",\"group\",\"title\",\"summary\",\"algorithms\",\"questions\",\"task\",\"file\"}.");
+  list.footer(
+      "JSON Lines: {\"lesson\",\"group\",\"title\",\"summary\",\"algorithms\",\"questions\",\"task\",\"file\"}.");
   add_folder(list, *add_command<LessonOptions>(commands, list, run_list));
 
   CLI::App& check = *group.add_subcommand("check", "Check lesson files");
-  check.footer(
-      "Reads each file, plays it with its model answers, and prints {\"lesson\",\"questions\",\"file\"} for each where all\n"
-      "are sound; else one line on stderr for each that is not, with file and line, and exit status 2.");
+  check.footer("Reads each file, plays it with its model answers, and prints {\"lesson\",\"questions\",\"file\"} for "
+               "each where all\n"
+               "are sound; else one line on stderr for each that is not, with file and line, and exit status 2.");
   const auto checked = add_command<LessonOptions>(commands, check, run_check);
   check.add_option("FILE", checked->files, "Lesson files")->required();
 
   CLI::App& play = *group.add_subcommand("play", "Play a lesson to its end");
   play.footer(
       "Plays each algorithm that the lesson offers to the last step and gives each exercise its model answer.\n"
-      "JSON Lines: {\"algorithm\",\"steps\",\"questions\":[{\"question\",\"answer\",\"happened\",\"right\"}]} for each, then\n"
+      "JSON Lines: {\"algorithm\",\"steps\",\"questions\":[{\"question\",\"answer\",\"happened\",\"right\"}]} for "
+      "each, then\n"
       "{\"lesson\",\"not_asked\",\"task\",\"sound\"}. Exit status 1 where an answer is wrong or was never asked for.");
   const auto played = add_command<LessonOptions>(commands, play, run_play);
   add_folder(play, *played);

@@ -10,14 +10,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folder_or_own(const std::string& folder) { return folder.empty() ? program_folder() / "lessons" : fs::path(folder); }
+fs::path folder_or_own(const std::string& folder) {
+  return folder.empty() ? program_folder() / "lessons" : fs::path(folder);
+}
 
 tl::expected<std::vector<std::string>, InputError> toml_files(const fs::path& folder) {
   std::vector<std::string> paths;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
     if (entry.path().extension() == ".toml") paths.push_back(entry.path().string());
-  if (error) return tl::unexpected(InputError{.what = "no lessons can be read there: " + error.message(), .file = folder.string()});
+  if (error)
+    return tl::unexpected(
+        InputError{.what = "no lessons can be read there: " + error.message(), .file = folder.string()});
   std::sort(paths.begin(), paths.end());  // so that of several errors it is always the same that is told
   return paths;
 }
@@ -34,7 +38,9 @@ tl::expected<std::optional<io::PointFile>, InputError> mesh_of(const lesson::Les
 tl::expected<LessonFile, InputError> read_lesson_file(const std::string& path) {
   return read_file(path)
       .and_then([&](const std::string& text) { return lesson::read_lesson(text, path); })
-      .map([&](lesson::Lesson&& lesson) { return LessonFile{path, std::move(lesson)}; });
+      .map([&](lesson::Lesson&& lesson) {
+        return LessonFile{path, std::move(lesson)};
+      });
 }
 
 tl::expected<std::vector<LessonFile>, InputError> read_lessons(const std::string& folder) {
@@ -56,7 +62,8 @@ tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, cons
   if (!paths) return tl::unexpected(paths.error());
   for (const std::string& path : *paths)
     if (fs::path(path).stem() == id) return read_lesson_file(path);
-  return tl::unexpected(InputError{.what = "there is no lesson \"" + id + "\": `snug lesson list` says which there are"});
+  return tl::unexpected(
+      InputError{.what = "there is no lesson \"" + id + "\": `snug lesson list` says which there are"});
 }
 
 tl::expected<lesson::Session, InputError> open_lesson(const LessonFile& file) {

@@ -18,14 +18,16 @@ constexpr int kLargestBatch = 1'000'000;
 
 double time_of_batch(const std::function<void()>& run, int batch) {
   const Clock::time_point start = Clock::now();
-  for (int i = 0; i < batch; ++i) run();
+  for (int i = 0; i < batch; ++i)
+    run();
   return Nanoseconds(Clock::now() - start).count();
 }
 
 /// The smallest power of two of runs that fills a batch, found by doing it, which also warms the caches.
 int batch_for(const std::function<void()>& run) {
   int batch = 1;
-  while (time_of_batch(run, batch) < kBatch && batch < kLargestBatch) batch *= 2;
+  while (time_of_batch(run, batch) < kBatch && batch < kLargestBatch)
+    batch *= 2;
   return batch;
 }
 

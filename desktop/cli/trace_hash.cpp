@@ -15,8 +15,7 @@ CommandResult run_trace_hash(const TraceHashOptions& options) {
   if (!lessons) return bad_input(lessons.error());
   Printed printed;
   for (const LessonFile& file : *lessons) {
-    const auto hash =
-        open_lesson(file).and_then([](lesson::Session&& session) { return lesson::trace_hash(session); });
+    const auto hash = open_lesson(file).and_then([](lesson::Session&& session) { return lesson::trace_hash(session); });
     if (!hash) return bad_input(hash.error());
     printed.text += lesson::line_of(*hash) + '\n';
   }

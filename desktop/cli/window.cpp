@@ -30,11 +30,14 @@ std::string parse_size(const std::string& text, WindowOptions& options) {
 
 void add_common(CLI::App& command, WindowOptions& options) {
   command.add_option("--step", options.step, "The step that is shown")->check(CLI::NonNegativeNumber);
-  command.add_option("--seed", options.seed, "Seed of the points; the lesson's own if none");
+  command.add_option("--seed", options.seed, "Seed of the points; the lesson's own if none")->check(kWholeNumber);
   command.add_option_function<std::string>(
-      "--size", [&options](const std::string& text) {
-        if (const std::string wrong = parse_size(text, options); !wrong.empty()) throw CLI::ValidationError("--size", wrong);
-      }, "WxH in pixels; 1280x800 if none");
+      "--size",
+      [&options](const std::string& text) {
+        if (const std::string wrong = parse_size(text, options); !wrong.empty())
+          throw CLI::ValidationError("--size", wrong);
+      },
+      "WxH in pixels; 1280x800 if none");
   command.add_option("--points", options.points_file, "Point file to show instead of the lesson's points");
 }
 
@@ -50,9 +53,10 @@ void add_window(Commands& commands) {
 void add_render(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("render", "Draw one step of a lesson into a picture");
   command.footer("Needs a display; xvfb-run serves.");
-  const auto options = add_command<WindowOptions>(
-      commands, command,
-      [open_window = commands.open_window](const WindowOptions& chosen) { return open(chosen, open_window); });
+  const auto options =
+      add_command<WindowOptions>(commands, command, [open_window = commands.open_window](const WindowOptions& chosen) {
+        return open(chosen, open_window);
+      });
   command.add_option("LESSON", options->lesson, "The lesson's id")->required();
   add_common(command, *options);
   command.add_option("-o,--output", options->screenshot, "The PNG file that is written")->required();
