@@ -264,9 +264,7 @@ void App::frame(const Layout& layout, double now) {
 }
 
 void App::draw_3d_behind(int framebuffer_width, int framebuffer_height, float scale) {
-  GlScene empty;
-  empty.panel = palette_of(state_->settings.theme).panel;
-  state_->gl.draw(state_->session ? state_->stage.scene() : empty, framebuffer_width, framebuffer_height, scale);
+  if (state_->session) state_->gl.draw(state_->stage.scene(), framebuffer_width, framebuffer_height, scale);
 }
 
 bool App::wants_frame(double now) const {

@@ -1,5 +1,7 @@
 #include "app/camera.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

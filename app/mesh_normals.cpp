@@ -1,5 +1,7 @@
 #include "app/mesh_normals.hpp"
 
+#include <Eigen/Geometry>
+
 namespace snug::app {
 
 std::vector<Vector<float, 3>> mesh_normals(std::span<const Vector<float, 3>> points,

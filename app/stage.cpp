@@ -174,7 +174,7 @@ void Stage::project_points(const lesson::Session& session) {
 void Stage::fill_scene(const Look& look, const Rect& rect) {
   const Palette& p = *look.palette;
   scene_.stage = rect;
-  scene_.panel = p.panel, scene_.ground = p.ground, scene_.grid = p.grid, scene_.surface = p.surface;
+  scene_.ground = p.ground, scene_.grid = p.grid, scene_.surface = p.surface;
   scene_.three_d = camera_.dim() == 3;
   scene_.point = scene_.normals.empty() ? with_alpha(p.point, 0.92f) : with_alpha(p.point, 0.55f);
   scene_.point_radius = point_radius_ * std::sqrt(p.mark);

@@ -1,5 +1,6 @@
 #include "app/stage_gl.hpp"
 
+#include <Eigen/LU>
 #include <snug_gl.h>
 
 #include <cmath>
@@ -406,21 +407,16 @@ void StageGl::draw_points(const GlScene& scene, float scale) const {
 
 void StageGl::draw(const GlScene& scene, int width, int height, float scale) {
   const auto px = [&](float v) { return static_cast<int>(std::lround(v * scale)); };
-  const Rgba panel = channels(scene.panel), ground = channels(scene.ground);
-  glViewport(0, 0, width, height);
-  glDisable(GL_SCISSOR_TEST);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glDepthMask(GL_TRUE);
-  glClearColor(panel.r, panel.g, panel.b, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  const Rgba ground = channels(scene.ground);
   if (!ready() || scene.stage.width < 1 || scene.stage.height < 1) return;
-
   const int x = px(scene.stage.x), y = height - px(scene.stage.y + scene.stage.height);
   glEnable(GL_SCISSOR_TEST);
   glScissor(x, y, px(scene.stage.width), px(scene.stage.height));
   glViewport(x, y, px(scene.stage.width), px(scene.stage.height));
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
   glClearColor(ground.r, ground.g, ground.b, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);  // of the stage alone: the rest is the door's
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

@@ -24,7 +24,7 @@ struct GlVolume {
 
 struct GlScene {
   Rect stage;
-  Color panel = 0, ground = 0, grid = 0, surface = 0, point = 0;
+  Color ground = 0, grid = 0, surface = 0, point = 0;
   bool three_d = false;
   std::array<float, 16> view_projection{};  // column-major, into the stage's rectangle
   Point3f eye = Point3f::Zero();

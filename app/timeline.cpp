@@ -119,6 +119,9 @@ struct Controls {
   float height, small, wide, gap;
 };
 
+/// Whether there is no room for words between the track and the buttons (a phone on its side).
+bool is_low(const Look& look, const Rect& rect) { return rect.height < timeline_height(look) - 20; }
+
 Controls sizes(const Look& look, float width) {
   if (!look.fingers) return {look.px(36), look.px(44), look.px(96), 6};
   // Under the thumb: as wide as there is room for, two small, two large, one small.

@@ -1,5 +1,6 @@
 #include "app/volumes.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>

@@ -1,0 +1,159 @@
+#include "desktop/column.hpp"
+
+#include <algorithm>
+
+#include "app/marks.hpp"
+
+namespace snug::desktop {
+namespace {
+
+using app::Face;
+
+constexpr float kCardPad = 18;
+
+struct Word {
+  std::string_view text;
+  bool strong;
+  bool space_before;
+};
+
+std::vector<Word> words_of(const lesson::Paragraph& paragraph) {
+  std::vector<Word> words;
+  bool space = false;
+  for (const lesson::Stretch& stretch : paragraph) {
+    std::size_t begin = 0;
+    const std::string_view text = stretch.text;
+    while (begin < text.size()) {
+      if (text[begin] == ' ' || text[begin] == '\n') {
+        space = true;
+        ++begin;
+        continue;
+      }
+      const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
+      words.push_back({text.substr(begin, end - begin), stretch.strong, space});
+      space = false;
+      begin = end;
+    }
+  }
+  return words;
+}
+
+}  // namespace
+
+void Column::title(std::string_view words) {
+  y_ += app::paragraph(list_, look_, Face::kSemiBold, 20, 26, {x_, y_}, width_, look_->ink, words) + look_.px(6);
+}
+
+void Column::heading(std::string_view words, app::Color color) {
+  app::text(list_, look_, Face::kSemiBold, 13, {x_, y_ + look_.px(3)}, color != 0 ? color : look_->muted, words);
+  y_ += look_.px(24);
+}
+
+void Column::words(std::string_view words, Face face, float size, app::Color color) {
+  y_ += app::paragraph(list_, look_, face, size, size + 7, {x_, y_}, width_, color != 0 ? color : look_->ink, words);
+}
+
+void Column::prose(const lesson::Paragraph& paragraph) {
+  constexpr float kSize = 15, kLeading = 24;
+  const float space = app::measure(look_, Face::kRegular, kSize, " ").x;
+  const float inset = (look_.px(kLeading) - look_.px(kSize)) / 2;
+  // Words without a space between them, as a term and the comma behind it, stay on one line.
+  const std::vector<Word> words = words_of(paragraph);
+  float x = 0;
+  for (std::size_t i = 0; i < words.size();) {
+    std::size_t end = i + 1;
+    while (end < words.size() && !words[end].space_before) ++end;
+    float run = 0;
+    for (std::size_t k = i; k < end; ++k) run += app::measure(look_, words[k].strong ? Face::kSemiBold : Face::kRegular, kSize, words[k].text).x;
+    if (x > 0 && x + space + run > width_) x = 0, y_ += look_.px(kLeading);
+    else if (x > 0) x += space;
+    for (; i < end; ++i) {
+      const Face face = words[i].strong ? Face::kSemiBold : Face::kRegular;
+      app::text(list_, look_, face, kSize, {x_ + x, y_ + inset}, look_->ink, words[i].text);
+      x += app::measure(look_, face, kSize, words[i].text).x;
+    }
+  }
+  if (!words.empty()) y_ += look_.px(kLeading);
+}
+
+int Column::buttons(const char* id, const std::vector<std::string>& words, int chosen, app::ButtonKind kind) {
+  int clicked = -1;
+  float x = 0;
+  const float height = look_.px(34), gap = 8;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const float wanted = app::measure(look_, Face::kSemiBold, 14, words[i]).x + look_.px(26);
+    const float width = std::min(std::max(wanted, look_.px(56)), width_);
+    if (x > 0 && x + width > width_ + 0.5f) x = 0, y_ += height + gap;
+    const std::string name = std::string(id) + std::to_string(i);
+    const bool on = static_cast<int>(i) == chosen;
+    if (app::button(list_, look_, {.id = name.c_str(), .rect = {x_ + x, y_, width, height}, .words = words[i], .kind = on ? app::ButtonKind::kChosen : kind}))
+      clicked = static_cast<int>(i);
+    x += width + gap;
+  }
+  if (!words.empty()) y_ += height + gap;
+  return clicked;
+}
+
+int Column::chooser(const char* id, std::string_view label, const std::vector<std::string>& words, int chosen) {
+  const float height = look_.px(34), before = label.empty() ? 0 : look_.px(64);
+  const float middle = y_ + height / 2;
+  app::text(list_, look_, Face::kRegular, 14, {x_, app::middle_of(middle, look_.px(14))}, look_->muted, label);
+  const app::Rect rect{x_ + before, y_, width_ - before, height};
+  const std::string button_id = std::string(id) + " button";
+  if (app::button(list_, look_, {.id = button_id.c_str(), .rect = rect, .kind = app::ButtonKind::kOutlined})) ImGui::OpenPopup(id);
+  const std::string_view now = chosen >= 0 ? std::string_view(words[static_cast<std::size_t>(chosen)]) : "none";
+  app::text(list_, look_, Face::kSemiBold, 14, {rect.x + 12, app::middle_of(middle, look_.px(14))}, look_->ink, app::shortened(look_, Face::kSemiBold, 14, now, rect.width - 40));
+  const float cx = rect.x + rect.width - 18;
+  list_->AddTriangleFilled({cx - 5, middle - 2.5f}, {cx + 5, middle - 2.5f}, {cx, middle + 3.5f}, look_->muted);
+  y_ += height + 8;
+  return choice_list(look_, id, {rect.x, rect.y + height + 4}, rect.width, words, chosen);
+}
+
+// The card's ground is drawn beneath what stands on it, though its height is known only afterwards.
+void Column::begin_card() {
+  list_->ChannelsSplit(2);
+  list_->ChannelsSetCurrent(1);
+  card_top_ = y_;
+  y_ += kCardPad - 4;
+  x_ += kCardPad;
+  width_ -= 2 * kCardPad;
+}
+
+void Column::end_card() {
+  y_ += kCardPad - 4;
+  x_ -= kCardPad;
+  width_ += 2 * kCardPad;
+  list_->ChannelsSetCurrent(0);
+  list_->AddRectFilled({x_, card_top_}, {x_ + width_, y_}, look_->raised, 8);
+  list_->AddRect({x_, card_top_}, {x_ + width_, y_}, look_->line, 8, 0, 1);
+  list_->ChannelsMerge();
+  y_ += 12;
+}
+
+int choice_list(const app::Look& look, const char* id, ImVec2 at, float width, const std::vector<std::string>& words, int chosen) {
+  const float row = look.px(34), height = row * static_cast<float>(words.size()) + 8;
+  const float below = ImGui::GetIO().DisplaySize.y - at.y - 8;
+  const float top = below >= height ? at.y : std::max(8.0f, ImGui::GetIO().DisplaySize.y - height - 8);
+  ImGui::SetNextWindowPos({at.x, top});
+  ImGui::SetNextWindowSize({width, height});
+  int clicked = -1;
+  if (!ImGui::BeginPopup(id)) return clicked;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const app::Rect rect{at.x + 4, top + 4 + row * static_cast<float>(i), width - 8, row};
+    const std::string name = "choice " + std::to_string(i);
+    const bool on = static_cast<int>(i) == chosen;
+    const app::Touch touch = app::touch_area(name.c_str(), rect);
+    if (touch.hovered || on) list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + row}, look->raised, 6);
+    app::text(list, look, on ? Face::kSemiBold : Face::kRegular, 14, {rect.x + 10, app::middle_of(rect.y + row / 2, look.px(14))},
+              on ? look->current_text : look->ink, app::shortened(look, Face::kSemiBold, 14, words[i], rect.width - 20));
+    if (touch.clicked) {
+      clicked = static_cast<int>(i);
+      ImGui::CloseCurrentPopup();
+    }
+  }
+  ImGui::EndPopup();
+  return clicked;
+}
+
+}  // namespace snug::desktop

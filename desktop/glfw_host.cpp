@@ -1,0 +1,196 @@
+#include "desktop/glfw_host.hpp"
+
+#include <snug_gl.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_impl_glfw.h>
+#include <imgui_impl_opengl3.h>
+
+#include <cmath>
+
+namespace snug::desktop {
+namespace {
+
+constexpr const char* kGlslVersion = "#version 330 core";
+
+std::string named(int key) {
+  switch (key) {
+    case GLFW_KEY_RIGHT: return "ArrowRight";
+    case GLFW_KEY_LEFT: return "ArrowLeft";
+    case GLFW_KEY_UP: return "ArrowUp";
+    case GLFW_KEY_DOWN: return "ArrowDown";
+    case GLFW_KEY_HOME: return "Home";
+    case GLFW_KEY_END: return "End";
+    case GLFW_KEY_PAGE_UP: return "PageUp";
+    case GLFW_KEY_PAGE_DOWN: return "PageDown";
+    case GLFW_KEY_DELETE: return "Delete";
+    case GLFW_KEY_BACKSPACE: return "Backspace";
+    case GLFW_KEY_ESCAPE: return "Escape";
+    case GLFW_KEY_F1: return "F1";
+    case GLFW_KEY_F11: return "F11";
+    default: return {};
+  }
+}
+
+std::string utf8(unsigned code) { return code < 0x80 ? std::string(1, static_cast<char>(code)) : std::string(); }
+
+}  // namespace
+
+/// GLFW knows functions alone: each finds its host in the window's user pointer.
+struct GlfwHost::Callbacks {
+  static GlfwHost& host(GLFWwindow* window) {
+    GlfwHost& found = *static_cast<GlfwHost*>(glfwGetWindowUserPointer(window));
+    found.dirty_ = true;
+    return found;
+  }
+  // ImGui works in page pixels, GLFW in the window system's.
+  static void cursor(GLFWwindow* window, double x, double y) {
+    const double per_page = static_cast<double>(host(window).extent().window_per_page);
+    ImGui_ImplGlfw_CursorPosCallback(window, x / per_page, y / per_page);
+  }
+  static void enter(GLFWwindow* window, int entered) {
+    host(window);
+    ImGui_ImplGlfw_CursorEnterCallback(window, entered);
+  }
+  static void button(GLFWwindow* window, int which, int action, int mods) {
+    host(window);
+    ImGui_ImplGlfw_MouseButtonCallback(window, which, action, mods);
+  }
+  static void scroll(GLFWwindow* window, double x, double y) {
+    host(window);
+    ImGui_ImplGlfw_ScrollCallback(window, x, y);
+  }
+  static void focus(GLFWwindow* window, int focused) {
+    host(window);
+    ImGui_ImplGlfw_WindowFocusCallback(window, focused);
+  }
+  static void key(GLFWwindow* window, int key, int scancode, int action, int mods) {
+    GlfwHost& self = host(window);
+    ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, mods);
+    if (action == GLFW_RELEASE || !self.on_key || ImGui::GetIO().WantTextInput) return;
+    const bool control = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0, shift = (mods & GLFW_MOD_SHIFT) != 0;
+    std::string name = named(key);
+    if (name.empty() && control)  // letters come as characters, but not with Control
+      if (const char* letter = glfwGetKeyName(key, scancode)) name = letter;
+    if (!name.empty()) self.on_key(name, shift, control);
+  }
+  static void character(GLFWwindow* window, unsigned code) {
+    GlfwHost& self = host(window);
+    ImGui_ImplGlfw_CharCallback(window, code);
+    if (self.on_key && !ImGui::GetIO().WantTextInput && !utf8(code).empty()) self.on_key(utf8(code), false, false);
+  }
+  static void drop(GLFWwindow* window, int count, const char** paths) {
+    GlfwHost& self = host(window);
+    if (self.on_drop) self.on_drop({paths, paths + count});
+  }
+  static void refresh(GLFWwindow* window) { host(window); }
+  static void resize(GLFWwindow* window, int, int) { host(window); }
+};
+
+tl::expected<std::unique_ptr<GlfwHost>, std::string> GlfwHost::make(int width, int height, bool visible) {
+  if (!glfwInit())
+    return tl::unexpected(std::string("there is no display to open a window on; without a screen, xvfb-run serves"));
+  std::unique_ptr<GlfwHost> host(new GlfwHost());
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
+  for (const int samples : {4, 0}) {  // without it where the driver has none
+    glfwWindowHint(GLFW_SAMPLES, samples);
+    host->window_ = glfwCreateWindow(width, height, "Snug", nullptr, nullptr);
+    if (host->window_ != nullptr) break;
+  }
+  if (host->window_ == nullptr) return tl::unexpected(std::string("the display has no OpenGL 3.3, which the window needs"));
+  glfwMakeContextCurrent(host->window_);
+  glfwSwapInterval(1);
+  host->install();
+  return host;
+}
+
+void GlfwHost::install() {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().ConfigInputTextCursorBlink = false;  // an idle window draws nothing
+  ImGui_ImplGlfw_InitForOpenGL(window_, false);
+  ImGui_ImplOpenGL3_Init(kGlslVersion);
+  imgui_ = true;
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetWindowSizeLimits(window_, 900, 600, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  glfwSetCursorPosCallback(window_, Callbacks::cursor);
+  glfwSetCursorEnterCallback(window_, Callbacks::enter);
+  glfwSetMouseButtonCallback(window_, Callbacks::button);
+  glfwSetScrollCallback(window_, Callbacks::scroll);
+  glfwSetWindowFocusCallback(window_, Callbacks::focus);
+  glfwSetKeyCallback(window_, Callbacks::key);
+  glfwSetCharCallback(window_, Callbacks::character);
+  glfwSetDropCallback(window_, Callbacks::drop);
+  glfwSetWindowRefreshCallback(window_, Callbacks::refresh);
+  glfwSetFramebufferSizeCallback(window_, Callbacks::resize);
+}
+
+GlfwHost::~GlfwHost() {
+  if (imgui_) {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+  }
+  if (window_ != nullptr) glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+bool GlfwHost::open() const { return !glfwWindowShouldClose(window_); }
+void GlfwHost::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+void GlfwHost::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+double GlfwHost::now() const { return glfwGetTime(); }
+
+void GlfwHost::toggle_fullscreen() {
+  if (glfwGetWindowMonitor(window_) != nullptr) {
+    glfwSetWindowMonitor(window_, nullptr, windowed_[0], windowed_[1], windowed_[2], windowed_[3], 0);
+    return;
+  }
+  glfwGetWindowPos(window_, &windowed_[0], &windowed_[1]);
+  glfwGetWindowSize(window_, &windowed_[2], &windowed_[3]);
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+  if (mode != nullptr) glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+Extent GlfwHost::extent() const {
+  Extent extent;
+  int window_width = 1, window_height = 1;
+  float scale_y = 1;
+  glfwGetWindowSize(window_, &window_width, &window_height);
+  glfwGetFramebufferSize(window_, &extent.device_width, &extent.device_height);
+  glfwGetWindowContentScale(window_, &extent.scale, &scale_y);
+  if (!(extent.scale >= 0.5f)) extent.scale = 1;
+  extent.width = static_cast<float>(extent.device_width) / extent.scale;
+  extent.height = static_cast<float>(extent.device_height) / extent.scale;
+  const float device_per_window = window_width > 0 ? static_cast<float>(extent.device_width) / static_cast<float>(window_width) : 1;
+  extent.window_per_page = device_per_window > 0 ? extent.scale / device_per_window : 1;
+  return extent;
+}
+
+bool GlfwHost::wait(double seconds) {
+  if (seconds < 0) glfwWaitEvents();
+  else if (seconds > 0) glfwWaitEventsTimeout(seconds);
+  else glfwPollEvents();
+  return std::exchange(dirty_, false);
+}
+
+void GlfwHost::begin_frame() {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  const Extent now = extent();
+  ImGui::GetIO().DisplaySize = {now.width, now.height};
+  ImGui::GetIO().DisplayFramebufferScale = {now.scale, now.scale};
+  ImGui::NewFrame();
+}
+
+void GlfwHost::swap() { glfwSwapBuffers(window_); }
+
+}  // namespace snug::desktop

@@ -1,0 +1,57 @@
+// A GLFW window with its OpenGL context and ImGui's input: what the system has, as the rest of the program wants it.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace snug::desktop {
+
+/// Sizes in page pixels, which are `scale` device pixels each.
+struct Extent {
+  float width = 0, height = 0, scale = 1;
+  int device_width = 0, device_height = 0;
+  float window_per_page = 1;  // the window system's own units for one page pixel
+};
+
+class GlfwHost {
+ public:
+  /// Errors, as one sentence: no display, no OpenGL 3.3.
+  static tl::expected<std::unique_ptr<GlfwHost>, std::string> make(int width, int height, bool visible);
+  ~GlfwHost();
+  GlfwHost(const GlfwHost&) = delete;
+  GlfwHost& operator=(const GlfwHost&) = delete;
+
+  /// A key as browsers name it, and the modifiers; not while a text field takes them.
+  std::function<void(const std::string& key, bool shift, bool control)> on_key;
+  std::function<void(const std::vector<std::string>& paths)> on_drop;
+
+  [[nodiscard]] bool open() const;
+  void close();
+  void set_title(const std::string& title);
+  void toggle_fullscreen();
+  [[nodiscard]] Extent extent() const;
+  [[nodiscard]] double now() const;
+
+  /// Waits for something to happen, seconds < 0: as long as it takes. Returns whether anything did.
+  bool wait(double seconds);
+  /// ImGui's frame; between them things are drawn on it.
+  void begin_frame();
+  void swap();
+
+ private:
+  struct Callbacks;
+  GlfwHost() = default;
+  void install();
+
+  GLFWwindow* window_ = nullptr;
+  bool imgui_ = false;
+  bool dirty_ = true;  // an input came that has not been drawn
+  int windowed_[4] = {0, 0, 1280, 800};
+};
+
+}  // namespace snug::desktop

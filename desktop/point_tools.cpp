@@ -1,0 +1,140 @@
+// The tools for the points: by button what the stage does by hand, and by number what a hand cannot.
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+#include "desktop/cli/files.hpp"
+#include "desktop/column.hpp"
+#include "desktop/prose_panel.hpp"
+#include "lesson/figures.hpp"
+
+namespace snug::desktop {
+namespace {
+
+using app::Face;
+
+/// A row of ImGui's number fields, in the palette and with figures of equal width.
+class Fields {
+ public:
+  Fields(Column& column, const char* id) : column_(column) {
+    ImGui::PushID(id);
+    ImGui::PushFont(column.look().font(Face::kMono), column.look().px(13));
+  }
+  ~Fields() {
+    ImGui::PopFont();
+    ImGui::PopID();
+  }
+  Fields(const Fields&) = delete;
+  Fields& operator=(const Fields&) = delete;
+
+  /// Whether a new value was entered.
+  bool number(const char* name, double& value) {
+    row(name);
+    ImGui::InputDouble("##value", &value, 0, 0, "%.6g");
+    return done();
+  }
+  bool whole(const char* name, std::uint64_t& value) {
+    row(name);
+    ImGui::InputScalar("##value", ImGuiDataType_U64, &value);
+    return done();
+  }
+
+ private:
+  void row(const char* name) {
+    const app::Look& look = column_.look();
+    const float height = ImGui::GetFrameHeight(), label = look.px(64);
+    app::text(column_.list(), look, Face::kRegular, 14, {column_.x(), app::middle_of(column_.y() + height / 2, look.px(14))}, look->ink, name);
+    ImGui::PushID(name);
+    ImGui::SetCursorScreenPos({column_.x() + label, column_.y()});
+    ImGui::SetNextItemWidth(column_.width() - label);
+    column_.gap(height + 8);
+  }
+  bool done() {
+    const bool entered = ImGui::IsItemDeactivatedAfterEdit();
+    ImGui::PopID();
+    return entered;
+  }
+  Column& column_;
+};
+
+void draw_edits(Shell& shell, Column& column) {
+  const std::array<const char*, 4> commands{"add_point", "delete_point", "undo", "redo"};
+  const int clicked = column.buttons("edit", {"Add", "Delete", "Undo", "Redo"});
+  if (clicked >= 0) shell.app().command(commands[static_cast<std::size_t>(clicked)]);
+}
+
+void draw_selected(Shell& shell, Column& column) {
+  lesson::Session& session = shell.session();
+  const Index selected = shell.app().selected();
+  column.gap(12);
+  if (selected == kNoIndex) {
+    column.heading("No point selected");
+    column.words("Click a point to move it by number, or drag it. A double click on the ground adds one.", Face::kRegular, 14, column.look()->muted);
+    return;
+  }
+  column.heading(lesson::point_name(selected));
+  Vector<double, 3> at = session.point(selected);
+  Fields fields(column, "coordinates");
+  bool entered = false;
+  constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
+  for (int axis = 0; axis < session.dim(); ++axis) entered = fields.number(kNames[static_cast<std::size_t>(axis)], at[axis]) || entered;
+  if (entered) shell.tell(session.move(selected, at));
+}
+
+void draw_scatter(Shell& shell, Column& column) {
+  lesson::Session& session = shell.session();
+  column.gap(12);
+  column.heading("Scatter");
+  std::uint64_t seed = session.seed();
+  {
+    Fields fields(column, "scatter");
+    if (fields.whole("Seed", seed)) session.scatter(seed);
+  }
+  const int clicked = column.buttons("scatter", {"Scatter anew", "The lesson's own"});
+  if (clicked == 0) shell.app().command("scatter");
+  if (clicked == 1) shell.app().command("reset_points");
+}
+
+void draw_sources(Shell& shell, Column& column) {
+  lesson::Session& session = shell.session();
+  const lesson::Lesson& lesson = session.lesson();
+  const auto now = [&](const std::vector<std::string>& names) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i] == session.source()) return static_cast<int>(i);
+    return -1;
+  };
+  if (!lesson.generators.empty()) {
+    column.gap(12);
+    column.heading("Other points");
+    constexpr int kUsual = 26;
+    const int count = lesson.points.count > 0 ? lesson.points.count : kUsual;
+    const int clicked = column.buttons("generator", lesson.generators, now(lesson.generators));
+    if (clicked >= 0)
+      shell.tell(session.set_generator(lesson.generators[static_cast<std::size_t>(clicked)], count, lesson.points.dim, session.seed()));
+  }
+  if (!lesson.meshes.empty()) {
+    column.gap(12);
+    column.heading("Meshes");
+    const int clicked = column.buttons("mesh", lesson.meshes, now(lesson.meshes));
+    if (clicked >= 0) shell.use_mesh(lesson.meshes[static_cast<std::size_t>(clicked)]);
+  }
+  column.gap(12);
+  column.heading("Your own");
+  column.words("Drop a point file on this window: xyz, csv, obj, ply or stl.", Face::kRegular, 14, column.look()->muted);
+}
+
+}  // namespace
+
+void draw_point_tools(Shell& shell, Column& column) {
+  const lesson::Session& session = shell.session();
+  const std::string source = session.source().empty() ? "" : " · " + session.source();
+  column.title(std::to_string(session.size()) + (session.size() == 1 ? " point" : " points"));
+  column.words(std::to_string(session.dim()) + "-D" + source + (session.edited() ? " · changed by you" : ""), Face::kRegular, 14, column.look()->muted);
+  column.gap(10);
+  draw_edits(shell, column);
+  draw_selected(shell, column);
+  draw_scatter(shell, column);
+  draw_sources(shell, column);
+}
+
+}  // namespace snug::desktop

@@ -1,0 +1,207 @@
+#include "desktop/prose_panel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/marks.hpp"
+#include "desktop/column.hpp"
+
+namespace snug::desktop {
+namespace {
+
+using app::Face;
+
+constexpr float kMargin = 28;
+
+void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect) {
+  float x = rect.x + kMargin;
+  for (const bool points : {false, true}) {
+    const std::string_view words = points ? "Points" : "Lesson";
+    const bool on = shell.points_tab == points;
+    const float width = app::measure(look, Face::kSemiBold, 14, words).x;
+    if (app::touch_area(points ? "tab points" : "tab lesson", {x - 8, rect.y, width + 16, rect.height}).clicked) shell.points_tab = points;
+    app::text(list, look, on ? Face::kSemiBold : Face::kRegular, 14, {x, app::middle_of(rect.y + rect.height / 2, look.px(14))}, on ? look->ink : look->muted, words);
+    if (on) list->AddRectFilled({x, rect.y + rect.height - 3}, {x + width, rect.y + rect.height - 1}, look->current, 1);
+    x += width + 28;
+  }
+  app::rule(list, rect.x, rect.y + rect.height - 1, rect.width, look->line);
+}
+
+void draw_task(Shell& shell, Column& column) {
+  const auto& task = shell.session().lesson().task;
+  const auto grade = shell.session().grade();
+  if (!task || !grade) return;
+  const app::Look& look = column.look();
+  column.begin_card();
+  column.heading("Your turn", look->current_text);
+  column.words(task->prompt);
+  column.gap(10);
+  const float middle = column.y() + look.px(11);
+  if (grade->done) app::tick(column.list(), {column.x() + 6, middle}, 6, look->optimum, 2.25f);
+  else app::ring(column.list(), {column.x() + 6, middle}, 5, look->muted, 1.5f);
+  Column beside(look, column.x() + 22, column.y(), column.width() - 22);
+  beside.words(grade->says, Face::kRegular, 14, grade->done ? look->optimum_text : look->muted);
+  column.gap(beside.y() - column.y() + 8);
+  if (!task->hint.empty() && !grade->done) {
+    column.words(task->hint, Face::kRegular, 13, look->muted);
+    column.gap(8);
+  }
+  if (column.buttons("task", {"Start with " + std::to_string(task->points) + " points"}) == 0) shell.session().start_task();
+  column.end_card();
+}
+
+void draw_lesson(Shell& shell, Column& column) {
+  const lesson::Lesson& lesson = shell.session().lesson();
+  bool first = true;
+  for (const lesson::Section& section : lesson.sections) {
+    if (!first) column.gap(16);
+    first = false;
+    column.title(section.title);
+    for (const lesson::Paragraph& paragraph : section.paragraphs) {
+      column.prose(paragraph);
+      column.gap(10);
+    }
+  }
+  column.gap(12);
+  draw_task(shell, column);
+}
+
+std::string place_among(const lesson::Session& session, const lesson::Asked& asked) {
+  const auto& all = session.questions();
+  const auto at = std::find_if(all.begin(), all.end(), [&](const lesson::Asked& a) { return &a == &asked; }) - all.begin() + 1;
+  return std::to_string(at) + " of " + std::to_string(all.size());
+}
+
+void draw_question(Shell& shell, Column& column) {
+  lesson::Session& session = shell.session();
+  const lesson::Asked* asked = session.asked();
+  if (asked == nullptr) return;
+  const app::Look& look = column.look();
+  column.begin_card();
+  column.heading("Predict", look->current_text);
+  column.words(asked->question->prompt);
+  column.gap(10);
+  const int chosen = column.buttons("answer", asked->choices);
+  const std::string how = std::string(asked->on_stage ? "Click a point on the stage" : "Answer to go on") + " · " + place_among(session, *asked);
+  const float height = look.px(28), skip = look.px(56);
+  app::text(column.list(), look, Face::kRegular, 13, {column.x(), app::middle_of(column.y() + height / 2, look.px(13))}, look->muted,
+            app::shortened(look, Face::kRegular, 13, how, column.width() - skip));
+  const bool skipped = app::button(column.list(), look, {.id = "skip", .rect = {column.x() + column.width() - skip + 10, column.y(), skip, height}, .words = "Skip", .kind = app::ButtonKind::kQuiet, .size = 13});
+  column.gap(height);
+  column.end_card();
+  if (chosen >= 0) session.answer({lesson::Answer::Kind::kChoice, chosen});
+  else if (skipped) session.answer({});
+}
+
+void draw_outcome(Shell& shell, Column& column) {
+  const lesson::Outcome* outcome = shell.session().outcome();
+  if (outcome == nullptr) return;
+  const app::Look& look = column.look();
+  column.begin_card();
+  const app::Color color = outcome->right ? look->optimum_text : outcome->skipped ? look->muted : look->wrong_text;
+  const float middle = column.y() + look.px(10);
+  if (outcome->right) app::tick(column.list(), {column.x() + 6, middle}, 6, look->optimum, 2.25f);
+  else if (!outcome->skipped) app::cross(column.list(), {column.x() + 6, middle}, 5, look->wrong, 2.25f);
+  Column beside(look, column.x() + (outcome->skipped ? 0 : 22), column.y(), column.width());
+  beside.heading(outcome->right ? "As you said" : outcome->skipped ? "What happened" : "Otherwise", color);
+  column.gap(look.px(24));
+  column.words(outcome->says);
+  if (!outcome->because.empty()) {
+    column.gap(6);
+    column.words(outcome->because, Face::kRegular, 14, look->muted);
+  }
+  column.end_card();
+}
+
+void draw_algorithms(Shell& shell, Column& column) {
+  lesson::Session& session = shell.session();
+  std::vector<std::string> titles, beside{"none"};
+  std::vector<std::string> names, beside_names{""};
+  int main = -1, second = 0;
+  for (const std::string& name : session.lesson().algorithms) {
+    const fit::Algorithm* algorithm = fit::find_algorithm("sphere", name);
+    if (algorithm == nullptr) continue;
+    if (algorithm == session.algorithm(0)) main = static_cast<int>(titles.size());
+    titles.emplace_back(algorithm->title), names.push_back(name);
+    if (algorithm == session.algorithm(0)) continue;
+    if (algorithm == session.algorithm(1)) second = static_cast<int>(beside.size());
+    beside.emplace_back(algorithm->title), beside_names.push_back(name);
+  }
+  if (const int chosen = column.chooser("algorithm", "Steps of", titles, main); chosen >= 0)
+    shell.tell(session.choose(0, names[static_cast<std::size_t>(chosen)]));
+  if (const int chosen = column.chooser("beside", "Beside", beside, second); chosen >= 0)
+    shell.tell(session.choose(1, beside_names[static_cast<std::size_t>(chosen)]));
+}
+
+/// The pseudocode, the line of the step lit. Lines too long for the column are broken, and set in.
+void draw_pseudocode(Shell& shell, Column& column) {
+  constexpr float kSize = 13, kLeading = 23;
+  const lesson::Session& session = shell.session();
+  const app::Look& look = column.look();
+  const auto* entry = session.current(0);
+  const int lit = entry != nullptr ? entry->step.line : -1;
+  const float advance = app::measure(look, Face::kMono, kSize, " ").x;
+  int number = 0;
+  for (const std::string_view line : session.pseudocode(0)) {
+    const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+    const bool on = number++ == lit;
+    float inset = advance * static_cast<float>(indent) + 4;
+    const auto parts = app::lines_of(look, on ? Face::kMonoBold : Face::kMono, kSize, line.substr(indent), column.width() - inset - advance * 2);
+    const float height = look.px(kLeading) * static_cast<float>(parts.size());
+    if (on) column.list()->AddRectFilled({column.x() - 8, column.y()}, {column.x() + column.width() + 8, column.y() + height}, look->lit, 4);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const float y = column.y() + look.px(kLeading) * (static_cast<float>(i) + 0.5f);
+      app::text(column.list(), look, on ? Face::kMonoBold : Face::kMono, kSize, {column.x() + inset + (i > 0 ? advance * 2 : 0), app::middle_of(y, look.px(kSize))}, look->ink, parts[i]);
+    }
+    column.gap(height);
+  }
+}
+
+void draw_pinned(Shell& shell, Column& column) {
+  draw_question(shell, column);
+  draw_outcome(shell, column);
+  draw_algorithms(shell, column);
+  column.gap(4);
+  draw_pseudocode(shell, column);
+  column.gap(16);
+}
+
+}  // namespace
+
+void draw_prose_panel(Shell& shell, const app::Rect& rect) {
+  const app::Look& look = shell.app().look();
+  const float tabs = look.px(44);
+  const float pinned = std::min(shell.pinned_height, rect.height - tabs - look.px(120));
+  {
+    const app::Pane pane("##column", {rect.x, rect.y, rect.width, tabs});
+    pane.list()->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->panel);
+    draw_tabs(shell, look, pane.list(), {rect.x, rect.y, rect.width, tabs});
+  }
+  const app::Rect upper{rect.x, rect.y + tabs, rect.width - 1, rect.height - tabs - pinned};
+  {
+    const app::Pane pane(shell.points_tab ? "##points" : "##prose", upper, true);
+    pane.list()->AddRectFilled({upper.x, upper.y}, {upper.x + upper.width, upper.y + upper.height}, look->panel);
+    Column column(look, upper.x + kMargin, upper.y + 20 - ImGui::GetScrollY(), upper.width - 2 * kMargin);
+    if (shell.points_tab) draw_point_tools(shell, column);
+    else draw_lesson(shell, column);
+    ImGui::SetCursorScreenPos({column.x(), column.y() + 8});
+    ImGui::Dummy({1, 1});
+  }
+  const app::Rect lower{rect.x, upper.y + upper.height, rect.width - 1, pinned};
+  {
+    const app::Pane pane("##pinned", lower, true);
+    pane.list()->AddRectFilled({lower.x, lower.y}, {lower.x + lower.width, lower.y + lower.height}, look->panel);
+    app::rule(pane.list(), lower.x, lower.y, lower.width, look->line);
+    const float top = lower.y + 16 - ImGui::GetScrollY();
+    Column column(look, lower.x + kMargin, top, lower.width - 2 * kMargin);
+    draw_pinned(shell, column);
+    ImGui::SetCursorScreenPos({column.x(), column.y() - 2});
+    ImGui::Dummy({1, 1});
+    const float needed = std::ceil(column.y() - top + 16);
+    if (needed != shell.pinned_height) shell.pinned_height = needed, shell.measured_anew = true;
+  }
+  const app::Pane edge("##edge", {rect.x + rect.width - 1, rect.y, 1, rect.height});
+  edge.list()->AddRectFilled({rect.x + rect.width - 1, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->line);
+}
+
+}  // namespace snug::desktop

@@ -1,0 +1,50 @@
+#include "desktop/state_file.hpp"
+
+#include <array>
+#include <cinttypes>
+#include <cstdio>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "desktop/cli/files.hpp"
+
+namespace snug::desktop {
+namespace {
+
+std::string hex(std::uint64_t hash) {
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%016" PRIx64, hash);
+  return text.data();
+}
+
+}  // namespace
+
+StateFile::StateFile() {
+  if (const char* path = std::getenv("SNUG_STATE")) path_ = path;
+}
+
+void StateFile::write(app::App& app, const Extent& extent) {
+  const lesson::Session* session = app.session();
+  if (path_.empty() || session == nullptr) return;
+  nlohmann::ordered_json state;
+  state["lesson"] = session->lesson().id;
+  state["seed"] = session->seed();
+  state["step"] = session->step();
+  state["steps"] = session->steps();
+  state["caption"] = app.caption();
+  state["trace"] = hex(session->trace_hash());
+  state["points"] = session->size();
+  state["selected"] = app.selected();
+  state["readout"] = nlohmann::ordered_json::object();
+  for (const auto& figure : session->figures()) state["readout"][figure.key] = figure.value;
+  state["handles"] = nlohmann::ordered_json::array();
+  for (const app::Handle& handle : app.handles())  // in the window system's pixels, where a mouse would find them
+    state["handles"].push_back({{"id", handle.id}, {"x", handle.x * extent.window_per_page}, {"y", handle.y * extent.window_per_page}});
+  std::string text = state.dump();
+  if (text == written_) return;
+  written_ = std::move(text);
+  state["framesDrawn"] = app.frames_drawn();
+  static_cast<void>(write_file(path_, state.dump() + "\n"));  // a state that cannot be written must not end a lesson
+}
+
+}  // namespace snug::desktop

@@ -1,0 +1,172 @@
+#include "desktop/window.hpp"
+
+#include <imgui.h>
+#include <imgui_impl_opengl3.h>
+#include <snug_gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "app/look.hpp"
+#include "app/timeline.hpp"
+#include "desktop/cli/files.hpp"
+#include "desktop/glfw_host.hpp"
+#include "desktop/header.hpp"
+#include "desktop/picture.hpp"
+#include "desktop/prose_panel.hpp"
+#include "desktop/shell.hpp"
+#include "desktop/state_file.hpp"
+
+namespace snug::desktop {
+namespace {
+
+constexpr int kBadInput = 2;
+constexpr double kTick = 0.008;         // seconds between looks at the clock while something plays
+constexpr int kFramesForPicture = 4;    // until ImGui has measured everything once
+
+int stop(const std::string& why) {
+  std::fprintf(stderr, "snug: %s\n", why.c_str());
+  return kBadInput;
+}
+
+std::string font_bytes(std::string_view name) {
+  for (const char* extension : {".otf", ".ttf"})
+    if (auto bytes = read_file((program_folder() / "assets" / "fonts" / (std::string(name) + extension)).string())) return *bytes;
+  return {};
+}
+
+struct Parts {
+  app::Rect window, header, column;
+  app::Layout app;
+};
+
+Parts parts_of(const Extent& extent, const app::Look& look) {
+  const float scale = std::max(1.0f, std::sqrt(look.text_scale));
+  const float header = look.px(48);
+  const float column = std::clamp(extent.width * 0.29f, 300.0f, 380.0f) * scale;
+  const float inspector = std::clamp(extent.width * 0.22f, 230.0f, 290.0f) * scale;
+  const float timeline = app::timeline_height(look);
+  const float height = extent.height - header;
+  Parts parts;
+  parts.window = {0, 0, extent.width, extent.height};
+  parts.header = {0, 0, extent.width, header};
+  parts.column = {0, header, column, height};
+  parts.app.stage = {column, header, extent.width - column - inspector, height - timeline};
+  parts.app.timeline = {column, header + height - timeline, parts.app.stage.width, timeline};
+  parts.app.inspector = {extent.width - inspector, header, inspector, height};
+  return parts;
+}
+
+/// Draws the whole window once into what is bound.
+void draw(GlfwHost& host, Shell& shell, double now) {
+  host.begin_frame();
+  const Extent extent = host.extent();
+  const Parts parts = parts_of(extent, shell.app().look());
+  shell.measured_anew = false;
+  // The panels first: what they change of the session, the stage shows in this same frame.
+  draw_header(shell, parts.header);
+  draw_prose_panel(shell, parts.column);
+  shell.app().frame(parts.app, now);
+  const app::Look& look = shell.app().look();
+  ImGui::GetForegroundDrawList()->AddRectFilled({parts.app.inspector.x - 1, parts.app.inspector.y}, {parts.app.inspector.x, parts.window.height}, look->line);
+  draw_notice(shell, parts.app.stage);
+  draw_keys(shell, parts.window);
+  ImGui::Render();
+  const ImVec4 panel = ImGui::ColorConvertU32ToFloat4(look->panel);
+  glDisable(GL_SCISSOR_TEST);
+  glViewport(0, 0, extent.device_width, extent.device_height);
+  glClearColor(panel.x, panel.y, panel.z, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  shell.app().draw_3d_behind(extent.device_width, extent.device_height, extent.scale);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+int take_picture(GlfwHost& host, Shell& shell, const std::string& path) {
+  shell.app().settings().reduced_motion = true;
+  const Extent extent = host.extent();
+  const OffScreen picture(extent.device_width, extent.device_height);
+  if (!picture.complete()) return stop("the graphics driver cannot draw off the screen at this size");
+  for (int i = 0; i < kFramesForPicture; ++i) {
+    picture.bind();
+    draw(host, shell, host.now());
+  }
+  const std::string png = picture.png();
+  if (png.empty()) return stop("the picture could not be encoded");
+  if (const auto written = write_file(path, png); !written) return stop(written.error().message());
+  return 0;
+}
+
+/// The theme that SNUG_THEME names, for labs that set one for every seat.
+app::Theme theme_of_environment() {
+  const char* name = std::getenv("SNUG_THEME");
+  const std::string_view theme = name != nullptr ? name : "";
+  return theme == "dark" ? app::Theme::kDark : theme == "contrast" ? app::Theme::kHighContrast : theme == "projector" ? app::Theme::kProjector : app::Theme::kLight;
+}
+
+void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift, bool control) {
+  if (key == "F1" || (shell.keys_shown && key == "Escape")) {
+    shell.keys_shown = !shell.keys_shown;
+    return;
+  }
+  if (key == "F11") return host.toggle_fullscreen();
+  if (key == "Escape" && !shell.notice.empty()) return shell.notice.clear();
+  shell.app().command(shell.app().command_of_key(key, shift, control));
+}
+
+/// Draws when there is something to draw, and sleeps else.
+void run(GlfwHost& host, Shell& shell) {
+  host.on_key = [&](const std::string& key, bool shift, bool control) { answer_key(host, shell, key, shift, control); };
+  host.on_drop = [&](const std::vector<std::string>& paths) {
+    if (!paths.empty()) shell.use_file(paths.front());
+  };
+  StateFile state;
+  std::string title;
+  bool due = true;
+  while (host.open()) {
+    if (due) {
+      draw(host, shell, host.now());
+      host.swap();
+      state.write(shell.app(), host.extent());
+    }
+    if (const std::string next = shell.session().lesson().title + " – Snug"; next != title) host.set_title(title = next);
+    const bool more = shell.measured_anew || shell.app().wants_frame(host.now());
+    const bool input = host.wait(more ? 0 : shell.app().playing() ? kTick : -1);
+    due = input || shell.measured_anew || shell.app().wants_frame(host.now());
+  }
+}
+
+int open_first(Shell& shell, const WindowOptions& options) {
+  const std::string id = options.lesson.empty() && !shell.lessons().empty() ? shell.lessons().front().lesson.id : options.lesson;
+  if (const auto opened = shell.open(id); !opened) return stop(opened.error().message());
+  if (options.seed) shell.session().scatter(*options.seed);
+  if (!options.points_file.empty()) {
+    shell.use_file(options.points_file);
+    if (!shell.notice.empty()) return stop(shell.notice);
+  }
+  if (options.step > 0) shell.session().jump(options.step);
+  return 0;
+}
+
+}  // namespace
+
+int run_window(const WindowOptions& options) {
+  auto lessons = read_lessons("");
+  if (!lessons) return stop(lessons.error().message());
+  if (font_bytes("Inter-Regular").empty())
+    return stop((program_folder() / "assets" / "fonts").string() + " lacks the fonts: build the target snug_assets");
+  auto host = GlfwHost::make(options.width, options.height, options.screenshot.empty());
+  if (!host) return stop(host.error());
+  app::App app({.font = font_bytes, .glsl_version = "#version 330 core"});
+  if (!app.create_graphics()) return stop("the graphics driver refused a shader: " + app.graphics_error());
+  app.settings().prose_in_canvas = true;
+  app.settings().theme = theme_of_environment();
+  Shell shell(app, std::move(*lessons));
+  if (const int status = open_first(shell, options); status != 0) return status;
+  if (!options.screenshot.empty()) return take_picture(**host, shell, options.screenshot);
+  run(**host, shell);
+  return 0;
+}
+
+}  // namespace snug::desktop
