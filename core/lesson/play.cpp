@@ -42,6 +42,14 @@ void find_not_asked(const Lesson& lesson, Played& played) {
 
 }  // namespace
 
+std::vector<std::string> playable(const Session& session) {
+  std::vector<std::string> names;
+  for (const std::string& name : session.lesson().algorithms)
+    if (const fit::Algorithm* known = fit::find_algorithm("sphere", name); known && session.size() <= known->max_points)
+      names.push_back(name);
+  return names;
+}
+
 bool Played::sound() const {
   for (const Algorithm& algorithm : algorithms)
     for (const Outcome& outcome : algorithm.outcomes)
@@ -52,7 +60,7 @@ bool Played::sound() const {
 tl::expected<Played, InputError> play(Session& session) {
   Played played;
   session.forget_answers();
-  for (const std::string& name : session.lesson().algorithms) {
+  for (const std::string& name : playable(session)) {
     auto algorithm = play_algorithm(session, name);
     if (!algorithm) return tl::unexpected(std::move(algorithm.error()));
     played.algorithms.push_back(std::move(*algorithm));

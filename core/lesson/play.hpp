@@ -8,6 +8,9 @@
 
 namespace snug::lesson {
 
+/// The algorithms that the lesson offers, in its order, but for those that do not take as many points as there are.
+[[nodiscard]] std::vector<std::string> playable(const Session& session);
+
 struct Played {
   struct Algorithm {
     std::string name;
@@ -22,7 +25,7 @@ struct Played {
   [[nodiscard]] bool sound() const;
 };
 
-/// Plays each algorithm that the lesson offers from the first step to the last, gives each question its model answer,
+/// Plays each algorithm that is playable from the first step to the last, gives each question its model answer,
 /// and has the task's model answer graded. The session is left with those points.
 /// Errors: of choose and load; a player that does not move on.
 [[nodiscard]] tl::expected<Played, InputError> play(Session& session);

@@ -2,6 +2,8 @@
 
 #include <tuple>
 
+#include "lesson/play.hpp"
+
 namespace snug::lesson {
 namespace {
 
@@ -15,7 +17,7 @@ std::uint64_t fold(std::uint64_t hash, std::uint64_t bits) {
 
 tl::expected<TraceHash, InputError> trace_hash(Session& session) {
   TraceHash result{session.lesson().id, 0, 0xcbf29ce484222325u};
-  for (const std::string& algorithm : session.lesson().algorithms) {
+  for (const std::string& algorithm : playable(session)) {
     if (const auto chosen = session.choose(0, algorithm); !chosen) return tl::unexpected(chosen.error());
     result.steps += session.steps();
     result.hash = fold(result.hash, session.trace_hash());

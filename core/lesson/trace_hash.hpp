@@ -14,8 +14,8 @@ struct TraceHash {
   std::uint64_t hash = 0;  // FNV-1a over the hashes of their traces
 };
 
-/// Of every algorithm that the lesson offers, in its order, on the session's points. The session is left with the last
-/// of them in slot 0. Errors: more points than one of the algorithms takes.
+/// Of every algorithm that is playable, in the lesson's order, on the session's points. The session is left with the
+/// last of them in slot 0. Errors: as of choose.
 [[nodiscard]] tl::expected<TraceHash, InputError> trace_hash(Session& session);
 
 /// "ID STEPS HASH" without a line feed; the hash has 16 hexadecimal digits.

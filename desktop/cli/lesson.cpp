@@ -33,24 +33,29 @@ CommandResult run_list(const LessonOptions& options) {
 
 // ---- check -----------------------------------------------------------------------------------------------------
 
-/// The file's lesson played with its model answers, which finds what reading alone cannot: a question that is never
-/// asked, a task whose own solution does not do it.
+tl::expected<lesson::Played, InputError> play(const LessonFile& file) {
+  auto played = open_lesson(file).and_then([](lesson::Session&& session) { return lesson::play(session); });
+  if (!played && played.error().file.empty()) played.error().file = file.path;
+  return played;
+}
+
+/// The first thing that playing found and reading could not: on a mesh's points only playing tells what is asked.
+std::optional<InputError> fault_of(const LessonFile& file, const lesson::Played& played) {
+  for (const lesson::Question& question : file.lesson.questions)
+    for (const std::string& id : played.not_asked)
+      if (question.id == id)
+        return InputError{"the question \"" + id + "\" is never asked: its step does not come", file.path,
+                          InputError::Unit::kLine, question.line};
+  if (played.sound()) return std::nullopt;
+  return InputError{.what = "a model answer is graded as wrong", .file = file.path};
+}
+
 tl::expected<Json, InputError> check(const std::string& path) {
   const auto file = read_lesson_file(path);
   if (!file) return tl::unexpected(file.error());
-  const auto played = open_lesson(*file).and_then([](lesson::Session&& session) { return lesson::play(session); });
-  if (!played) {
-    InputError error = played.error();
-    if (error.file.empty()) error.file = path;
-    return tl::unexpected(std::move(error));
-  }
-  const auto refuse = [&](std::string what) { return tl::unexpected(InputError{std::move(what), path}); };
-  if (!played->not_asked.empty())
-    return refuse("the question \"" + played->not_asked.front() +
-                  "\" is never asked: its step does not come on the lesson's own points");
-  if (played->grade && !played->grade->done)
-    return refuse("the task's model answer does not do it: " + played->grade->says);
-  if (!played->sound()) return refuse("a question's model answer is graded as wrong");
+  const auto played = play(*file);
+  if (!played) return tl::unexpected(played.error());
+  if (auto fault = fault_of(*file, *played)) return tl::unexpected(std::move(*fault));
   return Json{{"lesson", file->lesson.id}, {"questions", file->lesson.questions.size()}, {"file", path}};
 }
 
@@ -82,7 +87,7 @@ Json json_of(const lesson::Played::Algorithm& algorithm) {
 CommandResult run_play(const LessonOptions& options) {
   const auto file = find_lesson(options.folder, options.id);
   if (!file) return bad_input(file.error());
-  const auto played = open_lesson(*file).and_then([](lesson::Session&& session) { return lesson::play(session); });
+  const auto played = play(*file);
   if (!played) return bad_input(played.error());
   Printed printed{"", played->sound() ? 0 : 1};
   for (const auto& algorithm : played->algorithms)

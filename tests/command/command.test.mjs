@@ -1,0 +1,316 @@
+// The `snug` command as scripts and graders use it: what it prints, where, and how it ends.
+// SNUG: the program; build/release/snug if not set.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join, resolve } from "node:path";
+import { after, test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
+const program = resolve(process.env.SNUG ?? join(root, "build/release/snug"));
+const corpus = join(root, "tests/corpus/points");
+const lessons = join(root, "lessons");
+const folder = mkdtempSync(join(tmpdir(), "snug-"));
+after(() => rmSync(folder, { recursive: true }));
+
+function snug(args, input = "") {
+  const done = spawnSync(program, args, { input, encoding: "utf8", cwd: folder });
+  assert.equal(done.error, undefined);
+  return { out: done.stdout, err: done.stderr, status: done.status };
+}
+
+function write(name, text) {
+  writeFileSync(join(folder, name), text);
+  return name;
+}
+
+const json_lines = (text) => text.trimEnd().split("\n").map((line) => JSON.parse(line));
+
+function good(args, input) {
+  const { out, err, status } = snug(args, input);
+  assert.equal(err, "");
+  assert.equal(status, 0);
+  return out;
+}
+
+const fit_args = (algorithm, ...more) => ["fit", "--volume", "sphere", "--algorithm", algorithm, ...more];
+const fit = (algorithm, ...more) => JSON.parse(good(fit_args(algorithm, ...more)));
+
+/** Exit 2, nothing on stdout, and one line on stderr. */
+function refused(args, line, input) {
+  const { out, err, status } = snug(args, input);
+  assert.equal(out, "");
+  if (line instanceof RegExp) assert.match(err, line);
+  else assert.equal(err, `snug: ${line}\n`);
+  assert.match(err, /^snug: [^\n]+\n$/);
+  assert.equal(status, 2);
+}
+
+const tetra = write("tetra.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+const algorithms = ["aabb_center", "ritter", "ritter_iterative", "pca", "welzl", "brute_force"];
+
+test("fit prints one object with the contract's keys in their order", () => {
+  for (const algorithm of algorithms) {
+    const out = good(fit_args(algorithm, tetra));
+    assert.equal(out.split("\n").length, 2);
+    const result = JSON.parse(out);
+    assert.deepEqual(Object.keys(result), ["sphere", "points", "support", "measure", "max_outside", "certificate",
+      "steps", "operations", "time_ns"]);
+    assert.deepEqual(Object.keys(result.certificate), ["contains", "on_boundary", "optimal"]);
+    assert.deepEqual(Object.keys(result.time_ns), ["median", "min", "repeats"]);
+    const { center, radius } = result.sphere;
+    assert.equal(result.points, 4);
+    assert.equal(result.max_outside, 0);
+    assert.equal(result.certificate.contains, true);
+    assert.ok(Math.abs(result.measure / (4 / 3 * Math.PI * radius ** 3) - 1) < 1e-14);
+    assert.ok(radius >= Math.sqrt(2 / 3) && radius < 1);
+    for (const p of [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+      assert.ok(Math.hypot(...p.map((x, i) => x - center[i])) <= radius * (1 + 1e-15));
+    assert.ok(result.support.every((i) => i >= 0 && i < 4));
+    assert.ok(result.steps > 0 && result.operations.points_touched > 0);
+    assert.ok(result.time_ns.min > 0 && result.time_ns.min <= result.time_ns.median);
+  }
+});
+
+test("only exact algorithms claim to be optimal, and are", () => {
+  for (const algorithm of algorithms)
+    assert.equal(fit(algorithm, tetra).certificate.optimal, ["welzl", "brute_force"].includes(algorithm) ? true : null);
+  const { sphere, support } = fit("welzl", tetra);
+  assert.deepEqual([...support].sort(), [1, 2, 3]);
+  assert.ok(Math.abs(sphere.radius - Math.sqrt(2 / 3)) < 1e-15);
+});
+
+test("one point is a ball of radius zero", () => {
+  for (const algorithm of algorithms) {
+    const result = fit(algorithm, write("one.xyz", "1 -2 0.1\n"));
+    assert.deepEqual(result.sphere, { center: [1, -2, 0.1], radius: 0 });
+    assert.equal(result.measure, 0);
+    assert.equal(result.certificate.contains, true);
+  }
+});
+
+test("2-D points have two coordinates and an area", () => {
+  const result = fit("welzl", write("flat.csv", "x,y\n-1,0\n1,0\n"));
+  assert.deepEqual(result.sphere, { center: [0, 0], radius: 1 });
+  assert.equal(result.measure, Math.PI);
+  assert.deepEqual(fit("welzl", "--dim", "3", "flat.csv").sphere.center, [0, 0, 0]);
+});
+
+test("numbers read back to the same bits, and float results are floats", () => {
+  const points = write("third.xyz", "0.1 0.2 0.3\n");
+  assert.deepEqual(fit("ritter", points).sphere.center, [0.1, 0.2, 0.3]);
+  assert.deepEqual(fit("ritter", "--scalar", "float", points).sphere.center, [0.1, 0.2, 0.3].map(Math.fround));
+});
+
+test("- is xyz on standard input", () => {
+  const out = good(fit_args("welzl", "-"), "-3 0 0\n3 0 0\n");
+  assert.equal(JSON.parse(out).sphere.radius, 3);
+  refused(fit_args("welzl", "-"), '-:2: "a" is not a number', "1 2 3\na b c\n");
+  refused(fit_args("welzl", "-"), "-: there are no points", "");
+});
+
+test("every format is fitted", () => {
+  const files = readdirSync(corpus).filter((name) => name.startsWith("tetra_"));
+  assert.ok(files.length >= 2);
+  const radii = files.map((name) => fit("welzl", join(corpus, name)).sphere.radius);
+  assert.deepEqual(new Set(radii).size, 1);
+  assert.equal(fit("ritter", join(dirname(program), "assets/meshes/bunny.ply")).points, 1839);
+});
+
+test("--seed sets the random order, and --repeat how often the time is taken", () => {
+  const cloud = write("cloud.xyz", Array.from({ length: 50 }, (_, i) => `${i * i % 37} ${i * 7 % 31} ${i % 11}`).join("\n"));
+  const with_seed = (seed, ...more) => fit("ritter_iterative", "--seed", seed, ...more, cloud);
+  const first = with_seed("1", "--repeat", "3");
+  assert.equal(first.time_ns.repeats, 3);
+  assert.deepEqual(with_seed("1").sphere, first.sphere);
+  assert.deepEqual(fit("ritter_iterative", cloud).sphere, first.sphere);
+  assert.notDeepEqual(with_seed("18446744073709551615").sphere, first.sphere);
+});
+
+test("--steps writes the trace, one object a line, in place of what was there", () => {
+  write("steps.jsonl", "old");
+  symlinkSync("steps.jsonl", join(folder, "link.jsonl"));
+  const { steps } = fit("welzl", "--steps", "link.jsonl", tetra);
+  const lines = json_lines(readFileSync(join(folder, "steps.jsonl"), "utf8"));
+  assert.equal(lines.length, steps);
+  assert.ok(lines.every((line) => typeof line.step === "string" && Number.isInteger(line.line)));
+  assert.equal(lines.at(-1).step, "finished");
+});
+
+test("a trace that cannot be written leaves nothing behind", () => {
+  refused(fit_args("welzl", "--steps", "nowhere/steps.jsonl", tetra),
+    "nowhere/steps.jsonl: cannot be written: No such file or directory");
+  refused(fit_args("welzl", "--steps", ".", tetra), ".: is a directory");
+  refused(fit_args("welzl", "--steps", "/dev/full", tetra), "/dev/full: cannot be written: No space left on device");
+  write("kept.jsonl", "old");
+  refused(fit_args("welzl", "--steps", "kept.jsonl", write("bad.xyz", "1 2\n1 2 3\n")), /^snug: bad\.xyz:2: /);
+  assert.equal(readFileSync(join(folder, "kept.jsonl"), "utf8"), "old");
+  assert.deepEqual(readdirSync(folder).filter((name) => name.includes(".part")), []);
+});
+
+test("bad points are refused in one line with file and line, or byte", () => {
+  for (const [name, text, line] of [
+    ["nan.xyz", "0 0 0\n0 nan 0\n", 'nan.xyz:2: "nan" is not a finite number'],
+    ["inf.csv", "1,2\n3,inf\n", 'inf.csv:2: "inf" is not a finite number'],
+    ["overflow.txt", "0 0 1e999\n", 'overflow.txt:1: "1e999" is too large: coordinates reach to 2^508, about 8.3e152'],
+    ["empty.xyz", "", "empty.xyz: there are no points"],
+    ["mixed.xyz", "1 2 3\n1 2\n", "mixed.xyz:2: there are 2 numbers on the line, and on line 1 there were 3"],
+    ["face.obj", "v 0 0 0\nf 1 1 2\n", "face.obj:2: the face names vertex 2, and there is 1"],
+    ["open.stl", "solid a\nfacet normal 0 0 1\n", "open.stl:2: the file ends within a solid"],
+    ["cut.ply", "ply\nformat ascii 1.0\n", "cut.ply:2: the file ends within its header"],
+  ])
+    refused(fit_args("welzl", write(name, text)), line);
+  for (const [name, line] of [
+    ["claims_too_much.stl", /:byte 80: the header claims 1000000000 triangles/],
+    ["claims_too_little.stl", /:byte 80: the header claims 3 triangles/],
+    ["claims_too_much.ply", /:3: the header claims 2000000000 of "vertex", and the file is too short/],
+    ["claims_too_little.ply", /claims_too_little\.ply:byte \d+: /],
+    ["cut_short.ply", /cut_short\.ply:7: the header claims 4 of "face"|cut_short\.ply:byte \d+: the file is cut short/],
+    ["face_out_of_range.ply", /:byte \d+: the face names vertex 4/],
+    ["not_finite.ply", /:byte \d+: the coordinate is not a finite number/],
+  ])
+    refused(fit_args("welzl", join(corpus, name)), line);
+});
+
+test("a header that lies costs no memory", () => {
+  for (const name of readdirSync(corpus).filter((file) => file.startsWith("claims_"))) {
+    const command = `ulimit -v 100000 && exec "$0" fit --volume sphere --algorithm welzl "$1"`;
+    const { stderr, status } = spawnSync("bash", ["-c", command, program, join(corpus, name)], { encoding: "utf8" });
+    assert.match(stderr, /^snug: .*claims_/);
+    assert.doesNotMatch(stderr, /memory/);
+    assert.equal(status, 2);
+  }
+});
+
+test("files that cannot be read are refused", () => {
+  refused(fit_args("welzl", "nowhere.xyz"), "nowhere.xyz: cannot be opened: No such file or directory");
+  refused(fit_args("welzl", "."), ".: is a directory");
+  refused(fit_args("welzl", "/proc/self/mem"), "/proc/self/mem: cannot be read: Input/output error");
+});
+
+test("bad usage is refused in one line", () => {
+  refused(["fti"], /not expected: fti/);
+  refused(["fit"], /--volume is required/);
+  refused(["fit", "--volume", "cube", "--algorithm", "welzl", tetra], 'there is no volume "cube"; known: sphere');
+  refused(fit_args("quick", tetra),
+    `there is no algorithm "quick" for sphere; known: ${algorithms.slice(0, 1)}, ritter, ritter_iterative, pca, welzl, brute_force`);
+  refused(fit_args("welzl"), /FILE is required/);
+  refused(fit_args("welzl", tetra, tetra), /not expected/);
+  refused(fit_args("welzl", "--repeat", "0", tetra), /--repeat/);
+  refused(fit_args("welzl", "--repeat", "many", tetra), /--repeat/);
+  refused(fit_args("welzl", "--seed", "-1", tetra), /--seed/);
+  refused(fit_args("welzl", "--seed", "18446744073709551616", tetra), /--seed/);
+  refused(fit_args("welzl", "--seed", "1.5", tetra), /--seed/);
+  refused(fit_args("welzl", "--scalar", "half", tetra), /--scalar/);
+  refused(fit_args("welzl", "--dim", "4", tetra), /--dim/);
+  refused(fit_args("welzl", "--dim", "2", tetra), "tetra.xyz: the points are 3-D, and 2-D was asked for");
+  refused(fit_args("welzl", "--scalar", "float", write("far.xyz", "0 0 0\n1e30 0 0\n")),
+    "far.xyz: point 1 is too far out for float: coordinates reach to 2^60, about 1.15e18");
+  refused(["lesson"], /subcommand/);
+  refused(["lesson", "check"], /FILE/);
+  refused(["render", "sphere-ritter", "--size", "12", "-o", "x.png"], /--size: "12" is not a size/);
+  refused(["render", "nowhere", "-o", "x.png"], /there is no lesson "nowhere"/);
+  refused(["--lesson", "nowhere"], /there is no lesson "nowhere"/);
+  refused(["--points", "nowhere.xyz"], /nowhere\.xyz: cannot be opened/);
+  assert.ok(!existsSync(join(folder, "x.png")));
+});
+
+test("brute force says how many points it takes", () => {
+  const many = write("many.xyz", Array.from({ length: 5000 }, (_, i) => `${i} ${i * i} 0`).join("\n"));
+  refused(fit_args("brute_force", many), /^snug: many\.xyz: there are 5000 points, and brute_force takes at most \d+\n$/);
+});
+
+test("output that cannot be written is an error", () => {
+  const done = spawnSync("bash", ["-c", '"$0" algorithms > /dev/full', program], { encoding: "utf8" });
+  assert.equal(done.stderr, "snug: standard output: No space left on device\n");
+  assert.equal(done.status, 2);
+});
+
+test("algorithms lists what fit takes", () => {
+  const rows = json_lines(good(["algorithms"]));
+  assert.deepEqual(rows.map((row) => row.algorithm), algorithms);
+  for (const row of rows) {
+    assert.deepEqual(Object.keys(row).slice(0, 5), ["volume", "algorithm", "dims", "exact", "source"]);
+    assert.deepEqual(row.dims, [2, 3]);
+    assert.match(row.source, /\d{4}$/);
+  }
+});
+
+test("lessons are listed in their order, and each is sound", () => {
+  const files = readdirSync(lessons).filter((name) => name.endsWith(".toml"));
+  const list = json_lines(good(["lesson", "list", "--lessons", lessons]));
+  assert.equal(list.length, files.length);
+  assert.deepEqual(list, json_lines(good(["lesson", "list"])).map((row, i) => ({ ...row, file: list[i].file })));
+  const checked = json_lines(good(["lesson", "check", ...files.map((name) => join(lessons, name))]));
+  assert.deepEqual(checked.map((row) => `${row.lesson}.toml`), files);
+  for (const { lesson, questions, task } of list) {
+    const lines = json_lines(good(["lesson", "play", lesson]));
+    const end = lines.pop();
+    assert.equal(lines.flatMap((line) => line.questions).length, questions);
+    assert.ok(lines.every((line) => line.steps > 0 && line.questions.every((question) => question.right)));
+    assert.equal(end.sound, true);
+    assert.equal(end.task !== null && end.task.done, task);
+  }
+});
+
+test("a lesson that is wrong is refused with its line, each in a line of its own", () => {
+  const text = readFileSync(join(lessons, "sphere-ritter.toml"), "utf8");
+  const line = text.split("\n").findIndex((row) => /^algorithms\b/.test(row));
+  assert.ok(line >= 0);
+  write("unknown.toml", text.replace(/^algorithms\b.*$/m, 'algorithms = ["quick"]'));
+  write("syntax.toml", "title = \n");
+  refused(["lesson", "check", "unknown.toml"], new RegExp(`^snug: unknown\\.toml:${line + 1}: .*quick`));
+  refused(["lesson", "check", "nowhere.toml"], /^snug: nowhere\.toml: cannot be opened/);
+  const { out, err, status } = snug(["lesson", "check", "unknown.toml", join(lessons, "sphere-ritter.toml"), "syntax.toml"]);
+  assert.equal(out, "");
+  assert.match(err, /^snug: unknown\.toml:\d+: [^\n]+\nsnug: syntax\.toml:1: [^\n]+\n$/);
+  assert.equal(status, 2);
+});
+
+test("a lesson whose question is never asked is unsound", () => {
+  // On a mesh's points, for on others reading finds it.
+  const text = readFileSync(join(lessons, "sphere-ritter.toml"), "utf8");
+  const changed = text.slice(0, text.indexOf("[task]")).replace(/^\[points\][^[]*/m, '[points]\nmesh = "bunny"\n\n').replace(/^nth = \d+$/m, "nth = 9999");
+  const line = 1 + changed.split("\n").findIndex((row) => row === "nth = 9999");
+  const asked = json_lines(good(["lesson", "list"])).find((row) => row.lesson === "sphere-ritter").questions;
+  write("never.toml", changed);
+  const { out, err, status } = snug(["lesson", "play", "never", "--lessons", "."]);
+  assert.equal(err, "");
+  assert.equal(status, 1);
+  const lines = json_lines(out);
+  const { sound, not_asked } = lines.pop();
+  assert.equal(sound, false);
+  assert.ok(not_asked.length > 0);
+  assert.equal(lines.flatMap((row) => row.questions).length, asked - not_asked.length);
+  const checked = snug(["lesson", "check", "never.toml"]);
+  const at = Number(/^snug: never\.toml:(\d+): the question "[\w-]+" is never asked/.exec(checked.err)?.[1]);
+  assert.ok(at > 0 && at < line && line - at < 10, checked.err);
+  assert.equal(checked.status, 2);
+  refused(["lesson", "play", "nowhere"], /there is no lesson "nowhere"/);
+});
+
+test("trace-hash is a line for each lesson, the same each time", () => {
+  const out = good(["trace-hash"]);
+  const ids = json_lines(good(["lesson", "list"])).map((row) => row.lesson);
+  const lines = out.trimEnd().split("\n");
+  assert.deepEqual(lines.map((line) => line.split(" ")[0]), ids);
+  for (const line of lines) assert.match(line, /^[\w-]+ [1-9]\d* [0-9a-f]{16}$/);
+  assert.equal(new Set(lines.map((line) => line.split(" ")[2])).size, lines.length);
+  assert.equal(good(["trace-hash"]), out);
+  refused(["trace-hash", "--lessons", "nowhere"], /^snug: nowhere: /);
+});
+
+test("help says what the contract says", () => {
+  const all = good(["--help"]);
+  for (const word of ["fit", "algorithms", "lesson", "trace-hash", "render", "Exit status"]) assert.ok(all.includes(word), word);
+  const help = good(["fit", "--help"]);
+  for (const word of ["--volume", "--algorithm", "--scalar", "--dim", "--seed", "--repeat", "--steps", "support", "measure",
+    "max_outside", "certificate", "operations", "time_ns", ".xyz", ".csv", ".txt", ".obj", ".ply", ".stl"])
+    assert.ok(help.includes(word), word);
+  for (const command of [["algorithms"], ["lesson"], ["lesson", "list"], ["lesson", "check"], ["lesson", "play"],
+    ["trace-hash"], ["render"]])
+    assert.match(good([...command, "--help"]), /Usage: snug/);
+  assert.match(good(["--version"]), /^\d+\.\d+\.\d+\n$/);
+});
