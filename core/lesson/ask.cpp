@@ -129,9 +129,9 @@ Truth truth_of(const Asked& asked, Trace trace) {
 
 bool contains(const auto& values, int value) { return std::find(values.begin(), values.end(), value) != values.end(); }
 
-std::string what_was_said(const Outcome& outcome, Asks asks) {
+std::string what_was_said(const Outcome& outcome, bool quoted) {
   if (outcome.skipped) return "You skipped this.";
-  return asks == Asks::kChoice ? "You said “" + outcome.predicted + "”." : "You said " + outcome.predicted + ".";
+  return quoted ? "You said “" + outcome.predicted + "”." : "You said " + outcome.predicted + ".";
 }
 
 }  // namespace
@@ -161,7 +161,8 @@ Outcome judge(const Asked& asked, const Answer& answer, Trace trace) {
     outcome.predicted = asked.choices[static_cast<std::size_t>(answer.value)];
     outcome.right = contains(truth.choices, answer.value);
   }
-  outcome.says = what_was_said(outcome, asked.question->asks) + " " + truth.sentence;
+  const bool choice = asked.question->asks == Asks::kChoice;
+  outcome.says = what_was_said(outcome, choice) + " " + (choice && outcome.right ? "That is right." : truth.sentence);
   outcome.happened = std::move(truth.happened);
   return outcome;
 }

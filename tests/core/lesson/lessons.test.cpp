@@ -1,0 +1,168 @@
+// Every lesson of the house, played to its end without a window.
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "lesson/play.hpp"
+#include "core/lesson/small_lesson.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+
+namespace {
+
+constexpr std::array kLessons{"sphere-ritter", "sphere-pca", "sphere-welzl", "sphere-iterative"};
+
+Lesson lesson_of(const std::string& id) {
+  const std::string path = std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml";
+  std::ifstream file(path, std::ios::binary);
+  REQUIRE_MESSAGE(file.good(), path);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  auto lesson = read_lesson(text, path);
+  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+  return *std::move(lesson);
+}
+
+Session session_of(const std::string& id) {
+  auto session = Session::open(lesson_of(id));
+  REQUIRE(session.has_value());
+  return *std::move(session);
+}
+
+int words(const Paragraph& paragraph) {
+  int count = 0;
+  bool inside = false;
+  for (const Stretch& stretch : paragraph)
+    for (const char c : stretch.text) {
+      if (c != ' ' && !inside) ++count;
+      inside = c != ' ';
+    }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("each lesson reads well: sections, short paragraphs, terms, lectures") {
+  std::set<int> orders;
+  for (const char* id : kLessons) {
+    CAPTURE(id);
+    const Lesson lesson = lesson_of(id);
+    CHECK(lesson.id == id);
+    CHECK(orders.insert(lesson.order).second);
+    CHECK(lesson.sections.size() >= 3);
+    CHECK(lesson.sections.size() <= 5);
+    CHECK_FALSE(lesson.covers.empty());
+    CHECK(std::count(lesson.meshes.begin(), lesson.meshes.end(), "bunny") == 1);
+    int strong = 0;
+    for (const Section& section : lesson.sections)
+      for (const Paragraph& paragraph : section.paragraphs) {
+        CHECK_MESSAGE(words(paragraph) <= 60, paragraph.front().text);
+        for (const Stretch& stretch : paragraph) strong += stretch.strong;
+      }
+    CHECK(strong >= 5);
+  }
+}
+
+TEST_CASE("each lesson asks at least three questions of its first algorithm, in more than one way") {
+  for (const char* id : kLessons) {
+    CAPTURE(id);
+    Session session = session_of(id);
+    CHECK(session.questions().size() >= 3);
+    std::set<Question::Asks> kinds;
+    for (const Asked& asked : session.questions()) kinds.insert(asked.question->asks);
+    CHECK(kinds.size() >= 2);
+  }
+}
+
+TEST_CASE("each lesson plays to its end with the model answers, and its task is solved by the model alone") {
+  for (const char* id : kLessons) {
+    CAPTURE(id);
+    Session session = session_of(id);
+    REQUIRE(session.grade().has_value());
+    CHECK_FALSE(session.grade()->done);
+    session.start_task();
+    CHECK_FALSE(session.grade()->done);
+    session.reset();
+    const auto played = play(session);
+    REQUIRE_MESSAGE(played.has_value(), (played ? "" : played.error().message()));
+    CHECK(played->sound());
+    CHECK(played->not_asked.empty());
+    REQUIRE(played->grade.has_value());
+    CHECK(played->grade->done);
+  }
+}
+
+TEST_CASE("each algorithm of each lesson can be stepped through, forth and back, with all that is shown") {
+  for (const char* id : kLessons) {
+    Session session = session_of(id);
+    for (const std::string& algorithm : session.lesson().algorithms) {
+      CAPTURE(id);
+      CAPTURE(algorithm);
+      REQUIRE(session.choose(0, algorithm).has_value());
+      session.first();
+      test::play_to_end(session);
+      CHECK(session.proofs().front().holds);
+      int steps = 0;
+      for (; session.step() > 0; session.back(), ++steps) {
+        const auto* entry = session.current(0);
+        REQUIRE(entry != nullptr);
+        CHECK(entry->step.line < static_cast<int>(session.pseudocode(0).size()));
+        CHECK_FALSE(session.figures().empty());
+      }
+      CHECK(steps == session.steps());
+    }
+    for (const auto& rival : session.rivals()) CHECK(rival.excess > -1e-12);
+  }
+}
+
+TEST_CASE("a lesson's trace is the same each time, and another for each lesson") {
+  std::set<std::uint64_t> hashes;
+  for (const char* id : kLessons) {
+    Session first = session_of(id);
+    Session second = session_of(id);
+    CHECK(first.trace_hash() == second.trace_hash());
+    CHECK(hashes.insert(first.trace_hash()).second);
+    const auto own = second.trace_hash();
+    second.scatter(second.seed() + 1);
+    CHECK(second.trace_hash() != own);
+    second.undo();
+    CHECK(second.trace_hash() == own);
+  }
+}
+
+TEST_CASE("scattered anew, each lesson still plays: questions that the points do not raise are left out") {
+  int asked = 0, left_out = 0;
+  for (const char* id : kLessons) {
+    Session session = session_of(id);
+    for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+      session.scatter(seed);
+      session.forget_answers();
+      session.first();
+      const auto all = static_cast<int>(session.lesson().questions.size());
+      asked += static_cast<int>(session.questions().size());
+      left_out += all - static_cast<int>(session.questions().size());
+      test::play_to_end(session);
+      for (const Outcome& outcome : session.outcomes()) CHECK(outcome.right);
+    }
+  }
+  CHECK(asked > 200);
+  CHECK(left_out > 50);
+}
+
+TEST_CASE("a lesson holds its questions on a mesh as well") {
+  Session session = session_of("sphere-ritter");
+  io::PointFile mesh{3, {}, {}};
+  for (int i = 0; i < 500; ++i) {
+    const double t = 0.37 * i;
+    mesh.points.emplace_back(std::cos(t), std::sin(t), 0.004 * i - 1);
+  }
+  REQUIRE(session.load(mesh, "bunny").has_value());
+  CHECK(session.dim() == 3);
+  session.first();
+  test::play_to_end(session);
+  REQUIRE_FALSE(session.outcomes().empty());
+  CHECK(session.outcomes().front().question == "which-pair");
+  CHECK(session.questions().front().choices.size() == 3);
+}

@@ -1,0 +1,147 @@
+#include "core/lesson/small_lesson.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+using test::choice;
+using test::open_small;
+using test::point;
+using test::small_lesson_with;
+
+namespace {
+
+/// The small lesson with one question, on an algorithm of its own.
+Session ask(const std::string& algorithm, const std::string& rest) {
+  const std::string text = small_lesson_with("[task]", "[[question]]\nid = \"own\"\nprompt = \"?\"\nbecause = \"So.\"\nalgorithm = \"" +
+                                                           algorithm + "\"\n" + rest + "\n[task]");
+  Session session = test::open(text);
+  REQUIRE(session.choose(0, algorithm).has_value());
+  session.last();
+  REQUIRE(session.asked() != nullptr);
+  REQUIRE(session.asked()->question->id == "own");
+  return session;
+}
+
+}  // namespace
+
+TEST_CASE("axis: by the pair's name or by one of its points") {
+  Session session = open_small();
+  session.last();
+  CHECK(session.asked()->choices == std::vector<std::string>{"the x pair", "the y pair"});
+  CHECK(session.asked()->on_stage);
+  CHECK_FALSE(session.answer(point(2)));  // no extreme point, so no answer
+  CHECK_FALSE(session.answer(point(99)));
+  CHECK_FALSE(session.answer(choice(2)));
+  CHECK(session.outcomes().empty());
+  SUBCASE("wrong by choice") {
+    REQUIRE(session.answer(choice(1)));
+    CHECK_FALSE(session.outcome()->right);
+    CHECK(session.outcome()->predicted == "the y pair");
+    CHECK(session.outcome()->happened == "the x pair");
+    CHECK(session.outcome()->says == "You said the y pair. P0 and P1, the x pair, lie farthest apart.");
+    CHECK(session.outcome()->because == "It is farther apart.");
+  }
+  SUBCASE("right by point") {
+    REQUIRE(session.answer(point(1)));
+    CHECK(session.outcome()->right);
+  }
+  SUBCASE("wrong by point") {
+    REQUIRE(session.answer(point(4)));
+    CHECK_FALSE(session.outcome()->right);
+  }
+}
+
+TEST_CASE("point: any other point is wrong, and the sentence says what happened") {
+  Session session = open_small();
+  session.jump(2);
+  REQUIRE(session.asked() != nullptr);
+  CHECK(session.asked()->choices.empty());
+  CHECK_FALSE(session.answer(choice(0)));
+  REQUIRE(session.answer(point(3)));
+  CHECK_FALSE(session.outcome()->right);
+  CHECK(session.outcome()->says == "You said P3. P4 lies outside, and the ball grows to it.");
+}
+
+TEST_CASE("grows: no where all points are inside, yes where one is let in") {
+  Session session = open_small();
+  session.jump(9);
+  REQUIRE(session.answer(choice(0)));
+  CHECK_FALSE(session.outcome()->right);
+  CHECK(session.outcome()->says == "You said yes. The radius stays 2.250.");
+
+  Session welzl = ask("welzl", "before = \"boundary_forced\"\nnth = 2\nasks = \"grows\"");
+  REQUIRE(welzl.answer(choice(0)));
+  CHECK(welzl.outcome()->right);
+  CHECK(welzl.outcome()->says == "You said yes. The radius grows from 0.000 to 2.000.");
+}
+
+TEST_CASE("choice: by the file's answer, and only on the lesson's own points") {
+  Session session = open_small();
+  session.jump(10);
+  REQUIRE(session.answer(choice(0)));
+  CHECK_FALSE(session.outcome()->right);
+  CHECK(session.outcome()->says == "You said “one”. The answer is “three”.");
+  session.scatter(6);
+  for (const Asked& asked : session.questions()) CHECK(asked.question->id != "number");
+}
+
+TEST_CASE("leaves: which point leaves the support when Welzl's recursion is through") {
+  // P4 comes when P0 and P1 hold the circle: both stay. So nothing leaves.
+  Session none = ask("welzl", "before = \"boundary_forced\"\nnth = 3\nasks = \"leaves\"");
+  CHECK(none.asked()->choices == std::vector<std::string>{"none", "P1", "P0"});
+  CHECK_FALSE(none.answer(point(4)));  // it does not hold the circle yet, so it cannot leave
+  REQUIRE(none.answer(choice(0)));
+  CHECK(none.outcome()->right);
+  CHECK(none.outcome()->says == "You said none. No point left the support set.");
+  CHECK(none.support(0).size() == 3);
+
+  // P4 far off: the circle is then held by it and the farther of P0 and P1.
+  Session session = ask("welzl", "before = \"boundary_forced\"\nnth = 3\nasks = \"leaves\"");
+  REQUIRE(session.move(0, {-1, 0, 0}).has_value());
+  REQUIRE(session.move(4, {-40, 0.5, 0}).has_value());
+  session.jump(session.questions().front().step);
+  REQUIRE(session.answer(point(0)));
+  CHECK(session.outcome()->right);
+  CHECK(session.outcome()->happened == "P0");
+  CHECK(session.outcome()->says == "You said P0. P0 left the support set.");
+}
+
+TEST_CASE("holds: how many points hold the ball, asked before anything is shown") {
+  Session session = ask("brute_force", "before = \"finished\"\nafter = \"start\"\nasks = \"holds\"");
+  CHECK(session.step() == 0);
+  CHECK(session.asked()->choices.size() == 3);
+  REQUIRE(session.answer(choice(1)));
+  CHECK(session.step() == session.steps());
+  CHECK_FALSE(session.outcome()->right);
+  CHECK(session.outcome()->says == "You said 2. P0, P1 and P4 hold the ball.");
+}
+
+TEST_CASE("better: whether a candidate becomes the best") {
+  Session session = ask("brute_force", "before = \"candidate_tried\"\nasks = \"better\"");
+  REQUIRE(session.answer(choice(0)));  // P0 and P1 leave P4 outside
+  CHECK_FALSE(session.outcome()->right);
+  CHECK(session.outcome()->says == "You said yes. P4 lies outside, so it is not kept.");
+}
+
+TEST_CASE("a question stays out where another one is not decided yet") {
+  const auto lesson = read_lesson(small_lesson_with("before = \"radius_checked\"", "before = \"point_examined\"\nnth = 3"), "x.toml");
+  REQUIRE_FALSE(lesson.has_value());
+  CHECK(lesson.error().what == "the question stands where another one is not decided yet");
+}
+
+TEST_CASE("points_named is empty just for the facts that name no point") {
+  Session session = open_small();
+  int named = 0, unnamed = 0;
+  for (const char* algorithm : {"ritter", "welzl", "brute_force", "pca", "ritter_iterative", "aabb_center"}) {
+    REQUIRE(session.choose(0, algorithm).has_value());
+    for (const auto& entry : session.recording(0).steps) {
+      const std::string_view fact = fit::name_of(entry.step);
+      const bool none = fact == "midpoint_found" || fact == "mean_found" || fact == "covariance_found" ||
+                        fact == "axes_found" || fact == "ball_shrunk" || fact == "pass_judged" || fact == "all_checked";
+      CAPTURE(fact);
+      CHECK(points_named(entry.step).empty() == none);
+      ++(none ? unnamed : named);
+    }
+  }
+  CHECK(named > 50);
+  CHECK(unnamed > 10);
+}

@@ -1,0 +1,146 @@
+#include <algorithm>
+
+#include "core/lesson/small_lesson.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+using snug::test::kSmallLesson;
+using snug::test::small_lesson_with;
+
+namespace {
+
+int line_of(std::string_view text, std::string_view marker) {
+  const auto at = text.find(marker);
+  REQUIRE(at != std::string_view::npos);
+  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
+/// A stretch of the small lesson, what it becomes, where the error is to point, and words that it must have.
+struct Broken {
+  std::string_view from, to, marker, says;
+};
+
+constexpr Broken kBroken[] = {
+    {"order = 3", "order = = 3", "order = =", ""},
+    {"version = 1\n", "", "group", "lacks the key \"version\""},
+    {"version = 1", "version = 2", "version", "reads 1"},
+    {"version = 1", "version = \"1\"", "version", "whole number"},
+    {"order = 3", "order = 3\ncolour = \"red\"", "colour", "no key \"colour\""},
+    {"title = \"Small\"", "title = 7", "title = 7", "text in quotes"},
+    {"title = \"Small\"", "title = \"  \"", "title = ", "is empty"},
+    {"title = \"Small\"", "title = \"Small\"\ntitle = \"Smaller\"", "title = \"Smaller\"", ""},
+    {"order = 3", "order = 0", "order = 0", "from 1 to"},
+    {"seed = 5", "seed = -5", "seed = -5", "from 0"},
+    {"covers = [\"A lecture: a slide\"]", "covers = [3]", "covers", "list of texts"},
+    {"[\"ritter\", \"welzl\", \"brute_force\"]", "[]", "algorithms", "at least 1"},
+    {"[\"ritter\", \"welzl\", \"brute_force\"]", "[\"ritter\", \"wezl\"]", "algorithms", "wezl"},
+    {"meshes = [\"bunny\"]", "meshes = [\"cow\"]", "meshes", "bunny, teapot or dragon"},
+    {"\"cube\", \"gaussian\"", "\"blob\"", "generators", "blob"},
+    {"seed = 5", "seed = 5\nstart = \"middle\"", "start = \"middle\"", "begin or end"},
+    {"seed = 5", "seed = 5\ncompare = \"pca\"", "compare", "does not offer"},
+    {"[points]", "[dots]", "version", "lacks [points]"},
+    {"dim = 2", "dim = 4", "dim = 4", "from 2 to 3"},
+    {"dim = 2", "dim = 2\ngenerate = \"cube\"\ncount = 4", "[points]", "exactly one"},
+    {"dim = 2\nlist", "dim = 2\nmesh = \"cow\"\nunlisted", "mesh = \"cow\"", "cow"},
+    {"[0, 2.5], [0.5", "[0, 2.5, 1], [0.5", "list = ", "2 finite numbers"},
+    {"[0, 2.5], [0.5", "[0, nan], [0.5", "list = ", "2 finite numbers"},
+    {"[0, 2.5], [0.5", "[0, 1e200], [0.5", "[points]", "too far out"},
+    {"A **term** stands", "A **term stands", "text = ", "without a partner"},
+    {"title = \"First\"\n", "", "[[section]]", "lacks the key \"title\""},
+    {"id = \"growth\"", "id = \"pair\"", "id = \"pair\"\nalgorithm = \"ritter\"\nbefore = \"ball", "another question"},
+    {"before = \"ball_grown\"", "before = \"ball_grew\"", "ball_grew", "ball_grew"},
+    {"after = \"pair_chosen\"", "after = \"pair_picked\"", "pair_picked", "pair_picked"},
+    {"after = \"pair_chosen\"", "nth = 2", "id = \"growth\"", "ball_grown 2 times"},
+    {"after = \"pair_chosen\"", "nth = 0", "nth = 0", "from 1"},
+    {"asks = \"axis\"", "asks = \"leaves\"", "id = \"pair\"", "support_replaced"},
+    {"asks = \"axis\"", "asks = \"what\"", "asks = \"what\"", "none of point"},
+    {"asks = \"grows\"", "asks = \"better\"", "id = \"again\"", "pass_judged"},
+    {"asks = \"grows\"", "asks = \"holds\"", "id = \"again\"", "finished"},
+    {"answer = \"three\"", "answer = \"two\"", "answer = \"two\"", "none of the choices: two"},
+    {"choices = [\"one\", \"three\"]", "choices = [\"three\"]", "choices", "at least 2"},
+    {"own_points = true", "own_points = 1", "own_points", "true or false"},
+    {"because = \"All are inside.\"\n", "", "id = \"again\"", "lacks the key \"because\""},
+    {"excess_at_least = 0.05\n", "", "[task]", "\"excess_at_least\" or \"support_size\""},
+    {"excess_at_least = 0.05", "excess_at_least = 0.5", "model", "does not solve"},
+    {"excess_at_least = 0.05", "excess_at_least = -1", "excess_at_least", "above 0"},
+    {"points = 4", "points = 6", "[task]", "before the student begins"},
+    {"points = 4", "points = 7", "[task]", "more points than"},
+    {"[[-2, 0], [2, 0], [0, -1], [0, 2.5]]", "[[-2, 0], [2, 0]]", "model", "There are 2 points"},
+    {"[task]", "[pseudocode.ritter]\nlines = [\"one\"]\n[task]", "lines = [", "must be 6"},
+    {"[task]", "[pseudocode.ritta]\nlines = [\"one\"]\n[task]", "[pseudocode.ritta]", "ritta"},
+};
+
+}  // namespace
+
+TEST_CASE("a lesson file is read whole") {
+  const auto lesson = read_lesson(kSmallLesson, "folder/small.toml");
+  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+  CHECK(lesson->id == "small");
+  CHECK(lesson->group == "Tests");
+  CHECK(lesson->order == 3);
+  CHECK(lesson->seed == 5);
+  CHECK(lesson->start == Lesson::Start::kBegin);
+  CHECK(lesson->algorithms == std::vector<std::string>{"ritter", "welzl", "brute_force"});
+  CHECK(lesson->generators == std::vector<std::string>{"cube", "gaussian"});
+  REQUIRE(lesson->points.list.size() == 6);
+  CHECK(lesson->points.list[4] == Vector<double, 3>(0, 2.5, 0));
+  REQUIRE(lesson->questions.size() == 4);
+  CHECK(lesson->questions[1].gate.after == "pair_chosen");
+  CHECK(lesson->questions[3].answer == 1);
+  REQUIRE(lesson->task.has_value());
+  CHECK(lesson->task->excess_at_least == 0.05);
+}
+
+TEST_CASE("prose: paragraphs, joined lines and strong words") {
+  const auto lesson = read_lesson(kSmallLesson, "small.toml");
+  REQUIRE(lesson.has_value());
+  const auto& paragraphs = lesson->sections.at(0).paragraphs;
+  REQUIRE(paragraphs.size() == 2);
+  REQUIRE(paragraphs[0].size() == 3);
+  CHECK(paragraphs[0][0].text == "A ");
+  CHECK(paragraphs[0][1].text == "term");
+  CHECK(paragraphs[0][1].strong);
+  CHECK(paragraphs[0][2].text == " stands here over two lines.");
+  CHECK_FALSE(paragraphs[0][2].strong);
+}
+
+TEST_CASE("each mistake in a lesson file is told with its line") {
+  for (const Broken& broken : kBroken) {
+    CAPTURE(broken.to);
+    const std::string text = small_lesson_with(broken.from, broken.to);
+    const auto lesson = read_lesson(text, "small.toml");
+    REQUIRE_FALSE(lesson.has_value());
+    CHECK(lesson.error().file == "small.toml");
+    CHECK(lesson.error().unit == InputError::Unit::kLine);
+    CHECK_MESSAGE(lesson.error().what.find(broken.says) != std::string::npos, lesson.error().what);
+    const int line = line_of(text, broken.marker);
+    const bool in_table = broken.marker.substr(0, 4) == "id =";  // a question is named by its [[question]], the line above
+    CHECK_MESSAGE(lesson.error().position == line - (in_table ? 1 : 0), lesson.error().message());
+  }
+}
+
+TEST_CASE("no bytes make the reader fail otherwise than by an error") {
+  for (const std::string_view text : {std::string_view(""), std::string_view("\0\0", 2), std::string_view("\xff\xfe"),
+                                      std::string_view("[["), std::string_view("a = 1"), std::string_view("version = 1")}) {
+    const auto lesson = read_lesson(text, "x.toml");
+    REQUIRE_FALSE(lesson.has_value());
+    CHECK(lesson.error().position >= 1);
+  }
+  // Cut short before its prose is whole, a file is no lesson, wherever it is cut.
+  const std::size_t prose_ends = kSmallLesson.find("Another paragraph");
+  for (std::size_t length = 0; length < prose_ends; ++length) {
+    const auto lesson = read_lesson(kSmallLesson.substr(0, length), "x.toml");
+    REQUIRE_FALSE(lesson.has_value());
+    CHECK(lesson.error().unit == InputError::Unit::kLine);
+  }
+}
+
+TEST_CASE("a lesson's own pseudocode stands in for the catalogue's, line for line") {
+  auto session = test::open(small_lesson_with(
+      "[task]", "[pseudocode.ritter]\nlines = [\"a\", \"b\", \"c\", \"d\", \"e\", \"f\"]\n[task]"));
+  REQUIRE(session.pseudocode(0).size() == 6);
+  CHECK(session.pseudocode(0)[2] == "c");
+  REQUIRE(session.choose(0, "welzl").has_value());
+  CHECK(session.pseudocode(0).size() == session.algorithm(0)->pseudocode.size());
+  CHECK(session.pseudocode(0)[0] == session.algorithm(0)->pseudocode[0]);
+}

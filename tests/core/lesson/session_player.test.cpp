@@ -1,0 +1,207 @@
+#include "core/lesson/small_lesson.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+using test::choice;
+using test::open_small;
+using test::point;
+using test::small_lesson_with;
+
+TEST_CASE("gates lock the player until their question is answered") {
+  Session session = open_small();
+  CHECK(session.steps() == 11);
+  CHECK(session.step() == 0);
+  CHECK(session.asked() == nullptr);
+  session.last();
+  CHECK(session.step() == 1);
+  REQUIRE(session.asked() != nullptr);
+  CHECK(session.asked()->question->id == "pair");
+  session.forward();
+  session.go(9);
+  CHECK(session.step() == 1);
+  session.back();
+  CHECK(session.step() == 0);
+  session.last();
+  CHECK(session.step() == 1);
+
+  REQUIRE(session.answer(choice(0)));
+  CHECK(session.step() == 2);  // the pair is shown, and the next question stands right behind it
+  REQUIRE(session.asked() != nullptr);
+  CHECK(session.asked()->question->id == "growth");
+  REQUIRE(session.outcome() != nullptr);
+  CHECK(session.outcome()->right);
+
+  REQUIRE(session.answer(point(4)));
+  CHECK(session.step() == 8);  // where P4 has made the circle grow
+  CHECK(session.outcome()->says == "You said P4. P4 lies outside, and the ball grows to it.");
+  session.first();
+  session.last();
+  CHECK(session.step() == 9);  // an answered question does not gate again
+  CHECK(session.outcome() == nullptr);
+  session.forget_answers();
+  session.first();
+  session.last();
+  CHECK(session.step() == 1);
+}
+
+TEST_CASE("a lesson plays to its end and keeps every outcome") {
+  Session session = open_small();
+  test::play_to_end(session);
+  CHECK(session.step() == session.steps());
+  REQUIRE(session.outcomes().size() == 4);
+  for (const Outcome& outcome : session.outcomes()) {
+    CHECK(outcome.right);
+    CHECK_FALSE(outcome.skipped);
+    CHECK_FALSE(outcome.because.empty());
+  }
+}
+
+TEST_CASE("an explicit skip commits; a jump passes, and is asked when the player comes again") {
+  Session session = open_small();
+  session.jump(9);
+  CHECK(session.step() == 9);
+  REQUIRE(session.outcomes().size() == 2);
+  CHECK(session.outcomes()[0].passed);
+  CHECK(session.outcomes()[0].skipped);
+  session.first();
+  session.last();
+  REQUIRE(session.asked() != nullptr);
+  CHECK(session.asked()->question->id == "pair");
+  REQUIRE(session.answer({}));
+  CHECK(session.outcomes().size() == 2);
+  CHECK(session.outcome()->says == "You skipped this. P0 and P1, the x pair, lie farthest apart.");
+  session.first();
+  session.last();
+  CHECK(session.asked()->question->id == "growth");
+}
+
+TEST_CASE("steps out of range stay within") {
+  Session session = open_small();
+  session.go(-5);
+  CHECK(session.step() == 0);
+  session.jump(1000);
+  CHECK(session.step() == session.steps());
+  session.forward();
+  CHECK(session.step() == session.steps());
+  session.jump(-1);
+  CHECK(session.step() == 0);
+  CHECK(session.current(0) == nullptr);
+}
+
+TEST_CASE("a lesson that starts at its end shows the result and has passed no question") {
+  Session session = test::open(small_lesson_with("seed = 5", "seed = 5\nstart = \"end\""));
+  CHECK(session.previewing());
+  CHECK(session.step() == session.steps());
+  CHECK(session.asked() == nullptr);
+  session.last();
+  session.jump(session.steps());  // an address of that state
+  CHECK(session.previewing());
+  REQUIRE(session.move(5, {3, 3, 0}).has_value());
+  CHECK(session.previewing());
+  CHECK(session.step() == session.steps());
+  CHECK(session.outcomes().empty());
+
+  SUBCASE("a step begins at the start") {
+    session.forward();
+    CHECK(session.step() == 0);
+    CHECK_FALSE(session.previewing());
+  }
+  SUBCASE("to scrub back stops at the first gate") {
+    session.go(8);
+    CHECK(session.step() == 1);
+    CHECK(session.asked() != nullptr);
+  }
+}
+
+TEST_CASE("at the end the player stays at the end when points change; elsewhere at its step") {
+  Session session = open_small();
+  session.jump(session.steps());
+  REQUIRE(session.add({0, 9, 0}).has_value());
+  CHECK(session.step() == session.steps());
+  session.jump(3);
+  REQUIRE(session.remove(6).has_value());
+  CHECK(session.step() == 3);
+  while (session.size() > 1) REQUIRE(session.remove(0).has_value());
+  CHECK(session.step() <= session.steps());
+}
+
+TEST_CASE("gates follow the trace: changed points, another algorithm, and back") {
+  Session session = open_small();
+  REQUIRE(session.questions().size() == 4);
+  REQUIRE(session.move(4, {0, 1.5, 0}).has_value());  // nothing grows any more, and the points are not the lesson's
+  REQUIRE(session.questions().size() == 2);
+  CHECK(session.questions()[0].question->id == "pair");
+  CHECK(session.questions()[1].question->id == "again");
+  session.undo();
+  CHECK(session.questions().size() == 4);
+  REQUIRE(session.choose(0, "welzl").has_value());
+  CHECK(session.questions().empty());
+  session.last();
+  CHECK(session.step() == session.steps());
+  REQUIRE(session.choose(0, "ritter").has_value());
+  CHECK(session.questions().size() == 4);
+  for (const Asked& asked : session.questions()) CHECK(asked.question->gate.algorithm == "ritter");
+}
+
+TEST_CASE("marks stand where it matters, in order, and can be walked") {
+  Session session = open_small();
+  int grew = 0, questions = 0, last = 0;
+  for (const Mark& mark : session.marks()) {
+    CHECK(mark.step >= last);
+    last = mark.step;
+    grew += mark.kind == Mark::Kind::kGrew;
+    questions += mark.kind == Mark::Kind::kQuestion;
+  }
+  CHECK(grew == 2);  // the first ball, and P4
+  CHECK(questions == 4);
+  CHECK(session.next_mark() == 1);
+  session.jump(8);
+  CHECK(session.previous_mark() == 2);
+  CHECK(session.next_mark() == 9);
+
+  REQUIRE(session.choose(0, "brute_force").has_value());
+  int best = 0;
+  for (const Mark& mark : session.marks()) best += mark.kind == Mark::Kind::kBest;
+  CHECK(best >= 1);
+  REQUIRE(session.choose(0, "welzl").has_value());
+  int replaced = 0;
+  for (const Mark& mark : session.marks()) replaced += mark.kind == Mark::Kind::kReplaced;
+  CHECK(replaced >= 3);
+}
+
+TEST_CASE("the second algorithm stands at the same share of its own trace") {
+  Session session = open_small();
+  REQUIRE(session.choose(1, "welzl").has_value());
+  CHECK(session.step_of(1) == 0);
+  CHECK(session.current(1) == nullptr);
+  int before = 0;
+  for (int step = 1; step <= session.steps(); ++step) {
+    session.jump(step);
+    CHECK(session.step_of(1) >= before);
+    before = session.step_of(1);
+  }
+  CHECK(before == static_cast<int>(session.recording(1).steps.size()));
+  REQUIRE(session.choose(1, "").has_value());
+  CHECK(session.algorithm(1) == nullptr);
+  CHECK(session.figures(1).empty());
+}
+
+TEST_CASE("the revision moves with whatever a view shows, and with nothing else") {
+  Session session = open_small();
+  auto revision = session.revision();
+  const auto changed = [&] { return std::exchange(revision, session.revision()) != revision; };
+  session.go(0);
+  static_cast<void>(session.figures());
+  static_cast<void>(session.rivals());
+  CHECK_FALSE(changed());
+  session.forward();
+  CHECK(changed());
+  session.forward();  // locked
+  CHECK_FALSE(changed());
+  REQUIRE(session.answer(choice(0)));
+  CHECK(changed());
+  REQUIRE(session.choose(1, "welzl").has_value());
+  CHECK(changed());
+  session.undo();  // nothing to undo
+  CHECK_FALSE(changed());
+}

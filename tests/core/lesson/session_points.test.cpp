@@ -1,0 +1,209 @@
+#include "core/lesson/small_lesson.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+using test::open_small;
+
+namespace {
+
+using V = Vector<double, 3>;
+
+std::vector<V> all_points(const Session& session) {
+  std::vector<V> all;
+  for (Index i = 0; i < session.size(); ++i) all.push_back(session.point(i));
+  return all;
+}
+
+io::PointFile tetrahedron() {
+  return {3, {V(0, 0, 0), V(1, 0, 0), V(0, 1, 0), V(0, 0, 1)}, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}};
+}
+
+double radius(const Session& session) { return session.recording(0).result.sphere.radius; }
+
+}  // namespace
+
+TEST_CASE("moving a point runs everything anew and can be undone") {
+  Session session = open_small();
+  CHECK(radius(session) == 2.25);
+  CHECK_FALSE(session.edited());
+  const auto revision = session.revision();
+  REQUIRE(session.move(4, V(0, 1.5, 0)).has_value());
+  CHECK(session.revision() != revision);
+  CHECK(session.edited());
+  CHECK(radius(session) == 2);
+  CHECK(session.smallest_radius() == doctest::Approx(2));
+  session.undo();
+  CHECK(radius(session) == 2.25);
+  CHECK_FALSE(session.edited());
+  CHECK_FALSE(session.can_undo());
+  session.redo();
+  CHECK(session.point(4) == V(0, 1.5, 0));
+  CHECK_FALSE(session.can_redo());
+}
+
+TEST_CASE("bad moves, points and indices are refused and change nothing") {
+  Session session = open_small();
+  const auto before = all_points(session);
+  CHECK_FALSE(session.move(6, V(0, 0, 0)).has_value());
+  CHECK_FALSE(session.move(-1, V(0, 0, 0)).has_value());
+  CHECK_FALSE(session.move(0, V(std::nan(""), 0, 0)).has_value());
+  CHECK_FALSE(session.add(V(0, HUGE_VAL, 0)).has_value());
+  CHECK_FALSE(session.remove(17).has_value());
+  CHECK_FALSE(session.set_generator("blob", 10, 2, 1).has_value());
+  CHECK_FALSE(session.set_generator("cube", 0, 2, 1).has_value());
+  CHECK_FALSE(session.set_generator("cube", 10, 4, 1).has_value());
+  CHECK_FALSE(session.choose(0, "fastest").has_value());
+  CHECK_FALSE(session.choose(0, "").has_value());
+  CHECK(all_points(session) == before);
+  CHECK_FALSE(session.can_undo());
+}
+
+TEST_CASE("a drag is one entry of undo, whatever its length; one that moves nothing is none") {
+  Session session = open_small();
+  session.begin_drag();
+  session.end_drag();
+  CHECK_FALSE(session.can_undo());
+  session.begin_drag();
+  for (int i = 0; i < 20; ++i) REQUIRE(session.move(5, V(0.1 * i, 0, 0)).has_value());
+  CHECK(session.can_undo());
+  session.end_drag();
+  CHECK(session.point(5) == V(0.1 * 19, 0, 0));
+  session.undo();
+  CHECK(session.point(5) == V(0.5, 0.2, 0));
+  CHECK_FALSE(session.can_undo());
+  session.redo();
+  CHECK(session.point(5) == V(0.1 * 19, 0, 0));
+}
+
+TEST_CASE("undo in the middle of a drag ends it and takes it back") {
+  Session session = open_small();
+  session.begin_drag();
+  REQUIRE(session.move(5, V(1, 1, 0)).has_value());
+  session.undo();
+  CHECK(session.point(5) == V(0.5, 0.2, 0));
+  REQUIRE(session.move(5, V(1, 0, 0)).has_value());
+  session.undo();
+  CHECK(session.point(5) == V(0.5, 0.2, 0));
+}
+
+TEST_CASE("each kind of edit is one entry of undo and comes back bit for bit") {
+  Session session = open_small();
+  std::vector<std::vector<V>> states{all_points(session)};
+  const auto edit = [&](auto&& change) {
+    change();
+    states.push_back(all_points(session));
+    REQUIRE(states.back() != states[states.size() - 2]);
+  };
+  edit([&] { REQUIRE(session.add(V(3, 3, 0)).has_value()); });
+  edit([&] { REQUIRE(session.remove(0).has_value()); });
+  edit([&] { session.scatter(77); });
+  edit([&] { REQUIRE(session.load(tetrahedron(), "file.obj").has_value()); });
+  edit([&] { REQUIRE(session.set_generator("lattice", 9, 2, 4).has_value()); });
+  edit([&] { session.reset(); });
+  for (std::size_t i = states.size() - 1; i-- > 0;) {
+    session.undo();
+    CHECK(all_points(session) == states[i]);
+  }
+  CHECK_FALSE(session.can_undo());
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    session.redo();
+    CHECK(all_points(session) == states[i]);
+  }
+  CHECK_FALSE(session.can_redo());
+}
+
+TEST_CASE("an edit after undo forgets what could be redone") {
+  Session session = open_small();
+  REQUIRE(session.add(V(3, 3, 0)).has_value());
+  session.undo();
+  REQUIRE(session.can_redo());
+  REQUIRE(session.add(V(4, 4, 0)).has_value());
+  CHECK_FALSE(session.can_redo());
+}
+
+TEST_CASE("a seed says the points of a lesson, and its own seed brings its own points") {
+  Session session = open_small();
+  const auto own = all_points(session);
+  session.scatter(9);
+  const auto scattered = all_points(session);
+  CHECK(scattered.size() == own.size());
+  CHECK(scattered != own);
+  CHECK(session.seed() == 9);
+  CHECK(session.source() == "cube");
+  CHECK_FALSE(session.edited());
+  session.scatter(5);
+  CHECK(all_points(session) == own);
+  CHECK_FALSE(session.edited());
+  session.scatter(9);
+  CHECK(all_points(session) == scattered);
+}
+
+TEST_CASE("scattering keeps the kind that the student chose, and says that an address cannot restore it") {
+  Session session = open_small();
+  REQUIRE(session.set_generator("lattice", 27, 3, 1).has_value());
+  CHECK(session.dim() == 3);
+  CHECK(session.edited());
+  session.scatter(2);
+  CHECK(session.size() == 27);
+  CHECK(session.source() == "lattice");
+  CHECK(session.edited());
+  session.reset();
+  CHECK(session.dim() == 2);
+  CHECK_FALSE(session.edited());
+}
+
+TEST_CASE("triangles stay while vertices move, go with a point, and come back with undo") {
+  Session session = open_small();
+  REQUIRE(session.load(tetrahedron(), "tetrahedron.obj").has_value());
+  CHECK(session.dim() == 3);
+  CHECK(session.source() == "tetrahedron.obj");
+  CHECK(session.triangles().size() == 4);
+  REQUIRE(session.move(0, V(0, 0, -1)).has_value());
+  CHECK(session.triangles().size() == 4);
+  REQUIRE(session.remove(0).has_value());
+  CHECK(session.triangles().empty());
+  session.undo();
+  CHECK(session.triangles().size() == 4);
+}
+
+TEST_CASE("the last point cannot be deleted") {
+  Session session = open_small();
+  while (session.size() > 1) REQUIRE(session.remove(0).has_value());
+  const auto refused = session.remove(0);
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().what == "the last point cannot be deleted");
+  CHECK(radius(session) == 0);
+  CHECK(session.smallest_radius() == 0);
+  CHECK(session.rivals().front().excess == 0);
+}
+
+TEST_CASE("brute force says how many points it takes") {
+  Session session = open_small();
+  REQUIRE(session.set_generator("cube", 40, 2, 1).has_value());
+  REQUIRE(session.choose(0, "brute_force").has_value());
+  const auto refused = session.add(V(0, 0, 0));
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().what == "Brute force takes at most 40 points");
+
+  REQUIRE(session.choose(1, "brute_force").has_value());
+  REQUIRE(session.set_generator("cube", 41, 2, 1).has_value());  // both give way
+  CHECK(session.algorithm(0)->name == "ritter");
+  CHECK(session.algorithm(1) == nullptr);
+  const auto too_many = session.choose(0, "brute_force");
+  REQUIRE_FALSE(too_many.has_value());
+  CHECK(too_many.error().what == "Brute force takes at most 40 points");
+  for (const auto& rival : session.rivals()) CHECK(rival.algorithm->name != "brute_force");
+}
+
+TEST_CASE("rivals and the optimum follow the points") {
+  Session session = open_small();
+  REQUIRE(session.rivals().size() == 3);
+  CHECK(session.rivals()[0].excess == doctest::Approx(2.25 / 2.05 - 1));
+  CHECK(session.rivals()[1].excess == 0);
+  CHECK(session.optimum().result.sphere.radius == doctest::Approx(2.05));
+  REQUIRE(session.move(4, V(0, 0, 0)).has_value());
+  CHECK(session.rivals()[0].excess == 0);
+  CHECK(session.optimum().result.sphere.radius == doctest::Approx(2));
+  REQUIRE(session.choose(0, "welzl").has_value());
+  CHECK(&session.optimum() == &session.recording(0));
+}

@@ -1,0 +1,116 @@
+// A lesson small enough to work out by hand, and how tests open it.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <string_view>
+
+#include "lesson/session.hpp"
+
+namespace snug::test {
+
+/// Ritter's run: 0 extremes, 1 pair P0 and P1, 2 to 5 P0 to P3 inside, 6 P4 outside, 7 grown from radius 2 to 2.25,
+/// 8 P5 inside, 9 checked, 10 finished. The smallest circle goes through P0, P1 and P4: radius 2.05.
+inline constexpr std::string_view kSmallLesson = R"(version = 1
+group = "Tests"
+title = "Small"
+summary = "A lesson for tests."
+order = 3
+covers = ["A lecture: a slide"]
+seed = 5
+algorithms = ["ritter", "welzl", "brute_force"]
+meshes = ["bunny"]
+generators = ["cube", "gaussian"]
+
+[points]
+dim = 2
+list = [[-2, 0], [2, 0], [0, 1], [0, -1], [0, 2.5], [0.5, 0.2]]
+
+[[section]]
+title = "First"
+text = """
+A **term** stands here
+over two lines.
+
+Another paragraph.
+"""
+
+[[question]]
+id = "pair"
+algorithm = "ritter"
+before = "pair_chosen"
+asks = "axis"
+prompt = "Which pair?"
+because = "It is farther apart."
+
+[[question]]
+id = "growth"
+algorithm = "ritter"
+before = "ball_grown"
+after = "pair_chosen"
+asks = "point"
+prompt = "Which point?"
+because = "It lies outside."
+
+[[question]]
+id = "again"
+algorithm = "ritter"
+before = "radius_checked"
+asks = "grows"
+prompt = "Does it grow?"
+because = "All are inside."
+
+[[question]]
+id = "number"
+algorithm = "ritter"
+before = "finished"
+asks = "choice"
+prompt = "How many passes?"
+choices = ["one", "three"]
+answer = "three"
+own_points = true
+because = "Extremes, growth, check."
+
+[task]
+prompt = "Make it fail."
+algorithm = "ritter"
+excess_at_least = 0.05
+points = 4
+hint = "Think."
+model = [[-2, 0], [2, 0], [0, -1], [0, 2.5]]
+)";
+
+/// The small lesson with one stretch of it replaced.
+inline std::string small_lesson_with(std::string_view from, std::string_view to) {
+  std::string text(kSmallLesson);
+  const auto at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+inline lesson::Session open(const std::string& text) {
+  auto read = lesson::read_lesson(text, "small.toml");
+  REQUIRE_MESSAGE(read.has_value(), (read ? "" : read.error().message()));
+  auto session = lesson::Session::open(*std::move(read));
+  REQUIRE(session.has_value());
+  return *std::move(session);
+}
+
+inline lesson::Session open_small() { return open(std::string(kSmallLesson)); }
+
+inline lesson::Answer choice(int value) { return {lesson::Answer::Kind::kChoice, value}; }
+inline lesson::Answer point(int value) { return {lesson::Answer::Kind::kPoint, value}; }
+
+/// Answers everything that is asked with the model answer, to the end.
+inline void play_to_end(lesson::Session& session) {
+  for (int turns = 0; session.step() < session.steps() || session.asked() != nullptr; ++turns) {
+    REQUIRE(turns < 10000);
+    if (const auto* asked = session.asked())
+      REQUIRE(session.answer(lesson::model_answer(*asked, session.recording(0).steps)));
+    else
+      session.forward();
+  }
+}
+
+}  // namespace snug::test
