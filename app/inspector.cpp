@@ -22,14 +22,18 @@ class Column {
     y_ += look_.px(24);
   }
 
+  /// A name too long for its row is broken: it is never cut.
   void figure(const lesson::Figure& figure) {
-    const float row = look_.px(30), size = 14, small = 13;
-    const float at = middle_of(y_ + row / 2, look_.px(size));
+    const float row = look_.px(30), size = 14, small = 13, leading = 18;
     const float value = measure(look_, Face::kMonoBold, small, figure.text).x;
-    text_right(list_, look_, Face::kMonoBold, small, {x_ + width_, middle_of(y_ + row / 2, look_.px(small))}, look_->ink, figure.text);
-    const float room = width_ - value - 10;
-    text(list_, look_, Face::kRegular, size, {x_, at}, look_->ink, shortened(look_, Face::kRegular, size, figure.name, room));
-    y_ += row;
+    const auto lines = lines_of(look_, Face::kRegular, size, figure.name, width_ - value - 10);
+    float y = y_ + row / 2;
+    text_right(list_, look_, Face::kMonoBold, small, {x_ + width_, middle_of(y, look_.px(small))}, look_->ink, figure.text);
+    for (const std::string_view line : lines) {
+      text(list_, look_, Face::kRegular, size, {x_, middle_of(y, look_.px(size))}, look_->ink, line);
+      y += look_.px(leading);
+    }
+    y_ += row + look_.px(leading) * static_cast<float>(lines.size() - 1);
     rule(list_, x_, y_ - 1, width_, look_->line);
   }
 

@@ -21,10 +21,12 @@ bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; 
 }  // namespace
 
 ImVec2 measure(const Look& look, Face face, float size, std::string_view words) {
+  if (words.empty()) return {0, look.px(size)};  // an end of null is one that ImGui looks for itself
   return {advance(look.font(face), box_of(look, face, size), words.data(), words.data() + words.size()), look.px(size)};
 }
 
 void text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words) {
+  if (words.empty()) return;
   const float box = box_of(look, face, size);
   at.y -= (box - look.px(size)) / 2;
   list->AddText(look.font(face), box, at, color, words.data(), words.data() + words.size());

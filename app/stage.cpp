@@ -190,7 +190,7 @@ void Stage::fill_scene(const Look& look, const Rect& rect) {
     scene_.grid_y = rect.y + rect.height - camera_.center_y() + rest(target[1]);
     return;
   }
-  scene_.grid = with_alpha(p.line, 1);
+  scene_.grid = with_alpha(p.line, 0.7f);
   scene_.eye = frame_.to_stage(camera_.eye());
   scene_.light = (-0.5 * camera_.right() + 0.75 * camera_.up() - 0.55 * camera_.forward()).normalized().cast<float>();
   scene_.plane_height = -1.25f;

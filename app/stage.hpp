@@ -85,6 +85,7 @@ class Stage {
   void draw_axis_ends(Brush& brush) const;
   // stage_points.cpp
   void draw_points(Brush& brush) const;
+  [[nodiscard]] static bool inviting(const Brush& brush);
   void draw_invitation(Brush& brush) const;
   void draw_selected(Brush& brush) const;
   void name_points(Brush& brush) const;

@@ -83,7 +83,7 @@ void main() {
   // Matte: light wraps a little round the edge, and what faces away keeps its shape.
   float lit = pow(0.5 + 0.5 * dot(n, light), 1.4);
   float edge = pow(1.0 - clamp(dot(n, to_eye), 0.0, 1.0), 3.0);
-  result = vec4(color.rgb * (0.52 + 0.52 * lit) * (1.0 - 0.25 * edge), 1.0);
+  result = vec4(color.rgb * (0.58 + 0.48 * lit) * (1.0 - 0.25 * edge), 1.0);
 }
 )";
 

@@ -61,7 +61,8 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
     const std::string words = "Forced onto the boundary: " +
                               name_of_points({shown_.forced.begin(), static_cast<std::size_t>(shown_.forced.size())}) + " (depth " +
                               std::to_string(shown_.depth) + ")";
-    const Rect place{brush.rect.x + 16, y, toggle.x - brush.rect.x - 32, look.px(20)};
+    const float left = settings.prose_in_canvas ? 16 : 2 * height + look.px(32);  // the page's undo and redo stand in that corner
+    const Rect place{brush.rect.x + left, y, toggle.x - brush.rect.x - left - 16, look.px(20)};
     const std::string fitting = shortened(look, Face::kSemiBold, 13, words, place.width);
     halo_text(brush.list, look, Face::kSemiBold, 13, {place.x, middle_of(middle, look.px(13))}, p.support_text, p.ground, fitting);
     keep_free(brush.canvas.obstacles, {place.x, middle - look.px(10), measure(look, Face::kSemiBold, 13, fitting).x, look.px(20)});

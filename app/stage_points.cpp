@@ -26,7 +26,7 @@ void Stage::draw_points(Brush& brush) const {
   // On a mesh of thousands, labels keep clear of the surface's marked points alone.
   if (screen_.size() <= 1500 && scene_.triangles.empty())
     for (const ScreenPoint& point : screen_)
-      if (point.visible) brush.canvas.obstacles.discs.push_back({point.x, point.y, point_radius_ + 1});
+      if (point.visible) brush.canvas.obstacles.discs.push_back({point.x, point.y, point_radius_ + (inviting(brush) ? 6 : 1)});
   draw_invitation(brush);
 
   const auto at = [&](Index i) { return brush.at(brush.session.point(i)); };
@@ -50,10 +50,15 @@ void Stage::draw_points(Brush& brush) const {
   name_points(brush);
 }
 
+bool Stage::inviting(const Brush& brush) {
+  const lesson::Asked* asked = brush.session.asked();
+  return asked != nullptr && asked->on_stage;
+}
+
 /// Rings that say "click me", while a question is answered on the stage.
 void Stage::draw_invitation(Brush& brush) const {
+  if (!inviting(brush)) return;
   const lesson::Asked* asked = brush.session.asked();
-  if (asked == nullptr || !asked->on_stage) return;
   const auto invite = [&](const ScreenPoint& point) {
     if (point.visible) ring(brush.list, {point.x, point.y}, point_radius_ + 5, with_alpha(brush.p.current, 0.75f), 1.5f);
   };
@@ -115,7 +120,7 @@ void Stage::name_points(Brush& brush) const {
   for (const Index i : {selected_, hovered_})
     if (i != kNoIndex && i < session.size()) name(i, lesson::point_name(i), p.ink, Face::kSemiBold, 13);
   if (session.size() > kNameAll) return;
-  for (Index i = 0; i < session.size(); ++i) name(i, lesson::point_name(i), p.muted, Face::kRegular, 7, 12, true);
+  for (Index i = 0; i < session.size(); ++i) name(i, lesson::point_name(i), p.muted, Face::kRegular, inviting(brush) ? 12 : 7, 12, true);
 }
 
 void Stage::draw_labels(Brush& brush) const {

@@ -167,7 +167,10 @@ void Stage::draw_axis_ends(Brush& brush) const {
   const auto foot = [&](const Point3& point) { return Point3(*shown_.mean + axis * axis.dot(point - *shown_.mean)); };
   const Point3 from = foot(a), to = foot(b);
   const Point3 beyond = (to - from) * 0.06;
-  draw_line(brush.canvas, from - beyond, to + beyond, {Stroke::kDashed, p.muted, brush.stroke(0.7f)});
+  // On both sides of the eigenvector's arrow.
+  const VolumeStyle dashes{Stroke::kDashed, p.muted, brush.stroke(0.7f)};
+  draw_line(brush.canvas, from - beyond, *shown_.mean, dashes);
+  draw_line(brush.canvas, *shown_.mean + axis * shown_.spread->sigma[2], to + beyond, dashes);
   for (const auto& [point, base] : {std::pair{a, from}, {b, to}}) {
     draw_line(brush.canvas, point, base, {Stroke::kDotted, p.support, brush.stroke(0.8f)});
     cross(brush.list, brush.at(base), 4 * p.mark, p.muted, brush.stroke(0.7f));

@@ -122,17 +122,17 @@ struct Controls {
 /// Whether there is no room for words between the track and the buttons (a phone on its side).
 bool is_low(const Look& look, const Rect& rect) { return rect.height < timeline_height(look) - 20; }
 
-Controls sizes(const Look& look, float width) {
-  if (!look.fingers) return {look.px(36), look.px(44), look.px(96), 6};
-  // Under the thumb: as wide as there is room for, two small, two large, one small.
+Controls sizes(const Look& look, float width, bool low) {
   const float gap = 6;
+  if (!look.fingers && width >= look.px(324) + 4 * gap) return {look.px(36), look.px(44), look.px(96), gap};
+  // Under the thumb: as wide as there is room for, two small, two large, one small.
   const float unit = (width - 4 * gap) / 7.4f;
-  return {52, std::max(44.0f, unit), unit * 2.2f, gap};
+  return {!look.fingers ? look.px(36) : low ? 44.0f : 52.0f, unit, unit * 2.2f, gap};
 }
 
 void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& session, const Rect& rect, float y,
                   const PlayerView& player, PlayerWish& wish) {
-  const Controls c = sizes(look, rect.width - 2 * 8);
+  const Controls c = sizes(look, rect.width - 2 * 8, is_low(look, rect));
   const bool gate = session.asked() != nullptr, at_end = session.step() == session.steps() && !session.previewing();
   const bool at_start = session.step() == 0;
   float x = rect.x + (rect.width - 3 * c.small - 2 * c.wide - 4 * c.gap) / 2;
@@ -167,22 +167,26 @@ PlayerWish draw_timeline(const Look& look, lesson::Session& session, const Rect&
 
   const float margin = look.fingers ? 20 : kMargin;
   const TimelineMap map{rect.x + margin, rect.width - 2 * margin, session.steps()};
-  const float track = rect.y + 36, words = rect.y + 36 + look.px(30);
+  const bool low = is_low(look, rect);
+  const float track = rect.y + (low ? 30 : 36), words = rect.y + 36 + look.px(30);
   draw_track(list, look, session, map, track);
 
-  const std::string step = "step " + std::to_string(session.step()) + " of " + std::to_string(session.steps());
-  text(list, look, Face::kRegular, kSize, {map.left + 2, middle_of(words, look.px(kSize))}, p.muted, step);
-  const float said = measure(look, Face::kRegular, kSize, step).x;
-
   const std::string speed = speed_text(player.speed);
-  const float row = sizes(look, rect.width - 16).height;
-  // On a phone the buttons take the whole row below: the speed stands beside the step.
-  const float speed_width = look.px(48), speed_height = look.fingers ? 40 : look.px(32);
-  const Rect at = look.fingers ? Rect{map.left + map.width - speed_width + 8, words - speed_height / 2, speed_width, speed_height}
-                               : Rect{map.left + map.width - speed_width + 8, rect.y + rect.height - 14 - row / 2 - speed_height / 2, speed_width, speed_height};
-  const float legend = look.fingers ? at.x - 8 : map.left + map.width;
-  draw_legend(list, look, session, legend, words, legend - map.left - said - 12);
-  draw_buttons(list, look, session, rect, rect.y + rect.height - 14 - row, player, wish);
+  const float speed_width = look.px(48), speed_height = look.fingers ? 40 : look.px(32), foot = low ? 8 : 14;
+  // On a phone the buttons take the whole row below: the speed stands beside the step. On its side there is no such row.
+  const Rect buttons{rect.x, rect.y, low ? rect.width - speed_width - 4 : rect.width, rect.height};
+  const float row = sizes(look, buttons.width - 16, low).height;
+  const float bottom = rect.y + rect.height - foot - row;
+  const float beside = look.fingers && !low ? words : bottom + row / 2;
+  const Rect at{low ? rect.x + rect.width - speed_width - 8 : map.left + map.width - speed_width + 8, beside - speed_height / 2, speed_width, speed_height};
+  if (!low) {
+    const std::string step = "step " + std::to_string(session.step()) + " of " + std::to_string(session.steps());
+    text(list, look, Face::kRegular, kSize, {map.left + 2, middle_of(words, look.px(kSize))}, p.muted, step);
+    const float said = measure(look, Face::kRegular, kSize, step).x;
+    const float legend = look.fingers ? at.x - 8 : map.left + map.width;
+    draw_legend(list, look, session, legend, words, legend - map.left - said - 12);
+  }
+  draw_buttons(list, look, session, buttons, bottom, player, wish);
   if (button(list, look, {.id = "speed", .rect = at, .words = speed, .kind = ButtonKind::kQuiet})) ImGui::OpenPopup("speeds");
   wish.speed = speed_menu(look, at, player.speed);
   return wish;

@@ -117,7 +117,7 @@ bool button(ImDrawList* list, const Look& look, const Button& b) {
   if (b.kind != ButtonKind::kQuiet) list->AddRectFilled(low, high, ground, kCorner);
   if (touch.hovered) list->AddRectFilled(low, high, with_alpha(p.ink, touch.held ? 0.14f : 0.07f), kCorner);
   if (b.kind == ButtonKind::kChosen) list->AddRect(low, high, p.current, kCorner, 0, 2);
-  else if (b.kind == ButtonKind::kOutlined || p.panel == p.ground) list->AddRect(low, high, p.line, kCorner, 0, 1);
+  else if (b.kind == ButtonKind::kOutlined || (p.panel == p.ground && b.kind != ButtonKind::kQuiet)) list->AddRect(low, high, p.line, kCorner, 0, 1);
 
   const ImVec2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
   const float icon = b.icon == Icon::kNone ? 0 : look.px(13), gap = icon > 0 && !b.words.empty() ? look.px(8) : 0;

@@ -94,19 +94,17 @@ int Column::buttons(const char* id, const std::vector<std::string>& words, int c
   return clicked;
 }
 
-int Column::chooser(const char* id, std::string_view label, const std::vector<std::string>& words, int chosen) {
-  const float height = look_.px(34), before = label.empty() ? 0 : look_.px(64);
-  const float middle = y_ + height / 2;
-  app::text(list_, look_, Face::kRegular, 14, {x_, app::middle_of(middle, look_.px(14))}, look_->muted, label);
-  const app::Rect rect{x_ + before, y_, width_ - before, height};
+int Column::chooser(const char* id, float from, float width, const std::vector<std::string>& words, int chosen) {
+  const float height = look_.px(34), middle = y_ + height / 2;
+  const app::Rect rect{x_ + from, y_, width, height};
   const std::string button_id = std::string(id) + " button";
   if (app::button(list_, look_, {.id = button_id.c_str(), .rect = rect, .kind = app::ButtonKind::kOutlined})) ImGui::OpenPopup(id);
-  const std::string_view now = chosen >= 0 ? std::string_view(words[static_cast<std::size_t>(chosen)]) : "none";
+  const std::string_view now = chosen >= 0 ? std::string_view(words[static_cast<std::size_t>(chosen)]) : std::string_view();
   app::text(list_, look_, Face::kSemiBold, 14, {rect.x + 12, app::middle_of(middle, look_.px(14))}, look_->ink, app::shortened(look_, Face::kSemiBold, 14, now, rect.width - 40));
-  const float cx = rect.x + rect.width - 18;
+  const float cx = rect.x + rect.width - 16;
   list_->AddTriangleFilled({cx - 5, middle - 2.5f}, {cx + 5, middle - 2.5f}, {cx, middle + 3.5f}, look_->muted);
-  y_ += height + 8;
-  return choice_list(look_, id, {rect.x, rect.y + height + 4}, rect.width, words, chosen);
+  const float list_width = std::max(width, look_.px(180));
+  return choice_list(look_, id, {std::min(rect.x, x_ + width_ - list_width), rect.y + height + 4}, list_width, words, chosen);
 }
 
 // The card's ground is drawn beneath what stands on it, though its height is known only afterwards.

@@ -31,8 +31,9 @@ class Column {
   void prose(const lesson::Paragraph& paragraph);
   /// Buttons in rows, as many as fit in each. Returns the one that was clicked, or -1. chosen: the one that is on.
   int buttons(const char* id, const std::vector<std::string>& words, int chosen = -1, app::ButtonKind kind = app::ButtonKind::kOutlined);
-  /// A button for a choice among many, which opens a list. Returns the one that was chosen, or -1.
-  int chooser(const char* id, std::string_view label, const std::vector<std::string>& words, int chosen);
+  /// A button for a choice among many, which opens a list; within the row that starts here, which the caller leaves.
+  /// Returns the one that was chosen, or -1.
+  int chooser(const char* id, float from, float width, const std::vector<std::string>& words, int chosen);
   /// What is written until end_card stands on a card.
   void begin_card();
   void end_card();

@@ -127,10 +127,14 @@ void draw_algorithms(Shell& shell, Column& column) {
     if (algorithm == session.algorithm(1)) second = static_cast<int>(beside.size());
     beside.emplace_back(algorithm->title), beside_names.push_back(name);
   }
-  if (const int chosen = column.chooser("algorithm", "Steps of", titles, main); chosen >= 0)
+  const app::Look& look = column.look();
+  const float row = look.px(34), words = app::measure(look, Face::kRegular, 14, "beside").x + 16, half = (column.width() - words) / 2;
+  app::text(column.list(), look, Face::kRegular, 14, {column.x() + half + 8, app::middle_of(column.y() + row / 2, look.px(14))}, look->muted, "beside");
+  if (const int chosen = column.chooser("algorithm", 0, half, titles, main); chosen >= 0)
     shell.tell(session.choose(0, names[static_cast<std::size_t>(chosen)]));
-  if (const int chosen = column.chooser("beside", "Beside", beside, second); chosen >= 0)
+  if (const int chosen = column.chooser("beside", half + words, half, beside, second); chosen >= 0)
     shell.tell(session.choose(1, beside_names[static_cast<std::size_t>(chosen)]));
+  column.gap(row + 8);
 }
 
 /// The pseudocode, the line of the step lit. Lines too long for the column are broken, and set in.

@@ -145,7 +145,8 @@ int open_first(Shell& shell, const WindowOptions& options) {
     shell.use_file(options.points_file);
     if (!shell.notice.empty()) return stop(shell.notice);
   }
-  if (options.step > 0) shell.session().jump(options.step);
+  // A window opens where its lesson starts; a picture is of the step that was asked for.
+  if (options.step > 0 || !options.screenshot.empty()) shell.session().jump(options.step);
   return 0;
 }
 
