@@ -44,8 +44,7 @@ class Page {
     this.#settings = new Settings(() => this.#apply_settings());
     this.#apply_settings();
     listen_to_keys(door, act, (digit) => question.choose(digit), () => this.#leave_presentation());
-    for (const [id, command] of [["undo", "undo"], ["redo", "redo"], ["reset-view", "reset_view"]])
-      by_id(id).addEventListener("click", () => act(() => door.command(command)));
+    for (const command of ["undo", "redo"]) by_id(command).addEventListener("click", () => act(() => door.command(command)));
     by_id("share").addEventListener("click", () => this.#share());
     addEventListener("popstate", () => this.open(read_address(location.search)));
   }

@@ -2,7 +2,7 @@
 import { by_id, element, set_text } from "./dom.js";
 
 const kButtons = [["first", "First step"], ["back", "Step back"], ["step", "Step"], ["play", "Play"], ["last", "Last step"],
-  ["slower", "Slower"], ["faster", "Faster"]];
+  ["slower", "Slower"], ["faster", "Faster"], ["reset_view", "Show all points"]];
 
 export class Player {
   #slider;

@@ -5,11 +5,16 @@ export class QuestionCard {
   #door;
   #act;
   #shown = "";
+  #opened = false; // a page that has just opened stands at its top
 
   /** act(what): does it and shows what came of it. */
   constructor(door, act) {
     this.#door = door;
     this.#act = act;
+  }
+
+  open() {
+    this.#opened = false;
   }
 
   update(view) {
@@ -27,7 +32,8 @@ export class QuestionCard {
     if (ended && given.length > 0) cards.push(this.#score_card(given));
     box.replaceChildren(...cards);
     if (had_focus) (box.querySelector("[tabindex]") ?? by_id("canvas")).focus({ preventScroll: true });
-    if (cards.length > 0) box.scrollIntoView?.({ block: "nearest" });
+    if (cards.length > 0 && this.#opened) box.scrollIntoView({ block: "nearest" });
+    this.#opened = true;
   }
 
   /** Whether a digit key chose something. */
@@ -42,14 +48,13 @@ export class QuestionCard {
   }
 
   #asked_card(asked, questions) {
-    const tap = asked.onStage ? (asked.choices.length > 0 ? " Choose, or tap it on the stage." : " Tap it on the stage.") : "";
     const choices = asked.choices.map((words, i) => button(words, () => this.#answer("choice", i)));
     return element("div", { class: "card predict", tabindex: "-1" },
       element("h2", { class: "kicker" }, "Predict"),
-      element("p", { class: "prompt" }, asked.prompt, tap),
+      element("p", { class: "prompt" }, asked.prompt),
       ...(choices.length > 0 ? [element("div", { class: "choices" }, ...choices)] : []),
       ...(asked.onStage && choices.length === 0 ? [this.#point_form()] : []),
-      element("p", { class: "foot" }, element("span", {}, `Answer to go on · ${asked.number} of ${questions}`),
+      element("p", { class: "foot" }, element("span", {}, `${asked.onStage ? "Tap it on the stage, or answer here" : "Answer to go on"} · ${asked.number} of ${questions}`),
         element("button", { type: "button", class: "quiet", onclick: () => this.#answer("skip", 0) }, "Skip")));
   }
 
@@ -60,7 +65,7 @@ export class QuestionCard {
       event.preventDefault();
       this.#answer("point", Number(field.value));
     };
-    return element("form", { class: "choices", onsubmit }, element("span", {}, "P"), field,
+    return element("form", { class: "choices", onsubmit }, element("span", { class: "label" }, "Point"), field,
       element("button", { type: "submit", class: "button" }, "Answer"));
   }
 
