@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ratio.hpp"
+#include "bench/ratio.hpp"
 #include "lesson/session.hpp"
 
 using namespace snug;
