@@ -16,15 +16,15 @@
 namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 10> kWelzlPseudocode{
-    "ball ← solve(all points or a sample, no support)",
+    "ball ← solve(list, no support)",
     "while a point lies outside: let it in",
     "return ball",
     "solve(list, support):",
     "  ball ← ball through the support",
-    "  for each point p in the list, in order",
+    "  for each point p in the list",
     "    if p outside ball",
     "      ball ← solve(before p, support + p)",
-    "      move p to the front of the list",
+    "      move p to the front",
     "  return ball",
 };
 
