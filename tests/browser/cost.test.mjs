@@ -1,0 +1,65 @@
+// What the page costs: bytes on the wire, and the program's time for a frame while dragging (told, and held to no time).
+import { after, before, test } from "node:test";
+import { assert, handles, lesson_with, start, state, still, stop, until, visit } from "./support.mjs";
+
+let site;
+before(async () => (site = await start()));
+after(stop);
+
+test("a first view is at most 700 kB on the wire", async (t) => {
+  site.sent.clear();
+  await visit(t);
+  const total = [...site.sent.values()].reduce((sum, size) => sum + size, 0);
+  t.diagnostic(`${total} bytes in ${site.sent.size} files; the program ${site.sent.get("snug.wasm")}`);
+  assert.ok(site.sent.size > 10 && total > 100_000, "it was counted");
+  assert.ok(total <= 700_000, `${total} bytes`);
+});
+
+/** Drags a handle round and round for two seconds of frames. */
+async function drag_around(t, page) {
+  await still(page);
+  const before = await state(page);
+  const box = await page.locator("#stage").boundingBox();
+  const middle = [box.x + box.width / 2, box.y + box.height / 2];
+  const near = (a) => Math.hypot(a.x - middle[0], a.y - middle[1]);
+  const handle = (await handles(page)).reduce((a, b) => (near(b) < near(a) ? b : a));
+  await page.mouse.move(handle.x, handle.y);
+  await page.mouse.down();
+  await page.evaluate(([x, y]) => new Promise((done) => {
+    const stage = document.getElementById("stage");
+    const begin = performance.now();
+    window.snug.frameTimes().length = 0;
+    const move = () => {
+      const turn = (performance.now() - begin) / 300;
+      stage.dispatchEvent(new PointerEvent("pointermove", { pointerId: 1, pointerType: "mouse", buttons: 1, bubbles: true,
+        clientX: x + 60 * Math.sin(turn), clientY: y + 60 * (1 - Math.cos(turn)) }));
+      if (performance.now() - begin < 2000) requestAnimationFrame(move);
+      else done();
+    };
+    move();
+  }), [handle.x, handle.y]);
+  const times = await page.evaluate(() => window.snug.frameTimes().map(({ at, cost }) => [at, cost]));
+  await page.mouse.up();
+  await until(page, (now, trace) => now.trace !== trace, before.trace);
+  const costs = times.map(([, cost]) => cost).sort((a, b) => a - b);
+  const rate = (times.length - 1) / ((times.at(-1)[0] - times[0][0]) / 1000);
+  const [median, slow] = [0.5, 0.95].map((share) => costs[Math.floor(share * (costs.length - 1))].toFixed(1));
+  t.diagnostic(`${before.size} points, ${before.steps} steps: ${rate.toFixed(0)} frames a second; the program's time for one: median ${median} ms, 95 % under ${slow} ms`);
+  assert.ok(times.length > 5, "frames were drawn while dragging");
+}
+
+test("dragging among 1,000 points of the plane draws frames and follows", async (t) => {
+  const id = await lesson_with((text) => /generate = /.test(text) && /"welzl"/.test(text) && !/dim = 3/.test(text));
+  const points = Array.from({ length: 1000 }, (_, i) => `${Math.cos(i * 2.399963) * Math.sqrt(i / 1000)} ${Math.sin(i * 2.399963) * Math.sqrt(i / 1000)}`);
+  const page = await visit(t, `?lesson=${id}`);
+  await page.locator("#points input[type=file]").setInputFiles({ name: "thousand.xyz", mimeType: "text/plain", buffer: Buffer.from(points.join("\n")) });
+  await until(page, (now) => now.size === 1000);
+  await drag_around(t, page);
+});
+
+test("dragging a vertex of the bunny draws frames and follows", async (t) => {
+  const id = await lesson_with((text) => /bunny/.test(text));
+  const page = await visit(t, `?lesson=${id}&from=bunny`);
+  assert.equal((await state(page)).size, 1839);
+  await drag_around(t, page);
+});

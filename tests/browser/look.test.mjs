@@ -1,0 +1,146 @@
+// The page at every size, theme and text size: nothing cut off, everything named, every pair of colours readable.
+import { after, before, test } from "node:test";
+import { assert, kPhone, lessons, start, state, still, stop, until, visit } from "./support.mjs";
+
+before(start);
+after(stop);
+
+const kSizes = [[1280, 800], [1920, 1080], [1024, 768], [768, 1024], [640, 400], [390, 844], [844, 390], [320, 568]];
+const kThemes = ["light", "dark", "contrast", "projector"];
+const with_theme = (theme) => ({ init: `localStorage.setItem("snug-theme", "${theme}")` });
+
+/** What sticks out of the page sideways, or of a part that hides what overflows. */
+const sticking_out = (page) => page.evaluate(() => {
+  const wide = document.documentElement.clientWidth;
+  const shown = [...document.querySelectorAll("body *")].filter((node) => node.checkVisibility() && !node.closest(".unseen, .skip, .player, svg, [hidden]"));
+  const out = shown.filter((node) => {
+    const { left, right, width } = node.getBoundingClientRect();
+    return width > 1 && (left < -1 || right > wide + 1);
+  });
+  if (document.documentElement.scrollWidth > wide) out.push(document.documentElement);
+  return out.map((node) => `${node.tagName}#${node.id}.${node.className}`);
+});
+
+/** Pairs of the page's parts that lie over each other. */
+const overlaps = (page) => page.evaluate(() => {
+  const parts = ["bar", "stage", "caption", "timeline", "tabs", "ask", "read", "code", "numbers"].map((id) => [id, document.getElementById(id)])
+    .filter(([, node]) => node.checkVisibility()).map(([id, node]) => [id, node.getBoundingClientRect()]).filter(([, box]) => box.width > 0 && box.height > 0);
+  const pairs = [];
+  for (const [a, one] of parts)
+    for (const [b, other] of parts)
+      if (a < b && !(a === "caption" && b === "stage") && one.left < other.right - 1 && other.left < one.right - 1 && one.top < other.bottom - 1 && other.top < one.bottom - 1)
+        pairs.push(`${a} and ${b}`);
+  return pairs;
+});
+
+for (const [width, height] of kSizes) {
+  test(`at ${width}x${height} nothing sticks out or overlaps, on any tab`, async (t) => {
+    const page = await visit(t, "?step=0", { viewport: { width, height }, hasTouch: width < 900 });
+    await still(page);
+    const tabs = await page.getByRole("tab").all();
+    for (const tab of tabs.length > 0 ? tabs : [null]) {
+      await tab?.click();
+      await still(page);
+      assert.deepEqual(await sticking_out(page), []);
+      assert.deepEqual(await overlaps(page), []);
+    }
+    const stage = await page.locator("#stage").boundingBox();
+    assert.ok(stage.width >= 250 && stage.height >= 130, `the stage is ${stage.width} x ${stage.height}`);
+  });
+}
+
+test("at the largest text nothing sticks out, on desk and phone", async (t) => {
+  for (const options of [{}, kPhone]) {
+    const page = await visit(t, "?step=0", { ...options, init: 'localStorage.setItem("snug-text", "1.5")' });
+    assert.deepEqual(await sticking_out(page), []);
+    assert.deepEqual(await overlaps(page), []);
+  }
+});
+
+const luminance = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255)
+  .map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)).reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+const contrast = (a, b) => (Math.max(luminance(a), luminance(b)) + 0.05) / (Math.min(luminance(a), luminance(b)) + 0.05);
+const kWords = ["ink", "muted", "current", "support", "right", "wrong"];
+const kGrounds = ["panel", "raised", "ground"];
+
+for (const theme of kThemes) {
+  test(`in the ${theme} theme words reach 4.5:1 and edges 3:1`, async (t) => {
+    const page = await visit(t, "", with_theme(theme));
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), theme);
+    const names = [...kWords, ...kGrounds, "lit", "on-current", "edge"];
+    const colours = await page.evaluate((all) => Object.fromEntries(all.map((name) => [name, getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim()])), names);
+    const pairs = [...kWords.flatMap((word) => kGrounds.map((ground) => [word, ground, 4.5])), ["ink", "lit", 4.5], ["on-current", "current", 4.5], ["edge", "panel", 3]];
+    for (const [a, b, least] of pairs) assert.ok(contrast(colours[a], colours[b]) >= least, `${a} on ${b}: ${contrast(colours[a], colours[b]).toFixed(2)}`);
+  });
+}
+
+test("the first theme is the one that the system asks for", async (t) => {
+  const theme = (page) => page.evaluate(() => document.documentElement.dataset.theme);
+  assert.equal(await theme(await visit(t, "", { colorScheme: "dark" })), "dark");
+  assert.equal(await theme(await visit(t, "", { colorScheme: "light" })), "light");
+  assert.equal(await theme(await visit(t, "", { contrast: "more" })), "contrast");
+});
+
+test("the theme button goes round, and canvas and page change together", async (t) => {
+  const page = await visit(t);
+  const seen = [];
+  for (const _ of kThemes) {
+    seen.push(await page.locator("#theme-name").textContent());
+    const { framesDrawn } = await state(page);
+    await page.locator("#theme").click();
+    await page.waitForFunction((drawn) => window.snug.state().framesDrawn > drawn, framesDrawn);
+  }
+  assert.deepEqual(seen, ["Light", "Dark", "High contrast", "Projector"]);
+});
+
+test("presenting hides the chrome and Escape brings it back", async (t) => {
+  const page = await visit(t);
+  await page.getByRole("button", { name: "Present" }).click();
+  assert.equal(await page.locator("#bar").isVisible(), false);
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "projector");
+  assert.deepEqual(await overlaps(page), []);
+  await page.keyboard.press("Escape");
+  assert.ok(await page.locator("#bar").isVisible());
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "light");
+});
+
+test("everything that can be pressed or filled in has a name, and there is one main heading", async (t) => {
+  const page = await visit(t, "?step=0");
+  for (let i = 0; i < 4 && !(await state(page)).asked; ++i) await page.keyboard.press("PageDown");
+  const nameless = await page.evaluate(() => [...document.querySelectorAll("button, a[href], input:not([type=file]), select, canvas")].filter((node) => {
+    const label = node.getAttribute("aria-label") || node.textContent.trim() || [...(node.labels ?? [])].map((each) => each.textContent.trim()).join("");
+    return !label;
+  }).map((node) => node.outerHTML));
+  assert.deepEqual(nameless, []);
+  assert.equal(await page.locator("h1").count(), 1);
+  assert.equal(await page.locator('[role="status"][aria-live="polite"]').count() >= 1, true);
+});
+
+test("Tab reaches everything, and shows where it is", async (t) => {
+  const page = await visit(t);
+  const reached = new Set();
+  for (let i = 0; i < 80; ++i) {
+    await page.keyboard.press("Tab");
+    const here = await page.evaluate(() => {
+      const node = document.activeElement;
+      const style = getComputedStyle(node);
+      const ring = style.outlineStyle !== "none" && parseFloat(style.outlineWidth) >= 2;
+      const stage = getComputedStyle(document.getElementById("stage"), "::after").borderTopWidth === "2px";
+      return { name: node.id || node.getAttribute("aria-label") || node.textContent, visible: ring || (node.id === "canvas" && stage), body: node === document.body };
+    });
+    if (here.body) break;
+    assert.ok(here.visible, `focus shows on ${here.name}`);
+    reached.add(here.name);
+  }
+  for (const name of ["picker", "share", "theme", "canvas", "algorithm", "beside", "Step", "Play", "Add", "Open file…"]) assert.ok(reached.has(name), `${name} is reached`);
+});
+
+test("the step's sentence is HTML, and the same as the state's", async (t) => {
+  const page = await visit(t, `?lesson=${(await lessons())[0].id}&step=1`);
+  const { caption } = await state(page);
+  assert.ok(caption.length > 5);
+  assert.equal(await page.locator("#caption").textContent(), caption);
+  await page.keyboard.press("Home");
+  const start_of_it = await until(page, (now) => now.step === 0);
+  assert.equal(await page.locator("#caption").textContent(), start_of_it.caption);
+});

@@ -1,0 +1,113 @@
+// Lessons are stepped, asked and answered, without a pointer and with one.
+import { after, before, test } from "node:test";
+import { assert, handles, lessons, start, state, still, stop, until, visit } from "./support.mjs";
+
+before(start);
+after(stop);
+
+/** Answers what is asked as a hand on the keyboard would: by digit where there are choices, in the field where not. */
+async function answer_by_keyboard(page, asked) {
+  if (asked.choices.length > 0) return page.keyboard.press("1");
+  for (let i = 0; i < 60; ++i) {
+    if (await page.evaluate(() => document.activeElement.getAttribute("aria-label") === "Point number")) break;
+    await page.keyboard.press("Tab");
+  }
+  await page.keyboard.type(String(asked.stagePoints[0] ?? 0));
+  await page.keyboard.press("Enter");
+}
+
+test("every lesson is stepped to its end by keyboard alone, each prediction answered", async (t) => {
+  for (const { id } of await lessons()) {
+    const page = await visit(t, `?lesson=${id}`);
+    await page.keyboard.press("Home");
+    let now = await until(page, (it) => it.step === 0);
+    let answered = 0;
+    for (let presses = 0; now.step < now.steps || now.asked; ++presses) {
+      assert.ok(presses < 3 * now.steps + 50, `${id} goes on`);
+      const place = [now.step, now.asked?.id ?? null];
+      if (now.asked) {
+        ++answered;
+        await answer_by_keyboard(page, now.asked);
+      } else {
+        await page.keyboard.press("PageDown");
+      }
+      now = await until(page, (it, step, asked) => it.step !== step || (it.asked?.id ?? null) !== asked, ...place);
+    }
+    assert.ok(answered >= 3, `${id} asks ${answered} times`);
+    assert.equal(now.outcomes.filter((outcome) => !outcome.skipped).length, answered, id);
+    await page.getByText(/The end: \d+ of \d+ predictions right/).waitFor();
+    await page.context().close();
+  }
+});
+
+/** Steps on until a question that is answered on the stage. */
+async function to_stage_question(t) {
+  for (const { id } of await lessons()) {
+    const page = await visit(t, `?lesson=${id}&step=0`);
+    for (let now = await state(page); now.step < now.steps || now.asked; now = await state(page)) {
+      if (now.asked?.onStage) return { page, asked: now.asked };
+      await page.evaluate(() => document.activeElement.blur());
+      if (now.asked) await page.getByRole("button", { name: "Skip" }).click();
+      else await page.keyboard.press("PageDown");
+      await until(page, (it, step, question) => it.step !== step || it.asked?.id !== question, now.step, now.asked?.id);
+    }
+    await page.context().close();
+  }
+  throw new Error("no lesson asks on the stage");
+}
+
+test("a prediction is answered by clicking the point on the stage", async (t) => {
+  const { page, asked } = await to_stage_question(t);
+  await still(page);
+  const wanted = asked.stagePoints.map((i) => `P${i}`);
+  const handle = (await handles(page)).find(({ id }) => wanted.length === 0 || wanted.includes(id));
+  await page.mouse.click(handle.x, handle.y);
+  const answered = await until(page, (it, id) => it.asked?.id !== id && it.outcome?.question === id, asked.id);
+  assert.equal(answered.outcome.predicted, handle.id);
+  await page.locator(".outcome").getByText("It was").waitFor();
+});
+
+test("playing waits for the answer", async (t) => {
+  const { page, asked } = await to_stage_question(t);
+  const { step } = await state(page);
+  await page.evaluate(() => document.activeElement.blur());
+  for (const key of [" ", "PageDown", "End"]) {
+    await page.keyboard.press(key);
+    await still(page);
+    const now = await state(page);
+    assert.deepEqual([now.step, now.asked?.id], [step, asked.id], `after "${key}"`);
+  }
+  await page.getByRole("button", { name: "Skip" }).click();
+  await until(page, (it, id) => it.asked?.id !== id, asked.id);
+});
+
+test("the player's buttons are there for the Tab key", async (t) => {
+  const page = await visit(t, `?lesson=${(await lessons())[0].id}&step=0`);
+  const step = page.getByRole("toolbar", { name: "Player" }).getByRole("button", { name: "Step", exact: true });
+  await step.focus();
+  await page.keyboard.press("Enter");
+  await until(page, (now) => now.step === 1 || now.asked);
+});
+
+test("when nothing changes no frame is drawn", async (t) => {
+  const page = await visit(t);
+  await still(page);
+  const before = (await state(page)).framesDrawn;
+  await page.waitForTimeout(1000);
+  assert.equal((await state(page)).framesDrawn, before);
+  await page.keyboard.press("Home");
+  await page.waitForFunction((drawn) => window.snug.state().framesDrawn > drawn, before);
+});
+
+test("one or two algorithms are chosen, and the pseudocode is theirs", async (t) => {
+  const page = await visit(t);
+  const options = await page.getByLabel("Algorithm").locator("option").evaluateAll((all) => all.map((each) => each.value));
+  assert.ok(options.length >= 2);
+  await page.getByLabel("Algorithm").selectOption(options[1]);
+  const chosen = await until(page, (now, name) => now.algorithm === name, options[1]);
+  assert.deepEqual(await page.locator(".lines code").allTextContents(), chosen.code.map((line) => line.trimStart()));
+  await page.getByLabel("Beside it").selectOption(options[0]);
+  await until(page, (now, name) => now.beside === name, options[0]);
+  await page.getByLabel("Beside it").selectOption("");
+  await until(page, (now) => now.beside === null);
+});

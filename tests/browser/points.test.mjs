@@ -1,0 +1,146 @@
+// Points are dragged, moved, typed, added and taken back, by mouse, finger and keyboard.
+import { after, before, test } from "node:test";
+import { assert, handles, kPhone, lesson_with, start, state, still, stop, until, visit } from "./support.mjs";
+
+before(start);
+after(stop);
+
+const flat = (text) => /dim = 2/.test(text) || !/dim = |mesh = /.test(text);
+const in_the_plane = async () => `?lesson=${await lesson_with(flat)}`;
+
+const farthest_out = (list) => list.reduce((a, b) => (b.x > a.x ? b : a));
+
+test("dragging a handle with the mouse moves its point and the radius follows", async (t) => {
+  const page = await visit(t, await in_the_plane());
+  const before = await state(page);
+  const handle = farthest_out(await handles(page));
+  await page.mouse.move(handle.x, handle.y);
+  await page.mouse.down();
+  await page.mouse.move(handle.x + 40, handle.y - 10, { steps: 6 });
+  const during = await until(page, (now, radius) => now.readout.radius !== radius, before.readout.radius);
+  assert.notEqual(during.trace, before.trace, "the trace follows while dragging");
+  await page.mouse.up();
+  await still(page);
+  const moved = (await handles(page)).find(({ id }) => id === handle.id);
+  assert.ok(Math.hypot(moved.x - handle.x, moved.y - handle.y) > 15, "the handle is where it was dragged to");
+});
+
+test("a drag is one entry of undo, and undo and redo restore the trace", async (t) => {
+  const page = await visit(t, await in_the_plane());
+  const before = await state(page);
+  const handle = farthest_out(await handles(page));
+  await page.mouse.move(handle.x, handle.y);
+  await page.mouse.down();
+  await page.mouse.move(handle.x + 60, handle.y + 30, { steps: 10 });
+  await page.mouse.up();
+  const dragged = await until(page, (now, trace) => now.trace !== trace && now.canUndo, before.trace);
+  await page.keyboard.press("Control+z");
+  assert.equal((await until(page, (now) => now.canRedo)).trace, before.trace);
+  assert.equal((await state(page)).canUndo, false);
+  await page.getByRole("button", { name: "Redo" }).click();
+  assert.equal((await until(page, (now) => now.canUndo)).trace, dragged.trace);
+});
+
+test("a finger drags a handle on a phone", async (t) => {
+  const page = await visit(t, await in_the_plane(), kPhone);
+  const before = await state(page);
+  const { x, y } = farthest_out(await handles(page));
+  const touch = await page.context().newCDPSession(page);
+  const send = (type, ...points) => touch.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([px, py]) => ({ x: px, y: py })) });
+  await send("touchStart", [x, y]);
+  for (let i = 1; i <= 6; ++i) await send("touchMove", [x - 8 * i, y + 4 * i]);
+  await send("touchEnd");
+  await until(page, (now, trace) => now.trace !== trace && now.edited, before.trace);
+});
+
+test("two fingers pinch the view without moving a point", async (t) => {
+  const page = await visit(t, await in_the_plane(), kPhone);
+  const before = await state(page);
+  const spread = (list) => Math.max(...list.map(({ x }) => x)) - Math.min(...list.map(({ x }) => x));
+  const narrow = spread(await handles(page));
+  const box = await page.locator("#stage").boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const touch = await page.context().newCDPSession(page);
+  const send = (type, apart) => touch.send("Input.dispatchTouchEvent",
+    { type, touchPoints: apart ? [{ x: x - apart, y, id: 0 }, { x: x + apart, y, id: 1 }] : [] });
+  await send("touchStart", 40);
+  for (let apart = 46; apart <= 80; apart += 6) await send("touchMove", apart);
+  await send("touchEnd", 0);
+  await still(page);
+  assert.ok(spread(await handles(page)) > 1.2 * narrow, "the view is closer");
+  assert.equal((await state(page)).trace, before.trace);
+});
+
+test("arrow keys move the selected point", async (t) => {
+  const page = await visit(t, await in_the_plane());
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("n");
+  const chosen = await until(page, (now) => now.selected !== null);
+  await page.keyboard.press("ArrowRight");
+  const moved = await until(page, (now, at) => now.coordinates[0] > at[0], chosen.coordinates);
+  assert.equal(moved.coordinates[1], chosen.coordinates[1]);
+  assert.notEqual(moved.trace, chosen.trace);
+  await page.keyboard.press("Escape");
+  await until(page, (now) => now.selected === null);
+});
+
+test("a place is typed in numbers", async (t) => {
+  const page = await visit(t, await in_the_plane());
+  await page.getByLabel("Selected point").first().fill("2");
+  await page.keyboard.press("Enter");
+  await until(page, (now) => now.selected === 2);
+  await page.getByLabel("x of the selected point").fill("3.25");
+  await page.keyboard.press("Tab");
+  const typed = await until(page, (now) => now.coordinates[0] === 3.25);
+  assert.equal(typed.selected, 2);
+});
+
+test("points are added, deleted, scattered and reset", async (t) => {
+  const page = await visit(t, await in_the_plane());
+  const { size, trace, seed } = await state(page);
+  await page.getByRole("button", { name: "Add", exact: true }).click();
+  await until(page, (now, n) => now.size === n + 1, size);
+  await page.getByLabel("Selected point").first().fill("0");
+  await page.keyboard.press("Enter");
+  await page.getByRole("button", { name: "Delete", exact: true }).click();
+  await until(page, (now, n) => now.size === n, size);
+  await page.getByLabel("Seed").fill(String(seed + 5));
+  await page.getByRole("button", { name: "Scatter" }).click();
+  const scattered = await until(page, (now, s) => now.seed === s, seed + 5);
+  assert.notEqual(scattered.trace, trace);
+  await page.getByRole("button", { name: "Reset" }).click();
+  assert.equal((await until(page, (now, s) => now.seed === s, seed)).trace, trace);
+});
+
+const drop = (page, name, text) => page.evaluate(([file_name, content]) => {
+  const data = new DataTransfer();
+  data.items.add(new File([content], file_name));
+  for (const type of ["dragover", "drop"]) document.querySelector("#stage").dispatchEvent(new DragEvent(type, { dataTransfer: data, bubbles: true, cancelable: true }));
+}, [name, text]);
+
+test("a dropped point file is used", async (t) => {
+  const page = await visit(t, await in_the_plane());
+  await drop(page, "five.xyz", "# five\n0 0\n4 0\n4 3\n0 3\n2 1\n");
+  const dropped = await until(page, (now) => now.size === 5);
+  assert.equal(dropped.dim, 2);
+  await page.keyboard.press("Control+z");
+  await until(page, (now) => now.size !== 5);
+});
+
+test("a malformed file is refused with its line, and what was there stays", async (t) => {
+  const page = await visit(t, await in_the_plane());
+  const before = await state(page);
+  await drop(page, "bad.xyz", "0 0\n1 1\n2 two\n");
+  await page.getByText(/bad\.xyz:3/).waitFor();
+  assert.equal((await state(page)).trace, before.trace);
+  await page.getByRole("button", { name: "Put this message away" }).click();
+  assert.equal(await page.getByText(/bad\.xyz:3/).count(), 0);
+});
+
+test("a file is opened by the button", async (t) => {
+  const page = await visit(t, await in_the_plane());
+  const chooser = page.waitForEvent("filechooser");
+  await page.getByRole("button", { name: /Open file/ }).click();
+  await (await chooser).setFiles({ name: "three.csv", mimeType: "text/csv", buffer: Buffer.from("0,0\n2,0\n1,2\n") });
+  assert.equal((await until(page, (now) => now.size === 3)).size, 3);
+});

@@ -1,0 +1,126 @@
+// What every browser test needs: the built site on a static server under a sub-path, Chromium, and a page that must
+// neither complain on its console nor ask anything of another host.
+import assert from "node:assert/strict";
+import { createReadStream, existsSync, readFileSync, statSync } from "node:fs";
+import { createServer } from "node:http";
+import { extname, join, normalize } from "node:path";
+import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
+import { chromium } from "playwright-core";
+
+const kSite = process.env.SNUG_SITE ?? fileURLToPath(new URL("../../build/wasm/site", import.meta.url));
+const kSubPath = "/course/week-3/snug/";
+const kTypes = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml",
+  ".json": "application/json", ".toml": "text/plain", ".woff2": "font/woff2" };
+const kPacked = new Set([".woff2", ".png"]);
+const kFlags = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+  "--disable-background-networking", "--disable-component-update", "--disable-sync", "--no-first-run"];
+
+/** A plain static host: no type for .wasm, no listing, gzip where asked for. refuse: paths that answer 503. */
+export async function serve_site() {
+  const refuse = new Set();
+  const sent = new Map();
+  const server = createServer((request, answer) => {
+    const path = decodeURIComponent(new URL(request.url, "http://localhost").pathname);
+    const name = path.startsWith(kSubPath) ? normalize(path.slice(kSubPath.length) || "index.html") : "..";
+    const file = join(kSite, name);
+    if (refuse.has(name)) return answer.writeHead(503).end();
+    if (name.startsWith("..") || !existsSync(file) || !statSync(file).isFile()) return answer.writeHead(404).end();
+    const headers = { "Content-Type": kTypes[extname(file)] ?? "application/octet-stream" };
+    if (kPacked.has(extname(file)) || !/gzip/.test(request.headers["accept-encoding"] ?? "")) {
+      sent.set(name, statSync(file).size);
+      return createReadStream(file).pipe(answer.writeHead(200, headers));
+    }
+    const body = gzipSync(readFileSync(file));
+    sent.set(name, body.length);
+    answer.writeHead(200, { ...headers, "Content-Encoding": "gzip" }).end(body);
+  });
+  await new Promise((listening) => server.listen(0, "127.0.0.1", listening));
+  const url = `http://127.0.0.1:${server.address().port}${kSubPath}`;
+  return { url, refuse, sent, close: () => server.close() };
+}
+
+let browser;
+let site;
+
+/** For a file's before and after hooks. */
+export async function start() {
+  site = await serve_site();
+  browser = await chromium.launch({ executablePath: process.env.SNUG_CHROMIUM ?? "/usr/bin/chromium", args: kFlags });
+  return site;
+}
+
+export async function stop() {
+  await browser.close();
+  site.close();
+}
+
+export const kWide = { viewport: { width: 1280, height: 800 } };
+export const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
+
+/** A page on an address of the site. options: of Playwright's newContext, and init: a function run in the page before
+ *  anything of it; wait: false where the page is not expected to become ready; may_complain: of what the test provokes. */
+export async function visit(t, query = "", { init, wait = true, may_complain = /^$/, ...options } = kWide) {
+  const context = await browser.newContext({ ...kWide, ...options });
+  const page = await context.newPage();
+  page.setDefaultTimeout(20_000);
+  const complaints = [];
+  page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
+  page.on("pageerror", (error) => complaints.push(error.stack));
+  page.on("request", (request) => {
+    if (!request.url().startsWith(site.url) && !/^(data|blob):/.test(request.url())) complaints.push(`asked for ${request.url()}`);
+  });
+  if (init) await page.addInitScript(init);
+  t.after(async () => {
+    await context.close();
+    assert.deepEqual(complaints.filter((complaint) => !may_complain.test(complaint)), []);
+  });
+  await page.goto(site.url + query);
+  if (wait) await ready(page);
+  return page;
+}
+
+/** Until the lesson is open and has been drawn. */
+export async function ready(page) {
+  await page.waitForFunction(() => window.snug?.state?.() !== null);
+  await page.evaluate(() => window.snug.ready);
+  await page.waitForFunction(() => document.documentElement.classList.contains("no-stage") || window.snug.state().framesDrawn > 0);
+  await still(page);
+}
+
+export const state = (page) => page.evaluate(() => window.snug.state());
+export const handles = (page) => page.evaluate(() => window.snug.handles());
+export const lessons = async () => (await (await fetch(`${site.url}lessons/index.json`)).json());
+
+/** Until no frame is drawn any more. */
+export async function still(page) {
+  await page.evaluate(() => new Promise((resolve) => {
+    let last = -1;
+    let same = 0;
+    const look = () => {
+      const now = window.snug.state()?.framesDrawn ?? 0;
+      same = now === last ? same + 1 : 0;
+      last = now;
+      if (same > 8) resolve();
+      else requestAnimationFrame(look);
+    };
+    look();
+  }));
+}
+
+/** The first lesson that says yes to test(its file's text). */
+export async function lesson_with(test) {
+  for (const { id } of await lessons()) {
+    const text = await (await fetch(`${site.url}lessons/${id}.toml`)).text();
+    if (test(text)) return id;
+  }
+  throw new Error("no lesson is like that");
+}
+
+/** Until `test`, a function of window.snug.state(), holds. */
+export async function until(page, test, ...given) {
+  await page.waitForFunction(`(${test})(window.snug.state(), ...${JSON.stringify(given)})`);
+  return state(page);
+}
+
+export { assert };
