@@ -127,6 +127,17 @@ std::string printed(const char* format, int precision, double value) {
   return buffer.data();
 }
 
+/// "1.500e-09" as "1.500 × 10⁻⁹".
+std::string power_of_ten(const std::string& printed) {
+  constexpr std::array<std::string_view, 10> kDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  const auto e = printed.find('e');
+  std::string text = printed.substr(0, e) + " × 10";
+  if (printed[e + 1] == '-') text += "⁻";
+  for (auto i = printed.find_first_not_of('0', e + 2); i < printed.size(); ++i)
+    text += kDigits[static_cast<std::size_t>(printed[i] - '0')];
+  return text;
+}
+
 }  // namespace
 
 std::string number_text(double value) {
@@ -135,7 +146,7 @@ std::string number_text(double value) {
   if (size == 0) {
     text = "0.000";
   } else if (size < 1e-3 || size >= 1e6) {
-    text = printed("%.*e", 3, size);
+    text = power_of_ten(printed("%.*e", 3, size));
   } else {
     const int before = size >= 1 ? static_cast<int>(std::floor(std::log10(size))) : 0;
     text = printed("%.*f", std::max(0, 3 - before), size);

@@ -40,7 +40,7 @@ struct RunView {
 
 [[nodiscard]] std::vector<Proof> proofs_of(const RunView& run);
 
-/// Four significant digits: "2.118", "0.004321", "1.234e+10". The minus is a real one.
+/// Four digits that count, at most three behind the point: "2.118", "21.18", "1.234 × 10¹⁰". The minus is a real one.
 [[nodiscard]] std::string number_text(double value);
 
 /// 0.091 as "+9.1 %".

@@ -29,8 +29,8 @@ TEST_CASE("numbers have four digits that count") {
   CHECK(number_text(1839) == "1839");
   CHECK(number_text(-2.5) == "−2.500");
   CHECK(number_text(0.0123456) == "0.012");
-  CHECK(number_text(1.5e-9) == "1.500e-09");
-  CHECK(number_text(1e150) == "1.000e+150");
+  CHECK(number_text(1.5e-9) == "1.500 × 10⁻⁹");
+  CHECK(number_text(1e150) == "1.000 × 10¹⁵⁰");
   CHECK(percent_text(0.091) == "+9.1 %");
   CHECK(percent_text(-0.2) == "−20.0 %");
   CHECK(percent_text(1e-9) == "0.0 %");

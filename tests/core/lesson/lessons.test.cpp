@@ -5,8 +5,9 @@
 #include <iterator>
 #include <set>
 
-#include "lesson/play.hpp"
 #include "core/lesson/small_lesson.hpp"
+#include "geometry/generate.hpp"
+#include "lesson/play.hpp"
 
 using namespace snug;
 using namespace snug::lesson;
@@ -165,4 +166,27 @@ TEST_CASE("a lesson holds its questions on a mesh as well") {
   REQUIRE_FALSE(session.outcomes().empty());
   CHECK(session.outcomes().front().question == "which-pair");
   CHECK(session.questions().front().choices.size() == 3);
+}
+
+TEST_CASE("the example that lessons/README.md gives is a sound lesson") {
+  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/README.md", std::ios::binary);
+  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  const auto begin = readme.find("```toml\nversion");
+  REQUIRE(begin != std::string::npos);
+  const auto end = readme.find("```\n", begin + 8);
+  Session session = test::open(readme.substr(begin + 8, end - begin - 8));
+  const auto played = play(session);
+  REQUIRE(played.has_value());
+  CHECK(played->sound());
+  CHECK(played->algorithms.front().outcomes.size() == 1);
+}
+
+TEST_CASE("lessons/README.md names every step, algorithm and kind of points") {
+  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/README.md", std::ios::binary);
+  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  const auto says = [&](std::string_view name) { return readme.find('`' + std::string(name) + '`') != std::string::npos; };
+  for (const std::string_view fact : fit::fact_names()) CHECK_MESSAGE(says(fact), fact);
+  for (const auto& algorithm : fit::algorithms()) CHECK_MESSAGE(says(algorithm.name), algorithm.name);
+  for (const std::string_view kind : generator_kinds()) CHECK_MESSAGE(says(kind), kind);
+  for (const std::string& mesh : mesh_names()) CHECK_MESSAGE(says(mesh), mesh);
 }
