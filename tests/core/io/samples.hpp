@@ -1,11 +1,11 @@
 // One tetrahedron in every format, and the means to make a file's bytes by hand.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "geometry/bits.hpp"
 #include "io/point_file.hpp"
 
 namespace snug::samples {
@@ -25,8 +25,9 @@ class Bytes {
   Bytes& u8(int value) { return integer(static_cast<std::uint8_t>(value)); }
   Bytes& u16(int value) { return integer(static_cast<std::uint16_t>(value)); }
   Bytes& u32(std::uint32_t value) { return integer(value); }
-  Bytes& f32(float value) { return integer(std::bit_cast<std::uint32_t>(value)); }
-  Bytes& f64(double value) { return integer(std::bit_cast<std::uint64_t>(value)); }
+  // As in geometry/bits.hpp, for a float, which only tests take apart.
+  Bytes& f32(float value) { return integer(__builtin_bit_cast(std::uint32_t, value)); }
+  Bytes& f64(double value) { return integer(bits_of(value)); }
   [[nodiscard]] std::string take() const { return bytes_; }
 
  private:
