@@ -128,11 +128,15 @@ void draw_algorithms(Shell& shell, Column& column) {
     beside.emplace_back(algorithm->title), beside_names.push_back(name);
   }
   const app::Look& look = column.look();
-  const float row = look.px(34), words = app::measure(look, Face::kRegular, 14, "beside").x + 16, half = (column.width() - words) / 2;
-  app::text(column.list(), look, Face::kRegular, 14, {column.x() + half + 8, app::middle_of(column.y() + row / 2, look.px(14))}, look->muted, "beside");
-  if (const int chosen = column.chooser("algorithm", 0, half, titles, main); chosen >= 0)
+  const float row = look.px(34), words = app::measure(look, Face::kRegular, 14, "beside").x + 16;
+  // The main one takes what its name needs, the other what is left.
+  const std::string_view name = main >= 0 ? std::string_view(titles[static_cast<std::size_t>(main)]) : std::string_view();
+  const float room = column.width() - words;
+  const float first = std::clamp(app::measure(look, Face::kSemiBold, 14, name).x + 44, room * 0.5f, room * 0.65f);
+  app::text(column.list(), look, Face::kRegular, 14, {column.x() + first + 8, app::middle_of(column.y() + row / 2, look.px(14))}, look->muted, "beside");
+  if (const int chosen = column.chooser("algorithm", 0, first, titles, main); chosen >= 0)
     shell.tell(session.choose(0, names[static_cast<std::size_t>(chosen)]));
-  if (const int chosen = column.chooser("beside", half + words, half, beside, second); chosen >= 0)
+  if (const int chosen = column.chooser("beside", first + words, room - first, beside, second); chosen >= 0)
     shell.tell(session.choose(1, beside_names[static_cast<std::size_t>(chosen)]));
   column.gap(row + 8);
 }

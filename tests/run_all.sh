@@ -49,8 +49,9 @@ built() { # preset targets...: whether it could be built; if not, that is a fail
 shopt -s nullglob
 screen=(xvfb-run -a -s "-screen 0 1280x800x24")
 
-if built release snug_tests snug_desktop; then
+if built release snug_tests snug_app_tests snug_desktop; then
     doctest_suite "core, native" core-native build/release/tests/snug_tests --no-colors=1
+    doctest_suite "app, native" app-native build/release/tests/snug_app_tests --no-colors=1
     node_suite "command line" command-line -- tests/command/*.test.mjs
     node_suite "desktop window" desktop-window "${screen[@]}" -- tests/desktop/*.test.mjs
     for file in tests/desktop/*.test.sh; do

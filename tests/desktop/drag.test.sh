@@ -1,0 +1,34 @@
+# A point is dragged with a real mouse: the radius follows, and one undo takes all of the drag back.
+. tests/desktop/support.sh
+open_window --lesson sphere-welzl
+# To the end, past every question.
+for i in 1 2 3 4 5 6 7 8; do xdotool key End s; done
+until_state 's.step === s.steps'
+before=$(state "s.readout.radius")
+
+# The support point farthest from the middle of the stage is pulled outwards.
+read -r x y < <(handle P1)
+xdotool mousemove --window "$window" "$x" "$y" sleep 0.2 mousedown 1
+for i in 1 2 3 4 5 6 7 8; do xdotool mousemove --window "$window" $((x + 8 * i)) $((y - 5 * i)) sleep 0.03; done
+until_state "s.selected === 1 && Math.abs(s.readout.radius - $before) > 0.01"
+until_state "s.handles.find(h => h.id === 'P1').x > $x + 50" # it is under the mouse, before the button is let go
+during=$(state "s.readout.radius")
+xdotool mouseup 1
+sleep 0.3
+after=$(state "s.readout.radius")
+node -e "process.exit($during === $after && $after > $before ? 0 : 1)" || fail "radius $before, while dragged $during, then $after"
+
+xdotool key ctrl+z
+until_state "s.readout.radius === $before"
+xdotool key ctrl+y
+until_state "s.readout.radius === $after"
+
+# With the point selected, the arrow keys move it; a tenth as far with Shift.
+xdotool key Right
+until_state "s.readout.radius !== $after"
+xdotool key Escape
+until_state 's.selected === -1'
+xdotool key Home
+until_state 's.step === 0'
+xdotool key Right
+until_state 's.step === 1'

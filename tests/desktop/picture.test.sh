@@ -1,0 +1,19 @@
+# snug render: a picture of the size that was asked for, with the lesson in it; and plain words where there is no display.
+. tests/desktop/support.sh
+for theme in light dark contrast projector; do
+    SNUG_THEME=$theme "$snug" render sphere-pca --step 3 --size 1000x700 -o "$work/$theme.png"
+    [[ $(identify -format '%wx%h' "$work/$theme.png") == 1000x700 ]] || fail "$theme: another size"
+    colors=$(identify -format '%k' "$work/$theme.png")
+    ((colors > 200)) || fail "$theme: only $colors colours"
+done
+# The stage is drawn by OpenGL and by ImGui: its ground and the ball's line are both there.
+[[ $(convert "$work/light.png" -fill black +opaque '#FAF8F3' -format '%[fx:mean>0.08]' info:) == 1 ]] || fail "no stage"
+convert "$work/light.png" -fill white +opaque '#0A5FBF' -format '%k' info: | grep -qx 2 || fail "no mark of the current volume"
+"$snug" render sphere-pca --step 3 --size 1000x700 -o "$work/again.png"
+[[ $(compare -metric AE "$work/light.png" "$work/again.png" null: 2>&1) == 0 ]] || fail "the same step drawn twice differs"
+
+status=0
+said=$(env -u DISPLAY -u WAYLAND_DISPLAY "$snug" render sphere-pca -o "$work/none.png" 2>&1) || status=$?
+((status == 2)) || fail "without a display it ended with $status"
+[[ $said == snug:*display* && $(wc -l <<<"$said") == 1 ]] || fail "it said: $said"
+[[ ! -e $work/none.png ]] || fail "it left half a picture"
