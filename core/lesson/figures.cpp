@@ -23,7 +23,9 @@ std::string count_text(std::int64_t n, std::string_view one, std::string_view ma
 class Board {
  public:
   explicit Board(const RunView& run)
-      : run_(run), trace_(run.recording->steps), entry_(run.step > 0 ? &trace_[static_cast<std::size_t>(run.step - 1)] : nullptr) {}
+      : run_(run),
+        trace_(run.recording->steps),
+        entry_(run.step > 0 ? &trace_[static_cast<std::size_t>(run.step - 1)] : nullptr) {}
 
   std::vector<Figure> figures() {
     ball();
@@ -41,6 +43,9 @@ class Board {
   void length(std::string_view name, std::string key, double value) {
     add(name, std::move(key), number_text(value) + " units", value, "units");
   }
+  void of_all(std::string_view name, std::string key, Index count) {
+    add(name, std::move(key), std::to_string(count) + " of " + std::to_string(size_of(*run_.points)), count, "points");
+  }
 
   void ball() {
     if (entry_ == nullptr || !entry_->step.has_ball) return;
@@ -52,7 +57,7 @@ class Board {
       add("Excess over the optimum", "excess", percent_text(excess), 100 * excess, "%");
     }
     const Index outside = count_outside(*run_.points, ball);
-    add("Points outside", "outside", std::to_string(outside) + " of " + std::to_string(size_of(*run_.points)), outside, "points");
+    of_all("Points outside", "outside", outside);
     const int holding = support_after(trace_, run_.step).size();
     add("Support set", "support", count_text(holding, "point", "points"), holding, "points");
   }
@@ -72,7 +77,7 @@ class Board {
       passes = passes || examined != nullptr;
       if (examined != nullptr && examined->depth == 0) ++seen;
     }
-    if (passes) add("Points seen", "seen", std::to_string(seen) + " of " + std::to_string(size_of(*run_.points)), seen, "points");
+    if (passes) of_all("Points seen", "seen", seen);
     const auto* examined = std::get_if<PointExamined>(&entry_->step.fact);
     if (examined != nullptr && examined->outside && entry_->step.has_ball)
       length("Outside by", "outside_by", examined->distance - entry_->step.ball.radius);

@@ -18,7 +18,8 @@ std::string reached_text(double excess) {
 
 /// What is reached of a measure, and what is asked for.
 std::string excess_sentence(const Task& task, const fit::Algorithm& algorithm, double excess) {
-  const std::string reached = std::string(algorithm.title) + ": its ball is " + reached_text(excess) + " larger than the smallest";
+  const std::string whose = std::string(algorithm.title) + ": its ball is ";
+  const std::string reached = whose + reached_text(excess) + " larger than the smallest";
   if (excess >= task.excess_at_least) return reached + ".";
   return reached + "; at least " + percent_text(task.excess_at_least).substr(1) + " is asked for.";
 }

@@ -156,7 +156,8 @@ void read_pseudocode(const toml::table& toml, Complaints& complaints, Lesson& le
 }
 
 void read_head(TomlTable& table, Lesson& lesson) {
-  if (table.integer("version", 1, 1000000) != kVersion) table.wrong("version", "is not one that this program reads: it reads 1");
+  if (table.integer("version", 1, 1000000) != kVersion)
+    table.wrong("version", "is not one that this program reads: it reads 1");
   lesson.group = table.text("group");
   lesson.title = table.text("title");
   lesson.summary = table.text("summary");

@@ -1,8 +1,6 @@
 // Opening a session, the algorithms, and what is worked out when asked for.
 #include "lesson/session.hpp"
 
-#include <cmath>
-
 #include "lesson/own_points.hpp"
 
 namespace snug::lesson {
@@ -119,6 +117,14 @@ double Session::smallest_radius() const {
   return *worked_.smallest_radius;
 }
 
+/// What a slot shows already is not run again.
+double Session::radius_of(const fit::Algorithm& algorithm) const {
+  for (const Slot& slot : slots_)
+    if (slot.algorithm == &algorithm) return slot.recording.result.sphere.radius;
+  if (&algorithm == &welzl()) return smallest_radius();
+  return algorithm.fit(points(), {.seed = seed()}).sphere.radius;
+}
+
 const std::vector<Session::Rival>& Session::rivals() const {
   if (worked_.rivals) return *worked_.rivals;
   std::vector<Rival> rivals;
@@ -126,12 +132,7 @@ const std::vector<Session::Rival>& Session::rivals() const {
   for (const std::string& name : lesson_.algorithms) {
     const fit::Algorithm* algorithm = fit::find_algorithm("sphere", name);
     if (algorithm->max_points < size()) continue;
-    const Slot* shown = nullptr;
-    for (const Slot& slot : slots_)
-      if (slot.algorithm == algorithm) shown = &slot;
-    const double radius = shown != nullptr    ? shown->recording.result.sphere.radius
-                          : algorithm == &welzl() ? smallest
-                                              : algorithm->fit(points(), {.seed = seed()}).sphere.radius;
+    const double radius = radius_of(*algorithm);
     rivals.push_back({algorithm, radius, smallest > 0 ? radius / smallest - 1 : 0});
   }
   return worked_.rivals.emplace(std::move(rivals));

@@ -204,6 +204,7 @@ class Session {
   void stand(int step);
   [[nodiscard]] bool open_question(const Asked& asked) const;
   Outcome& outcome_for(const std::string& id);
+  [[nodiscard]] double radius_of(const fit::Algorithm& algorithm) const;
   [[nodiscard]] RunView view(int slot) const;
 
   Lesson lesson_;

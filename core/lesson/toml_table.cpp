@@ -130,8 +130,8 @@ std::vector<Vector<double, 3>> TomlTable::points(std::string_view key, int dim) 
       good = std::isfinite(point[i]);
     }
     if (!good) {
-      const std::string what = " must be a point of " + std::to_string(dim) + " finite numbers: [x, y" + (dim == 3 ? ", z]" : "]");
-      complaints_.add(line_of_node(item), "each of " + quoted(key) + what);
+      const char* form = dim == 3 ? "3 finite numbers: [x, y, z]" : "2 finite numbers: [x, y]";
+      complaints_.add(line_of_node(item), "each of " + quoted(key) + " must be a point of " + form);
       return all;
     }
     all.push_back(point);

@@ -11,9 +11,8 @@ namespace {
 
 /// The small lesson with one question, on an algorithm of its own.
 Session ask(const std::string& algorithm, const std::string& rest) {
-  const std::string text = small_lesson_with("[task]", "[[question]]\nid = \"own\"\nprompt = \"?\"\nbecause = \"So.\"\nalgorithm = \"" +
-                                                           algorithm + "\"\n" + rest + "\n[task]");
-  Session session = test::open(text);
+  const std::string own = "[[question]]\nid = \"own\"\nprompt = \"?\"\nbecause = \"So.\"\nalgorithm = \"" + algorithm + "\"\n";
+  Session session = test::open(small_lesson_with("[task]", own + rest + "\n[task]"));
   REQUIRE(session.choose(0, algorithm).has_value());
   session.last();
   REQUIRE(session.asked() != nullptr);
