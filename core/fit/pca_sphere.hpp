@@ -12,7 +12,7 @@ namespace snug::fit {
 inline constexpr std::array<std::string_view, 9> kPcaSpherePseudocode{
     "m ← mean of the points",
     "C ← covariance about m",
-    "v ← eigenvector of C's largest eigenvalue",
+    "v ← eigenvector of largest eigenvalue",
     "find the extreme points along v",
     "ball ← those two as diameter",
     "for each point p",
