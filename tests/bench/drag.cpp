@@ -60,7 +60,7 @@ void one(int count, int dim, const char* first, const char* second) {
 }  // namespace
 
 int main() {
-  std::puts("| points | | algorithms | steps | moved, ms | with all that is shown, ms | of 20 frames the slowest, ms |");
+  std::puts("| points | | algorithms | steps | moved, ms | with all that is shown, ms | 95th percentile, ms |");
   std::puts("|---:|---|---|---:|---:|---:|---:|");
   for (const char* algorithm : {"aabb_center", "ritter", "pca", "welzl", "ritter_iterative"}) {
     one(1000, 2, algorithm, "");
