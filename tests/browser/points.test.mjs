@@ -74,7 +74,7 @@ test("two fingers pinch the view without moving a point", async (t) => {
 test("arrow keys move the selected point", async (t) => {
   const page = await visit(t, await in_the_plane());
   await page.locator("#canvas").focus();
-  await page.keyboard.press("n");
+  await page.keyboard.press("]");
   const chosen = await until(page, (now) => now.selected !== null);
   await page.keyboard.press("ArrowRight");
   const moved = await until(page, (now, at) => now.coordinates[0] > at[0], chosen.coordinates);

@@ -14,7 +14,7 @@ export class Code {
     this.#door = door;
     this.#act = act;
     by_id("code").append(
-      element("h2", { class: "unseen", id: "code-heading" }, "Algorithm"),
+      element("h2", { class: "unseen", id: "code-heading" }, "Pseudocode"),
       element("div", { class: "fields" },
         element("label", {}, element("span", {}, "Algorithm"), this.#main),
         element("label", {}, element("span", {}, "Beside it"), this.#beside)),

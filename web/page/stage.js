@@ -6,6 +6,9 @@ import { stage_message } from "./messages.js";
 const kButtonsOfImgui = [0, 1, 2];
 const kFramesTimed = 600;
 const kPatience = 5000; // milliseconds until a lost context is said not to come back
+// A first finger presses nothing until it moves, stays or lifts: the second of a pinch comes a little later.
+const kFingerWaits = 120; // milliseconds
+const kFingerTrembles = 6; // pixels
 
 export class Stage {
   #door;
@@ -14,6 +17,8 @@ export class Stage {
   #due = 0;
   #moved = true;
   #touches = new Map();
+  #waiting = null; // {x, y, timer}: a finger that has not pressed yet
+  #pinched = false; // until every finger has lifted
   #lost_timer = 0;
   /** {at, cost}: when each of the last frames began, and the milliseconds that the program took for it. */
   times = [];
@@ -104,35 +109,59 @@ export class Stage {
     surface.setPointerCapture(event.pointerId);
     const [x, y] = this.#on_canvas(event);
     this.#door.modifiers_held(event.shiftKey, event.ctrlKey || event.metaKey, event.altKey);
-    if (event.pointerType === "touch") {
-      this.#touches.set(event.pointerId, { x, y });
-      if (this.#touches.size === 2) return this.#begin_pinch();
-      if (this.#touches.size > 2) return;
-    }
+    if (event.pointerType === "touch") return this.#finger_down(event.pointerId, x, y);
     this.#door.pointer_moved(x, y, event.pointerType);
     if (kButtonsOfImgui.includes(event.button)) this.#door.pointer_button(event.button, true, event.pointerType);
+  }
+
+  #finger_down(id, x, y) {
+    this.#touches.set(id, { x, y });
+    if (this.#touches.size > 1) {
+      if (!this.#stop_waiting() && !this.#pinched) this.#door.pointer_button(0, false, "touch"); // a drag ends where it is
+      this.#pinched = true;
+      return;
+    }
+    this.#pinched = false;
+    this.#door.pointer_moved(x, y, "touch");
+    this.#waiting = { x, y, timer: setTimeout(() => this.#finger_presses(), kFingerWaits) };
+  }
+
+  #finger_presses() {
+    if (!this.#stop_waiting()) return;
+    this.#door.pointer_button(0, true, "touch");
+    this.request();
+  }
+
+  /** Whether a finger was waiting. */
+  #stop_waiting() {
+    if (!this.#waiting) return false;
+    clearTimeout(this.#waiting.timer);
+    this.#waiting = null;
+    return true;
   }
 
   #move(event) {
     const [x, y] = this.#on_canvas(event);
     if (this.#touches.size >= 2) return this.#pinch(event.pointerId, { x, y });
+    if (this.#pinched && event.pointerType === "touch") return; // the finger that stays drags nothing
     if (this.#touches.has(event.pointerId)) this.#touches.set(event.pointerId, { x, y });
+    if (this.#waiting && Math.hypot(x - this.#waiting.x, y - this.#waiting.y) > kFingerTrembles) this.#finger_presses();
+    if (this.#waiting) return;
     this.#door.modifiers_held(event.shiftKey, event.ctrlKey || event.metaKey, event.altKey);
     this.#door.pointer_moved(x, y, event.pointerType);
   }
 
   #up(event) {
-    const pinching = this.#touches.size >= 2;
-    this.#touches.delete(event.pointerId);
-    if (pinching) return this.#touches.clear(); // the finger that stays drags nothing
-    if (kButtonsOfImgui.includes(event.button)) this.#door.pointer_button(event.button, false, event.pointerType);
-    else this.#door.pointer_button(0, false, event.pointerType); // cancelled
-    if (event.pointerType === "touch") this.#door.pointer_left(); // a finger that has gone hovers over nothing
+    if (event.pointerType === "touch") return this.#finger_up(event);
+    this.#door.pointer_button(kButtonsOfImgui.includes(event.button) ? event.button : 0, false, event.pointerType);
   }
 
-  #begin_pinch() {
-    this.#door.pointer_left(); // first away, so that letting go presses nothing
+  #finger_up(event) {
+    if (!this.#touches.delete(event.pointerId) || this.#pinched) return;
+    if (event.type === "pointerup") this.#finger_presses(); // a tap shorter than the wait
+    this.#stop_waiting(); // or the browser has made a scroll of it
     this.#door.pointer_button(0, false, "touch");
+    this.#door.pointer_left(); // a finger that has gone hovers over nothing
   }
 
   #pinch(id, to) {
