@@ -14,14 +14,16 @@
 namespace snug::fit {
 namespace {
 
-/// Hands each step on to a recorder that keeps them lifted.
-struct LiftingRecorder {
-  Recorder<Step3> recorder;
+/// Counts, and hands each step on lifted where somebody wants to see it.
+struct LiftingObserver {
+  const SeeStep& see;
+  Counter counter;
   template <class Scalar, int Dim>
   void operator()(const SphereStep<Scalar, Dim>& step) {
-    recorder(lift(step));
+    counter(step);
+    if (see) see(lift(step), counter.counts);
   }
-  void count(Operation operation, std::int64_t n) { recorder.count(operation, n); }
+  void count(Operation operation, std::int64_t n) { counter.count(operation, n); }
 };
 
 template <auto kFitter>
@@ -36,17 +38,25 @@ Result fit_any(const AnyPointSet& points, const Options& options) {
 }
 
 template <auto kFitter, bool kExact>
-Recording record_any(const AnyPointSet& points, const Options& options) {
+Watched watch_any(const AnyPointSet& points, const Options& options, const SeeStep& see) {
   return std::visit(
       [&](const auto& set) {
-        LiftingRecorder observer;
+        LiftingObserver observer{see, {}};
         const auto fit = kFitter(set.span(), options, observer);
-        return Recording{{lift(fit.volume), fit.support},
-                         std::move(observer.recorder.entries),
-                         observer.recorder.counts,
-                         certify(fit, set.span(), kExact)};
+        return Watched{{lift(fit.volume), fit.support},
+                       observer.counter.steps,
+                       observer.counter.counts,
+                       certify(fit, set.span(), kExact)};
       },
       points);
+}
+
+template <auto kFitter, bool kExact>
+Recording record_any(const AnyPointSet& points, const Options& options) {
+  std::vector<Recorder<Step3>::Entry> entries;
+  Watched watched = watch_any<kFitter, kExact>(
+      points, options, [&](Step3&& step, const OperationCounts& counts) { entries.push_back({std::move(step), counts}); });
+  return {watched.result, std::move(entries), watched.counts, watched.certificate};
 }
 
 constexpr Index kAny = std::numeric_limits<Index>::max();
@@ -54,7 +64,8 @@ constexpr Index kAny = std::numeric_limits<Index>::max();
 template <auto kFitter, bool kExact>
 constexpr Algorithm row(std::string_view name, std::string_view title, Index max_points, std::string_view source,
                         std::span<const std::string_view> pseudocode) {
-  return {"sphere", name, title, kExact, max_points, source, pseudocode, &fit_any<kFitter>, &record_any<kFitter, kExact>};
+  return {"sphere", name, title, kExact, max_points, source, pseudocode, &fit_any<kFitter>,
+          &record_any<kFitter, kExact>, &watch_any<kFitter, kExact>};
 }
 
 constexpr auto kAabbCenter = [](auto p, const Options&, auto& o) { return aabb_center(p, o); };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,6 +33,16 @@ struct Recording {
   Certificate certificate;
 };
 
+/// A watched run that keeps no step, for traces that memory should not hold.
+struct Watched {
+  Result result;
+  std::int64_t steps = 0;
+  OperationCounts counts{};
+  Certificate certificate;
+};
+/// Is given each step as it happens, with the counts as they stand.
+using SeeStep = std::function<void(Step3&& step, const OperationCounts& counts)>;
+
 struct Algorithm {
   std::string_view volume;      // "sphere"
   std::string_view name;        // as scripts say it: "ritter_iterative"
@@ -45,6 +56,8 @@ struct Algorithm {
   Result (*fit)(const AnyPointSet& points, const Options& options);
   /// The same code, watched.
   Recording (*record)(const AnyPointSet& points, const Options& options);
+  /// The same; see: none where only the figures are wanted.
+  Watched (*watch)(const AnyPointSet& points, const Options& options, const SeeStep& see);
 };
 
 [[nodiscard]] std::span<const Algorithm> algorithms();

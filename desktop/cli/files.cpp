@@ -30,16 +30,6 @@ tl::expected<std::string, InputError> read_all(std::FILE* file, const std::strin
   return bytes;
 }
 
-tl::expected<void, InputError> write_all(const std::string& path, const fs::path& to, const char* mode,
-                                         std::string_view bytes) {
-  File file(std::fopen(to.c_str(), mode));
-  if (!file) return cannot(path, "cannot be written", errno);
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size() || std::fflush(file.get()) != 0)
-    return cannot(path, "cannot be written", errno);
-  if (std::fclose(file.release()) != 0) return cannot(path, "cannot be written", errno);
-  return {};
-}
-
 }  // namespace
 
 tl::expected<std::string, InputError> read_file(const std::string& path) {
@@ -55,24 +45,48 @@ tl::expected<io::PointFile, InputError> read_point_file(const std::string& path)
   return read_file(path).and_then([&](const std::string& bytes) { return io::read_points(bytes, path); });
 }
 
-tl::expected<void, InputError> write_file(const std::string& path, std::string_view bytes) {
+tl::expected<NewFile, InputError> NewFile::create(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::is_directory(status)) return tl::unexpected(InputError{.what = "is a directory", .file = path});
-  if (fs::exists(status) && !fs::is_regular_file(status)) return write_all(path, path, "wb", bytes);
+  const bool exists = fs::exists(status);
   // Through a link to what it leads to, so that the link stays one.
-  const fs::path target = fs::exists(status) ? fs::canonical(path, error) : fs::path(path);
+  const fs::path target = exists ? fs::canonical(path, error) : fs::path(path);
   fs::path part = target;
-  part += "." + std::to_string(std::random_device{}()) + ".part";
-  auto written = write_all(path, part, "wbx", bytes);
-  if (written) {
-    if (fs::exists(status)) fs::permissions(part, status.permissions(), error);
-    fs::rename(part, target, error);
-    if (!error) return written;
-    written = cannot(path, "cannot be written", error.value());
-  }
-  fs::remove(part, error);
-  return written;
+  const bool aside = !exists || fs::is_regular_file(status);
+  if (aside) part += "." + std::to_string(std::random_device{}()) + ".part";
+  NewFile file(path, target, part);
+  file.file_.reset(std::fopen(part.c_str(), aside ? "wbx" : "wb"));
+  if (!file.file_) return cannot(path, "cannot be written", errno);
+  if (aside && exists) fs::permissions(part, status.permissions(), error);
+  return file;
+}
+
+NewFile::~NewFile() {
+  if (!file_ || part_ == target_) return;
+  std::error_code ignored;
+  fs::remove(part_, ignored);
+}
+
+void NewFile::write(std::string_view bytes) {
+  if (error_ == 0 && std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) error_ = errno;
+}
+
+tl::expected<void, InputError> NewFile::put_in_place() {
+  if (error_ == 0 && std::fflush(file_.get()) != 0) error_ = errno;
+  std::error_code failed;
+  if (error_ == 0 && part_ != target_) fs::rename(part_, target_, failed);
+  if (failed) error_ = failed.value();
+  if (error_ != 0) return cannot(path_, "cannot be written", error_);
+  file_.reset();
+  return {};
+}
+
+tl::expected<void, InputError> write_file(const std::string& path, std::string_view bytes) {
+  return NewFile::create(path).and_then([&](NewFile&& file) {
+    file.write(bytes);
+    return file.put_in_place();
+  });
 }
 
 fs::path program_folder() {

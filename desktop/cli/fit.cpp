@@ -53,36 +53,42 @@ tl::expected<AnyPointSet, InputError> points_of(const FitOptions& options, const
   return points;
 }
 
-tl::expected<void, InputError> write_steps(const std::string& path, const fit::Recording& recording, int dim) {
-  if (path.empty()) return {};
-  std::string lines;
-  for (const auto& entry : recording.steps)
-    lines += fit::json_of(entry.step, dim) + '\n';
-  return write_file(path, lines);
+/// The run that counts, with its trace in a file where one is asked for. Each step is written as it happens, for a
+/// trace can be far larger than memory.
+tl::expected<fit::Watched, InputError> watch(const FitOptions& options, const fit::Algorithm& algorithm,
+                                             const AnyPointSet& points) {
+  const fit::Options chosen{.seed = options.seed};
+  if (options.steps.empty()) return algorithm.watch(points, chosen, {});
+  auto file = NewFile::create(options.steps);
+  if (!file) return tl::unexpected(file.error());
+  const int dim = fit::dim_of(points);
+  const fit::Watched watched = algorithm.watch(
+      points, chosen, [&](fit::Step3&& step, const OperationCounts&) { file->write(fit::json_of(step, dim) + '\n'); });
+  return file->put_in_place().map([&] { return watched; });
 }
 
 double measure_of(const Sphere<double, 3>& sphere, int dim) {
   return dim == 3 ? measure(sphere) : measure(Sphere<double, 2>{sphere.center.head<2>(), sphere.radius});
 }
 
-Json result_of(const fit::Algorithm& algorithm, const AnyPointSet& points, const fit::Recording& recording,
+Json result_of(const fit::Algorithm& algorithm, const AnyPointSet& points, const fit::Watched& watched,
                const Timing& timing) {
   const int dim = fit::dim_of(points);
-  const fit::Certificate& proof = recording.certificate;
+  const fit::Certificate& proof = watched.certificate;
   Json json;
-  json[std::string(algorithm.volume)] = json_of(recording.result.sphere, dim);
+  json[std::string(algorithm.volume)] = json_of(watched.result.sphere, dim);
   json["points"] = fit::size_of(points);
   json["support"] = Json::array();
-  for (const Index i : recording.result.support)
+  for (const Index i : watched.result.support)
     json["support"].push_back(i);
-  json["measure"] = measure_of(recording.result.sphere, dim);
+  json["measure"] = measure_of(watched.result.sphere, dim);
   json["max_outside"] = proof.max_outside;
   json["certificate"] = {{"contains", proof.contains},
                          {"on_boundary", proof.on_boundary},
                          {"optimal", proof.optimal ? Json(*proof.optimal) : Json()}};
-  json["steps"] = recording.steps.size();
+  json["steps"] = watched.steps;
   for (std::size_t i = 0; i < kOperationNames.size(); ++i)
-    json["operations"][std::string(kOperationNames[i])] = recording.counts[i];
+    json["operations"][std::string(kOperationNames[i])] = watched.counts[i];
   json["time_ns"] = {{"median", timing.median}, {"min", timing.min}, {"repeats", timing.repeats}};
   return json;
 }
@@ -93,12 +99,11 @@ CommandResult run_fit(const FitOptions& options) {
   const auto points = points_of(options, **algorithm);
   if (!points) return bad_input(points.error());
 
+  const auto watched = watch(options, **algorithm, *points);
+  if (!watched) return bad_input(watched.error());
   const fit::Options chosen{.seed = options.seed};
-  const fit::Recording recording = (*algorithm)->record(*points, chosen);
   const Timing timing = time_of([&] { (void)(*algorithm)->fit(*points, chosen); }, options.repeat);
-  if (const auto written = write_steps(options.steps, recording, fit::dim_of(*points)); !written)
-    return bad_input(written.error());
-  return Printed{line_of(result_of(**algorithm, *points, recording, timing)), recording.certificate.contains ? 0 : 1};
+  return Printed{line_of(result_of(**algorithm, *points, *watched, timing)), watched->certificate.contains ? 0 : 1};
 }
 
 constexpr const char* kFitFooter = R"(Prints one JSON object:
