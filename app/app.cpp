@@ -256,7 +256,7 @@ void App::frame(const Layout& layout, double now) {
     s.stage.draw(s.look, s.settings, *s.session, layout.stage, now);
   }
   if (shows(layout.inspector)) {
-    const Pane pane("##inspector", layout.inspector, true);
+    const Pane pane("##inspector", layout.inspector, Pane::Kind::kScrolls);
     draw_inspector(s.look, *s.session, layout.inspector);
   }
   s.drawn_revision = s.session->revision();

@@ -14,7 +14,7 @@ struct KeyHelp {
   std::string_view keys, does;
 };
 inline constexpr KeyHelp kKeyHelp[] = {
-    {"→  ←", "one step on, one step back; with a point selected, move it"},
+    {"→  ←", "one step on, one step back"},
     {"Space", "play or pause"},
     {"Home  End", "the beginning, the end"},
     {"PgDn  PgUp", "the next mark, the one before"},

@@ -48,8 +48,18 @@ Rect at(const LabelRequest& request, float angle, float gap) {
           request.y + dy * (gap + request.height / 2) - request.height / 2, request.width, request.height};
 }
 
-std::optional<Rect> best_place(const LabelRequest& request, const Obstacles& obstacles, const std::vector<Rect>& placed,
+/// The points that could come to lie under a label of this request: of a thousand, a handful.
+Obstacles near(const LabelRequest& request, const Obstacles& all) {
+  Obstacles found{all.circles, all.segments, {}, {}};
+  const float reach = request.gap + kRings.back() + std::hypot(request.width, request.height);
+  for (const auto& disc : all.discs)
+    if (std::abs(disc.x - request.x) < reach + disc.radius && std::abs(disc.y - request.y) < reach + disc.radius) found.discs.push_back(disc);
+  return found;
+}
+
+std::optional<Rect> best_place(const LabelRequest& request, const Obstacles& all, const std::vector<Rect>& placed,
                                const Rect& bounds) {
+  const Obstacles obstacles = near(request, all);
   const float toward = std::atan2(request.toward_y, request.toward_x);
   const float step = 2 * std::numbers::pi_v<float> / kDirections;
   std::optional<Rect> best;

@@ -12,22 +12,22 @@ float advance(ImFont* font, float size, const char* begin, const char* end) {
 // ImGui's size of a font is from its ascender to its descender; everyone else's is the em, which our sizes are in.
 constexpr float kInterBox = 1.21f, kJetBrainsMonoBox = 1.32f;
 
-float box_of(const Look& look, Face face, float size) {
-  return look.px(size) * (face == Face::kMono || face == Face::kMonoBold ? kJetBrainsMonoBox : kInterBox);
-}
-
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }  // inside a UTF-8 character
 
 }  // namespace
 
+float font_size(const Look& look, Face face, float size) {
+  return look.px(size) * (face == Face::kMono || face == Face::kMonoBold ? kJetBrainsMonoBox : kInterBox);
+}
+
 ImVec2 measure(const Look& look, Face face, float size, std::string_view words) {
   if (words.empty()) return {0, look.px(size)};  // an end of null is one that ImGui looks for itself
-  return {advance(look.font(face), box_of(look, face, size), words.data(), words.data() + words.size()), look.px(size)};
+  return {advance(look.font(face), font_size(look, face, size), words.data(), words.data() + words.size()), look.px(size)};
 }
 
 void text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words) {
   if (words.empty()) return;
-  const float box = box_of(look, face, size);
+  const float box = font_size(look, face, size);
   at.y -= (box - look.px(size)) / 2;
   list->AddText(look.font(face), box, at, color, words.data(), words.data() + words.size());
 }
@@ -55,7 +55,7 @@ std::string shortened(const Look& look, Face face, float size, std::string_view 
 std::vector<std::string_view> lines_of(const Look& look, Face face, float size, std::string_view words, float width) {
   std::vector<std::string_view> lines;
   ImFont* font = look.font(face);
-  const float px = box_of(look, face, size);
+  const float px = font_size(look, face, size);
   std::size_t begin = 0;
   while (begin < words.size()) {
     std::size_t end = begin, space = std::string_view::npos;

@@ -27,6 +27,9 @@ struct Look {
   const Palette* operator->() const { return palette; }
 };
 
+/// What ImGui calls the size of a font whose em is of this size at text scale 1.
+[[nodiscard]] float font_size(const Look& look, Face face, float size);
+
 // size: at text scale 1; the look's scale is applied in here.
 [[nodiscard]] ImVec2 measure(const Look& look, Face face, float size, std::string_view text);
 /// at: the top left of the line box, which is as high as the size.

@@ -131,7 +131,10 @@ void Stage::draw_labels(Brush& brush) const {
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!places[i]) continue;
     const Label& label = brush.labels[i];
-    halo_text(brush.list, brush.look, label.face, label.size, {places[i]->x + 3, places[i]->y + 1}, label.color, brush.p.ground, label.words);
+    const ImVec2 at{places[i]->x + 3, places[i]->y + 1};
+    // A name that is only shown where it is clear of everything needs no halo.
+    if (label.request.optional && !scene_.three_d) text(brush.list, brush.look, label.face, label.size, at, label.color, label.words);
+    else halo_text(brush.list, brush.look, label.face, label.size, at, label.color, brush.p.ground, label.words);
   }
 }
 

@@ -44,12 +44,13 @@ void lock(ImDrawList* list, ImVec2 m, float size, Color color) {
 
 }  // namespace
 
-Pane::Pane(const char* id, const Rect& rect, bool scrolls) {
+Pane::Pane(const char* id, const Rect& rect, Kind kind) {
   ImGui::SetNextWindowPos({rect.x, rect.y});
   ImGui::SetNextWindowSize({std::max(rect.width, 1.0f), std::max(rect.height, 1.0f)});
   ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                           ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav;
-  if (scrolls) flags &= ~ImGuiWindowFlags_NoScrollbar;
+                           ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav;
+  if (kind != Kind::kOver) flags |= ImGuiWindowFlags_NoBringToFrontOnFocus;
+  if (kind == Kind::kScrolls) flags &= ~ImGuiWindowFlags_NoScrollbar;
   else flags |= ImGuiWindowFlags_NoScrollWithMouse;
   ImGui::Begin(id, nullptr, flags);
   list_ = ImGui::GetWindowDrawList();

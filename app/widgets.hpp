@@ -10,7 +10,8 @@ namespace snug::app {
 /// A part of the canvas: an ImGui window without anything of a window about it.
 class Pane {
  public:
-  Pane(const char* id, const Rect& rect, bool scrolls = false);
+  enum class Kind { kStill, kScrolls, kOver };  // kOver: above all others, from when it appears
+  Pane(const char* id, const Rect& rect, Kind kind = Kind::kStill);
   ~Pane();
   Pane(const Pane&) = delete;
   Pane& operator=(const Pane&) = delete;

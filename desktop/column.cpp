@@ -76,7 +76,7 @@ void Column::prose(const lesson::Paragraph& paragraph) {
   if (!words.empty()) y_ += look_.px(kLeading);
 }
 
-int Column::buttons(const char* id, const std::vector<std::string>& words, int chosen, app::ButtonKind kind) {
+int Column::buttons(const char* id, const std::vector<std::string>& words, int chosen, const std::vector<bool>& enabled) {
   int clicked = -1;
   float x = 0;
   const float height = look_.px(34), gap = 8;
@@ -86,7 +86,7 @@ int Column::buttons(const char* id, const std::vector<std::string>& words, int c
     if (x > 0 && x + width > width_ + 0.5f) x = 0, y_ += height + gap;
     const std::string name = std::string(id) + std::to_string(i);
     const bool on = static_cast<int>(i) == chosen;
-    if (app::button(list_, look_, {.id = name.c_str(), .rect = {x_ + x, y_, width, height}, .words = words[i], .kind = on ? app::ButtonKind::kChosen : kind}))
+    if (app::button(list_, look_, {.id = name.c_str(), .rect = {x_ + x, y_, width, height}, .words = words[i], .kind = on ? app::ButtonKind::kChosen : app::ButtonKind::kOutlined, .enabled = enabled.empty() || enabled[i]}))
       clicked = static_cast<int>(i);
     x += width + gap;
   }

@@ -30,7 +30,8 @@ class Column {
   /// Prose, with the terms that stand for the first time set strong.
   void prose(const lesson::Paragraph& paragraph);
   /// Buttons in rows, as many as fit in each. Returns the one that was clicked, or -1. chosen: the one that is on.
-  int buttons(const char* id, const std::vector<std::string>& words, int chosen = -1, app::ButtonKind kind = app::ButtonKind::kOutlined);
+  /// enabled: of each; none for all.
+  int buttons(const char* id, const std::vector<std::string>& words, int chosen = -1, const std::vector<bool>& enabled = {});
   /// A button for a choice among many, which opens a list; within the row that starts here, which the caller leaves.
   /// Returns the one that was chosen, or -1.
   int chooser(const char* id, float from, float width, const std::vector<std::string>& words, int chosen);

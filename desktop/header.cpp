@@ -87,8 +87,7 @@ void draw_keys(Shell& shell, const app::Rect& window) {
   constexpr std::size_t kRows = std::size(app::kKeyHelp);
   const float row = look.px(28), width = std::min(look.px(560), window.width - 32), height = row * kRows + look.px(84);
   const app::Rect card{window.x + (window.width - width) / 2, window.y + std::max(8.0f, (window.height - height) / 2), width, height};
-  ImGui::SetNextWindowFocus();
-  const app::Pane pane("##keys", window);
+  const app::Pane pane("##keys", window, app::Pane::Kind::kOver);
   ImDrawList* list = pane.list();
   list->AddRectFilled({window.x, window.y}, {window.x + window.width, window.y + window.height}, app::with_alpha(look->ground, 0.75f));
   list->AddRectFilled({card.x, card.y}, {card.x + width, card.y + height}, look->panel, 8);
@@ -110,8 +109,7 @@ void draw_notice(Shell& shell, const app::Rect& stage) {
   const auto lines = app::lines_of(look, Face::kRegular, 14, shell.notice, inner);
   const float height = look.px(21) * static_cast<float>(lines.size()) + 24;
   const app::Rect card{stage.x + (stage.width - width) / 2, stage.y + 56, width, height};
-  ImGui::SetNextWindowFocus();
-  const app::Pane pane("##notice", card);
+  const app::Pane pane("##notice", card, app::Pane::Kind::kOver);
   ImDrawList* list = pane.list();
   list->AddRectFilled({card.x, card.y}, {card.x + width, card.y + height}, look->panel, 8);
   list->AddRect({card.x, card.y}, {card.x + width, card.y + height}, look->wrong, 8, 0, 1.5f);

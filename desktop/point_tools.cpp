@@ -18,7 +18,7 @@ class Fields {
  public:
   Fields(Column& column, const char* id) : column_(column) {
     ImGui::PushID(id);
-    ImGui::PushFont(column.look().font(Face::kMono), column.look().px(13));
+    ImGui::PushFont(column.look().font(Face::kMono), app::font_size(column.look(), Face::kMono, 13));
   }
   ~Fields() {
     ImGui::PopFont();
@@ -59,7 +59,10 @@ class Fields {
 
 void draw_edits(Shell& shell, Column& column) {
   const std::array<const char*, 4> commands{"add_point", "delete_point", "undo", "redo"};
-  const int clicked = column.buttons("edit", {"Add", "Delete", "Undo", "Redo"});
+  const lesson::Session& session = shell.session();
+  const bool can_delete = shell.app().selected() != kNoIndex && session.size() > 1;
+  const std::vector<bool> can{true, can_delete, session.can_undo(), session.can_redo()};
+  const int clicked = column.buttons("edit", {"Add", "Delete", "Undo", "Redo"}, -1, can);
   if (clicked >= 0) shell.app().command(commands[static_cast<std::size_t>(clicked)]);
 }
 

@@ -166,8 +166,8 @@ void draw_pseudocode(Shell& shell, Column& column) {
 }
 
 void draw_pinned(Shell& shell, Column& column) {
+  draw_outcome(shell, column);  // of the question before, so it stands above the next one
   draw_question(shell, column);
-  draw_outcome(shell, column);
   draw_algorithms(shell, column);
   column.gap(4);
   draw_pseudocode(shell, column);
@@ -187,7 +187,7 @@ void draw_prose_panel(Shell& shell, const app::Rect& rect) {
   }
   const app::Rect upper{rect.x, rect.y + tabs, rect.width - 1, rect.height - tabs - pinned};
   {
-    const app::Pane pane(shell.points_tab ? "##points" : "##prose", upper, true);
+    const app::Pane pane(shell.points_tab ? "##points" : "##prose", upper, app::Pane::Kind::kScrolls);
     pane.list()->AddRectFilled({upper.x, upper.y}, {upper.x + upper.width, upper.y + upper.height}, look->panel);
     Column column(look, upper.x + kMargin, upper.y + 20 - ImGui::GetScrollY(), upper.width - 2 * kMargin);
     if (shell.points_tab) draw_point_tools(shell, column);
@@ -197,7 +197,7 @@ void draw_prose_panel(Shell& shell, const app::Rect& rect) {
   }
   const app::Rect lower{rect.x, upper.y + upper.height, rect.width - 1, pinned};
   {
-    const app::Pane pane("##pinned", lower, true);
+    const app::Pane pane("##pinned", lower, app::Pane::Kind::kScrolls);
     pane.list()->AddRectFilled({lower.x, lower.y}, {lower.x + lower.width, lower.y + lower.height}, look->panel);
     app::rule(pane.list(), lower.x, lower.y, lower.width, look->line);
     const float top = lower.y + 16 - ImGui::GetScrollY();
