@@ -1,0 +1,36 @@
+// The three ways to run an algorithm of the catalogue are one.
+#include <doctest/doctest.h>
+
+#include "fit/catalogue.hpp"
+#include "geometry/generate.hpp"
+
+using namespace snug;
+
+TEST_CASE("a run has the same result, steps and counts whether it is recorded, watched, counted or ignored") {
+  const auto cloud = generate("gaussian", 30, 3, 7);
+  REQUIRE(cloud);
+  const AnyPointSet points = *PointSet<double, 3>::make(*cloud);
+  for (const fit::Algorithm& algorithm : fit::algorithms()) {
+    CAPTURE(std::string(algorithm.name));
+    const fit::Options options{.seed = 5};
+    const fit::Recording recording = algorithm.record(points, options);
+    std::vector<Recorder<fit::Step3>::Entry> seen;
+    const fit::Watched watched = algorithm.watch(points, options, [&](fit::Step3&& step, const OperationCounts& counts) {
+      seen.push_back({std::move(step), counts});
+    });
+    const fit::Watched counted = algorithm.watch(points, options, {});
+    const fit::Result ignored = algorithm.fit(points, options);
+
+    REQUIRE(!recording.steps.empty());
+    CHECK(fit::hash_of(seen) == fit::hash_of(recording.steps));
+    CHECK(seen.back().counts == recording.steps.back().counts);
+    for (const fit::Watched& run : {watched, counted}) {
+      CHECK(run.steps == static_cast<std::int64_t>(recording.steps.size()));
+      CHECK(run.counts == recording.counts);
+      CHECK(run.result.sphere.radius == recording.result.sphere.radius);
+      CHECK(run.certificate.contains);
+    }
+    CHECK(ignored.sphere.center == recording.result.sphere.center);
+    CHECK(ignored.sphere.radius == recording.result.sphere.radius);
+  }
+}
