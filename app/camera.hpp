@@ -63,6 +63,8 @@ class Camera {
   [[nodiscard]] double focal() const;               // page pixels; 3-D only
   [[nodiscard]] float center_x() const;
   [[nodiscard]] float center_y() const;
+  /// Where the room for what stands over the stage's foot begins.
+  [[nodiscard]] float free_bottom() const { return stage_.y + stage_.height - bottom_; }
 
  private:
   [[nodiscard]] double free_height() const;

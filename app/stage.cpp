@@ -192,6 +192,7 @@ void Stage::fill_scene(const Look& look, const Rect& rect) {
   }
   scene_.grid = with_alpha(p.line, 0.7f);
   scene_.eye = frame_.to_stage(camera_.eye());
+  scene_.eye_to_target = static_cast<float>((camera_.eye() - camera_.view().target).norm() / frame_.unit);
   scene_.light = (-0.5 * camera_.right() + 0.75 * camera_.up() - 0.55 * camera_.forward()).normalized().cast<float>();
   scene_.plane_height = -1.25f;
   scene_.plane_step = 0.25f;

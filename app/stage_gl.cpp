@@ -126,22 +126,25 @@ uniform vec3 eye;
 uniform vec2 pixel;    // one device pixel in clip space
 uniform float radius;  // device pixels
 uniform float towards; // how much nearer to the eye, so that a surface does not swallow its own vertices
+uniform float reach;   // the depth at which a point has its size: nearer ones are larger; 0 where there is no depth
 in vec2 corner;
 in vec3 position;
 out vec2 offset;
+out float size;
 void main() {
-  offset = corner * (radius + 1.0);
   vec4 at = view_projection * vec4(mix(position, eye, towards), 1.0);
+  size = reach > 0.0 ? radius * clamp(reach / at.w, 0.6, 1.5) : radius;
+  offset = corner * (size + 1.0);
   gl_Position = at + vec4(offset * pixel * at.w, 0.0, 0.0);
 }
 )";
 constexpr const char* kPointFragment = R"(
-uniform float radius;
 uniform vec4 color;
 in vec2 offset;
+in float size;
 out vec4 result;
 void main() {
-  float inside = clamp(radius + 0.5 - length(offset), 0.0, 1.0);
+  float inside = clamp(size + 0.5 - length(offset), 0.0, 1.0);
   if (inside <= 0.0) discard;
   result = vec4(color.rgb, color.a * inside);
 }
@@ -399,6 +402,7 @@ void StageGl::draw_points(const GlScene& scene, float scale) const {
   set_color(kPoint, "color", scene.point);
   glUniform1f(uniform(kPoint, "radius"), scene.point_radius * scale);
   glUniform1f(uniform(kPoint, "towards"), scene.three_d ? 0.004f : 0.0f);
+  glUniform1f(uniform(kPoint, "reach"), scene.three_d ? scene.eye_to_target : 0.0f);
   glUniform2f(uniform(kPoint, "pixel"), 2 / (scene.stage.width * scale), 2 / (scene.stage.height * scale));
   glBindVertexArray(points_.array);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, point_count_);

@@ -28,6 +28,7 @@ struct GlScene {
   bool three_d = false;
   std::array<float, 16> view_projection{};  // column-major, into the stage's rectangle
   Point3f eye = Point3f::Zero();
+  float eye_to_target = 1;                  // 3-D: stage units
   Point3f light = Point3f::UnitY();         // towards it
 
   float grid_step = 40;                     // 2-D: page pixels

@@ -73,7 +73,8 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
 
 void Stage::draw_axis_cross(Brush& brush) const {
   constexpr float kLength = 22;
-  const ImVec2 origin{brush.rect.x + 44, brush.rect.y + brush.rect.height - 44};
+  // Above the room that a sentence takes.
+  const ImVec2 origin{brush.rect.x + 44, camera_.free_bottom() - 30};
   std::array<int, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(), [&](int a, int b) { return camera_.forward()[a] > camera_.forward()[b]; });
   for (const int axis : order) {
