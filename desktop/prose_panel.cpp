@@ -143,7 +143,7 @@ void draw_algorithms(Shell& shell, Column& column) {
 
 /// The pseudocode, the line of the step lit. Lines too long for the column are broken, and set in.
 void draw_pseudocode(Shell& shell, Column& column) {
-  constexpr float kSize = 13, kLeading = 23;
+  constexpr float kSize = 12, kLeading = 22;
   const lesson::Session& session = shell.session();
   const app::Look& look = column.look();
   const auto* entry = session.current(0);
