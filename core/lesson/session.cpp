@@ -43,6 +43,10 @@ Session::Session(Lesson lesson, Snapshot own) : lesson_(std::move(lesson)), own_
   if (!lesson_.compare.empty()) use(1, fit::find_algorithm("sphere", lesson_.compare));
 }
 
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+Session::~Session() = default;
+
 void Session::use(int slot, const fit::Algorithm* algorithm) {
   Slot& own = slots_[static_cast<std::size_t>(slot)];
   own = {algorithm, {}, {}};

@@ -39,9 +39,9 @@ class Session {
   // Asked points into the lesson, which a move leaves in place and a copy would not.
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
-  Session(Session&&) = default;
-  Session& operator=(Session&&) = default;
-  ~Session() = default;
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
+  ~Session();  // not inline: this room has no type information, which a sanitizer would look for in other rooms
 
   [[nodiscard]] const Lesson& lesson() const { return lesson_; }
 
