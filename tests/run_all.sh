@@ -21,14 +21,10 @@ doctest_suite() { # title log-name command...
 }
 
 # Files for node's own test runner.
-node_suite() { # title log-name command-before-node... -- files...
-    local title=$1 log=$2 before=() status=0 figure ok bad
-    shift 2
-    while [[ $1 != -- ]]; do before+=("$1"); shift; done
-    shift
-    (($#)) || { say "$title: there are no tests"; failed=$((failed + 1)); return; }
-    quietly "$log" "${before[@]}" node --test --test-reporter=tap "$@" || status=$?
-    figure() { grep -aoP "^# $1 \K\d+" "build/logs/$log.log" | tail -n 1 || echo 0; }
+node_suite() { # title log-name files...
+    local title=$1 log=$2 status=0 ok bad
+    quietly "$log" node --test --test-reporter=tap "${@:3}" || status=$?
+    figure() { grep -aoP "^# $1 \K\d+" "build/logs/$log.log" | tail -n 1; }
     ok=$(figure pass) bad=$(($(figure fail) + $(figure cancelled)))
     ((bad > 0 || (status == 0 && ok > 0))) || bad=1
     count "$title" "${ok:-0}" "$bad" "$log"
@@ -46,14 +42,12 @@ built() { # preset targets...: whether it could be built; if not, that is a fail
     return 1
 }
 
-shopt -s nullglob
 screen=(xvfb-run -a -s "-screen 0 1280x800x24")
 
 if built release snug_tests snug_app_tests snug_desktop; then
     doctest_suite "core, native" core-native build/release/tests/snug_tests --no-colors=1
     doctest_suite "app, native" app-native build/release/tests/snug_app_tests --no-colors=1
-    node_suite "command line" command-line -- tests/command/*.test.mjs
-    node_suite "desktop window" desktop-window "${screen[@]}" -- tests/desktop/*.test.mjs
+    node_suite "command line" command-line tests/command/*.test.mjs
     for file in tests/desktop/*.test.sh; do
         one_test "$file" "desktop-$(basename "$file" .test.sh)" "${screen[@]}" bash "$file"
     done
@@ -74,7 +68,7 @@ if built wasm all; then
             stop "npm could not fetch the test packages: connect to a network, then run this again."
         touch tests/browser/node_modules/.package-lock.json
     fi
-    node_suite "browser" browser -- tests/browser/*.test.mjs
+    node_suite "browser" browser tests/browser/*.test.mjs
 fi
 
 say "$passed passed, $failed failed"
