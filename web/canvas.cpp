@@ -25,12 +25,12 @@ void name_source(const std::string& source) {
 
 }  // namespace
 
-bool make_graphics_context(const char* selector) {
+bool make_graphics_context(const char* selector, bool smooth) {
   EmscriptenWebGLContextAttributes wanted;
   emscripten_webgl_init_context_attributes(&wanted);
   wanted.majorVersion = 2;
   wanted.alpha = false;
-  wanted.antialias = true;
+  wanted.antialias = smooth;
   wanted.enableExtensionsByDefault = true;
   const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = emscripten_webgl_create_context(selector, &wanted);
   return context > 0 && emscripten_webgl_make_context_current(context) == EMSCRIPTEN_RESULT_SUCCESS;

@@ -7,8 +7,9 @@ namespace snug::web {
 
 inline constexpr const char* kGlslVersion = "#version 300 es";
 
-/// Makes the context of the canvas that the selector names, and it current. false: the browser has no WebGL 2.
-bool make_graphics_context(const char* selector);
+/// Makes the context of the canvas that the selector names, and it current. smooth: several samples a pixel.
+/// false: the browser has no WebGL 2.
+bool make_graphics_context(const char* selector, bool smooth);
 
 /// ImGui's renderer and its objects; again after a lost context.
 void start_renderer();

@@ -67,7 +67,8 @@ void stop_graphics() {
   web::abandon_renderer();
 }
 
-std::string start(const std::string& selector) {
+/// smooth: several samples a pixel. Lines and points are antialiased in any case.
+std::string start(const std::string& selector, bool smooth) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
   const auto font = [](std::string_view name) {
@@ -75,7 +76,7 @@ std::string start(const std::string& selector) {
     return found == door().fonts.end() ? std::string() : found->second;
   };
   door().app = std::make_unique<app::App>(app::Platform{.font = font, .glsl_version = web::kGlslVersion});
-  if (!web::make_graphics_context(selector.c_str())) return "no WebGL 2";
+  if (!web::make_graphics_context(selector.c_str(), smooth)) return "no WebGL 2";
   return start_graphics();
 }
 

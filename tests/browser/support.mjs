@@ -82,7 +82,7 @@ export async function visit(t, query = "", { init, wait = true, may_complain = /
 
 /** Until the lesson is open and has been drawn. */
 export async function ready(page) {
-  await page.waitForFunction(() => window.snug?.state?.() !== null);
+  await page.waitForFunction(() => Boolean(window.snug?.state()));
   await page.evaluate(() => window.snug.ready);
   await page.waitForFunction(() => document.documentElement.classList.contains("no-stage") || window.snug.state().framesDrawn > 0);
   await still(page);

@@ -10,6 +10,15 @@ const kPatience = 5000; // milliseconds until a lost context is said not to come
 const kFingerWaits = 120; // milliseconds
 const kFingerTrembles = 6; // pixels
 
+/** Whether the processor draws in place of a graphics card: several samples a pixel then cost a third of a frame. */
+function drawn_by_processor() {
+  const probe = document.createElement("canvas").getContext("webgl2");
+  const info = probe?.getExtension("WEBGL_debug_renderer_info");
+  const name = info ? probe.getParameter(info.UNMASKED_RENDERER_WEBGL) : probe?.getParameter(probe.RENDERER);
+  probe?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name ?? "");
+}
+
 export class Stage {
   #door;
   #canvas = by_id("canvas");
@@ -27,7 +36,7 @@ export class Stage {
   constructor(door, after_frame) {
     this.#door = door;
     this.#after_frame = after_frame;
-    const error = door.start("#canvas");
+    const error = door.start("#canvas", !drawn_by_processor());
     if (error) this.#cannot_draw(error);
     this.#listen();
     watch_layout(() => {
