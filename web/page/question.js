@@ -1,6 +1,8 @@
 // The prediction that the player waits for, and what happened beside what was predicted.
 import { by_id, button, element } from "./dom.js";
 
+const kLinesShown = 120; // pixels
+
 export class QuestionCard {
   #door;
   #act;
@@ -32,7 +34,7 @@ export class QuestionCard {
     if (ended && given.length > 0) cards.push(this.#score_card(given));
     box.replaceChildren(...cards);
     if (had_focus) (box.querySelector("[tabindex]") ?? by_id("canvas")).focus({ preventScroll: true });
-    if (cards.length > 0 && this.#opened) box.scrollIntoView({ block: "nearest" });
+    if (cards.length > 0 && this.#opened) show_top(box);
     this.#opened = true;
   }
 
@@ -81,11 +83,17 @@ export class QuestionCard {
   }
 }
 
-function outcome_card({ right, skipped, predicted, happened, says, because }) {
+/** Scrolls no further than the first lines need: the stage is to stay in sight. */
+function show_top(box) {
+  const below = box.getBoundingClientRect().top + kLinesShown - innerHeight;
+  if (below > 0) scrollBy({ top: below });
+}
+
+function outcome_card({ right, skipped, predicted, happened, because }) {
   const word = skipped ? "Skipped" : right ? "✓ As you predicted" : "✕ Not as you predicted";
   const rows = skipped ? [["It was", happened]] : [["You predicted", predicted], ["It was", happened]];
   return element("div", { class: `card outcome ${skipped ? "skipped" : right ? "right" : "wrong"}`, tabindex: "-1" },
     element("h2", { class: "kicker" }, word),
     element("dl", {}, ...rows.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value)))),
-    element("p", {}, [skipped ? "" : says, because].filter(Boolean).join(" ")));
+    element("p", {}, because));
 }

@@ -4,6 +4,7 @@ import { by_id, set_hidden, set_text } from "./dom.js";
 const kThemes = ["light", "dark", "contrast", "projector"];
 const kNames = { light: "Light", dark: "Dark", contrast: "High contrast", projector: "Projector" };
 const kTextScales = [1, 1.15, 1.3, 1.5];
+const kProjectorScale = 1.2; // app/palette.hpp's: the canvas applies it by itself
 const kPresentingScale = 1.3;
 const asks = (query) => matchMedia(query);
 
@@ -67,11 +68,13 @@ export class Settings {
     if (on) this.#before_presenting = this.theme;
     this.theme = on ? "projector" : this.#before_presenting;
     this.#apply();
-    by_id(on ? "canvas" : "present").focus({ preventScroll: true });
+    if (on) document.activeElement.blur();
+    else by_id("present").focus();
   }
 
   get text_scale() {
-    return this.presenting ? Math.max(this.text, kPresentingScale) : this.text;
+    const scale = this.text * (this.theme === "projector" ? kProjectorScale : 1);
+    return this.presenting ? Math.max(scale, kPresentingScale) : scale;
   }
 
   #apply() {
@@ -92,6 +95,7 @@ export class Settings {
   for_door() {
     const panel = getComputedStyle(document.documentElement).getPropertyValue("--panel").trim();
     const ground = [1, 3, 5].map((i) => parseInt(panel.slice(i, i + 2), 16) / 255);
-    return { theme: this.theme, textScale: this.text_scale, reducedMotion: this.motion.matches, ground };
+    const scale = this.text_scale / (this.theme === "projector" ? kProjectorScale : 1);
+    return { theme: this.theme, textScale: scale, reducedMotion: this.motion.matches, ground };
   }
 }
