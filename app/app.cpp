@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <limits>
 
 #include "app/captions.hpp"
 #include "app/commands.hpp"
@@ -272,6 +273,11 @@ bool App::wants_frame(double now) const {
   if (s.settle > 0 || !same(s.settings, s.drawn_settings)) return true;
   if (!s.session) return false;
   return (s.playing && now >= s.next_step_at) || s.stage.moving() || s.session->revision() != s.drawn_revision;
+}
+
+double App::seconds_until_due(double now) const {
+  if (wants_frame(now)) return 0;
+  return state_->playing ? state_->next_step_at - now : std::numeric_limits<double>::infinity();
 }
 
 long App::frames_drawn() const { return state_->frames; }

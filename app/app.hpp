@@ -103,6 +103,9 @@ class App {
   void draw_3d_behind(int framebuffer_width, int framebuffer_height, float scale);
   /// Whether another frame is due without any input: something moves, plays, or the session changed since the last.
   [[nodiscard]] bool wants_frame(double now) const;
+  /// For a door that sleeps between frames: 0 when one is due now, the seconds until the next playing step, or infinity
+  /// when nothing changes without input.
+  [[nodiscard]] double seconds_until_due(double now) const;
   /// How many frames were drawn.
   [[nodiscard]] long frames_drawn() const;
 
