@@ -120,31 +120,28 @@ void main() {
 }
 )";
 
+// A point is a point sprite, not an instance of a quad: renderers without a GPU take each instance as a draw of its own.
 constexpr const char* kPointVertex = R"(
 uniform mat4 view_projection;
 uniform vec3 eye;
-uniform vec2 pixel;    // one device pixel in clip space
 uniform float radius;  // device pixels
 uniform float towards; // how much nearer to the eye, so that a surface does not swallow its own vertices
 uniform float reach;   // the depth at which a point has its size: nearer ones are larger; 0 where there is no depth
-in vec2 corner;
 in vec3 position;
-out vec2 offset;
 out float size;
 void main() {
-  vec4 at = view_projection * vec4(mix(position, eye, towards), 1.0);
-  size = reach > 0.0 ? radius * clamp(reach / at.w, 0.6, 1.5) : radius;
-  offset = corner * (size + 1.0);
-  gl_Position = at + vec4(offset * pixel * at.w, 0.0, 0.0);
+  gl_Position = view_projection * vec4(mix(position, eye, towards), 1.0);
+  size = reach > 0.0 ? radius * clamp(reach / gl_Position.w, 0.6, 1.5) : radius;
+  gl_PointSize = 2.0 * (size + 1.0);
 }
 )";
 constexpr const char* kPointFragment = R"(
 uniform vec4 color;
-in vec2 offset;
 in float size;
 out vec4 result;
 void main() {
-  float inside = clamp(size + 0.5 - length(offset), 0.0, 1.0);
+  float from_center = length(gl_PointCoord - 0.5) * 2.0 * (size + 1.0);
+  float inside = clamp(size + 0.5 - from_center, 0.0, 1.0);
   if (inside <= 0.0) discard;
   result = vec4(color.rgb, color.a * inside);
 }
@@ -303,12 +300,9 @@ void StageGl::make_shapes() {
   attribute(kNormalSlot, 3, 2 * sizeof(Point3f), sizeof(Point3f));
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh_.indices);
 
-  glBindVertexArray(points_.array);  // the quad's corners, once for each point
-  glBindBuffer(GL_ARRAY_BUFFER, quad_.vertices);
-  attribute(kCornerSlot, 2, 2 * sizeof(float), 0);
+  glBindVertexArray(points_.array);
   glBindBuffer(GL_ARRAY_BUFFER, points_.vertices);
   attribute(kPositionSlot, 3, sizeof(Point3f), 0);
-  glVertexAttribDivisor(kPositionSlot, 1);
   glBindVertexArray(0);
 }
 
@@ -403,9 +397,9 @@ void StageGl::draw_points(const GlScene& scene, float scale) const {
   glUniform1f(uniform(kPoint, "radius"), scene.point_radius * scale);
   glUniform1f(uniform(kPoint, "towards"), scene.three_d ? 0.004f : 0.0f);
   glUniform1f(uniform(kPoint, "reach"), scene.three_d ? scene.eye_to_target : 0.0f);
-  glUniform2f(uniform(kPoint, "pixel"), 2 / (scene.stage.width * scale), 2 / (scene.stage.height * scale));
   glBindVertexArray(points_.array);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, point_count_);
+  let_shaders_size_points();
+  glDrawArrays(GL_POINTS, 0, point_count_);
   glDepthMask(GL_TRUE);
 }
 
