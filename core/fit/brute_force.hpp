@@ -73,7 +73,7 @@ class BruteForce {
     // The centre is rounded to the scalar, which on points far from the origin is much more than the distance's own
     // rounding; the same allowance that the certificate makes.
     const double size = reach + center.cwiseAbs().maxCoeff();
-    const double limit = reach + tolerance::kOptimalityRoundoffs / 2 * tolerance::kRoundoff<Scalar> * size;
+    const double limit = reach + tolerance::kOptimalityRoundoffs / 2 * tolerance::roundoff<Scalar>(size);
     for (Index i = 0; i < points_.size(); ++i) {
       observe_.count(Operation::kPointsTouched, 1);
       observe_.count(Operation::kDistanceTests, 1);

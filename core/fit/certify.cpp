@@ -38,7 +38,7 @@ Certificate certify(const Fit<Sphere<Scalar, Dim>>& fit, PointSpan<Scalar, Dim> 
   }
   certificate.contains = certificate.outside == 0;
 
-  const double roundoff = static_cast<double>(tolerance::kRoundoff<Scalar>) * (radius + largest);
+  const double roundoff = tolerance::roundoff<Scalar>(radius + largest);
   certificate.on_boundary = std::all_of(fit.support.begin(), fit.support.end(), [&](Index i) {
     return std::abs(distance(i) - radius) <= tolerance::kBoundaryRoundoffs * roundoff;
   });

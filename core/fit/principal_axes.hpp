@@ -18,13 +18,13 @@ MeanFound<Scalar, Dim> mean_of(PointSpan<Scalar, Dim> points, Observer& observe)
   return {points[0] + sum / static_cast<Scalar>(points.size())};
 }
 
-/// The mean of (p - mean)(p - mean)^T. One pass.
+/// The sum of (scale (p - mean)) (scale (p - mean))^T. One pass.
 template <class Scalar, int Dim, class Observer>
-CovarianceFound<Scalar, Dim> covariance_of(const Vector<Scalar, Dim>& mean, PointSpan<Scalar, Dim> points,
-                                           Observer& observe) {
+Matrix<Scalar, Dim> sum_of_products(const Vector<Scalar, Dim>& mean, Scalar scale, PointSpan<Scalar, Dim> points,
+                                    Observer& observe) {
   Matrix<Scalar, Dim> sum = Matrix<Scalar, Dim>::Zero();
   for (const auto& p : points) {
-    const Vector<Scalar, Dim> d = p - mean;
+    const Vector<Scalar, Dim> d = scale * (p - mean);
     for (int row = 0; row < Dim; ++row)
       for (int column = 0; column <= row; ++column) sum(row, column) += d[row] * d[column];
   }
@@ -32,7 +32,19 @@ CovarianceFound<Scalar, Dim> covariance_of(const Vector<Scalar, Dim>& mean, Poin
     for (int column = 0; column < row; ++column) sum(column, row) = sum(row, column);
   observe.count(Operation::kPointsTouched, points.size());
   observe.count(Operation::kDotProducts, Dim * (Dim + 1) / 2 * std::int64_t{points.size()});
-  return {mean, sum / static_cast<Scalar>(points.size())};
+  return sum;
+}
+
+/// The mean of (p - mean)(p - mean)^T. One pass; another where so many points lie so far out that their sum, but not
+/// their mean, is more than a Scalar holds.
+template <class Scalar, int Dim, class Observer>
+CovarianceFound<Scalar, Dim> covariance_of(const Vector<Scalar, Dim>& mean, PointSpan<Scalar, Dim> points,
+                                           Observer& observe) {
+  const auto n = static_cast<Scalar>(points.size());
+  const Matrix<Scalar, Dim> sum = sum_of_products(mean, Scalar{1}, points, observe);
+  if (sum.allFinite()) return {mean, sum / n};
+  constexpr auto kScale = static_cast<Scalar>(0x1p-16);  // its square makes up for the most points that there can be
+  return {mean, sum_of_products(mean, kScale, points, observe) / n / (kScale * kScale)};
 }
 
 /// The principal axes of a covariance, each with its largest coordinate positive. Eigen's iterative solver uses

@@ -1,6 +1,7 @@
 // Every tolerance of the core, each relative to the size of its input, with the reason for its number.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 namespace snug::tolerance {
@@ -8,6 +9,14 @@ namespace snug::tolerance {
 /// The unit roundoff u: the largest relative error of one rounded operation.
 template <class Scalar>
 inline constexpr Scalar kRoundoff = std::numeric_limits<Scalar>::epsilon() / 2;
+
+/// What one rounding costs a result of that size: u of it, but among the subnormal numbers no less than one step. Held by
+/// "subnormal points have a smallest ball too".
+template <class Scalar>
+[[nodiscard]] constexpr double roundoff(double size) {
+  return std::max(static_cast<double>(kRoundoff<Scalar>) * size,
+                  static_cast<double>(std::numeric_limits<Scalar>::denorm_min()));
+}
 
 /// A squared distance |p - c|^2 in 3-D carries at most: one rounding per difference (2u once squared), one per
 /// square, two for the sum, so 5u; its square root half of that and u/2 more. 8u covers all of it with room for

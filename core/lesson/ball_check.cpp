@@ -16,7 +16,7 @@ Sphere<Scalar, Dim> lowered(const fit::Sphere3& ball) {
 /// The rounding that a ball's numbers carry.
 template <class Scalar>
 double roundoff(const fit::Sphere3& ball) {
-  return static_cast<double>(tolerance::kRoundoff<Scalar>) * (ball.radius + ball.center.cwiseAbs().maxCoeff());
+  return tolerance::roundoff<Scalar>(ball.radius + ball.center.cwiseAbs().maxCoeff());
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 // ends with a last step, and being watched changes nothing.
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <set>
 
 #include "core/point_clouds.hpp"
 #include "fit/catalogue.hpp"
+#include "fit/principal_axes.hpp"
 
 using namespace snug;
 using fit::Algorithm;
@@ -68,6 +70,34 @@ TEST_CASE("certificates of far and tiny balls") {
         check_promises<double, 3>(kind, test::generated<double, 3>(kind, 300, 4, scale, offset));
       }
     }
+}
+
+TEST_CASE_TEMPLATE("subnormal points have a smallest ball too", Scalar, float, double) {
+  constexpr Scalar kStep = std::numeric_limits<Scalar>::denorm_min();
+  Random random(2);
+  for (int turn = 0; turn < 50; ++turn) {
+    test::Cloud<Scalar, 3> points(4);
+    for (auto& p : points)
+      for (int axis = 0; axis < 3; ++axis) p[axis] = kStep * static_cast<Scalar>(random.below(20));
+    const auto run = fit::find_algorithm("sphere", "brute_force")->record(test::set_of<Scalar, 3>(points), {});
+    CHECK(run.result.support.size() >= 1);
+    CHECK(run.certificate.contains);
+    CHECK(run.certificate.on_boundary);
+    CHECK(run.certificate.optimal == true);
+  }
+}
+
+TEST_CASE_TEMPLATE("a covariance holds as many points as there are, as far out as they may lie", Scalar, float, double) {
+  constexpr Scalar kFar = PointSet<Scalar, 2>::kLargest;
+  test::Cloud<Scalar, 2> points;
+  for (int i = 0; i < 1000; ++i) points.push_back({i % 2 == 0 ? kFar : -kFar, i % 2 == 0 ? kFar : -kFar});
+  const auto set = *PointSet<Scalar, 2>::make(points);
+  Ignore ignore;
+  const auto mean = fit::mean_of(set.span(), ignore);
+  const auto found = fit::covariance_of(mean.mean, set.span(), ignore);
+  for (int row = 0; row < 2; ++row)
+    for (int column = 0; column < 2; ++column) CHECK(found.covariance(row, column) == kFar * kFar);
+  check_promises<Scalar, 2>("far out", points);
 }
 
 TEST_CASE("the order of its points changes the smallest ball by no more than rounding") {
