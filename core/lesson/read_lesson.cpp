@@ -15,6 +15,9 @@ using Asks = Question::Asks;
 
 constexpr std::int64_t kVersion = 1;
 
+/// Fifty times a long lesson. The parser's tables within tables, a level for two bytes, must not outgrow the stack.
+constexpr std::size_t kMostBytes = 1 << 18;
+
 constexpr std::array<std::pair<std::string_view, Asks>, 7> kAsks{{{"point", Asks::kPoint},
                                                                   {"axis", Asks::kAxis},
                                                                   {"grows", Asks::kGrows},
@@ -199,6 +202,11 @@ std::string id_of(std::string_view name) {
 
 tl::expected<Lesson, InputError> read_lesson(std::string_view text, std::string_view name) {
   Complaints complaints(name);
+  if (text.size() > kMostBytes) {
+    complaints.add(1, "the file has " + std::to_string(text.size()) + " bytes, and a lesson at most " +
+                          std::to_string(kMostBytes));
+    return tl::unexpected(*complaints.first());
+  }
   const toml::parse_result parsed = toml::parse(text);
   if (!parsed) {
     const toml::parse_error& error = parsed.error();

@@ -45,6 +45,7 @@ constexpr Broken kBroken[] = {
     {"[0, 2.5], [0.5", "[0, 2.5, 1], [0.5", "list = ", "2 finite numbers"},
     {"[0, 2.5], [0.5", "[0, nan], [0.5", "list = ", "2 finite numbers"},
     {"[0, 2.5], [0.5", "[0, 1e200], [0.5", "[points]", "too far out"},
+    {"[0, 2.5], [0.5", "[0, 9007199254740993], [0.5", "list = ", "2 finite numbers"},  // no double is that number
     {"A **term** stands", "A **term stands", "text = ", "without a partner"},
     {"title = \"First\"\n", "", "[[section]]", "lacks the key \"title\""},
     {"id = \"growth\"", "id = \"pair\"", "id = \"pair\"\nalgorithm = \"ritter\"\nbefore = \"ball", "another question"},
@@ -126,6 +127,11 @@ TEST_CASE("no bytes make the reader fail otherwise than by an error") {
     REQUIRE_FALSE(lesson.has_value());
     CHECK(lesson.error().position >= 1);
   }
+  std::string tables = "a";
+  for (int level = 0; level < 1000000; ++level) tables += ".a";
+  const auto deep = read_lesson(tables + " = 1\n", "x.toml");
+  REQUIRE_FALSE(deep.has_value());
+  CHECK(deep.error().what.find("bytes, and a lesson at most") != std::string::npos);
   // Cut short before its prose is whole, a file is no lesson, wherever it is cut.
   const std::size_t prose_ends = kSmallLesson.find("Another paragraph");
   for (std::size_t length = 0; length < prose_ends; ++length) {
