@@ -52,7 +52,10 @@ int run(int argc, const char* const* argv, int (*open_window)(const WindowOption
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help and --version
-    return app.exit(success);
+    const int status = app.exit(success);
+    if (std::cout.flush()) return status;
+    complain(std::string("standard output: ") + std::strerror(errno));
+    return 2;
   } catch (const CLI::ParseError& error) {
     complain(std::string(error.what()) + " (snug --help says what there is)");
     return 2;

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <functional>
+#include <limits>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -36,16 +37,20 @@ struct Commands {
   std::function<CommandResult()> chosen;
 };
 
-/// The parser's own reading of numbers wraps -1 around and lets what is too large pass.
-inline const CLI::Validator kWholeNumber(
-    [](const std::string& text) {
-      std::uint64_t value = 0;
-      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-      return error == std::errc{} && end == text.data() + text.size()
-                 ? std::string()
-                 : "\"" + text + "\" is not a whole number from 0 to 18446744073709551615";
-    },
-    "");
+/// The parser's own reading of numbers wraps -1 around, takes 010 for 8 and lets what is too large pass. To be had with
+/// transform, which hands it the number as it is meant.
+inline CLI::Validator whole_number(std::uint64_t least = 0,
+                                   std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
+  const auto read = [least, most](std::string& text) {
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || value < least || value > most)
+      return "\"" + text + "\" is not a whole number from " + std::to_string(least) + " to " + std::to_string(most);
+    text = std::to_string(value);
+    return std::string();
+  };
+  return CLI::Validator(read, "");
+}
 
 void add_window(Commands& commands);
 void add_fit(Commands& commands);

@@ -2,10 +2,13 @@
 
 #include <array>
 #include <cerrno>
+#include <climits>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <random>
+#include <unistd.h>
 
 namespace snug::desktop {
 namespace {
@@ -28,6 +31,22 @@ tl::expected<std::string, InputError> read_all(std::FILE* file, const std::strin
     bytes.append(buffer.data(), n);
   if (std::ferror(file) != 0) return cannot(path, "cannot be read", errno);
   return bytes;
+}
+
+/// The name of the file that is not whole yet. A signal's handler may not ask for memory.
+std::array<char, PATH_MAX> unfinished{};
+
+extern "C" void remove_unfinished(int signal) {
+  unlink(unfinished.data());
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+/// Nothing is left of the file when the program is told to end before it is whole.
+void remove_when_told_to_end(const fs::path& part) {
+  std::snprintf(unfinished.data(), unfinished.size(), "%s", part.c_str());
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, remove_unfinished) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
 }  // namespace
@@ -55,6 +74,7 @@ tl::expected<NewFile, InputError> NewFile::create(const std::string& path) {
   fs::path part = target;
   const bool aside = !exists || fs::is_regular_file(status);
   if (aside) part += "." + std::to_string(std::random_device{}()) + ".part";
+  if (aside) remove_when_told_to_end(part);
   NewFile file(path, target, part);
   file.file_.reset(std::fopen(part.c_str(), aside ? "wbx" : "wb"));
   if (!file.file_) return cannot(path, "cannot be written", errno);

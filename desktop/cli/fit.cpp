@@ -59,6 +59,10 @@ tl::expected<fit::Watched, InputError> watch(const FitOptions& options, const fi
                                              const AnyPointSet& points) {
   const fit::Options chosen{.seed = options.seed};
   if (options.steps.empty()) return algorithm.watch(points, chosen, {});
+  std::error_code none;
+  if (std::filesystem::is_regular_file(options.steps, none) &&
+      std::filesystem::equivalent(options.steps, "/dev/stdout", none))
+    return tl::unexpected(InputError{.what = "is where the result goes", .file = options.steps});
   auto file = NewFile::create(options.steps);
   if (!file) return tl::unexpected(file.error());
   const int dim = fit::dim_of(points);
@@ -131,10 +135,10 @@ void add_fit(Commands& commands) {
   command.add_option("--scalar", options->scalar, "Arithmetic: double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
-  command.add_option("--dim", options->dim, "2 or 3; the file's own where none is given")->check(CLI::IsMember({2, 3}));
-  command.add_option("--seed", options->seed, "Seed of the random order")->check(kWholeNumber)->capture_default_str();
+  command.add_option("--dim", options->dim, "2 or 3; the file's own where none is given")->transform(whole_number(2, 3));
+  command.add_option("--seed", options->seed, "Seed of the random order")->transform(whole_number())->capture_default_str();
   command.add_option("--repeat", options->repeat, "How many times to take the time")
-      ->check(CLI::Range(1, 1'000'000))
+      ->transform(whole_number(1, 1'000'000))
       ->capture_default_str();
   command.add_option("--steps", options->steps, "File for the trace, one JSON object a line");
   command.add_option("FILE", options->file, "Point file")->required();

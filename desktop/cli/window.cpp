@@ -29,8 +29,8 @@ std::string parse_size(const std::string& text, WindowOptions& options) {
 }
 
 void add_common(CLI::App& command, WindowOptions& options) {
-  command.add_option("--step", options.step, "The step that is shown")->check(CLI::NonNegativeNumber);
-  command.add_option("--seed", options.seed, "Seed of the points; the lesson's own if none")->check(kWholeNumber);
+  command.add_option("--step", options.step, "The step that is shown")->transform(whole_number(0, std::numeric_limits<int>::max()));
+  command.add_option("--seed", options.seed, "Seed of the points; the lesson's own if none")->transform(whole_number());
   command.add_option_function<std::string>(
       "--size",
       [&options](const std::string& text) {

@@ -1,7 +1,8 @@
 // The `snug` command as scripts and graders use it: what it prints, where, and how it ends.
 // SNUG: the program; build/release/snug if not set.
 import assert from "node:assert/strict";
-import { spawnSync } from "node:child_process";
+import { spawn, spawnSync } from "node:child_process";
+import { once } from "node:events";
 import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
@@ -127,6 +128,10 @@ test("--seed sets the random order, and --repeat how often the time is taken", (
   assert.deepEqual(with_seed("1").sphere, first.sphere);
   assert.deepEqual(fit("ritter_iterative", cloud).sphere, first.sphere);
   assert.notDeepEqual(with_seed("18446744073709551615").sphere, first.sphere);
+  assert.notDeepEqual(with_seed("8").sphere, with_seed("10").sphere);
+  assert.deepEqual(with_seed("010").sphere, with_seed("10").sphere);
+  assert.deepEqual(with_seed("08").sphere, with_seed("8").sphere);
+  assert.equal(with_seed("1", "--repeat", "010").time_ns.repeats, 10);
 });
 
 test("--steps writes the trace, one object a line, in place of what was there", () => {
@@ -148,6 +153,30 @@ test("a trace that cannot be written leaves nothing behind", () => {
   refused(fit_args("welzl", "--steps", "kept.jsonl", write("bad.xyz", "1 2\n1 2 3\n")), /^snug: bad\.xyz:2: /);
   assert.equal(readFileSync(join(folder, "kept.jsonl"), "utf8"), "old");
   assert.deepEqual(readdirSync(folder).filter((name) => name.includes(".part")), []);
+});
+
+test("a trace is not written over the result", () => {
+  for (const name of ["/dev/stdout", "both.jsonl"]) {
+    const command = `"$0" fit --volume sphere --algorithm welzl --steps ${name} tetra.xyz > both.jsonl`;
+    const { stderr, status } = spawnSync("bash", ["-c", command, program], { encoding: "utf8", cwd: folder });
+    assert.equal(stderr, `snug: ${name}: is where the result goes\n`);
+    assert.equal(status, 2);
+    assert.equal(readFileSync(join(folder, "both.jsonl"), "utf8"), "");
+  }
+});
+
+test("a trace that is interrupted leaves nothing behind", async () => {
+  write("long.xyz", Array.from({ length: 300000 }, (_, i) => `${i * i % 1009} ${i * 7 % 1013} ${i % 11}`).join("\n"));
+  const parts = () => readdirSync(folder).filter((name) => name.startsWith("long.jsonl"));
+  for (const signal of ["SIGINT", "SIGTERM"]) {
+    const run = spawn(program, fit_args("ritter_iterative", "--steps", "long.jsonl", "long.xyz"), { cwd: folder });
+    const ended = once(run, "exit");
+    while (parts().length === 0 && run.exitCode === null) await new Promise((done) => setTimeout(done, 5));
+    assert.match(parts()[0], /\.part$/);
+    run.kill(signal);
+    assert.deepEqual(await ended, [null, signal]);
+    assert.deepEqual(parts(), []);
+  }
 });
 
 test("bad points are refused in one line with file and line, or byte", () => {
@@ -204,7 +233,9 @@ test("bad usage is refused in one line", () => {
   refused(fit_args("welzl", "--seed", "18446744073709551616", tetra), /--seed/);
   refused(fit_args("welzl", "--seed", "1.5", tetra), /--seed/);
   refused(fit_args("welzl", "--scalar", "half", tetra), /--scalar/);
-  refused(fit_args("welzl", "--dim", "4", tetra), /--dim/);
+  refused(fit_args("welzl", "--repeat", "1000001", tetra), /--repeat: "1000001" is not a whole number from 1 to 1000000/);
+  refused(fit_args("welzl", "--dim", "4", tetra), /--dim: "4" is not a whole number from 2 to 3/);
+  refused(fit_args("welzl", "--dim", "", tetra), /--dim/);
   refused(fit_args("welzl", "--dim", "2", tetra), "tetra.xyz: the points are 3-D, and 2-D was asked for");
   refused(fit_args("welzl", "--scalar", "float", write("far.xyz", "0 0 0\n1e30 0 0\n")),
     "far.xyz: point 1 is too far out for float: coordinates reach to 2^60, about 1.15e18");
@@ -212,6 +243,7 @@ test("bad usage is refused in one line", () => {
   refused(["lesson", "check"], /FILE/);
   refused(["render", "sphere-ritter", "--size", "12", "-o", "x.png"], /--size: "12" is not a size/);
   refused(["render", "nowhere", "-o", "x.png"], /there is no lesson "nowhere"/);
+  refused(["--step", "-1"], /--step: "-1" is not a whole number from 0 to 2147483647/);
   refused(["--lesson", "nowhere"], /there is no lesson "nowhere"/);
   refused(["--points", "nowhere.xyz"], /nowhere\.xyz: cannot be opened/);
   assert.ok(!existsSync(join(folder, "x.png")));
@@ -223,9 +255,11 @@ test("brute force says how many points it takes", () => {
 });
 
 test("output that cannot be written is an error", () => {
-  const done = spawnSync("bash", ["-c", '"$0" algorithms > /dev/full', program], { encoding: "utf8" });
-  assert.equal(done.stderr, "snug: standard output: No space left on device\n");
-  assert.equal(done.status, 2);
+  for (const command of ["algorithms", "--help", "--version"]) {
+    const done = spawnSync("bash", ["-c", `"$0" ${command} > /dev/full`, program], { encoding: "utf8" });
+    assert.equal(done.stderr, "snug: standard output: No space left on device\n");
+    assert.equal(done.status, 2);
+  }
 });
 
 test("algorithms lists what fit takes", () => {
@@ -262,6 +296,8 @@ test("a lesson that is wrong is refused with its line, each in a line of its own
   write("unknown.toml", text.replace(/^algorithms\b.*$/m, 'algorithms = ["quick"]'));
   write("syntax.toml", "title = \n");
   refused(["lesson", "check", "unknown.toml"], new RegExp(`^snug: unknown\\.toml:${line + 1}: .*quick`));
+  write("large.toml", `${"a.".repeat(1000000)}a = 1\n`);
+  refused(["lesson", "check", "large.toml"], "large.toml:1: the file has 2000006 bytes, and a lesson at most 262144");
   refused(["lesson", "check", "nowhere.toml"], /^snug: nowhere\.toml: cannot be opened/);
   const { out, err, status } = snug(["lesson", "check", "unknown.toml", join(lessons, "sphere-ritter.toml"), "syntax.toml"]);
   assert.equal(out, "");
