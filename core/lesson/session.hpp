@@ -125,7 +125,8 @@ class Session {
   void back() { go(step_ - 1); }
   void last() { go(steps()); }
   /// Whether the result is shown before the player was used: a lesson that starts at its end. Edits keep it so. No
-  /// question was passed then: to step forward (or play) begins at step 0, to scrub back stops at the first gate.
+  /// question was passed then: to step forward (or play) shows step 1, to scrub back stops at the first gate. A question
+  /// that stands before step 1 stops both.
   [[nodiscard]] bool previewing() const { return previewing_; }
   [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }
   /// The next or previous mark from here, or the end or start.

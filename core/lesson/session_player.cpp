@@ -72,9 +72,9 @@ void Session::stand(int step) {
 
 void Session::go(int step) {
   if (previewing_ && step == steps()) return;
-  if (previewing_ && step > steps()) return stand(0);
+  const bool begin = previewing_ && step > steps();
   const int from = previewing_ ? 0 : step_;
-  int to = std::clamp(step, 0, steps());
+  int to = begin ? 1 : std::clamp(step, 0, steps());
   for (const Asked& asked : asked_)
     if (asked.step >= from && asked.step < to && open_question(asked)) to = asked.step;
   stand(to);

@@ -66,6 +66,20 @@ TEST_CASE("each lesson reads well: sections, short paragraphs, terms, lectures")
   }
 }
 
+TEST_CASE("each lesson opens on its result, and the first step shows step 1 or asks the question before it") {
+  for (const char* id : kLessons) {
+    CAPTURE(id);
+    Session session = session_of(id);
+    CHECK(session.previewing());
+    REQUIRE(session.current(0) != nullptr);
+    CHECK(session.current(0)->step.has_ball);
+    CHECK(session.asked() == nullptr);
+    session.forward();
+    CHECK_FALSE(session.previewing());
+    CHECK(session.step() == (session.asked() != nullptr && session.questions().front().step == 0 ? 0 : 1));
+  }
+}
+
 TEST_CASE("each lesson asks at least three questions of its first algorithm, in more than one way") {
   for (const char* id : kLessons) {
     CAPTURE(id);

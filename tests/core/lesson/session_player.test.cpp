@@ -101,8 +101,15 @@ TEST_CASE("a lesson that starts at its end shows the result and has passed no qu
   CHECK(session.step() == session.steps());
   CHECK(session.outcomes().empty());
 
-  SUBCASE("a step begins at the start") {
+  SUBCASE("a step shows the first one") {
     session.forward();
+    CHECK(session.step() == 1);
+    CHECK_FALSE(session.previewing());
+    REQUIRE(session.asked() != nullptr);
+    CHECK(session.asked()->question->id == "pair");
+  }
+  SUBCASE("to scrub to the very beginning shows the points alone") {
+    session.first();
     CHECK(session.step() == 0);
     CHECK_FALSE(session.previewing());
   }
@@ -111,6 +118,21 @@ TEST_CASE("a lesson that starts at its end shows the result and has passed no qu
     CHECK(session.step() == 1);
     CHECK(session.asked() != nullptr);
   }
+}
+
+TEST_CASE("from the result, a step stops at a question that stands before the first one") {
+  std::string text = small_lesson_with("seed = 5", "seed = 5\nstart = \"end\"");
+  const std::string_view before = "before = \"pair_chosen\"";
+  text.replace(text.find(before), before.size(), "before = \"pair_chosen\"\nafter = \"start\"");
+  text.replace(text.find("asks = \"axis\""), 13, "asks = \"point\"");
+  Session session = test::open(text);
+  REQUIRE(session.previewing());
+  session.forward();
+  CHECK(session.step() == 0);
+  REQUIRE(session.asked() != nullptr);
+  CHECK(session.asked()->question->id == "pair");
+  session.forward();
+  CHECK(session.step() == 0);
 }
 
 TEST_CASE("at the end the player stays at the end when points change; elsewhere at its step") {
