@@ -190,6 +190,8 @@ class Welzl {
 
 /// The smallest enclosing ball.
 /// points: n >= 1 finite points, scene units. Expected O(n) time; 1 kB, whatever n.
+/// Of points closer together than about 1e-154 (in float 1e-19) the squared distances underflow: the ball then holds
+/// them all, but need not be the smallest, and the certificate says so.
 template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer = Ignore>
 Fit<Sphere<Scalar, Dim>> welzl(PointSpan<Scalar, Dim> points, const Options& options, Observer&& observe = {}) {
   return Welzl<Scalar, Dim, std::remove_reference_t<Observer>>(points, observe).run(options.seed);
