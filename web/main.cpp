@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -126,7 +127,14 @@ void frame(double now) {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-bool wants_frame(double now) { return door().graphics && (web::input_pending() || door().app->wants_frame(now)); }
+/// In seconds; infinity for none.
+double seconds_until_due(double now) {
+  if (!door().graphics) return std::numeric_limits<double>::infinity();
+  return web::input_pending() ? 0 : door().app->seconds_until_due(now);
+}
+
+/// Whether a menu of the canvas is open, which the page's own layers must not cover.
+bool menu_open() { return ImGui::GetCurrentContext() != nullptr && ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); }
 
 // ---- lessons --------------------------------------------------------------------------------------------------
 
@@ -280,7 +288,8 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("set_layout", &set_layout);
   function("set_settings", &set_settings);
   function("frame", &frame);
-  function("wants_frame", &wants_frame);
+  function("seconds_until_due", &seconds_until_due);
+  function("menu_open", &menu_open);
   function("pointer_moved", &web::pointer_moved);
   function("pointer_left", &web::pointer_left);
   function("pointer_button", &web::pointer_button);

@@ -1,6 +1,6 @@
 // The page at every size, theme and text size: nothing cut off, everything named, every pair of colours readable.
 import { after, before, test } from "node:test";
-import { assert, kPhone, lessons, start, state, still, stop, until, visit } from "./support.mjs";
+import { assert, handles, kPhone, lessons, start, state, still, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -55,6 +55,73 @@ test("at the largest text nothing sticks out, on desk and phone", async (t) => {
     assert.deepEqual(await sticking_out(page), []);
     assert.deepEqual(await overlaps(page), []);
   }
+});
+
+test("projected at the largest text, the stage keeps its room and the sentence does not cover it", async (t) => {
+  const page = await visit(t, "?step=1", { init: 'localStorage.setItem("snug-text", "1.5"); localStorage.setItem("snug-theme", "projector")' });
+  const stage = await page.locator("#stage").boundingBox();
+  assert.ok(stage.width >= 600 && stage.height >= 400, `the stage is ${stage.width} x ${stage.height}`);
+  assert.ok((await page.locator("#caption").boundingBox()).y >= stage.y + stage.height - 1);
+});
+
+for (const [width, height] of [[1024, 768], [1280, 800]]) {
+  test(`presented at ${width}x${height} the question, the lit line and the stage are in sight`, async (t) => {
+    const page = await visit(t, "?lesson=sphere-ritter&step=1", { viewport: { width, height } });
+    await page.getByRole("button", { name: "Present" }).click();
+    await still(page);
+    const stage = await page.locator("#stage").boundingBox();
+    assert.ok(stage.width >= 550, `the stage is ${stage.width} wide`);
+    assert.deepEqual(await sticking_out(page), []);
+    assert.deepEqual(await overlaps(page), []);
+    assert.ok((await state(page)).asked);
+    await page.getByText("Page Down skips").waitFor();
+    for (const part of [page.locator(".predict"), page.locator(".lines [aria-current]")]) {
+      const box = await part.boundingBox();
+      assert.ok(box.y >= 0 && box.y + box.height <= height, `${box.y} + ${box.height}`);
+    }
+    await page.getByRole("button", { name: "Leave presentation" }).click();
+    assert.ok(await page.locator("#bar").isVisible());
+  });
+}
+
+test("the lit line is in sight at every step", async (t) => {
+  const page = await visit(t, "?lesson=sphere-iterative&step=1");
+  const seen = new Set();
+  for (let i = 0; i < 40 && seen.size < 5; ++i) {
+    const now = await state(page);
+    seen.add(now.line);
+    const hidden = await page.evaluate(() => {
+      const [line, box] = [document.querySelector(".lines [aria-current]"), document.getElementById("code")].map((node) => node?.getBoundingClientRect());
+      return line && (line.top < box.top || line.bottom > box.bottom);
+    });
+    assert.ok(!hidden, `line ${now.line}`);
+    if (now.asked) await page.getByRole("button", { name: "Skip" }).click();
+    else await page.keyboard.press("ArrowRight");
+    await still(page);
+  }
+  assert.ok(seen.size >= 3);
+});
+
+test("the keyboard scrolls the text once it is there, and steps elsewhere", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter&step=0");
+  await page.locator("#read").focus();
+  await page.keyboard.press("PageDown");
+  await page.waitForFunction(() => document.getElementById("read").scrollTop > 20);
+  assert.equal((await state(page)).step, 0);
+  await page.keyboard.press("ArrowRight");
+  await until(page, (now) => now.step === 1);
+});
+
+test("no ring stands around the stage after a pointer", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter&step=0");
+  const ring = () => page.evaluate(() => getComputedStyle(document.getElementById("stage"), "::after").borderTopWidth === "2px");
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Shift+Tab");
+  assert.equal(await ring(), true);
+  const [handle] = await handles(page);
+  await page.mouse.click(handle.x + 30, handle.y + 30);
+  assert.equal(await ring(), false);
 });
 
 const luminance = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255)
@@ -119,6 +186,7 @@ test("everything that can be pressed or filled in has a name, and there is one m
 test("Tab reaches everything, and shows where it is", async (t) => {
   const page = await visit(t);
   const reached = new Set();
+  await page.evaluate(() => document.getElementById("tab-points").click()); // where the focus is stays
   for (let i = 0; i < 80; ++i) {
     await page.keyboard.press("Tab");
     const here = await page.evaluate(() => {

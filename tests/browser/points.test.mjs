@@ -1,6 +1,6 @@
 // Points are dragged, moved, typed, added and taken back, by mouse, finger and keyboard.
 import { after, before, test } from "node:test";
-import { assert, handles, kPhone, lesson_with, start, state, still, stop, until, visit } from "./support.mjs";
+import { assert, handles, kPhone, lesson_with, start, state, still, stop, until, visit, to_points } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -86,6 +86,7 @@ test("arrow keys move the selected point", async (t) => {
 
 test("a place is typed in numbers", async (t) => {
   const page = await visit(t, await in_the_plane());
+  await to_points(page);
   await page.getByLabel("Selected point").first().fill("2");
   await page.keyboard.press("Enter");
   await until(page, (now) => now.selected === 2);
@@ -93,10 +94,19 @@ test("a place is typed in numbers", async (t) => {
   await page.keyboard.press("Tab");
   const typed = await until(page, (now) => now.coordinates[0] === 3.25);
   assert.equal(typed.selected, 2);
+  await page.getByLabel("x of the selected point").fill("");
+  await page.keyboard.press("Tab");
+  assert.equal((await state(page)).trace, typed.trace, "an emptied field moves nothing");
+  assert.equal(await page.getByLabel("x of the selected point").inputValue(), "3.25");
+  await page.getByLabel("Selected point").first().fill("99999");
+  await page.keyboard.press("Enter");
+  await page.getByText("There is no point 99999").waitFor();
+  assert.equal((await state(page)).selected, 2);
 });
 
 test("points are added, deleted, scattered and reset", async (t) => {
   const page = await visit(t, await in_the_plane());
+  await to_points(page);
   const { size, trace, seed } = await state(page);
   await page.getByRole("button", { name: "Add", exact: true }).click();
   await until(page, (now, n) => now.size === n + 1, size);
@@ -139,6 +149,7 @@ test("a malformed file is refused with its line, and what was there stays", asyn
 
 test("a file is opened by the button", async (t) => {
   const page = await visit(t, await in_the_plane());
+  await to_points(page);
   const chooser = page.waitForEvent("filechooser");
   await page.getByRole("button", { name: /Open file/ }).click();
   await (await chooser).setFiles({ name: "three.csv", mimeType: "text/csv", buffer: Buffer.from("0,0\n2,0\n1,2\n") });

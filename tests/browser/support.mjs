@@ -117,6 +117,9 @@ export async function lesson_with(test) {
   throw new Error("no lesson is like that");
 }
 
+/** Shows the points' tools, which share their place with the lesson's text. */
+export const to_points = (page) => page.getByRole("tab", { name: "Points" }).click();
+
 /** Until `test`, a function of window.snug.state(), holds. */
 export async function until(page, test, ...given) {
   await page.waitForFunction(`(${test})(window.snug.state(), ...${JSON.stringify(given)})`);

@@ -55,14 +55,19 @@ export class Code {
     this.#lines.children[this.#shown.line]?.removeAttribute("aria-current");
     const lit = this.#lines.children[view.line];
     lit?.setAttribute("aria-current", "step");
-    if (lit) keep_in_view(lit, this.#lines);
+    if (lit) keep_in_view(lit, by_id("code"));
     this.#shown.line = view.line;
   }
 }
 
-/** Scrolls the list alone, never the page under the reader's eyes. */
-function keep_in_view(item, list) {
-  const above = item.offsetTop - list.offsetTop;
-  if (above < list.scrollTop) list.scrollTop = above;
-  else if (above + item.offsetHeight > list.scrollTop + list.clientHeight) list.scrollTop = above + item.offsetHeight - list.clientHeight;
+const kLineBeyond = 1.5; // lines that stay in sight before and behind it, clear of the fade
+
+/** Scrolls the code alone, never the page under the reader's eyes. */
+function keep_in_view(item, scroller) {
+  const [line, box] = [item.getBoundingClientRect(), scroller.getBoundingClientRect()];
+  const beyond = kLineBeyond * line.height;
+  const above = line.top - beyond - box.top;
+  const below = line.bottom + beyond - box.bottom;
+  if (above < 0) scroller.scrollTop += above;
+  else if (below > 0) scroller.scrollTop += Math.min(below, above);
 }

@@ -2,6 +2,16 @@
 
 const kWrites = "input, select, textarea, [contenteditable]";
 const kPresses = "button, a, summary";
+const kReads = "#read, #points, #code";
+const kScrolls = new Set(["ArrowUp", "ArrowDown", "PageUp", "PageDown", "Home", "End", " "]);
+
+/** Whether the key scrolls what the focus is in. */
+function scrolls(target, key) {
+  if (!kScrolls.has(key) || !target.closest(kReads)) return false;
+  for (let node = target; node; node = node.parentElement)
+    if (node.scrollHeight > node.clientHeight + 1 && /auto|scroll/.test(getComputedStyle(node).overflowY)) return true;
+  return false;
+}
 
 /** do_command(name): whether it could be done. choose(digit): whether a question took it. */
 export function listen_to_keys(door, act, choose, leave) {
@@ -9,6 +19,7 @@ export function listen_to_keys(door, act, choose, leave) {
     if (event.defaultPrevented || event.altKey || event.isComposing) return;
     const target = event.target instanceof Element ? event.target : document.body;
     if (target.closest(kWrites)) return;
+    if (scrolls(target, event.key) && !event.ctrlKey && !event.metaKey) return;
     if (target.closest(kPresses) && (event.key === "Enter" || event.key === " ")) return;
     const control = event.ctrlKey || event.metaKey;
     if (!control && event.key >= "1" && event.key <= "9" && choose(Number(event.key))) return event.preventDefault();

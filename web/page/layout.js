@@ -1,23 +1,32 @@
 // Which of the three arrangements fits, and where in it the canvas' parts stand.
 import { by_id } from "./dom.js";
 
-const kLandscape = matchMedia("(min-width: 37.5em) and (orientation: landscape)");
-const kWide = matchMedia("(min-width: 64em) and (min-height: 33em)");
+// In the page's own rem: larger text needs a larger window, whichever way it was asked for.
+const kWide = { across: 60, down: 30 };
+const kBeside = 30; // across, on a window that is wider than high
 const kCoarse = matchMedia("(pointer: coarse)");
 const kParts = ["stage", "timeline", "numbers"];
 
 /** Keeps data-layout ("wide", "beside" or "phone") on the root, and calls changed when anything has moved. */
 export function watch_layout(changed) {
   const name = () => {
-    document.documentElement.dataset.layout = kWide.matches ? "wide" : kLandscape.matches ? "beside" : "phone";
+    document.documentElement.dataset.layout = fitting();
     document.documentElement.classList.toggle("fingers", has_fingers());
     changed();
   };
-  for (const query of [kLandscape, kWide, kCoarse]) query.addEventListener("change", name);
+  kCoarse.addEventListener("change", name);
   const moved = new ResizeObserver(changed);
   for (const id of ["work", "column", ...kParts]) moved.observe(by_id(id));
-  addEventListener("resize", changed);
+  addEventListener("resize", name);
+  new MutationObserver(name).observe(document.documentElement, { attributeFilter: ["style"] }); // the size of the text
   name();
+}
+
+function fitting() {
+  const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
+  const [across, down] = [innerWidth / rem, innerHeight / rem];
+  if (across >= kWide.across && down >= kWide.down) return "wide";
+  return across >= kBeside && innerWidth > innerHeight ? "beside" : "phone";
 }
 
 const has_fingers = () => kCoarse.matches || document.documentElement.dataset.layout === "phone";

@@ -6,7 +6,7 @@ import { open_door } from "./door.js";
 import { Downloads } from "./download.js";
 import { listen_to_keys } from "./keys.js";
 import { LessonMenu, lesson_links } from "./lesson_menu.js";
-import { notice, veil } from "./messages.js";
+import { clear_notices, notice, notice_all, veil } from "./messages.js";
 import { Player } from "./player.js";
 import { PointTools } from "./points.js";
 import { QuestionCard } from "./question.js";
@@ -16,6 +16,7 @@ import { Stage } from "./stage.js";
 import { Tabs } from "./tabs.js";
 
 const kAddressDelay = 250; // milliseconds: browsers count how often the address is replaced
+const kPanelsDelay = 250; // milliseconds: so often the HTML follows a drag, whose every frame would lay the page out anew
 
 class Page {
   #door;
@@ -29,6 +30,7 @@ class Page {
   #view = null;
   #embed;
   #address_timer = 0;
+  #panels_timer = 0;
 
   constructor(door, downloads, lessons, embed) {
     this.#door = door;
@@ -45,6 +47,7 @@ class Page {
     this.#apply_settings();
     listen_to_keys(door, act, (digit) => question.choose(digit), () => this.#leave_presentation());
     for (const command of ["undo", "redo"]) by_id(command).addEventListener("click", () => act(() => door.command(command)));
+    by_id("timeline").addEventListener("click", () => this.#view?.asked && question.show()); // its locked "Answer"
     by_id("share").addEventListener("click", () => this.#share());
     addEventListener("popstate", () => this.open(read_address(location.search)));
   }
@@ -92,7 +95,8 @@ class Page {
     document.title = `${this.#lesson.title} · Snug`;
     for (const panel of this.#panels) panel.open?.(this.#lesson);
     await this.#restore(asked);
-    for (const problem of asked.problems) notice(problem);
+    clear_notices();
+    notice_all(asked.problems);
     veil.lift();
     this.act(() => {});
   }
@@ -140,9 +144,16 @@ class Page {
     this.#view = this.#door.view();
     if (!this.#view) return;
     set_text(by_id("caption"), this.#view.caption);
+    if (this.#stage?.pressed) this.#panels_timer ||= setTimeout(() => this.#show_panels(), kPanelsDelay);
+    else this.#show_panels();
+    this.#address_timer ||= setTimeout(() => this.#write_address(), kAddressDelay);
+  }
+
+  #show_panels() {
+    clearTimeout(this.#panels_timer);
+    this.#panels_timer = 0;
     for (const panel of this.#panels) panel.update(this.#view);
     this.#show_figures(this.#view.figures);
-    this.#address_timer ||= setTimeout(() => this.#write_address(), kAddressDelay);
   }
 
   #show_figures = when_changed((figures) => {

@@ -48,13 +48,31 @@ export function stage_message(text, action_words, action) {
   box.replaceChildren(element("p", {}, text), ...(action ? [button(action_words, action)] : []));
 }
 
-/** A message in passing, which can be put away. kind: "wrong" or "told". */
+const kShownMost = 3;
+const kStays = { told: 4000, wrong: 15_000 }; // milliseconds
+
+/** Takes the messages away: what they spoke of is over. */
+export function clear_notices() {
+  by_id("notices").replaceChildren();
+}
+
+/** What went wrong, in one message however much it was. */
+export function notice_all(problems) {
+  if (problems.length > kShownMost)
+    problems = [...problems.slice(0, kShownMost - 1), `The address holds ${problems.length - kShownMost + 1} more mistakes; what is right in it is shown.`];
+  for (const problem of problems) notice(problem);
+}
+
+/** A message in passing, which can be put away and leaves by itself. kind: "wrong" or "told". */
 export function notice(text, kind = "wrong") {
   const box = element("div", { class: `notice ${kind}` }, element("p", {}, text));
   const away = () => box.remove();
   box.append(element("button", { type: "button", class: "away", "aria-label": "Put this message away", onclick: away }, "×"));
   const list = by_id("notices");
-  for (const old of [...list.children].slice(0, -2)) old.remove();
+  for (const old of [...list.children]) if (old.firstChild.textContent === text) old.remove();
+  for (const old of [...list.children].slice(0, 1 - kShownMost)) old.remove();
   list.append(box);
-  if (kind === "told") setTimeout(away, 4000);
+  // Not from under the hand that is at it.
+  const leave = () => (box.matches(":hover, :focus-within") ? setTimeout(leave, kStays[kind]) : away());
+  setTimeout(leave, kStays[kind]);
 }

@@ -1,5 +1,5 @@
 // The timeline's buttons once more as HTML: unseen until the keyboard comes to them, for those who cannot see the canvas.
-import { by_id, element, set_text } from "./dom.js";
+import { by_id, element, set_text, when_changed } from "./dom.js";
 
 const kButtons = [["first", "First step"], ["back", "Step back"], ["step", "Step"], ["play", "Play"], ["last", "Last step"],
   ["slower", "Slower"], ["faster", "Faster"], ["reset_view", "Show all points"]];
@@ -17,10 +17,14 @@ export class Player {
     by_id("player").append(...buttons, this.#slider);
   }
 
+  #show_step = when_changed((step, steps) => {
+    this.#slider.max = steps;
+    this.#slider.value = step;
+    this.#slider.setAttribute("aria-valuetext", `step ${step} of ${steps}`);
+  });
+
   update(view) {
-    this.#slider.max = view.steps;
-    this.#slider.value = view.step;
-    this.#slider.setAttribute("aria-valuetext", `step ${view.step} of ${view.steps}`);
+    this.#show_step(view.step, view.steps);
     set_text(this.#play, view.playing ? "Pause" : "Play");
   }
 }

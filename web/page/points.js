@@ -1,6 +1,6 @@
 // The points' tools: which set, add, delete, scatter, reset, a file, and a point's place in numbers.
 import { by_id, button, element, set_text, when_changed } from "./dom.js";
-import { notice } from "./messages.js";
+import { clear_notices, notice } from "./messages.js";
 
 const kAxes = ["x", "y", "z"];
 const kMostBytes = 64e6;
@@ -78,6 +78,7 @@ export class PointTools {
     this.#act(() => {
       const error = kind === "generate" ? this.#door.set_generator(name, Number(this.#count.value), seed) : this.#door.scatter(seed);
       if (error) notice(`${capital(error)}.`);
+      else clear_notices();
     });
   }
 
@@ -99,19 +100,29 @@ export class PointTools {
     this.#act(() => {
       const error = this.#door.load_file(bytes, name);
       if (error) notice(`That file cannot be used. ${error}.`);
+      else clear_notices();
     });
   }
 
   #select() {
-    this.#act(() => this.#door.select_point(this.#point.value === "" ? -1 : Number(this.#point.value)));
+    const point = this.#point.value === "" ? -1 : Number(this.#point.value);
+    if (point >= this.#view.size) {
+      notice(`There is no point ${point}: the last is ${this.#view.size - 1}.`);
+      return this.#show_place(this.#view.selected, this.#view.coordinates);
+    }
+    this.#act(() => this.#door.select_point(point));
   }
 
   #move() {
-    const to = this.#axes.map((field) => (field.value.trim() === "" ? 0 : field.valueAsNumber));
     if (this.#view.selected === null) return;
+    const fields = this.#axes.slice(0, this.#view.coordinates.length);
+    // A field that was emptied says no number: the point stays, and its place is shown again.
+    if (fields.some((field) => !Number.isFinite(field.valueAsNumber))) return this.#show_place(this.#view.selected, this.#view.coordinates);
+    const to = this.#axes.map((field) => (field.value === "" ? 0 : field.valueAsNumber));
     this.#act(() => {
       const error = this.#door.move_point(this.#view.selected, ...to);
-      if (error) notice(`${capital(error)}.`);
+      if (error) notice(/too large/.test(error) ? "That number is too large for a place on the stage." : `${capital(error)}.`);
+      else clear_notices();
     });
     this.#show_place(this.#view.selected, this.#view.coordinates);
   }

@@ -29,13 +29,19 @@ export class QuestionCard {
     const box = by_id("ask");
     const had_focus = box.contains(document.activeElement);
     const cards = [];
-    if (outcome) cards.push(outcome_card(outcome));
     if (asked) cards.push(this.#asked_card(asked, questions));
+    if (outcome) cards.push(this.#outcome_card(outcome, Boolean(asked)));
     if (ended && given.length > 0) cards.push(this.#score_card(given));
     box.replaceChildren(...cards);
     if (had_focus) (box.querySelector("[tabindex]") ?? by_id("canvas")).focus({ preventScroll: true });
+    box.scrollTop = 0;
     if (cards.length > 0 && this.#opened) show_top(box);
     this.#opened = true;
+  }
+
+  /** Brings the question that stands into sight: what the player waits for. */
+  show() {
+    by_id("ask").querySelector(".predict")?.scrollIntoView({ block: "nearest" });
   }
 
   /** Whether a digit key chose something. */
@@ -56,7 +62,8 @@ export class QuestionCard {
       element("p", { class: "prompt" }, asked.prompt),
       ...(choices.length > 0 ? [element("div", { class: "choices" }, ...choices)] : []),
       ...(asked.onStage && choices.length === 0 ? [this.#point_form()] : []),
-      element("p", { class: "foot" }, element("span", {}, `${asked.onStage ? "Tap it on the stage, or answer here" : "Answer to go on"} · ${asked.number} of ${questions}`),
+      element("p", { class: "foot" }, element("span", {}, asked.onStage ? "Tap it on the stage or here" : "Answer to go on",
+        " · ", element("b", { class: "presented" }, "Page Down skips · "), element("b", {}, `${asked.number} of ${questions}`)),
         element("button", { type: "button", class: "quiet", onclick: () => this.#answer("skip", 0) }, "Skip")));
   }
 
@@ -69,6 +76,20 @@ export class QuestionCard {
     };
     return element("form", { class: "choices", onsubmit }, element("span", { class: "label" }, "Point"), field,
       element("button", { type: "submit", class: "button" }, "Answer"));
+  }
+
+  /** brief: one line, to unfold; the question that stands comes first. */
+  #outcome_card({ right, skipped, predicted, happened, because, canWatch }, brief) {
+    const word = skipped ? "Skipped" : right ? "✓ As you predicted" : "✕ Not as you predicted";
+    const rows = skipped ? [["It was", happened]] : [["You predicted", predicted], ["It was", happened]];
+    const told = [element("dl", {}, ...rows.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value)))),
+      element("p", {}, because),
+      ...(canWatch ? [element("p", {}, button("Watch how", () => this.#act(() => this.#door.command("watch_outcome"))))] : [])];
+    const kicker = element("h2", { class: "kicker" }, word);
+    const kind = skipped ? "skipped" : right ? "right" : "wrong";
+    if (!brief) return element("div", { class: `card outcome ${kind}`, tabindex: "-1" }, kicker, ...told);
+    return element("div", { class: `card outcome told ${kind}` },
+      element("details", {}, element("summary", {}, kicker, ` · It was ${happened}`), ...told));
   }
 
   #score_card(outcomes) {
@@ -85,15 +106,7 @@ export class QuestionCard {
 
 /** Scrolls no further than the first lines need: the stage is to stay in sight. */
 function show_top(box) {
+  if (document.documentElement.dataset.layout === "beside") by_id("column").scrollTop = 0; // where the cards stand first
   const below = box.getBoundingClientRect().top + kLinesShown - innerHeight;
   if (below > 0) scrollBy({ top: below });
-}
-
-function outcome_card({ right, skipped, predicted, happened, because }) {
-  const word = skipped ? "Skipped" : right ? "✓ As you predicted" : "✕ Not as you predicted";
-  const rows = skipped ? [["It was", happened]] : [["You predicted", predicted], ["It was", happened]];
-  return element("div", { class: `card outcome ${skipped ? "skipped" : right ? "right" : "wrong"}`, tabindex: "-1" },
-    element("h2", { class: "kicker" }, word),
-    element("dl", {}, ...rows.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value)))),
-    element("p", {}, because));
 }

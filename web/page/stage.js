@@ -24,7 +24,10 @@ export class Stage {
   #canvas = by_id("canvas");
   #after_frame;
   #due = 0;
+  #alarm = 0; // the timer of the next playing step
   #moved = true;
+  /** Whether a button or a finger holds something on the canvas. */
+  pressed = false;
   #touches = new Map();
   #waiting = null; // {x, y, timer}: a finger that has not pressed yet
   #pinched = false; // until every finger has lifted
@@ -67,7 +70,15 @@ export class Stage {
     if (this.times.length > kFramesTimed) this.times.shift();
     this.#after_frame();
     by_id("stage").style.cursor = by_id("timeline").style.cursor = by_id("numbers").style.cursor = this.#door.cursor();
-    if (this.#door.wants_frame(now)) this.request();
+    by_id("caption").classList.toggle("away", this.#door.menu_open());
+    this.#wait(this.#door.seconds_until_due(now));
+  }
+
+  /** Sleeps until the next frame is due; input wakes the stage by itself. */
+  #wait(seconds) {
+    clearTimeout(this.#alarm);
+    if (seconds <= 0) this.request();
+    else if (Number.isFinite(seconds)) this.#alarm = setTimeout(() => this.request(), seconds * 1000);
   }
 
   #arrange() {
@@ -105,6 +116,10 @@ export class Stage {
       on("wheel", (event) => this.#wheel(event));
       on("contextmenu", (event) => event.preventDefault());
     }
+    // A pointer gives the canvas its focus too; only who comes by the keyboard has to see where it is.
+    const pointed = (on) => document.documentElement.classList.toggle("pointed", on);
+    addEventListener("pointerdown", () => pointed(true), { capture: true });
+    addEventListener("keydown", ({ key }) => key === "Tab" && pointed(false), { capture: true });
     this.#canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault(); // so that it may come back
       this.#lose();
@@ -116,6 +131,7 @@ export class Stage {
     event.preventDefault(); // the page's text is not selected by a drag
     this.#canvas.focus({ preventScroll: true });
     surface.setPointerCapture(event.pointerId);
+    this.pressed = true;
     const [x, y] = this.#on_canvas(event);
     this.#door.modifiers_held(event.shiftKey, event.ctrlKey || event.metaKey, event.altKey);
     if (event.pointerType === "touch") return this.#finger_down(event.pointerId, x, y);
@@ -161,6 +177,7 @@ export class Stage {
   }
 
   #up(event) {
+    this.pressed = this.#touches.size > 1;
     if (event.pointerType === "touch") return this.#finger_up(event);
     this.#door.pointer_button(kButtonsOfImgui.includes(event.button) ? event.button : 0, false, event.pointerType);
   }

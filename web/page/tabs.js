@@ -1,7 +1,9 @@
-// Read, Numbers and Code, where there is no room for all three beside the stage.
+// What stands beside the stage, where there is no room for all of it: Lesson and Points share a column in any case,
+// Numbers and Code join them where the window is small.
 import { by_id, element } from "./dom.js";
 
-const kTabs = [["read", "Read"], ["numbers", "Numbers"], ["code", "Code"]];
+const kTabs = [["read", "Lesson"], ["points", "Points"], ["numbers", "Numbers"], ["code", "Code"]];
+const kOfTheColumn = ["read", "points"];
 
 export class Tabs {
   #tabs = kTabs.map(([id, words]) => element("button", { type: "button", role: "tab", id: `tab-${id}`, "aria-controls": id,
@@ -11,6 +13,7 @@ export class Tabs {
     by_id("tabs").append(...this.#tabs);
     by_id("tabs").addEventListener("keydown", (event) => this.#key(event));
     this.choose("read");
+    new MutationObserver(() => this.#fit()).observe(document.documentElement, { attributeFilter: ["data-layout", "class"] });
   }
 
   choose(id) {
@@ -22,12 +25,20 @@ export class Tabs {
     });
   }
 
+  /** The chosen tab may be one that this arrangement does not have. */
+  #fit() {
+    const { dataset: { layout, tab }, classList } = document.documentElement;
+    if (layout === "wide" && !kOfTheColumn.includes(tab)) this.choose("read");
+    if (layout !== "wide" && classList.contains("presenting") && kOfTheColumn.includes(tab)) this.choose("code");
+  }
+
   #key(event) {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (!step) return;
     event.preventDefault();
     event.stopPropagation(); // not a step of the player
-    const next = this.#tabs[(this.#tabs.indexOf(document.activeElement) + step + this.#tabs.length) % this.#tabs.length];
+    const shown = this.#tabs.filter((tab) => tab.checkVisibility());
+    const next = shown[(shown.indexOf(document.activeElement) + step + shown.length) % shown.length];
     next.click();
     next.focus();
   }
