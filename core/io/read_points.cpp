@@ -1,5 +1,6 @@
 // Tells the formats apart, and gives every error the file's name.
 #include <algorithm>
+#include <array>
 
 #include "io/formats.hpp"
 
@@ -40,6 +41,17 @@ Format format_of_text(std::string_view text, std::string_view extension) {
   return rows;
 }
 
+/// Whether a file is of none of the formats by its name, and its first line is nothing that a person wrote: a picture, an
+/// archive. Latin-1 in a comment, or in a table that begins with a number, is let through.
+bool is_something_else(std::string_view bytes, std::string_view extension) {
+  constexpr std::array<std::string_view, 6> kOurs{"xyz", "txt", "csv", "obj", "ply", "stl"};
+  if (std::find(kOurs.begin(), kOurs.end(), extension) != kOurs.end()) return false;
+  if (looks_binary(bytes)) return true;
+  const std::string_view line = first_content(bytes);
+  if (parse_number(line.substr(0, line.find_first_of(" \t,;")))) return false;
+  return std::any_of(line.begin(), line.end(), [](char c) { return (c & 0x80) != 0 || (c < ' ' && c != '\t'); });
+}
+
 /// The content decides where it can: binary STL by its size, for its header may well begin with "solid".
 Format format_of(std::string_view bytes, std::string_view extension) {
   const std::string_view start = bytes.substr(0, 4);
@@ -78,6 +90,9 @@ Read<PointFile> read_any(std::string_view bytes, std::string_view name) {
   const std::string extension = extension_of(name);
   const Format format = format_of(bytes, extension);
   const std::string_view start = bytes.substr(0, 5);
+  const bool claims_none = format == Format::kRows || (format == Format::kStlBinary && !has_size_of_stl(bytes));
+  if (claims_none && lower_case(start) != "solid" && is_something_else(bytes, extension))
+    return tl::unexpected(InputError{.what = "this is not a point file: xyz, csv, obj, ply or stl"});
   if (format == Format::kStlBinary && !has_size_of_stl(bytes) && extension != "stl" && lower_case(start) != "solid")
     return at_byte(static_cast<std::int64_t>(bytes.find('\0')), "the data is binary, but neither PLY nor STL");
   Read<PointFile> file = read_as(format, bytes);

@@ -34,6 +34,7 @@ std::string little_ply(const std::string& header, const std::string& body) {
   return "ply\nformat binary_little_endian 1.0\n" + header + "end_header\n" + body;
 }
 
+const std::string kNoPointFile = ": this is not a point file: xyz, csv, obj, ply or stl";
 const std::string kTooLarge = " is too large: coordinates reach to 2^508, about 8.3e152";
 
 }  // namespace
@@ -77,6 +78,11 @@ TEST_CASE("rows that are refused") {
        ":byte 0: the text is UTF-16: save it as UTF-8"},
       {"picture.xyz", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16),
        ":byte 8: the data is binary, but neither PLY nor STL"},
+      {"pic.png", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16), kNoPointFile},
+      {"pic.png", "\x89PNG\r\n\x1a\n", kNoPointFile},
+      {"zip", "PK\x03\x04\x14", kNoPointFile},
+      {"words.dat", "x y z\n1 2 3\n", ":1: \"x\" is not a number"},
+      {"words.dat", "1 2 3\n\xe9t\xe9 2 3\n", ":2: \"?t?\" is not a number"},
   });
 }
 
