@@ -79,7 +79,7 @@ void draw_question(Shell& shell, Column& column) {
   const app::Look& look = column.look();
   column.begin_card();
   column.heading("Predict", look->current_text);
-  column.words(asked->question->prompt);
+  column.words(asked->prompt);
   column.gap(10);
   const int chosen = column.buttons("answer", asked->choices);
   const std::string how = std::string(asked->on_stage ? "Click a point on the stage" : "Answer to go on") + " · " + place_among(session, *asked);

@@ -36,7 +36,8 @@ void StateFile::write(app::App& app, const Extent& extent) {
   state["points"] = session->size();
   state["selected"] = app.selected();
   state["readout"] = nlohmann::ordered_json::object();
-  for (const auto& figure : session->figures()) state["readout"][figure.key] = figure.value;
+  for (const auto& figure : session->figures())
+    if (figure.known) state["readout"][figure.key] = figure.value;
   state["handles"] = nlohmann::ordered_json::array();
   for (const app::Handle& handle : app.handles())  // in the window system's pixels, where a mouse would find them
     state["handles"].push_back({{"id", handle.id}, {"x", handle.x * extent.window_per_page}, {"y", handle.y * extent.window_per_page}});

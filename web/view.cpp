@@ -49,7 +49,7 @@ val asked_object(const lesson::Asked* asked, const lesson::Session& session) {
   if (asked == nullptr) return val::null();
   val object = val::object();
   object.set("id", asked->question->id);
-  object.set("prompt", asked->question->prompt);
+  object.set("prompt", asked->prompt);
   object.set("step", asked->step);
   object.set("choices", array_of(asked->choices, text));
   object.set("choicePoints", array_of(asked->choice_points, [](Index point) { return val(point); }));
@@ -67,6 +67,8 @@ val asked_object(const lesson::Asked* asked, const lesson::Session& session) {
 val outcome_object(const lesson::Outcome& outcome) {
   val object = val::object();
   object.set("question", outcome.question);
+  object.set("fromStep", outcome.from_step);
+  object.set("step", outcome.step);
   object.set("right", outcome.right);
   object.set("skipped", outcome.skipped);
   object.set("passed", outcome.passed);
@@ -115,7 +117,8 @@ void set_algorithms(val& object, const lesson::Session& session) {
 void set_figures(val& object, const lesson::Session& session) {
   val readout = val::object();
   const auto figures = session.figures();
-  for (const auto& figure : figures) readout.set(figure.key, figure.value);
+  for (const auto& figure : figures)
+    if (figure.known) readout.set(figure.key, figure.value);
   object.set("readout", readout);
   object.set("figures", array_of(figures, [](const lesson::Session::Figure& figure) {
                val row = val::object();

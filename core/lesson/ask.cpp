@@ -4,6 +4,7 @@
 
 #include "geometry/tolerance.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -33,26 +34,27 @@ std::string names(const std::vector<Index>& points) {
 /// What a step does with the points that it names, in the present tense; plural: of them.
 struct Predicate {
   bool plural;
+  std::string ball;  // "circle", "sphere"
   std::string operator()(const ExtremesFound<double, 3>&) const { return "reach farthest along the axes"; }
   std::string operator()(const PairChosen&) const { return plural ? "are chosen" : "is chosen"; }
   std::string operator()(const FarthestFound&) const { return "is the farthest"; }
-  std::string operator()(const PointExamined&) const { return "is held against the ball"; }
-  std::string operator()(const BallGrown<double, 3>&) const { return "lies outside, and the ball grows to it"; }
+  std::string operator()(const PointExamined&) const { return "is held against the " + ball; }
+  std::string operator()(const BallGrown<double, 3>&) const { return "lies outside, and the " + ball + " grows to it"; }
   std::string operator()(const MovedToFront&) const { return "moves to the front"; }
   std::string operator()(const SupportReplaced&) const { return "enters the support set"; }
   std::string operator()(const RadiusChecked&) const { return "is the farthest from the centre"; }
-  std::string operator()(const BoundaryForced&) const { return "lies outside, so the next ball passes through it"; }
+  std::string operator()(const BoundaryForced&) const { return "lies outside, so the next " + ball + " passes through it"; }
   std::string operator()(const CandidateTried<double, 3>& fact) const {
     return fact.outside != kNoIndex ? "lies outside" : plural ? "are tried" : "is tried";
   }
-  std::string operator()(const auto&) const { return plural ? "hold the ball" : "holds the ball"; }
+  std::string operator()(const auto&) const { return (plural ? "hold the " : "holds the ") + ball; }
 };
 
-Truth point_truth(const Step3& step) {
+Truth point_truth(const Step3& step, int dim) {
   Truth truth;
   truth.points = points_named(step);
   truth.happened = names(truth.points);
-  truth.sentence = truth.happened + " " + std::visit(Predicate{truth.points.size() > 1}, step.fact) + ".";
+  truth.sentence = truth.happened + " " + std::visit(Predicate{truth.points.size() > 1, ball_word(dim)}, step.fact) + ".";
   return truth;
 }
 
@@ -104,26 +106,26 @@ Truth better_truth(const Step3& step) {
   return {{1}, {}, "no", "It is no smaller than the best so far."};
 }
 
-Truth holds_truth(const Finished& finished) {
+Truth holds_truth(const Finished& finished, int dim) {
   const int n = finished.support.size();
   const std::string count = std::to_string(n);
   const std::vector<Index> points(finished.support.begin(), finished.support.end());
-  return {{n - 1}, points, count, names(points) + (n == 1 ? " holds" : " hold") + " the ball."};
+  return {{n - 1}, points, count, names(points) + (n == 1 ? " holds" : " hold") + " the " + ball_word(dim) + "."};
 }
 
 Truth truth_of(const Asked& asked, Trace trace) {
   const Step3& step = trace[static_cast<std::size_t>(asked.fact)].step;
   const Question& question = *asked.question;
   switch (question.asks) {
-    case Asks::kPoint: return point_truth(step);
+    case Asks::kPoint: return point_truth(step, asked.dim);
     case Asks::kAxis: return axis_truth(*std::get_if<PairChosen>(&step.fact), asked.choices);
     case Asks::kGrows: return grows_truth(asked, trace);
     case Asks::kLeaves: return leaves_truth(asked, trace);
     case Asks::kBetter: return better_truth(step);
-    case Asks::kHolds: return holds_truth(*std::get_if<Finished>(&step.fact));
+    case Asks::kHolds: return holds_truth(*std::get_if<Finished>(&step.fact), asked.dim);
     case Asks::kChoice: break;
   }
-  const std::string& right = question.choices[static_cast<std::size_t>(question.answer)];
+  const std::string& right = asked.choices[static_cast<std::size_t>(question.answer)];
   return {{question.answer}, {}, right, "The answer is “" + right + "”."};
 }
 
@@ -132,6 +134,17 @@ bool contains(const auto& values, int value) { return std::find(values.begin(), 
 std::string what_was_said(const Outcome& outcome, bool quoted) {
   if (outcome.skipped) return "You skipped this.";
   return quoted ? "You said “" + outcome.predicted + "”." : "You said " + outcome.predicted + ".";
+}
+
+/// A tapped point in the words of the choices: "the y pair (P9)". One that is of two pairs means the right one.
+std::string said_by_point(const Asked& asked, const Truth& truth, Index point) {
+  if (asked.question->asks != Asks::kAxis) return point_name(point);
+  std::size_t pair = asked.choices.size();
+  for (std::size_t i = 0; i < asked.choices.size(); ++i) {
+    const bool of_pair = asked.stage_points[2 * i] == point || asked.stage_points[2 * i + 1] == point;
+    if (of_pair && (pair == asked.choices.size() || contains(truth.choices, static_cast<int>(i)))) pair = i;
+  }
+  return asked.choices[pair] + " (" + point_name(point) + ")";
 }
 
 }  // namespace
@@ -153,9 +166,11 @@ Outcome judge(const Asked& asked, const Answer& answer, Trace trace) {
   outcome.question = asked.question->id;
   outcome.given = answer;
   outcome.skipped = answer.kind == Kind::kSkipped;
-  outcome.because = asked.question->because;
+  outcome.from_step = asked.step;
+  outcome.step = asked.until;
+  outcome.because = in_words_of(asked.dim, asked.question->because);
   if (answer.kind == Kind::kPoint) {
-    outcome.predicted = point_name(answer.value);
+    outcome.predicted = said_by_point(asked, truth, answer.value);
     outcome.right = contains(truth.points, answer.value);
   } else if (answer.kind == Kind::kChoice) {
     outcome.predicted = asked.choices[static_cast<std::size_t>(answer.value)];

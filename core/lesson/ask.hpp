@@ -21,6 +21,8 @@ struct Answer {
 /// A question as it is asked now, with the choices worked out from the trace.
 struct Asked {
   const Question* question = nullptr;
+  std::string prompt;                 // in the words of the points' dimension: a circle in space is a sphere
+  int dim = 2;
   int step = 0;                       // the player's place where it stands
   std::vector<std::string> choices;   // what may be chosen; empty where only the stage answers
   std::vector<Index> choice_points;   // the point that each choice names, or kNoIndex
@@ -34,11 +36,13 @@ struct Asked {
 struct Outcome {
   std::string question;    // its id
   Answer given;
+  int from_step = 0;       // where it was asked, and
+  int step = 0;            // where it was decided: what lies between shows how it came about
   bool right = false;
   bool skipped = false;
   bool passed = false;     // skipped by a jump: it is asked when the player comes to it again
-  std::string predicted;   // "P9", "yes", "the x pair"
-  std::string happened;    // the same in fact: "P12"
+  std::string predicted;   // "P9", "yes", "the x pair", or "the x pair (P9)" where the point was tapped
+  std::string happened;    // the same in fact: "P12", "the y pair"
   std::string says;        // both in a sentence: "You said P9. P12 left the support set."
   std::string because;
 };

@@ -6,6 +6,7 @@
 
 #include "lesson/ask.hpp"
 #include "lesson/ball_check.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -52,14 +53,16 @@ class Board {
     const Sphere3& ball = entry_->step.ball;
     const bool last = run_.step == static_cast<int>(trace_.size());
     length(last ? "Radius" : "Radius so far", "radius", ball.radius);
-    if (run_.smallest_radius > 0) {
-      const double excess = ball.radius / run_.smallest_radius - 1;
-      add("Excess over the optimum", "excess", percent_text(excess), 100 * excess, "%");
-    }
     const Index outside = count_outside(*run_.points, ball);
+    if (run_.smallest_radius > 0) excess(ball.radius / run_.smallest_radius - 1, outside == 0);
     of_all("Points outside", "outside", outside);
     const int holding = support_after(trace_, run_.step).size();
-    add("Support set", "support", count_text(holding, "point", "points"), holding, "points");
+    add(run_.algorithm->exact ? "Support set" : "On the boundary", "support", count_text(holding, "point", "points"), holding, "points");
+  }
+
+  void excess(double excess, bool holds_all) {
+    add("Excess over the optimum", "excess", holds_all ? percent_text(excess) : "—", holds_all ? 100 * excess : 0, "%");
+    figures_.back().known = holds_all;
   }
 
   /// How far the pass over the points has come; Welzl's recursion goes over some again, which does not count.
@@ -91,7 +94,8 @@ class Board {
       if (std::holds_alternative<CandidateTried<double, 3>>(fact)) ++tried;
       if (const auto* pass = std::get_if<PassJudged<double, 3>>(&fact)) return length("Best so far", "best", pass->best.radius);
     }
-    if (tried > 0) add("Candidates tried", "candidates", count_text(tried, "ball", "balls"), tried, "balls");
+    const std::string one = ball_word(dim_of(*run_.points)), many = one + "s";
+    if (tried > 0) add("Candidates tried", "candidates", count_text(tried, one, many), tried, many);
   }
 
   void spread(const Step3::Fact& fact) {
@@ -145,18 +149,26 @@ std::string power_of_ten(const std::string& printed) {
 
 }  // namespace
 
-std::string number_text(double value) {
+std::string number_text(double value, int digits) {
   const double size = std::abs(value);
   std::string text;
   if (size == 0) {
     text = "0.000";
   } else if (size < 1e-3 || size >= 1e6) {
-    text = power_of_ten(printed("%.*e", 3, size));
+    text = power_of_ten(printed("%.*e", digits - 1, size));
   } else {
     const int before = size >= 1 ? static_cast<int>(std::floor(std::log10(size))) : 0;
-    text = printed("%.*f", std::max(0, 3 - before), size);
+    text = printed("%.*f", std::max(0, digits - 1 - before), size);
   }
   return value < 0 ? std::string("−").append(text) : text;
+}
+
+std::pair<std::string, std::string> number_texts_apart(double a, double b) {
+  constexpr int kMostDigits = 9;
+  int digits = 4;
+  while (digits < kMostDigits && number_text(a, digits) == number_text(b, digits)) ++digits;
+  if (number_text(a, digits) == number_text(b, digits)) digits = 4;
+  return {number_text(a, digits), number_text(b, digits)};
 }
 
 std::string percent_text(double ratio) {

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fit/catalogue.hpp"
@@ -16,6 +17,7 @@ struct Figure {
   std::string text;   // "2.118 units"
   double value = 0;
   std::string unit;   // "units", "%", "points"; empty for a count
+  bool known = true;  // false: there is no value to speak of yet, and the text is a dash; readouts leave it out
 };
 
 /// A line of the proof: what is claimed of the ball, and whether it holds.
@@ -36,12 +38,17 @@ struct RunView {
 
 /// Keys: radius excess outside seen outside_by support pass best candidates mean_x mean_y mean_z variance_1 …
 /// deviation_1 … (along the axis of greatest spread first), and the operations' names. All are stable.
+/// The excess has no value while a point is outside: a ball that holds too little is no better than the optimum.
 [[nodiscard]] std::vector<Figure> figures_of(const RunView& run);
 
 [[nodiscard]] std::vector<Proof> proofs_of(const RunView& run);
 
 /// Four digits that count, at most three behind the point: "2.118", "21.18", "1.234 × 10¹⁰". The minus is a real one.
-[[nodiscard]] std::string number_text(double value);
+[[nodiscard]] std::string number_text(double value, int digits = 4);
+
+/// Two numbers with as many digits, four or more, as tell them apart: "0.9921" and "0.9917". Nine do not tell apart what
+/// differs by rounding alone: the texts are equal then.
+[[nodiscard]] std::pair<std::string, std::string> number_texts_apart(double a, double b);
 
 /// 0.091 as "+9.1 %".
 [[nodiscard]] std::string percent_text(double ratio);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "lesson/ask.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -104,7 +105,7 @@ const char* add_choices(Asked& asked, Trace trace, int dim) {
       for (int n = 1; n <= dim + 1; ++n) add_choice(asked, std::to_string(n));
       return nullptr;
     case Asks::kChoice:
-      for (const std::string& choice : asked.question->choices) add_choice(asked, choice);
+      for (const std::string& choice : asked.question->choices) add_choice(asked, in_words_of(dim, choice));
       return nullptr;
   }
   return nullptr;
@@ -116,6 +117,8 @@ std::optional<Asked> resolve(const Question& question, Trace trace, int dim, std
   const Gate& gate = question.gate;
   Asked asked;
   asked.question = &question;
+  asked.prompt = in_words_of(dim, question.prompt);
+  asked.dim = dim;
   asked.fact = find_fact(trace, gate.fact, gate.occurrence);
   if (asked.fact == static_cast<int>(trace.size())) {
     why = gate.algorithm + " does not take step " + gate.fact +

@@ -1,31 +1,43 @@
 #include "lesson/grade.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "fit/catalogue.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::lesson {
 namespace {
 
 std::string points_text(int n) { return std::to_string(n) + (n == 1 ? " point" : " points"); }
 
-/// Rounded down, so that what is not reached does not look as if it were: "9.9 %".
-std::string reached_text(double excess) {
-  const std::string text = percent_text(std::floor(1000 * excess) / 1000);
+/// As the inspector rounds it, without the sign: "9.9 %".
+std::string plain_percent(double excess) {
+  const std::string text = percent_text(excess);
   return text.front() == '+' ? text.substr(1) : text;
 }
 
-/// What is reached of a measure, and what is asked for.
-std::string excess_sentence(const Task& task, const fit::Algorithm& algorithm, double excess) {
-  const std::string whose = std::string(algorithm.title) + ": its ball is ";
-  const std::string reached = whose + reached_text(excess) + " larger than the smallest";
-  if (excess >= task.excess_at_least) return reached + ".";
-  return reached + "; at least " + percent_text(task.excess_at_least).substr(1) + " is asked for.";
+/// "9.96 %", rounded down: what is not reached does not look as if it were.
+std::string closer_percent(double excess) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.2f %%", std::floor(10000 * excess) / 100);
+  return text.data();
 }
 
-std::string support_sentence(const Task& task, int support) {
-  const std::string held = points_text(support) + (support == 1 ? " holds" : " hold") + " the smallest ball";
+/// What is reached of a measure, and what is asked for.
+std::string excess_sentence(const Task& task, const fit::Algorithm& algorithm, double excess, int dim) {
+  const bool done = excess >= task.excess_at_least;
+  const std::string asked_for = plain_percent(task.excess_at_least);
+  std::string reached = plain_percent(excess);
+  if (!done && reached == asked_for) reached = closer_percent(excess);
+  reached = std::string(algorithm.title) + ": its " + ball_word(dim) + " is " + reached + " larger than the smallest";
+  return done ? reached + "." : reached + "; at least " + asked_for + " is asked for.";
+}
+
+std::string support_sentence(const Task& task, int support, int dim) {
+  const std::string held = points_text(support) + (support == 1 ? " holds" : " hold") + " the smallest " + ball_word(dim);
   if (support == task.support_size) return held + ".";
   return held + "; it must be " + std::to_string(task.support_size) + ".";
 }
@@ -35,6 +47,7 @@ std::string support_sentence(const Task& task, int support) {
 Grade grade(const Task& task, const AnyPointSet& points, std::uint64_t seed) {
   const fit::Algorithm& algorithm = *fit::find_algorithm("sphere", task.algorithm);
   const fit::Algorithm& smallest = *fit::find_algorithm("sphere", "welzl");
+  const int dim = fit::dim_of(points);
   Grade grade;
   grade.points = static_cast<int>(fit::size_of(points));
   if (grade.points > algorithm.max_points) {
@@ -51,8 +64,8 @@ Grade grade(const Task& task, const AnyPointSet& points, std::uint64_t seed) {
   grade.done = count && large && held;
   if (!count)
     grade.says = "There are " + points_text(grade.points) + "; the task is for " + std::to_string(task.points) + ". ";
-  if (task.excess_at_least > 0) grade.says += excess_sentence(task, algorithm, grade.excess) + " ";
-  if (task.support_size != 0) grade.says += support_sentence(task, grade.support) + " ";
+  if (task.excess_at_least > 0) grade.says += excess_sentence(task, algorithm, grade.excess, dim) + " ";
+  if (task.support_size != 0) grade.says += support_sentence(task, grade.support, dim) + " ";
   grade.says += grade.done ? "Done." : "";
   while (!grade.says.empty() && grade.says.back() == ' ') grade.says.pop_back();
   return grade;

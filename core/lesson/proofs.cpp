@@ -1,6 +1,7 @@
 #include "lesson/ask.hpp"
 #include "lesson/ball_check.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -9,16 +10,17 @@ using namespace fit;
 
 std::string all(Index n) { return n == 1 ? "the one point" : "all " + std::to_string(n) + " points"; }
 
-Proof smallest(const Certificate& certificate, bool exact) {
-  if (exact) return {"no smaller ball: centre in the support's hull", certificate.optimal.value_or(false), true};
-  return {"no smaller ball: not claimed", false, false};
+Proof smallest(const Certificate& certificate, bool exact, int dim) {
+  const std::string none = std::string("no smaller ") + ball_word(dim);
+  if (exact) return {none + ": centre in the support's hull", certificate.optimal.value_or(false), true};
+  return {none + ": not claimed", false, false};
 }
 
 std::vector<Proof> of_result(const RunView& run) {
   const Certificate& certificate = run.recording->certificate;
   return {{"holds " + all(size_of(*run.points)) + ", exactly", certificate.contains, true},
           {"support on the boundary", certificate.on_boundary, true},
-          smallest(certificate, run.algorithm->exact)};
+          smallest(certificate, run.algorithm->exact, dim_of(*run.points))};
 }
 
 /// On the way nothing is promised of the points yet, and of the ball only what its support says.
@@ -32,7 +34,7 @@ std::vector<Proof> on_the_way(const RunView& run, const Sphere3& ball) {
   if (support.size() == 0) return proofs;
   const StepCertificate certificate = certify_step(*run.points, ball, support);
   proofs.push_back({"support on the boundary", certificate.on_boundary, true});
-  if (run.algorithm->exact) proofs.push_back({"no smaller ball holds the support", certificate.smallest, false});
+  if (run.algorithm->exact) proofs.push_back({std::string("no smaller ") + ball_word(dim_of(*run.points)) + " holds the support", certificate.smallest, false});
   return proofs;
 }
 

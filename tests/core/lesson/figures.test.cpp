@@ -36,6 +36,14 @@ TEST_CASE("numbers have four digits that count") {
   CHECK(percent_text(1e-9) == "0.0 %");
 }
 
+TEST_CASE("two numbers have the digits that tell them apart") {
+  using Texts = std::pair<std::string, std::string>;
+  CHECK(number_texts_apart(2.25, 2.5) == Texts{"2.250", "2.500"});
+  CHECK(number_texts_apart(0.99214, 0.99208) == Texts{"0.99214", "0.99208"});
+  CHECK(number_texts_apart(1234.4, 1234.3) == Texts{"1234.4", "1234.3"});
+  CHECK(number_texts_apart(2.25, std::nextafter(2.25, 3.0)) == Texts{"2.250", "2.250"});
+}
+
 TEST_CASE("the figures of a place in the run") {
   Session session = open_small();
   CHECK(find(session.figures(), "radius") == nullptr);
@@ -44,11 +52,13 @@ TEST_CASE("the figures of a place in the run") {
   session.jump(7);  // P4 was examined and lies outside
   CHECK(figure(session, "radius").text == "2.000 units");
   CHECK(figure(session, "radius").name == "Radius so far");
-  CHECK(figure(session, "excess").value == doctest::Approx(100 * (2 / 2.05 - 1)));
+  CHECK(figure(session, "excess").text == "—");  // it is smaller than the optimum, but does not hold all points
+  CHECK_FALSE(figure(session, "excess").known);
   CHECK(figure(session, "outside").text == "1 of 6");
   CHECK(figure(session, "seen").text == "5 of 6");
   CHECK(figure(session, "outside_by").value == doctest::Approx(0.5));
   CHECK(figure(session, "support").text == "2 points");
+  CHECK(figure(session, "support").name == "On the boundary");  // of a circle that claims no more than to hold them
 
   session.jump(8);  // the circle grew to it
   CHECK(figure(session, "radius").value == 2.25);
@@ -57,6 +67,10 @@ TEST_CASE("the figures of a place in the run") {
   session.jump(session.steps());
   CHECK(figure(session, "radius").name == "Radius");
   CHECK(figure(session, "excess").text == "+9.8 %");
+  CHECK(figure(session, "excess").known);
+  CHECK(figure(session, "excess").value == doctest::Approx(100 * (2.25 / 2.05 - 1)));
+  REQUIRE(session.choose(0, "welzl").has_value());
+  CHECK(figure(session, "support").name == "Support set");
 }
 
 TEST_CASE("operations: those that the algorithm spends, the same rows at every step, never falling") {

@@ -14,10 +14,10 @@ TEST_CASE("the task is graded on the points as they stand") {
   REQUIRE(session.remove(2).has_value());
   CHECK(session.grade()->done);
   CHECK(session.grade()->excess == doctest::Approx(2.25 / 2.05 - 1));
-  CHECK(session.grade()->says == "Ritter: its ball is 9.7 % larger than the smallest. Done.");
+  CHECK(session.grade()->says == "Ritter: its circle is 9.8 % larger than the smallest. Done.");
   REQUIRE(session.move(3, {0, 1, 0}).has_value());
   CHECK_FALSE(session.grade()->done);
-  CHECK(session.grade()->says == "Ritter: its ball is 0.0 % larger than the smallest; at least 5.0 % is asked for.");
+  CHECK(session.grade()->says == "Ritter: its circle is 0.0 % larger than the smallest; at least 5.0 % is asked for.");
 }
 
 TEST_CASE("what falls short by a hair does not look reached") {
@@ -29,8 +29,11 @@ TEST_CASE("what falls short by a hair does not look reached") {
   const double excess = session.grade()->excess;
   task.excess_at_least = std::nextafter(excess, 1.0);
   CHECK_FALSE(grade(task, session.points(), 1).done);
+  CHECK(grade(task, session.points(), 1).says ==
+        "Ritter: its circle is 9.75 % larger than the smallest; at least 9.8 % is asked for.");
   task.excess_at_least = excess;
   CHECK(grade(task, session.points(), 1).done);
+  CHECK(grade(task, session.points(), 1).says == "Ritter: its circle is 9.8 % larger than the smallest. Done.");
 }
 
 TEST_CASE("how many points hold the smallest ball can be asked for") {
@@ -39,7 +42,7 @@ TEST_CASE("how many points hold the smallest ball can be asked for") {
   task.points = 6;
   task.support_size = 2;
   Session session = open_small();
-  CHECK(grade(task, session.points(), 1).says == "3 points hold the smallest ball; it must be 2.");
+  CHECK(grade(task, session.points(), 1).says == "3 points hold the smallest circle; it must be 2.");
   task.support_size = 3;
   CHECK(grade(task, session.points(), 1).done);
 }

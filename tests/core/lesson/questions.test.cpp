@@ -42,11 +42,43 @@ TEST_CASE("axis: by the pair's name or by one of its points") {
   SUBCASE("right by point") {
     REQUIRE(session.answer(point(1)));
     CHECK(session.outcome()->right);
+    CHECK(session.outcome()->predicted == "the x pair (P1)");
+    CHECK(session.outcome()->happened == "the x pair");
   }
   SUBCASE("wrong by point") {
     REQUIRE(session.answer(point(4)));
     CHECK_FALSE(session.outcome()->right);
+    CHECK(session.outcome()->predicted == "the y pair (P4)");
+    CHECK(session.outcome()->says == "You said the y pair (P4). P0 and P1, the x pair, lie farthest apart.");
   }
+}
+
+TEST_CASE("axis: a point of two pairs means the right one") {
+  Session session = open_small();
+  REQUIRE(session.move(1, {2, 3, 0}).has_value());  // the rightmost and the highest
+  session.last();
+  REQUIRE(session.answer(point(1)));
+  CHECK(session.outcome()->right);
+  CHECK(session.outcome()->predicted == session.outcome()->happened + " (P1)");
+}
+
+TEST_CASE("of points in space, questions and what is said of them speak of spheres") {
+  std::string text = small_lesson_with("Which point?", "Circles: which point does the circle, not the semicircle, take in?");
+  text.replace(text.find("It lies outside."), 16, "The circle leaves it out.");
+  Session session = test::open(text);
+  session.jump(2);
+  CHECK(session.asked()->prompt == "Circles: which point does the circle, not the semicircle, take in?");
+  io::PointFile cloud{3, {}, {}};
+  for (Index i = 0; i < session.size(); ++i) cloud.points.push_back(session.point(i) + Vector<double, 3>(0, 0, i == 5 ? 0.25 : 0));
+  REQUIRE(session.load(cloud, "cloud.xyz").has_value());
+  session.first();
+  session.last();
+  REQUIRE(session.answer({}));
+  REQUIRE(session.asked() != nullptr);
+  CHECK(session.asked()->prompt == "Spheres: which point does the sphere, not the semicircle, take in?");
+  REQUIRE(session.answer(point(4)));
+  CHECK(session.outcome()->says == "You said P4. P4 lies outside, and the sphere grows to it.");
+  CHECK(session.outcome()->because == "The sphere leaves it out.");
 }
 
 TEST_CASE("point: any other point is wrong, and the sentence says what happened") {
@@ -57,7 +89,7 @@ TEST_CASE("point: any other point is wrong, and the sentence says what happened"
   CHECK_FALSE(session.answer(choice(0)));
   REQUIRE(session.answer(point(3)));
   CHECK_FALSE(session.outcome()->right);
-  CHECK(session.outcome()->says == "You said P3. P4 lies outside, and the ball grows to it.");
+  CHECK(session.outcome()->says == "You said P3. P4 lies outside, and the circle grows to it.");
 }
 
 TEST_CASE("grows: no where all points are inside, yes where one is let in") {
@@ -111,7 +143,7 @@ TEST_CASE("holds: how many points hold the ball, asked before anything is shown"
   REQUIRE(session.answer(choice(1)));
   CHECK(session.step() == session.steps());
   CHECK_FALSE(session.outcome()->right);
-  CHECK(session.outcome()->says == "You said 2. P0, P1 and P4 hold the ball.");
+  CHECK(session.outcome()->says == "You said 2. P0, P1 and P4 hold the circle.");
 }
 
 TEST_CASE("better: whether a candidate becomes the best") {

@@ -33,7 +33,9 @@ TEST_CASE("gates lock the player until their question is answered") {
 
   REQUIRE(session.answer(point(4)));
   CHECK(session.step() == 8);  // where P4 has made the circle grow
-  CHECK(session.outcome()->says == "You said P4. P4 lies outside, and the ball grows to it.");
+  CHECK(session.outcome()->says == "You said P4. P4 lies outside, and the circle grows to it.");
+  CHECK(session.outcome()->from_step == 2);  // from where its working can be watched again
+  CHECK(session.outcome()->step == 8);
   session.first();
   session.last();
   CHECK(session.step() == 9);  // an answered question does not gate again

@@ -1,0 +1,22 @@
+#include "lesson/words.hpp"
+
+namespace snug::lesson {
+namespace {
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+}  // namespace
+
+std::string in_words_of(int dim, std::string_view text) {
+  constexpr std::string_view kCircle = "ircle", kSphere = "phere";
+  std::string words(text);
+  if (dim == 2) return words;
+  for (auto at = words.find(kCircle); at != std::string::npos; at = words.find(kCircle, at + 1)) {
+    if (at == 0 || (words[at - 1] != 'c' && words[at - 1] != 'C') || (at > 1 && is_letter(words[at - 2]))) continue;
+    words[at - 1] = words[at - 1] == 'C' ? 'S' : 's';
+    words.replace(at, kCircle.size(), kSphere);
+  }
+  return words;
+}
+
+}  // namespace snug::lesson

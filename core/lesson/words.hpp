@@ -1,0 +1,14 @@
+// What a ball is called: a student reads "circle" in the plane and "sphere" in space.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace snug::lesson {
+
+[[nodiscard]] inline const char* ball_word(int dim) { return dim == 2 ? "circle" : "sphere"; }
+
+/// A text that was written of the plane, for points of that dimension: in space its circles are spheres.
+[[nodiscard]] std::string in_words_of(int dim, std::string_view text);
+
+}  // namespace snug::lesson
