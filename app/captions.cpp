@@ -8,6 +8,7 @@
 #include "app/numbers.hpp"
 #include "lesson/ask.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::app {
 namespace {
@@ -36,6 +37,8 @@ struct Sayer {
   const Step3& step;
   const Step3* next;
   const AnyPointSet& points;
+  bool exact;
+  std::string ball;  // "circle", "sphere"
 
   [[nodiscard]] int dim() const { return fit::dim_of(points); }
   [[nodiscard]] Point at(Index i) const { return fit::point_of(points, i); }
@@ -68,16 +71,16 @@ struct Sayer {
 
   std::string operator()(const fit::PointExamined& fact) const {
     const std::string point = point_name(fact.point);
-    if (!step.has_ball) return point + " is the first point: there is no ball yet to hold it.";
+    if (!step.has_ball) return point + " is the first point: there is no " + ball + " yet to hold it.";
     const double gap = fact.distance - step.ball.radius;
     const bool forced = next != nullptr && std::holds_alternative<fit::BoundaryForced>(next->fact);
     if (!fact.outside) return point + " lies inside" + (gap < 0 ? " by " + short_figure(-gap) : "") + ": nothing changes.";
-    return point + " lies outside by " + short_figure(gap) + (forced ? ", so it is on the boundary of the next ball." : ".");
+    return point + " lies outside by " + short_figure(gap) + (forced ? ", so it is on the boundary of the next " + ball + "." : ".");
   }
 
   std::string operator()(const fit::BallGrown<double, 3>& fact) const {
     const double gap = (at(fact.point) - fact.before.center).norm() - fact.before.radius;
-    return point_name(fact.point) + " lies outside by " + short_figure(gap) + ", so the ball grows to take it in.";
+    return point_name(fact.point) + " lies outside by " + short_figure(gap) + ", so the " + ball + " grows to take it in.";
   }
 
   std::string operator()(const fit::MeanFound<double, 3>& fact) const {
@@ -98,20 +101,22 @@ struct Sayer {
   }
 
   std::string operator()(const fit::BallShrunk<double, 3>& fact) const {
-    return "Pass " + std::to_string(fact.pass) + ": the ball shrinks by 5 % to " + number_text(step.ball.radius) +
+    return "Pass " + std::to_string(fact.pass) + ": the " + ball + " shrinks by 5 % to " + number_text(step.ball.radius) +
            ", and the points are shuffled.";
   }
 
   std::string operator()(const fit::PassJudged<double, 3>& fact) const {
-    const std::string pass = "Pass " + std::to_string(fact.pass) + " ends at " + number_text(step.ball.radius);
-    return fact.better ? pass + ", the smallest so far: it is kept."
-                       : pass + ", no smaller than the best, " + number_text(fact.best.radius) + ": it is dropped.";
+    const std::string pass = "Pass " + std::to_string(fact.pass) + " ends at ";
+    if (fact.better) return pass + number_text(step.ball.radius) + ", the smallest so far: it is kept.";
+    const auto [radius, best] = lesson::number_texts_apart(step.ball.radius, fact.best.radius);
+    if (radius == best) return pass + radius + ", as large as the best: it is dropped.";
+    return pass + radius + ", larger than the best, " + best + ": it is dropped.";
   }
 
   std::string operator()(const fit::BoundaryForced& fact) const {
     const std::string names = name_of_points(span_of(fact.boundary));
-    if (fact.boundary.size() == 1) return names + " must be on the boundary: the ball starts again as that point alone.";
-    return names + " must be on the boundary: the smallest ball through them has radius " + number_text(step.ball.radius) + ".";
+    if (fact.boundary.size() == 1) return names + " must be on the boundary: the " + ball + " starts again as that point alone.";
+    return names + " must be on the boundary: the smallest " + ball + " through them has radius " + number_text(step.ball.radius) + ".";
   }
 
   std::string operator()(const fit::MovedToFront& fact) const {
@@ -119,14 +124,14 @@ struct Sayer {
   }
 
   std::string operator()(const fit::AllChecked& fact) const {
-    if (fact.outside == 0) return "Every point is held against the ball: none lies outside.";
-    return "All points are held against the ball: " + counted(fact.outside, "candidate") +
+    if (fact.outside == 0) return "Every point is held against the " + ball + ": none lies outside.";
+    return "All points are held against the " + ball + ": " + counted(fact.outside, "candidate") +
            (fact.outside == 1 ? " lies outside." : " lie outside.");
   }
 
   std::string operator()(const fit::RadiusChecked& fact) const {
     return "The last check, in exact arithmetic: " + point_name(fact.farthest) + " is farthest out, " +
-           (fact.widened ? "and the radius widens by its last digit to hold it." : "and the ball holds it.");
+           (fact.widened ? "and the radius widens by its last digit to hold it." : "and the " + ball + " holds it.");
   }
 
   std::string operator()(const fit::SupportReplaced& fact) const {
@@ -135,7 +140,7 @@ struct Sayer {
       if (!fact.after.contains(i)) gone.add(i);
     const std::string left = gone.size() == 0 ? "" : name_of_points(span_of(gone)) + (gone.size() == 1 ? " leaves" : " leave");
     if (fact.entered == kNoIndex)
-      return (left.empty() ? "The support set is solved again" : left + " the support set") + ": the rest hold the ball alone.";
+      return (left.empty() ? "The support set is solved again" : left + " the support set") + ": the rest hold the " + ball + " alone.";
     return point_name(fact.entered) + " joins the support set" +
            (left.empty() ? ", and none leaves it." : ", and " + left + " it.");
   }
@@ -143,21 +148,22 @@ struct Sayer {
   std::string operator()(const fit::CandidateTried<double, 3>& fact) const {
     using Verdict = fit::CandidateTried<double, 3>::Verdict;
     const std::string names = name_of_points(span_of(fact.points));
-    const std::string ball = "The ball of " + names;
+    const std::string tried = "The " + ball + " of " + names;
     switch (fact.verdict) {
-      case Verdict::kKept: return ball + " holds every point and is the smallest so far, " + number_text(fact.candidate.radius) + ": kept.";
-      case Verdict::kNotSmaller: return ball + " is no smaller than the best: dropped unseen.";
-      case Verdict::kLeavesPointOutside: return ball + " leaves " + point_name(fact.outside) + " outside: dropped.";
+      case Verdict::kKept: return tried + " holds every point and is the smallest so far, " + number_text(fact.candidate.radius) + ": kept.";
+      case Verdict::kNotSmaller: return tried + " is no smaller than the best: dropped unseen.";
+      case Verdict::kLeavesPointOutside: return tried + " leaves " + point_name(fact.outside) + " outside: dropped.";
       case Verdict::kNoBall: break;
     }
-    return names + " have no ball of their own: they are in line, or on one spot.";
+    return names + " have no " + ball + " of their own: they are in line, or on one spot.";
   }
 
   std::string operator()(const fit::Finished& fact) const {
-    // The iterative method starts from a finished ball of Ritter's: the same fact, but not the end.
+    // The iterative method starts from Ritter's result: the same fact, but not the end.
     if (next != nullptr)
-      return "Ritter's ball is where it starts, with radius " + number_text(step.ball.radius) + ".";
-    return "Done: radius " + number_text(step.ball.radius) + ", held by " + name_of_points(span_of(fact.support)) + ".";
+      return "Ritter's " + ball + " is where it starts, with radius " + number_text(step.ball.radius) + ".";
+    const std::string done = "Done: radius " + number_text(step.ball.radius), names = name_of_points(span_of(fact.support));
+    return exact ? done + ", held by " + names + "." : done + "; it touches " + names + ".";
   }
 };
 
@@ -173,8 +179,8 @@ std::string name_of_points(std::span<const Index> points) {
   return text;
 }
 
-std::string caption_of(const Step3& step, const Step3* next, const AnyPointSet& points) {
-  return std::visit(Sayer{step, next, points}, step.fact);
+std::string caption_of(const Step3& step, const Step3* next, const AnyPointSet& points, bool exact) {
+  return std::visit(Sayer{step, next, points, exact, lesson::ball_word(fit::dim_of(points))}, step.fact);
 }
 
 std::string caption_at_start(const fit::Algorithm& algorithm, Index points) {
@@ -186,7 +192,7 @@ std::string caption_at(const lesson::Session& session) {
   if (entry == nullptr) return caption_at_start(*session.algorithm(0), session.size());
   const auto& steps = session.recording(0).steps;
   const auto next = static_cast<std::size_t>(session.step());
-  return caption_of(entry->step, next < steps.size() ? &steps[next].step : nullptr, session.points());
+  return caption_of(entry->step, next < steps.size() ? &steps[next].step : nullptr, session.points(), session.algorithm(0)->exact);
 }
 
 }  // namespace snug::app

@@ -21,7 +21,7 @@ fit::Step3 with_ball(double radius, fit::Step3::Fact fact) {
   return {0, true, {Vector<double, 3>::Zero(), radius}, std::move(fact)};
 }
 
-std::string alone(const fit::Step3& step, const AnyPointSet& points) { return app::caption_of(step, nullptr, points); }
+std::string alone(const fit::Step3& step, const AnyPointSet& points) { return app::caption_of(step, nullptr, points, true); }
 
 const AnyPointSet kThree = set_of({{1, 0, 0}, {0, 2.58, 0}, {0, 0, 0}}, 2);
 
@@ -36,9 +36,12 @@ TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no numbe
         const fit::Recording run = algorithm.record(points, {});
         for (std::size_t i = 0; i < run.steps.size(); ++i) {
           const fit::Step3* next = i + 1 < run.steps.size() ? &run.steps[i + 1].step : nullptr;
-          const std::string caption = app::caption_of(run.steps[i].step, next, points);
+          const std::string caption = app::caption_of(run.steps[i].step, next, points, algorithm.exact);
           seen.insert(fit::name_of(run.steps[i].step));
           INFO(caption);
+          REQUIRE(caption.find("ball") == std::string::npos);  // a circle in the plane, a sphere in space
+          REQUIRE(caption.find(dim == 2 ? "sphere" : "circle") == std::string::npos);
+          REQUIRE((algorithm.exact || caption.find("held by") == std::string::npos));
           REQUIRE(caption.size() > 10);
           REQUIRE(caption.size() < 170);
           REQUIRE(caption.back() == '.');
@@ -56,11 +59,11 @@ TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no numbe
 TEST_CASE("what is outside is said with its name and by how much") {
   const fit::Sphere3 before{Vector<double, 3>::Zero(), 2};
   CHECK(alone(with_ball(2.29, fit::BallGrown<double, 3>{1, before}), kThree) ==
-        "P1 lies outside by 0.58, so the ball grows to take it in.");
+        "P1 lies outside by 0.58, so the circle grows to take it in.");
   CHECK(alone(with_ball(2, fit::PointExamined{1, 2.58, true, 0}), kThree) == "P1 lies outside by 0.58.");
   const fit::Step3 forced = with_ball(2, fit::BoundaryForced{{1}, 1});
-  CHECK(app::caption_of(with_ball(2, fit::PointExamined{1, 2.58, true, 0}), &forced, kThree) ==
-        "P1 lies outside by 0.58, so it is on the boundary of the next ball.");
+  CHECK(app::caption_of(with_ball(2, fit::PointExamined{1, 2.58, true, 0}), &forced, kThree, true) ==
+        "P1 lies outside by 0.58, so it is on the boundary of the next circle.");
 }
 
 TEST_CASE("the support set: who joins and who leaves") {
@@ -76,7 +79,18 @@ TEST_CASE("the support set: who joins and who leaves") {
 TEST_CASE("the same fact at the start of a trace and at its end") {
   const fit::Step3 end = with_ball(1.5, fit::Finished{{0, 1}});
   CHECK(alone(end, kThree) == "Done: radius 1.500, held by P0 and P1.");
-  CHECK(app::caption_of(end, &end, kThree).find("where it starts") != std::string::npos);
+  CHECK(app::caption_of(end, nullptr, kThree, false) == "Done: radius 1.500; it touches P0 and P1.");
+  CHECK(app::caption_of(end, &end, kThree, false) == "Ritter's circle is where it starts, with radius 1.500.");
+}
+
+TEST_CASE("a pass is judged with the digits that tell it from the best") {
+  const auto judged = [](double radius, bool better, double best) {
+    return alone(with_ball(radius, fit::PassJudged<double, 3>{7, better, {Vector<double, 3>::Zero(), best}}), kThree);
+  };
+  CHECK(judged(0.99214, false, 0.99208) == "Pass 7 ends at 0.99214, larger than the best, 0.99208: it is dropped.");
+  CHECK(judged(1.5, false, 1.25) == "Pass 7 ends at 1.500, larger than the best, 1.250: it is dropped.");
+  CHECK(judged(0.992, false, 0.992) == "Pass 7 ends at 0.992, as large as the best: it is dropped.");
+  CHECK(judged(0.992, true, 0.992) == "Pass 7 ends at 0.992, the smallest so far: it is kept.");
 }
 
 TEST_CASE("names in a row") {
