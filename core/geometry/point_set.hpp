@@ -68,9 +68,11 @@ class PointSet {
   explicit PointSet(std::vector<Point> points) : points_(std::move(points)) {}
 
   static std::optional<InputError> refuse(const Point& point, Index i) {
+    constexpr const char* kTooLarge = sizeof(Scalar) == 8 ? " is larger than this program can take (8.3e152)"
+                                                          : " is larger than this program can take (1.1e18)";
     for (int axis = 0; axis < Dim; ++axis) {
       const char* wrong = !std::isfinite(point[axis])             ? " is not finite"
-                          : std::abs(point[axis]) > kLargest ? " is too large for this scalar"
+                          : std::abs(point[axis]) > kLargest ? kTooLarge
                                                              : nullptr;
       if (wrong != nullptr)
         return InputError{.what = std::string("coordinate ") + "xyz"[axis] + " of point " + std::to_string(i) + wrong};
