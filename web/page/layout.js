@@ -2,7 +2,7 @@
 import { by_id } from "./dom.js";
 
 // In the page's own rem: larger text needs a larger window, whichever way it was asked for.
-const kWide = { across: 60, down: 30 };
+const kWide = { across: 64, presented: 60, down: 30 }; // presented, the timeline runs on beneath the numbers
 const kBeside = 30; // across, on a window that is wider than high
 const kCoarse = matchMedia("(pointer: coarse)");
 const kParts = ["stage", "timeline", "numbers"];
@@ -18,14 +18,15 @@ export function watch_layout(changed) {
   const moved = new ResizeObserver(changed);
   for (const id of ["work", "column", ...kParts]) moved.observe(by_id(id));
   addEventListener("resize", name);
-  new MutationObserver(name).observe(document.documentElement, { attributeFilter: ["style"] }); // the size of the text
+  new MutationObserver(name).observe(document.documentElement, { attributeFilter: ["style", "class"] }); // text size, presentation
   name();
 }
 
 function fitting() {
   const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
   const [across, down] = [innerWidth / rem, innerHeight / rem];
-  if (across >= kWide.across && down >= kWide.down) return "wide";
+  const wide = document.documentElement.classList.contains("presenting") ? kWide.presented : kWide.across;
+  if (across >= wide && down >= kWide.down) return "wide";
   return across >= kBeside && innerWidth > innerHeight ? "beside" : "phone";
 }
 

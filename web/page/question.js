@@ -79,12 +79,12 @@ export class QuestionCard {
   }
 
   /** brief: one line, to unfold; the question that stands comes first. */
-  #outcome_card({ right, skipped, predicted, happened, because, canWatch }, brief) {
+  #outcome_card({ right, skipped, predicted, happened, because, fromStep, step }, brief) {
     const word = skipped ? "Skipped" : right ? "✓ As you predicted" : "✕ Not as you predicted";
     const rows = skipped ? [["It was", happened]] : [["You predicted", predicted], ["It was", happened]];
     const told = [element("dl", {}, ...rows.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value)))),
       element("p", {}, because),
-      ...(canWatch ? [element("p", {}, button("Watch how", () => this.#act(() => this.#door.command("watch_outcome"))))] : [])];
+      ...(step - fromStep > 1 ? [element("p", {}, button("Watch how", () => this.#act(() => this.#door.command("watch_outcome"))))] : [])];
     const kicker = element("h2", { class: "kicker" }, word);
     const kind = skipped ? "skipped" : right ? "right" : "wrong";
     if (!brief) return element("div", { class: `card outcome ${kind}`, tabindex: "-1" }, kicker, ...told);
