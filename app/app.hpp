@@ -99,7 +99,8 @@ class App {
   /// Draws into the rectangles and answers ImGui's input; call between ImGui::NewFrame and ImGui::Render, then
   /// draw_3d_behind with the framebuffer bound, then ImGui's own drawing. now: seconds, rising.
   void frame(const Layout& layout, double now);
-  /// The GL part of the stage, beneath ImGui's; what is outside the stage is the door's to clear. framebuffer size in device pixels, scale: device pixels per page pixel.
+  /// The GL part of the stage, beneath ImGui's; the door clears all before, in the panels' colour and with the
+  /// depth. Framebuffer size in device pixels, scale: device pixels per page pixel.
   void draw_3d_behind(int framebuffer_width, int framebuffer_height, float scale);
   /// Whether another frame is due without any input: something moves, plays, or the session changed since the last.
   [[nodiscard]] bool wants_frame(double now) const;

@@ -78,8 +78,6 @@ class Column {
 }  // namespace
 
 void draw_inspector(const Look& look, const lesson::Session& session, const Rect& rect) {
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->panel);
   Column column(look, rect);
   column.heading(session.step() == session.steps() ? "In the end" : "Now");
   for (const lesson::Figure& figure : session.figures()) column.figure(figure);

@@ -7,84 +7,70 @@
 #include <numbers>
 #include <span>
 
+#include "app/ground.hpp"
+
 namespace snug::app {
 namespace {
 
 // ---- shaders: each is put behind the door's version line and a precision that desktop GL ignores -------------------
 
-constexpr const char* kGridFlatVertex = R"(
-in vec2 corner;
-void main() { gl_Position = vec4(corner, 0.0, 1.0); }
+// A renderer without a GPU pays for every pixel that a shader runs on: what can be lines is not a shader over the whole
+// stage, and light is computed where there are vertices.
+
+constexpr const char* kLineVertex = R"(
+in vec4 position;  // z: pixels from the line's middle, w: how much of the line is left
+out vec2 line;
+void main() {
+  line = position.zw;
+  gl_Position = vec4(position.xy, 0.0, 1.0);
+}
 )";
-constexpr const char* kGridFlatFragment = R"(
-uniform vec2 origin;   // of the grid, device pixels
-uniform float pitch;   // device pixels
-uniform float width;   // of a line, device pixels
+constexpr const char* kLineFragment = R"(
+uniform float width;  // device pixels
 uniform vec4 color;
+in vec2 line;
 out vec4 result;
 void main() {
-  vec2 from_line = abs(mod(gl_FragCoord.xy - origin + 0.5 * pitch, pitch) - 0.5 * pitch);
-  float line = clamp(0.5 * width + 0.5 - min(from_line.x, from_line.y), 0.0, 1.0);
-  result = vec4(color.rgb, color.a * line);
+  result = vec4(color.rgb, color.a * line.y * clamp(0.5 * width + 0.5 - abs(line.x), 0.0, 1.0));
 }
 )";
 
-constexpr const char* kGridPlaneVertex = R"(
-uniform mat4 view_projection;
-uniform float height;
-uniform float reach;
-in vec2 corner;
-out vec2 place;
-void main() {
-  place = corner * reach;
-  gl_Position = view_projection * vec4(place.x, height, place.y, 1.0);
-}
+constexpr const char* kFillVertex = R"(
+uniform vec2 center;
+uniform vec4 axes;
+in vec2 position;  // on the unit circle
+void main() { gl_Position = vec4(center + axes.xy * position.x + axes.zw * position.y, 0.0, 1.0); }
 )";
-constexpr const char* kGridPlaneFragment = R"(
-uniform float pitch;
-uniform float reach;
+constexpr const char* kFillFragment = R"(
 uniform vec4 color;
-in vec2 place;
 out vec4 result;
-void main() {
-  vec2 cell = place / pitch;
-  vec2 span = max(fwidth(cell), vec2(1e-6));
-  vec2 from_line = abs(fract(cell + 0.5) - 0.5) / span;
-  // Where cells shrink below a few pixels, their lines would shimmer: they fade before.
-  vec2 line = clamp(1.2 - from_line, 0.0, 1.0) * (1.0 - smoothstep(0.15, 0.5, span));
-  float fade = 1.0 - smoothstep(0.25 * reach, reach, length(place));
-  result = vec4(color.rgb, color.a * max(line.x, line.y) * fade);
-}
+void main() { result = color; }
 )";
 
 constexpr const char* kMeshVertex = R"(
 uniform mat4 view_projection;
+uniform vec3 eye;
+uniform vec3 light;
 in vec3 position;
 in vec3 normal;
-out vec3 facing;
-out vec3 place;
+out vec2 shade;  // of the front, of the back
+// Matte: light wraps a little round the edge, and what faces away keeps its shape.
+float shaded(float towards_eye, float towards_light) {
+  float lit = pow(0.5 + 0.5 * towards_light, 1.4);
+  float edge = 1.0 - clamp(towards_eye, 0.0, 1.0);
+  return (0.58 + 0.48 * lit) * (1.0 - 0.25 * edge * edge * edge);
+}
 void main() {
-  facing = normal;
-  place = position;
+  float towards_eye = dot(normal, normalize(eye - position)), towards_light = dot(normal, light);
+  shade = vec2(shaded(towards_eye, towards_light), shaded(-towards_eye, -towards_light));
   gl_Position = view_projection * vec4(position, 1.0);
 }
 )";
 constexpr const char* kMeshFragment = R"(
-uniform vec3 eye;
-uniform vec3 light;
 uniform vec4 color;
-in vec3 facing;
-in vec3 place;
+in vec2 shade;
 out vec4 result;
-void main() {
-  vec3 n = normalize(facing);
-  vec3 to_eye = normalize(eye - place);
-  n = dot(n, to_eye) < 0.0 ? -n : n;
-  // Matte: light wraps a little round the edge, and what faces away keeps its shape.
-  float lit = pow(0.5 + 0.5 * dot(n, light), 1.4);
-  float edge = pow(1.0 - clamp(dot(n, to_eye), 0.0, 1.0), 3.0);
-  result = vec4(color.rgb * (0.58 + 0.48 * lit) * (1.0 - 0.25 * edge), 1.0);
-}
+void main() { result = vec4(color.rgb * (gl_FrontFacing ? shade.x : shade.y), 1.0); }
 )";
 
 constexpr const char* kVolumeVertex = R"(
@@ -92,32 +78,27 @@ uniform mat4 view_projection;
 uniform mat3 axes;
 uniform mat3 axes_inverse_transposed;
 uniform vec3 center;
+uniform vec3 eye;
+uniform vec3 light;
+uniform vec4 color;  // a: the fill
 in vec3 position;
-out vec3 facing;
-out vec3 place;
+out vec4 tint;
 void main() {
-  facing = axes_inverse_transposed * position;
-  place = center + axes * position;
+  vec3 place = center + axes * position;
+  vec3 n = normalize(axes_inverse_transposed * position);
+  float towards_eye = dot(n, normalize(eye - place));
+  float front = step(0.0, towards_eye), side = mix(0.45, 1.0, front);  // the back is paler
+  float lit = 0.5 + 0.5 * dot(n, light) * (2.0 * front - 1.0);
+  float rim = 1.0 - abs(towards_eye);
+  tint = vec4(mix(color.rgb, vec3(1.0), 0.18 * lit * side),
+              (color.a * (0.8 + 0.4 * (1.0 - lit)) + 0.30 * rim * rim * rim) * side);
   gl_Position = view_projection * vec4(place, 1.0);
 }
 )";
 constexpr const char* kVolumeFragment = R"(
-uniform vec3 eye;
-uniform vec3 light;
-uniform vec4 color;  // a: the fill
-uniform float side;  // 1 for the front, less for the back
-in vec3 facing;
-in vec3 place;
+in vec4 tint;
 out vec4 result;
-void main() {
-  vec3 n = normalize(facing);
-  vec3 to_eye = normalize(eye - place);
-  n = dot(n, to_eye) < 0.0 ? -n : n;
-  float rim = pow(1.0 - clamp(dot(n, to_eye), 0.0, 1.0), 3.0);
-  float lit = 0.5 + 0.5 * dot(n, light);
-  float alpha = (color.a * (0.8 + 0.4 * (1.0 - lit)) + 0.30 * rim) * side;
-  result = vec4(mix(color.rgb, vec3(1.0), 0.18 * lit * side), alpha);
-}
+void main() { result = tint; }
 )";
 
 // A point is a point sprite, not an instance of a quad: renderers without a GPU take each instance as a draw of its own.
@@ -147,7 +128,8 @@ void main() {
 }
 )";
 
-constexpr int kCornerSlot = 0, kPositionSlot = 1, kNormalSlot = 2;
+constexpr int kPositionSlot = 0, kNormalSlot = 1;
+constexpr int kFillParts = 128;
 
 struct Rgba {
   float r, g, b, a;
@@ -221,7 +203,6 @@ bool StageGl::build(const char* version, Program program, const char* vertex, co
   const GLuint linked = glCreateProgram();
   glAttachShader(linked, v);
   glAttachShader(linked, f);
-  glBindAttribLocation(linked, kCornerSlot, "corner");
   glBindAttribLocation(linked, kPositionSlot, "position");
   glBindAttribLocation(linked, kNormalSlot, "normal");
   glLinkProgram(linked);
@@ -242,8 +223,8 @@ bool StageGl::build(const char* version, Program program, const char* vertex, co
 bool StageGl::create(const char* glsl_version) {
   abandon();
   error_.clear();
-  const bool built = build(glsl_version, kGridFlat, kGridFlatVertex, kGridFlatFragment) &&
-                     build(glsl_version, kGridPlane, kGridPlaneVertex, kGridPlaneFragment) &&
+  const bool built = build(glsl_version, kLine, kLineVertex, kLineFragment) &&
+                     build(glsl_version, kFill, kFillVertex, kFillFragment) &&
                      build(glsl_version, kMesh, kMeshVertex, kMeshFragment) &&
                      build(glsl_version, kVolume, kVolumeVertex, kVolumeFragment) &&
                      build(glsl_version, kPoint, kPointVertex, kPointFragment);
@@ -258,7 +239,7 @@ bool StageGl::create(const char* glsl_version) {
 
 void StageGl::abandon() {
   programs_ = {};
-  quad_ = sphere_ = mesh_ = points_ = {};
+  lines_ = circle_ = sphere_ = mesh_ = points_ = {};
   uploaded_ = ~std::uint64_t{0};
   point_count_ = 0;
 }
@@ -266,7 +247,7 @@ void StageGl::abandon() {
 void StageGl::destroy() {
   for (const GLuint program : programs_)
     if (program != 0) glDeleteProgram(program);
-  for (const Shape* shape : {&quad_, &sphere_, &mesh_, &points_}) {
+  for (const Shape* shape : {&lines_, &circle_, &sphere_, &mesh_, &points_}) {
     glDeleteVertexArrays(1, &shape->array);
     glDeleteBuffers(1, &shape->vertices);
     glDeleteBuffers(1, &shape->indices);
@@ -275,15 +256,23 @@ void StageGl::destroy() {
 }
 
 void StageGl::make_shapes() {
-  for (Shape* shape : {&quad_, &sphere_, &mesh_, &points_}) {
+  for (Shape* shape : {&lines_, &circle_, &sphere_, &mesh_, &points_}) {
     glGenVertexArrays(1, &shape->array);
     glGenBuffers(1, &shape->vertices);
     glGenBuffers(1, &shape->indices);
   }
-  constexpr std::array<float, 8> kCorners{-1, -1, 1, -1, -1, 1, 1, 1};
-  glBindVertexArray(quad_.array);
-  fill_buffer<float>(GL_ARRAY_BUFFER, quad_.vertices, kCorners, GL_STATIC_DRAW);
-  attribute(kCornerSlot, 2, 2 * sizeof(float), 0);
+  glBindVertexArray(lines_.array);
+  glBindBuffer(GL_ARRAY_BUFFER, lines_.vertices);
+  attribute(kPositionSlot, 4, sizeof(GroundVertex), 0);
+
+  std::array<float, 2 * kFillParts> circle{};
+  for (std::size_t i = 0; i < kFillParts; ++i) {
+    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kFillParts;
+    circle[2 * i] = std::cos(angle), circle[2 * i + 1] = std::sin(angle);
+  }
+  glBindVertexArray(circle_.array);
+  fill_buffer<float>(GL_ARRAY_BUFFER, circle_.vertices, circle, GL_STATIC_DRAW);
+  attribute(kPositionSlot, 2, 2 * sizeof(float), 0);
 
   std::vector<Point3f> vertices;
   std::vector<std::uint32_t> indices;
@@ -334,25 +323,31 @@ void StageGl::use(Program program, const GlScene& scene) const {
   glUniform3fv(uniform(program, "light"), 1, scene.light.data());
 }
 
-void StageGl::draw_ground(const GlScene& scene, float scale) const {
+void StageGl::draw_ground(const GlScene& scene, int width, int height, float scale) {
+  const float thick = scene.three_d ? 1.9f : scale;  // device pixels
+  const std::vector<GroundVertex> lines = ground_lines(scene, width, height, scale, thick);
+  if (lines.empty()) return;
   glDisable(GL_DEPTH_TEST);
-  const Program program = scene.three_d ? kGridPlane : kGridFlat;
-  use(program, scene);
-  set_color(program, "color", scene.grid);
-  if (scene.three_d) {
-    glUniform1f(uniform(program, "height"), scene.plane_height);
-    glUniform1f(uniform(program, "reach"), scene.plane_reach);
-    glUniform1f(uniform(program, "pitch"), scene.plane_step);
-  } else {
-    std::array<GLint, 4> viewport{};
-    glGetIntegerv(GL_VIEWPORT, viewport.data());
-    glUniform1f(uniform(program, "pitch"), scene.grid_step * scale);
-    glUniform1f(uniform(program, "width"), scale);
-    glUniform2f(uniform(program, "origin"), static_cast<float>(viewport[0]) + std::round(scene.grid_x * scale) + 0.5f,
-                static_cast<float>(viewport[1]) + std::round(scene.grid_y * scale) + 0.5f);
+  glUseProgram(programs_[kLine]);
+  set_color(kLine, "color", scene.grid);
+  glUniform1f(uniform(kLine, "width"), thick);
+  glBindVertexArray(lines_.array);
+  fill_buffer<GroundVertex>(GL_ARRAY_BUFFER, lines_.vertices, lines, GL_STREAM_DRAW);
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(lines.size()));
+}
+
+void StageGl::draw_fills(const GlScene& scene) const {
+  if (scene.fills.empty()) return;
+  glUseProgram(programs_[kFill]);
+  glBindVertexArray(circle_.array);
+  // From page pixels of the stage to its clip space.
+  const float across = 2 / scene.stage.width, up = -2 / scene.stage.height;
+  for (const GlFill& fill : scene.fills) {
+    set_color(kFill, "color", fill.color);
+    glUniform2f(uniform(kFill, "center"), (fill.x - scene.stage.x) * across - 1, (fill.y - scene.stage.y) * up + 1);
+    glUniform4f(uniform(kFill, "axes"), fill.ux * across, fill.uy * up, fill.vx * across, fill.vy * up);
+    glDrawArrays(GL_TRIANGLE_FAN, 0, kFillParts);
   }
-  glBindVertexArray(quad_.array);
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
 void StageGl::draw_mesh(const GlScene& scene) const {
@@ -368,7 +363,6 @@ void StageGl::draw_mesh(const GlScene& scene) const {
 void StageGl::draw_volumes(const GlScene& scene) const {
   if (scene.volumes.empty()) return;
   glDepthMask(GL_FALSE);
-  glEnable(GL_CULL_FACE);
   use(kVolume, scene);
   glBindVertexArray(sphere_.array);
   for (const GlVolume& volume : scene.volumes) {
@@ -378,14 +372,8 @@ void StageGl::draw_volumes(const GlScene& scene) const {
     glUniformMatrix3fv(uniform(kVolume, "axes_inverse_transposed"), 1, GL_FALSE, inverse_transposed.data());
     glUniform3fv(uniform(kVolume, "center"), 1, volume.center.data());
     set_color(kVolume, "color", with_alpha(volume.color, volume.fill));
-    glCullFace(GL_FRONT);
-    glUniform1f(uniform(kVolume, "side"), 0.45f);
-    glDrawElements(GL_TRIANGLES, sphere_.count, GL_UNSIGNED_INT, nullptr);
-    glCullFace(GL_BACK);
-    glUniform1f(uniform(kVolume, "side"), 1.0f);
     glDrawElements(GL_TRIANGLES, sphere_.count, GL_UNSIGNED_INT, nullptr);
   }
-  glDisable(GL_CULL_FACE);
   glDepthMask(GL_TRUE);
 }
 
@@ -414,12 +402,12 @@ void StageGl::draw(const GlScene& scene, int width, int height, float scale) {
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
   glClearColor(ground.r, ground.g, ground.b, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);  // of the stage alone: the rest is the door's
+  glClear(GL_COLOR_BUFFER_BIT);  // of the stage alone: the rest, and all depth, is the door's
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   upload(scene);
-  draw_ground(scene, scale);
+  draw_ground(scene, px(scene.stage.width), px(scene.stage.height), scale);
   if (scene.three_d) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
@@ -427,6 +415,7 @@ void StageGl::draw(const GlScene& scene, int width, int height, float scale) {
     draw_volumes(scene);
   }
   draw_points(scene, scale);
+  draw_fills(scene);
   glBindVertexArray(0);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_SCISSOR_TEST);

@@ -22,6 +22,12 @@ struct GlVolume {
   float fill = 0.09f;  // alpha where one looks straight through one side; the rim has more
 };
 
+/// A translucent ellipse of the plane, in page pixels: its centre and two half axes.
+struct GlFill {
+  float x = 0, y = 0, ux = 0, uy = 0, vx = 0, vy = 0;
+  Color color = 0;
+};
+
 struct GlScene {
   Rect stage;
   Color ground = 0, grid = 0, surface = 0, point = 0;
@@ -40,7 +46,8 @@ struct GlScene {
   std::vector<Point3f> normals;             // one per point where there are triangles
   std::uint64_t points_version = 0;         // changes with the points or the triangles
   float point_radius = 5;                   // page pixels
-  std::vector<GlVolume> volumes;            // the farthest first
+  std::vector<GlVolume> volumes;            // 3-D: the farthest first
+  std::vector<GlFill> fills;                // 2-D: over the points
 };
 
 class StageGl {
@@ -53,11 +60,11 @@ class StageGl {
   [[nodiscard]] bool ready() const { return programs_[0] != 0; }
   [[nodiscard]] const std::string& error() const { return error_; }
 
-  /// framebuffer in device pixels; scale: device pixels per page pixel.
+  /// The framebuffer's depth is cleared before. Its size is in device pixels; scale: device pixels per page pixel.
   void draw(const GlScene& scene, int framebuffer_width, int framebuffer_height, float scale);
 
  private:
-  enum Program { kGridFlat, kGridPlane, kMesh, kVolume, kPoint, kPrograms };
+  enum Program { kLine, kFill, kMesh, kVolume, kPoint, kPrograms };
   struct Shape {
     std::uint32_t array = 0, vertices = 0, indices = 0;
     int count = 0;
@@ -69,13 +76,14 @@ class StageGl {
   void set_color(Program program, const char* name, Color color) const;
   void make_shapes();
   void upload(const GlScene& scene);
-  void draw_ground(const GlScene& scene, float scale) const;
+  void draw_ground(const GlScene& scene, int width, int height, float scale);
+  void draw_fills(const GlScene& scene) const;
   void draw_mesh(const GlScene& scene) const;
   void draw_volumes(const GlScene& scene) const;
   void draw_points(const GlScene& scene, float scale) const;
 
   std::array<std::uint32_t, kPrograms> programs_{};
-  Shape quad_, sphere_, mesh_, points_;
+  Shape lines_, circle_, sphere_, mesh_, points_;
   std::uint64_t uploaded_ = ~std::uint64_t{0};
   int point_count_ = 0;
   std::string error_;

@@ -162,7 +162,6 @@ PlayerWish draw_timeline(const Look& look, lesson::Session& session, const Rect&
   PlayerWish wish;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const Palette& p = *look.palette;
-  list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, p.panel);
   rule(list, rect.x, rect.y, rect.width, p.line);
 
   const float margin = look.fingers ? 20 : kMargin;

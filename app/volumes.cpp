@@ -103,7 +103,7 @@ void draw_volume(const Canvas& canvas, const Sphere<double, 3>& ball, const Volu
   }
   const ImVec2 center = canvas.at(ball.center);
   const float radius = bounded(ball.radius * canvas.camera.scale_at(ball.center));
-  if (style.fill > 0 && radius < 1e5f) disc(canvas.list, center, radius, with_alpha(style.color, style.fill));
+  if (style.fill > 0 && radius < 1e5f) canvas.gl.fills.push_back({center.x, center.y, radius, 0, 0, radius, with_alpha(style.color, style.fill)});
   circle(canvas.list, center, radius, style.stroke, style.color, style.width);
   canvas.obstacles.circles.push_back({center.x, center.y, radius});
 }
@@ -118,7 +118,11 @@ void draw_volume(const Canvas& canvas, const Ellipsoid& ellipsoid, const VolumeS
   for (int i = 2; i >= 0 && found < 2; --i)
     if (std::abs(ellipsoid.half_axes(2, i)) == 0) axes[found++] = ellipsoid.half_axes.col(i);
   const std::vector<ImVec2> outline = projected(canvas, ellipse(ellipsoid.center, axes[0], axes[1]));
-  if (style.fill > 0) canvas.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), with_alpha(style.color, style.fill));
+  if (style.fill > 0) {
+    const ImVec2 center = canvas.at(ellipsoid.center), u = outline[0], v = outline[kParts / 4];  // half axes' ends
+    canvas.gl.fills.push_back({center.x, center.y, u.x - center.x, u.y - center.y, v.x - center.x, v.y - center.y,
+                               with_alpha(style.color, style.fill)});
+  }
   path(canvas.list, outline, true, style.stroke, style.color, style.width);
   add_obstacle(canvas, outline);
 }
