@@ -45,6 +45,7 @@ struct App::State {
   bool playing = false;
   float speed = 1;
   double next_step_at = 0;
+  std::optional<int> play_until;  // the step of the outcome that is watched
   double now = 0;
   std::uint64_t drawn_revision = 0;
   int settle = kSettleFrames;
@@ -60,6 +61,8 @@ struct App::State {
   [[nodiscard]] bool move(std::string_view name);
   void set_speed(int by);
   void toggle_play();
+  void next_mark();
+  bool watch_outcome();
 };
 
 void App::State::load_fonts() {
@@ -100,7 +103,9 @@ void App::State::play_on() {
   while (playing && now >= next_step_at) {
     session->forward();
     next_step_at += pause;
-    if (session->asked() != nullptr || session->step() == session->steps()) playing = false;
+    const bool watched = play_until && session->step() >= *play_until;
+    if (watched || session->asked() != nullptr || session->step() == session->steps()) playing = false;
+    if (watched) play_until.reset();
   }
 }
 
@@ -109,6 +114,24 @@ void App::State::toggle_play() {
   if (!playing) return;
   if (session->step() == session->steps() && !session->previewing()) session->first();
   next_step_at = now + (session->previewing() ? 0 : 1 / (kStepsPerSecond * static_cast<double>(speed)));
+}
+
+/// A clicker has this key alone to go on with: a question that stands is skipped.
+void App::State::next_mark() {
+  if (session->asked() != nullptr) session->answer({});
+  else if (session->previewing()) session->forward();
+  else session->go(session->next_mark());
+}
+
+bool App::State::watch_outcome() {
+  const lesson::Outcome* outcome = session->outcome();
+  if (outcome == nullptr || outcome->step - outcome->from_step < 2) return false;
+  const int from = outcome->from_step;
+  play_until = outcome->step;
+  session->go(from);
+  playing = true;
+  next_step_at = now + 1 / (kStepsPerSecond * static_cast<double>(speed));
+  return true;
 }
 
 void App::State::set_speed(int by) {
@@ -122,15 +145,17 @@ bool App::State::player(std::string_view name) {
   if (name == "play") return toggle_play(), true;
   if (name == "slower") return set_speed(-1), true;
   if (name == "faster") return set_speed(1), true;
+  if (name == "watch_outcome") return watch_outcome();
   if (name == "first") session->first();
   else if (name == "back") session->back();
   else if (name == "step") session->forward();
   else if (name == "last") session->last();
-  else if (name == "next_mark") previewing ? session->forward() : session->go(session->next_mark());
+  else if (name == "next_mark") next_mark();
   else if (name == "previous_mark") session->go(session->previous_mark());
   else if (name == "skip_question") return session->answer({});
   else return false;
   playing = false;
+  play_until.reset();
   return session->step() != before || session->previewing() != previewing;
 }
 
@@ -202,6 +227,7 @@ tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io
   state_->session.emplace(std::move(*session));
   state_->stage.open(*state_->session);
   state_->playing = false;
+  state_->play_until.reset();
   state_->settle = kSettleFrames;
   return {};
 }
@@ -219,7 +245,7 @@ bool App::command(std::string_view name) {
 }
 
 std::string_view App::command_of_key(std::string_view key, bool shift, bool control) const {
-  return command_for(key, shift, control, selected() != kNoIndex);
+  return command_for(key, shift, control, state_->stage.arrows_move());
 }
 
 Index App::selected() const { return state_->stage.selected(); }

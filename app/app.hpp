@@ -79,11 +79,14 @@ class App {
   /// add_point delete_point scatter reset_points reset_view skip_question select_next select_previous select_none
   /// move_left move_right move_up move_down move_nearer move_farther (the selected point; "_fine" behind it for a
   /// tenth), zoom_in zoom_out orbit_left orbit_right orbit_up orbit_down
-  /// toggle_optimum.
+  /// toggle_optimum watch_outcome.
+  /// next_mark skips a question that stands: a clicker has no other key. watch_outcome goes back to where the outcome's
+  /// question was asked and plays on to the outcome; it cannot where nothing lies between.
   /// Returns false where the name is unknown or it cannot be done now (undo with nothing to undo).
   bool command(std::string_view name);
   /// The command of a key, as the browser names keys ("ArrowRight", "PageDown", " ", "Home", "z"); empty for none.
-  /// Arrow keys move the selected point where there is one and step otherwise.
+  /// Arrow keys move the selected point where it was selected by a key, by select() or by a click that moved nothing, and
+  /// step otherwise: after a drag or an answer they step.
   [[nodiscard]] std::string_view command_of_key(std::string_view key, bool shift, bool control) const;
 
   /// The selected point, kNoIndex for none.

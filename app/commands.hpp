@@ -5,8 +5,8 @@
 
 namespace snug::app {
 
-/// The command of a key, as the browser names keys; empty for none. has_selection: whether a point is selected, which
-/// the arrow keys move then. flat: whether the stage is 2-D.
+/// The command of a key, as the browser names keys; empty for none. has_selection: whether a point is selected that
+/// the arrow keys move then.
 [[nodiscard]] std::string_view command_for(std::string_view key, bool shift, bool control, bool has_selection);
 
 /// What the keys do, for people: pairs of keys and words, in the order of a help card.
@@ -17,7 +17,7 @@ inline constexpr KeyHelp kKeyHelp[] = {
     {"→  ←", "one step on, one step back"},
     {"Space", "play or pause"},
     {"Home  End", "the beginning, the end"},
-    {"PgDn  PgUp", "the next mark, the one before"},
+    {"PgDn  PgUp", "the next mark (past a question as well), the one before"},
     {"<  >", "slower, faster"},
     {"[  ]", "select the point before, the next one"},
     {"↑ ↓ ← →", "move the selected point; with Shift by a tenth"},

@@ -77,11 +77,26 @@ class Column {
 
 }  // namespace
 
+std::vector<lesson::Figure> figures_beside(const lesson::Session& session) {
+  if (session.algorithm(1) == nullptr) return {};
+  const std::string step = std::to_string(session.step_of(1)) + " of " + std::to_string(session.recording(1).steps.size());
+  std::vector<lesson::Figure> figures{{"Step", "step", step, static_cast<double>(session.step_of(1)), ""}};
+  for (lesson::Figure& figure : session.figures(1))
+    if (figure.key == "radius" || figure.key == "excess") figures.push_back(std::move(figure));
+  return figures;
+}
+
 void draw_inspector(const Look& look, const lesson::Session& session, const Rect& rect) {
   Column column(look, rect);
   column.heading(session.step() == session.steps() ? "In the end" : "Now");
   for (const lesson::Figure& figure : session.figures()) column.figure(figure);
   column.gap(look.px(28));
+
+  if (session.algorithm(1) != nullptr) {
+    column.heading("Beside it: " + std::string(session.algorithm(1)->title));
+    for (const lesson::Figure& figure : figures_beside(session)) column.figure(figure);
+    column.gap(look.px(28));
+  }
 
   if (session.rivals().size() > 1) {
     column.heading("In the end, beside the others");

@@ -13,6 +13,7 @@ constexpr std::array kRings{0.0f, 8.0f, 20.0f, 36.0f, 60.0f, 90.0f};  // farther
 constexpr int kOptionalRings = 2;
 constexpr float kLineCost = 4;   // a line through a label makes it hard to read,
 constexpr float kPointCost = 3;  // a point beneath it only hides that point
+constexpr float kClearPointCost = 12;
 constexpr float kRingCost = 1;
 constexpr float kTurnCost = 0.6f;  // for each radian away from where it would stand
 constexpr float kMostOfOptional = 3;
@@ -34,11 +35,11 @@ bool taken(const Rect& rect, const std::vector<Rect>& others) {
   return std::any_of(others.begin(), others.end(), [&](const Rect& other) { return overlap(rect, other); });
 }
 
-float cost_of(const Rect& rect, const Obstacles& obstacles) {
+float cost_of(const Rect& rect, const Obstacles& obstacles, float point_cost) {
   float cost = 0;
   for (const auto& circle : obstacles.circles) cost += crosses(rect, circle) ? kLineCost : 0;
   for (const auto& segment : obstacles.segments) cost += crosses(rect, segment) ? kLineCost : 0;
-  for (const auto& disc : obstacles.discs) cost += touches(rect, disc) ? kPointCost : 0;
+  for (const auto& disc : obstacles.discs) cost += touches(rect, disc) ? point_cost : 0;
   return cost;
 }
 
@@ -71,7 +72,7 @@ std::optional<Rect> best_place(const LabelRequest& request, const Obstacles& all
       if (own >= least) continue;
       const Rect rect = at(request, toward + turn, request.gap + kRings[static_cast<std::size_t>(ring)]);
       if (!inside(rect, bounds) || taken(rect, placed)) continue;
-      const float cost = own + cost_of(rect, obstacles);
+      const float cost = own + cost_of(rect, obstacles, request.clear_of_points ? kClearPointCost : kPointCost);
       if (cost < least) least = cost, best = rect;
     }
   }

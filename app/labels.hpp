@@ -16,6 +16,7 @@ struct LabelRequest {
   float width = 0, height = 0;
   float toward_x = 1, toward_y = -1;  // where it would rather stand, seen from the anchor
   bool optional = false;         // left out where nothing is free; others take the least bad place
+  bool clear_of_points = false;       // goes farther out rather than over a point
 };
 
 /// What labels keep clear of.

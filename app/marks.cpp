@@ -9,7 +9,7 @@ namespace snug::app {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kDotPitch = 6.5f, kDash = 8, kDashGap = 5;  // page pixels at a width of 2
+constexpr float kDotPitch = 6.5f, kDash = 8, kDashGap = 5, kLongDash = 22, kLongGap = 7;  // page pixels at a width of 2
 constexpr std::size_t kMostParts = 4000;                    // of one patterned path
 
 bool near_clip(const ImDrawList* list, ImVec2 p, float reach) {
@@ -41,8 +41,9 @@ void walk(std::span<const ImVec2> points, bool closed, float on, float off, Part
 
 void patterned(ImDrawList* list, std::span<const ImVec2> points, bool closed, Stroke stroke, Color color, float width) {
   const float scale = std::max(1.0f, width / 2);
-  if (stroke == Stroke::kDashed) {
-    walk(points, closed, kDash * scale, kDashGap * scale, [&](ImVec2 a, ImVec2 b) {
+  if (stroke != Stroke::kDotted) {
+    const bool is_long = stroke == Stroke::kLongDashed;
+    walk(points, closed, (is_long ? kLongDash : kDash) * scale, (is_long ? kLongGap : kDashGap) * scale, [&](ImVec2 a, ImVec2 b) {
       if (near_clip(list, a, 20)) list->AddLine(a, b, color, width);
     });
     return;

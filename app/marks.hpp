@@ -7,7 +7,7 @@
 
 namespace snug::app {
 
-enum class Stroke { kSolid, kDotted, kDashed };
+enum class Stroke { kSolid, kDotted, kDashed, kLongDashed };
 
 void path(ImDrawList* list, std::span<const ImVec2> points, bool closed, Stroke stroke, Color color, float width);
 void line(ImDrawList* list, ImVec2 a, ImVec2 b, Stroke stroke, Color color, float width);

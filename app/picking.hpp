@@ -12,6 +12,15 @@ namespace snug::app {
 inline constexpr float kMouseReach = 11;
 inline constexpr float kFingerReach = 22;
 
+/// Among more points than this in space one means to turn the view, not to pull a point: a press grabs only one that it
+/// hits right in its middle, or the selected one.
+inline constexpr Index kSparse = 60;
+inline constexpr float kExactReach = 1.5f, kSelectedReach = 6;
+
+/// The point that a drag from (x, y) moves; kNoIndex: it moves the view. A finger cannot hit the middle of a point: in
+/// dense space it drags the selected one alone.
+[[nodiscard]] Index grab(std::span<const ScreenPoint> points, bool space, Index selected, float x, float y, bool finger);
+
 /// The point nearest to (x, y) within reach; of those that are as near to within a pixel, the one in front.
 /// kNoIndex for none. points: those that are not visible cannot be picked.
 [[nodiscard]] Index pick(std::span<const ScreenPoint> points, float x, float y, float reach);

@@ -47,6 +47,9 @@ struct Shown {
     bool ends = false;                    // whether the extreme points along the main axis were
   };
   std::optional<Spread> spread;
+
+  /// While an outcome stands: the points of a wrong guess, and those that would have been right.
+  std::vector<Index> guessed_wrong, right;
 };
 
 /// At the session's step. want_optimum: also before the end; it costs a run of its own after each edit.

@@ -11,6 +11,7 @@
 namespace snug::app {
 namespace {
 
+constexpr float kToolsHeight = 60;
 constexpr double kMotionSeconds = 0.18;
 constexpr double kRoomy = 0.55, kTight = 1.06;  // shares of the free room at which an automatic view is set anew
 
@@ -103,7 +104,8 @@ bool Stage::orbit_by(double yaw, double pitch) {
 void Stage::set_room(const Rect& rect, const Settings& settings) {
   const bool wide = rect.width >= 560;
   const float words = settings.text_scale * palette_of(settings.theme).text;
-  camera_.set_stage(rect, wide ? 52.0f * words : 28, wide ? 56.0f : 28, wide ? 92.0f * words : 28);
+  // Buttons stand at the top; on a narrow stage they take most of its width.
+  camera_.set_stage(rect, wide ? 52.0f * words : kToolsHeight, wide ? 56.0f : 28, wide ? 92.0f * words : 28);
 }
 
 /// Takes over what changed in the session since the last frame.
@@ -127,6 +129,7 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
   }
   keep_framed(session);
   if (selected_ >= session.size()) selected_ = kNoIndex;
+  if (const lesson::Asked* asked = session.asked(); asked == nullptr || !asked->on_stage) refused_ = kNoIndex;
 
   std::vector<Point3f> points;
   points.reserve(static_cast<std::size_t>(session.size()));

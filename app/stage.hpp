@@ -54,7 +54,13 @@ class Stage {
   void pinch(float factor, float x, float y, float dx, float dy);
 
   [[nodiscard]] Index selected() const { return selected_; }
-  void select(Index point) { selected_ = point; }
+  /// Deliberately: the arrow keys move it from now on.
+  void select(Index point) {
+    selected_ = point;
+    arrows_ = point != kNoIndex;
+  }
+  /// Whether the arrow keys move the selected point. A drag or an answer leaves them to the player.
+  [[nodiscard]] bool arrows_move() const { return arrows_ && selected_ != kNoIndex; }
   [[nodiscard]] std::vector<Handle> handles() const;
   /// A point's place on the screen as last drawn.
   [[nodiscard]] const Camera& camera() const { return camera_; }
@@ -74,6 +80,7 @@ class Stage {
   void press(lesson::Session& session, const Look& look);
   void drag(lesson::Session& session);
   void release(lesson::Session& session);
+  void tap(lesson::Session& session);
   void steer_camera();
   // stage_volumes.cpp
   void draw_volumes(Brush& brush) const;
@@ -88,6 +95,7 @@ class Stage {
   [[nodiscard]] static bool inviting(const Brush& brush);
   void draw_invitation(Brush& brush) const;
   void draw_selected(Brush& brush) const;
+  void draw_verdict(Brush& brush) const;
   void name_points(Brush& brush) const;
   void draw_labels(Brush& brush) const;
   // stage_notes.cpp
@@ -114,9 +122,13 @@ class Stage {
 
   Index selected_ = kNoIndex;
   Index hovered_ = kNoIndex;
-  Index pressed_ = kNoIndex;
+  bool arrows_ = false;                    // whether arrow keys move the selected point
+  Index pressed_ = kNoIndex;               // what a drag from the press moves
+  Index tapped_ = kNoIndex;                // what the press means if it does not travel
+  Index refused_ = kNoIndex;               // the last tap: a point that is no answer to what is asked
   bool pressing_ = false;                  // a button is down that went down on the stage
   bool panning_ = false;
+  bool grabs_ = false;                     // a press where the pointer is would grab a point
   bool dragging_ = false;
   float press_x_ = 0, press_y_ = 0, grab_x_ = 0, grab_y_ = 0;
   bool travelled_ = false;                 // since the press

@@ -23,6 +23,7 @@ void Stage::hands(lesson::Session& session, const Look& look, const Rect& rect) 
   const bool over = ImGui::IsItemHovered();
   const float reach = look.fingers ? kFingerReach : kMouseReach;
   hovered_ = over || dragging_ ? pick(screen_, io.MousePos.x, io.MousePos.y, reach) : kNoIndex;
+  grabs_ = pressed_ != kNoIndex || (over && grab(screen_, session.dim() == 3, selected_, io.MousePos.x, io.MousePos.y, look.fingers) != kNoIndex);
   if (pressed_ != kNoIndex) hovered_ = pressed_;
   if (ImGui::IsItemActivated()) press(session, look);
   if (pressing_ && ImGui::IsItemActive()) drag(session);
@@ -30,7 +31,7 @@ void Stage::hands(lesson::Session& session, const Look& look, const Rect& rect) 
   if (over) steer_camera();
   if (over && hovered_ == kNoIndex && !travelled_ && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     const Point3 at = camera_.unproject(io.MousePos.x, io.MousePos.y, camera_.view().target);
-    if (session.add(at)) selected_ = session.size() - 1;
+    if (session.add(at)) selected_ = session.size() - 1, arrows_ = false;
   }
 }
 
@@ -38,14 +39,16 @@ void Stage::press(lesson::Session& session, const Look& look) {
   const ImGuiIO& io = ImGui::GetIO();
   pressing_ = true;
   travelled_ = false;
+  refused_ = kNoIndex;
   press_x_ = io.MousePos.x, press_y_ = io.MousePos.y;
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
-  pressed_ = left && !io.KeyShift ? pick(screen_, press_x_, press_y_, look.fingers ? kFingerReach : kMouseReach) : kNoIndex;
+  const bool means_points = left && !io.KeyShift;
+  tapped_ = means_points ? pick(screen_, press_x_, press_y_, look.fingers ? kFingerReach : kMouseReach) : kNoIndex;
+  pressed_ = means_points ? grab(screen_, session.dim() == 3, selected_, press_x_, press_y_, look.fingers) : kNoIndex;
   panning_ = !left || io.KeyShift || session.dim() == 2;
   if (pressed_ == kNoIndex) return;
   const ScreenPoint& point = screen_[static_cast<std::size_t>(pressed_)];
   grab_x_ = point.x - press_x_, grab_y_ = point.y - press_y_;
-  selected_ = pressed_;
 }
 
 void Stage::drag(lesson::Session& session) {
@@ -63,6 +66,8 @@ void Stage::drag(lesson::Session& session) {
   if (begins) {
     session.begin_drag();
     dragging_ = true;
+    selected_ = pressed_;  // its numbers are shown; the arrow keys stay the player's
+    arrows_ = false;
   }
   if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0 && !begins) return;
   const Point3 to = camera_.unproject(io.MousePos.x + grab_x_, io.MousePos.y + grab_y_, session.point(pressed_));
@@ -70,13 +75,27 @@ void Stage::drag(lesson::Session& session) {
 }
 
 void Stage::release(lesson::Session& session) {
-  if (dragging_) session.end_drag();
-  else if (pressed_ != kNoIndex && session.asked() != nullptr && session.asked()->on_stage)
-    session.answer({lesson::Answer::Kind::kPoint, pressed_});
-  else if (pressed_ == kNoIndex && !travelled_) selected_ = kNoIndex;
-  if (dragging_) seen_ = session.revision() - 1;  // the view may follow now
+  if (dragging_) {
+    session.end_drag();
+    seen_ = session.revision() - 1;  // the view may follow now
+  } else if (!travelled_) {
+    tap(session);
+  }
   pressing_ = dragging_ = panning_ = false;
-  pressed_ = kNoIndex;
+  pressed_ = tapped_ = kNoIndex;
+}
+
+/// A press that moved nothing: an answer, where one is asked for on the stage, or a selection. Only where no question
+/// stands do the arrow keys go to the point: they step past the question else.
+void Stage::tap(lesson::Session& session) {
+  const lesson::Asked* asked = session.asked();
+  if (tapped_ != kNoIndex && asked != nullptr && asked->on_stage) {
+    if (!session.answer({lesson::Answer::Kind::kPoint, tapped_})) refused_ = tapped_;
+    else selected_ = kNoIndex;
+    return;
+  }
+  selected_ = tapped_;
+  arrows_ = tapped_ != kNoIndex && asked == nullptr;
 }
 
 void Stage::steer_camera() {
@@ -105,6 +124,7 @@ bool Stage::add_point(lesson::Session& session) {
   const Point3 at = over ? camera_.unproject(mouse.x, mouse.y, camera_.view().target) : Point3(camera_.view().target);
   if (!session.add(at)) return false;
   selected_ = session.size() - 1;
+  arrows_ = false;
   return true;
 }
 

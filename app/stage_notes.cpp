@@ -57,11 +57,15 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
   keep_free(brush.canvas.obstacles, fit);
   keep_free(brush.canvas.obstacles, toggle);
 
+  // The page's undo and redo stand in the other corner.
+  const float tools = settings.prose_in_canvas ? 0 : 2 * height + look.px(16);
+  if (tools > 0) keep_free(brush.canvas.obstacles, {brush.rect.x, brush.rect.y, tools + 12, height + 16});
+
   if (shown_.depth > 0 && shown_.forced.size() > 0) {
     const std::string words = "Forced onto the boundary: " +
                               name_of_points({shown_.forced.begin(), static_cast<std::size_t>(shown_.forced.size())}) + " (depth " +
                               std::to_string(shown_.depth) + ")";
-    const float left = settings.prose_in_canvas ? 16 : 2 * height + look.px(32);  // the page's undo and redo stand in that corner
+    const float left = tools + 16;
     const Rect place{brush.rect.x + left, y, toggle.x - brush.rect.x - left - 16, look.px(20)};
     const std::string fitting = shortened(look, Face::kSemiBold, 13, words, place.width);
     halo_text(brush.list, look, Face::kSemiBold, 13, {place.x, middle_of(middle, look.px(13))}, p.support_text, p.ground, fitting);

@@ -19,6 +19,19 @@ std::string coordinates(const Point3& p, int dim) {
   return text + ")";
 }
 
+/// Four heads around a point: the arrow keys move it.
+void arrow_heads(ImDrawList* list, ImVec2 at, float from, Color color, Color halo) {
+  for (const ImVec2 way : {ImVec2{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
+    const auto head = [&](float base, float length, float half, Color fill) {
+      list->AddTriangleFilled({at.x + way.x * (base + length), at.y + way.y * (base + length)},
+                              {at.x + way.x * base - way.y * half, at.y + way.y * base + way.x * half},
+                              {at.x + way.x * base + way.y * half, at.y + way.y * base - way.x * half}, fill);
+    };
+    head(from - 1.5f, 9, 7.5f, halo);
+    head(from, 6, 5, color);
+  }
+}
+
 }  // namespace
 
 void Stage::draw_points(Brush& brush) const {
@@ -46,6 +59,7 @@ void Stage::draw_points(Brush& brush) const {
     ring(brush.list, point, (kRing + 4) * p.mark, p.examined, brush.stroke());
     brush.canvas.obstacles.discs.push_back({point.x, point.y, kRing + 6});
   }
+  draw_verdict(brush);
   draw_selected(brush);
   name_points(brush);
 }
@@ -76,16 +90,41 @@ void Stage::draw_selected(Brush& brush) const {
     const ImVec2 at = brush.at(brush.session.point(hovered_));
     if (special) diamond(brush.list, at, kDiamond * p.mark + 2, p.support, p.ground);
     else disc(brush.list, at, std::max(point_radius_, 3.0f) + 2, hovered_ == shown_.examined ? p.examined : p.ink);
-    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (grabs_ || brush.look.fingers || inviting(brush)) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
+  if (refused_ != kNoIndex && refused_ < brush.session.size())
+    brush.label(brush.at(brush.session.point(refused_)), 18, {0.5f, -1}, "Choose one of the ringed points", p.ink);
   if (selected_ == kNoIndex || selected_ >= brush.session.size()) return;
   const Point3 place = brush.session.point(selected_);
   const ImVec2 at = brush.at(place);
   const float radius = std::max(point_radius_, 4.0f) + 6;
   ring(brush.list, at, radius + 2, p.ground, 2);
   ring(brush.list, at, radius, p.ink, 2);
+  if (arrows_move()) arrow_heads(brush.list, at, radius + 5, p.ink, p.ground);
+  brush.canvas.obstacles.discs.push_back({at.x, at.y, radius + (arrows_move() ? 11 : 2)});
   if (!dragging_) return;
-  brush.label(at, radius + 4, {0.3f, 1}, coordinates(place, brush.session.dim()), p.ink, Face::kMono, 13);
+  // A finger covers what is below it.
+  const bool finger = brush.look.fingers;
+  brush.label(at, radius + (finger ? 26 : 4), {0.3f, finger ? -1.0f : 1.0f}, coordinates(place, brush.session.dim()), p.ink, Face::kMono, 13);
+  brush.labels.back().request.clear_of_points = true;
+}
+
+/// While an outcome stands: a cross beside each point of a wrong guess, a tick beside those that were right.
+void Stage::draw_verdict(Brush& brush) const {
+  const Palette& p = brush.p;
+  const auto badge = [&](Index i, bool right) {
+    if (i < 0 || i >= brush.session.size()) return;
+    const ImVec2 point = brush.at(brush.session.point(i));
+    const float away = 13 * p.mark, radius = 9 * p.mark;
+    const ImVec2 at{point.x + away, point.y - away};
+    disc(brush.list, at, radius, p.ground);
+    ring(brush.list, at, radius, right ? p.optimum : p.wrong, 1.5f);
+    if (right) tick(brush.list, at, 5 * p.mark, p.optimum, brush.stroke());
+    else cross(brush.list, at, 4 * p.mark, p.wrong, brush.stroke());
+    brush.canvas.obstacles.discs.push_back({at.x, at.y, radius + 1});
+  };
+  for (const Index i : shown_.guessed_wrong) badge(i, false);
+  for (const Index i : shown_.right) badge(i, true);
 }
 
 /// Names of what the step speaks of; all others where there is room for them.

@@ -67,8 +67,8 @@ void Stage::draw_rivals(Brush& brush) const {
   };
   if (shown_.before) draw_volume(canvas, *shown_.before, {Stroke::kDotted, p.previous, brush.stroke(0.85f)});
   if (shown_.rival) {
-    draw_volume(canvas, *shown_.rival, {Stroke::kDotted, p.previous, brush.stroke(1.1f), scene_.three_d ? 0.03f : 0.0f});
-    brush.label(top_of(*shown_.rival, -0.5), 6, {-0.6f, -1},
+    draw_volume(canvas, *shown_.rival, {Stroke::kLongDashed, p.previous, brush.stroke(), scene_.three_d ? 0.03f : 0.0f});
+    if (shown_.rival->radius > 0) brush.label(top_of(*shown_.rival, -0.5), 6, {-0.6f, -1},
                 std::string(brush.session.algorithm(1)->title) + " r = " + lesson::number_text(shown_.rival->radius), p.previous_text);
   }
   if (!shown_.optimum) return;

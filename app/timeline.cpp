@@ -42,16 +42,6 @@ void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, bool op
   }
 }
 
-bool is_open(const lesson::Session& session, int step) {
-  for (const lesson::Asked& asked : session.questions()) {
-    if (asked.step != step) continue;
-    for (const lesson::Outcome& outcome : session.outcomes())
-      if (outcome.question == asked.question->id) return outcome.passed;
-    return true;
-  }
-  return false;
-}
-
 void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, const TimelineMap& map, float y) {
   const Palette& p = *look.palette;
   const float half = 3;
@@ -64,7 +54,7 @@ void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, co
   const float thumb = map.x_of(session.step());
   list->AddRectFilled({map.left, y - half}, {map.left + map.width, y + half}, p.track, half);
   list->AddRectFilled({map.left, y - half}, {thumb, y + half}, p.current, half);
-  for (const lesson::Mark& mark : marks_with_room(session.marks(), map, kMarksApart))
+  for (const lesson::Mark& mark : marks_with_room(marks_to_show(session), map, kMarksApart))
     draw_mark(list, look, mark.kind, {map.x_of(mark.step), y}, mark.kind == Kind::kQuestion && is_open(session, mark.step));
   const float radius = (touch.held || touch.hovered ? 10.0f : 8.0f) + (look.fingers ? 2.0f : 0.0f);
   disc(list, {thumb, y}, radius + 3, p.panel);

@@ -14,21 +14,43 @@ int TimelineMap::step_at(float x) const {
   return static_cast<int>(std::lround(share * static_cast<float>(steps)));
 }
 
+bool is_open(const lesson::Session& session, int step) {
+  for (const lesson::Asked& asked : session.questions()) {
+    if (asked.step != step) continue;
+    for (const lesson::Outcome& outcome : session.outcomes())
+      if (outcome.question == asked.question->id) return outcome.passed;
+    return true;
+  }
+  return false;
+}
+
+std::vector<lesson::Mark> marks_to_show(const lesson::Session& session) {
+  int known = session.previewing() ? 0 : session.step();  // up to here the trace was shown
+  int gate = session.steps();
+  for (const lesson::Asked& asked : session.questions())
+    if (is_open(session, asked.step)) gate = std::min(gate, asked.step);
+  known = std::max(known, gate);
+  std::vector<lesson::Mark> shown = session.marks();
+  std::erase_if(shown, [&](const lesson::Mark& mark) { return mark.kind != lesson::Mark::Kind::kQuestion && mark.step > known; });
+  return shown;
+}
+
 std::vector<lesson::Mark> marks_with_room(std::span<const lesson::Mark> marks, const TimelineMap& map, float apart) {
   using Kind = lesson::Mark::Kind;
+  const auto always = [](const lesson::Mark& mark) { return mark.kind == Kind::kQuestion || mark.kind == Kind::kBest; };
   std::vector<lesson::Mark> kept;
-  std::vector<float> gates;
+  std::vector<float> firm;
   for (const lesson::Mark& mark : marks)
-    if (mark.kind == Kind::kQuestion) gates.push_back(map.x_of(mark.step));
+    if (always(mark)) firm.push_back(map.x_of(mark.step));
   float before = -1e9f;
   for (const lesson::Mark& mark : marks) {
-    if (mark.kind == Kind::kQuestion) {
+    if (always(mark)) {
       kept.push_back(mark);
       continue;
     }
     const float x = map.x_of(mark.step);
-    const bool at_gate = std::any_of(gates.begin(), gates.end(), [&](float gate) { return std::abs(gate - x) < apart; });
-    if (x - before < apart || at_gate) continue;
+    const bool at_firm = std::any_of(firm.begin(), firm.end(), [&](float other) { return std::abs(other - x) < apart; });
+    if (x - before < apart || at_firm) continue;
     before = x;
     kept.push_back(mark);
   }

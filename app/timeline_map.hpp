@@ -18,7 +18,15 @@ struct TimelineMap {
   [[nodiscard]] int step_at(float x) const;
 };
 
-/// The marks that are drawn: every question, and of the others those that stand clear of the one before by `apart` pixels.
+/// Whether the question at that place has no answer yet; one that a jump passed has none.
+[[nodiscard]] bool is_open(const lesson::Session& session, int step);
+
+/// The marks that give no answer away: every question, and of the others those that were passed or that stand before
+/// the first question without an answer.
+[[nodiscard]] std::vector<lesson::Mark> marks_to_show(const lesson::Session& session);
+
+/// The marks that are drawn: every question, every best, and of the others those that stand clear of these and of the one
+/// before by `apart` pixels.
 [[nodiscard]] std::vector<lesson::Mark> marks_with_room(std::span<const lesson::Mark> marks, const TimelineMap& map,
                                                         float apart);
 

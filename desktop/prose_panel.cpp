@@ -110,6 +110,14 @@ void draw_outcome(Shell& shell, Column& column) {
     column.gap(6);
     column.words(outcome->because, Face::kRegular, 14, look->muted);
   }
+  if (outcome->step - outcome->from_step >= 2) {
+    column.gap(8);
+    constexpr std::string_view kWords = "Watch how it came about";
+    const float width = app::measure(look, Face::kSemiBold, 13, kWords).x + 28, height = look.px(30);
+    const bool watch = app::button(column.list(), look, {.id = "watch", .rect = {column.x(), column.y(), width, height}, .words = kWords, .kind = app::ButtonKind::kOutlined, .size = 13});
+    column.gap(height);
+    if (watch && shell.app().command("watch_outcome")) return column.end_card();  // the outcome is not there for now
+  }
   column.end_card();
 }
 

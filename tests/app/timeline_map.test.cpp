@@ -31,4 +31,44 @@ TEST_CASE("marks with room: all questions, the others apart from each other and 
   CHECK(marks_with_room(few, map, 13).size() == 2);
 }
 
+TEST_CASE("a best is never left out for want of room: what stands too near gives way") {
+  using Kind = lesson::Mark::Kind;
+  const std::vector<lesson::Mark> marks{{10, Kind::kGrew}, {12, Kind::kBest}, {14, Kind::kBest}, {16, Kind::kGrew}, {60, Kind::kGrew}};
+  const auto kept = marks_with_room(marks, {0, 500, 1000}, 13);
+  REQUIRE(kept.size() == 3);
+  CHECK(kept[0].step == 12);
+  CHECK(kept[1].step == 14);
+  CHECK(kept[2].step == 60);
+}
+
+TEST_CASE("marks beyond the first question without an answer would tell it: they come with the answer") {
+  lesson::Lesson lesson;
+  lesson.id = "test";
+  lesson.points = {.dim = 2, .generate = "clusters", .count = 14};
+  lesson.algorithms = {"welzl"};
+  lesson::Question question;
+  question.id = "third";
+  question.gate = {.algorithm = "welzl", .fact = "boundary_forced", .occurrence = 3, .after = ""};
+  question.asks = lesson::Question::Asks::kPoint;
+  question.prompt = "Which?";
+  lesson.questions = {question};
+  lesson::Session session = *lesson::Session::open(std::move(lesson));
+  REQUIRE(session.questions().size() == 1);
+  const int gate = session.questions()[0].step;
+  const auto hidden = [&] { return session.marks().size() - marks_to_show(session).size(); };
+  REQUIRE(std::any_of(session.marks().begin(), session.marks().end(), [&](const auto& mark) { return mark.step > gate; }));
+  CHECK(hidden() > 0);
+  for (const auto& mark : marks_to_show(session)) CHECK(mark.step <= gate);
+  session.go(gate);
+  CHECK(hidden() > 0);
+  REQUIRE(session.answer({}));
+  CHECK(hidden() == 0);
+  session.first();
+  CHECK(hidden() == 0);
+  session.forget_answers();
+  session.jump(gate + 1);  // passes it: what was shown stays
+  for (const auto& mark : marks_to_show(session)) CHECK(mark.step <= gate + 1);
+  CHECK(hidden() > 0);
+}
+
 }  // namespace snug::app

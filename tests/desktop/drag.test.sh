@@ -23,7 +23,15 @@ until_state "s.readout.radius === $before"
 xdotool key ctrl+y
 until_state "s.readout.radius === $after"
 
-# With the point selected, the arrow keys move it; a tenth as far with Shift.
+# After a drag the arrow keys are still the player's; a point selected by a key they move.
+xdotool key Left
+until_state 's.step === s.steps - 1'
+xdotool key End
+until_state 's.step === s.steps'
+xdotool key bracketright
+until_state 's.selected === 2'
+xdotool key bracketleft
+until_state 's.selected === 1'
 xdotool key Right
 until_state "s.readout.radius !== $after"
 xdotool key Escape

@@ -1,0 +1,322 @@
+// Hands on the stage, with a mouse that ImGui is fed with and no screen.
+#include <doctest/doctest.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "app/app.hpp"
+#include "app/inspector.hpp"
+#include "app/shown.hpp"
+
+namespace snug::app {
+namespace {
+
+std::string font_bytes(std::string_view name) {
+  for (const char* extension : {".otf", ".ttf"}) {
+    std::ifstream file(std::string(SNUG_ASSETS_DIR "/fonts/") + std::string(name) + extension, std::ios::binary);
+    if (file) return {std::istreambuf_iterator<char>(file), {}};
+  }
+  return {};
+}
+
+/// A front end of 800 by 600 pixels.
+class Bench {
+ public:
+  explicit Bench(lesson::Lesson lesson) : context_(ImGui::CreateContext()), app({.font = font_bytes}) {
+    ImGui::GetIO().DisplaySize = {800, 600};
+    ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
+    app.settings().reduced_motion = true;
+    REQUIRE(app.open(std::move(lesson)));
+    frames(3);
+  }
+  ~Bench() {
+    for (ImTextureData* texture : ImGui::GetPlatformIO().Textures) {
+      texture->SetTexID(ImTextureID_Invalid);
+      texture->SetStatus(ImTextureStatus_Destroyed);
+    }
+    ImGui::DestroyContext(context_);
+  }
+  Bench(const Bench&) = delete;
+  Bench& operator=(const Bench&) = delete;
+
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) {
+      now_ += 0.02;
+      ImGui::GetIO().DeltaTime = 0.02f;
+      ImGui::NewFrame();
+      app.frame({.stage = {0, 0, 800, 440}, .timeline = {0, 440, 800, 160}}, now_);
+      ImGui::Render();
+      for (ImTextureData* texture : ImGui::GetPlatformIO().Textures) {
+        texture->SetTexID(1);
+        texture->SetStatus(ImTextureStatus_OK);
+      }
+    }
+  }
+  [[nodiscard]] Handle handle(const std::string& id) const {
+    for (const Handle& handle : app.handles())
+      if (handle.id == id) return handle;
+    FAIL("no handle ", id);
+    return {};
+  }
+  void press(float x, float y) {
+    ImGui::GetIO().AddMousePosEvent(x, y);
+    frames(2);
+    ImGui::GetIO().AddMouseButtonEvent(0, true);
+    frames(2);
+  }
+  void move(float x, float y) {
+    ImGui::GetIO().AddMousePosEvent(x, y);
+    frames(2);
+  }
+  void release() {
+    ImGui::GetIO().AddMouseButtonEvent(0, false);
+    frames(2);
+  }
+  void drag(float x, float y, float dx, float dy) {
+    press(x, y);
+    for (int i = 1; i <= 4; ++i) move(x + dx * static_cast<float>(i) / 4, y + dy * static_cast<float>(i) / 4);
+    release();
+  }
+  void click(const std::string& id) {
+    const Handle at = handle(id);
+    press(at.x, at.y);
+    release();
+  }
+  [[nodiscard]] lesson::Session& session() { return *app.session(); }
+  [[nodiscard]] std::string key(std::string_view name) const { return std::string(app.command_of_key(name, false, false)); }
+  void wait(double seconds) {
+    now_ += seconds;
+    frames(1);
+  }
+
+ private:
+  ImGuiContext* context_;
+  double now_ = 0;
+
+ public:
+  App app;
+};
+
+/// Ritter's pair is P0 and P1 (along x); P4 and P5 lie outside its circle, P6 is in the middle.
+lesson::Lesson flat() {
+  lesson::Lesson lesson;
+  lesson.id = "test";
+  lesson.points.list = {{-2, 0, 0}, {2, 0, 0}, {0, 1.6, 0}, {0, -1.6, 0}, {1.5, 1.5, 0}, {-1.55, 1.55, 0}, {0.2, 0.1, 0}};
+  lesson.algorithms = {"ritter", "welzl"};
+  return lesson;
+}
+
+lesson::Lesson asking_for_pair() {
+  lesson::Lesson lesson = flat();
+  lesson::Question question;
+  question.id = "pair";
+  question.gate = {.algorithm = "ritter", .fact = "pair_chosen", .occurrence = 1, .after = ""};
+  question.asks = lesson::Question::Asks::kAxis;
+  question.prompt = "Which pair?";
+  lesson.questions = {question};
+  return lesson;
+}
+
+lesson::Lesson asking_at_start() {
+  lesson::Lesson lesson = flat();
+  lesson::Question question;
+  question.id = "growth";
+  question.gate = {.algorithm = "ritter", .fact = "ball_grown", .occurrence = 1, .after = "start"};
+  question.asks = lesson::Question::Asks::kPoint;
+  question.prompt = "Which point makes it grow first?";
+  lesson.questions = {question};
+  return lesson;
+}
+
+lesson::Lesson in_space(int count) {
+  lesson::Lesson lesson;
+  lesson.id = "test";
+  lesson.points = {.dim = 3, .generate = "gaussian", .count = count};
+  lesson.algorithms = {"ritter"};
+  return lesson;
+}
+
+}  // namespace
+
+TEST_CASE("a drag moves its point and leaves the arrow keys to the player") {
+  Bench bench(flat());
+  const Handle at = bench.handle("P4");
+  const auto before = bench.session().point(4);
+  bench.drag(at.x, at.y, 24, 12);
+  CHECK(bench.session().point(4)[0] > before[0]);
+  CHECK(bench.session().point(4)[1] < before[1]);
+  CHECK(bench.key("ArrowRight") == "step");
+  CHECK(bench.session().can_undo());
+}
+
+TEST_CASE("arrow keys go to a point selected by a key, by its number, or by a click, and back with the next drag") {
+  Bench bench(flat());
+  CHECK(bench.key("ArrowRight") == "step");
+  bench.click("P6");
+  CHECK(bench.app.selected() == 6);
+  CHECK(bench.key("ArrowRight") == "move_right");
+  const Handle at = bench.handle("P4");
+  bench.drag(at.x, at.y, 20, 0);
+  CHECK(bench.key("ArrowRight") == "step");
+  bench.app.select(2);
+  CHECK(bench.key("ArrowUp") == "move_up");
+  REQUIRE(bench.app.command("select_none"));
+  CHECK(bench.key("ArrowUp") == "back");
+  REQUIRE(bench.app.command("select_next"));
+  CHECK(bench.key("ArrowLeft") == "move_left");
+}
+
+TEST_CASE("a click that answers selects nothing; a wrong guess is crossed and the right one ticked") {
+  Bench bench(asking_for_pair());
+  REQUIRE(bench.app.command("step"));
+  REQUIRE(bench.session().asked() != nullptr);
+  bench.click("P6");  // none of the extremes: nothing is answered, and the arrow keys do not go to it
+  CHECK(bench.session().asked() != nullptr);
+  CHECK(bench.key("ArrowRight") == "step");
+  bench.click("P3");
+  REQUIRE(bench.session().outcome() != nullptr);
+  CHECK_FALSE(bench.session().outcome()->right);
+  CHECK(bench.app.selected() == kNoIndex);
+  CHECK(bench.key("ArrowRight") == "step");
+  const Shown shown = shown_at(bench.session(), false);
+  CHECK(shown.guessed_wrong == std::vector<Index>{3});
+  CHECK(shown.right == std::vector<Index>{0, 1});
+  REQUIRE(bench.app.command("step"));
+  CHECK(shown_at(bench.session(), false).right.empty());
+}
+
+TEST_CASE("while a question stands, a click on a point takes no arrow keys") {
+  lesson::Lesson lesson = asking_for_pair();
+  lesson.questions[0].asks = lesson::Question::Asks::kChoice;
+  lesson.questions[0].choices = {"this", "that"};
+  Bench bench(std::move(lesson));
+  REQUIRE(bench.app.command("step"));
+  REQUIRE(bench.session().asked() != nullptr);
+  bench.click("P6");
+  CHECK(bench.app.selected() == 6);
+  CHECK(bench.key("ArrowRight") == "step");
+}
+
+TEST_CASE("PageDown skips the question that stands; step and play wait for it") {
+  Bench bench(asking_at_start());
+  REQUIRE(bench.session().asked() != nullptr);
+  CHECK_FALSE(bench.app.command("step"));
+  bench.app.command("play");
+  CHECK_FALSE(bench.app.playing());
+  REQUIRE(bench.app.command("next_mark"));
+  CHECK(bench.session().asked() == nullptr);
+  REQUIRE(bench.session().outcomes().size() == 1);
+  CHECK(bench.session().outcomes()[0].skipped);
+  int presses = 0;
+  while (bench.session().step() < bench.session().steps() && presses < 100) ++presses, bench.app.command("next_mark");
+  CHECK(bench.session().step() == bench.session().steps());
+}
+
+TEST_CASE("watching an outcome plays from its question to it, and stops there") {
+  Bench bench(asking_at_start());
+  CHECK_FALSE(bench.app.command("watch_outcome"));
+  REQUIRE(bench.session().answer({lesson::Answer::Kind::kPoint, 6}));
+  const int decided = bench.session().step();
+  REQUIRE(decided >= 2);
+  REQUIRE(bench.app.command("watch_outcome"));
+  CHECK(bench.session().step() == 0);
+  CHECK(bench.app.playing());
+  int seen = 0;
+  for (int i = 0; i < 100 && bench.app.playing(); ++i) {
+    const int before = bench.session().step();
+    bench.wait(0.5);
+    CHECK(bench.session().step() <= before + 2);
+    seen += bench.session().step() != before;
+  }
+  CHECK(seen > 1);
+  CHECK(bench.session().step() == decided);
+  CHECK_FALSE(bench.app.playing());
+  CHECK(bench.session().outcome() != nullptr);
+}
+
+TEST_CASE("nothing is watched where the outcome follows its question at once") {
+  Bench bench(asking_for_pair());
+  REQUIRE(bench.app.command("step"));
+  REQUIRE(bench.session().answer({lesson::Answer::Kind::kChoice, 0}));
+  REQUIRE(bench.session().outcome() != nullptr);
+  CHECK_FALSE(bench.app.command("watch_outcome"));
+  CHECK_FALSE(bench.app.playing());
+}
+
+TEST_CASE("in dense space a drag turns the view; the selected point and one hit in its middle are dragged") {
+  Bench bench(in_space(400));
+  const auto hash = bench.session().trace_hash();
+  // Right beside a point, in the middle of none.
+  const auto handles = bench.app.handles();
+  const auto beside = std::find_if(handles.begin(), handles.end(), [&](const Handle& one) {
+    return std::all_of(handles.begin(), handles.end(), [&](const Handle& other) { return std::hypot(other.x - one.x - 3, other.y - one.y - 3) > 2.5f; });
+  });
+  REQUIRE(beside != handles.end());
+  Handle at = *beside;
+  bench.drag(at.x + 3, at.y + 3, 40, 0);
+  CHECK(bench.session().trace_hash() == hash);
+  const Handle turned = bench.handle(at.id);
+  CHECK(std::hypot(turned.x - at.x, turned.y - at.y) > 1);
+
+  bench.press(turned.x + 3, turned.y + 3);
+  bench.release();
+  const Index chosen = bench.app.selected();
+  REQUIRE(chosen != kNoIndex);
+  at = bench.handle("P" + std::to_string(chosen));
+  const auto place = bench.session().point(chosen);
+  bench.drag(at.x + 2, at.y - 3, 40, 0);
+  CHECK((bench.session().point(chosen) - place).norm() > 0);
+
+  bench.app.select(kNoIndex);
+  const auto again = bench.session().trace_hash();
+  at = bench.app.handles().front();
+  bench.drag(at.x, at.y, 30, 10);
+  CHECK(bench.session().can_undo());
+  bench.session().undo();
+  CHECK(bench.session().trace_hash() == again);
+}
+
+TEST_CASE("among few points in space a press beside one drags it") {
+  Bench bench(in_space(20));
+  const Handle at = bench.app.handles().front();
+  const auto hash = bench.session().trace_hash();
+  bench.drag(at.x + 3, at.y + 3, 60, 0);
+  CHECK(bench.session().can_undo());
+  CHECK(bench.session().trace_hash() != hash);
+}
+
+TEST_CASE("on a narrow stage the framed ball stays below the tools") {
+  Bench bench(flat());
+  ImGui::NewFrame();
+  bench.app.frame({.stage = {0, 0, 390, 440}, .timeline = {0, 440, 390, 158}, .fingers = true}, 100);
+  ImGui::Render();
+  for (int i = 0; i < 2; ++i) {
+    REQUIRE(bench.app.command("reset_view"));
+    ImGui::NewFrame();
+    bench.app.frame({.stage = {0, 0, 390, 440}, .timeline = {0, 440, 390, 158}, .fingers = true}, 101 + i);
+    ImGui::Render();
+  }
+  for (const Handle& handle : bench.app.handles()) CHECK(handle.y > 56);
+}
+
+TEST_CASE("beside it: step, radius and excess of the second algorithm") {
+  lesson::Lesson lesson = flat();
+  lesson.compare = "welzl";
+  lesson::Session session = *lesson::Session::open(std::move(lesson));
+  session.jump(session.steps());
+  const auto figures = figures_beside(session);
+  REQUIRE(figures.size() == 3);
+  const std::string steps = std::to_string(session.recording(1).steps.size());
+  CHECK(figures[0].text == steps + " of " + steps);
+  CHECK(figures[1].key == "radius");
+  CHECK(figures[1].value == doctest::Approx(session.recording(1).result.sphere.radius));
+  CHECK(figures[2].key == "excess");
+  REQUIRE(session.choose(1, ""));
+  CHECK(figures_beside(session).empty());
+}
+
+}  // namespace snug::app
