@@ -1,7 +1,9 @@
 # A point is dragged with a real mouse: the radius follows, and one undo takes all of the drag back.
 . tests/desktop/support.sh
 open_window --lesson sphere-welzl
-# To the end, past every question.
+# From the result that it opens on to the start, and to the end past every question.
+xdotool key Home
+until_state 's.step === 0'
 for i in 1 2 3 4 5 6 7 8; do xdotool key End s; done
 until_state 's.step === s.steps'
 before=$(state "s.readout.radius")
