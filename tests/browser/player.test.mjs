@@ -73,14 +73,33 @@ test("playing waits for the answer", async (t) => {
   const { page, asked } = await to_stage_question(t);
   const { step } = await state(page);
   await page.evaluate(() => document.activeElement.blur());
-  for (const key of [" ", "PageDown", "End"]) {
+  for (const key of [" ", "End"]) {
     await page.keyboard.press(key);
     await still(page);
     const now = await state(page);
     assert.deepEqual([now.step, now.asked?.id], [step, asked.id], `after "${key}"`);
   }
-  await page.getByRole("button", { name: "Skip" }).click();
-  await until(page, (it, id) => it.asked?.id !== id, asked.id);
+  // A clicker has no other key than Page Down: it skips.
+  await page.keyboard.press("PageDown");
+  const skipped = await until(page, (it, id) => it.asked?.id !== id, asked.id);
+  assert.equal(skipped.outcome.skipped, true);
+});
+
+test("an answer that came about over several steps can be watched", async (t) => {
+  const page = await visit(t, "?lesson=sphere-welzl&step=0");
+  const far = (it) => it.outcome && it.outcome.step - it.outcome.fromStep > 1;
+  let now = await state(page);
+  for (let i = 0; i < 200 && !far(now); ++i) {
+    await page.keyboard.press("PageDown"); // to the next mark, or past the question
+    await page.waitForTimeout(60);
+    now = await state(page);
+  }
+  assert.ok(far(now));
+  const watch = page.locator(".outcome").getByRole("button", { name: "Watch how" });
+  if (!(await watch.isVisible())) await page.locator(".outcome summary").click();
+  await watch.click();
+  await until(page, (it, from, to) => it.step > from && it.step < to, now.outcome.fromStep, now.outcome.step);
+  await until(page, (it, to) => it.step === to && !it.playing, now.outcome.step);
 });
 
 test("playing goes on by itself while nothing else happens", async (t) => {
