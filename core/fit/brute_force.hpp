@@ -32,7 +32,7 @@ class BruteForce {
     for (int size = 2; size <= Dim + 1; ++size) choose(size, 0, {});
     if (!has_ball_) attempt({0});  // one point, or the same one many times
     best_.radius = enclosing_radius(best_.center, points_, farthest_points(best_.center, points_));
-    observe_(Step{5, true, best_, Finished{support_}});
+    observe_(Step{5, true, best_, Finished{support_.list()}});
     return {best_, support_};
   }
 

@@ -4,8 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <initializer_list>
+#include <variant>
+#include <vector>
 
 #include "geometry/point_set.hpp"
+#include "geometry/sphere.hpp"
 #include "geometry/vector.hpp"
 #include "trace/observer.hpp"
 
@@ -21,6 +24,7 @@ class Support {
   constexpr void add(Index i) { indices_[static_cast<std::size_t>(size_++)] = i; }
   [[nodiscard]] constexpr int size() const { return size_; }
   [[nodiscard]] constexpr Index operator[](int i) const { return indices_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] std::vector<Index> list() const { return {begin(), end()}; }
   [[nodiscard]] constexpr const Index* begin() const { return indices_.data(); }
   [[nodiscard]] constexpr const Index* end() const { return indices_.data() + size_; }
   [[nodiscard]] constexpr bool contains(Index i) const {
@@ -34,11 +38,32 @@ class Support {
   int size_ = 0;
 };
 
-/// A volume that holds every point, and the points that hold it in place. Nothing that can be recomputed.
+/// How many points can hold a volume in place is bounded for a ball alone.
+template <class Volume>
+struct SupportOf {
+  using Type = std::vector<Index>;
+};
+template <class Scalar, int Dim>
+struct SupportOf<Sphere<Scalar, Dim>> {
+  using Type = Support;
+};
+
+/// A volume that holds every point, and the points that hold it in place (that touch it). Nothing that can be recomputed.
 template <class Volume>
 struct Fit {
   Volume volume;
-  Support support;
+  typename SupportOf<Volume>::Type support;
+};
+
+/// One step of an algorithm that fits such volumes: what happened, and the volume as it then stands.
+template <class VolumeType, class... Facts>
+struct Step {
+  using Volume = VolumeType;
+  using Fact = std::variant<Facts...>;
+  int line = 0;             // of the algorithm's pseudocode, counted from 0
+  bool has_volume = false;  // whether there is a volume yet
+  Volume volume;            // as it stands after this step
+  Fact fact;
 };
 
 /// What a caller may choose; each fitter takes what it knows.

@@ -48,7 +48,7 @@ Fit<Sphere<Scalar, Dim>> finish_grown(Sphere<Scalar, Dim> ball, Support support,
   observe.count(Operation::kPointsTouched, points.size());
   observe.count(Operation::kDistanceTests, points.size());
   observe(Step{line, true, ball, RadiusChecked{far.overall.point, widened}});
-  observe(Step{line + 1, true, ball, Finished{support}});
+  observe(Step{line + 1, true, ball, Finished{support.list()}});
   return {ball, support};
 }
 

@@ -77,7 +77,7 @@ SphereStep<double, 3> lift(const SphereStep<Scalar, Dim>& step) {
   if constexpr (std::is_same_v<Scalar, double> && Dim == 3)
     return step;
   else
-    return {step.line, step.has_ball, lift(step.ball), std::visit(LiftFact<Scalar, Dim>{}, step.fact)};
+    return {step.line, step.has_volume, lift(step.volume), std::visit(LiftFact<Scalar, Dim>{}, step.fact)};
 }
 
 }  // namespace snug::fit

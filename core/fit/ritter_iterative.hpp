@@ -34,7 +34,7 @@ Fit<Sphere<Scalar, Dim>> ritter_iterative(PointSpan<Scalar, Dim> points, const O
   observe.count(Operation::kPointsTouched, 3 * std::int64_t{points.size()});
   observe.count(Operation::kDistanceTests, 2 * std::int64_t{points.size()});
   observe.count(Operation::kComparisons, 2 * Dim * std::int64_t{points.size()});
-  observe(Step{0, true, best.volume, Finished{best.support}});
+  observe(Step{0, true, best.volume, Finished{best.support.list()}});
 
   std::vector<Index> order(static_cast<std::size_t>(points.size()));
   std::iota(order.begin(), order.end(), Index{0});

@@ -1,24 +1,15 @@
-// The steps of the sphere fitters: facts in geometric words. Colours and captions live with those who show them.
-// Each fact lists its fields by name once, for every reader of traces (hash, JSON lines, inspector).
+// The steps of the sphere fitters.
 #pragma once
 
 #include <array>
 #include <string_view>
 #include <variant>
 
+#include "fit/facts.hpp"
 #include "fit/fit.hpp"
 #include "geometry/sphere.hpp"
 
 namespace snug::fit {
-
-/// The points with the least and the greatest coordinate along each axis.
-template <class Scalar, int Dim>
-struct ExtremesFound {
-  static constexpr std::string_view kName = "extremes_found";
-  std::array<Index, Dim> least{};
-  std::array<Index, Dim> greatest{};
-  void fields(auto&& see) const { see("least", least), see("greatest", greatest); }
-};
 
 /// The midpoint of the axis-aligned box, with the box.
 template <class Scalar, int Dim>
@@ -26,15 +17,6 @@ struct MidpointFound {
   static constexpr std::string_view kName = "midpoint_found";
   Vector<Scalar, Dim> least, greatest, midpoint;
   void fields(auto&& see) const { see("least", least), see("greatest", greatest), see("midpoint", midpoint); }
-};
-
-/// Two points chosen as the first diameter. axis: 0 .. Dim - 1 for a coordinate axis, kNoIndex for another direction.
-struct PairChosen {
-  static constexpr std::string_view kName = "pair_chosen";
-  Index a = kNoIndex, b = kNoIndex;
-  int axis = kNoIndex;
-  double distance = 0;
-  void fields(auto&& see) const { see("a", a), see("b", b), see("axis", axis), see("distance", distance); }
 };
 
 /// The point farthest from a centre, which sets the radius.
@@ -65,32 +47,6 @@ struct BallGrown {
   Index point = kNoIndex;
   Sphere<Scalar, Dim> before;
   void fields(auto&& see) const { see("point", point), see("before", before); }
-};
-
-template <class Scalar, int Dim>
-struct MeanFound {
-  static constexpr std::string_view kName = "mean_found";
-  Vector<Scalar, Dim> mean;
-  void fields(auto&& see) const { see("mean", mean); }
-};
-
-/// covariance: in scene units squared, divided by n.
-template <class Scalar, int Dim>
-struct CovarianceFound {
-  static constexpr std::string_view kName = "covariance_found";
-  Vector<Scalar, Dim> mean;
-  Matrix<Scalar, Dim> covariance;
-  void fields(auto&& see) const { see("mean", mean), see("covariance", covariance); }
-};
-
-/// Eigenvectors as columns, by rising eigenvalue; variances: the eigenvalues, in scene units squared.
-template <class Scalar, int Dim>
-struct AxesFound {
-  static constexpr std::string_view kName = "axes_found";
-  Vector<Scalar, Dim> mean;
-  Matrix<Scalar, Dim> axes;
-  Vector<Scalar, Dim> variances;
-  void fields(auto&& see) const { see("mean", mean), see("axes", axes), see("variances", variances); }
 };
 
 /// One more pass of the iterative method: the ball was shrunk and the order shuffled.
@@ -168,23 +124,11 @@ struct CandidateTried {
   }
 };
 
-/// The last step of every way out: the ball is the result.
-struct Finished {
-  static constexpr std::string_view kName = "finished";
-  Support support;
-  void fields(auto&& see) const { see("support", support); }
-};
-
 template <class Scalar, int Dim>
-struct SphereStep {
-  using Fact = std::variant<ExtremesFound<Scalar, Dim>, MidpointFound<Scalar, Dim>, PairChosen, FarthestFound, PointExamined,
-                            BallGrown<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>,
-                            AxesFound<Scalar, Dim>, BallShrunk<Scalar, Dim>, PassJudged<Scalar, Dim>, BoundaryForced,
-                            MovedToFront, AllChecked, RadiusChecked, SupportReplaced, CandidateTried<Scalar, Dim>, Finished>;
-  int line = 0;              // of the algorithm's pseudocode, counted from 0
-  bool has_ball = false;     // whether there is a ball yet
-  Sphere<Scalar, Dim> ball;  // as it stands after this step
-  Fact fact;
-};
+using SphereStep =
+    Step<Sphere<Scalar, Dim>, ExtremesFound<Scalar, Dim>, MidpointFound<Scalar, Dim>, PairChosen, FarthestFound,
+         PointExamined, BallGrown<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>, AxesFound<Scalar, Dim>,
+         BallShrunk<Scalar, Dim>, PassJudged<Scalar, Dim>, BoundaryForced, MovedToFront, AllChecked, RadiusChecked,
+         SupportReplaced, CandidateTried<Scalar, Dim>, Finished>;
 
 }  // namespace snug::fit

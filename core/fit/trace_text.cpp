@@ -30,6 +30,10 @@ class Fnv1a {
     add(support.size());
     for (const Index i : support) add(i);
   }
+  void add(const std::vector<Index>& indices) {
+    add(static_cast<std::int64_t>(indices.size()));
+    for (const Index i : indices) add(i);
+  }
   void add(const Sphere3& sphere) { add(sphere.center), add(sphere.radius); }
   void add(const std::array<Index, 3>& indices) {
     for (const Index i : indices) add(i);
@@ -67,6 +71,9 @@ class Json {
     text += buffer.data();
   }
   void put(const Support& support) { put_list(support.size(), [&](int i) { put(support[i]); }); }
+  void put(const std::vector<Index>& indices) {
+    put_list(static_cast<int>(indices.size()), [&](int i) { put(indices[static_cast<std::size_t>(i)]); });
+  }
   void put(const std::array<Index, 3>& indices) {
     put_list(dim_, [&](int i) { put(indices[static_cast<std::size_t>(i)]); });
   }
@@ -115,8 +122,8 @@ std::uint64_t hash_of(std::span<const Recorder<Step3>::Entry> steps) {
   for (const auto& entry : steps) {
     hash.add(static_cast<std::int64_t>(entry.step.fact.index()));
     hash.add(entry.step.line);
-    hash.add(entry.step.has_ball);
-    hash.add(entry.step.ball);
+    hash.add(entry.step.has_volume);
+    hash.add(entry.step.volume);
     std::visit([&](const auto& fact) { fact.fields(hash); }, entry.step.fact);
   }
   return hash.hash();
@@ -126,7 +133,7 @@ std::string json_of(const Step3& step, int dim) {
   Json json(dim);
   json("step", name_of(step));
   json("line", step.line);
-  if (step.has_ball) json("ball", step.ball);
+  if (step.has_volume) json("ball", step.volume);
   if (const auto* axes = std::get_if<AxesFound<double, 3>>(&step.fact))
     put_axes(json, *axes, dim);
   else

@@ -45,7 +45,7 @@ class Welzl {
     while (let_in_outsiders(far)) far = check_all();
     Sphere<Scalar, Dim> result = current_;
     result.radius = enclosing_radius(result.center, points_, far);
-    observe_(Step{2, true, result, Finished{ball_.support}});
+    observe_(Step{2, true, result, Finished{ball_.support.list()}});
     return {result, ball_.support};
   }
 

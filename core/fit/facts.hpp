@@ -1,0 +1,64 @@
+// The facts that fitters of several volumes share, in geometric words. Colours and captions live with those who show them.
+// Each fact lists its fields by name once, for every reader of traces (hash, JSON lines, inspector).
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "geometry/vector.hpp"
+
+namespace snug::fit {
+
+/// The points with the least and the greatest coordinate along each axis.
+template <class Scalar, int Dim>
+struct ExtremesFound {
+  static constexpr std::string_view kName = "extremes_found";
+  std::array<Index, Dim> least{};
+  std::array<Index, Dim> greatest{};
+  void fields(auto&& see) const { see("least", least), see("greatest", greatest); }
+};
+
+/// Two points chosen as the first diameter. axis: 0 .. Dim - 1 for a coordinate axis, kNoIndex for another direction.
+struct PairChosen {
+  static constexpr std::string_view kName = "pair_chosen";
+  Index a = kNoIndex, b = kNoIndex;
+  int axis = kNoIndex;
+  double distance = 0;
+  void fields(auto&& see) const { see("a", a), see("b", b), see("axis", axis), see("distance", distance); }
+};
+
+template <class Scalar, int Dim>
+struct MeanFound {
+  static constexpr std::string_view kName = "mean_found";
+  Vector<Scalar, Dim> mean;
+  void fields(auto&& see) const { see("mean", mean); }
+};
+
+/// covariance: in scene units squared, divided by n.
+template <class Scalar, int Dim>
+struct CovarianceFound {
+  static constexpr std::string_view kName = "covariance_found";
+  Vector<Scalar, Dim> mean;
+  Matrix<Scalar, Dim> covariance;
+  void fields(auto&& see) const { see("mean", mean), see("covariance", covariance); }
+};
+
+/// Eigenvectors as columns, by rising eigenvalue; variances: the eigenvalues, in scene units squared.
+template <class Scalar, int Dim>
+struct AxesFound {
+  static constexpr std::string_view kName = "axes_found";
+  Vector<Scalar, Dim> mean;
+  Matrix<Scalar, Dim> axes;
+  Vector<Scalar, Dim> variances;
+  void fields(auto&& see) const { see("mean", mean), see("axes", axes), see("variances", variances); }
+};
+
+/// The last step of every way out: the volume is the result, held by these points.
+struct Finished {
+  static constexpr std::string_view kName = "finished";
+  std::vector<Index> support;
+  void fields(auto&& see) const { see("support", support); }
+};
+
+}  // namespace snug::fit

@@ -1,0 +1,48 @@
+// Numbers that never round: integers times a power of two, closed under +, - and *. For decisions that must not be wrong,
+// asked where a filter in double could not tell.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace snug {
+
+/// An exact value of any size: every finite double is one, and so is every sum, difference and product of them.
+/// Slow (memory is allocated); filter first.
+class Dyadic {
+ public:
+  Dyadic() = default;
+  Dyadic(double value);  // NOLINT: a double is one without loss. value: finite.
+
+  /// -1, 0 or +1.
+  [[nodiscard]] int sign() const noexcept { return digits_.empty() ? 0 : negative_ ? -1 : 1; }
+  /// The nearest double or one of its neighbours; infinite where the value is beyond them all.
+  [[nodiscard]] double approximate() const noexcept;
+
+  friend Dyadic operator-(Dyadic a) {
+    a.negative_ = !a.negative_;
+    return a;
+  }
+  friend Dyadic operator+(const Dyadic& a, const Dyadic& b) { return sum(a, b, b.negative_); }
+  friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return sum(a, b, !b.negative_); }
+  friend Dyadic operator*(const Dyadic& a, const Dyadic& b);
+  Dyadic& operator+=(const Dyadic& b) { return *this = *this + b; }
+  Dyadic& operator-=(const Dyadic& b) { return *this = *this - b; }
+  Dyadic& operator*=(const Dyadic& b) { return *this = *this * b; }
+  /// -1, 0 or +1 as a is below, at or above b.
+  friend int compare(const Dyadic& a, const Dyadic& b) { return (a - b).sign(); }
+  friend bool operator<(const Dyadic& a, const Dyadic& b) { return compare(a, b) < 0; }
+  friend bool operator<=(const Dyadic& a, const Dyadic& b) { return compare(a, b) <= 0; }
+  friend bool operator==(const Dyadic& a, const Dyadic& b) { return compare(a, b) == 0; }
+
+ private:
+  static Dyadic sum(const Dyadic& a, const Dyadic& b, bool b_negative);
+  void trim();
+
+  // The magnitude is the sum of digits_[i] * 2^(32 (i + place_)); no zero digit at either end.
+  std::vector<std::uint32_t> digits_;
+  int place_ = 0;
+  bool negative_ = false;
+};
+
+}  // namespace snug

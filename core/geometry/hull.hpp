@@ -1,0 +1,23 @@
+// The convex hull, as a polygon (2-D) or a closed surface of triangles (3-D).
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometry/vector.hpp"
+
+namespace snug {
+
+/// Vertices are points of the set, unrounded. facets name places in vertices: in 2-D edges, counter-clockwise; in 3-D
+/// triangles, counter-clockwise as seen from outside. Where the points span less than Dim dimensions (affine_dim) the
+/// hull is a point, a segment's two ends, or in 3-D a flat polygon's vertices in their order around it; facets is then
+/// empty.
+template <class Scalar, int Dim>
+struct ConvexHull {
+  std::vector<Vector<Scalar, Dim>> vertices;
+  std::vector<Index> indices;                   // of each vertex in the point set
+  std::vector<std::array<Index, Dim>> facets;
+  int affine_dim = Dim;
+};
+
+}  // namespace snug
