@@ -37,4 +37,17 @@ inline constexpr double kOptimalityRoundoffs = 16;
 /// The same, for a support point to count as lying on the boundary.
 inline constexpr double kBoundaryRoundoffs = 16;
 
+/// A projection (p - c) . u carries one rounding per difference, one per product and two for the sum: 4u of the sum of the
+/// terms' sizes. 6u leaves room for the rounding of that sum and of what it is compared with. Held by "a box holds a point
+/// just where its slabs do in rational arithmetic".
+inline constexpr double kProjection = 6 * kRoundoff<double>;
+
+/// A sum of such terms below which underflow of a product, at most 2^-1075, could be felt beside u of it.
+inline constexpr double kSoundProjection = 0x1p-960;
+
+/// The distance from a point to a place s e + t f on a parallelogram carries at most 4u of the sizes of point, e and f
+/// from the place, and 3u from the norm: 7u. The same place seen along a direction carries 6u. 10u leaves room for the
+/// rounding of the sizes. Held by "a capsule and a lozenge hold a point just where rational arithmetic says".
+inline constexpr double kSweptDistance = 10 * kRoundoff<double>;
+
 }  // namespace snug::tolerance
