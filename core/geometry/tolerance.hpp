@@ -50,4 +50,10 @@ inline constexpr double kSoundProjection = 0x1p-960;
 /// rounding of the sizes. Held by "a capsule and a lozenge hold a point just where rational arithmetic says".
 inline constexpr double kSweptDistance = 10 * kRoundoff<double>;
 
+/// How far a rotation matrix as geometry/turn.hpp and pose.hpp make it, or the same rounded to Scalar, may be from
+/// lengthening nothing: the quaternion's length is off by 2u, each entry by 4u of its own making. Held by "a rotation
+/// matrix, and the same rounded to float, lengthens nothing by more than its tolerance says".
+template <class Scalar>
+inline constexpr Scalar kRotation = 16 * kRoundoff<Scalar>;
+
 }  // namespace snug::tolerance
