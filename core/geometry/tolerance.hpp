@@ -56,4 +56,29 @@ inline constexpr double kSweptDistance = 10 * kRoundoff<double>;
 template <class Scalar>
 inline constexpr Scalar kRotation = 16 * kRoundoff<Scalar>;
 
+/// How far a corner of a k-DOP, worked out from its slabs, may miss one of them, in units of u * (largest bound): each
+/// bound is rounded once when it is moved to the origin, a point of two planes has five operations a coordinate, and its
+/// projection onto a third axis three. Held by "a k-DOP's corners lie in all of its slabs".
+inline constexpr double kKdopCornerRoundoffs = 16;
+
+/// The gap, in units of u * (largest extent of both volumes about a common point), up to which volumes still count as
+/// touching: corners are rounded by at most 5u of that size, their projections onto an axis and the axis's length by as
+/// much again, and that twice, once for each volume. Held by "volumes put at a known gap are told apart from it on".
+inline constexpr double kTouchingRoundoffs = 16;
+
+/// Edges shorter than this part of all that they are compared with are points: their squares would soon lose digits, and
+/// leaving them out costs less than a rounding. Held by "tiny segments and rectangles have the exact distance".
+template <class Scalar>
+inline constexpr Scalar kVanishing = kRoundoff<Scalar> * kRoundoff<Scalar>;
+
+/// The errors of a sum of products of rounded differences, in units of the sum of the products' sizes: u for each
+/// difference, product and sum that a term passes through (two products 3u, three in a dot product 5u, the six triple
+/// products of a determinant 7u, and terms in u^2). Held by "signs are those of rational arithmetic, near zero too".
+inline constexpr double kTwoProducts = 4 * kRoundoff<double>;
+inline constexpr double kThreeProducts = 6 * kRoundoff<double>;
+inline constexpr double kSixTripleProducts = 8 * kRoundoff<double>;
+
+/// What underflow of such products, 2^-1075 each, can take from the sum: up to 32 of them.
+inline constexpr double kLostToUnderflow = 0x1p-1070;
+
 }  // namespace snug::tolerance

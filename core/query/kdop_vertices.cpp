@@ -1,0 +1,137 @@
+// Each edge is the line where two boundary planes meet (in 2-D each boundary line by itself), clipped by all other slabs;
+// the corners are the edges' ends.
+// Source of the clipping: M. Cyrus, J. Beck, "Generalized two- and three-dimensional clipping", 1978.
+#include "query/kdop_vertices.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "geometry/double_double.hpp"
+#include "geometry/tolerance.hpp"
+
+namespace snug::query {
+namespace {
+
+template <int Dim>
+using Axis = std::array<int, Dim>;
+
+template <int Dim>
+double along(const Axis<Dim>& axis, const Vector<double, Dim>& v) {
+  double sum = 0;
+  for (std::size_t i = 0; i < Dim; ++i) sum += axis[i] * v[static_cast<int>(i)];
+  return sum;
+}
+
+template <int Dim>
+Vector<double, Dim> vector_of(const Axis<Dim>& axis) {
+  Vector<double, Dim> v;
+  for (std::size_t i = 0; i < Dim; ++i) v[static_cast<int>(i)] = axis[i];
+  return v;
+}
+
+/// How many numbers of a k-DOP's faces choose a line: a plane's place is its axis times two, plus one for max.
+template <int Dim>
+using Planes = std::array<int, Dim - 1>;
+
+template <int Dim>
+struct Line {
+  Vector<double, Dim> point;
+  Vector<double, Dim> direction;  // small whole numbers
+};
+
+template <class Scalar, int Dim>
+class Corners {
+ public:
+  Corners(const Kdop<Scalar, Dim>& kdop, const Vector<Scalar, Dim>& origin) : axes_(kdop_axes<Dim>(kdop.k)) {
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      DoubleDouble moved;
+      for (std::size_t j = 0; j < Dim; ++j) moved += axes_[i][j] * static_cast<double>(origin[static_cast<int>(j)]);
+      bounds_[2 * i] = (DoubleDouble(static_cast<double>(kdop.min[i])) - moved).value();
+      bounds_[2 * i + 1] = (DoubleDouble(static_cast<double>(kdop.max[i])) - moved).value();
+      size_ = std::max({size_, std::abs(bounds_[2 * i]), std::abs(bounds_[2 * i + 1])});
+    }
+    slack_ = tolerance::kKdopCornerRoundoffs * tolerance::kRoundoff<double> * size_;
+  }
+
+  std::vector<Vector<double, Dim>> find() {
+    const int planes = 2 * static_cast<int>(axes_.size());
+    for (int i = 0; i < planes; ++i) {
+      if constexpr (Dim == 2) {
+        clip({i});
+      } else {
+        for (int j = 2 * (i / 2) + 2; j < planes; ++j) clip({i, j});
+      }
+    }
+    return std::move(corners_);
+  }
+
+ private:
+  [[nodiscard]] const Axis<Dim>& axis(int plane) const { return axes_[static_cast<std::size_t>(plane / 2)]; }
+  [[nodiscard]] double bound(int plane) const { return bounds_[static_cast<std::size_t>(plane)]; }
+
+  /// The point of the planes that is nearest to the origin, and the direction in which they go on.
+  [[nodiscard]] Line<Dim> line_of(const Planes<Dim>& planes) const {
+    const Vector<double, Dim> n = vector_of<Dim>(axis(planes[0]));
+    if constexpr (Dim == 2) {
+      return {n * (bound(planes[0]) / n.squaredNorm()), {-n[1], n[0]}};
+    } else {
+      const Vector<double, 3> m = vector_of<Dim>(axis(planes[1]));
+      const Vector<double, 3> direction = n.cross(m);
+      const Vector<double, 3> point = bound(planes[0]) * m.cross(direction) + bound(planes[1]) * direction.cross(n);
+      return {point / direction.squaredNorm(), direction};
+    }
+  }
+
+  void clip(const Planes<Dim>& planes) {
+    const Line<Dim> line = line_of(planes);
+    double from = -std::numeric_limits<double>::infinity();
+    double to = -from;
+    for (int slab = 0; slab < static_cast<int>(axes_.size()); ++slab) {
+      if (std::any_of(planes.begin(), planes.end(), [&](int plane) { return plane / 2 == slab; })) continue;
+      const double speed = along<Dim>(axis(2 * slab), line.direction);
+      const double place = along<Dim>(axis(2 * slab), line.point);
+      double enter = bound(2 * slab) - place;
+      double leave = bound(2 * slab + 1) - place;
+      if (speed == 0) {
+        if (enter > slack_ || leave < -slack_) return;
+        continue;
+      }
+      enter /= speed, leave /= speed;
+      from = std::max(from, std::min(enter, leave));
+      to = std::min(to, std::max(enter, leave));
+      if (from > to + slack_) return;
+    }
+    if (from > to) from = to = from + (to - from) / 2;
+    add(line.point + from * line.direction);
+    add(line.point + to * line.direction);
+  }
+
+  void add(const Vector<double, Dim>& corner) {
+    for (const auto& known : corners_)
+      if ((known - corner).cwiseAbs().maxCoeff() <= slack_) return;
+    corners_.push_back(corner);
+  }
+
+  std::span<const Axis<Dim>> axes_;
+  std::array<double, 2 * kMostSlabs<Dim>> bounds_{};
+  double size_ = 0;
+  double slack_ = 0;
+  std::vector<Vector<double, Dim>> corners_;
+};
+
+}  // namespace
+
+template <class Scalar, int Dim>
+std::vector<Vector<double, Dim>> kdop_vertices(const Kdop<Scalar, Dim>& kdop, const Vector<Scalar, Dim>& origin) {
+  return Corners<Scalar, Dim>(kdop, origin).find();
+}
+
+template std::vector<Vector<double, 2>> kdop_vertices(const Kdop<float, 2>&, const Vector<float, 2>&);
+template std::vector<Vector<double, 3>> kdop_vertices(const Kdop<float, 3>&, const Vector<float, 3>&);
+template std::vector<Vector<double, 2>> kdop_vertices(const Kdop<double, 2>&, const Vector<double, 2>&);
+template std::vector<Vector<double, 3>> kdop_vertices(const Kdop<double, 3>&, const Vector<double, 3>&);
+
+}  // namespace snug::query

@@ -1,0 +1,18 @@
+// The corners of a k-DOP, which its slabs only imply.
+#pragma once
+
+#include <vector>
+
+#include "geometry/kdop.hpp"
+#include "geometry/vector.hpp"
+
+namespace snug::query {
+
+/// The corners, each once, relative to an origin (subtracted before anything is rounded, so that far k-DOPs lose no
+/// digits), in scene units. Slabs that touch nothing add none; none at all where the slabs have no point in common. A
+/// corner lies within kKdopCornerRoundoffs of each of its planes. kdop.k: one of the known.
+template <class Scalar, int Dim>
+[[nodiscard]] std::vector<Vector<double, Dim>> kdop_vertices(const Kdop<Scalar, Dim>& kdop,
+                                                             const Vector<Scalar, Dim>& origin = Vector<Scalar, Dim>::Zero());
+
+}  // namespace snug::query
