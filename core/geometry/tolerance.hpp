@@ -81,4 +81,13 @@ inline constexpr double kSixTripleProducts = 8 * kRoundoff<double>;
 /// What underflow of such products, 2^-1075 each, can take from the sum: up to 32 of them.
 inline constexpr double kLostToUnderflow = 0x1p-1070;
 
+/// Among projections onto an axis, how far below the greatest, in parts of the points' size, one may seem to lie and be the
+/// greatest: each carries kProjection of at most sqrt(3) of the size, that twice, and as much again for the centre that it
+/// is held against. Held by "a box on given axes holds every point exactly".
+inline constexpr double kExtremeProjection = 32 * kRoundoff<double>;
+
+/// A projection in about 106 bits, of coordinates scaled to 4 or below, carries at most 2^-99: with this doubt, the
+/// verdict is certain. Held by the same.
+inline constexpr double kWideProjection = 0x1p-96;
+
 }  // namespace snug::tolerance
