@@ -1,0 +1,77 @@
+// On which side a point lies: signs of determinants that are never wrong, whatever the coordinates.
+// Source: J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997, for the
+// filters; what they leave open is decided in whole numbers (most often) or numbers of any length.
+#pragma once
+
+#include <cmath>
+
+#include "geometry/tolerance.hpp"
+#include "geometry/vector.hpp"
+
+namespace snug {
+
+// All coordinates are finite doubles; those of float points are cast, which is exact.
+
+namespace detail {
+int cross_sign_exact(const Vector<double, 2>& a, const Vector<double, 2>& b, const Vector<double, 2>& c,
+                     const Vector<double, 2>& d) noexcept;
+int orient3d_in_doubt(const Vector<double, 3>& a, const Vector<double, 3>& b, const Vector<double, 3>& c,
+                      const Vector<double, 3>& d) noexcept;
+template <int Dim>
+int dot_sign_exact(const Vector<double, Dim>& a, const Vector<double, Dim>& b, const Vector<double, Dim>& c,
+                   const Vector<double, Dim>& d) noexcept;
+
+/// The sign of value where doubt bounds its error, else 0. Where either has overflown, no sign is certain.
+[[nodiscard]] inline int certain_sign(double value, double doubt) noexcept {
+  return value > doubt ? 1 : value < -doubt ? -1 : 0;
+}
+}  // namespace detail
+
+/// -1, 0 or +1: the sign of (b - a) x (d - c). Of c and d, which lies farther to the left of a line from a to b.
+[[nodiscard]] inline int cross_sign(const Vector<double, 2>& a, const Vector<double, 2>& b, const Vector<double, 2>& c,
+                                    const Vector<double, 2>& d) noexcept {
+  const double left = (b[0] - a[0]) * (d[1] - c[1]);
+  const double right = (b[1] - a[1]) * (d[0] - c[0]);
+  const int sign = detail::certain_sign(left - right, tolerance::kTwoProducts * (std::abs(left) + std::abs(right)) +
+                                                          tolerance::kLostToUnderflow);
+  return sign != 0 ? sign : detail::cross_sign_exact(a, b, c, d);
+}
+
+/// +1 where a, b, c turn counter-clockwise, 0 where they lie on a line, else -1.
+[[nodiscard]] inline int orient2d(const Vector<double, 2>& a, const Vector<double, 2>& b, const Vector<double, 2>& c) noexcept {
+  return cross_sign(a, b, a, c);
+}
+
+/// +1 where d lies on the side from which a, b, c are seen counter-clockwise, 0 where the four lie in a plane, else -1.
+[[nodiscard]] inline int orient3d(const Vector<double, 3>& a, const Vector<double, 3>& b, const Vector<double, 3>& c,
+                                  const Vector<double, 3>& d) noexcept {
+  const double bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
+  const double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
+  const double dx = d[0] - a[0], dy = d[1] - a[1], dz = d[2] - a[2];
+  const double x1 = by * cz, x2 = bz * cy, y1 = bz * cx, y2 = bx * cz, z1 = bx * cy, z2 = by * cx;
+  const double value = dx * (x1 - x2) + dy * (y1 - y2) + dz * (z1 - z2);
+  const double size = std::abs(dx) * (std::abs(x1) + std::abs(x2)) + std::abs(dy) * (std::abs(y1) + std::abs(y2)) +
+                      std::abs(dz) * (std::abs(z1) + std::abs(z2));
+  const double reach = 1 + std::abs(dx) + std::abs(dy) + std::abs(dz);
+  const int sign = detail::certain_sign(value, tolerance::kSixTripleProducts * size + tolerance::kLostToUnderflow * reach);
+  return sign != 0 ? sign : detail::orient3d_in_doubt(a, b, c, d);
+}
+
+/// -1, 0 or +1: the sign of (b - a) . (d - c). Of c and d, which lies farther along the way from a to b.
+template <int Dim>
+[[nodiscard]] int dot_sign(const Vector<double, Dim>& a, const Vector<double, Dim>& b, const Vector<double, Dim>& c,
+                           const Vector<double, Dim>& d) noexcept {
+  double value = 0, size = 0;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double product = (b[axis] - a[axis]) * (d[axis] - c[axis]);
+    value += product;
+    size += std::abs(product);
+  }
+  const int sign = detail::certain_sign(value, tolerance::kThreeProducts * size + tolerance::kLostToUnderflow);
+  return sign != 0 ? sign : detail::dot_sign_exact<Dim>(a, b, c, d);
+}
+
+/// Whether the three lie on a line.
+[[nodiscard]] bool collinear(const Vector<double, 3>& a, const Vector<double, 3>& b, const Vector<double, 3>& c) noexcept;
+
+}  // namespace snug
