@@ -1,0 +1,100 @@
+// The steps of the hull's construction. From them alone the hull can be rebuilt as it stood after each: SimplexChosen says
+// the first facets, EdgeSplit and FacetsReplaced which facets go and which come. Facets are named by numbers, which are
+// used again once a facet is gone; their vertices are points, by index, counter-clockwise as seen from outside.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "fit/facts.hpp"
+#include "fit/fit.hpp"
+#include "geometry/hull.hpp"
+
+namespace snug::fit {
+
+/// The first facets: of a tetrahedron (3-D) or of a segment seen from both sides (2-D), on those points.
+/// vertices: of facet 0, then of facet 1, ...: three of each, in 2-D two.
+struct SimplexChosen {
+  static constexpr std::string_view kName = "simplex_chosen";
+  std::vector<Index> points;
+  std::vector<Index> vertices;
+  void fields(auto&& see) const { see("points", points), see("vertices", vertices); }
+};
+
+/// All points lie in a plane (affine_dim 2), on a line (1) or in one place (0); points: a simplex of theirs.
+struct FlatFound {
+  static constexpr std::string_view kName = "flat_found";
+  int affine_dim = 0;
+  std::vector<Index> points;
+  void fields(auto&& see) const { see("affine_dim", affine_dim), see("points", points); }
+};
+
+/// Points that lie outside were given to facets that see them: counts[i] to facets[i]. dropped: how many no facet sees.
+struct PointsAssigned {
+  static constexpr std::string_view kName = "points_assigned";
+  std::vector<Index> facets;
+  std::vector<Index> counts;
+  Index dropped = 0;
+  void fields(auto&& see) const { see("facets", facets), see("counts", counts), see("dropped", dropped); }
+};
+
+/// Of the facet's points the farthest was taken; distance: from the facet's line or plane, scene units; of: how many
+/// points the facet has.
+struct EyeChosen {
+  static constexpr std::string_view kName = "eye_chosen";
+  Index point = kNoIndex;
+  Index facet = kNoIndex;
+  double distance = 0;
+  Index of = 0;
+  void fields(auto&& see) const { see("point", point), see("facet", facet), see("distance", distance), see("of", of); }
+};
+
+/// 2-D: the edge gave way to two, from its start a to the point and from there to its end b.
+struct EdgeSplit {
+  static constexpr std::string_view kName = "edge_split";
+  Index edge = kNoIndex;
+  Index a = kNoIndex, b = kNoIndex;
+  Index point = kNoIndex;
+  Index first = kNoIndex, second = kNoIndex;  // the new edges
+  void fields(auto&& see) const {
+    see("edge", edge), see("a", a), see("b", b), see("point", point), see("first", first), see("second", second);
+  }
+};
+
+/// The facets that see the eye, and their border, a ring of points counter-clockwise as seen from the eye.
+struct HorizonFound {
+  static constexpr std::string_view kName = "horizon_found";
+  Index eye = kNoIndex;
+  std::vector<Index> facets;
+  std::vector<Index> horizon;
+  void fields(auto&& see) const { see("eye", eye), see("facets", facets), see("horizon", horizon); }
+};
+
+/// The facets that saw the eye gave way to a cone: added[i] has the vertices horizon[i], horizon[i + 1] (after the last
+/// the first) and eye.
+struct FacetsReplaced {
+  static constexpr std::string_view kName = "facets_replaced";
+  Index eye = kNoIndex;
+  std::vector<Index> removed;
+  std::vector<Index> horizon;
+  std::vector<Index> added;
+  void fields(auto&& see) const {
+    see("eye", eye), see("removed", removed), see("horizon", horizon), see("added", added);
+  }
+};
+
+/// Facets that lie in one plane were made one face each, and cut into triangles anew without the points dropped: they
+/// lie inside a face or an edge, so that they are no vertices. faces: how many there were of more than one facet.
+struct FacesMerged {
+  static constexpr std::string_view kName = "faces_merged";
+  Index faces = 0;
+  std::vector<Index> dropped;
+  void fields(auto&& see) const { see("faces", faces), see("dropped", dropped); }
+};
+
+/// has_volume just in the last step: a hull in each would make a trace as large as the square of the hull.
+template <class Scalar, int Dim>
+using HullStep = Step<ConvexHull<Scalar, Dim>, SimplexChosen, FlatFound, PointsAssigned, EyeChosen, EdgeSplit, HorizonFound,
+                      FacetsReplaced, FacesMerged, Finished>;
+
+}  // namespace snug::fit
