@@ -11,12 +11,12 @@ namespace snug {
 
 /// What an algorithm spends, by kind. Counting is asked of the observer, so that an unwatched run pays nothing.
 enum class Operation : std::uint8_t {
-  kPointsTouched,   // points read in a pass
-  kDistanceTests,   // squared distances compared with a squared radius or with each other
-  kComparisons,     // comparisons of coordinates or projections
-  kDotProducts,     // projections onto an axis, entries of a covariance
+  kPointsTouched,     // points read in a pass
+  kDistanceTests,     // squared distances compared with a squared radius or with each other
+  kComparisons,       // comparisons of coordinates or projections
+  kDotProducts,       // projections onto an axis, entries of a covariance
   kSquareRoots,
-  kBallSolves,      // balls computed through a set of support points
+  kBallSolves,        // balls computed through a set of support points
   kOrientationTests,  // on which side of a line or a plane a point lies
 };
 inline constexpr int kOperations = 7;
