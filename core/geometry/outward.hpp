@@ -1,0 +1,57 @@
+// Sums rounded away from a volume's inside, so that what was held stays held.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace snug {
+
+/// high + low is the sum without rounding; high is the rounded sum. Where that is infinite, low is no number.
+template <class Scalar>
+struct TwoSum {
+  Scalar high;
+  Scalar low;
+};
+
+/// Source: D. E. Knuth, "The Art of Computer Programming", volume 2, 1969, 4.2.2.
+template <class Scalar>
+[[nodiscard]] constexpr TwoSum<Scalar> two_sum(Scalar a, Scalar b) {
+  const Scalar sum = a + b;
+  const Scalar part = sum - a;
+  return {sum, (a - (sum - part)) + (b - part)};
+}
+
+/// The least Scalar that is not below a + b; infinite where there is none. a, b: finite.
+template <class Scalar>
+[[nodiscard]] Scalar sum_up(Scalar a, Scalar b) {
+  constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
+  const auto [high, low] = two_sum(a, b);
+  if (high == -kInfinity) return std::numeric_limits<Scalar>::lowest();
+  return low > 0 ? std::nextafter(high, kInfinity) : high;
+}
+
+/// The greatest Scalar that is not above a + b; infinite where there is none. a, b: finite.
+template <class Scalar>
+[[nodiscard]] Scalar sum_down(Scalar a, Scalar b) {
+  return -sum_up<Scalar>(-a, -b);
+}
+
+/// The least Scalar that is not below a + b + c. Finite numbers, small enough that no sum of them overflows.
+template <class Scalar>
+[[nodiscard]] Scalar sum_up(Scalar a, Scalar b, Scalar c) {
+  const auto [ab, ab_low] = two_sum(a, b);
+  const auto [abc, abc_low] = two_sum(ab, c);
+  const auto [middle, least] = two_sum(ab_low, abc_low);
+  const auto [high, rest] = two_sum(abc, middle);
+  const Scalar low = rest + least;  // rounded, but of the right sign
+  return low > 0 ? std::nextafter(high, std::numeric_limits<Scalar>::infinity()) : high;
+}
+
+/// The greatest Scalar that is not above a + b + c. Finite numbers, small enough that no sum of them overflows.
+template <class Scalar>
+[[nodiscard]] Scalar sum_down(Scalar a, Scalar b, Scalar c) {
+  return -sum_up<Scalar>(-a, -b, -c);
+}
+
+}  // namespace snug
