@@ -90,4 +90,20 @@ inline constexpr double kExtremeProjection = 32 * kRoundoff<double>;
 /// verdict is certain. Held by the same.
 inline constexpr double kWideProjection = 0x1p-96;
 
+/// The sine of the angle below which a direction is too nearly parallel to a first one to give a second axis: what is left
+/// of its unit vector across the first is then mostly that vector's own rounding. Held by "axes from any two directions".
+inline constexpr double kParallel = 0x1p-44;
+
+/// The thickness, in parts of the points' size, up to which a box counts as flat when boxes are compared: less is rounding
+/// of their axes. Held by "among flat boxes the smaller area is better".
+inline constexpr double kFlatBox = 16 * kRoundoff<double>;
+
+/// On which side of a facet's plane a point lies, in coordinates within [-1, 1] that are each off by u: with e and f two
+/// edges of the facet and |.| their largest coordinate, the determinant carries 24u (|e| + |f|) + 12u |e||f| from these,
+/// 8u |e||f| in each of the normal's coordinates, which a point at a distance of up to 2 makes 48u, and 48u |e||f| from
+/// the two dot products. As |e||f| <= |e| + |f|, 132u of that sum covers all; 160u terms in u^2 and the doubt's own
+/// rounding. Times |e| + |f| + u, since edges may vanish but for their rounding. Held by "near-flat clouds keep just their
+/// extreme points".
+inline constexpr double kFacetPlane = 160 * kRoundoff<double>;
+
 }  // namespace snug::tolerance
