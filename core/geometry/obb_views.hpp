@@ -1,0 +1,81 @@
+// The oriented box as what it is not stored as: its corners, its faces, its slabs.
+// Source: C. Ericson, Real-Time Collision Detection, 2005, 4.4.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "geometry/obb.hpp"
+#include "geometry/plane.hpp"
+
+namespace snug {
+
+/// All p with min <= p . normal <= max: what lies between two parallel planes.
+/// Source: T. L. Kay, J. T. Kajiya, "Ray tracing complex scenes", 1986.
+template <class Scalar, int Dim>
+struct Slab {
+  Vector<Scalar, Dim> normal = Vector<Scalar, Dim>::Zero();
+  Scalar min = 0;
+  Scalar max = 0;
+};
+
+template <class Scalar, int Dim>
+using ObbVertices = std::array<Vector<Scalar, Dim>, std::size_t{1} << Dim>;
+template <class Scalar, int Dim>
+using ObbPlanes = std::array<Plane<Scalar, Dim>, std::size_t{2} * Dim>;
+template <class Scalar, int Dim>
+using ObbSlabs = std::array<Slab<Scalar, Dim>, std::size_t{Dim}>;
+
+/// Vertex v is on the positive side of axis i where bit i of v is set. Each coordinate is rounded from its value in double.
+template <class Scalar, int Dim>
+[[nodiscard]] ObbVertices<Scalar, Dim> vertices_of(const Obb<Scalar, Dim>& box) {
+  ObbVertices<Scalar, Dim> vertices;
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    Vector<double, Dim> vertex = box.center.template cast<double>();
+    for (int i = 0; i < Dim; ++i) {
+      const double half_extent = static_cast<double>(box.half_extents[i]);
+      vertex += (v >> i & 1 ? half_extent : -half_extent) * box.axes.col(i).template cast<double>();
+    }
+    vertices[v] = vertex.template cast<Scalar>();
+  }
+  return vertices;
+}
+
+/// By axis. Their meeting is the tightest around the box that the Scalar allows: in exact arithmetic every slab holds its
+/// own of the box, and no bound could be a number closer. Coordinates and half extents finite, up to PointSet's largest.
+template <class Scalar, int Dim>
+[[nodiscard]] ObbSlabs<Scalar, Dim> slabs_of(const Obb<Scalar, Dim>& box);
+
+/// Of axis i, first the face on its positive side, then that on its negative. As tight as the slabs.
+template <class Scalar, int Dim>
+[[nodiscard]] ObbPlanes<Scalar, Dim> planes_of(const Obb<Scalar, Dim>& box) {
+  ObbPlanes<Scalar, Dim> planes;
+  const auto slabs = slabs_of(box);
+  for (std::size_t i = 0; i < slabs.size(); ++i) {
+    planes[2 * i] = {slabs[i].normal, -slabs[i].max};
+    planes[2 * i + 1] = {-slabs[i].normal, slabs[i].min};
+  }
+  return planes;
+}
+
+/// One way to write an oriented box down, and what that makes cheap or dear.
+struct ObbForm {
+  std::string_view name;
+  int numbers_2d, numbers_3d;  // how many are stored, each of a Scalar's bytes
+  std::string_view cheap;
+  std::string_view dear;
+};
+
+inline constexpr std::array<ObbForm, 4> kObbForms{
+    ObbForm{"vertices", 8, 24, "Drawing it, moving it, the farthest point in a direction: the corners are there.",
+            "Space, and every test that needs a face: whether a point is inside takes three axes that must be found first."},
+    ObbForm{"planes", 12, 24, "Whether a point is inside: one dot product a face, and the first that fails ends it.",
+            "Each direction is stored twice with opposite signs, and a corner is where three planes meet: a solve."},
+    ObbForm{"slabs", 8, 15, "A ray, or a point: each direction once, with two bounds.",
+            "A turn changes every bound too, and the centre and the corners have to be solved for."},
+    ObbForm{"center, axes, half extents", 8, 15,
+            "Moving it changes the centre alone, turning it the axes; the separating-axis test takes it as it is.",
+            "A corner or a face has to be put together from it, though by sums alone."},
+};
+
+}  // namespace snug
