@@ -1,0 +1,103 @@
+// What the separating-axis test of two oriented boxes returns, and its steps.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <variant>
+
+#include "geometry/vector.hpp"
+
+namespace snug::query {
+
+/// Where an axis of the test comes from: the normal of a face of either box, or an edge of A x an edge of B (3-D only).
+enum class AxisKind : std::uint8_t { kNone, kFaceA, kFaceB, kEdgeEdge };
+inline constexpr std::array<std::string_view, 4> kAxisKindNames{"none", "face_a", "face_b", "edge_edge"};
+
+/// How many axes the test has: 4 in 2-D, 15 in 3-D.
+template <int Dim>
+inline constexpr int kSatAxes = Dim == 2 ? 4 : 15;
+
+/// One axis of the test, and how far apart the boxes are along it.
+template <class Scalar, int Dim>
+struct SatAxis {
+  AxisKind kind = AxisKind::kNone;
+  int i = -1;                                                    // A's face or edge; -1 where B's face is meant
+  int j = -1;                                                    // B's face or edge; -1 where A's face is meant
+  Vector<Scalar, Dim> direction = Vector<Scalar, Dim>::Zero();   // unit, in the world, from A towards B
+  Scalar gap = 0;                                                // scene units; where the projections overlap, <= 0
+};
+
+template <class Scalar, int Dim>
+struct SatResult {
+  bool overlap = false;
+  int tests = 0;                 // axes looked at, those that parallel edges leave out included
+  SatAxis<Scalar, Dim> axis;     // apart: one that separates. Overlapping: the one of least penetration, or kNone
+};
+
+/// B as it is seen from A's frame: its axes as columns, its centre, and within what the gaps are known for all rounding,
+/// scene units.
+template <class Scalar, int Dim>
+struct FramesRelated {
+  static constexpr std::string_view kName = "frames_related";
+  Matrix<Scalar, Dim> rotation;
+  Vector<Scalar, Dim> translation;
+  Scalar doubt = 0;
+  void fields(auto&& see) const { see("rotation", rotation), see("translation", translation), see("doubt", doubt); }
+};
+
+/// Both boxes were projected onto an axis. All in scene units along the unit direction; the lecture's table has them times
+/// length, the sine of the angle between the edges (1 for a face). gap = distance - radius_a - radius_b.
+template <class Scalar, int Dim>
+struct AxisTested {
+  static constexpr std::string_view kName = "axis_tested";
+  AxisKind kind = AxisKind::kNone;
+  int i = -1;
+  int j = -1;
+  Vector<Scalar, Dim> direction = Vector<Scalar, Dim>::Zero();  // in the world, from A towards B; zero where skipped
+  Scalar length = 0;
+  Scalar distance = 0;                                          // between the projected centres
+  Scalar radius_a = 0;
+  Scalar radius_b = 0;
+  Scalar gap = 0;
+  Scalar doubt = 0;        // the gap is known within it
+  bool separates = false;  // gap > doubt
+  bool skipped = false;    // the edges are parallel: there is no such axis, and none is needed
+  /// The corners that face each other along the axis: bit c for the corner with the bits c, 1 for +x, 2 for +y, 4 for +z.
+  int near_a = 0;
+  int near_b = 0;
+  void fields(auto&& see) const {
+    see("kind", static_cast<int>(kind)), see("i", i), see("j", j), see("direction", direction), see("length", length);
+    see("distance", distance), see("radius_a", radius_a), see("radius_b", radius_b), see("gap", gap);
+    see("doubt", doubt), see("separates", separates), see("skipped", skipped);
+    see("near_a", near_a), see("near_b", near_b);
+  }
+};
+
+/// Rounding hid whether some axes separate, so that they were looked at again with all digits.
+struct LookedCloser {
+  static constexpr std::string_view kName = "looked_closer";
+  int axes = 0;  // how many
+  bool overlap = false;
+  void fields(auto&& see) const { see("axes", axes), see("overlap", overlap); }
+};
+
+/// The end.
+template <class Scalar, int Dim>
+struct Verdict {
+  static constexpr std::string_view kName = "verdict";
+  SatResult<Scalar, Dim> result;
+  void fields(auto&& see) const {
+    see("overlap", result.overlap), see("tests", result.tests), see("kind", static_cast<int>(result.axis.kind));
+    see("i", result.axis.i), see("j", result.axis.j), see("direction", result.axis.direction), see("gap", result.axis.gap);
+  }
+};
+
+template <class Scalar, int Dim>
+struct SatStep {
+  using Fact = std::variant<FramesRelated<Scalar, Dim>, AxisTested<Scalar, Dim>, LookedCloser, Verdict<Scalar, Dim>>;
+  int line = 0;  // of kSatPseudocode<Dim>, counted from 0
+  Fact fact;
+};
+
+}  // namespace snug::query
