@@ -1,0 +1,105 @@
+// The closed surface that Quickhull grows in space: triangles that know their neighbours, each with the points it sees.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/point_set.hpp"
+
+namespace snug::fit {
+
+/// A triangle of the surface. Its plane is held in coordinates of the surface's own: normal . p + offset tells on which
+/// side p lies wherever it is beyond doubt.
+struct Facet {
+  std::array<Index, 3> vertices{kNoIndex, kNoIndex, kNoIndex};  // points, counter-clockwise as seen from outside
+  std::array<Index, 3> across{kNoIndex, kNoIndex, kNoIndex};    // the facet over the edge from vertex i to the next
+  Vector<double, 3> normal;
+  double offset = 0;
+  double doubt = 0;
+  double height = 0;          // of the farthest, in the plane's measure
+  Index farthest = kNoIndex;  // the head of its list of outside points
+  Index count = 0;            // of these
+  std::uint32_t seen = 0;     // the last eye that it was looked at from, and whether it saw it
+
+  [[nodiscard]] bool alive() const { return vertices[0] != kNoIndex; }
+};
+
+/// Convex all the while, exactly: a facet sees a point just if that lies strictly above its plane, so that points in the
+/// plane of a facet never make one that is folded or without area. Facets may lie in one plane.
+template <class Scalar>
+class HullSurface {
+ public:
+  /// points: not all in one plane.
+  explicit HullSurface(PointSpan<Scalar, 3> points);
+
+  /// The facets of a tetrahedron, and each other point given to the first that sees it. Returns how many none sees.
+  /// simplex: not in one plane; its last two are exchanged if need be for facets to look outward.
+  Index start(std::array<Index, 4>& simplex);
+
+  /// A facet with outside points, oldest first; kNoIndex where there is none.
+  [[nodiscard]] Index next_open();
+
+  /// Finds the facets that see the farthest point of a facet, and their horizon.
+  void look_from_above(Index facet);
+  /// Replaces these by a cone to that point and gives their points to it. Returns how many points no facet sees.
+  Index raise_cone();
+
+  /// Of the last look or, where it ends after a cone was raised, of that.
+  [[nodiscard]] Index eye() const { return eye_; }
+  [[nodiscard]] const std::vector<Index>& visible() const { return visible_; }
+  [[nodiscard]] std::vector<Index> horizon() const;
+  [[nodiscard]] const std::vector<Index>& added() const { return added_; }
+
+  [[nodiscard]] const std::vector<Facet>& facets() const { return facets_; }
+  /// Whether the facet and the one over its edge i lie in one plane, exactly.
+  [[nodiscard]] bool flat(Index facet, int edge) const;
+  /// How many times a point was held against a facet.
+  [[nodiscard]] std::int64_t tests() const { return tests_; }
+
+ private:
+  /// A point in the surface's own coordinates: moved and scaled along each axis so that the cloud just about fills the
+  /// cube from -1 to 1. Rounding in them is relative to the cloud's extent along each axis, not to how far out it stands.
+  struct Site {
+    Vector<double, 3> position;
+    Index next = kNoIndex;  // in its facet's list of outside points
+    Index border = 0;       // the horizon's edge that starts here
+  };
+  struct BorderEdge {
+    Index from, to;  // points
+    Index beyond;    // the facet that stays
+    int edge;        // of beyond
+  };
+
+  [[nodiscard]] Site& site(Index point) { return sites_[static_cast<std::size_t>(point)]; }
+  [[nodiscard]] const Site& site(Index point) const { return sites_[static_cast<std::size_t>(point)]; }
+  [[nodiscard]] Facet& facet(Index f) { return facets_[static_cast<std::size_t>(f)]; }
+  [[nodiscard]] const Facet& facet(Index f) const { return facets_[static_cast<std::size_t>(f)]; }
+
+  [[nodiscard]] double height(const Facet& facet, Index point) const;
+  [[nodiscard]] bool sees(const Facet& facet, double height, Index point) const;
+  [[nodiscard]] int side_exact(const Facet& facet, Index point) const;
+  void put_plane(Facet& facet) const;
+  Index add_facet(const std::array<Index, 3>& vertices);
+  bool give(Index point, const std::vector<Index>& to);
+  void order_border();
+  void gather_points();
+  void remove_visible();
+
+  PointSpan<Scalar, 3> points_;
+  std::vector<Site> sites_;
+  std::vector<Facet> facets_;
+  std::vector<Index> free_;   // places of facets that are gone
+  std::vector<Index> queue_;  // facets in the order in which they first had points
+  std::size_t queue_at_ = 0;
+  std::int64_t tests_ = 0;
+
+  Index eye_ = kNoIndex;
+  std::vector<Index> visible_;
+  std::vector<Index> added_;
+  std::vector<BorderEdge> border_;
+  std::vector<BorderEdge> border_scratch_;
+  std::vector<Index> orphans_;
+};
+
+}  // namespace snug::fit
