@@ -61,10 +61,11 @@ inline constexpr Scalar kRotation = 16 * kRoundoff<Scalar>;
 /// projection onto a third axis three. Held by "a k-DOP's corners lie in all of its slabs".
 inline constexpr double kKdopCornerRoundoffs = 16;
 
-/// The gap, in units of u * (largest extent of both volumes about a common point), up to which volumes still count as
-/// touching: corners are rounded by at most 5u of that size, their projections onto an axis and the axis's length by as
-/// much again, and that twice, once for each volume. Held by "volumes put at a known gap are told apart from it on".
-inline constexpr double kTouchingRoundoffs = 16;
+/// The gap, in parts of the largest extent of two volumes about a common point, up to which they still count as touching:
+/// corners are rounded by at most 5u of that size, their projections onto an axis and the axis's length by as much again,
+/// half of that for each volume. Held by "volumes put at a known gap are told apart from it on".
+template <class Scalar>
+inline constexpr Scalar kTouching = 16 * kRoundoff<Scalar>;
 
 /// Edges shorter than this part of all that they are compared with are points: their squares would soon lose digits, and
 /// leaving them out costs less than a rounding. Held by "tiny segments and rectangles have the exact distance".
@@ -105,5 +106,32 @@ inline constexpr double kFlatBox = 16 * kRoundoff<double>;
 /// rounding. Times |e| + |f| + u, since edges may vanish but for their rounding. Held by "near-flat clouds keep just their
 /// extreme points".
 inline constexpr double kFacetPlane = 160 * kRoundoff<double>;
+
+/// How far the axes of a box may be from unit and perpendicular: each of their dot products is off by no more. A rotation
+/// matrix from a quaternion within 2u of unit, its entries within 4u, keeps 22u; what is normalized directly, less.
+template <class Scalar>
+inline constexpr Scalar kObbAxes = 24 * kRoundoff<Scalar>;
+
+/// The sine of the angle between two edges up to which they count as parallel: edges with the same direction have it up to
+/// sqrt(2) times kObbAxes and 4u of rounding. Held by "boxes that share an axis leave out what parallel edges have not got".
+template <class Scalar>
+inline constexpr Scalar kParallelAxes = 40 * kRoundoff<Scalar>;
+
+/// Within what the separating-axis test knows a gap, times the axis's length, in units of the distance of the centres and
+/// all half extents. With axes off by kObbAxes a frame is off by up to 36u from a true one; that enters an edge-edge
+/// axis and either side of each of its products: 160u with 4u for each rounded dot product. True normals and the table's
+/// differ by up to 36u more. Parallel edges, left out, are up to 80u from truly so, which twice could widen the gap along
+/// another axis by 160u. Held by "the verdict is that of rational arithmetic" with axes off by as much.
+template <class Scalar>
+inline constexpr Scalar kSatGap = 384 * kRoundoff<Scalar>;
+
+/// The same, of the true normals in double and whatever the axes: 4u for the cross product, 8u for the distance, 10u for
+/// the radii.
+inline constexpr double kSatInDouble = 16 * kRoundoff<double>;
+
+/// A sum of up to three coordinates carries 5u of the largest, and 3u more once a bound is moved by that doubt. Held by "a
+/// k-DOP's bounds are the exact projections, rounded outwards".
+template <class Scalar>
+inline constexpr Scalar kKdopProjection = 10 * kRoundoff<Scalar>;
 
 }  // namespace snug::tolerance
