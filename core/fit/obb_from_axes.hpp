@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "fit/obb_steps.hpp"
 #include "geometry/point_set.hpp"
@@ -23,24 +25,36 @@ struct BoxOnAxes {
 template <class Scalar, int Dim>
 [[nodiscard]] BoxOnAxes<Scalar, Dim> obb_from_axes(const Matrix<Scalar, Dim>& axes, PointSpan<Scalar, Dim> points);
 
-/// Every way out of a box fitter: the points' extents along the axes (line), and the end (line + 1).
+/// The same as a step.
 template <class Scalar, int Dim, class Observer>
-Fit<Obb<Scalar, Dim>> finish_on_axes(const Matrix<Scalar, Dim>& axes, PointSpan<Scalar, Dim> points, int line,
-                                     Observer& observe) {
-  using Step = ObbStep<Scalar, Dim>;
-  const BoxOnAxes<Scalar, Dim> found = obb_from_axes(axes, points);
+BoxOnAxes<Scalar, Dim> watched_extents(const Matrix<Scalar, Dim>& axes, PointSpan<Scalar, Dim> points, int line,
+                                       Observer& observe) {
+  BoxOnAxes<Scalar, Dim> found = obb_from_axes(axes, points);
   observe.count(Operation::kPointsTouched, points.size());
   observe.count(Operation::kDotProducts, Dim * std::int64_t{points.size()});
   observe.count(Operation::kComparisons, 2 * Dim * std::int64_t{points.size()});
-  observe(Step{line, true, found.box,
-               ExtentsFound<Scalar, Dim>{found.least, found.greatest, Vector<Scalar, Dim>(2 * found.box.half_extents)}});
+  observe(ObbStep<Scalar, Dim>{
+      line, true, found.box,
+      ExtentsFound<Scalar, Dim>{found.least, found.greatest, Vector<Scalar, Dim>(2 * found.box.half_extents)}});
+  return found;
+}
 
+/// Every way out of a box fitter: the last step, and the box with the points that reach its faces, each once.
+template <class Scalar, int Dim, class Observer>
+Fit<Obb<Scalar, Dim>> finish_box(const BoxOnAxes<Scalar, Dim>& found, int line, Observer& observe) {
   std::vector<Index> support;
   for (const auto* ends : {&found.least, &found.greatest})
     for (const Index i : *ends)
       if (std::find(support.begin(), support.end(), i) == support.end()) support.push_back(i);
-  observe(Step{line + 1, true, found.box, Finished{support}});
+  observe(ObbStep<Scalar, Dim>{line, true, found.box, Finished{support}});
   return {found.box, std::move(support)};
+}
+
+/// Both, on two lines of the pseudocode.
+template <class Scalar, int Dim, class Observer>
+Fit<Obb<Scalar, Dim>> finish_on_axes(const Matrix<Scalar, Dim>& axes, PointSpan<Scalar, Dim> points, int line,
+                                     Observer& observe) {
+  return finish_box(watched_extents(axes, points, line, observe), line + 1, observe);
 }
 
 }  // namespace snug::fit

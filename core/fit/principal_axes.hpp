@@ -3,8 +3,12 @@
 #pragma once
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "fit/sphere_steps.hpp"
+#include "geometry/tolerance.hpp"
 #include "trace/observer.hpp"
 
 namespace snug::fit {
@@ -59,6 +63,24 @@ AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread
     found.axes.col(i).cwiseAbs().maxCoeff(&largest);
     if (found.axes(largest, i) < 0) found.axes.col(i) *= -1;
   }
+  return found;
+}
+
+/// The same of points so close together that their squared distances underflow: then the axes are those of the points
+/// magnified by a power of two. Two passes more, there.
+template <class Scalar, int Dim, class Observer>
+AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread, PointSpan<Scalar, Dim> points,
+                                      Observer& observe) {
+  constexpr Scalar kSound = std::numeric_limits<Scalar>::min() / tolerance::kRoundoff<Scalar>;
+  if (spread.covariance.cwiseAbs().maxCoeff() > kSound) return principal_axes(spread);
+  Scalar largest = 0;
+  for (const auto& p : points) largest = std::max(largest, Vector<Scalar, Dim>(p - spread.mean).cwiseAbs().maxCoeff());
+  observe.count(Operation::kPointsTouched, points.size());
+  if (largest == 0) return principal_axes(spread);
+  const Scalar scale = std::ldexp(Scalar{1}, std::min(-std::ilogb(largest), std::numeric_limits<Scalar>::max_exponent - 1));
+  CovarianceFound<Scalar, Dim> magnified{spread.mean, sum_of_products(spread.mean, scale, points, observe)};
+  AxesFound<Scalar, Dim> found = principal_axes(magnified);
+  found.variances = (found.variances / static_cast<Scalar>(points.size()) / scale / scale).eval();
   return found;
 }
 

@@ -134,4 +134,15 @@ inline constexpr double kSatInDouble = 16 * kRoundoff<double>;
 template <class Scalar>
 inline constexpr Scalar kKdopProjection = 10 * kRoundoff<Scalar>;
 
+/// How far from a swept sphere's boundary a point that holds it in place may lie, in units of u * (largest coordinate +
+/// size): its coordinates along the principal axes carry 8u, the ends of the segment or rectangle set by them as much when
+/// they are taken back, and the radius all of that. Held by "capsules and lozenges keep their promises on degenerate
+/// clouds".
+inline constexpr double kSweptBoundaryRoundoffs = 64;
+
+/// A coordinate in a frame of unit size is off by 8u. Less than twice that is no reason to move a lozenge's corner: its
+/// radius is widened for it in the end. Held by "a lozenge in the plane moves no corner".
+template <class Scalar>
+inline constexpr Scalar kLocalCoordinate = 16 * kRoundoff<Scalar>;
+
 }  // namespace snug::tolerance
