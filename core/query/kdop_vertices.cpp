@@ -3,6 +3,7 @@
 // Source of the clipping: M. Cyrus, J. Beck, "Generalized two- and three-dimensional clipping", 1978.
 #include "query/kdop_vertices.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,0 +1,259 @@
+// Source: E. Gilbert, D. Johnson, S. Keerthi, "A fast procedure for computing the distance between complex objects in
+// three-dimensional space", 1988; C. Ericson, Real-Time Collision Detection, 2005, 9.5.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "geometry/double_double.hpp"
+#include "geometry/tolerance.hpp"
+#include "query/gjk_simplex.hpp"
+#include "query/support_function.hpp"
+#include "trace/observer.hpp"
+
+namespace snug::query {
+
+inline constexpr std::array<std::string_view, 9> kGjkPseudocode{
+    "simplex ← a corner of a - a corner of b",
+    "repeat",
+    "  v ← point of the simplex nearest to 0",
+    "  keep the corners that hold v",
+    "  if |v| is only rounding: they overlap",
+    "  w ← corner of a - b least far along v",
+    "  if w · v / |v| = |v|: distance found",
+    "  add w to the simplex",
+    "if v came no nearer: twice the digits",
+};
+
+/// The simplex's point nearest to the origin: distance is an upper bound of the cores' own. corners: in pairs, of the
+/// first and of the second volume.
+struct NearestFound {
+  static constexpr std::string_view kName = "nearest_found";
+  std::vector<Index> corners;
+  double distance = 0;
+  void fields(auto&& see) const { see("corners", corners), see("distance", distance); }
+};
+
+/// The supporting corners of both against each other: gap is a lower bound of the distance of the cores.
+struct SupportFound {
+  static constexpr std::string_view kName = "support_found";
+  Index a = kNoIndex, b = kNoIndex;
+  double gap = 0;
+  void fields(auto&& see) const { see("a", a), see("b", b), see("gap", gap); }
+};
+
+/// Rounding kept v from coming nearer before both bounds met.
+struct DigitsDoubled {
+  static constexpr std::string_view kName = "digits_doubled";
+  double gap = 0, distance = 0;
+  void fields(auto&& see) const { see("gap", gap), see("distance", distance); }
+};
+
+/// The last step: what is known of the cores' distance.
+struct DistanceFound {
+  static constexpr std::string_view kName = "distance_found";
+  double gap = 0, distance = 0;
+  void fields(auto&& see) const { see("gap", gap), see("distance", distance); }
+};
+
+/// One step; distances in scene units, without the radii around the cores.
+struct GjkStep {
+  using Fact = std::variant<NearestFound, SupportFound, DigitsDoubled, DistanceFound>;
+  int line = 0;
+  Fact fact;
+};
+
+/// One run between the convex hulls of two sets of corners, at most 1 in every coordinate; those of the plane at z = 0.
+/// Each turn proves two bounds: the nearest point of the simplex is one of a - b, and no point of a - b lies below the
+/// plane across v through the supporting corners. v comes strictly nearer, by one of finitely many simplices, so that
+/// this ends; where rounding keeps it from that before the bounds meet, it goes on from there with twice the digits.
+template <class Observer>
+class Gjk {
+ public:
+  using Point = Vector<double, 3>;
+
+  /// a, b: at least one corner each. scene: what lengths are multiplied with to be in scene units.
+  Gjk(const Corners<3>& a, const Corners<3>& b, double scene, Observer& observe)
+      : a_(a), b_(b), scene_(scene), observe_(observe) {}
+
+  double least = -1;  // no two points of the cores are nearer
+  double most = 0;    // these two are that near
+  Point on_a = Point::Zero(), on_b = Point::Zero();
+  Point direction = Point::Zero();  // unit, from a to b: the one that proves least
+  int supports = 0;
+
+  /// Until the bounds meet or, where that is enough, until both are on one side of a threshold.
+  void run(std::optional<double> threshold) {
+    threshold_ = threshold;
+    pairs_ = {Pair{0, 0}};
+    size_ = 1;
+    descend<double>();
+    if (!decided()) {
+      if constexpr (kWatched<Observer>) observe_(GjkStep{8, DigitsDoubled{least * scene_, most * scene_}});
+      descend<DoubleDouble>();
+    }
+    if constexpr (kWatched<Observer>) observe_(GjkStep{most > kRounding ? 6 : 4, DistanceFound{least * scene_, most * scene_}});
+  }
+
+ private:
+  struct Pair {
+    std::size_t a = 0, b = 0;
+    friend bool operator==(const Pair&, const Pair&) = default;
+  };
+  static constexpr double kRounding = tolerance::kTouching<double>;
+  static constexpr int kMostTurns = 1000;
+
+  [[nodiscard]] bool decided() const {
+    if (most <= kRounding / 4 || most - least <= kRounding) return true;
+    return threshold_ && (least > *threshold_ || most <= *threshold_);
+  }
+
+  template <class Real>
+  [[nodiscard]] Triple<Real> corner(const Pair& pair) const {
+    const Point& p = a_[pair.a];
+    const Point& q = b_[pair.b];
+    return {Real(p[0]) - Real(q[0]), Real(p[1]) - Real(q[1]), Real(p[2]) - Real(q[2])};
+  }
+
+  template <class Real>
+  void descend() {
+    Simplex<Real> simplex;
+    for (; simplex.size < size_; ++simplex.size)
+      simplex.corners[static_cast<std::size_t>(simplex.size)] = corner<Real>(pairs_[static_cast<std::size_t>(simplex.size)]);
+    std::optional<Real> before;
+    for (int turn = 0; turn < kMostTurns; ++turn) {
+      const Nearest<Real> nearest = simplex.nearest_to_origin();
+      if (before && !(nearest.square < *before)) return;
+      before = nearest.square;
+      keep(simplex, nearest);
+      if (decided()) return;
+      const Pair added = support();
+      if (decided() || std::find(pairs_.begin(), pairs_.begin() + size_, added) != pairs_.begin() + size_) return;
+      const auto end = static_cast<std::size_t>(size_);
+      pairs_[end] = added;
+      simplex.corners[end] = corner<Real>(added);
+      simplex.size = ++size_;
+    }
+  }
+
+  static double rounded(double value) { return value; }
+  static double rounded(const DoubleDouble& value) { return value.value(); }
+
+  /// Keeps the corners that hold the nearest point, and what follows from it.
+  template <class Real>
+  void keep(Simplex<Real>& simplex, const Nearest<Real>& nearest) {
+    const auto pairs = pairs_;
+    const auto corners = simplex.corners;
+    simplex.size = size_ = nearest.size;
+    on_a = on_b = Point::Zero();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i) {
+      const auto place = static_cast<std::size_t>(nearest.corners[i]);
+      pairs_[i] = pairs[place];
+      simplex.corners[i] = corners[place];
+      on_a += rounded(nearest.weights[i]) * a_[pairs_[i].a];
+      on_b += rounded(nearest.weights[i]) * b_[pairs_[i].b];
+    }
+    v_ = {rounded(nearest.point.x), rounded(nearest.point.y), rounded(nearest.point.z)};
+    most = v_.norm();
+    if constexpr (kWatched<Observer>) observe_(GjkStep{3, nearest_found()});
+  }
+
+  /// The corner of a - b that lies least far along v, and the bound that it proves.
+  Pair support() {
+    const Point n = v_ / most;
+    const Pair pair{farthest_corner<3>(a_, -n), farthest_corner<3>(b_, n)};
+    const double gap = a_[pair.a].dot(n) - b_[pair.b].dot(n);
+    if (gap > least) least = gap, direction = -n;
+    ++supports;
+    observe_.count(Operation::kDotProducts, static_cast<std::int64_t>(a_.size() + b_.size()));
+    if constexpr (kWatched<Observer>)
+      observe_(GjkStep{5, SupportFound{static_cast<Index>(pair.a), static_cast<Index>(pair.b), gap * scene_}});
+    return pair;
+  }
+
+  [[nodiscard]] NearestFound nearest_found() const {
+    NearestFound fact{{}, most * scene_};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i)
+      fact.corners.insert(fact.corners.end(), {static_cast<Index>(pairs_[i].a), static_cast<Index>(pairs_[i].b)});
+    return fact;
+  }
+
+  const Corners<3>& a_;
+  const Corners<3>& b_;
+  double scene_;
+  Observer& observe_;
+  std::optional<double> threshold_;
+  std::array<Pair, 4> pairs_{};
+  int size_ = 0;
+  Point v_ = Point::Zero();
+};
+
+extern template class Gjk<Ignore>;
+
+/// How far apart two volumes are. Both bounds agree within a few roundings of the volumes' extents about a common point,
+/// wherever that is and whatever their size.
+template <class Scalar, int Dim>
+struct Separation {
+  bool overlap = false;          // they are no more than kTouching apart
+  Scalar distance = 0;           // 0 where they overlap, scene units
+  Scalar gap = 0;                // a lower bound of it, proven by direction
+  Vector<Scalar, Dim> direction = Vector<Scalar, Dim>::Zero();  // unit, from a to b; zero where they overlap
+  Vector<Scalar, Dim> on_a = Vector<Scalar, Dim>::Zero();       // the nearest points, where apart
+  Vector<Scalar, Dim> on_b = Vector<Scalar, Dim>::Zero();
+  int supports = 0;              // how often supporting corners were asked for
+};
+
+/// Both cores in space, around a point between both, in a unit that lets coordinates and radii be at most 1.
+struct ScaledCores {
+  Corners<3> a, b;
+  double radius_a = 0, radius_b = 0;
+  double unit = 1;  // a power of two, scene units
+};
+
+template <int Dim>
+[[nodiscard]] Corners<3> in_space(const Corners<Dim>& corners) {
+  Corners<3> result(corners.size(), Vector<double, 3>::Zero());
+  for (std::size_t i = 0; i < corners.size(); ++i) result[i].template head<Dim>() = corners[i];
+  return result;
+}
+
+/// radius_a, radius_b: in scene units, as a and b are.
+[[nodiscard]] ScaledCores scaled_cores(Corners<3> a, double radius_a, Corners<3> b, double radius_b);
+
+/// The distance of two volumes. Nothing where one is empty. only_whether: the answer's overlap is wanted, and no more.
+template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim,
+          StepObserver<GjkStep> Observer = Ignore>
+[[nodiscard]] std::optional<Separation<Scalar, Dim>> gjk(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b,
+                                                         bool only_whether = false, Observer&& observe = {}) {
+  const Vector<Scalar, Dim> origin = anchor(a) / 2 + anchor(b) / 2;
+  Corners<3> corners_a = in_space<Dim>(core_corners(a, origin));
+  Corners<3> corners_b = in_space<Dim>(core_corners(b, origin));
+  if (corners_a.empty() || corners_b.empty()) return std::nullopt;
+  const ScaledCores cores = scaled_cores(std::move(corners_a), static_cast<double>(core_radius(a)), std::move(corners_b),
+                                         static_cast<double>(core_radius(b)));
+  const double radii = cores.radius_a + cores.radius_b;
+  const double touching = radii + static_cast<double>(tolerance::kTouching<Scalar>);
+  Gjk<std::remove_reference_t<Observer>> run(cores.a, cores.b, cores.unit, observe);
+  run.run(only_whether ? std::optional(touching) : std::nullopt);
+
+  Separation<Scalar, Dim> result{.overlap = run.least <= touching, .supports = run.supports};
+  if (result.overlap) return result;
+  const auto scene = [&](const Vector<double, 3>& p) {
+    const Vector<double, Dim> moved = origin.template cast<double>() + p.template head<Dim>() * cores.unit;
+    return Vector<Scalar, Dim>(moved.template cast<Scalar>());
+  };
+  result.distance = static_cast<Scalar>((run.most - radii) * cores.unit);
+  result.gap = static_cast<Scalar>((run.least - radii) * cores.unit);
+  result.direction = run.direction.template head<Dim>().template cast<Scalar>();
+  result.on_a = scene(run.on_a + cores.radius_a * run.direction);
+  result.on_b = scene(run.on_b - cores.radius_b * run.direction);
+  return result;
+}
+
+}  // namespace snug::query

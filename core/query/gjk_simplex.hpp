@@ -1,0 +1,117 @@
+// The point of a simplex that is nearest to the origin: a corner, on an edge, on a triangle, or in a tetrahedron.
+// Source: M. Montanari, N. Petrinic, E. Barbieri, "Improving the GJK algorithm for faster and more reliable distance
+// queries between convex objects", 2017: the signs of areas and volumes say which smaller simplex to look at, and the
+// smaller ones are asked only where a sign forbids the larger.
+#pragma once
+
+#include <array>
+
+namespace snug::query {
+
+/// A point in space with coordinates of any kind of number.
+template <class Real>
+struct Triple {
+  Real x{}, y{}, z{};
+
+  friend Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend Triple operator-(const Triple& a, const Triple& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Triple operator*(const Real& s, const Triple& a) { return {s * a.x, s * a.y, s * a.z}; }
+};
+
+template <class Real>
+[[nodiscard]] Real dot(const Triple<Real>& a, const Triple<Real>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class Real>
+[[nodiscard]] Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Some corners of a simplex, and a point as their mean with weights.
+template <class Real>
+struct Nearest {
+  int size = 0;
+  std::array<int, 4> corners{};   // the first size: places in the simplex
+  std::array<Real, 4> weights{};  // > 0, of sum 1
+  Triple<Real> point;
+  Real square{};                  // its squared distance from the origin
+};
+
+template <class Real>
+class Simplex {
+ public:
+  std::array<Triple<Real>, 4> corners{};
+  int size = 0;
+
+  [[nodiscard]] Nearest<Real> nearest_to_origin() const {
+    switch (size) {
+      case 1: return at_corner(0);
+      case 2: return on_edge(0, 1);
+      case 3: return on_triangle({0, 1, 2});
+      default: return in_tetrahedron();
+    }
+  }
+
+ private:
+  [[nodiscard]] const Triple<Real>& at(int i) const { return corners[static_cast<std::size_t>(i)]; }
+
+  template <std::size_t n>
+  [[nodiscard]] Nearest<Real> mean(const std::array<int, n>& places, const std::array<Real, n>& weights) const {
+    Nearest<Real> mean;
+    Real sum{};
+    for (const Real& weight : weights) sum += weight;
+    for (std::size_t i = 0; i < n; ++i) {
+      mean.corners[i] = places[i];
+      mean.weights[i] = weights[i] / sum;
+      mean.point = mean.point + mean.weights[i] * at(places[i]);
+    }
+    mean.size = static_cast<int>(n);
+    mean.square = dot(mean.point, mean.point);
+    return mean;
+  }
+
+  [[nodiscard]] Nearest<Real> at_corner(int i) const { return mean<1>({i}, {Real(1)}); }
+
+  [[nodiscard]] Nearest<Real> on_edge(int i, int j) const {
+    const Triple<Real> edge = at(j) - at(i);
+    const Real from_i = -dot(at(i), edge);
+    const Real from_j = dot(at(j), edge);
+    if (!(from_i > Real(0))) return at_corner(i);
+    if (!(from_j > Real(0))) return at_corner(j);
+    return mean<2>({i, j}, {from_j, from_i});
+  }
+
+  [[nodiscard]] Nearest<Real> on_triangle(const std::array<int, 3>& places) const {
+    const Triple<Real>& a = at(places[0]);
+    const Triple<Real>& b = at(places[1]);
+    const Triple<Real>& c = at(places[2]);
+    const Triple<Real> normal = cross(b - a, c - a);
+    const std::array<Real, 3> areas{dot(normal, cross(b, c)), dot(normal, cross(c, a)), dot(normal, cross(a, b))};
+    Nearest<Real> best;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (areas[i] > Real(0)) continue;
+      take_nearer(best, on_edge(places[(i + 1) % 3], places[(i + 2) % 3]));
+    }
+    return best.size > 0 ? best : mean<3>(places, areas);
+  }
+
+  [[nodiscard]] Nearest<Real> in_tetrahedron() const {
+    const Triple<Real> ab = cross(at(0), at(1));
+    const Triple<Real> cd = cross(at(2), at(3));
+    std::array<Real, 4> volumes{dot(at(1), cd), -dot(at(0), cd), dot(at(3), ab), -dot(at(2), ab)};
+    if (volumes[0] + volumes[1] + volumes[2] + volumes[3] < Real(0))
+      for (Real& volume : volumes) volume = -volume;
+    Nearest<Real> best;
+    for (int i = 0; i < 4; ++i) {
+      if (volumes[static_cast<std::size_t>(i)] > Real(0)) continue;
+      take_nearer(best, on_triangle({(i + 1) % 4, (i + 2) % 4, (i + 3) % 4}));
+    }
+    return best.size > 0 ? best : mean<4>({0, 1, 2, 3}, volumes);
+  }
+
+  static void take_nearer(Nearest<Real>& best, const Nearest<Real>& other) {
+    if (best.size == 0 || other.square < best.square) best = other;
+  }
+};
+
+}  // namespace snug::query

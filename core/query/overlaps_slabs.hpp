@@ -1,0 +1,90 @@
+// Boxes and k-DOPs by their intervals along the axes that they share.
+// Source: J. Klosowski, M. Held, J. Mitchell, H. Sowizral, K. Zikan, "Efficient collision detection using bounding volume
+// hierarchies of k-DOPs", 1998.
+#pragma once
+
+#include <span>
+
+#include "geometry/aabb.hpp"
+#include "geometry/double_double.hpp"
+#include "geometry/kdop.hpp"
+#include "query/overlap_result.hpp"
+
+namespace snug::query {
+
+template <int Dim>
+using KdopAxis = std::array<int, static_cast<std::size_t>(Dim)>;
+
+/// The extent of a volume along one of the k-DOP axes (whose entries are -1, 0 and 1), with twice the digits: of an AABB
+/// or a slab of the k-DOP itself that is exact.
+struct Interval {
+  DoubleDouble min, max;
+};
+
+/// Of the axis times its length: dividing by it is left to who wants scene units.
+template <class Scalar, int Dim>
+[[nodiscard]] Interval interval_along(const Aabb<Scalar, Dim>& box, const KdopAxis<Dim>& axis) {
+  Interval interval;
+  for (std::size_t i = 0; i < Dim; ++i) {
+    if (axis[i] == 0) continue;
+    const auto least = static_cast<double>(box.min[static_cast<int>(i)]);
+    const auto greatest = static_cast<double>(box.max[static_cast<int>(i)]);
+    interval.min += axis[i] > 0 ? least : -greatest;
+    interval.max += axis[i] > 0 ? greatest : -least;
+  }
+  return interval;
+}
+
+template <class Scalar, int Dim>
+[[nodiscard]] Interval interval_along(const Kdop<Scalar, Dim>& kdop, std::size_t slab) {
+  return {static_cast<double>(kdop.min[slab]), static_cast<double>(kdop.max[slab])};
+}
+
+/// Whether the intervals along one axis are apart; if so, that is the separating axis.
+template <class Scalar, int Dim>
+bool apart_along(const KdopAxis<Dim>& axis, const Interval& a, const Interval& b, OverlapResult<Scalar, Dim>& result) {
+  ++result.tests;
+  const bool before = a.max < b.min;
+  if (!before && !(b.max < a.min)) return false;
+  Vector<double, Dim> direction;
+  for (std::size_t i = 0; i < Dim; ++i) direction[static_cast<int>(i)] = before ? axis[i] : -axis[i];
+  const double length = direction.norm();
+  const double gap = (before ? b.min - a.max : a.min - b.max).value() / length;
+  result.overlap = false;
+  result.separating_axis = {"slab", (direction / length).template cast<Scalar>(),
+                            std::max(static_cast<Scalar>(gap), std::numeric_limits<Scalar>::denorm_min())};
+  return true;
+}
+
+/// Exact.
+template <class Scalar, int Dim>
+[[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Aabb<Scalar, Dim>& a, const Aabb<Scalar, Dim>& b) {
+  OverlapResult<Scalar, Dim> result{.overlap = true};
+  for (const auto& axis : kdop_axes<Dim>(2 * Dim))
+    if (apart_along<Scalar, Dim>(axis, interval_along<Scalar, Dim>(a, axis), interval_along<Scalar, Dim>(b, axis), result))
+      break;
+  return result;
+}
+
+/// All slabs of the k-DOP. No more than a first test where k is larger than a box's: an edge of one may pass an edge of
+/// the other, apart along none of these axes.
+template <class Scalar, int Dim>
+[[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Aabb<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b) {
+  OverlapResult<Scalar, Dim> result{.overlap = true};
+  const auto axes = kdop_axes<Dim>(b.k);
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (apart_along<Scalar, Dim>(axes[i], interval_along<Scalar, Dim>(a, axes[i]), interval_along(b, i), result)) break;
+  return result;
+}
+
+/// Of equal k all slabs, else those of the coordinate axes, which every k begins with. The same holds of it.
+template <class Scalar, int Dim>
+[[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Kdop<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b) {
+  OverlapResult<Scalar, Dim> result{.overlap = true};
+  const auto axes = kdop_axes<Dim>(a.k == b.k ? a.k : 2 * Dim);
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (apart_along<Scalar, Dim>(axes[i], interval_along(a, i), interval_along(b, i), result)) break;
+  return result;
+}
+
+}  // namespace snug::query
