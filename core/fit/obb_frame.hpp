@@ -1,6 +1,7 @@
 // The axes of a box from a direction or two.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "geometry/tolerance.hpp"
