@@ -6,6 +6,7 @@
 #include "core/point_clouds.hpp"
 #include "fit/obb_frame.hpp"
 #include "fit/obb_trials.hpp"
+#include "geometry/sphere.hpp"
 #include "geometry/turn.hpp"
 #include "query/contains.hpp"
 
@@ -60,7 +61,7 @@ void check(const std::string& name, const test::Cloud<Scalar, Dim>& cloud, std::
     CHECK(judged.tight);
     // A point that reaches farthest may be off its face by the rounding of the centre and of the projection.
     double size = 0;
-    for (const auto& p : cloud) size = std::max(size, static_cast<double>(p.norm()));
+    for (const auto& p : cloud) size = std::max(size, static_cast<double>(scaled_norm<Scalar, Dim>(p)));
     for (int axis = 0; axis < Dim; ++axis)
       for (const Index i : {found.least[static_cast<std::size_t>(axis)], found.greatest[static_cast<std::size_t>(axis)]}) {
         const Vector<double, Dim> from = cloud[static_cast<std::size_t>(i)].template cast<double>() - found.box.center.template cast<double>();
