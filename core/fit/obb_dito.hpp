@@ -229,14 +229,17 @@ class ObbDito {
   // The extremes tell which axes are promising; only all points tell whether they beat the axes that the points came in,
   // along which the extremes are those of all.
   Fit<Obb<Scalar, Dim>> finish() {
-    BoxOnAxes<Scalar, Dim> found = watched_extents(trials_.scalar_axes(), points_, 5, observe_);
+    BoxOnAxes<Scalar, Dim> found = obb_from_axes(trials_.scalar_axes(), points_);
+    tell_extents(found, points_.size(), 5, observe_);
     const LocalPoints<Dim>& local = trials_.local();
     const LocalBox<Dim> aabb(Matrix<double, Dim>::Identity(), local.at);
     Vector<double, Dim> lengths = 2 * found.box.half_extents.template cast<double>();
     for (int i = 0; i < Dim; ++i) lengths[i] = std::ldexp(lengths[i], -local.exponent);
-    if (padded_measure<Dim>(aabb.greatest - aabb.least, trials_.floor()) < padded_measure<Dim>(lengths, trials_.floor()))
-      found = watched_extents<Scalar, Dim>(Matrix<Scalar, Dim>::Identity(), points_, 6, observe_);
-    return finish_box(std::move(found), 7, observe_);
+    if (padded_measure<Dim>(aabb.greatest - aabb.least, trials_.floor()) < padded_measure<Dim>(lengths, trials_.floor())) {
+      found = obb_from_axes<Scalar, Dim>(Matrix<Scalar, Dim>::Identity(), points_);
+      tell_extents(found, points_.size(), 6, observe_);
+    }
+    return finish_box(found, 7, observe_);
   }
 
   PointSpan<Scalar, Dim> points_;

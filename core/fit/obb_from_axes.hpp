@@ -25,21 +25,18 @@ struct BoxOnAxes {
 template <class Scalar, int Dim>
 [[nodiscard]] BoxOnAxes<Scalar, Dim> obb_from_axes(const Matrix<Scalar, Dim>& axes, PointSpan<Scalar, Dim> points);
 
-/// The same as a step.
+/// Tells of the extents along a box's axes, of so many points.
 template <class Scalar, int Dim, class Observer>
-BoxOnAxes<Scalar, Dim> watched_extents(const Matrix<Scalar, Dim>& axes, PointSpan<Scalar, Dim> points, int line,
-                                       Observer& observe) {
-  BoxOnAxes<Scalar, Dim> found = obb_from_axes(axes, points);
-  observe.count(Operation::kPointsTouched, points.size());
-  observe.count(Operation::kDotProducts, Dim * std::int64_t{points.size()});
-  observe.count(Operation::kComparisons, 2 * Dim * std::int64_t{points.size()});
+void tell_extents(const BoxOnAxes<Scalar, Dim>& found, std::int64_t points, int line, Observer& observe) {
+  observe.count(Operation::kPointsTouched, points);
+  observe.count(Operation::kDotProducts, Dim * points);
+  observe.count(Operation::kComparisons, 2 * Dim * points);
   observe(ObbStep<Scalar, Dim>{
       line, true, found.box,
       ExtentsFound<Scalar, Dim>{found.least, found.greatest, Vector<Scalar, Dim>(2 * found.box.half_extents)}});
-  return found;
 }
 
-/// Every way out of a box fitter: the last step, and the box with the points that reach its faces, each once.
+/// The last step, and the box with the points that reach its faces, each once.
 template <class Scalar, int Dim, class Observer>
 Fit<Obb<Scalar, Dim>> finish_box(const BoxOnAxes<Scalar, Dim>& found, int line, Observer& observe) {
   std::vector<Index> support;
@@ -50,11 +47,13 @@ Fit<Obb<Scalar, Dim>> finish_box(const BoxOnAxes<Scalar, Dim>& found, int line, 
   return {found.box, std::move(support)};
 }
 
-/// Both, on two lines of the pseudocode.
+/// Every way out of a box fitter that knows the axes, as two steps from a line of the pseudocode on.
 template <class Scalar, int Dim, class Observer>
 Fit<Obb<Scalar, Dim>> finish_on_axes(const Matrix<Scalar, Dim>& axes, PointSpan<Scalar, Dim> points, int line,
                                      Observer& observe) {
-  return finish_box(watched_extents(axes, points, line, observe), line + 1, observe);
+  const BoxOnAxes<Scalar, Dim> found = obb_from_axes(axes, points);
+  tell_extents(found, points.size(), line, observe);
+  return finish_box(found, line + 1, observe);
 }
 
 }  // namespace snug::fit

@@ -7,6 +7,7 @@
 #include "fit/obb_frame.hpp"
 #include "fit/obb_from_axes.hpp"
 #include "fit/principal_axes.hpp"
+#include "geometry/pose.hpp"
 
 namespace snug::fit {
 
@@ -18,8 +19,7 @@ inline constexpr std::array<std::string_view, 5> kObbPcaPseudocode{
     "return box",
 };
 
-/// Mean, covariance and principal axes of points, as three steps from a line of the pseudocode on. box: the volume as it
-/// stands, where there is one.
+/// Mean, covariance and principal axes of points, right-handed, as three steps from a line of the pseudocode on.
 template <class Scalar, int Dim, class Observer>
 Matrix<Scalar, Dim> watched_principal_axes(PointSpan<Scalar, Dim> points, int line, Observer& observe) {
   using Step = ObbStep<Scalar, Dim>;
@@ -28,7 +28,9 @@ Matrix<Scalar, Dim> watched_principal_axes(PointSpan<Scalar, Dim> points, int li
   const CovarianceFound<Scalar, Dim> spread = covariance_of(mean.mean, points, observe);
   observe(Step{line + 1, false, {}, spread});
   AxesFound<Scalar, Dim> found = principal_axes(spread, points, observe);
-  found.axes = right_handed<Scalar, Dim>(found.axes);
+  // Eigenvectors are perpendicular to a few digits less than a box's axes have to be.
+  const Matrix<double, Dim> axes = orthonormal<double, Dim>(found.axes.template cast<double>());
+  found.axes = right_handed<double, Dim>(axes).template cast<Scalar>();
   observe(Step{line + 2, false, {}, found});
   return found.axes;
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -57,6 +59,18 @@ struct LocalBox {
     }
   }
 };
+
+/// The axes by rising length of the box along them, right-handed.
+template <int Dim>
+[[nodiscard]] Matrix<double, Dim> by_length(const LocalBox<Dim>& box) {
+  std::array<int, Dim> order{};
+  std::iota(order.begin(), order.end(), 0);
+  const Vector<double, Dim> lengths = box.greatest - box.least;
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return lengths[a] < lengths[b]; });
+  Matrix<double, Dim> axes;
+  for (int i = 0; i < Dim; ++i) axes.col(i) = box.axes.col(order[static_cast<std::size_t>(i)]);
+  return right_handed<double, Dim>(axes);
+}
 
 /// What boxes are compared by: the product of the lengths, of which none counts as less than floor, so that among flat
 /// boxes the smaller area is better, and not the rounding of the thickness.

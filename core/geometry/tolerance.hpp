@@ -112,18 +112,22 @@ inline constexpr double kFacetPlane = 160 * kRoundoff<double>;
 template <class Scalar>
 inline constexpr Scalar kObbAxes = 24 * kRoundoff<Scalar>;
 
-/// The sine of the angle between two edges up to which they count as parallel: edges with the same direction have it up to
-/// sqrt(2) times kObbAxes and 4u of rounding. Held by "boxes that share an axis leave out what parallel edges have not got".
+/// The sine of the angle between two edges up to which they count as parallel: twice 8u by which each direction may be
+/// rounded, and as much again for directions that were worked out on different ways.
 template <class Scalar>
-inline constexpr Scalar kParallelAxes = 40 * kRoundoff<Scalar>;
+inline constexpr Scalar kParallelAxes = 32 * kRoundoff<Scalar>;
+
+/// The same, seen from a frame that may itself be off by 36u: what is below it is within 48u.
+template <class Scalar>
+inline constexpr Scalar kParallelInFrame = 8 * kRoundoff<Scalar>;
 
 /// Within what the separating-axis test knows a gap, times the axis's length, in units of the distance of the centres and
 /// all half extents. With axes off by kObbAxes a frame is off by up to 36u from a true one; that enters an edge-edge
 /// axis and either side of each of its products: 160u with 4u for each rounded dot product. True normals and the table's
-/// differ by up to 36u more. Parallel edges, left out, are up to 80u from truly so, which twice could widen the gap along
-/// another axis by 160u. Held by "the verdict is that of rational arithmetic" with axes off by as much.
+/// differ by up to 36u more. Parallel edges, left out, are up to 48u from truly so, which twice could widen the gap along
+/// another axis by 96u. Held by "the verdict is that of exact arithmetic".
 template <class Scalar>
-inline constexpr Scalar kSatGap = 384 * kRoundoff<Scalar>;
+inline constexpr Scalar kSatGap = 320 * kRoundoff<Scalar>;
 
 /// The same, of the true normals in double and whatever the axes: 4u for the cross product, 8u for the distance, 10u for
 /// the radii.
@@ -144,5 +148,36 @@ inline constexpr double kSweptBoundaryRoundoffs = 64;
 /// radius is widened for it in the end. Held by "a lozenge in the plane moves no corner".
 template <class Scalar>
 inline constexpr Scalar kLocalCoordinate = 16 * kRoundoff<Scalar>;
+
+/// The part by which a box has to be smaller than the one before for shrinking to go on: less may be rounding, which has no
+/// end. Held by "rectangles shrink a box until none of them does".
+inline constexpr double kSameBox = 64 * kRoundoff<double>;
+
+/// A turned coordinate is a sum of three products, of which each carries up to 3u: 4u of the sum of their sizes with room
+/// for terms in u^2. Walks uphill (fit/hill_climb.hpp) compare it with a doubt of twice that, and 2u more for the doubt's
+/// own rounding. Held by "hill climbing gives the box that rebuilding gives, bit for bit".
+template <class Scalar>
+inline constexpr Scalar kClimb = 10 * kRoundoff<Scalar>;
+
+/// The same for a placed point's projection onto an axis of a k-DOP: 4u and one more rounding for each coordinate, 2u for
+/// the bound's rounding outwards, so 7u; twice that and 4u more.
+template <class Scalar>
+inline constexpr Scalar kClimbKdop = 18 * kRoundoff<Scalar>;
+
+/// How much longer than a point's distance a turned coordinate may be: kRotation, three roundings and one of the reach.
+/// Held by "every update holds every placed point exactly, over full turns".
+template <class Scalar>
+inline constexpr Scalar kLooseReach = kRotation<Scalar> + 8 * kRoundoff<Scalar>;
+
+/// Two placed points, each off by (3 sqrt(3) + 1) u of its distance from the origin and u of the translation, are apart by
+/// what they were before but for 7u of the volume's size, 13u of its centre's distance from the origin and 3u of the
+/// translation; a rotation that lengthens by kRotation adds 16u of the size. 32u of the sum of the three covers it, and the
+/// roundings of that sum. Held by the same.
+template <class Scalar>
+inline constexpr Scalar kPlaced = 32 * kRoundoff<Scalar>;
+
+/// The sine of a triangle's angle below which its normal, worked out in about 106 bits, might not have all of a double's
+/// digits, and is worked out exactly. Held by "the normals of thin triangles keep their digits".
+inline constexpr double kThinTriangle = 0x1p-40;
 
 }  // namespace snug::tolerance
