@@ -1,8 +1,8 @@
-// Oriented boxes against each other and against axis-aligned ones.
+// Oriented boxes against each other and against axis-aligned ones, by the separating-axis test.
 #pragma once
 
 #include "geometry/aabb_forms.hpp"
-#include "query/gjk.hpp"
+#include "query/obb_sat.hpp"
 #include "query/overlap_result.hpp"
 
 namespace snug::query {
@@ -14,14 +14,17 @@ template <class Scalar, int Dim>
   return {form.center, Matrix<Scalar, Dim>::Identity(), form.half_extents};
 }
 
+/// Exact; the axis is the first that separates.
 template <class Scalar, int Dim>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_boxes(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) {
-  const auto separation = *gjk(a, b);
-  OverlapResult<Scalar, Dim> result{.overlap = separation.overlap, .tests = separation.supports};
-  if (!result.overlap) result.separating_axis = {"closest_points", separation.direction, separation.gap};
+  const SatResult<Scalar, Dim> sat = obb_sat(a, b);
+  OverlapResult<Scalar, Dim> result{.overlap = sat.overlap, .tests = sat.tests};
+  if (!sat.overlap)
+    result.separating_axis = {kAxisKindNames[static_cast<std::size_t>(sat.axis.kind)], sat.axis.direction, sat.axis.gap};
   return result;
 }
 
+/// Exact but for the rounding of the axis-aligned box's centre and extents.
 template <class Scalar, int Dim>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_boxes(const Aabb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) {
   return test_boxes(obb_of(a), b);
