@@ -6,8 +6,11 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "geometry/obb.hpp"
@@ -47,30 +50,125 @@ struct SatLine {
   static constexpr int kExactly = Dim == 2 ? 5 : 8, kVerdict = kExactly + 1;
 };
 
+/// B as seen from A's frame, and the projections of both onto the axes of the lecture's table.
+template <class Scalar, int Dim>
+class ObbFrames {
+ public:
+  ObbFrames(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) : a_(a), b_(b), offset_(b.center - a.center) {
+    const Scalar size = offset_.template lpNorm<1>() + a.half_extents.sum() + b.half_extents.sum();
+    doubt_ = tolerance::kSatGap<Scalar> * size + std::numeric_limits<Scalar>::min();
+  }
+
+  /// Calls visit(place, offset, radius_a, radius_b) for each axis in the table's order until one call returns true;
+  /// whether one did. offset: of the centres along the axis; all times the axis's length. Unrolled, so that every index is
+  /// a constant.
+  template <class Visit>
+  [[gnu::always_inline]] bool any_axis(Visit&& visit) {
+    return any_axis(std::make_integer_sequence<int, kSatAxes<Dim>>{}, visit);
+  }
+
+  /// Within what a gap is known, times the axis's length; a gap beyond it is one whatever was rounded.
+  [[nodiscard]] Scalar doubt() const { return doubt_; }
+
+  [[nodiscard]] FramesRelated<Scalar, Dim> related() {
+    for (int i = 0; i < Dim; ++i) relate(i);
+    return {rotation_, translation_, doubt_};
+  }
+
+  /// Of a face's normal 1; of two edges the sine of the angle between them.
+  [[nodiscard]] Scalar length(int place) const { return axis_at<Dim>(place).kind == AxisKind::kEdgeEdge ? cross(place).norm() : 1; }
+  [[nodiscard]] bool parallel(int place) const { return length(place) <= tolerance::kParallelAxes<Scalar>; }
+
+  /// gap: times the axis's length.
+  [[nodiscard]] SatAxis<Scalar, Dim> axis(int place, Scalar gap) const {
+    const auto [kind, i, j] = axis_at<Dim>(place);
+    if (parallel(place)) return {kind, i, j};
+    const Scalar length = this->length(place);
+    Direction direction = kind == AxisKind::kFaceA   ? Direction(a_.axes.col(i))
+                          : kind == AxisKind::kFaceB ? Direction(b_.axes.col(j))
+                                                     : Direction(cross(place) / length);
+    if (direction.dot(offset_) < 0) direction = -direction;
+    return {kind, i, j, direction, gap / length};
+  }
+
+  /// Whether one of the axes that are in doubt separates the boxes, and which. The others were found not to, by more than
+  /// the axes of parallel edges could change. So those alone are no matter; but beside others in doubt they are looked at,
+  /// for they may be parallel within rounding only.
+  [[nodiscard]] std::optional<SatAxis<Scalar, Dim>> settle(AxisSet in_doubt) const {
+    for (int place = 0; place < kSatAxes<Dim>; ++place)
+      if ((in_doubt >> place & 1) != 0 && !parallel(place)) return separating_exactly(a_, b_, in_doubt);
+    return std::nullopt;
+  }
+
+ private:
+  using Direction = Vector<Scalar, Dim>;
+
+  template <int... kPlace, class Visit>
+  [[gnu::always_inline]] bool any_axis(std::integer_sequence<int, kPlace...>, Visit& visit) {
+    return (at<kPlace>(visit) || ...);
+  }
+
+  template <int kPlace, class Visit>
+  [[gnu::always_inline]] bool at(Visit& visit) {
+    constexpr AxisAt kAxis = axis_at<Dim>(kPlace);
+    constexpr int i = kAxis.i, j = kAxis.j;
+    if constexpr (kAxis.kind == AxisKind::kFaceA) {
+      relate(i);
+      return visit(kPlace, translation_[i], a_.half_extents[i], rotation_.row(i).cwiseAbs().dot(b_.half_extents));
+    } else if constexpr (kAxis.kind == AxisKind::kFaceB) {
+      return visit(kPlace, rotation_.col(j).dot(translation_), rotation_.col(j).cwiseAbs().dot(a_.half_extents),
+                   b_.half_extents[j]);
+    } else {
+      constexpr int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      const auto r = [&](int row, int column) { return std::abs(rotation_(row, column)); };
+      return visit(kPlace, translation_[i2] * rotation_(i1, j) - translation_[i1] * rotation_(i2, j),
+                   a_.half_extents[i1] * r(i2, j) + a_.half_extents[i2] * r(i1, j),
+                   b_.half_extents[j1] * r(i, j2) + b_.half_extents[j2] * r(i, j1));
+    }
+  }
+
+  /// Row i of R and t: how B lies along A's axis i. As it is needed, for many boxes are apart along the first.
+  void relate(int i) {
+    rotation_.row(i) = b_.axes.transpose().lazyProduct(a_.axes.col(i));
+    translation_[i] = a_.axes.col(i).dot(offset_);
+  }
+
+  [[nodiscard]] Direction cross(int place) const {
+    if constexpr (Dim == 2) {
+      return Direction::Zero();  // there is none
+    } else {
+      const auto [kind, i, j] = axis_at<Dim>(place);
+      const auto u = a_.axes.col(i), v = b_.axes.col(j);
+      return Direction(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+    }
+  }
+
+  const Obb<Scalar, Dim>& a_;
+  const Obb<Scalar, Dim>& b_;
+  Direction offset_;
+  Scalar doubt_;
+  Matrix<Scalar, Dim> rotation_;
+  Direction translation_;
+};
+
 /// Whether the test ends at the first axis that separates, or goes on to find the axis of the widest gap.
 enum class SatExtent : std::uint8_t { kFirst, kAll };
 
-/// The state of one test. An axis counts as separating, or as not, only where no rounding can change that; what is left
-/// open is decided by obb_sat_exact.hpp.
-template <class Scalar, int Dim, SatExtent kExtent, class Observer>
+/// One test, watched. An axis counts as separating, or as not, only where no rounding can change that.
+template <class Scalar, int Dim, class Observer>
 class ObbSat {
  public:
-  ObbSat(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer& observe) : a_(a), b_(b), observe_(observe) {}
+  ObbSat(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, SatExtent extent, Observer& observe)
+      : frames_(a, b), extent_(extent), observe_(observe) {}
 
   SatResult<Scalar, Dim> run() {
-    offset_ = b_.center - a_.center;
-    const Scalar size = offset_.template lpNorm<1>() + a_.half_extents.sum() + b_.half_extents.sum();
-    doubt_ = tolerance::kSatGap<Scalar> * size + std::numeric_limits<Scalar>::min();
-    if constexpr (kWatched<Observer>) {
-      for (int i = 0; i < Dim; ++i) relate(i);
-      observe_(Step{Line::kFrames, FramesRelated<Scalar, Dim>{rotation_, translation_, doubt_}});
-    }
-    if (!test_each(std::make_integer_sequence<int, kSatAxes<Dim>>{})) {
-      result_.tests = kSatAxes<Dim>;
-      if (!apart_ && open_ != 0) settle_exactly();
-      result_.overlap = !apart_;
-    }
-    if (kExtent == SatExtent::kAll && !apart_) result_.axis.gap = std::min(result_.axis.gap, Scalar(0));
+    if constexpr (kWatched<Observer>) observe_(Step{Line::kFrames, frames_.related()});
+    frames_.any_axis([this](int place, Scalar offset, Scalar radius_a, Scalar radius_b) {
+      return judge(place, std::abs(offset), radius_a, radius_b);
+    });
+    result_.overlap = !apart_;
+    if (!apart_ && in_doubt_ != 0) settle();
+    if (extent_ == SatExtent::kAll && result_.overlap) result_.axis.gap = std::min(result_.axis.gap, Scalar(0));
     observe_(Step{Line::kVerdict, Verdict<Scalar, Dim>{result_}});
     return result_;
   }
@@ -78,157 +176,58 @@ class ObbSat {
  private:
   using Step = SatStep<Scalar, Dim>;
   using Line = SatLine<Dim>;
-  using Direction = Vector<Scalar, Dim>;
 
-  /// The axes in their order, unrolled, so that every index is a constant. Whether one of them
-  /// ended the test.
-  template <int... kAxis>
-  bool test_each(std::integer_sequence<int, kAxis...>) {
-    return (ends_at<kAxis>() || ...);
-  }
-
-  template <int kAxis>
-  bool ends_at() {
-    if constexpr (kAxis < Dim)
-      return face_of_a<kAxis>();
-    else if constexpr (kAxis < 2 * Dim)
-      return face_of_b<kAxis - Dim>();
-    else
-      return edges<(kAxis - 2 * Dim) / Dim, (kAxis - 2 * Dim) % Dim>();
-  }
-
-  /// Row i of R and t, how B lies along A's axis i; as it is needed, for many boxes are apart along the first.
-  void relate(int i) {
-    for (int j = 0; j < Dim; ++j) rotation_(i, j) = a_.axes.col(i).dot(b_.axes.col(j));
-    translation_[i] = a_.axes.col(i).dot(offset_);
-  }
-
-  template <int i>
-  bool face_of_a() {
-    relate(i);
-    observe_.count(Operation::kDotProducts, Dim + 1);
-    return judge({AxisKind::kFaceA, i, -1}, translation_[i], a_.half_extents[i],
-                 rotation_.row(i).cwiseAbs().dot(b_.half_extents));
-  }
-
-  template <int j>
-  bool face_of_b() {
-    observe_.count(Operation::kDotProducts, 1);
-    return judge({AxisKind::kFaceB, -1, j}, rotation_.col(j).dot(translation_),
-                 rotation_.col(j).cwiseAbs().dot(a_.half_extents), b_.half_extents[j]);
-  }
-
-  template <int i, int j>
-  bool edges() {
-    constexpr int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-    const auto r = [&](int row, int column) { return std::abs(rotation_(row, column)); };
-    return judge({AxisKind::kEdgeEdge, i, j}, translation_[i2] * rotation_(i1, j) - translation_[i1] * rotation_(i2, j),
-                 a_.half_extents[i1] * r(i2, j) + a_.half_extents[i2] * r(i1, j),
-                 b_.half_extents[j1] * r(i, j2) + b_.half_extents[j2] * r(i, j1));
-  }
-
-  struct Axis {
-    AxisKind kind;
-    int i, j;
-  };
-
-  /// The offset of the centres and the radii, all times the axis's length. Whether the test ends here.
-  bool judge(Axis axis, Scalar offset, Scalar radius_a, Scalar radius_b) {
-    const Scalar gap = std::abs(offset) - (radius_a + radius_b);
+  /// Whether the test ends here.
+  bool judge(int place, Scalar distance, Scalar radius_a, Scalar radius_b) {
+    const Scalar gap = distance - (radius_a + radius_b);
+    ++result_.tests;
+    observe_.count(Operation::kDotProducts, place < Dim ? Dim + 1 : place < 2 * Dim ? 1 : 0);
     observe_.count(Operation::kComparisons, 1);
-    if constexpr (kWatched<Observer>) report(axis, std::abs(offset), radius_a, radius_b);
-    if (kExtent == SatExtent::kFirst && gap < -doubt_) return false;
-    return consider(axis, gap);
-  }
-
-  // Out of the way of the many axes that do not separate, so that their test stays short.
-  [[gnu::noinline]] bool consider(Axis axis, Scalar gap) {
-    if (gap > doubt_) {
-      apart_ = true;
-    } else if (!(gap < -doubt_)) {
-      if (parallel(axis)) {
-        parallel_ |= bit(axis);
-        return false;
-      }
-      open_ |= bit(axis);
-    }
-    if (kExtent == SatExtent::kAll) {
-      keep_if_widest(axis, gap);
-      return false;
-    }
-    if (apart_) result_ = {false, bit_place(axis) + 1, sat_axis(axis, gap)};
-    return apart_;
-  }
-
-  [[nodiscard]] static int bit_place(Axis axis) { return axis_place<Dim>(axis.kind, axis.i, axis.j); }
-  [[nodiscard]] static AxisSet bit(Axis axis) { return AxisSet{1} << bit_place(axis); }
-
-  /// The sine of the angle between two edges; of a face's normal 1.
-  [[nodiscard]] Scalar length(Axis axis) const {
-    if (axis.kind != AxisKind::kEdgeEdge) return 1;
-    const Scalar x = rotation_((axis.i + 1) % Dim, axis.j), y = rotation_((axis.i + 2) % Dim, axis.j);
-    return std::sqrt(x * x + y * y);
-  }
-  [[nodiscard]] bool parallel(Axis axis) const { return length(axis) <= tolerance::kParallelAxes<Scalar>; }
-
-  [[nodiscard]] Direction direction(Axis axis) const {
-    Direction along = axis.kind == AxisKind::kFaceA ? a_.axes.col(axis.i) : b_.axes.col(axis.j);
-    if constexpr (Dim == 3)
-      if (axis.kind == AxisKind::kEdgeEdge) {
-        const Direction u = a_.axes.col(axis.i), v = b_.axes.col(axis.j);
-        along = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-        along /= along.norm();
-      }
-    return along.dot(offset_) < 0 ? Direction(-along) : along;
-  }
-
-  [[nodiscard]] SatAxis<Scalar, Dim> sat_axis(Axis axis, Scalar gap) const {
-    return {axis.kind, axis.i, axis.j, direction(axis), gap / length(axis)};
+    if constexpr (kWatched<Observer>) report(place, distance, radius_a, radius_b);
+    const bool separates = gap > frames_.doubt();
+    if (!separates && !(gap < -frames_.doubt())) in_doubt_ |= AxisSet{1} << place;
+    if (extent_ == SatExtent::kAll) keep_if_widest(place, gap);
+    if (!separates) return false;
+    apart_ = true;
+    if (extent_ == SatExtent::kFirst) result_.axis = frames_.axis(place, gap);
+    return extent_ == SatExtent::kFirst;
   }
 
   /// By the gap that is certain: of the axis of nearly parallel edges little is.
-  void keep_if_widest(Axis axis, Scalar gap) {
-    const Scalar certain = (gap - doubt_) / length(axis);
+  void keep_if_widest(int place, Scalar gap) {
+    if (frames_.parallel(place)) return;
+    const Scalar certain = (gap - frames_.doubt()) / frames_.length(place);
     if (result_.axis.kind != AxisKind::kNone && certain <= widest_) return;
     widest_ = certain;
-    result_.axis = sat_axis(axis, gap);
+    result_.axis = frames_.axis(place, gap);
   }
 
-  /// The other axes were found not to separate, by more than the axes of parallel edges, left out, could change. Where one
-  /// is open, they too must be looked at: they may be parallel within rounding only.
-  void settle_exactly() {
-    const AxisSet axes = open_ | parallel_;
-    const auto separating = separating_exactly(a_, b_, axes);
-    apart_ = separating.has_value();
+  void settle() {
+    const auto separating = frames_.settle(in_doubt_);
+    result_.overlap = !separating;
     if (separating) result_.axis = *separating;
-    observe_(Step{Line::kExactly, LookedCloser{std::popcount(axes), !apart_}});
+    observe_(Step{Line::kExactly, LookedCloser{std::popcount(in_doubt_), result_.overlap}});
   }
 
-  void report(Axis axis, Scalar distance, Scalar radius_a, Scalar radius_b) {
-    AxisTested<Scalar, Dim> fact{.kind = axis.kind, .i = axis.i, .j = axis.j, .length = length(axis)};
-    fact.skipped = parallel(axis);
+  void report(int place, Scalar distance, Scalar radius_a, Scalar radius_b) {
+    const Scalar gap = distance - (radius_a + radius_b);
+    AxisTested<Scalar, Dim> fact{.axis = frames_.axis(place, gap), .length = frames_.length(place)};
+    fact.skipped = frames_.parallel(place);
     if (!fact.skipped) {
-      const Scalar gap = distance - (radius_a + radius_b);
-      fact.direction = direction(axis);
       fact.distance = distance / fact.length;
       fact.radius_a = radius_a / fact.length;
       fact.radius_b = radius_b / fact.length;
-      fact.gap = gap / fact.length;
-      fact.doubt = doubt_ / fact.length;
-      fact.separates = gap > doubt_;
+      fact.doubt = frames_.doubt() / fact.length;
+      fact.separates = gap > frames_.doubt();
     }
-    constexpr std::array<int, 4> kLines{Line::kVerdict, Line::kFaceA, Line::kFaceB, Line::kEdges};
-    observe_(Step{fact.skipped ? Line::kParallel : kLines[static_cast<std::size_t>(axis.kind)], fact});
+    const int line = place < Dim ? Line::kFaceA : place < 2 * Dim ? Line::kFaceB : fact.skipped ? Line::kParallel : Line::kEdges;
+    observe_(Step{line, fact});
   }
 
-  const Obb<Scalar, Dim>& a_;
-  const Obb<Scalar, Dim>& b_;
+  ObbFrames<Scalar, Dim> frames_;
+  SatExtent extent_;
   Observer& observe_;
-  Direction offset_;
-  Scalar doubt_ = 0;
-  Matrix<Scalar, Dim> rotation_;
-  Direction translation_;
-  AxisSet open_ = 0, parallel_ = 0;
+  AxisSet in_doubt_ = 0;
   bool apart_ = false;
   Scalar widest_ = 0;
   SatResult<Scalar, Dim> result_;
@@ -237,18 +236,29 @@ class ObbSat {
 /// Whether two oriented boxes share a point; touching boxes do. The verdict is exact on the numbers as they are, a box
 /// being all center + sum s_i h_i u_i with |s_i| <= 1, flat boxes, segments and points too: the lecture's test decides
 /// where its own error bound allows, exact arithmetic the rest.
-/// a, b: axes unit and perpendicular within tolerance::kObbAxes; sizes below half of the largest Scalar.
-/// Ends at the first axis that separates; overlapping boxes get no axis.
+/// a, b: axes unit and perpendicular within tolerance::kObbAxes; coordinates finite, and small enough that their sums are.
+/// extent: kFirst ends at the first axis that separates, and overlapping boxes get no axis. kAll goes through all of them:
+/// boxes that are apart get the axis of the widest gap, overlapping ones that of the least penetration.
 template <class Scalar, int Dim, StepObserver<SatStep<Scalar, Dim>> Observer = Ignore>
-SatResult<Scalar, Dim> obb_sat(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer&& observe = {}) {
-  return ObbSat<Scalar, Dim, SatExtent::kFirst, std::remove_reference_t<Observer>>(a, b, observe).run();
+SatResult<Scalar, Dim> obb_sat(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, SatExtent extent = SatExtent::kFirst,
+                               Observer&& observe = {}) {
+  return ObbSat<Scalar, Dim, std::remove_reference_t<Observer>>(a, b, extent, observe).run();
 }
 
-/// The same through all of the axes: boxes that are apart get the axis of the widest gap, overlapping ones that of the
-/// least penetration.
-template <class Scalar, int Dim, StepObserver<SatStep<Scalar, Dim>> Observer = Ignore>
-SatResult<Scalar, Dim> obb_sat_all_axes(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer&& observe = {}) {
-  return ObbSat<Scalar, Dim, SatExtent::kAll, std::remove_reference_t<Observer>>(a, b, observe).run();
+/// The same verdict, where nothing else is asked.
+template <class Scalar, int Dim>
+[[nodiscard]] bool obbs_overlap(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) {
+  ObbFrames<Scalar, Dim> frames(a, b);
+  const Scalar least = -frames.doubt();
+  AxisSet in_doubt = 0;
+  const bool apart = frames.any_axis([&](int place, Scalar offset, Scalar radius_a, Scalar radius_b) {
+    const Scalar reach = radius_a + radius_b;
+    if (std::abs(offset) - reach < least) [[likely]] return false;
+    if (reach - std::abs(offset) < least) return true;
+    in_doubt |= AxisSet{1} << place;
+    return false;
+  });
+  return !apart && (in_doubt == 0 || !ObbFrames<Scalar, Dim>(a, b).settle(in_doubt));
 }
 
 }  // namespace snug::query

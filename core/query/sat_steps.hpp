@@ -26,6 +26,9 @@ struct SatAxis {
   int j = -1;                                                    // B's face or edge; -1 where A's face is meant
   Vector<Scalar, Dim> direction = Vector<Scalar, Dim>::Zero();   // unit, in the world, from A towards B
   Scalar gap = 0;                                                // scene units; where the projections overlap, <= 0
+  void fields(auto&& see) const {
+    see("kind", static_cast<int>(kind)), see("i", i), see("j", j), see("direction", direction), see("gap", gap);
+  }
 };
 
 template <class Scalar, int Dim>
@@ -51,25 +54,20 @@ struct FramesRelated {
 template <class Scalar, int Dim>
 struct AxisTested {
   static constexpr std::string_view kName = "axis_tested";
-  AxisKind kind = AxisKind::kNone;
-  int i = -1;
-  int j = -1;
-  Vector<Scalar, Dim> direction = Vector<Scalar, Dim>::Zero();  // in the world, from A towards B; zero where skipped
+  SatAxis<Scalar, Dim> axis;  // its direction is zero where skipped
   Scalar length = 0;
-  Scalar distance = 0;                                          // between the projected centres
+  Scalar distance = 0;        // between the projected centres
   Scalar radius_a = 0;
   Scalar radius_b = 0;
-  Scalar gap = 0;
-  Scalar doubt = 0;        // the gap is known within it
-  bool separates = false;  // gap > doubt
-  bool skipped = false;    // the edges are parallel: there is no such axis, and none is needed
+  Scalar doubt = 0;           // the gap is known within it
+  bool separates = false;     // gap > doubt
+  bool skipped = false;       // the edges are parallel: there is no such axis, and none is needed
   /// The corners that face each other along the axis: bit c for the corner with the bits c, 1 for +x, 2 for +y, 4 for +z.
   int near_a = 0;
   int near_b = 0;
   void fields(auto&& see) const {
-    see("kind", static_cast<int>(kind)), see("i", i), see("j", j), see("direction", direction), see("length", length);
-    see("distance", distance), see("radius_a", radius_a), see("radius_b", radius_b), see("gap", gap);
-    see("doubt", doubt), see("separates", separates), see("skipped", skipped);
+    axis.fields(see), see("length", length), see("distance", distance), see("radius_a", radius_a);
+    see("radius_b", radius_b), see("doubt", doubt), see("separates", separates), see("skipped", skipped);
     see("near_a", near_a), see("near_b", near_b);
   }
 };
@@ -88,8 +86,7 @@ struct Verdict {
   static constexpr std::string_view kName = "verdict";
   SatResult<Scalar, Dim> result;
   void fields(auto&& see) const {
-    see("overlap", result.overlap), see("tests", result.tests), see("kind", static_cast<int>(result.axis.kind));
-    see("i", result.axis.i), see("j", result.axis.j), see("direction", result.axis.direction), see("gap", result.axis.gap);
+    see("overlap", result.overlap), see("tests", result.tests), result.axis.fields(see);
   }
 };
 

@@ -1,0 +1,162 @@
+#include "query/obb_sat_exact.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "geometry/dyadic.hpp"
+#include "geometry/sphere.hpp"
+#include "geometry/tolerance.hpp"
+
+namespace snug::query {
+namespace {
+
+template <class Number, int Dim>
+using Numbers = std::array<Number, static_cast<std::size_t>(Dim)>;
+
+template <class Number, std::size_t Dim>
+Number dot(const std::array<Number, Dim>& a, const std::array<Number, Dim>& b) {
+  Number sum = a[0] * b[0];
+  for (std::size_t i = 1; i < Dim; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+template <class Number>
+std::array<Number, 3> cross(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double magnitude(double x) { return std::abs(x); }
+Dyadic magnitude(const Dyadic& x) { return x.sign() < 0 ? -x : x; }
+
+/// A pair of boxes in one kind of number.
+template <class Number, int Dim>
+class Pair {
+ public:
+  struct Along {
+    Numbers<Number, Dim> axis;  // not unit
+    Number offset, gap;         // times the axis's length
+  };
+
+  template <class Scalar>
+  Pair(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) : a_(a), b_(b) {
+    for (std::size_t k = 0; k < Dim; ++k) offset_[k] = b_.center[k] - a_.center[k];
+  }
+
+  [[nodiscard]] Along along(int place) const {
+    const auto [kind, i, j] = axis_at<Dim>(place);
+    const Numbers<Number, Dim> axis = this->axis(kind, static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+    const Number offset = dot(offset_, axis);
+    return {axis, offset, magnitude(offset) - a_.radius(axis) - b_.radius(axis)};
+  }
+
+ private:
+  struct Box {
+    Numbers<Number, Dim> center, half;
+    std::array<Numbers<Number, Dim>, static_cast<std::size_t>(Dim)> axes;
+
+    template <class Scalar>
+    explicit Box(const Obb<Scalar, Dim>& box) {
+      for (int k = 0; k < Dim; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        center[at] = static_cast<double>(box.center[k]);
+        half[at] = static_cast<double>(box.half_extents[k]);
+        for (int row = 0; row < Dim; ++row) axes[at][static_cast<std::size_t>(row)] = static_cast<double>(box.axes(row, k));
+      }
+    }
+    [[nodiscard]] Number radius(const Numbers<Number, Dim>& axis) const {
+      Number sum = half[0] * magnitude(dot(axes[0], axis));
+      for (std::size_t k = 1; k < Dim; ++k) sum += half[k] * magnitude(dot(axes[k], axis));
+      return sum;
+    }
+    [[nodiscard]] Numbers<Number, Dim> normal(std::size_t face) const {
+      if constexpr (Dim == 2)
+        return {Number(0) - axes[1 - face][1], axes[1 - face][0]};
+      else
+        return cross(axes[(face + 1) % 3], axes[(face + 2) % 3]);
+    }
+  };
+
+  [[nodiscard]] Numbers<Number, Dim> axis(AxisKind kind, std::size_t i, std::size_t j) const {
+    if (kind == AxisKind::kFaceA) return a_.normal(i);
+    if constexpr (Dim == 3)
+      if (kind == AxisKind::kEdgeEdge) return cross(a_.axes[i], b_.axes[j]);
+    return b_.normal(j);
+  }
+
+  Box a_, b_;
+  Numbers<Number, Dim> offset_;
+};
+
+template <int Dim>
+Vector<double, Dim> approximate(const Numbers<Dyadic, Dim>& v) {
+  Vector<double, Dim> result;
+  for (int i = 0; i < Dim; ++i) result[i] = v[static_cast<std::size_t>(i)].approximate();
+  return result;
+}
+
+/// In the units of the scene. axis: not zero, though perhaps smaller than any double.
+template <class Scalar, int Dim>
+SatAxis<Scalar, Dim> separating_axis(int place, typename Pair<Dyadic, Dim>::Along along) {
+  constexpr double kSmall = 0x1p-500, kLarge = 0x1p600;
+  while (approximate<Dim>(along.axis).cwiseAbs().maxCoeff() < kSmall) {
+    for (Dyadic& coordinate : along.axis) coordinate *= kLarge;
+    along.gap *= kLarge;
+  }
+  const Vector<double, Dim> axis = approximate<Dim>(along.axis);
+  const double length = scaled_norm<double, Dim>(axis);
+  const double towards_b = along.offset.sign() < 0 ? -1 : 1;
+  const auto [kind, i, j] = axis_at<Dim>(place);
+  SatAxis<Scalar, Dim> result{kind, i, j, (axis * (towards_b / length)).template cast<Scalar>(), 0};
+  const auto gap = static_cast<Scalar>(along.gap.approximate() / length);
+  result.gap = std::max(gap, std::numeric_limits<Scalar>::denorm_min());
+  return result;
+}
+
+template <int Dim>
+void for_each_axis(AxisSet axes, auto&& visit) {
+  for (int place = 0; place < kSatAxes<Dim>; ++place)
+    if ((axes >> place & 1) != 0) visit(place);
+}
+
+/// Takes those axes out of the set along which, for all rounding in double, the projections overlap.
+template <class Scalar, int Dim>
+AxisSet still_open(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, AxisSet axes) {
+  const Pair<double, Dim> pair(a, b);
+  const double size = (b.center.template cast<double>() - a.center.template cast<double>()).template lpNorm<1>() +
+                      a.half_extents.template cast<double>().sum() + b.half_extents.template cast<double>().sum();
+  const double doubt = tolerance::kSatInDouble * size + std::numeric_limits<double>::min();
+  AxisSet open = 0;
+  for_each_axis<Dim>(axes, [&](int place) {
+    if (!(pair.along(place).gap < -doubt)) open |= AxisSet{1} << place;
+  });
+  return open;
+}
+
+}  // namespace
+
+template <class Scalar, int Dim>
+std::optional<SatAxis<Scalar, Dim>> separating_exactly(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, AxisSet axes) {
+  std::optional<SatAxis<Scalar, Dim>> best;
+  const AxisSet open = still_open(a, b, axes);
+  if (open == 0) return best;
+  const Pair<Dyadic, Dim> pair(a, b);
+  for_each_axis<Dim>(open, [&](int place) {
+    const auto along = pair.along(place);
+    if (along.gap.sign() <= 0) return;
+    const auto axis = separating_axis<Scalar, Dim>(place, along);
+    if (!best || axis.gap > best->gap) best = axis;
+  });
+  return best;
+}
+
+#define SNUG_INSTANTIATE(Scalar, Dim)                                                                                 \
+  template std::optional<SatAxis<Scalar, Dim>> separating_exactly(const Obb<Scalar, Dim>&, const Obb<Scalar, Dim>&, AxisSet);
+SNUG_INSTANTIATE(float, 2)
+SNUG_INSTANTIATE(float, 3)
+SNUG_INSTANTIATE(double, 2)
+SNUG_INSTANTIATE(double, 3)
+#undef SNUG_INSTANTIATE
+
+}  // namespace snug::query
