@@ -144,8 +144,11 @@ class Page {
     this.#view = this.#door.view();
     if (!this.#view) return;
     set_text(by_id("caption"), this.#view.caption);
-    if (this.#stage?.pressed) this.#panels_timer ||= setTimeout(() => this.#show_panels(), kPanelsDelay);
-    else this.#show_panels();
+    if (this.#stage?.pressed) {
+      this.#panels_timer ||= setTimeout(() => this.#show_panels(), kPanelsDelay);
+      return; // the address follows on release: for a new one the browser draws its own bar anew
+    }
+    this.#show_panels();
     this.#address_timer ||= setTimeout(() => this.#write_address(), kAddressDelay);
   }
 
