@@ -83,15 +83,15 @@ uniform vec3 light;
 uniform vec4 color;  // a: the fill
 in vec3 position;
 out vec4 tint;
+// Only the half towards the eye is drawn, with the far half's share in it: what is seen through both is painted once.
 void main() {
   vec3 place = center + axes * position;
   vec3 n = normalize(axes_inverse_transposed * position);
-  float towards_eye = dot(n, normalize(eye - place));
-  float front = step(0.0, towards_eye), side = mix(0.45, 1.0, front);  // the back is paler
-  float lit = 0.5 + 0.5 * dot(n, light) * (2.0 * front - 1.0);
-  float rim = 1.0 - abs(towards_eye);
-  tint = vec4(mix(color.rgb, vec3(1.0), 0.18 * lit * side),
-              (color.a * (0.8 + 0.4 * (1.0 - lit)) + 0.30 * rim * rim * rim) * side);
+  float facing = dot(n, normalize(eye - place)), rim = 1.0 - abs(facing);
+  float lit = 0.5 + 0.5 * dot(n, light) * sign(facing);
+  float near = step(0.0, facing) * (color.a * (0.8 + 0.4 * (1.0 - lit)) + 0.30 * rim * rim * rim);
+  float far = 0.45 * (color.a + 0.30 * rim * rim * rim);  // paler, and all that is seen from inside
+  tint = vec4(mix(color.rgb, vec3(1.0), 0.16 * lit), 1.0 - (1.0 - near) * (1.0 - far));
   gl_Position = view_projection * vec4(place, 1.0);
 }
 )";
@@ -169,7 +169,7 @@ void attribute(int slot, int size, std::size_t stride, std::size_t offset) {
 
 /// A unit sphere of rings: fine enough that its polygon hides beneath the outline.
 void unit_sphere(std::vector<Point3f>& vertices, std::vector<std::uint32_t>& indices) {
-  constexpr int kRings = 32, kSectors = 64;
+  constexpr int kRings = 24, kSectors = 48;
   constexpr float kPi = std::numbers::pi_v<float>;
   for (int ring = 0; ring <= kRings; ++ring) {
     const float polar = kPi * static_cast<float>(ring) / kRings;
@@ -363,17 +363,23 @@ void StageGl::draw_mesh(const GlScene& scene) const {
 void StageGl::draw_volumes(const GlScene& scene) const {
   if (scene.volumes.empty()) return;
   glDepthMask(GL_FALSE);
+  glEnable(GL_CULL_FACE);
   use(kVolume, scene);
   glBindVertexArray(sphere_.array);
   for (const GlVolume& volume : scene.volumes) {
     const Eigen::Matrix3f axes = volume.axes;
     const Eigen::Matrix3f inverse_transposed = axes.inverse().transpose();
+    // From inside, the half towards the eye is all there is, and it shows its back.
+    const bool inside = (axes.inverse() * (scene.eye - volume.center)).squaredNorm() < 1;
+    glFrontFace((axes.determinant() < 0) != inside ? GL_CW : GL_CCW);
     glUniformMatrix3fv(uniform(kVolume, "axes"), 1, GL_FALSE, axes.data());
     glUniformMatrix3fv(uniform(kVolume, "axes_inverse_transposed"), 1, GL_FALSE, inverse_transposed.data());
     glUniform3fv(uniform(kVolume, "center"), 1, volume.center.data());
     set_color(kVolume, "color", with_alpha(volume.color, volume.fill));
     glDrawElements(GL_TRIANGLES, sphere_.count, GL_UNSIGNED_INT, nullptr);
   }
+  glFrontFace(GL_CCW);
+  glDisable(GL_CULL_FACE);
   glDepthMask(GL_TRUE);
 }
 
