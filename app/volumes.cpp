@@ -14,6 +14,7 @@ namespace {
 using V3 = Vector<double, 3>;
 
 constexpr int kParts = 128;  // of an ellipse
+constexpr int kStride = 2;   // so many of them to a piece of a great circle, which is fainter
 constexpr float kFrontLine = 0.42f, kBackLine = 0.2f;  // alphas of great circles
 
 float bounded(double value) { return static_cast<float>(std::clamp(value, -1e30, 1e30)); }
@@ -57,12 +58,12 @@ std::vector<V3> silhouette(const V3& center, const Eigen::Matrix3d& axes, const 
 void great_circle(const Canvas& canvas, const V3& center, const Eigen::Matrix3d& axes, const V3& unit_eye, int a, int b, Color color) {
   const std::vector<V3> points = ellipse(center, axes.col(a), axes.col(b));
   const std::vector<ImVec2> screen = projected(canvas, points);
-  for (int i = 0; i < kParts; ++i) {
-    const double t = 2 * std::numbers::pi * (i + 0.5) / kParts;
+  for (int i = 0; i < kParts; i += kStride) {
+    const double t = 2 * std::numbers::pi * (i + 0.5 * kStride) / kParts;
     V3 unit = V3::Zero();
     unit[a] = std::cos(t), unit[b] = std::sin(t);
     const bool front = unit.dot(unit_eye) > 1;
-    canvas.list->AddLine(screen[static_cast<std::size_t>(i)], screen[static_cast<std::size_t>((i + 1) % kParts)],
+    canvas.list->AddLine(screen[static_cast<std::size_t>(i)], screen[static_cast<std::size_t>((i + kStride) % kParts)],
                          with_alpha(color, front ? kFrontLine : kBackLine), front ? 1.25f : 0.8f);
   }
 }
