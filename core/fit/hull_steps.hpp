@@ -1,6 +1,7 @@
-// The steps of the hull's construction. From them alone the hull can be rebuilt as it stood after each: SimplexChosen says
-// the first facets, EdgeSplit and FacetsReplaced which facets go and which come. Facets are named by numbers, which are
-// used again once a facet is gone; their vertices are points, by index, counter-clockwise as seen from outside.
+// The steps of the hull's construction. From them alone the hull can be rebuilt as it stood after each: SimplexChosen
+// says the first facets, EdgeSplit and FacetsReplaced which facets go and which come. Facets are named by numbers,
+// which are used again once a facet is gone; their vertices are points, by index, counter-clockwise as seen from
+// outside.
 #pragma once
 
 #include <string_view>
@@ -94,7 +95,7 @@ struct FacesMerged {
 
 /// has_volume just in the last step: a hull in each would make a trace as large as the square of the hull.
 template <class Scalar, int Dim>
-using HullStep = Step<ConvexHull<Scalar, Dim>, SimplexChosen, FlatFound, PointsAssigned, EyeChosen, EdgeSplit, HorizonFound,
-                      FacetsReplaced, FacesMerged, Finished>;
+using HullStep = Step<ConvexHull<Scalar, Dim>, SimplexChosen, FlatFound, PointsAssigned, EyeChosen, EdgeSplit,
+                      HorizonFound, FacetsReplaced, FacesMerged, Finished>;
 
 }  // namespace snug::fit

@@ -1,6 +1,6 @@
-// Source: H. Freeman, R. Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed curve", 1975: a
-// side of it lies on an edge of the hull; G. T. Toussaint, "Solving geometric problems with the rotating calipers", 1983:
-// so all edges are tried in one turn around it.
+// Source: H. Freeman, R. Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed curve",
+// 1975: a side of it lies on an edge of the hull; G. T. Toussaint, "Solving geometric problems with the rotating
+// calipers", 1983: so all edges are tried in one turn around it.
 #pragma once
 
 #include <algorithm>
@@ -35,8 +35,8 @@ struct CalipersRectangle {
   double area = 0;
 };
 
-/// The calipers' turn around a hull of affine_dim 2. The corners are found by exact tests; of the sides' lengths, twice a
-/// double's digits are kept while there are differences to take, so that slivers are ranked rightly too.
+/// The calipers' turn around a hull of affine_dim 2. The corners are found by exact tests; of the sides' lengths, twice
+/// a double's digits are kept while there are differences to take, so that slivers are ranked rightly too.
 template <class Scalar, class Observer>
 class Calipers {
  public:
@@ -147,14 +147,14 @@ class Calipers {
   int unit_ = 0;
 };
 
-/// The rectangle of least area around a hull in the plane, whose axes are the first edge's where all points lie on a line,
-/// and the coordinates' where they lie in one place. It holds every vertex exactly, and with them the hull.
+/// The rectangle of least area around a hull in the plane, whose axes are the first edge's where all points lie on a
+/// line, and the coordinates' where they lie in one place. It holds every vertex exactly, and with them the hull.
 /// hull: as quickhull gives it, of coordinates that a PointSet takes. O(n) time.
 template <class Scalar, StepObserver<ObbStep<Scalar, 2>> Observer = Ignore>
 Obb<Scalar, 2> min_area_rectangle(const ConvexHull<Scalar, 2>& hull, Observer&& observe = {}) {
   Matrix<double, 2> axes = Matrix<double, 2>::Identity();
-  if (hull.affine_dim == 1)
-    axes = frame(Vector<double, 2>(hull.vertices[1].template cast<double>() - hull.vertices[0].template cast<double>()));
+  const auto at = [&hull](std::size_t i) -> Vector<double, 2> { return hull.vertices[i].template cast<double>(); };
+  if (hull.affine_dim == 1) axes = frame(Vector<double, 2>(at(1) - at(0)));
   if (hull.affine_dim == 2) {
     Calipers<Scalar, std::remove_reference_t<Observer>> calipers(hull, observe);
     axes = calipers.axes(calipers.run());

@@ -1,5 +1,5 @@
-// The convex hull by Quickhull. Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls",
-// 1996.
+// The convex hull by Quickhull. Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex
+// hulls", 1996.
 #pragma once
 
 #include <span>

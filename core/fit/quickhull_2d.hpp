@@ -1,5 +1,6 @@
 // Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", 1996; in the plane as
-// W. F. Eddy, "A new convex hull algorithm for planar sets", 1977. Every decision is exact: each point taken is a vertex.
+// W. F. Eddy, "A new convex hull algorithm for planar sets", 1977. Every decision is exact: each point taken is a
+// vertex.
 #pragma once
 
 #include <algorithm>
@@ -80,7 +81,8 @@ class Quickhull2 {
     share({kNoIndex, a, a, list_.begin(), list_.end()}, b, 0, 1, 1);
   }
 
-  /// Takes the points of an edge that gives way to edges to and from c, and opens these two. On return the first is on top.
+  /// Takes the points of an edge that gives way to edges to and from c, and opens these two. On return the first is on
+  /// top.
   void share(const Edge& edge, Index c, Index first_id, Index second_id, int line) {
     const Point from = at_(edge.a), middle = at_(c), to = at_(edge.b);
     // A point beyond both would lie farther out than c, which is the farthest.
@@ -145,8 +147,8 @@ class Quickhull2 {
   Index last_id_ = 1;
 };
 
-/// The indices of the hull's vertices, counter-clockwise, of n >= 1 points in the plane: at(i) is a Vector<double, 2> of
-/// finite coordinates.
+/// The indices of the hull's vertices, counter-clockwise, of n >= 1 points in the plane: at(i) is a Vector<double, 2>
+/// of finite coordinates.
 template <class Scalar, class At, class Observer>
 std::vector<Index> hull_ring(Index n, At at, Observer& observe) {
   return Quickhull2<Scalar, At, Observer>(n, at, observe).run();

@@ -1,5 +1,5 @@
-// Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", 1996. Where they widen facets
-// by the rounding, sides are decided exactly here; what lies in one plane is merged at the end.
+// Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", 1996. Where they widen
+// facets by the rounding, sides are decided exactly here; what lies in one plane is merged at the end.
 #pragma once
 
 #include <array>
@@ -110,35 +110,21 @@ class Quickhull3 {
     return {from.farthest, f, distance, from.count};
   }
 
-  /// Of points in a plane, on a line or in one place. The coordinate left out is one on which the plane does not stand
-  /// upright, so that no two points fall together and the ring of the shadow is that of the points.
+  /// Of points in a plane, on a line or in one place: along an axis that is not in the plane no two points have the
+  /// same shadow, so that the ring of the shadows is that of the points.
   Fit<ConvexHull<Scalar, 3>> flat_hull(std::vector<Index> simplex) {
     const auto at = [this](Index i) -> Vector<double, 3> { return points_[i].template cast<double>(); };
     ConvexHull<Scalar, 3> hull;
     hull.affine_dim = static_cast<int>(simplex.size()) - 1;
-    const int dropped = axis_to_drop(simplex);
-    const auto shadow = [at, dropped](Index i) {
-      const Vector<double, 3> p = at(i);
-      return Vector<double, 2>(p[(dropped + 1) % 3], p[(dropped + 2) % 3]);
-    };
+    int axis = 0;
+    if (simplex.size() == 3) axis = shadow_axis(at(simplex[0]), at(simplex[1]), at(simplex[2]));
+    while (simplex.size() == 2 && shadow(at(simplex[0]), axis) == shadow(at(simplex[1]), axis)) ++axis;
+    const auto shadow_at = [at, axis](Index i) { return shadow(at(i), axis); };
     if constexpr (kWatched<Observer>) tell(1, FlatFound{hull.affine_dim, simplex});
     CountsOnly counts{observe_};
-    hull.indices = hull_ring<Scalar>(points_.size(), shadow, counts);
+    hull.indices = hull_ring<Scalar>(points_.size(), shadow_at, counts);
     for (const Index i : hull.indices) hull.vertices.push_back(points_[i]);
     return finish(std::move(hull));
-  }
-
-  [[nodiscard]] int axis_to_drop(const std::vector<Index>& simplex) const {
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto shadow = [&](std::size_t i) {
-        const Vector<double, 3> p = points_[simplex[i]].template cast<double>();
-        return Vector<double, 2>(p[(axis + 1) % 3], p[(axis + 2) % 3]);
-      };
-      if (simplex.size() == 1) return axis;
-      if (simplex.size() == 2 && shadow(0) != shadow(1)) return axis;
-      if (simplex.size() == 3 && orient2d(shadow(0), shadow(1), shadow(2)) != 0) return axis;
-    }
-    return 0;
   }
 
   Fit<ConvexHull<Scalar, 3>> finish(ConvexHull<Scalar, 3> hull) {

@@ -57,7 +57,8 @@ class FaceMerger {
     }
   }
 
-  /// Walks around the face on the left of a sharp edge, which is convex and so has one border, and cuts it into triangles.
+  /// Walks around the face on the left of a sharp edge, which is convex and so has one border, and cuts it into
+  /// triangles.
   void cut_face(const Index first_facet, const std::size_t first_edge) {
     corners_.clear();
     bool merged = false;

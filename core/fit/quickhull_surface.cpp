@@ -45,7 +45,8 @@ void HullSurface<Scalar>::put_plane(Facet& facet) const {
   const Vector<double, 3> f = site(facet.vertices[2]).position - a;
   facet.normal = cross(e, f);
   facet.offset = -(facet.normal[0] * a[0] + facet.normal[1] * a[1] + facet.normal[2] * a[2]);
-  facet.doubt = tolerance::kFacetPlane * (e.cwiseAbs().maxCoeff() + f.cwiseAbs().maxCoeff() + tolerance::kRoundoff<double>);
+  const double size = e.cwiseAbs().maxCoeff() + f.cwiseAbs().maxCoeff();
+  facet.doubt = tolerance::kFacetPlane * (size + tolerance::kRoundoff<double>);
 }
 
 template <class Scalar>

@@ -25,8 +25,8 @@ struct Facet {
   [[nodiscard]] bool alive() const { return vertices[0] != kNoIndex; }
 };
 
-/// Convex all the while, exactly: a facet sees a point just if that lies strictly above its plane, so that points in the
-/// plane of a facet never make one that is folded or without area. Facets may lie in one plane.
+/// Convex all the while, exactly: a facet sees a point just if that lies strictly above its plane, so that points in
+/// the plane of a facet never make one that is folded or without area. Facets may lie in one plane.
 template <class Scalar>
 class HullSurface {
  public:
@@ -59,7 +59,8 @@ class HullSurface {
 
  private:
   /// A point in the surface's own coordinates: moved and scaled along each axis so that the cloud just about fills the
-  /// cube from -1 to 1. Rounding in them is relative to the cloud's extent along each axis, not to how far out it stands.
+  /// cube from -1 to 1. Rounding in them is relative to the cloud's extent along each axis, not to how far out it
+  /// stands.
   struct Site {
     Vector<double, 3> position;
     Index next = kNoIndex;  // in its facet's list of outside points

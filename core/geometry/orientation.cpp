@@ -28,7 +28,7 @@ Bits bits_used(double value) {
   return {exponent + std::countr_zero(mantissa), exponent + 64 - std::countl_zero(mantissa)};
 }
 
-/// How many bits a coordinate may span for its differences to stay below 2^61, as Wide sums of products of three want it.
+/// How many bits coordinates may span for their differences to stay below 2^61, as sums of products of three want it.
 constexpr int kIntegerBits = 60;
 
 /// Points as whole numbers of a common unit; false where that takes too many bits.
@@ -78,8 +78,7 @@ Exact3 exact_difference(const Vector<double, 3>& a, const Vector<double, 3>& b) 
   return {Dyadic(a[0]) - Dyadic(b[0]), Dyadic(a[1]) - Dyadic(b[1]), Dyadic(a[2]) - Dyadic(b[2])};
 }
 
-int orient3d_exact(const Vector<double, 3>& a, const Vector<double, 3>& b, const Vector<double, 3>& c,
-                   const Vector<double, 3>& d) {
+int orient3d_exact(detail::P3 a, detail::P3 b, detail::P3 c, detail::P3 d) {
   const Exact3 e = exact_difference(b, a), f = exact_difference(c, a), g = exact_difference(d, a);
   const auto minor = [&](std::size_t i, std::size_t j) { return e[i] * f[j] - e[j] * f[i]; };
   return (minor(1, 2) * g[0] + minor(2, 0) * g[1] + minor(0, 1) * g[2]).sign();
@@ -96,10 +95,9 @@ Vector<double, 3> scaled_difference(const Vector<double, 3>& a, const Vector<dou
   return d;
 }
 
-/// The filter once more, on differences of about unit size: none of its products overflows, and what underflows is small
-/// beside them.
-int orient3d_scaled(const Vector<double, 3>& a, const Vector<double, 3>& b, const Vector<double, 3>& c,
-                    const Vector<double, 3>& d) {
+/// The filter once more, on differences of about unit size: none of its products overflows, and what underflows is
+/// small beside them.
+int orient3d_scaled(detail::P3 a, detail::P3 b, detail::P3 c, detail::P3 d) {
   const Vector<double, 3> e = scaled_difference(b, a), f = scaled_difference(c, a), g = scaled_difference(d, a);
   double value = 0, size = 0;
   for (int i = 0; i < 3; ++i) {
@@ -115,8 +113,7 @@ int orient3d_scaled(const Vector<double, 3>& a, const Vector<double, 3>& b, cons
 
 namespace detail {
 
-int cross_sign_exact(const Vector<double, 2>& a, const Vector<double, 2>& b, const Vector<double, 2>& c,
-                     const Vector<double, 2>& d) noexcept {
+int cross_sign_exact(P2 a, P2 b, P2 c, P2 d) noexcept {
   std::array<Integers, 4> p{};
   if (to_integers<2, 4>({&a, &b, &c, &d}, p)) {
     const Integers e = difference(p[1], p[0]), f = difference(p[3], p[2]);
@@ -129,8 +126,7 @@ int cross_sign_exact(const Vector<double, 2>& a, const Vector<double, 2>& b, con
   return sum.sign();
 }
 
-int orient3d_in_doubt(const Vector<double, 3>& a, const Vector<double, 3>& b, const Vector<double, 3>& c,
-                      const Vector<double, 3>& d) noexcept {
+int orient3d_in_doubt(P3 a, P3 b, P3 c, P3 d) noexcept {
   std::array<Integers, 4> p{};
   if (to_integers<3, 4>({&a, &b, &c, &d}, p)) return orient3d_of_integers(p);
   const int sign = orient3d_scaled(a, b, c, d);
@@ -138,8 +134,7 @@ int orient3d_in_doubt(const Vector<double, 3>& a, const Vector<double, 3>& b, co
 }
 
 template <int Dim>
-int dot_sign_exact(const Vector<double, Dim>& a, const Vector<double, Dim>& b, const Vector<double, Dim>& c,
-                   const Vector<double, Dim>& d) noexcept {
+int dot_sign_exact(P<Dim> a, P<Dim> b, P<Dim> c, P<Dim> d) noexcept {
   ExactSum sum;
   for (int i = 0; i < Dim; ++i) {
     sum.add_product(b[i], d[i]), sum.add_product(-b[i], c[i]);
@@ -147,19 +142,9 @@ int dot_sign_exact(const Vector<double, Dim>& a, const Vector<double, Dim>& b, c
   }
   return sum.sign();
 }
-template int dot_sign_exact<2>(const Vector<double, 2>&, const Vector<double, 2>&, const Vector<double, 2>&,
-                               const Vector<double, 2>&) noexcept;
-template int dot_sign_exact<3>(const Vector<double, 3>&, const Vector<double, 3>&, const Vector<double, 3>&,
-                               const Vector<double, 3>&) noexcept;
+template int dot_sign_exact<2>(P<2>, P<2>, P<2>, P<2>) noexcept;
+template int dot_sign_exact<3>(P<3>, P<3>, P<3>, P<3>) noexcept;
 
 }  // namespace detail
-
-bool collinear(const Vector<double, 3>& a, const Vector<double, 3>& b, const Vector<double, 3>& c) noexcept {
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto flat = [axis](const Vector<double, 3>& p) { return Vector<double, 2>(p[(axis + 1) % 3], p[(axis + 2) % 3]); };
-    if (orient2d(flat(a), flat(b), flat(c)) != 0) return false;
-  }
-  return true;
-}
 
 }  // namespace snug

@@ -1,6 +1,6 @@
 // On which side a point lies: signs of determinants that are never wrong, whatever the coordinates.
-// Source: J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997, for the
-// filters; what they leave open is decided in whole numbers (most often) or numbers of any length.
+// Source: J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997,
+// for the filters; what they leave open is decided in whole numbers (most often) or numbers of any length.
 #pragma once
 
 #include <cmath>
@@ -13,13 +13,15 @@ namespace snug {
 // All coordinates are finite doubles; those of float points are cast, which is exact.
 
 namespace detail {
-int cross_sign_exact(const Vector<double, 2>& a, const Vector<double, 2>& b, const Vector<double, 2>& c,
-                     const Vector<double, 2>& d) noexcept;
-int orient3d_in_doubt(const Vector<double, 3>& a, const Vector<double, 3>& b, const Vector<double, 3>& c,
-                      const Vector<double, 3>& d) noexcept;
+using P2 = const Vector<double, 2>&;
+using P3 = const Vector<double, 3>&;
 template <int Dim>
-int dot_sign_exact(const Vector<double, Dim>& a, const Vector<double, Dim>& b, const Vector<double, Dim>& c,
-                   const Vector<double, Dim>& d) noexcept;
+using P = const Vector<double, Dim>&;
+
+int cross_sign_exact(P2 a, P2 b, P2 c, P2 d) noexcept;
+int orient3d_in_doubt(P3 a, P3 b, P3 c, P3 d) noexcept;
+template <int Dim>
+int dot_sign_exact(P<Dim> a, P<Dim> b, P<Dim> c, P<Dim> d) noexcept;
 
 /// The sign of value where doubt bounds its error, else 0. Where either has overflown, no sign is certain.
 [[nodiscard]] inline int certain_sign(double value, double doubt) noexcept {
@@ -38,7 +40,8 @@ int dot_sign_exact(const Vector<double, Dim>& a, const Vector<double, Dim>& b, c
 }
 
 /// +1 where a, b, c turn counter-clockwise, 0 where they lie on a line, else -1.
-[[nodiscard]] inline int orient2d(const Vector<double, 2>& a, const Vector<double, 2>& b, const Vector<double, 2>& c) noexcept {
+[[nodiscard]] inline int orient2d(const Vector<double, 2>& a, const Vector<double, 2>& b,
+                                  const Vector<double, 2>& c) noexcept {
   return cross_sign(a, b, a, c);
 }
 
@@ -53,7 +56,8 @@ int dot_sign_exact(const Vector<double, Dim>& a, const Vector<double, Dim>& b, c
   const double size = std::abs(dx) * (std::abs(x1) + std::abs(x2)) + std::abs(dy) * (std::abs(y1) + std::abs(y2)) +
                       std::abs(dz) * (std::abs(z1) + std::abs(z2));
   const double reach = 1 + std::abs(dx) + std::abs(dy) + std::abs(dz);
-  const int sign = detail::certain_sign(value, tolerance::kSixTripleProducts * size + tolerance::kLostToUnderflow * reach);
+  const double doubt = tolerance::kSixTripleProducts * size + tolerance::kLostToUnderflow * reach;
+  const int sign = detail::certain_sign(value, doubt);
   return sign != 0 ? sign : detail::orient3d_in_doubt(a, b, c, d);
 }
 
@@ -71,7 +75,23 @@ template <int Dim>
   return sign != 0 ? sign : detail::dot_sign_exact<Dim>(a, b, c, d);
 }
 
+/// A point's shadow along a coordinate axis: the two coordinates that follow it in turn.
+[[nodiscard]] inline Vector<double, 2> shadow(const Vector<double, 3>& p, int axis) noexcept {
+  return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
+}
+
+/// The first axis along which the shadows of the three do not lie on a line; kNoIndex where they themselves do.
+[[nodiscard]] inline int shadow_axis(const Vector<double, 3>& a, const Vector<double, 3>& b,
+                                     const Vector<double, 3>& c) noexcept {
+  for (int axis = 0; axis < 3; ++axis)
+    if (orient2d(shadow(a, axis), shadow(b, axis), shadow(c, axis)) != 0) return axis;
+  return kNoIndex;
+}
+
 /// Whether the three lie on a line.
-[[nodiscard]] bool collinear(const Vector<double, 3>& a, const Vector<double, 3>& b, const Vector<double, 3>& c) noexcept;
+[[nodiscard]] inline bool collinear(const Vector<double, 3>& a, const Vector<double, 3>& b,
+                                    const Vector<double, 3>& c) noexcept {
+  return shadow_axis(a, b, c) == kNoIndex;
+}
 
 }  // namespace snug

@@ -21,7 +21,9 @@ ConvexHull<Scalar, 2> hull_of(const test::Cloud<Scalar, 2>& cloud) {
 /// The least area of a rectangle on an edge of the hull, by every edge against every vertex.
 template <class Scalar>
 Rational least_area(const ConvexHull<Scalar, 2>& hull) {
-  const auto at = [&](Index i, int axis) { return Rational(static_cast<double>(hull.vertices[static_cast<std::size_t>(i)][axis])); };
+  const auto at = [&](Index i, int axis) {
+    return Rational(static_cast<double>(hull.vertices[static_cast<std::size_t>(i)][axis]));
+  };
   std::optional<Rational> least;
   for (const auto& [a, b] : hull.facets) {
     const Rational x = at(b, 0) - at(a, 0), y = at(b, 1) - at(a, 1);
@@ -61,9 +63,10 @@ void check_rectangle(const std::string& name, const test::Cloud<Scalar, 2>& clou
   const Rational unit(std::ldexp(1.0, std::ilogb(widest)));
   CHECK(abs(Rational(best.area) * unit * unit / least - 1) < Rational(0x1p-48));
 
-  // ... and the box is rounded to Scalars: its axes, so that it tilts and a side widens by roundoffs of the other, and its
-  // centre, which moves by roundoffs of the coordinates.
-  const double reach = 4 * widest + static_cast<double>(std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()));
+  // ... and the box is rounded to Scalars: its axes, so that it tilts and a side widens by roundoffs of the other, and
+  // its centre, which moves by roundoffs of the coordinates.
+  const Scalar farthest_out = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  const double reach = 4 * widest + static_cast<double>(farthest_out);
   const Rational slack = Rational(16 * static_cast<double>(tolerance::kRoundoff<Scalar>)) * Rational(reach);
   const Rational width = 2 * Rational(static_cast<double>(box.half_extents[0]));
   const Rational height = 2 * Rational(static_cast<double>(box.half_extents[1]));
@@ -75,13 +78,15 @@ void check_rectangle(const std::string& name, const test::Cloud<Scalar, 2>& clou
 TEST_CASE_TEMPLATE("degenerate clouds have the rectangle that rational arithmetic finds", Scalar, float, double) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed)
     for (const int n : {1, 2, 3, 5, 12, 40})
-      for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, n)) check_rectangle<Scalar>(name, points);
+      for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, n))
+        check_rectangle<Scalar>(name, points);
 }
 
 TEST_CASE_TEMPLATE("random clouds have the rectangle that rational arithmetic finds", Scalar, float, double) {
   for (const char* kind : {"cube", "ball", "sphere", "gaussian", "stick", "lattice"})
     for (const int n : {10, 60})
-      for (std::uint64_t seed = 1; seed <= 3; ++seed) check_rectangle<Scalar>(kind, test::generated<Scalar, 2>(kind, n, seed));
+      for (std::uint64_t seed = 1; seed <= 3; ++seed)
+        check_rectangle<Scalar>(kind, test::generated<Scalar, 2>(kind, n, seed));
 }
 
 TEST_CASE("far, tiny and huge clouds have it too") {

@@ -1,4 +1,5 @@
-// Signs of determinants against rational arithmetic, over coordinates of every size and points that all but lie in a plane.
+// Signs of determinants against rational arithmetic, over coordinates of every size and points that all but lie in a
+// plane.
 #include "geometry/orientation.hpp"
 
 #include <doctest/doctest.h>
@@ -149,7 +150,9 @@ TEST_CASE("signs are right for coordinates of any exponents at once") {
 TEST_CASE("where products underflow or overflow, the sign is right still") {
   Random random(7);
   Seen seen;
-  const auto power = [&](int least, int most) { return std::ldexp(1.0, least + static_cast<int>(random.below(unsigned(most - least)))); };
+  const auto power = [&](int least, int most) {
+    return std::ldexp(1.0, least + static_cast<int>(random.below(static_cast<std::uint32_t>(most - least))));
+  };
   for (int turn = 0; turn < 2000; ++turn) {
     // Vectors with one large component and others whose products are lost to underflow.
     P3 e, f, g;
