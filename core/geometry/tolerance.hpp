@@ -56,10 +56,11 @@ inline constexpr double kSweptDistance = 10 * kRoundoff<double>;
 template <class Scalar>
 inline constexpr Scalar kRotation = 16 * kRoundoff<Scalar>;
 
-/// How far a corner of a k-DOP, worked out from its slabs, may miss one of them, in units of u * (largest bound): each
-/// bound is rounded once when it is moved to the origin, a point of two planes has five operations a coordinate, and its
+/// How far a corner of a k-DOP, worked out from its slabs, may miss one of them, in parts of the largest bound: each bound
+/// is rounded once when it is moved to the origin, a point of two planes has five operations a coordinate, and its
 /// projection onto a third axis three. Held by "a k-DOP's corners lie in all of its slabs".
-inline constexpr double kKdopCornerRoundoffs = 16;
+template <class Scalar>
+inline constexpr Scalar kKdopCorner = 16 * kRoundoff<Scalar>;
 
 /// The gap, in parts of the largest extent of two volumes about a common point, up to which they still count as touching:
 /// corners are rounded by at most 5u of that size, their projections onto an axis and the axis's length by as much again,
@@ -179,5 +180,14 @@ inline constexpr Scalar kPlaced = 32 * kRoundoff<Scalar>;
 /// The sine of a triangle's angle below which its normal, worked out in about 106 bits, might not have all of a double's
 /// digits, and is worked out exactly. Held by "the normals of thin triangles keep their digits".
 inline constexpr double kThinTriangle = 0x1p-40;
+
+/// How much shorter than measured the smallest box's lengths may be, in parts of the points' size, for it to be called
+/// smallest: its axes are off by up to 8u, each length by that and by 4u of projecting, the comparison of its volume with a
+/// bound by 24u of each length; and where stretches of a search end at kSameTurn, by 16u more. Held by "the smallest box is
+/// proven so".
+inline constexpr double kBoxProof = 64 * kRoundoff<double>;
+
+/// The turn of a box's two axes together, in radians, up to which a stretch of boxes counts as one. Held by the same.
+inline constexpr double kSameTurn = 16 * kRoundoff<double>;
 
 }  // namespace snug::tolerance

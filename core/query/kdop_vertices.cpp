@@ -33,7 +33,7 @@ Vector<double, Dim> vector_of(const Axis<Dim>& axis) {
   return v;
 }
 
-/// How many numbers of a k-DOP's faces choose a line: a plane's place is its axis times two, plus one for max.
+/// The boundary planes that choose a line. A plane's place: that of its axis times two, plus one for max.
 template <int Dim>
 using Planes = std::array<int, Dim - 1>;
 
@@ -50,22 +50,19 @@ class Corners {
     for (std::size_t i = 0; i < axes_.size(); ++i) {
       DoubleDouble moved;
       for (std::size_t j = 0; j < Dim; ++j) moved += axes_[i][j] * static_cast<double>(origin[static_cast<int>(j)]);
-      bounds_[2 * i] = (DoubleDouble(static_cast<double>(kdop.min[i])) - moved).value();
-      bounds_[2 * i + 1] = (DoubleDouble(static_cast<double>(kdop.max[i])) - moved).value();
-      size_ = std::max({size_, std::abs(bounds_[2 * i]), std::abs(bounds_[2 * i + 1])});
+      for (const std::size_t side : {0u, 1u}) {
+        const auto bound = static_cast<double>(side == 0 ? kdop.min[i] : kdop.max[i]);
+        bounds_[2 * i + side] = (DoubleDouble(bound) - moved).value();
+        size_ = std::max(size_, std::abs(bounds_[2 * i + side]));
+        given_size_ = std::max(given_size_, std::abs(bound));
+      }
     }
-    slack_ = tolerance::kKdopCornerRoundoffs * tolerance::kRoundoff<double> * size_;
   }
 
   std::vector<Vector<double, Dim>> find() {
-    const int planes = 2 * static_cast<int>(axes_.size());
-    for (int i = 0; i < planes; ++i) {
-      if constexpr (Dim == 2) {
-        clip({i});
-      } else {
-        for (int j = 2 * (i / 2) + 2; j < planes; ++j) clip({i, j});
-      }
-    }
+    clip_all(tolerance::kKdopCorner<double> * size_);
+    // Flat slabs that were rounded one by one may miss each other by that much.
+    if (corners_.empty()) clip_all(static_cast<double>(tolerance::kKdopCorner<Scalar>) * given_size_);
     return std::move(corners_);
   }
 
@@ -83,6 +80,18 @@ class Corners {
       const Vector<double, 3> direction = n.cross(m);
       const Vector<double, 3> point = bound(planes[0]) * m.cross(direction) + bound(planes[1]) * direction.cross(n);
       return {point / direction.squaredNorm(), direction};
+    }
+  }
+
+  void clip_all(double slack) {
+    slack_ = slack;
+    const int planes = 2 * static_cast<int>(axes_.size());
+    for (int i = 0; i < planes; ++i) {
+      if constexpr (Dim == 2) {
+        clip({i});
+      } else {
+        for (int j = 2 * (i / 2) + 2; j < planes; ++j) clip({i, j});
+      }
     }
   }
 
@@ -118,8 +127,8 @@ class Corners {
 
   std::span<const Axis<Dim>> axes_;
   std::array<double, 2 * kMostSlabs<Dim>> bounds_{};
-  double size_ = 0;
-  double slack_ = 0;
+  double size_ = 0, given_size_ = 0;  // the largest bound, moved and as given
+  double slack_ = 0;                  // what may be rounding
   std::vector<Vector<double, Dim>> corners_;
 };
 
