@@ -308,6 +308,6 @@ double App::seconds_until_due(double now) const {
 
 long App::frames_drawn() const { return state_->frames; }
 std::string App::caption() const { return state_->session ? caption_at(*state_->session) : std::string(); }
-std::vector<Handle> App::handles() const { return state_->session ? state_->stage.handles() : std::vector<Handle>{}; }
+std::vector<Handle> App::handles() const { return state_->session ? state_->stage.handles(*state_->session) : std::vector<Handle>{}; }
 
 }  // namespace snug::app

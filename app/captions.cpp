@@ -7,6 +7,7 @@
 
 #include "app/numbers.hpp"
 #include "lesson/ask.hpp"
+#include "lesson/box_tests.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/words.hpp"
 
@@ -31,6 +32,7 @@ std::string direction_name(int axis) {
 std::span<const Index> span_of(const Support& support) {
   return {support.begin(), static_cast<std::size_t>(support.size())};
 }
+std::span<const Index> span_of(const std::vector<Index>& support) { return support; }
 
 /// Says each fact. One overload per fact, so that a new one does not compile before it has its sentence.
 struct Sayer {
@@ -40,6 +42,17 @@ struct Sayer {
   bool exact;
   std::string ball;  // "circle", "sphere"
 
+  /// Of the ball that the step has; 0 where it has none.
+  [[nodiscard]] double radius() const {
+    const fit::Sphere3* own = ball_of(step);
+    return own != nullptr ? own->radius : 0;
+  }
+  /// "radius 2.1", "area 3.4"
+  [[nodiscard]] std::string size() const {
+    if (ball_of(step) != nullptr) return "radius " + number_text(radius());
+    return size_word() + number_text(fit::size_of(step.volume, dim()));
+  }
+  [[nodiscard]] std::string size_word() const { return dim() == 2 ? "area " : "volume "; }
   [[nodiscard]] int dim() const { return fit::dim_of(points); }
   [[nodiscard]] Point at(Index i) const { return fit::point_of(points, i); }
 
@@ -58,7 +71,7 @@ struct Sayer {
 
   std::string operator()(const fit::PairChosen& fact) const {
     const std::string pair = point_name(fact.a) + " and " + point_name(fact.b);
-    if (!step.has_ball) return pair + " reach farthest to either side along the main axis.";
+    if (!step.has_volume) return pair + " reach farthest to either side along the main axis.";
     const std::string why = fact.axis == kNoIndex
                                 ? ", the ends along the main axis, become"
                                 : ", the extremes along " + direction_name(fact.axis) + ", are farthest apart and become";
@@ -71,8 +84,8 @@ struct Sayer {
 
   std::string operator()(const fit::PointExamined& fact) const {
     const std::string point = point_name(fact.point);
-    if (!step.has_ball) return point + " is the first point: there is no " + ball + " yet to hold it.";
-    const double gap = fact.distance - step.ball.radius;
+    if (!step.has_volume) return point + " is the first point: there is no " + ball + " yet to hold it.";
+    const double gap = fact.distance - radius();
     const bool forced = next != nullptr && std::holds_alternative<fit::BoundaryForced>(next->fact);
     if (!fact.outside) return point + " lies inside" + (gap < 0 ? " by " + short_figure(-gap) : "") + ": nothing changes.";
     return point + " lies outside by " + short_figure(gap) + (forced ? ", so it is on the boundary of the next " + ball + "." : ".");
@@ -101,22 +114,22 @@ struct Sayer {
   }
 
   std::string operator()(const fit::BallShrunk<double, 3>& fact) const {
-    return "Pass " + std::to_string(fact.pass) + ": the " + ball + " shrinks by 5 % to " + number_text(step.ball.radius) +
+    return "Pass " + std::to_string(fact.pass) + ": the " + ball + " shrinks by 5 % to " + number_text(radius()) +
            ", and the points are shuffled.";
   }
 
   std::string operator()(const fit::PassJudged<double, 3>& fact) const {
     const std::string pass = "Pass " + std::to_string(fact.pass) + " ends at ";
-    if (fact.better) return pass + number_text(step.ball.radius) + ", the smallest so far: it is kept.";
-    const auto [radius, best] = lesson::number_texts_apart(step.ball.radius, fact.best.radius);
-    if (radius == best) return pass + radius + ", as large as the best: it is dropped.";
-    return pass + radius + ", larger than the best, " + best + ": it is dropped.";
+    if (fact.better) return pass + number_text(radius()) + ", the smallest so far: it is kept.";
+    const auto [own, best] = lesson::number_texts_apart(radius(), fact.best.radius);
+    if (own == best) return pass + own + ", as large as the best: it is dropped.";
+    return pass + own + ", larger than the best, " + best + ": it is dropped.";
   }
 
   std::string operator()(const fit::BoundaryForced& fact) const {
     const std::string names = name_of_points(span_of(fact.boundary));
     if (fact.boundary.size() == 1) return names + " must be on the boundary: the " + ball + " starts again as that point alone.";
-    return names + " must be on the boundary: the smallest " + ball + " through them has radius " + number_text(step.ball.radius) + ".";
+    return names + " must be on the boundary: the smallest " + ball + " through them has radius " + number_text(radius()) + ".";
   }
 
   std::string operator()(const fit::MovedToFront& fact) const {
@@ -158,11 +171,78 @@ struct Sayer {
     return names + " have no " + ball + " of their own: they are in line, or on one spot.";
   }
 
+  std::string operator()(const fit::ExtentsFound<double, 3>& fact) const {
+    std::string lengths;
+    for (int i = 0; i < dim(); ++i) lengths += (i > 0 ? " × " : "") + number_text(fact.lengths[i]);
+    return "The points that reach farthest along each axis set the box: " + lengths + ".";
+  }
+
+  std::string operator()(const fit::BallFound<double, 3>& fact) const {
+    return "The smallest " + ball + " around the points has radius " + number_text(fact.ball.radius) + "; it is held by " +
+           name_of_points(span_of(fact.support)) + ".";
+  }
+
+  std::string operator()(const fit::HullFound& fact) const {
+    return "The convex hull has " + counted(static_cast<std::int64_t>(fact.vertices.size()), "corner") + " and " +
+           counted(fact.facets, dim() == 2 ? "edge" : "face") + ": no other point can touch a box.";
+  }
+
+  std::string operator()(const fit::SurfaceFound<double, 3>& fact) const {
+    return std::string("The hull's ") + (dim() == 2 ? "outline is " : "surface is ") + number_text(fact.area) +
+           (dim() == 2 ? " units long" : " units²") + ": each bit of it weighs the same, however many points lie on it.";
+  }
+
+  std::string operator()(const fit::PointsChosen& fact) const {
+    return name_of_points(span_of(fact.points)) + (fact.points.size() == 1 ? " is" : " are") + " chosen: the axes are built on " +
+           (fact.points.size() == 1 ? "it." : "them.");
+  }
+
+  std::string operator()(const fit::BoxTried<double, 3>& fact) const {
+    const std::string on = fact.on.empty() ? "A box" : "The box on " + name_of_points(span_of(fact.on));
+    return on + " has " + size_word() + number_text(fact.measure) + (fact.better ? ", the smallest so far: it is kept." : ", no smaller than the best: it is dropped.");
+  }
+
+  std::string operator()(const fit::RectangleFound<double, 3>& fact) const {
+    const std::string on = fact.edge_a == kNoIndex ? "The smallest rectangle"
+                                                   : "The smallest rectangle lies on the hull's edge from " + point_name(fact.edge_a) +
+                                                         " to " + point_name(fact.edge_b);
+    return on + (dim() == 2 ? ": " : ", seen along the axis; its box has ") + size_word() + number_text(fact.measure) +
+           (fact.better ? ", the smallest so far." : ": no better than before.");
+  }
+
+  std::string operator()(const fit::EdgeSearched& fact) const {
+    return "Every box with a face on the edge from " + point_name(fact.a) + " to " + point_name(fact.b) + " is ruled out or tried, with " +
+           counted(fact.pairs, "second edge") + ".";
+  }
+
+  std::string operator()(const query::FramesRelated<double, 3>&) const {
+    return "B is written in A's own frame: from there A is a plain box, and its axes are x" +
+           std::string(dim() == 2 ? " and y." : ", y and z.");
+  }
+
+  std::string operator()(const query::AxisTested<double, 3>& fact) const {
+    const std::string axis = lesson::axis_names(dim())[static_cast<std::size_t>(lesson::axis_index(dim(), fact.axis))].text;
+    if (fact.skipped) return axis + ": these edges are parallel, so they have no axis of their own.";
+    const std::string sum = number_text(fact.radius_a) + " + " + number_text(fact.radius_b);
+    if (fact.separates) return "Along " + axis + " the centres are " + number_text(fact.distance) + " apart, more than " + sum + ": there is a gap, so the boxes are apart.";
+    return "Along " + axis + " the centres are " + number_text(fact.distance) + " apart, no more than " + sum + ": this axis does not separate them.";
+  }
+
+  std::string operator()(const query::LookedCloser& fact) const {
+    return "The numbers are too close to call: " + std::to_string(fact.axes) + (fact.axes == 1 ? " axis" : " axes") + (fact.axes == 1 ? " is" : " are") +
+           " looked at again in exact arithmetic.";
+  }
+
+  std::string operator()(const query::Verdict<double, 3>& fact) const {
+    const std::string after = " after " + std::to_string(fact.result.tests) + (fact.result.tests == 1 ? " axis." : " axes.");
+    return (fact.result.overlap ? "Overlap: no axis separates the boxes," : "Apart: one axis that separates them is enough,") + after;
+  }
+
   std::string operator()(const fit::Finished& fact) const {
     // The iterative method starts from Ritter's result: the same fact, but not the end.
     if (next != nullptr)
-      return "Ritter's " + ball + " is where it starts, with radius " + number_text(step.ball.radius) + ".";
-    const std::string done = "Done: radius " + number_text(step.ball.radius), names = name_of_points(span_of(fact.support));
+      return "Ritter's " + ball + " is where it starts, with radius " + number_text(radius()) + ".";
+    const std::string done = "Done: " + size(), names = name_of_points(span_of(fact.support));
     return exact ? done + ", held by " + names + "." : done + "; it touches " + names + ".";
   }
 };
@@ -189,6 +269,8 @@ std::string caption_at_start(const fit::Algorithm& algorithm, Index points) {
 
 std::string caption_at(const lesson::Session& session) {
   const auto* entry = session.current(0);
+  if (entry == nullptr && session.boxes() != nullptr)
+    return std::string(session.algorithm(0)->title) + " on the boxes A and B: nothing is known yet. Take the first step.";
   if (entry == nullptr) return caption_at_start(*session.algorithm(0), session.size());
   const auto& steps = session.recording(0).steps;
   const auto next = static_cast<std::size_t>(session.step());

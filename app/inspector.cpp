@@ -4,9 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "app/axis_table.hpp"
 #include "app/marks.hpp"
 #include "app/widgets.hpp"
-#include "lesson/figures.hpp"
+#include "lesson/box_figures.hpp"
 
 namespace snug::app {
 namespace {
@@ -39,13 +40,13 @@ class Column {
 
   void rival(const lesson::Session::Rival& rival, double widest, bool chosen, bool beside) {
     const float size = 14, small = 13;
-    const std::string value = chosen ? lesson::number_text(rival.radius) : lesson::percent_text(rival.excess);
+    const std::string value = chosen || !rival.excess ? lesson::number_text(rival.size) : lesson::percent_text(*rival.excess);
     const Color bar = chosen ? look_->current : look_->previous;
     text_right(list_, look_, chosen ? Face::kMonoBold : Face::kMono, small, {x_ + width_, y_ + look_.px(4)}, chosen ? look_->current_text : look_->muted, value);
     const float room = width_ - measure(look_, Face::kMono, small, value).x - 10;
     text(list_, look_, chosen || beside ? Face::kSemiBold : Face::kRegular, size, {x_, y_ + look_.px(3)}, look_->ink, shortened(look_, Face::kRegular, size, rival.algorithm->title, room));
     const float top = y_ + look_.px(24), height = 6;
-    const float share = widest > 0 ? static_cast<float>(rival.radius / widest) : 1.0f;
+    const float share = widest > 0 ? static_cast<float>(rival.size / widest) : 1.0f;
     list_->AddRectFilled({x_, top}, {x_ + width_, top + height}, look_->track, height / 2);
     list_->AddRectFilled({x_, top}, {x_ + width_ * share, top + height}, bar, height / 2);
     y_ += look_.px(40);
@@ -60,6 +61,12 @@ class Column {
     const float height = paragraph(list_, look_, Face::kRegular, size, leading, {x_ + indent, y_ + look_.px(4)}, width_ - indent,
                                    proof.holds ? look_->ink : proof.claimed ? look_->wrong_text : look_->muted, proof.text);
     y_ += height + look_.px(8);
+  }
+
+  void axes(lesson::Session& session) {
+    if (lesson::axes_seen(session.recording(0).steps).empty()) return;
+    heading("The axes");
+    y_ += draw_axis_table(look_, session, {x_, y_}, width_) + look_.px(28);
   }
 
   void gap(float height) { y_ += height; }
@@ -82,15 +89,17 @@ std::vector<lesson::Figure> figures_beside(const lesson::Session& session) {
   const std::string step = std::to_string(session.step_of(1)) + " of " + std::to_string(session.recording(1).steps.size());
   std::vector<lesson::Figure> figures{{"Step", "step", step, static_cast<double>(session.step_of(1)), ""}};
   for (lesson::Figure& figure : session.figures(1))
-    if (figure.key == "radius" || figure.key == "excess") figures.push_back(std::move(figure));
+    if (figure.key == "radius" || figure.key == "measure" || figure.key == "excess") figures.push_back(std::move(figure));
   return figures;
 }
 
-void draw_inspector(const Look& look, const lesson::Session& session, const Rect& rect) {
+void draw_inspector(const Look& look, lesson::Session& session, const Rect& rect) {
   Column column(look, rect);
   column.heading(session.step() == session.steps() ? "In the end" : "Now");
   for (const lesson::Figure& figure : session.figures()) column.figure(figure);
   column.gap(look.px(28));
+
+  if (session.boxes() != nullptr) column.axes(session);
 
   if (session.algorithm(1) != nullptr) {
     column.heading("Beside it: " + std::string(session.algorithm(1)->title));
@@ -101,7 +110,7 @@ void draw_inspector(const Look& look, const lesson::Session& session, const Rect
   if (session.rivals().size() > 1) {
     column.heading("In the end, beside the others");
     double widest = 0;
-    for (const auto& rival : session.rivals()) widest = std::max(widest, rival.radius);
+    for (const auto& rival : session.rivals()) widest = std::max(widest, rival.size);
     for (const auto& rival : session.rivals())
       column.rival(rival, widest * 1.08, rival.algorithm == session.algorithm(0), rival.algorithm == session.algorithm(1));
     column.gap(look.px(20));

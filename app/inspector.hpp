@@ -12,6 +12,6 @@ namespace snug::app {
 [[nodiscard]] std::vector<lesson::Figure> figures_beside(const lesson::Session& session);
 
 /// Draws into the current pane, which scrolls where it does not fit.
-void draw_inspector(const Look& look, const lesson::Session& session, const Rect& rect);
+void draw_inspector(const Look& look, lesson::Session& session, const Rect& rect);
 
 }  // namespace snug::app

@@ -20,13 +20,12 @@ const Fact* last(Steps steps) {
 }
 
 /// The ball before the last step, where that step changed it.
-std::optional<fit::Sphere3> ball_before(Steps steps) {
+std::optional<fit::Volume3> ball_before(Steps steps) {
   if (steps.size() < 2) return std::nullopt;
-  const fit::Step3& step = steps[steps.size() - 1].step;
-  const fit::Step3& earlier = steps[steps.size() - 2].step;
-  if (!earlier.has_ball || (earlier.ball.center == step.ball.center && earlier.ball.radius == step.ball.radius))
-    return std::nullopt;
-  return earlier.ball;
+  const fit::Sphere3* now = ball_of(steps[steps.size() - 1].step);
+  const fit::Sphere3* earlier = ball_of(steps[steps.size() - 2].step);
+  if (now == nullptr || earlier == nullptr || (earlier->center == now->center && earlier->radius == now->radius)) return std::nullopt;
+  return *earlier;
 }
 
 Point3 deviations(const Point3& variances) { return variances.cwiseMax(0).cwiseSqrt(); }
@@ -58,7 +57,8 @@ struct Filler {
   void operator()(const fit::PointExamined& fact) const {
     shown.examined = fact.point;
     shown.examined_outside = fact.outside;
-    shown.outside_by = step.has_ball ? fact.distance - step.ball.radius : 0;
+    const fit::Sphere3* ball = ball_of(step);
+    shown.outside_by = ball != nullptr ? fact.distance - ball->radius : 0;
     force(fact.depth);
   }
   void operator()(const fit::BallGrown<double, 3>& fact) const { shown.before = fact.before; }
@@ -74,7 +74,7 @@ struct Filler {
   }
   void operator()(const fit::BallShrunk<double, 3>& fact) const { shown.before = fact.before; }
   void operator()(const fit::PassJudged<double, 3>& fact) const {
-    shown.candidate = fact.better ? std::nullopt : std::optional(fact.best);
+    if (!fact.better) shown.candidate = fact.best;
   }
   void operator()(const fit::BoundaryForced& fact) const {
     shown.before = ball_before(steps);
@@ -97,7 +97,62 @@ struct Filler {
     shown.candidate_fails = true;
     shown.left_outside = fact.outside;
   }
+  void operator()(const fit::ExtentsFound<double, 3>& fact) const {
+    spread_of_points();
+    spoken_of(fact.least), spoken_of(fact.greatest);
+  }
+  void operator()(const fit::BallFound<double, 3>& fact) const {
+    shown.before = fact.ball;
+    spoken_of(fact.support);
+  }
+  void operator()(const fit::HullFound& fact) const { shown.hull = fact.vertices; }
+  void operator()(const fit::SurfaceFound<double, 3>& fact) const {
+    shown.mean = fact.centroid;
+    hull();
+  }
+  void operator()(const fit::PointsChosen& fact) const { spoken_of(fact.points); }
+  void operator()(const fit::BoxTried<double, 3>& fact) const {
+    if (!fact.better) shown.candidate = fact.box;
+    spoken_of(fact.on);
+    hull();
+  }
+  void operator()(const fit::RectangleFound<double, 3>& fact) const {
+    if (!fact.better) shown.candidate = fact.box;
+    for (const Index end : {fact.edge_a, fact.edge_b})
+      if (end != kNoIndex) shown.spoken_of.push_back(end);
+    hull();
+  }
+  void operator()(const fit::EdgeSearched& fact) const {
+    shown.spoken_of = {fact.a, fact.b};
+    hull();
+  }
+  void operator()(const query::FramesRelated<double, 3>&) const {}
+  void operator()(const query::AxisTested<double, 3>& fact) const { shown.axis = fact; }
+  void operator()(const query::LookedCloser&) const {}
+  /// The axis that separates, or the last one looked at.
+  void operator()(const query::Verdict<double, 3>& fact) const {
+    shown.overlap = fact.result.overlap;
+    for (const Entry& entry : steps) {
+      const auto* axis = std::get_if<query::AxisTested<double, 3>>(&entry.step.fact);
+      const auto& own = fact.result.axis;
+      if (axis != nullptr && axis->axis.kind == own.kind && axis->axis.i == own.i && axis->axis.j == own.j) shown.axis = *axis;
+    }
+  }
   void operator()(const fit::Finished&) const {}
+
+  void spoken_of(const std::vector<Index>& points) const {
+    shown.spoken_of.insert(shown.spoken_of.end(), points.begin(), points.end());
+  }
+  void hull() const {
+    if (const auto* found = last<fit::HullFound>(steps)) shown.hull = found->vertices;
+  }
+  /// Mean and axes stay in sight where the box is built on them.
+  void spread_of_points() const {
+    const auto* axes = last<fit::AxesFound<double, 3>>(steps);
+    if (axes == nullptr) return;
+    shown.mean = axes->mean;
+    shown.spread = {axes->axes, deviations(axes->variances), true, false};
+  }
 
   /// The first `depth` points of the boundary are forced while a frame of that depth runs.
   void force(int depth) const {
@@ -133,18 +188,19 @@ void show_outcome(Shown& shown, const lesson::Session& session) {
 
 Shown shown_at(const lesson::Session& session, bool want_optimum) {
   Shown shown;
-  if (const Entry* rival = session.current(1); rival != nullptr && rival->step.has_ball) shown.rival = rival->step.ball;
+  if (const Entry* rival = session.current(1); rival != nullptr && rival->step.has_volume) shown.rival = rival->step.volume;
   if (const Entry* entry = session.current(0); entry != nullptr) {
     const Steps steps = Steps(session.recording(0).steps).first(static_cast<std::size_t>(session.step()));
-    if (entry->step.has_ball) shown.ball = entry->step.ball;
+    if (entry->step.has_volume) shown.volume = entry->step.volume;
     shown.support = session.support(0);
     std::visit(Filler{shown, entry->step, steps}, entry->step.fact);
     shown.finished = session.step() == session.steps();
   }
   show_outcome(shown, session);
   // An exact method's result is the optimum: no second run says it better.
-  if (shown.finished && session.algorithm(0)->exact) shown.optimum = shown.ball;
-  else if (want_optimum || shown.finished) shown.optimum = session.optimum().result.sphere;
+  if (shown.finished && session.algorithm(0)->exact) shown.optimum = shown.volume;
+  else if (want_optimum || shown.finished)
+    if (const fit::Recording* optimum = session.optimum()) shown.optimum = optimum->result.volume;
   return shown;
 }
 

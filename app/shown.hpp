@@ -13,15 +13,15 @@ namespace snug::app {
 using Point3 = Vector<double, 3>;
 
 struct Shown {
-  std::optional<fit::Sphere3> ball;       // as it stands
-  std::optional<fit::Sphere3> before;     // the one that this step replaced
-  std::optional<fit::Sphere3> candidate;  // tried by this step, other than the ball
+  std::optional<fit::Volume3> volume;     // as it stands
+  std::optional<fit::Volume3> before;     // the one that this step replaced
+  std::optional<fit::Volume3> candidate;  // tried by this step, other than the volume
   bool candidate_fails = false;
-  std::optional<fit::Sphere3> rival;      // of slot 1, at the same share of its trace
-  std::optional<fit::Sphere3> optimum;    // where it is wanted, or at the end
+  std::optional<fit::Volume3> rival;      // of slot 1, at the same share of its trace
+  std::optional<fit::Volume3> optimum;    // where it is wanted, or at the end
   bool finished = false;
 
-  fit::Support support;                   // what holds the ball, in this trace so far
+  std::vector<Index> support;             // what holds the volume, in this trace so far
   fit::Support forced;                    // of it, what Welzl's recursion has forced onto the boundary
   int depth = 0;
 
@@ -48,9 +48,20 @@ struct Shown {
   };
   std::optional<Spread> spread;
 
+  /// Of box fitters: the hull's corners, and points that the step speaks of.
+  std::vector<Index> hull, spoken_of;
+  /// Of a test of two boxes: the axis at hand, and what is known at last.
+  std::optional<query::AxisTested<double, 3>> axis;
+  std::optional<bool> overlap;
+
   /// While an outcome stands: the points of a wrong guess, and those that would have been right.
   std::vector<Index> guessed_wrong, right;
 };
+
+/// The ball that a volume is; null where it is none.
+[[nodiscard]] inline const fit::Sphere3* ball_in(const std::optional<fit::Volume3>& volume) {
+  return volume ? std::get_if<fit::Sphere3>(&*volume) : nullptr;
+}
 
 /// At the session's step. want_optimum: also before the end; it costs a run of its own after each edit.
 [[nodiscard]] Shown shown_at(const lesson::Session& session, bool want_optimum);

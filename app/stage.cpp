@@ -1,5 +1,6 @@
 #include "app/stage.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -28,8 +29,50 @@ fit::Sphere3 around(const fit::Sphere3& a, const fit::Sphere3& b) {
 
 /// What the view has to have room for: what both algorithms end with.
 fit::Sphere3 extent_of(const lesson::Session& session) {
-  const fit::Sphere3 ball = session.recording(0).result.sphere;
-  return session.algorithm(1) == nullptr ? ball : around(ball, session.recording(1).result.sphere);
+  if (const lesson::BoxPair* pair = session.boxes())
+    return around(ball_around(pair->boxes[0], session.dim()), ball_around(pair->boxes[1], session.dim()));
+  const auto ball = [&](int slot) { return ball_around(session.recording(slot).result.volume, session.dim()); };
+  return session.algorithm(1) == nullptr ? ball(0) : around(ball(0), ball(1));
+}
+
+bool same(const fit::Sphere3& a, const fit::Sphere3& b) { return a.center == b.center && a.radius == b.radius; }
+bool same(const Obb<double, 3>& a, const Obb<double, 3>& b) {
+  return a.center == b.center && a.axes == b.axes && a.half_extents == b.half_extents;
+}
+
+fit::Volume3 between(const fit::Sphere3& a, const fit::Sphere3& b, double share) {
+  return fit::Sphere3{a.center + (b.center - a.center) * share, a.radius + (b.radius - a.radius) * share};
+}
+/// The axes turn the short way.
+fit::Volume3 between(const Obb<double, 3>& a, const Obb<double, 3>& b, double share) {
+  const Eigen::Quaterniond from(Eigen::Matrix3d(a.axes)), to(Eigen::Matrix3d(b.axes));
+  return Obb<double, 3>{a.center + (b.center - a.center) * share, from.slerp(share, to).toRotationMatrix(),
+                        a.half_extents + (b.half_extents - a.half_extents) * share};
+}
+
+/// Volumes of one kind that can pass into each other; others jump.
+template <class Kind>
+constexpr bool kMoves = std::is_same_v<Kind, fit::Sphere3> || std::is_same_v<Kind, Obb<double, 3>>;
+
+bool same(const fit::Volume3& a, const fit::Volume3& b) {
+  return std::visit(
+      [&]<class Kind>(const Kind& one) {
+        const auto* other = std::get_if<Kind>(&b);
+        if constexpr (kMoves<Kind>) return other != nullptr && same(one, *other);
+        else return false;
+      },
+      a);
+}
+
+fit::Volume3 between(const fit::Volume3& a, const fit::Volume3& b, double share) {
+  return std::visit(
+      [&]<class Kind>(const Kind& to) -> fit::Volume3 {
+        const auto* from = std::get_if<Kind>(&a);
+        if constexpr (kMoves<Kind>)
+          if (from != nullptr) return between(*from, to, share);
+        return to;
+      },
+      b);
 }
 
 float radius_for(Index points, bool has_surface) {
@@ -66,18 +109,17 @@ std::array<float, 16> matrix_of(const Camera& camera, const Frame& frame) {
 
 }  // namespace
 
-std::optional<fit::Sphere3> Motion::at(const std::optional<fit::Sphere3>& target, bool jump, double now) {
-  const bool same = target && to_ && target->center == to_->center && target->radius == to_->radius;
+std::optional<fit::Volume3> Motion::at(const std::optional<fit::Volume3>& target, bool jump, double now) {
   if (!target || !drawn_ || jump) {
     moving_ = false;
     to_ = drawn_ = target;
     return drawn_;
   }
-  if (!same) from_ = drawn_, to_ = target, since_ = now, moving_ = true;
+  if (!to_ || !same(*target, *to_)) from_ = drawn_, to_ = target, since_ = now, moving_ = true;
   if (moving_) {
     const double t = std::clamp((now - since_) / kMotionSeconds, 0.0, 1.0);
     const double share = ease_out(t);
-    drawn_ = fit::Sphere3{from_->center + (to_->center - from_->center) * share, from_->radius + (to_->radius - from_->radius) * share};
+    drawn_ = between(*from_, *to_, share);
     if (t >= 1) moving_ = false, drawn_ = to_;
   }
   return drawn_;
@@ -214,7 +256,7 @@ void Stage::draw(const Look& look, Settings& settings, lesson::Session& session,
   last_now_ = now;
   const bool stepped = session.step() != seen_step_ && seen_run_ == session.algorithm(0) && !points_moved_;
   const bool jump = look.still || dragging_ || (!stepped && !motion_.moving());
-  ball_ = motion_.at(shown_.ball, jump, now);
+  volume_ = motion_.at(shown_.volume, jump, now);
   seen_step_ = session.step();
   seen_run_ = session.algorithm(0);
 
@@ -232,10 +274,10 @@ void Stage::draw(const Look& look, Settings& settings, lesson::Session& session,
   list->PopClipRect();
 }
 
-std::vector<Handle> Stage::handles() const {
+std::vector<Handle> Stage::handles(const lesson::Session& session) const {
   std::vector<Handle> handles;
   for (std::size_t i = 0; i < screen_.size(); ++i)
-    if (screen_[i].visible) handles.push_back({lesson::point_name(static_cast<Index>(i)), screen_[i].x, screen_[i].y});
+    if (screen_[i].visible) handles.push_back({session.name_of(static_cast<Index>(i)), screen_[i].x, screen_[i].y});
   return handles;
 }
 

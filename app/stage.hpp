@@ -22,15 +22,15 @@ struct Label {
   Color color = 0;
 };
 
-/// The ball on its short way from one step's place to the next one's.
+/// The volume on its short way from one step's place to the next one's.
 class Motion {
  public:
-  /// The ball to draw. jump: go there at once.
-  [[nodiscard]] std::optional<fit::Sphere3> at(const std::optional<fit::Sphere3>& target, bool jump, double now);
+  /// The volume to draw. jump: go there at once.
+  [[nodiscard]] std::optional<fit::Volume3> at(const std::optional<fit::Volume3>& target, bool jump, double now);
   [[nodiscard]] bool moving() const { return moving_; }
 
  private:
-  std::optional<fit::Sphere3> from_, to_, drawn_;
+  std::optional<fit::Volume3> from_, to_, drawn_;
   double since_ = 0;
   bool moving_ = false;
 };
@@ -61,7 +61,7 @@ class Stage {
   }
   /// Whether the arrow keys move the selected point. A drag or an answer leaves them to the player.
   [[nodiscard]] bool arrows_move() const { return arrows_ && selected_ != kNoIndex; }
-  [[nodiscard]] std::vector<Handle> handles() const;
+  [[nodiscard]] std::vector<Handle> handles(const lesson::Session& session) const;
   /// A point's place on the screen as last drawn.
   [[nodiscard]] const Camera& camera() const { return camera_; }
   [[nodiscard]] bool dragging() const { return dragging_; }
@@ -84,12 +84,20 @@ class Stage {
   void steer_camera();
   // stage_volumes.cpp
   void draw_volumes(Brush& brush) const;
-  void draw_ball(Brush& brush) const;
+  void draw_current(Brush& brush) const;
+  void draw_radius(Brush& brush, const fit::Sphere3& ball) const;
+  [[nodiscard]] Point3 top_of(const fit::Volume3& volume, double right) const;
   void draw_rivals(Brush& brush) const;
   void draw_candidate(Brush& brush) const;
   void draw_extremes(Brush& brush) const;
   void draw_spread(Brush& brush) const;
   void draw_axis_ends(Brush& brush) const;
+  void draw_hull(Brush& brush) const;
+  // stage_boxes.cpp
+  void draw_boxes(Brush& brush) const;
+  void draw_knobs(Brush& brush, const lesson::BoxPair& pair, int box) const;
+  void draw_projections(Brush& brush, const lesson::BoxPair& pair) const;
+  void draw_gap(Brush& brush, ImVec2 from, ImVec2 to, ImVec2 aside) const;
   // stage_points.cpp
   void draw_points(Brush& brush) const;
   [[nodiscard]] static bool inviting(const Brush& brush);
@@ -100,6 +108,7 @@ class Stage {
   void draw_labels(Brush& brush) const;
   // stage_notes.cpp
   void draw_notes(Brush& brush, Settings& settings);
+  float draw_toggle(Brush& brush, Settings& settings, float right, float y, float height);
   void draw_axis_cross(Brush& brush) const;
 
   Camera camera_;
@@ -108,7 +117,7 @@ class Stage {
   GlScene scene_;
   Shown shown_;
   Motion motion_;
-  std::optional<fit::Sphere3> ball_;       // as drawn, on its way
+  std::optional<fit::Volume3> volume_;     // as drawn, on its way
   std::vector<ScreenPoint> screen_;
   std::vector<bool> special_;              // points that have a mark of their own
   float point_radius_ = 5;

@@ -46,16 +46,8 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
   if (button(brush.list, look, {.id = "fit", .rect = fit, .icon = Icon::kFit, .kind = ButtonKind::kOutlined})) reset_view(brush.session);
   right -= height + 8;
 
-  const float width = measure(look, Face::kSemiBold, 13, "Smallest").x + look.px(52);
-  const Rect toggle{right - width, y, width, height};
-  const bool on = settings.show_optimum;
-  if (button(brush.list, look, {.id = "smallest", .rect = toggle, .kind = on ? ButtonKind::kChosen : ButtonKind::kOutlined}))
-    settings.show_optimum = !on;
-  const float middle = y + height / 2;
-  line(brush.list, {toggle.x + look.px(12), middle}, {toggle.x + look.px(36), middle}, Stroke::kDashed, p.optimum, 2);
-  text(brush.list, look, Face::kSemiBold, 13, {toggle.x + look.px(42), middle_of(middle, look.px(13))}, p.ink, "Smallest");
+  if (brush.session.boxes() == nullptr) right = draw_toggle(brush, settings, right, y, height);
   keep_free(brush.canvas.obstacles, fit);
-  keep_free(brush.canvas.obstacles, toggle);
 
   // The page's undo and redo stand in the other corner.
   const float tools = settings.prose_in_canvas ? 0 : 2 * height + look.px(16);
@@ -66,13 +58,29 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
                               name_of_points({shown_.forced.begin(), static_cast<std::size_t>(shown_.forced.size())}) + " (depth " +
                               std::to_string(shown_.depth) + ")";
     const float left = tools + 16;
-    const Rect place{brush.rect.x + left, y, toggle.x - brush.rect.x - left - 16, look.px(20)};
+    const Rect place{brush.rect.x + left, y, right - brush.rect.x - left - 16, look.px(20)};
     const std::string fitting = shortened(look, Face::kSemiBold, 13, words, place.width);
-    halo_text(brush.list, look, Face::kSemiBold, 13, {place.x, middle_of(middle, look.px(13))}, p.support_text, p.ground, fitting);
-    keep_free(brush.canvas.obstacles, {place.x, middle - look.px(10), measure(look, Face::kSemiBold, 13, fitting).x, look.px(20)});
+    halo_text(brush.list, look, Face::kSemiBold, 13, {place.x, middle_of(y + height / 2, look.px(13))}, p.support_text, p.ground, fitting);
+    keep_free(brush.canvas.obstacles, {place.x, y + height / 2 - look.px(10), measure(look, Face::kSemiBold, 13, fitting).x, look.px(20)});
   }
   if (camera_.dim() == 3) draw_axis_cross(brush);
   if (settings.prose_in_canvas) draw_sentence(brush.list, look, brush.canvas.obstacles, brush.rect, caption_at(brush.session));
+}
+
+/// "Smallest": whether the smallest volume is shown before the end. Returns where the next button may end.
+float Stage::draw_toggle(Brush& brush, Settings& settings, float right, float y, float height) {
+  const Palette& p = brush.p;
+  const Look& look = brush.look;
+  const float width = measure(look, Face::kSemiBold, 13, "Smallest").x + look.px(52);
+  const Rect toggle{right - width, y, width, height};
+  const bool on = settings.show_optimum;
+  if (button(brush.list, look, {.id = "smallest", .rect = toggle, .kind = on ? ButtonKind::kChosen : ButtonKind::kOutlined}))
+    settings.show_optimum = !on;
+  const float middle = y + height / 2;
+  line(brush.list, {toggle.x + look.px(12), middle}, {toggle.x + look.px(36), middle}, Stroke::kDashed, p.optimum, 2);
+  text(brush.list, look, Face::kSemiBold, 13, {toggle.x + look.px(42), middle_of(middle, look.px(13))}, p.ink, "Smallest");
+  keep_free(brush.canvas.obstacles, toggle);
+  return toggle.x;
 }
 
 void Stage::draw_axis_cross(Brush& brush) const {

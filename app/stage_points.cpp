@@ -32,6 +32,8 @@ void arrow_heads(ImDrawList* list, ImVec2 at, float from, Color color, Color hal
   }
 }
 
+bool among(const std::vector<Index>& points, Index i) { return std::find(points.begin(), points.end(), i) != points.end(); }
+
 }  // namespace
 
 void Stage::draw_points(Brush& brush) const {
@@ -43,19 +45,20 @@ void Stage::draw_points(Brush& brush) const {
   draw_invitation(brush);
 
   const auto at = [&](Index i) { return brush.at(brush.session.point(i)); };
-  fit::Support touching = shown_.support;
-  if (shown_.extremes && !shown_.ball) touching = {};
+  std::vector<Index> touching = shown_.support;
+  if (shown_.extremes && !shown_.volume) touching = {};
   for (const Index i : touching) diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
   for (const Index i : shown_.forced) ring(brush.list, at(i), kRing * p.mark, p.support, brush.stroke(0.7f));
-  if (shown_.extremes && !shown_.ball)
+  if (shown_.extremes && !shown_.volume)
     for (int axis = 0; axis < camera_.dim(); ++axis)
       for (const Index i : {shown_.extremes->least[static_cast<std::size_t>(axis)], shown_.extremes->greatest[static_cast<std::size_t>(axis)]})
         diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
-  if (shown_.pair && !shown_.ball)
+  if (shown_.pair && !shown_.volume)
     for (const Index i : {shown_.pair->a, shown_.pair->b}) diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
+  for (const Index i : shown_.spoken_of) diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
   if (shown_.examined != kNoIndex) {
     const ImVec2 point = at(shown_.examined);
-    if (!touching.contains(shown_.examined)) disc(brush.list, point, (point_radius_ + 1) * p.mark, p.examined);
+    if (!among(touching, shown_.examined)) disc(brush.list, point, (point_radius_ + 1) * p.mark, p.examined);
     ring(brush.list, point, (kRing + 4) * p.mark, p.examined, brush.stroke());
     brush.canvas.obstacles.discs.push_back({point.x, point.y, kRing + 6});
   }
@@ -85,7 +88,7 @@ void Stage::draw_invitation(Brush& brush) const {
 /// The point under the pointer, and the selected one with its ring and, while it is dragged, its coordinates.
 void Stage::draw_selected(Brush& brush) const {
   const Palette& p = brush.p;
-  const bool special = hovered_ != kNoIndex && shown_.support.contains(hovered_);
+  const bool special = hovered_ != kNoIndex && among(shown_.support, hovered_);
   if (hovered_ != kNoIndex && hovered_ < brush.session.size()) {
     const ImVec2 at = brush.at(brush.session.point(hovered_));
     if (special) diamond(brush.list, at, kDiamond * p.mark + 2, p.support, p.ground);
@@ -132,14 +135,14 @@ void Stage::name_points(Brush& brush) const {
   const Palette& p = brush.p;
   const lesson::Session& session = brush.session;
   std::vector<bool> named(static_cast<std::size_t>(session.size()), false);
-  const ImVec2 middle = ball_ ? brush.at(ball_->center) : brush.at(framed_ball_.center);
+  const ImVec2 middle = brush.at(volume_ ? ball_around(*volume_, camera_.dim()).center : framed_ball_.center);
   const auto name = [&](Index i, std::string words, Color color, Face face, float gap, float size = 14, bool optional = false) {
     if (i == kNoIndex || named[static_cast<std::size_t>(i)]) return;
     named[static_cast<std::size_t>(i)] = true;
     const ImVec2 at = brush.at(session.point(i));
     brush.label(at, gap, {at.x - middle.x, at.y - middle.y}, std::move(words), color, face, size, optional);
   };
-  const auto plain = [&](Index i) { name(i, lesson::point_name(i), p.support_text, Face::kSemiBold, 11 * p.mark); };
+  const auto plain = [&](Index i) { name(i, session.name_of(i), p.support_text, Face::kSemiBold, 11 * p.mark); };
 
   if (shown_.left_outside != kNoIndex) named[static_cast<std::size_t>(shown_.left_outside)] = true;
   if (shown_.examined != kNoIndex) {
@@ -148,7 +151,7 @@ void Stage::name_points(Brush& brush) const {
     else if (shown_.outside_by < 0) words += " inside";
     name(shown_.examined, std::move(words), p.examined_text, Face::kSemiBold, 19 * p.mark, 15);
   }
-  if (shown_.extremes && !shown_.ball) {
+  if (shown_.extremes && !shown_.volume) {
     for (int axis = 0; axis < camera_.dim(); ++axis)
       for (const Index i : {shown_.extremes->least[static_cast<std::size_t>(axis)], shown_.extremes->greatest[static_cast<std::size_t>(axis)]}) plain(i);
   } else {
@@ -157,9 +160,14 @@ void Stage::name_points(Brush& brush) const {
   if (shown_.pair)
     for (const Index i : {shown_.pair->a, shown_.pair->b}) plain(i);
   for (const Index i : {selected_, hovered_})
-    if (i != kNoIndex && i < session.size()) name(i, lesson::point_name(i), p.ink, Face::kSemiBold, 13);
+    if (i != kNoIndex && i < session.size()) name(i, session.name_of(i), p.ink, Face::kSemiBold, 13);
+  for (const Index i : shown_.spoken_of) plain(i);
   if (session.size() > kNameAll) return;
-  for (Index i = 0; i < session.size(); ++i) name(i, lesson::point_name(i), p.muted, Face::kRegular, inviting(brush) ? 12 : 7, 12, true);
+  for (Index i = 0; i < session.size(); ++i) {
+    // A centre bears its box's name, a knob its arc.
+    if (session.boxes() != nullptr && lesson::place_of(session.dim(), i).kind != lesson::Place::Kind::kCorner) continue;
+    name(i, session.name_of(i), p.muted, Face::kRegular, inviting(brush) ? 12 : 7, 12, true);
+  }
 }
 
 void Stage::draw_labels(Brush& brush) const {

@@ -5,11 +5,15 @@
 #include "app/numbers.hpp"
 #include "app/stage_brush.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::app {
 namespace {
 
 constexpr ImVec2 kAbove{0.2f, -1}, kRightUp{1, -0.6f};
+
+/// "area 2.118", "volume 3.2"
+std::string size_text(double size, int dim) { return (dim == 2 ? "area " : "volume ") + lesson::number_text(size); }
 
 ImVec2 unit(ImVec2 v) {
   const float length = std::hypot(v.x, v.y);
@@ -19,72 +23,101 @@ ImVec2 unit(ImVec2 v) {
 }  // namespace
 
 void Stage::draw_volumes(Brush& brush) const {
+  draw_hull(brush);
   draw_spread(brush);
   draw_extremes(brush);
   draw_rivals(brush);
   draw_candidate(brush);
-  draw_ball(brush);
+  draw_current(brush);
   draw_axis_ends(brush);
+  draw_boxes(brush);
   // The farthest first, so that the nearer ones tint what lies behind them.
   std::sort(brush.canvas.gl.volumes.begin(), brush.canvas.gl.volumes.end(), [&](const GlVolume& a, const GlVolume& b) {
     return (a.center - scene_.eye).squaredNorm() > (b.center - scene_.eye).squaredNorm();
   });
 }
 
-/// The current ball with its centre and radius.
-void Stage::draw_ball(Brush& brush) const {
-  if (!ball_) return;
+/// The current volume; a ball with its centre and radius.
+void Stage::draw_current(Brush& brush) const {
+  if (!volume_) return;
+  draw_volume(brush.canvas, *volume_, {Stroke::kSolid, brush.p.current, brush.stroke(), brush.p.fill});
+  if (const fit::Sphere3* ball = ball_in(volume_)) return draw_radius(brush, *ball);
+  const double size = fit::size_of(shown_.volume.value_or(*volume_), camera_.dim());
+  brush.label(brush.at(top_of(*volume_, 0)), 6, kAbove, size_text(size, camera_.dim()), brush.p.current_text);
+}
+
+void Stage::draw_radius(Brush& brush, const fit::Sphere3& ball) const {
   const Palette& p = brush.p;
   const Canvas& canvas = brush.canvas;
-  draw_volume(canvas, *ball_, {Stroke::kSolid, p.current, brush.stroke(), p.fill});
-  const ImVec2 center = brush.at(ball_->center);
+  const ImVec2 center = brush.at(ball.center);
   plus(brush.list, center, 5 * p.mark, p.current, brush.stroke(0.7f));
   canvas.obstacles.discs.push_back({center.x, center.y, 7});
-  if (ball_->radius <= 0) return;
+  if (ball.radius <= 0) return;
   // To a point that holds the ball, preferably one on the right, where its label reads as the line's.
-  Point3 rim = ball_->center + camera_.right() * ball_->radius;
+  Point3 rim = ball.center + camera_.right() * ball.radius;
   double best = -2;
   for (const Index i : shown_.support) {
-    const Point3 way = brush.session.point(i) - ball_->center;
-    const double right = way.dot(camera_.right()) / ball_->radius;
-    if (std::abs(way.norm() - ball_->radius) < 0.02 * ball_->radius && right > best) best = right, rim = brush.session.point(i);
+    const Point3 way = brush.session.point(i) - ball.center;
+    const double right = way.dot(camera_.right()) / ball.radius;
+    if (std::abs(way.norm() - ball.radius) < 0.02 * ball.radius && right > best) best = right, rim = brush.session.point(i);
   }
-  draw_line(canvas, ball_->center, rim, {Stroke::kSolid, p.current, brush.stroke(0.65f)});
+  draw_line(canvas, ball.center, rim, {Stroke::kSolid, p.current, brush.stroke(0.65f)});
   const ImVec2 end = brush.at(rim);
   const ImVec2 along = unit({end.x - center.x, end.y - center.y});
   const ImVec2 aside = along.x >= 0 ? ImVec2{along.y, -along.x} : ImVec2{-along.y, along.x};  // upwards
   if (std::hypot(end.x - center.x, end.y - center.y) < 36) return;
   brush.label({center.x + (end.x - center.x) * 0.55f, center.y + (end.y - center.y) * 0.55f}, 4, aside,
-              "r = " + lesson::number_text(shown_.ball ? shown_.ball->radius : ball_->radius), p.current_text);
+              "r = " + lesson::number_text(ball_in(shown_.volume) != nullptr ? ball_in(shown_.volume)->radius : ball.radius), p.current_text);
 }
 
-/// What the ball is compared with: the one before it, the other algorithm's, the smallest.
+/// Where a volume's label stands: at its top, or to one side of it on the screen.
+Point3 Stage::top_of(const fit::Volume3& volume, double right) const {
+  return farthest_in(volume, camera_.up() * std::sqrt(1 - right * right) + camera_.right() * right, camera_.dim());
+}
+
+/// The convex hull of which a box fitter knows the corners: in 2-D its outline, in 3-D a ring around each corner.
+void Stage::draw_hull(Brush& brush) const {
+  std::vector<ImVec2> corners;
+  for (const Index i : shown_.hull) corners.push_back(brush.at(brush.session.point(i)));
+  if (camera_.dim() == 2) return path(brush.list, convex_outline(std::move(corners)), true, Stroke::kSolid, brush.p.ink, brush.stroke(0.8f));
+  for (const ImVec2 at : corners) ring(brush.list, at, 4 * brush.p.mark, brush.p.ink, brush.stroke(0.6f));
+}
+
+/// What the volume is compared with: the one before it, the other algorithm's, the smallest.
 void Stage::draw_rivals(Brush& brush) const {
   const Palette& p = brush.p;
   const Canvas& canvas = brush.canvas;
-  const auto top_of = [&](const fit::Sphere3& ball, double right) {
-    return brush.at(ball.center + (camera_.up() * std::sqrt(1 - right * right) + camera_.right() * right) * ball.radius);
+  const int dim = camera_.dim();
+  const auto size = [&](const fit::Volume3& volume) {
+    const double own = fit::size_of(volume, dim);
+    return std::holds_alternative<fit::Sphere3>(volume) ? "r = " + lesson::number_text(own) : size_text(own, dim);
   };
   if (shown_.before) draw_volume(canvas, *shown_.before, {Stroke::kDotted, p.previous, brush.stroke(0.85f)});
   if (shown_.rival) {
     draw_volume(canvas, *shown_.rival, {Stroke::kLongDashed, p.previous, brush.stroke(), scene_.three_d ? 0.03f : 0.0f});
-    if (shown_.rival->radius > 0) brush.label(top_of(*shown_.rival, -0.5), 6, {-0.6f, -1},
-                std::string(brush.session.algorithm(1)->title) + " r = " + lesson::number_text(shown_.rival->radius), p.previous_text);
+    if (fit::size_of(*shown_.rival, dim) > 0)
+      brush.label(brush.at(top_of(*shown_.rival, -0.5)), 6, {-0.6f, -1},
+                  std::string(brush.session.algorithm(1)->title) + " " + size(*shown_.rival), p.previous_text);
   }
   if (!shown_.optimum) return;
-  const bool same = shown_.ball && std::abs(shown_.ball->radius - shown_.optimum->radius) <= 1e-9 * shown_.optimum->radius;
+  const double smallest = fit::size_of(*shown_.optimum, dim);
+  const bool same = shown_.volume && std::abs(fit::size_of(*shown_.volume, dim) - smallest) <= 1e-9 * smallest;
   draw_volume(canvas, *shown_.optimum, {Stroke::kDashed, p.optimum, brush.stroke(same ? 2.0f : 1.0f)});
   if (same && !shown_.finished) return;
-  brush.label(top_of(*shown_.optimum, 0.5), 6, {0.6f, -1},
-              same ? "the smallest ball" : "smallest r = " + lesson::number_text(shown_.optimum->radius), p.optimum_text);
+  const std::string word(lesson::volume_word(brush.session.lesson().volume, dim));
+  brush.label(brush.at(top_of(*shown_.optimum, 0.5)), 6, {0.6f, -1},
+              same ? "the smallest " + word : "smallest " + size(*shown_.optimum), p.optimum_text);
 }
 
 void Stage::draw_candidate(Brush& brush) const {
   if (!shown_.candidate) return;
   const Palette& p = brush.p;
   draw_volume(brush.canvas, *shown_.candidate, {Stroke::kDotted, shown_.candidate_fails ? p.wrong : p.previous, brush.stroke()});
-  const float radius = static_cast<float>(shown_.candidate->radius * camera_.scale_at(shown_.candidate->center));
-  if (shown_.candidate_fails && !scene_.three_d) hatching(brush.list, brush.at(shown_.candidate->center), radius, with_alpha(p.wrong, 0.16f));
+  const fit::Sphere3* ball = ball_in(shown_.candidate);
+  if (ball != nullptr && shown_.candidate_fails && !scene_.three_d) {
+    const auto radius = static_cast<float>(ball->radius * camera_.scale_at(ball->center));
+    hatching(brush.list, brush.at(ball->center), radius, with_alpha(p.wrong, 0.16f));
+  }
   if (shown_.left_outside == kNoIndex) return;
   const ImVec2 at = brush.at(brush.session.point(shown_.left_outside));
   cross(brush.list, at, 8 * p.mark, p.wrong, brush.stroke(1.2f));
@@ -100,7 +133,7 @@ void Stage::draw_extremes(Brush& brush) const {
     draw_box(canvas, shown_.box->least, shown_.box->greatest, {Stroke::kSolid, p.previous, brush.stroke(0.55f)});
     const ImVec2 middle = brush.at(shown_.box->midpoint);
     plus(brush.list, middle, 6 * p.mark, p.current, brush.stroke(0.8f));
-    if (!shown_.ball) brush.label(middle, 8, kRightUp, "midpoint", p.current_text);
+    if (!shown_.volume) brush.label(middle, 8, kRightUp, "midpoint", p.current_text);
   }
   if (!shown_.extremes) return;
   Point3 least = Point3::Zero(), greatest = Point3::Zero();
@@ -108,8 +141,8 @@ void Stage::draw_extremes(Brush& brush) const {
     least[axis] = brush.session.point(shown_.extremes->least[static_cast<std::size_t>(axis)])[axis];
     greatest[axis] = brush.session.point(shown_.extremes->greatest[static_cast<std::size_t>(axis)])[axis];
   }
-  if (!shown_.box && !shown_.ball) draw_box(canvas, least, greatest, {Stroke::kDotted, p.previous, brush.stroke(0.7f)});
-  if (shown_.ball) return;  // the pair was chosen: its points alone matter now
+  if (!shown_.box && !shown_.volume) draw_box(canvas, least, greatest, {Stroke::kDotted, p.previous, brush.stroke(0.7f)});
+  if (shown_.volume) return;  // the pair was chosen: its points alone matter now
   for (int axis = 0; axis < camera_.dim(); ++axis) {
     for (const Index i : {shown_.extremes->least[static_cast<std::size_t>(axis)], shown_.extremes->greatest[static_cast<std::size_t>(axis)]}) {
       const Point3 at = brush.session.point(i);
@@ -161,7 +194,7 @@ void Stage::draw_axis_ends(Brush& brush) const {
   if (!shown_.pair) return;
   const Palette& p = brush.p;
   const Point3 a = brush.session.point(shown_.pair->a), b = brush.session.point(shown_.pair->b);
-  if (shown_.ball) draw_line(brush.canvas, a, b, {Stroke::kSolid, p.support, brush.stroke(0.8f)});
+  if (shown_.volume) draw_line(brush.canvas, a, b, {Stroke::kSolid, p.support, brush.stroke(0.8f)});
   if (!shown_.spread || !shown_.spread->ends || !shown_.mean) return;
   const Point3 axis = shown_.spread->axes.col(2);
   const auto foot = [&](const Point3& point) { return Point3(*shown_.mean + axis * axis.dot(point - *shown_.mean)); };

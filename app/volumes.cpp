@@ -90,7 +90,76 @@ void draw_solid(const Canvas& canvas, const V3& center, const Eigen::Matrix3d& a
   if (!outline.empty()) add_obstacle(canvas, outline);
 }
 
+std::vector<ImVec2> around(const std::vector<ImVec2>& screen, const std::vector<int>& face) {
+  std::vector<ImVec2> outline;
+  for (const int corner : face) outline.push_back(screen[static_cast<std::size_t>(corner)]);
+  return outline;
+}
+
+void fill_convex(const Canvas& canvas, const std::vector<ImVec2>& outline, const VolumeStyle& style, float share) {
+  if (style.fill > 0 && outline.size() > 2)
+    canvas.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), with_alpha(style.color, style.fill * share));
+}
+
+void add_sides(const Canvas& canvas, const std::vector<ImVec2>& outline) {
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const ImVec2 a = outline[i], b = outline[(i + 1) % outline.size()];
+    canvas.obstacles.segments.push_back({a.x, a.y, b.x, b.y});
+  }
+}
+
+std::vector<bool> faces_in_front(const Canvas& canvas, const Polytope& polytope) {
+  std::vector<bool> front;
+  for (const auto& face : polytope.faces) {
+    const auto corner = [&](std::size_t i) -> const V3& { return polytope.corners[static_cast<std::size_t>(face[i])]; };
+    const V3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+    front.push_back(normal.dot(canvas.camera.eye() - corner(0)) > 0);
+  }
+  return front;
+}
+
+void draw_face(const Canvas& canvas, const std::vector<ImVec2>& outline, const VolumeStyle& style, bool front) {
+  fill_convex(canvas, outline, style, front ? 0.8f : 0.4f);
+  path(canvas.list, outline, true, style.stroke, front ? style.color : with_alpha(style.color, 0.35f),
+       front ? style.width : 0.5f * style.width);
+  if (front) add_sides(canvas, outline);
+}
+
+/// A ball swept over a core: what is seen is the hull of the balls at its corners, and the core itself.
+void draw_swept(const Canvas& canvas, const std::vector<V3>& core, double radius, const VolumeStyle& style) {
+  std::vector<ImVec2> rims;
+  for (const V3& corner : core) {
+    const double scale = radius > 0 ? 1 / radius : 0;
+    const std::vector<V3> rim =
+        is_flat(canvas) ? ellipse(corner, V3::UnitX() * radius, V3::UnitY() * radius)
+                        : silhouette(corner, Eigen::Matrix3d(Eigen::Matrix3d::Identity() * radius), (canvas.camera.eye() - corner) * scale);
+    for (const ImVec2 at : projected(canvas, rim)) rims.push_back(at);
+    rims.push_back(canvas.at(corner));
+  }
+  const std::vector<ImVec2> outline = convex_outline(std::move(rims));
+  fill_convex(canvas, outline, style, 1);
+  path(canvas.list, outline, true, style.stroke, style.color, style.width);
+  add_sides(canvas, outline);
+  if (style.fill > 0) path(canvas.list, projected(canvas, core), core.size() > 2, Stroke::kDashed, with_alpha(style.color, 0.5f), 1);
+}
+
 }  // namespace
+
+std::vector<ImVec2> convex_outline(std::vector<ImVec2> points) {
+  std::sort(points.begin(), points.end(), [](ImVec2 a, ImVec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  const auto turns = [](ImVec2 a, ImVec2 b, ImVec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0; };
+  std::vector<ImVec2> outline;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t begin = outline.size() + 1;
+    for (const ImVec2 p : points) {
+      while (outline.size() > begin && !turns(outline[outline.size() - 2], outline.back(), p)) outline.pop_back();
+      outline.push_back(p);
+    }
+    outline.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return outline;
+}
 
 Point3f Frame::to_stage(const V3& p) const {
   const V3 q = (p - origin) / unit;
@@ -126,6 +195,40 @@ void draw_volume(const Canvas& canvas, const Ellipsoid& ellipsoid, const VolumeS
   }
   path(canvas.list, outline, true, style.stroke, style.color, style.width);
   add_obstacle(canvas, outline);
+}
+
+void draw_volume(const Canvas& canvas, const Polytope& polytope, const VolumeStyle& style) {
+  const std::vector<ImVec2> screen = projected(canvas, polytope.corners);
+  if (is_flat(canvas)) {
+    const std::vector<ImVec2> outline = around(screen, polytope.faces.front());
+    fill_convex(canvas, outline, style, 1);
+    path(canvas.list, outline, true, style.stroke, style.color, style.width);
+    add_sides(canvas, outline);
+    return;
+  }
+  // Where one face that looks this way meets another that does or does not, the edge is in front.
+  const std::vector<bool> front = faces_in_front(canvas, polytope);
+  for (const bool near : {false, true})
+    for (std::size_t f = 0; f < polytope.faces.size(); ++f)
+      if (front[f] == near) draw_face(canvas, around(screen, polytope.faces[f]), style, near);
+}
+
+void draw_volume(const Canvas& canvas, const Capsule<double, 3>& capsule, const VolumeStyle& style) {
+  draw_swept(canvas, {capsule.a, capsule.b}, capsule.radius, style);
+}
+
+void draw_volume(const Canvas& canvas, const Lozenge<double, 3>& lozenge, const VolumeStyle& style) {
+  const auto& [u, v] = lozenge.edges;
+  draw_swept(canvas, {lozenge.origin, lozenge.origin + u, lozenge.origin + u + v, lozenge.origin + v}, lozenge.radius, style);
+}
+
+void draw_volume(const Canvas& canvas, const fit::Volume3& volume, const VolumeStyle& style) {
+  std::visit(
+      [&]<class Kind>(const Kind& kind) {
+        if constexpr (requires { polytope_of(kind, 2); }) draw_volume(canvas, polytope_of(kind, canvas.camera.dim()), style);
+        else draw_volume(canvas, kind, style);
+      },
+      volume);
 }
 
 void draw_box(const Canvas& canvas, const V3& least, const V3& greatest, const VolumeStyle& style) {

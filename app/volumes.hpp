@@ -5,8 +5,8 @@
 #include "app/camera.hpp"
 #include "app/labels.hpp"
 #include "app/marks.hpp"
+#include "app/polytope.hpp"
 #include "app/stage_gl.hpp"
-#include "geometry/sphere.hpp"
 
 namespace snug::app {
 
@@ -47,6 +47,15 @@ struct Ellipsoid {
 
 void draw_volume(const Canvas& canvas, const Sphere<double, 3>& ball, const VolumeStyle& style);
 void draw_volume(const Canvas& canvas, const Ellipsoid& ellipsoid, const VolumeStyle& style);
+/// Faces that look away are thinner and paler.
+void draw_volume(const Canvas& canvas, const Polytope& polytope, const VolumeStyle& style);
+void draw_volume(const Canvas& canvas, const Capsule<double, 3>& capsule, const VolumeStyle& style);
+void draw_volume(const Canvas& canvas, const Lozenge<double, 3>& lozenge, const VolumeStyle& style);
+/// Any of them.
+void draw_volume(const Canvas& canvas, const fit::Volume3& volume, const VolumeStyle& style);
+/// The corners of the points' convex hull, in order around it.
+/// Source: A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
+[[nodiscard]] std::vector<ImVec2> convex_outline(std::vector<ImVec2> points);
 /// An axis-aligned box's edges.
 void draw_box(const Canvas& canvas, const Vector<double, 3>& least, const Vector<double, 3>& greatest, const VolumeStyle& style);
 /// A straight line of the scene, and an obstacle to labels.

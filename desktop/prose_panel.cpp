@@ -127,7 +127,7 @@ void draw_algorithms(Shell& shell, Column& column) {
   std::vector<std::string> names, beside_names{""};
   int main = -1, second = 0;
   for (const std::string& name : session.lesson().algorithms) {
-    const fit::Algorithm* algorithm = fit::find_algorithm("sphere", name);
+    const fit::Algorithm* algorithm = fit::find_algorithm(session.lesson().volume, name);
     if (algorithm == nullptr) continue;
     if (algorithm == session.algorithm(0)) main = static_cast<int>(titles.size());
     titles.emplace_back(algorithm->title), names.push_back(name);

@@ -16,6 +16,7 @@
 #include "app/app.hpp"
 #include "io/point_file.hpp"
 #include "snug_gl.h"
+#include "web/boxes.hpp"
 #include "web/canvas.hpp"
 #include "web/shared_points.hpp"
 #include "web/view.hpp"
@@ -275,6 +276,10 @@ void start_task() {
   remember_points();
 }
 
+std::string set_box_rows(val rows) { return session() ? web::set_box_rows(*session(), rows) : ""; }
+std::string set_box(int box, const std::string& what, val values) { return session() ? web::set_box(*session(), box, what, values) : ""; }
+std::string turn_box(int box, int axis, double degrees, bool to) { return session() ? web::turn_box(*session(), box, axis, degrees, to) : ""; }
+
 val shared_points() { return session() ? door().shared.describe(*session()) : val::object(); }
 
 }  // namespace
@@ -312,6 +317,9 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("select_point", &select_point);
   function("move_point", &move_point);
   function("move_points", &move_points);
+  function("set_box_rows", &set_box_rows);
+  function("set_box", &set_box);
+  function("turn_box", &turn_box);
   function("scatter", &scatter);
   function("set_generator", &set_generator);
   function("start_task", &start_task);

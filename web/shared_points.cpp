@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "geometry/generate.hpp"
+#include "web/boxes.hpp"
 #include "web/view.hpp"
 
 namespace snug::web {
@@ -59,6 +60,10 @@ void SharedPoints::remember(const lesson::Session& session) {
 
 val SharedPoints::describe(const lesson::Session& session) const {
   val object = val::object();
+  if (session.boxes() != nullptr) {
+    if (session.edited()) object.set("boxes", box_rows(session));
+    return object;
+  }
   const auto points = points_of(session);
   const Known* nearest = nullptr;
   std::vector<Index> fewest;

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "web/boxes.hpp"
+
 namespace snug::web {
 namespace {
 
@@ -35,9 +37,9 @@ val section_object(const lesson::Section& section) {
   return object;
 }
 
-val algorithm_object(std::string_view name) {
+val algorithm_object(std::string_view volume, std::string_view name) {
   val object = val::object();
-  const fit::Algorithm* algorithm = fit::find_algorithm("sphere", name);
+  const fit::Algorithm* algorithm = lesson::find_method(volume, name);
   object.set("name", text(name));
   object.set("title", text(algorithm != nullptr ? algorithm->title : name));
   object.set("source", text(algorithm != nullptr ? algorithm->source : ""));
@@ -108,8 +110,8 @@ void set_algorithms(val& object, const lesson::Session& session) {
                val row = val::object();
                row.set("name", text(rival.algorithm->name));
                row.set("title", text(rival.algorithm->title));
-               row.set("radius", rival.radius);
-               row.set("excess", rival.excess);
+               row.set("size", rival.size);
+               row.set("excess", rival.excess ? val(*rival.excess) : val::null());
                return row;
              }));
 }
@@ -130,6 +132,7 @@ void set_figures(val& object, const lesson::Session& session) {
 }
 
 void set_points(val& object, const app::App& app, const lesson::Session& session) {
+  object.set("boxes", boxes_object(session));
   object.set("size", session.size());
   object.set("dim", session.dim());
   object.set("edited", session.edited());
@@ -156,7 +159,8 @@ val lesson_object(const lesson::Lesson& lesson) {
   object.set("title", lesson.title);
   object.set("summary", lesson.summary);
   object.set("sections", array_of(lesson.sections, section_object));
-  object.set("algorithms", array_of(lesson.algorithms, algorithm_object));
+  object.set("algorithms", array_of(lesson.algorithms, [&](std::string_view name) { return algorithm_object(lesson.volume, name); }));
+  object.set("boxes", lesson.boxes.has_value());
   object.set("dim", lesson.points.dim);
   object.set("generate", lesson.points.generate);
   object.set("count", lesson.points.count);

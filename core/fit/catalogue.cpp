@@ -1,5 +1,6 @@
 #include "fit/catalogue.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -18,13 +19,18 @@ namespace {
 struct LiftingObserver {
   const SeeStep& see;
   Counter counter;
-  template <class Scalar, int Dim>
-  void operator()(const SphereStep<Scalar, Dim>& step) {
+  template <class VolumeType, class... Facts>
+  void operator()(const Step<VolumeType, Facts...>& step) {
     counter(step);
     if (see) see(lift(step), counter.counts);
   }
   void count(Operation operation, std::int64_t n) { counter.count(operation, n); }
 };
+
+template <class Held>
+std::vector<Index> indices_of(const Held& support) {
+  return {support.begin(), support.end()};
+}
 
 template <auto kFitter>
 Result fit_any(const AnyPointSet& points, const Options& options) {
@@ -32,7 +38,7 @@ Result fit_any(const AnyPointSet& points, const Options& options) {
       [&](const auto& set) {
         Ignore ignore;
         const auto fit = kFitter(set.span(), options, ignore);
-        return Result{lift(fit.volume), fit.support};
+        return Result{lift(fit.volume), indices_of(fit.support)};
       },
       points);
 }
@@ -43,7 +49,7 @@ Watched watch_any(const AnyPointSet& points, const Options& options, const SeeSt
       [&](const auto& set) {
         LiftingObserver observer{see, {}};
         const auto fit = kFitter(set.span(), options, observer);
-        return Watched{{lift(fit.volume), fit.support},
+        return Watched{{lift(fit.volume), indices_of(fit.support)},
                        observer.counter.steps,
                        observer.counter.counts,
                        certify(fit, set.span(), kExact)};
@@ -93,10 +99,52 @@ constexpr std::array kAlgorithms{
 
 std::span<const Algorithm> algorithms() { return kAlgorithms; }
 
+std::span<const Algorithm> algorithms_of(std::string_view volume) {
+  const auto of_it = [&](const Algorithm& algorithm) { return algorithm.volume == volume; };
+  const auto* first = std::find_if(kAlgorithms.begin(), kAlgorithms.end(), of_it);
+  return {first, std::find_if_not(first, kAlgorithms.end(), of_it)};
+}
+
 const Algorithm* find_algorithm(std::string_view volume, std::string_view name) {
-  for (const Algorithm& algorithm : kAlgorithms)
-    if (algorithm.volume == volume && algorithm.name == name) return &algorithm;
+  for (const Algorithm& algorithm : algorithms_of(volume))
+    if (algorithm.name == name) return &algorithm;
   return nullptr;
+}
+
+const Algorithm& exact_algorithm(std::string_view volume) {
+  const auto all = algorithms_of(volume);
+  return *std::find_if(all.begin(), all.end(), [](const Algorithm& algorithm) { return algorithm.exact; });
+}
+
+namespace {
+
+/// Of a lifted volume of that dimension.
+template <int Dim>
+struct Measure {
+  double operator()(const Sphere3& ball) const { return measure(Sphere<double, Dim>{ball.center.template head<Dim>(), ball.radius}); }
+  double operator()(const Aabb<double, 3>& box) const { return (box.max - box.min).template head<Dim>().prod(); }
+  double operator()(const Obb<double, 3>& box) const { return (2 * box.half_extents).template head<Dim>().prod(); }
+  double operator()(const Capsule<double, 3>& capsule) const {
+    return measure(Capsule<double, Dim>{capsule.a.template head<Dim>(), capsule.b.template head<Dim>(), capsule.radius});
+  }
+  double operator()(const Lozenge<double, 3>& lozenge) const {
+    return measure(Lozenge<double, Dim>{lozenge.origin.template head<Dim>(),
+                                        {lozenge.edges[0].template head<Dim>(), lozenge.edges[1].template head<Dim>()},
+                                        lozenge.radius});
+  }
+  double operator()(const Kdop<double, 3>&) const { return 0; }
+  double operator()(const ConvexHull<double, 3>&) const { return 0; }
+};
+
+}  // namespace
+
+double measure_of(const Volume3& volume, int dim) {
+  return dim == 2 ? std::visit(Measure<2>{}, volume) : std::visit(Measure<3>{}, volume);
+}
+
+double size_of(const Volume3& volume, int dim) {
+  const auto* ball = std::get_if<Sphere3>(&volume);
+  return ball != nullptr ? ball->radius : measure_of(volume, dim);
 }
 
 int dim_of(const AnyPointSet& points) {

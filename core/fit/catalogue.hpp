@@ -9,21 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "fit/any_step.hpp"
 #include "fit/certify.hpp"
-#include "fit/sphere_steps.hpp"
 #include "geometry/point_set.hpp"
 #include "trace/observer.hpp"
 
 namespace snug::fit {
-
-/// A result in double and 3-D, whatever it was computed in; 2-D has z = 0.
-using Sphere3 = Sphere<double, 3>;
-using Step3 = SphereStep<double, 3>;
-
-struct Result {
-  Sphere3 sphere;
-  Support support;
-};
 
 /// A watched run: the result, every step with the counts as they stood then, and the proof.
 struct Recording {
@@ -44,7 +35,7 @@ struct Watched {
 using SeeStep = std::function<void(Step3&& step, const OperationCounts& counts)>;
 
 struct Algorithm {
-  std::string_view volume;      // "sphere"
+  std::string_view volume;      // of kVolumeNames
   std::string_view name;        // as scripts say it: "ritter_iterative"
   std::string_view title;       // as people say it: "Iterative Ritter"
   bool exact;                   // whether it claims the smallest volume of its kind
@@ -60,10 +51,22 @@ struct Algorithm {
   Watched (*watch)(const AnyPointSet& points, const Options& options, const SeeStep& see);
 };
 
+/// By volume, in kVolumeNames' order.
 [[nodiscard]] std::span<const Algorithm> algorithms();
+/// Those of one volume; empty where there are none.
+[[nodiscard]] std::span<const Algorithm> algorithms_of(std::string_view volume);
 
 /// Null where there is none of that volume and name.
 [[nodiscard]] const Algorithm* find_algorithm(std::string_view volume, std::string_view name);
+
+/// The first that claims the smallest volume of its kind. volume: of kVolumeNames, with such an algorithm.
+[[nodiscard]] const Algorithm& exact_algorithm(std::string_view volume);
+
+/// Area (dim 2) or volume (dim 3).
+[[nodiscard]] double measure_of(const Volume3& volume, int dim);
+
+/// What volumes of a kind are compared by: a ball's radius; of others the area (dim 2) or volume (dim 3).
+[[nodiscard]] double size_of(const Volume3& volume, int dim);
 
 /// The fact's name, as traces and lessons say it: "ball_grown".
 [[nodiscard]] std::string_view name_of(const Step3& step);

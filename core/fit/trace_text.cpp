@@ -4,6 +4,7 @@
 
 #include "fit/catalogue.hpp"
 #include "geometry/bits.hpp"
+#include "geometry/volume_fields.hpp"
 
 namespace snug::fit {
 namespace {
@@ -30,11 +31,15 @@ class Fnv1a {
     add(support.size());
     for (const Index i : support) add(i);
   }
-  void add(const std::vector<Index>& indices) {
-    add(static_cast<std::int64_t>(indices.size()));
-    for (const Index i : indices) add(i);
+  template <class Item>
+  void add(const std::vector<Item>& items) {
+    add(static_cast<std::int64_t>(items.size()));
+    for (const Item& item : items) add(item);
   }
-  void add(const Sphere3& sphere) { add(sphere.center), add(sphere.radius); }
+  template <class VolumeType>
+  auto add(const VolumeType& volume) -> decltype(fields_of(volume, *this)) {
+    fields_of(volume, *this);
+  }
   void add(const std::array<Index, 3>& indices) {
     for (const Index i : indices) add(i);
   }
@@ -71,8 +76,9 @@ class Json {
     text += buffer.data();
   }
   void put(const Support& support) { put_list(support.size(), [&](int i) { put(support[i]); }); }
-  void put(const std::vector<Index>& indices) {
-    put_list(static_cast<int>(indices.size()), [&](int i) { put(indices[static_cast<std::size_t>(i)]); });
+  template <class Item>
+  void put(const std::vector<Item>& items) {
+    put_list(static_cast<int>(items.size()), [&](int i) { put(items[static_cast<std::size_t>(i)]); });
   }
   void put(const std::array<Index, 3>& indices) {
     put_list(dim_, [&](int i) { put(indices[static_cast<std::size_t>(i)]); });
@@ -81,12 +87,11 @@ class Json {
   void put(const Matrix<double, 3>& m) {
     put_list(dim_, [&](int row) { put_list(dim_, [&](int column) { put(m(row, column)); }); });
   }
-  void put(const Sphere3& sphere) {
-    text += "{\"center\":";
-    put(sphere.center);
-    text += ",\"radius\":";
-    put(sphere.radius);
-    text += '}';
+  template <class VolumeType>
+  auto put(const VolumeType& volume) -> decltype(fields_of(volume, *this)) {
+    Json fields(dim_);
+    fields_of(volume, fields);
+    text += fields.text + '}';
   }
 
  private:
@@ -111,6 +116,10 @@ void put_axes(Json& json, const AxesFound<double, 3>& fact, int dim) {
   json("mean", fact.mean), json("axes", rows), json("variances", variances);
 }
 
+std::string_view volume_key(const Step3& step) {
+  return std::holds_alternative<Sphere3>(step.volume) ? "ball" : kVolumeNames[step.volume.index()];
+}
+
 }  // namespace
 
 std::string_view name_of(const Step3& step) { return kFactNames[step.fact.index()]; }
@@ -123,7 +132,7 @@ std::uint64_t hash_of(std::span<const Recorder<Step3>::Entry> steps) {
     hash.add(static_cast<std::int64_t>(entry.step.fact.index()));
     hash.add(entry.step.line);
     hash.add(entry.step.has_volume);
-    hash.add(entry.step.volume);
+    std::visit([&](const auto& volume) { hash.add(volume); }, entry.step.volume);
     std::visit([&](const auto& fact) { fact.fields(hash); }, entry.step.fact);
   }
   return hash.hash();
@@ -133,7 +142,7 @@ std::string json_of(const Step3& step, int dim) {
   Json json(dim);
   json("step", name_of(step));
   json("line", step.line);
-  if (step.has_volume) json("ball", step.volume);
+  if (step.has_volume) std::visit([&](const auto& volume) { json(volume_key(step), volume); }, step.volume);
   if (const auto* axes = std::get_if<AxesFound<double, 3>>(&step.fact))
     put_axes(json, *axes, dim);
   else

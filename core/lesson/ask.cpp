@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/tolerance.hpp"
+#include "lesson/box_tests.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/words.hpp"
 
@@ -21,12 +22,18 @@ struct Truth {
   std::string sentence;
 };
 
+bool contains(const auto& values, int value) { return std::find(values.begin(), values.end(), value) != values.end(); }
+
+std::string name(const Asked& asked, Index point) {
+  return asked.boxes ? place_name(asked.dim, point) : point_name(point);
+}
+
 /// "P3", "P3 and P8", "P1, P3 and P8"
-std::string names(const std::vector<Index>& points) {
+std::string names(const Asked& asked, const std::vector<Index>& points) {
   std::string text;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (i > 0) text += i + 1 == points.size() ? " and " : ", ";
-    text += point_name(points[i]);
+    text += name(asked, points[i]);
   }
   return text;
 }
@@ -47,21 +54,31 @@ struct Predicate {
   std::string operator()(const CandidateTried<double, 3>& fact) const {
     return fact.outside != kNoIndex ? "lies outside" : plural ? "are tried" : "is tried";
   }
+  std::string operator()(const ExtentsFound<double, 3>&) const { return "reach farthest along the box's axes"; }
+  std::string operator()(const BallFound<double, 3>&) const { return plural ? "hold the ball" : "holds the ball"; }
+  std::string operator()(const HullFound&) const { return "are the corners of the hull"; }
+  std::string operator()(const PointsChosen&) const { return plural ? "are chosen" : "is chosen"; }
+  std::string operator()(const RectangleFound<double, 3>&) const { return "are the ends of the edge that the rectangle lies on"; }
+  std::string operator()(const EdgeSearched&) const { return "are the ends of the edge"; }
+  std::string operator()(const query::AxisTested<double, 3>&) const {
+    return std::string(plural ? "come" : "comes") + " nearest to A along this axis";
+  }
   std::string operator()(const auto&) const { return (plural ? "hold the " : "holds the ") + ball; }
 };
 
-Truth point_truth(const Step3& step, int dim) {
+Truth point_truth(const Asked& asked, const Step3& step) {
   Truth truth;
-  truth.points = points_named(step);
-  truth.happened = names(truth.points);
-  truth.sentence = truth.happened + " " + std::visit(Predicate{truth.points.size() > 1, ball_word(dim)}, step.fact) + ".";
+  truth.points = points_named(step, asked.dim);
+  truth.happened = names(asked, truth.points);
+  const Predicate predicate{truth.points.size() > 1, ball_word(asked.dim)};
+  truth.sentence = truth.happened + " " + std::visit(predicate, step.fact) + ".";
   return truth;
 }
 
-Truth axis_truth(const PairChosen& pair, const std::vector<std::string>& choices) {
-  const std::string& name = choices[static_cast<std::size_t>(pair.axis)];
-  const std::string sentence = names({pair.a, pair.b}) + ", " + name + ", lie farthest apart.";
-  return {{pair.axis}, {pair.a, pair.b}, name, sentence};
+Truth axis_truth(const Asked& asked, const PairChosen& pair) {
+  const std::string& choice = asked.choices[static_cast<std::size_t>(pair.axis)];
+  const std::string sentence = names(asked, {pair.a, pair.b}) + ", " + choice + ", lie farthest apart.";
+  return {{pair.axis}, {pair.a, pair.b}, choice, sentence};
 }
 
 /// Whether a radius grew by more than the last digits that a check of the result may widen it by.
@@ -70,11 +87,11 @@ bool grew(double before, double after) {
 }
 
 Truth grows_truth(const Asked& asked, Trace trace) {
-  const auto radius = [&](int steps) {
-    return steps == 0 ? 0.0 : trace[static_cast<std::size_t>(steps - 1)].step.ball.radius;
+  const auto size = [&](int steps) {
+    return steps == 0 ? 0.0 : fit::size_of(trace[static_cast<std::size_t>(steps - 1)].step.volume, asked.dim);
   };
-  const double before = radius(asked.step);
-  const double after = radius(asked.until);
+  const double before = size(asked.step);
+  const double after = size(asked.until);
   if (grew(before, after))
     return {{0}, {}, "yes", "The radius grows from " + number_text(before) + " to " + number_text(after) + "."};
   if (grew(after, before))
@@ -83,15 +100,15 @@ Truth grows_truth(const Asked& asked, Trace trace) {
 }
 
 Truth leaves_truth(const Asked& asked, Trace trace) {
-  const Support after = support_after(trace, asked.until);
+  const std::vector<Index> after = support_after(trace, asked.until);
   Truth truth;
   for (std::size_t i = 1; i < asked.choices.size(); ++i) {
-    if (after.contains(asked.choice_points[i])) continue;
+    if (contains(after, asked.choice_points[i])) continue;
     truth.choices.push_back(static_cast<int>(i));
     truth.points.push_back(asked.choice_points[i]);
   }
   if (truth.choices.empty()) return {{0}, {}, "none", "No point left the support set."};
-  truth.happened = names(truth.points);
+  truth.happened = names(asked, truth.points);
   truth.sentence = truth.happened + " left the support set.";
   return truth;
 }
@@ -106,30 +123,51 @@ Truth better_truth(const Step3& step) {
   return {{1}, {}, "no", "It is no smaller than the best so far."};
 }
 
-Truth holds_truth(const Finished& finished, int dim) {
-  const int n = finished.support.size();
+Truth holds_truth(const Asked& asked, const Finished& finished) {
+  const auto n = static_cast<int>(finished.support.size());
   const std::string count = std::to_string(n);
-  const std::vector<Index> points(finished.support.begin(), finished.support.end());
-  return {{n - 1}, points, count, names(points) + (n == 1 ? " holds" : " hold") + " the " + ball_word(dim) + "."};
+  const std::vector<Index>& points = finished.support;
+  return {{n - 1}, points, count, names(asked, points) + (n == 1 ? " holds" : " hold") + " the " + ball_word(asked.dim) + "."};
+}
+
+Truth separates_truth(const query::AxisTested<double, 3>& axis) {
+  if (axis.skipped) return {{1}, {}, "no", "The edges are parallel: they have no axis of their own."};
+  if (axis.separates) return {{0}, {}, "yes", "There is a gap of " + number_text(axis.axis.gap) + ": this axis separates them."};
+  return {{1}, {}, "no", "The projections overlap by " + number_text(std::max(0.0, -axis.axis.gap)) + "."};
+}
+
+/// Every axis that separates is a right answer, not just the first.
+Truth which_axis_truth(const Asked& asked, Trace trace) {
+  Truth truth;
+  for (int i = 0; i <= asked.fact; ++i) {
+    const auto* axis = std::get_if<query::AxisTested<double, 3>>(&trace[static_cast<std::size_t>(i)].step.fact);
+    if (axis == nullptr || !axis->separates) continue;
+    truth.choices.push_back(axis_index(asked.dim, axis->axis));
+    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[static_cast<std::size_t>(truth.choices.back())];
+  }
+  if (truth.choices.empty()) return {{static_cast<int>(asked.choices.size()) - 1}, {}, "none", "No axis separates them: they overlap."};
+  truth.sentence = truth.choices.size() == 1 ? truth.happened + " is the one axis that separates them."
+                                             : "These axes separate them: " + truth.happened + ".";
+  return truth;
 }
 
 Truth truth_of(const Asked& asked, Trace trace) {
   const Step3& step = trace[static_cast<std::size_t>(asked.fact)].step;
   const Question& question = *asked.question;
   switch (question.asks) {
-    case Asks::kPoint: return point_truth(step, asked.dim);
-    case Asks::kAxis: return axis_truth(*std::get_if<PairChosen>(&step.fact), asked.choices);
+    case Asks::kPoint: return point_truth(asked, step);
+    case Asks::kAxis: return axis_truth(asked, *std::get_if<PairChosen>(&step.fact));
     case Asks::kGrows: return grows_truth(asked, trace);
     case Asks::kLeaves: return leaves_truth(asked, trace);
     case Asks::kBetter: return better_truth(step);
-    case Asks::kHolds: return holds_truth(*std::get_if<Finished>(&step.fact), asked.dim);
+    case Asks::kHolds: return holds_truth(asked, *std::get_if<Finished>(&step.fact));
+    case Asks::kSeparates: return separates_truth(*std::get_if<query::AxisTested<double, 3>>(&step.fact));
+    case Asks::kWhichAxis: return which_axis_truth(asked, trace);
     case Asks::kChoice: break;
   }
   const std::string& right = asked.choices[static_cast<std::size_t>(question.answer)];
   return {{question.answer}, {}, right, "The answer is “" + right + "”."};
 }
-
-bool contains(const auto& values, int value) { return std::find(values.begin(), values.end(), value) != values.end(); }
 
 std::string what_was_said(const Outcome& outcome, bool quoted) {
   if (outcome.skipped) return "You skipped this.";
@@ -138,7 +176,7 @@ std::string what_was_said(const Outcome& outcome, bool quoted) {
 
 /// A tapped point in the words of the choices: "the y pair (P9)". One that is of two pairs means the right one.
 std::string said_by_point(const Asked& asked, const Truth& truth, Index point) {
-  if (asked.question->asks != Asks::kAxis) return point_name(point);
+  if (asked.question->asks != Asks::kAxis) return name(asked, point);
   std::size_t pair = asked.choices.size();
   for (std::size_t i = 0; i < asked.choices.size(); ++i) {
     const bool of_pair = asked.stage_points[2 * i] == point || asked.stage_points[2 * i + 1] == point;

@@ -23,10 +23,12 @@ struct Asked {
   const Question* question = nullptr;
   std::string prompt;                 // in the words of the points' dimension: a circle in space is a sphere
   int dim = 2;
+  bool boxes = false;                 // whether the points are places of two boxes
   int step = 0;                       // the player's place where it stands
   std::vector<std::string> choices;   // what may be chosen; empty where only the stage answers
   std::vector<Index> choice_points;   // the point that each choice names, or kNoIndex
   bool on_stage = false;              // whether a click on a point answers
+  bool on_axes = false;               // whether the choices are the axes of the test, in their order, and then none
   std::vector<Index> stage_points;    // the points that a click can mean; empty where it can mean any
   int fact = 0;                       // which step of the trace it speaks of, counted from 0
   int until = 0;                      // the player's place where it is decided: answering goes there
@@ -55,10 +57,11 @@ struct Outcome {
 [[nodiscard]] std::vector<Asked> asked_on(const Lesson& lesson, std::string_view algorithm, Trace trace, int dim,
                                           bool own_points);
 
-/// Where one question stands on a trace; nothing where the trace does not have its step, or the step cannot be asked
+/// volume: the lesson's. Where one question stands on a trace; nothing where the trace does not have its step, or the step cannot be asked
 /// that: why says it in one fragment then. Of boundary_forced and moved_to_front only the outermost count, at which a
 /// point lies outside the smallest ball of all before it; "leaves" and "grows" of it are decided when that point is in.
-[[nodiscard]] std::optional<Asked> resolve(const Question& question, Trace trace, int dim, std::string& why);
+[[nodiscard]] std::optional<Asked> resolve(const Question& question, std::string_view volume, Trace trace, int dim,
+                                           std::string& why);
 
 /// Whether that is an answer to it at all: a choice in range, a point that it can mean. points: how many there are.
 [[nodiscard]] bool answers(const Asked& asked, const Answer& answer, Index points);
@@ -72,10 +75,12 @@ struct Outcome {
 /// The points that a step speaks of, any of which is a right answer to "which point":
 /// the extremes of extremes_found, both of pair_chosen, the point of farthest_found, point_examined, ball_grown and
 /// moved_to_front, the one entered of support_replaced, the last one forced of boundary_forced, the farthest of
-/// radius_checked, the one left outside by a candidate_tried or else its points, the support of finished. No others.
-[[nodiscard]] std::vector<Index> points_named(const fit::Step3& step);
+/// radius_checked, the one left outside by a candidate_tried or else its points, the support of finished, both ends of
+/// each axis of extents_found, the vertices of hull_found, the points of points_chosen, the ends of the edge of
+/// rectangle_found and edge_searched, the corners of B that come nearest to A of axis_tested. No others.
+[[nodiscard]] std::vector<Index> points_named(const fit::Step3& step, int dim);
 
-/// The points that hold the ball after the first so many steps: those that it touches by construction.
-[[nodiscard]] fit::Support support_after(Trace trace, int steps);
+/// The points that hold the volume after the first so many steps: those that it touches by construction.
+[[nodiscard]] std::vector<Index> support_after(Trace trace, int steps);
 
 }  // namespace snug::lesson

@@ -4,6 +4,7 @@
 
 #include "fit/catalogue.hpp"
 #include "lesson/ask.hpp"
+#include "lesson/box_tests.hpp"
 #include "lesson/grade.hpp"
 #include "lesson/own_points.hpp"
 
@@ -26,17 +27,32 @@ void check_ids(const Lesson& lesson, Complaints& complaints) {
 
 /// The questions of one algorithm on its trace. A question must not stand where another is still open, for answering
 /// that one would pass it by.
-void check_questions(const Lesson& lesson, const fit::Algorithm& algorithm, const AnyPointSet& points, Complaints& complaints) {
-  const fit::Recording recording = algorithm.record(points, {.seed = lesson.seed});
+void check_questions(const Lesson& lesson, const fit::Algorithm& algorithm, const fit::Recording& recording, int dim,
+                     Complaints& complaints) {
   std::string why;
   for (const Question& question : lesson.questions)
-    if (question.gate.algorithm == algorithm.name && !resolve(question, recording.steps, fit::dim_of(points), why))
+    if (question.gate.algorithm == algorithm.name && !resolve(question, lesson.volume, recording.steps, dim, why))
       complaints.add(question.line, why);
-  const std::vector<Asked> asked = asked_on(lesson, algorithm.name, recording.steps, fit::dim_of(points), true);
+  const std::vector<Asked> asked = asked_on(lesson, algorithm.name, recording.steps, dim, true);
   for (const Question& question : lesson.questions) {
     const auto is_it = [&](const Asked& one) { return one.question == &question; };
     if (question.gate.algorithm == algorithm.name && std::none_of(asked.begin(), asked.end(), is_it))
       complaints.add(question.line, "the question stands where another one is not decided yet");
+  }
+}
+
+/// Two boxes: every test is run on them, and every goal is reached by its model but not at the start.
+void check_boxes(const Lesson& lesson, const toml::table& toml, Complaints& complaints) {
+  for (const std::string& name : lesson.algorithms) {
+    const fit::Algorithm& test = *find_method(lesson.volume, name);
+    check_questions(lesson, test, record(test, *lesson.boxes), lesson.boxes->dim, complaints);
+  }
+  if (!lesson.task) return;
+  const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
+  for (std::size_t i = 0; i < lesson.task->goals.size(); ++i) {
+    if (reaches(lesson.task->goals[i], *lesson.boxes)) complaints.add(task.line(), "the task is solved before the student begins");
+    if (!reaches(lesson.task->goals[i], lesson.task->models[i]))
+      complaints.add(task.line_of("model"), "the model does not reach " + lesson.task->goals[i]);
   }
 }
 
@@ -61,12 +77,14 @@ void check_lesson(const Lesson& lesson, const toml::table& toml, Complaints& com
   if (!lesson.compare.empty() && !offers(lesson, lesson.compare))
     complaints.add(root.line_of("compare"), "the lesson does not offer the algorithm " + lesson.compare);
   if (!lesson.points.mesh.empty() || complaints.first()) return;
+  if (lesson.boxes) return check_boxes(lesson, toml, complaints);
 
   const auto points = own_points(lesson, lesson.seed, std::nullopt);
   if (!points) return complaints.add(root.line_of("points"), points.error().what);
   for (const std::string& name : lesson.algorithms) {
-    const fit::Algorithm& algorithm = *fit::find_algorithm("sphere", name);
-    if (fit::size_of(*points) <= algorithm.max_points) check_questions(lesson, algorithm, *points, complaints);
+    const fit::Algorithm& algorithm = *fit::find_algorithm(lesson.volume, name);
+    if (fit::size_of(*points) <= algorithm.max_points) 
+      check_questions(lesson, algorithm, algorithm.record(*points, {.seed = lesson.seed}), fit::dim_of(*points), complaints);
     else if (&name == &lesson.algorithms.front() || name == lesson.compare)
       complaints.add(root.line_of("points"), "too many points for " + std::string(algorithm.title) + ": at most " +
                                                  std::to_string(algorithm.max_points));

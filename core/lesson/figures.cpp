@@ -5,7 +5,8 @@
 #include <cstdio>
 
 #include "lesson/ask.hpp"
-#include "lesson/ball_check.hpp"
+#include "lesson/box_figures.hpp"
+#include "lesson/volume_check.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::lesson {
@@ -13,8 +14,9 @@ namespace {
 
 using namespace fit;
 
-constexpr std::array<std::string_view, kOperations> kOperationTitles{"Points touched", "Distance tests", "Comparisons",
-                                                                     "Dot products",   "Square roots",   "Ball solves"};
+constexpr std::array<std::string_view, kOperations> kOperationTitles{
+    "Points touched", "Distance tests", "Comparisons",       "Dot products",
+    "Square roots",   "Ball solves",    "Orientation tests"};
 
 std::string count_text(std::int64_t n, std::string_view one, std::string_view many) {
   return std::to_string(n) + " " + std::string(n == 1 ? one : many);
@@ -29,7 +31,7 @@ class Board {
         entry_(run.step > 0 ? &trace_[static_cast<std::size_t>(run.step - 1)] : nullptr) {}
 
   std::vector<Figure> figures() {
-    ball();
+    volume();
     seen();
     best();
     if (entry_ != nullptr) spread(entry_->step.fact);
@@ -45,19 +47,26 @@ class Board {
     add(name, std::move(key), number_text(value) + " units", value, "units");
   }
   void of_all(std::string_view name, std::string key, Index count) {
-    add(name, std::move(key), std::to_string(count) + " of " + std::to_string(size_of(*run_.points)), count, "points");
+    add(name, std::move(key), std::to_string(count) + " of " + std::to_string(fit::size_of(*run_.points)), count, "points");
   }
 
-  void ball() {
-    if (entry_ == nullptr || !entry_->step.has_ball) return;
-    const Sphere3& ball = entry_->step.ball;
-    const bool last = run_.step == static_cast<int>(trace_.size());
-    length(last ? "Radius" : "Radius so far", "radius", ball.radius);
-    const Index outside = count_outside(*run_.points, ball);
-    if (run_.smallest_radius > 0) excess(ball.radius / run_.smallest_radius - 1, outside == 0);
+  void volume() {
+    if (entry_ == nullptr || !entry_->step.has_volume) return;
+    const double own = fit::size_of(entry_->step.volume, dim_of(*run_.points));
+    size(own);
+    const Index outside = count_outside(*run_.points, entry_->step.volume);
+    if (const auto over = excess_of(own, run_.smallest)) excess(*over, outside == 0);
     of_all("Points outside", "outside", outside);
-    const int holding = support_after(trace_, run_.step).size();
+    const auto holding = static_cast<int>(support_after(trace_, run_.step).size());
     add(run_.algorithm->exact ? "Support set" : "On the boundary", "support", count_text(holding, "point", "points"), holding, "points");
+  }
+
+  void size(double value) {
+    const std::string so_far = run_.step == static_cast<int>(trace_.size()) ? "" : " so far";
+    if (ball_of(entry_->step) != nullptr) return length("Radius" + so_far, "radius", value);
+    const bool plane = dim_of(*run_.points) == 2;
+    const std::string unit = plane ? "units²" : "units³";
+    add((plane ? "Area" : "Volume") + so_far, "measure", number_text(value) + " " + unit, value, unit);
   }
 
   void excess(double excess, bool holds_all) {
@@ -82,8 +91,9 @@ class Board {
     }
     if (passes) of_all("Points seen", "seen", seen);
     const auto* examined = std::get_if<PointExamined>(&entry_->step.fact);
-    if (examined != nullptr && examined->outside && entry_->step.has_ball)
-      length("Outside by", "outside_by", examined->distance - entry_->step.ball.radius);
+    const Sphere3* ball = ball_of(entry_->step);
+    if (examined != nullptr && examined->outside && ball != nullptr)
+      length("Outside by", "outside_by", examined->distance - ball->radius);
   }
 
   void best() {
@@ -171,11 +181,17 @@ std::pair<std::string, std::string> number_texts_apart(double a, double b) {
   return {number_text(a, digits), number_text(b, digits)};
 }
 
+std::optional<double> excess_of(double size, std::optional<double> smallest) {
+  if (!smallest) return std::nullopt;
+  if (*smallest > 0) return size / *smallest - 1;
+  return size > 0 ? std::nullopt : std::optional(0.0);
+}
+
 std::string percent_text(double ratio) {
   const std::string text = printed("%.*f", 1, std::abs(100 * ratio));
   return (text == "0.0" ? "" : ratio < 0 ? "−" : "+") + text + " %";
 }
 
-std::vector<Figure> figures_of(const RunView& run) { return Board(run).figures(); }
+std::vector<Figure> figures_of(const RunView& run) { return run.boxes != nullptr ? box_figures(run) : Board(run).figures(); }
 
 }  // namespace snug::lesson

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "lesson/ask.hpp"
+#include "lesson/box_tests.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::lesson {
@@ -86,13 +87,24 @@ const char* add_support(Asked& asked, Trace trace) {
   return nullptr;
 }
 
+const char* add_tested_axes(Asked& asked, Trace trace, int dim) {
+  if (!std::holds_alternative<query::Verdict<double, 3>>(step_at(trace, asked.fact).fact)) return "\"which_axis\" asks of verdict";
+  std::size_t tested = 0;
+  for (int i = 0; i < asked.fact; ++i) tested += std::holds_alternative<query::AxisTested<double, 3>>(step_at(trace, i).fact);
+  if (tested != axis_names(dim).size()) return "\"which_axis\" asks of a test that goes through all axes";
+  for (const AxisName& axis : axis_names(dim)) add_choice(asked, axis.text);
+  add_choice(asked, "none");
+  asked.on_axes = true;
+  return nullptr;
+}
+
 /// What may be answered. Returns why the step cannot be asked that, or null.
 const char* add_choices(Asked& asked, Trace trace, int dim) {
   const auto& fact = step_at(trace, asked.fact).fact;
   switch (asked.question->asks) {
     case Asks::kPoint:
       asked.on_stage = true;
-      return points_named(step_at(trace, asked.fact)).empty() ? "\"point\" asks of a step that names no point" : nullptr;
+      return points_named(step_at(trace, asked.fact), dim).empty() ? "\"point\" asks of a step that names no point" : nullptr;
     case Asks::kAxis: return add_axes(asked, trace, dim);
     case Asks::kLeaves: return add_support(asked, trace);
     case Asks::kBetter:
@@ -100,6 +112,11 @@ const char* add_choices(Asked& asked, Trace trace, int dim) {
         return "\"better\" asks of pass_judged or candidate_tried";
       [[fallthrough]];
     case Asks::kGrows: add_choice(asked, "yes"), add_choice(asked, "no"); return nullptr;
+    case Asks::kSeparates:
+      if (!std::holds_alternative<query::AxisTested<double, 3>>(fact)) return "\"separates\" asks of axis_tested";
+      add_choice(asked, "yes"), add_choice(asked, "no");
+      return nullptr;
+    case Asks::kWhichAxis: return add_tested_axes(asked, trace, dim);
     case Asks::kHolds:
       if (!std::holds_alternative<Finished>(fact)) return "\"holds\" asks of finished";
       for (int n = 1; n <= dim + 1; ++n) add_choice(asked, std::to_string(n));
@@ -113,12 +130,13 @@ const char* add_choices(Asked& asked, Trace trace, int dim) {
 
 }  // namespace
 
-std::optional<Asked> resolve(const Question& question, Trace trace, int dim, std::string& why) {
+std::optional<Asked> resolve(const Question& question, std::string_view volume, Trace trace, int dim, std::string& why) {
   const Gate& gate = question.gate;
   Asked asked;
   asked.question = &question;
   asked.prompt = in_words_of(dim, question.prompt);
   asked.dim = dim;
+  asked.boxes = volume == kBoxPair;
   asked.fact = find_fact(trace, gate.fact, gate.occurrence);
   if (asked.fact == static_cast<int>(trace.size())) {
     why = gate.algorithm + " does not take step " + gate.fact +
@@ -139,7 +157,7 @@ std::vector<Asked> asked_on(const Lesson& lesson, std::string_view algorithm, Tr
   std::string why;
   for (const Question& question : lesson.questions) {
     if (question.gate.algorithm != algorithm || (question.own_points && !own_points)) continue;
-    if (auto asked = resolve(question, trace, dim, why)) all.push_back(*std::move(asked));
+    if (auto asked = resolve(question, lesson.volume, trace, dim, why)) all.push_back(*std::move(asked));
   }
   std::stable_sort(all.begin(), all.end(), [](const Asked& a, const Asked& b) { return a.step < b.step; });
   std::vector<Asked> apart;

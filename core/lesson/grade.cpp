@@ -32,7 +32,7 @@ std::string excess_sentence(const Task& task, const fit::Algorithm& algorithm, d
   const std::string asked_for = plain_percent(task.excess_at_least);
   std::string reached = plain_percent(excess);
   if (!done && reached == asked_for) reached = closer_percent(excess);
-  reached = std::string(algorithm.title) + ": its " + ball_word(dim) + " is " + reached + " larger than the smallest";
+  reached = std::string(algorithm.title) + ": its " + std::string(volume_word(algorithm.volume, dim)) + " is " + reached + " larger than the smallest";
   return done ? reached + "." : reached + "; at least " + asked_for + " is asked for.";
 }
 
@@ -45,18 +45,20 @@ std::string support_sentence(const Task& task, int support, int dim) {
 }  // namespace
 
 Grade grade(const Task& task, const AnyPointSet& points, std::uint64_t seed) {
-  const fit::Algorithm& algorithm = *fit::find_algorithm("sphere", task.algorithm);
-  const fit::Algorithm& smallest = *fit::find_algorithm("sphere", "welzl");
+  const fit::Algorithm& algorithm = *fit::find_algorithm(task.volume, task.algorithm);
+  const fit::Algorithm& smallest = fit::exact_algorithm(task.volume);
   const int dim = fit::dim_of(points);
   Grade grade;
   grade.points = static_cast<int>(fit::size_of(points));
-  if (grade.points > algorithm.max_points) {
-    grade.says = std::string(algorithm.title) + " takes at most " + points_text(algorithm.max_points) + ".";
+  for (const fit::Algorithm* run : {&algorithm, &smallest}) {
+    if (grade.points <= run->max_points) continue;
+    grade.says = std::string(run->title) + " takes at most " + points_text(run->max_points) + ".";
     return grade;
   }
   const fit::Result best = smallest.fit(points, {.seed = seed});
-  grade.support = best.support.size();
-  if (best.sphere.radius > 0) grade.excess = algorithm.fit(points, {.seed = seed}).sphere.radius / best.sphere.radius - 1;
+  grade.support = static_cast<int>(best.support.size());
+  const double own = fit::size_of(algorithm.fit(points, {.seed = seed}).volume, dim);
+  grade.excess = excess_of(own, fit::size_of(best.volume, dim)).value_or(0);
 
   const bool count = grade.points == task.points;
   const bool large = task.excess_at_least <= 0 || grade.excess >= task.excess_at_least;

@@ -10,6 +10,7 @@
 
 #include "geometry/input_error.hpp"
 #include "geometry/vector.hpp"
+#include "lesson/boxes.hpp"
 
 namespace snug::lesson {
 
@@ -57,6 +58,8 @@ struct Question {
     kChoice,  // one of the choices that the file gives
     kBetter,  // of pass_judged or candidate_tried: whether the ball becomes the best so far: yes or no
     kHolds,   // of finished: how many points hold the ball; the choices are 1 to Dim + 1
+    kSeparates,  // of axis_tested: whether the boxes are apart along it: yes or no
+    kWhichAxis,  // of verdict: which axis separates the boxes; the choices are the test's axes and none
   };
   std::string id;
   Gate gate;
@@ -72,12 +75,18 @@ struct Question {
 /// "Make it fail" or "construct it": graded on the points as they stand.
 struct Task {
   std::string prompt;
-  std::string algorithm;           // whose ball is compared with the smallest
-  double excess_at_least = 0;      // radius / smallest radius - 1
+  std::string volume = "sphere";   // the lesson's
+  std::string algorithm;           // whose volume is compared with the smallest
+  double excess_at_least = 0;      // its size / the smallest - 1: of balls the radius, of others the area or volume
   int support_size = 0;            // how many points must hold the smallest ball; 0 where the task does not say
   int points = 0;                  // how many points there must be
   std::string hint;
   std::vector<Vector<double, 3>> model;  // a solution, which the checks play
+
+  /// Of two boxes: what is to be found, one after the other; "extents_only" and "corners_only": a place where that test
+  /// is wrong; "only_edges": where boxes are apart along the product of two edges, and along no face's normal.
+  std::vector<std::string> goals;
+  std::vector<BoxPair> models;  // one a goal
 };
 
 /// An algorithm's pseudocode in the lesson's own words; as many lines as the catalogue's.
@@ -100,10 +109,12 @@ struct Lesson {
   std::vector<std::string> covers;  // "lecture title: slide title", what of the lectures it stands for
   std::vector<Section> sections;
   Points points;
+  std::optional<BoxPair> boxes;         // of volume kBoxPair, which has no points
   std::vector<std::string> meshes;      // which the student may load instead
   std::vector<std::string> generators;  // which the student may scatter by instead
   std::uint64_t seed = 1;
   Start start = Start::kBegin;
+  std::string volume = "sphere";        // of kVolumeNames: what the algorithms fit
   std::vector<std::string> algorithms;  // offered, in this order; the first is shown at the start
   std::string compare;                  // a second one beside it from the start; empty for none
   std::vector<Pseudocode> pseudocode;   // where the lesson has its own

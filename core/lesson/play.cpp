@@ -45,7 +45,7 @@ void find_not_asked(const Lesson& lesson, Played& played) {
 std::vector<std::string> playable(const Session& session) {
   std::vector<std::string> names;
   for (const std::string& name : session.lesson().algorithms)
-    if (const fit::Algorithm* known = fit::find_algorithm("sphere", name); known && session.size() <= known->max_points)
+    if (const fit::Algorithm* known = find_method(session.lesson().volume, name); known && session.size() <= known->max_points)
       names.push_back(name);
   return names;
 }
@@ -66,7 +66,14 @@ tl::expected<Played, InputError> play(Session& session) {
     played.algorithms.push_back(std::move(*algorithm));
   }
   find_not_asked(session.lesson(), played);
-  if (const auto& task = session.lesson().task) {
+  const auto& task = session.lesson().task;
+  if (task && session.boxes() != nullptr) {
+    session.start_task();
+    for (const BoxPair& model : task->models) {
+      if (const auto placed = session.set_boxes(model); !placed) return tl::unexpected(placed.error());
+      played.grade = session.grade();
+    }
+  } else if (task) {
     const auto loaded = session.load({session.lesson().points.dim, task->model, {}}, "the task's model answer");
     if (!loaded) return tl::unexpected(loaded.error());
     played.grade = session.grade();

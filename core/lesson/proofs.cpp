@@ -1,5 +1,6 @@
 #include "lesson/ask.hpp"
-#include "lesson/ball_check.hpp"
+#include "lesson/box_figures.hpp"
+#include "lesson/volume_check.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/words.hpp"
 
@@ -10,41 +11,53 @@ using namespace fit;
 
 std::string all(Index n) { return n == 1 ? "the one point" : "all " + std::to_string(n) + " points"; }
 
-Proof smallest(const Certificate& certificate, bool exact, int dim) {
-  const std::string none = std::string("no smaller ") + ball_word(dim);
-  if (exact) return {none + ": centre in the support's hull", certificate.optimal.value_or(false), true};
-  return {none + ": not claimed", false, false};
+std::string none_smaller(const Algorithm& algorithm, int dim) {
+  return "no smaller " + std::string(volume_word(algorithm.volume, dim));
+}
+
+Proof smallest(const Certificate& certificate, const Algorithm& algorithm, int dim) {
+  const std::string none = none_smaller(algorithm, dim);
+  if (!algorithm.exact) return {none + ": not claimed", false, false};
+  const char* why = algorithm.volume == "sphere" ? ": centre in the support's hull" : ": no orientation does better";
+  return {none + why, certificate.optimal.value_or(false), true};
+}
+
+Proof boundary(const Algorithm& algorithm, bool holds) {
+  return {algorithm.exact ? "support on the boundary" : "it touches the points it is said to touch", holds, true};
 }
 
 std::vector<Proof> of_result(const RunView& run) {
   const Certificate& certificate = run.recording->certificate;
   return {{"holds " + all(size_of(*run.points)) + ", exactly", certificate.contains, true},
-          {"support on the boundary", certificate.on_boundary, true},
-          smallest(certificate, run.algorithm->exact, dim_of(*run.points))};
+          boundary(*run.algorithm, certificate.on_boundary),
+          smallest(certificate, *run.algorithm, dim_of(*run.points))};
 }
 
-/// On the way nothing is promised of the points yet, and of the ball only what its support says.
-std::vector<Proof> on_the_way(const RunView& run, const Sphere3& ball) {
+/// On the way nothing is promised of the points yet, and of a ball only what its support says.
+std::vector<Proof> on_the_way(const RunView& run, const Step3& step) {
   const Index n = size_of(*run.points);
-  const Index outside = count_outside(*run.points, ball);
+  const Index outside = count_outside(*run.points, step.volume);
   const std::string held =
       outside == 0 ? "holds " + all(n) : "holds " + std::to_string(n - outside) + " of " + std::to_string(n) + " points";
   std::vector<Proof> proofs{{held, outside == 0, false}};
-  const Support support = support_after(run.recording->steps, run.step);
-  if (support.size() == 0) return proofs;
-  const StepCertificate certificate = certify_step(*run.points, ball, support);
-  proofs.push_back({"support on the boundary", certificate.on_boundary, true});
-  if (run.algorithm->exact) proofs.push_back({std::string("no smaller ") + ball_word(dim_of(*run.points)) + " holds the support", certificate.smallest, false});
+  const Sphere3* ball = ball_of(step);
+  const std::vector<Index> support = support_after(run.recording->steps, run.step);
+  if (support.empty() || ball == nullptr) return proofs;
+  const StepCertificate certificate = certify_step(*run.points, *ball, support);
+  proofs.push_back(boundary(*run.algorithm, certificate.on_boundary));
+  if (run.algorithm->exact)
+    proofs.push_back({none_smaller(*run.algorithm, dim_of(*run.points)) + " holds the support", certificate.smallest, false});
   return proofs;
 }
 
 }  // namespace
 
 std::vector<Proof> proofs_of(const RunView& run) {
+  if (run.boxes != nullptr) return box_proofs(run);
   const auto& steps = run.recording->steps;
   if (run.step == static_cast<int>(steps.size())) return of_result(run);
-  if (run.step == 0 || !steps[static_cast<std::size_t>(run.step - 1)].step.has_ball) return {};
-  return on_the_way(run, steps[static_cast<std::size_t>(run.step - 1)].step.ball);
+  if (run.step == 0 || !steps[static_cast<std::size_t>(run.step - 1)].step.has_volume) return {};
+  return on_the_way(run, steps[static_cast<std::size_t>(run.step - 1)].step);
 }
 
 }  // namespace snug::lesson

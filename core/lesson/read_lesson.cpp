@@ -1,8 +1,10 @@
 // From a lesson's TOML to a Lesson. What its numbers and names mean together is checked in check_lesson.cpp.
 #include <algorithm>
+#include <numbers>
 
 #include "fit/catalogue.hpp"
 #include "geometry/generate.hpp"
+#include "lesson/box_tests.hpp"
 #include "lesson/check_lesson.hpp"
 #include "lesson/own_points.hpp"
 #include "lesson/prose.hpp"
@@ -18,13 +20,15 @@ constexpr std::int64_t kVersion = 1;
 /// Fifty times a long lesson. The parser's tables within tables, a level for two bytes, must not outgrow the stack.
 constexpr std::size_t kMostBytes = 1 << 18;
 
-constexpr std::array<std::pair<std::string_view, Asks>, 7> kAsks{{{"point", Asks::kPoint},
+constexpr std::array<std::pair<std::string_view, Asks>, 9> kAsks{{{"point", Asks::kPoint},
                                                                   {"axis", Asks::kAxis},
                                                                   {"grows", Asks::kGrows},
                                                                   {"leaves", Asks::kLeaves},
                                                                   {"choice", Asks::kChoice},
                                                                   {"better", Asks::kBetter},
-                                                                  {"holds", Asks::kHolds}}};
+                                                                  {"holds", Asks::kHolds},
+                                                                  {"separates", Asks::kSeparates},
+                                                                  {"which_axis", Asks::kWhichAxis}}};
 
 /// "bunny, teapot or dragon"
 std::string one_of(const auto& names) {
@@ -42,15 +46,24 @@ void check_name(TomlTable& table, std::string_view key, std::string_view name, c
   if (!name.empty() && !among(names, name)) table.wrong(key, "is none of " + one_of(names) + ": " + std::string(name));
 }
 
-std::vector<std::string_view> algorithm_names() {
+/// Those that there are algorithms for.
+std::vector<std::string_view> volumes() {
   std::vector<std::string_view> names;
-  for (const fit::Algorithm& algorithm : fit::algorithms()) names.push_back(algorithm.name);
+  for (const fit::Algorithm& algorithm : fit::algorithms())
+    if (!among(names, algorithm.volume)) names.push_back(algorithm.volume);
+  names.push_back(kBoxPair);
   return names;
 }
 
-std::string read_algorithm(TomlTable& table, std::string_view key) {
+std::vector<std::string_view> algorithm_names(std::string_view volume) {
+  std::vector<std::string_view> names;
+  for (const fit::Algorithm& method : methods_of(volume)) names.push_back(method.name);
+  return names;
+}
+
+std::string read_algorithm(TomlTable& table, std::string_view key, std::string_view volume) {
   std::string name = table.text(key);
-  check_name(table, key, name, algorithm_names());
+  check_name(table, key, name, algorithm_names(volume));
   return name;
 }
 
@@ -101,12 +114,12 @@ void read_choices(TomlTable& table, Question& question) {
   question.answer = static_cast<int>(found - question.choices.begin());
 }
 
-Question read_question(const toml::table& toml, Complaints& complaints) {
+Question read_question(const toml::table& toml, std::string_view volume, Complaints& complaints) {
   TomlTable table(toml, "[[question]]", complaints);
   Question question;
   question.line = table.line();
   question.id = table.text("id");
-  question.gate.algorithm = read_algorithm(table, "algorithm");
+  question.gate.algorithm = read_algorithm(table, "algorithm", volume);
   question.gate.fact = table.text("before");
   check_name(table, "before", question.gate.fact, fit::fact_names());
   question.gate.occurrence = static_cast<int>(table.integer_or("nth", 1, 100000, 1));
@@ -115,7 +128,7 @@ Question read_question(const toml::table& toml, Complaints& complaints) {
   const std::string asks = table.text("asks");
   const auto* kind = std::find_if(kAsks.begin(), kAsks.end(), [&](const auto& row) { return row.first == asks; });
   if (kind != kAsks.end()) question.asks = kind->second;
-  if (kind == kAsks.end()) table.wrong("asks", "is none of point, axis, grows, leaves, choice, better or holds: " + asks);
+  if (kind == kAsks.end()) table.wrong("asks", "is none of point, axis, grows, leaves, choice, better, holds, separates or which_axis: " + asks);
   question.prompt = table.text("prompt");
   if (question.asks == Asks::kChoice) read_choices(table, question);
   question.own_points = table.flag_or("own_points", false);
@@ -124,12 +137,55 @@ Question read_question(const toml::table& toml, Complaints& complaints) {
   return question;
 }
 
-Task read_task(const toml::table& toml, int dim, Complaints& complaints) {
+/// Two boxes: each key has a list of two. turn: degrees, in 3-D about x, then y, then z.
+BoxPair read_pair(TomlTable& table, int dim) {
+  BoxPair pair{.dim = dim};
+  const auto two = [&](std::string_view key, int numbers) {
+    auto list = table.points(key, numbers);
+    if (list.size() != 2) table.wrong(key, "must be two, for A and for B");
+    list.resize(2, Vector<double, 3>::Zero());
+    return list;
+  };
+  const auto centers = two("center", dim), halves = two("half_extents", dim), turns = two("turn", dim == 2 ? 1 : 3);
+  double largest = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (halves[i].minCoeff() < 0) table.wrong("half_extents", "must not be negative");
+    Obb<double, 3> box{centers[i], Matrix<double, 3>::Identity(), halves[i]};
+    for (int axis = 0; axis < (dim == 2 ? 1 : 3); ++axis)
+      box = turned_by(box, dim == 2 ? 2 : axis, turns[i][axis] * std::numbers::pi / 180);
+    pair.boxes[i] = box;
+    largest = std::max(largest, halves[i].maxCoeff());
+  }
+  pair.knob = 0.4 * largest;
+  if (auto set = places(pair); !set) table.wrong("center", set.error().what);
+  table.refuse_others();
+  return pair;
+}
+
+Task read_box_task(const toml::table& toml, int dim, Complaints& complaints) {
   TomlTable table(toml, "[task]", complaints);
   Task task;
+  task.volume = kBoxPair;
+  task.prompt = table.text("prompt");
+  task.goals = read_names(table, "goals", 1, std::array<std::string_view, 3>{"extents_only", "corners_only", "only_edges"});
+  task.algorithm = read_algorithm(table, "algorithm", kBoxPair);
+  task.hint = table.text("hint");
+  for (const toml::table* model : table.tables("model")) {
+    TomlTable own(*model, "[[task.model]]", complaints);
+    task.models.push_back(read_pair(own, dim));
+  }
+  if (task.models.size() != task.goals.size()) complaints.add(table.line(), "[task] needs a [[task.model]] for each of its goals");
+  table.refuse_others();
+  return task;
+}
+
+Task read_task(const toml::table& toml, std::string_view volume, int dim, Complaints& complaints) {
+  TomlTable table(toml, "[task]", complaints);
+  Task task;
+  task.volume = volume;
   task.prompt = table.text("prompt");
   task.points = static_cast<int>(table.integer("points", 1, 1000));
-  task.algorithm = read_algorithm(table, "algorithm");
+  task.algorithm = read_algorithm(table, "algorithm", volume);
   if (!table.has("excess_at_least") && !table.has("support_size"))
     complaints.add(table.line(), "[task] needs \"excess_at_least\" or \"support_size\"");
   if (table.has("excess_at_least")) task.excess_at_least = table.number("excess_at_least", 1);
@@ -143,7 +199,7 @@ Task read_task(const toml::table& toml, int dim, Complaints& complaints) {
 void read_pseudocode(const toml::table& toml, Complaints& complaints, Lesson& lesson) {
   for (const auto& [key, node] : toml) {
     const auto line = static_cast<int>(key.source().begin.line);
-    const fit::Algorithm* algorithm = fit::find_algorithm("sphere", key.str());
+    const fit::Algorithm* algorithm = find_method(lesson.volume, key.str());
     if (algorithm == nullptr) complaints.add(line, "[pseudocode] of no algorithm: " + std::string(key.str()));
     if (!node.is_table()) complaints.add(line, "[pseudocode] has a table for each algorithm: [pseudocode.ritter]");
     if (complaints.first()) return;
@@ -170,10 +226,27 @@ void read_head(TomlTable& table, Lesson& lesson) {
   const std::string start = table.text_or("start", "begin");
   check_name(table, "start", start, std::array<std::string_view, 2>{"begin", "end"});
   lesson.start = start == "end" ? Lesson::Start::kEnd : Lesson::Start::kBegin;
-  lesson.algorithms = read_names(table, "algorithms", 1, algorithm_names());
-  lesson.compare = table.has("compare") ? read_algorithm(table, "compare") : table.text_or("compare", "");
+  lesson.volume = table.text_or("volume", lesson.volume);
+  check_name(table, "volume", lesson.volume, volumes());
+  lesson.algorithms = read_names(table, "algorithms", 1, algorithm_names(lesson.volume));
+  if (table.has("compare")) lesson.compare = read_algorithm(table, "compare", lesson.volume);
   lesson.meshes = read_names(table, "meshes", 0, mesh_names());
   lesson.generators = read_names(table, "generators", 0, generator_kinds());
+}
+
+/// What stands on the stage: points, or two boxes.
+void read_subject(TomlTable& table, Lesson& lesson, Complaints& complaints) {
+  const bool pair = lesson.volume == kBoxPair;
+  const char* due = pair ? "boxes" : "points";
+  const toml::table* subject = table.table(due);
+  if (subject == nullptr) return complaints.add(1, std::string("the lesson lacks [") + due + "]");
+  if (!pair) {
+    lesson.points = read_points(*subject, complaints);
+    return;
+  }
+  TomlTable own(*subject, "[boxes]", complaints);
+  lesson.points.dim = static_cast<int>(own.integer_or("dim", 2, 3, 2));
+  lesson.boxes = read_pair(own, lesson.points.dim);
 }
 
 Lesson read(const toml::table& toml, Complaints& complaints) {
@@ -182,11 +255,12 @@ Lesson read(const toml::table& toml, Complaints& complaints) {
   read_head(table, lesson);
   for (const toml::table* section : table.tables("section")) lesson.sections.push_back(read_section(*section, complaints));
   if (lesson.sections.empty()) complaints.add(1, "the lesson has no [[section]]");
-  if (const toml::table* points = table.table("points")) lesson.points = read_points(*points, complaints);
-  else complaints.add(1, "the lesson lacks [points]");
+  read_subject(table, lesson, complaints);
   if (const toml::table* words = table.table("pseudocode")) read_pseudocode(*words, complaints, lesson);
-  for (const toml::table* question : table.tables("question")) lesson.questions.push_back(read_question(*question, complaints));
-  if (const toml::table* task = table.table("task")) lesson.task = read_task(*task, lesson.points.dim, complaints);
+  for (const toml::table* question : table.tables("question")) lesson.questions.push_back(read_question(*question, lesson.volume, complaints));
+  if (const toml::table* task = table.table("task"))
+    lesson.task = lesson.boxes ? read_box_task(*task, lesson.boxes->dim, complaints)
+                               : read_task(*task, lesson.volume, lesson.points.dim, complaints);
   table.refuse_others();
   return lesson;
 }

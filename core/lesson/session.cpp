@@ -6,8 +6,6 @@
 namespace snug::lesson {
 namespace {
 
-const fit::Algorithm& welzl() { return *fit::find_algorithm("sphere", "welzl"); }
-
 InputError too_many(const fit::Algorithm& algorithm) {
   return {.what = std::string(algorithm.title) + " takes at most " + std::to_string(algorithm.max_points) + " points"};
 }
@@ -16,9 +14,10 @@ InputError too_many(const fit::Algorithm& algorithm) {
 
 tl::expected<Session, InputError> Session::open(Lesson lesson, std::optional<io::PointFile> mesh) {
   if (lesson.algorithms.empty()) return tl::unexpected(InputError{.what = "the lesson offers no algorithm"});
-  auto points = own_points(lesson, lesson.seed, mesh);
+  auto points = lesson.boxes ? places(*lesson.boxes) : own_points(lesson, lesson.seed, mesh);
   if (!points) return tl::unexpected(std::move(points.error()));
   Snapshot own{*std::move(points), nullptr, lesson.seed, "own"};
+  own.boxes = lesson.boxes;
   if (!lesson.points.generate.empty()) {
     own.source = lesson.points.generate;
     own.generated = lesson.points.count;
@@ -39,8 +38,8 @@ tl::expected<Session, InputError> Session::open(Lesson lesson, std::optional<io:
 }
 
 Session::Session(Lesson lesson, Snapshot own) : lesson_(std::move(lesson)), own_(own), now_(std::move(own)) {
-  use(0, fit::find_algorithm("sphere", lesson_.algorithms.front()));
-  if (!lesson_.compare.empty()) use(1, fit::find_algorithm("sphere", lesson_.compare));
+  use(0, find_method(lesson_.volume, lesson_.algorithms.front()));
+  if (!lesson_.compare.empty()) use(1, find_method(lesson_.volume, lesson_.compare));
 }
 
 Session::Session(Session&&) noexcept = default;
@@ -51,7 +50,8 @@ void Session::use(int slot, const fit::Algorithm* algorithm) {
   Slot& own = slots_[static_cast<std::size_t>(slot)];
   own = {algorithm, {}, {}};
   if (algorithm == nullptr) return;
-  own.pseudocode.assign(algorithm->pseudocode.begin(), algorithm->pseudocode.end());
+  const auto pseudocode = pseudocode_of(*algorithm, dim());
+  own.pseudocode.assign(pseudocode.begin(), pseudocode.end());
   for (const Pseudocode& words : lesson_.pseudocode)
     if (words.algorithm == algorithm->name) own.pseudocode.assign(words.lines.begin(), words.lines.end());
 }
@@ -62,7 +62,7 @@ std::span<const std::string_view> Session::pseudocode(int slot) const {
 
 tl::expected<void, InputError> Session::choose(int slot, std::string_view name) {
   const bool clear = name.empty() && slot == 1;
-  const fit::Algorithm* algorithm = clear ? nullptr : fit::find_algorithm("sphere", name);
+  const fit::Algorithm* algorithm = clear ? nullptr : find_method(lesson_.volume, name);
   if (algorithm == nullptr && !clear) return tl::unexpected(InputError{.what = "there is no algorithm " + std::string(name)});
   if (algorithm != nullptr && size() > algorithm->max_points) return tl::unexpected(too_many(*algorithm));
   if (algorithm == this->algorithm(slot)) return {};
@@ -82,7 +82,7 @@ tl::expected<void, InputError> Session::make_room_for(Index points) {
   if (slots_[0].algorithm->max_points < points) {
     const fit::Algorithm* fits = nullptr;
     for (const std::string& name : lesson_.algorithms) {
-      const fit::Algorithm* offered = fit::find_algorithm("sphere", name);
+      const fit::Algorithm* offered = find_method(lesson_.volume, name);
       if (fits == nullptr && offered->max_points >= points) fits = offered;
     }
     if (fits == nullptr) return tl::unexpected(too_many(*slots_[0].algorithm));
@@ -95,7 +95,7 @@ tl::expected<void, InputError> Session::make_room_for(Index points) {
 void Session::run(int slot) {
   Slot& own = slots_[static_cast<std::size_t>(slot)];
   if (own.algorithm == nullptr) return;
-  own.recording = own.algorithm->record(points(), {.seed = seed()});
+  own.recording = now_.boxes ? record(*own.algorithm, *now_.boxes) : own.algorithm->record(points(), {.seed = seed()});
 }
 
 void Session::points_changed() {
@@ -107,44 +107,48 @@ void Session::points_changed() {
   ++revision_;
 }
 
-const fit::Recording& Session::optimum() const {
+const fit::Algorithm& Session::exact() const { return fit::exact_algorithm(lesson_.volume); }
+
+const fit::Recording* Session::optimum() const {
+  if (now_.boxes || size() > exact().max_points) return nullptr;
   for (const Slot& slot : slots_)
-    if (slot.algorithm == &welzl()) return slot.recording;
-  if (!worked_.optimum) worked_.optimum = welzl().record(points(), {.seed = seed()});
-  return *worked_.optimum;
+    if (slot.algorithm == &exact()) return &slot.recording;
+  if (!worked_.optimum) worked_.optimum = exact().record(points(), {.seed = seed()});
+  return &*worked_.optimum;
 }
 
-double Session::smallest_radius() const {
-  for (const Slot& slot : slots_)
-    if (slot.algorithm == &welzl()) return slot.recording.result.sphere.radius;
-  if (!worked_.smallest_radius) worked_.smallest_radius = welzl().fit(points(), {.seed = seed()}).sphere.radius;
-  return *worked_.smallest_radius;
+std::optional<double> Session::smallest_size() const {
+  if (now_.boxes || size() > exact().max_points) return std::nullopt;
+  if (!worked_.smallest_size) worked_.smallest_size = size_of(exact());
+  return *worked_.smallest_size;
 }
 
 /// What a slot shows already is not run again.
-double Session::radius_of(const fit::Algorithm& algorithm) const {
+double Session::size_of(const fit::Algorithm& algorithm) const {
   for (const Slot& slot : slots_)
-    if (slot.algorithm == &algorithm) return slot.recording.result.sphere.radius;
-  if (&algorithm == &welzl()) return smallest_radius();
-  return algorithm.fit(points(), {.seed = seed()}).sphere.radius;
+    if (slot.algorithm == &algorithm) return fit::size_of(slot.recording.result.volume, dim());
+  if (&algorithm == &exact() && worked_.smallest_size) return *worked_.smallest_size;
+  return fit::size_of(algorithm.fit(points(), {.seed = seed()}).volume, dim());
 }
 
 const std::vector<Session::Rival>& Session::rivals() const {
   if (worked_.rivals) return *worked_.rivals;
   std::vector<Rival> rivals;
-  const double smallest = smallest_radius();
+  if (now_.boxes) return worked_.rivals.emplace();
+  const std::optional<double> smallest = smallest_size();
   for (const std::string& name : lesson_.algorithms) {
-    const fit::Algorithm* algorithm = fit::find_algorithm("sphere", name);
+    const fit::Algorithm* algorithm = find_method(lesson_.volume, name);
     if (algorithm->max_points < size()) continue;
-    const double radius = radius_of(*algorithm);
-    rivals.push_back({algorithm, radius, smallest > 0 ? radius / smallest - 1 : 0});
+    const double own = size_of(*algorithm);
+    rivals.push_back({algorithm, own, excess_of(own, smallest)});
   }
   return worked_.rivals.emplace(std::move(rivals));
 }
 
 std::optional<Grade> Session::grade() const {
   if (!lesson_.task) return std::nullopt;
-  if (!worked_.grade) worked_.grade = lesson::grade(*lesson_.task, points(), seed());
+  if (!worked_.grade)
+    worked_.grade = now_.boxes ? grade_boxes(*lesson_.task, *now_.boxes, found_) : lesson::grade(*lesson_.task, points(), seed());
   return worked_.grade;
 }
 
@@ -155,7 +159,7 @@ std::uint64_t Session::trace_hash() const {
 
 RunView Session::view(int slot) const {
   const Slot& own = slots_[static_cast<std::size_t>(slot)];
-  return {&now_.points, own.algorithm, &own.recording, step_of(slot), smallest_radius()};
+  return {&now_.points, own.algorithm, &own.recording, step_of(slot), smallest_size(), boxes()};
 }
 
 std::vector<Figure> Session::figures(int slot) const {

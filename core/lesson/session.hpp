@@ -15,6 +15,7 @@
 #include "fit/catalogue.hpp"
 #include "io/point_file.hpp"
 #include "lesson/ask.hpp"
+#include "lesson/box_tests.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/grade.hpp"
 #include "lesson/lesson.hpp"
@@ -54,6 +55,11 @@ class Session {
   /// deleting a point drops them (undo brings them back).
   [[nodiscard]] const std::vector<std::array<Index, 3>>& triangles() const;
   [[nodiscard]] std::uint64_t seed() const { return now_.seed; }
+  /// The two boxes of a lesson that has them in place of points; null otherwise. Its points are then the boxes' places
+  /// (lesson/boxes.hpp), and to move one moves, turns or stretches its box.
+  [[nodiscard]] const BoxPair* boxes() const { return now_.boxes ? &*now_.boxes : nullptr; }
+  /// "P3", or of a box "A turn", "B2".
+  [[nodiscard]] std::string name_of(Index i) const;
   /// Where the points come from: a generator's kind, a mesh's or file's name, "own" for the lesson's own list, "task"
   /// for the start of its task.
   [[nodiscard]] const std::string& source() const { return now_.source; }
@@ -61,9 +67,12 @@ class Session {
   /// Edits. Each runs the algorithms anew at once and is one entry of undo; a drag is one entry from begin to end.
   /// The player stays at its step, or at the last one where the new trace is shorter; at the end it stays at the end.
   tl::expected<void, InputError> move(Index i, const Vector<double, 3>& to);
-  /// Errors: more points than the main algorithm takes.
+  /// Other boxes in the place of these. Errors: there are none, or of another dimension; a number that is not finite, a
+  /// half extent below 0.
+  tl::expected<void, InputError> set_boxes(const BoxPair& pair);
+  /// Errors: more points than the main algorithm takes; boxes have no points to add.
   tl::expected<void, InputError> add(const Vector<double, 3>& at);
-  /// Errors: the last point cannot be deleted.
+  /// Errors: the last point cannot be deleted; boxes have none to delete.
   tl::expected<void, InputError> remove(Index i);
   /// Points anew from a seed, of the kind that they are now; those of a mesh, file or list give way to as many of the
   /// lesson's generator as the lesson has points. The lesson's own seed brings a lesson's own list back.
@@ -94,16 +103,17 @@ class Session {
   [[nodiscard]] const fit::Recording& recording(int slot) const { return slots_[static_cast<std::size_t>(slot)].recording; }
   /// The lesson's own pseudocode of that slot's algorithm, or the catalogue's.
   [[nodiscard]] std::span<const std::string_view> pseudocode(int slot) const;
-  /// The smallest ball of the points, watched: run when first asked for after an edit. For the excess alone,
-  /// smallest_radius is cheaper.
-  [[nodiscard]] const fit::Recording& optimum() const;
-  [[nodiscard]] double smallest_radius() const;
+  /// The smallest volume of the points, watched: run when first asked for after an edit. Null where there are too many
+  /// points for it. For the excess alone, smallest_size is cheaper.
+  [[nodiscard]] const fit::Recording* optimum() const;
+  /// As fit::size_of has it.
+  [[nodiscard]] std::optional<double> smallest_size() const;
   /// Every algorithm that the lesson offers, with its result on the points ("In the end, beside the others"). Run when
   /// first asked for after an edit. Those that do not take so many points are left out.
   struct Rival {
     const fit::Algorithm* algorithm;
-    double radius;
-    double excess;  // over the optimum, 0.1 for 10 per cent
+    double size;                   // as fit::size_of has it
+    std::optional<double> excess;  // over the optimum, 0.1 for 10 per cent; none where that is not known
   };
   [[nodiscard]] const std::vector<Rival>& rivals() const;
 
@@ -115,7 +125,7 @@ class Session {
   [[nodiscard]] const Recorder<fit::Step3>::Entry* current(int slot) const;
   [[nodiscard]] int step_of(int slot) const;
   /// The points that hold the ball as it stands: those it touches by construction, or the result's in the end.
-  [[nodiscard]] fit::Support support(int slot) const;
+  [[nodiscard]] std::vector<Index> support(int slot) const;
   /// Goes to a step; forward only up to the first unanswered question's gate. jump goes past gates: their questions
   /// then count as skipped (an address names a step), and are asked when the player comes to them again.
   void go(int step);
@@ -169,6 +179,7 @@ class Session {
     std::string source;
     int generated = 0;  // how many points the source's generator made; 0 where there is none
     bool edited = false;
+    std::optional<BoxPair> boxes;  // points are then their places
   };
   struct Slot {
     const fit::Algorithm* algorithm = nullptr;
@@ -178,7 +189,7 @@ class Session {
   /// What is worked out when asked for, and forgotten with the next edit.
   struct Worked {
     std::optional<fit::Recording> optimum;
-    std::optional<double> smallest_radius;
+    std::optional<double> smallest_size;
     std::optional<std::vector<Rival>> rivals;
     std::optional<Grade> grade;
     std::optional<std::uint64_t> hash;
@@ -195,6 +206,8 @@ class Session {
   [[nodiscard]] Recipe recipe() const;
   tl::expected<void, InputError> make_room_for(Index points);
   tl::expected<void, InputError> become(Snapshot next);
+  tl::expected<void, InputError> move_in(Snapshot& snapshot, Index i, const Vector<double, 3>& to) const;
+  [[nodiscard]] static tl::expected<Snapshot, InputError> placed(Snapshot snapshot, BoxPair pair);
   void remember();
   void restore(std::vector<Snapshot>& from, std::vector<Snapshot>& to);
   [[nodiscard]] Snapshot generated(std::string_view kind, int count, int dim, std::uint64_t seed, bool edited) const;
@@ -205,7 +218,8 @@ class Session {
   void stand(int step);
   [[nodiscard]] bool open_question(const Asked& asked) const;
   Outcome& outcome_for(const std::string& id);
-  [[nodiscard]] double radius_of(const fit::Algorithm& algorithm) const;
+  [[nodiscard]] double size_of(const fit::Algorithm& algorithm) const;
+  [[nodiscard]] const fit::Algorithm& exact() const;
   [[nodiscard]] RunView view(int slot) const;
 
   Lesson lesson_;
@@ -222,6 +236,7 @@ class Session {
   std::vector<Mark> marks_;
   std::vector<Asked> asked_;
   std::vector<Outcome> outcomes_;
+  mutable std::vector<bool> found_;  // of a task's goals, since it was begun
   int shown_outcome_ = -1;  // of outcomes_, at step shown_at_
   int shown_at_ = -1;
   std::uint64_t revision_ = 1;

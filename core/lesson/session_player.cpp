@@ -21,6 +21,11 @@ std::optional<Mark::Kind> mark_of(const Step3& step, bool first_ball) {
   if (const auto* tried = std::get_if<CandidateTried<double, 3>>(&step.fact);
       tried != nullptr && tried->verdict == CandidateTried<double, 3>::Verdict::kKept)
     return Mark::Kind::kBest;
+  if (const auto* axis = std::get_if<query::AxisTested<double, 3>>(&step.fact); axis != nullptr && axis->separates)
+    return Mark::Kind::kBest;
+  if (std::holds_alternative<query::Verdict<double, 3>>(step.fact)) return Mark::Kind::kReplaced;
+  if (const auto* tried = std::get_if<BoxTried<double, 3>>(&step.fact); tried != nullptr && tried->better) return Mark::Kind::kBest;
+  if (const auto* found = std::get_if<RectangleFound<double, 3>>(&step.fact); found != nullptr && found->better) return Mark::Kind::kBest;
   if (first_ball || std::holds_alternative<BallGrown<double, 3>>(step.fact)) return Mark::Kind::kGrew;
   return std::nullopt;
 }
@@ -31,8 +36,8 @@ std::vector<Mark> marks_of(Trace trace, const std::vector<Asked>& questions) {
   bool has_ball = false;
   for (int i = 0; i < static_cast<int>(trace.size()); ++i) {
     const Step3& step = trace[static_cast<std::size_t>(i)].step;
-    if (const auto kind = mark_of(step, step.has_ball && !has_ball)) marks.push_back({i + 1, *kind});
-    has_ball = step.has_ball;
+    if (const auto kind = mark_of(step, step.has_volume && !has_ball)) marks.push_back({i + 1, *kind});
+    has_ball = step.has_volume;
   }
   std::stable_sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.step < b.step; });
   return marks;
@@ -61,7 +66,7 @@ int Session::step_of(int slot) const {
   return static_cast<int>(step_ * all / steps());
 }
 
-Support Session::support(int slot) const { return support_after(recording(slot).steps, step_of(slot)); }
+std::vector<Index> Session::support(int slot) const { return support_after(recording(slot).steps, step_of(slot)); }
 
 void Session::stand(int step) {
   if (step == step_ && !previewing_) return;

@@ -17,12 +17,16 @@ std::vector<Vector<double, 3>> all_points(const AnyPointSet& points) {
   return all;
 }
 
-tl::expected<void, InputError> move_in(AnyPointSet& points, Index i, const Vector<double, 3>& to) {
+tl::expected<void, InputError> move_point(AnyPointSet& points, Index i, const Vector<double, 3>& to) {
   return std::visit(
       [&]<class Scalar, int Dim>(PointSet<Scalar, Dim>& set) {
         return set.move(i, to.template head<Dim>().template cast<Scalar>());
       },
       points);
+}
+
+tl::unexpected<InputError> fixed_boxes() {
+  return tl::unexpected(InputError{.what = "this lesson has two boxes: no more and no fewer"});
 }
 
 tl::unexpected<InputError> no_point(Index i) {
@@ -40,14 +44,43 @@ const std::vector<std::array<Index, 3>>& Session::triangles() const {
   return now_.triangles ? *now_.triangles : none;
 }
 
+std::string Session::name_of(Index i) const { return now_.boxes ? place_name(dim(), i) : point_name(i); }
+
+/// The snapshot with other boxes.
+tl::expected<Session::Snapshot, InputError> Session::placed(Snapshot snapshot, BoxPair pair) {
+  auto set = places(pair);
+  if (!set) return tl::unexpected(std::move(set.error()));
+  snapshot.points = *std::move(set);
+  snapshot.boxes = std::move(pair);
+  return snapshot;
+}
+
+tl::expected<void, InputError> Session::move_in(Snapshot& snapshot, Index i, const Vector<double, 3>& to) const {
+  if (!snapshot.boxes) return move_point(snapshot.points, i, to);
+  auto next = moved(*snapshot.boxes, i, to).and_then([&](BoxPair pair) { return placed(snapshot, std::move(pair)); });
+  if (!next) return tl::unexpected(std::move(next.error()));
+  snapshot = *std::move(next);
+  return {};
+}
+
+tl::expected<void, InputError> Session::set_boxes(const BoxPair& pair) {
+  if (!now_.boxes || pair.dim != dim()) return tl::unexpected(InputError{.what = "there are no such boxes"});
+  for (const auto& box : pair.boxes)
+    if (!(box.half_extents.minCoeff() >= 0)) return tl::unexpected(InputError{.what = "a half extent is below 0"});
+  auto next = placed(now_, pair);
+  if (!next) return tl::unexpected(std::move(next.error()));
+  next->edited = true;
+  return become(*std::move(next));
+}
+
 tl::expected<void, InputError> Session::move(Index i, const Vector<double, 3>& to) {
   if (i < 0 || i >= size()) return no_point(i);
   if (drag_) {
-    if (auto moved = move_in(now_.points, i, to); !moved) return moved;
+    if (auto moved = move_in(now_, i, to); !moved) return moved;
     drag_moved_ = true;
   } else {
     Snapshot next = now_;
-    if (auto moved = move_in(next.points, i, to); !moved) return moved;
+    if (auto moved = move_in(next, i, to); !moved) return moved;
     remember();
     now_ = std::move(next);
   }
@@ -57,6 +90,7 @@ tl::expected<void, InputError> Session::move(Index i, const Vector<double, 3>& t
 }
 
 tl::expected<void, InputError> Session::add(const Vector<double, 3>& at) {
+  if (now_.boxes) return fixed_boxes();
   const fit::Algorithm& main = *slots_[0].algorithm;
   if (size() >= main.max_points)
     return tl::unexpected(InputError{.what = std::string(main.title) + " takes at most " + std::to_string(main.max_points) +
@@ -69,6 +103,7 @@ tl::expected<void, InputError> Session::add(const Vector<double, 3>& at) {
 }
 
 tl::expected<void, InputError> Session::remove(Index i) {
+  if (now_.boxes) return fixed_boxes();
   if (i < 0 || i >= size()) return no_point(i);
   if (size() == 1) return tl::unexpected(InputError{.what = "the last point cannot be deleted"});
   std::vector<Vector<double, 3>> all = all_points(points());
@@ -93,6 +128,14 @@ Session::Recipe Session::recipe() const {
 }
 
 void Session::scatter(std::uint64_t seed) {
+  if (now_.boxes) {
+    if (seed == lesson_.seed) return reset();
+    auto next = placed(own_, scattered(*own_.boxes, seed));
+    if (!next) return;
+    next->seed = seed;
+    static_cast<void>(become(*std::move(next)));
+    return;
+  }
   const Recipe own = recipe();
   const Recipe now{now_.source, now_.generated, dim()};
   if (now_.generated > 0 && now != own)
@@ -104,6 +147,7 @@ void Session::scatter(std::uint64_t seed) {
 }
 
 tl::expected<void, InputError> Session::set_generator(std::string_view kind, int count, int dim, std::uint64_t seed) {
+  if (now_.boxes) return fixed_boxes();
   const auto kinds = generator_kinds();
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
     return tl::unexpected(InputError{.what = "there is no generator " + std::string(kind)});
@@ -118,6 +162,7 @@ tl::expected<void, InputError> Session::set_generator(std::string_view kind, int
 void Session::reset() { static_cast<void>(become(own_)); }
 
 tl::expected<void, InputError> Session::load(const io::PointFile& file, std::string_view name) {
+  if (now_.boxes) return fixed_boxes();
   auto set = io::to_point_set(file, name, 0, false);
   if (!set) return tl::unexpected(std::move(set.error()));
   const bool own = name == lesson_.points.mesh;
@@ -126,7 +171,8 @@ tl::expected<void, InputError> Session::load(const io::PointFile& file, std::str
 
 void Session::start_task() {
   if (!lesson_.task) return;
-  static_cast<void>(become({start_of_task(lesson_, own_.points), nullptr, own_.seed, "task", 0, true}));
+  found_.clear();
+  static_cast<void>(become(now_.boxes ? own_ : Snapshot{start_of_task(lesson_, own_.points), nullptr, own_.seed, "task", 0, true}));
   static_cast<void>(choose(0, lesson_.task->algorithm));
   step_ = steps();
   previewing_ = true;  // who builds an example looks at results, and was asked nothing yet

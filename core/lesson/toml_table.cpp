@@ -130,7 +130,9 @@ std::vector<Vector<double, 3>> TomlTable::points(std::string_view key, int dim) 
       good = std::isfinite(point[i]);
     }
     if (!good) {
-      const char* form = dim == 3 ? "3 finite numbers: [x, y, z]" : "2 finite numbers: [x, y]";
+      const char* form = dim == 3   ? "3 finite numbers: [x, y, z]"
+                         : dim == 2 ? "2 finite numbers: [x, y]"
+                                    : "one finite number: [x]";
       complaints_.add(line_of_node(item), "each of " + quoted(key) + " must be a point of " + form);
       return all;
     }

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "lesson/ask.hpp"
+#include "lesson/boxes.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -10,6 +11,7 @@ namespace {
 using namespace fit;
 
 struct Named {
+  int dim;
   std::vector<Index> points;
 
   void operator()(const ExtremesFound<double, 3>& fact) { add(fact.least), add(fact.greatest); }
@@ -25,8 +27,16 @@ struct Named {
     if (fact.outside != kNoIndex) return add(fact.outside);
     for (const Index i : fact.points) add(i);
   }
-  void operator()(const Finished& fact) {
-    for (const Index i : fact.support) add(i);
+  void operator()(const Finished& fact) { add(fact.support); }
+  void operator()(const ExtentsFound<double, 3>& fact) { add(fact.least), add(fact.greatest); }
+  void operator()(const BallFound<double, 3>& fact) { add(fact.support); }
+  void operator()(const HullFound& fact) { add(fact.vertices); }
+  void operator()(const PointsChosen& fact) { add(fact.points); }
+  void operator()(const RectangleFound<double, 3>& fact) { add(fact.edge_a), add(fact.edge_b); }
+  void operator()(const EdgeSearched& fact) { add(fact.a), add(fact.b); }
+  void operator()(const query::AxisTested<double, 3>& fact) {
+    for (int bits = 0; bits < 8; ++bits)
+      if ((fact.near_b >> bits & 1) != 0) add(index_of(dim, {Place::Kind::kCorner, 1, bits}));
   }
   void operator()(const auto&) {}
 
@@ -34,40 +44,47 @@ struct Named {
   void add(Index i) {
     if (i != kNoIndex && std::find(points.begin(), points.end(), i) == points.end()) points.push_back(i);
   }
-  void add(const std::array<Index, 3>& indices) {
+  void add(const auto& indices) {
     for (const Index i : indices) add(i);
   }
 };
 
+using Points = std::optional<std::vector<Index>>;
+
 /// The support as a step states it; nothing where the step leaves it as it was.
 struct Stated {
-  std::optional<Support> operator()(const PairChosen& fact) const { return Support{fact.a, fact.b}; }
-  std::optional<Support> operator()(const FarthestFound& fact) const { return Support{fact.point}; }
-  std::optional<Support> operator()(const BallGrown<double, 3>& fact) const { return Support{fact.point}; }
-  std::optional<Support> operator()(const BallShrunk<double, 3>&) const { return Support{}; }
-  std::optional<Support> operator()(const BoundaryForced& fact) const { return fact.boundary; }
-  std::optional<Support> operator()(const SupportReplaced& fact) const { return fact.after; }
-  std::optional<Support> operator()(const Finished& fact) const { return fact.support; }
-  std::optional<Support> operator()(const CandidateTried<double, 3>& fact) const {
-    if (fact.verdict != CandidateTried<double, 3>::Verdict::kKept) return std::nullopt;
-    return fact.points;
+  Points operator()(const PairChosen& fact) const { return {{fact.a, fact.b}}; }
+  Points operator()(const FarthestFound& fact) const { return {{fact.point}}; }
+  Points operator()(const BallGrown<double, 3>& fact) const { return {{fact.point}}; }
+  Points operator()(const BallShrunk<double, 3>&) const { return {std::vector<Index>{}}; }
+  Points operator()(const BoundaryForced& fact) const { return fact.boundary.list(); }
+  Points operator()(const SupportReplaced& fact) const { return fact.after.list(); }
+  Points operator()(const Finished& fact) const { return fact.support; }
+  Points operator()(const ExtentsFound<double, 3>& fact) const {
+    Named named{3, {}};
+    named(fact);
+    return std::move(named.points);
   }
-  std::optional<Support> operator()(const auto&) const { return std::nullopt; }
+  Points operator()(const CandidateTried<double, 3>& fact) const {
+    if (fact.verdict != CandidateTried<double, 3>::Verdict::kKept) return std::nullopt;
+    return fact.points.list();
+  }
+  Points operator()(const auto&) const { return std::nullopt; }
 };
 
 }  // namespace
 
 std::string point_name(Index i) { return "P" + std::to_string(i); }
 
-std::vector<Index> points_named(const Step3& step) {
-  Named named;
+std::vector<Index> points_named(const Step3& step, int dim) {
+  Named named{dim, {}};
   std::visit(named, step.fact);
   return std::move(named.points);
 }
 
-Support support_after(Trace trace, int steps) {
+std::vector<Index> support_after(Trace trace, int steps) {
   for (int i = steps; i-- > 0;)
-    if (const auto support = std::visit(Stated{}, trace[static_cast<std::size_t>(i)].step.fact)) return *support;
+    if (auto support = std::visit(Stated{}, trace[static_cast<std::size_t>(i)].step.fact)) return *std::move(support);
   return {};
 }
 

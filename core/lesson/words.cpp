@@ -7,6 +7,12 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 
 }  // namespace
 
+std::string_view volume_word(std::string_view name, int dim) {
+  if (name == "sphere") return ball_word(dim);
+  if (name == "aabb" || name == "obb") return "box";
+  return name == "kdop" ? "k-DOP" : name;
+}
+
 std::string in_words_of(int dim, std::string_view text) {
   constexpr std::string_view kCircle = "ircle", kSphere = "phere";
   std::string words(text);

@@ -71,21 +71,17 @@ tl::expected<fit::Watched, InputError> watch(const FitOptions& options, const fi
   return file->put_in_place().map([&] { return watched; });
 }
 
-double measure_of(const Sphere<double, 3>& sphere, int dim) {
-  return dim == 3 ? measure(sphere) : measure(Sphere<double, 2>{sphere.center.head<2>(), sphere.radius});
-}
-
 Json result_of(const fit::Algorithm& algorithm, const AnyPointSet& points, const fit::Watched& watched,
                const Timing& timing) {
   const int dim = fit::dim_of(points);
   const fit::Certificate& proof = watched.certificate;
   Json json;
-  json[std::string(algorithm.volume)] = json_of(watched.result.sphere, dim);
+  json[std::string(algorithm.volume)] = json_of(watched.result.volume, dim);
   json["points"] = fit::size_of(points);
   json["support"] = Json::array();
   for (const Index i : watched.result.support)
     json["support"].push_back(i);
-  json["measure"] = measure_of(watched.result.sphere, dim);
+  json["measure"] = fit::measure_of(watched.result.volume, dim);
   json["max_outside"] = proof.max_outside;
   json["certificate"] = {{"contains", proof.contains},
                          {"on_boundary", proof.on_boundary},

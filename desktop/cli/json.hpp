@@ -3,9 +3,11 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "geometry/sphere.hpp"
-#include "geometry/vector.hpp"
+#include "fit/any_step.hpp"
+#include "geometry/volume_fields.hpp"
 
 namespace snug::desktop {
 
@@ -24,8 +26,27 @@ using Json = nlohmann::ordered_json;
   return list;
 }
 
-[[nodiscard]] inline Json json_of(const Sphere<double, 3>& sphere, int dim) {
-  return {{"center", json_of(sphere.center, dim)}, {"radius", sphere.radius}};
+/// A number as it is, a vector by its first dim coordinates, a matrix by rows, a list of any of them.
+[[nodiscard]] inline Json json_of(double value, int) { return value; }
+[[nodiscard]] inline Json json_of(int value, int) { return value; }
+[[nodiscard]] inline Json json_of(const Matrix<double, 3>& m, int dim) {
+  Json rows = Json::array();
+  for (int row = 0; row < dim; ++row) rows.push_back(json_of(Vector<double, 3>(m.row(row).transpose()), dim));
+  return rows;
+}
+template <class Item>
+[[nodiscard]] Json json_of(const std::vector<Item>& items, int dim) {
+  Json list = Json::array();
+  for (const Item& item : items) list.push_back(json_of(item, dim));
+  return list;
+}
+
+/// What stands behind the volume's name. volume: lifted, of that dimension.
+[[nodiscard]] inline Json json_of(const fit::Volume3& volume, int dim) {
+  Json json;
+  const auto see = [&](std::string_view name, const auto& value) { json[std::string(name)] = json_of(value, dim); };
+  std::visit([&](const auto& kind) { fields_of(kind, see); }, volume);
+  return json;
 }
 
 }  // namespace snug::desktop

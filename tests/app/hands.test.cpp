@@ -313,7 +313,7 @@ TEST_CASE("beside it: step, radius and excess of the second algorithm") {
   const std::string steps = std::to_string(session.recording(1).steps.size());
   CHECK(figures[0].text == steps + " of " + steps);
   CHECK(figures[1].key == "radius");
-  CHECK(figures[1].value == doctest::Approx(session.recording(1).result.sphere.radius));
+  CHECK(figures[1].value == doctest::Approx(ball_of(session.recording(1).result).radius));
   CHECK(figures[2].key == "excess");
   REQUIRE(session.choose(1, ""));
   CHECK(figures_beside(session).empty());

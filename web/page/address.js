@@ -35,6 +35,7 @@ export function read_address(search) {
   };
   asked.points = rows("points", 2, 3);
   asked.moved = rows("moved", 3, 4);
+  asked.boxes = rows("boxes", 6, 15);
   return asked;
 }
 
@@ -48,6 +49,7 @@ export function write_address(view, lesson, shared, embed) {
   if ((view.beside ?? "") !== lesson.compare) parts.push(`b=${view.beside ?? "none"}`);
   if (shared.how) parts.push(`from=${shared.how}`);
   if (shared.moved?.length) parts.push(`moved=${rows(shared.moved)}`);
+  if (shared.boxes) parts.push(`boxes=${rows(shared.boxes)}`);
   if (shared.points) parts.push(`points=${rows(shared.points)}`);
   if (embed) parts.push("embed=1");
   return `?${parts.join("&")}`;

@@ -1,5 +1,6 @@
 // The page: brings the program and a lesson, shows what the lesson's state says, and keeps the address in step.
 import { read_address, write_address } from "./address.js";
+import { BoxTools } from "./boxes.js";
 import { Code } from "./code.js";
 import { by_id, element, set_text, when_changed } from "./dom.js";
 import { open_door } from "./door.js";
@@ -39,7 +40,7 @@ class Page {
     this.#embed = embed;
     const act = (what) => this.act(what);
     const question = new QuestionCard(door, act);
-    this.#panels = [new Reading(() => act(() => door.start_task())), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new Player(door, act)];
+    this.#panels = [new Reading(() => act(() => door.start_task())), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new Player(door, act)];
     this.#menu = new LessonMenu(lessons, (id) => this.#go_to(id));
     new Tabs();
     this.#stage = new Stage(door, () => this.#show());
@@ -120,6 +121,7 @@ class Page {
     if (asked.seed !== null && asked.seed !== this.#lesson.seed) door.scatter(asked.seed);
     if (asked.from) tell(await this.#restore_source(asked.from, asked.seed ?? this.#lesson.seed));
     if (asked.points) tell(door.load_file(new TextEncoder().encode(asked.points.map((row) => row.join(" ")).join("\n")), "the address.xyz"));
+    if (asked.boxes) tell(door.set_box_rows(asked.boxes));
     if (asked.moved) tell(door.move_points(asked.moved));
     if (asked.a) tell(door.choose(0, asked.a));
     if (asked.b) tell(door.choose(1, asked.b === "none" ? "" : asked.b));

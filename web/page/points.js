@@ -13,6 +13,7 @@ export class PointTools {
   #act;
   #bring_mesh;
   #view = null;
+  #section;
   #says = element("p", { class: "label", id: "points-heading" });
   #set = element("select", { onchange: () => this.#choose_set() });
   #count = element("input", { type: "number", min: 1, max: 5000, step: 1, value: 26, inputmode: "numeric" });
@@ -32,13 +33,14 @@ export class PointTools {
       event.preventDefault();
       this.#scatter();
     };
-    by_id("points").append(
+    this.#section = element("div", {},
       element("h2", {}, "Points"), this.#says,
       element("form", { class: "fields", onsubmit: scatter }, label("Set", this.#set), this.#count_label,
         label("Seed", this.#seed), element("button", { type: "submit", class: "button" }, "Scatter")),
       element("div", { class: "row" }, button("Add", () => this.#command("add_point")), this.#delete,
         button("Reset", () => this.#command("reset_points")), button("Open file…", () => this.#file.click()), this.#file),
       element("div", { class: "coordinates" }, label("Point", this.#point), ...kAxes.map((axis, i) => label(axis, this.#axes[i]))));
+    by_id("points").append(this.#section);
     this.#point.addEventListener("change", () => this.#select());
     for (const field of this.#axes) field.addEventListener("change", () => this.#move());
     this.#file.addEventListener("change", () => {
@@ -49,6 +51,7 @@ export class PointTools {
   }
 
   open(lesson) {
+    this.#section.hidden = lesson.boxes;
     const own = lesson.mesh ? capital(lesson.mesh) : lesson.generate ? capital(lesson.generate) : "The lesson’s own";
     const others = (names, kind, own_name) => names.filter((name) => name !== own_name)
       .map((name) => element("option", { value: `${kind}:${name}` }, capital(name)));

@@ -22,10 +22,10 @@ void check_smallest(const std::string& name, const test::Cloud<Scalar, Dim>& poi
   for (const char* algorithm : {"welzl", "brute_force"}) {
     CAPTURE(algorithm);
     const auto fit = fit::find_algorithm("sphere", algorithm)->fit(set, {});
-    const Rational radius(fit.sphere.radius);
+    const Rational radius(ball_of(fit).radius);
     CHECK(radius * radius >= exact);
-    double size = fit.sphere.radius;
-    for (const auto& p : points) size = std::max(size, static_cast<double>(p.cwiseAbs().maxCoeff()) + fit.sphere.radius);
+    double size = ball_of(fit).radius;
+    for (const auto& p : points) size = std::max(size, static_cast<double>(p.cwiseAbs().maxCoeff()) + ball_of(fit).radius);
     const Rational slack(tolerance::kOptimalityRoundoffs * static_cast<double>(tolerance::kRoundoff<Scalar>) * size);
     const Rational lower = radius - slack;
     CHECK((lower <= 0 || lower * lower <= exact));
@@ -52,14 +52,14 @@ TEST_CASE("the smallest ball is as small as the exact one on random clouds") {
 TEST_CASE("a regular tetrahedron's smallest ball has its four corners as support") {
   const auto set = test::set_of<double, 3>({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}});
   const auto run = welzl().record(set, {});
-  CHECK(run.result.sphere.radius == doctest::Approx(std::sqrt(3.0)).epsilon(1e-15));
-  CHECK(run.result.sphere.center.norm() < 1e-15);
+  CHECK(ball_of(run.result).radius == doctest::Approx(std::sqrt(3.0)).epsilon(1e-15));
+  CHECK(ball_of(run.result).center.norm() < 1e-15);
   CHECK(run.result.support.size() == 4);
 }
 
 TEST_CASE("an obtuse triangle is held by its longest side") {
   const auto run = welzl().record(test::set_of<double, 2>({{-2, 0}, {2, 0}, {0, 1}}), {});
-  CHECK(run.result.sphere.radius == 2);
+  CHECK(ball_of(run.result).radius == 2);
   CHECK(run.result.support.size() == 2);
 }
 

@@ -17,7 +17,7 @@ namespace {
 template <class Scalar, int Dim>
 void check_promises(const std::string& name, const test::Cloud<Scalar, Dim>& points) {
   const AnyPointSet set = test::set_of<Scalar, Dim>(points);
-  for (const Algorithm& algorithm : fit::algorithms()) {
+  for (const Algorithm& algorithm : fit::algorithms_of("sphere")) {
     if (fit::size_of(set) > algorithm.max_points) continue;
     INFO(name << ", " << algorithm.name << ", " << points.size() << " points, dim " << Dim << ", " << sizeof(Scalar) << " bytes");
     const fit::Recording run = algorithm.record(set, {});
@@ -29,12 +29,12 @@ void check_promises(const std::string& name, const test::Cloud<Scalar, Dim>& poi
     CHECK(run.result.support.size() <= Dim + 1);
 
     const fit::Result unwatched = algorithm.fit(set, {});
-    CHECK(unwatched.sphere.center == run.result.sphere.center);
-    CHECK(unwatched.sphere.radius == run.result.sphere.radius);
+    CHECK(ball_of(unwatched).center == ball_of(run.result).center);
+    CHECK(ball_of(unwatched).radius == ball_of(run.result).radius);
 
     REQUIRE(!run.steps.empty());
     CHECK(name_of(run.steps.back().step) == "finished");
-    CHECK(run.steps.back().step.ball.radius == run.result.sphere.radius);
+    CHECK(ball_of(run.steps.back().step)->radius == ball_of(run.result).radius);
     for (const auto& entry : run.steps) REQUIRE(static_cast<std::size_t>(entry.step.line) < algorithm.pseudocode.size());
   }
 }
@@ -104,11 +104,11 @@ TEST_CASE("the order of its points changes the smallest ball by no more than rou
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     auto points = test::generated<double, 3>("gaussian", 60, seed);
     const Algorithm& welzl = *fit::find_algorithm("sphere", "welzl");
-    const double radius = welzl.fit(test::set_of<double, 3>(points), {}).sphere.radius;
+    const double radius = ball_of(welzl.fit(test::set_of<double, 3>(points), {})).radius;
     Random random(seed);
     for (std::size_t i = points.size() - 1; i > 0; --i)
       std::swap(points[i], points[random.below(static_cast<std::uint32_t>(i + 1))]);
-    CHECK(welzl.fit(test::set_of<double, 3>(points), {}).sphere.radius == doctest::Approx(radius).epsilon(1e-15));
+    CHECK(ball_of(welzl.fit(test::set_of<double, 3>(points), {})).radius == doctest::Approx(radius).epsilon(1e-15));
   }
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("Welzl holds no more points on the boundary than Dim + 1, however many
 
 TEST_CASE("every kind of step happens, and reads as JSON with its own name") {
   std::set<std::string_view> seen;
-  for (const Algorithm& algorithm : fit::algorithms())
+  for (const Algorithm& algorithm : fit::algorithms_of("sphere"))
     for (const char* kind : {"gaussian", "lattice", "clusters"})
       for (const int n : {12, 3000}) {
         if (n > algorithm.max_points) continue;
@@ -145,7 +145,7 @@ TEST_CASE("every kind of step happens, and reads as JSON with its own name") {
 
 TEST_CASE("traces have equal hashes for equal seeds, and others for others") {
   const AnyPointSet set = test::set_of<double, 2>(test::generated<double, 2>("gaussian", 50, 3));
-  for (const Algorithm& algorithm : fit::algorithms()) {
+  for (const Algorithm& algorithm : fit::algorithms_of("sphere")) {
     if (fit::size_of(set) > algorithm.max_points) continue;
     const auto hash = [&](std::uint64_t seed) { return fit::hash_of(algorithm.record(set, {seed}).steps); };
     CHECK(hash(1) == hash(1));
@@ -155,7 +155,7 @@ TEST_CASE("traces have equal hashes for equal seeds, and others for others") {
 
 TEST_CASE("counts grow along a trace and end at the whole run's") {
   const AnyPointSet set = test::set_of<double, 3>(test::generated<double, 3>("cube", 200, 3));
-  for (const Algorithm& algorithm : fit::algorithms()) {
+  for (const Algorithm& algorithm : fit::algorithms_of("sphere")) {
     if (fit::size_of(set) > algorithm.max_points) continue;
     const auto run = algorithm.record(set, {});
     OperationCounts before{};
@@ -169,10 +169,10 @@ TEST_CASE("counts grow along a trace and end at the whole run's") {
 }
 
 TEST_CASE("one point is a ball of radius zero, for every algorithm") {
-  for (const Algorithm& algorithm : fit::algorithms()) {
+  for (const Algorithm& algorithm : fit::algorithms_of("sphere")) {
     const auto run = algorithm.record(test::set_of<double, 3>({{1, 2, 3}}), {});
-    CHECK(run.result.sphere.radius == 0);
-    CHECK(run.result.sphere.center == Vector<double, 3>(1, 2, 3));
+    CHECK(ball_of(run.result).radius == 0);
+    CHECK(ball_of(run.result).center == Vector<double, 3>(1, 2, 3));
     CHECK(run.certificate.contains);
   }
 }

@@ -72,7 +72,7 @@ TEST_CASE("each lesson opens on its result, and the first step shows step 1 or a
     Session session = session_of(id);
     CHECK(session.previewing());
     REQUIRE(session.current(0) != nullptr);
-    CHECK(session.current(0)->step.has_ball);
+    CHECK(session.current(0)->step.has_volume);
     CHECK(session.asked() == nullptr);
     session.forward();
     CHECK_FALSE(session.previewing());

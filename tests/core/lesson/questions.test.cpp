@@ -169,7 +169,7 @@ TEST_CASE("points_named is empty just for the facts that name no point") {
       const bool none = fact == "midpoint_found" || fact == "mean_found" || fact == "covariance_found" ||
                         fact == "axes_found" || fact == "ball_shrunk" || fact == "pass_judged" || fact == "all_checked";
       CAPTURE(fact);
-      CHECK(points_named(entry.step).empty() == none);
+      CHECK(points_named(entry.step, 2).empty() == none);
       ++(none ? unnamed : named);
     }
   }

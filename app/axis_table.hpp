@@ -1,0 +1,12 @@
+// The lecture's table of axes: a row each, filled in as they are tested, the one at hand lit.
+#pragma once
+
+#include "app/look.hpp"
+#include "lesson/session.hpp"
+
+namespace snug::app {
+
+/// Draws at a place and returns how high it is. Where a question asks for an axis, a click on its row answers.
+float draw_axis_table(const Look& look, lesson::Session& session, ImVec2 at, float width);
+
+}  // namespace snug::app

@@ -1,0 +1,61 @@
+// A step and a volume of any algorithm, scalar and dimension, for those who only read them: in double and 3-D.
+#pragma once
+
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "fit/obb_steps.hpp"
+#include "fit/sphere_steps.hpp"
+#include "geometry/volume.hpp"
+#include "query/sat_steps.hpp"
+
+namespace snug::fit {
+
+using Sphere3 = Sphere<double, 3>;
+/// A result in double and 3-D, whatever it was computed in; in 2-D z is 0, and a box's third axis is z.
+using Volume3 = Volume<double, 3>;
+
+template <class Known, class... Facts>
+struct AddFacts {
+  using Type = Known;
+};
+template <class... Known, class Fact, class... Facts>
+struct AddFacts<std::variant<Known...>, Fact, Facts...>
+    : AddFacts<std::conditional_t<(std::is_same_v<Known, Fact> || ...), std::variant<Known...>, std::variant<Known..., Fact>>,
+               Facts...> {};
+
+/// A variant of all alternatives of several, each once.
+template <class First, class... Others>
+struct Union {
+  using Type = First;
+};
+template <class First, class... Facts, class... Others>
+struct Union<First, std::variant<Facts...>, Others...>
+    : Union<typename AddFacts<First, Facts...>::Type, Others...> {};
+
+/// Every fact that there is.
+using Fact3 = Union<SphereStep<double, 3>::Fact, ObbStep<double, 3>::Fact, query::SatStep<double, 3>::Fact>::Type;
+
+struct Step3 {
+  using Fact = Fact3;
+  int line = 0;             // of the algorithm's pseudocode, counted from 0
+  bool has_volume = false;  // whether there is a volume yet
+  Volume3 volume;           // as it stands after this step
+  Fact fact;
+};
+
+/// What an algorithm comes to. volume: of a known kind where ball_of is asked.
+struct Result {
+  Volume3 volume;
+  std::vector<Index> support;
+};
+
+[[nodiscard]] inline const Sphere3& ball_of(const Result& result) { return *std::get_if<Sphere3>(&result.volume); }
+
+/// Null where it is none, or there is none yet.
+[[nodiscard]] inline const Sphere3* ball_of(const Step3& step) {
+  return step.has_volume ? std::get_if<Sphere3>(&step.volume) : nullptr;
+}
+
+}  // namespace snug::fit
