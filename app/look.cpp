@@ -89,7 +89,7 @@ float paragraph(ImDrawList* list, const Look& look, Face face, float size, float
 
 void apply_style(const Look& look) {
   ImGuiStyle& style = ImGui::GetStyle();
-  style.CircleTessellationMaxError = 0.1f;  // of a page pixel: HiDPI shows the corners of the default 0.3
+  style.CircleTessellationMaxError = 0.2f / std::max(1.0f, ImGui::GetIO().DisplayFramebufferScale.x);  // 0.2 device pixels
   style.WindowPadding = {0, 0};
   style.WindowBorderSize = 0;
   style.WindowRounding = 0;

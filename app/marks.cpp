@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kDotPitch = 6.5f, kDash = 8, kDashGap = 5, kLongDash = 22, kLongGap = 7;  // page pixels at a width of 2
-constexpr float kFlat = 0.06f;                              // page pixels
+constexpr float kFlat = 0.1f;                               // device pixels
 constexpr std::size_t kMostParts = 4000;                    // of one patterned path
 
 bool near_clip(const ImDrawList* list, ImVec2 p, float reach) {
@@ -85,7 +85,8 @@ void circle(ImDrawList* list, ImVec2 center, float radius, Stroke stroke, Color 
     from = towards - half, to = towards + half;
   }
   // Chords leave the arc by at most kFlat: more of them would be so many triangles without a difference.
-  const int count = std::clamp(static_cast<int>((to - from) / 2 * std::sqrt(radius / (2 * kFlat))), 24, 512);
+  const float flat = kFlat / std::max(1.0f, ImGui::GetIO().DisplayFramebufferScale.x);
+  const int count = std::clamp(static_cast<int>((to - from) / 2 * std::sqrt(radius / (2 * flat))), 24, 512);
   std::vector<ImVec2> points(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     const float angle = from + (to - from) * static_cast<float>(i) / static_cast<float>(part ? count - 1 : count);
@@ -153,8 +154,8 @@ void hatching(ImDrawList* list, ImVec2 center, float radius, Color color) {
 
 void halo_text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, Color halo,
                std::string_view words) {
-  constexpr std::array<ImVec2, 4> kAround{ImVec2{-1.6f, -1.4f}, {1.6f, -1.4f}, {-1.6f, 1.4f}, {1.6f, 1.4f}};
-  for (const ImVec2 off : kAround) text(list, look, face, size, {at.x + off.x, at.y + off.y}, with_alpha(halo, 0.8f), words);
+  constexpr std::array<ImVec2, 8> kAround{ImVec2{-2, 0}, {2, 0}, {0, -2}, {0, 2}, {-1.5f, -1.5f}, {1.5f, -1.5f}, {-1.5f, 1.5f}, {1.5f, 1.5f}};
+  for (const ImVec2 off : kAround) text(list, look, face, size, {at.x + off.x, at.y + off.y}, with_alpha(halo, 0.7f), words);
   text(list, look, face, size, at, color, words);
 }
 
