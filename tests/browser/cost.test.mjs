@@ -15,6 +15,33 @@ test("a first view is at most 700 kB on the wire", async (t) => {
   assert.ok(total <= 700_000, `${total} bytes`);
 });
 
+test("no layer nearly as large as the canvas is drawn over it", async (t) => {
+  const page = await visit(t);
+  const inspector = await page.context().newCDPSession(page);
+  let layers = [];
+  inspector.on("LayerTree.layerTreeDidChange", (event) => (layers = event.layers ?? layers));
+  await inspector.send("DOM.enable");
+  await inspector.send("LayerTree.enable");
+  const box = await page.locator("#canvas").boundingBox();
+  const place = ({ transform, offsetX, offsetY }) => ({ x: offsetX + (transform?.[12] ?? 0), y: offsetY + (transform?.[13] ?? 0) });
+  const is_canvas = (layer) => layer.width === box.width && layer.height === box.height && place(layer).x === box.x;
+  for (let tries = 0; tries < 50 && !layers.some(is_canvas); ++tries) {
+    await page.mouse.move(box.x + 200 + tries, box.y + 200); // layers are told as the page draws
+    await page.waitForTimeout(100);
+  }
+  const canvas = layers.findIndex(is_canvas);
+  assert.ok(canvas >= 0, `the canvas is among ${layers.length} layers`);
+  const covered = layers.slice(canvas + 1).filter((layer) => layer.drawsContent).map((layer) => {
+    const { x, y } = place(layer);
+    const across = Math.min(x + layer.width, box.x + box.width) - Math.max(x, box.x);
+    const down = Math.min(y + layer.height, box.y + box.height) - Math.max(y, box.y);
+    return Math.max(0, across) * Math.max(0, down);
+  });
+  const share = covered.reduce((sum, area) => sum + area, 0) / (box.width * box.height);
+  t.diagnostic(`${(100 * share).toFixed(1)} % of the canvas`);
+  assert.ok(share > 0 && share < 0.1, `${(100 * share).toFixed(0)} % of it`);
+});
+
 /** Drags a handle round and round for two seconds of frames. */
 async function drag_around(t, page) {
   await still(page);
