@@ -91,6 +91,10 @@ class ObbFrames {
     return {kind, i, j, direction, gap / length};
   }
 
+  /// The corners that reach farthest in a direction, one bit each.
+  [[nodiscard]] int corners_of_a(const Vector<Scalar, Dim>& way) const { return corners_towards(a_, way); }
+  [[nodiscard]] int corners_of_b(const Vector<Scalar, Dim>& way) const { return corners_towards(b_, way); }
+
   /// Whether one of the axes that are in doubt separates the boxes, and which. The others were found not to, by more than
   /// the axes of parallel edges could change. So those alone are no matter; but beside others in doubt they are looked at,
   /// for they may be parallel within rounding only.
@@ -102,6 +106,20 @@ class ObbFrames {
 
  private:
   using Direction = Vector<Scalar, Dim>;
+
+  /// Where an edge or a face reaches farthest within rounding, all of its corners.
+  [[nodiscard]] int corners_towards(const Obb<Scalar, Dim>& box, const Direction& way) const {
+    int corners = 0;
+    for (int bits = 0; bits < 1 << Dim; ++bits) {
+      bool farthest = true;
+      for (int axis = 0; axis < Dim; ++axis) {
+        const Scalar reach = box.axes.col(axis).dot(way) * box.half_extents[axis];
+        farthest = farthest && (std::abs(reach) <= doubt_ || (reach > 0) == ((bits >> axis & 1) != 0));
+      }
+      if (farthest) corners |= 1 << bits;
+    }
+    return corners;
+  }
 
   template <int... kPlace, class Visit>
   [[gnu::always_inline]] bool any_axis(std::integer_sequence<int, kPlace...>, Visit& visit) {
@@ -219,6 +237,8 @@ class ObbSat {
       fact.radius_b = radius_b / fact.length;
       fact.doubt = frames_.doubt() / fact.length;
       fact.separates = gap > frames_.doubt();
+      fact.near_a = frames_.corners_of_a(fact.axis.direction);
+      fact.near_b = frames_.corners_of_b(-fact.axis.direction);
     }
     const int line = place < Dim ? Line::kFaceA : place < 2 * Dim ? Line::kFaceB : fact.skipped ? Line::kParallel : Line::kEdges;
     observe_(Step{line, fact});

@@ -1,0 +1,50 @@
+// A test that is wrong, kept for those who would invent it: boxes overlap where a corner of one lies in the other.
+// It never calls boxes overlapping that are apart, but it calls boxes apart that cross with every corner free.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "query/contains.hpp"
+#include "query/random_boxes.hpp"
+#include "query/wrong_steps.hpp"
+#include "trace/observer.hpp"
+
+namespace snug::query {
+
+inline constexpr std::array<std::string_view, 4> kCornersOnlyPseudocode{
+    "for each corner of A and of B",
+    "  is it in the other box?",
+    "  then overlap",
+    "apart (wrong where boxes cross)",
+};
+
+/// What the corners say. a, b: as of obb_sat.
+template <class Scalar, int Dim, StepObserver<WrongStep> Observer = Ignore>
+bool corners_only(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer&& observe = {}) {
+  for (int box = 0; box < 2; ++box) {
+    const Obb<Scalar, Dim>& own = box == 0 ? a : b;
+    for (int bits = 0; bits < 1 << Dim; ++bits) {
+      Vector<Scalar, Dim> corner = own.center;
+      for (int axis = 0; axis < Dim; ++axis)
+        corner += own.axes.col(axis) * ((bits >> axis & 1) != 0 ? own.half_extents[axis] : -own.half_extents[axis]);
+      const bool inside = contains(box == 0 ? b : a, corner);
+      observe.count(Operation::kDotProducts, Dim);
+      if constexpr (kWatched<Observer>) observe(WrongStep{1, CornerTried{box, bits, inside}});
+      if (!inside) continue;
+      observe(WrongStep{2, Claimed{true}});
+      return true;
+    }
+  }
+  observe(WrongStep{3, Claimed{false}});
+  return false;
+}
+
+/// A pair that overlaps with every corner free; none in that many tries.
+template <class Scalar, int Dim>
+[[nodiscard]] std::optional<CounterExample<Scalar, Dim>> against_corners_only(std::uint64_t seed, int tries) {
+  return find_boxes<Scalar, Dim>(seed, tries, [](const auto& a, const auto& b, bool overlap) { return overlap && !corners_only(a, b); });
+}
+
+}  // namespace snug::query

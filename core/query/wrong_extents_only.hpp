@@ -1,0 +1,47 @@
+// A test that is wrong, kept for those who would invent it: boxes overlap where their upright outlines do.
+// It never calls overlapping boxes apart, but it calls boxes overlapping that are apart.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "query/random_boxes.hpp"
+#include "query/wrong_steps.hpp"
+#include "trace/observer.hpp"
+
+namespace snug::query {
+
+inline constexpr std::array<std::string_view, 3> kExtentsOnlyPseudocode{
+    "for each coordinate axis",
+    "  apart if the outlines do not meet",
+    "overlap (wrong where corners are empty)",
+};
+
+/// What the outlines say. a, b: as of obb_sat.
+template <class Scalar, int Dim, StepObserver<WrongStep> Observer = Ignore>
+bool extents_only(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer&& observe = {}) {
+  const Vector<Scalar, Dim> half_a = a.axes.cwiseAbs() * a.half_extents, half_b = b.axes.cwiseAbs() * b.half_extents;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const bool apart = std::abs(b.center[axis] - a.center[axis]) > half_a[axis] + half_b[axis];
+    observe.count(Operation::kComparisons, 1);
+    if constexpr (kWatched<Observer>)
+      observe(WrongStep{1, OutlinesCompared{axis, static_cast<double>(a.center[axis] - half_a[axis]),
+                                            static_cast<double>(a.center[axis] + half_a[axis]),
+                                            static_cast<double>(b.center[axis] - half_b[axis]),
+                                            static_cast<double>(b.center[axis] + half_b[axis]), apart}});
+    if (!apart) continue;
+    observe(WrongStep{1, Claimed{false}});
+    return false;
+  }
+  observe(WrongStep{2, Claimed{true}});
+  return true;
+}
+
+/// A pair that is apart though the outlines meet; none in that many tries.
+template <class Scalar, int Dim>
+[[nodiscard]] std::optional<CounterExample<Scalar, Dim>> against_extents_only(std::uint64_t seed, int tries) {
+  return find_boxes<Scalar, Dim>(seed, tries, [](const auto& a, const auto& b, bool overlap) { return !overlap && extents_only(a, b); });
+}
+
+}  // namespace snug::query
