@@ -59,6 +59,9 @@ class Calipers {
     return best;
   }
 
+  /// Of the lengths in a CalipersRectangle: 2 to this power, scene units.
+  [[nodiscard]] int unit() const { return unit_; }
+
   /// The first axis along the edge.
   [[nodiscard]] Matrix<double, 2> axes(const CalipersRectangle& at) const {
     return frame(Vector<double, 2>(point(at.on + 1) - point(at.on)));
