@@ -190,4 +190,13 @@ inline constexpr double kBoxProof = 64 * kRoundoff<double>;
 /// The turn of a box's two axes together, in radians, up to which a stretch of boxes counts as one. Held by the same.
 inline constexpr double kSameTurn = 16 * kRoundoff<double>;
 
+/// How far from a box's face a point that holds it may lie, in units of u * (largest coordinate): the centre is rounded, which
+/// moves it sqrt(3)u, and was set by projections that carry 16u; as seen again they carry as much. A length measured for the
+/// proof that the box is smallest may be off by twice that. Held by "box fitters keep their promises".
+inline constexpr double kBoxBoundaryRoundoffs = 64;
+
+/// How rough a box's axes and a lozenge's edges may be as people and programs write them down: each dot product of unit
+/// axes is off by no more. Eight times what entries rounded to float, or to seven digits, come to; no fault of a hand.
+inline constexpr double kAxesAsGiven = 0x1p-20;
+
 }  // namespace snug::tolerance

@@ -5,15 +5,21 @@
 namespace snug::query {
 
 template class Gjk<Ignore>;
+SNUG_GJK(float, 2)
+SNUG_GJK(float, 3)
+SNUG_GJK(double, 2)
+SNUG_GJK(double, 3)
 
-ScaledCores scaled_cores(Corners<3> a, double radius_a, Corners<3> b, double radius_b) {
-  double largest = std::max(radius_a, radius_b);
-  for (const Corners<3>* corners : {&a, &b})
-    for (const auto& corner : *corners) largest = std::max(largest, corner.cwiseAbs().maxCoeff());
+double scale_to_unit(GrownCore& a, GrownCore& b) {
+  double largest = std::max(a.radius, b.radius);
+  for (const GrownCore* core : {&a, &b})
+    for (const auto& corner : core->corners) largest = std::max(largest, corner.cwiseAbs().maxCoeff());
   const double unit = power_of_two_above(largest);
-  for (Corners<3>* corners : {&a, &b})
-    for (auto& corner : *corners) corner *= 1 / unit;
-  return {std::move(a), std::move(b), radius_a / unit, radius_b / unit, unit};
+  for (GrownCore* core : {&a, &b}) {
+    core->radius /= unit;
+    for (auto& corner : core->corners) corner *= 1 / unit;
+  }
+  return unit;
 }
 
 }  // namespace snug::query

@@ -86,7 +86,7 @@ class Gjk {
   double most = 0;    // these two are that near
   Point on_a = Point::Zero(), on_b = Point::Zero();
   Point direction = Point::Zero();  // unit, from a to b: the one that proves least
-  int supports = 0;
+  int turns = 0;  // simplices looked at
 
   /// Until the bounds meet or, where that is enough, until both are on one side of a threshold.
   void run(std::optional<double> threshold) {
@@ -161,6 +161,7 @@ class Gjk {
     }
     v_ = {rounded(nearest.point.x), rounded(nearest.point.y), rounded(nearest.point.z)};
     most = v_.norm();
+    ++turns;
     if constexpr (kWatched<Observer>) observe_(GjkStep{3, nearest_found()});
   }
 
@@ -170,7 +171,6 @@ class Gjk {
     const Pair pair{farthest_corner<3>(a_, -n), farthest_corner<3>(b_, n)};
     const double gap = a_[pair.a].dot(n) - b_[pair.b].dot(n);
     if (gap > least) least = gap, direction = -n;
-    ++supports;
     observe_.count(Operation::kDotProducts, static_cast<std::int64_t>(a_.size() + b_.size()));
     if constexpr (kWatched<Observer>)
       observe_(GjkStep{5, SupportFound{static_cast<Index>(pair.a), static_cast<Index>(pair.b), gap * scene_}});
@@ -206,54 +206,63 @@ struct Separation {
   Vector<Scalar, Dim> direction = Vector<Scalar, Dim>::Zero();  // unit, from a to b; zero where they overlap
   Vector<Scalar, Dim> on_a = Vector<Scalar, Dim>::Zero();       // the nearest points, where apart
   Vector<Scalar, Dim> on_b = Vector<Scalar, Dim>::Zero();
-  int supports = 0;              // how often supporting corners were asked for
+  int turns = 0;                 // simplices looked at
 };
 
-/// Both cores in space, around a point between both, in a unit that lets coordinates and radii be at most 1.
-struct ScaledCores {
-  Corners<3> a, b;
-  double radius_a = 0, radius_b = 0;
-  double unit = 1;  // a power of two, scene units
+/// A volume as GJK sees it: the convex hull of corners in space, relative to some origin, grown by a radius.
+struct GrownCore {
+  Corners<3> corners;
+  double radius = 0;
 };
 
-template <int Dim>
-[[nodiscard]] Corners<3> in_space(const Corners<Dim>& corners) {
-  Corners<3> result(corners.size(), Vector<double, 3>::Zero());
-  for (std::size_t i = 0; i < corners.size(); ++i) result[i].template head<Dim>() = corners[i];
+template <template <class, int> class Volume, class Scalar, int Dim>
+[[nodiscard]] GrownCore grown_core(const Volume<Scalar, Dim>& volume, const Vector<Scalar, Dim>& origin) {
+  const Corners<Dim> corners = core_corners(volume, origin);
+  GrownCore core{Corners<3>(corners.size(), Vector<double, 3>::Zero()), static_cast<double>(core_radius(volume))};
+  for (std::size_t i = 0; i < corners.size(); ++i) core.corners[i].template head<Dim>() = corners[i];
+  return core;
+}
+
+/// Divides both cores by a power of two, which is returned, so that coordinates and radii are at most 1.
+double scale_to_unit(GrownCore& a, GrownCore& b);
+
+/// The distance of two cores around an origin, in scene units. Nothing where one is empty.
+template <class Scalar, int Dim, class Observer>
+std::optional<Separation<Scalar, Dim>> separation_of(GrownCore a, GrownCore b, const Vector<Scalar, Dim>& origin,
+                                                     bool only_whether, Observer& observe) {
+  if (a.corners.empty() || b.corners.empty()) return std::nullopt;
+  const double unit = scale_to_unit(a, b);
+  const double radii = a.radius + b.radius;
+  const double touching = radii + static_cast<double>(tolerance::kTouching<Scalar>);
+  Gjk<Observer> run(a.corners, b.corners, unit, observe);
+  run.run(only_whether ? std::optional(touching) : std::nullopt);
+
+  Separation<Scalar, Dim> result{.overlap = run.least <= touching, .turns = run.turns};
+  if (result.overlap) return result;
+  const auto in_scene = [&](const Vector<double, 3>& p) {
+    const Vector<double, Dim> moved = origin.template cast<double>() + p.template head<Dim>() * unit;
+    return Vector<Scalar, Dim>(moved.template cast<Scalar>());
+  };
+  result.distance = static_cast<Scalar>((run.most - radii) * unit);
+  result.gap = static_cast<Scalar>((run.least - radii) * unit);
+  result.direction = run.direction.template head<Dim>().template cast<Scalar>();
+  result.on_a = in_scene(run.on_a + a.radius * run.direction);
+  result.on_b = in_scene(run.on_b - b.radius * run.direction);
   return result;
 }
 
-/// radius_a, radius_b: in scene units, as a and b are.
-[[nodiscard]] ScaledCores scaled_cores(Corners<3> a, double radius_a, Corners<3> b, double radius_b);
+#define SNUG_GJK(Scalar, Dim)                                                                                          \
+  template std::optional<Separation<Scalar, Dim>> separation_of(GrownCore, GrownCore, const Vector<Scalar, Dim>&, bool, \
+                                                                Ignore&);
+extern SNUG_GJK(float, 2) extern SNUG_GJK(float, 3) extern SNUG_GJK(double, 2) extern SNUG_GJK(double, 3)
 
 /// The distance of two volumes. Nothing where one is empty. only_whether: the answer's overlap is wanted, and no more.
 template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim,
           StepObserver<GjkStep> Observer = Ignore>
 [[nodiscard]] std::optional<Separation<Scalar, Dim>> gjk(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b,
                                                          bool only_whether = false, Observer&& observe = {}) {
-  const Vector<Scalar, Dim> origin = anchor(a) / 2 + anchor(b) / 2;
-  Corners<3> corners_a = in_space<Dim>(core_corners(a, origin));
-  Corners<3> corners_b = in_space<Dim>(core_corners(b, origin));
-  if (corners_a.empty() || corners_b.empty()) return std::nullopt;
-  const ScaledCores cores = scaled_cores(std::move(corners_a), static_cast<double>(core_radius(a)), std::move(corners_b),
-                                         static_cast<double>(core_radius(b)));
-  const double radii = cores.radius_a + cores.radius_b;
-  const double touching = radii + static_cast<double>(tolerance::kTouching<Scalar>);
-  Gjk<std::remove_reference_t<Observer>> run(cores.a, cores.b, cores.unit, observe);
-  run.run(only_whether ? std::optional(touching) : std::nullopt);
-
-  Separation<Scalar, Dim> result{.overlap = run.least <= touching, .supports = run.supports};
-  if (result.overlap) return result;
-  const auto scene = [&](const Vector<double, 3>& p) {
-    const Vector<double, Dim> moved = origin.template cast<double>() + p.template head<Dim>() * cores.unit;
-    return Vector<Scalar, Dim>(moved.template cast<Scalar>());
-  };
-  result.distance = static_cast<Scalar>((run.most - radii) * cores.unit);
-  result.gap = static_cast<Scalar>((run.least - radii) * cores.unit);
-  result.direction = run.direction.template head<Dim>().template cast<Scalar>();
-  result.on_a = scene(run.on_a + cores.radius_a * run.direction);
-  result.on_b = scene(run.on_b - cores.radius_b * run.direction);
-  return result;
+  const Vector<Scalar, Dim> origin = anchor(a) / 2 + anchor(b) / 2;  // the same whichever is first
+  return separation_of<Scalar, Dim>(grown_core(a, origin), grown_core(b, origin), origin, only_whether, observe);
 }
 
 }  // namespace snug::query

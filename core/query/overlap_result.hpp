@@ -22,7 +22,7 @@ struct OverlapResult {
   bool overlap = false;
   std::optional<Scalar> distance;  // 0 where they overlap; none where the test does not find it (see kPairTests)
   std::optional<SeparatingAxis<Scalar, Dim>> separating_axis;  // none where they overlap, or where one is empty
-  int tests = 0;  // axes tried, pairs of features compared, or supporting points asked for
+  int tests = 0;  // axes tried, pairs of features compared, simplices of GJK
 };
 
 /// The same answer, the other volume named first.

@@ -25,7 +25,7 @@ template <class A, class B>
   if (!separation) return result;
   result.overlap = separation->overlap;
   result.distance = separation->distance;
-  result.tests = separation->supports;
+  result.tests = separation->turns;
   if (!result.overlap) result.separating_axis = {"closest_points", separation->direction, separation->gap};
   return result;
 }
