@@ -47,15 +47,29 @@ struct Pose {
   Vector<Scalar, Dim> translation = Vector<Scalar, Dim>::Zero();
 };
 
-/// rotation * p, each coordinate summed from the first column to the last, each operation rounded. What is proven of
+/// Coordinate i of rotation * p, summed from the first column to the last, each operation rounded. What is proven of
 /// updates (fit/update_*.hpp) rests on this order.
+template <class Scalar, int Dim>
+[[nodiscard]] Scalar turned_coordinate(const Matrix<Scalar, Dim>& rotation, int i, const Vector<Scalar, Dim>& p) {
+  Scalar sum = rotation(i, 0) * p[0];
+  for (int j = 1; j < Dim; ++j) sum += rotation(i, j) * p[j];
+  return sum;
+}
+
 template <class Scalar, int Dim>
 [[nodiscard]] Vector<Scalar, Dim> turned(const Matrix<Scalar, Dim>& rotation, const Vector<Scalar, Dim>& p) {
   Vector<Scalar, Dim> result;
+  for (int i = 0; i < Dim; ++i) result[i] = turned_coordinate<Scalar, Dim>(rotation, i, p);
+  return result;
+}
+
+/// The same by the transpose of the rotation: its way back.
+template <class Scalar, int Dim>
+[[nodiscard]] Vector<Scalar, Dim> turned_back(const Matrix<Scalar, Dim>& rotation, const Vector<Scalar, Dim>& p) {
+  Vector<Scalar, Dim> result;
   for (int i = 0; i < Dim; ++i) {
-    Scalar sum = rotation(i, 0) * p[0];
-    for (int j = 1; j < Dim; ++j) sum += rotation(i, j) * p[j];
-    result[i] = sum;
+    result[i] = rotation(0, i) * p[0];
+    for (int j = 1; j < Dim; ++j) result[i] += rotation(j, i) * p[j];
   }
   return result;
 }

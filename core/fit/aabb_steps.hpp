@@ -1,0 +1,22 @@
+// The steps of the axis-aligned box's fitter.
+#pragma once
+
+#include <string_view>
+
+#include "fit/facts.hpp"
+#include "fit/fit.hpp"
+#include "geometry/aabb.hpp"
+
+namespace snug::fit {
+
+/// The box was widened to the point. The first point is a box by itself.
+struct BoxWidened {
+  static constexpr std::string_view kName = "box_widened";
+  Index point = kNoIndex;
+  void fields(auto&& see) const { see("point", point); }
+};
+
+template <class Scalar, int Dim>
+using AabbStep = Step<Aabb<Scalar, Dim>, BoxWidened, ExtremesFound<Scalar, Dim>, Finished>;
+
+}  // namespace snug::fit

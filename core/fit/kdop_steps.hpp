@@ -1,0 +1,27 @@
+// The steps of the k-DOP's fitter.
+#pragma once
+
+#include <string_view>
+
+#include "fit/facts.hpp"
+#include "fit/fit.hpp"
+#include "geometry/kdop.hpp"
+
+namespace snug::fit {
+
+/// The points that reach farthest along an axis of the k-DOP, whose place among its axes is slab; min and max: its bounds,
+/// in scene units times the length of the axis.
+struct SlabFound {
+  static constexpr std::string_view kName = "slab_found";
+  int slab = 0;
+  Index least = kNoIndex, greatest = kNoIndex;
+  double min = 0, max = 0;
+  void fields(auto&& see) const {
+    see("slab", slab), see("least", least), see("greatest", greatest), see("min", min), see("max", max);
+  }
+};
+
+template <class Scalar, int Dim>
+using KdopStep = Step<Kdop<Scalar, Dim>, SlabFound, Finished>;
+
+}  // namespace snug::fit

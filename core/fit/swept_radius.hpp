@@ -1,0 +1,131 @@
+// The radius with which a capsule or a lozenge holds every point: what their fitters end with.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "geometry/capsule.hpp"
+#include "geometry/lozenge.hpp"
+#include "geometry/point_set.hpp"
+#include "geometry/tolerance.hpp"
+#include "query/contains.hpp"
+
+namespace snug::fit {
+
+/// What the sphere is swept over, a segment or a rectangle, in double.
+template <int Dim>
+class SweptCore {
+ public:
+  template <class Scalar>
+  explicit SweptCore(const Capsule<Scalar, Dim>& capsule)
+      : SweptCore(capsule.a.template cast<double>(),
+                  capsule.b.template cast<double>() - capsule.a.template cast<double>(), Vector<double, Dim>::Zero()) {}
+  template <class Scalar>
+  explicit SweptCore(const Lozenge<Scalar, Dim>& lozenge)
+      : SweptCore(lozenge.origin.template cast<double>(), lozenge.edges[0].template cast<double>(),
+                  lozenge.edges[1].template cast<double>()) {}
+
+  /// From the nearest place of it to the point, within kSweptDistance of that distance and twice the size.
+  [[nodiscard]] double distance(const Vector<double, Dim>& point) const {
+    Vector<double, Dim> rest = point - origin_;
+    for (const Edge& edge : edges_) rest -= edge.share(rest) * edge.whole;
+    return scaled_norm<double, Dim>(rest);
+  }
+  /// Its edges' lengths, summed.
+  [[nodiscard]] double size() const {
+    return scaled_norm<double, Dim>(edges_[0].whole) + scaled_norm<double, Dim>(edges_[1].whole);
+  }
+
+ private:
+  /// With a copy between 1 and 2 in size, whose square is sound.
+  struct Edge {
+    Vector<double, Dim> whole, scaled;
+    double scale, square;
+
+    explicit Edge(const Vector<double, Dim>& edge) : whole(edge) {
+      const double largest = edge.cwiseAbs().maxCoeff();
+      scale = largest > 0 ? std::ldexp(1.0, -std::max(std::ilogb(largest), -1022)) : 1;
+      scaled = edge * scale;
+      square = scaled.squaredNorm();
+    }
+    /// Where along it the foot of a perpendicular from v stands: 0 at its start, 1 at its end and past it.
+    [[nodiscard]] double share(const Vector<double, Dim>& v) const {
+      if (square == 0) return 0;
+      const Vector<double, Dim> magnified = v * scale;
+      if (!magnified.allFinite()) return 0;  // beside so long a v the edge is nothing
+      return std::clamp(magnified.dot(scaled) / square, 0.0, 1.0);
+    }
+  };
+
+  SweptCore(const Vector<double, Dim>& origin, const Vector<double, Dim>& edge, const Vector<double, Dim>& other)
+      : origin_(origin), edges_{Edge(edge), Edge(other)} {}
+
+  Vector<double, Dim> origin_;
+  std::array<Edge, 2> edges_;
+};
+
+/// The largest size that a swept sphere's computation over the points sees: what its roundings are relative to.
+template <class VolumeType, class Scalar, int Dim>
+[[nodiscard]] double swept_size(const VolumeType& volume, PointSpan<Scalar, Dim> points) {
+  Scalar largest = 0;
+  for (const auto& p : points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return static_cast<double>(largest) + static_cast<double>(volume.radius) + SweptCore<Dim>(volume).size();
+}
+
+/// Whether the point lies on the boundary, within rounding. size: swept_size.
+template <class VolumeType, class Scalar, int Dim>
+[[nodiscard]] bool touches(const VolumeType& volume, const Vector<Scalar, Dim>& point, double size) {
+  const double distance = SweptCore<Dim>(volume).distance(point.template cast<double>());
+  return std::abs(distance - static_cast<double>(volume.radius)) <=
+         tolerance::kSweptBoundaryRoundoffs * tolerance::roundoff<Scalar>(size);
+}
+
+struct SweptRadius {
+  Index farthest = 0;    // the point farthest from the core
+  bool widened = false;  // whether rounding had left a point outside
+};
+
+// Up to this many points near the boundary are decided exactly; with more, the radius is widened by its error bound.
+inline constexpr std::size_t kSweptCandidates = 1024;
+
+/// Widens the radius until the volume holds the point. The steps double, for a radius of nearly 0 has far to go in its own
+/// last digits; they start at one of those, or at what is nothing beside the doubt.
+template <class VolumeType, class Scalar, int Dim>
+bool widen_swept(VolumeType& volume, const Vector<Scalar, Dim>& point, Scalar least_step) {
+  constexpr Scalar kMost = std::numeric_limits<Scalar>::max();
+  Scalar step = std::max(std::nextafter(volume.radius, kMost) - volume.radius, least_step);
+  bool widened = false;
+  for (; !query::contains(volume, point); step *= 2, widened = true) volume.radius += step;
+  return widened;
+}
+
+/// Sets the radius to the least, but for rounding, with which the volume holds every point in exact arithmetic. Two passes.
+template <class VolumeType, class Scalar, int Dim>
+SweptRadius hold_all(VolumeType& volume, PointSpan<Scalar, Dim> points) {
+  const SweptCore<Dim> core(volume);
+  std::vector<double> distances;
+  distances.reserve(static_cast<std::size_t>(points.size()));
+  for (const auto& p : points) distances.push_back(core.distance(p.template cast<double>()));
+  const auto most = std::max_element(distances.begin(), distances.end());
+  SweptRadius result{static_cast<Index>(most - distances.begin()), false};
+
+  const double doubt = tolerance::kSweptDistance * (*most + 2 * core.size()) + 16 * std::numeric_limits<double>::denorm_min();
+  volume.radius = static_cast<Scalar>(*most);
+  std::vector<Index> candidates;
+  for (Index i = 0; i < points.size(); ++i)
+    if (distances[static_cast<std::size_t>(i)] + doubt >= static_cast<double>(volume.radius)) candidates.push_back(i);
+  if (candidates.size() > kSweptCandidates) {
+    const Scalar bound = static_cast<Scalar>(*most + doubt);
+    volume.radius = std::nextafter(bound, std::numeric_limits<Scalar>::max());
+    return {result.farthest, true};
+  }
+  const auto least_step = static_cast<Scalar>(doubt * tolerance::kRoundoff<Scalar>);
+  for (const Index i : candidates)
+    if (widen_swept<VolumeType, Scalar, Dim>(volume, points[i], least_step)) result.widened = true;
+  return result;
+}
+
+}  // namespace snug::fit

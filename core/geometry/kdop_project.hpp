@@ -1,0 +1,50 @@
+// Projections onto the axes of k-DOPs, exact but for one rounding away from the inside.
+#pragma once
+
+#include <array>
+
+#include "geometry/kdop.hpp"
+#include "geometry/outward.hpp"
+
+namespace snug {
+
+/// p . axis, each sum rounded.
+template <class Scalar, int Dim>
+[[nodiscard]] Scalar project(const std::array<int, static_cast<std::size_t>(Dim)>& axis, const Vector<Scalar, Dim>& p) {
+  Scalar sum = 0;
+  for (int i = 0; i < Dim; ++i) sum += static_cast<Scalar>(axis[static_cast<std::size_t>(i)]) * p[i];
+  return sum;
+}
+
+/// The least Scalar that is not below p . axis. p: finite, and small enough that the sum of its coordinates is.
+template <class Scalar, int Dim>
+[[nodiscard]] Scalar project_up(const std::array<int, static_cast<std::size_t>(Dim)>& axis, const Vector<Scalar, Dim>& p) {
+  const auto term = [&](int i) { return static_cast<Scalar>(axis[static_cast<std::size_t>(i)]) * p[i]; };
+  if constexpr (Dim == 2) return sum_up<Scalar>(term(0), term(1));
+  else return sum_up<Scalar>(term(0), term(1), term(2));
+}
+
+/// The greatest Scalar that is not above p . axis. p: as above.
+template <class Scalar, int Dim>
+[[nodiscard]] Scalar project_down(const std::array<int, static_cast<std::size_t>(Dim)>& axis, const Vector<Scalar, Dim>& p) {
+  return 0 - project_up<Scalar, Dim>(axis, -p);  // not -0
+}
+
+/// The k-DOP's slabs from one on are as wide as the coordinate slabs, its first Dim, let them be: what it is before they
+/// are known. kdop.k: one of the known.
+template <class Scalar, int Dim>
+void imply_slabs(Kdop<Scalar, Dim>& kdop, std::size_t from) {
+  const auto axes = kdop_axes<Dim>(kdop.k);
+  for (std::size_t slab = from; slab < axes.size(); ++slab) {
+    Vector<Scalar, Dim> least, greatest;  // the corners of the box that reach farthest
+    for (std::size_t i = 0; i < Dim; ++i) {
+      const bool along = axes[slab][i] >= 0;
+      least[static_cast<int>(i)] = along ? kdop.min[i] : kdop.max[i];
+      greatest[static_cast<int>(i)] = along ? kdop.max[i] : kdop.min[i];
+    }
+    kdop.min[slab] = project_down<Scalar, Dim>(axes[slab], least);
+    kdop.max[slab] = project_up<Scalar, Dim>(axes[slab], greatest);
+  }
+}
+
+}  // namespace snug
