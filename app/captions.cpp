@@ -215,6 +215,68 @@ struct Sayer {
            counted(fact.pairs, "second edge") + ".";
   }
 
+  std::string operator()(const fit::BoxWidened& fact) const { return point_name(fact.point) + " lies outside the box so far, which widens to it."; }
+
+  std::string operator()(const fit::LineFound& fact) const {
+    return "The line along the main axis that lies closest to all points is held by " + name_of_points(fact.support) + ", at " + number_text(fact.radius) + ".";
+  }
+
+  std::string operator()(const fit::EndPulledIn& fact) const {
+    return std::string(fact.end == 0 ? "The first" : "The second") + " end is pulled in by " + number_text(fact.by) + ", until its cap touches " + point_name(fact.point) + ".";
+  }
+
+  std::string operator()(const fit::ThicknessFound& fact) const {
+    return "Where the points are thinnest their half is the radius, " + number_text(fact.radius) + ".";
+  }
+
+  std::string operator()(const fit::SidePulledIn& fact) const {
+    return "Side " + std::to_string(fact.side + 1) + " of the rectangle is pulled in by " + number_text(fact.by) + ", until " + point_name(fact.point) + " is touched.";
+  }
+
+  std::string operator()(const fit::CornerMovedOut& fact) const {
+    return point_name(fact.point) + " lies past a corner, which moves out to it.";
+  }
+
+  std::string operator()(const fit::SlabFound& fact) const {
+    return "Slab " + std::to_string(fact.slab + 1) + " lies between " + point_name(fact.least) + " and " + point_name(fact.greatest) + ", the extremes along its axis.";
+  }
+
+  std::string operator()(const fit::SimplexChosen& fact) const {
+    return std::string(dim() == 2 ? "A segment" : "A tetrahedron") + " is the first hull: " + name_of_points(fact.points) + ".";
+  }
+
+  std::string operator()(const fit::FlatFound& fact) const {
+    constexpr std::array<const char*, 3> kWhere{"in one place", "on one line", "in one plane"};
+    return std::string("All points lie ") + kWhere[static_cast<std::size_t>(fact.affine_dim)] + ".";
+  }
+
+  std::string operator()(const fit::PointsAssigned& fact) const {
+    std::int64_t outside = 0;
+    for (const Index count : fact.counts) outside += count;
+    return counted(outside, "point") + (outside == 1 ? " is" : " are") + " given to the facets that see them; " + counted(fact.dropped, "point") +
+           (fact.dropped == 1 ? " lies inside and is done with." : " lie inside and are done with.");
+  }
+
+  std::string operator()(const fit::EyeChosen& fact) const {
+    return point_name(fact.point) + " is farthest from its facet, by " + number_text(fact.distance) + ": it is a corner of the hull.";
+  }
+
+  std::string operator()(const fit::EdgeSplit& fact) const {
+    return "The edge from " + point_name(fact.a) + " to " + point_name(fact.b) + " gives way to two, by way of " + point_name(fact.point) + ".";
+  }
+
+  std::string operator()(const fit::HorizonFound& fact) const {
+    return point_name(fact.eye) + " sees " + counted(static_cast<std::int64_t>(fact.facets.size()), "facet") + "; their border is its horizon.";
+  }
+
+  std::string operator()(const fit::FacetsReplaced& fact) const {
+    return counted(static_cast<std::int64_t>(fact.removed.size()), "facet") + " give way to " + std::to_string(fact.added.size()) + " new ones, from the horizon to " + point_name(fact.eye) + ".";
+  }
+
+  std::string operator()(const fit::FacesMerged& fact) const {
+    return "Facets in one plane become one face: " + counted(fact.faces, "face") + ", and " + counted(static_cast<std::int64_t>(fact.dropped.size()), "point") + " inside them are no corners.";
+  }
+
   std::string operator()(const query::FramesRelated<double, 3>&) const {
     return "B is written in A's own frame: from there A is a plain box, and its axes are x" +
            std::string(dim() == 2 ? " and y." : ", y and z.");
@@ -231,6 +293,20 @@ struct Sayer {
   std::string operator()(const query::LookedCloser& fact) const {
     return "The numbers are too close to call: " + std::to_string(fact.axes) + (fact.axes == 1 ? " axis" : " axes") + (fact.axes == 1 ? " is" : " are") +
            " looked at again in exact arithmetic.";
+  }
+
+  std::string operator()(const query::OutlinesCompared& fact) const {
+    return "Along " + direction_name(fact.axis) + " the upright outlines " + (fact.apart ? "do not meet." : "meet.");
+  }
+
+  std::string operator()(const query::CornerTried& fact) const {
+    const char* other = fact.box == 0 ? "B" : "A";
+    const std::string corner = lesson::place_name(dim(), lesson::index_of(dim(), {lesson::Place::Kind::kCorner, fact.box, fact.corner}));
+    return "Corner " + corner + (fact.inside ? " lies in box " : " is not in box ") + other + ".";
+  }
+
+  std::string operator()(const query::Claimed& fact) const {
+    return std::string("This test says: the boxes ") + (fact.overlap ? "overlap." : "are apart.") + " The proof beside it says whether that is so.";
   }
 
   std::string operator()(const query::Verdict<double, 3>& fact) const {

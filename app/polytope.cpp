@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "fit/lift.hpp"
+#include "fit/quickhull.hpp"
+#include "query/kdop_vertices.hpp"
+
 namespace snug::app {
 namespace {
 
@@ -29,6 +33,13 @@ std::vector<int> joined(const std::vector<std::array<Index, 3>>& edges, std::siz
   if (edges.empty()) return around;
   for (int at = edges.front()[0]; around.size() < edges.size(); at = next[static_cast<std::size_t>(at)]) around.push_back(at);
   return around;
+}
+
+/// The hull of a few points; they were accepted before.
+template <int Dim>
+Polytope hull_of(std::vector<Vector<double, Dim>> corners) {
+  const auto set = PointSet<double, Dim>::make(std::move(corners));
+  return set ? polytope_of(fit::lift(fit::quickhull(set->span()).volume), Dim) : Polytope{};
 }
 
 /// Sums over a volume's cores: the farthest of its corners, and a radius on top.
@@ -69,13 +80,15 @@ Polytope polytope_of(const Aabb<double, 3>& aabb, int dim) {
   return box(aabb.min + half, half.asDiagonal(), dim);
 }
 
+/// Through its vertices: those that touch a slab's side are a face, in order around it.
 Polytope polytope_of(const Kdop<double, 3>& kdop, int dim) {
-  Aabb<double, 3> slabs;
-  for (int axis = 0; axis < dim; ++axis) {
-    slabs.min[axis] = kdop.min[static_cast<std::size_t>(axis)];
-    slabs.max[axis] = kdop.max[static_cast<std::size_t>(axis)];
+  if (dim == 2) {
+    Kdop<double, 2> plane{.k = kdop.k};
+    std::copy_n(kdop.min.begin(), plane.min.size(), plane.min.begin());
+    std::copy_n(kdop.max.begin(), plane.max.size(), plane.max.begin());
+    return hull_of<2>(query::kdop_vertices(plane));
   }
-  return polytope_of(slabs, dim);
+  return hull_of<3>(query::kdop_vertices(kdop));
 }
 
 Polytope polytope_of(const ConvexHull<double, 3>& hull, int dim) {

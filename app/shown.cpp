@@ -126,9 +126,27 @@ struct Filler {
     shown.spoken_of = {fact.a, fact.b};
     hull();
   }
+  void operator()(const fit::BoxWidened& fact) const { shown.spoken_of = {fact.point}; }
+  void operator()(const fit::LineFound& fact) const { spoken_of(fact.support); }
+  void operator()(const fit::EndPulledIn& fact) const { shown.spoken_of = {fact.point}; }
+  void operator()(const fit::ThicknessFound& fact) const { shown.spoken_of = {fact.least, fact.greatest}; }
+  void operator()(const fit::SidePulledIn& fact) const { shown.spoken_of = {fact.point}; }
+  void operator()(const fit::CornerMovedOut& fact) const { shown.spoken_of = {fact.point}; }
+  void operator()(const fit::SlabFound& fact) const { shown.spoken_of = {fact.least, fact.greatest}; }
+  void operator()(const fit::SimplexChosen& fact) const { spoken_of(fact.points); }
+  void operator()(const fit::FlatFound& fact) const { spoken_of(fact.points); }
+  void operator()(const fit::PointsAssigned&) const {}
+  void operator()(const fit::EyeChosen& fact) const { shown.spoken_of = {fact.point}; }
+  void operator()(const fit::EdgeSplit& fact) const { shown.spoken_of = {fact.a, fact.point, fact.b}; }
+  void operator()(const fit::HorizonFound& fact) const { spoken_of(fact.horizon); }
+  void operator()(const fit::FacetsReplaced& fact) const { shown.spoken_of = {fact.eye}; }
+  void operator()(const fit::FacesMerged&) const {}
   void operator()(const query::FramesRelated<double, 3>&) const {}
   void operator()(const query::AxisTested<double, 3>& fact) const { shown.axis = fact; }
   void operator()(const query::LookedCloser&) const {}
+  void operator()(const query::OutlinesCompared& fact) const { shown.outlines = fact; }
+  void operator()(const query::CornerTried& fact) const { shown.corner = fact; }
+  void operator()(const query::Claimed& fact) const { shown.overlap = fact.overlap; }
   /// The axis that separates, or the last one looked at.
   void operator()(const query::Verdict<double, 3>& fact) const {
     shown.overlap = fact.result.overlap;

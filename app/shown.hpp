@@ -53,6 +53,8 @@ struct Shown {
   /// Of a test of two boxes: the axis at hand, and what is known at last.
   std::optional<query::AxisTested<double, 3>> axis;
   std::optional<bool> overlap;
+  std::optional<query::OutlinesCompared> outlines;  // of the wrong tests
+  std::optional<query::CornerTried> corner;
 
   /// While an outcome stands: the points of a wrong guess, and those that would have been right.
   std::vector<Index> guessed_wrong, right;

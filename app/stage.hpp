@@ -95,6 +95,7 @@ class Stage {
   void draw_hull(Brush& brush) const;
   // stage_boxes.cpp
   void draw_boxes(Brush& brush) const;
+  void draw_wrong_test(Brush& brush, const lesson::BoxPair& pair) const;
   void draw_knobs(Brush& brush, const lesson::BoxPair& pair, int box) const;
   void draw_projections(Brush& brush, const lesson::BoxPair& pair) const;
   void draw_gap(Brush& brush, ImVec2 from, ImVec2 to, ImVec2 aside) const;

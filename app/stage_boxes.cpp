@@ -60,6 +60,22 @@ void Stage::draw_boxes(Brush& brush) const {
     draw_knobs(brush, *pair, i);
   }
   if (shown_.axis && !shown_.axis->skipped) draw_projections(brush, *pair);
+  draw_wrong_test(brush, *pair);
+}
+
+/// What a wrong test looks at: the boxes' upright outlines, or a corner.
+void Stage::draw_wrong_test(Brush& brush, const lesson::BoxPair& pair) const {
+  const Palette& p = brush.p;
+  if (brush.session.algorithm(0)->name == "extents_only" && brush.session.step() > 0)
+    for (const Box& box : pair.boxes) {
+      const Point3 half = box.axes.cwiseAbs() * box.half_extents;
+      const bool apart = shown_.outlines && shown_.outlines->apart;
+      draw_box(brush.canvas, box.center - half, box.center + half, {Stroke::kDashed, apart ? p.wrong : p.examined, brush.stroke(0.8f)});
+    }
+  if (!shown_.corner) return;
+  const ImVec2 at = brush.at(lesson::corner_of(pair.boxes[static_cast<std::size_t>(shown_.corner->box)], shown_.corner->corner));
+  ring(brush.list, at, 12 * p.mark, p.examined, brush.stroke());
+  brush.label(at, 16, {0.6f, -1}, shown_.corner->inside ? "inside" : "free", p.examined_text);
 }
 
 /// A knob stands off its face on a stalk; an arc says that it turns.

@@ -5,10 +5,16 @@
 #include <variant>
 #include <vector>
 
+#include "fit/aabb_steps.hpp"
+#include "fit/capsule_steps.hpp"
+#include "fit/hull_steps.hpp"
+#include "fit/kdop_steps.hpp"
+#include "fit/lozenge_steps.hpp"
 #include "fit/obb_steps.hpp"
 #include "fit/sphere_steps.hpp"
 #include "geometry/volume.hpp"
 #include "query/sat_steps.hpp"
+#include "query/wrong_steps.hpp"
 
 namespace snug::fit {
 
@@ -35,7 +41,10 @@ struct Union<First, std::variant<Facts...>, Others...>
     : Union<typename AddFacts<First, Facts...>::Type, Others...> {};
 
 /// Every fact that there is.
-using Fact3 = Union<SphereStep<double, 3>::Fact, ObbStep<double, 3>::Fact, query::SatStep<double, 3>::Fact>::Type;
+using Fact3 =
+    Union<SphereStep<double, 3>::Fact, ObbStep<double, 3>::Fact, AabbStep<double, 3>::Fact, CapsuleStep<double, 3>::Fact,
+          LozengeStep<double, 3>::Fact, KdopStep<double, 3>::Fact, HullStep<double, 3>::Fact, query::SatStep<double, 3>::Fact,
+          query::WrongStep::Fact>::Type;
 
 struct Step3 {
   using Fact = Fact3;

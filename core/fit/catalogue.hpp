@@ -39,9 +39,11 @@ struct Algorithm {
   std::string_view name;        // as scripts say it: "ritter_iterative"
   std::string_view title;       // as people say it: "Iterative Ritter"
   bool exact;                   // whether it claims the smallest volume of its kind
+  bool plane, space;            // whether it takes points of 2-D, of 3-D
   Index max_points;             // more are refused
   std::string_view source;      // author, title, year
-  std::span<const std::string_view> pseudocode;  // steps name its lines, counted from 0
+  std::span<const std::string_view> pseudocode;        // steps name its lines, counted from 0
+  std::span<const std::string_view> plane_pseudocode;  // in 2-D, where that differs; empty otherwise
 
   /// The unwatched run, as timed. points: at most max_points.
   Result (*fit)(const AnyPointSet& points, const Options& options);
@@ -56,11 +58,16 @@ struct Algorithm {
 /// Those of one volume; empty where there are none.
 [[nodiscard]] std::span<const Algorithm> algorithms_of(std::string_view volume);
 
+[[nodiscard]] inline std::span<const std::string_view> pseudocode_of(const Algorithm& algorithm, int dim) {
+  return dim == 2 && !algorithm.plane_pseudocode.empty() ? algorithm.plane_pseudocode : algorithm.pseudocode;
+}
+[[nodiscard]] inline bool takes(const Algorithm& algorithm, int dim) { return dim == 2 ? algorithm.plane : algorithm.space; }
+
 /// Null where there is none of that volume and name.
 [[nodiscard]] const Algorithm* find_algorithm(std::string_view volume, std::string_view name);
 
-/// The first that claims the smallest volume of its kind. volume: of kVolumeNames, with such an algorithm.
-[[nodiscard]] const Algorithm& exact_algorithm(std::string_view volume);
+/// The first that claims the smallest volume of its kind; null where none does.
+[[nodiscard]] const Algorithm* exact_algorithm(std::string_view volume);
 
 /// Area (dim 2) or volume (dim 3).
 [[nodiscard]] double measure_of(const Volume3& volume, int dim);

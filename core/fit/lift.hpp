@@ -181,4 +181,8 @@ Step3 lift(const query::SatStep<Scalar, Dim>& step) {
   return {step.line, false, {}, std::visit([](const auto& fact) { return Fact3(lift_fact(fact)); }, step.fact)};
 }
 
+inline Step3 lift(const query::WrongStep& step) {
+  return {step.line, false, {}, std::visit([](const auto& fact) { return Fact3(fact); }, step.fact)};
+}
+
 }  // namespace snug::fit

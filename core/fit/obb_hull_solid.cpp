@@ -127,7 +127,7 @@ void HullSolid::add_arc(const Point& along, Index from, Index to) {
   const auto edge = static_cast<Index>(edges_.size() - 1);
   const Index opposite = farthest(-(a + b), far(-(a + b)));
   const Index first = edges_.back()[0];
-  arcs_.push_back({edge, from, to, a, b, opposite, at(first) - at(opposite)});
+  arcs_.push_back({edge, from, to, a, b, (b - a).norm(), opposite, at(first) - at(opposite)});
 }
 
 Index HullSolid::farthest(const Point& direction, Index near) const {

@@ -18,6 +18,7 @@ struct NormalArc {
   Index edge = 0;               // place in HullSolid::edges
   Index from = 0, to = 0;       // places in HullSolid::normals
   Vector<double, 3> a, b;       // the same, unit
+  double angle = 0;             // the distance between them
   Index opposite = 0;           // the vertex farthest behind the arc's middle
   Vector<double, 3> thickness;  // from it to the edge's first vertex
 };

@@ -60,6 +60,19 @@ struct Predicate {
   std::string operator()(const PointsChosen&) const { return plural ? "are chosen" : "is chosen"; }
   std::string operator()(const RectangleFound<double, 3>&) const { return "are the ends of the edge that the rectangle lies on"; }
   std::string operator()(const EdgeSearched&) const { return "are the ends of the edge"; }
+  std::string operator()(const BoxWidened&) const { return "widens the box"; }
+  std::string operator()(const LineFound&) const { return plural ? "hold the line" : "holds the line"; }
+  std::string operator()(const EndPulledIn&) const { return "touches the cap"; }
+  std::string operator()(const ThicknessFound&) const { return plural ? "set the radius" : "sets the radius"; }
+  std::string operator()(const SidePulledIn&) const { return "touches the side"; }
+  std::string operator()(const CornerMovedOut&) const { return "lies past the corner"; }
+  std::string operator()(const SlabFound&) const { return plural ? "reach farthest along the axis" : "reaches farthest along the axis"; }
+  std::string operator()(const SimplexChosen&) const { return "are the first corners"; }
+  std::string operator()(const FlatFound&) const { return plural ? "span all points" : "is where all points are"; }
+  std::string operator()(const EyeChosen&) const { return "is farthest from the facet"; }
+  std::string operator()(const EdgeSplit&) const { return "splits the edge"; }
+  std::string operator()(const HorizonFound&) const { return "are on the horizon"; }
+  std::string operator()(const query::CornerTried& fact) const { return fact.inside ? "lies in the other box" : "is free"; }
   std::string operator()(const query::AxisTested<double, 3>&) const {
     return std::string(plural ? "come" : "comes") + " nearest to A along this axis";
   }

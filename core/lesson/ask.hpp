@@ -77,7 +77,9 @@ struct Outcome {
 /// moved_to_front, the one entered of support_replaced, the last one forced of boundary_forced, the farthest of
 /// radius_checked, the one left outside by a candidate_tried or else its points, the support of finished, both ends of
 /// each axis of extents_found, the vertices of hull_found, the points of points_chosen, the ends of the edge of
-/// rectangle_found and edge_searched, the corners of B that come nearest to A of axis_tested. No others.
+/// rectangle_found and edge_searched, the corners of B that come nearest to A of axis_tested, the one of corner_tried, the point or the
+/// points of box_widened, line_found, end_pulled_in, thickness_found, side_pulled_in, corner_moved_out, slab_found,
+/// simplex_chosen, flat_found, eye_chosen, edge_split and horizon_found. No others.
 [[nodiscard]] std::vector<Index> points_named(const fit::Step3& step, int dim);
 
 /// The points that hold the volume after the first so many steps: those that it touches by construction.

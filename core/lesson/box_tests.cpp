@@ -7,6 +7,8 @@
 
 #include "fit/lift.hpp"
 #include "query/obb_sat.hpp"
+#include "query/wrong_corners_only.hpp"
+#include "query/wrong_extents_only.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -24,14 +26,17 @@ struct Record {
 };
 
 constexpr fit::Algorithm row(std::string_view name, std::string_view title, std::string_view source,
-                             std::span<const std::string_view> pseudocode) {
-  return {kBoxPair, name, title, false, std::numeric_limits<Index>::max(), source, pseudocode, nullptr, nullptr, nullptr};
+                             std::span<const std::string_view> pseudocode, std::span<const std::string_view> plane = {}) {
+  return {kBoxPair, name, title, false, true, true, std::numeric_limits<Index>::max(), source, pseudocode, plane, nullptr, nullptr, nullptr};
 }
 
 constexpr std::string_view kSource = "S. Gottschalk, M. C. Lin, D. Manocha, OBBTree, 1996";
+constexpr std::string_view kWrong = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007";
 constexpr std::array kTests{
-    row("sat", "Separating axes", kSource, query::kSatPseudocode2),
-    row("sat_all", "All axes", kSource, query::kSatPseudocode2),
+    row("sat", "Separating axes", kSource, query::kSatPseudocode3, query::kSatPseudocode2),
+    row("sat_all", "All axes", kSource, query::kSatPseudocode3, query::kSatPseudocode2),
+    row("extents_only", "Extents only (wrong)", kWrong, query::kExtentsOnlyPseudocode),
+    row("corners_only", "Corners only (wrong)", kWrong, query::kCornersOnlyPseudocode),
 };
 
 /// Calls with both boxes in their own dimension.
@@ -43,6 +48,8 @@ auto in_dimension(const BoxPair& pair, Call call) {
 template <class Observer>
 bool run(const fit::Algorithm& test, const BoxPair& pair, Observer& observe) {
   return in_dimension(pair, [&](const auto& a, const auto& b) {
+    if (test.name == "extents_only") return query::extents_only(a, b, observe);
+    if (test.name == "corners_only") return query::corners_only(a, b, observe);
     const auto extent = test.name == "sat_all" ? query::SatExtent::kAll : query::SatExtent::kFirst;
     return query::obb_sat(a, b, extent, observe).overlap;
   });
@@ -61,11 +68,6 @@ std::vector<AxisName> names_of(int dim) {
 }  // namespace
 
 std::span<const fit::Algorithm> box_tests() { return kTests; }
-
-std::span<const std::string_view> pseudocode_of(const fit::Algorithm& test, int dim) {
-  if (dim == 3 && test.pseudocode.data() == query::kSatPseudocode2.data()) return query::kSatPseudocode3;
-  return test.pseudocode;
-}
 
 fit::Recording record(const fit::Algorithm& test, const BoxPair& pair) {
   Record observe;

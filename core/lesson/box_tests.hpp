@@ -16,9 +16,6 @@ inline constexpr std::string_view kBoxPair = "box_pair";
 /// "sat", "sat_all", and the two wrong ones, "extents_only" and "corners_only". They have no fit, record and watch of
 /// points.
 [[nodiscard]] std::span<const fit::Algorithm> box_tests();
-/// In as many words as that many dimensions need.
-[[nodiscard]] std::span<const std::string_view> pseudocode_of(const fit::Algorithm& test, int dim);
-
 [[nodiscard]] fit::Recording record(const fit::Algorithm& test, const BoxPair& pair);
 
 /// Whether that test says that the boxes overlap.

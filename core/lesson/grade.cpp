@@ -46,7 +46,7 @@ std::string support_sentence(const Task& task, int support, int dim) {
 
 Grade grade(const Task& task, const AnyPointSet& points, std::uint64_t seed) {
   const fit::Algorithm& algorithm = *fit::find_algorithm(task.volume, task.algorithm);
-  const fit::Algorithm& smallest = fit::exact_algorithm(task.volume);
+  const fit::Algorithm& smallest = *fit::exact_algorithm(task.volume);  // read_lesson refuses a task without one
   const int dim = fit::dim_of(points);
   Grade grade;
   grade.points = static_cast<int>(fit::size_of(points));

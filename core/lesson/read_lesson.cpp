@@ -186,6 +186,8 @@ Task read_task(const toml::table& toml, std::string_view volume, int dim, Compla
   task.prompt = table.text("prompt");
   task.points = static_cast<int>(table.integer("points", 1, 1000));
   task.algorithm = read_algorithm(table, "algorithm", volume);
+  if (fit::exact_algorithm(volume) == nullptr)
+    complaints.add(table.line(), "[task] cannot be graded: no algorithm finds the smallest " + std::string(volume));
   if (!table.has("excess_at_least") && !table.has("support_size"))
     complaints.add(table.line(), "[task] needs \"excess_at_least\" or \"support_size\"");
   if (table.has("excess_at_least")) task.excess_at_least = table.number("excess_at_least", 1);

@@ -50,7 +50,7 @@ void Session::use(int slot, const fit::Algorithm* algorithm) {
   Slot& own = slots_[static_cast<std::size_t>(slot)];
   own = {algorithm, {}, {}};
   if (algorithm == nullptr) return;
-  const auto pseudocode = pseudocode_of(*algorithm, dim());
+  const auto pseudocode = fit::pseudocode_of(*algorithm, dim());
   own.pseudocode.assign(pseudocode.begin(), pseudocode.end());
   for (const Pseudocode& words : lesson_.pseudocode)
     if (words.algorithm == algorithm->name) own.pseudocode.assign(words.lines.begin(), words.lines.end());
@@ -107,19 +107,25 @@ void Session::points_changed() {
   ++revision_;
 }
 
-const fit::Algorithm& Session::exact() const { return fit::exact_algorithm(lesson_.volume); }
+/// Null where there is none, or where it does not take so many points.
+const fit::Algorithm* Session::exact() const {
+  const fit::Algorithm* exact = fit::exact_algorithm(lesson_.volume);
+  return exact != nullptr && size() <= exact->max_points ? exact : nullptr;
+}
 
 const fit::Recording* Session::optimum() const {
-  if (now_.boxes || size() > exact().max_points) return nullptr;
+  const fit::Algorithm* own = exact();
+  if (own == nullptr) return nullptr;
   for (const Slot& slot : slots_)
-    if (slot.algorithm == &exact()) return &slot.recording;
-  if (!worked_.optimum) worked_.optimum = exact().record(points(), {.seed = seed()});
+    if (slot.algorithm == own) return &slot.recording;
+  if (!worked_.optimum) worked_.optimum = own->record(points(), {.seed = seed()});
   return &*worked_.optimum;
 }
 
 std::optional<double> Session::smallest_size() const {
-  if (now_.boxes || size() > exact().max_points) return std::nullopt;
-  if (!worked_.smallest_size) worked_.smallest_size = size_of(exact());
+  const fit::Algorithm* own = exact();
+  if (own == nullptr) return std::nullopt;
+  if (!worked_.smallest_size) worked_.smallest_size = size_of(*own);
   return *worked_.smallest_size;
 }
 
@@ -127,7 +133,7 @@ std::optional<double> Session::smallest_size() const {
 double Session::size_of(const fit::Algorithm& algorithm) const {
   for (const Slot& slot : slots_)
     if (slot.algorithm == &algorithm) return fit::size_of(slot.recording.result.volume, dim());
-  if (&algorithm == &exact() && worked_.smallest_size) return *worked_.smallest_size;
+  if (&algorithm == exact() && worked_.smallest_size) return *worked_.smallest_size;
   return fit::size_of(algorithm.fit(points(), {.seed = seed()}).volume, dim());
 }
 

@@ -219,7 +219,7 @@ class Session {
   [[nodiscard]] bool open_question(const Asked& asked) const;
   Outcome& outcome_for(const std::string& id);
   [[nodiscard]] double size_of(const fit::Algorithm& algorithm) const;
-  [[nodiscard]] const fit::Algorithm& exact() const;
+  [[nodiscard]] const fit::Algorithm* exact() const;
   [[nodiscard]] RunView view(int slot) const;
 
   Lesson lesson_;

@@ -34,10 +34,23 @@ struct Named {
   void operator()(const PointsChosen& fact) { add(fact.points); }
   void operator()(const RectangleFound<double, 3>& fact) { add(fact.edge_a), add(fact.edge_b); }
   void operator()(const EdgeSearched& fact) { add(fact.a), add(fact.b); }
+  void operator()(const query::CornerTried& fact) { add(index_of(dim, {Place::Kind::kCorner, fact.box, fact.corner})); }
   void operator()(const query::AxisTested<double, 3>& fact) {
     for (int bits = 0; bits < 8; ++bits)
       if ((fact.near_b >> bits & 1) != 0) add(index_of(dim, {Place::Kind::kCorner, 1, bits}));
   }
+  void operator()(const BoxWidened& fact) { add(fact.point); }
+  void operator()(const LineFound& fact) { add(fact.support); }
+  void operator()(const EndPulledIn& fact) { add(fact.point); }
+  void operator()(const ThicknessFound& fact) { add(fact.least), add(fact.greatest); }
+  void operator()(const SidePulledIn& fact) { add(fact.point); }
+  void operator()(const CornerMovedOut& fact) { add(fact.point); }
+  void operator()(const SlabFound& fact) { add(fact.least), add(fact.greatest); }
+  void operator()(const SimplexChosen& fact) { add(fact.points); }
+  void operator()(const FlatFound& fact) { add(fact.points); }
+  void operator()(const EyeChosen& fact) { add(fact.point); }
+  void operator()(const EdgeSplit& fact) { add(fact.point); }
+  void operator()(const HorizonFound& fact) { add(fact.horizon); }
   void operator()(const auto&) {}
 
  private:

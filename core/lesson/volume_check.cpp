@@ -1,5 +1,6 @@
 #include "lesson/volume_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fit/certify.hpp"
@@ -30,10 +31,21 @@ Index outside(const PointSet<Scalar, Dim>& set, const fit::Sphere3& ball) {
   return outside;
 }
 
-/// A hull is made of the points themselves.
+/// A hull is made of the points themselves, and stands at the end alone.
 template <class Scalar, int Dim>
 Index outside(const PointSet<Scalar, Dim>&, const ConvexHull<double, 3>&) {
   return 0;
+}
+
+/// The slabs of the plane are slabs of the plane still.
+template <class Scalar, int Dim>
+Index outside(const PointSet<Scalar, Dim>& set, const Kdop<double, 3>& kdop) {
+  Kdop<double, Dim> own{.k = kdop.k};
+  std::copy_n(kdop.min.begin(), own.min.size(), own.min.begin());
+  std::copy_n(kdop.max.begin(), own.max.size(), own.max.begin());
+  Index outside = 0;
+  for (const auto& point : set.span()) outside += query::contains(own, point.template cast<double>()) ? 0 : 1;
+  return outside;
 }
 
 /// In 2-D both have z = 0.

@@ -7,13 +7,17 @@ namespace {
 
 CommandResult run_algorithms() {
   Printed printed;
-  for (const fit::Algorithm& algorithm : fit::algorithms())
+  for (const fit::Algorithm& algorithm : fit::algorithms()) {
+    Json dims = Json::array();
+    for (const int dim : {2, 3})
+      if (fit::takes(algorithm, dim)) dims.push_back(dim);
     printed.text += line_of({{"volume", algorithm.volume},
                              {"algorithm", algorithm.name},
-                             {"dims", {2, 3}},  // a fitter takes an AnyPointSet, and so both
+                             {"dims", dims},
                              {"exact", algorithm.exact},
                              {"source", algorithm.source},
                              {"title", algorithm.title}});
+  }
   return printed;
 }
 

@@ -45,6 +45,10 @@ tl::expected<AnyPointSet, InputError> points_of(const FitOptions& options, const
   auto points = read_point_file(options.file).and_then([&](const io::PointFile& file) {
     return io::to_point_set(file, options.file, options.dim, options.scalar == "float");
   });
+  if (points && !fit::takes(algorithm, fit::dim_of(*points)))
+    return tl::unexpected(InputError{.what = options.algorithm + " takes points of " + (algorithm.plane ? "2" : "3") +
+                                             " coordinates, and these have " + std::to_string(fit::dim_of(*points)),
+                                     .file = options.file});
   if (points && fit::size_of(*points) > algorithm.max_points)
     return tl::unexpected(InputError{.what = "there are " + std::to_string(fit::size_of(*points)) + " points, and " +
                                              options.algorithm + " takes at most " +

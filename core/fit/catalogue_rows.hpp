@@ -1,0 +1,93 @@
+// How a fitter becomes a row of the catalogue. For the catalogue's own files, one a kind of volume.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "fit/catalogue.hpp"
+#include "fit/certify.hpp"
+#include "fit/lift.hpp"
+
+namespace snug::fit {
+
+/// Counts, and hands each step on lifted where somebody wants to see it.
+struct LiftingObserver {
+  const SeeStep& see;
+  Counter counter;
+  template <class VolumeType, class... Facts>
+  void operator()(const Step<VolumeType, Facts...>& step) {
+    counter(step);
+    if (see) see(lift(step), counter.counts);
+  }
+  void count(Operation operation, std::int64_t n) { counter.count(operation, n); }
+};
+
+template <class Held>
+std::vector<Index> indices_of(const Held& support) {
+  return {support.begin(), support.end()};
+}
+
+template <auto kFitter>
+Result fit_any(const AnyPointSet& points, const Options& options) {
+  return std::visit(
+      [&](const auto& set) {
+        Ignore ignore;
+        const auto fit = kFitter(set.span(), options, ignore);
+        return Result{lift(fit.volume), indices_of(fit.support)};
+      },
+      points);
+}
+
+template <auto kFitter, bool kExact>
+Watched watch_any(const AnyPointSet& points, const Options& options, const SeeStep& see) {
+  return std::visit(
+      [&](const auto& set) {
+        LiftingObserver observer{see, {}};
+        const auto fit = kFitter(set.span(), options, observer);
+        return Watched{{lift(fit.volume), indices_of(fit.support)},
+                       observer.counter.steps,
+                       observer.counter.counts,
+                       certify(fit, set.span(), kExact)};
+      },
+      points);
+}
+
+template <auto kFitter, bool kExact>
+Recording record_any(const AnyPointSet& points, const Options& options) {
+  std::vector<Recorder<Step3>::Entry> entries;
+  Watched watched = watch_any<kFitter, kExact>(
+      points, options, [&](Step3&& step, const OperationCounts& counts) { entries.push_back({std::move(step), counts}); });
+  return {watched.result, std::move(entries), watched.counts, watched.certificate};
+}
+
+inline constexpr Index kAny = std::numeric_limits<Index>::max();
+
+/// What is said of an algorithm, apart from its code.
+struct About {
+  std::string_view volume, name, title, source;
+  std::span<const std::string_view> pseudocode;
+  std::span<const std::string_view> plane_pseudocode = {};
+  bool plane = true, space = true;
+  Index max_points = kAny;
+};
+
+/// kFitter: takes a PointSpan, Options and an observer. kExact: whether it claims the smallest.
+template <auto kFitter, bool kExact = false>
+constexpr Algorithm row(const About& about) {
+  return {about.volume,     about.name,   about.title,       kExact,           about.plane,
+          about.space,      about.max_points, about.source,  about.pseudocode, about.plane_pseudocode,
+          &fit_any<kFitter>, &record_any<kFitter, kExact>, &watch_any<kFitter, kExact>};
+}
+
+// Each in its file.
+[[nodiscard]] std::span<const Algorithm> sphere_rows();
+[[nodiscard]] std::span<const Algorithm> aabb_rows();
+[[nodiscard]] std::span<const Algorithm> obb_rows();
+[[nodiscard]] std::span<const Algorithm> swept_rows();
+[[nodiscard]] std::span<const Algorithm> kdop_rows();
+[[nodiscard]] std::span<const Algorithm> hull_rows();
+
+}  // namespace snug::fit

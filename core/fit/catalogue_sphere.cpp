@@ -1,0 +1,42 @@
+#include <array>
+
+#include "fit/aabb_center.hpp"
+#include "fit/brute_force.hpp"
+#include "fit/catalogue_rows.hpp"
+#include "fit/pca_sphere.hpp"
+#include "fit/ritter.hpp"
+#include "fit/ritter_iterative.hpp"
+#include "fit/welzl.hpp"
+
+namespace snug::fit {
+namespace {
+
+constexpr auto kAabbCenter = [](auto p, const Options&, auto& o) { return aabb_center(p, o); };
+constexpr auto kRitter = [](auto p, const Options&, auto& o) { return ritter(p, o); };
+constexpr auto kRitterIterative = [](auto p, const Options& options, auto& o) { return ritter_iterative(p, options, o); };
+constexpr auto kPca = [](auto p, const Options&, auto& o) { return pca_sphere(p, o); };
+constexpr auto kWelzl = [](auto p, const Options& options, auto& o) { return welzl(p, options, o); };
+constexpr auto kBruteForce = [](auto p, const Options&, auto& o) { return brute_force(p, o); };
+
+constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
+
+constexpr std::array kRows{
+    row<kAabbCenter>({"sphere", "aabb_center", "Box midpoint", kEricson, kAabbCenterPseudocode}),
+    row<kRitter>({"sphere", "ritter", "Ritter", "J. Ritter, An efficient bounding sphere, 1990", kRitterPseudocode}),
+    row<kRitterIterative>({"sphere", "ritter_iterative", "Iterative Ritter", kEricson, kRitterIterativePseudocode}),
+    row<kPca>({"sphere", "pca", "PCA (Wu)", "X. Wu, A linear-time simple bounding volume algorithm, 1992", kPcaSpherePseudocode}),
+    row<kWelzl, true>({"sphere", "welzl", "Welzl", "E. Welzl, Smallest enclosing disks (balls and ellipsoids), 1991",
+                       kWelzlPseudocode}),
+    row<kBruteForce, true>({.volume = "sphere",
+                            .name = "brute_force",
+                            .title = "Brute force",
+                            .source = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007",
+                            .pseudocode = kBruteForcePseudocode,
+                            .max_points = kBruteForceLimit}),
+};
+
+}  // namespace
+
+std::span<const Algorithm> sphere_rows() { return kRows; }
+
+}  // namespace snug::fit

@@ -1,0 +1,24 @@
+#include <array>
+
+#include "fit/capsule_pca.hpp"
+#include "fit/catalogue_rows.hpp"
+#include "fit/certify_shapes.hpp"
+#include "fit/lozenge_pca.hpp"
+
+namespace snug::fit {
+namespace {
+
+constexpr auto kCapsule = [](auto p, const Options& options, auto& o) { return capsule_pca(p, options, o); };
+constexpr auto kLozenge = [](auto p, const Options&, auto& o) { return lozenge_pca(p, o); };
+
+constexpr std::array kRows{
+    row<kCapsule>({"capsule", "pca", "PCA", "D. Eberly, 3D Game Engine Design, 2000", kCapsulePcaPseudocode}),
+    row<kLozenge>({"lozenge", "pca", "PCA", "E. Larsen, S. Gottschalk, M. C. Lin, D. Manocha, Fast proximity queries with swept sphere volumes, 1999",
+                   kLozengePcaPseudocode}),
+};
+
+}  // namespace
+
+std::span<const Algorithm> swept_rows() { return kRows; }
+
+}  // namespace snug::fit

@@ -1,0 +1,107 @@
+// The vertex of a convex body that reaches farthest in a direction, by walking uphill over its edges.
+// Source: C. Ericson, "Real-Time Collision Detection", 2005, 4.2.5.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/hull_neighbors.hpp"
+#include "geometry/vector.hpp"
+
+namespace snug::fit {
+
+/// A walk's end.
+template <class Scalar>
+struct Climbed {
+  Scalar value = 0;     // the greatest that any vertex has, whatever the rounding
+  Index looked_at = 0;  // how many vertices had their value computed
+};
+
+/// A convex body to be walked over, and where the last walk in each of its directions ended.
+///
+/// Rounded values of a linear function have hilltops that are none, and plateaus: equal vertices, faces across the
+/// direction. So a walk goes on over all that is not certainly lower than the best. That suffices: over a convex body's
+/// edges there is a path from any vertex to the truly highest on which the true value never falls; with values off by e
+/// at most, no vertex on it seems lower than the best by more than 2e; so neither the path to the top nor the one down
+/// again to any other vertex that seems higher ends before it.
+template <class Scalar, int Dim>
+class HillClimb {
+ public:
+  /// vertices: n >= 1, in the local frame; neighbors: theirs. Both outlive it. directions: how many the caller asks for.
+  /// all_points: whether the body has no points but these; others, inside, may be placed farther out by rounding.
+  HillClimb(std::span<const Vector<Scalar, Dim>> vertices, const HullNeighbors& neighbors, int directions, bool all_points)
+      : vertices_(vertices),
+        neighbors_(neighbors),
+        ends_(static_cast<std::size_t>(directions), 0),
+        seen_(vertices.size(), 0),
+        all_points_(all_points) {
+    for (const auto& v : vertices) largest_ = largest_.cwiseMax(v.cwiseAbs());
+  }
+
+  [[nodiscard]] const Vector<Scalar, Dim>& vertex(Index v) const { return vertices_[static_cast<std::size_t>(v)]; }
+  /// Of the vertices' coordinates, in absolute value, by axis.
+  [[nodiscard]] const Vector<Scalar, Dim>& largest() const { return largest_; }
+  [[nodiscard]] bool all_points() const { return all_points_; }
+  /// Where the last walk in the direction ended: the vertex of greatest value.
+  [[nodiscard]] Index end(int direction) const { return ends_[static_cast<std::size_t>(direction)]; }
+
+  /// From where the last walk in this direction ended. value(v): of vertex v, a linear function of the vertex; doubt: at
+  /// least twice by how much it may be off. path: the start and each vertex that was better than all before.
+  template <class Value>
+  Climbed<Scalar> climb(int direction, Value&& value, Scalar doubt, std::vector<Index>* path) {
+    Index& best = ends_[static_cast<std::size_t>(direction)];
+    Climbed<Scalar> climbed{value(best), 1};
+    if (path != nullptr) *path = {best};
+    begin_walk();
+    mark(best);
+    open_.push_back({best, climbed.value});
+    while (!open_.empty()) {
+      const Open from = open_.back();
+      open_.pop_back();
+      if (from.value < climbed.value - doubt) continue;
+      for (const Index v : neighbors_.of(from.vertex)) {
+        if (!mark(v)) continue;
+        const Scalar here = value(v);
+        ++climbed.looked_at;
+        if (here < climbed.value - doubt) continue;
+        open_.push_back({v, here});
+        if (here <= climbed.value) continue;
+        climbed.value = here;
+        best = v;
+        if (path != nullptr) path->push_back(v);
+      }
+    }
+    return climbed;
+  }
+
+ private:
+  struct Open {
+    Index vertex;
+    Scalar value;
+  };
+
+  void begin_walk() {
+    if (++walk_ != 0) return;
+    std::fill(seen_.begin(), seen_.end(), 0u);
+    walk_ = 1;
+  }
+  bool mark(Index v) {
+    std::uint32_t& seen = seen_[static_cast<std::size_t>(v)];
+    const bool first = seen != walk_;
+    seen = walk_;
+    return first;
+  }
+
+  std::span<const Vector<Scalar, Dim>> vertices_;
+  const HullNeighbors& neighbors_;
+  std::vector<Index> ends_;
+  std::vector<std::uint32_t> seen_;  // in which walk last
+  std::uint32_t walk_ = 0;
+  std::vector<Open> open_;
+  Vector<Scalar, Dim> largest_ = Vector<Scalar, Dim>::Zero();
+  bool all_points_;
+};
+
+}  // namespace snug::fit

@@ -1,0 +1,327 @@
+#include "desktop/cli/volume_json.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "fit/quickhull.hpp"
+#include "geometry/aabb_forms.hpp"
+#include "geometry/pose.hpp"
+#include "geometry/tolerance.hpp"
+#include "query/kdop_vertices.hpp"
+
+namespace snug::desktop {
+namespace {
+
+using Point = Vector<double, 3>;
+using Names = std::span<const std::string_view>;
+
+std::string listed(Names names) {
+  std::string list;
+  for (const std::string_view name : names)
+    list.append(list.empty() ? "" : ", ").append(name);
+  return list;
+}
+
+std::string counted(std::size_t n, const char* what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+std::string place(std::size_t i) { return "[" + std::to_string(i) + "]"; }
+
+/// Reads fields of an object, and keeps the first thing that is wrong; what is read after it does not matter. Points of
+/// the plane have z = 0.
+class Fields {
+ public:
+  explicit Fields(const VolumeWanted& wanted) : wanted_(wanted), dim_(wanted.dim), path_(wanted.name) {}
+
+  [[nodiscard]] const std::string& error() const { return error_; }
+  [[nodiscard]] int dim() const { return dim_; }
+  [[nodiscard]] std::string field(std::string_view name) const { return path_ + "." + std::string(name); }
+
+  void fail(std::string what) {
+    if (error_.empty()) error_ = std::move(what);
+  }
+
+  /// Goes into the one volume that an object holds, and says its kind.
+  std::string enter(const Json& json) {
+    const std::string self = path_.empty() ? "the volume" : path_;
+    if (!json.is_object() || json.size() != 1) {
+      fail(self + " is not an object with one field that names its kind");
+      return {};
+    }
+    const std::string& kind = json.begin().key();
+    if (std::find(kVolumeNames.begin(), kVolumeNames.end(), kind) == kVolumeNames.end())
+      fail(self + " is of no known kind: " + Json(kind).dump() + "; known: " + listed(kVolumeNames));
+    path_ += (path_.empty() ? "" : ".") + kind;
+    object_ = &json.begin().value();
+    if (!object_->is_object()) fail(path_ + " is not an object");
+    return kind;
+  }
+
+  [[nodiscard]] bool has(const char* name) const { return error_.empty() && object_->contains(name); }
+
+  /// That these fields are there, and no others.
+  void expect(std::initializer_list<std::string_view> names) {
+    if (!error_.empty()) return;
+    for (const auto& item : object_->items())
+      if (std::find(names.begin(), names.end(), item.key()) == names.end())
+        fail(path_ + " has an unknown field " + Json(item.key()).dump() + "; it takes " + listed(Names(names.begin(), names.size())));
+    for (const std::string_view name : names)
+      if (!object_->contains(std::string(name))) fail(field(name) + " is missing");
+  }
+
+  double not_negative(const char* name) {
+    if (!error_.empty()) return 0;
+    const double value = number_of((*object_)[name], field(name));
+    if (value < 0) fail(field(name) + " is negative");
+    return value;
+  }
+
+  Point point(const char* name) {
+    return error_.empty() ? point_of((*object_)[name], field(name)) : Point(Point::Zero());
+  }
+
+  Point not_negative_each(const char* name) {
+    const Point value = point(name);
+    for (int i = 0; i < 3; ++i)
+      if (value[i] < 0) fail(field(name) + place(static_cast<std::size_t>(i)) + " is negative");
+    return value;
+  }
+
+  std::vector<Point> points(const char* name) {
+    std::vector<Point> points;
+    if (!error_.empty()) return points;
+    const Json& list = (*object_)[name];
+    if (!list.is_array()) fail(field(name) + " is not a list of points");
+    for (std::size_t i = 0; i < list.size() && error_.empty(); ++i)
+      points.push_back(point_of(list[i], field(name) + place(i)));
+    return points;
+  }
+
+  std::vector<double> numbers(const char* name) {
+    std::vector<double> numbers;
+    if (!error_.empty()) return numbers;
+    const Json& list = (*object_)[name];
+    if (!list.is_array()) fail(field(name) + " is not a list of numbers");
+    for (std::size_t i = 0; i < list.size() && error_.empty(); ++i)
+      numbers.push_back(number_of(list[i], field(name) + place(i)));
+    return numbers;
+  }
+
+  /// The k of a k-DOP, which says the dimension where that is not yet known.
+  int k() {
+    if (!error_.empty()) return 0;
+    const Json& json = (*object_)["k"];
+    const double value = json.is_number() ? json.get<double>() : 0;
+    const int k = value > 0 && value < 100 && std::floor(value) == value ? static_cast<int>(value) : 0;
+    if (dim_ == 0) dim_ = kdop_axes<3>(k).empty() && !kdop_axes<2>(k).empty() ? 2 : 3;
+    const bool known = dim_ == 2 ? !kdop_axes<2>(k).empty() : !kdop_axes<3>(k).empty();
+    const char* all = wanted_.dim == 2 ? "in 2-D 4, 6, 8" : wanted_.dim == 3 ? "in 3-D 6, 14, 18, 26" : "6, 14, 18, 26, in 2-D 4, 6, 8";
+    if (!known) fail(field("k") + " is none that there is: " + all);
+    return k;
+  }
+
+ private:
+  double number_of(const Json& json, const std::string& where) {
+    if (!json.is_number()) fail(where + " is not a number");
+    const double value = json.is_number() ? json.get<double>() : 0;
+    if (!(std::abs(value) <= wanted_.largest)) fail(where + " is larger than this program can take (" + wanted_.largest_said + ")");
+    return value;
+  }
+
+  Point point_of(const Json& json, const std::string& where) {
+    Point point = Point::Zero();
+    const std::size_t size = json.is_array() ? json.size() : 0;
+    if (!json.is_array()) fail(where + " is not a list of numbers");
+    if (dim_ == 0 && (size == 2 || size == 3)) dim_ = static_cast<int>(size);
+    if (dim_ == 0 || size != static_cast<std::size_t>(dim_))
+      fail(where + " has " + counted(size, "number") + " where " + (dim_ == 0 ? "2 or 3" : std::to_string(dim_)) + " belong");
+    for (std::size_t i = 0; i < size && error_.empty(); ++i)
+      point[static_cast<int>(i)] = number_of(json[i], where + place(i));
+    return point;
+  }
+
+  const VolumeWanted& wanted_;
+  int dim_;
+  std::string path_;
+  const Json* object_ = nullptr;
+  std::string error_;
+};
+
+Sphere<double, 3> sphere_of(Fields& fields) {
+  fields.expect({"center", "radius"});
+  const Point center = fields.point("center");
+  return {center, fields.not_negative("radius")};
+}
+
+Aabb<double, 3> aabb_of(Fields& fields) {
+  if (fields.has("center") || fields.has("half_extents")) {
+    fields.expect({"center", "half_extents"});
+    const Point center = fields.point("center");
+    return min_max_of(AabbCenterExtents<double, 3>{center, fields.not_negative_each("half_extents")});
+  }
+  if (fields.has("widths")) {
+    fields.expect({"min", "widths"});
+    const Point min = fields.point("min");
+    return min_max_of(AabbMinWidths<double, 3>{min, fields.not_negative_each("widths")});
+  }
+  fields.expect({"min", "max"});
+  Aabb<double, 3> box{fields.point("min"), Point::Zero()};
+  box.max = fields.point("max");
+  for (int i = 0; i < 3; ++i)
+    if (box.min[i] > box.max[i])
+      fields.fail(fields.field("min") + place(static_cast<std::size_t>(i)) + " is above max" + place(static_cast<std::size_t>(i)));
+  return box;
+}
+
+/// Columns from rows that are unit, perpendicular and right-handed: as they are within rounding, else made so.
+Matrix<double, 3> axes_of(Fields& fields) {
+  const std::vector<Point> rows = fields.points("axes");
+  const auto dim = static_cast<std::size_t>(fields.dim());
+  const std::string name = fields.field("axes");
+  if (rows.size() != dim) fields.fail(name + " has " + counted(rows.size(), "row") + " where " + std::to_string(dim) + " belong");
+  Matrix<double, 3> axes = Matrix<double, 3>::Identity();
+  if (!fields.error().empty()) return axes;
+  double most_off = 0;
+  for (std::size_t i = 0; i < dim; ++i) {
+    axes.col(static_cast<int>(i)) = rows[i];
+    for (std::size_t j = 0; j <= i; ++j) {
+      const double off = std::abs(rows[i].dot(rows[j]) - (i == j ? 1 : 0));
+      if (off > tolerance::kAxesAsGiven)
+        fields.fail(i == j ? name + place(i) + " is not of unit length" : name + place(j) + " and " + place(i) + " are not perpendicular");
+      most_off = std::max(most_off, off);
+    }
+  }
+  if (axes.determinant() < 0) fields.fail(name + " are left-handed");
+  return most_off <= tolerance::kObbAxes<double> || !fields.error().empty() ? axes : orthonormal<double, 3>(axes);
+}
+
+Obb<double, 3> obb_of(Fields& fields) {
+  fields.expect({"center", "axes", "half_extents"});
+  const Point center = fields.point("center");
+  const Matrix<double, 3> axes = axes_of(fields);
+  return {center, axes, fields.not_negative_each("half_extents")};
+}
+
+Capsule<double, 3> capsule_of(Fields& fields) {
+  fields.expect({"a", "b", "radius"});
+  const Point a = fields.point("a");
+  const Point b = fields.point("b");
+  return {a, b, fields.not_negative("radius")};
+}
+
+/// Edges as they are where they are perpendicular within rounding, else the second made so.
+Lozenge<double, 3> lozenge_of(Fields& fields) {
+  fields.expect({"origin", "edges", "radius"});
+  Lozenge<double, 3> lozenge{fields.point("origin")};
+  const std::vector<Point> edges = fields.points("edges");
+  lozenge.radius = fields.not_negative("radius");
+  if (edges.size() != 2) fields.fail(fields.field("edges") + " has " + counted(edges.size(), "row") + " where 2 belong");
+  if (!fields.error().empty()) return lozenge;
+  lozenge.edges = {edges[0], edges[1]};
+  const double length = scaled_norm<double, 3>(edges[0]);
+  const double other = scaled_norm<double, 3>(edges[1]);
+  if (length == 0 || other == 0) return lozenge;
+  const Point along = edges[0] / length;
+  const double cosine = std::abs(along.dot(edges[1] / other));
+  if (cosine > tolerance::kAxesAsGiven) fields.fail(fields.field("edges") + " are not perpendicular");
+  if (cosine > tolerance::kObbAxes<double>) lozenge.edges[1] -= along * along.dot(edges[1]);
+  return lozenge;
+}
+
+Kdop<double, 3> kdop_of(Fields& fields) {
+  fields.expect({"k", "min", "max"});
+  Kdop<double, 3> kdop{.k = fields.k()};
+  const auto slabs = static_cast<std::size_t>(kdop.k / 2);
+  const std::vector<double> min = fields.numbers("min");
+  const std::vector<double> max = fields.numbers("max");
+  for (const auto& [name, bounds] : {std::pair("min", &min), std::pair("max", &max)})
+    if (bounds->size() != slabs)
+      fields.fail(fields.field(name) + " has " + counted(bounds->size(), "number") + ", and a " + std::to_string(kdop.k) +
+                  "-DOP has " + counted(slabs, "slab"));
+  if (!fields.error().empty()) return kdop;
+  std::copy(min.begin(), min.end(), kdop.min.begin());
+  std::copy(max.begin(), max.end(), kdop.max.begin());
+  for (std::size_t i = 0; i < slabs; ++i)
+    if (min[i] > max[i]) fields.fail(fields.field("min") + place(i) + " is above max" + place(i));
+  return kdop;
+}
+
+ConvexHull<double, 3> hull_of(Fields& fields) {
+  fields.expect({"points"});
+  ConvexHull<double, 3> hull{.vertices = fields.points("points")};
+  if (hull.vertices.empty()) fields.fail(fields.field("points") + " has no points");
+  return hull;
+}
+
+/// A volume that was read with room for z, in its own dimension.
+template <int Dim>
+struct Lower {
+  using Own = Vector<double, Dim>;
+  Fields& fields;
+
+  static Own own(const Point& p) { return p.head<Dim>(); }
+
+  Volume<double, Dim> operator()(const Sphere<double, 3>& v) const { return Sphere<double, Dim>{own(v.center), v.radius}; }
+  Volume<double, Dim> operator()(const Aabb<double, 3>& v) const { return Aabb<double, Dim>{own(v.min), own(v.max)}; }
+  Volume<double, Dim> operator()(const Obb<double, 3>& v) const {
+    return Obb<double, Dim>{own(v.center), v.axes.topLeftCorner<Dim, Dim>(), own(v.half_extents)};
+  }
+  Volume<double, Dim> operator()(const Capsule<double, 3>& v) const { return Capsule<double, Dim>{own(v.a), own(v.b), v.radius}; }
+  Volume<double, Dim> operator()(const Lozenge<double, 3>& v) const {
+    return Lozenge<double, Dim>{own(v.origin), {own(v.edges[0]), own(v.edges[1])}, v.radius};
+  }
+  Volume<double, Dim> operator()(const Kdop<double, 3>& v) const {
+    Kdop<double, Dim> kdop{.k = v.k};
+    std::copy_n(v.min.begin(), kdop.min.size(), kdop.min.begin());
+    std::copy_n(v.max.begin(), kdop.max.size(), kdop.max.begin());
+    if (query::kdop_vertices(kdop).empty()) fields.fail(fields.field("min") + " and max leave no point that is in all slabs");
+    return kdop;
+  }
+  Volume<double, Dim> operator()(const ConvexHull<double, 3>& v) const {
+    std::vector<Own> points;
+    for (const Point& p : v.vertices)
+      points.push_back(own(p));
+    const auto set = PointSet<double, Dim>::make(std::move(points));
+    if (set) return fit::quickhull(set->span()).volume;
+    fields.fail(fields.field("points") + ": " + set.error().what);
+    return ConvexHull<double, Dim>{};
+  }
+};
+
+Volume<double, 3> lifted_volume(const std::string& kind, Fields& fields) {
+  if (kind == "sphere") return sphere_of(fields);
+  if (kind == "aabb") return aabb_of(fields);
+  if (kind == "obb") return obb_of(fields);
+  if (kind == "capsule") return capsule_of(fields);
+  if (kind == "lozenge") return lozenge_of(fields);
+  if (kind == "kdop") return kdop_of(fields);
+  return hull_of(fields);
+}
+
+}  // namespace
+
+tl::expected<AnyVolume, std::string> read_volume(const Json& json, const VolumeWanted& wanted) {
+  Fields fields(wanted);
+  const std::string kind = fields.enter(json);
+  if (!fields.error().empty()) return tl::unexpected(fields.error());
+  const Volume<double, 3> volume = lifted_volume(kind, fields);
+  if (!fields.error().empty()) return tl::unexpected(fields.error());
+  AnyVolume result;
+  if (fields.dim() == 2) result = std::visit(Lower<2>{fields}, volume);
+  else result = std::visit(Lower<3>{fields}, volume);
+  if (!fields.error().empty()) return tl::unexpected(fields.error());
+  return result;
+}
+
+bool may_have_either_dim(const Json& json) {
+  if (!json.is_object() || json.size() != 1 || json.begin().key() != "kdop") return false;
+  const Json& kdop = json.begin().value();
+  return kdop.is_object() && kdop.contains("k") && kdop["k"] == 6;
+}
+
+}  // namespace snug::desktop

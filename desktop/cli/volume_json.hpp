@@ -1,0 +1,39 @@
+// Volumes from JSON in the contract's form; desktop/cli/json.hpp writes them.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <tl/expected.hpp>
+#include <variant>
+
+#include "desktop/cli/json.hpp"
+#include "geometry/point_set.hpp"
+#include "geometry/volume.hpp"
+
+namespace snug::desktop {
+
+/// A volume of either dimension.
+using AnyVolume = std::variant<Volume<double, 2>, Volume<double, 3>>;
+
+[[nodiscard]] inline int dim_of(const AnyVolume& volume) { return volume.index() == 0 ? 2 : 3; }
+
+/// What a volume is read as.
+struct VolumeWanted {
+  std::string name;  // of the volume in what goes wrong, as "a" in "a.sphere.radius is missing"; may be empty
+  int dim = 0;       // 2 or 3; 0: as the volume itself has it, and a 6-DOP, which both have, in 3-D
+  double largest = PointSet<double, 3>::kLargest;  // absolute value of any number
+  const char* largest_said = "8.3e152";
+};
+
+/// A volume: {"sphere":{"center":[x,y,z],"radius":r}} and so on, an AABB in any of its three forms (it never shrinks), a
+/// hull by its points, of which the vertices stay. Axes and a lozenge's edges may be as rough as float makes them
+/// (kAxesAsGiven), and are then made unit and perpendicular within rounding.
+/// Errors: one sentence fragment that names the field: unknown, missing and superfluous ones, what is no number or too
+/// large, the wrong number of numbers, negative radii and extents, min above max, axes that are not unit, perpendicular
+/// and right-handed, slabs that do not meet.
+[[nodiscard]] tl::expected<AnyVolume, std::string> read_volume(const Json& json, const VolumeWanted& wanted = {});
+
+/// Whether a volume could be of either dimension: a 6-DOP, which has three slabs in both.
+[[nodiscard]] bool may_have_either_dim(const Json& json);
+
+}  // namespace snug::desktop
