@@ -64,7 +64,11 @@ void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, co
 /// What the marks mean, of those that there are; from the right.
 void draw_legend(ImDrawList* list, const Look& look, const lesson::Session& session, float right, float y, float room) {
   constexpr float kSize = 13;
-  const std::array<std::pair<Kind, const char*>, 3> kinds{{{Kind::kGrew, "the ball grew"}, {Kind::kReplaced, "new support"}, {Kind::kBest, "best so far"}}};
+  const bool boxes = session.boxes() != nullptr;
+  const std::array<std::pair<Kind, std::string>, 3> kinds{
+      {{Kind::kGrew, std::string("the ") + (session.lesson().volume == "sphere" ? "ball" : "volume") + " grew"},
+       {Kind::kReplaced, boxes ? "the verdict" : "new support"},
+       {Kind::kBest, boxes ? "it separates" : "best so far"}}};
   for (const auto& [kind, words] : kinds) {
     const auto& marks = session.marks();
     if (std::none_of(marks.begin(), marks.end(), [kind = kind](const lesson::Mark& m) { return m.kind == kind; })) continue;

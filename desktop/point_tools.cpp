@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <numbers>
 
 #include "desktop/cli/files.hpp"
 #include "desktop/column.hpp"
@@ -84,6 +85,36 @@ void draw_selected(Shell& shell, Column& column) {
   if (entered) shell.tell(session.move(selected, at));
 }
 
+/// A box by its numbers; in space it turns by so many degrees about the world's axes.
+void draw_box(Shell& shell, Column& column, int i) {
+  constexpr std::array<const char*, 3> kCenter{"centre x", "centre y", "centre z"}, kHalf{"half x", "half y", "half z"};
+  constexpr std::array<const char*, 3> kTurns{"Turn 15° x", "Turn 15° y", "Turn 15° z"};
+  constexpr double kDegree = std::numbers::pi / 180;
+  lesson::Session& session = shell.session();
+  lesson::BoxPair pair = *session.boxes();
+  Obb<double, 3>& box = pair.boxes[static_cast<std::size_t>(i)];
+  column.gap(12);
+  column.heading(i == 0 ? "Box A" : "Box B");
+  bool entered = false;
+  {
+    Fields fields(column, i == 0 ? "box a" : "box b");
+    for (int axis = 0; axis < session.dim(); ++axis) entered = fields.number(kCenter[static_cast<std::size_t>(axis)], box.center[axis]) || entered;
+    for (int axis = 0; axis < session.dim(); ++axis) entered = fields.number(kHalf[static_cast<std::size_t>(axis)], box.half_extents[axis]) || entered;
+    double degrees = lesson::angle_of(box) / kDegree;
+    if (session.dim() == 2 && fields.number("degrees", degrees)) {
+      box.axes = Matrix<double, 3>::Identity();
+      box = lesson::turned_by(box, 2, degrees * kDegree);
+      entered = true;
+    }
+  }
+  if (session.dim() == 3) {
+    const int clicked = column.buttons(i == 0 ? "turn a" : "turn b", {kTurns.begin(), kTurns.end()});
+    if (clicked >= 0) box = lesson::turned_by(box, clicked, 15 * kDegree);
+    entered = entered || clicked >= 0;
+  }
+  if (entered) shell.tell(session.set_boxes(pair));
+}
+
 void draw_scatter(Shell& shell, Column& column) {
   lesson::Session& session = shell.session();
   column.gap(12);
@@ -130,6 +161,11 @@ void draw_sources(Shell& shell, Column& column) {
 
 void draw_point_tools(Shell& shell, Column& column) {
   const lesson::Session& session = shell.session();
+  if (session.boxes() != nullptr) {
+    column.title("Two boxes");
+    for (int box = 0; box < 2; ++box) draw_box(shell, column, box);
+    return draw_scatter(shell, column);
+  }
   const std::string source = session.source().empty() ? "" : " · " + session.source();
   column.title(std::to_string(session.size()) + (session.size() == 1 ? " point" : " points"));
   column.words(std::to_string(session.dim()) + "-D" + source + (session.edited() ? " · changed by you" : ""), Face::kRegular, 14, column.look()->muted);

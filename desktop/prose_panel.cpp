@@ -16,7 +16,7 @@ constexpr float kMargin = 28;
 void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect) {
   float x = rect.x + kMargin;
   for (const bool points : {false, true}) {
-    const std::string_view words = points ? "Points" : "Lesson";
+    const std::string_view words = !points ? "Lesson" : shell.session().boxes() != nullptr ? "Boxes" : "Points";
     const bool on = shell.points_tab == points;
     const float width = app::measure(look, Face::kSemiBold, 14, words).x;
     if (app::touch_area(points ? "tab points" : "tab lesson", {x - 8, rect.y, width + 16, rect.height}).clicked) shell.points_tab = points;
@@ -127,7 +127,7 @@ void draw_algorithms(Shell& shell, Column& column) {
   std::vector<std::string> names, beside_names{""};
   int main = -1, second = 0;
   for (const std::string& name : session.lesson().algorithms) {
-    const fit::Algorithm* algorithm = fit::find_algorithm(session.lesson().volume, name);
+    const fit::Algorithm* algorithm = lesson::find_method(session.lesson().volume, name);
     if (algorithm == nullptr) continue;
     if (algorithm == session.algorithm(0)) main = static_cast<int>(titles.size());
     titles.emplace_back(algorithm->title), names.push_back(name);

@@ -121,7 +121,7 @@ class Quickhull3 {
     while (simplex.size() == 2 && shadow(at(simplex[0]), axis) == shadow(at(simplex[1]), axis)) ++axis;
     const auto shadow_at = [at, axis](Index i) { return shadow(at(i), axis); };
     if constexpr (kWatched<Observer>) tell(1, FlatFound{hull.affine_dim, simplex});
-    CountsOnly counts{observe_};
+    CountsOnly<Observer> counts{observe_};
     hull.indices = hull_ring<Scalar>(points_.size(), shadow_at, counts);
     for (const Index i : hull.indices) hull.vertices.push_back(points_[i]);
     return finish(std::move(hull));

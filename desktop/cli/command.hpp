@@ -55,6 +55,7 @@ inline CLI::Validator whole_number(std::uint64_t least = 0,
 void add_window(Commands& commands);
 void add_fit(Commands& commands);
 void add_algorithms(Commands& commands);
+void add_overlap(Commands& commands);
 void add_lesson(Commands& commands);
 void add_trace_hash(Commands& commands);
 void add_render(Commands& commands);
