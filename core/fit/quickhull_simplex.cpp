@@ -16,7 +16,8 @@ class SimplexSearch {
   explicit SimplexSearch(PointSpan<Scalar, 3> points) : points_(points) {}
 
   std::vector<Index> run() {
-    const auto [a, b] = farthest_extremes();
+    const auto ends = farthest_extremes();
+    const Index a = ends[0], b = ends[1];
     if (points_[a] == points_[b]) return {0};
     const Point origin = at(a), along = from(origin, b) / from(origin, b).norm();
     const Index c = most(
