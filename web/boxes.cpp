@@ -1,5 +1,6 @@
 #include "web/boxes.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 

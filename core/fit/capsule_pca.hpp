@@ -1,5 +1,5 @@
-// Source: D. Eberly, "3D Game Engine Design", 2000, for the axis and the caps; the line through the centre of the smallest
-// circle in place of the mean is E. Welzl's, "Smallest enclosing disks (balls and ellipsoids)", 1991.
+// Source: D. Eberly, "3D Game Engine Design", 2000, for the axis and the caps; the line through the centre of the
+// smallest circle in place of the mean is E. Welzl's, "Smallest enclosing disks (balls and ellipsoids)", 1991.
 #pragma once
 
 #include <algorithm>
@@ -92,9 +92,8 @@ template <class Scalar, int Dim, class Observer>
   return ends;
 }
 
-/// The capsule along the direction in which the points spread most: as thin as that direction allows, and its caps pulled
-/// in as far as the points do.
-/// points: n >= 1 finite points, scene units. Expected O(n) time and memory.
+/// The capsule along the direction in which the points spread most: as thin as that direction allows, and its caps
+/// pulled in as far as the points do. points: n >= 1 finite points, scene units. Expected O(n) time and memory.
 template <class Scalar, int Dim, StepObserver<CapsuleStep<Scalar, Dim>> Observer = Ignore>
 Fit<Capsule<Scalar, Dim>> capsule_pca(PointSpan<Scalar, Dim> points, const Options& options, Observer&& observe = {}) {
   using Step = CapsuleStep<Scalar, Dim>;

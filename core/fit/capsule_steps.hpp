@@ -11,8 +11,8 @@
 
 namespace snug::fit {
 
-/// The line along the axis around which the points lie closest: through the centre of the smallest circle (in the plane:
-/// interval) of the points as seen along it. support: those that hold that circle; radius: its, in scene units.
+/// The line along the axis around which the points lie closest: through the centre of the smallest circle (in the
+/// plane: interval) of the points as seen along it. support: those that hold that circle; radius: its, in scene units.
 struct LineFound {
   static constexpr std::string_view kName = "line_found";
   std::vector<Index> support;
@@ -20,8 +20,8 @@ struct LineFound {
   void fields(auto&& see) const { see("support", support), see("radius", radius); }
 };
 
-/// One end of the segment (0: a, 1: b) was moved from the point that reaches farthest to where a cap just holds them all;
-/// point: the one that touches the cap; by: how far, in scene units.
+/// One end of the segment (0: a, 1: b) was moved from the point that reaches farthest to where a cap just holds them
+/// all; point: the one that touches the cap; by: how far, in scene units.
 struct EndPulledIn {
   static constexpr std::string_view kName = "end_pulled_in";
   int end = 0;
@@ -31,7 +31,7 @@ struct EndPulledIn {
 };
 
 template <class Scalar, int Dim>
-using CapsuleStep = Step<Capsule<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>, AxesFound<Scalar, Dim>,
-                         LineFound, EndPulledIn, RadiusChecked, Finished>;
+using CapsuleStep = Step<Capsule<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>,
+                         AxesFound<Scalar, Dim>, LineFound, EndPulledIn, RadiusChecked, Finished>;
 
 }  // namespace snug::fit

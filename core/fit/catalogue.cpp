@@ -12,8 +12,11 @@ namespace {
 
 std::vector<Algorithm> all_rows() {
   std::vector<Algorithm> all;
-  for (const auto rows : {sphere_rows(), aabb_rows(), obb_rows(), swept_rows(), kdop_rows(), hull_rows()})
-    all.insert(all.end(), rows.begin(), rows.end());
+  const auto add = [&](std::span<const Algorithm> rows) { all.insert(all.end(), rows.begin(), rows.end()); };
+  add(sphere_rows());
+  if constexpr (kAllRows) add(aabb_rows());
+  add(obb_rows());
+  if constexpr (kAllRows) add(swept_rows()), add(kdop_rows()), add(hull_rows());
   return all;
 }
 

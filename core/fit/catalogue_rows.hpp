@@ -4,6 +4,7 @@
 #include <limits>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,29 +31,44 @@ std::vector<Index> indices_of(const Held& support) {
   return {support.begin(), support.end()};
 }
 
-template <auto kFitter>
-Result fit_any(const AnyPointSet& points, const Options& options) {
+/// The page is served without what no lesson there uses, for every byte is waited for: rows in single precision (nothing on
+/// it makes such points, and the rows would give back nothing for them) and rows of volumes that no lesson fits. Its
+/// tests have them all (tests/CMakeLists.txt).
+inline constexpr bool kAllRows = SNUG_ALL_ROWS;
+
+template <class Scalar>
+inline constexpr bool kTaken = std::is_same_v<Scalar, double> || kAllRows;
+
+/// Calls with the set's span, where its scalar is taken.
+template <class Returned, class Call>
+Returned with_span(const AnyPointSet& points, Call call) {
   return std::visit(
-      [&](const auto& set) {
-        Ignore ignore;
-        const auto fit = kFitter(set.span(), options, ignore);
-        return Result{lift(fit.volume), indices_of(fit.support)};
+      [&]<class Scalar, int Dim>([[maybe_unused]] const PointSet<Scalar, Dim>& set) -> Returned {
+        if constexpr (kTaken<Scalar>) return call(set.span());
+        else return {};
       },
       points);
 }
 
+template <auto kFitter>
+Result fit_any(const AnyPointSet& points, const Options& options) {
+  return with_span<Result>(points, [&](auto span) {
+    Ignore ignore;
+    const auto fit = kFitter(span, options, ignore);
+    return Result{lift(fit.volume), indices_of(fit.support)};
+  });
+}
+
 template <auto kFitter, bool kExact>
 Watched watch_any(const AnyPointSet& points, const Options& options, const SeeStep& see) {
-  return std::visit(
-      [&](const auto& set) {
-        LiftingObserver observer{see, {}};
-        const auto fit = kFitter(set.span(), options, observer);
-        return Watched{{lift(fit.volume), indices_of(fit.support)},
-                       observer.counter.steps,
-                       observer.counter.counts,
-                       certify(fit, set.span(), kExact)};
-      },
-      points);
+  return with_span<Watched>(points, [&](auto span) {
+    LiftingObserver observer{see, {}};
+    const auto fit = kFitter(span, options, observer);
+    return Watched{{lift(fit.volume), indices_of(fit.support)},
+                   observer.counter.steps,
+                   observer.counter.counts,
+                   certify(fit, span, kExact)};
+  });
 }
 
 template <auto kFitter, bool kExact>

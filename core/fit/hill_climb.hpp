@@ -29,9 +29,10 @@ struct Climbed {
 template <class Scalar, int Dim>
 class HillClimb {
  public:
-  /// vertices: n >= 1, in the local frame; neighbors: theirs. Both outlive it. directions: how many the caller asks for.
-  /// all_points: whether the body has no points but these; others, inside, may be placed farther out by rounding.
-  HillClimb(std::span<const Vector<Scalar, Dim>> vertices, const HullNeighbors& neighbors, int directions, bool all_points)
+  /// vertices: n >= 1, in the local frame; neighbors: theirs. Both outlive it. directions: how many the caller asks
+  /// for. all_points: whether the body has no points but these; others, inside, may be placed farther out by rounding.
+  HillClimb(std::span<const Vector<Scalar, Dim>> vertices, const HullNeighbors& neighbors, int directions,
+            bool all_points)
       : vertices_(vertices),
         neighbors_(neighbors),
         ends_(static_cast<std::size_t>(directions), 0),
@@ -47,8 +48,8 @@ class HillClimb {
   /// Where the last walk in the direction ended: the vertex of greatest value.
   [[nodiscard]] Index end(int direction) const { return ends_[static_cast<std::size_t>(direction)]; }
 
-  /// From where the last walk in this direction ended. value(v): of vertex v, a linear function of the vertex; doubt: at
-  /// least twice by how much it may be off. path: the start and each vertex that was better than all before.
+  /// From where the last walk in this direction ended. value(v): of vertex v, a linear function of the vertex; doubt:
+  /// at least twice by how much it may be off. path: the start and each vertex that was better than all before.
   template <class Value>
   Climbed<Scalar> climb(int direction, Value&& value, Scalar doubt, std::vector<Index>* path) {
     Index& best = ends_[static_cast<std::size_t>(direction)];

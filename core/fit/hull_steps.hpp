@@ -39,8 +39,8 @@ struct PointsAssigned {
   void fields(auto&& see) const { see("facets", facets), see("counts", counts), see("dropped", dropped); }
 };
 
-/// Of the facet's points the farthest was taken; distance: from the facet's line or plane, scene units; of: how many
-/// points the facet has.
+/// Of the facet's points the farthest was taken; distance: from the facet's line or plane, scene units, rounded; of:
+/// how many points the facet has.
 struct EyeChosen {
   static constexpr std::string_view kName = "eye_chosen";
   Index point = kNoIndex;

@@ -1,5 +1,5 @@
-// Source: J. T. Klosowski, M. Held, J. S. B. Mitchell, H. Sowizral, K. Zikan, "Efficient collision detection using bounding
-// volume hierarchies of k-DOPs", 1998.
+// Source: J. T. Klosowski, M. Held, J. S. B. Mitchell, H. Sowizral, K. Zikan, "Efficient collision detection using
+// bounding volume hierarchies of k-DOPs", 1998.
 #pragma once
 
 #include <algorithm>
@@ -25,8 +25,8 @@ inline constexpr std::array<std::string_view, 4> kKdopPseudocode{
 /// The tightest slab along an axis: the exact projections, rounded outwards. size: at least every |coordinate|; along a
 /// coordinate axis, where no sum rounds, 0 will do.
 template <class Scalar, int Dim>
-[[nodiscard]] SlabFound slab_of(const std::array<int, static_cast<std::size_t>(Dim)>& axis, PointSpan<Scalar, Dim> points,
-                                Scalar size, Scalar& min, Scalar& max) {
+[[nodiscard]] SlabFound slab_of(const KdopAxis<Dim>& axis, PointSpan<Scalar, Dim> points, Scalar size, Scalar& min,
+                                Scalar& max) {
   const Scalar doubt = tolerance::kKdopProjection<Scalar> * size;
   SlabFound found{.least = 0, .greatest = 0};
   min = project_down<Scalar, Dim>(axis, points[0]);

@@ -9,8 +9,8 @@
 
 namespace snug::fit {
 
-/// The points that reach farthest along an axis of the k-DOP, whose place among its axes is slab; min and max: its bounds,
-/// in scene units times the length of the axis.
+/// The points that reach farthest along an axis of the k-DOP, whose place among its axes is slab; min and max: its
+/// bounds, in scene units times the length of the axis.
 struct SlabFound {
   static constexpr std::string_view kName = "slab_found";
   int slab = 0;

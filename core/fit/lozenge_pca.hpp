@@ -26,14 +26,16 @@ inline constexpr std::array<std::string_view, 8> kLozengePcaPseudocode{
     "return lozenge",
 };
 
-/// A lozenge in the making, in the frame of the points: its edges along the axes first and second, its rectangle from low
-/// to high along them, and in space at that height along the third.
+/// A lozenge in the making, in the frame of the points: its edges along the axes first and second, its rectangle from
+/// low to high along them, and in space at that height along the third.
 template <class Scalar, int Dim>
 class LozengeMaker {
  public:
   using Local = std::vector<Vector<Scalar, Dim>>;
 
-  explicit LozengeMaker(const PrincipalFrame<Scalar, Dim>& frame) : frame_(frame), local_(frame.local) { measure_extents(); }
+  explicit LozengeMaker(const PrincipalFrame<Scalar, Dim>& frame) : frame_(frame), local_(frame.local) {
+    measure_extents();
+  }
 
   [[nodiscard]] Lozenge<Scalar, Dim> lozenge() const {
     const auto along = [&](int axis, Scalar length) -> Vector<Scalar, Dim> {
@@ -106,7 +108,10 @@ class LozengeMaker {
     const Scalar reached = reach(i) + tolerance::kLocalCoordinate<Scalar>;
     if (past[0] * past[0] + past[1] * past[1] <= reached * reached) return std::nullopt;
     const std::array<Scalar, 2> by = cheapest_move(past, reach(i));
-    for (std::size_t edge = 0; edge < 2; ++edge) (moved.corner >> edge & 1 ? high_[edge] += by[edge] : low_[edge] -= by[edge]);
+    for (std::size_t edge = 0; edge < 2; ++edge) {
+      const bool is_end = (moved.corner >> edge & 1) != 0;
+      (is_end ? high_ : low_)[edge] += is_end ? by[edge] : -by[edge];
+    }
     moved.along_first = static_cast<double>(by[0]) / static_cast<double>(frame_.scale);
     moved.along_second = static_cast<double>(by[1]) / static_cast<double>(frame_.scale);
     return moved;
@@ -145,15 +150,16 @@ class LozengeMaker {
 
   /// How far from the rectangle, along it, the point may lie.
   [[nodiscard]] Scalar reach(Index i) const {
-    if constexpr (Dim == 2) return radius_;
-    else {
+    if constexpr (Dim == 2) {
+      return radius_;
+    } else {
       const Scalar height = at(i, thin_axis()) - height_;
       return std::sqrt(std::max(radius_ * radius_ - height * height, Scalar{0}));
     }
   }
 
-  /// The radius with which a circle that touches both sides at the corner nearest to the point passes through it: with u
-  /// and v its distances from them, (r - u)^2 + (r - v)^2 = r^2.
+  /// The radius with which a circle that touches both sides at the corner nearest to the point passes through it: with
+  /// u and v its distances from them, (r - u)^2 + (r - v)^2 = r^2.
   [[nodiscard]] Scalar corner_radius(Index i) const {
     const auto inside = [&](std::size_t edge) {
       const Scalar coordinate = at(i, edge_axes_[edge]);
@@ -163,8 +169,8 @@ class LozengeMaker {
     return u + v + std::sqrt(2 * u * v);
   }
 
-  /// How far along each edge a corner goes to come within the point's reach: along one, the other, or both alike, as adds
-  /// the least. past: how far the point is past the corner's sides, each at most reach.
+  /// How far along each edge a corner goes to come within the point's reach: along one, the other, or both alike, as
+  /// adds the least. past: how far the point is past the corner's sides, each at most reach.
   [[nodiscard]] std::array<Scalar, 2> cheapest_move(const std::array<Scalar, 2>& past, Scalar reach) const {
     const auto left = [](Scalar square) { return std::sqrt(std::max(square, Scalar{0})); };
     const Scalar first = std::max(past[0] - left(reach * reach - past[1] * past[1]), Scalar{0});
@@ -201,9 +207,9 @@ template <class Scalar, int Dim>
   return support;
 }
 
-/// The lozenge whose rectangle lies along the principal axes where the points reach farthest, its radius half of what is
-/// left, and its sides pulled in as far as the points allow.
-/// points: n >= 1 finite points, scene units. O(n) time and memory.
+/// The lozenge whose rectangle lies along the principal axes where the points reach farthest, its radius half of what
+/// is left, and its sides pulled in as far as the points allow. points: n >= 1 finite points, scene units. O(n) time
+/// and memory.
 template <class Scalar, int Dim, StepObserver<LozengeStep<Scalar, Dim>> Observer = Ignore>
 Fit<Lozenge<Scalar, Dim>> lozenge_pca(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   using Step = LozengeStep<Scalar, Dim>;

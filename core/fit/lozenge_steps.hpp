@@ -19,8 +19,9 @@ struct ThicknessFound {
   void fields(auto&& see) const { see("least", least), see("greatest", greatest), see("radius", radius); }
 };
 
-/// One side of the rectangle (0, 1: the start and end of its first edge; 2, 3: of its second) was moved from the point that
-/// reaches farthest to where what is swept just holds them all; point: the one that then touches; by: how far, scene units.
+/// One side of the rectangle (0, 1: the start and end of its first edge; 2, 3: of its second) was moved from the point
+/// that reaches farthest to where what is swept just holds them all; point: the one that then touches; by: how far,
+/// scene units.
 struct SidePulledIn {
   static constexpr std::string_view kName = "side_pulled_in";
   int side = 0;
@@ -43,7 +44,7 @@ struct CornerMovedOut {
 
 template <class Scalar, int Dim>
 using LozengeStep =
-    Step<Lozenge<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>, AxesFound<Scalar, Dim>, ThicknessFound,
-         SidePulledIn, CornerMovedOut, RadiusChecked, Finished>;
+    Step<Lozenge<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>, AxesFound<Scalar, Dim>,
+         ThicknessFound, SidePulledIn, CornerMovedOut, RadiusChecked, Finished>;
 
 }  // namespace snug::fit

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "fit/obb_hull.hpp"
+#include "fit/obb_hull_solid.hpp"
 #include "fit/obb_trials.hpp"
 #include "geometry/orientation.hpp"
 
@@ -22,7 +23,7 @@ inline constexpr std::array<std::string_view, 6> kObbFaceAlignedPseudocode{
     "return box",
 };
 
-/// Tries the box on each face of a hull in space; of a flat one, on it as on a face.
+/// Tries the box on each face of a hull in space; of a flat one, the box on it as on a face.
 template <class Scalar, class Observer>
 class ObbFaceAligned {
  public:
@@ -31,52 +32,58 @@ class ObbFaceAligned {
 
   /// The best box's axes.
   Matrix<Scalar, 3> run() {
-    if (hull_.affine_dim < 2) {
-      const Matrix<double, 3> axes = hull_.affine_dim == 0 ? Matrix<double, 3>(Matrix<double, 3>::Identity())
-                                                           : frame(at(1) - at(0), Vector<double, 3>::Zero());
-      trials_.attempt(axes, hull_.indices, 2);
-    } else if (hull_.affine_dim == 2) {
-      attempt(widest_triangle());
+    switch (hull_.affine_dim) {
+      case 0: attempt({Matrix<double, 3>::Identity()}, hull_.indices); break;
+      case 1: attempt({frame(at(1) - at(0), Vector<double, 3>::Zero())}, hull_.indices); break;
+      case 2: attempt(rectangle_along(flat_normal(), trials_.local().at), hull_.indices); break;
+      default: try_faces();
     }
-    for (std::size_t f = 0; f < hull_.facets.size(); ++f)
-      if (f == 0 || !in_one_plane(hull_.facets[f - 1], hull_.facets[f])) attempt(hull_.facets[f]);
     return trials_.scalar_axes();
   }
 
  private:
+  using Point = Vector<double, 3>;
   using Triangle = std::array<Index, 3>;
 
-  [[nodiscard]] Vector<double, 3> at(Index i) const { return trials_.local().at[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Point& at(Index i) const { return trials_.local().at[static_cast<std::size_t>(i)]; }
+
+  void try_faces() {
+    const HullSolid solid(hull_);
+    for (std::size_t f = 0; f < hull_.facets.size(); ++f) {
+      if (f > 0 && in_one_plane(hull_.facets[f - 1], hull_.facets[f])) continue;
+      const Point& normal = solid.normals()[f];
+      std::vector<Point> outline;
+      for (const Index i : solid.outline(normal)) outline.push_back(at(i));
+      observe_.count(Operation::kDotProducts, 2 * static_cast<std::int64_t>(outline.size()));
+      std::array<Index, 3> face{};
+      for (std::size_t k = 0; k < 3; ++k) face[k] = hull_.indices[static_cast<std::size_t>(hull_.facets[f][k])];
+      attempt(rectangle_along(normal, outline), face);
+    }
+  }
 
   /// A face that quickhull cut into triangles has them one after the other.
   [[nodiscard]] bool in_one_plane(const Triangle& f, const Triangle& g) const {
-    const auto p = [&](Index i) -> Vector<double, 3> {
-      return hull_.vertices[static_cast<std::size_t>(i)].template cast<double>();
-    };
+    const auto p = [&](Index i) -> Point { return hull_.vertices[static_cast<std::size_t>(i)].template cast<double>(); };
     return std::all_of(g.begin(), g.end(), [&](Index i) {
       return std::find(f.begin(), f.end(), i) != f.end() || orient3d(p(f[0]), p(f[1]), p(f[2]), p(i)) == 0;
     });
   }
 
-  /// Of a flat polygon's fan the triangle whose plane is known best.
-  [[nodiscard]] Triangle widest_triangle() const {
-    Triangle widest{0, 1, 2};
+  /// Of the triangles that a flat polygon's fan has, the largest knows the plane best.
+  [[nodiscard]] Point flat_normal() const {
+    Point best = Point::Zero();
     for (Index i = 1; i + 1 < static_cast<Index>(hull_.vertices.size()); ++i) {
-      const Triangle next{0, i, i + 1};
-      if (normal(widest).norm() < normal(next).norm()) widest = next;
+      const Point normal = (at(i) - at(0)).cross(at(i + 1) - at(0));
+      if (best.norm() < normal.norm()) best = normal;
     }
-    return widest;
+    return best;
   }
 
-  [[nodiscard]] Vector<double, 3> normal(const Triangle& f) const { return (at(f[1]) - at(f[0])).cross(at(f[2]) - at(f[0])); }
-
-  void attempt(const Triangle& face) {
-    const RectangleFrame<3> rectangle = rectangle_along(normal(face), trials_.local().at);
-    observe_.count(Operation::kDotProducts, 2 * static_cast<std::int64_t>(hull_.vertices.size()));
+  template <class Indices>
+  void attempt(const RectangleFrame<3>& rectangle, const Indices& on) {
     trials_.attempt_and_tell(rectangle.axes, [&](const Obb<Scalar, 3>& box, bool better) {
-      BoxTried<Scalar, 3> tried{{}, box, measure(box), better};
-      for (const Index i : face) tried.on.push_back(hull_.indices[static_cast<std::size_t>(i)]);
-      observe_(ObbStep<Scalar, 3>{better ? 3 : 2, true, trials_.box(), std::move(tried)});
+      observe_(ObbStep<Scalar, 3>{better ? 3 : 2, true, trials_.box(),
+                                  BoxTried<Scalar, 3>{{on.begin(), on.end()}, box, measure(box), better}});
     });
   }
 
@@ -87,7 +94,8 @@ class ObbFaceAligned {
 
 /// The smallest box with a side on a face of the hull; in 2-D on an edge, which is the smallest of all. On a regular
 /// tetrahedron it is twice as large as the smallest.
-/// points: n >= 1 finite points, scene units. Expected O(n log n) time in 2-D; in 3-D as much for each face of the hull.
+/// points: n >= 1 finite points, scene units. Expected O(n log n) time for the hull; in 3-D O(h) more for each of its faces,
+/// of h vertices.
 template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
 Fit<Obb<Scalar, Dim>> obb_face_aligned(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   const ConvexHull<Scalar, Dim> hull = watched_hull(points, 0, observe);

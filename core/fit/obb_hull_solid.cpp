@@ -68,29 +68,30 @@ void HullSolid::build(Corners corners, const std::vector<Triangle>& facets) {
   // Faces and edges come from the corners as they are, for moving them to the first would round; scaling does not.
   for (Point& p : corners)
     for (int i = 0; i < 3; ++i) p[i] = std::ldexp(p[i], -local_.exponent);
-  link_neighbours(facets);
+  const std::vector<SharedEdge> edges = edges_of(facets);
+  link_neighbours(edges);
   make_table();
   const auto corner = [&](Index i) -> const Point& { return corners[static_cast<std::size_t>(i)]; };
   for (const Triangle& f : facets) normals_.push_back(unit_normal(corner(f[0]), corner(f[1]), corner(f[2])));
-  for (const auto& [edge, left, right, beyond] : edges_of(facets)) {
-    const Triangle& f = facets[static_cast<std::size_t>(left)];
-    if (orient3d(corner(f[0]), corner(f[1]), corner(f[2]), corner(beyond)) == 0) continue;
-    edges_.push_back(edge);
-    add_arc(unit<3>(corner(edge[1]) - corner(edge[0])), left, right);
+  for (const SharedEdge& e : edges) {
+    const Triangle& f = facets[static_cast<std::size_t>(e.left)];
+    if (orient3d(corner(f[0]), corner(f[1]), corner(f[2]), corner(e.beyond)) == 0) continue;
+    edges_.push_back(e.edge);
+    add_arc(unit<3>(corner(e.edge[1]) - corner(e.edge[0])), e.left, e.right);
   }
 }
 
-void HullSolid::link_neighbours(const std::vector<Triangle>& facets) {
+template <class Edges>
+void HullSolid::link_neighbours(const Edges& edges) {
   neighbours_from_.assign(vertices().size() + 1, 0);
-  for (const Triangle& f : facets)
-    for (const Index v : f) ++neighbours_from_[static_cast<std::size_t>(v) + 1];
+  for (const SharedEdge& e : edges)
+    for (const Index v : e.edge) ++neighbours_from_[static_cast<std::size_t>(v) + 1];
   std::partial_sum(neighbours_from_.begin(), neighbours_from_.end(), neighbours_from_.begin());
-  neighbours_.resize(3 * facets.size());
-  std::vector<Index> next(neighbours_from_.begin(), neighbours_from_.end() - 1);
-  // On a closed surface every edge is the way from its start to its end of just one facet.
-  for (const Triangle& f : facets)
-    for (std::size_t i = 0; i < 3; ++i)
-      neighbours_[static_cast<std::size_t>(next[static_cast<std::size_t>(f[i])]++)] = f[(i + 1) % 3];
+  neighbours_.resize(2 * edges.size());
+  std::vector<std::size_t> next(neighbours_from_.begin(), neighbours_from_.end() - 1);
+  for (const SharedEdge& e : edges)
+    for (const auto& [v, other] : {e.edge, HullSolid::Edge{e.edge[1], e.edge[0]}})
+      neighbours_[next[static_cast<std::size_t>(v)]++] = {other, e.left, e.right};
 }
 
 Vector<double, 3> HullSolid::table_direction(int face, int row, int column) const {
@@ -134,17 +135,34 @@ Index HullSolid::farthest(const Point& direction, Index near) const {
   double most = direction.dot(at(near));
   for (bool climbing = true; climbing;) {
     climbing = false;
-    const auto v = static_cast<std::size_t>(near);
-    for (Index k = neighbours_from_[v]; k < neighbours_from_[v + 1]; ++k) {
-      const Index next = neighbours_[static_cast<std::size_t>(k)];
-      const double reach = direction.dot(at(next));
+    for (const Neighbour& next : neighbours(near)) {
+      const double reach = direction.dot(at(next.vertex));
       if (!(reach > most)) continue;
       most = reach;
-      near = next;
+      near = next.vertex;
       climbing = true;
     }
   }
   return near;
+}
+
+// From a vertex of the outline all others are reached along edges of it, which is a closed curve, with the sides of faces
+// that the direction lies in.
+std::vector<Index> HullSolid::outline(const Point& direction) const {
+  const auto turned = [&](Index facet) { return direction.dot(normals_[static_cast<std::size_t>(facet)]); };
+  const Point across = direction.cross(axis_across<3>(direction));
+  std::vector<Index> found{farthest(across, far(across))};
+  std::vector<bool> seen(vertices().size());
+  seen[static_cast<std::size_t>(found[0])] = true;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (const Neighbour& next : neighbours(found[i])) {
+      const double left = turned(next.left), right = turned(next.right);
+      if (std::min(left, right) > tolerance::kOnOutline || std::max(left, right) < -tolerance::kOnOutline) continue;
+      if (seen[static_cast<std::size_t>(next.vertex)]) continue;
+      seen[static_cast<std::size_t>(next.vertex)] = true;
+      found.push_back(next.vertex);
+    }
+  return found;
 }
 
 Index HullSolid::far(const Point& direction) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,7 @@ class HullSolid {
 
   /// But for those inside a face that was cut into triangles.
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
+  /// Of the hull's facets first, as many as there are.
   [[nodiscard]] const std::vector<Vector<double, 3>>& normals() const { return normals_; }
   [[nodiscard]] const std::vector<NormalArc>& arcs() const { return arcs_; }
 
@@ -49,13 +51,27 @@ class HullSolid {
   [[nodiscard]] Index farthest(const Vector<double, 3>& direction, Index near) const;
   /// The vertex farthest along a direction near this one: at once, and nearly the farthest along this one.
   [[nodiscard]] Index far(const Vector<double, 3>& direction) const;
+  /// The vertices on the edges between faces turned to a direction and away from it, and on faces along it: of all that is
+  /// cast along the direction, what lies on the outline. O(their number) time, about O(sqrt n) on a round hull.
+  /// direction: unit.
+  [[nodiscard]] std::vector<Index> outline(const Vector<double, 3>& direction) const;
 
  private:
   using Corners = std::vector<Vector<double, 3>>;
   using Triangle = std::array<Index, 3>;
 
+  /// Another vertex across an edge, and the facets on both sides of it.
+  struct Neighbour {
+    Index vertex, left, right;
+  };
+
   void build(Corners corners, const std::vector<Triangle>& facets);
-  void link_neighbours(const std::vector<Triangle>& facets);
+  template <class Edges>
+  void link_neighbours(const Edges& edges);
+  [[nodiscard]] std::span<const Neighbour> neighbours(Index vertex) const {
+    const auto* from = &neighbours_from_[static_cast<std::size_t>(vertex)];
+    return std::span(neighbours_).subspan(from[0], from[1] - from[0]);
+  }
   void make_table();
   void add_arc(const Vector<double, 3>& along, Index from, Index to);
   [[nodiscard]] Vector<double, 3> table_direction(int face, int row, int column) const;
@@ -64,10 +80,10 @@ class HullSolid {
   std::vector<Edge> edges_;
   std::vector<Vector<double, 3>> normals_;
   std::vector<NormalArc> arcs_;
-  std::vector<Index> neighbours_;        // of vertex i from neighbours_from_[i] to neighbours_from_[i + 1]
-  std::vector<Index> neighbours_from_;
-  std::vector<Index> table_;             // per cell of a cube's surface
-  int cells_ = 1;                        // along a side of it
+  std::vector<Neighbour> neighbours_;  // of vertex i from neighbours_from_[i] to neighbours_from_[i + 1]
+  std::vector<std::size_t> neighbours_from_;
+  std::vector<Index> table_;           // per cell of a cube's surface
+  int cells_ = 1;                      // along a side of it
 };
 
 }  // namespace snug::fit

@@ -11,8 +11,8 @@
 
 namespace snug::fit {
 
-/// Coordinates along unit axes from an origin, magnified by a power of two so that the points are of about unit size: no
-/// square of them over- or underflows to any effect.
+/// Coordinates along unit axes from an origin, magnified by a power of two so that the points are of about unit size:
+/// no square of them over- or underflows to any effect.
 template <class Scalar, int Dim>
 struct PrincipalFrame {
   Vector<Scalar, Dim> origin;
@@ -43,7 +43,8 @@ template <class StepType, class Scalar, int Dim, class Observer>
   constexpr int kMostExponent = std::numeric_limits<Scalar>::max_exponent - 1;
   if (largest > 0) frame.scale = std::ldexp(Scalar{1}, std::min(-std::ilogb(largest), kMostExponent));
   frame.local.reserve(static_cast<std::size_t>(points.size()));
-  for (const auto& p : points) frame.local.push_back(turned_back<Scalar, Dim>(found.axes, (p - mean.mean) * frame.scale));
+  for (const auto& p : points)
+    frame.local.push_back(turned_back<Scalar, Dim>(found.axes, (p - mean.mean) * frame.scale));
   observe.count(Operation::kPointsTouched, 2 * std::int64_t{points.size()});
   observe.count(Operation::kDotProducts, Dim * std::int64_t{points.size()});
   return frame;

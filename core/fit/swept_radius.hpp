@@ -91,8 +91,8 @@ struct SweptRadius {
 // Up to this many points near the boundary are decided exactly; with more, the radius is widened by its error bound.
 inline constexpr std::size_t kSweptCandidates = 1024;
 
-/// Widens the radius until the volume holds the point. The steps double, for a radius of nearly 0 has far to go in its own
-/// last digits; they start at one of those, or at what is nothing beside the doubt.
+/// Widens the radius until the volume holds the point. The steps double, for a radius of nearly 0 has far to go in its
+/// own last digits; they start at one of those, or at what is nothing beside the doubt.
 template <class VolumeType, class Scalar, int Dim>
 bool widen_swept(VolumeType& volume, const Vector<Scalar, Dim>& point, Scalar least_step) {
   constexpr Scalar kMost = std::numeric_limits<Scalar>::max();
@@ -102,7 +102,8 @@ bool widen_swept(VolumeType& volume, const Vector<Scalar, Dim>& point, Scalar le
   return widened;
 }
 
-/// Sets the radius to the least, but for rounding, with which the volume holds every point in exact arithmetic. Two passes.
+/// Sets the radius to the least, but for rounding, with which the volume holds every point in exact arithmetic. Two
+/// passes.
 template <class VolumeType, class Scalar, int Dim>
 SweptRadius hold_all(VolumeType& volume, PointSpan<Scalar, Dim> points) {
   const SweptCore<Dim> core(volume);
@@ -112,7 +113,8 @@ SweptRadius hold_all(VolumeType& volume, PointSpan<Scalar, Dim> points) {
   const auto most = std::max_element(distances.begin(), distances.end());
   SweptRadius result{static_cast<Index>(most - distances.begin()), false};
 
-  const double doubt = tolerance::kSweptDistance * (*most + 2 * core.size()) + 16 * std::numeric_limits<double>::denorm_min();
+  constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+  const double doubt = tolerance::kSweptDistance * (*most + 2 * core.size()) + 16 * kLeast;
   volume.radius = static_cast<Scalar>(*most);
   std::vector<Index> candidates;
   for (Index i = 0; i < points.size(); ++i)

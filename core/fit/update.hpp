@@ -1,12 +1,14 @@
 // What the updates of volumes share. A body turns and moves; its volume follows without being fitted anew.
 //
-// Which frame? A volume is kept in the body's local frame, where it never changes, and each update makes the world's from
-// that and from the whole pose. An update of the last frame's world volume by what has happened since compiles as well,
-// and is a trap: a box of a box of a box grows with every frame, and a sphere's and an oriented box's roundings add up.
+// Which frame? A volume is kept in the body's local frame, where it never changes, and each update makes the world's
+// from that and from the whole pose. An update of the last frame's world volume by what has happened since compiles as
+// well, and is a trap: a box of a box of a box grows with every frame, and a sphere's and an oriented box's roundings
+// add up.
 //
-// What is promised: the updated volume holds, in exact arithmetic, every point of the body as `placed` (geometry/pose.hpp)
-// puts it, with its roundings. Boxes keep that promise because rounding never changes the order of two numbers; where
-// that does not suffice a bound is moved out by as much as is proven of rounding, which tolerance.hpp has.
+// What is promised: the updated volume holds, in exact arithmetic, every point of the body as `placed`
+// (geometry/pose.hpp) puts it, with its roundings. Boxes keep that promise because rounding never changes the order of
+// two numbers; where that does not suffice a bound is moved out by as much as is proven of rounding, which
+// tolerance.hpp has.
 #pragma once
 
 #include <limits>
@@ -24,8 +26,8 @@ struct Updated {
   VolumeType volume;  // in the world
 };
 
-/// By how much an updated volume is larger than the tightest of its kind around the placed points: 0 where it is that one,
-/// infinite where only the tightest has no area or volume. measures: of each.
+/// By how much an updated volume is larger than the tightest of its kind around the placed points: 0 where it is that
+/// one, infinite where only the tightest has no area or volume. measures: of each.
 [[nodiscard]] inline double slack(double updated, double tightest) {
   if (updated <= tightest) return 0;
   return tightest > 0 ? updated / tightest - 1 : std::numeric_limits<double>::infinity();
@@ -39,9 +41,9 @@ struct ReachFound {
   void fields(auto&& see) const { see("point", point), see("distance", distance); }
 };
 
-/// The vertex that reaches farthest along an axis of the world (of a k-DOP's, whose place is axis), to the one or the other
-/// side, was found by walking uphill from the last frame's. path: the vertices on the way, each higher than that before;
-/// looked_at: how many were held against the best, those on plateaus too.
+/// The vertex that reaches farthest along an axis of the world (of a k-DOP's, whose place is axis), to the one or the
+/// other side, was found by walking uphill from the last frame's. path: the vertices on the way, each higher than that
+/// before; looked_at: how many were held against the best, those on plateaus too.
 struct ExtremeClimbed {
   static constexpr std::string_view kName = "extreme_climbed";
   int axis = 0;
@@ -77,6 +79,7 @@ struct AxesTurned {
 };
 
 template <class VolumeType>
-using UpdateStep = Step<VolumeType, ReachFound, BoxWidened, ExtremeClimbed, BoundsRotated, CenterMoved, AxesTurned, Finished>;
+using UpdateStep =
+    Step<VolumeType, ReachFound, BoxWidened, ExtremeClimbed, BoundsRotated, CenterMoved, AxesTurned, Finished>;
 
 }  // namespace snug::fit

@@ -20,11 +20,11 @@ inline constexpr std::array<std::string_view, 5> kUpdateKdopClimbPseudocode{
     "return k-DOP",
 };
 
-/// The tightest k-DOP again, by hill climbing along each of its axes. This is where k-DOPs are weak: the axes stay where
-/// they are while the body turns, so that no bound of the last frame is of use, and a turn costs k walks where a box costs
-/// six, a sphere or an oriented box none.
-/// k: one that Dim has. climb: of k directions. The result is kdop_fit's of the same vertices, placed, bit for bit. Where
-/// the body has other points as well, inside, each bound moves out by as much as rounding may have taken them there.
+/// The tightest k-DOP again, by hill climbing along each of its axes. This is where k-DOPs are weak: the axes stay
+/// where they are while the body turns, so that no bound of the last frame is of use, and a turn costs k walks where a
+/// box costs six, a sphere or an oriented box none. k: one that Dim has. climb: of k directions. The result is
+/// kdop_fit's of the same vertices, placed, bit for bit. Where the body has other points as well, inside, each bound
+/// moves out by as much as rounding may have taken them there.
 template <class Scalar, int Dim, StepObserver<UpdateStep<Kdop<Scalar, Dim>>> Observer = Ignore>
 Updated<Kdop<Scalar, Dim>> update_kdop_climb(HillClimb<Scalar, Dim>& climb, int k, const Pose<Scalar, Dim>& pose,
                                              Observer&& observe = {}) {
@@ -37,8 +37,8 @@ Updated<Kdop<Scalar, Dim>> update_kdop_climb(HillClimb<Scalar, Dim>& climb, int 
   for (int side = 0; side < k; ++side) {
     const auto slab = static_cast<std::size_t>(side / 2);
     const bool greatest = side % 2 == 1;
-    std::array<int, static_cast<std::size_t>(Dim)> outward = axes[slab];
-    std::array<int, static_cast<std::size_t>(Dim)> sizes{};
+    KdopAxis<Dim> outward = axes[slab];
+    KdopAxis<Dim> sizes{};
     for (std::size_t i = 0; i < outward.size(); ++i) {
       outward[i] *= greatest ? 1 : -1;
       sizes[i] = std::abs(outward[i]);

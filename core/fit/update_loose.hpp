@@ -32,14 +32,14 @@ LooseReach<Scalar> loose_reach(PointSpan<Scalar, Dim> points, Observer&& observe
   const Scalar distance = enclosing_radius(center, points, far);
   observe.count(Operation::kPointsTouched, points.size());
   observe.count(Operation::kDistanceTests, points.size());
-  const LooseReach<Scalar> found{
-      distance * (1 + tolerance::kLooseReach<Scalar>) + 4 * std::numeric_limits<Scalar>::denorm_min(), far.overall.point};
+  constexpr Scalar kLeast = std::numeric_limits<Scalar>::denorm_min();
+  const LooseReach<Scalar> found{distance * (1 + tolerance::kLooseReach<Scalar>) + 4 * kLeast, far.overall.point};
   observe(UpdateStep<Aabb<Scalar, Dim>>{0, false, {}, ReachFound{found.farthest, static_cast<double>(found.reach)}});
   return found;
 }
 
-/// The box that holds the body in every orientation, where it is now. The cheapest update and the loosest: of a unit cube
-/// about its middle it is sqrt(3) wide, 5.2 times the volume. No turn changes it.
+/// The box that holds the body in every orientation, where it is now. The cheapest update and the loosest: of a unit
+/// cube about its middle it is sqrt(3) wide, 5.2 times the volume. No turn changes it.
 template <class Scalar, int Dim, StepObserver<UpdateStep<Aabb<Scalar, Dim>>> Observer = Ignore>
 Updated<Aabb<Scalar, Dim>> update_loose(const LooseReach<Scalar>& reach, const Pose<Scalar, Dim>& pose,
                                         Observer&& observe = {}) {

@@ -18,15 +18,16 @@ inline constexpr std::array<std::string_view, 4> kUpdateObbPseudocode{
     "return box",
 };
 
-/// The box turned and moved with the body: as tight as it was, at the cost of one matrix product. The axes are made unit
-/// and perpendicular again each time, so that even a box updated from its own last state stays a box.
-/// box: holds the points in the local frame; its axes unit and perpendicular within rounding.
+/// The box turned and moved with the body: as tight as it was, at the cost of one matrix product. The axes are made
+/// unit and perpendicular again each time, so that even a box updated from its own last state stays a box. box: holds
+/// the points in the local frame; its axes unit and perpendicular within rounding.
 ///
-/// Why it holds every placed point: with d from the centre to a point and a an axis, the turned d's projection onto the new
-/// axis a' is d . (R^T a'), which is d . a plus at most |d| |R^T a' - a|. The last factor is computed, with 7u of doubt; d
-/// is no longer than the box's half diagonal; and what placing rounds is placing_error.
+/// Why it holds every placed point: with d from the centre to a point and a an axis, the turned d's projection onto the
+/// new axis a' is d . (R^T a'), which is d . a plus at most |d| |R^T a' - a|. The last factor is computed, with 7u of
+/// doubt; d is no longer than the box's half diagonal; and what placing rounds is placing_error.
 template <class Scalar, int Dim, StepObserver<UpdateStep<Obb<Scalar, Dim>>> Observer = Ignore>
-Updated<Obb<Scalar, Dim>> update_obb(const Obb<Scalar, Dim>& box, const Pose<Scalar, Dim>& pose, Observer&& observe = {}) {
+Updated<Obb<Scalar, Dim>> update_obb(const Obb<Scalar, Dim>& box, const Pose<Scalar, Dim>& pose,
+                                     Observer&& observe = {}) {
   using Step = UpdateStep<Obb<Scalar, Dim>>;
   Obb<Scalar, Dim> moved{placed(pose, box.center), box.axes, box.half_extents};
   observe(Step{0, false, moved, CenterMoved{}});

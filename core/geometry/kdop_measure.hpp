@@ -5,9 +5,9 @@
 
 namespace snug {
 
-/// Area (2-D) or volume (3-D), within a few roundings of its size to the power of Dim; 0 where the slabs have no point in
-/// common. In 3-D the sum over the faces of the pyramids that they make with a point; each face is its plane, clipped by
-/// all other slabs.
+/// Area (2-D) or volume (3-D), within a few roundings of its size to the power of Dim; 0 where the slabs have no point
+/// in common. In 3-D the sum over the faces of the pyramids that they make with a point; each face is its plane,
+/// clipped by all other slabs.
 /// Source of the clipping: I. E. Sutherland, G. W. Hodgman, "Reentrant polygon clipping", 1974.
 template <class Scalar, int Dim>
 [[nodiscard]] double measure(const Kdop<Scalar, Dim>& kdop);

@@ -8,9 +8,12 @@
 
 namespace snug {
 
+template <int Dim>
+using KdopAxis = std::array<int, static_cast<std::size_t>(Dim)>;
+
 /// p . axis, each sum rounded.
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar project(const std::array<int, static_cast<std::size_t>(Dim)>& axis, const Vector<Scalar, Dim>& p) {
+[[nodiscard]] Scalar project(const KdopAxis<Dim>& axis, const Vector<Scalar, Dim>& p) {
   Scalar sum = 0;
   for (int i = 0; i < Dim; ++i) sum += static_cast<Scalar>(axis[static_cast<std::size_t>(i)]) * p[i];
   return sum;
@@ -18,20 +21,22 @@ template <class Scalar, int Dim>
 
 /// The least Scalar that is not below p . axis. p: finite, and small enough that the sum of its coordinates is.
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar project_up(const std::array<int, static_cast<std::size_t>(Dim)>& axis, const Vector<Scalar, Dim>& p) {
+[[nodiscard]] Scalar project_up(const KdopAxis<Dim>& axis, const Vector<Scalar, Dim>& p) {
   const auto term = [&](int i) { return static_cast<Scalar>(axis[static_cast<std::size_t>(i)]) * p[i]; };
-  if constexpr (Dim == 2) return sum_up<Scalar>(term(0), term(1));
-  else return sum_up<Scalar>(term(0), term(1), term(2));
+  if constexpr (Dim == 2)
+    return sum_up<Scalar>(term(0), term(1));
+  else
+    return sum_up<Scalar>(term(0), term(1), term(2));
 }
 
 /// The greatest Scalar that is not above p . axis. p: as above.
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar project_down(const std::array<int, static_cast<std::size_t>(Dim)>& axis, const Vector<Scalar, Dim>& p) {
+[[nodiscard]] Scalar project_down(const KdopAxis<Dim>& axis, const Vector<Scalar, Dim>& p) {
   return 0 - project_up<Scalar, Dim>(axis, -p);  // not -0
 }
 
-/// The k-DOP's slabs from one on are as wide as the coordinate slabs, its first Dim, let them be: what it is before they
-/// are known. kdop.k: one of the known.
+/// The k-DOP's slabs from one on are as wide as the coordinate slabs, its first Dim, let them be: what it is before
+/// they are known. kdop.k: one of the known.
 template <class Scalar, int Dim>
 void imply_slabs(Kdop<Scalar, Dim>& kdop, std::size_t from) {
   const auto axes = kdop_axes<Dim>(kdop.k);

@@ -26,7 +26,8 @@ using ObbPlanes = std::array<Plane<Scalar, Dim>, std::size_t{2} * Dim>;
 template <class Scalar, int Dim>
 using ObbSlabs = std::array<Slab<Scalar, Dim>, std::size_t{Dim}>;
 
-/// Vertex v is on the positive side of axis i where bit i of v is set. Each coordinate is rounded from its value in double.
+/// Vertex v is on the positive side of axis i where bit i of v is set. Each coordinate is rounded from its value in
+/// double.
 template <class Scalar, int Dim>
 [[nodiscard]] ObbVertices<Scalar, Dim> vertices_of(const Obb<Scalar, Dim>& box) {
   ObbVertices<Scalar, Dim> vertices;
@@ -41,8 +42,9 @@ template <class Scalar, int Dim>
   return vertices;
 }
 
-/// By axis. Their meeting is the tightest around the box that the Scalar allows: in exact arithmetic every slab holds its
-/// own of the box, and no bound could be a number closer. Coordinates and half extents finite, up to PointSet's largest.
+/// By axis. Their meeting is the tightest around the box that the Scalar allows: in exact arithmetic every slab holds
+/// its own of the box, and no bound could be a number closer. Coordinates and half extents finite, up to PointSet's
+/// largest.
 template <class Scalar, int Dim>
 [[nodiscard]] ObbSlabs<Scalar, Dim> slabs_of(const Obb<Scalar, Dim>& box);
 
@@ -68,7 +70,7 @@ struct ObbForm {
 
 inline constexpr std::array<ObbForm, 4> kObbForms{
     ObbForm{"vertices", 8, 24, "Drawing it, moving it, the farthest point in a direction: the corners are there.",
-            "Space, and every test that needs a face: whether a point is inside takes three axes that must be found first."},
+            "Space, and whatever needs a face: whether a point is inside takes three axes that must be found first."},
     ObbForm{"planes", 12, 24, "Whether a point is inside: one dot product a face, and the first that fails ends it.",
             "Each direction is stored twice with opposite signs, and a corner is where three planes meet: a solve."},
     ObbForm{"slabs", 8, 15, "A ray, or a point: each direction once, with two bounds.",

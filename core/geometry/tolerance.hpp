@@ -199,4 +199,9 @@ inline constexpr double kBoxBoundaryRoundoffs = 64;
 /// axes is off by no more. Eight times what entries rounded to float, or to seven digits, come to; no fault of a hand.
 inline constexpr double kAxesAsGiven = 0x1p-20;
 
+/// The sine of the angle to a direction up to which a face counts as lying along it: far above the rounding of its normal,
+/// so that an outline never breaks off, and small enough to take in no more than a few vertices too many. Held by "an
+/// outline is that of all points".
+inline constexpr double kOnOutline = 0x1p-40;
+
 }  // namespace snug::tolerance

@@ -32,14 +32,15 @@ struct Rectangle {
 
 template <class Scalar>
 struct ClosestPoints {
-  Vector<Scalar, 3> a, b;  // one on each, in the order of the arguments
-  Scalar square = 0;       // of their distance
-  int tests = 1;           // pairs of features compared
+  Vector<Scalar, 3> a, b;     // one on each, in the order of the arguments
+  Vector<Scalar, 3> between;  // b - a, with digits that the difference of a and b may have lost
+  Scalar square = 0;          // of their distance
+  int tests = 1;              // pairs of features compared
 };
 
 template <class Scalar>
 [[nodiscard]] ClosestPoints<Scalar> pair_of(const Vector<Scalar, 3>& a, const Vector<Scalar, 3>& b) {
-  return {a, b, (b - a).squaredNorm()};
+  return {a, b, b - a, (b - a).squaredNorm()};
 }
 
 /// Whether an edge of that squared length is no more than a point.

@@ -55,9 +55,11 @@ class RectanglePair {
         !crossings(from_b_, true))
       edges(enough);
     const Rectangle<Scalar>& own = seen_from_b_ ? b_ : a_;
-    ClosestPoints<Scalar> result{own.center + own.axes * own_, own.center + own.axes * other_, square_, tests_};
-    if (seen_from_b_) std::swap(result.a, result.b);
-    return result;
+    const Vector<Scalar, 3> on_own = own.center + own.axes * own_;
+    const Vector<Scalar, 3> on_other = own.center + own.axes * other_;
+    const Vector<Scalar, 3> between = own.axes * (other_ - own_);
+    if (seen_from_b_) return {on_other, on_own, -between, square_, tests_};
+    return {on_own, on_other, between, square_, tests_};
   }
 
  private:

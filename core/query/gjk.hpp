@@ -169,7 +169,7 @@ class Gjk {
   Pair support() {
     const Point n = v_ / most;
     const Pair pair{farthest_corner<3>(a_, -n), farthest_corner<3>(b_, n)};
-    const double gap = a_[pair.a].dot(n) - b_[pair.b].dot(n);
+    const double gap = std::min(a_[pair.a].dot(n) - b_[pair.b].dot(n), most);  // no more, but for rounding
     if (gap > least) least = gap, direction = -n;
     observe_.count(Operation::kDotProducts, static_cast<std::int64_t>(a_.size() + b_.size()));
     if constexpr (kWatched<Observer>)

@@ -1,5 +1,7 @@
 #include "query/obb_sat_batch.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <limits>
 #include <type_traits>
@@ -31,9 +33,10 @@ class Group {
  public:
   using Vec = typename Lanes<Scalar, kBytes>::Vector;
   using Mask = typename Lanes<Scalar, kBytes>::Mask;
-  static constexpr std::size_t kCount = Lanes<Scalar, kBytes>::kCount;
+  using Block = typename ObbArray<Scalar>::Block;
 
-  SNUG_INLINE Group(const ObbArray<Scalar>& a, const ObbArray<Scalar>& b, std::size_t first) {
+  /// first: the place of the first lane in the blocks.
+  SNUG_INLINE Group(const Block& a, const Block& b, std::size_t first) {
     Vec size{};
     for (std::size_t k = 0; k < 3; ++k) {
       offset_[k] = load(b, kCenter + k, first) - load(a, kCenter + k, first);
@@ -43,61 +46,48 @@ class Group {
     }
     doubt_ = size * tolerance::kSatGap<Scalar> + std::numeric_limits<Scalar>::min();
     for (std::size_t i = 0; i < 3; ++i) {
-      Vec axis_a[3];
-      for (std::size_t k = 0; k < 3; ++k) axis_a[k] = load(a, kAxes + 3 * i + k, first);
-      translation_[i] = axis_a[0] * offset_[0] + axis_a[1] * offset_[1] + axis_a[2] * offset_[2];
+      const Vec x = load(a, kAxes + 3 * i, first), y = load(a, kAxes + 3 * i + 1, first), z = load(a, kAxes + 3 * i + 2, first);
+      translation_[i] = x * offset_[0] + y * offset_[1] + z * offset_[2];
       for (std::size_t j = 0; j < 3; ++j) {
-        rotation_[i][j] = axis_a[0] * load(b, kAxes + 3 * j, first) + axis_a[1] * load(b, kAxes + 3 * j + 1, first) +
-                          axis_a[2] * load(b, kAxes + 3 * j + 2, first);
+        rotation_[i][j] = x * load(b, kAxes + 3 * j, first) + y * load(b, kAxes + 3 * j + 1, first) +
+                          z * load(b, kAxes + 3 * j + 2, first);
         size_[i][j] = magnitude(rotation_[i][j]);
       }
     }
   }
 
-  SNUG_INLINE void faces() {
-    for (std::size_t i = 0; i < 3; ++i)
-      open_faces_ |= judge(translation_[i], half_a_[i],
-                           half_b_[0] * size_[i][0] + half_b_[1] * size_[i][1] + half_b_[2] * size_[i][2]);
+  /// The widest of the gaps along the faces' axes.
+  [[nodiscard]] SNUG_INLINE Vec faces() const {
+    Vec widest = gap(translation_[0], half_a_[0], radius_b(0));
+    for (std::size_t i = 1; i < 3; ++i) widest = larger(widest, gap(translation_[i], half_a_[i], radius_b(i)));
     for (std::size_t j = 0; j < 3; ++j)
-      open_faces_ |= judge(
-          translation_[0] * rotation_[0][j] + translation_[1] * rotation_[1][j] + translation_[2] * rotation_[2][j],
-          half_a_[0] * size_[0][j] + half_a_[1] * size_[1][j] + half_a_[2] * size_[2][j], half_b_[j]);
+      widest = larger(widest, gap(translation_[0] * rotation_[0][j] + translation_[1] * rotation_[1][j] +
+                                      translation_[2] * rotation_[2][j],
+                                  half_a_[0] * size_[0][j] + half_a_[1] * size_[1][j] + half_a_[2] * size_[2][j], half_b_[j]));
+    return widest;
   }
 
-  SNUG_INLINE void edges() {
-    for_each_edge_pair([this](std::size_t i, std::size_t j) { open_edges_ |= judge_edges(i, j); });
+  /// The same along the edges' axes, or below.
+  [[nodiscard]] SNUG_INLINE Vec edges(Vec widest) const {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) widest = larger(widest, edges_gap(i, j));
+    return widest;
   }
 
-  /// The same, without the axes of parallel edges: most that is open after edges() is boxes with axes in common.
-  SNUG_INLINE void edges_but_parallel() {
+  /// The same without the axes of parallel edges, which are all that hides the verdict of most boxes with axes in common.
+  [[nodiscard]] SNUG_INLINE Vec edges_but_parallel(Vec widest) const {
     constexpr Scalar kSquare = tolerance::kParallelInFrame<Scalar> * tolerance::kParallelInFrame<Scalar>;
-    open_edges_ = Mask{};
-    for_each_edge_pair([this](std::size_t i, std::size_t j) {
-      const Vec x = rotation_[(i + 1) % 3][j], y = rotation_[(i + 2) % 3][j];
-      open_edges_ |= judge_edges(i, j) & (x * x + y * y > kSquare);
-    });
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        const Vec x = rotation_[(i + 1) % 3][j], y = rotation_[(i + 2) % 3][j];
+        widest = x * x + y * y > kSquare ? larger(widest, edges_gap(i, j)) : widest;
+      }
+    return widest;
   }
 
-  [[nodiscard]] SNUG_INLINE bool all_apart() const { return !any(~apart_); }
-  [[nodiscard]] SNUG_INLINE bool only_edges_open() const { return any(open_edges_ & ~apart_ & ~open_faces_); }
-  [[nodiscard]] SNUG_INLINE bool is_apart(std::size_t lane) const { return apart_[lane] != 0; }
-  [[nodiscard]] SNUG_INLINE bool is_open(std::size_t lane) const { return (open_faces_[lane] | open_edges_[lane]) != 0; }
-
- private:
-  static constexpr std::size_t kCenter = ObbArray<Scalar>::kCenter, kAxes = ObbArray<Scalar>::kAxes,
-                               kHalf = ObbArray<Scalar>::kHalfExtents;
-
-  SNUG_INLINE static Vec load(const ObbArray<Scalar>& boxes, std::size_t field, std::size_t first) {
-    Vec vector;
-    std::memcpy(&vector, boxes.field(field) + first, sizeof vector);
-    return vector;
-  }
-  /// Without the sign bit.
-  SNUG_INLINE static Vec magnitude(const Vec& v) {
-    using Bits = std::remove_cvref_t<decltype(Mask{}[0])>;
-    return reinterpret_cast<Vec>(reinterpret_cast<const Mask&>(v) & std::numeric_limits<Bits>::max());
-  }
-  SNUG_INLINE static bool any(const Mask& mask) {
+  [[nodiscard]] SNUG_INLINE Mask apart(const Vec& widest) const { return widest > doubt_; }
+  [[nodiscard]] SNUG_INLINE Mask overlapping(const Vec& widest) const { return widest < -doubt_; }
+  [[nodiscard]] SNUG_INLINE static bool any(const Mask& mask) {
     std::array<std::uint64_t, kBytes / 8> words;
     std::memcpy(words.data(), &mask, sizeof mask);
     std::uint64_t all = 0;
@@ -105,44 +95,69 @@ class Group {
     return all != 0;
   }
 
-  template <class Visit>
-  SNUG_INLINE static void for_each_edge_pair(Visit&& visit) {
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) visit(i, j);
+ private:
+  static constexpr std::size_t kCenter = ObbArray<Scalar>::kCenter, kAxes = ObbArray<Scalar>::kAxes,
+                               kHalf = ObbArray<Scalar>::kHalfExtents;
+
+  SNUG_INLINE static Vec load(const Block& block, std::size_t field, std::size_t first) {
+    Vec vector;
+    std::memcpy(&vector, block.fields[field] + first, sizeof vector);
+    return vector;
+  }
+  /// Without the sign bit.
+  SNUG_INLINE static Vec magnitude(const Vec& v) {
+    using Bits = std::remove_cvref_t<decltype(Mask{}[0])>;
+    return reinterpret_cast<Vec>(reinterpret_cast<const Mask&>(v) & std::numeric_limits<Bits>::max());
+  }
+  SNUG_INLINE static Vec larger(const Vec& a, const Vec& b) { return a > b ? a : b; }
+  SNUG_INLINE static Vec gap(const Vec& offset, const Vec& radius_a, const Vec& radius_b) {
+    return magnitude(offset) - (radius_a + radius_b);
   }
 
-  SNUG_INLINE Mask judge_edges(std::size_t i, std::size_t j) {
+  [[nodiscard]] SNUG_INLINE Vec radius_b(std::size_t i) const {
+    return half_b_[0] * size_[i][0] + half_b_[1] * size_[i][1] + half_b_[2] * size_[i][2];
+  }
+  [[nodiscard]] SNUG_INLINE Vec edges_gap(std::size_t i, std::size_t j) const {
     const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-    return judge(translation_[i2] * rotation_[i1][j] - translation_[i1] * rotation_[i2][j],
-                 half_a_[i1] * size_[i2][j] + half_a_[i2] * size_[i1][j],
-                 half_b_[j1] * size_[i][j2] + half_b_[j2] * size_[i][j1]);
-  }
-
-  /// Where the axis separates the boxes they are apart; where it may, is returned.
-  SNUG_INLINE Mask judge(const Vec& offset, const Vec& radius_a, const Vec& radius_b) {
-    const Vec gap = magnitude(offset) - (radius_a + radius_b);
-    apart_ |= gap > doubt_;
-    return ~(gap < -doubt_);
+    return gap(translation_[i2] * rotation_[i1][j] - translation_[i1] * rotation_[i2][j],
+               half_a_[i1] * size_[i2][j] + half_a_[i2] * size_[i1][j],
+               half_b_[j1] * size_[i][j2] + half_b_[j2] * size_[i][j1]);
   }
 
   Vec offset_[3], half_a_[3], half_b_[3];
   Vec translation_[3], rotation_[3][3], size_[3][3];
   Vec doubt_;
-  Mask apart_{}, open_faces_{}, open_edges_{};
 };
+
+enum class Known : std::uint8_t { kApart, kOverlap, kOpen };
+
+/// What rounding cannot change, of the pairs in a block from first on.
+template <class Scalar, std::size_t kBytes>
+SNUG_INLINE void decide(const typename ObbArray<Scalar>::Block& a, const typename ObbArray<Scalar>::Block& b,
+                        std::size_t first, Known* known) {
+  const Group<Scalar, kBytes> group(a, b, first);
+  const auto faces = group.faces();
+  auto widest = faces;
+  if (group.any(~group.apart(faces))) {
+    widest = group.edges(faces);
+    if (group.any(group.overlapping(faces) & ~group.overlapping(widest) & ~group.apart(widest)))
+      widest = group.edges_but_parallel(faces);
+  }
+  const auto apart = group.apart(widest), open = ~(apart | group.overlapping(widest));
+  for (std::size_t lane = 0; lane < Lanes<Scalar, kBytes>::kCount; ++lane)
+    known[lane] = static_cast<Known>(1 + (apart[lane] != 0 ? -1 : 0) + (open[lane] != 0 ? 1 : 0));
+}
 
 template <class Scalar, std::size_t kBytes>
 SNUG_INLINE void decide(const ObbArray<Scalar>& a, const ObbArray<Scalar>& b, std::span<std::uint8_t> overlap) {
-  constexpr std::size_t kCount = Lanes<Scalar, kBytes>::kCount;
-  for (std::size_t first = 0; first < overlap.size(); first += kCount) {
-    Group<Scalar, kBytes> group(a, b, first);
-    group.faces();
-    if (!group.all_apart()) group.edges();
-    if (group.only_edges_open()) group.edges_but_parallel();
-    for (std::size_t lane = 0; lane < kCount && first + lane < overlap.size(); ++lane) {
-      const std::size_t k = first + lane;
-      overlap[k] = !group.is_apart(lane) && (!group.is_open(lane) || obbs_overlap(a[k], b[k]));
-    }
+  constexpr std::size_t kBlock = ObbArray<Scalar>::kBlock;
+  std::array<Known, kBlock> known;
+  for (std::size_t block = 0; block < a.blocks().size(); ++block) {
+    for (std::size_t first = 0; first < kBlock; first += Lanes<Scalar, kBytes>::kCount)
+      decide<Scalar, kBytes>(a.blocks()[block], b.blocks()[block], first, known.data() + first);
+    const std::size_t begin = block * kBlock, count = std::min(kBlock, overlap.size() - begin);
+    for (std::size_t i = 0; i < count; ++i)
+      overlap[begin + i] = known[i] == Known::kOpen ? obbs_overlap(a[begin + i], b[begin + i]) : known[i] == Known::kOverlap;
   }
 }
 
@@ -158,25 +173,21 @@ template <class Scalar>
 }  // namespace
 
 template <class Scalar>
-ObbArray<Scalar>::ObbArray(std::span<const Obb<Scalar, 3>> boxes) : size_(boxes.size()) {
-  for (auto& field : fields_) field.resize((size_ + kPadding - 1) / kPadding * kPadding);
-  for (std::size_t i = 0; i < size_; ++i) set(i, boxes[i]);
-}
-
-template <class Scalar>
 Obb<Scalar, 3> ObbArray<Scalar>::operator[](std::size_t i) const {
   Obb<Scalar, 3> box;
-  for (std::size_t k = 0; k < 3; ++k) box.center[static_cast<int>(k)] = fields_[kCenter + k][i];
-  for (std::size_t k = 0; k < 9; ++k) box.axes(static_cast<int>(k % 3), static_cast<int>(k / 3)) = fields_[kAxes + k][i];
-  for (std::size_t k = 0; k < 3; ++k) box.half_extents[static_cast<int>(k)] = fields_[kHalfExtents + k][i];
+  const auto field = [&](std::size_t k) { return blocks_[i / kBlock].fields[k][i % kBlock]; };
+  for (std::size_t k = 0; k < 3; ++k) box.center[static_cast<int>(k)] = field(kCenter + k);
+  for (std::size_t k = 0; k < 9; ++k) box.axes(static_cast<int>(k % 3), static_cast<int>(k / 3)) = field(kAxes + k);
+  for (std::size_t k = 0; k < 3; ++k) box.half_extents[static_cast<int>(k)] = field(kHalfExtents + k);
   return box;
 }
 
 template <class Scalar>
 void ObbArray<Scalar>::set(std::size_t i, const Obb<Scalar, 3>& box) {
-  for (std::size_t k = 0; k < 3; ++k) fields_[kCenter + k][i] = box.center[static_cast<int>(k)];
-  for (std::size_t k = 0; k < 9; ++k) fields_[kAxes + k][i] = box.axes(static_cast<int>(k % 3), static_cast<int>(k / 3));
-  for (std::size_t k = 0; k < 3; ++k) fields_[kHalfExtents + k][i] = box.half_extents[static_cast<int>(k)];
+  const auto field = [&](std::size_t k) -> Scalar& { return blocks_[i / kBlock].fields[k][i % kBlock]; };
+  for (std::size_t k = 0; k < 3; ++k) field(kCenter + k) = box.center[static_cast<int>(k)];
+  for (std::size_t k = 0; k < 9; ++k) field(kAxes + k) = box.axes(static_cast<int>(k % 3), static_cast<int>(k / 3));
+  for (std::size_t k = 0; k < 3; ++k) field(kHalfExtents + k) = box.half_extents[static_cast<int>(k)];
 }
 
 template <class Scalar>

@@ -1,7 +1,6 @@
 // The separating-axis test of many pairs of boxes at once: one pair in each lane of the machine's vectors.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,25 +10,32 @@
 
 namespace snug::query {
 
-/// Boxes in 3-D as a structure of arrays: coordinate by coordinate, so that neighbours lie side by side.
+/// Boxes in 3-D as structures of arrays: in blocks, each with an array of every coordinate, so that neighbours lie side by
+/// side and all that belongs to them in a few successive lines of the cache.
 template <class Scalar>
 class ObbArray {
  public:
-  /// Where a box's numbers are among the arrays: centre, axes one after the other, half extents.
+  /// Where a box's numbers are among the arrays of its block: centre, axes one after the other, half extents.
   static constexpr std::size_t kCenter = 0, kAxes = 3, kHalfExtents = 12, kFields = 15;
-  /// Arrays are padded to a whole number of the widest vectors that any machine here has.
-  static constexpr std::size_t kPadding = 64 / sizeof(Scalar);
+  /// As many boxes as fill a line of the cache with one coordinate.
+  static constexpr std::size_t kBlock = 64 / sizeof(Scalar);
+  struct alignas(64) Block {
+    Scalar fields[kFields][kBlock]{};
+  };
 
-  explicit ObbArray(std::span<const Obb<Scalar, 3>> boxes);
+  explicit ObbArray(std::span<const Obb<Scalar, 3>> boxes) : size_(boxes.size()), blocks_((size_ + kBlock - 1) / kBlock) {
+    for (std::size_t i = 0; i < size_; ++i) set(i, boxes[i]);
+  }
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] const Scalar* field(std::size_t field) const { return fields_[field].data(); }
+  /// The last one is filled up with boxes that are points at the origin.
+  [[nodiscard]] std::span<const Block> blocks() const { return blocks_; }
   [[nodiscard]] Obb<Scalar, 3> operator[](std::size_t i) const;
   void set(std::size_t i, const Obb<Scalar, 3>& box);
 
  private:
   std::size_t size_;
-  std::array<std::vector<Scalar>, kFields> fields_;
+  std::vector<Block> blocks_;
 };
 
 /// overlap[k] = 1 where boxes a[k] and b[k] share a point, else 0: the verdicts of obb_sat, exact as it is.

@@ -76,10 +76,9 @@ class SweptPair {
     const ClosestPoints<Scalar> points = closest();
     OverlapResult<Scalar, Dim> result{.overlap = !apart(points), .distance = Scalar(0), .tests = points.tests};
     if (result.overlap) return result;
-    const Vector<Scalar, Dim> towards = (points.b - points.a).template head<Dim>();
-    const Scalar length = std::sqrt(points.square);
-    result.distance = (length - radii_) * unit_;
-    result.separating_axis = {"closest_points", towards / length, *result.distance};
+    const Vector<Scalar, Dim> between = points.between.template head<Dim>();
+    result.distance = (std::sqrt(points.square) - radii_) * unit_;
+    result.separating_axis = {"closest_points", between / between.norm(), *result.distance};
     return result;
   }
 
