@@ -1,7 +1,7 @@
 """subset_font.py FONT OUT: keep the characters that Snug writes.
 
-OUT ending in .woff2 is for the page and keeps kerning and tabular figures. Anything else is for
-Dear ImGui, whose rasterizer reads outlines and no layout tables.
+One file serves the page, which uses kerning and tabular figures, and Dear ImGui, whose rasterizer reads
+outlines alone: two would be fetched twice.
 """
 
 import sys
@@ -20,10 +20,8 @@ CHARACTERS = (
 
 
 def main(font_path: str, out_path: str) -> None:
-    for_page = out_path.endswith(".woff2")
     options = subset.Options(
-        flavor="woff2" if for_page else None,
-        layout_features=["kern", "mark", "ccmp", "tnum", "case"] if for_page else [],
+        layout_features=["kern", "mark", "ccmp", "tnum", "case"],
         hinting=False,  # neither browsers at these sizes nor stb_truetype run it
         notdef_outline=True,
         name_IDs=[0, 1, 2, 13, 14],  # who made it and its licence stay inside

@@ -28,9 +28,8 @@ TYPES = {
     ".ttf": "font/ttf",
     ".wasm": "application/wasm",
     ".webmanifest": "application/manifest+json",
-    ".woff2": "font/woff2",
 }
-PACKED_ALREADY = {".png", ".woff2"}
+PACKED_ALREADY = {".png"}
 
 
 @functools.lru_cache(maxsize=256)

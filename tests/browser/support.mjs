@@ -11,8 +11,8 @@ import { chromium } from "playwright-core";
 const kSite = process.env.SNUG_SITE ?? fileURLToPath(new URL("../../build/wasm/site", import.meta.url));
 const kSubPath = "/course/week-3/snug/";
 const kTypes = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml",
-  ".json": "application/json", ".toml": "text/plain", ".woff2": "font/woff2" };
-const kPacked = new Set([".woff2", ".png"]);
+  ".json": "application/json", ".toml": "text/plain", ".otf": "font/otf", ".ttf": "font/ttf" };
+const kPacked = new Set([".png"]);
 const kFlags = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
   "--disable-background-networking", "--disable-component-update", "--disable-sync", "--no-first-run"];
 
