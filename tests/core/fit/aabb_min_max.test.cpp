@@ -45,8 +45,10 @@ void check_promises(const std::string& name, const test::Cloud<Scalar, Dim>& poi
 TEST_CASE_TEMPLATE("the box keeps its promises on degenerate clouds", Scalar, float, double) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed)
     for (const int n : {1, 2, 7, 60}) {
-      for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, n)) check_promises<Scalar, 2>(name, points);
-      for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, n)) check_promises<Scalar, 3>(name, points);
+      for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, n))
+        check_promises<Scalar, 2>(name, points);
+      for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, n))
+        check_promises<Scalar, 3>(name, points);
     }
 }
 
