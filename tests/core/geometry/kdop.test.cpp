@@ -42,7 +42,8 @@ Kdop<double, Dim> any_kdop(int k, Random& random) {
 
 TEST_CASE_TEMPLATE("slabs that only touch a box cut nothing off", Scalar, float, double) {
   for (const int k : {4, 6, 8}) CHECK(measure(around_unit_box<Scalar, 2>(k, 1)) == doctest::Approx(4).epsilon(1e-14));
-  for (const int k : {6, 14, 18, 26}) CHECK(measure(around_unit_box<Scalar, 3>(k, 1)) == doctest::Approx(8).epsilon(1e-14));
+  for (const int k : {6, 14, 18, 26})
+    CHECK(measure(around_unit_box<Scalar, 3>(k, 1)) == doctest::Approx(8).epsilon(1e-14));
 }
 
 TEST_CASE("what the cuts of a square's and a cube's corners leave over is known") {

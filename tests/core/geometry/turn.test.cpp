@@ -116,7 +116,8 @@ TEST_CASE("a rotation matrix, and the same rounded to float, lengthens nothing b
     worst = std::max({worst, from_orthogonal<double, 3>(space), from_orthogonal<double, 2>(plane)});
     const Matrix<float, 3> space_float = space.cast<float>();
     const Matrix<float, 2> plane_float = plane.cast<float>();
-    worst_float = std::max({worst_float, from_orthogonal<float, 3>(space_float), from_orthogonal<float, 2>(plane_float)});
+    worst_float =
+        std::max({worst_float, from_orthogonal<float, 3>(space_float), from_orthogonal<float, 2>(plane_float)});
   }
   // |m^T m - 1| <= 2e keeps every singular value of m within e of 1.
   const Rational bound = 2 * Rational(tolerance::kRotation<double>);

@@ -140,7 +140,8 @@ template <class Scalar>
 void check(const query::ClosestPoints<Scalar>& found, const Patch<Scalar>& a, const Patch<Scalar>& b) {
   const auto exact = static_cast<double>(test::distance(a.big(), b.big()));
   CHECK(std::abs(std::sqrt(static_cast<double>(found.square)) - exact) <= static_cast<double>(tolerance::kTouching<Scalar>));
-  CHECK(std::abs(static_cast<double>((found.a - found.b).norm()) - exact) <= static_cast<double>(tolerance::kTouching<Scalar>));
+  CHECK(std::abs(static_cast<double>((found.b - found.a).norm()) - exact) <= static_cast<double>(tolerance::kTouching<Scalar>));
+  CHECK((found.between - (found.b - found.a)).norm() <= tolerance::kTouching<Scalar>);
 }
 
 /// The same with fewer edges: of rectangles segments, and points.
