@@ -1,0 +1,242 @@
+// `snug overlap`: every pair of volumes, every form of them, and every way in which they can be wrong.
+// SNUG: the program; build/release/snug if not set.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join, resolve } from "node:path";
+import { after, test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
+const program = resolve(process.env.SNUG ?? join(root, "build/release/snug"));
+const folder = mkdtempSync(join(tmpdir(), "snug-"));
+after(() => rmSync(folder, { recursive: true }));
+
+function snug(args, input = "") {
+  const done = spawnSync(program, args, { input, encoding: "utf8", cwd: folder });
+  assert.equal(done.error, undefined);
+  return { out: done.stdout, err: done.stderr, status: done.status };
+}
+
+/** The answers to lines, given as objects. */
+function answers(lines, ...args) {
+  const { out, err, status } = snug(["overlap", ...args], lines.map((line) => JSON.stringify(line)).join("\n"));
+  assert.equal(err, "");
+  assert.equal(status, 0);
+  return out.trimEnd().split("\n").map((line) => JSON.parse(line));
+}
+const answer = (a, b, ...args) => answers([{ a, b }], ...args)[0];
+
+/** Exit 2, nothing on stdout, and one line on stderr that names file and line. */
+function refused(text, what, line = 1, ...args) {
+  const { out, err, status } = snug(["overlap", ...args], typeof text === "string" ? text : JSON.stringify(text));
+  assert.equal(out, "");
+  if (what instanceof RegExp) assert.match(err, what);
+  else assert.equal(err, `snug: -:${line}: ${what}\n`);
+  assert.match(err, /^snug: -:\d+: [^\n]+\n$/);
+  assert.equal(status, 2);
+}
+
+const sphere = { sphere: { center: [0, 0, 0], radius: 1 } };
+const with_sphere = (b) => ({ a: sphere, b });
+
+/** A volume of each kind that reaches from x - 1 to x + 1, and there at y = z = 0. */
+const space = {
+  sphere: (x) => ({ center: [x, 0, 0], radius: 1 }),
+  aabb: (x) => ({ min: [x - 1, -1, -1], max: [x + 1, 1, 1] }),
+  obb: (x) => ({ center: [x, 0, 0], axes: [[0, 1, 0], [0, 0, 1], [1, 0, 0]], half_extents: [2, 3, 1] }),
+  capsule: (x) => ({ a: [x, -1, 0], b: [x, 1, 0], radius: 1 }),
+  lozenge: (x) => ({ origin: [x, -1, -1], edges: [[0, 2, 0], [0, 0, 2]], radius: 1 }),
+  kdop: (x) => ({ k: 14, min: [x - 1, -1, -1, x - 2, x - 2, x - 2, -x - 2], max: [x + 1, 1, 1, x + 2, x + 2, x + 2, -x + 2] }),
+  hull: (x) => ({ points: [[x - 1, 0, 0], [x + 1, 0, 0], [x, 1, 0], [x, -1, 0], [x, 0, 1], [x, 0, -1], [x, 0, 0]] }),
+};
+const plane = {
+  sphere: (x) => ({ center: [x, 0], radius: 1 }),
+  aabb: (x) => ({ min: [x - 1, -1], max: [x + 1, 1] }),
+  obb: (x) => ({ center: [x, 0], axes: [[0, 1], [-1, 0]], half_extents: [2, 1] }),
+  capsule: (x) => ({ a: [x, -1], b: [x, 1], radius: 1 }),
+  lozenge: (x) => ({ origin: [x - 0.5, -1], edges: [[1, 0], [0, 2]], radius: 0.5 }),
+  kdop: (x) => ({ k: 8, min: [x - 1, -1, x - 1.5, x - 1.5], max: [x + 1, 1, x + 1.5, x + 1.5] }),
+  hull: (x) => ({ points: [[x - 1, 0], [x + 1, 0], [x, 1], [x, -1]] }),
+};
+const kinds = Object.keys(space);
+const has_no_distance = ["aabb", "obb", "kdop"];
+
+/** Which pairs answer by axes alone. */
+const axes_only = (a, b) => has_no_distance.includes(a) && has_no_distance.includes(b) && !(a === "obb" && b === "kdop") && !(a === "kdop" && b === "obb");
+
+for (const [dim, of] of [[3, space], [2, plane]])
+  for (const scalar of ["double", "float"])
+    test(`every pair of volumes, apart, touching and overlapping, ${dim}-D ${scalar}`, () => {
+      const small = 2 ** (scalar === "float" ? -12 : -40);
+      const cases = kinds.flatMap((a) => kinds.flatMap((b) => [0.25, small, 0, -small, -1].flatMap((gap) =>
+        [1, -1].map((side) => ({ a, b, gap, side })))));
+      const results = answers(cases.map(({ a, b, gap, side }) => ({ a: { [a]: of[a](0) }, b: { [b]: of[b](side * (2 + gap)) } })),
+        "--scalar", scalar);
+      assert.equal(results.length, cases.length);
+      results.forEach((result, i) => {
+        const { a, b, gap, side } = cases[i];
+        const about = `${a} ${b} ${gap} ${side}: ${JSON.stringify(result)}`;
+        assert.deepEqual(Object.keys(result), ["overlap", "distance", "separating_axis", "tests"], about);
+        assert.equal(result.overlap, gap <= 0, about);
+        assert.ok(Number.isInteger(result.tests) && result.tests > 0, about);
+        if (axes_only(a, b)) assert.equal(result.distance, null, about);
+        else assert.ok(Math.abs(result.distance - Math.max(0, gap)) < 1e-6, about);
+        if (gap <= 0) return assert.equal(result.separating_axis, null, about);
+        const { kind, direction, gap: found } = result.separating_axis;
+        assert.deepEqual(Object.keys(result.separating_axis), ["kind", "direction", "gap"], about);
+        assert.ok(["centers", "closest_points", "slab", "face_a", "face_b", "edge_edge"].includes(kind), about);
+        assert.equal(direction.length, dim, about);
+        assert.ok(Math.abs(Math.hypot(...direction) - 1) < 1e-6, about);
+        assert.ok(Math.abs(direction[0] - side) < 1e-3, about);
+        assert.ok(found > 0 && found <= gap + 1e-6, about);
+      });
+    });
+
+test("an AABB is the same in its three forms, and never smaller than it was given", () => {
+  const forms = [{ min: [1, 0, 0], max: [2, 1, 1] }, { min: [1, 0, 0], widths: [1, 1, 1] }, { center: [1.5, 0.5, 0.5], half_extents: [0.5, 0.5, 0.5] }];
+  for (const aabb of forms) {
+    assert.equal(answer(sphere, { aabb }).overlap, true);
+    assert.equal(answer({ sphere: { center: [0, 0, 0], radius: 1 - 2 ** -53 } }, { aabb }).overlap, false);
+  }
+  // The rounded sum of 0.1 and 0.7 lies below the exact one; the box must not end there.
+  const beyond = { aabb: { min: [0.8, 0, 0], max: [1, 1, 1] } };
+  assert.ok(0.1 + 0.7 < 0.8);
+  assert.equal(answer({ aabb: { min: [0.1, 0, 0], widths: [0.7, 1, 1] } }, beyond).overlap, true);
+  assert.equal(answer({ aabb: { center: [0.1, 0, 0], half_extents: [0.7, 1, 1] } }, beyond).overlap, true);
+});
+
+test("scales and far offsets keep their digits", () => {
+  for (const scale of [2 ** -330, 1, 2 ** 330])
+    for (const a of kinds)
+      for (const b of kinds) {
+        const scaled = (value) => (typeof value === "number" ? value * scale : Array.isArray(value) ? value.map(scaled)
+          : Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, key === "k" || key === "axes" ? inner : scaled(inner)])));
+        const [apart, meeting] = answers([2.25, 1.75].map((x) => ({ a: { [a]: scaled(space[a](0)) }, b: { [b]: scaled(space[b](x)) } })));
+        assert.equal(apart.overlap, false, `${a} ${b} ${scale}`);
+        assert.ok(Math.abs(apart.separating_axis.gap / scale - 0.25) < 0.01, `${a} ${b} ${scale}`);
+        assert.equal(meeting.overlap, true, `${a} ${b} ${scale}`);
+      }
+  const far = answer({ capsule: { a: [1e8, 0, 0], b: [1e8, 1, 0], radius: 0.5 } }, { capsule: { a: [1e8 + 2, 0, 0], b: [1e8 + 2, 0, 5], radius: 0.5 } });
+  assert.equal(far.distance, 1);
+});
+
+test("a 6-DOP is of the other's dimension, or of --dim, or in space", () => {
+  const kdop = { kdop: { k: 6, min: [0, 0, 0.5], max: [1, 1, 1.5] } };
+  assert.equal(answer(kdop, { sphere: { center: [3, 0.5], radius: 1 } }).separating_axis.direction.length, 2);
+  assert.equal(answer({ sphere: { center: [3, 0.5, 1], radius: 1 } }, kdop).separating_axis.direction.length, 3);
+  const other = { kdop: { k: 6, min: [2, 0, 2.5], max: [3, 1, 3.5] } };
+  assert.equal(answer(kdop, other).separating_axis.direction.length, 3);
+  assert.equal(answer(kdop, other, "--dim", "2").separating_axis.direction.length, 2);
+});
+
+test("lines come from a file or standard input, and empty ones are passed over", () => {
+  const line = JSON.stringify({ a: sphere, b: sphere });
+  writeFileSync(join(folder, "pairs.jsonl"), `${line}\r\n\n  \n${line}\n`);
+  const { out, status } = snug(["overlap", "pairs.jsonl"]);
+  assert.equal(status, 0);
+  assert.equal(out.split("\n").length, 3);
+  assert.equal(snug(["overlap", "-"], line).out.split("\n").length, 2);
+  assert.deepEqual(snug(["overlap"]), { out: "", err: "", status: 0 });
+  const missing = snug(["overlap", "nowhere.jsonl"]);
+  assert.equal(missing.err, "snug: nowhere.jsonl: cannot be opened: No such file or directory\n");
+  assert.equal(missing.status, 2);
+  writeFileSync(join(folder, "bad.jsonl"), `${line}\n${line}\n{}\n`);
+  const bad = snug(["overlap", "bad.jsonl"]);
+  assert.deepEqual(bad, { out: "", err: "snug: bad.jsonl:3: a is missing\n", status: 2 });
+});
+
+test("axes and edges as rough as float makes them are taken, and rougher ones are not", () => {
+  const c = Math.fround(Math.SQRT1_2);
+  const box = (axes) => ({ obb: { center: [0, 0, 0], axes, half_extents: [1, 1, 1] } });
+  assert.equal(answer(box([[c, c, 0], [-c, c, 0], [0, 0, 1]]), sphere).overlap, true);
+  assert.equal(answer(box([[0.7071068, 0.7071068, 0], [-0.7071068, 0.7071068, 0], [0, 0, 1]]), sphere).overlap, true);
+  refused(with_sphere(box([[0.7071, 0.7071, 0], [-0.7071, 0.7071, 0], [0, 0, 1]])), "b.obb.axes[0] is not of unit length");
+});
+
+test("a volume that is wrong is refused by the name of its field", () => {
+  const obb = (changed) => with_sphere({ obb: { center: [0, 0, 0], axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], half_extents: [1, 1, 1], ...changed } });
+  const lozenge = (changed) => with_sphere({ lozenge: { origin: [0, 0, 0], edges: [[1, 0, 0], [0, 1, 0]], radius: 1, ...changed } });
+  const kdop = (changed) => with_sphere({ kdop: { k: 14, min: [0, 0, 0, 0, -1, -1, -1], max: [1, 1, 1, 3, 2, 2, 2], ...changed } });
+  for (const [line, what] of [
+    [with_sphere({ sphere: { center: [0, 0, 0], radius: -1 } }), "b.sphere.radius is negative"],
+    [with_sphere({ sphere: { center: [0, 0, 0] } }), "b.sphere.radius is missing"],
+    [with_sphere({ sphere: { center: [0, 0, 0], radius: 1, colour: 3 } }), 'b.sphere has an unknown field "colour"; it takes center, radius'],
+    [with_sphere({ sphere: { center: [0, 0, 0], radius: "NaN" } }), "b.sphere.radius is not a number"],
+    [with_sphere({ sphere: { center: [0, 0, 0], radius: null } }), "b.sphere.radius is not a number"],
+    [with_sphere({ sphere: { center: [0, "inf", 0], radius: 1 } }), "b.sphere.center[1] is not a number"],
+    [with_sphere({ sphere: { center: [0, 1e153, 0], radius: 1 } }), "b.sphere.center[1] is larger than this program can take (8.3e152)"],
+    [with_sphere({ sphere: { center: 0, radius: 1 } }), "b.sphere.center is not a list of numbers"],
+    [with_sphere({ sphere: { center: [0, 0, 0, 0], radius: 1 } }), "b.sphere.center has 4 numbers where 2 or 3 belong"],
+    [with_sphere({ sphere: { center: [0], radius: 1 } }), "b.sphere.center has 1 number where 2 or 3 belong"],
+    [with_sphere({ sphere: { center: [0, 0], radius: 1 } }), "a is 3-D and b is 2-D"],
+    [with_sphere({ sphere: 3 }), "b.sphere is not an object"],
+    [with_sphere({ ball: {} }), 'b is of no known kind: "ball"; known: sphere, aabb, obb, capsule, lozenge, kdop, hull'],
+    [with_sphere({}), "b is not an object with one field that names its kind"],
+    [with_sphere({ ...sphere, aabb: {} }), "b is not an object with one field that names its kind"],
+    [with_sphere([]), "b is not an object with one field that names its kind"],
+    [with_sphere({ aabb: { min: [0, 2, 0], max: [1, 1, 1] } }), "b.aabb.min[1] is above max[1]"],
+    [with_sphere({ aabb: { min: [0, 2, 0], widths: [1, 1, -1] } }), "b.aabb.widths[2] is negative"],
+    [with_sphere({ aabb: { center: [0, 2, 0], half_extents: [-1, 1, 1] } }), "b.aabb.half_extents[0] is negative"],
+    [with_sphere({ aabb: { min: [0, 2, 0] } }), "b.aabb.max is missing"],
+    [with_sphere({ aabb: { min: [0, 0, 0], max: [1, 1, 1], widths: [1, 1, 1] } }), 'b.aabb has an unknown field "max"; it takes min, widths'],
+    [with_sphere({ aabb: { min: [0, 0, 0], max: [1, 1] } }), "b.aabb.max has 2 numbers where 3 belong"],
+    [obb({ axes: [[2, 0, 0], [0, 1, 0], [0, 0, 1]] }), "b.obb.axes[0] is not of unit length"],
+    [obb({ axes: [[1, 0, 0], [0, 0, 0], [0, 0, 1]] }), "b.obb.axes[1] is not of unit length"],
+    [obb({ axes: [[1, 0, 0], [0, 1, 0], [0, 0.6, 0.8]] }), "b.obb.axes[1] and [2] are not perpendicular"],
+    [obb({ axes: [[1, 0, 0], [0, 1, 0], [0, 0, -1]] }), "b.obb.axes are left-handed"],
+    [obb({ axes: [[1, 0, 0], [0, 1, 0]] }), "b.obb.axes has 2 rows where 3 belong"],
+    [obb({ half_extents: [1, -1, 1] }), "b.obb.half_extents[1] is negative"],
+    [with_sphere({ capsule: { a: [0, 0, 0], b: [1, 0], radius: 1 } }), "b.capsule.b has 2 numbers where 3 belong"],
+    [with_sphere({ capsule: { a: [0, 0, 0], b: [1, 0, 0], radius: -0.5 } }), "b.capsule.radius is negative"],
+    [lozenge({ radius: -1 }), "b.lozenge.radius is negative"],
+    [lozenge({ edges: [[1, 0, 0], [1, 1, 0]] }), "b.lozenge.edges are not perpendicular"],
+    [lozenge({ edges: [[1, 0, 0]] }), "b.lozenge.edges has 1 row where 2 belong"],
+    [lozenge({ edges: [[1, 0, 0], 5] }), "b.lozenge.edges[1] is not a list of numbers"],
+    [kdop({ k: 7 }), "b.kdop.k is none that there is: 6, 14, 18, 26, in 2-D 4, 6, 8"],
+    [kdop({ k: 14.5 }), "b.kdop.k is none that there is: 6, 14, 18, 26, in 2-D 4, 6, 8"],
+    [kdop({ k: "14" }), "b.kdop.k is none that there is: 6, 14, 18, 26, in 2-D 4, 6, 8"],
+    [kdop({ min: [0, 0, 0] }), "b.kdop.min has 3 numbers, and a 14-DOP has 7 slabs"],
+    [kdop({ max: [1, 1, 1, 3, 2, -2, 2] }), "b.kdop.min[5] is above max[5]"],
+    [kdop({ min: [0, 0, 0, 4, -1, -1, -1], max: [1, 1, 1, 5, 2, 2, 2] }), "b.kdop.min and max leave no point that is in all slabs"],
+    [with_sphere({ hull: { points: [] } }), "b.hull.points has no points"],
+    [with_sphere({ hull: { points: [[0, 0, 0], [1, 0]] } }), "b.hull.points[1] has 2 numbers where 3 belong"],
+    [with_sphere({ hull: { points: 3 } }), "b.hull.points is not a list of points"],
+    [{ a: sphere }, "b is missing"],
+    [{ a: sphere, b: sphere, c: 1 }, 'the line has an unknown field "c"; it takes a, b'],
+    [[1, 2], "the line is not an object with the fields a and b"],
+  ])
+    refused(line, what);
+});
+
+test("a line that is no JSON is refused with its number", () => {
+  const good = JSON.stringify({ a: sphere, b: sphere });
+  refused(`${good}\n{"a":`, /^snug: -:2: not JSON: parse error/);
+  refused(`${good}\n\nnothing`, /^snug: -:3: not JSON: parse error/);
+  refused(good.replace(/"radius":1/, '"radius":NaN'), /^snug: -:1: not JSON: parse error/);
+  refused(good.replace(/"radius":1/, '"radius":1e999'), /^snug: -:1: not JSON: number overflow/);
+  refused(good.replace(/"radius":1/, '"radius":1,"radius":2'), 'the key "radius" is there twice');
+  refused(`${good} ${good}`, /^snug: -:1: not JSON: parse error/);
+  refused("[".repeat(100000), /^snug: -:1: not JSON: parse error/);
+});
+
+test("what float cannot take, and bad usage, is refused", () => {
+  refused(with_sphere({ sphere: { center: [1e30, 0, 0], radius: 1 } }), "b.sphere.center[0] is larger than this program can take (1.1e18 in float)", 1, "--scalar", "float");
+  refused(with_sphere(sphere), "a.sphere.center has 3 numbers where 2 belong", 1, "--dim", "2");
+  refused({ a: { kdop: { k: 14, min: [], max: [] } }, b: {} }, "a.kdop.k is none that there is: in 2-D 4, 6, 8", 1, "--dim", "2");
+  for (const args of [["--scalar", "half"], ["--dim", "4"], ["a", "b"], ["--json"]]) {
+    const { out, err, status } = snug(["overlap", ...args]);
+    assert.equal(out, "");
+    assert.match(err, /^snug: [^\n]+\n$/);
+    assert.equal(status, 2);
+  }
+});
+
+test("help says what the contract says", () => {
+  const { out } = snug(["overlap", "--help"]);
+  for (const word of ["--scalar", "--dim", "FILE", "sphere", "aabb", "widths", "half_extents", "obb", "axes", "capsule", "lozenge",
+    "edges", "kdop", "hull", "points", "overlap", "distance", "separating_axis", "tests", "Exit status"])
+    assert.ok(out.includes(word), word);
+  assert.ok(snug(["--help"]).out.includes("overlap"));
+});
