@@ -1,5 +1,6 @@
 #include "desktop/cli/volume_json.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
