@@ -84,19 +84,24 @@ Vector<double, Dim> scaled_lengths(const Obb<Scalar, Dim>& box, int exponent) {
   return lengths;
 }
 
-/// Below what no box is smaller, in units of 2^(Dim exponent) of the hull's local points.
+/// Below what no box is smaller, and how much shorter than the smallest found its lengths were taken for it; in units of
+/// 2^exponent of the hull's local points.
+struct Bound {
+  double measure = 0, shorter = 0;
+};
+
 template <class Scalar, int Dim>
-double smallest_measure(const ConvexHull<Scalar, Dim>& hull, const Obb<Scalar, Dim>& box, int exponent) {
-  if (hull.affine_dim < Dim) return 0;
+Bound smallest_measure(const ConvexHull<Scalar, Dim>& hull, const Obb<Scalar, Dim>& box, int exponent) {
+  if (hull.affine_dim < Dim) return {};
   if constexpr (Dim == 2) {
     Ignore ignore;
     Calipers<Scalar, Ignore> calipers(hull, ignore);
-    return calipers.run().area * std::ldexp(1.0, 2 * (calipers.unit() - exponent));
+    return {calipers.run().area * std::ldexp(1.0, 2 * (calipers.unit() - exponent)), 0};
   } else {
     const HullSolid solid(hull);
     EdgePairSearch pairs(solid, orthonormal<double, 3>(box.axes.template cast<double>()));
     for (Index e = 0; e < static_cast<Index>(solid.edges().size()); ++e) pairs.search(e, [](const auto&) {});
-    return pairs.lower_bound();
+    return {pairs.lower_bound(), tolerance::kBoxProof * solid.size()};
   }
 }
 
@@ -104,13 +109,13 @@ template <class Scalar, int Dim>
 void prove_smallest(Certificate& certificate, const Obb<Scalar, Dim>& box, PointSpan<Scalar, Dim> points, double rounding) {
   const ConvexHull<Scalar, Dim> hull = quickhull(points).volume;
   const int exponent = LocalPoints<Dim>(hull.vertices).exponent;
-  const double bound = smallest_measure(hull, box, exponent);
+  const Bound bound = smallest_measure(hull, box, exponent);
   const Vector<double, Dim> lengths = scaled_lengths(box, exponent);
-  const double allowed = std::ldexp(rounding, -exponent);
-  certificate.lower_bound = std::ldexp(bound, Dim * exponent);
-  if (bound > 0) certificate.radius_excess = lengths.prod() / bound - 1;
+  const double allowed = std::ldexp(rounding, -exponent) + bound.shorter;
+  certificate.lower_bound = std::ldexp(bound.measure, Dim * exponent);
+  if (bound.measure > 0) certificate.radius_excess = lengths.prod() / bound.measure - 1;
   certificate.optimal = certificate.contains && certificate.on_boundary &&
-                        (lengths.array() - allowed).cwiseMax(0).prod() <= bound;
+                        (lengths.array() - allowed).cwiseMax(0).prod() <= bound.measure;
 }
 
 }  // namespace

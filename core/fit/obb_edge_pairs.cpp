@@ -131,6 +131,7 @@ EdgePairSearch::Spans EdgePairSearch::spans_at(const Pair& pair, const Point& fi
 // The box is as long along its normals as the spans at least. With normals m and n, and their product as the third,
 // (p . m) (q . n) (r . (m x n)) is the volume between the spans times |m|^2 |n|^2: both sides are quartics in the parameter.
 bool EdgePairSearch::all_larger(const Ends& ends, const Spans& spans) const {
+  if (!(to_beat_ > 0)) return true;
   const auto& [m, n] = ends;
   const double p0 = spans.first.dot(m[0]), p1 = spans.first.dot(m[1]);
   const double q0 = spans.second.dot(n[0]), q1 = spans.second.dot(n[1]);

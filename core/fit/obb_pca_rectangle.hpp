@@ -36,8 +36,8 @@ void attempt_rectangle(ObbTrials<Scalar, Dim, Observer>& trials, const Rectangle
   });
 }
 
-/// Lays rectangles across the best box's axes, its shortest first, until none of them makes it smaller by more than
-/// rounding. line: of the rectangle; the one below is of a smaller box.
+/// Lays rectangles across the best box's axes, its shortest first, until none of them makes it smaller by a part
+/// of tolerance::kSameBox. line: of the rectangle; the one below is of a smaller box.
 template <class Scalar, class Observer>
 void shrink_by_rectangles(ObbTrials<Scalar, 3, Observer>& trials, const std::vector<Index>& indices, int line,
                           Observer& observe) {

@@ -150,9 +150,10 @@ inline constexpr double kSweptBoundaryRoundoffs = 64;
 template <class Scalar>
 inline constexpr Scalar kLocalCoordinate = 16 * kRoundoff<Scalar>;
 
-/// The part by which a box has to be smaller than the one before for shrinking to go on: less may be rounding, which has no
-/// end. Held by "rectangles shrink a box until none of them does".
-inline constexpr double kSameBox = 64 * kRoundoff<double>;
+/// The part by which a box has to be smaller than the one before for shrinking to go on. Around some points (a tetrahedron's)
+/// the k-th rectangle gains a part of 1 / k^2, which goes on for millions before it is rounding; so it ends with the 256th.
+/// Held by "rectangles that shrink a box by less and less come to an end".
+inline constexpr double kSameBox = 0x1p-16;
 
 /// A turned coordinate is a sum of three products, of which each carries up to 3u: 4u of the sum of their sizes with room
 /// for terms in u^2. Walks uphill (fit/hill_climb.hpp) compare it with a doubt of twice that, and 2u more for the doubt's

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace snug::app {
@@ -17,6 +18,12 @@ lesson::Session session_of(const std::string& algorithm, int dim, const std::str
   return *lesson::Session::open(std::move(lesson));
 }
 
+const fit::Sphere3& ball_of(const std::optional<fit::Volume3>& volume) {
+  REQUIRE(volume);
+  REQUIRE(std::holds_alternative<fit::Sphere3>(*volume));
+  return *std::get_if<fit::Sphere3>(&*volume);
+}
+
 }  // namespace
 
 TEST_CASE("before the first step there is nothing but the points, at the end the optimum as well") {
@@ -24,18 +31,16 @@ TEST_CASE("before the first step there is nothing but the points, at the end the
     lesson::Session session = session_of(algorithm, 2);
     session.jump(0);
     const Shown start = shown_at(session, false);
-    CHECK_FALSE(start.ball);
+    CHECK_FALSE(start.volume);
     CHECK_FALSE(start.optimum);
     CHECK(start.support.size() == 0);
     CHECK(shown_at(session, true).optimum);
     session.jump(session.steps());
     const Shown end = shown_at(session, false);
     CAPTURE(algorithm);
-    REQUIRE(end.ball);
-    REQUIRE(end.optimum);
     CHECK(end.finished);
     CHECK(end.support.size() > 0);
-    CHECK(end.optimum->radius <= end.ball->radius * (1 + 1e-9));
+    CHECK(ball_of(end.optimum).radius <= ball_of(end.volume).radius * (1 + 1e-9));
   }
 }
 
@@ -45,14 +50,14 @@ TEST_CASE("a grown ball stands beside the one before it, and outside is measured
   for (int step = 1; step <= session.steps(); ++step) {
     session.jump(step);
     const Shown shown = shown_at(session, false);
-    if (shown.before && shown.ball) {
-      CHECK(shown.ball->radius > shown.before->radius);
-      CHECK(shown.support.contains(session.support(0)[0]));
+    if (shown.before && shown.volume) {
+      CHECK(ball_of(shown.volume).radius > ball_of(shown.before).radius);
+      CHECK(std::count(shown.support.begin(), shown.support.end(), session.support(0)[0]) == 1);
       grew = true;
     }
     if (shown.examined_outside) {
-      const double distance = (session.point(shown.examined) - shown.ball->center).norm();
-      CHECK(shown.outside_by == doctest::Approx(distance - shown.ball->radius));
+      const double distance = (session.point(shown.examined) - ball_of(shown.volume).center).norm();
+      CHECK(shown.outside_by == doctest::Approx(distance - ball_of(shown.volume).radius));
       CHECK(shown.outside_by > 0);
     }
   }
@@ -102,8 +107,8 @@ TEST_CASE("a candidate of brute force fails for a point, or is kept") {
     failed += shown.candidate_fails;
     if (shown.left_outside == kNoIndex) continue;
     ++outside;
-    REQUIRE(shown.candidate);
-    CHECK((session.point(shown.left_outside) - shown.candidate->center).norm() > shown.candidate->radius);
+    const fit::Sphere3& candidate = ball_of(shown.candidate);
+    CHECK((session.point(shown.left_outside) - candidate.center).norm() > candidate.radius);
   }
   CHECK(failed > 0);
   CHECK(outside > 0);

@@ -222,7 +222,7 @@ test("files that cannot be read are refused", () => {
 test("bad usage is refused in one line", () => {
   refused(["fti"], /not expected: fti/);
   refused(["fit"], /--volume is required/);
-  refused(["fit", "--volume", "cube", "--algorithm", "welzl", tetra], 'there is no volume "cube"; known: sphere');
+  refused(["fit", "--volume", "cube", "--algorithm", "welzl", tetra], 'there is no volume "cube"; known: sphere, aabb, obb, capsule, lozenge, kdop, hull');
   refused(fit_args("quick", tetra),
     `there is no algorithm "quick" for sphere; known: ${algorithms.slice(0, 1)}, ritter, ritter_iterative, pca, welzl, brute_force`);
   refused(fit_args("welzl"), /FILE is required/);

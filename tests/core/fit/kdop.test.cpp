@@ -30,44 +30,7 @@ Rational along(const std::array<int, Dim>& axis, const Vector<Scalar, Dim>& p) {
   return sum;
 }
 
-template <class Scalar, int Dim>
-void check_promises(const std::string& name, const test::Cloud<Scalar, Dim>& points) {
-  const auto set = test::set_of<Scalar, Dim>(points);
-  for (const int k : kEveryK<Dim>) {
-    INFO(name << ", k " << k << ", " << points.size() << " points, dim " << Dim << ", " << sizeof(Scalar) << " bytes");
-    Recorder<fit::KdopStep<Scalar, Dim>> recorder;
-    const auto fit = fit::kdop_fit(set.span(), k, recorder);
-    const auto unwatched = fit::kdop_fit(set.span(), k);
-    CHECK(unwatched.volume.min == fit.volume.min);
-    CHECK(unwatched.volume.max == fit.volume.max);
-    CHECK(unwatched.support == fit.support);
-    const auto certificate = certify(fit, set.span(), true);
-    CHECK(certificate.contains);
-    CHECK(certificate.max_outside == 0);
-    CHECK(certificate.on_boundary);
-    CHECK(certificate.optimal == true);
-    CHECK(recorder.entries.size() == static_cast<std::size_t>(k / 2 + 1));
-    CHECK(std::holds_alternative<fit::Finished>(recorder.entries.back().step.fact));
-    CHECK(recorder.entries.back().step.volume.max == fit.volume.max);
-    double before = std::numeric_limits<double>::infinity();
-    for (const auto& entry : recorder.entries) {
-      REQUIRE(static_cast<std::size_t>(entry.step.line) < fit::kKdopPseudocode.size());
-      if (!entry.step.has_volume || std::abs(static_cast<double>(points[0][0])) > 1e6) continue;
-      const double now = measure(entry.step.volume);  // each slab cuts off what it cuts off
-      CHECK(now <= before * (1 + 1e-9) + 1e-12);
-      before = now;
-    }
-  }
-}
-
 }  // namespace
-
-TEST_CASE_TEMPLATE("a k-DOP keeps its promises on degenerate clouds", Scalar, float, double) {
-  for (const int n : {1, 2, 7, 60}) {
-    for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(3, n)) check_promises<Scalar, 2>(name, points);
-    for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(4, n)) check_promises<Scalar, 3>(name, points);
-  }
-}
 
 TEST_CASE_TEMPLATE("a k-DOP's bounds are the exact projections, rounded outwards", Scalar, float, double) {
   constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();

@@ -1,0 +1,71 @@
+// Every fitter of every volume keeps its promises (core/fit/promises.hpp), on every cloud.
+#include "core/fit/promises.hpp"
+
+using namespace snug;
+using test::check_promises;
+
+namespace {
+
+/// Spheres take more clouds in the same time than volumes with a hull in them.
+constexpr int kSphereSeeds = 12, kSeeds = 3;
+
+std::vector<fit::Algorithm> but_spheres() {
+  std::vector<fit::Algorithm> rows;
+  for (const fit::Algorithm& algorithm : fit::algorithms())
+    if (algorithm.volume != "sphere") rows.push_back(algorithm);
+  return rows;
+}
+
+template <class Scalar>
+void check_degenerate(std::span<const fit::Algorithm> algorithms, std::uint64_t seed, int n) {
+  for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, n))
+    check_promises<Scalar, 2>(algorithms, name, points);
+  for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, n))
+    check_promises<Scalar, 3>(algorithms, name, points);
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("every fitter keeps its promises on degenerate clouds", Scalar, float, double) {
+  for (std::uint64_t seed = 1; seed <= kSphereSeeds; ++seed)
+    for (const int n : {3, 7, 14}) check_degenerate<Scalar>(fit::algorithms_of("sphere"), seed, n);
+  const std::vector<fit::Algorithm> others = but_spheres();
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
+    for (const int n : {2, 5, 12}) check_degenerate<Scalar>(others, seed, n);
+}
+
+TEST_CASE_TEMPLATE("every fitter keeps its promises on larger clouds", Scalar, float, double) {
+  const std::vector<fit::Algorithm> others = but_spheres();
+  for (const auto kind : generator_kinds()) {
+    const std::string name(kind);
+    for (const int n : {100, 1000, 5000}) {
+      check_promises<Scalar, 2>(fit::algorithms_of("sphere"), name, test::generated<Scalar, 2>(name.c_str(), n, 11));
+      check_promises<Scalar, 3>(fit::algorithms_of("sphere"), name, test::generated<Scalar, 3>(name.c_str(), n, 12));
+    }
+    check_promises<Scalar, 2>(others, name, test::generated<Scalar, 2>(name.c_str(), 1000, 11));
+    check_promises<Scalar, 3>(others, name, test::generated<Scalar, 3>(name.c_str(), 150, 12));
+  }
+  for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(5, 2000))
+    check_promises<Scalar, 3>(fit::algorithms_of("sphere"), name, points);
+}
+
+TEST_CASE("every fitter keeps its promises on far, tiny and huge clouds") {
+  for (const double offset : {0.0, 1e3, 1e8, -1e8})
+    for (const double scale : {1e-150, 1e-75, 1e-3, 1.0, 1e75, 1e150}) {
+      if (offset != 0 && scale != 1) continue;
+      CAPTURE(offset);
+      CAPTURE(scale);
+      for (const char* kind : {"cube", "sphere", "gaussian", "lattice", "line"}) {
+        check_promises<double, 2>(fit::algorithms(), kind, test::generated<double, 2>(kind, 30, 3, scale, offset));
+        check_promises<double, 3>(fit::algorithms(), kind, test::generated<double, 3>(kind, 40, 4, scale, offset));
+      }
+    }
+}
+
+TEST_CASE("one point is a volume of no size, for every algorithm") {
+  for (const fit::Algorithm& algorithm : fit::algorithms()) {
+    const AnyPointSet point = test::set_of<double, 3>({{1, 2, 3}});
+    check_promises(algorithm, point);
+    CHECK(fit::size_of(algorithm.fit(point, {}).volume, 3) == 0);
+  }
+}
