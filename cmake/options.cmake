@@ -23,6 +23,7 @@ target_compile_options(snug_options INTERFACE
   -fno-tree-slp-vectorize
   -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
   -Wno-missing-field-initializers # designated initialisers leave the rest at their defaults
+  $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> # ccache wants it
   # GCC 12 mistakes string's operator+ (its bug 105329), and variants in optionals that are moved.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>
   $<$<BOOL:${SNUG_WERROR}>:-Werror>)

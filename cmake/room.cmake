@@ -14,6 +14,15 @@ function(snug_room name)
   snug_door(${name} ${CMAKE_CURRENT_SOURCE_DIR} door)
   target_include_directories(snug_${name} PUBLIC ${door})
   target_link_libraries(snug_${name} PUBLIC ${room_LINKS} PRIVATE snug_options snug_lean)
+  # What every room's files read is read once for all. Not for the page: there each file shows that it includes what it uses.
+  if(NOT EMSCRIPTEN)
+    if(name STREQUAL geometry)
+      target_precompile_headers(snug_geometry PRIVATE ${PROJECT_SOURCE_DIR}/cmake/shared.hpp)
+    elseif("snug_geometry" IN_LIST room_LINKS OR "snug_query" IN_LIST room_LINKS OR "snug_fit" IN_LIST room_LINKS OR
+           "snug_lesson" IN_LIST room_LINKS)
+      target_precompile_headers(snug_${name} REUSE_FROM snug_geometry)
+    endif()
+  endif()
 endfunction()
 
 # snug_door(NAME FOLDER OUT): an include directory in which NAME leads to FOLDER.

@@ -4,14 +4,17 @@ failed=0
 
 count() { # title passed failed log-name
     passed=$((passed + $2)) failed=$((failed + $3))
-    say "$1: $2 passed, $3 failed"
+    say "$1: $2 passed, $3 failed (minute $((SECONDS / 60)))"
     (($3 == 0)) || why "$4"
 }
+
+# A test that hangs is one that failed, not one that takes the others with it.
+limited=(timeout --kill-after=10 900)
 
 # A program of doctest's: its last line has the figures. None, or no test at all, is a failure.
 doctest_suite() { # title log-name command...
     local status=0 figures
-    quietly "$2" "${@:3}" || status=$?
+    quietly "$2" "${limited[@]}" "${@:3}" || status=$?
     figures=$(grep -aoP 'test cases: *\d+ \| *\K\d+ passed \| *\d+ failed' "build/logs/$2.log" |
         tail -n 1 | tr -cd '0-9 ') || true
     read -r ok bad <<<"$figures" || true
@@ -23,7 +26,7 @@ doctest_suite() { # title log-name command...
 # Files for node's own test runner.
 node_suite() { # title log-name files...
     local title=$1 log=$2 status=0 ok bad
-    quietly "$log" node --test --test-reporter=tap "${@:3}" || status=$?
+    quietly "$log" "${limited[@]}" node --test --test-reporter=tap "${@:3}" || status=$?
     figure() { grep -aoP "^# $1 \K\d+" "build/logs/$log.log" | tail -n 1; }
     ok=$(figure pass) bad=$(($(figure fail) + $(figure cancelled)))
     ((bad > 0 || (status == 0 && ok > 0))) || bad=1
@@ -32,11 +35,11 @@ node_suite() { # title log-name files...
 
 # A command that is one test, by its exit status.
 one_test() { # title log-name command...
-    if quietly "$2" "${@:3}"; then count "$1" 1 0 "$2"; else count "$1" 0 1 "$2"; fi
+    if quietly "$2" "${limited[@]}" "${@:3}"; then count "$1" 1 0 "$2"; else count "$1" 0 1 "$2"; fi
 }
 
 built() { # preset targets...: whether it could be built; if not, that is a failure
-    say "Building $1"
+    say "Building $1 (minute $((SECONDS / 60)))"
     build "$@" && return
     failed=$((failed + 1))
     return 1

@@ -2,7 +2,6 @@
 // Source: X. Wu, "A linear-time simple bounding volume algorithm", Graphics Gems III, 1992.
 #pragma once
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -51,20 +50,9 @@ CovarianceFound<Scalar, Dim> covariance_of(const Vector<Scalar, Dim>& mean, Poin
   return {mean, sum_of_products(mean, kScale, points, observe) / n / (kScale * kScale)};
 }
 
-/// The principal axes of a covariance, each with its largest coordinate positive. Eigen's iterative solver uses
-/// only the four operations and square roots: the same bits everywhere (its direct solver does not).
+/// The principal axes of a covariance, each with its largest coordinate positive.
 template <class Scalar, int Dim>
-AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread) {
-  using Plain = Eigen::Matrix<Scalar, Dim, Dim>;
-  const Eigen::SelfAdjointEigenSolver<Plain> solver(Plain(spread.covariance));
-  AxesFound<Scalar, Dim> found{spread.mean, solver.eigenvectors(), solver.eigenvalues()};
-  for (int i = 0; i < Dim; ++i) {
-    int largest = 0;
-    found.axes.col(i).cwiseAbs().maxCoeff(&largest);
-    if (found.axes(largest, i) < 0) found.axes.col(i) *= -1;
-  }
-  return found;
-}
+[[nodiscard]] AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread);
 
 /// The same of points so close together that their squared distances underflow: then the axes are those of the points
 /// magnified by a power of two. Two passes more, there.

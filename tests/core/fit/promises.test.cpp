@@ -1,6 +1,9 @@
 // Every fitter of every volume keeps its promises (core/fit/promises.hpp), on every cloud.
 #include "core/fit/promises.hpp"
 
+#include <array>
+#include <set>
+
 using namespace snug;
 using test::check_promises;
 
@@ -57,7 +60,7 @@ TEST_CASE("every fitter keeps its promises on far, tiny and huge clouds") {
       CAPTURE(scale);
       for (const char* kind : {"cube", "sphere", "gaussian", "lattice", "line"}) {
         check_promises<double, 2>(fit::algorithms(), kind, test::generated<double, 2>(kind, 30, 3, scale, offset));
-        check_promises<double, 3>(fit::algorithms(), kind, test::generated<double, 3>(kind, 40, 4, scale, offset));
+        check_promises<double, 3>(fit::algorithms(), kind, test::generated<double, 3>(kind, 20, 4, scale, offset));
       }
     }
 }
@@ -67,5 +70,31 @@ TEST_CASE("one point is a volume of no size, for every algorithm") {
     const AnyPointSet point = test::set_of<double, 3>({{1, 2, 3}});
     check_promises(algorithm, point);
     CHECK(fit::size_of(algorithm.fit(point, {}).volume, 3) == 0);
+  }
+}
+
+TEST_CASE("every kind of step happens, and reads as JSON with its own name") {
+  // What only tests of two boxes tell of is in lesson/boxes.test.cpp.
+  std::set<std::string_view> seen{"frames_related", "axis_tested", "looked_closer", "verdict", "outlines_compared", "corner_tried", "claimed"};
+  for (const fit::Algorithm& algorithm : fit::algorithms())
+    for (const char* kind : {"gaussian", "lattice", "clusters", "ball", "stick"})
+      for (const int n : {12, 300}) {
+        if (n > algorithm.max_points) continue;
+        const std::array<AnyPointSet, 3> sets{test::set_of<double, 2>(test::generated<double, 2>(kind, n, 9)),
+                                      test::set_of<double, 3>(test::generated<double, 3>(kind, n, 9)),
+                                      test::set_of<double, 3>({{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}})};
+        for (const AnyPointSet& set : sets) {
+          if (!fit::takes(algorithm, fit::dim_of(set))) continue;
+          for (const auto& entry : algorithm.record(set, {}).steps) {
+            if (!seen.insert(name_of(entry.step)).second) continue;
+            const std::string json = json_of(entry.step, fit::dim_of(set));
+            CHECK(json.find("{\"step\":\"" + std::string(name_of(entry.step)) + "\",\"line\":") == 0);
+            CHECK(json.back() == '}');
+          }
+        }
+      }
+  for (const auto name : fit::fact_names()) {
+    CAPTURE(name);
+    CHECK(seen.contains(name));
   }
 }

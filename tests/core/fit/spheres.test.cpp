@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <limits>
-#include <set>
 
 #include "core/fit/promises.hpp"
 #include "fit/catalogue.hpp"
@@ -59,26 +58,6 @@ TEST_CASE("Welzl holds no more points on the boundary than Dim + 1, however many
       if (const auto* forced = std::get_if<fit::BoundaryForced>(&entry.step.fact)) deepest = std::max(deepest, forced->depth);
     CHECK(deepest >= 2);
     CHECK(deepest <= 4);
-  }
-}
-
-TEST_CASE("every kind of step happens, and reads as JSON with its own name") {
-  std::set<std::string_view> seen;
-  for (const Algorithm& algorithm : fit::algorithms_of("sphere"))
-    for (const char* kind : {"gaussian", "lattice", "clusters"})
-      for (const int n : {12, 3000}) {
-        if (n > algorithm.max_points) continue;
-        const auto run = algorithm.record(test::set_of<double, 3>(test::generated<double, 3>(kind, n, 9)), {});
-        for (const auto& entry : run.steps) {
-          if (!seen.insert(name_of(entry.step)).second) continue;
-          const std::string json = json_of(entry.step, 3);
-          CHECK(json.find("{\"step\":\"" + std::string(name_of(entry.step)) + "\",\"line\":") == 0);
-          CHECK(json.back() == '}');
-        }
-      }
-  for (const auto name : fit::fact_names()) {
-    CAPTURE(name);
-    CHECK(seen.contains(name));
   }
 }
 

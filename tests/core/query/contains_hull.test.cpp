@@ -51,7 +51,7 @@ void check(const std::string& name, const test::Cloud<Scalar, Dim>& cloud, Rando
     CHECK((outside == 0) == held);
     // No farther than the nearest vertex, but for rounding.
     double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& v : hull.vertices) nearest = std::min(nearest, scaled_norm<double, Dim>((p - v).template cast<double>()));
+    for (const auto& v : hull.vertices) nearest = std::min(nearest, scaled_norm<double, Dim>(p.template cast<double>() - v.template cast<double>()));
     CHECK(outside <= nearest + 0x1p-48 * (largest + nearest) + 8 * std::numeric_limits<double>::denorm_min());
     (held ? seen.inside : seen.outside) += 1;
     seen.flat += hull.affine_dim < Dim && held;
@@ -63,15 +63,15 @@ void check(const std::string& name, const test::Cloud<Scalar, Dim>& cloud, Rando
 TEST_CASE_TEMPLATE("a hull holds a point just where it is a convex combination of the vertices", Scalar, float, double) {
   Random random(11);
   Seen seen;
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    for (const int n : {2, 6, 20})
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    for (const int n : {2, 6, 12})
       for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, n)) check<Scalar, 2>(name, points, random, seen);
-    for (const int n : {2, 6, 9})
+    for (const int n : {2, 7})
       for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, n)) check<Scalar, 3>(name, points, random, seen);
   }
-  CHECK(seen.inside > 1000);
-  CHECK(seen.outside > 1000);
-  CHECK(seen.flat > 500);
+  CHECK(seen.inside > 300);
+  CHECK(seen.outside > 300);
+  CHECK(seen.flat > 100);
 }
 
 TEST_CASE("how far outside a cube, a square, a segment and a point") {

