@@ -25,7 +25,8 @@ target_compile_options(snug_options INTERFACE
   -Wno-missing-field-initializers # designated initialisers leave the rest at their defaults
   $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> # ccache wants it
   # GCC 12 mistakes string's operator+ (its bug 105329), and variants in optionals that are moved.
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow
+    -Wno-stringop-overread>
   $<$<BOOL:${SNUG_WERROR}>:-Werror>)
 
 # Rooms report errors as values, and pay for neither exceptions nor type information.

@@ -3,9 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <cctype>
 #include <set>
 
 #include "geometry/generate.hpp"
+#include "lesson/session.hpp"
 
 namespace snug {
 namespace {
@@ -25,34 +27,74 @@ std::string alone(const fit::Step3& step, const AnyPointSet& points) { return ap
 
 const AnyPointSet kThree = set_of({{1, 0, 0}, {0, 2.58, 0}, {0, 0, 0}}, 2);
 
+void require_sentence(const std::string& caption) {
+  REQUIRE(caption.find("ball") == std::string::npos);  // a circle in the plane, a sphere in space
+  REQUIRE(caption.size() > 10);
+  REQUIRE(caption.size() < 170);
+  REQUIRE(caption.back() == '.');
+  const auto first = static_cast<unsigned char>(caption.front());
+  REQUIRE((std::isupper(first) || std::isdigit(first)));
+  REQUIRE(caption.find('\n') == std::string::npos);
+  REQUIRE(caption.find("nan") == std::string::npos);
+  REQUIRE(caption.find("P-1") == std::string::npos);  // kNoIndex
+}
+
+/// Every test of two boxes, in the plane and in space: apart, one in the other, and touching, which rounding hides.
+std::vector<lesson::Session> box_sessions() {
+  std::vector<lesson::Session> sessions;
+  for (const int dim : {2, 3})
+    for (const double gap : {2.5, 0.1, 2.0})
+      for (const char* test : {"sat", "sat_all", "extents_only", "corners_only"}) {
+        lesson::BoxPair pair{.dim = dim};
+        for (auto& box : pair.boxes) box.half_extents = {1, 1, dim == 3 ? 1.0 : 0.0};
+        pair.boxes[1].center[0] = gap;
+        lesson::Lesson lesson;
+        lesson.id = "test";
+        lesson.volume = "box_pair";
+        lesson.points.dim = dim;
+        lesson.boxes = pair;
+        lesson.algorithms = {test};
+        auto session = lesson::Session::open(std::move(lesson));
+        REQUIRE(session.has_value());
+        sessions.push_back(*std::move(session));
+      }
+  return sessions;
+}
+
 }  // namespace
 
 TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no number that is not one") {
   std::set<std::string_view> seen;
-  for (const int dim : {2, 3})
-    for (const char* kind : {"gaussian", "lattice", "line", "clusters"})
-      for (const fit::Algorithm& algorithm : fit::algorithms()) {
+  const auto check = [&](const AnyPointSet& points, const fit::Recording& run, const fit::Algorithm& algorithm) {
+    for (std::size_t i = 0; i < run.steps.size(); ++i) {
+      const fit::Step3* next = i + 1 < run.steps.size() ? &run.steps[i + 1].step : nullptr;
+      const std::string caption = app::caption_of(run.steps[i].step, next, points, algorithm.exact);
+      seen.insert(fit::name_of(run.steps[i].step));
+      INFO(caption);
+      require_sentence(caption);
+      REQUIRE(caption.find(fit::dim_of(points) == 2 ? "sphere" : "circle") == std::string::npos);
+      REQUIRE((algorithm.exact || algorithm.volume != "sphere" || caption.find("held by") == std::string::npos));
+    }
+  };
+  for (const fit::Algorithm& algorithm : fit::algorithms()) {
+    for (const int dim : {2, 3})
+      for (const char* kind : {"gaussian", "lattice", "line", "clusters"}) {
         if (!fit::takes(algorithm, dim)) continue;
         const AnyPointSet points = set_of(*generate(kind, 12, dim, 7), dim);
-        const fit::Recording run = algorithm.record(points, {});
-        for (std::size_t i = 0; i < run.steps.size(); ++i) {
-          const fit::Step3* next = i + 1 < run.steps.size() ? &run.steps[i + 1].step : nullptr;
-          const std::string caption = app::caption_of(run.steps[i].step, next, points, algorithm.exact);
-          seen.insert(fit::name_of(run.steps[i].step));
-          INFO(caption);
-          REQUIRE(caption.find("ball") == std::string::npos);  // a circle in the plane, a sphere in space
-          REQUIRE(caption.find(dim == 2 ? "sphere" : "circle") == std::string::npos);
-          REQUIRE((algorithm.exact || algorithm.volume != "sphere" || caption.find("held by") == std::string::npos));
-          REQUIRE(caption.size() > 10);
-          REQUIRE(caption.size() < 170);
-          REQUIRE(caption.back() == '.');
-          REQUIRE((std::isupper(static_cast<unsigned char>(caption.front())) || std::isdigit(static_cast<unsigned char>(caption.front()))));
-          REQUIRE(caption.find('\n') == std::string::npos);
-          REQUIRE(caption.find("nan") == std::string::npos);
-          REQUIRE(caption.find("P-1") == std::string::npos);  // kNoIndex
-        }
+        check(points, algorithm.record(points, {}), algorithm);
       }
-  // radius_checked and the rest: whatever these runs never reach has a case of its own below.
+    if (!fit::takes(algorithm, 3)) continue;
+    const AnyPointSet flat = set_of({{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, 3);
+    check(flat, algorithm.record(flat, {}), algorithm);
+  }
+  for (const lesson::Session& session : box_sessions())
+    for (const auto& entry : session.recording(0).steps) {
+      const std::string caption = app::caption_of(entry.step, nullptr, session.points(), true);
+      seen.insert(fit::name_of(entry.step));
+      INFO(caption);
+      require_sentence(caption);
+    }
+  // support_replaced, which these runs never reach, has a case of its own below.
   for (const std::string_view fact : fit::fact_names())
     if (fact != "support_replaced") CHECK_MESSAGE(seen.count(fact) == 1, fact);
 }

@@ -1,0 +1,95 @@
+// Two boxes are dragged, turned, typed and shared, by mouse and keyboard.
+import { after, before, test } from "node:test";
+import { assert, handles, ready, start, state, still, stop, to_points, until, visit } from "./support.mjs";
+
+before(start);
+after(stop);
+
+const kLesson = "?lesson=obb-sat";
+const changed = (now, boxes) => JSON.stringify(now.boxes) !== boxes;
+const text_of = (view) => JSON.stringify(view.boxes);
+
+/** Drags the handle by so many CSS pixels. */
+async function drag(page, handle, dx, dy) {
+  await page.mouse.move(handle.x, handle.y);
+  await page.mouse.down();
+  await page.mouse.move(handle.x + dx, handle.y + dy, { steps: 8 });
+  await page.mouse.up();
+  await still(page);
+}
+
+test("a box's centre is dragged: the box follows, the other stays, and one undo takes it back", async (t) => {
+  const page = await visit(t, kLesson);
+  const before = await state(page);
+  const [first] = await handles(page);
+  await drag(page, first, 40, 25);
+  const after = await until(page, changed, text_of(before));
+  assert.ok(after.boxes[0].center[0] > before.boxes[0].center[0]);
+  assert.ok(after.boxes[0].center[1] < before.boxes[0].center[1], "down on the screen is down in the plane");
+  assert.deepEqual(after.boxes[0].half_extents, before.boxes[0].half_extents);
+  assert.equal(after.boxes[0].degrees, before.boxes[0].degrees);
+  assert.deepEqual(after.boxes[1], before.boxes[1]);
+  await page.keyboard.press("Control+z");
+  assert.deepEqual((await until(page, (now) => now.canRedo)).boxes, before.boxes);
+});
+
+test("every handle of a box does something to it, and to no other", async (t) => {
+  const page = await visit(t, kLesson);
+  const start_boxes = await state(page);
+  const kinds = new Set();
+  for (const { id } of await handles(page)) {
+    const handle = (await handles(page)).find((it) => it.id === id);
+    const before = await state(page);
+    await drag(page, handle, 14, 11);
+    const { boxes } = await until(page, changed, text_of(before));
+    const touched = boxes.flatMap((box, i) => (JSON.stringify(box) === JSON.stringify(before.boxes[i]) ? [] : [i]));
+    assert.equal(touched.length, 1, `handle ${id} touches boxes ${touched}`);
+    for (const key of ["center", "half_extents", "degrees"])
+      if (JSON.stringify(boxes[touched[0]][key]) !== JSON.stringify(before.boxes[touched[0]][key])) kinds.add(`${key} of ${touched[0]}`);
+    await page.keyboard.press("Control+z");
+    await until(page, (now, text) => JSON.stringify(now.boxes) === text, text_of(start_boxes));
+  }
+  for (const kind of ["center of 0", "half_extents of 0", "degrees of 0", "center of 1", "half_extents of 1", "degrees of 1"])
+    assert.ok(kinds.has(kind), `no handle changes the ${kind}`);
+});
+
+test("a typed angle and a typed centre are those of the box; letters and a negative size are not taken", async (t) => {
+  const page = await visit(t, kLesson);
+  await to_points(page);
+  await page.getByLabel("Turn of A in degrees").fill("30");
+  await page.keyboard.press("Enter");
+  const turned = await until(page, (now) => Math.abs(now.boxes[0].degrees - 30) < 1e-9);
+  await page.getByLabel("Centre x of B").fill("2.5");
+  await page.keyboard.press("Tab");
+  const moved = await until(page, (now) => now.boxes[1].center[0] === 2.5);
+  assert.equal(moved.boxes[1].center[1], turned.boxes[1].center[1]);
+  await page.getByLabel("Half extents x of A").fill("-1");
+  await page.keyboard.press("Tab");
+  await page.getByText(/half extent/i).last().waitFor();
+  assert.deepEqual((await state(page)).boxes, moved.boxes);
+});
+
+test("dragged apart the test ends with a gap, dragged together it does not", async (t) => {
+  const page = await visit(t, `${kLesson}&boxes=-2,0,1,0.5,1,0;2,0,1,0.5,1,0`);
+  await page.keyboard.press("End");
+  const apart = await state(page);
+  assert.deepEqual(apart.boxes.map(({ center }) => center[0]), [-2, 2]);
+  const together = await visit(t, `${kLesson}&boxes=-0.5,0,1,0.5,1,0;0.5,0,1,0.5,1,0`);
+  const overlap = await state(together);
+  assert.notEqual(apart.trace, overlap.trace);
+  assert.notDeepEqual(apart.readout, overlap.readout);
+});
+
+test("the address carries the boxes to the last digit", async (t) => {
+  const page = await visit(t, kLesson);
+  const before = await state(page);
+  const [, second] = await handles(page);
+  await drag(page, second, -9, 7);
+  const after = await until(page, changed, text_of(before));
+  await page.waitForFunction(() => /boxes=/.test(location.href));
+  await page.reload();
+  await ready(page);
+  const again = await state(page);
+  assert.deepEqual(again.boxes, after.boxes);
+  assert.equal(again.trace, after.trace);
+});
