@@ -71,13 +71,12 @@ test("a typed angle and a typed centre are those of the box; letters and a negat
 
 test("dragged apart the test ends with a gap, dragged together it does not", async (t) => {
   const page = await visit(t, `${kLesson}&boxes=-2,0,1,0.5,1,0;2,0,1,0.5,1,0`);
-  await page.keyboard.press("End");
   const apart = await state(page);
   assert.deepEqual(apart.boxes.map(({ center }) => center[0]), [-2, 2]);
   const together = await visit(t, `${kLesson}&boxes=-0.5,0,1,0.5,1,0;0.5,0,1,0.5,1,0`);
   const overlap = await state(together);
   assert.notEqual(apart.trace, overlap.trace);
-  assert.notDeepEqual(apart.readout, overlap.readout);
+  assert.ok(apart.steps < overlap.steps, "one gap is enough, no gap takes every axis");
 });
 
 test("the address carries the boxes to the last digit", async (t) => {
@@ -86,7 +85,7 @@ test("the address carries the boxes to the last digit", async (t) => {
   const [, second] = await handles(page);
   await drag(page, second, -9, 7);
   const after = await until(page, changed, text_of(before));
-  await page.waitForFunction(() => /boxes=/.test(location.href));
+  for (let href = ""; href !== page.url() || !/boxes=/.test(href); await page.waitForTimeout(400)) href = page.url(); // it follows a moment later
   await page.reload();
   await ready(page);
   const again = await state(page);

@@ -114,7 +114,7 @@ test("points are added, deleted, scattered and reset", async (t) => {
   await page.keyboard.press("Enter");
   await page.getByRole("button", { name: "Delete", exact: true }).click();
   await until(page, (now, n) => now.size === n, size);
-  await page.getByLabel("Seed").fill(String(seed + 5));
+  await page.getByRole("spinbutton", { name: "Seed" }).fill(String(seed + 5));
   await page.getByRole("button", { name: "Scatter" }).click();
   const scattered = await until(page, (now, s) => now.seed === s, seed + 5);
   assert.notEqual(scattered.trace, trace);

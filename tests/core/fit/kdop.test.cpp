@@ -17,12 +17,6 @@ using exact::Rational;
 
 namespace {
 
-template <int Dim>
-constexpr auto kEveryK = [] {
-  if constexpr (Dim == 2) return std::array{4, 6, 8};
-  else return std::array{6, 14, 18, 26};
-}();
-
 template <class Scalar, int Dim>
 Rational along(const std::array<int, Dim>& axis, const Vector<Scalar, Dim>& p) {
   Rational sum = 0;
@@ -36,8 +30,9 @@ TEST_CASE_TEMPLATE("a k-DOP's bounds are the exact projections, rounded outwards
   constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
   int rounded = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed)
-    for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, 25)) {
-      CAPTURE(name);
+    for (const auto& cloud : test::degenerate_clouds<Scalar, 3>(seed, 25)) {
+      CAPTURE(cloud.name);
+      const auto& points = cloud.points;
       const auto set = test::set_of<Scalar, 3>(points);
       const auto kdop = fit::kdop_fit(set.span(), 26).volume;
       const auto axes = kdop_axes<3>(26);

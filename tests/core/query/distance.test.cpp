@@ -155,8 +155,9 @@ Patch<Scalar> with_edges(Patch<Scalar> patch, int edges) {
 
 TEST_CASE_TEMPLATE("points, segments and rectangles have the exact distance, whatever their position", Scalar, float, double) {
   Maker<Scalar> make(1);
-  for (const auto& [name, pair] : rectangle_families<Scalar>()) {
-    CAPTURE(name);
+  for (const auto& family : rectangle_families<Scalar>()) {
+    const auto& [name, pair] = family;
+    CAPTURE(family.name);
     int near = 0;
     for (int round = 0; round < 60; ++round) {
       CAPTURE(round);
