@@ -28,7 +28,7 @@ inline constexpr std::array<std::string_view, 7> kSatPseudocode2{
     "for each face axis of B",
     "  apart if distance > r_A + r_B",
     "what rounding hides: exactly",
-    "no axis separates: overlap",
+    "return whether none separates: overlap",
 };
 inline constexpr std::array<std::string_view, 10> kSatPseudocode3{
     "R, t ← B as seen from A's frame",
@@ -40,7 +40,7 @@ inline constexpr std::array<std::string_view, 10> kSatPseudocode3{
     "  no axis if they are parallel",
     "  apart if distance > r_A + r_B",
     "what rounding hides: exactly",
-    "no axis separates: overlap",
+    "return whether none separates: overlap",
 };
 
 /// The lines of kSatPseudocode2 and 3 that steps name.

@@ -1,6 +1,6 @@
 // Two boxes are dragged, turned, typed and shared, by mouse and keyboard.
 import { after, before, test } from "node:test";
-import { assert, handles, ready, start, state, still, stop, to_points, until, visit } from "./support.mjs";
+import { assert, handles, ready, start, state, still, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -55,7 +55,7 @@ test("every handle of a box does something to it, and to no other", async (t) =>
 
 test("a typed angle and a typed centre are those of the box; letters and a negative size are not taken", async (t) => {
   const page = await visit(t, kLesson);
-  await to_points(page);
+  await page.getByRole("tab", { name: "Boxes" }).click();
   await page.getByLabel("Turn of A in degrees").fill("30");
   await page.keyboard.press("Enter");
   const turned = await until(page, (now) => Math.abs(now.boxes[0].degrees - 30) < 1e-9);

@@ -40,9 +40,8 @@ class Page {
     this.#embed = embed;
     const act = (what) => this.act(what);
     const question = new QuestionCard(door, act);
-    this.#panels = [new Reading(() => act(() => door.start_task())), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new Player(door, act)];
+    this.#panels = [new Reading(() => act(() => door.start_task())), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new Player(door, act), new Tabs()];
     this.#menu = new LessonMenu(lessons, (id) => this.#go_to(id));
-    new Tabs();
     this.#stage = new Stage(door, () => this.#show());
     this.#settings = new Settings(() => this.#apply_settings());
     this.#apply_settings();
@@ -157,7 +156,7 @@ class Page {
   #show_panels() {
     clearTimeout(this.#panels_timer);
     this.#panels_timer = 0;
-    for (const panel of this.#panels) panel.update(this.#view);
+    for (const panel of this.#panels) panel.update?.(this.#view);
     this.#show_figures(this.#view.figures);
   }
 

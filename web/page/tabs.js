@@ -16,6 +16,10 @@ export class Tabs {
     new MutationObserver(() => this.#fit()).observe(document.documentElement, { attributeFilter: ["data-layout", "class"] });
   }
 
+  open(lesson) {
+    this.#tabs[1].textContent = lesson.boxes ? "Boxes" : "Points";
+  }
+
   choose(id) {
     document.documentElement.dataset.tab = id;
     this.#tabs.forEach((tab, i) => {
