@@ -9,7 +9,7 @@ count() { # title passed failed log-name
 }
 
 # A test that hangs is one that failed, not one that takes the others with it.
-limited=(timeout --kill-after=10 900)
+limited=(timeout --kill-after=10 1200)
 
 # A program of doctest's: its last line has the figures. None, or no test at all, is a failure.
 doctest_suite() { # title log-name command...
