@@ -3,6 +3,7 @@
 # One static library snug_NAME of the .cpp files in this folder. Its include path is a folder
 # of the build tree that holds a single link, NAME, to this one: a room can name the headers of
 # the rooms it links ("geometry/sphere.hpp"), and those of no other.
+set(SNUG_SHARED_HEADER ${PROJECT_SOURCE_DIR}/cmake/shared.hpp)
 function(snug_room name)
   cmake_parse_arguments(PARSE_ARGV 1 room "" "" "LINKS")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
@@ -14,14 +15,12 @@ function(snug_room name)
   snug_door(${name} ${CMAKE_CURRENT_SOURCE_DIR} door)
   target_include_directories(snug_${name} PUBLIC ${door})
   target_link_libraries(snug_${name} PUBLIC ${room_LINKS} PRIVATE snug_options snug_lean)
-  # What every room's files read is read once for all. Not for the page: there each file shows that it includes what it uses.
-  if(NOT EMSCRIPTEN)
-    if(name STREQUAL geometry)
-      target_precompile_headers(snug_geometry PRIVATE ${PROJECT_SOURCE_DIR}/cmake/shared.hpp)
-    elseif("snug_geometry" IN_LIST room_LINKS OR "snug_query" IN_LIST room_LINKS OR "snug_fit" IN_LIST room_LINKS OR
-           "snug_lesson" IN_LIST room_LINKS)
-      target_precompile_headers(snug_${name} REUSE_FROM snug_geometry)
-    endif()
+  # What every room's files read is read once: for all rooms, or for each where rooms are compiled for size or for speed.
+  # The dev preset does without, and shows that each file includes what it uses.
+  if(EMSCRIPTEN OR name STREQUAL geometry)
+    target_precompile_headers(snug_${name} PRIVATE ${SNUG_SHARED_HEADER})
+  elseif(room_LINKS) # all but trace, which has no Eigen
+    target_precompile_headers(snug_${name} REUSE_FROM snug_geometry)
   endif()
 endfunction()
 

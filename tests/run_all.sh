@@ -11,16 +11,27 @@ count() { # title passed failed log-name
 # A test that hangs is one that failed, not one that takes the others with it.
 limited=(timeout --kill-after=10 1200)
 
-# A program of doctest's: its last line has the figures. None, or no test at all, is a failure.
+# A program of doctest's, half of its test cases on each core, shuffled so that the halves take about as long. The last
+# line of each says how many failed; its count of those that passed is that of both. No such line, or no test, is a failure.
 doctest_suite() { # title log-name command...
-    local status=0 figures
-    quietly "$2" "${limited[@]}" "${@:3}" || status=$?
-    figures=$(grep -aoP 'test cases: *\d+ \| *\K\d+ passed \| *\d+ failed' "build/logs/$2.log" |
-        tail -n 1 | tr -cd '0-9 ') || true
-    read -r ok bad <<<"$figures" || true
-    ok=${ok:-0} bad=${bad:-0}
-    ((bad > 0 || (status == 0 && ok > 0))) || bad=1
-    count "$1" "$ok" "$bad" "$2"
+    local half all size wrong ok=0 bad=0 pids=() shuffled=(--no-colors=1 --order-by=rand --rand-seed=1)
+    all=$("${@:3}" --count | grep -aoP 'filters: \K\d+') || all=0
+    local firsts=(1 $((all / 2 + 1))) lasts=($((all / 2)) "$all")
+    for half in 0 1; do
+        quietly "$2-$half" "${limited[@]}" "${@:3}" "${shuffled[@]}" --first="${firsts[half]}" --last="${lasts[half]}" &
+        pids+=($!)
+    done
+    for half in 0 1; do
+        local status=0
+        wait "${pids[half]}" || status=$?
+        wrong=$(grep -aoP 'test cases: *\d+ \| *\d+ passed \| *\K\d+(?= failed)' "build/logs/$2-$half.log" | tail -n 1) || true
+        ((status == 0 || ${wrong:-0} > 0)) || wrong=1
+        wrong=${wrong:-1} size=$((lasts[half] - firsts[half] + 1))
+        bad=$((bad + wrong)) ok=$((ok + (size > wrong ? size - wrong : 0)))
+        ((wrong == 0)) || why "$2-$half"
+    done
+    passed=$((passed + ok)) failed=$((failed + bad))
+    say "$1: $ok passed, $bad failed (minute $((SECONDS / 60)))"
 }
 
 # Files for node's own test runner.
@@ -48,8 +59,8 @@ built() { # preset targets...: whether it could be built; if not, that is a fail
 screen=(xvfb-run -a -s "-screen 0 1280x800x24")
 
 if built release snug_tests snug_app_tests snug_desktop; then
-    doctest_suite "core, native" core-native build/release/tests/snug_tests --no-colors=1
-    doctest_suite "app, native" app-native build/release/tests/snug_app_tests --no-colors=1
+    doctest_suite "core, native" core-native build/release/tests/snug_tests
+    doctest_suite "app, native" app-native build/release/tests/snug_app_tests
     node_suite "command line" command-line tests/command/*.test.mjs
     for file in tests/desktop/*.test.sh; do
         one_test "$file" "desktop-$(basename "$file" .test.sh)" "${screen[@]}" bash "$file"
@@ -57,13 +68,13 @@ if built release snug_tests snug_app_tests snug_desktop; then
 fi
 
 if built sanitize snug_tests; then
-    doctest_suite "core, sanitized" core-sanitized build/sanitize/tests/snug_tests --no-colors=1
+    doctest_suite "core, sanitized" core-sanitized build/sanitize/tests/snug_tests
 fi
 
 if built wasm all; then
     # Emscripten 3.1.6 mistakes Node for a browser when it finds fetch.
     doctest_suite "core, WebAssembly" core-wasm \
-        node --no-experimental-fetch build/wasm/tests/snug_tests.js --no-colors=1
+        node --no-experimental-fetch build/wasm/tests/snug_tests.js
     one_test "native and WebAssembly traces are equal" trace-hash tests/trace_hash.sh
     one_test "transfer within budget" transfer python3 web/size_report.py build/wasm/site
     if [[ tests/browser/package-lock.json -nt tests/browser/node_modules/.package-lock.json ]]; then

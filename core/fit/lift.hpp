@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <utility>
 #include <variant>
 
 #include "fit/any_step.hpp"
@@ -170,26 +169,20 @@ auto lift_fact(const query::Verdict<Scalar, Dim>& fact) {
   return query::Verdict<double, 3>{{fact.result.overlap, fact.result.tests, lift(fact.result.axis)}};
 }
 
-// By its type and not by conversion, for which a compiler would weigh every fact against every other.
-template <class Fact>
-Fact3 any_fact(Fact fact) {
-  return Fact3(std::in_place_type<Fact>, std::move(fact));
-}
-
 template <class VolumeType, class... Facts>
 Step3 lift(const Step<VolumeType, Facts...>& step) {
-  return {step.line, step.has_volume, Volume3(lift(step.volume)),
-          std::visit([](const auto& fact) { return any_fact(lift_fact(fact)); }, step.fact)};
+  return {step.line, step.has_volume, lift(step.volume),
+          std::visit([](const auto& fact) { return Fact3(lift_fact(fact)); }, step.fact)};
 }
 
 /// A query has no volume of its own.
 template <class Scalar, int Dim>
 Step3 lift(const query::SatStep<Scalar, Dim>& step) {
-  return {step.line, false, {}, std::visit([](const auto& fact) { return any_fact(lift_fact(fact)); }, step.fact)};
+  return {step.line, false, {}, std::visit([](const auto& fact) { return Fact3(lift_fact(fact)); }, step.fact)};
 }
 
 inline Step3 lift(const query::WrongStep& step) {
-  return {step.line, false, {}, std::visit([](const auto& fact) { return any_fact(fact); }, step.fact)};
+  return {step.line, false, {}, std::visit([](const auto& fact) { return Fact3(fact); }, step.fact)};
 }
 
 }  // namespace snug::fit

@@ -122,17 +122,14 @@ double outside_by(const ConvexHull<Scalar, Dim>& hull, const std::type_identity_
   if (contains(hull, point)) return 0;
   const Vector<double, Dim> p = point.template cast<double>();
   const auto at = corners_of(hull);
-  double most = 0;
-  if (hull.affine_dim == 0) most = scaled_norm<double, Dim>(p - at(0));
+  double most = std::numeric_limits<double>::infinity();
   if (hull.affine_dim == 1) most = outside_of_segment<Dim>(at(0), at(1), p);
   if (hull.affine_dim == Dim) most = outside_of_facets(hull, p);
   if constexpr (Dim == 3)
     if (hull.affine_dim == 2) most = outside_of_flat_polygon(hull, p);
-  // A sliver's normal may be rounding's: no point is farther from the hull than from its nearest vertex.
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& v : hull.vertices)
-    nearest = std::min(nearest, scaled_norm<double, Dim>(p - v.template cast<double>()));
-  most = std::min(most, nearest);
+  // No point is farther from the hull than from its nearest vertex, whatever rounding makes of a sliver's normal.
+  for (Index i = 0; i < static_cast<Index>(hull.vertices.size()); ++i)
+    most = std::min(most, scaled_norm<double, Dim>(p - at(i)));
   // What only exact arithmetic saw is less than the last digit of a coordinate.
   const double largest = p.cwiseAbs().maxCoeff();
   const double digit = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;

@@ -10,6 +10,24 @@ SNUG_GJK(float, 3)
 SNUG_GJK(double, 2)
 SNUG_GJK(double, 3)
 
+template <class Scalar, int Dim>
+std::optional<Separation<Scalar, Dim>> gjk(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
+  const auto anchor_of = [](const Volume<Scalar, Dim>& volume) {
+    return std::visit([](const auto& v) { return anchor(v); }, volume);
+  };
+  const Vector<Scalar, Dim> origin = anchor_of(a) / 2 + anchor_of(b) / 2;
+  const auto core_of = [&](const Volume<Scalar, Dim>& volume) {
+    return std::visit([&](const auto& v) { return grown_core(v, origin); }, volume);
+  };
+  Ignore ignore;
+  return separation_of<Scalar, Dim>(core_of(a), core_of(b), origin, false, ignore);
+}
+
+template std::optional<Separation<float, 2>> gjk(const Volume<float, 2>&, const Volume<float, 2>&);
+template std::optional<Separation<float, 3>> gjk(const Volume<float, 3>&, const Volume<float, 3>&);
+template std::optional<Separation<double, 2>> gjk(const Volume<double, 2>&, const Volume<double, 2>&);
+template std::optional<Separation<double, 3>> gjk(const Volume<double, 3>&, const Volume<double, 3>&);
+
 double scale_to_unit(GrownCore& a, GrownCore& b) {
   double largest = std::max(a.radius, b.radius);
   for (const GrownCore* core : {&a, &b})

@@ -265,4 +265,8 @@ template <template <class, int> class A, template <class, int> class B, class Sc
   return separation_of<Scalar, Dim>(grown_core(a, origin), grown_core(b, origin), origin, only_whether, observe);
 }
 
+/// Of any two volumes.
+template <class Scalar, int Dim>
+[[nodiscard]] std::optional<Separation<Scalar, Dim>> gjk(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b);
+
 }  // namespace snug::query

@@ -28,7 +28,7 @@ inline constexpr std::array<std::string_view, 7> kSatPseudocode2{
     "for each face axis of B",
     "  apart if distance > r_A + r_B",
     "what rounding hides: exactly",
-    "return whether none separates: overlap",
+    "overlap if no axis separates",
 };
 inline constexpr std::array<std::string_view, 10> kSatPseudocode3{
     "R, t ← B as seen from A's frame",
@@ -40,7 +40,7 @@ inline constexpr std::array<std::string_view, 10> kSatPseudocode3{
     "  no axis if they are parallel",
     "  apart if distance > r_A + r_B",
     "what rounding hides: exactly",
-    "return whether none separates: overlap",
+    "overlap if no axis separates",
 };
 
 /// The lines of kSatPseudocode2 and 3 that steps name.
@@ -280,5 +280,18 @@ template <class Scalar, int Dim>
   });
   return !apart && (in_doubt == 0 || !ObbFrames<Scalar, Dim>(a, b).settle(in_doubt));
 }
+
+// Compiled once, in obb_sat.cpp: with nobody watching, and with every step kept.
+template <class Scalar, int Dim>
+using SatRecorder = Recorder<SatStep<Scalar, Dim>>;
+#define SNUG_OBB_SAT(EXTERN, Scalar, Dim)                                                                                \
+  EXTERN template SatResult<Scalar, Dim> obb_sat(const Obb<Scalar, Dim>&, const Obb<Scalar, Dim>&, SatExtent, Ignore&&); \
+  EXTERN template SatResult<Scalar, Dim> obb_sat<Scalar, Dim, SatRecorder<Scalar, Dim>&>(                                \
+      const Obb<Scalar, Dim>&, const Obb<Scalar, Dim>&, SatExtent, SatRecorder<Scalar, Dim>&);                           \
+  EXTERN template bool obbs_overlap(const Obb<Scalar, Dim>&, const Obb<Scalar, Dim>&);
+SNUG_OBB_SAT(extern, float, 2)
+SNUG_OBB_SAT(extern, float, 3)
+SNUG_OBB_SAT(extern, double, 2)
+SNUG_OBB_SAT(extern, double, 3)
 
 }  // namespace snug::query

@@ -53,7 +53,7 @@ test("every handle of a box does something to it, and to no other", async (t) =>
     assert.ok(kinds.has(kind), `no handle changes the ${kind}`);
 });
 
-test("a typed angle and a typed centre are those of the box; letters and a negative size are not taken", async (t) => {
+test("a typed angle and a typed centre are those of the box; a negative size is not taken", async (t) => {
   const page = await visit(t, kLesson);
   await page.getByRole("tab", { name: "Boxes" }).click();
   await page.getByLabel("Turn of A in degrees").fill("30");
@@ -69,7 +69,7 @@ test("a typed angle and a typed centre are those of the box; letters and a negat
   assert.deepEqual((await state(page)).boxes, moved.boxes);
 });
 
-test("dragged apart the test ends with a gap, dragged together it does not", async (t) => {
+test("boxes apart are told by fewer steps than boxes that overlap", async (t) => {
   const page = await visit(t, `${kLesson}&boxes=-2,0,1,0.5,1,0;2,0,1,0.5,1,0`);
   const apart = await state(page);
   assert.deepEqual(apart.boxes.map(({ center }) => center[0]), [-2, 2]);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <set>
+#include <vector>
 
 using namespace snug;
 using test::check_promises;
@@ -53,6 +54,7 @@ TEST_CASE_TEMPLATE("every fitter keeps its promises on larger clouds", Scalar, f
 }
 
 TEST_CASE("every fitter keeps its promises on far, tiny and huge clouds") {
+  const std::vector<fit::Algorithm> others = but_spheres();
   for (const double offset : {0.0, 1e3, 1e8, -1e8})
     for (const double scale : {1e-150, 1e-75, 1e-3, 1.0, 1e75, 1e150}) {
       if (offset != 0 && scale != 1) continue;
@@ -60,8 +62,26 @@ TEST_CASE("every fitter keeps its promises on far, tiny and huge clouds") {
       CAPTURE(scale);
       for (const char* kind : {"cube", "sphere", "gaussian", "lattice", "line"}) {
         check_promises<double, 2>(fit::algorithms(), kind, test::generated<double, 2>(kind, 30, 3, scale, offset));
-        check_promises<double, 3>(fit::algorithms(), kind, test::generated<double, 3>(kind, 20, 4, scale, offset));
+        check_promises<double, 3>(others, kind, test::generated<double, 3>(kind, 30, 4, scale, offset));
+        check_promises<double, 3>(fit::algorithms_of("sphere"), kind, test::generated<double, 3>(kind, 300, 4, scale, offset));
       }
+    }
+}
+
+TEST_CASE("boxes, capsules and lozenges keep theirs down to the least numbers that there are") {
+  for (const char* kind : {"cube", "sphere", "stick", "lattice", "line"})
+    for (const std::string_view volume : {"obb", "capsule", "lozenge"}) {
+      for (const double scale : {1e-160, 1e-300}) {
+        check_promises<double, 2>(fit::algorithms_of(volume), kind, test::generated<double, 2>(kind, 30, 3, scale));
+        check_promises<double, 3>(fit::algorithms_of(volume), kind, test::generated<double, 3>(kind, 30, 4, scale));
+      }
+      if (volume == "obb") continue;
+      check_promises<double, 3>(fit::algorithms_of(volume), kind, test::generated<double, 3>(kind, 100, 2, 1e-310));
+      check_promises<float, 3>(fit::algorithms_of(volume), kind, test::generated<float, 3>(kind, 200, 2, 1, 1e4));
+      check_promises<float, 3>(fit::algorithms_of(volume), kind, test::generated<float, 3>(kind, 3000, 2));
+      for (const double scale : {1e-22, 1e-40, 1e17})
+        check_promises<float, 3>(fit::algorithms_of(volume), kind, test::generated<float, 3>(kind, 100, 2, scale));
+      check_promises<double, 3>(fit::algorithms_of(volume), kind, test::generated<double, 3>(kind, 3000, 2));
     }
 }
 
@@ -69,12 +89,14 @@ TEST_CASE("one point is a volume of no size, for every algorithm") {
   for (const fit::Algorithm& algorithm : fit::algorithms()) {
     const AnyPointSet point = test::set_of<double, 3>({{1, 2, 3}});
     check_promises(algorithm, point);
-    CHECK(fit::size_of(algorithm.fit(point, {}).volume, 3) == 0);
+    const fit::Result found = algorithm.fit(point, {});
+    CHECK(fit::size_of(found.volume, 3) == 0);
+    if (algorithm.volume == "sphere") CHECK(ball_of(found).center == Vector<double, 3>(1, 2, 3));
   }
 }
 
 TEST_CASE("every kind of step happens, and reads as JSON with its own name") {
-  // What only tests of two boxes tell of is in lesson/boxes.test.cpp.
+  // What only tests of two boxes tell of happens in tests/app/captions.test.cpp.
   std::set<std::string_view> seen{"frames_related", "axis_tested", "looked_closer", "verdict", "outlines_compared", "corner_tried", "claimed"};
   for (const fit::Algorithm& algorithm : fit::algorithms())
     for (const char* kind : {"gaussian", "lattice", "clusters", "ball", "stick"})

@@ -85,10 +85,3 @@ TEST_CASE("counts grow along a trace and end at the whole run's") {
     CHECK(run.counts[static_cast<std::size_t>(Operation::kPointsTouched)] >= 200);
   }
 }
-
-TEST_CASE("a ball is held by no more points than fix it") {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed)
-    for (const auto& [name, points] : test::degenerate_clouds<double, 3>(seed, 14))
-      for (const Algorithm& algorithm : fit::algorithms_of("sphere"))
-        CHECK(algorithm.fit(test::set_of<double, 3>(points), {}).support.size() <= 4);
-}

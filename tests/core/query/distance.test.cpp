@@ -156,12 +156,11 @@ Patch<Scalar> with_edges(Patch<Scalar> patch, int edges) {
 TEST_CASE_TEMPLATE("points, segments and rectangles have the exact distance, whatever their position", Scalar, float, double) {
   Maker<Scalar> make(1);
   for (const auto& family : rectangle_families<Scalar>()) {
-    const auto& [name, pair] = family;
     CAPTURE(family.name);
     int near = 0;
     for (int round = 0; round < 60; ++round) {
       CAPTURE(round);
-      const auto [a, b] = pair(make);
+      const auto [a, b] = family.make(make);
       const auto found = query::closest_points(a.rectangle(), b.rectangle());
       check(found, a, b);
       near += found.square < Scalar(1e-6) ? 1 : 0;
@@ -173,6 +172,6 @@ TEST_CASE_TEMPLATE("points, segments and rectangles have the exact distance, wha
       check(query::closest_points(p.corner, b.rectangle()), p, b);
       check(query::closest_points(s.segment(), b.rectangle()), s, b);
     }
-    CHECK(near >= (name == "any" || name == "whole numbers" ? 1 : 10));
+    CHECK(near >= (family.name == "any" || family.name == "whole numbers" ? 1 : 10));
   }
 }

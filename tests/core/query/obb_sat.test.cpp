@@ -4,6 +4,7 @@
 
 #include <variant>
 
+#include "core/exact.hpp"
 #include "core/query/box_pairs.hpp"
 #include "core/query/exact_boxes.hpp"
 
