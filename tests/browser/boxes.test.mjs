@@ -1,6 +1,6 @@
-// Two boxes are dragged, turned, typed and shared, by mouse and keyboard.
+// Two boxes are dragged, turned, typed and shared, by mouse, finger and keyboard.
 import { after, before, test } from "node:test";
-import { assert, handles, ready, start, state, still, stop, until, visit } from "./support.mjs";
+import { assert, drag, drag_by_finger, handles, kPhone, ready, start, state, still, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -9,20 +9,11 @@ const kLesson = "?lesson=obb-sat";
 const changed = (now, boxes) => JSON.stringify(now.boxes) !== boxes;
 const text_of = (view) => JSON.stringify(view.boxes);
 
-/** Drags the handle by so many CSS pixels. */
-async function drag(page, handle, dx, dy) {
-  await page.mouse.move(handle.x, handle.y);
-  await page.mouse.down();
-  await page.mouse.move(handle.x + dx, handle.y + dy, { steps: 8 });
-  await page.mouse.up();
-  await still(page);
-}
-
 test("a box's centre is dragged: the box follows, the other stays, and one undo takes it back", async (t) => {
   const page = await visit(t, kLesson);
   const before = await state(page);
   const [first] = await handles(page);
-  await drag(page, first, 40, 25);
+  await drag(page, first.id, 40, 25);
   const after = await until(page, changed, text_of(before));
   assert.ok(after.boxes[0].center[0] > before.boxes[0].center[0]);
   assert.ok(after.boxes[0].center[1] < before.boxes[0].center[1], "down on the screen is down in the plane");
@@ -38,9 +29,8 @@ test("every handle of a box does something to it, and to no other", async (t) =>
   const start_boxes = await state(page);
   const kinds = new Set();
   for (const { id } of await handles(page)) {
-    const handle = (await handles(page)).find((it) => it.id === id);
     const before = await state(page);
-    await drag(page, handle, 14, 11);
+    await drag(page, id, 14, 11);
     const { boxes } = await until(page, changed, text_of(before));
     const touched = boxes.flatMap((box, i) => (JSON.stringify(box) === JSON.stringify(before.boxes[i]) ? [] : [i]));
     assert.equal(touched.length, 1, `handle ${id} touches boxes ${touched}`);
@@ -51,6 +41,28 @@ test("every handle of a box does something to it, and to no other", async (t) =>
   }
   for (const kind of ["center of 0", "half_extents of 0", "degrees of 0", "center of 1", "half_extents of 1", "degrees of 1"])
     assert.ok(kinds.has(kind), `no handle changes the ${kind}`);
+});
+
+test("a finger drags a box on a phone", async (t) => {
+  const page = await visit(t, kLesson, kPhone);
+  const before = await state(page);
+  const [first] = await handles(page);
+  await drag_by_finger(page, first.id, 18, -24);
+  const after = await until(page, changed, text_of(before));
+  assert.notDeepEqual(after.boxes[0].center, before.boxes[0].center);
+  assert.deepEqual(after.boxes[1], before.boxes[1]);
+});
+
+test("arrow keys move what is selected of a box", async (t) => {
+  const page = await visit(t, kLesson);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("]");
+  await until(page, (now) => now.selected !== null);
+  const before = await state(page);
+  await page.keyboard.press("ArrowRight");
+  const after = await until(page, changed, text_of(before));
+  assert.ok(after.boxes[0].center[0] > before.boxes[0].center[0]);
+  assert.equal(after.boxes[0].center[1], before.boxes[0].center[1]);
 });
 
 test("a typed angle and a typed centre are those of the box; a negative size is not taken", async (t) => {
@@ -83,7 +95,7 @@ test("the address carries the boxes to the last digit", async (t) => {
   const page = await visit(t, kLesson);
   const before = await state(page);
   const [, second] = await handles(page);
-  await drag(page, second, -9, 7);
+  await drag(page, second.id, -9, 7);
   const after = await until(page, changed, text_of(before));
   for (let href = ""; href !== page.url() || !/boxes=/.test(href); await page.waitForTimeout(400)) href = page.url(); // it follows a moment later
   await page.reload();

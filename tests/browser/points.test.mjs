@@ -1,6 +1,6 @@
 // Points are dragged, moved, typed, added and taken back, by mouse, finger and keyboard.
 import { after, before, test } from "node:test";
-import { assert, handles, kPhone, lesson_with, start, state, still, stop, until, visit, to_points } from "./support.mjs";
+import { assert, drag_by_finger, handles, kPhone, lesson_with, start, state, still, stop, until, visit, to_points } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -44,12 +44,7 @@ test("a drag is one entry of undo, and undo and redo restore the trace", async (
 test("a finger drags a handle on a phone", async (t) => {
   const page = await visit(t, await in_the_plane(), kPhone);
   const before = await state(page);
-  const { x, y } = farthest_out(await handles(page));
-  const touch = await page.context().newCDPSession(page);
-  const send = (type, ...points) => touch.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([px, py]) => ({ x: px, y: py })) });
-  await send("touchStart", [x, y]);
-  for (let i = 1; i <= 6; ++i) await send("touchMove", [x - 8 * i, y + 4 * i]);
-  await send("touchEnd");
+  await drag_by_finger(page, farthest_out(await handles(page)).id, -48, 24);
   await until(page, (now, trace) => now.trace !== trace && now.edited, before.trace);
 });
 

@@ -108,6 +108,29 @@ export async function still(page) {
   }));
 }
 
+/** Drags what is at a handle by so many CSS pixels with the mouse, once the view stands still: it eases after every edit. */
+export async function drag(page, id, dx, dy) {
+  await still(page);
+  const { x, y } = (await handles(page)).find((handle) => handle.id === id);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + dx, y + dy, { steps: 8 });
+  await page.mouse.up();
+  await still(page);
+}
+
+/** The same with a finger. */
+export async function drag_by_finger(page, id, dx, dy) {
+  await still(page);
+  const { x, y } = (await handles(page)).find((handle) => handle.id === id);
+  const touch = await page.context().newCDPSession(page);
+  const send = (type, ...points) => touch.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([px, py]) => ({ x: px, y: py })) });
+  await send("touchStart", [x, y]);
+  for (let i = 1; i <= 6; ++i) await send("touchMove", [x + dx * i / 6, y + dy * i / 6]);
+  await send("touchEnd");
+  await still(page);
+}
+
 /** The first lesson that says yes to test(its file's text). */
 export async function lesson_with(test) {
   for (const { id } of await lessons()) {
