@@ -17,9 +17,11 @@ function(snug_room name)
   target_link_libraries(snug_${name} PUBLIC ${room_LINKS} PRIVATE snug_options snug_lean)
   # What every room's files read is read once: for all rooms, or for each where rooms are compiled for size or for speed.
   # The dev preset does without, and shows that each file includes what it uses.
-  if(EMSCRIPTEN OR name STREQUAL geometry)
+  if(NOT room_LINKS)
+    return() # trace, which has no Eigen
+  elseif(EMSCRIPTEN OR name STREQUAL geometry)
     target_precompile_headers(snug_${name} PRIVATE ${SNUG_SHARED_HEADER})
-  elseif(room_LINKS) # all but trace, which has no Eigen
+  else()
     target_precompile_headers(snug_${name} REUSE_FROM snug_geometry)
   endif()
 endfunction()

@@ -64,7 +64,7 @@ void one_cloud(const char* kind) {
   const auto base = [&] { bench::keep(farthest_pass(set.span(), from)); };
   for (const Limit& limit : kLimits) {
     const fit::Algorithm& algorithm = *fit::find_algorithm("sphere", limit.algorithm);
-    const auto r = bench::ratio([&] { bench::keep(algorithm.fit(any, {}).sphere.radius); }, base, 15);
+    const auto r = bench::ratio([&] { bench::keep(fit::ball_of(algorithm.fit(any, {})).radius); }, base, 15);
     std::printf("| %s | %s | %.2f | %.2f to %.2f | %g | %s |\n", kind, limit.algorithm, r.median, r.low, r.high,
                 limit.passes, r.median <= limit.passes ? "yes" : "NO");
   }
