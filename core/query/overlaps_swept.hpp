@@ -3,6 +3,8 @@
 // proximity queries with swept sphere volumes", 1999.
 #pragma once
 
+#include <optional>
+
 #include "geometry/capsule.hpp"
 #include "geometry/lozenge.hpp"
 #include "geometry/sphere.hpp"
@@ -63,6 +65,7 @@ class SweptPair {
 
   [[nodiscard]] bool apart() const {
     if constexpr (kCoreDim<B> < 2) return apart(closest());
+    if (const auto known = at_a_glance()) return *known;
     const Rectangle<Scalar> a = rectangle_a();
     const Rectangle<Scalar> b = rectangle_b();
     RectanglePair<Scalar> pair(a, b);
@@ -90,6 +93,52 @@ class SweptPair {
     Space result = Space::Zero();
     result.template head<Dim>() = v * (1 / unit_);
     return result;
+  }
+
+  /// Most pairs are known without a rectangle's axes: by the spheres around both cores, by how near two places come that
+  /// each lie nearest to the other in turn, or by the plane across the way between them. Nothing where that does not tell
+  /// by more than any distance may be off.
+  [[nodiscard]] std::optional<bool> at_a_glance() const {
+    const Space middle = between_ + ((b_edges_[0] + b_edges_[1]) - (a_edges_[0] + a_edges_[1])) / 2;  // of b's core, from a's
+    const Scalar beyond = touching() + 2 * kTouching;
+    const Scalar reach = diagonal(a_edges_) / 2 + diagonal(b_edges_) / 2 + beyond;
+    if (middle.squaredNorm() > reach * reach) return true;
+
+    const std::array<Scalar, 2> shares_a = shares(a_edges_), shares_b = shares(b_edges_);
+    const Scalar within = std::max(radii_ - 2 * kTouching, Scalar(0));
+    Space on_b = middle, way;
+    for (int turn = 0; turn < 2; ++turn) {
+      const Space on_a = nearest(on_b, a_edges_, shares_a);
+      on_b = middle + nearest(on_a - middle, b_edges_, shares_b);
+      way = on_b - on_a;
+      if (way.squaredNorm() <= within * within && within > 0) return false;
+    }
+    const Scalar gap = middle.dot(way) - (span(a_edges_, way) + span(b_edges_, way)) / 2;
+    if (gap > 0 && gap * gap > beyond * beyond * way.squaredNorm()) return true;
+    return std::nullopt;
+  }
+
+  /// What a projection onto each edge is multiplied with to be a part of the edge; 0 where it is no more than a point.
+  [[nodiscard]] static std::array<Scalar, 2> shares(const std::array<Space, 2>& edges) {
+    const std::array squares{edges[0].squaredNorm(), edges[1].squaredNorm()};
+    return {vanishes(squares[0]) ? 0 : 1 / squares[0], vanishes(squares[1]) ? 0 : 1 / squares[1]};
+  }
+
+  /// The place of a core around the origin that lies nearest to p, but for edges that are not quite perpendicular.
+  [[nodiscard]] static Space nearest(const Space& p, const std::array<Space, 2>& edges, const std::array<Scalar, 2>& shares) {
+    const auto part = [&](std::size_t i) { return std::clamp(p.dot(edges[i]) * shares[i], Scalar(-0.5), Scalar(0.5)); };
+    return part(0) * edges[0] + part(1) * edges[1];
+  }
+
+  /// How much of a direction a core covers, times the direction's length.
+  [[nodiscard]] static Scalar span(const std::array<Space, 2>& edges, const Space& way) {
+    return std::abs(edges[0].dot(way)) + std::abs(edges[1].dot(way));
+  }
+
+
+  /// The longer one's length.
+  [[nodiscard]] static Scalar diagonal(const std::array<Space, 2>& edges) {
+    return std::sqrt(edges[0].squaredNorm() + edges[1].squaredNorm() + 2 * std::abs(edges[0].dot(edges[1])));
   }
 
   [[nodiscard]] Scalar touching() const { return radii_ + kTouching; }

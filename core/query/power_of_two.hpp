@@ -2,8 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <type_traits>
 
 namespace snug::query {
 
@@ -11,8 +12,11 @@ namespace snug::query {
 /// length: >= 0, below a quarter of the largest number. Of lengths near the subnormal ones it may be more than twice.
 template <class Scalar>
 [[nodiscard]] Scalar power_of_two_above(Scalar length) {
-  constexpr int kLeast = std::numeric_limits<Scalar>::min_exponent + 4;
-  return length > 0 ? std::ldexp(Scalar(1), std::max(std::ilogb(length) + 1, kLeast)) : Scalar(1);
+  using Bits = std::conditional_t<sizeof(Scalar) == 8, std::uint64_t, std::uint32_t>;
+  constexpr int kFraction = std::numeric_limits<Scalar>::digits - 1;
+  constexpr Bits kLeast = 6;  // of exponents as they are stored: well above the subnormal numbers, which have no inverse
+  const Bits exponent = __builtin_bit_cast(Bits, length) >> kFraction;
+  return length > 0 ? __builtin_bit_cast(Scalar, std::max(exponent + 1, kLeast) << kFraction) : Scalar(1);
 }
 
 }  // namespace snug::query

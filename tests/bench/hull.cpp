@@ -1,5 +1,5 @@
-// Convex hulls beside Qhull's, in one run: how long ours takes in units of its time, and how many vertices each keeps.
-// Prints the table that RESULTS.md keeps. Needs Debian's libqhull-dev.
+// Convex hulls beside Qhull's and Bullet's, in one run: how long ours takes in units of their time, and how many vertices each keeps.
+// Prints the table that RESULTS.md keeps. Needs Debian's libqhull-dev and libbullet-dev.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/peers/bullet_hull.hpp"
 #include "bench/peers/qhull.hpp"
 #include "bench/ratio.hpp"
 #include "fit/quickhull.hpp"
@@ -29,6 +30,11 @@ void one_set(const std::string& name, const Set& set, int rounds) {
                 theirs, ours, r.median, r.low, r.high, 1e3 * r.base);
     std::fflush(stdout);
   }
+  int theirs = 0;
+  const auto r = bench::ratio(work, [&] { theirs = bench::bullet_vertices(set.span()); }, rounds);
+  std::printf("| %s | %d | bullet | %d | %zu | %.2f | %.2f to %.2f | %.0f |\n", name.c_str(), set.size(), theirs, ours, r.median,
+              r.low, r.high, 1e3 * r.base);
+  std::fflush(stdout);
 }
 
 Set generated(const char* kind, int n) { return *Set::make(*generate(kind, n, 3, 1)); }

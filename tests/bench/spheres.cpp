@@ -1,9 +1,10 @@
 // Bounding spheres of a million points, in passes: how often a plain farthest-point pass runs in the same time.
-// Prints the table that RESULTS.md keeps.
+// Prints the tables that RESULTS.md keeps. Needs Debian's libcgal-dev.
 #include <cmath>
 #include <cstdio>
 #include <string>
 
+#include "bench/peers/cgal_ball.hpp"
 #include "bench/ratio.hpp"
 #include "fit/catalogue.hpp"
 #include "fit/ritter.hpp"
@@ -70,6 +71,16 @@ void one_cloud(const char* kind) {
   }
 }
 
+void beside_cgal(const char* name, const Set& set, int rounds) {
+  const AnyPointSet any = set;
+  const fit::Algorithm& welzl = *fit::find_algorithm("sphere", "welzl");
+  double ours = 0, theirs = 0;
+  const auto r = bench::ratio([&] { ours = fit::ball_of(welzl.fit(any, {})).radius; },
+                              [&] { theirs = bench::cgal_ball_radius(set.span()); }, rounds);
+  std::printf("| %s | %d | %.2f | %.2f to %.2f | %.2f | %.0e | %s |\n", name, set.size(), r.median, r.low, r.high, 1e3 * r.base,
+              theirs / ours - 1, r.median <= 1 ? "yes" : "NO");
+}
+
 void observer() {
   const Set set = *Set::make(*generate("gaussian", kPoints, 3, 1));
   const Sphere<double, 3> start{Vector<double, 3>::Zero(), 0.1};
@@ -84,5 +95,10 @@ void observer() {
 int main() {
   std::printf("| points | algorithm | passes | quartiles | at most | met |\n|---|---|---|---|---|---|\n");
   for (const char* kind : {"cube", "sphere", "gaussian"}) one_cloud(kind);
+  std::printf("\n| points | n | welzl / CGAL | quartiles | CGAL, ms | CGAL's radius larger by | met |\n|---|---:|---:|---|---:|---:|---|\n");
+  for (const char* kind : {"cube", "sphere", "gaussian"}) {
+    beside_cgal(kind, *Set::make(*generate(kind, 1000, 3, 1)), 101);
+    beside_cgal(kind, *Set::make(*generate(kind, kPoints, 3, 1)), 15);
+  }
   observer();
 }
