@@ -46,6 +46,18 @@ const Algorithm* exact_algorithm(std::string_view volume) {
   return nullptr;
 }
 
+Recording Algorithm::record(const AnyPointSet& points, const Options& options, Recording room) const {
+  Recording recording{.steps = std::move(room.steps)};
+  recording.steps.clear();
+  const Watched watched = watch(points, options, [&](Step3&& step, const OperationCounts& counts) {
+    recording.steps.push_back({std::move(step), counts});
+  });
+  recording.result = watched.result;
+  recording.counts = watched.counts;
+  recording.certificate = watched.certificate;
+  return recording;
+}
+
 namespace {
 
 /// Of a lifted volume of that dimension.

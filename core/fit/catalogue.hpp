@@ -47,10 +47,11 @@ struct Algorithm {
 
   /// The unwatched run, as timed. points: at most max_points.
   Result (*fit)(const AnyPointSet& points, const Options& options);
-  /// The same code, watched.
-  Recording (*record)(const AnyPointSet& points, const Options& options);
-  /// The same; see: none where only the figures are wanted.
+  /// The same code, watched. see: none where only the figures are wanted.
   Watched (*watch)(const AnyPointSet& points, const Options& options, const SeeStep& see);
+  /// The same, with every step kept, in the memory of an earlier recording where one is given up for it: a long trace is
+  /// megabytes, which to ask for anew would take longer than the run.
+  [[nodiscard]] Recording record(const AnyPointSet& points, const Options& options, Recording room = {}) const;
 };
 
 /// By volume, in kVolumeNames' order.

@@ -71,14 +71,6 @@ Watched watch_any(const AnyPointSet& points, const Options& options, const SeeSt
   });
 }
 
-template <auto kFitter, bool kExact>
-Recording record_any(const AnyPointSet& points, const Options& options) {
-  std::vector<Recorder<Step3>::Entry> entries;
-  Watched watched = watch_any<kFitter, kExact>(
-      points, options, [&](Step3&& step, const OperationCounts& counts) { entries.push_back({std::move(step), counts}); });
-  return {watched.result, std::move(entries), watched.counts, watched.certificate};
-}
-
 inline constexpr Index kAny = std::numeric_limits<Index>::max();
 
 /// What is said of an algorithm, apart from its code.
@@ -95,7 +87,7 @@ template <auto kFitter, bool kExact = false>
 constexpr Algorithm row(const About& about) {
   return {about.volume,     about.name,   about.title,       kExact,           about.plane,
           about.space,      about.max_points, about.source,  about.pseudocode, about.plane_pseudocode,
-          &fit_any<kFitter>, &record_any<kFitter, kExact>, &watch_any<kFitter, kExact>};
+          &fit_any<kFitter>, &watch_any<kFitter, kExact>};
 }
 
 // Each in its file.

@@ -95,7 +95,8 @@ tl::expected<void, InputError> Session::make_room_for(Index points) {
 void Session::run(int slot) {
   Slot& own = slots_[static_cast<std::size_t>(slot)];
   if (own.algorithm == nullptr) return;
-  own.recording = now_.boxes ? record(*own.algorithm, *now_.boxes) : own.algorithm->record(points(), {.seed = seed()});
+  own.recording = now_.boxes ? record(*own.algorithm, *now_.boxes)
+                             : own.algorithm->record(points(), {.seed = seed()}, std::move(own.recording));
 }
 
 void Session::points_changed() {
