@@ -205,4 +205,12 @@ inline constexpr double kAxesAsGiven = 0x1p-20;
 /// outline is that of all points".
 inline constexpr double kOnOutline = 0x1p-40;
 
+/// How far normal . p + d, over the points of a volume, may be from rounded, in units of the sum of the normal's sizes times
+/// the volume's size (plane_reach.hpp) plus |d|: an OBB's normal carries 3u in the box's frame, its radius 4u more; the
+/// centre's value 4u; their difference u. Axes a tenth too long and the rounding of size and doubt: 16u cover 12u of them.
+/// A sphere's radius carries 5u; a k-DOP's weights 2u, the sums of their products 3u, the division u. Held by "a million
+/// grazing boxes and spheres are classified as exact arithmetic does" and "the rounded reach stays within its doubt".
+template <class Scalar>
+inline constexpr Scalar kPlaneReach = 16 * kRoundoff<Scalar>;
+
 }  // namespace snug::tolerance
