@@ -213,4 +213,10 @@ inline constexpr double kOnOutline = 0x1p-40;
 template <class Scalar>
 inline constexpr Scalar kPlaneReach = 16 * kRoundoff<Scalar>;
 
+/// Within what a gap between a frustum and a box along an axis is known, in units of the axis's size (the sum of the products
+/// that it is made of) times the largest coordinate of both: corners carry 8u, an edge-edge axis 8u of its size in each
+/// coordinate, the projections 4u each and the radius 8u, in three coordinates, on both sides. Held by "the exact test of
+/// frustum and box is that of linear programming".
+inline constexpr double kFrustumGap = 256 * kRoundoff<double>;
+
 }  // namespace snug::tolerance
