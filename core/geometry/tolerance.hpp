@@ -213,6 +213,12 @@ inline constexpr double kOnOutline = 0x1p-40;
 template <class Scalar>
 inline constexpr Scalar kPlaneReach = 16 * kRoundoff<Scalar>;
 
+/// The same of planes that were made unit first, where each of their numbers is off by 4u more (the length 3u, the division
+/// u), in units of twice the largest coordinate, which the three of a unit normal come to at most, plus |d|. Held by "boxes
+/// and spheres at once have the verdicts that they have one by one".
+template <class Scalar>
+inline constexpr Scalar kUnitPlaneReach = kPlaneReach<Scalar> + 8 * kRoundoff<Scalar>;
+
 /// Within what a gap between a frustum and a box along an axis is known, in units of the axis's size (the sum of the products
 /// that it is made of) times the largest coordinate of both: corners carry 8u, an edge-edge axis 8u of its size in each
 /// coordinate, the projections 4u each and the radius 8u, in three coordinates, on both sides. Held by "the exact test of
