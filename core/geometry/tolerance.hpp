@@ -205,4 +205,24 @@ inline constexpr double kAxesAsGiven = 0x1p-20;
 /// outline is that of all points".
 inline constexpr double kOnOutline = 0x1p-40;
 
+/// How far normal . p + d, over the points of a volume, may be from rounded, in units of the sum of the normal's sizes times
+/// the volume's size (plane_reach.hpp) plus |d|: an OBB's normal carries 3u in the box's frame, its radius 4u more; the
+/// centre's value 4u; their difference u. Axes a tenth too long and the rounding of size and doubt: 16u cover 12u of them.
+/// A sphere's radius carries 5u; a k-DOP's weights 2u, the sums of their products 3u, the division u. Held by "a million
+/// grazing boxes and spheres are classified as exact arithmetic does" and "the rounded reach stays within its doubt".
+template <class Scalar>
+inline constexpr Scalar kPlaneReach = 16 * kRoundoff<Scalar>;
+
+/// The same of planes that were made unit first, where each of their numbers is off by 4u more (the length 3u, the division
+/// u), in units of twice the largest coordinate, which the three of a unit normal come to at most, plus |d|. Held by "boxes
+/// and spheres at once have the verdicts that they have one by one".
+template <class Scalar>
+inline constexpr Scalar kUnitPlaneReach = kPlaneReach<Scalar> + 8 * kRoundoff<Scalar>;
+
+/// Within what a gap between a frustum and a box along an axis is known, in units of the axis's size (the sum of the products
+/// that it is made of) times the largest coordinate of both: corners carry 8u, an edge-edge axis 8u of its size in each
+/// coordinate, the projections 4u each and the radius 8u, in three coordinates, on both sides. Held by "the exact test of
+/// frustum and box is that of linear programming".
+inline constexpr double kFrustumGap = 256 * kRoundoff<double>;
+
 }  // namespace snug::tolerance

@@ -1,0 +1,135 @@
+#include "geometry/frustum.hpp"
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "geometry/dyadic.hpp"
+#include "geometry/sphere.hpp"
+
+namespace snug {
+namespace {
+
+template <class Scalar, int Dim>
+std::string plane_said(std::size_t plane) {
+  return "plane " + std::to_string(plane) + " (" + std::string(kFrustumPlaneNames<Dim>[plane]) + ")";
+}
+
+template <class Scalar, int Dim>
+std::optional<std::string> wrong_with(const Plane<Scalar, Dim>& plane) {
+  constexpr Scalar kLargest = Frustum<Scalar, Dim>::kLargest;
+  if (!plane.normal.allFinite() || !std::isfinite(plane.d)) return "is not finite";
+  const Scalar largest = plane.normal.cwiseAbs().maxCoeff();
+  if (largest == 0) return "has no normal: it is zero";
+  if (largest > kLargest) return "has a normal longer than this program can take";
+  if (largest < 1 / kLargest) return "has a normal shorter than this program can take";
+  if (std::abs(plane.d) > 4 * kLargest * largest) return "is farther away than this program can take";
+  return std::nullopt;
+}
+
+/// Whether the determinant is zero, exactly, by the minors of the first two rows and those of the last two.
+template <class Scalar>
+bool is_singular(std::span<const Scalar> column_major) {
+  const auto at = [&](std::size_t row, std::size_t column) {
+    return Dyadic(static_cast<double>(column_major[4 * column + row]));
+  };
+  const auto minor = [&](std::size_t row, std::size_t i, std::size_t j) {
+    return at(row, i) * at(row + 1, j) - at(row, j) * at(row + 1, i);
+  };
+  Dyadic determinant = minor(0, 0, 1) * minor(2, 2, 3) - minor(0, 0, 2) * minor(2, 1, 3);
+  determinant += minor(0, 0, 3) * minor(2, 1, 2) + minor(0, 1, 2) * minor(2, 0, 3);
+  determinant += minor(0, 2, 3) * minor(2, 0, 1) - minor(0, 1, 3) * minor(2, 0, 2);
+  return determinant.sign() == 0;
+}
+
+tl::unexpected<InputError> refused(std::string what) { return tl::unexpected(InputError{.what = std::move(what)}); }
+
+}  // namespace
+
+template <class Scalar, int Dim>
+Frustum<Scalar, Dim>::Frustum() {
+  for (int plane = 0; plane < kFrustumPlanes<Dim>; ++plane) {
+    auto& [normal, d] = planes_[static_cast<std::size_t>(plane)];
+    normal[plane / 2] = plane % 2 == 0 ? Scalar(-1) : Scalar(1);
+    d = -1;
+  }
+}
+
+template <class Scalar, int Dim>
+tl::expected<Frustum<Scalar, Dim>, InputError> Frustum<Scalar, Dim>::make(const Planes& planes) {
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (const auto wrong = wrong_with(planes[i])) return refused(plane_said<Scalar, Dim>(i) + " " + *wrong);
+  return Frustum(planes);
+}
+
+template <class Scalar, int Dim>
+tl::expected<Frustum<Scalar, Dim>, InputError> frustum_of_camera(const FrustumCamera<Scalar, Dim>& camera) {
+  if (!camera.position.allFinite()) return refused("the camera's position is not finite");
+  if (!camera.axes.allFinite()) return refused("the camera's axes are not finite");
+  if (!camera.half_tangents.allFinite() || camera.half_tangents.minCoeff() <= 0)
+    return refused("the camera's half tangents are not all finite and above 0");
+  if (!(0 < camera.near && camera.near < camera.far) || !std::isfinite(camera.far))
+    return refused("the camera's near and far are not finite with 0 < near < far");
+  typename Frustum<Scalar, Dim>::Planes planes;
+  const Vector<Scalar, Dim> back = camera.axes.col(Dim - 1);
+  const auto distance_of = [&](const Vector<Scalar, Dim>& normal) {
+    Scalar sum = normal[0] * camera.position[0];
+    for (int i = 1; i < Dim; ++i) sum += normal[i] * camera.position[i];
+    return sum;
+  };
+  for (int axis = 0; axis < Dim - 1; ++axis)
+    for (const int side : {0, 1}) {
+      const Vector<Scalar, Dim> across = side == 0 ? Vector<Scalar, Dim>(-camera.axes.col(axis)) : camera.axes.col(axis);
+      const Vector<Scalar, Dim> normal = across + camera.half_tangents[axis] * back;
+      planes[static_cast<std::size_t>(2 * axis + side)] = {normal, -distance_of(normal)};
+    }
+  const Scalar at = distance_of(back);
+  planes[2 * Dim - 2] = {back, camera.near - at};
+  planes[2 * Dim - 1] = {-back, at - camera.far};
+  return Frustum<Scalar, Dim>::make(planes);
+}
+
+template <class Scalar>
+tl::expected<Frustum<Scalar, 3>, InputError> frustum_of_matrix(std::span<const Scalar> column_major) {
+  if (column_major.size() != 16) return refused("the matrix has " + std::to_string(column_major.size()) + " numbers where 16 belong");
+  for (const Scalar entry : column_major)
+    if (!std::isfinite(entry)) return refused("the matrix is not finite");
+  typename Frustum<Scalar, 3>::Planes planes;
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t side = 0; side < 2; ++side) {  // outside is w + x < 0, or w - x < 0
+      Plane<Scalar, 3>& plane = planes[2 * row + side];
+      const auto entry = [&](std::size_t column) {
+        const Scalar x = column_major[4 * column + row], w = column_major[4 * column + 3];
+        return side == 0 ? -(w + x) : x - w;
+      };
+      plane = {{entry(0), entry(1), entry(2)}, entry(3)};
+      if (plane.normal.isZero(0))
+        return refused("the matrix gives " + plane_said<Scalar, 3>(2 * row + side) + " no normal, as where that is at infinity");
+    }
+  if (is_singular(column_major)) return refused("the matrix is singular");
+  return Frustum<Scalar, 3>::make(planes);
+}
+
+template <class Scalar, int Dim>
+Frustum<Scalar, Dim> Frustum<Scalar, Dim>::normalized() const {
+  Planes planes = planes_;
+  for (auto& [normal, d] : planes) {
+    const Scalar length = scaled_norm<Scalar, Dim>(normal);
+    normal /= length;
+    d /= length;
+  }
+  return Frustum(planes);
+}
+
+#define SNUG_INSTANTIATE(Scalar, Dim) \
+  template class Frustum<Scalar, Dim>; \
+  template tl::expected<Frustum<Scalar, Dim>, InputError> frustum_of_camera(const FrustumCamera<Scalar, Dim>&);
+SNUG_INSTANTIATE(float, 2)
+SNUG_INSTANTIATE(float, 3)
+SNUG_INSTANTIATE(double, 2)
+SNUG_INSTANTIATE(double, 3)
+#undef SNUG_INSTANTIATE
+template tl::expected<Frustum<float, 3>, InputError> frustum_of_matrix(std::span<const float>);
+template tl::expected<Frustum<double, 3>, InputError> frustum_of_matrix(std::span<const double>);
+
+}  // namespace snug

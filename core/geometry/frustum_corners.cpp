@@ -1,0 +1,181 @@
+#include "geometry/frustum_corners.hpp"
+
+#include <cmath>
+#include <optional>
+#include <vector>
+#include <string>
+
+namespace snug {
+namespace {
+
+template <int Dim>
+using Numbers = std::array<Dyadic, static_cast<std::size_t>(Dim)>;
+
+/// A plane without rounding, scaled by a power of two so that its normal's largest coordinate is between 1 and 2.
+template <int Dim>
+struct ExactPlane {
+  Numbers<Dim> normal;
+  Dyadic d;
+
+  template <class Scalar>
+  explicit ExactPlane(const Plane<Scalar, Dim>& plane) {
+    const Dyadic scale = std::ldexp(1.0, -std::ilogb(plane.normal.cwiseAbs().maxCoeff()));
+    for (int i = 0; i < Dim; ++i) normal[static_cast<std::size_t>(i)] = scale * static_cast<double>(plane.normal[i]);
+    d = scale * static_cast<double>(plane.d);
+  }
+
+  /// -1, 0 or +1: inside, on or outside.
+  [[nodiscard]] int side(const ExactPoint<Dim>& point) const {
+    Dyadic sum = d * point.weight;
+    for (std::size_t i = 0; i < Dim; ++i) sum += normal[i] * point.coordinates[i];
+    return sum.sign();
+  }
+};
+
+Dyadic determinant(const Numbers<2>& a, const Numbers<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
+Dyadic determinant(const Numbers<3>& a, const Numbers<3>& b, const Numbers<3>& c) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/// Places of as many planes as meet in a point.
+template <int Dim>
+using Meeting = std::array<std::size_t, static_cast<std::size_t>(Dim)>;
+
+/// All planes of a frustum without rounding.
+template <class Scalar, int Dim>
+class Corners {
+ public:
+  using Point = ExactPoint<Dim>;
+  using All = std::array<Point, kFrustumCorners<Dim>>;
+
+  explicit Corners(const Frustum<Scalar, Dim>& frustum) {
+    for (const auto& plane : frustum.planes()) planes_.emplace_back(plane);
+  }
+
+  /// Why all corners inside of all planes, opposite planes that do not face the same way, and no other place inside of all
+  /// where planes meet are enough: on an edge that is not bounded, both of the opposite planes that end it would face the
+  /// same way and meet it in the same corner, and be parallel, since else others would meet there too.
+  [[nodiscard]] tl::expected<All, InputError> find() const {
+    All corners;
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      const auto corner = meet(planes_of(c));
+      if (!corner) return refused(said(planes_of(c)) + " do not meet in a corner");
+      if (const auto outside = outside_of(*corner))
+        return refused("the corner of " + said(planes_of(c)) + " lies outside of " + said(*outside));
+      corners[c] = *corner;
+    }
+    if (const auto other = other_corner()) return refused("there is another corner, of " + said(*other));
+    for (std::size_t i = 0; i < planes_.size(); i += 2)
+      if (same_way(planes_[i].normal, planes_[i + 1].normal))
+        return refused(said(i) + " and " + said(i + 1) + " face the same way, and nothing bounds the other");
+    return corners;
+  }
+
+ private:
+  using Normals = Numbers<Dim>;
+
+  static tl::unexpected<InputError> refused(std::string what) { return tl::unexpected(InputError{.what = std::move(what)}); }
+  static std::string said(std::size_t plane) { return std::string(kFrustumPlaneNames<Dim>[plane]); }
+  static std::string said(const Meeting<Dim>& planes) {
+    std::string names = said(planes[0]);
+    for (std::size_t i = 1; i < Dim; ++i) names += (i + 1 == Dim ? " and " : ", ") + said(planes[i]);
+    return names;
+  }
+
+  static Meeting<Dim> planes_of(std::size_t corner) {
+    Meeting<Dim> planes;
+    for (std::size_t i = 0; i < Dim; ++i) planes[i] = 2 * i + (corner >> i & 1);
+    return planes;
+  }
+
+  /// By Cramer's rule.
+  [[nodiscard]] std::optional<Point> meet(const Meeting<Dim>& at) const {
+    Point point;
+    std::array<Normals, static_cast<std::size_t>(Dim)> columns;  // of the matrix whose rows are the normals
+    Normals right;
+    for (std::size_t row = 0; row < Dim; ++row) {
+      for (std::size_t i = 0; i < Dim; ++i) columns[i][row] = planes_[at[row]].normal[i];
+      right[row] = -planes_[at[row]].d;
+    }
+    const auto of_columns = [&] {
+      if constexpr (Dim == 2)
+        return determinant(columns[0], columns[1]);
+      else
+        return determinant(columns[0], columns[1], columns[2]);
+    };
+    point.weight = of_columns();
+    const int sign = point.weight.sign();
+    if (sign == 0) return std::nullopt;
+    for (std::size_t i = 0; i < Dim; ++i) {
+      std::swap(columns[i], right);
+      point.coordinates[i] = sign < 0 ? -of_columns() : of_columns();
+      std::swap(columns[i], right);
+    }
+    if (sign < 0) point.weight = -point.weight;
+    return point;
+  }
+
+  [[nodiscard]] std::optional<std::size_t> outside_of(const Point& point) const {
+    for (std::size_t i = 0; i < planes_.size(); ++i)
+      if (planes_[i].side(point) > 0) return i;
+    return std::nullopt;
+  }
+
+  /// Opposite planes and others that meet inside of all planes.
+  [[nodiscard]] std::optional<Meeting<Dim>> other_corner() const {
+    for (std::size_t i = 0; i < planes_.size(); i += 2)
+      for (std::size_t other = 0; other < planes_.size(); ++other) {
+        if (other == i || other == i + 1) continue;
+        Meeting<Dim> planes{i, i + 1};
+        if constexpr (Dim == 3) planes[2] = other;
+        const auto corner = meet(planes);
+        if (corner && !outside_of(*corner)) return planes;
+      }
+    return std::nullopt;
+  }
+
+  static bool same_way(const Normals& a, const Normals& b) {
+    Dyadic along = a[0] * b[0];
+    for (std::size_t i = 1; i < Dim; ++i) along += a[i] * b[i];
+    if (along.sign() <= 0) return false;
+    for (std::size_t i = 0; i < Dim; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (!(a[i] * b[j] == a[j] * b[i])) return false;
+    return true;
+  }
+
+  std::vector<ExactPlane<Dim>> planes_;
+};
+
+}  // namespace
+
+template <class Scalar, int Dim>
+tl::expected<std::array<ExactPoint<Dim>, kFrustumCorners<Dim>>, InputError> exact_corners_of(const Frustum<Scalar, Dim>& frustum) {
+  return Corners<Scalar, Dim>(frustum).find();
+}
+
+template <class Scalar, int Dim>
+tl::expected<FrustumCorners<Scalar, Dim>, InputError> corners_of(const Frustum<Scalar, Dim>& frustum) {
+  const auto exact = exact_corners_of(frustum);
+  if (!exact) return tl::unexpected(exact.error());
+  FrustumCorners<Scalar, Dim> corners;
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    const double weight = (*exact)[c].weight.approximate();
+    for (int i = 0; i < Dim; ++i)
+      corners[c][i] = static_cast<Scalar>((*exact)[c].coordinates[static_cast<std::size_t>(i)].approximate() / weight);
+    if (!corners[c].allFinite()) return tl::unexpected(InputError{.what = "a corner is farther away than this program can say"});
+  }
+  return corners;
+}
+
+#define SNUG_INSTANTIATE(Scalar, Dim)                                                                       \
+  template tl::expected<std::array<ExactPoint<Dim>, kFrustumCorners<Dim>>, InputError> exact_corners_of(    \
+      const Frustum<Scalar, Dim>&);                                                                         \
+  template tl::expected<FrustumCorners<Scalar, Dim>, InputError> corners_of(const Frustum<Scalar, Dim>&);
+SNUG_INSTANTIATE(float, 2)
+SNUG_INSTANTIATE(float, 3)
+SNUG_INSTANTIATE(double, 2)
+SNUG_INSTANTIATE(double, 3)
+#undef SNUG_INSTANTIATE
+
+}  // namespace snug

@@ -1,0 +1,117 @@
+// What the tests of a volume against a frustum return, and their steps.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <variant>
+
+#include "geometry/frustum.hpp"
+#include "geometry/vector.hpp"
+
+namespace snug::query {
+
+/// Where a volume is: of a frustum, or of one of its planes. What touches from outside is intersecting, what touches from
+/// inside is inside.
+enum class Culling : std::uint8_t { kInside, kIntersecting, kOutside };
+inline constexpr std::array<std::string_view, 3> kCullingNames{"inside", "intersecting", "outside"};
+
+/// The lines of what follows that steps name. Boxes, spheres and all else go the same way.
+struct ClassifyLine {
+  static constexpr int kSkip = 2, kChoose = 3, kOutside = 4, kIntersects = 5, kVerdict = 6;
+};
+inline constexpr std::array<std::string_view, 7> kClassifyBoxPseudocode{
+    "intersects ← no",
+    "for each plane n, d of the frustum",
+    "  skip it if the parent is inside it",
+    "  n's signs in the box's frame choose p- and n-vertex",
+    "  outside if n · n-vertex + d > 0",
+    "  intersects ← yes if n · p-vertex + d > 0",
+    "intersecting if so, else inside",
+};
+inline constexpr std::array<std::string_view, 7> kClassifySpherePseudocode{
+    "intersects ← no",
+    "for each plane n, d of the frustum",
+    "  skip it if the parent is inside it",
+    "  s ← n · center + d",
+    "  outside if s > r |n|: the plane pushed out by r",
+    "  intersects ← yes if s > -r |n|",
+    "intersecting if so, else inside",
+};
+inline constexpr std::array<std::string_view, 7> kClassifySupportPseudocode{
+    "intersects ← no",
+    "for each plane n, d of the frustum",
+    "  skip it if the parent is inside it",
+    "  farthest points of the volume along n and -n",
+    "  outside if n · (farthest along -n) + d > 0",
+    "  intersects ← yes if n · (farthest along n) + d > 0",
+    "intersecting if so, else inside",
+};
+
+/// A plane was held against the volume, or skipped.
+template <class Scalar, int Dim>
+struct PlaneTested {
+  static constexpr std::string_view kName = "plane_tested";
+  int plane = 0;                                                     // its place in the frustum
+  bool skipped = false;                                              // masked out: nothing below was looked at
+  Vector<Scalar, Dim> normal = Vector<Scalar, Dim>::Zero();          // in the box's own frame; as given for other volumes
+  int signs = 0;                                                     // of that normal: bit i where coordinate i is >= 0
+  int p_vertex = -1;                                                 // a box's corner farthest along the normal: bit 1 for +x,
+  int n_vertex = -1;                                                 // 2 for +y, 4 for +z; and against it. -1 of other volumes
+  Vector<Scalar, Dim> p_point = Vector<Scalar, Dim>::Zero();         // where they are, or any volume's farthest points, in
+  Vector<Scalar, Dim> n_point = Vector<Scalar, Dim>::Zero();         // the scene, within rounding
+  Scalar p_distance = 0;                                             // signed, scene units, positive outside
+  Scalar n_distance = 0;
+  Scalar doubt = 0;                                                  // both are known within it
+  bool looked_closer = false;                                        // a sign within that doubt was decided exactly
+  Culling side = Culling::kInside;                                   // of this plane
+  Culling so_far = Culling::kInside;                                 // of the planes up to this one
+  void fields(auto&& see) const {
+    see("plane", plane), see("skipped", skipped), see("normal", normal), see("signs", signs), see("p_vertex", p_vertex);
+    see("n_vertex", n_vertex), see("p_point", p_point), see("n_point", n_point), see("p_distance", p_distance);
+    see("n_distance", n_distance), see("doubt", doubt), see("looked_closer", looked_closer);
+    see("side", static_cast<int>(side)), see("so_far", static_cast<int>(so_far));
+  }
+};
+
+/// A corner of a box was held against a plane. corner: its bits, 1 for +x, 2 for +y, 4 for +z.
+template <class Scalar, int Dim>
+struct CornerTested {
+  static constexpr std::string_view kName = "corner_tested";
+  int corner = 0;
+  int plane = -1;                                            // -1: inside of all, where all were asked
+  Vector<Scalar, Dim> point = Vector<Scalar, Dim>::Zero();   // within rounding
+  Scalar distance = 0;                                       // to the plane: signed, scene units, positive outside
+  bool outside = false;
+  void fields(auto&& see) const {
+    see("corner", corner), see("plane", plane), see("point", point), see("distance", distance), see("outside", outside);
+  }
+};
+
+/// The answer, and what the next one may use.
+struct CullResult {
+  Culling verdict = Culling::kInside;
+  int planes_tested = 0;       // without those skipped
+  int rejected_by = -1;        // the plane that the volume is outside of; the first one met
+  PlaneSet crossing = 0;       // the planes that the volume crosses: all that its children need be tested against. Whole
+                               // only where the volume is not outside
+};
+
+/// The end.
+struct Classified {
+  static constexpr std::string_view kName = "classified";
+  CullResult result;
+  void fields(auto&& see) const {
+    see("verdict", static_cast<int>(result.verdict)), see("planes_tested", result.planes_tested);
+    see("rejected_by", result.rejected_by), see("crossing", static_cast<int>(result.crossing));
+  }
+};
+
+template <class Scalar, int Dim>
+struct ClassifyStep {
+  using Fact = std::variant<PlaneTested<Scalar, Dim>, CornerTested<Scalar, Dim>, Classified>;
+  int line = 0;  // of the test's pseudocode, counted from 0
+  Fact fact;
+};
+
+}  // namespace snug::query

@@ -1,0 +1,214 @@
+#include "query/frustum_sat.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/dyadic.hpp"
+#include "geometry/tolerance.hpp"
+#include "query/classify.hpp"
+
+namespace snug::query {
+namespace {
+
+template <class Number, int Dim>
+using Numbers = std::array<Number, static_cast<std::size_t>(Dim)>;
+
+template <class Number, class Scalar, int Dim>
+Numbers<Number, Dim> numbers(const Vector<Scalar, Dim>& v) {
+  Numbers<Number, Dim> result;
+  for (int i = 0; i < Dim; ++i) result[static_cast<std::size_t>(i)] = Number(static_cast<double>(v[i]));
+  return result;
+}
+
+template <class Number, std::size_t Dim>
+Number dot(const std::array<Number, Dim>& a, const std::array<Number, Dim>& b) {
+  Number sum = a[0] * b[0];
+  for (std::size_t i = 1; i < Dim; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+template <class Number>
+std::array<Number, 3> cross(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+template <std::size_t Dim>
+double size_of_all(const std::array<double, Dim>& v) {
+  double sum = 0;
+  for (const double x : v) sum += std::abs(x);
+  return sum;
+}
+
+/// All center + sum s_i half_i axes_i, |s_i| <= 1, in one kind of number.
+template <class Number, int Dim>
+struct Box {
+  Numbers<Number, Dim> center, half;
+  std::array<Numbers<Number, Dim>, static_cast<std::size_t>(Dim)> axes;
+
+  template <class Scalar>
+  explicit Box(const Obb<Scalar, Dim>& box)
+      : center(numbers<Number, Scalar, Dim>(box.center)), half(numbers<Number, Scalar, Dim>(box.half_extents)) {
+    for (int k = 0; k < Dim; ++k)
+      axes[static_cast<std::size_t>(k)] = numbers<Number, Scalar, Dim>(Vector<Scalar, Dim>(box.axes.col(k)));
+  }
+  template <class Scalar>
+  explicit Box(const Aabb<Scalar, Dim>& box) {
+    const auto min = numbers<Number, Scalar, Dim>(box.min), max = numbers<Number, Scalar, Dim>(box.max);
+    for (std::size_t k = 0; k < Dim; ++k) {
+      center[k] = (min[k] + max[k]) * Number(0.5);
+      half[k] = (max[k] - min[k]) * Number(0.5);
+      for (std::size_t i = 0; i < Dim; ++i) axes[k][i] = Number(i == k ? 1.0 : 0.0);
+    }
+  }
+  [[nodiscard]] Span<Number> along(const Numbers<Number, Dim>& axis) const {
+    const Number middle = dot(center, axis);
+    Number radius = half[0] * magnitude(dot(axes[0], axis));
+    for (std::size_t k = 1; k < Dim; ++k) radius += half[k] * magnitude(dot(axes[k], axis));
+    return {middle - radius, middle + radius};
+  }
+  [[nodiscard]] Numbers<Number, Dim> normal(std::size_t face) const {
+    if constexpr (Dim == 2)
+      return {Number(0.0) - axes[1 - face][1], axes[1 - face][0]};
+    else
+      return cross(axes[(face + 1) % 3], axes[(face + 2) % 3]);
+  }
+};
+
+/// An axis, and the size of the products it is a sum of.
+template <class Number, int Dim>
+struct Axis {
+  Numbers<Number, Dim> direction;
+  double size = 0;  // of rounded numbers only
+};
+
+constexpr int kPairsOfSides = 12;  // in space, those of a frustum's planes that meet in an edge
+template <int Dim>
+constexpr int kAxes = 3 * Dim + (Dim == 3 ? 3 * kPairsOfSides : 0);
+
+/// The two planes of an edge: not opposite ones.
+std::array<std::size_t, 2> planes_of_edge(std::size_t edge) {
+  const std::size_t pair = edge / 4;  // of coordinates: which is left out
+  const std::size_t i = pair == 0 ? 1 : 0, j = pair == 2 ? 1 : 2;
+  return {2 * i + (edge & 1), 2 * j + (edge >> 1 & 1)};
+}
+
+/// The axis at a place: the frustum's normals, the box's, crosses of the box's edges and the frustum's.
+template <class Number, class Scalar, int Dim>
+Axis<Number, Dim> axis_at(const Frustum<Scalar, Dim>& frustum, const Box<Number, Dim>& box, int place) {
+  const auto normal = [&](std::size_t plane) { return numbers<Number, Scalar, Dim>(frustum.planes()[plane].normal); };
+  Axis<Number, Dim> axis;
+  [[maybe_unused]] const auto sized = [&](double size) {
+    if constexpr (std::is_same_v<Number, double>) axis.size = size;
+  };
+  const auto own_size = [&] {
+    if constexpr (std::is_same_v<Number, double>) axis.size = size_of_all(axis.direction);
+  };
+  if (place < 2 * Dim) {
+    axis.direction = normal(static_cast<std::size_t>(place));
+    own_size();
+  } else if (place < 3 * Dim) {
+    axis.direction = box.normal(static_cast<std::size_t>(place - 2 * Dim));
+    own_size();
+    if (Dim == 3) axis.size += 4;  // of unit axes' products
+  } else if constexpr (Dim == 3) {
+    const auto rest = static_cast<std::size_t>(place - 9);
+    const auto [i, j] = planes_of_edge(rest % kPairsOfSides);
+    const auto n = normal(i), m = normal(j);
+    axis.direction = cross(box.axes[rest / kPairsOfSides], cross(n, m));
+    if constexpr (std::is_same_v<Number, double>) sized(size_of_all(n) * size_of_all(m) * 2);
+  }
+  return axis;
+}
+
+/// Whether the axis separates the corners from the box's span.
+template <int Dim>
+bool separates_exactly(const Numbers<Dyadic, Dim>& axis, const Box<Dyadic, Dim>& box,
+                       const std::array<ExactPoint<Dim>, kFrustumCorners<Dim>>& corners) {
+  if (std::all_of(axis.begin(), axis.end(), [](const Dyadic& x) { return x.sign() == 0; })) return false;
+  const Span<Dyadic> span = box.along(axis);
+  bool all_above = true, all_below = true;
+  for (const auto& [coordinates, weight] : corners) {
+    const Dyadic value = dot(coordinates, axis);
+    all_above = all_above && span.high * weight < value;
+    all_below = all_below && value < span.low * weight;
+    if (!all_above && !all_below) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+template <class Scalar, int Dim>
+tl::expected<FrustumSat<Scalar, Dim>, InputError> FrustumSat<Scalar, Dim>::make(const Frustum<Scalar, Dim>& frustum) {
+  auto exact = exact_corners_of(frustum);
+  if (!exact) return tl::unexpected(exact.error());
+  return FrustumSat(frustum, std::move(*exact));
+}
+
+template <class Scalar, int Dim>
+FrustumSat<Scalar, Dim>::FrustumSat(const Frustum<Scalar, Dim>& frustum, ExactCorners exact)
+    : frustum_(frustum), exact_(std::move(exact)) {
+  for (std::size_t c = 0; c < exact_.size(); ++c) {
+    for (int i = 0; i < Dim; ++i)
+      corners_[c][i] = exact_[c].coordinates[static_cast<std::size_t>(i)].approximate() / exact_[c].weight.approximate();
+    size_ = corners_[c].allFinite() ? std::max(size_, corners_[c].cwiseAbs().maxCoeff()) : std::numeric_limits<double>::infinity();
+  }
+}
+
+template <class Scalar, int Dim>
+bool FrustumSat<Scalar, Dim>::overlaps_any(const auto& given) const {
+  const Box<double, Dim> box(given);
+  const double size = size_ + static_cast<double>(size_of(given));
+  std::array<int, kAxes<Dim>> open;
+  std::size_t count = 0;
+  for (int place = 0; place < kAxes<Dim>; ++place) {
+    const auto axis = axis_at<double>(frustum_, box, place);
+    const Span<double> span = box.along(axis.direction);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const auto& corner : corners_) {
+      double value = 0;
+      for (int i = 0; i < Dim; ++i) value += corner[i] * axis.direction[static_cast<std::size_t>(i)];
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+    const double gap = std::max(low - span.high, span.low - high);
+    const double doubt = tolerance::kFrustumGap * axis.size * size + std::numeric_limits<double>::min();
+    if (gap > doubt) return false;
+    if (!(gap < -doubt)) open[count++] = place;
+  }
+  if (count == 0) return true;
+  const Box<Dyadic, Dim> exact(given);
+  return std::none_of(open.begin(), open.begin() + count, [&](int place) {
+    return separates_exactly<Dim>(axis_at<Dyadic>(frustum_, exact, place).direction, exact, exact_);
+  });
+}
+
+template <class Scalar, int Dim>
+bool FrustumSat<Scalar, Dim>::overlaps(const Obb<Scalar, Dim>& box) const { return overlaps_any(box); }
+template <class Scalar, int Dim>
+bool FrustumSat<Scalar, Dim>::overlaps(const Aabb<Scalar, Dim>& box) const { return overlaps_any(box); }
+
+template <class Scalar, int Dim>
+tl::expected<CullTally, InputError> tally(const Frustum<Scalar, Dim>& frustum, std::span<const Obb<Scalar, Dim>> boxes) {
+  const auto exact = FrustumSat<Scalar, Dim>::make(frustum);
+  if (!exact) return tl::unexpected(exact.error());
+  CullTally tally;
+  for (const auto& box : boxes) {
+    const Culling verdict = classify(frustum, box).verdict;
+    ++(verdict == Culling::kInside ? tally.inside : verdict == Culling::kOutside ? tally.outside : tally.intersecting);
+    if (verdict == Culling::kIntersecting && !exact->overlaps(box)) ++tally.really_outside;
+  }
+  return tally;
+}
+
+#define SNUG_INSTANTIATE(Scalar, Dim)  \
+  template class FrustumSat<Scalar, Dim>; \
+  template tl::expected<CullTally, InputError> tally(const Frustum<Scalar, Dim>&, std::span<const Obb<Scalar, Dim>>);
+SNUG_INSTANTIATE(float, 2)
+SNUG_INSTANTIATE(float, 3)
+SNUG_INSTANTIATE(double, 2)
+SNUG_INSTANTIATE(double, 3)
+#undef SNUG_INSTANTIATE
+
+}  // namespace snug::query

@@ -1,0 +1,46 @@
+#include "query/vertices_along.hpp"
+
+#include "query/support_function.hpp"
+
+namespace snug::query {
+
+template <class Scalar, int Dim, class Shape>
+PlaneTested<Scalar, Dim> vertices_along(const Plane<Scalar, Dim>& plane, const Shape& volume) {
+  PlaneTested<Scalar, Dim> fact;
+  fact.normal = normal_in_frame(plane, volume);
+  for (int i = 0; i < Dim; ++i)
+    if (fact.normal[i] >= 0) fact.signs |= 1 << i;
+  if constexpr (requires { corner_of(volume, 0); }) {
+    fact.p_vertex = fact.signs;
+    fact.n_vertex = (1 << Dim) - 1 - fact.signs;
+    fact.p_point = corner_of(volume, fact.p_vertex);
+    fact.n_point = corner_of(volume, fact.n_vertex);
+  } else if constexpr (std::is_same_v<Shape, Vector<Scalar, Dim>>) {
+    fact.p_point = fact.n_point = volume;
+  } else {
+    fact.p_point = support(volume, plane.normal);
+    fact.n_point = support(volume, Vector<Scalar, Dim>(-plane.normal));
+  }
+  return fact;
+}
+
+#define SNUG_SHAPE(Scalar, Dim, Shape) \
+  template PlaneTested<Scalar, Dim> vertices_along(const Plane<Scalar, Dim>&, const Shape<Scalar, Dim>&);
+#define SNUG_INSTANTIATE(Scalar, Dim)        \
+  SNUG_SHAPE(Scalar, Dim, Vector)            \
+  SNUG_SHAPE(Scalar, Dim, Sphere)            \
+  SNUG_SHAPE(Scalar, Dim, Aabb)              \
+  SNUG_SHAPE(Scalar, Dim, AabbCenterExtents) \
+  SNUG_SHAPE(Scalar, Dim, Obb)               \
+  SNUG_SHAPE(Scalar, Dim, Capsule)           \
+  SNUG_SHAPE(Scalar, Dim, Lozenge)           \
+  SNUG_SHAPE(Scalar, Dim, Kdop)              \
+  SNUG_SHAPE(Scalar, Dim, ConvexHull)
+SNUG_INSTANTIATE(float, 2)
+SNUG_INSTANTIATE(float, 3)
+SNUG_INSTANTIATE(double, 2)
+SNUG_INSTANTIATE(double, 3)
+#undef SNUG_INSTANTIATE
+#undef SNUG_SHAPE
+
+}  // namespace snug::query

@@ -1,0 +1,63 @@
+// A test that is wrong, kept for those who would invent it: a box is outside of a frustum where all of its corners are.
+// It never keeps a box that the right test rejects, but it loses boxes that cross the frustum with every corner free, such
+// as large ones that hold all of it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "geometry/random.hpp"
+#include "query/classify_corners.hpp"
+#include "query/random_boxes.hpp"
+
+namespace snug::query {
+
+inline constexpr std::array<std::string_view, 4> kCornersOutsidePseudocode{
+    "for each corner of the box",
+    "  is it on the inner side of every plane?",
+    "inside if all are, intersecting if some are",
+    "outside if none is (wrong where the box is wide)",
+};
+
+/// What the corners say. box: an Aabb or an Obb, as of classify. Each corner's step names the first plane that it is
+/// outside of. Of the result, only the verdict means something.
+template <class Scalar, int Dim, class Box, StepObserver<ClassifyStep<Scalar, Dim>> Observer = Ignore>
+CullResult corners_outside(const Frustum<Scalar, Dim>& frustum, const Box& box, Observer&& observe = {}) {
+  using Step = ClassifyStep<Scalar, Dim>;
+  CullResult result;
+  int inside = 0;
+  for (int bits = 0; bits < 1 << Dim; ++bits) {
+    int rejected_by = -1;
+    for (int at = 0; at < kFrustumPlanes<Dim> && rejected_by < 0; ++at) {
+      observe.count(Operation::kOrientationTests, 1);
+      if (corner_is_outside(frustum[at], box, bits)) rejected_by = at;
+    }
+    inside += rejected_by < 0 ? 1 : 0;
+    if constexpr (kWatched<Observer>) {
+      if (rejected_by >= 0)
+        observe(Step{1, corner_tested(frustum[rejected_by], rejected_by, box, bits, true)});
+      else
+        observe(Step{1, CornerTested<Scalar, Dim>{.corner = bits, .point = corner_of(box, bits)}});
+    }
+  }
+  result.planes_tested = kFrustumPlanes<Dim>;
+  result.verdict = inside == 0 ? Culling::kOutside : inside == 1 << Dim ? Culling::kInside : Culling::kIntersecting;
+  observe(Step{inside == 0 ? 3 : 2, Classified{result}});
+  return result;
+}
+
+/// A box that is called outside although it shares a point with the frustum.
+template <class Scalar, int Dim>
+struct LostBox {
+  Obb<Scalar, Dim> box;
+  int tries = 0;  // how many boxes were tried before
+};
+
+/// The lecture's counter-example: a box that crosses the frustum with every corner outside of it. Boxes are tried about the
+/// frustum's middle, of up to its size, turned at random; none in that many tries, or where the frustum has no corners.
+template <class Scalar, int Dim>
+[[nodiscard]] std::optional<LostBox<Scalar, Dim>> against_corners_outside(const Frustum<Scalar, Dim>& frustum, std::uint64_t seed, int tries);
+
+}  // namespace snug::query

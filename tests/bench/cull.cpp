@@ -1,0 +1,110 @@
+// A million boxes and spheres against a frustum: at once, against a plain summing pass over the same arrays and against one
+// by one. Prints the tables that RESULTS.md keeps.
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <vector>
+
+#include "bench/ratio.hpp"
+#include "geometry/random.hpp"
+#include "geometry/turn.hpp"
+#include "query/classify.hpp"
+#include "query/classify_batch.hpp"
+#include "query/frustum_sat.hpp"
+
+using namespace snug;
+
+namespace {
+
+constexpr std::size_t kCount = 1'000'000;
+constexpr int kRounds = 41;
+
+/// The unit of measure: every number of the arrays once, each lane of a line into a sum of its own, so that no sum waits
+/// for the one before.
+template <class Array>
+double sum_of(const Array& array) {
+  using Scalar = std::remove_cvref_t<decltype(array.reach()[0])>;
+  Scalar sums[Array::kBlock]{};
+  for (const auto& block : array.blocks())
+    for (const auto& field : block.fields)
+      for (std::size_t i = 0; i < Array::kBlock; ++i) sums[i] += field[i];
+  double sum = 0;
+  for (const Scalar each : sums) sum += static_cast<double>(each);
+  return sum;
+}
+
+template <class Scalar>
+Frustum<Scalar, 3> some_frustum() {
+  FrustumCamera<double, 3> camera{.position = {3, -4, 5}, .half_tangents = {0.8, 0.5}, .near = 0.5, .far = 80};
+  camera.axes = turn(Vector<double, 3>(1, 2, -1), 0.7);
+  FrustumCamera<Scalar, 3> own{camera.position.cast<Scalar>(), camera.axes.cast<Scalar>(), camera.half_tangents.cast<Scalar>(),
+                               static_cast<Scalar>(camera.near), static_cast<Scalar>(camera.far)};
+  return *frustum_of_camera(own);
+}
+
+template <class Scalar>
+std::vector<Aabb<Scalar, 3>> some_boxes(double spread) {
+  Random random(1);
+  std::vector<Aabb<Scalar, 3>> boxes(kCount);
+  for (auto& box : boxes)
+    for (int i = 0; i < 3; ++i) {
+      const double center = random.between(-spread, spread), half = random.between(0.1, 1);
+      box.min[i] = static_cast<Scalar>(center - half), box.max[i] = static_cast<Scalar>(center + half);
+    }
+  return boxes;
+}
+
+template <class Scalar>
+std::vector<Sphere<Scalar, 3>> some_spheres(double spread) {
+  Random random(2);
+  std::vector<Sphere<Scalar, 3>> spheres(kCount);
+  for (auto& sphere : spheres) {
+    for (int i = 0; i < 3; ++i) sphere.center[i] = static_cast<Scalar>(random.between(-spread, spread));
+    sphere.radius = static_cast<Scalar>(random.between(0.1, 1));
+  }
+  return spheres;
+}
+
+template <class Scalar, class Shape, class Array>
+void measure(const char* name, const std::vector<Shape>& shapes, const Array& array) {
+  const auto frustum = some_frustum<Scalar>();
+  std::vector<query::Culling> verdicts(kCount);
+  const auto at_once = [&] {
+    query::classify_all<Scalar>(frustum, array, verdicts);
+    bench::keep(verdicts);
+  };
+  const auto one_by_one = [&] {
+    for (std::size_t i = 0; i < kCount; ++i) verdicts[i] = query::classify(frustum, shapes[i]).verdict;
+    bench::keep(verdicts);
+  };
+  const auto summing = [&] { bench::keep(sum_of(array)); };
+  one_by_one();
+  at_once();
+  std::size_t counts[3]{};
+  for (const auto verdict : verdicts) ++counts[static_cast<std::size_t>(verdict)];
+  const auto to_sum = bench::ratio(at_once, summing, kRounds);
+  const auto to_one = bench::ratio(one_by_one, at_once, kRounds / 4);
+  std::printf("| %s | %s | %.0f / %.0f / %.0f %% | %.2f ms | %.2f (%.2f to %.2f) | %.1f (%.1f to %.1f) |\n",
+              sizeof(Scalar) == 4 ? "float" : "double", name, 100.0 * counts[0] / kCount, 100.0 * counts[1] / kCount,
+              100.0 * counts[2] / kCount, to_sum.base * 1e3, to_sum.median, to_sum.low, to_sum.high, to_one.median, to_one.low,
+              to_one.high);
+}
+
+template <class Scalar>
+void measure_all() {
+  for (const double spread : {100.0, 30.0}) {
+    const auto boxes = some_boxes<Scalar>(spread);
+    const auto spheres = some_spheres<Scalar>(spread);
+    measure<Scalar>(spread > 50 ? "boxes, spread out" : "boxes, near", boxes, query::AabbArray<Scalar>(boxes));
+    measure<Scalar>(spread > 50 ? "spheres, spread out" : "spheres, near", spheres, query::SphereArray<Scalar>(spheres));
+  }
+}
+
+}  // namespace
+
+int main() {
+  std::printf("| scalar | a million | inside / intersecting / outside | summing pass | at once / summing pass | at once, times as fast as one by one |\n");
+  std::printf("|---|---|---|---:|---|---|\n");
+  measure_all<float>();
+  measure_all<double>();
+}
