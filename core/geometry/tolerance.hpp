@@ -205,4 +205,14 @@ inline constexpr double kAxesAsGiven = 0x1p-20;
 /// outline is that of all points".
 inline constexpr double kOnOutline = 0x1p-40;
 
+/// A lozenge's corner, the sum of its origin and edges, is off by at most 2u of their coordinates' sum; as much again for the
+/// sum's own rounding. Held by "the merged volume holds both".
+inline constexpr double kLozengeCorner = 4 * kRoundoff<double>;
+
+/// How far along an axis a box reaches from a point, in units of its half extents and its centre's coordinates from there, all
+/// summed, worked out in double: each entry of the axes' inverse carries 3u of a cofactor, 6u of the determinant and 3u of
+/// dividing, which three of them in a product make 21u, and 8u for it and the sum of extents; the centre's distance along
+/// the axis 4u, the last sums 3u of all. 48u leaves room for terms in u^2. Held by the same.
+inline constexpr double kMergedBox = 48 * kRoundoff<double>;
+
 }  // namespace snug::tolerance
