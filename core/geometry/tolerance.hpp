@@ -215,4 +215,14 @@ inline constexpr double kLozengeCorner = 4 * kRoundoff<double>;
 /// the axis 4u, the last sums 3u of all. 48u leaves room for terms in u^2. Held by the same.
 inline constexpr double kMergedBox = 48 * kRoundoff<double>;
 
+/// The extent of centres up to which a tree tells them apart by index alone: they are floats in a frame where their boxes
+/// together are 2^-8 to 2 wide, so that each is off by 2^-23 or so. Held by "bodies in one place are divided by index".
+inline constexpr float kSameCenter = 0x1p-20f;
+
+/// Where a ray meets a plane across an axis: u for the difference, u for the quotient, each way, which makes 4u between where
+/// it enters one slab and leaves another; and as much again for terms in u^2 and the bound's own rounding. Held by "a ray
+/// never misses a box that it touches".
+template <class Scalar>
+inline constexpr Scalar kRaySlab = 8 * kRoundoff<Scalar>;
+
 }  // namespace snug::tolerance
