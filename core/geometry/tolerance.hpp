@@ -225,4 +225,24 @@ inline constexpr Scalar kUnitPlaneReach = kPlaneReach<Scalar> + 8 * kRoundoff<Sc
 /// frustum and box is that of linear programming".
 inline constexpr double kFrustumGap = 256 * kRoundoff<double>;
 
+/// A lozenge's corner, the sum of its origin and edges, is off by at most 2u of their coordinates' sum; as much again for the
+/// sum's own rounding. Held by "the merged volume holds both".
+inline constexpr double kLozengeCorner = 4 * kRoundoff<double>;
+
+/// How far along an axis a box reaches from a point, in units of its half extents and its centre's coordinates from there, all
+/// summed, worked out in double: each entry of the axes' inverse carries 3u of a cofactor, 6u of the determinant and 3u of
+/// dividing, which three of them in a product make 21u, and 8u for it and the sum of extents; the centre's distance along
+/// the axis 4u, the last sums 3u of all. 48u leaves room for terms in u^2. Held by the same.
+inline constexpr double kMergedBox = 48 * kRoundoff<double>;
+
+/// The extent of centres up to which a tree tells them apart by index alone: they are floats in a frame where their boxes
+/// together are 2^-8 to 2 wide, so that each is off by 2^-23 or so. Held by "bodies in one place are divided by index".
+inline constexpr float kSameCenter = 0x1p-20f;
+
+/// Where a ray meets a plane across an axis: u for the difference, u for the quotient, each way, which makes 4u between where
+/// it enters one slab and leaves another; and as much again for terms in u^2 and the bound's own rounding. Held by "a ray
+/// never misses a box that it touches".
+template <class Scalar>
+inline constexpr Scalar kRaySlab = 8 * kRoundoff<Scalar>;
+
 }  // namespace snug::tolerance

@@ -1,0 +1,29 @@
+// Which of two volumes of a kind comes first, so that merging takes them in the same order whichever is named first.
+#pragma once
+
+#include "geometry/volume_fields.hpp"
+
+namespace snug::fit {
+
+/// -1, 0 or +1: by the numbers that say what the volumes are, from the first one on. 0 where all are equal.
+template <class VolumeType>
+[[nodiscard]] int order_of(const VolumeType& a, const VolumeType& b) {
+  std::vector<double> of_a, of_b;
+  const auto list = [](std::vector<double>& numbers) {
+    return [&numbers](const char*, const auto& value) {
+      if constexpr (requires { value.data(); value.size(); }) {
+        if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(*value.data())>>)
+          for (std::size_t i = 0; i < static_cast<std::size_t>(value.size()); ++i)
+            numbers.push_back(static_cast<double>(value.data()[i]));
+        else
+          for (const auto& v : value) numbers.insert(numbers.end(), v.data(), v.data() + v.size());
+      } else {
+        numbers.push_back(static_cast<double>(value));
+      }
+    };
+  };
+  fields_of(a, list(of_a)), fields_of(b, list(of_b));
+  return of_a < of_b ? -1 : of_b < of_a ? 1 : 0;
+}
+
+}  // namespace snug::fit

@@ -1,0 +1,136 @@
+// Trees over volumes of any kind, built in four ways, and made to fit again after their bodies moved.
+#pragma once
+
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "fit/merge.hpp"
+#include "hierarchy/bottom_up.hpp"
+#include "hierarchy/insertion.hpp"
+#include "hierarchy/steps.hpp"
+#include "hierarchy/top_down.hpp"
+#include "hierarchy/tree.hpp"
+#include "trace/observer.hpp"
+
+namespace snug::hierarchy {
+
+struct Options {
+  Index most_in_leaf = 4;  // >= 1; of trees built from the root down
+};
+
+inline constexpr std::array<std::string_view, 2> kRefitPseudocode{
+    "for each node, children before parents",
+    "  volume ← merged of bodies or children",
+};
+
+template <class VolumeType>
+using Volumes = std::type_identity_t<std::span<const VolumeType>>;
+
+/// Gives every node its volume anew, after the bodies' volumes changed: the tree's shape stays, so that it may get worse but
+/// never wrong. A node's volume holds those of its bodies exactly, for merging does (fit/merge.hpp). O(n) merges.
+/// volumes: as many as the tree was built of. line: of the pseudocode that is being followed.
+template <class VolumeType, StepObserver<Step> Observer = Ignore>
+void refit(Tree<VolumeType>& tree, Volumes<VolumeType> volumes, Observer&& observe = {}, int line = 1) {
+  const auto body = [&](Index i) -> const VolumeType& {
+    return volumes[static_cast<std::size_t>(tree.bodies[static_cast<std::size_t>(i)])];
+  };
+  for (std::size_t i = tree.nodes.size(); i-- > 0;) {
+    Node<VolumeType>& node = tree.nodes[i];
+    if (node.is_leaf()) {
+      node.volume = body(node.first);
+      for (Index k = 1; k < node.count; ++k) node.volume = fit::merge(node.volume, body(node.first + k));
+    } else {
+      const auto left = static_cast<std::size_t>(node.first);
+      node.volume = fit::merge(tree.nodes[left].volume, tree.nodes[left + 1].volume);
+    }
+    observe(Step{line, VolumeMade{static_cast<Index>(i)}});
+  }
+}
+
+/// A tree of the shape, its nodes with their volumes.
+template <class VolumeType, class Observer>
+[[nodiscard]] Tree<VolumeType> fill(Shape&& shape, Volumes<VolumeType> volumes, int line, Observer& observe) {
+  Tree<VolumeType> tree;
+  tree.bodies = std::move(shape.bodies);
+  tree.nodes.resize(shape.nodes.size());
+  for (std::size_t i = 0; i < shape.nodes.size(); ++i)
+    tree.nodes[i].first = shape.nodes[i].first, tree.nodes[i].count = shape.nodes[i].count;
+  refit(tree, volumes, observe, line);
+  observe(Step{line, Done{static_cast<std::int64_t>(tree.nodes.size()), 0}});
+  return tree;
+}
+
+/// Lays a tree out from the root down. line_of: of a fact, in the pseudocode, by its place in TopDownFacts' variant.
+template <class VolumeType, class Observer>
+[[nodiscard]] Tree<VolumeType> build_top_down(Volumes<VolumeType> volumes, SplitRule rule, const Options& options,
+                                              std::array<int, 2> line_of, Observer& observe) {
+  TopDownFacts facts;
+  Shape shape = lay_out_top_down(layout_of(volumes), rule, options.most_in_leaf, kWatched<Observer> ? &facts : nullptr);
+  for (const auto& fact : facts)
+    std::visit([&](const auto& f) { observe(Step{line_of[fact.index()], f}); }, fact);
+  return fill<VolumeType>(std::move(shape), volumes, 5, observe);
+}
+
+/// Halves at the median of the centres, along the axis where they spread most: the shallowest tree. O(n log n) time.
+/// volumes: any number, none too; a hull has a vertex. As for all the builders: nodes hold their bodies exactly, ties are
+/// broken by index, and the same volumes make the same tree, bit for bit.
+template <class VolumeType, StepObserver<Step> Observer = Ignore>
+[[nodiscard]] Tree<VolumeType> build_median(Volumes<VolumeType> volumes, const Options& options = {}, Observer&& observe = {}) {
+  return build_top_down<VolumeType>(volumes, SplitRule::kMedian, options, {3, 1}, observe);
+}
+
+/// Splits where a traversal is expected to be cheapest: where the children's surfaces, each times its bodies, are least.
+/// O(n log n) time.
+template <class VolumeType, StepObserver<Step> Observer = Ignore>
+[[nodiscard]] Tree<VolumeType> build_surface_area(Volumes<VolumeType> volumes, const Options& options = {}, Observer&& observe = {}) {
+  return build_top_down<VolumeType>(volumes, SplitRule::kSurfaceArea, options, {4, 1}, observe);
+}
+
+/// Merges nearest pairs, from single bodies up. Each leaf has one body. O(n^2) time: for some ten thousand bodies.
+template <class VolumeType, StepObserver<Step> Observer = Ignore>
+[[nodiscard]] Tree<VolumeType> build_bottom_up(Volumes<VolumeType> volumes, Observer&& observe = {}) {
+  std::vector<NodesMerged> facts;
+  Shape shape = lay_out_bottom_up(layout_of(volumes), kWatched<Observer> ? &facts : nullptr);
+  for (const NodesMerged& fact : facts) observe(Step{3, fact});
+  return fill<VolumeType>(std::move(shape), volumes, 4, observe);
+}
+
+/// Puts one body after the other where the tree's surfaces grow least. Each leaf has one body.
+template <class VolumeType, StepObserver<Step> Observer = Ignore>
+[[nodiscard]] Tree<VolumeType> build_by_insertion(Volumes<VolumeType> volumes, Observer&& observe = {}) {
+  InsertionFacts facts;
+  Shape shape = lay_out_by_insertion(layout_of(volumes), kWatched<Observer> ? &facts : nullptr);
+  for (const auto& fact : facts)
+    std::visit([&](const auto& f) { observe(Step{fact.index() == 0 ? 4 : 5, f}); }, fact);
+  return fill<VolumeType>(std::move(shape), volumes, 6, observe);
+}
+
+/// Of boxes and spheres, watched by a Recorder or by none, all of it is compiled once (build.cpp).
+#define SNUG_TREES(extern_or_not, VolumeType, Observer)                                                                      \
+  extern_or_not template void refit(Tree<VolumeType>&, Volumes<VolumeType>, Observer, int);                                  \
+  extern_or_not template Tree<VolumeType> build_median<VolumeType>(Volumes<VolumeType>, const Options&, Observer);           \
+  extern_or_not template Tree<VolumeType> build_surface_area<VolumeType>(Volumes<VolumeType>, const Options&, Observer);     \
+  extern_or_not template Tree<VolumeType> build_bottom_up<VolumeType>(Volumes<VolumeType>, Observer);                        \
+  extern_or_not template Tree<VolumeType> build_by_insertion<VolumeType>(Volumes<VolumeType>, Observer);
+#define SNUG_TREES_OF(extern_or_not, Kind, Scalar, Dim)                   \
+  namespace instances {                                                   \
+  using Kind##Scalar##Dim = Kind<Scalar, Dim>;                            \
+  }                                                                       \
+  SNUG_TREES(extern_or_not, instances::Kind##Scalar##Dim, Ignore&&)       \
+  SNUG_TREES(extern_or_not, instances::Kind##Scalar##Dim, Recorder<Step>&)
+#define SNUG_ALL_TREES(extern_or_not)            \
+  SNUG_TREES_OF(extern_or_not, Aabb, float, 2)   \
+  SNUG_TREES_OF(extern_or_not, Aabb, float, 3)   \
+  SNUG_TREES_OF(extern_or_not, Aabb, double, 2)  \
+  SNUG_TREES_OF(extern_or_not, Aabb, double, 3)  \
+  SNUG_TREES_OF(extern_or_not, Sphere, float, 2) \
+  SNUG_TREES_OF(extern_or_not, Sphere, float, 3) \
+  SNUG_TREES_OF(extern_or_not, Sphere, double, 2) \
+  SNUG_TREES_OF(extern_or_not, Sphere, double, 3)
+
+SNUG_ALL_TREES(extern)
+
+}  // namespace snug::hierarchy

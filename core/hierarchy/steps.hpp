@@ -1,0 +1,114 @@
+// The steps of building, refitting and traversing a tree.
+#pragma once
+
+#include <string_view>
+#include <variant>
+
+#include "geometry/vector.hpp"
+
+namespace snug::hierarchy {
+
+/// A node's bodies were divided: left and right are how many went to either side. axis: kNoIndex where all centres are in
+/// one place, and they were divided by index. position: that of the first centre on the right (median, exact sweep) or of
+/// the border of bins, scene units. cost: by the surface-area heuristic, in tests of a body; of the median 0.
+struct SplitChosen {
+  static constexpr std::string_view kName = "split_chosen";
+  Index node = 0;
+  int axis = kNoIndex;
+  double position = 0;
+  Index left = 0, right = 0;
+  double cost = 0;
+  void fields(auto&& see) const {
+    see("node", node), see("axis", axis), see("position", position), see("left", left), see("right", right), see("cost", cost);
+  }
+};
+
+/// A node became a leaf. bodies: how many it holds.
+struct LeafMade {
+  static constexpr std::string_view kName = "leaf_made";
+  Index node = 0;
+  Index bodies = 0;
+  void fields(auto&& see) const { see("node", node), see("bodies", bodies); }
+};
+
+/// Two groups became one. Group i is body i alone where i is below the number n of bodies; groups made later are counted from
+/// n on. area: half of the surface (in the plane: of the outline) of the axis-aligned box around both, scene units.
+struct NodesMerged {
+  static constexpr std::string_view kName = "nodes_merged";
+  Index merged = 0;
+  Index left = 0, right = 0;
+  double area = 0;
+  void fields(auto&& see) const { see("merged", merged), see("left", left), see("right", right), see("area", area); }
+};
+
+/// A body was put beside a group, both now children of a new group made (kNoIndex and kNoIndex: it is the first body).
+/// Groups are named as above. growth: of all half surfaces on the way together, the new group's included, scene units
+/// squared (in the plane: units).
+struct BodyInserted {
+  static constexpr std::string_view kName = "body_inserted";
+  Index body = 0;
+  Index beside = kNoIndex, made = kNoIndex;
+  double growth = 0;
+  void fields(auto&& see) const { see("body", body), see("beside", beside), see("made", made), see("growth", growth); }
+};
+
+/// Below a group, one child and a grandchild below the other child changed places, which made that other child smaller.
+struct Rotated {
+  static constexpr std::string_view kName = "rotated";
+  Index group = 0;
+  Index down = 0, up = 0;  // what was a child, what was a grandchild
+  double gain = 0;         // half surface
+  void fields(auto&& see) const { see("group", group), see("down", down), see("up", up), see("gain", gain); }
+};
+
+/// A node has its volume: that of its bodies or of both children, merged.
+struct VolumeMade {
+  static constexpr std::string_view kName = "volume_made";
+  Index node = 0;
+  void fields(auto&& see) const { see("node", node); }
+};
+
+/// What is to be done with a volume's node or body, and all that is below it.
+enum class Answer : std::uint8_t { kPrune, kDescend, kAccept };
+
+/// A node's volume was tested.
+struct NodeVisited {
+  static constexpr std::string_view kName = "node_visited";
+  Index node = 0;
+  Answer answer = Answer::kPrune;
+  void fields(auto&& see) const { see("node", node), see("answer", static_cast<int>(answer)); }
+};
+
+/// A body's own volume was tested.
+struct BodyTested {
+  static constexpr std::string_view kName = "body_tested";
+  Index body = 0;
+  Answer answer = Answer::kPrune;
+  void fields(auto&& see) const { see("body", body), see("answer", static_cast<int>(answer)); }
+};
+
+/// A node of one tree was held against a node of another; or, bodies: a body against a body.
+struct PairTested {
+  static constexpr std::string_view kName = "pair_tested";
+  Index a = 0, b = 0;
+  bool bodies = false;
+  bool overlap = false;
+  void fields(auto&& see) const { see("a", a), see("b", b), see("bodies", bodies), see("overlap", overlap); }
+};
+
+/// The end: of building, how many nodes there are; of a traversal, how many were visited.
+struct Done {
+  static constexpr std::string_view kName = "done";
+  std::int64_t nodes = 0;
+  std::int64_t volume_tests = 0;
+  void fields(auto&& see) const { see("nodes", nodes), see("volume_tests", volume_tests); }
+};
+
+struct Step {
+  using Fact = std::variant<SplitChosen, LeafMade, NodesMerged, BodyInserted, Rotated, VolumeMade, NodeVisited, BodyTested,
+                            PairTested, Done>;
+  int line = 0;  // of the algorithm's pseudocode, counted from 0
+  Fact fact;
+};
+
+}  // namespace snug::hierarchy

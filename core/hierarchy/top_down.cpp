@@ -1,0 +1,356 @@
+#include "hierarchy/top_down.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "geometry/tolerance.hpp"
+
+// Nothing here passes a vector between functions that are not inlined, so no calling convention for it matters.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+#define SNUG_INLINE [[gnu::always_inline]] inline
+
+namespace snug::hierarchy {
+namespace {
+
+typedef float Lanes __attribute__((vector_size(16)));
+typedef std::int32_t WholeLanes __attribute__((vector_size(16)));
+
+constexpr int kBins = 16;
+constexpr Index kSweptExactly = 16;
+// Beyond it every node is halved, so that no scene makes a deep tree.
+constexpr int kMostUneven = 40;
+// A node this small beside its frame is seen in a frame of its own, before the floats run out of digits.
+constexpr float kTooSmall = 0x1p-8f;
+
+/// A body's box in floats. The fourth lanes are its index, in two halves that floats hold.
+struct Body {
+  Lanes low, high;
+
+  [[nodiscard]] SNUG_INLINE Index index() const { return static_cast<Index>(low[3]) + (static_cast<Index>(high[3]) << 16); }
+  /// Twice the centre.
+  [[nodiscard]] SNUG_INLINE Lanes center() const { return low + high; }
+};
+
+SNUG_INLINE Lanes lesser(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
+SNUG_INLINE Lanes greater(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
+
+struct Bounds {
+  Lanes low, high;
+
+  SNUG_INLINE static Bounds none() {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    return {Lanes{kInfinity, kInfinity, kInfinity, kInfinity}, Lanes{-kInfinity, -kInfinity, -kInfinity, -kInfinity}};
+  }
+  SNUG_INLINE void take(const Lanes& least, const Lanes& most) { low = lesser(low, least), high = greater(high, most); }
+  [[nodiscard]] SNUG_INLINE Lanes extent() const { return high - low; }
+};
+
+/// Where the floats of some bodies count from, and in what unit.
+struct Frame {
+  std::array<double, 3> origin{};
+  double scale = 1;
+};
+
+struct Work {
+  Index node, begin, end;
+  int depth;
+  Frame frame;
+  Bounds bounds, centers;
+};
+
+struct Choice {
+  int axis = kNoIndex;
+  Index left = 0;
+  float position = 0;  // of twice the centre, in the frame
+  float cost = std::numeric_limits<float>::infinity();
+};
+
+class TopDown {
+ public:
+  TopDown(const Layout& layout, SplitRule rule, Index most_in_leaf, TopDownFacts* facts)
+      : layout_(layout), rule_(rule), most_in_leaf_(most_in_leaf), facts_(facts) {}
+
+  Shape run() {
+    const auto n = static_cast<Index>(layout_.boxes.size());
+    if (n == 0) return {};
+    bodies_.resize(layout_.boxes.size());
+    for (Index i = 0; i < n; ++i) place(bodies_[static_cast<std::size_t>(i)], i, {});
+    shape_.nodes.reserve(layout_.boxes.size());
+    shape_.nodes.emplace_back();
+    Work root{0, 0, n, 0, {}, Bounds::none(), Bounds::none()};
+    measure(root);
+    std::vector<Work> open{root};
+    while (!open.empty()) {
+      Work work = open.back();
+      open.pop_back();
+      if (split(work)) {
+        const auto& [left, right] = halves_;
+        open.push_back(right), open.push_back(left);
+      }
+    }
+    list_bodies();
+    return std::move(shape_);
+  }
+
+ private:
+  SNUG_INLINE void place(Body& body, Index index, const Frame& frame) const {
+    const Box& box = layout_.boxes[static_cast<std::size_t>(index)];
+    for (std::size_t i = 0; i < 3; ++i) {
+      body.low[i] = static_cast<float>((box.low[i] - frame.origin[i]) * frame.scale);
+      body.high[i] = static_cast<float>((box.high[i] - frame.origin[i]) * frame.scale);
+    }
+    body.low[3] = static_cast<float>(index & 0xffff);
+    body.high[3] = static_cast<float>(index >> 16);
+  }
+
+  SNUG_INLINE void measure(Work& work) const {
+    Bounds bounds = Bounds::none(), centers = bounds;
+    for (Index i = work.begin; i < work.end; ++i) {
+      const Body& body = bodies_[static_cast<std::size_t>(i)];
+      bounds.take(body.low, body.high);
+      centers.take(body.center(), body.center());
+    }
+    work.bounds = bounds, work.centers = centers;
+  }
+
+  [[nodiscard]] static float largest(const Lanes& extent) { return std::max({extent[0], extent[1], extent[2]}); }
+
+  /// A frame of the node's own, where it is too small for that which it is in.
+  void look_closer(Work& work) {
+    if (largest(work.bounds.extent()) >= kTooSmall) return;
+    Box box = layout_.boxes[static_cast<std::size_t>(at(work.begin).index())];
+    for (Index i = work.begin; i < work.end; ++i) box = united(box, layout_.boxes[static_cast<std::size_t>(at(i).index())]);
+    double extent = 0;
+    for (std::size_t i = 0; i < 3; ++i) extent = std::max(extent, box.high[i] - box.low[i]);
+    const double scale = extent > 0 ? std::ldexp(1.0, -std::max(std::ilogb(extent), -1000)) : work.frame.scale;
+    if (scale == work.frame.scale) return;
+    work.frame = {box.low, scale};
+    for (Index i = work.begin; i < work.end; ++i) place(at(i), at(i).index(), work.frame);
+    measure(work);
+  }
+
+  /// Half the surface; of what has none, and in the plane, the edges' lengths.
+  [[nodiscard]] SNUG_INLINE float size(const Bounds& bounds, bool by_length) const {
+    const Lanes d = bounds.extent();
+    return by_length ? d[0] + d[1] + d[2] : d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
+  }
+
+  /// Makes a leaf, or two halves.
+  bool split(Work& work) {
+    const Index count = work.end - work.begin;
+    if (count == 1 || (rule_ == SplitRule::kMedian && count <= most_in_leaf_)) return make_leaf(work);
+    look_closer(work);
+    Choice choice;
+    if (rule_ == SplitRule::kSurfaceArea && work.depth < kMostUneven) {
+      const bool by_length = layout_.dim == 2 || size(work.bounds, false) == 0;
+      const float whole = size(work.bounds, by_length);
+      choice = count <= kSweptExactly ? sweep(work, by_length) : bin(work, by_length);
+      // One test of the node and then what is expected of its children, against all bodies.
+      if (count <= most_in_leaf_ && whole * static_cast<float>(count - 1) <= choice.cost) return make_leaf(work);
+      choice.cost = whole > 0 ? 1 + choice.cost / whole : 1;
+      if (choice.axis != kNoIndex) {
+        if (count <= kSweptExactly) take_swept(work);
+        else partition(work, choice);
+      }
+    }
+    if (choice.axis == kNoIndex) choice = halve(work);
+    make_halves(work, choice);
+    return true;
+  }
+
+  bool make_leaf(const Work& work) {
+    shape_.nodes[static_cast<std::size_t>(work.node)] = {work.begin, work.end - work.begin};
+    if (facts_ != nullptr) facts_->push_back(LeafMade{work.node, work.end - work.begin});
+    return false;
+  }
+
+  void make_halves(const Work& work, const Choice& choice) {
+    const auto left = static_cast<Index>(shape_.nodes.size());
+    shape_.nodes[static_cast<std::size_t>(work.node)] = {left, 0};
+    shape_.nodes.resize(shape_.nodes.size() + 2);
+    const Index middle = work.begin + choice.left;
+    halves_[0] = Work{left, work.begin, middle, work.depth + 1, work.frame, Bounds::none(), Bounds::none()};
+    halves_[1] = Work{left + 1, middle, work.end, work.depth + 1, work.frame, Bounds::none(), Bounds::none()};
+    for (Work& half : halves_) measure(half);
+    if (facts_ == nullptr) return;
+    double position = 0;
+    if (choice.axis != kNoIndex) {
+      const double local = static_cast<double>(choice.position) / 2 / work.frame.scale;
+      position = layout_.position(choice.axis, work.frame.origin[static_cast<std::size_t>(choice.axis)] + local);
+    }
+    facts_->push_back(SplitChosen{work.node, choice.axis, position, choice.left, work.end - middle, static_cast<double>(choice.cost)});
+  }
+
+  /// At the median along the axis where centres spread most, equal ones by index: always to be had.
+  Choice halve(const Work& work) {
+    const Lanes spread = work.centers.extent();
+    int axis = 0;
+    for (int i = 1; i < layout_.dim; ++i)
+      if (spread[i] > spread[axis]) axis = i;
+    const auto begin = bodies_.begin() + work.begin;
+    const Index left = (work.end - work.begin) / 2;
+    std::nth_element(begin, begin + left, bodies_.begin() + work.end, [axis](const Body& a, const Body& b) {
+      const float of_a = a.center()[axis], of_b = b.center()[axis];
+      return of_a < of_b || (of_a == of_b && a.index() < b.index());
+    });
+    return {spread[axis] > 0 ? axis : kNoIndex, left, at(work.begin + left).center()[axis], 0};
+  }
+
+  // -- Few bodies: every border between two ---------------------------------------------------------------------------------
+
+  using Order = std::array<std::int8_t, kSweptExactly>;
+
+  Choice sweep(const Work& work, bool by_length) {
+    const Index count = work.end - work.begin;
+    const Body* bodies = &at(work.begin);
+    Choice best;
+    std::array<float, kSweptExactly> right;
+    std::array<float, kSweptExactly> keys;
+    for (int axis = 0; axis < layout_.dim; ++axis) {
+      if (!(work.centers.low[axis] < work.centers.high[axis])) continue;
+      Order order;
+      for (Index i = 0; i < count; ++i) {
+        const float key = bodies[i].center()[axis];
+        Index j = i;
+        for (; j > 0; --j) {
+          const float before = keys[static_cast<std::size_t>(j - 1)];
+          const auto other = order[static_cast<std::size_t>(j - 1)];
+          if (before < key || (before == key && bodies[other].index() < bodies[i].index())) break;
+          keys[static_cast<std::size_t>(j)] = before, order[static_cast<std::size_t>(j)] = other;
+        }
+        keys[static_cast<std::size_t>(j)] = key, order[static_cast<std::size_t>(j)] = static_cast<std::int8_t>(i);
+      }
+      Bounds bounds = Bounds::none();
+      for (Index i = count - 1; i > 0; --i) {
+        const Body& body = bodies[order[static_cast<std::size_t>(i)]];
+        bounds.take(body.low, body.high);
+        right[static_cast<std::size_t>(i)] = size(bounds, by_length) * static_cast<float>(count - i);
+      }
+      bounds = Bounds::none();
+      const float before = best.cost;
+      for (Index i = 1; i < count; ++i) {
+        const Body& body = bodies[order[static_cast<std::size_t>(i - 1)]];
+        bounds.take(body.low, body.high);
+        const float cost = size(bounds, by_length) * static_cast<float>(i) + right[static_cast<std::size_t>(i)];
+        if (cost < best.cost) best = {axis, i, keys[static_cast<std::size_t>(i)], cost};
+      }
+      if (best.cost < before) best_order_ = order;
+    }
+    return best;
+  }
+
+  void take_swept(const Work& work) {
+    std::array<Body, kSweptExactly> sorted;
+    const Index count = work.end - work.begin;
+    for (Index i = 0; i < count; ++i)
+      sorted[static_cast<std::size_t>(i)] = at(work.begin + best_order_[static_cast<std::size_t>(i)]);
+    std::copy(sorted.begin(), sorted.begin() + count, bodies_.begin() + work.begin);
+  }
+
+  // -- Many: bins -------------------------------------------------------------------------------------------------------------
+
+  /// In which bin twice a centre falls, along each axis. An axis along which all centres are one has one bin.
+  struct Binning {
+    Lanes low, scale;
+
+    explicit Binning(const Bounds& centers) : low(centers.low) {
+      for (int i = 0; i < 4; ++i) {
+        const float extent = i < 3 ? centers.high[i] - centers.low[i] : 0;
+        // So that the last centre falls into the last bin, and none beyond for rounding.
+        scale[i] = extent > tolerance::kSameCenter ? static_cast<float>(kBins) * (1 - 0x1p-20f) / extent : 0;
+      }
+    }
+    [[nodiscard]] SNUG_INLINE WholeLanes bins(const Lanes& center) const {
+      const Lanes place = (center - low) * scale;
+      return __builtin_convertvector(place, WholeLanes);
+    }
+  };
+
+  Choice bin(const Work& work, bool by_length) {
+    std::array<std::array<Bounds, kBins>, 3> bins;
+    std::array<std::array<Index, kBins>, 3> counts{};
+    for (auto& axis : bins) axis.fill(Bounds::none());
+    const Binning binning(work.centers);
+    for (Index i = work.begin; i < work.end; ++i) {
+      const Body& body = at(i);
+      const WholeLanes place = binning.bins(body.center());
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto b = static_cast<std::size_t>(place[axis]);
+        bins[axis][b].take(body.low, body.high);
+        ++counts[axis][b];
+      }
+    }
+    Choice best;
+    for (int axis = 0; axis < layout_.dim; ++axis) {
+      if (binning.scale[axis] == 0) continue;
+      const auto& of_axis = bins[static_cast<std::size_t>(axis)];
+      const auto& count_of = counts[static_cast<std::size_t>(axis)];
+      std::array<float, kBins> right;
+      Bounds bounds = Bounds::none();
+      Index count = 0;
+      for (std::size_t b = kBins - 1; b > 0; --b) {
+        bounds.take(of_axis[b].low, of_axis[b].high);
+        count += count_of[b];
+        right[b] = count == 0 ? 0 : size(bounds, by_length) * static_cast<float>(count);
+      }
+      bounds = Bounds::none();
+      count = 0;
+      for (std::size_t b = 1; b < kBins; ++b) {
+        bounds.take(of_axis[b - 1].low, of_axis[b - 1].high);
+        count += count_of[b - 1];
+        if (count_of[b - 1] == 0 && b > 1) continue;  // the same as before
+        const float cost = size(bounds, by_length) * static_cast<float>(count) + right[b];
+        const float border = work.centers.low[axis] + static_cast<float>(b) / binning.scale[axis];
+        if (cost < best.cost) best = {axis, count, border, cost}, border_bin_ = static_cast<int>(b);
+      }
+    }
+    return best;
+  }
+
+  void partition(const Work& work, const Choice& choice) {
+    const Binning binning(work.centers);
+    const int axis = choice.axis, border = border_bin_;
+    Body* left = bodies_.data() + work.begin;
+    Body* right = bodies_.data() + work.end;
+    for (;;) {
+      while (left < right && binning.bins(left->center())[axis] < border) ++left;
+      while (left < right && binning.bins((right - 1)->center())[axis] >= border) --right;
+      if (left >= right) break;
+      std::swap(*left, *(right - 1));
+      ++left, --right;
+    }
+  }
+
+  void list_bodies() {
+    shape_.bodies.resize(bodies_.size());
+    for (std::size_t i = 0; i < bodies_.size(); ++i) shape_.bodies[i] = bodies_[i].index();
+    for (const ShapeNode& node : shape_.nodes)
+      std::sort(shape_.bodies.begin() + (node.count > 0 ? node.first : 0),
+                shape_.bodies.begin() + (node.count > 0 ? node.first + node.count : 0));
+  }
+
+  [[nodiscard]] SNUG_INLINE Body& at(Index i) { return bodies_[static_cast<std::size_t>(i)]; }
+
+  const Layout& layout_;
+  SplitRule rule_;
+  Index most_in_leaf_;
+  TopDownFacts* facts_;
+  std::vector<Body> bodies_;
+  Shape shape_;
+  std::array<Work, 2> halves_;
+  Order best_order_{};  // of the choice of sweep
+  int border_bin_ = 0;  // of the choice of bin: the first on the right
+};
+
+}  // namespace
+
+Shape lay_out_top_down(const Layout& layout, SplitRule rule, Index most_in_leaf, TopDownFacts* facts) {
+  return TopDown(layout, rule, most_in_leaf, facts).run();
+}
+
+}  // namespace snug::hierarchy

@@ -1,0 +1,46 @@
+// Trees from the root down: all bodies, divided again and again.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "hierarchy/bounds.hpp"
+#include "hierarchy/shape.hpp"
+#include "hierarchy/steps.hpp"
+
+namespace snug::hierarchy {
+
+/// Source: C. Ericson, "Real-Time Collision Detection", 2005, 6.2.1.
+inline constexpr std::array<std::string_view, 6> kMedianPseudocode{
+    "node ← all bodies",
+    "few bodies: node is a leaf",
+    "axis ← where centres spread most",
+    "halve the bodies at the median centre",
+    "node's children ← the halves, likewise",
+    "volume ← merged of both children",
+};
+
+/// Source: J. Goldsmith, J. Salmon, "Automatic creation of object hierarchies for ray tracing", 1987; I. Wald, "On fast
+/// construction of SAH-based bounding volume hierarchies", 2007, for the bins.
+inline constexpr std::array<std::string_view, 6> kSurfaceAreaPseudocode{
+    "node ← all bodies",
+    "few, and no split is cheaper: a leaf",
+    "for each axis and border between bodies",
+    "  cost ← 1 + (area n left + right) / area",
+    "split at the least cost; likewise below",
+    "volume ← merged of both children",
+};
+
+enum class SplitRule : std::uint8_t { kMedian, kSurfaceArea };
+
+/// What the laying out tells, in order: splits and leaves.
+using TopDownFacts = std::vector<std::variant<SplitChosen, LeafMade>>;
+
+/// Bodies are told apart by their boxes' centres; among equal centres by index. Up to 16 bodies every border between two is
+/// tried, more fall into 16 bins an axis. Numbers are floats, about the node's own corner and in its own size once that is
+/// small: whatever the scene's size and place. From depth 40 on nodes are halved, so that no tree is much deeper.
+/// most_in_leaf: >= 1. facts: null, or what is told is added to it. O(n log n) time.
+[[nodiscard]] Shape lay_out_top_down(const Layout& layout, SplitRule rule, Index most_in_leaf, TopDownFacts* facts = nullptr);
+
+}  // namespace snug::hierarchy

@@ -1,0 +1,150 @@
+// From the root down, leaving out what need not be looked at.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "hierarchy/steps.hpp"
+#include "hierarchy/tree.hpp"
+#include "trace/observer.hpp"
+
+namespace snug::hierarchy {
+
+inline constexpr std::array<std::string_view, 6> kTraversePseudocode{
+    "open ← root",
+    "while a node is open: test its volume",
+    "  outside: leave out all below",
+    "  inside: take all below, untested",
+    "  leaf: test each body's volume",
+    "  else open both children",
+};
+
+/// Whose volume is tested.
+struct Place {
+  Index index = 0;       // of the node, or of the body
+  bool is_body = false;
+};
+
+/// What a visitor says to a volume. It may change the state, a copy of its parent's, which then goes to what is below: a mask
+/// of the planes that are still in question, say. It may ask for the place too, to remember something there.
+template <class Visit, class VolumeType, class State>
+[[nodiscard]] Answer ask(Visit& visit, const VolumeType& volume, State& state, Place place) {
+  if constexpr (std::is_invocable_v<Visit&, const VolumeType&, State&, Place>) return visit(volume, state, place);
+  else return visit(volume, state);
+}
+
+/// Reports every body that is not pruned, with what was answered of it: of what lies below an accepted node kAccept, untested.
+/// visit(volume, state [, place]) -> Answer: of a node kPrune only if it is right for all below, kAccept likewise; of a body
+/// kDescend is as good as anything but kPrune, and reported as such. A leaf of one body is not tested itself. report(body,
+/// answer). volumes: those that the tree fits. Bodies come in the order in which the tree has them.
+///
+/// A frustum's culling is a visit that classifies: kPrune outside, kAccept inside, kDescend where it intersects.
+template <class VolumeType, class State, class Visit, class Report, StepObserver<Step> Observer = Ignore>
+Counts traverse(const Tree<VolumeType>& tree, std::type_identity_t<std::span<const VolumeType>> volumes, const State& root,
+                Visit&& visit, Report&& report, Observer&& observe = {}) {
+  struct Open {
+    Index node;
+    State state;
+  };
+  Counts counts;
+  std::vector<Open> open;
+  if (!tree.nodes.empty()) open.push_back({0, root});
+  while (!open.empty()) {
+    Open now = open.back();
+    open.pop_back();
+    ++counts.nodes_visited;
+    const Node<VolumeType>& node = tree.nodes[static_cast<std::size_t>(now.node)];
+    if (node.count != 1) {
+      const Answer answer = ask(visit, node.volume, now.state, {now.node, false});
+      ++counts.node_tests;
+      observe(Step{answer == Answer::kPrune ? 2 : answer == Answer::kAccept ? 3 : node.is_leaf() ? 4 : 5, NodeVisited{now.node, answer}});
+      if (answer == Answer::kPrune) continue;
+      if (answer == Answer::kAccept) {
+        for (const Index body : tree.bodies_below(now.node)) report(body, Answer::kAccept);
+        continue;
+      }
+    }
+    if (!node.is_leaf()) {
+      open.push_back({node.first + 1, now.state}), open.push_back({node.first, now.state});
+      continue;
+    }
+    for (const Index body : tree.bodies_below(now.node)) {
+      State state = now.state;
+      const Answer answer = ask(visit, volumes[static_cast<std::size_t>(body)], state, {body, true});
+      ++counts.body_tests;
+      observe(Step{4, BodyTested{body, answer}});
+      if (answer != Answer::kPrune) report(body, answer);
+    }
+  }
+  observe(Step{1, Done{counts.nodes_visited, counts.volume_tests()}});
+  return counts;
+}
+
+// -- A ray ----------------------------------------------------------------------------------------------------------------------
+
+inline constexpr std::array<std::string_view, 6> kFirstHitPseudocode{
+    "open ← root; best ← none",
+    "while a node is open: take the nearest",
+    "  beyond the best: leave it out",
+    "  leaf: best ← nearest of its bodies",
+    "  else test both children's volumes",
+    "  open those hit, the nearer one first",
+};
+
+template <class Scalar>
+struct Hit {
+  Index body = kNoIndex;  // none was hit
+  Scalar t = 0;
+  Counts counts;
+};
+
+/// The body that is hit first; of several at the same t that of the least index. hit(volume) -> std::optional<Scalar>: where
+/// it is hit, of a node no later than of anything in it (as query::ray_enters says of boxes).
+template <class Scalar, class VolumeType, class HitTest, StepObserver<Step> Observer = Ignore>
+Hit<Scalar> first_hit(const Tree<VolumeType>& tree, std::type_identity_t<std::span<const VolumeType>> volumes, HitTest&& hit,
+                      Observer&& observe = {}) {
+  struct Open {
+    Index node;
+    Scalar t;
+  };
+  Hit<Scalar> best;
+  std::vector<Open> open;
+  const auto is_beyond = [&](Scalar t) { return best.body != kNoIndex && t > best.t; };
+  const auto test = [&](Index node) -> std::optional<Scalar> {
+    const std::optional<Scalar> t = hit(tree.nodes[static_cast<std::size_t>(node)].volume);
+    ++best.counts.node_tests;
+    observe(Step{4, NodeVisited{node, t ? Answer::kDescend : Answer::kPrune}});
+    return t;
+  };
+  if (!tree.nodes.empty())
+    if (const auto t = test(0)) open.push_back({0, *t});
+  while (!open.empty()) {
+    const Open now = open.back();
+    open.pop_back();
+    if (is_beyond(now.t)) continue;
+    ++best.counts.nodes_visited;
+    const Node<VolumeType>& node = tree.nodes[static_cast<std::size_t>(now.node)];
+    if (!node.is_leaf()) {
+      const auto left = test(node.first), right = test(node.first + 1);
+      const bool right_first = left && right && *right < *left;
+      if (right && !right_first) open.push_back({node.first + 1, *right});
+      if (left) open.push_back({node.first, *left});
+      if (right && right_first) open.push_back({node.first + 1, *right});
+      continue;
+    }
+    for (const Index body : tree.bodies_below(now.node)) {
+      const std::optional<Scalar> t = hit(volumes[static_cast<std::size_t>(body)]);
+      ++best.counts.body_tests;
+      observe(Step{3, BodyTested{body, t ? Answer::kAccept : Answer::kPrune}});
+      if (t && (best.body == kNoIndex || *t < best.t || (*t == best.t && body < best.body))) best.body = body, best.t = *t;
+    }
+  }
+  observe(Step{1, Done{best.counts.nodes_visited, best.counts.volume_tests()}});
+  return best;
+}
+
+}  // namespace snug::hierarchy

@@ -1,0 +1,64 @@
+// The bounding-volume hierarchy: a binary tree whose leaves hold bodies and whose every node has a volume around all that is
+// below it.
+// Source: C. Ericson, "Real-Time Collision Detection", 2005, 6.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/vector.hpp"
+
+namespace snug::hierarchy {
+
+/// first, count: of a leaf, its bodies' places in Tree::bodies, count >= 1. Of an inner node first is the left child's place
+/// in Tree::nodes, the right child comes next, and count is 0.
+template <class VolumeType>
+struct Node {
+  VolumeType volume;
+  Index first = 0;
+  Index count = 0;
+
+  [[nodiscard]] bool is_leaf() const { return count > 0; }
+};
+
+/// Bodies are named by their place in the list of volumes that the tree was built of, which the tree does not keep.
+template <class VolumeType>
+struct Tree {
+  std::vector<Node<VolumeType>> nodes;  // the root first, children after their parent; none where there are no bodies
+  std::vector<Index> bodies;            // each once; those below a node side by side, in a leaf by rising index
+
+  /// All bodies below a node. O(depth) time.
+  [[nodiscard]] std::span<const Index> bodies_below(Index node) const {
+    const auto at = [&](Index i) -> const Node<VolumeType>& { return nodes[static_cast<std::size_t>(i)]; };
+    Index first = node, last = node;
+    while (!at(first).is_leaf()) first = at(first).first;
+    while (!at(last).is_leaf()) last = at(last).first + 1;
+    const auto begin = static_cast<std::size_t>(at(first).first), end = static_cast<std::size_t>(at(last).first + at(last).count);
+    return std::span(bodies).subspan(begin, end - begin);
+  }
+  /// The most nodes on a way from the root to a leaf.
+  [[nodiscard]] int depth() const {
+    std::vector<int> depths(nodes.size(), 1);
+    int most = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      most = std::max(most, depths[i]);
+      if (nodes[i].is_leaf()) continue;
+      const auto left = static_cast<std::size_t>(nodes[i].first);
+      depths[left] = depths[left + 1] = depths[i] + 1;
+    }
+    return most;
+  }
+};
+
+/// What a traversal spent; to be held against one test for each body, or each pair.
+struct Counts {
+  std::int64_t nodes_visited = 0;
+  std::int64_t node_tests = 0;  // of nodes' volumes
+  std::int64_t body_tests = 0;  // of bodies' own volumes
+
+  [[nodiscard]] std::int64_t volume_tests() const { return node_tests + body_tests; }
+};
+
+}  // namespace snug::hierarchy
