@@ -306,6 +306,12 @@ Volume<double, 3> lifted_volume(const std::string& kind, Fields& fields) {
 
 }  // namespace
 
+VolumeWanted volume_wanted(std::string name, int dim, const std::string& scalar) {
+  VolumeWanted wanted{.name = std::move(name), .dim = dim};
+  if (scalar == "float") wanted.largest = PointSet<float, 3>::kLargest, wanted.largest_said = "1.1e18 in float";
+  return wanted;
+}
+
 tl::expected<AnyVolume, std::string> read_volume(const Json& json, const VolumeWanted& wanted) {
   Fields fields(wanted);
   const std::string kind = fields.enter(json);

@@ -25,6 +25,9 @@ struct VolumeWanted {
   const char* largest_said = "8.3e152";
 };
 
+/// scalar: "double" or "float", which takes less.
+[[nodiscard]] VolumeWanted volume_wanted(std::string name, int dim, const std::string& scalar);
+
 /// A volume: {"sphere":{"center":[x,y,z],"radius":r}} and so on, an AABB in any of its three forms (it never shrinks), a
 /// hull by its points, of which the vertices stay. Axes and a lozenge's edges may be as rough as float makes them
 /// (kAxesAsGiven), and are then made unit and perpendicular within rounding.

@@ -1,0 +1,52 @@
+#include "desktop/cli/json_lines.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "desktop/cli/files.hpp"
+
+namespace snug::desktop {
+namespace {
+
+/// One line's JSON. Errors: what is wrong with it as JSON, a key that is there twice included.
+tl::expected<Json, std::string> json_line(const std::string& line) {
+  std::vector<std::set<std::string>> open;
+  std::string twice;
+  const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
+    if (event == Json::parse_event_t::object_start) open.emplace_back();
+    if (event == Json::parse_event_t::object_end) open.pop_back();
+    if (event == Json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second) twice = parsed.dump();
+    return true;
+  };
+  try {
+    Json json = Json::parse(line, watch);
+    if (!twice.empty()) return tl::unexpected("the key " + twice + " is there twice");
+    return json;
+  } catch (const Json::exception& error) {
+    const std::string what = error.what();
+    const std::size_t from = what.find("] ");  // behind the library's own name for it
+    return tl::unexpected("not JSON: " + (from == std::string::npos ? what : what.substr(from + 2)));
+  }
+}
+
+}  // namespace
+
+CommandResult answer_lines(const std::string& file, const std::function<tl::expected<Json, std::string>(const Json&)>& answer) {
+  const auto bytes = read_file(file);
+  if (!bytes) return bad_input(bytes.error());
+  Printed printed;
+  std::int64_t number = 0;
+  for (std::size_t from = 0; from < bytes->size();) {
+    const std::size_t end = std::min(bytes->find('\n', from), bytes->size());
+    const std::string line = bytes->substr(from, end - from);
+    from = end + 1;
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const auto answered = json_line(line).and_then(answer);
+    if (!answered) return bad_input(InputError{answered.error(), file, InputError::Unit::kLine, number});
+    printed.text += line_of(*answered);
+  }
+  return printed;
+}
+
+}  // namespace snug::desktop

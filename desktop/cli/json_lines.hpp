@@ -1,0 +1,30 @@
+// Commands that read JSON Lines and answer each with a line.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "desktop/cli/command.hpp"
+#include "desktop/cli/json.hpp"
+
+namespace snug::desktop {
+
+/// Answers every line of a file ("-" is standard input) but empty ones. Errors: of reading it; a line that is not JSON or
+/// has a key twice; what answer says is wrong with one. The first ends it, with the line's number.
+[[nodiscard]] CommandResult answer_lines(const std::string& file,
+                                         const std::function<tl::expected<Json, std::string>(const Json&)>& answer);
+
+/// What --help says of volumes in JSON.
+inline constexpr const char* kVolumesInJson =
+    R"(  V                {"sphere":{"center":[x,y,z],"radius":r}}
+                   {"aabb":{"min":[..],"max":[..]}}, {"aabb":{"min":[..],"widths":[..]}} or
+                   {"aabb":{"center":[..],"half_extents":[..]}}
+                   {"obb":{"center":[..],"axes":[[..],[..],[..]],"half_extents":[..]}}; axes are unit rows, right-handed
+                   {"capsule":{"a":[..],"b":[..],"radius":r}}
+                   {"lozenge":{"origin":[..],"edges":[[..],[..]],"radius":r}}; the edges are perpendicular
+                   {"kdop":{"k":14,"min":[..],"max":[..]}}; k is 6, 14, 18 or 26, in 2-D 4, 6 or 8
+                   {"hull":{"points":[[..],..]}}
+                   In 2-D two numbers stand where 3-D has three. )";
+
+}  // namespace snug::desktop
