@@ -1,0 +1,205 @@
+// `snug cull`: every kind of volume against frusta of either form, and every way in which a line can be wrong.
+// SNUG: the program; build/release/snug if not set.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join, resolve } from "node:path";
+import { after, test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
+const program = resolve(process.env.SNUG ?? join(root, "build/release/snug"));
+const folder = mkdtempSync(join(tmpdir(), "snug-"));
+after(() => rmSync(folder, { recursive: true }));
+
+function snug(args, input = "") {
+  const done = spawnSync(program, args, { input, encoding: "utf8", cwd: folder });
+  assert.equal(done.error, undefined);
+  return { out: done.stdout, err: done.stderr, status: done.status };
+}
+
+/** The answers to lines, given as objects. */
+function answers(lines, ...args) {
+  const { out, err, status } = snug(["cull", ...args], lines.map((line) => JSON.stringify(line)).join("\n"));
+  assert.equal(err, "");
+  assert.equal(status, 0);
+  return out.trimEnd().split("\n").map((line) => JSON.parse(line));
+}
+const answer = (frustum, volume, ...args) => answers([{ frustum, volume }], ...args)[0];
+
+/** Exit 2, nothing on stdout, and one line on stderr that names file and line. */
+function refused(text, what, line = 1, ...args) {
+  const { out, err, status } = snug(["cull", ...args], typeof text === "string" ? text : JSON.stringify(text));
+  assert.equal(out, "");
+  if (what instanceof RegExp) assert.match(err, what);
+  else assert.equal(err, `snug: -:${line}: ${what}\n`);
+  assert.match(err, /^snug: -:\d+: [^\n]+\n$/);
+  assert.equal(status, 2);
+}
+
+const cube = { planes: [[-1, 0, 0, -1], [1, 0, 0, -1], [0, -1, 0, -1], [0, 1, 0, -1], [0, 0, -1, -1], [0, 0, 1, -1]] };
+const square = { planes: [[-1, 0, -1], [1, 0, -1], [0, -1, -1], [0, 1, -1]] };
+/** 90 degrees, near 1, far 3, from the origin along -z. */
+const perspective = { view_projection: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -2, -1, 0, 0, -3, 0] };
+const sphere = { sphere: { center: [0, 0, 0], radius: 0.5 } };
+
+/** A volume of each kind that reaches from x - 0.5 to x + 0.5, and no farther otherwise. */
+const space = {
+  sphere: (x) => ({ center: [x, 0, 0], radius: 0.5 }),
+  aabb: (x) => ({ min: [x - 0.5, -0.5, -0.5], max: [x + 0.5, 0.5, 0.5] }),
+  obb: (x) => ({ center: [x, 0, 0], axes: [[0, 1, 0], [0, 0, 1], [1, 0, 0]], half_extents: [0.25, 0.125, 0.5] }),
+  capsule: (x) => ({ a: [x, -0.25, 0], b: [x, 0.25, 0], radius: 0.5 }),
+  lozenge: (x) => ({ origin: [x, -0.25, -0.25], edges: [[0, 0.5, 0], [0, 0, 0.5]], radius: 0.5 }),
+  kdop: (x) => ({ k: 14, min: [x - 0.5, -0.5, -0.5, x - 1, x - 1, x - 1, -x - 1], max: [x + 0.5, 0.5, 0.5, x + 1, x + 1, x + 1, -x + 1] }),
+  hull: (x) => ({ points: [[x - 0.5, 0, 0], [x + 0.5, 0, 0], [x, 0.5, 0], [x, -0.5, 0], [x, 0, 0.5], [x, 0, -0.5]] }),
+};
+const plane = {
+  sphere: (x) => ({ center: [x, 0], radius: 0.5 }),
+  aabb: (x) => ({ min: [x - 0.5, -0.5], max: [x + 0.5, 0.5] }),
+  obb: (x) => ({ center: [x, 0], axes: [[0, 1], [-1, 0]], half_extents: [0.25, 0.5] }),
+  capsule: (x) => ({ a: [x, -0.25], b: [x, 0.25], radius: 0.5 }),
+  lozenge: (x) => ({ origin: [x - 0.25, -0.25], edges: [[0.5, 0], [0, 0.5]], radius: 0.25 }),
+  kdop: (x) => ({ k: 8, min: [x - 0.5, -0.5, x - 1, x - 1], max: [x + 0.5, 0.5, x + 1, x + 1] }),
+  hull: (x) => ({ points: [[x - 0.5, 0], [x + 0.5, 0], [x, 0.5], [x, -0.5]] }),
+};
+
+for (const [dim, of, frustum] of [[3, space, cube], [2, plane, square]])
+  for (const scalar of ["double", "float"])
+    test(`every kind of volume inside, touching from in and out, and outside, ${dim}-D ${scalar}`, () => {
+      const small = 2 ** (scalar === "float" ? -22 : -50);
+      const classes = [[0, "inside"], [0.5, "inside"], [0.5 + small, "intersecting"], [1, "intersecting"], [1.5, "intersecting"], [1.5 + small, "outside"], [9, "outside"]];
+      const cases = Object.keys(of).flatMap((kind) => classes.flatMap(([x, name]) => [1, -1].map((side) => ({ kind, x: side * x, side, name }))));
+      const results = answers(cases.map(({ kind, x }) => ({ frustum, volume: { [kind]: of[kind](x) } })), "--scalar", scalar);
+      assert.equal(results.length, cases.length);
+      results.forEach((result, i) => {
+        const { kind, x, side, name } = cases[i];
+        const about = `${kind} ${x}: ${JSON.stringify(result)}`;
+        assert.deepEqual(Object.keys(result), ["class", "planes", "exact"], about);
+        assert.equal(result.class, name, about);
+        const found = name !== "intersecting" || kind === "aabb" || kind === "obb";
+        assert.equal(result.exact, found ? name : null, about);
+        assert.deepEqual(result.planes.map((one) => one.plane), [...Array(2 * dim).keys()], about);
+        const near = result.planes[side > 0 ? 1 : 0];
+        assert.deepEqual(Object.keys(near), ["plane", "p_vertex", "n_vertex", "side", "p_distance", "n_distance"], about);
+        assert.equal(near.side, name, about);
+        assert.ok(Math.abs(near.p_vertex[0] - (x + side * 0.5)) < 1e-6, about);
+        assert.ok(Math.abs(near.n_vertex[0] - (x - side * 0.5)) < 1e-6, about);
+        assert.equal(near.p_vertex.length, dim, about);
+        assert.ok(Math.abs(near.p_distance - (side * x - 0.5)) < 1e-6, about);
+        assert.ok(Math.abs(near.n_distance - (side * x - 1.5)) < 1e-6, about);
+        for (const other of result.planes.slice(2)) assert.equal(other.side, "inside", about);
+      });
+    });
+
+test("p- and n-vertex are the corners that the normal's signs choose", () => {
+  const slanted = structuredClone(cube);
+  slanted.planes[1] = [3, -4, 12, -13];  // of length 13
+  const { planes } = answer(slanted, { aabb: { min: [1, 2, 3], max: [4, 5, 6] } });
+  assert.deepEqual(planes[1], { plane: 1, p_vertex: [4, 2, 6], n_vertex: [1, 5, 3], side: "outside", p_distance: 63 / 13, n_distance: 6 / 13 });
+});
+
+test("a view-projection matrix gives the six planes of its clip space", () => {
+  const cases = [[[0, 0, -2], "inside"], [[0, 0, -0.25], "outside"], [[0, 0, -1], "intersecting"], [[0, 0, -3.4], "intersecting"], [[0, 0, -3.6], "outside"],
+    [[2, 0, -2], "intersecting"], [[-2.8, 0, -2], "outside"], [[0, 2, -2], "intersecting"], [[0, -2.8, -2], "outside"]];
+  for (const scalar of ["double", "float"])
+    assert.deepEqual(answers(cases.map(([center]) => ({ frustum: perspective, volume: { sphere: { center, radius: 0.5 } } })), "--scalar", scalar)
+      .map((result) => result.class), cases.map(([, name]) => name));
+});
+
+test("what the planes call intersecting near an edge, and is outside, is told by exact", () => {
+  const box = { aabb: { min: [-6, -0.5, -4.5], max: [-3.25, 0.5, -2.5] } };  // beside the far left edge, at x = -3, z = -3
+  const far = answer(perspective, box);
+  assert.equal(far.class, "intersecting");
+  assert.equal(far.exact, "outside");
+  const touching = answer(perspective, { aabb: { ...box.aabb, max: [-3, 0.5, -2.5] } });
+  assert.equal(touching.exact, "intersecting");
+  // No frustum that bounds: nobody knows.
+  const open = structuredClone(cube);
+  open.planes[1] = [-1, 0, 0, -1];
+  assert.equal(answer(open, { aabb: { min: [-2, 0, 0], max: [5, 0, 0] } }).exact, null);
+});
+
+test("lines come from a file or standard input, and empty ones are passed over", () => {
+  const line = JSON.stringify({ frustum: cube, volume: sphere });
+  writeFileSync(join(folder, "volumes.jsonl"), `${line}\r\n\n  \n${line}\n`);
+  const { out, status } = snug(["cull", "volumes.jsonl"]);
+  assert.equal(status, 0);
+  assert.equal(out.split("\n").length, 3);
+  assert.equal(snug(["cull", "-"], line).out.split("\n").length, 2);
+  assert.deepEqual(snug(["cull"]), { out: "", err: "", status: 0 });
+  assert.deepEqual(snug(["cull", "nowhere.jsonl"]), { out: "", err: "snug: nowhere.jsonl: cannot be opened: No such file or directory\n", status: 2 });
+  writeFileSync(join(folder, "bad.jsonl"), `${line}\n${line}\n{}\n`);
+  assert.deepEqual(snug(["cull", "bad.jsonl"]), { out: "", err: "snug: bad.jsonl:3: frustum is missing\n", status: 2 });
+});
+
+test("a 6-DOP is of the frustum's dimension", () => {
+  const kdop = { kdop: { k: 6, min: [0, 0, 0], max: [0.5, 0.5, 0.5] } };
+  assert.equal(answer(cube, kdop).planes[0].p_vertex.length, 3);
+  assert.equal(answer(square, kdop).planes[0].p_vertex.length, 2);
+});
+
+test("a line that is wrong is refused by the name of its field", () => {
+  const of = (frustum) => ({ frustum, volume: sphere });
+  const planes = (change) => {
+    const changed = structuredClone(cube);
+    change(changed.planes);
+    return of(changed);
+  };
+  for (const [line, what] of [
+    [[1], "the line is not an object with frustum, volume"],
+    [{ volume: sphere }, "frustum is missing"],
+    [{ frustum: cube }, "volume is missing"],
+    [{ frustum: cube, volume: sphere, more: 1 }, 'the line has an unknown field "more"; it takes frustum, volume'],
+    [of(3), "frustum is not an object with planes, view_projection"],
+    [of({}), "frustum has not just one of the fields planes, view_projection"],
+    [of({ ...cube, ...perspective }), "frustum has not just one of the fields planes, view_projection"],
+    [of({ matrix: [] }), 'frustum has an unknown field "matrix"; it takes planes, view_projection'],
+    [of({ planes: 3 }), "frustum.planes is not a list of planes"],
+    [of({ planes: cube.planes.slice(1) }), "frustum.planes has 5 rows where 6, in 2-D 4, belong"],
+    [planes((all) => all[2].pop()), "frustum.planes[2] has 3 numbers where 4 belong"],
+    [planes((all) => (all[2] = "up")), "frustum.planes[2] is not a list of numbers"],
+    [planes((all) => (all[2][3] = null)), "frustum.planes[2][3] is not a number"],
+    [planes((all) => (all[3] = [0, 0, 0, 1])), "frustum: plane 3 (top) has no normal: it is zero"],
+    [planes((all) => (all[3] = [0, 1e200, 0, 1])), "frustum: plane 3 (top) has a normal longer than this program can take"],
+    [planes((all) => (all[3] = [0, 1e-200, 0, 0])), "frustum: plane 3 (top) has a normal shorter than this program can take"],
+    [planes((all) => (all[3] = [0, 1, 0, 1e200])), "frustum: plane 3 (top) is farther away than this program can take"],
+    [planes((all) => (all[3] = [0, 1, 0, 1e308])), "frustum.planes[3][3] is larger than this program can take"],
+    [of({ view_projection: perspective.view_projection.slice(1) }), "frustum.view_projection has 15 numbers where 16 belong"],
+    [of({ view_projection: perspective.view_projection.map((x, i) => (i === 3 ? "0" : x)) }), "frustum.view_projection[3] is not a number"],
+    [of({ view_projection: [1, 2, 0, 0, 2, 4, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] }), "frustum: the matrix is singular"],
+    [of({ view_projection: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -2, 0] }), "frustum: the matrix gives plane 5 (far) no normal, as where that is at infinity"],
+    [{ frustum: square, volume: sphere }, "volume.sphere.center has 3 numbers where 2 belong"],
+    [{ frustum: cube, volume: { sphere: { center: [0, 0, 0], radius: -1 } } }, "volume.sphere.radius is negative"],
+    [{ frustum: cube, volume: {} }, "volume is not an object with one field that names its kind"],
+  ])
+    refused(line, what);
+  const good = JSON.stringify(of(cube));
+  refused(`${good}\n{"frustum":`, /^snug: -:2: not JSON: parse error/);
+  refused(good.replace('"radius":0.5', '"radius":1,"radius":2'), 'the key "radius" is there twice');
+});
+
+test("what float cannot take, and bad usage, is refused", () => {
+  refused({ frustum: cube, volume: { sphere: { center: [1e30, 0, 0], radius: 1 } } }, "volume.sphere.center[0] is larger than this program can take (1.1e18 in float)", 1, "--scalar", "float");
+  const long = structuredClone(cube);
+  long.planes[0][3] = 1e37;
+  refused({ frustum: long, volume: sphere }, "frustum.planes[0][3] is larger than this program can take", 1, "--scalar", "float");
+  long.planes[0][3] = 1e22;
+  refused({ frustum: long, volume: sphere }, "frustum: plane 0 (left) is farther away than this program can take", 1, "--scalar", "float");
+  refused({ frustum: cube, volume: sphere }, "frustum.planes has 6 rows where 4 belong", 1, "--dim", "2");
+  refused({ frustum: perspective, volume: sphere }, "frustum.view_projection is of 3-D, and --dim is 2", 1, "--dim", "2");
+  for (const args of [["--scalar", "half"], ["--dim", "4"], ["a", "b"], ["--json"]]) {
+    const { out, err, status } = snug(["cull", ...args]);
+    assert.equal(out, "");
+    assert.match(err, /^snug: [^\n]+\n$/);
+    assert.equal(status, 2);
+  }
+});
+
+test("help says what the contract says", () => {
+  const { out } = snug(["cull", "--help"]);
+  for (const word of ["--scalar", "--dim", "FILE", "frustum", "planes", "view_projection", "column-major", "normals point out", "sphere", "aabb", "widths",
+    "obb", "capsule", "lozenge", "kdop", "hull", "class", "inside", "intersecting", "outside", "p_vertex", "n_vertex", "side", "exact", "Exit status"])
+    assert.ok(out.includes(word), word);
+  assert.ok(snug(["--help"]).out.includes("cull"));
+});
