@@ -20,8 +20,10 @@ namespace {
 typedef float Lanes __attribute__((vector_size(16)));
 typedef std::int32_t WholeLanes __attribute__((vector_size(16)));
 
-constexpr int kBins = 16;
-constexpr Index kSweptExactly = 16;
+// Fewer bins are quicker looked through where there are few bodies to fall into them.
+constexpr int kMostBins = 16, kFewBins = 8;
+constexpr Index kFew = 64;
+constexpr Index kSweptExactly = 8;
 // Beyond it every node is halved, so that no scene makes a deep tree.
 constexpr int kMostUneven = 40;
 // A node this small beside its frame is seen in a frame of its own, before the floats run out of digits.
@@ -79,6 +81,7 @@ class TopDown {
     const auto n = static_cast<Index>(layout_.boxes.size());
     if (n == 0) return {};
     bodies_.resize(layout_.boxes.size());
+    if (rule_ == SplitRule::kSurfaceArea) copies_.resize(layout_.boxes.size());
     for (Index i = 0; i < n; ++i) place(bodies_[static_cast<std::size_t>(i)], i, {});
     shape_.nodes.reserve(layout_.boxes.size());
     shape_.nodes.emplace_back();
@@ -143,16 +146,17 @@ class TopDown {
   /// Makes a leaf, or two halves.
   bool split(Work& work) {
     const Index count = work.end - work.begin;
-    if (count == 1 || (rule_ == SplitRule::kMedian && count <= most_in_leaf_)) return make_leaf(work);
+    if (count <= (rule_ == SplitRule::kMedian ? most_in_leaf_ : std::min<Index>(most_in_leaf_, 2))) return make_leaf(work);
     look_closer(work);
     Choice choice;
+    are_measured_ = false;
     if (rule_ == SplitRule::kSurfaceArea && work.depth < kMostUneven) {
       const bool by_length = layout_.dim == 2 || size(work.bounds, false) == 0;
       const float whole = size(work.bounds, by_length);
       choice = count <= kSweptExactly ? sweep(work, by_length) : bin(work, by_length);
-      // One test of the node and then what is expected of its children, against all bodies.
-      if (count <= most_in_leaf_ && whole * static_cast<float>(count - 1) <= choice.cost) return make_leaf(work);
-      choice.cost = whole > 0 ? 1 + choice.cost / whole : 1;
+      // One test of each child and then what is expected of their bodies, against all bodies.
+      if (count <= most_in_leaf_ && whole * static_cast<float>(count - 2) <= choice.cost) return make_leaf(work);
+      choice.cost = whole > 0 ? 2 + choice.cost / whole : 2;
       if (choice.axis != kNoIndex) {
         if (count <= kSweptExactly) take_swept(work);
         else partition(work, choice);
@@ -174,9 +178,10 @@ class TopDown {
     shape_.nodes[static_cast<std::size_t>(work.node)] = {left, 0};
     shape_.nodes.resize(shape_.nodes.size() + 2);
     const Index middle = work.begin + choice.left;
-    halves_[0] = Work{left, work.begin, middle, work.depth + 1, work.frame, Bounds::none(), Bounds::none()};
-    halves_[1] = Work{left + 1, middle, work.end, work.depth + 1, work.frame, Bounds::none(), Bounds::none()};
-    for (Work& half : halves_) measure(half);
+    halves_[0] = Work{left, work.begin, middle, work.depth + 1, work.frame, halves_[0].bounds, halves_[0].centers};
+    halves_[1] = Work{left + 1, middle, work.end, work.depth + 1, work.frame, halves_[1].bounds, halves_[1].centers};
+    if (!are_measured_)
+      for (Work& half : halves_) measure(half);
     if (facts_ == nullptr) return;
     double position = 0;
     if (choice.axis != kNoIndex) {
@@ -192,39 +197,45 @@ class TopDown {
     int axis = 0;
     for (int i = 1; i < layout_.dim; ++i)
       if (spread[i] > spread[axis]) axis = i;
-    const auto begin = bodies_.begin() + work.begin;
+    const auto begin = bodies_.begin() + work.begin, end = bodies_.begin() + work.end;
     const Index left = (work.end - work.begin) / 2;
-    std::nth_element(begin, begin + left, bodies_.begin() + work.end, [axis](const Body& a, const Body& b) {
+    const auto before = [axis](const Body& a, const Body& b) {
       const float of_a = a.center()[axis], of_b = b.center()[axis];
       return of_a < of_b || (of_a == of_b && a.index() < b.index());
-    });
+    };
+    // The halves are the same everywhere, their order is the library's: it must not matter further down.
+    if (rule_ == SplitRule::kMedian) std::nth_element(begin, begin + left, end, before);
+    else std::sort(begin, end, before);
     return {spread[axis] > 0 ? axis : kNoIndex, left, at(work.begin + left).center()[axis], 0};
   }
 
   // -- Few bodies: every border between two ---------------------------------------------------------------------------------
 
-  using Order = std::array<std::int8_t, kSweptExactly>;
+  using Order = std::array<std::int32_t, kSweptExactly>;
+
+  /// The bodies by rising centre along an axis, equal ones as they are: by how many come before each, for branches that are
+  /// guessed wrong cost more than comparisons.
+  SNUG_INLINE void sort_along(int axis, const Body* bodies, Index count, Order& order, std::array<float, kSweptExactly>& keys) const {
+    std::array<float, kSweptExactly> centers;
+    for (Index i = 0; i < count; ++i) centers[static_cast<std::size_t>(i)] = bodies[i].center()[axis];
+    for (Index i = 0; i < count; ++i) {
+      const float own = centers[static_cast<std::size_t>(i)];
+      std::size_t rank = 0;
+      for (Index j = 0; j < i; ++j) rank += centers[static_cast<std::size_t>(j)] <= own ? 1 : 0;
+      for (Index j = i + 1; j < count; ++j) rank += centers[static_cast<std::size_t>(j)] < own ? 1 : 0;
+      order[rank] = i, keys[rank] = own;
+    }
+  }
 
   Choice sweep(const Work& work, bool by_length) {
     const Index count = work.end - work.begin;
     const Body* bodies = &at(work.begin);
     Choice best;
-    std::array<float, kSweptExactly> right;
-    std::array<float, kSweptExactly> keys;
+    std::array<float, kSweptExactly> right, keys;
     for (int axis = 0; axis < layout_.dim; ++axis) {
       if (!(work.centers.low[axis] < work.centers.high[axis])) continue;
       Order order;
-      for (Index i = 0; i < count; ++i) {
-        const float key = bodies[i].center()[axis];
-        Index j = i;
-        for (; j > 0; --j) {
-          const float before = keys[static_cast<std::size_t>(j - 1)];
-          const auto other = order[static_cast<std::size_t>(j - 1)];
-          if (before < key || (before == key && bodies[other].index() < bodies[i].index())) break;
-          keys[static_cast<std::size_t>(j)] = before, order[static_cast<std::size_t>(j)] = other;
-        }
-        keys[static_cast<std::size_t>(j)] = key, order[static_cast<std::size_t>(j)] = static_cast<std::int8_t>(i);
-      }
+      sort_along(axis, bodies, count, order, keys);
       Bounds bounds = Bounds::none();
       for (Index i = count - 1; i > 0; --i) {
         const Body& body = bodies[order[static_cast<std::size_t>(i)]];
@@ -257,73 +268,99 @@ class TopDown {
   /// In which bin twice a centre falls, along each axis. An axis along which all centres are one has one bin.
   struct Binning {
     Lanes low, scale;
+    int bins;
 
-    explicit Binning(const Bounds& centers) : low(centers.low) {
+    explicit Binning(const Work& work) : low(work.centers.low), bins(work.end - work.begin <= kFew ? kFewBins : kMostBins) {
       for (int i = 0; i < 4; ++i) {
-        const float extent = i < 3 ? centers.high[i] - centers.low[i] : 0;
+        const float extent = i < 3 ? work.centers.high[i] - work.centers.low[i] : 0;
         // So that the last centre falls into the last bin, and none beyond for rounding.
-        scale[i] = extent > tolerance::kSameCenter ? static_cast<float>(kBins) * (1 - 0x1p-20f) / extent : 0;
+        scale[i] = extent > tolerance::kSameCenter ? static_cast<float>(bins) * (1 - 0x1p-20f) / extent : 0;
       }
     }
-    [[nodiscard]] SNUG_INLINE WholeLanes bins(const Lanes& center) const {
+    [[nodiscard]] SNUG_INLINE WholeLanes bins_of(const Lanes& center) const {
       const Lanes place = (center - low) * scale;
       return __builtin_convertvector(place, WholeLanes);
     }
   };
 
+  using Bins = std::array<Bounds, kMostBins>;
+
   Choice bin(const Work& work, bool by_length) {
-    std::array<std::array<Bounds, kBins>, 3> bins;
-    std::array<std::array<Index, kBins>, 3> counts{};
-    for (auto& axis : bins) axis.fill(Bounds::none());
-    const Binning binning(work.centers);
+    std::array<std::array<Index, kMostBins>, 3> counts{};
+    const Binning binning(work);
+    const auto bins = static_cast<std::size_t>(binning.bins);
+    for (auto& axis : bins_) std::fill(axis.begin(), axis.begin() + binning.bins, Bounds::none());
     for (Index i = work.begin; i < work.end; ++i) {
-      const Body& body = at(i);
-      const WholeLanes place = binning.bins(body.center());
+      const Body body = at(i);
+      const WholeLanes place = binning.bins_of(body.center());
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto b = static_cast<std::size_t>(place[axis]);
-        bins[axis][b].take(body.low, body.high);
+        bins_[axis][b].take(body.low, body.high);
         ++counts[axis][b];
       }
     }
     Choice best;
     for (int axis = 0; axis < layout_.dim; ++axis) {
       if (binning.scale[axis] == 0) continue;
-      const auto& of_axis = bins[static_cast<std::size_t>(axis)];
+      const Bins& of_axis = bins_[static_cast<std::size_t>(axis)];
       const auto& count_of = counts[static_cast<std::size_t>(axis)];
-      std::array<float, kBins> right;
+      std::array<float, kMostBins> right;
       Bounds bounds = Bounds::none();
       Index count = 0;
-      for (std::size_t b = kBins - 1; b > 0; --b) {
+      for (std::size_t b = bins - 1; b > 0; --b) {
         bounds.take(of_axis[b].low, of_axis[b].high);
         count += count_of[b];
-        right[b] = count == 0 ? 0 : size(bounds, by_length) * static_cast<float>(count);
+        right[b] = size(bounds, by_length) * static_cast<float>(count);
       }
       bounds = Bounds::none();
       count = 0;
-      for (std::size_t b = 1; b < kBins; ++b) {
+      for (std::size_t b = 1; b < bins; ++b) {
         bounds.take(of_axis[b - 1].low, of_axis[b - 1].high);
         count += count_of[b - 1];
-        if (count_of[b - 1] == 0 && b > 1) continue;  // the same as before
         const float cost = size(bounds, by_length) * static_cast<float>(count) + right[b];
-        const float border = work.centers.low[axis] + static_cast<float>(b) / binning.scale[axis];
-        if (cost < best.cost) best = {axis, count, border, cost}, border_bin_ = static_cast<int>(b);
+        if (cost < best.cost) best = {axis, count, static_cast<float>(b), cost};
       }
     }
     return best;
   }
 
-  void partition(const Work& work, const Choice& choice) {
-    const Binning binning(work.centers);
-    const int axis = choice.axis, border = border_bin_;
-    Body* left = bodies_.data() + work.begin;
-    Body* right = bodies_.data() + work.end;
-    for (;;) {
-      while (left < right && binning.bins(left->center())[axis] < border) ++left;
-      while (left < right && binning.bins((right - 1)->center())[axis] >= border) --right;
-      if (left >= right) break;
-      std::swap(*left, *(right - 1));
-      ++left, --right;
+  /// By the choice of bin, whose position is still the number of a bin, the first on the right.
+  void partition(const Work& work, Choice& choice) {
+    const Binning binning(work);
+    const int axis = choice.axis, border = static_cast<int>(choice.position);
+    choice.position = work.centers.low[axis] + choice.position / binning.scale[axis];
+    // By way of a copy, for branches that are guessed wrong cost more: bodies of the left fill it from the front, others from
+    // the back.
+    const auto count = static_cast<std::size_t>(work.end - work.begin);
+    std::size_t left = 0, right = count - 1;
+    const float low = binning.low[axis], scale = binning.scale[axis];
+    const Body* bodies = &at(work.begin);
+    Body* copies = copies_.data();
+    for (std::size_t i = 0; i < count; ++i) {
+      const float center = bodies[i].low[axis] + bodies[i].high[axis];
+      const std::size_t goes_left = static_cast<std::size_t>(static_cast<int>((center - low) * scale) < border);
+      copies[right + (left - right) * goes_left] = bodies[i];
+      left += goes_left, right -= 1 - goes_left;
     }
+    halves_[0].centers = take_back(work.begin, 0, left);
+    halves_[1].centers = take_back(work.begin, left, count);
+    for (Work& half : halves_) half.bounds = Bounds::none();
+    for (int b = 0; b < binning.bins; ++b) {
+      const Bounds& of_bin = bins_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(b)];
+      halves_[b < border ? 0 : 1].bounds.take(of_bin.low, of_bin.high);
+    }
+    are_measured_ = true;
+  }
+
+  /// Copies, to where the bodies of a node begin. Returns the bounds of twice their centres.
+  SNUG_INLINE Bounds take_back(Index to, std::size_t from, std::size_t end) {
+    Bounds centers = Bounds::none();
+    for (std::size_t i = from; i < end; ++i) {
+      const Body body = copies_[i];
+      centers.take(body.center(), body.center());
+      bodies_[static_cast<std::size_t>(to) + i] = body;
+    }
+    return centers;
   }
 
   void list_bodies() {
@@ -340,11 +377,12 @@ class TopDown {
   SplitRule rule_;
   Index most_in_leaf_;
   TopDownFacts* facts_;
-  std::vector<Body> bodies_;
+  std::vector<Body> bodies_, copies_;
   Shape shape_;
   std::array<Work, 2> halves_;
-  Order best_order_{};  // of the choice of sweep
-  int border_bin_ = 0;  // of the choice of bin: the first on the right
+  bool are_measured_ = false;  // the halves
+  Order best_order_{};         // of the choice of sweep
+  std::array<Bins, 3> bins_;   // of the last bin
 };
 
 }  // namespace

@@ -27,7 +27,7 @@ inline constexpr std::array<std::string_view, 6> kSurfaceAreaPseudocode{
     "node ← all bodies",
     "few, and no split is cheaper: a leaf",
     "for each axis and border between bodies",
-    "  cost ← 1 + (area n left + right) / area",
+    "  cost ← 2 + (area n left + right) / area",
     "split at the least cost; likewise below",
     "volume ← merged of both children",
 };
@@ -37,8 +37,8 @@ enum class SplitRule : std::uint8_t { kMedian, kSurfaceArea };
 /// What the laying out tells, in order: splits and leaves.
 using TopDownFacts = std::vector<std::variant<SplitChosen, LeafMade>>;
 
-/// Bodies are told apart by their boxes' centres; among equal centres by index. Up to 16 bodies every border between two is
-/// tried, more fall into 16 bins an axis. Numbers are floats, about the node's own corner and in its own size once that is
+/// Bodies are told apart by their boxes' centres; among equal centres by index. Up to 8 bodies every border between two is
+/// tried, up to 64 fall into 8 bins an axis, more into 16. Numbers are floats, about the node's own corner and in its own size once that is
 /// small: whatever the scene's size and place. From depth 40 on nodes are halved, so that no tree is much deeper.
 /// most_in_leaf: >= 1. facts: null, or what is told is added to it. O(n log n) time.
 [[nodiscard]] Shape lay_out_top_down(const Layout& layout, SplitRule rule, Index most_in_leaf, TopDownFacts* facts = nullptr);

@@ -10,6 +10,7 @@
 #include "hierarchy/build.hpp"
 #include "hierarchy/traverse.hpp"
 #include "hierarchy/traverse_pair.hpp"
+#include "query/aabb_overlap.hpp"
 #include "query/ray_aabb.hpp"
 
 using namespace snug;
