@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "fit/catalogue.hpp"
+#include "fit/updates.hpp"
 #include "geometry/bits.hpp"
 #include "geometry/volume_fields.hpp"
 
@@ -116,8 +117,17 @@ void put_axes(Json& json, const AxesFound<double, 3>& fact, int dim) {
   json("mean", fact.mean), json("axes", rows), json("variances", variances);
 }
 
-std::string_view volume_key(const Step3& step) {
-  return std::holds_alternative<Sphere3>(step.volume) ? "ball" : kVolumeNames[step.volume.index()];
+std::string_view volume_key(const Volume3& volume) {
+  return std::holds_alternative<Sphere3>(volume) ? "ball" : kVolumeNames[volume.index()];
+}
+
+/// What every step begins with.
+Json json_of_step(std::string_view name, int line, const Volume3* volume, int dim) {
+  Json json(dim);
+  json("step", name);
+  json("line", line);
+  if (volume != nullptr) std::visit([&](const auto& kind) { json(volume_key(*volume), kind); }, *volume);
+  return json;
 }
 
 }  // namespace
@@ -139,14 +149,18 @@ std::uint64_t hash_of(std::span<const Recorder<Step3>::Entry> steps) {
 }
 
 std::string json_of(const Step3& step, int dim) {
-  Json json(dim);
-  json("step", name_of(step));
-  json("line", step.line);
-  if (step.has_volume) std::visit([&](const auto& volume) { json(volume_key(step), volume); }, step.volume);
+  Json json = json_of_step(name_of(step), step.line, step.has_volume ? &step.volume : nullptr, dim);
   if (const auto* axes = std::get_if<AxesFound<double, 3>>(&step.fact))
     put_axes(json, *axes, dim);
   else
     std::visit([&](const auto& fact) { fact.fields(json); }, step.fact);
+  return json.text + '}';
+}
+
+std::string json_of(const UpdateStep3& step, int dim) {
+  const std::string_view name = std::visit([](const auto& fact) { return std::string_view(fact.kName); }, step.fact);
+  Json json = json_of_step(name, step.line, step.has_volume ? &step.volume : nullptr, dim);
+  std::visit([&](const auto& fact) { fact.fields(json); }, step.fact);
   return json.text + '}';
 }
 

@@ -56,6 +56,7 @@ void add_window(Commands& commands);
 void add_fit(Commands& commands);
 void add_algorithms(Commands& commands);
 void add_overlap(Commands& commands);
+void add_update(Commands& commands);
 void add_lesson(Commands& commands);
 void add_trace_hash(Commands& commands);
 void add_render(Commands& commands);

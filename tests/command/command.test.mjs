@@ -1,53 +1,17 @@
 // The `snug` command as scripts and graders use it: what it prints, where, and how it ends.
-// SNUG: the program; build/release/snug if not set.
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
-import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { dirname, join, resolve } from "node:path";
-import { after, test } from "node:test";
-import { fileURLToPath } from "node:url";
+import { existsSync, readFileSync, readdirSync, symlinkSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { test } from "node:test";
+import { folder, good, json_lines, program, refused, root, snug, write } from "./support.mjs";
 
-const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
-const program = resolve(process.env.SNUG ?? join(root, "build/release/snug"));
 const corpus = join(root, "tests/corpus/points");
 const lessons = join(root, "lessons");
-const folder = mkdtempSync(join(tmpdir(), "snug-"));
-after(() => rmSync(folder, { recursive: true }));
-
-function snug(args, input = "") {
-  const done = spawnSync(program, args, { input, encoding: "utf8", cwd: folder });
-  assert.equal(done.error, undefined);
-  return { out: done.stdout, err: done.stderr, status: done.status };
-}
-
-function write(name, text) {
-  writeFileSync(join(folder, name), text);
-  return name;
-}
-
-const json_lines = (text) => text.trimEnd().split("\n").map((line) => JSON.parse(line));
-
-function good(args, input) {
-  const { out, err, status } = snug(args, input);
-  assert.equal(err, "");
-  assert.equal(status, 0);
-  return out;
-}
 
 const fit_args = (algorithm, ...more) => ["fit", "--volume", "sphere", "--algorithm", algorithm, ...more];
 const fit = (algorithm, ...more) => JSON.parse(good(fit_args(algorithm, ...more)));
-
-/** Exit 2, nothing on stdout, and one line on stderr. */
-function refused(args, line, input) {
-  const { out, err, status } = snug(args, input);
-  assert.equal(out, "");
-  if (line instanceof RegExp) assert.match(err, line);
-  else assert.equal(err, `snug: ${line}\n`);
-  assert.match(err, /^snug: [^\n]+\n$/);
-  assert.equal(status, 2);
-}
 
 const tetra = write("tetra.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
 const algorithms = ["aabb_center", "ritter", "ritter_iterative", "pca", "welzl", "brute_force"];

@@ -1,41 +1,17 @@
 // `snug overlap`: every pair of volumes, every form of them, and every way in which they can be wrong.
-// SNUG: the program; build/release/snug if not set.
 import assert from "node:assert/strict";
-import { spawnSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { dirname, join, resolve } from "node:path";
-import { after, test } from "node:test";
-import { fileURLToPath } from "node:url";
-
-const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
-const program = resolve(process.env.SNUG ?? join(root, "build/release/snug"));
-const folder = mkdtempSync(join(tmpdir(), "snug-"));
-after(() => rmSync(folder, { recursive: true }));
-
-function snug(args, input = "") {
-  const done = spawnSync(program, args, { input, encoding: "utf8", cwd: folder });
-  assert.equal(done.error, undefined);
-  return { out: done.stdout, err: done.stderr, status: done.status };
-}
+import { test } from "node:test";
+import { good, json_lines, refused as refused_command, snug, write } from "./support.mjs";
 
 /** The answers to lines, given as objects. */
 function answers(lines, ...args) {
-  const { out, err, status } = snug(["overlap", ...args], lines.map((line) => JSON.stringify(line)).join("\n"));
-  assert.equal(err, "");
-  assert.equal(status, 0);
-  return out.trimEnd().split("\n").map((line) => JSON.parse(line));
+  return json_lines(good(["overlap", ...args], lines.map((line) => JSON.stringify(line)).join("\n")));
 }
 const answer = (a, b, ...args) => answers([{ a, b }], ...args)[0];
 
-/** Exit 2, nothing on stdout, and one line on stderr that names file and line. */
+/** Refused with a line that names file and line. */
 function refused(text, what, line = 1, ...args) {
-  const { out, err, status } = snug(["overlap", ...args], typeof text === "string" ? text : JSON.stringify(text));
-  assert.equal(out, "");
-  if (what instanceof RegExp) assert.match(err, what);
-  else assert.equal(err, `snug: -:${line}: ${what}\n`);
-  assert.match(err, /^snug: -:\d+: [^\n]+\n$/);
-  assert.equal(status, 2);
+  refused_command(["overlap", ...args], what instanceof RegExp ? what : `-:${line}: ${what}`, typeof text === "string" ? text : JSON.stringify(text));
 }
 
 const sphere = { sphere: { center: [0, 0, 0], radius: 1 } };
@@ -133,7 +109,7 @@ test("a 6-DOP is of the other's dimension, or of --dim, or in space", () => {
 
 test("lines come from a file or standard input, and empty ones are passed over", () => {
   const line = JSON.stringify({ a: sphere, b: sphere });
-  writeFileSync(join(folder, "pairs.jsonl"), `${line}\r\n\n  \n${line}\n`);
+  write("pairs.jsonl", `${line}\r\n\n  \n${line}\n`);
   const { out, status } = snug(["overlap", "pairs.jsonl"]);
   assert.equal(status, 0);
   assert.equal(out.split("\n").length, 3);
@@ -142,7 +118,7 @@ test("lines come from a file or standard input, and empty ones are passed over",
   const missing = snug(["overlap", "nowhere.jsonl"]);
   assert.equal(missing.err, "snug: nowhere.jsonl: cannot be opened: No such file or directory\n");
   assert.equal(missing.status, 2);
-  writeFileSync(join(folder, "bad.jsonl"), `${line}\n${line}\n{}\n`);
+  write("bad.jsonl", `${line}\n${line}\n{}\n`);
   const bad = snug(["overlap", "bad.jsonl"]);
   assert.deepEqual(bad, { out: "", err: "snug: bad.jsonl:3: a is missing\n", status: 2 });
 });

@@ -1,0 +1,164 @@
+#include "fit/updates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "fit/aabb_min_max.hpp"
+#include "fit/catalogue.hpp"
+#include "fit/kdop_fit.hpp"
+#include "fit/lift.hpp"
+#include "fit/quickhull.hpp"
+#include "fit/update_hill_climb.hpp"
+#include "fit/update_kdop_climb.hpp"
+#include "fit/update_loose.hpp"
+#include "fit/update_obb.hpp"
+#include "fit/update_rebuild.hpp"
+#include "fit/update_rotated_box.hpp"
+#include "fit/update_sphere.hpp"
+#include "query/contains.hpp"
+
+namespace snug::fit {
+namespace {
+
+constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
+
+constexpr UpdateStrategy of_kdop(std::string_view name, std::string_view title, int k, bool plane, bool space) {
+  return {"kdop", name, title, kEricson, kUpdateKdopClimbPseudocode, k, plane, space};
+}
+
+constexpr std::array kStrategies{
+    UpdateStrategy{"sphere", "transform", "Centre transformed", kEricson, kUpdateSpherePseudocode},
+    UpdateStrategy{"aabb", "loose", "Loose for every orientation", kEricson, kUpdateLoosePseudocode},
+    UpdateStrategy{"aabb", "rebuild", "Rebuilt from all points", kEricson, kUpdateRebuildPseudocode},
+    UpdateStrategy{"aabb", "hill_climb", "Hill climbing", kEricson, kUpdateHillClimbPseudocode},
+    UpdateStrategy{"aabb", "rotated_box", "Box of the rotated box", kEricson, kUpdateRotatedBoxPseudocode},
+    UpdateStrategy{"obb", "transform", "Centre and axes transformed", kEricson, kUpdateObbPseudocode},
+    of_kdop("k4_hill_climb", "4-DOP by hill climbing", 4, true, false),
+    of_kdop("k6_hill_climb", "6-DOP by hill climbing", 6, true, true),
+    of_kdop("k8_hill_climb", "8-DOP by hill climbing", 8, true, false),
+    of_kdop("k14_hill_climb", "14-DOP by hill climbing", 14, false, true),
+    of_kdop("k18_hill_climb", "18-DOP by hill climbing", 18, false, true),
+    of_kdop("k26_hill_climb", "26-DOP by hill climbing", 26, false, true),
+};
+
+// ---- what a fitter of the catalogue gives, in the body's own scalar again: nothing is lost on the way there and back
+
+template <class Scalar, int Dim>
+Sphere<Scalar, Dim> lowered(const Sphere3& ball) {
+  return {ball.center.template head<Dim>().template cast<Scalar>(), static_cast<Scalar>(ball.radius)};
+}
+
+template <class Scalar, int Dim>
+Obb<Scalar, Dim> lowered(const Obb<double, 3>& box) {
+  return {box.center.template head<Dim>().template cast<Scalar>(), box.axes.template topLeftCorner<Dim, Dim>().template cast<Scalar>(),
+          box.half_extents.template head<Dim>().template cast<Scalar>()};
+}
+
+template <class VolumeType>
+VolumeType fitted(std::string_view volume, std::string_view algorithm, const AnyPointSet& points) {
+  const Result result = find_algorithm(volume, algorithm)->fit(points, {});
+  return *std::get_if<VolumeType>(&result.volume);
+}
+
+struct Watch {
+  const SeeUpdateStep& see;
+  Counter counter;
+  template <class VolumeType, class... Facts>
+  void operator()(const Step<VolumeType, Facts...>& step) {
+    counter(step);
+    if (see) see({step.line, step.has_volume, lift(step.volume), step.fact});
+  }
+  void count(Operation operation, std::int64_t n) { counter.count(operation, n); }
+};
+
+/// The body with what its strategy keeps from frame to frame.
+template <class Scalar, int Dim>
+class Body {
+ public:
+  Body(const UpdateStrategy& strategy, const AnyPointSet& points, PointSpan<Scalar, Dim> span)
+      : strategy_(strategy), points_(span), box_(aabb_min_max(span).volume) {
+    if (strategy.volume == "sphere") ball_ = lowered<Scalar, Dim>(fitted<Sphere3>("sphere", "welzl", points));
+    if (strategy.volume == "obb")
+      oriented_ = lowered<Scalar, Dim>(fitted<Obb<double, 3>>("obb", Dim == 2 ? "pca" : "pca_rectangle", points));
+    if (!strategy.name.ends_with("hill_climb")) return;
+    hull_ = quickhull(span).volume;
+    neighbors_ = hull_neighbors(hull_);
+    const bool all = hull_.vertices.size() == static_cast<std::size_t>(span.size());
+    climb_.emplace(std::span<const Vector<Scalar, Dim>>(hull_.vertices), neighbors_, strategy.k > 0 ? strategy.k : 2 * Dim, all);
+  }
+  Body(const Body&) = delete;  // climb_ walks over hull_
+  Body& operator=(const Body&) = delete;
+
+  UpdatedFrame to(const Pose<double, 3>& lifted, const SeeUpdateStep& see) {
+    const Pose<Scalar, Dim> pose{lifted.rotation.template topLeftCorner<Dim, Dim>().template cast<Scalar>(),
+                                 lifted.translation.head<Dim>().template cast<Scalar>()};
+    Watch watch{see, {}};
+    UpdatedFrame frame = moved(pose, watch);
+    frame.measure = measure_of(frame.volume, Dim);
+    frame.counts = watch.counter.counts;
+    frame.steps = watch.counter.steps;
+    return frame;
+  }
+
+ private:
+  UpdatedFrame moved(const Pose<Scalar, Dim>& pose, Watch& watch) {
+    if (strategy_.volume == "sphere") return frame_of(update_sphere(ball_, pose, watch).volume, pose, measure_of(lift(ball_), Dim));
+    if (strategy_.volume == "obb") return frame_of(update_obb(oriented_, pose, watch).volume, pose, measure_of(lift(oriented_), Dim));
+    if (strategy_.volume == "kdop") return frame_of(update_kdop_climb(*climb_, strategy_.k, pose, watch).volume, pose, tightest_kdop(pose));
+    return frame_of(box_at(pose, watch), pose, measure_of(lift(update_rebuild(points_, pose).volume), Dim));
+  }
+
+  Aabb<Scalar, Dim> box_at(const Pose<Scalar, Dim>& pose, Watch& watch) {
+    if (strategy_.name == "rebuild") return update_rebuild(points_, pose, watch).volume;
+    if (strategy_.name == "hill_climb") return update_hill_climb(*climb_, pose, watch).volume;
+    if (strategy_.name == "rotated_box") return update_rotated_box(box_, pose, watch).volume;
+    if (!reach_) reach_ = loose_reach(points_, watch);
+    return update_loose(*reach_, pose, watch).volume;
+  }
+
+  double tightest_kdop(const Pose<Scalar, Dim>& pose) const {
+    std::vector<Vector<Scalar, Dim>> world;
+    for (const auto& p : points_) world.push_back(placed(pose, p));
+    const auto set = PointSet<Scalar, Dim>::make(std::move(world));
+    return set ? measure_of(lift(kdop_fit(set->span(), strategy_.k).volume), Dim) : 0;  // none: beyond the largest coordinate
+  }
+
+  template <class VolumeType>
+  UpdatedFrame frame_of(const VolumeType& volume, const Pose<Scalar, Dim>& pose, double tightest) const {
+    const bool contains = std::all_of(points_.begin(), points_.end(), [&](const auto& p) { return query::contains(volume, placed(pose, p)); });
+    return {.volume = lift(volume), .tightest = tightest, .contains = contains};
+  }
+
+  const UpdateStrategy& strategy_;
+  PointSpan<Scalar, Dim> points_;
+  Aabb<Scalar, Dim> box_;
+  Sphere<Scalar, Dim> ball_;
+  Obb<Scalar, Dim> oriented_;
+  std::optional<LooseReach<Scalar>> reach_;
+  ConvexHull<Scalar, Dim> hull_;
+  HullNeighbors neighbors_;
+  std::optional<HillClimb<Scalar, Dim>> climb_;
+};
+
+}  // namespace
+
+std::span<const UpdateStrategy> update_strategies() { return kStrategies; }
+
+const UpdateStrategy* find_update(std::string_view volume, std::string_view name) {
+  const auto* const found = std::find_if(kStrategies.begin(), kStrategies.end(), [&](const UpdateStrategy& strategy) {
+    return strategy.volume == volume && strategy.name == name;
+  });
+  return found == kStrategies.end() ? nullptr : found;
+}
+
+UpdateBody start_updates(const UpdateStrategy& strategy, const AnyPointSet& points) {
+  return std::visit(
+      [&]<class Scalar, int Dim>(const PointSet<Scalar, Dim>& set) -> UpdateBody {
+        auto body = std::make_shared<Body<Scalar, Dim>>(strategy, points, set.span());
+        return [body](const Pose<double, 3>& pose, const SeeUpdateStep& see) { return body->to(pose, see); };
+      },
+      points);
+}
+
+}  // namespace snug::fit

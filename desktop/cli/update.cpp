@@ -1,0 +1,156 @@
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "desktop/cli/command.hpp"
+#include "desktop/cli/files.hpp"
+#include "desktop/cli/json.hpp"
+#include "fit/catalogue.hpp"
+#include "fit/updates.hpp"
+#include "geometry/turn.hpp"
+
+namespace snug::desktop {
+namespace {
+
+struct UpdateOptions {
+  std::string volume;
+  std::string strategy;
+  std::string scalar = "double";
+  int dim = 0;
+  std::vector<double> axis{1, 2, 3};
+  std::vector<double> move;
+  double degrees = 360;
+  int frames = 12;
+  std::string steps;
+  std::string file;
+};
+
+std::string names(std::string_view volume) {
+  std::string list;
+  std::string_view last;
+  for (const fit::UpdateStrategy& strategy : fit::update_strategies()) {
+    const std::string_view name = volume.empty() ? strategy.volume : strategy.name;
+    if ((!volume.empty() && strategy.volume != volume) || name == last) continue;
+    list.append(list.empty() ? "" : ", ").append(name);
+    last = name;
+  }
+  return list;
+}
+
+tl::expected<const fit::UpdateStrategy*, InputError> strategy_of(const UpdateOptions& options) {
+  if (const auto* strategy = fit::find_update(options.volume, options.strategy)) return strategy;
+  const std::string known = names(options.volume);
+  if (options.volume.empty() || known.empty())
+    return tl::unexpected(InputError{.what = "there is no update of \"" + options.volume + "\"; known: " + names("")});
+  return tl::unexpected(InputError{.what = "there is no update \"" + options.strategy + "\" of " + options.volume + "; known: " + known});
+}
+
+tl::expected<AnyPointSet, InputError> points_of(const UpdateOptions& options, const fit::UpdateStrategy& strategy) {
+  auto points = read_point_file(options.file).and_then([&](const io::PointFile& file) {
+    return io::to_point_set(file, options.file, options.dim, options.scalar == "float");
+  });
+  if (points && !(fit::dim_of(*points) == 2 ? strategy.plane : strategy.space))
+    return tl::unexpected(InputError{.what = options.strategy + " takes points of " + (strategy.plane ? "2" : "3") +
+                                             " coordinates, and these have " + std::to_string(fit::dim_of(*points)),
+                                     .file = options.file});
+  return points;
+}
+
+/// Where the body is at a share of its way. In 2-D it turns about the origin.
+Pose<double, 3> pose_at(const UpdateOptions& options, int dim, double share) {
+  const double radians = options.degrees * share * std::numbers::pi / 180;
+  Pose<double, 3> pose;
+  if (dim == 2) pose.rotation.topLeftCorner<2, 2>() = turn(radians);
+  else pose.rotation = turn(Vector<double, 3>(options.axis[0], options.axis[1], options.axis[2]), radians);
+  for (std::size_t i = 0; i < options.move.size(); ++i) pose.translation[static_cast<int>(i)] = options.move[i] * share;
+  return pose;
+}
+
+std::optional<std::string> wrong_with(const UpdateOptions& options, int dim) {
+  const auto size = static_cast<std::size_t>(dim);
+  if (options.axis.size() != 3) return "--axis takes three numbers";
+  if (options.axis[0] == 0 && options.axis[1] == 0 && options.axis[2] == 0) return "--axis has no direction: all three numbers are 0";
+  if (!options.move.empty() && options.move.size() != size) return "--move takes " + std::to_string(dim) + " numbers for these points";
+  for (const auto* list : {&options.axis, &options.move})
+    for (const double number : *list)
+      if (!(std::abs(number) <= 1e18)) return "--axis and --move take numbers up to 1e18";
+  if (!(std::abs(options.degrees) <= 1e6)) return "--degrees takes a number up to 1e6";
+  return std::nullopt;
+}
+
+Json json_of_frame(const fit::UpdateStrategy& strategy, const fit::UpdatedFrame& frame, int number, double degrees, int dim) {
+  Json json{{"frame", number}, {"degrees", degrees}};
+  json[std::string(strategy.volume)] = json_of(frame.volume, dim);
+  json["measure"] = frame.measure;
+  json["slack"] = fit::slack(frame.measure, frame.tightest);
+  json["contains"] = frame.contains;
+  json["steps"] = frame.steps;
+  for (std::size_t i = 0; i < kOperationNames.size(); ++i) json["operations"][std::string(kOperationNames[i])] = frame.counts[i];
+  return json;
+}
+
+/// The file for the trace, where one is asked for.
+tl::expected<std::optional<NewFile>, InputError> trace_file(const UpdateOptions& options) {
+  if (options.steps.empty()) return std::nullopt;
+  return NewFile::create(options.steps).map([](NewFile&& file) { return std::optional<NewFile>(std::move(file)); });
+}
+
+CommandResult run_update(const UpdateOptions& options) {
+  const auto strategy = strategy_of(options);
+  if (!strategy) return bad_input(strategy.error());
+  const auto points = points_of(options, **strategy);
+  if (!points) return bad_input(points.error());
+  const int dim = fit::dim_of(*points);
+  if (const auto wrong = wrong_with(options, dim)) return bad_input(*wrong);
+  auto file = trace_file(options);
+  if (!file) return bad_input(file.error());
+
+  const fit::UpdateBody update = fit::start_updates(**strategy, *points);
+  const fit::SeeUpdateStep see = [&](const fit::UpdateStep3& step) { (*file)->write(fit::json_of(step, dim) + '\n'); };
+  Printed printed;
+  for (int frame = 0; frame < options.frames; ++frame) {
+    const double share = options.frames == 1 ? 1 : static_cast<double>(frame) / options.frames;
+    const fit::UpdatedFrame updated = update(pose_at(options, dim, share), *file ? see : fit::SeeUpdateStep());
+    if (!updated.contains) printed.status = 1;
+    printed.text += line_of(json_of_frame(**strategy, updated, frame, options.degrees * share, dim));
+  }
+  if (!*file) return printed;
+  if (const auto placed = (*file)->put_in_place(); !placed) return bad_input(placed.error());
+  return printed;
+}
+
+constexpr const char* kUpdateFooter = R"(Turns the points about the origin, moves them, and brings their volume along, frame by frame, from the volume that
+holds them where they are. Prints one JSON object for each frame:
+  frame, degrees    its number, and how far the body has turned
+  the volume        in the world, as `snug fit` has it
+  measure           its 3-D volume or 2-D area
+  slack             by how much it is larger than the tightest of its kind: 0.5 is half as much again. Of an oriented
+                    box, than the box that turns with the body
+  contains          whether it holds every point where the body is now
+  steps, operations how many steps, and named counts of what was done
+
+Exit status: 0 done, 1 some frame's volume does not hold every point, 2 bad input or usage.)";
+
+}  // namespace
+
+void add_update(Commands& commands) {
+  CLI::App& command = *commands.app.add_subcommand("update", "Turn a body and update its volume, frame by frame");
+  command.footer(kUpdateFooter);
+  const auto options = add_command<UpdateOptions>(commands, command, run_update);
+  command.add_option("--volume", options->volume, "Kind of volume: " + names(""))->required();
+  command.add_option("--strategy", options->strategy,
+                     "sphere: " + names("sphere") + "; aabb: " + names("aabb") + "; obb: " + names("obb") + "; kdop: " + names("kdop"))
+      ->required();
+  command.add_option("--scalar", options->scalar, "Arithmetic: double or float")
+      ->check(CLI::IsMember({"double", "float"}))
+      ->capture_default_str();
+  command.add_option("--dim", options->dim, "2 or 3; the file's own where none is given")->transform(whole_number(2, 3));
+  command.add_option("--axis", options->axis, "What a body in space turns about: x,y,z")->delimiter(',')->capture_default_str();
+  command.add_option("--degrees", options->degrees, "How far it turns in all frames together")->capture_default_str();
+  command.add_option("--move", options->move, "How far it moves meanwhile: x,y,z or x,y")->delimiter(',');
+  command.add_option("--frames", options->frames, "How many frames")->transform(whole_number(1, 1'000'000))->capture_default_str();
+  command.add_option("--steps", options->steps, "File for the trace of all frames, one JSON object a line");
+  command.add_option("FILE", options->file, "Point file, as of snug fit; - is xyz on standard input")->required();
+}
+
+}  // namespace snug::desktop

@@ -1,0 +1,44 @@
+// The `snug` command, called as a script calls it. SNUG: the program; build/release/snug if not set.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join, resolve } from "node:path";
+import { after } from "node:test";
+import { fileURLToPath } from "node:url";
+
+export const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
+export const program = resolve(process.env.SNUG ?? join(root, "build/release/snug"));
+/** Where the command runs: a folder of each test file's own. */
+export const folder = mkdtempSync(join(tmpdir(), "snug-"));
+after(() => rmSync(folder, { recursive: true }));
+
+export function snug(args, input = "") {
+  const done = spawnSync(program, args, { input, encoding: "utf8", cwd: folder });
+  assert.equal(done.error, undefined);
+  return { out: done.stdout, err: done.stderr, status: done.status };
+}
+
+export function write(name, text) {
+  writeFileSync(join(folder, name), text);
+  return name;
+}
+
+export const json_lines = (text) => text.trimEnd().split("\n").map((line) => JSON.parse(line));
+
+export function good(args, input) {
+  const { out, err, status } = snug(args, input);
+  assert.equal(err, "");
+  assert.equal(status, 0);
+  return out;
+}
+
+/** Exit 2, nothing on stdout, and one line on stderr. */
+export function refused(args, line, input) {
+  const { out, err, status } = snug(args, input);
+  assert.equal(out, "");
+  if (line instanceof RegExp) assert.match(err, line);
+  else assert.equal(err, `snug: ${line}\n`);
+  assert.match(err, /^snug: [^\n]+\n$/);
+  assert.equal(status, 2);
+}
