@@ -25,20 +25,27 @@ struct Lanes {
   static constexpr std::size_t kCount = kBytes / sizeof(Scalar);
 };
 
-/// The planes with unit normals, each number in all lanes.
-template <class Scalar, std::size_t kBytes>
+/// The planes with unit normals.
+template <class Scalar>
 struct UnitPlanes {
-  using Vec = typename Lanes<Scalar, kBytes>::Vector;
-  Vec normal[6][3], d[6];
-  bool towards_max[6][3];  // whether a box's p-vertex has its max there
+  struct Unit {
+    Scalar normal[3], d;
+    std::size_t n_vertex[3], p_vertex[3];  // the fields of a box that they are in
+  };
+  Unit planes[6];
   Scalar largest_d = 0;
 
   explicit UnitPlanes(const Frustum<Scalar, 3>& frustum) {
     const Frustum<Scalar, 3> unit = frustum.normalized();
     for (int p = 0; p < 6; ++p) {
-      for (int i = 0; i < 3; ++i) normal[p][i] = Vec{} + unit[p].normal[i], towards_max[p][i] = unit[p].normal[i] >= 0;
-      d[p] = Vec{} + unit[p].d;
+      planes[p].d = unit[p].d;
       largest_d = std::max(largest_d, std::abs(unit[p].d));
+      for (int i = 0; i < 3; ++i) {
+        const bool towards_max = unit[p].normal[i] >= 0;
+        planes[p].normal[i] = unit[p].normal[i];
+        planes[p].n_vertex[i] = static_cast<std::size_t>(towards_max ? i : i + 3);
+        planes[p].p_vertex[i] = static_cast<std::size_t>(towards_max ? i + 3 : i);
+      }
     }
   }
 
@@ -46,12 +53,6 @@ struct UnitPlanes {
   [[nodiscard]] SNUG_INLINE Scalar doubt(Scalar reach) const {
     return tolerance::kUnitPlaneReach<Scalar> * (2 * reach + largest_d) + std::numeric_limits<Scalar>::min();
   }
-};
-
-/// The least and the greatest distance of what is in each lane, each of the plane where it is largest.
-template <class Vec>
-struct Farthest {
-  Vec low, high;
 };
 
 template <class Vec>
@@ -64,67 +65,101 @@ SNUG_INLINE Vec load(const Scalar* from) {
   return vector;
 }
 
-template <class Scalar, std::size_t kBytes, class Vec = typename Lanes<Scalar, kBytes>::Vector>
-SNUG_INLINE Farthest<Vec> farthest(const UnitPlanes<Scalar, kBytes>& planes, const typename AabbArray<Scalar>::Block& block, std::size_t first) {
-  Farthest<Vec> all;
-  for (std::size_t p = 0; p < 6; ++p) {
-    Vec low = planes.d[p], high = low;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t up = planes.towards_max[p][i] ? 3 : 0;
-      low += planes.normal[p][i] * load<Vec>(block.fields[i + 3 - up] + first);
-      high += planes.normal[p][i] * load<Vec>(block.fields[i + up] + first);
+template <class Vec>
+SNUG_INLINE Vec smaller(const Vec& a, const Vec& b) { return a < b ? a : b; }
+/// Without the sign.
+template <class Vec>
+SNUG_INLINE Vec size_of_each(const Vec& v) { return larger(v, -v); }
+
+/// One block, in as many groups of lanes as it takes: each plane's numbers are read once for all of them.
+template <class Scalar, std::size_t kBytes>
+struct Blocks {
+  using Vec = typename Lanes<Scalar, kBytes>::Vector;
+  using Mask = typename Lanes<Scalar, kBytes>::Mask;
+  static constexpr std::size_t kLanes = Lanes<Scalar, kBytes>::kCount, kBlock = 64 / sizeof(Scalar), kGroups = kBlock / kLanes;
+  using Groups = Vec[kGroups];
+  typedef std::uint8_t Bytes __attribute__((vector_size(kLanes)));
+  using Verdicts = std::array<Culling, kBlock>;
+
+  /// The greatest over all planes of the distance of what three fields say.
+  template <class Fields, class Block>
+  SNUG_INLINE static void farthest(const UnitPlanes<Scalar>& all, const Block& block, Fields fields, Groups& most) {
+    for (std::size_t p = 0; p < 6; ++p) {
+      const auto& plane = all.planes[p];
+      const Scalar *x = block.fields[fields(plane, 0)], *y = block.fields[fields(plane, 1)], *z = block.fields[fields(plane, 2)];
+      for (std::size_t g = 0; g < kGroups; ++g) {
+        const std::size_t at = g * kLanes;
+        const Vec value = plane.normal[0] * load<Vec>(x + at) + plane.normal[1] * load<Vec>(y + at) +
+                          plane.normal[2] * load<Vec>(z + at) + plane.d;
+        most[g] = p == 0 ? value : larger(most[g], value);
+      }
     }
-    all.low = p == 0 ? low : larger(all.low, low);
-    all.high = p == 0 ? high : larger(all.high, high);
   }
-  return all;
-}
 
-template <class Scalar, std::size_t kBytes, class Vec = typename Lanes<Scalar, kBytes>::Vector>
-SNUG_INLINE Farthest<Vec> farthest(const UnitPlanes<Scalar, kBytes>& planes, const typename SphereArray<Scalar>::Block& block, std::size_t first) {
-  const Vec x = load<Vec>(block.fields[0] + first), y = load<Vec>(block.fields[1] + first), z = load<Vec>(block.fields[2] + first);
-  Vec most{};
-  for (std::size_t p = 0; p < 6; ++p) {
-    const Vec distance = planes.normal[p][0] * x + planes.normal[p][1] * y + planes.normal[p][2] * z + planes.d[p];
-    most = p == 0 ? distance : larger(most, distance);
+  /// Of boxes: most need no more than their n-vertices.
+  SNUG_INLINE static bool judge(const UnitPlanes<Scalar>& planes, const typename AabbArray<Scalar>::Block& block, Scalar doubt, Verdicts& verdicts) {
+    Groups low, high;
+    farthest(planes, block, [](const auto& plane, std::size_t i) { return plane.n_vertex[i]; }, low);
+    Vec least = low[0];
+    for (std::size_t g = 1; g < kGroups; ++g) least = smaller(least, low[g]);
+    if (all_above(least, doubt)) {
+      verdicts.fill(Culling::kOutside);
+      return true;
+    }
+    farthest(planes, block, [](const auto& plane, std::size_t i) { return plane.p_vertex[i]; }, high);
+    return settle(low, high, doubt, verdicts);
   }
-  const Vec radius = load<Vec>(block.fields[3] + first);
-  return {most - radius, most + radius};
-}
 
-/// The verdicts of kCount items as whole numbers of Culling. Returns whether rounding hides any of them.
-template <class Scalar, std::size_t kBytes, class Vec, class Code>
-SNUG_INLINE bool judge(const Farthest<Vec>& all, Scalar doubt, Code* codes) {
-  const auto outside = all.low > doubt, inside = all.high < -doubt;
-  const auto crossing = (all.low < -doubt) & (all.high > doubt);
-  const auto code = 1 + inside - outside;  // true is -1
-  std::memcpy(codes, &code, kBytes);
-  const auto known = outside | inside | crossing;
-  std::array<std::uint64_t, kBytes / 8> words;
-  std::memcpy(words.data(), &known, kBytes);
-  std::uint64_t all_known = ~std::uint64_t{0};
-  for (const std::uint64_t word : words) all_known &= word;
-  return all_known != ~std::uint64_t{0};
-}
+  /// Of spheres: the plane that the centre is farthest outside of decides.
+  SNUG_INLINE static bool judge(const UnitPlanes<Scalar>& planes, const typename SphereArray<Scalar>::Block& block, Scalar doubt, Verdicts& verdicts) {
+    Groups low, high;
+    farthest(planes, block, [](const auto&, std::size_t i) { return i; }, high);
+    for (std::size_t g = 0; g < kGroups; ++g) {
+      const Vec radius = load<Vec>(block.fields[3] + g * kLanes);
+      low[g] = high[g] - radius;
+      high[g] += radius;
+    }
+    return settle(low, high, doubt, verdicts);
+  }
+
+  /// Whether all lanes are greater. Selected, not masked: GCC 12 takes masks of 64 bytes apart, lane by lane.
+  SNUG_INLINE static bool all_above(const Vec& v, Scalar bound) {
+    const Mask below = v > bound ? Mask{} : Mask{} + 1;
+    std::array<std::uint64_t, kBytes / 8> words;
+    std::memcpy(words.data(), &below, kBytes);
+    std::uint64_t any = 0;
+    for (const std::uint64_t word : words) any |= word;
+    return any == 0;
+  }
+
+  /// The verdicts, which are 0, 1 and 2. Returns whether rounding hides none of them.
+  SNUG_INLINE static bool settle(const Groups& low, const Groups& high, Scalar doubt, Verdicts& verdicts) {
+    Vec nearest{};  // of the distances to 0
+    for (std::size_t g = 0; g < kGroups; ++g) {
+      const Vec near = smaller(size_of_each(low[g]), size_of_each(high[g]));
+      nearest = g == 0 ? near : smaller(nearest, near);
+      const Mask not_outside = high[g] > 0 ? Mask{} + 1 : Mask{};
+      const Bytes code = __builtin_convertvector(low[g] > 0 ? Mask{} + 2 : not_outside, Bytes);
+      std::memcpy(verdicts.data() + g * kLanes, &code, kLanes);
+    }
+    return all_above(nearest, doubt);
+  }
+};
 
 template <class Scalar, std::size_t kBytes, class Array>
 SNUG_INLINE void classify_in(const Frustum<Scalar, 3>& frustum, const Array& array, std::span<Culling> verdicts) {
-  using Code = std::remove_cvref_t<decltype(typename Lanes<Scalar, kBytes>::Mask{}[0])>;
-  constexpr std::size_t kBlock = Array::kBlock;
-  const UnitPlanes<Scalar, kBytes> planes(frustum);
+  using Own = Blocks<Scalar, kBytes>;
+  const UnitPlanes<Scalar> planes(frustum);
   for (std::size_t block = 0; block < array.blocks().size(); ++block) {
-    const Scalar doubt = planes.doubt(array.reach()[block]);
-    std::array<Code, kBlock> codes;
-    bool in_doubt = false;
-    for (std::size_t first = 0; first < kBlock; first += Lanes<Scalar, kBytes>::kCount)
-      in_doubt |= judge<Scalar, kBytes>(farthest<Scalar, kBytes>(planes, array.blocks()[block], first), doubt, codes.data() + first);
-    std::array<Culling, kBlock> all;
-    for (std::size_t i = 0; i < kBlock; ++i) all[i] = static_cast<Culling>(codes[i]);
-    const std::size_t begin = block * kBlock, count = std::min(kBlock, verdicts.size() - begin);
-    if (in_doubt) [[unlikely]]  // of a block's neighbours too: they are known, and come out the same
-      for (std::size_t i = 0; i < count; ++i) all[i] = classify(frustum, array[begin + i]).verdict;
-    if (count == kBlock) std::memcpy(verdicts.data() + begin, all.data(), kBlock);
-    else std::memcpy(verdicts.data() + begin, all.data(), count);
+    typename Own::Verdicts own;
+    const bool known = Own::judge(planes, array.blocks()[block], planes.doubt(array.reach()[block]), own);
+    const std::size_t begin = block * Own::kBlock, count = std::min(Own::kBlock, verdicts.size() - begin);
+    if (!known) [[unlikely]]  // the block's others come out the same
+      for (std::size_t i = 0; i < count; ++i) own[i] = classify(frustum, array[begin + i]).verdict;
+    if (count == Own::kBlock) [[likely]]
+      std::memcpy(verdicts.data() + begin, own.data(), Own::kBlock);
+    else
+      std::copy_n(own.data(), count, verdicts.data() + begin);
   }
 }
 
@@ -134,11 +169,18 @@ template <class Scalar, class Array>
 [[gnu::target("avx2")]] void classify_in_32_bytes(const Frustum<Scalar, 3>& frustum, const Array& array, std::span<Culling> verdicts) {
   classify_in<Scalar, 32>(frustum, array, verdicts);
 }
+template <class Scalar, class Array>
+[[gnu::target("avx512f,avx512bw,avx512dq,avx512vl,prefer-vector-width=512")]] void classify_in_64_bytes(
+    const Frustum<Scalar, 3>& frustum, const Array& array, std::span<Culling> verdicts) {
+  classify_in<Scalar, 64>(frustum, array, verdicts);
+}
 #endif
 
 template <class Scalar, class Array>
 void classify_array(const Frustum<Scalar, 3>& frustum, const Array& array, std::span<Culling> verdicts) {
 #if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+    return classify_in_64_bytes(frustum, array, verdicts);
   if (__builtin_cpu_supports("avx2")) return classify_in_32_bytes(frustum, array, verdicts);
 #endif
   classify_in<Scalar, 16>(frustum, array, verdicts);
