@@ -9,6 +9,7 @@
 #include "lesson/ask.hpp"
 #include "lesson/box_tests.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/frustum_box.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::app {
@@ -314,6 +315,44 @@ struct Sayer {
     return (fact.result.overlap ? "Overlap: no axis separates the boxes," : "Apart: one axis that separates them is enough,") + after;
   }
 
+  /// "Left plane: …"
+  [[nodiscard]] std::string plane(int at) const {
+    std::string name = lesson::plane_name(dim(), at);
+    name.front() = static_cast<char>(name.front() - 'a' + 'A');
+    return name + " plane: ";
+  }
+
+  std::string operator()(const query::PlaneTested<double, 3>& fact) const {
+    using query::Culling;
+    const std::string p = "p-vertex " + lesson::sign_name(dim(), fact.p_vertex), n = "n-vertex " + lesson::sign_name(dim(), fact.n_vertex);
+    const std::string p_by = short_figure(std::abs(fact.p_distance)), n_by = short_figure(std::abs(fact.n_distance));
+    if (fact.skipped) return plane(fact.plane) + "it is skipped, for the box is known to be inside of it.";
+    if (fact.looked_closer)
+      return plane(fact.plane) + "a vertex is too close to it for rounded numbers; exact ones say " +
+             std::string(query::kCullingNames[static_cast<std::size_t>(fact.side)]) + ".";
+    if (fact.side == Culling::kOutside) return plane(fact.plane) + "even the " + n + " is outside, by " + n_by + ", so all of the box is.";
+    if (fact.side == Culling::kInside) return plane(fact.plane) + "even the " + p + " is inside, by " + p_by + ", so all of the box is.";
+    return plane(fact.plane) + "the " + p + " is outside by " + p_by + ", the " + n + " inside by " + n_by + ": the box crosses it.";
+  }
+
+  std::string operator()(const query::CornerTested<double, 3>& fact) const {
+    const std::string corner = "Corner " + lesson::sign_name(dim(), fact.corner);
+    if (fact.plane < 0) return corner + " is outside of no plane: it can be seen.";
+    const std::string by = fact.distance == 0 ? "" : ", by " + short_figure(std::abs(fact.distance));
+    return corner + (fact.outside ? " is outside of the " : " is inside of the ") + lesson::plane_name(dim(), fact.plane) + " plane" + by + ".";
+  }
+
+  std::string operator()(const query::Classified& fact) const {
+    using query::Culling;
+    const query::CullResult& result = fact.result;
+    if (result.rejected_by >= 0)
+      return "Outside: all of the box is beyond the " + lesson::plane_name(dim(), result.rejected_by) + " plane, found after " + counted(result.planes_tested, "plane") + ".";
+    if (result.verdict == Culling::kOutside) return "No corner can be seen, so this test says outside. The proof beside it says whether that is so.";
+    if (result.verdict == Culling::kInside) return "Inside: every corner of the box is inside of every plane.";
+    if (result.crossing == 0) return "Intersecting: some corners can be seen, and some cannot.";
+    return "Intersecting: the box crosses " + lesson::plane_names(dim(), result.crossing) + ", and no plane has all of it outside.";
+  }
+
   std::string operator()(const fit::Finished& fact) const {
     // The iterative method starts from Ritter's result: the same fact, but not the end.
     if (next != nullptr)
@@ -346,7 +385,8 @@ std::string caption_at_start(const fit::Algorithm& algorithm, Index points) {
 std::string caption_at(const lesson::Session& session) {
   const auto* entry = session.current(0);
   if (entry == nullptr && session.boxes() != nullptr)
-    return std::string(session.algorithm(0)->title) + " on the boxes A and B: nothing is known yet. Take the first step.";
+    return std::string(session.algorithm(0)->title) + (lesson::has_frustum(*session.boxes()) ? " on the box and the frustum" : " on the boxes A and B") +
+           ": nothing is known yet. Take the first step.";
   if (entry == nullptr) return caption_at_start(*session.algorithm(0), session.size());
   const auto& steps = session.recording(0).steps;
   const auto next = static_cast<std::size_t>(session.step());

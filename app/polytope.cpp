@@ -75,6 +75,12 @@ Polytope polytope_of(const Obb<double, 3>& obb, int dim) {
   return box(obb.center, obb.axes * obb.half_extents.asDiagonal(), dim);
 }
 
+Polytope frustum_polytope(const lesson::BoxPair& pair) {
+  Polytope frustum = polytope_of(pair.boxes[1], pair.dim);
+  for (std::size_t bits = 0; bits < frustum.corners.size(); ++bits) frustum.corners[bits] = lesson::corner_of(pair, 1, static_cast<int>(bits));
+  return frustum;
+}
+
 Polytope polytope_of(const Aabb<double, 3>& aabb, int dim) {
   const V3 half = (aabb.max - aabb.min) / 2;
   return box(aabb.min + half, half.asDiagonal(), dim);

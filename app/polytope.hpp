@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fit/any_step.hpp"
+#include "lesson/boxes.hpp"
 
 namespace snug::app {
 
@@ -14,6 +15,8 @@ struct Polytope {
 };
 
 [[nodiscard]] Polytope polytope_of(const Obb<double, 3>& box, int dim);
+/// The frustum of a pair that has one; corners and faces are in the order of a box's.
+[[nodiscard]] Polytope frustum_polytope(const lesson::BoxPair& pair);
 [[nodiscard]] Polytope polytope_of(const Aabb<double, 3>& box, int dim);
 [[nodiscard]] Polytope polytope_of(const Kdop<double, 3>& kdop, int dim);
 [[nodiscard]] Polytope polytope_of(const ConvexHull<double, 3>& hull, int dim);

@@ -35,6 +35,7 @@ struct Filler {
   Shown& shown;
   const fit::Step3& step;
   Steps steps;  // up to and with this one
+  const AnyPointSet& points;
 
   void operator()(const fit::ExtremesFound<double, 3>& fact) const { shown.extremes = {fact.least, fact.greatest}; }
   void operator()(const fit::MidpointFound<double, 3>& fact) const {
@@ -156,7 +157,30 @@ struct Filler {
       if (axis != nullptr && axis->axis.kind == own.kind && axis->axis.i == own.i && axis->axis.j == own.j) shown.axis = *axis;
     }
   }
+  void operator()(const query::PlaneTested<double, 3>& fact) const {
+    shown.plane = fact;
+    shown.verdict = fact.so_far;
+    for (const int corner : {fact.p_vertex, fact.n_vertex})
+      shown.spoken_of.push_back(lesson::index_of(fit::dim_of(points), {lesson::Place::Kind::kCorner, 0, corner}));
+  }
+  void operator()(const query::CornerTested<double, 3>&) const { corners(steps); }
+  /// With the plane that all of the box is outside of.
+  void operator()(const query::Classified& fact) const {
+    corners(steps.first(steps.size() - 1));
+    const auto* plane = last<query::PlaneTested<double, 3>>(steps);
+    if (plane != nullptr && fact.result.rejected_by >= 0) (*this)(*plane);
+    shown.verdict = fact.result.verdict;
+  }
   void operator()(const fit::Finished&) const {}
+
+  /// Those of this round: the corners are gone through in order, for each plane or once.
+  void corners(Steps up_to) const {
+    for (; !up_to.empty(); up_to = up_to.first(up_to.size() - 1)) {
+      const auto* corner = std::get_if<query::CornerTested<double, 3>>(&up_to.back().step.fact);
+      if (corner == nullptr || (!shown.corners.empty() && corner->corner >= shown.corners.front().corner)) return;
+      shown.corners.insert(shown.corners.begin(), *corner);
+    }
+  }
 
   void spoken_of(const std::vector<Index>& points) const {
     shown.spoken_of.insert(shown.spoken_of.end(), points.begin(), points.end());
@@ -190,6 +214,17 @@ std::vector<Index> points_of(const lesson::Asked& asked, const lesson::Answer& a
   return asked.choice_points[choice] == kNoIndex ? std::vector<Index>{} : std::vector{asked.choice_points[choice]};
 }
 
+/// A question about a plane shows which one it means, and leaves the corners to be found.
+void show_asked_plane(Shown& shown, const lesson::Session& session) {
+  const lesson::Asked* asked = session.asked();
+  if (asked == nullptr) return;
+  const auto* plane = std::get_if<query::PlaneTested<double, 3>>(&session.recording(0).steps[static_cast<std::size_t>(asked->fact)].step.fact);
+  if (plane == nullptr) return;
+  shown.plane = *plane;
+  shown.plane_asked = true;
+  shown.spoken_of.clear();
+}
+
 void show_outcome(Shown& shown, const lesson::Session& session) {
   const lesson::Outcome* outcome = session.outcome();
   if (outcome == nullptr || outcome->skipped) return;
@@ -211,9 +246,10 @@ Shown shown_at(const lesson::Session& session, bool want_optimum) {
     const Steps steps = Steps(session.recording(0).steps).first(static_cast<std::size_t>(session.step()));
     if (entry->step.has_volume) shown.volume = entry->step.volume;
     shown.support = session.support(0);
-    std::visit(Filler{shown, entry->step, steps}, entry->step.fact);
+    std::visit(Filler{shown, entry->step, steps, session.points()}, entry->step.fact);
     shown.finished = session.step() == session.steps();
   }
+  show_asked_plane(shown, session);
   show_outcome(shown, session);
   // An exact method's result is the optimum: no second run says it better.
   if (shown.finished && session.algorithm(0)->exact) shown.optimum = shown.volume;

@@ -55,6 +55,12 @@ struct Shown {
   std::optional<bool> overlap;
   std::optional<query::OutlinesCompared> outlines;  // of the wrong tests
   std::optional<query::CornerTried> corner;
+  /// Of a box and a frustum: the plane at hand, of which nothing else is shown yet where a question asks about it; the
+  /// corners that were held against it or against all planes, the last one at hand; and what is known by now.
+  std::optional<query::PlaneTested<double, 3>> plane;
+  bool plane_asked = false;
+  std::vector<query::CornerTested<double, 3>> corners;
+  std::optional<query::Culling> verdict;
 
   /// While an outcome stands: the points of a wrong guess, and those that would have been right.
   std::vector<Index> guessed_wrong, right;

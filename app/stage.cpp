@@ -8,6 +8,7 @@
 #include "app/numbers.hpp"
 #include "app/stage_brush.hpp"
 #include "app/widgets.hpp"
+#include "lesson/frustum_box.hpp"
 
 namespace snug::app {
 namespace {
@@ -29,6 +30,8 @@ fit::Sphere3 around(const fit::Sphere3& a, const fit::Sphere3& b) {
 
 /// What the view has to have room for: what both algorithms end with.
 fit::Sphere3 extent_of(const lesson::Session& session) {
+  if (const lesson::BoxPair* pair = session.boxes(); pair != nullptr && lesson::has_frustum(*pair))
+    return around(around({lesson::camera_of(*pair).position, 0}, ball_around(pair->boxes[1], session.dim())), ball_around(pair->boxes[0], session.dim()));
   if (const lesson::BoxPair* pair = session.boxes())
     return around(ball_around(pair->boxes[0], session.dim()), ball_around(pair->boxes[1], session.dim()));
   const auto ball = [&](int slot) { return ball_around(session.recording(slot).result.volume, session.dim()); };

@@ -99,6 +99,15 @@ class Stage {
   void draw_knobs(Brush& brush, const lesson::BoxPair& pair, int box) const;
   void draw_projections(Brush& brush, const lesson::BoxPair& pair) const;
   void draw_gap(Brush& brush, ImVec2 from, ImVec2 to, ImVec2 aside) const;
+  // stage_frustum.cpp
+  void draw_frustum(Brush& brush, const lesson::BoxPair& pair) const;
+  void draw_camera(Brush& brush, const lesson::BoxPair& pair) const;
+  void draw_plane(Brush& brush, const lesson::BoxPair& pair, int plane) const;
+  void draw_box_axes(Brush& brush, const lesson::BoxPair& pair) const;
+  void draw_distances(Brush& brush, const lesson::BoxPair& pair) const;
+  void draw_corners(Brush& brush) const;
+  // stage_inset.cpp
+  [[nodiscard]] Rect draw_inset(Brush& brush, float top) const;
   // stage_points.cpp
   void draw_points(Brush& brush) const;
   [[nodiscard]] static bool inviting(const Brush& brush);

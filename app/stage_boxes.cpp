@@ -5,6 +5,7 @@
 #include "app/stage_brush.hpp"
 #include "lesson/box_tests.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/frustum_box.hpp"
 
 namespace snug::app {
 namespace {
@@ -49,6 +50,7 @@ Line line_beside(const lesson::BoxPair& pair, const Axis& axis, const Camera& ca
 void Stage::draw_boxes(Brush& brush) const {
   const lesson::BoxPair* pair = brush.session.boxes();
   if (pair == nullptr) return;
+  if (lesson::has_frustum(*pair)) return draw_frustum(brush, *pair);
   const Palette& p = brush.p;
   for (int i = 0; i < 2; ++i) {
     const Box& box = pair->boxes[static_cast<std::size_t>(i)];
@@ -82,10 +84,9 @@ void Stage::draw_wrong_test(Brush& brush, const lesson::BoxPair& pair) const {
 void Stage::draw_knobs(Brush& brush, const lesson::BoxPair& pair, int i) const {
   using Kind = lesson::Place::Kind;
   const Palette& p = brush.p;
-  const Box& box = pair.boxes[static_cast<std::size_t>(i)];
   for (int axis = 0; axis < pair.dim - 1; ++axis) {
     const Point3 knob = lesson::at_place(pair, lesson::index_of(pair.dim, {Kind::kTurn, i, axis}));
-    const ImVec2 from = brush.at(box.center + box.axes.col(axis) * box.half_extents[axis]), to = brush.at(knob);
+    const ImVec2 from = brush.at(lesson::beyond_face(pair, i, axis, 0)), to = brush.at(knob);
     line(brush.list, from, to, Stroke::kSolid, p.muted, brush.stroke(0.6f));
     disc(brush.list, to, 7 * p.mark, p.ground);
     ring(brush.list, to, 7 * p.mark, p.current, brush.stroke(0.9f));

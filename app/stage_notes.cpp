@@ -63,6 +63,7 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
     halo_text(brush.list, look, Face::kSemiBold, 13, {place.x, middle_of(y + height / 2, look.px(13))}, p.support_text, p.ground, fitting);
     keep_free(brush.canvas.obstacles, {place.x, y + height / 2 - look.px(10), measure(look, Face::kSemiBold, 13, fitting).x, look.px(20)});
   }
+  if (const Rect inset = draw_inset(brush, y + (tools > 0 ? height + 10 : 0)); inset.width > 0) keep_free(brush.canvas.obstacles, inset);
   if (camera_.dim() == 3) draw_axis_cross(brush);
   if (settings.prose_in_canvas) draw_sentence(brush.list, look, brush.canvas.obstacles, brush.rect, caption_at(brush.session));
 }

@@ -5,6 +5,7 @@
 #include "app/numbers.hpp"
 #include "app/stage_brush.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/frustum_box.hpp"
 
 namespace snug::app {
 namespace {
@@ -159,13 +160,21 @@ void Stage::name_points(Brush& brush) const {
   }
   if (shown_.pair)
     for (const Index i : {shown_.pair->a, shown_.pair->b}) plain(i);
+  if (shown_.plane && !shown_.plane_asked)
+    for (const bool along : {true, false}) {
+      const int corner = along ? shown_.plane->p_vertex : shown_.plane->n_vertex;
+      const Index i = lesson::index_of(session.dim(), {lesson::Place::Kind::kCorner, 0, corner});
+      name(i, (along ? "p  " : "n  ") + session.name_of(i), p.support_text, Face::kSemiBold, 12 * p.mark, 16);
+    }
   for (const Index i : {selected_, hovered_})
     if (i != kNoIndex && i < session.size()) name(i, session.name_of(i), p.ink, Face::kSemiBold, 13);
   for (const Index i : shown_.spoken_of) plain(i);
   if (session.size() > kNameAll) return;
   for (Index i = 0; i < session.size(); ++i) {
     // A centre bears its box's name, a knob its arc.
-    if (session.boxes() != nullptr && lesson::place_of(session.dim(), i).kind != lesson::Place::Kind::kCorner) continue;
+    const lesson::Place place = lesson::place_of(session.dim(), i);
+    if (session.boxes() != nullptr && place.kind != lesson::Place::Kind::kCorner) continue;
+    if (session.boxes() != nullptr && lesson::has_frustum(*session.boxes()) && place.box == 1) continue;  // nobody speaks of its corners
     name(i, session.name_of(i), p.muted, Face::kRegular, inviting(brush) ? 12 : 7, 12, true);
   }
 }

@@ -68,7 +68,7 @@ void draw_legend(ImDrawList* list, const Look& look, const lesson::Session& sess
   const std::array<std::pair<Kind, std::string>, 3> kinds{
       {{Kind::kGrew, std::string("the ") + (session.lesson().volume == "sphere" ? "ball" : "volume") + " grew"},
        {Kind::kReplaced, boxes ? "the verdict" : "new support"},
-       {Kind::kBest, boxes ? "it separates" : "best so far"}}};
+       {Kind::kBest, !boxes ? "best so far" : session.lesson().volume == "box_pair" ? "it separates" : "wholly outside"}}};
   for (const auto& [kind, words] : kinds) {
     const auto& marks = session.marks();
     if (std::none_of(marks.begin(), marks.end(), [kind = kind](const lesson::Mark& m) { return m.kind == kind; })) continue;

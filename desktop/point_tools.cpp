@@ -8,6 +8,7 @@
 #include "desktop/column.hpp"
 #include "desktop/prose_panel.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/frustum_box.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -94,7 +95,8 @@ void draw_box(Shell& shell, Column& column, int i) {
   lesson::BoxPair pair = *session.boxes();
   Obb<double, 3>& box = pair.boxes[static_cast<std::size_t>(i)];
   column.gap(12);
-  column.heading(i == 0 ? "Box A" : "Box B");
+  const bool frustum = lesson::has_frustum(pair);
+  column.heading(frustum ? (i == 0 ? "Box" : "Frustum") : i == 0 ? "Box A" : "Box B");
   bool entered = false;
   {
     Fields fields(column, i == 0 ? "box a" : "box b");
@@ -162,7 +164,7 @@ void draw_sources(Shell& shell, Column& column) {
 void draw_point_tools(Shell& shell, Column& column) {
   const lesson::Session& session = shell.session();
   if (session.boxes() != nullptr) {
-    column.title("Two boxes");
+    column.title(lesson::has_frustum(*session.boxes()) ? "Box and frustum" : "Two boxes");
     for (int box = 0; box < 2; ++box) draw_box(shell, column, box);
     return draw_scatter(shell, column);
   }

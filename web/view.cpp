@@ -161,6 +161,7 @@ val lesson_object(const lesson::Lesson& lesson) {
   object.set("sections", array_of(lesson.sections, section_object));
   object.set("algorithms", array_of(lesson.algorithms, [&](std::string_view name) { return algorithm_object(lesson.volume, name); }));
   object.set("boxes", lesson.boxes.has_value());
+  object.set("frustum", lesson.boxes && lesson.boxes->taper < 1);
   object.set("dim", lesson.points.dim);
   object.set("generate", lesson.points.generate);
   object.set("count", lesson.points.count);

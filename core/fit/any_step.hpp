@@ -13,6 +13,7 @@
 #include "fit/obb_steps.hpp"
 #include "fit/sphere_steps.hpp"
 #include "geometry/volume.hpp"
+#include "query/classify_steps.hpp"
 #include "query/sat_steps.hpp"
 #include "query/wrong_steps.hpp"
 
@@ -44,7 +45,7 @@ struct Union<First, std::variant<Facts...>, Others...>
 using Fact3 =
     Union<SphereStep<double, 3>::Fact, ObbStep<double, 3>::Fact, AabbStep<double, 3>::Fact, CapsuleStep<double, 3>::Fact,
           LozengeStep<double, 3>::Fact, KdopStep<double, 3>::Fact, HullStep<double, 3>::Fact, query::SatStep<double, 3>::Fact,
-          query::WrongStep::Fact>::Type;
+          query::WrongStep::Fact, query::ClassifyStep<double, 3>::Fact>::Type;
 
 struct Step3 {
   using Fact = Fact3;

@@ -169,6 +169,19 @@ auto lift_fact(const query::Verdict<Scalar, Dim>& fact) {
   return query::Verdict<double, 3>{{fact.result.overlap, fact.result.tests, lift(fact.result.axis)}};
 }
 
+/// Corners of the plane keep their bits.
+template <class Scalar, int Dim>
+auto lift_fact(const query::PlaneTested<Scalar, Dim>& fact) {
+  return query::PlaneTested<double, 3>{
+      fact.plane, fact.skipped, lift<Scalar, Dim>(fact.normal), fact.signs, fact.p_vertex, fact.n_vertex, fact.p_corners, fact.n_corners,
+      lift<Scalar, Dim>(fact.p_point), lift<Scalar, Dim>(fact.n_point), fact.p_distance, fact.n_distance, fact.doubt, fact.looked_closer,
+      fact.side, fact.so_far};
+}
+template <class Scalar, int Dim>
+auto lift_fact(const query::CornerTested<Scalar, Dim>& fact) {
+  return query::CornerTested<double, 3>{fact.corner, fact.plane, lift<Scalar, Dim>(fact.point), fact.distance, fact.outside};
+}
+
 template <class VolumeType, class... Facts>
 Step3 lift(const Step<VolumeType, Facts...>& step) {
   return {step.line, step.has_volume, lift(step.volume),
@@ -178,6 +191,11 @@ Step3 lift(const Step<VolumeType, Facts...>& step) {
 /// A query has no volume of its own.
 template <class Scalar, int Dim>
 Step3 lift(const query::SatStep<Scalar, Dim>& step) {
+  return {step.line, false, {}, std::visit([](const auto& fact) { return Fact3(lift_fact(fact)); }, step.fact)};
+}
+
+template <class Scalar, int Dim>
+Step3 lift(const query::ClassifyStep<Scalar, Dim>& step) {
   return {step.line, false, {}, std::visit([](const auto& fact) { return Fact3(lift_fact(fact)); }, step.fact)};
 }
 

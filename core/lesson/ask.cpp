@@ -4,6 +4,7 @@
 
 #include "geometry/tolerance.hpp"
 #include "lesson/box_tests.hpp"
+#include "lesson/frustum_tests.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/words.hpp"
 
@@ -25,7 +26,7 @@ struct Truth {
 bool contains(const auto& values, int value) { return std::find(values.begin(), values.end(), value) != values.end(); }
 
 std::string name(const Asked& asked, Index point) {
-  return asked.boxes ? place_name(asked.dim, point) : point_name(point);
+  return asked.boxes ? place_name(asked.dim, point, asked.frustum) : point_name(point);
 }
 
 /// "P3", "P3 and P8", "P1, P3 and P8"
@@ -73,6 +74,8 @@ struct Predicate {
   std::string operator()(const EdgeSplit&) const { return "splits the edge"; }
   std::string operator()(const HorizonFound&) const { return "are on the horizon"; }
   std::string operator()(const query::CornerTried& fact) const { return fact.inside ? "lies in the other box" : "is free"; }
+  std::string operator()(const query::PlaneTested<double, 3>&) const { return "are the p- and the n-vertex"; }
+  std::string operator()(const query::CornerTested<double, 3>&) const { return "is held against the frustum"; }
   std::string operator()(const query::AxisTested<double, 3>&) const {
     return std::string(plural ? "come" : "comes") + " nearest to A along this axis";
   }
@@ -164,6 +167,44 @@ Truth which_axis_truth(const Asked& asked, Trace trace) {
   return truth;
 }
 
+/// Every corner that is as far is right.
+Truth vertex_truth(const Asked& asked, const query::PlaneTested<double, 3>& tested, bool along) {
+  Truth truth;
+  const int corners = along ? tested.p_corners : tested.n_corners;
+  for (int corner = 0; corner < 1 << asked.dim; ++corner)
+    if ((corners >> corner & 1) != 0) {
+      truth.choices.push_back(corner);
+      truth.points.push_back(index_of(asked.dim, {Place::Kind::kCorner, 0, corner}));
+    }
+  truth.happened = names(asked, truth.points);
+  truth.sentence = std::string(along ? "Farthest along" : "Farthest against") + " the normal of the " + plane_name(asked.dim, tested.plane) +
+                   " plane " + (truth.points.size() > 1 ? "are " : "is ") + truth.happened + ".";
+  return truth;
+}
+
+Truth culling_truth(query::Culling culling, std::string sentence) {
+  const auto choice = static_cast<std::size_t>(culling);
+  return {{static_cast<int>(choice)}, {}, std::string(query::kCullingNames[choice]), std::move(sentence)};
+}
+
+Truth plane_side_truth(const Asked& asked, const query::PlaneTested<double, 3>& tested) {
+  const std::string of = " of the " + plane_name(asked.dim, tested.plane) + " plane";
+  switch (tested.side) {
+    case query::Culling::kOutside: return culling_truth(tested.side, "Even the n-vertex is outside" + of + ": all of the box is.");
+    case query::Culling::kInside: return culling_truth(tested.side, "Even the p-vertex is inside" + of + ": all of the box is.");
+    case query::Culling::kIntersecting: break;
+  }
+  return culling_truth(tested.side, "The p-vertex is outside" + of + ", and the n-vertex is not: the box crosses it.");
+}
+
+Truth verdict_truth(const Asked& asked, const query::CullResult& result) {
+  if (result.rejected_by >= 0)
+    return culling_truth(result.verdict, "All of the box is outside of the " + plane_name(asked.dim, result.rejected_by) + " plane.");
+  if (result.crossing != 0)
+    return culling_truth(result.verdict, "No plane has all of the box outside; it crosses " + plane_names(asked.dim, result.crossing) + ".");
+  return culling_truth(result.verdict, "This test says " + std::string(query::kCullingNames[static_cast<std::size_t>(result.verdict)]) + ".");
+}
+
 Truth truth_of(const Asked& asked, Trace trace) {
   const Step3& step = trace[static_cast<std::size_t>(asked.fact)].step;
   const Question& question = *asked.question;
@@ -176,6 +217,11 @@ Truth truth_of(const Asked& asked, Trace trace) {
     case Asks::kHolds: return holds_truth(asked, *std::get_if<Finished>(&step.fact));
     case Asks::kSeparates: return separates_truth(*std::get_if<query::AxisTested<double, 3>>(&step.fact));
     case Asks::kWhichAxis: return which_axis_truth(asked, trace);
+    case Asks::kPVertex:
+    case Asks::kNVertex:
+      return vertex_truth(asked, *std::get_if<query::PlaneTested<double, 3>>(&step.fact), question.asks == Asks::kPVertex);
+    case Asks::kPlaneSide: return plane_side_truth(asked, *std::get_if<query::PlaneTested<double, 3>>(&step.fact));
+    case Asks::kVerdict: return verdict_truth(asked, std::get_if<query::Classified>(&step.fact)->result);
     case Asks::kChoice: break;
   }
   const std::string& right = asked.choices[static_cast<std::size_t>(question.answer)];

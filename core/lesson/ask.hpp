@@ -23,7 +23,8 @@ struct Asked {
   const Question* question = nullptr;
   std::string prompt;                 // in the words of the points' dimension: a circle in space is a sphere
   int dim = 2;
-  bool boxes = false;                 // whether the points are places of two boxes
+  bool boxes = false;                 // whether the points are places of two boxes, or of a box and a frustum
+  bool frustum = false;
   int step = 0;                       // the player's place where it stands
   std::vector<std::string> choices;   // what may be chosen; empty where only the stage answers
   std::vector<Index> choice_points;   // the point that each choice names, or kNoIndex
@@ -77,8 +78,8 @@ struct Outcome {
 /// moved_to_front, the one entered of support_replaced, the last one forced of boundary_forced, the farthest of
 /// radius_checked, the one left outside by a candidate_tried or else its points, the support of finished, both ends of
 /// each axis of extents_found, the vertices of hull_found, the points of points_chosen, the ends of the edge of
-/// rectangle_found and edge_searched, the corners of B that come nearest to A of axis_tested, the one of corner_tried, the point or the
-/// points of box_widened, line_found, end_pulled_in, thickness_found, side_pulled_in, corner_moved_out, slab_found,
+/// rectangle_found and edge_searched, the corners of B that come nearest to A of axis_tested, the one of corner_tried and
+/// corner_tested, the p- and the n-vertex of plane_tested, the point or the points of box_widened, line_found, end_pulled_in, thickness_found, side_pulled_in, corner_moved_out, slab_found,
 /// simplex_chosen, flat_found, eye_chosen, edge_split and horizon_found. No others.
 [[nodiscard]] std::vector<Index> points_named(const fit::Step3& step, int dim);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fit/lift.hpp"
+#include "lesson/frustum_tests.hpp"
 #include "query/obb_sat.hpp"
 #include "query/wrong_corners_only.hpp"
 #include "query/wrong_extents_only.hpp"
@@ -70,6 +71,7 @@ std::vector<AxisName> names_of(int dim) {
 std::span<const fit::Algorithm> box_tests() { return kTests; }
 
 fit::Recording record(const fit::Algorithm& test, const BoxPair& pair) {
+  if (test.volume == kFrustumBox) return record_frustum(test, pair);
   Record observe;
   run(test, pair, observe);
   return std::move(observe.recording);
@@ -80,8 +82,10 @@ bool says_overlap(const fit::Algorithm& test, const BoxPair& pair) {
   return run(test, pair, ignore);
 }
 
+bool has_boxes(std::string_view volume) { return volume == kBoxPair || volume == kFrustumBox; }
+
 std::span<const fit::Algorithm> methods_of(std::string_view volume) {
-  return volume == kBoxPair ? box_tests() : fit::algorithms_of(volume);
+  return volume == kBoxPair ? box_tests() : volume == kFrustumBox ? frustum_tests() : fit::algorithms_of(volume);
 }
 
 const fit::Algorithm* find_method(std::string_view volume, std::string_view name) {

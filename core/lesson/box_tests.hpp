@@ -16,12 +16,17 @@ inline constexpr std::string_view kBoxPair = "box_pair";
 /// "sat", "sat_all", and the two wrong ones, "extents_only" and "corners_only". They have no fit, record and watch of
 /// points.
 [[nodiscard]] std::span<const fit::Algorithm> box_tests();
+/// Of these and of frustum_tests().
 [[nodiscard]] fit::Recording record(const fit::Algorithm& test, const BoxPair& pair);
 
 /// Whether that test says that the boxes overlap.
 [[nodiscard]] bool says_overlap(const fit::Algorithm& test, const BoxPair& pair);
 
-/// What a lesson of a volume can offer: box_tests() of kBoxPair, fit::algorithms_of of any other.
+/// Whether a lesson's volume has boxes in place of points: kBoxPair or kFrustumBox.
+[[nodiscard]] bool has_boxes(std::string_view volume);
+
+/// What a lesson of a volume can offer: box_tests() of kBoxPair, frustum_tests() of kFrustumBox, fit::algorithms_of of any
+/// other.
 [[nodiscard]] std::span<const fit::Algorithm> methods_of(std::string_view volume);
 [[nodiscard]] const fit::Algorithm* find_method(std::string_view volume, std::string_view name);
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "geometry/pose.hpp"
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
+#include "lesson/frustum_box.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -41,16 +43,22 @@ Box turned_to(const Box& box, int axis, const V3& hand) {
   return turned;
 }
 
+/// How wide B is at its near or far end, of its half extents: what tapers is its sides, not its depth.
+double share_at(const BoxPair& pair, int box, int axis, bool far) { return box == 1 && axis > 0 && !far ? pair.taper : 1; }
+
 /// The corner at the hand, the opposite one where it was. A corner pulled past it makes the box flat.
-Box stretched(const Box& box, int dim, int bits, const V3& hand) {
+Box stretched(const BoxPair& pair, int which, int bits, const V3& hand) {
+  const Box& box = pair.boxes[static_cast<std::size_t>(which)];
   Box stretched = box;
-  const V3 opposite = corner_of(box, ~bits & 7);
+  const V3 opposite = corner_of(pair, which, ~bits & 7);
   const V3 across = box.axes.transpose() * (hand - opposite);
+  const bool far = (bits & 1) != 0;
   V3 half = V3::Zero();
-  for (int axis = 0; axis < dim; ++axis) {
+  for (int axis = 0; axis < pair.dim; ++axis) {
     const double side = (bits >> axis & 1) != 0 ? 1 : -1;
-    stretched.half_extents[axis] = std::max(0.0, side * across[axis] / 2);
-    half += box.axes.col(axis) * (side * stretched.half_extents[axis]);
+    const double own = share_at(pair, which, axis, far), other = share_at(pair, which, axis, !far);
+    stretched.half_extents[axis] = std::max(0.0, side * across[axis] / (own + other));
+    half += box.axes.col(axis) * (side * stretched.half_extents[axis] * other);
   }
   stretched.center = opposite + half;
   return stretched;
@@ -72,11 +80,12 @@ Index index_of(int dim, const Place& place) {
   return place.box * places_of_box(dim) + own;
 }
 
-std::string place_name(int dim, Index i) {
+std::string place_name(int dim, Index i, bool frustum) {
   const Place place = place_of(dim, i);
-  const std::string box = place.box == 0 ? "A" : "B";
+  const std::string box = place.box == 0 ? (frustum ? "Box" : "A") : frustum ? "Frustum" : "B";
   if (place.kind == Kind::kCenter) return box;
-  if (place.kind == Kind::kCorner) return box + std::to_string(place.number);
+  if (place.kind == Kind::kCorner && frustum && place.box == 0) return sign_name(dim, place.number);
+  if (place.kind == Kind::kCorner) return box.front() + std::to_string(place.number);
   return box + (place.number == 0 ? " turn" : " roll");
 }
 
@@ -86,15 +95,30 @@ V3 corner_of(const Box& box, int bits) {
   return corner;
 }
 
+V3 corner_of(const BoxPair& pair, int box, int bits) {
+  Box own = pair.boxes[static_cast<std::size_t>(box)];
+  for (int axis = 1; axis < 3; ++axis) own.half_extents[axis] *= share_at(pair, box, axis, (bits & 1) != 0);
+  return corner_of(own, bits);
+}
+
+V3 beyond_face(const BoxPair& pair, int box, int axis, double by) {
+  const Box& own = pair.boxes[static_cast<std::size_t>(box)];
+  return own.center + own.axes.col(axis) * (own.half_extents[axis] * (1 + share_at(pair, box, axis, false)) / 2 + by);
+}
+
 V3 at_place(const BoxPair& pair, Index i) {
   const Place place = place_of(pair.dim, i);
   const Box& box = pair.boxes[static_cast<std::size_t>(place.box)];
   if (place.kind == Kind::kCenter) return box.center;
-  if (place.kind == Kind::kCorner) return corner_of(box, place.number);
-  return box.center + box.axes.col(place.number) * (box.half_extents[place.number] + pair.knob);
+  if (place.kind == Kind::kCorner) return corner_of(pair, place.box, place.number);
+  return beyond_face(pair, place.box, place.number, pair.knob);
 }
 
 tl::expected<AnyPointSet, InputError> places(const BoxPair& pair) {
+  if (has_frustum(pair)) {
+    const auto wrong = [](auto frustum) { return frustum ? std::optional<InputError>() : std::move(frustum.error()); };
+    if (auto error = pair.dim == 2 ? wrong(frustum_of<2>(pair)) : wrong(frustum_of<3>(pair))) return tl::unexpected(*std::move(error));
+  }
   const Index count = 2 * places_of_box(pair.dim);
   if (pair.dim == 2) {
     std::vector<Vector<double, 2>> all;
@@ -116,7 +140,7 @@ tl::expected<BoxPair, InputError> moved(const BoxPair& pair, Index i, const V3& 
   switch (place.kind) {
     case Kind::kCenter: box.center = to; break;
     case Kind::kTurn: box = turned_to(box, place.number, to); break;
-    case Kind::kCorner: box = stretched(box, pair.dim, place.number, to); break;
+    case Kind::kCorner: box = stretched(pair, place.box, place.number, to); break;
   }
   return next;
 }

@@ -6,6 +6,8 @@
 
 #include "lesson/ask.hpp"
 #include "lesson/box_figures.hpp"
+#include "lesson/frustum_box.hpp"
+#include "lesson/frustum_figures.hpp"
 #include "lesson/volume_check.hpp"
 #include "lesson/words.hpp"
 
@@ -192,6 +194,9 @@ std::string percent_text(double ratio) {
   return (text == "0.0" ? "" : ratio < 0 ? "−" : "+") + text + " %";
 }
 
-std::vector<Figure> figures_of(const RunView& run) { return run.boxes != nullptr ? box_figures(run) : Board(run).figures(); }
+std::vector<Figure> figures_of(const RunView& run) {
+  if (run.boxes == nullptr) return Board(run).figures();
+  return has_frustum(*run.boxes) ? frustum_figures(run) : box_figures(run);
+}
 
 }  // namespace snug::lesson

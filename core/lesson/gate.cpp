@@ -4,6 +4,7 @@
 
 #include "lesson/ask.hpp"
 #include "lesson/box_tests.hpp"
+#include "lesson/frustum_tests.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::lesson {
@@ -98,6 +99,22 @@ const char* add_tested_axes(Asked& asked, Trace trace, int dim) {
   return nullptr;
 }
 
+const char* add_corners(Asked& asked, const Step3& step, int dim) {
+  const auto* tested = std::get_if<query::PlaneTested<double, 3>>(&step.fact);
+  if (tested == nullptr || tested->skipped) return "\"p_vertex\" and \"n_vertex\" ask of plane_tested";
+  for (int corner = 0; corner < 1 << dim; ++corner) {
+    asked.stage_points.push_back(index_of(dim, {Place::Kind::kCorner, 0, corner}));
+    add_choice(asked, sign_name(dim, corner), asked.stage_points.back());
+  }
+  asked.on_stage = true;
+  return nullptr;
+}
+
+const char* add_cullings(Asked& asked, bool of_it, const char* refused) {
+  for (const std::string_view name : query::kCullingNames) add_choice(asked, std::string(name));
+  return of_it ? nullptr : refused;
+}
+
 /// What may be answered. Returns why the step cannot be asked that, or null.
 const char* add_choices(Asked& asked, Trace trace, int dim) {
   const auto& fact = step_at(trace, asked.fact).fact;
@@ -117,6 +134,11 @@ const char* add_choices(Asked& asked, Trace trace, int dim) {
       add_choice(asked, "yes"), add_choice(asked, "no");
       return nullptr;
     case Asks::kWhichAxis: return add_tested_axes(asked, trace, dim);
+    case Asks::kPVertex:
+    case Asks::kNVertex: return add_corners(asked, step_at(trace, asked.fact), dim);
+    case Asks::kPlaneSide:
+      return add_cullings(asked, std::holds_alternative<query::PlaneTested<double, 3>>(fact), "\"plane_side\" asks of plane_tested");
+    case Asks::kVerdict: return add_cullings(asked, std::holds_alternative<query::Classified>(fact), "\"verdict\" asks of classified");
     case Asks::kHolds:
       if (!std::holds_alternative<Finished>(fact)) return "\"holds\" asks of finished";
       for (int n = 1; n <= dim + 1; ++n) add_choice(asked, std::to_string(n));
@@ -136,7 +158,8 @@ std::optional<Asked> resolve(const Question& question, std::string_view volume, 
   asked.question = &question;
   asked.prompt = in_words_of(dim, question.prompt);
   asked.dim = dim;
-  asked.boxes = volume == kBoxPair;
+  asked.boxes = has_boxes(volume);
+  asked.frustum = volume == kFrustumBox;
   asked.fact = find_fact(trace, gate.fact, gate.occurrence);
   if (asked.fact == static_cast<int>(trace.size())) {
     why = gate.algorithm + " does not take step " + gate.fact +

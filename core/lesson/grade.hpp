@@ -20,7 +20,7 @@ struct Grade {
 /// seed: of the algorithm's random order. The task's algorithm is one of the catalogue.
 [[nodiscard]] Grade grade(const Task& task, const AnyPointSet& points, std::uint64_t seed);
 
-/// Whether two boxes reach a goal of Task::goals.
+/// Whether two boxes, or a box and a frustum, reach a goal of Task::goals.
 [[nodiscard]] bool reaches(std::string_view goal, const BoxPair& pair);
 
 /// found: which of the task's goals were reached before; those that are reached now are added.

@@ -1,5 +1,6 @@
 // The grading of a task on two boxes: a counter-example is found, and then another.
 #include "lesson/box_tests.hpp"
+#include "lesson/frustum_tests.hpp"
 #include "lesson/grade.hpp"
 
 namespace snug::lesson {
@@ -19,7 +20,21 @@ bool only_edges(const BoxPair& pair) {
 
 std::string verdict(bool overlap) { return overlap ? "overlap" : "are apart"; }
 
+/// The wrong test calls the box outside, and it is not.
+bool loses_box(const BoxPair& pair) {
+  return says_of_box(*find_method(kFrustumBox, "corners_outside"), pair) == query::Culling::kOutside && share_a_point(pair).value_or(false);
+}
+
+std::string frustum_sentence(const BoxPair& pair, bool now, bool found) {
+  if (now) return "This box is lost: “all corners outside” says outside, and it reaches into the frustum.";
+  if (found) return "A box that is lost: found.";
+  if (says_of_box(*find_method(kFrustumBox, "corners_outside"), pair) != query::Culling::kOutside)
+    return "The wrong test keeps this box: a corner of it is inside the frustum.";
+  return "The wrong test says outside, and is right here: the box does not touch the frustum.";
+}
+
 std::string sentence(std::string_view goal, const BoxPair& pair, bool now, bool found) {
+  if (has_frustum(pair)) return frustum_sentence(pair, now, found);
   if (goal == "only_edges") {
     if (now) return "Only edges separate these boxes.";
     return found ? "Boxes that only edges separate: found." : "Still to find: boxes that only an axis of two edges separates.";
@@ -33,6 +48,7 @@ std::string sentence(std::string_view goal, const BoxPair& pair, bool now, bool 
 }  // namespace
 
 bool reaches(std::string_view goal, const BoxPair& pair) {
+  if (has_frustum(pair)) return loses_box(pair);
   if (goal == "only_edges") return only_edges(pair);
   return says_overlap(*find_method(kBoxPair, goal), pair) != says_overlap(*find_method(kBoxPair, "sat"), pair);
 }

@@ -60,6 +60,10 @@ struct Question {
     kHolds,   // of finished: how many points hold the ball; the choices are 1 to Dim + 1
     kSeparates,  // of axis_tested: whether the boxes are apart along it: yes or no
     kWhichAxis,  // of verdict: which axis separates the boxes; the choices are the test's axes and none
+    kPVertex,    // of plane_tested: which corner of the box is farthest along the plane's normal; on the stage, or by its
+    kNVertex,    // signs; and which against it
+    kPlaneSide,  // of plane_tested: on which side of the plane the box is; the choices are query::kCullingNames
+    kVerdict,    // of classified: where the box is, of the frustum; the same choices
   };
   std::string id;
   Gate gate;
@@ -84,7 +88,8 @@ struct Task {
   std::vector<Vector<double, 3>> model;  // a solution, which the checks play
 
   /// Of two boxes: what is to be found, one after the other; "extents_only" and "corners_only": a place where that test
-  /// is wrong; "only_edges": where boxes are apart along the product of two edges, and along no face's normal.
+  /// is wrong; "only_edges": where boxes are apart along the product of two edges, and along no face's normal. Of a box and
+  /// a frustum "corners_outside": where that test loses a box that shares a point with the frustum.
   std::vector<std::string> goals;
   std::vector<BoxPair> models;  // one a goal
 };
@@ -109,7 +114,7 @@ struct Lesson {
   std::vector<std::string> covers;  // "lecture title: slide title", what of the lectures it stands for
   std::vector<Section> sections;
   Points points;
-  std::optional<BoxPair> boxes;         // of volume kBoxPair, which has no points
+  std::optional<BoxPair> boxes;         // of volumes kBoxPair and kFrustumBox, which have no points
   std::vector<std::string> meshes;      // which the student may load instead
   std::vector<std::string> generators;  // which the student may scatter by instead
   std::uint64_t seed = 1;

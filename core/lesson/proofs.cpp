@@ -1,7 +1,9 @@
 #include "lesson/ask.hpp"
 #include "lesson/box_figures.hpp"
-#include "lesson/volume_check.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/frustum_box.hpp"
+#include "lesson/frustum_figures.hpp"
+#include "lesson/volume_check.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::lesson {
@@ -53,7 +55,7 @@ std::vector<Proof> on_the_way(const RunView& run, const Step3& step) {
 }  // namespace
 
 std::vector<Proof> proofs_of(const RunView& run) {
-  if (run.boxes != nullptr) return box_proofs(run);
+  if (run.boxes != nullptr) return has_frustum(*run.boxes) ? frustum_proofs(run) : box_proofs(run);
   const auto& steps = run.recording->steps;
   if (run.step == static_cast<int>(steps.size())) return of_result(run);
   if (run.step == 0 || !steps[static_cast<std::size_t>(run.step - 1)].step.has_volume) return {};

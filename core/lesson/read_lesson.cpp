@@ -6,6 +6,7 @@
 #include "geometry/generate.hpp"
 #include "lesson/box_tests.hpp"
 #include "lesson/check_lesson.hpp"
+#include "lesson/frustum_tests.hpp"
 #include "lesson/own_points.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/toml_table.hpp"
@@ -20,7 +21,7 @@ constexpr std::int64_t kVersion = 1;
 /// Fifty times a long lesson. The parser's tables within tables, a level for two bytes, must not outgrow the stack.
 constexpr std::size_t kMostBytes = 1 << 18;
 
-constexpr std::array<std::pair<std::string_view, Asks>, 9> kAsks{{{"point", Asks::kPoint},
+constexpr std::array<std::pair<std::string_view, Asks>, 13> kAsks{{{"point", Asks::kPoint},
                                                                   {"axis", Asks::kAxis},
                                                                   {"grows", Asks::kGrows},
                                                                   {"leaves", Asks::kLeaves},
@@ -28,7 +29,11 @@ constexpr std::array<std::pair<std::string_view, Asks>, 9> kAsks{{{"point", Asks
                                                                   {"better", Asks::kBetter},
                                                                   {"holds", Asks::kHolds},
                                                                   {"separates", Asks::kSeparates},
-                                                                  {"which_axis", Asks::kWhichAxis}}};
+                                                                  {"which_axis", Asks::kWhichAxis},
+                                                                  {"p_vertex", Asks::kPVertex},
+                                                                  {"n_vertex", Asks::kNVertex},
+                                                                  {"plane_side", Asks::kPlaneSide},
+                                                                  {"verdict", Asks::kVerdict}}};
 
 /// "bunny, teapot or dragon"
 std::string one_of(const auto& names) {
@@ -51,7 +56,7 @@ std::vector<std::string_view> volumes() {
   std::vector<std::string_view> names;
   for (const fit::Algorithm& algorithm : fit::algorithms())
     if (!among(names, algorithm.volume)) names.push_back(algorithm.volume);
-  names.push_back(kBoxPair);
+  names.insert(names.end(), {kBoxPair, kFrustumBox});
   return names;
 }
 
@@ -128,7 +133,7 @@ Question read_question(const toml::table& toml, std::string_view volume, Complai
   const std::string asks = table.text("asks");
   const auto* kind = std::find_if(kAsks.begin(), kAsks.end(), [&](const auto& row) { return row.first == asks; });
   if (kind != kAsks.end()) question.asks = kind->second;
-  if (kind == kAsks.end()) table.wrong("asks", "is none of point, axis, grows, leaves, choice, better, holds, separates or which_axis: " + asks);
+  if (kind == kAsks.end()) table.wrong("asks", "is none of point, axis, grows, leaves, choice, better, holds, separates, which_axis, p_vertex, n_vertex, plane_side or verdict: " + asks);
   question.prompt = table.text("prompt");
   if (question.asks == Asks::kChoice) read_choices(table, question);
   question.own_points = table.flag_or("own_points", false);
@@ -137,9 +142,9 @@ Question read_question(const toml::table& toml, std::string_view volume, Complai
   return question;
 }
 
-/// Two boxes: each key has a list of two. turn: degrees, in 3-D about x, then y, then z.
-BoxPair read_pair(TomlTable& table, int dim) {
-  BoxPair pair{.dim = dim};
+/// Two boxes: each key has a list of two. turn: degrees, in 3-D about x, then y, then z. taper: 1 of two boxes.
+BoxPair read_pair(TomlTable& table, int dim, double taper) {
+  BoxPair pair{.dim = dim, .taper = taper};
   const auto two = [&](std::string_view key, int numbers) {
     auto list = table.points(key, numbers);
     if (list.size() != 2) table.wrong(key, "must be two, for A and for B");
@@ -157,22 +162,30 @@ BoxPair read_pair(TomlTable& table, int dim) {
     largest = std::max(largest, halves[i].maxCoeff());
   }
   pair.knob = 0.4 * largest;
+  if (has_frustum(pair) && !(halves[1].head(dim).minCoeff() > 0)) table.wrong("half_extents", "of a frustum must be above 0");
   if (auto set = places(pair); !set) table.wrong("center", set.error().what);
   table.refuse_others();
   return pair;
 }
 
-Task read_box_task(const toml::table& toml, int dim, Complaints& complaints) {
+std::span<const std::string_view> goals_of(std::string_view volume) {
+  static constexpr std::array<std::string_view, 3> kPair{"extents_only", "corners_only", "only_edges"};
+  static constexpr std::array<std::string_view, 1> kFrustum{"corners_outside"};
+  if (volume == kFrustumBox) return kFrustum;
+  return kPair;
+}
+
+Task read_box_task(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
   TomlTable table(toml, "[task]", complaints);
   Task task;
-  task.volume = kBoxPair;
+  task.volume = lesson.volume;
   task.prompt = table.text("prompt");
-  task.goals = read_names(table, "goals", 1, std::array<std::string_view, 3>{"extents_only", "corners_only", "only_edges"});
-  task.algorithm = read_algorithm(table, "algorithm", kBoxPair);
+  task.goals = read_names(table, "goals", 1, goals_of(lesson.volume));
+  task.algorithm = read_algorithm(table, "algorithm", lesson.volume);
   task.hint = table.text("hint");
   for (const toml::table* model : table.tables("model")) {
     TomlTable own(*model, "[[task.model]]", complaints);
-    task.models.push_back(read_pair(own, dim));
+    task.models.push_back(read_pair(own, lesson.boxes->dim, lesson.boxes->taper));
   }
   if (task.models.size() != task.goals.size()) complaints.add(table.line(), "[task] needs a [[task.model]] for each of its goals");
   table.refuse_others();
@@ -238,7 +251,7 @@ void read_head(TomlTable& table, Lesson& lesson) {
 
 /// What stands on the stage: points, or two boxes.
 void read_subject(TomlTable& table, Lesson& lesson, Complaints& complaints) {
-  const bool pair = lesson.volume == kBoxPair;
+  const bool pair = has_boxes(lesson.volume);
   const char* due = pair ? "boxes" : "points";
   const toml::table* subject = table.table(due);
   if (subject == nullptr) return complaints.add(1, std::string("the lesson lacks [") + due + "]");
@@ -248,7 +261,12 @@ void read_subject(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   }
   TomlTable own(*subject, "[boxes]", complaints);
   lesson.points.dim = static_cast<int>(own.integer_or("dim", 2, 3, 2));
-  lesson.boxes = read_pair(own, lesson.points.dim);
+  double taper = 1;
+  if (lesson.volume == kFrustumBox) {
+    taper = own.number("taper", 1);
+    if (taper == 1) own.wrong("taper", "must be above 0 and below 1");
+  }
+  lesson.boxes = read_pair(own, lesson.points.dim, taper);
 }
 
 Lesson read(const toml::table& toml, Complaints& complaints) {
@@ -261,7 +279,7 @@ Lesson read(const toml::table& toml, Complaints& complaints) {
   if (const toml::table* words = table.table("pseudocode")) read_pseudocode(*words, complaints, lesson);
   for (const toml::table* question : table.tables("question")) lesson.questions.push_back(read_question(*question, lesson.volume, complaints));
   if (const toml::table* task = table.table("task"))
-    lesson.task = lesson.boxes ? read_box_task(*task, lesson.boxes->dim, complaints)
+    lesson.task = lesson.boxes ? read_box_task(*task, lesson, complaints)
                                : read_task(*task, lesson.volume, lesson.points.dim, complaints);
   table.refuse_others();
   return lesson;

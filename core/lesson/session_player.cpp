@@ -23,7 +23,11 @@ std::optional<Mark::Kind> mark_of(const Step3& step, bool first_ball) {
     return Mark::Kind::kBest;
   if (const auto* axis = std::get_if<query::AxisTested<double, 3>>(&step.fact); axis != nullptr && axis->separates)
     return Mark::Kind::kBest;
-  if (std::holds_alternative<query::Verdict<double, 3>>(step.fact) || std::holds_alternative<query::Claimed>(step.fact)) return Mark::Kind::kReplaced;
+  if (const auto* plane = std::get_if<query::PlaneTested<double, 3>>(&step.fact); plane != nullptr && plane->side == query::Culling::kOutside)
+    return Mark::Kind::kBest;
+  if (std::holds_alternative<query::Verdict<double, 3>>(step.fact) || std::holds_alternative<query::Claimed>(step.fact) ||
+      std::holds_alternative<query::Classified>(step.fact))
+    return Mark::Kind::kReplaced;
   if (const auto* tried = std::get_if<BoxTried<double, 3>>(&step.fact); tried != nullptr && tried->better) return Mark::Kind::kBest;
   if (const auto* found = std::get_if<RectangleFound<double, 3>>(&step.fact); found != nullptr && found->better) return Mark::Kind::kBest;
   if (first_ball || std::holds_alternative<BallGrown<double, 3>>(step.fact)) return Mark::Kind::kGrew;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "geometry/generate.hpp"
+#include "lesson/frustum_box.hpp"
 #include "lesson/own_points.hpp"
 #include "lesson/session.hpp"
 
@@ -26,7 +27,7 @@ tl::expected<void, InputError> move_point(AnyPointSet& points, Index i, const Ve
 }
 
 tl::unexpected<InputError> fixed_boxes() {
-  return tl::unexpected(InputError{.what = "this lesson has two boxes: no more and no fewer"});
+  return tl::unexpected(InputError{.what = "this lesson has two volumes: no more and no fewer"});
 }
 
 tl::unexpected<InputError> no_point(Index i) {
@@ -44,7 +45,7 @@ const std::vector<std::array<Index, 3>>& Session::triangles() const {
   return now_.triangles ? *now_.triangles : none;
 }
 
-std::string Session::name_of(Index i) const { return now_.boxes ? place_name(dim(), i) : point_name(i); }
+std::string Session::name_of(Index i) const { return now_.boxes ? place_name(dim(), i, has_frustum(*now_.boxes)) : point_name(i); }
 
 /// The snapshot with other boxes.
 tl::expected<Session::Snapshot, InputError> Session::placed(Snapshot snapshot, BoxPair pair) {

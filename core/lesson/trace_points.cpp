@@ -39,6 +39,11 @@ struct Named {
     for (int bits = 0; bits < 8; ++bits)
       if ((fact.near_b >> bits & 1) != 0) add(index_of(dim, {Place::Kind::kCorner, 1, bits}));
   }
+  void operator()(const query::CornerTested<double, 3>& fact) { add(index_of(dim, {Place::Kind::kCorner, 0, fact.corner})); }
+  void operator()(const query::PlaneTested<double, 3>& fact) {
+    for (const int corner : {fact.p_vertex, fact.n_vertex})
+      if (!fact.skipped) add(index_of(dim, {Place::Kind::kCorner, 0, corner}));
+  }
   void operator()(const BoxWidened& fact) { add(fact.point); }
   void operator()(const LineFound& fact) { add(fact.support); }
   void operator()(const EndPulledIn& fact) { add(fact.point); }

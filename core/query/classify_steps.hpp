@@ -58,6 +58,8 @@ struct PlaneTested {
   int signs = 0;                                                     // of that normal: bit i where coordinate i is >= 0
   int p_vertex = -1;                                                 // a box's corner farthest along the normal: bit 1 for +x,
   int n_vertex = -1;                                                 // 2 for +y, 4 for +z; and against it. -1 of other volumes
+  int p_corners = 0;                                                 // all corners that are as far, within rounding: bit c
+  int n_corners = 0;                                                 // for the corner c. 0 of other volumes
   Vector<Scalar, Dim> p_point = Vector<Scalar, Dim>::Zero();         // where they are, or any volume's farthest points, in
   Vector<Scalar, Dim> n_point = Vector<Scalar, Dim>::Zero();         // the scene, within rounding
   Scalar p_distance = 0;                                             // signed, scene units, positive outside
@@ -68,7 +70,8 @@ struct PlaneTested {
   Culling so_far = Culling::kInside;                                 // of the planes up to this one
   void fields(auto&& see) const {
     see("plane", plane), see("skipped", skipped), see("normal", normal), see("signs", signs), see("p_vertex", p_vertex);
-    see("n_vertex", n_vertex), see("p_point", p_point), see("n_point", n_point), see("p_distance", p_distance);
+    see("n_vertex", n_vertex), see("p_corners", p_corners), see("n_corners", n_corners), see("p_point", p_point);
+    see("n_point", n_point), see("p_distance", p_distance);
     see("n_distance", n_distance), see("doubt", doubt), see("looked_closer", looked_closer);
     see("side", static_cast<int>(side)), see("so_far", static_cast<int>(so_far));
   }

@@ -3,6 +3,22 @@
 #include "query/support_function.hpp"
 
 namespace snug::query {
+namespace {
+
+/// Every corner that agrees with one, but for edges along which the plane's value does not change within rounding.
+template <class Scalar, int Dim, class Box>
+int corners_like(int corner, const Plane<Scalar, Dim>& plane, const Vector<Scalar, Dim>& normal, const Box& box) {
+  const Scalar doubt = doubt_of(plane, size_of(box));
+  int ties = 0;
+  for (int i = 0; i < Dim; ++i)
+    if (std::abs(normal[i]) * (corner_of(box, 1 << i) - corner_of(box, 0)).norm() <= doubt) ties |= 1 << i;
+  int corners = 0;
+  for (int bits = 0; bits < 1 << Dim; ++bits)
+    if (((bits ^ corner) & ~ties) == 0) corners |= 1 << bits;
+  return corners;
+}
+
+}  // namespace
 
 template <class Scalar, int Dim, class Shape>
 PlaneTested<Scalar, Dim> vertices_along(const Plane<Scalar, Dim>& plane, const Shape& volume) {
@@ -13,6 +29,8 @@ PlaneTested<Scalar, Dim> vertices_along(const Plane<Scalar, Dim>& plane, const S
   if constexpr (requires { corner_of(volume, 0); }) {
     fact.p_vertex = fact.signs;
     fact.n_vertex = (1 << Dim) - 1 - fact.signs;
+    fact.p_corners = corners_like<Scalar, Dim>(fact.p_vertex, plane, fact.normal, volume);
+    fact.n_corners = corners_like<Scalar, Dim>(fact.n_vertex, plane, fact.normal, volume);
     fact.p_point = corner_of(volume, fact.p_vertex);
     fact.n_point = corner_of(volume, fact.n_vertex);
   } else if constexpr (std::is_same_v<Shape, Vector<Scalar, Dim>>) {

@@ -61,6 +61,31 @@ std::vector<lesson::Session> box_sessions() {
   return sessions;
 }
 
+/// Every test of a box against a frustum: inside, across, outside, touching, and lost by the wrong one.
+std::vector<lesson::Session> frustum_sessions() {
+  std::vector<lesson::Session> sessions;
+  for (const int dim : {2, 3})
+    for (const double at : {2.5, 1.0, -2.0, 0.75})
+      for (const double wide : {0.25, 6.0})
+        for (const char* test : {"p_n_vertex", "corners_per_plane", "corners_outside"}) {
+          lesson::BoxPair pair{.dim = dim, .taper = 0.25};
+          pair.boxes[0].half_extents = {0.25, wide, dim == 3 ? wide : 0.0};
+          pair.boxes[0].center[0] = at;
+          pair.boxes[1].center[0] = 2.5;
+          pair.boxes[1].half_extents = {1.5, 4, dim == 3 ? 4.0 : 0.0};
+          lesson::Lesson lesson;
+          lesson.id = "test";
+          lesson.volume = "frustum_box";
+          lesson.points.dim = dim;
+          lesson.boxes = pair;
+          lesson.algorithms = {test};
+          auto session = lesson::Session::open(std::move(lesson));
+          REQUIRE(session.has_value());
+          sessions.push_back(*std::move(session));
+        }
+  return sessions;
+}
+
 }  // namespace
 
 TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no number that is not one") {
@@ -88,6 +113,7 @@ TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no numbe
     check(flat, algorithm.record(flat, {}), algorithm);
   }
   for (const lesson::Session& session : box_sessions()) check(session.points(), session.recording(0), *session.algorithm(0));
+  for (const lesson::Session& session : frustum_sessions()) check(session.points(), session.recording(0), *session.algorithm(0));
   // support_replaced, which these runs never reach, has a case of its own below.
   for (const std::string_view fact : fit::fact_names())
     if (fact != "support_replaced") CHECK_MESSAGE(seen.count(fact) == 1, fact);

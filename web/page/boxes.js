@@ -1,9 +1,12 @@
-// The boxes' tools: where each is, how large, how turned, in numbers; scatter and reset.
+// The tools of two boxes, or of a box and a frustum: where each is, how large, how turned, in numbers; scatter and reset.
 import { by_id, button, element, when_changed } from "./dom.js";
 import { clear_notices, notice } from "./messages.js";
 
 const kAxes = ["x", "y", "z"];
 const capital = (word) => word[0].toUpperCase() + word.slice(1);
+// [legend, how its fields' names call it]
+const kNames = { boxes: [["Box A", "A"], ["Box B", "B"]], frustum: [["Box", "the box"], ["Frustum", "the frustum"]] };
+const kSizes = { box: "Half extents", frustum: "Half depth, far face" };
 const rounded = (number) => Number(number.toPrecision(6));
 
 class BoxFields {
@@ -16,28 +19,36 @@ class BoxFields {
   #lists = { center: [], half_extents: [] };
   #rest;
   #shown = null;
+  #legend = element("legend", {});
+  #sizes = element("span", { class: "label" });
   element;
 
-  constructor(door, act, box, name) {
+  constructor(door, act, box) {
     this.#door = door;
     this.#act = act;
     this.#box = box;
-    const row = (what, words) => element("div", { class: "coordinates" }, element("span", { class: "label" }, words),
+    const row = (what, label) => element("div", { class: "coordinates" }, label,
       ...kAxes.map((axis, i) => {
-        const field = element("input", { type: "number", step: "any", inputmode: "decimal", "aria-label": `${words} ${axis} of ${name}`, onchange: () => this.#set(what) });
+        const field = element("input", { type: "number", step: "any", inputmode: "decimal", onchange: () => this.#set(what) });
         this.#lists[what][i] = field;
         return element("label", {}, element("span", {}, axis), field);
       }));
-    this.#degrees.setAttribute("aria-label", `Turn of ${name} in degrees`);
-    this.#axis.setAttribute("aria-label", `Axis that ${name} is turned about`);
     this.#degrees.addEventListener("change", () => this.#dim === 2 && this.#turn(2, true));
     this.#rest = element("span", { class: "row" }, element("span", {}, "about"), this.#axis, button("Turn", () => this.#turn(Number(this.#axis.value), false)));
-    this.element = element("fieldset", { class: "box" }, element("legend", {}, `Box ${name}`), row("center", "Centre"), row("half_extents", "Half extents"),
+    this.element = element("fieldset", { class: "box" }, this.#legend, row("center", element("span", { class: "label" }, "Centre")), row("half_extents", this.#sizes),
       element("div", { class: "row" }, element("label", { class: "turn" }, element("span", {}, "Turn, degrees"), this.#degrees), this.#rest));
   }
 
-  open(dim) {
+  open({ dim, frustum }) {
     this.#dim = dim;
+    const [legend, name] = (frustum ? kNames.frustum : kNames.boxes)[this.#box];
+    const sizes = frustum && this.#box === 1 ? kSizes.frustum : kSizes.box;
+    this.#legend.textContent = legend;
+    this.#sizes.textContent = sizes;
+    for (const [words, list] of [["Centre", this.#lists.center], [sizes, this.#lists.half_extents]])
+      list.forEach((field, i) => field.setAttribute("aria-label", `${words} ${kAxes[i]} of ${name}`));
+    this.#degrees.setAttribute("aria-label", `Turn of ${name} in degrees`);
+    this.#axis.setAttribute("aria-label", `Axis that ${name} is turned about`);
     this.#shown = null;
     for (const list of Object.values(this.#lists)) list[2].parentElement.hidden = dim === 2;
     this.#rest.hidden = dim === 2;
@@ -81,15 +92,16 @@ export class BoxTools {
   #fields;
   #seed = element("input", { type: "number", min: 0, max: Number.MAX_SAFE_INTEGER, step: 1, inputmode: "numeric" });
   #section;
+  #title = element("h2", {});
 
   constructor(door, act) {
     this.#door = door;
-    this.#fields = ["A", "B"].map((name, box) => new BoxFields(door, act, box, name));
+    this.#fields = [0, 1].map((box) => new BoxFields(door, act, box));
     const scatter = (event) => {
       event.preventDefault();
       act(() => door.scatter(Number(this.#seed.value)));
     };
-    this.#section = element("div", { class: "boxes", hidden: true }, element("h2", {}, "Boxes"), ...this.#fields.map((field) => field.element),
+    this.#section = element("div", { class: "boxes", hidden: true }, this.#title, ...this.#fields.map((field) => field.element),
       element("form", { class: "fields", onsubmit: scatter }, element("label", {}, element("span", {}, "Seed"), this.#seed),
         element("button", { type: "submit", class: "button" }, "Scatter"), button("Reset", () => act(() => door.command("reset_points")))));
     by_id("points").append(this.#section);
@@ -97,7 +109,8 @@ export class BoxTools {
 
   open(lesson) {
     this.#section.hidden = !lesson.boxes;
-    for (const field of this.#fields) field.open(lesson.dim);
+    this.#title.textContent = lesson.frustum ? "Box and frustum" : "Boxes";
+    for (const field of this.#fields) field.open(lesson);
   }
 
   #show_seed = when_changed((seed) => (this.#seed.value = seed));

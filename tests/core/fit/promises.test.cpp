@@ -96,8 +96,9 @@ TEST_CASE("one point is a volume of no size, for every algorithm") {
 }
 
 TEST_CASE("every kind of step happens, and reads as JSON with its own name") {
-  // What only tests of two boxes tell of happens in tests/app/captions.test.cpp.
-  std::set<std::string_view> seen{"frames_related", "axis_tested", "looked_closer", "verdict", "outlines_compared", "corner_tried", "claimed"};
+  // What only tests of boxes tell of happens in tests/app/captions.test.cpp.
+  std::set<std::string_view> seen{"frames_related", "axis_tested", "looked_closer", "verdict", "outlines_compared", "corner_tried", "claimed",
+                                  "plane_tested", "corner_tested", "classified"};
   for (const fit::Algorithm& algorithm : fit::algorithms())
     for (const char* kind : {"gaussian", "lattice", "clusters", "ball", "stick"})
       for (const int n : {12, 300}) {

@@ -1,0 +1,183 @@
+// A box and a frustum: the plane at hand with its normal, the corners that it chooses, and how far they are from it.
+#include <algorithm>
+#include <cmath>
+
+#include "app/numbers.hpp"
+#include "app/stage_brush.hpp"
+#include "lesson/frustum_box.hpp"
+
+namespace snug::app {
+namespace {
+
+using query::Culling;
+using Plane = query::PlaneTested<double, 3>;
+using Corner = query::CornerTested<double, 3>;
+
+constexpr float kNormal = 46;  // pixels
+
+struct Side {
+  std::vector<Point3> corners;  // in order around it; in 2-D the two ends of an edge
+  Point3 middle;
+};
+
+Side side_of(const lesson::BoxPair& pair, int plane) {
+  const auto [axis, positive] = lesson::face_on_plane(pair.dim, plane);
+  const Polytope frustum = frustum_polytope(pair);
+  Side face{{}, Point3::Zero()};
+  if (pair.dim == 2) {
+    for (int bits = 0; bits < 4; ++bits)
+      if (((bits >> axis & 1) != 0) == positive) face.corners.push_back(frustum.corners[static_cast<std::size_t>(bits)]);
+  } else {
+    for (const int bits : frustum.faces[static_cast<std::size_t>(2 * axis + (positive ? 0 : 1))])
+      face.corners.push_back(frustum.corners[static_cast<std::size_t>(bits)]);
+  }
+  for (const Point3& corner : face.corners) face.middle += corner / static_cast<double>(face.corners.size());
+  return face;
+}
+
+/// Unit, out of the frustum.
+Point3 normal_of(const Side& face, const lesson::BoxPair& pair) {
+  const Point3 along = face.corners[1] - face.corners[0];
+  Point3 normal = pair.dim == 2 ? Point3(along[1], -along[0], 0) : Point3(along.cross(face.corners[2] - face.corners[0]));
+  if (normal.dot(face.middle - pair.boxes[1].center) < 0) normal = -normal;
+  return normal.normalized();
+}
+
+/// "n (+, −)"
+std::string normal_words(int dim, int signs) {
+  std::string words = "n (";
+  for (int axis = 0; axis < dim; ++axis) words += std::string(axis > 0 ? ", " : "") + ((signs >> axis & 1) != 0 ? "+" : "−");
+  return words + ")";
+}
+
+ImVec2 shifted(ImVec2 at, ImVec2 by, float length) { return {at.x + by.x * length, at.y + by.y * length}; }
+
+ImVec2 way_between(ImVec2 from, ImVec2 to) {
+  const float length = std::hypot(to.x - from.x, to.y - from.y);
+  return length > 0 ? ImVec2{(to.x - from.x) / length, (to.y - from.y) / length} : ImVec2{0, -1};
+}
+
+/// "+0.42", "−0.17"
+std::string signed_words(double distance) { return (distance > 0 ? "+" : "") + short_figure(distance); }
+
+std::string verdict_words(const Shown& shown) {
+  if (!shown.verdict) return "Box";
+  return "Box: " + std::string(query::kCullingNames[static_cast<std::size_t>(*shown.verdict)]) + (shown.finished ? "" : " so far");
+}
+
+}  // namespace
+
+void Stage::draw_frustum(Brush& brush, const lesson::BoxPair& pair) const {
+  const Palette& p = brush.p;
+  draw_camera(brush, pair);
+  draw_volume(brush.canvas, frustum_polytope(pair), {Stroke::kSolid, p.previous, brush.stroke(0.9f), 0.6f * p.fill});
+  const bool outside = shown_.finished && shown_.verdict == Culling::kOutside;
+  draw_volume(brush.canvas, fit::Volume3(pair.boxes[0]), {Stroke::kSolid, outside ? p.wrong : p.current, brush.stroke(), p.fill});
+  for (int i = 0; i < 2; ++i) {
+    const ImVec2 center = brush.at(pair.boxes[static_cast<std::size_t>(i)].center);
+    plus(brush.list, center, 5 * p.mark, i == 1 ? p.previous : outside ? p.wrong : p.current, brush.stroke(0.8f));
+    brush.canvas.obstacles.discs.push_back({center.x, center.y, 8});
+    draw_knobs(brush, pair, i);
+  }
+  if (shown_.plane) draw_plane(brush, pair, shown_.plane->plane);
+  else if (!shown_.corners.empty() && shown_.corners.back().plane >= 0) draw_plane(brush, pair, shown_.corners.back().plane);
+  if (shown_.plane && !shown_.plane_asked) draw_distances(brush, pair);
+  draw_corners(brush);
+  const Color verdict = outside ? p.wrong_text : shown_.finished && shown_.verdict == Culling::kIntersecting ? p.examined_text : p.current_text;
+  brush.label(brush.at(pair.boxes[0].center), 12, {-0.3f, 1}, verdict_words(shown_), verdict, Face::kSemiBold, 15);
+  brush.label(brush.at(pair.boxes[1].center), 12, {1, 0.4f}, "Frustum", p.previous_text, Face::kSemiBold, 15);
+}
+
+/// Where the frustum's sides meet.
+void Stage::draw_camera(Brush& brush, const lesson::BoxPair& pair) const {
+  const Palette& p = brush.p;
+  const Point3 eye = lesson::camera_of(pair).position;
+  for (int bits = 0; bits < 1 << pair.dim; bits += 2)
+    draw_line(brush.canvas, eye, lesson::corner_of(pair, 1, bits), {Stroke::kDotted, p.previous, brush.stroke(0.6f)});
+  const ImVec2 at = brush.at(eye);
+  disc(brush.list, at, 6 * p.mark, p.ground);
+  ring(brush.list, at, 6 * p.mark, p.previous, brush.stroke(0.8f));
+  disc(brush.list, at, 2.5f * p.mark, p.previous);
+  brush.canvas.obstacles.discs.push_back({at.x, at.y, 8});
+  const ImVec2 away = way_between(brush.at(pair.boxes[1].center), at);
+  brush.label(at, 10, away, "camera", p.previous_text, Face::kRegular, 13);
+}
+
+/// The plane at hand: its part of the frustum's border, and its normal; in 2-D the whole line, with strokes on its outer side.
+void Stage::draw_plane(Brush& brush, const lesson::BoxPair& pair, int plane) const {
+  const Palette& p = brush.p;
+  const Side face = side_of(pair, plane);
+  std::vector<ImVec2> outline;
+  for (const Point3& corner : face.corners) outline.push_back(brush.at(corner));
+  const ImVec2 middle = brush.at(face.middle);
+  const Point3 normal = normal_of(face, pair);
+  const ImVec2 tip = brush.at(face.middle + normal * (kNormal * static_cast<double>(p.mark) / camera_.scale_at(face.middle)));
+  if (pair.dim == 2) {
+    const ImVec2 along = way_between(outline[0], outline[1]), out = way_between(middle, tip);
+    const float reach = brush.rect.width + brush.rect.height, step = 14;
+    line(brush.list, shifted(middle, along, -reach), shifted(middle, along, reach), Stroke::kSolid, with_alpha(p.examined, 0.5f), brush.stroke(0.5f));
+    for (float t = -reach; t < reach; t += step) {
+      const ImVec2 foot = shifted(middle, along, t);
+      line(brush.list, foot, shifted(shifted(foot, out, 7), along, 4), Stroke::kSolid, with_alpha(p.examined, 0.45f), 1);
+    }
+    brush.canvas.obstacles.segments.push_back({outline[0].x, outline[0].y, outline[1].x, outline[1].y});
+  } else {
+    brush.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), with_alpha(p.examined, 0.16f));
+  }
+  path(brush.list, outline, pair.dim == 3, Stroke::kSolid, p.examined, brush.stroke(1.6f));
+  arrow(brush.list, middle, tip, p.ink, brush.stroke(1.1f));
+  brush.canvas.obstacles.segments.push_back({middle.x, middle.y, tip.x, tip.y});
+  const std::string name = lesson::plane_name(pair.dim, plane);
+  const bool signs = shown_.plane && !shown_.plane_asked;
+  brush.label(tip, 6, way_between(middle, tip), signs ? name + ": " + normal_words(pair.dim, shown_.plane->signs) : name + " plane", p.ink, Face::kSemiBold, 14);
+  if (signs) draw_box_axes(brush, pair);
+}
+
+/// The axes that the signs speak of.
+void Stage::draw_box_axes(Brush& brush, const lesson::BoxPair& pair) const {
+  const Palette& p = brush.p;
+  const Obb<double, 3>& box = pair.boxes[0];
+  const ImVec2 center = brush.at(box.center);
+  for (int axis = 0; axis < pair.dim; ++axis) {
+    const ImVec2 tip = brush.at(box.center + box.axes.col(axis) * (26 * static_cast<double>(p.mark) / camera_.scale_at(box.center)));
+    arrow(brush.list, center, tip, p.muted, brush.stroke(0.7f));
+    brush.label(tip, 2, way_between(center, tip), std::string(1, "xyz"[axis]), p.muted, Face::kSemiBold, 12, true);
+  }
+}
+
+/// From each vertex to the plane.
+void Stage::draw_distances(Brush& brush, const lesson::BoxPair& pair) const {
+  const Palette& p = brush.p;
+  const Plane& plane = *shown_.plane;
+  const Point3 normal = normal_of(side_of(pair, plane.plane), pair);
+  for (const bool along : {true, false}) {
+    const Point3 vertex = along ? plane.p_point : plane.n_point;
+    const double distance = along ? plane.p_distance : plane.n_distance;
+    const ImVec2 from = brush.at(vertex), foot = brush.at(vertex - normal * distance);
+    const ImVec2 way = way_between(from, foot), aside{-way.y, way.x};
+    const Color color = distance > 0 ? p.examined : p.current;
+    line(brush.list, from, foot, Stroke::kDashed, color, brush.stroke(0.9f));
+    line(brush.list, shifted(foot, aside, -6), shifted(foot, aside, 6), Stroke::kSolid, color, brush.stroke());
+    brush.canvas.obstacles.segments.push_back({from.x, from.y, foot.x, foot.y});
+    brush.label({(from.x + foot.x) / 2, (from.y + foot.y) / 2}, 5, aside.x >= 0 ? aside : ImVec2{-aside.x, -aside.y}, signed_words(distance),
+                distance > 0 ? p.examined_text : p.current_text, Face::kMonoBold, 13);
+  }
+}
+
+/// Of tests by corners: a ring where a corner is outside, a tick where it is not; the last one says of what.
+void Stage::draw_corners(Brush& brush) const {
+  const Palette& p = brush.p;
+  for (const Corner& corner : shown_.corners) {
+    const ImVec2 at = brush.at(corner.point);
+    const bool last = &corner == &shown_.corners.back() && !shown_.finished;
+    if (corner.outside) ring(brush.list, at, (last ? 13 : 10) * p.mark, p.examined, brush.stroke(last ? 1.2f : 0.8f));
+    else tick(brush.list, shifted(at, {0.7f, -0.7f}, 14 * p.mark), 5 * p.mark, p.optimum, brush.stroke(last ? 1.2f : 0.8f));
+    brush.canvas.obstacles.discs.push_back({at.x, at.y, 14 * p.mark});
+    if (!last) continue;
+    const std::string of = corner.plane < 0 ? "every plane" : lesson::plane_name(camera_.dim(), corner.plane);
+    const std::string by = corner.plane < 0 ? "" : " " + signed_words(corner.distance);
+    brush.label(at, 20 * p.mark, {0.5f, -1}, (corner.outside ? "outside of " : "inside of ") + of + by, corner.outside ? p.examined_text : p.optimum_text);
+  }
+}
+
+}  // namespace snug::app

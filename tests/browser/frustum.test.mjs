@@ -1,0 +1,115 @@
+// A box and a frustum: dragged, asked about on the stage, lost by the wrong test, shared by the address.
+import { after, before, test } from "node:test";
+import { assert, drag, drag_by_finger, handles, kPhone, ready, start, state, still, stop, until, visit } from "./support.mjs";
+
+before(start);
+after(stop);
+
+const kLessons = ["frustum-2d", "frustum-3d"];
+const changed = (now, boxes) => JSON.stringify(now.boxes) !== boxes;
+const text_of = (view) => JSON.stringify(view.boxes);
+/** Places [name, of which box, what changes]. */
+const kPlaces = [["Box", 0, "center"], ["Frustum", 1, "center"], ["++", 0, "half_extents"], ["F3", 1, "half_extents"]];
+
+for (const lesson of kLessons)
+  test(`${lesson}: box and frustum are dragged, each by itself, and undone`, async (t) => {
+    const page = await visit(t, `?lesson=${lesson}`);
+    const own = await state(page);
+    for (const [name, which, key] of kPlaces) {
+      const id = lesson === "frustum-3d" && name === "++" ? "+++" : name;
+      await drag(page, id, 13, -9);
+      const now = await until(page, changed, text_of(own));
+      assert.notDeepEqual(now.boxes[which][key], own.boxes[which][key], `${id} changes the ${key}`);
+      assert.deepEqual(now.boxes[1 - which], own.boxes[1 - which]);
+      await page.keyboard.press("Control+z");
+      await until(page, (view, text) => JSON.stringify(view.boxes) === text, text_of(own));
+    }
+    if (own.boxes[0].degrees === undefined) return;
+    await drag(page, "Frustum turn", 0, 30);
+    assert.notEqual((await until(page, changed, text_of(own))).boxes[1].degrees, own.boxes[1].degrees);
+  });
+
+test("a finger drags the frustum's corner on a phone", async (t) => {
+  const page = await visit(t, "?lesson=frustum-2d", kPhone);
+  const own = await state(page);
+  await drag_by_finger(page, "F3", -14, 10);
+  const now = await until(page, changed, text_of(own));
+  assert.notDeepEqual(now.boxes[1].half_extents, own.boxes[1].half_extents);
+  assert.deepEqual(now.boxes[0], own.boxes[0]);
+});
+
+for (const lesson of kLessons)
+  test(`${lesson}: which corner is it? A click on the stage answers, and the step shows p and n`, async (t) => {
+    const page = await visit(t, `?lesson=${lesson}`);
+    const { asked } = await until(page, (now) => now.asked);
+    assert.equal(asked.id, "p-vertex");
+    const places = await handles(page);
+    // The centre of the box is no corner: nothing is answered.
+    const middle = places.find(({ id }) => id === "Box");
+    await page.mouse.click(middle.x, middle.y);
+    await still(page);
+    assert.ok((await state(page)).asked);
+    const corners = places.filter(({ id }) => /^[+−]+$/.test(id));
+    assert.equal(corners.length, asked.choices.length);
+    await page.mouse.click(corners[0].x, corners[0].y);
+    const { outcome, step, readout } = await until(page, (now) => now.outcome);
+    assert.equal(outcome.predicted, corners[0].id);
+    assert.equal(outcome.right, outcome.predicted === outcome.happened);
+    assert.equal(step, 1);
+    assert.ok(readout.p_distance > readout.n_distance);
+  });
+
+test("the corner's signs answer by keyboard as well", async (t) => {
+  const page = await visit(t, "?lesson=frustum-2d");
+  await until(page, (now) => now.asked);
+  await page.getByRole("button", { name: "−+", exact: true }).click();
+  const { outcome } = await until(page, (now) => now.outcome);
+  assert.equal(outcome.predicted, "−+");
+});
+
+test("a long box across the frustum: the wrong test loses it, the right ones do not, and the task is done", async (t) => {
+  const across = "boxes=0.6,0,0.2,1.7,1,0;0.55,0,1.05,1.15,1,0";
+  const verdicts = {};
+  for (const algorithm of ["p_n_vertex", "corners_per_plane", "corners_outside"]) {
+    const page = await visit(t, `?lesson=frustum-2d&a=${algorithm}&${across}&step=99`);
+    const view = await until(page, (now) => now.step === now.steps);
+    assert.equal(view.algorithm, algorithm);
+    verdicts[algorithm] = view.readout.verdict;
+    assert.ok(view.grade.done, view.grade.says);
+  }
+  assert.deepEqual(verdicts, { p_n_vertex: 1, corners_per_plane: 1, corners_outside: 2 });
+});
+
+test("the tools speak of a box and a frustum, and take numbers for both but no frustum without depth", async (t) => {
+  const page = await visit(t, "?lesson=frustum-2d");
+  await page.getByRole("tab", { name: "Boxes" }).click();
+  await page.getByRole("heading", { name: "Box and frustum" }).waitFor();
+  await page.getByLabel("Turn of the frustum in degrees").fill("20");
+  await page.keyboard.press("Enter");
+  await until(page, (now) => Math.abs(now.boxes[1].degrees - 20) < 1e-9);
+  await page.getByLabel("Centre x of the box").fill("0.5");
+  await page.keyboard.press("Tab");
+  const before = await until(page, (now) => now.boxes[0].center[0] === 0.5);
+  await page.getByLabel("Half depth, far face x of the frustum").fill("0");
+  await page.keyboard.press("Tab");
+  await page.getByText(/a depth and a far face above 0/i).last().waitFor();
+  assert.deepEqual((await state(page)).boxes, before.boxes);
+  const other = await visit(t, "?lesson=obb-sat");
+  await other.getByRole("tab", { name: "Boxes" }).click();
+  await other.getByLabel("Turn of A in degrees").waitFor();
+});
+
+test("the address carries box and frustum to the last digit", async (t) => {
+  for (const lesson of kLessons) {
+    const page = await visit(t, `?lesson=${lesson}`);
+    const own = await state(page);
+    await drag(page, "Frustum", -11, 7);
+    const moved = await until(page, changed, text_of(own));
+    for (let href = ""; href !== page.url() || !/boxes=/.test(href); await page.waitForTimeout(400)) href = page.url(); // it follows a moment later
+    await page.reload();
+    await ready(page);
+    const again = await state(page);
+    assert.deepEqual(again.boxes, moved.boxes);
+    assert.equal(again.trace, moved.trace);
+  }
+});
