@@ -14,7 +14,7 @@ namespace {
 
 constexpr fit::Algorithm row(std::string_view name, std::string_view title, std::string_view source,
                              std::span<const std::string_view> pseudocode) {
-  return {kFrustumBox, name, title, false, true, true, std::numeric_limits<Index>::max(), source, pseudocode, {}, nullptr, nullptr, nullptr};
+  return {kFrustumBox, name, title, false, true, true, std::numeric_limits<Index>::max(), source, pseudocode, {}, nullptr, nullptr};
 }
 
 constexpr std::string_view kWrong = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007";
