@@ -21,30 +21,30 @@ struct ClassifyLine {
   static constexpr int kSkip = 2, kChoose = 3, kOutside = 4, kIntersects = 5, kVerdict = 6;
 };
 inline constexpr std::array<std::string_view, 7> kClassifyBoxPseudocode{
-    "intersects ← no",
+    "crosses ← no",
     "for each plane n, d of the frustum",
     "  skip it if the parent is inside it",
-    "  n's signs in the box's frame choose p- and n-vertex",
+    "  p-, n-vertex ← n's signs in the box",
     "  outside if n · n-vertex + d > 0",
-    "  intersects ← yes if n · p-vertex + d > 0",
+    "  crosses ← yes if n · p-vertex + d > 0",
     "intersecting if so, else inside",
 };
 inline constexpr std::array<std::string_view, 7> kClassifySpherePseudocode{
-    "intersects ← no",
+    "crosses ← no",
     "for each plane n, d of the frustum",
     "  skip it if the parent is inside it",
     "  s ← n · center + d",
     "  outside if s > r |n|: the plane pushed out by r",
-    "  intersects ← yes if s > -r |n|",
+    "  crosses ← yes if s > -r |n|",
     "intersecting if so, else inside",
 };
 inline constexpr std::array<std::string_view, 7> kClassifySupportPseudocode{
-    "intersects ← no",
+    "crosses ← no",
     "for each plane n, d of the frustum",
     "  skip it if the parent is inside it",
     "  farthest points of the volume along n and -n",
     "  outside if n · (farthest along -n) + d > 0",
-    "  intersects ← yes if n · (farthest along n) + d > 0",
+    "  crosses ← yes if n · (farthest along n) + d > 0",
     "intersecting if so, else inside",
 };
 
