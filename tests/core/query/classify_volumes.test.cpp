@@ -89,7 +89,7 @@ void check_all_kinds() {
     const auto kdop = kdop_of<Scalar, Dim>(ks[static_cast<std::size_t>(round % 36 == 0 ? 2 : round % 2)], points);
     check_kind(scene, kdop, exact::classify(scene.frustum, kdop), kdops);
   }
-  capsules.check(10), lozenges.check(10), hulls.check(10), kdops.check(1);
+  capsules.check(3), lozenges.check(3), hulls.check(3), kdops.check(1);
 }
 
 /// Of the numbers that never round: of a k-DOP times 12.
