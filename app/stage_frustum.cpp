@@ -13,7 +13,7 @@ using query::Culling;
 using Plane = query::PlaneTested<double, 3>;
 using Corner = query::CornerTested<double, 3>;
 
-constexpr float kNormal = 46;  // pixels
+constexpr double kNormal = 0.3;  // of the frustum's half depth
 
 struct Side {
   std::vector<Point3> corners;  // in order around it; in 2-D the two ends of an edge
@@ -41,6 +41,16 @@ Point3 normal_of(const Side& face, const lesson::BoxPair& pair) {
   Point3 normal = pair.dim == 2 ? Point3(along[1], -along[0], 0) : Point3(along.cross(face.corners[2] - face.corners[0]));
   if (normal.dot(face.middle - pair.boxes[1].center) < 0) normal = -normal;
   return normal.normalized();
+}
+
+/// Where on a face its normal stands: not where the box is.
+Point3 clear_of(const Side& face, const Point3& box) {
+  Point3 best = face.middle;
+  for (const Point3& corner : face.corners) {
+    const Point3 place = face.middle + (corner - face.middle) * 0.55;
+    if ((place - box).norm() > (best - box).norm()) best = place;
+  }
+  return best;
 }
 
 /// "n (+, −)"
@@ -109,16 +119,15 @@ void Stage::draw_plane(Brush& brush, const lesson::BoxPair& pair, int plane) con
   const Side face = side_of(pair, plane);
   std::vector<ImVec2> outline;
   for (const Point3& corner : face.corners) outline.push_back(brush.at(corner));
-  const ImVec2 middle = brush.at(face.middle);
-  const Point3 normal = normal_of(face, pair);
-  const ImVec2 tip = brush.at(face.middle + normal * (kNormal * static_cast<double>(p.mark) / camera_.scale_at(face.middle)));
+  const Point3 foot = clear_of(face, pair.boxes[0].center);
+  const ImVec2 middle = brush.at(foot), tip = brush.at(foot + normal_of(face, pair) * (kNormal * pair.boxes[1].half_extents[0]));
   if (pair.dim == 2) {
     const ImVec2 along = way_between(outline[0], outline[1]), out = way_between(middle, tip);
     const float reach = brush.rect.width + brush.rect.height, step = 14;
     line(brush.list, shifted(middle, along, -reach), shifted(middle, along, reach), Stroke::kSolid, with_alpha(p.examined, 0.5f), brush.stroke(0.5f));
     for (float t = -reach; t < reach; t += step) {
-      const ImVec2 foot = shifted(middle, along, t);
-      line(brush.list, foot, shifted(shifted(foot, out, 7), along, 4), Stroke::kSolid, with_alpha(p.examined, 0.45f), 1);
+      const ImVec2 at = shifted(middle, along, t);
+      line(brush.list, at, shifted(shifted(at, out, 7), along, 4), Stroke::kSolid, with_alpha(p.examined, 0.45f), 1);
     }
     brush.canvas.obstacles.segments.push_back({outline[0].x, outline[0].y, outline[1].x, outline[1].y});
   } else {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr Index kNameAll = 30;    // so many points have room for all their names
 constexpr Index kInviteAll = 250; // more rings than this hide the points
-constexpr float kDiamond = 7.5f, kRing = 11;
+constexpr float kDiamond = 7.5f, kRing = 11, kVertex = 13;
 
 std::string coordinates(const Point3& p, int dim) {
   std::string text = "(" + lesson::number_text(p[0]) + ", " + lesson::number_text(p[1]);
@@ -56,7 +56,15 @@ void Stage::draw_points(Brush& brush) const {
         diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
   if (shown_.pair && !shown_.volume)
     for (const Index i : {shown_.pair->a, shown_.pair->b}) diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
-  for (const Index i : shown_.spoken_of) diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
+  for (const Index i : shown_.spoken_of) {
+    const bool vertex = shown_.plane.has_value();  // the p-vertex, and then the n-vertex
+    const ImVec2 place = at(i);
+    diamond(brush.list, place, (vertex ? kVertex : kDiamond) * p.mark, p.support, p.ground);
+    if (!vertex) continue;
+    const float size = kVertex * p.mark / brush.look.text_scale;  // a mark, not a word: it does not grow with the text
+    text_middle(brush.list, brush.look, Face::kSemiBold, size, {place.x, place.y - 0.6f * kVertex * p.mark}, p.ground, &i == shown_.spoken_of.data() ? "p" : "n");
+    brush.canvas.obstacles.discs.push_back({place.x, place.y, kVertex * p.mark});
+  }
   if (shown_.examined != kNoIndex) {
     const ImVec2 point = at(shown_.examined);
     if (!among(touching, shown_.examined)) disc(brush.list, point, (point_radius_ + 1) * p.mark, p.examined);
@@ -161,10 +169,10 @@ void Stage::name_points(Brush& brush) const {
   if (shown_.pair)
     for (const Index i : {shown_.pair->a, shown_.pair->b}) plain(i);
   if (shown_.plane && !shown_.plane_asked)
-    for (const bool along : {true, false}) {
-      const int corner = along ? shown_.plane->p_vertex : shown_.plane->n_vertex;
-      const Index i = lesson::index_of(session.dim(), {lesson::Place::Kind::kCorner, 0, corner});
-      name(i, (along ? "p  " : "n  ") + session.name_of(i), p.support_text, Face::kSemiBold, 12 * p.mark, 16);
+    for (const Index i : shown_.spoken_of) {  // p- and n-vertex, away from the box
+      named[static_cast<std::size_t>(i)] = true;
+      const ImVec2 at = brush.at(session.point(i)), box = brush.at(session.point(0));
+      brush.label(at, 15 * p.mark, {at.x - box.x, at.y - box.y}, session.name_of(i), p.support_text, Face::kSemiBold, 15);
     }
   for (const Index i : {selected_, hovered_})
     if (i != kNoIndex && i < session.size()) name(i, session.name_of(i), p.ink, Face::kSemiBold, 13);
@@ -184,12 +192,13 @@ void Stage::draw_labels(Brush& brush) const {
   for (const Label& label : brush.labels) requests.push_back(label.request);
   const Rect& r = brush.rect;
   const auto places = place_labels(requests, brush.canvas.obstacles, {r.x + 4, r.y + 4, r.width - 8, r.height - 8});
+  const bool of_signs = brush.session.boxes() != nullptr && lesson::has_frustum(*brush.session.boxes());
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!places[i]) continue;
     const Label& label = brush.labels[i];
     const ImVec2 at{places[i]->x + 3, places[i]->y + 1};
-    // A name that is only shown where it is clear of everything needs no halo.
-    if (label.request.optional && !scene_.three_d) text(brush.list, brush.look, label.face, label.size, at, label.color, label.words);
+    // A name that is only shown where it is clear of everything needs no halo; one of signs would be unreadable with it.
+    if (label.request.optional && (!scene_.three_d || of_signs)) text(brush.list, brush.look, label.face, label.size, at, label.color, label.words);
     else halo_text(brush.list, brush.look, label.face, label.size, at, label.color, brush.p.ground, label.words);
   }
 }

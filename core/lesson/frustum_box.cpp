@@ -50,12 +50,13 @@ std::string plane_name(int dim, int plane) {
 
 std::string plane_names(int dim, PlaneSet planes) {
   std::string names;
+  int count = 0;
   for (int plane = 0; plane < planes_of_frustum(dim); ++plane) {
     if ((planes >> plane & 1) == 0) continue;
     const bool is_last = planes >> (plane + 1) == 0;
-    names += (names.empty() ? "" : is_last ? " and " : ", ") + plane_name(dim, plane);
+    names += (count++ == 0 ? "the " : is_last ? " and " : ", ") + plane_name(dim, plane);
   }
-  return names;
+  return names + (count == 1 ? " plane" : " planes");
 }
 
 std::string sign_name(int dim, int bits) {

@@ -29,7 +29,7 @@ template <int Dim>
 [[nodiscard]] inline int planes_of_frustum(int dim) { return 2 * dim; }
 /// "left".
 [[nodiscard]] std::string plane_name(int dim, int plane);
-/// "left and near".
+/// "the left and near planes".
 [[nodiscard]] std::string plane_names(int dim, PlaneSet planes);
 
 /// A corner as the signs of its way from the centre, which are those of the normals that choose it: "+−", "−++".

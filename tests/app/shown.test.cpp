@@ -116,4 +116,56 @@ TEST_CASE("a candidate of brute force fails for a point, or is kept") {
   CHECK(shown_at(session, false).rival);
 }
 
+/// A box upright across the left side of a frustum that looks along +x.
+lesson::Session frustum_session(const std::string& test, bool asks) {
+  lesson::Lesson lesson;
+  lesson.id = "test";
+  lesson.volume = "frustum_box";
+  lesson.boxes = lesson::BoxPair{.taper = 0.25};
+  lesson.boxes->boxes[0] = {{2, 2, 0}, Matrix<double, 3>::Identity(), {0.4, 0.2, 0}};
+  lesson.boxes->boxes[1] = {{2.5, 0, 0}, Matrix<double, 3>::Identity(), {1.5, 4, 0}};
+  lesson.algorithms = {test};
+  if (asks) {
+    lesson::Question& question = lesson.questions.emplace_back();
+    question.id = "p";
+    question.gate = {test, "plane_tested", 1, ""};
+    question.asks = lesson::Question::Asks::kPVertex;
+  }
+  return *lesson::Session::open(std::move(lesson));
+}
+
+TEST_CASE("a question about a plane shows that plane, and its vertices only when it is answered") {
+  lesson::Session session = frustum_session("p_n_vertex", true);
+  const Shown asked = shown_at(session, false);
+  REQUIRE(asked.plane);
+  CHECK(asked.plane->plane == 0);
+  CHECK(asked.plane_asked);
+  CHECK(asked.spoken_of.empty());
+  CHECK_FALSE(asked.verdict);
+  REQUIRE(session.answer({lesson::Answer::Kind::kChoice, 2}));
+  const Shown told = shown_at(session, false);
+  REQUIRE(told.plane);
+  CHECK_FALSE(told.plane_asked);
+  REQUIRE(told.spoken_of.size() == 2);
+  CHECK(session.name_of(told.spoken_of[0]) == "−+");
+  CHECK(session.name_of(told.spoken_of[1]) == "+−");
+  CHECK(told.verdict == query::Culling::kIntersecting);
+  CHECK(told.right == std::vector<Index>{told.spoken_of[0]});
+}
+
+TEST_CASE("corners are marked as they are tested: of one plane at a time, or of all") {
+  lesson::Session per_plane = frustum_session("corners_per_plane", false), all = frustum_session("corners_outside", false);
+  for (int step = 1; step < per_plane.steps(); ++step) {
+    per_plane.jump(step);
+    const Shown shown = shown_at(per_plane, false);
+    CHECK(shown.corners.size() == static_cast<std::size_t>((step - 1) % 4 + 1));
+    for (const auto& corner : shown.corners) CHECK(corner.plane == (step - 1) / 4);
+  }
+  all.jump(3);
+  CHECK(shown_at(all, false).corners.size() == 3);
+  all.jump(all.steps());
+  CHECK(shown_at(all, false).corners.size() == 4);
+  CHECK(shown_at(all, false).verdict == query::Culling::kIntersecting);
+}
+
 }  // namespace snug::app

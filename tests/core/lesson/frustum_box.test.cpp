@@ -129,8 +129,8 @@ TEST_CASE("left is left: seen along the camera's way, with up where the lesson s
   CHECK(camera.far == doctest::Approx(4));
   CHECK(camera.half_tangents[0] == doctest::Approx(1));
   CHECK(plane_name(3, 2) == "bottom");
-  CHECK(plane_names(2, 0b1101) == "left, near and far");
-  CHECK(plane_names(2, 0b0100) == "near");
+  CHECK(plane_names(2, 0b1101) == "the left, near and far planes");
+  CHECK(plane_names(2, 0b0100) == "the near plane");
 }
 
 TEST_CASE("a corner of the frustum is dragged: it follows the hand, and the opposite one stays") {
@@ -254,7 +254,7 @@ TEST_CASE("the side of a plane and the verdict are chosen among the three") {
   session.go(session.steps());
   REQUIRE(session.answer({Answer::Kind::kChoice, 1}));
   CHECK(session.outcome()->right);
-  CHECK(session.outcome()->says == "You said intersecting. No plane has all of the box outside; it crosses near.");
+  CHECK(session.outcome()->says == "You said intersecting. No plane has all of the box outside; it crosses the near plane.");
 }
 
 TEST_CASE("figures and proof: the plane, the distances, the verdict, and whether the test is right") {
@@ -309,13 +309,13 @@ TEST_CASE("each mistake about a frustum is told with its line") {
       {"taper = 0.3\n", "", "[boxes]", "lacks the key \"taper\""},
       {"taper = 0.3", "taper = 1", "taper = 1", "below 1"},
       {"taper = 0.3", "taper = 0", "taper = 0", "above 0"},
-      {"[1.05, 1.15]]\nturn = [[16]", "[0, 1.15]]\nturn = [[16]", "half_extents", "of a frustum must be above 0"},
+      {"[1.05, 1.15]]\nturn = [[-24]", "[0, 1.15]]\nturn = [[-24]", "half_extents", "of a frustum must be above 0"},
       {"volume = \"frustum_box\"", "volume = \"box_pair\"", "algorithms", "p_n_vertex"},
       {"goals = [\"corners_outside\"]", "goals = [\"only_edges\"]", "goals", "only_edges"},
       {"asks = \"p_vertex\"", "asks = \"verdict\"", "[[question]]\nid = \"p-vertex\"", "asks of classified"},
       {"asks = \"verdict\"", "asks = \"n_vertex\"", "[[question]]\nid = \"verdict\"", "ask of plane_tested"},
       {"[0.2, 1.7]", "[0.2, 0.17]", "[[task.model]]", "does not reach"},
-      {"asks = \"plane_side\"", "asks = \"plane_sides\"", "plane_sides", "none of point"},
+      {"asks = \"n_vertex\"", "asks = \"nearest_vertex\"", "nearest_vertex", "none of point"},
   };
   const std::string good = text_of("frustum-2d");
   for (const Broken& broken : kBroken) {
