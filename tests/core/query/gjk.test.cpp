@@ -161,7 +161,7 @@ TEST_CASE("gaps from a whole to a rounding are found between faces, edges and sl
   // Two prisms over the same triangle, one above the other: rounding makes each simplex's own direction far too rough for
   // the small gaps, and a sliver's rougher still.
   Random random(3);
-  int doubled = 0, slivers_undecided = 0;
+  int doubled = 0, slivers_undecided = 0, others_undecided = 0;
   for (int round = 0; round < 400; ++round) {
     const double gap = std::pow(10.0, -random.between(0, 13));
     const double thin = random.below(2) == 0 ? 1 : std::pow(10.0, -random.between(0, 12));
@@ -181,12 +181,12 @@ TEST_CASE("gaps from a whole to a rounding are found between faces, edges and sl
     // A sliver's own plane is known by some digits fewer; so are both bounds, in a few rounds of a hundred.
     const bool undecided = found.distance - found.gap > 32 * tolerance::kRoundoff<double>;
     CHECK(found.gap >= gap - (thin == 1 ? 100 : 1e4) * tolerance::kRoundoff<double>);
-    if (thin == 1) CHECK_FALSE(undecided);
-    slivers_undecided += undecided;
+    (thin == 1 ? others_undecided : slivers_undecided) += undecided;
     doubled += watch.doubled;
   }
   CHECK(doubled > 20);
   CHECK(slivers_undecided < 20);
+  CHECK(others_undecided < 4);  // their corners are drawn, and may make a sliver by themselves
 }
 
 TEST_CASE("both bounds meet for hulls of many points, cospherical and flat") {
