@@ -70,6 +70,14 @@ ImVec2 way_between(ImVec2 from, ImVec2 to) {
 /// "+0.42", "−0.17"
 std::string signed_words(double distance) { return (distance > 0 ? "+" : "") + short_figure(distance); }
 
+/// Of the box, on the screen.
+ImVec2 lowest_corner(const Canvas& canvas, const lesson::BoxPair& pair) {
+  ImVec2 lowest = canvas.at(pair.boxes[0].center);
+  for (int bits = 0; bits < 1 << pair.dim; ++bits)
+    if (const ImVec2 at = canvas.at(lesson::corner_of(pair.boxes[0], bits)); at.y > lowest.y) lowest = at;
+  return lowest;
+}
+
 std::string verdict_words(const Shown& shown) {
   if (!shown.verdict) return "Box";
   return "Box: " + std::string(query::kCullingNames[static_cast<std::size_t>(*shown.verdict)]) + (shown.finished ? "" : " so far");
@@ -89,13 +97,14 @@ void Stage::draw_frustum(Brush& brush, const lesson::BoxPair& pair) const {
     brush.canvas.obstacles.discs.push_back({center.x, center.y, 8});
     draw_knobs(brush, pair, i);
   }
+  const Color verdict = outside ? p.wrong_text : shown_.finished && shown_.verdict == Culling::kIntersecting ? p.examined_text : p.current_text;
+  brush.label(lowest_corner(brush.canvas, pair), 16, {0, 1}, verdict_words(shown_), verdict, Face::kSemiBold, 15);
   if (shown_.plane) draw_plane(brush, pair, shown_.plane->plane);
   else if (!shown_.corners.empty() && shown_.corners.back().plane >= 0) draw_plane(brush, pair, shown_.corners.back().plane);
   if (shown_.plane && !shown_.plane_asked) draw_distances(brush, pair);
   draw_corners(brush);
-  const Color verdict = outside ? p.wrong_text : shown_.finished && shown_.verdict == Culling::kIntersecting ? p.examined_text : p.current_text;
-  brush.label(brush.at(pair.boxes[0].center), 12, {-0.3f, 1}, verdict_words(shown_), verdict, Face::kSemiBold, 15);
-  brush.label(brush.at(pair.boxes[1].center), 12, {1, 0.4f}, "Frustum", p.previous_text, Face::kSemiBold, 15);
+  const ImVec2 end = brush.at(lesson::corner_of(pair, 1, 0b011));  // far, and off the camera's way
+  brush.label(end, 10, way_between(brush.at(pair.boxes[1].center), end), "Frustum", p.previous_text, Face::kSemiBold, 15);
 }
 
 /// Where the frustum's sides meet.

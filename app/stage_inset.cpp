@@ -90,7 +90,7 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
   const Eye eye{lesson::camera_of(*pair)};
   const bool flat = pair->dim == 2, small = brush.rect.width < 560;
   const float head = look.px(20), pad = 8, outer = 1 + static_cast<float>(kMargin);
-  const float width = small ? 112.0f : look.px(168);
+  const float width = small ? 112.0f : look.px(brush.rect.width < 900 ? 168 : 224);
   const double aspect = eye.camera.half_tangents[1] / eye.camera.half_tangents[0];
   const float half_x = (width - 2 * pad) / (2 * outer);
   const float half_y = flat ? look.px(8) : half_x * static_cast<float>(std::clamp(aspect, 0.3, 1.25));
@@ -136,7 +136,7 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
       const Point3 seen = eye.seen(along ? shown_.plane->p_point : shown_.plane->n_point);
       const ImVec2 at = eye.in_front(seen) ? picture.at(seen) : kNowhere;
       diamond(list, at, 4, p.support, p.panel);
-      text_middle(list, look, Face::kSemiBold, 12, {at.x, at.y - look.px(18)}, p.support_text, along ? "p" : "n");
+      text_middle(list, look, Face::kSemiBold, 12, {at.x, (flat ? image.y : at.y - 3) - look.px(15)}, p.support_text, along ? "p" : "n");
     }
   list->PopClipRect();
   if (ends.empty()) text(list, look, Face::kRegular, 12, {panel.x + pad, high.y - look.px(18)}, p.muted, "The box is behind.");
