@@ -94,7 +94,7 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
   const double aspect = eye.camera.half_tangents[1] / eye.camera.half_tangents[0];
   const float half_x = (width - 2 * pad) / (2 * outer);
   const float half_y = flat ? look.px(8) : half_x * static_cast<float>(std::clamp(aspect, 0.3, 1.25));
-  const float height = head + 2 * (flat ? half_y + look.px(9) : half_y * outer) + pad;
+  const float height = head + 2 * (flat ? half_y + look.px(17) : half_y * outer) + pad;
   const Rect panel{brush.rect.x + 12, top, width, height};
   if (top + height > camera_.free_bottom()) return {};
   const ImVec2 low{panel.x, panel.y}, high{panel.x + width, panel.y + height};
