@@ -171,6 +171,7 @@ struct Filler {
     if (plane != nullptr && fact.result.rejected_by >= 0) (*this)(*plane);
     shown.verdict = fact.result.verdict;
   }
+  void operator()(const fit::FrameTaken&) const {}
   void operator()(const fit::Finished&) const {}
 
   /// Those of this round: the corners are gone through in order, for each plane or once.
