@@ -40,7 +40,7 @@ class Page {
     this.#embed = embed;
     const act = (what) => this.act(what);
     const question = new QuestionCard(door, act);
-    this.#panels = [new Reading(() => act(() => door.start_task())), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new Player(door, act), new Tabs()];
+    this.#panels = [new Reading(() => this.#start_task()), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new Player(door, act), new Tabs()];
     this.#menu = new LessonMenu(lessons, (id) => this.#go_to(id));
     this.#stage = new Stage(door, () => this.#show());
     this.#settings = new Settings(() => this.#apply_settings());
@@ -50,6 +50,12 @@ class Page {
     by_id("timeline").addEventListener("click", () => this.#view?.asked && question.show()); // its locked "Answer"
     by_id("share").addEventListener("click", () => this.#share());
     addEventListener("popstate", () => this.open(read_address(location.search)));
+  }
+
+  /** On a phone the stage, where it is to be done, is far above the task. */
+  #start_task() {
+    this.act(() => this.#door.start_task());
+    by_id("stage").scrollIntoView({ block: "nearest" });
   }
 
   /** Does what the user asks for, then shows what came of it. */
