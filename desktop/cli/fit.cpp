@@ -73,7 +73,7 @@ tl::expected<fit::Watched, InputError> watch(const FitOptions& options, const fi
 }
 
 Json result_of(const fit::Algorithm& algorithm, const AnyPointSet& points, const fit::Watched& watched,
-               const Timing& timing) {
+               const cost::Timing& timing) {
   const int dim = fit::dim_of(points);
   const fit::Certificate& proof = watched.certificate;
   Json json;
@@ -103,7 +103,7 @@ CommandResult run_fit(const FitOptions& options) {
   const auto watched = watch(options, **algorithm, *points);
   if (!watched) return bad_input(watched.error());
   const fit::Options chosen{.seed = options.seed};
-  const Timing timing = time_of([&] { (void)(*algorithm)->fit(*points, chosen); }, options.repeat);
+  const cost::Timing timing = time_of([&] { (void)(*algorithm)->fit(*points, chosen); }, options.repeat);
   return Printed{line_of(result_of(**algorithm, *points, *watched, timing)), watched->certificate.contains ? 0 : 1};
 }
 
