@@ -19,6 +19,9 @@ import { Tabs } from "./tabs.js";
 const kAddressDelay = 250; // milliseconds: browsers count how often the address is replaced
 const kPanelsDelay = 250; // milliseconds: so often the HTML follows a drag, whose every frame would lay the page out anew
 
+/** What stands on it, for those who cannot see it. */
+const stage_of = ({ boxes, frustum }) => (frustum ? "a box and a view frustum" : boxes ? "two boxes" : "the points and the volume around them");
+
 class Page {
   #door;
   #downloads;
@@ -99,6 +102,7 @@ class Page {
     this.#lesson = this.#door.lesson();
     this.#menu.show(this.#lesson);
     document.title = `${this.#lesson.title} · Snug`;
+    by_id("canvas").setAttribute("aria-label", `Stage: ${stage_of(this.#lesson)}`);
     for (const panel of this.#panels) panel.open?.(this.#lesson);
     await this.#restore(asked);
     clear_notices();
@@ -147,9 +151,12 @@ class Page {
 
   // ---- what is shown ------------------------------------------------------------------------------------------
 
+  #say_selected = when_changed((name) => set_text(by_id("selected-says"), name ? `${name}, selected` : ""));
+
   #show() {
     this.#view = this.#door.view();
     if (!this.#view) return;
+    this.#say_selected(this.#view.selectedName);
     set_text(by_id("caption"), this.#view.caption);
     if (this.#stage?.pressed) {
       this.#panels_timer ||= setTimeout(() => this.#show_panels(), kPanelsDelay);
