@@ -90,15 +90,49 @@ class Body {
   Body(const Body&) = delete;  // climb_ walks over hull_
   Body& operator=(const Body&) = delete;
 
+  [[nodiscard]] static Pose<Scalar, Dim> own(const Pose<double, 3>& lifted) {
+    return {lifted.rotation.template topLeftCorner<Dim, Dim>().template cast<Scalar>(), lifted.translation.head<Dim>().template cast<Scalar>()};
+  }
+
   UpdatedFrame to(const Pose<double, 3>& lifted, const SeeUpdateStep& see) {
-    const Pose<Scalar, Dim> pose{lifted.rotation.template topLeftCorner<Dim, Dim>().template cast<Scalar>(),
-                                 lifted.translation.head<Dim>().template cast<Scalar>()};
     Watch watch{see, {}};
-    UpdatedFrame frame = moved(pose, watch);
+    UpdatedFrame frame = moved(own(lifted), watch);
     frame.measure = measure_of(frame.volume, Dim);
     frame.counts = watch.counter.counts;
     frame.steps = watch.counter.steps;
     return frame;
+  }
+
+  /// Which update it is, is decided once for all poses: beside a box's few sums that would count.
+  double bare(const std::vector<Pose<Scalar, Dim>>& poses) {
+    Ignore ignore;
+    const auto through = [&](auto&& number_at) {
+      Scalar sum = 0;
+      for (const auto& pose : poses) sum += number_at(pose);
+      return static_cast<double>(sum);
+    };
+    const auto boxes = [&](auto&& box_at) {
+      return through([&](const Pose<Scalar, Dim>& pose) {
+        const Aabb<Scalar, Dim> box = box_at(pose);
+        return box.min.sum() + box.max.sum();
+      });
+    };
+    if (strategy_.volume == "sphere")
+      return through([&](const auto& pose) {
+        const Sphere<Scalar, Dim> ball = update_sphere(ball_, pose, ignore).volume;
+        return ball.center.sum() + ball.radius;
+      });
+    if (strategy_.volume == "obb")
+      return through([&](const auto& pose) {
+        const Obb<Scalar, Dim> box = update_obb(oriented_, pose, ignore).volume;
+        return box.center.sum() + box.axes.sum() + box.half_extents.sum();
+      });
+    if (strategy_.volume == "kdop") return through([&](const auto& pose) { return update_kdop_climb(*climb_, strategy_.k, pose, ignore).volume.min[0]; });
+    if (strategy_.name == "rebuild") return boxes([&](const auto& pose) { return update_rebuild(points_, pose, ignore).volume; });
+    if (strategy_.name == "hill_climb") return boxes([&](const auto& pose) { return update_hill_climb(*climb_, pose, ignore).volume; });
+    if (strategy_.name == "rotated_box") return boxes([&](const auto& pose) { return update_rotated_box(box_, pose, ignore).volume; });
+    if (!reach_) reach_ = loose_reach(points_, ignore);
+    return boxes([&](const auto& pose) { return update_loose(*reach_, pose, ignore).volume; });
   }
 
  private:
@@ -157,6 +191,18 @@ UpdateBody start_updates(const UpdateStrategy& strategy, const AnyPointSet& poin
       [&]<class Scalar, int Dim>(const PointSet<Scalar, Dim>& set) -> UpdateBody {
         auto body = std::make_shared<Body<Scalar, Dim>>(strategy, points, set.span());
         return [body](const Pose<double, 3>& pose, const SeeUpdateStep& see) { return body->to(pose, see); };
+      },
+      points);
+}
+
+std::function<double()> start_bare_updates(const UpdateStrategy& strategy, const AnyPointSet& points,
+                                           std::span<const Pose<double, 3>> poses) {
+  return std::visit(
+      [&]<class Scalar, int Dim>(const PointSet<Scalar, Dim>& set) -> std::function<double()> {
+        auto body = std::make_shared<Body<Scalar, Dim>>(strategy, points, set.span());
+        std::vector<Pose<Scalar, Dim>> own;
+        for (const auto& pose : poses) own.push_back(body->own(pose));
+        return [body, own = std::move(own)] { return body->bare(own); };
       },
       points);
 }

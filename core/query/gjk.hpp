@@ -132,7 +132,9 @@ class Gjk {
       if (before && !(nearest.square < *before)) return;
       before = nearest.square;
       keep(simplex, nearest);
-      if (decided()) return;
+      // Four corners around the origin: v is 0 but for rounding, which is more than counts where they are a sliver. There is
+      // no room for a fifth. Held by "k-DOPs about to touch are told apart".
+      if (decided() || size_ == 4) return;
       const Pair added = support();
       if (decided() || std::find(pairs_.begin(), pairs_.begin() + size_, added) != pairs_.begin() + size_) return;
       const auto end = static_cast<std::size_t>(size_);

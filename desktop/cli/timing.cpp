@@ -1,53 +1,56 @@
 #include "desktop/cli/timing.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <vector>
+#include <fstream>
+#include <utility>
 
 #include "desktop/cli/progress.hpp"
 
 namespace snug::desktop {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-using Nanoseconds = std::chrono::duration<double, std::nano>;
+constexpr double kLeastBatch = 1e6, kMostBatch = 1e8;
 
-/// A millisecond: ten thousand times what reading the clock costs.
-constexpr double kBatch = 1e6;
-constexpr int kLargestBatch = 1'000'000;
-
-double time_of_batch(const std::function<void()>& run, int batch) {
-  const Clock::time_point start = Clock::now();
-  for (int i = 0; i < batch; ++i)
-    run();
-  return Nanoseconds(Clock::now() - start).count();
-}
-
-/// The smallest power of two of runs that fills a batch, found by doing it, which also warms the caches.
-int batch_for(const std::function<void()>& run) {
-  int batch = 1;
-  while (time_of_batch(run, batch) < kBatch && batch < kLargestBatch)
-    batch *= 2;
-  return batch;
-}
-
-double median_of(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+/// As the system names it; empty where it does not.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return {};
 }
 
 }  // namespace
 
-Timing time_of(const std::function<void()>& run, int repeats) {
-  const int batch = batch_for(run);
-  std::vector<double> times;
+cost::Clock native_clock() {
+  return [] {
+    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  };
+}
+
+cost::TimingOptions native_timing(int repeats) {
+  return {.repeats = repeats,
+          .batch = cost::batch_length(cost::resolution_of(native_clock()), kLeastBatch, kMostBatch)};
+}
+
+cost::Timing time_of(std::function<void()> run, int repeats) {
+  const cost::Clock clock = native_clock();
+  cost::Stopwatch watch(std::move(run), native_timing(repeats));
   Progress progress("timing", repeats);
-  for (int i = 0; i < repeats; ++i) {
-    times.push_back(time_of_batch(run, batch) / batch);
-    progress.advance();
+  for (int timed = 0; !watch.done();) {
+    watch.step(clock);
+    if (watch.timing().repeats > timed) ++timed, progress.advance();
   }
-  return {median_of(times), *std::min_element(times.begin(), times.end()), repeats};
+  return watch.timing();
+}
+
+cost::Provenance native_provenance() {
+  return {.version = SNUG_VERSION,
+          .build = SNUG_BUILD,
+          .platform = "native",
+          .processor = processor(),
+          .clock_resolution_ns = cost::resolution_of(native_clock())};
 }
 
 }  // namespace snug::desktop

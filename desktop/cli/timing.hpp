@@ -1,18 +1,24 @@
-// How long something takes, by a clock that only goes forward.
+// How long something takes here: core/measure with this machine's clock, and what is to be known of the machine.
 #pragma once
 
 #include <functional>
+#include <string>
+
+#include "measure/rows.hpp"
+#include "measure/timing.hpp"
 
 namespace snug::desktop {
 
-struct Timing {
-  double median = 0;  // nanoseconds of one run
-  double min = 0;
-  int repeats = 0;
-};
+/// One that only goes forward.
+[[nodiscard]] cost::Clock native_clock();
 
-/// Takes the time of run so many times over; short ones in batches that are long enough for the clock.
-/// repeats: at least 1.
-[[nodiscard]] Timing time_of(const std::function<void()>& run, int repeats);
+/// How times are taken by that clock: batches of a millisecond, ten thousand times what reading it costs.
+[[nodiscard]] cost::TimingOptions native_timing(int repeats);
+
+/// Takes the time of run, with a progress bar where it is long. repeats: at least 1.
+[[nodiscard]] cost::Timing time_of(std::function<void()> run, int repeats);
+
+/// Of this program on this machine; what was measured is for the caller to say.
+[[nodiscard]] cost::Provenance native_provenance();
 
 }  // namespace snug::desktop

@@ -232,3 +232,31 @@ TEST_CASE("the run ends in a step that says what was found, and each simplex is 
   CHECK(apart > 5);
   CHECK(apart < 45);
 }
+
+TEST_CASE("k-DOPs about to touch are told apart") {
+  test::VolumeMaker<double, 3> maker(5);
+  for (int round = 0; round < 60; ++round) {
+    std::vector<Vector<double, 3>> cloud;
+    for (int i = 0; i < 300; ++i) cloud.emplace_back(maker.random.normal(), maker.random.normal(), maker.random.normal());
+    const int k = std::array{14, 18, 26}[static_cast<std::size_t>(round % 3)];
+    const Kdop<double, 3> fixed = maker.kdop_of(k, cloud);
+    const Vector<double, 3> direction = maker.direction();
+    const auto moved = [&](double distance) {
+      Kdop<double, 3> copy = fixed;
+      const auto axes = kdop_axes<3>(k);
+      for (std::size_t i = 0; i < axes.size(); ++i) {
+        const double by = distance * (axes[i][0] * direction[0] + axes[i][1] * direction[1] + axes[i][2] * direction[2]);
+        copy.min[i] += by, copy.max[i] += by;
+      }
+      return copy;
+    };
+    const auto touch = [&](double distance) { return query::gjk(fixed, moved(distance))->overlap; };
+    double near = 0, far = 40;
+    for (int halving = 0; halving < 60; ++halving) {
+      const double middle = (near + far) / 2;
+      (touch(middle) ? near : far) = middle;
+    }
+    CHECK(touch(0.999 * near));
+    CHECK_FALSE(touch(1.001 * far));
+  }
+}

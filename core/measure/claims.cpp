@@ -1,0 +1,244 @@
+#include "measure/claims.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "geometry/generate.hpp"
+#include "geometry/pose.hpp"
+#include "geometry/random.hpp"
+#include "geometry/turn.hpp"
+#include "measure/growth.hpp"
+#include "measure/hard_cloud.hpp"
+#include "measure/naive_welzl.hpp"
+#include "measure/sample.hpp"
+#include "measure/volume_cost.hpp"
+
+namespace snug::cost {
+namespace {
+
+constexpr std::string_view kGeometry = "Data Structures & Algorithms for Geometry";
+constexpr std::string_view kPhysics = "Physics based animation, Lecture 09";
+
+constexpr std::string_view kHolds = "holds", kTypical = "typical", kFalse = "false";
+
+/// More of the student's points than this are sampled, for the exact box is asked for again and again.
+constexpr Index kMostPoints = 20'000;
+
+__attribute__((format(printf, 1, 2))) std::string said(const char* format, ...) {
+  std::array<char, 512> text{};
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text.data(), text.size(), format, arguments);
+  va_end(arguments);
+  return text.data();
+}
+
+const fit::Algorithm& row_of(std::string_view volume, std::string_view name) {
+  return *fit::find_algorithm(volume, name);
+}
+
+AnyPointSet generated(const char* kind, int n, std::uint64_t seed) {
+  return *PointSet<double, 3>::make(*generate(kind, n, 3, seed));
+}
+
+// ---- within so many per cent of the smallest
+
+void within(const char* algorithm, double claimed, const ClaimContext& context, ClaimRow& row) {
+  const fit::Algorithm& own = row_of("sphere", algorithm);
+  const Excess excess = excess_of(own, context.seed);
+  const double here = excess_on(own, context.points, context.seed);
+  row.figure = std::max({excess.most, excess.found, here});
+  row.verdict = row.figure <= claimed ? kHolds : excess.median <= claimed ? kTypical : kFalse;
+  row.measured = said(
+      "radius over the smallest: %.1f %% on these points; median %.1f %%, most %.1f %% on %d clouds of every kind; "
+      "%.1f %% on eight points that were moved %d times to make it worse",
+      100 * here, 100 * excess.median, 100 * excess.most, excess.clouds, 100 * excess.found, excess.tried);
+}
+void ritter(const ClaimContext& context, ClaimRow& row) { within("ritter", 0.10, context, row); }
+void iterative(const ClaimContext& context, ClaimRow& row) { within("ritter_iterative", 0.05, context, row); }
+
+// ---- powers of n
+
+/// Points on a sphere, all of them on the hull: the most work that there is for what goes over hulls.
+std::vector<GrowthRow> growth_of(std::string_view volume, std::string_view algorithm, Index most,
+                                 const ClaimContext& context) {
+  const fit::Options options{.seed = context.seed};
+  const auto points = generated_points("sphere", 3, false, context.seed);
+  GrowthRun run({workload_of(row_of(volume, algorithm), 3, most, points, options)},
+                {.repeats = 3, .batch = 1e6, .enough = context.longest}, context.longest, context.clock);
+  while (!run.done())
+    run.step();
+  return run.rows();
+}
+
+/// claimed: the power of n, a logarithm left out. What grows more slowly keeps a bound.
+void power(std::string_view volume, std::string_view algorithm, Index most, double claimed, const char* what,
+           const ClaimContext& context, ClaimRow& row) {
+  constexpr double kNoise = 0.15;
+  const std::vector<GrowthRow> rows = growth_of(volume, algorithm, most, context);
+  if (!rows.back().exponent) {
+    row.measured = "one run takes so long here that there are too few times: " + rows.back().stopped;
+    return;
+  }
+  row.figure = *rows.back().exponent;
+  row.verdict = row.figure <= claimed + kNoise ? kHolds : kFalse;
+  row.measured = said("%s: time grows as n^%.2f up to %d points on a sphere, where one run takes %.3g ms", what,
+                      row.figure, static_cast<int>(rows.back().points), rows.back().time.median / 1e6);
+}
+void brute_force(const ClaimContext& context, ClaimRow& row) {
+  power("sphere", "brute_force", 40, 5,
+        "a bound that is kept, for a ball that is no smaller is not held against the points", context, row);
+}
+void orourke(const ClaimContext& context, ClaimRow& row) {
+  power("obb", "exact", 10'000, 3, "a bound that is kept: most pairs of edges are ruled out at once", context, row);
+}
+
+// ---- Welzl's stack
+
+void stack(const ClaimContext& context, ClaimRow& row) {
+  constexpr int kPoints = 2000;
+  constexpr double kUsual = 8.0 * 1024 * 1024;  // of a thread on Linux; others give less
+  const auto set = PointSet<double, 3>::make(*generate("cube", kPoints, 3, context.seed));
+  const RecursionDepth depth = naive_welzl_depth(set->span());
+  row.figure = depth.bytes_per_call;
+  row.verdict = depth.deepest >= kPoints ? kHolds : kFalse;
+  row.measured = said("the printed recursion goes %d calls deep on %d points, %.0f bytes each: a stack of 8 MiB ends "
+                      "at about %.0f points. "
+                      "The loop that this program runs keeps five frames, however many points there are",
+                      static_cast<int>(depth.deepest), kPoints, depth.bytes_per_call, kUsual / depth.bytes_per_call);
+}
+
+// ---- 14-DOPs beside oriented boxes
+
+double measure_by(std::string_view volume, std::string_view algorithm, const AnyPointSet& points, std::uint64_t seed) {
+  return fit::measure_of(row_of(volume, algorithm).fit(points, {.seed = seed}).volume, 3);
+}
+
+/// The corners of a cube, turned so that no axis of a 14-DOP lies along it.
+AnyPointSet turned_cube() {
+  const Matrix<double, 3> rotation = turn(Vector<double, 3>(1, 2, 3), 0.7);
+  std::vector<Vector<double, 3>> corners;
+  for (int corner = 0; corner < 8; ++corner)
+    corners.push_back(turned<double, 3>(
+        rotation, Vector<double, 3>((corner & 1) - 0.5, (corner >> 1 & 1) - 0.5, (corner >> 2) - 0.5)));
+  return *PointSet<double, 3>::make(std::move(corners));
+}
+
+/// A 14-DOP's volume over the smallest box's.
+double kdop_over_box(const AnyPointSet& points, std::uint64_t seed) {
+  return measure_by("kdop", "k14", points, seed) / measure_by("obb", "exact", points, seed);
+}
+
+void storage(const ClaimContext& context, ClaimRow& row) {
+  const auto bytes = [&](std::string_view volume, std::string_view algorithm) {
+    return static_cast<int>(
+        bytes_of(row_of(volume, algorithm).fit(turned_cube(), {.seed = context.seed}).volume, 3, true));
+  };
+  const int kdop = bytes("kdop", "k14"), box = bytes("obb", "exact");
+  row.figure = static_cast<double>(kdop) / box;
+  row.verdict = std::abs(row.figure - 1) <= 0.1 ? kHolds : kFalse;
+  row.measured = said(
+      "%d bytes in float beside %d of a box by centre, axes and half extents; as a quaternion its axes take 20 fewer",
+      kdop, box);
+}
+
+void tighter(const ClaimContext& context, ClaimRow& row) {
+  int tighter = 0, clouds = 0;
+  for (const char* kind : {"cube", "ball", "gaussian", "stick", "clusters"})
+    for (std::uint64_t i = 0; i < 4; ++i, ++clouds)
+      tighter += kdop_over_box(generated(kind, 500, context.seed + i), context.seed) < 1 ? 1 : 0;
+  const double here = kdop_over_box(context.points, context.seed), cube = kdop_over_box(turned_cube(), context.seed);
+  row.figure = here;
+  row.verdict = tighter == clouds && cube < 1 && here < 1 ? kHolds
+                : 2 * tighter > clouds || here < 1        ? kTypical
+                                                          : kFalse;
+  row.measured = said("volume over the smallest box's: %.3f on these points; below 1 on %d of %d clouds; %.3f on a "
+                      "turned cube, where the box "
+                      "is the cube itself",
+                      here, tighter, clouds, cube);
+}
+
+// ---- boxes
+
+/// A cube's corners, and a crowd along one of its diagonals, which draws the longest axis there.
+AnyPointSet crowded_diagonal(std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Vector<double, 3>> points;
+  for (int corner = 0; corner < 8; ++corner)
+    points.emplace_back(corner & 1, corner >> 1 & 1, corner >> 2);
+  for (int i = 0; i < 400; ++i)
+    points.push_back(Vector<double, 3>::Constant(random.unit()));
+  return *PointSet<double, 3>::make(std::move(points));
+}
+
+void pca_boxes(const ClaimContext& context, ClaimRow& row) {
+  const fit::Algorithm& pca = row_of("obb", "pca");
+  const double here = 1 + excess_on(pca, context.points, context.seed);
+  const double crowd = 1 + excess_on(pca, crowded_diagonal(context.seed), context.seed);
+  const double hull = 1 + excess_on(row_of("obb", "pca_hull"), context.points, context.seed);
+  const double hull_crowd = 1 + excess_on(row_of("obb", "pca_hull"), crowded_diagonal(context.seed), context.seed);
+  row.figure = std::max(here, crowd);
+  row.verdict = row.figure > 1.01 ? kHolds : kFalse;
+  row.measured = said("volume over the smallest box's: %.3f on these points, %.2f on a cube with a crowd along its "
+                      "diagonal; of the hull's "
+                      "corners alone %.3f and %.2f",
+                      here, crowd, hull, hull_crowd);
+}
+
+void faces(const ClaimContext& context, ClaimRow& row) {
+  const fit::Algorithm& aligned = row_of("obb", "face_aligned");
+  const double here = 1 + excess_on(aligned, context.points, context.seed);
+  const auto tetrahedron = PointSet<double, 3>::make({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}});
+  const double four = 1 + excess_on(aligned, *tetrahedron, context.seed);
+  const std::vector<GrowthRow> rows = growth_of("obb", "face_aligned", 3000, context);
+  row.figure = std::max(here, four);
+  row.verdict = row.figure > 1 + 1e-9 ? kFalse : kHolds;
+  row.measured = said("the best box on a face over the smallest: %.4f on these points, %.2f on a regular tetrahedron. "
+                      "Time grows as n^%.2f up to "
+                      "%d points on a sphere",
+                      here, four, rows.back().exponent.value_or(0), static_cast<int>(rows.back().points));
+}
+
+constexpr std::array kClaims{
+    Claim{"ritter_ten_per_cent", kGeometry, "Ritter's Algorithm", "Ritter's ball comes within 10 % of the smallest",
+          ritter},
+    Claim{"iterative_five_per_cent", kGeometry, "Sphere Creation", "An iterative ball comes within 5 % of the smallest",
+          iterative},
+    Claim{"brute_force_fifth_power", kGeometry, "Sphere Creation", "Trying all balls takes O(n^5)", brute_force},
+    Claim{"welzl_stack", kGeometry, "Welzl's Algorithm (cont.)", "Welzl's first recursion easily overflows the stack",
+          stack},
+    Claim{"kdop_storage", kPhysics, "k-DOP pros and cons", "A 14-DOP takes about as much storage as an oriented box",
+          storage},
+    Claim{"kdop_tighter", kPhysics, "k-DOP pros and cons", "A 14-DOP is likely to be tighter than an oriented box",
+          tighter},
+    Claim{"pca_not_optimal", kGeometry, "PCA for OBB",
+          "Boxes by PCA are not the smallest, and the hull helps but does not cure", pca_boxes},
+    Claim{"box_on_a_face", kGeometry, "OBB Creation", "The smallest box has a side on a face of the hull: O(n^2 log n)",
+          faces},
+    Claim{"orourke_cube", kPhysics, "Computing an OBB", "O'Rourke's smallest box takes O(n^3)", orourke},
+};
+
+}  // namespace
+
+std::span<const Claim> claims() { return kClaims; }
+
+ClaimRow run_claim(const Claim& claim, const ClaimContext& context) {
+  ClaimRow row{.claim = std::string(claim.name),
+               .lecture = std::string(claim.lecture),
+               .slide = std::string(claim.slide),
+               .says = std::string(claim.says)};
+  if (fit::size_of(context.points) <= kMostPoints) {
+    claim.run(context, row);
+  } else {
+    const AnyPointSet fewer = sample(context.points, kMostPoints, context.seed);
+    claim.run({fewer, context.seed, context.clock, context.longest}, row);
+  }
+  return row;
+}
+
+}  // namespace snug::cost

@@ -1,0 +1,221 @@
+#include "measure/cost_run.hpp"
+
+#include <array>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "fit/lift.hpp"
+#include "fit/quickhull.hpp"
+#include "fit/updates.hpp"
+#include "geometry/turn.hpp"
+#include "measure/pareto.hpp"
+#include "measure/sample.hpp"
+
+namespace snug::cost {
+namespace {
+
+/// In a full turn: each update follows one a few degrees before it, as from frame to frame.
+constexpr int kPoses = 64;
+
+fit::Result hull_of(const AnyPointSet& points, const fit::Options&) {
+  return std::visit(
+      []<class Scalar, int Dim>([[maybe_unused]] const PointSet<Scalar, Dim>& set) -> fit::Result {
+        if constexpr (SNUG_ALL_ROWS || std::is_same_v<Scalar, double>)
+          return {fit::lift(fit::quickhull(set.span()).volume), {}};
+        else
+          return {};
+      },
+      points);
+}
+
+/// What every volume is compared with, though the page's catalogue has no row of it.
+const fit::Algorithm& hull_row() {
+  static const fit::Algorithm row{
+      .volume = "hull", .name = "quickhull", .max_points = std::numeric_limits<Index>::max(), .fit = &hull_of};
+  return row;
+}
+
+/// The tight update of a fitted volume; null where there is none.
+const fit::UpdateStrategy* update_of(const fit::Algorithm& algorithm) {
+  if constexpr (!SNUG_ALL_ROWS) return nullptr;  // the page's budget
+  if (algorithm.volume == "aabb") return fit::find_update("aabb", "hill_climb");
+  if (algorithm.volume == "kdop") return fit::find_update("kdop", std::string(algorithm.name) + "_hill_climb");
+  return fit::find_update(algorithm.volume, "transform");
+}
+
+Timing per_test(Timing timing, int tests) {
+  timing.median /= tests;
+  timing.min /= tests;
+  return timing;
+}
+
+/// None where there is nothing to compare with.
+std::optional<double> ratio(double value, double least) {
+  if (least > 0) return value / least;
+  return std::nullopt;
+}
+
+}  // namespace
+
+CostRun::CostRun(const AnyPointSet& points, std::vector<const fit::Algorithm*> algorithms, const CostOptions& options,
+                 Clock clock)
+    : points_(points), algorithms_(std::move(algorithms)), options_(options), clock_(std::move(clock)),
+      dim_(fit::dim_of(points)), single_(points.index() >= 2) {}
+
+double CostRun::progress() const {
+  if (done()) return 1;
+  constexpr double kPieces = 7;
+  return (static_cast<double>(at_) + static_cast<double>(piece_) / kPieces) / static_cast<double>(algorithms_.size());
+}
+
+void CostRun::step() {
+  static constexpr std::array kPieces{&CostRun::climb,
+                                      &CostRun::take_time,
+                                      &CostRun::count,
+                                      &CostRun::compare_with_hull,
+                                      &CostRun::compare_with_smallest,
+                                      &CostRun::test_overlap,
+                                      &CostRun::take_update};
+  if (done() || !(this->*kPieces[piece_])()) return;
+  watch_.reset();
+  if (++piece_ < kPieces.size()) return;
+  rows_.push_back(std::exchange(row_, {}));
+  piece_ = 0;
+  ++at_;
+}
+
+const AnyPointSet& CostRun::points_of(Index n) {
+  if (n == fit::size_of(points_)) return points_;
+  auto& kept = samples_[n];
+  if (!kept) kept = std::make_unique<AnyPointSet>(sample(points_, n, options_.fit.seed));
+  return *kept;
+}
+
+Ladder& CostRun::ladder_of(const fit::Algorithm& algorithm) {
+  return ladders_.try_emplace(&algorithm, algorithm, fit::size_of(points_)).first->second;
+}
+
+bool CostRun::step_up(Ladder& ladder) {
+  if (!ladder.done())
+    ladder.step(
+        clock_, [this](Index n) -> const AnyPointSet& { return points_of(n); }, options_.fit, options_.limits);
+  return ladder.done();
+}
+
+const fit::Volume3& CostRun::fitted(const fit::Algorithm& algorithm) {
+  const auto [place, is_new] = fitted_.try_emplace({&algorithm, row_.points});
+  if (is_new) place->second = algorithm.fit(points_of(row_.points), options_.fit).volume;
+  return place->second;
+}
+
+bool CostRun::climb() {
+  Ladder& ladder = ladder_of(algorithm());
+  if (!step_up(ladder)) return false;
+  row_.volume = algorithm().volume;
+  row_.algorithm = algorithm().name;
+  row_.points = ladder.reached();
+  row_.of = fit::size_of(points_);
+  if (row_.points < row_.of) row_.whole_ns = ladder.foreseen_at(row_.of);
+  return true;
+}
+
+bool CostRun::take_time() {
+  const fit::Algorithm* const own = &algorithm();
+  const AnyPointSet* const set = &points_of(row_.points);
+  if (!watch_) watch_.emplace([this, own, set] { (void)own->fit(*set, options_.fit); }, options_.timing);
+  watch_->step(clock_);
+  row_.time = watch_->timing();
+  return watch_->done();
+}
+
+bool CostRun::count() {
+  const fit::Watched watched = algorithm().watch(points_of(row_.points), options_.fit, {});
+  volume_ = watched.result.volume;
+  row_.operations = watched.counts;
+  row_.steps = watched.steps;
+  row_.contains = watched.certificate.contains;
+  row_.on_boundary = watched.certificate.on_boundary;
+  row_.optimal = watched.certificate.optimal;
+  row_.size = fit::size_of(volume_, dim_);
+  row_.measure = fit::measure_of(volume_, dim_);
+  row_.bytes = bytes_of(volume_, dim_, single_);
+  return true;
+}
+
+bool CostRun::compare_with_hull() {
+  Ladder& ladder = ladder_of(hull_row());
+  if (!step_up(ladder)) return false;
+  if (ladder.reached() >= row_.points) row_.over_hull = ratio(row_.measure, fit::measure_of(fitted(hull_row()), dim_));
+  return true;
+}
+
+bool CostRun::compare_with_smallest() {
+  if (algorithm().exact) return row_.tightness = ratio(row_.size, row_.size), true;
+  const fit::Algorithm* const exact = fit::exact_algorithm(algorithm().volume);
+  if (exact == nullptr) return true;
+  Ladder& ladder = ladder_of(*exact);
+  if (!step_up(ladder)) return false;
+  if (ladder.reached() >= row_.points) row_.tightness = ratio(row_.size, fit::size_of(fitted(*exact), dim_));
+  return true;
+}
+
+bool CostRun::test_overlap() {
+  if (!watch_) {
+    const OverlapWork work = overlap_work(volume_, dim_, single_, options_.fit.seed);
+    if (work.pairs == 0) return true;
+    row_.overlap_pairs = tests_ = work.pairs;
+    row_.overlapping = work.run();
+    watch_.emplace([run = work.run] { (void)run(); }, options_.timing);
+    return false;
+  }
+  watch_->step(clock_);
+  row_.overlap = per_test(watch_->timing(), tests_);
+  return watch_->done();
+}
+
+bool CostRun::take_update() {
+  if (!watch_) {
+    const fit::UpdateStrategy* const strategy = update_of(algorithm());
+    // To begin, all have their body's hull made, and an oriented box.
+    if (strategy == nullptr || ladder_of(hull_row()).reached() < row_.points) return true;
+    row_.update = strategy->name;
+    const auto poses = full_turn(dim_, kPoses);
+    watch_.emplace([turn = fit::start_bare_updates(*strategy, points_of(row_.points), poses)] { (void)turn(); },
+                   options_.timing);
+    return false;
+  }
+  watch_->step(clock_);
+  row_.updated = per_test(watch_->timing(), kPoses);
+  return watch_->done();
+}
+
+std::vector<std::size_t> pareto_front(std::span<const CostRow> rows) {
+  std::vector<Offer> offers;
+  for (const CostRow& row : rows)
+    offers.push_back({row.points == row.of ? row.time.median : std::numeric_limits<double>::infinity(), row.measure});
+  return pareto_front(offers);
+}
+
+void mark_front(std::span<CostRow> rows) {
+  for (CostRow& row : rows)
+    row.on_front = false;
+  for (const std::size_t i : pareto_front(std::span<const CostRow>(rows)))
+    rows[i].on_front = true;
+}
+
+std::vector<Pose<double, 3>> full_turn(int dim, int poses) {
+  std::vector<Pose<double, 3>> turned(static_cast<std::size_t>(poses));
+  for (int i = 0; i < poses; ++i) {
+    const double radians = 2 * std::numbers::pi * i / poses;
+    Pose<double, 3>& pose = turned[static_cast<std::size_t>(i)];
+    if (dim == 2)
+      pose.rotation.topLeftCorner<2, 2>() = turn(radians);
+    else
+      pose.rotation = turn(Vector<double, 3>(1, 2, 3), radians);
+  }
+  return turned;
+}
+
+}  // namespace snug::cost

@@ -1,0 +1,170 @@
+#include "measure/growth.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "geometry/generate.hpp"
+#include "io/point_file.hpp"
+#include "measure/sample.hpp"
+#include "measure/theory.hpp"
+
+namespace snug::cost {
+namespace {
+
+constexpr Index kFewest = 10;
+/// In one decade of numbers or little more, five numbers say more than half decades.
+constexpr double kFewDecades = 32;
+constexpr int kFewSteps = 4;
+
+std::string why_stopped(Index points, double time) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "one run of %d points would take about %.2g s", static_cast<int>(points),
+                time / 1e9);
+  return text.data();
+}
+
+/// The times that count: of the last decade and a half of numbers; of the last three where those are fewer. Of each number
+/// the least, which was disturbed the least: a machine that does other things as well bends the line of the medians.
+std::vector<SizedTime> tail_of(std::span<GrowthRow> rows) {
+  std::vector<SizedTime> tail;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].in_fit = rows[i].points * kTail >= rows.back().points || i + 3 >= rows.size();
+    if (rows[i].in_fit) tail.push_back({static_cast<double>(rows[i].points), rows[i].time.min});
+  }
+  return tail;
+}
+
+}  // namespace
+
+Workload workload_of(const fit::Algorithm& algorithm, int dim, Index most, PointsOfSize points,
+                     const fit::Options& options) {
+  Workload load{.volume = std::string(algorithm.volume),
+                .algorithm = std::string(algorithm.name),
+                .most = std::min(most, algorithm.max_points)};
+  if (const Theory* theory = find_theory(algorithm.volume, algorithm.name)) {
+    load.theory = bound_of(*theory, dim);
+    load.work = work_of(*theory, dim);
+    load.tight = theory->tight;
+  }
+  load.prepare = [&algorithm, points = std::move(points), options](Index n) -> std::function<void()> {
+    const AnyPointSet* const set = &points(n);
+    return [&algorithm, set, options] { (void)algorithm.fit(*set, options); };
+  };
+  return load;
+}
+
+PointsOfSize generated_points(std::string kind, int dim, bool single, std::uint64_t seed) {
+  auto kept = std::make_shared<std::map<Index, AnyPointSet>>();
+  return [=](Index n) -> const AnyPointSet& {
+    const auto found = kept->find(n);
+    if (found != kept->end()) return found->second;
+    const io::PointFile file{.dim = dim, .points = *generate(kind, n, dim, seed)};
+    return kept->emplace(n, *io::to_point_set(file, kind, dim, single)).first->second;  // of unit size: none is refused
+  };
+}
+
+PointsOfSize sampled_points(const AnyPointSet& points, std::uint64_t seed) {
+  auto kept = std::make_shared<std::map<Index, AnyPointSet>>();
+  return [&points, kept, seed](Index n) -> const AnyPointSet& {
+    if (n >= fit::size_of(points)) return points;
+    const auto found = kept->find(n);
+    return found != kept->end() ? found->second : kept->emplace(n, sample(points, n, seed)).first->second;
+  };
+}
+
+std::vector<Index> growth_sizes(Index most) {
+  std::vector<Index> sizes;
+  if (most <= kFewest) return {most};
+  const double decades = static_cast<double>(most) / kFewest;
+  const int steps = decades < kFewDecades ? kFewSteps : static_cast<int>(2 * std::log10(decades) + 1e-9);
+  const double factor = decades < kFewDecades ? std::pow(decades, 1.0 / kFewSteps) : std::sqrt(10.0);
+  for (int i = 0; i <= steps; ++i) {
+    const auto n = std::min(most, static_cast<Index>(std::lround(kFewest * std::pow(factor, i))));
+    if (sizes.empty() || n > sizes.back()) sizes.push_back(n);
+  }
+  if (sizes.back() < most) sizes.push_back(most);
+  return sizes;
+}
+
+std::optional<double> power_of(std::span<const SizedTime> times) {
+  if (times.size() < 3) return std::nullopt;
+  double x = 0, y = 0;
+  for (const SizedTime& at : times) {
+    if (!(at.time > 0)) return std::nullopt;
+    x += std::log(at.points), y += std::log(at.time);
+  }
+  x /= static_cast<double>(times.size()), y /= static_cast<double>(times.size());
+  double xx = 0, xy = 0;
+  for (const SizedTime& at : times) {
+    const double dx = std::log(at.points) - x;
+    xx += dx * dx, xy += dx * (std::log(at.time) - y);
+  }
+  if (!(xx > 0)) return std::nullopt;
+  return xy / xx;
+}
+
+double GrowthRun::progress() const {
+  if (done()) return 1;
+  const double part = sizes_.empty() ? 0 : static_cast<double>(size_) / static_cast<double>(sizes_.size());
+  return (static_cast<double>(at_) + part) / static_cast<double>(workloads_.size());
+}
+
+void GrowthRun::step() {
+  if (done()) return;
+  const Workload& load = workloads_[at_];
+  if (sizes_.empty()) sizes_ = growth_sizes(load.most);
+  const Index n = sizes_[size_];
+  if (!run_) {
+    const auto own = own_rows();
+    if (own.size() >= 2) {
+      const GrowthRow &a = own[own.size() - 2], &b = own.back();
+      const double time = foreseen(a.points, a.time.min, b.points, b.time.min, n);
+      if (time > longest_) return finish(why_stopped(n, time));
+    }
+    run_ = load.prepare(n);
+    return;
+  }
+  if (!watch_) watch_.emplace(run_, timing_);
+  watch_->step(clock_);
+  if (!watch_->done()) return;
+  rows_.push_back({.volume = load.volume, .algorithm = load.algorithm, .points = n, .time = watch_->timing()});
+  watch_.reset();
+  run_ = nullptr;
+  if (++size_ == sizes_.size()) finish("");
+}
+
+void GrowthRun::finish(const std::string& stopped) {
+  const Workload& load = workloads_[at_];
+  std::vector<SizedTime> tail = tail_of(own_rows());
+  const auto power = power_of(tail);
+  std::optional<double> theory;
+  if (power && load.work != nullptr) {
+    for (SizedTime& at : tail)
+      at.time = load.work(at.points);
+    theory = power_of(tail);
+  }
+  for (GrowthRow& row : own_rows()) {
+    row.exponent = power;
+    row.theory = load.theory;
+    row.theory_exponent = theory;
+    row.tight = load.tight;
+    row.stopped = stopped;
+  }
+  first_ = rows_.size();
+  size_ = 0;
+  sizes_.clear();
+  ++at_;
+}
+
+void GrowthRun::stop() {
+  if (done()) return;
+  if (first_ < rows_.size()) finish("stopped");
+  at_ = workloads_.size();
+}
+
+}  // namespace snug::cost

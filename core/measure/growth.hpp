@@ -1,0 +1,83 @@
+// Time against the number of points, and the power of it that the times follow, beside theory's.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fit/catalogue.hpp"
+#include "measure/ladder.hpp"
+#include "measure/rows.hpp"
+
+namespace snug::cost {
+
+/// Something that can be done to so many points.
+struct Workload {
+  std::string volume, algorithm;
+  Index most = 0;                     // points that it takes
+  std::string theory;                 // as it is said; empty where there is none
+  double (*work)(double n) = nullptr;  // theory's, up to a factor; null where points alone do not say
+  bool tight = false;
+  /// What is timed on n points.
+  std::function<std::function<void()>(Index n)> prepare;
+};
+
+/// An algorithm of the catalogue on points that come in any number. points: outlive the workload's use; most: there
+/// are.
+[[nodiscard]] Workload workload_of(const fit::Algorithm& algorithm, int dim, Index most, PointsOfSize points,
+                                   const fit::Options& options);
+
+/// Points of a kind (geometry/generate.hpp), each number of them made once and kept. kind: a known one.
+[[nodiscard]] PointsOfSize generated_points(std::string kind, int dim, bool single, std::uint64_t seed);
+/// Samples of a set, which outlives them, each kept.
+[[nodiscard]] PointsOfSize sampled_points(const AnyPointSet& points, std::uint64_t seed);
+
+/// From ten to most by half decades, and most itself; where that is few, five numbers in equal steps of a factor.
+[[nodiscard]] std::vector<Index> growth_sizes(Index most);
+
+struct SizedTime {
+  double points = 0, time = 0;
+};
+/// The power: the slope of the line of least squares through the logarithms. None of fewer than three, or where a time
+/// is 0.
+[[nodiscard]] std::optional<double> power_of(std::span<const SizedTime> times);
+
+/// So far below the largest number of points a time still counts for the power: what does not grow is felt below.
+inline constexpr double kTail = 32;
+
+/// Times each workload on more and more points, until all are reached or one run would take longer than is allowed.
+class GrowthRun {
+ public:
+  /// longest: one run, ns.
+  GrowthRun(std::vector<Workload> workloads, const TimingOptions& timing, double longest, Clock clock)
+      : workloads_(std::move(workloads)), timing_(timing), longest_(longest), clock_(std::move(clock)) {}
+
+  /// A piece that cannot be cut.
+  void step();
+  [[nodiscard]] bool done() const { return at_ == workloads_.size(); }
+  [[nodiscard]] double progress() const;
+  /// What is ready stays, the powers of unfinished workloads are fitted through what there is.
+  void stop();
+  [[nodiscard]] const std::vector<GrowthRow>& rows() const { return rows_; }
+
+ private:
+  [[nodiscard]] std::span<GrowthRow> own_rows() { return std::span(rows_).subspan(first_); }
+  /// Fits the power, and goes on to the next workload. stopped: why there are no more points.
+  void finish(const std::string& stopped);
+
+  std::vector<Workload> workloads_;
+  TimingOptions timing_;
+  double longest_;
+  Clock clock_;
+  std::size_t at_ = 0;  // of workloads_
+  std::vector<Index> sizes_;
+  std::size_t size_ = 0;  // of sizes_
+  std::size_t first_ = 0;  // of rows_, that is the workload's
+  std::function<void()> run_;
+  std::optional<Stopwatch> watch_;
+  std::vector<GrowthRow> rows_;
+};
+
+}  // namespace snug::cost

@@ -1,0 +1,260 @@
+#include "measure/report.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+#include "io/text.hpp"
+
+namespace snug::cost {
+namespace {
+
+constexpr std::string_view kFirstLine = "# snug table: ";
+
+// ---- values as text: shared by both formats but for what there is none of
+
+/// With as few digits as read back to the same bits. Empty where it is not finite.
+std::string text_of(double value) {
+  if (!std::isfinite(value)) return {};
+  std::array<char, 32> buffer{};
+  for (const char* format : {"%.15g", "%.16g", "%.17g"}) {
+    std::snprintf(buffer.data(), buffer.size(), format, value);
+    if (std::strtod(buffer.data(), nullptr) == value) break;
+  }
+  return buffer.data();
+}
+std::string text_of(std::int64_t value) { return std::to_string(value); }
+std::string text_of(int value) { return std::to_string(value); }
+std::string text_of(bool value) { return value ? "true" : "false"; }
+template <class Value>
+std::string text_of(const std::optional<Value>& value) {
+  return value ? text_of(*value) : std::string();
+}
+
+std::string csv_value(const auto& value) { return text_of(value); }
+std::string csv_value(double value) { return std::isfinite(value) ? text_of(value) : std::isnan(value) ? "nan" : "inf"; }
+std::string csv_value(const std::string& value) {
+  if (value.find_first_of(",\"\r\n#") == std::string::npos) return value;
+  std::string text = "\"";
+  for (const char c : value) {
+    if (c == '"') text += '"';
+    text += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return text + '"';
+}
+
+std::string json_value(const auto& value) {
+  std::string text = text_of(value);
+  return text.empty() ? "null" : text;
+}
+std::string json_value(const std::string& value) {
+  std::string text = "\"";
+  for (const char c : value) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') text += '\\';
+    if (byte >= 0x20) {
+      text += c;
+    } else {
+      std::array<char, 8> escape{};
+      std::snprintf(escape.data(), escape.size(), "\\u%04x", static_cast<unsigned>(byte));
+      text += escape.data();
+    }
+  }
+  return text + '"';
+}
+
+/// An object of a row's fields. Names with a dot that follow each other are one object within.
+template <class Row>
+std::string object_of(const Row& row) {
+  std::string text = "{";
+  std::string level;
+  Row::fields(row, [&](std::string_view name, const auto& value) {
+    const std::size_t dot = name.find('.');
+    const std::string_view own_level = dot == std::string_view::npos ? std::string_view() : name.substr(0, dot);
+    if (own_level != level) {
+      if (!level.empty()) text += '}';
+      if (text.back() != '{') text += ',';
+      if (!own_level.empty()) text.append("\"").append(own_level) += "\":{";
+      level = own_level;
+    } else if (text.back() != '{') {
+      text += ',';
+    }
+    text.append("\"").append(own_level.empty() ? name : name.substr(dot + 1)) += "\":";
+    text += json_value(value);
+  });
+  return text + (level.empty() ? "}" : "}}");
+}
+
+// ---- and back
+
+bool read_value(std::string_view text, double& value) {
+  const auto number = io::parse_number(text);
+  if (number) value = *number;
+  return number.has_value();
+}
+bool read_value(std::string_view text, std::int64_t& value) {
+  const auto number = io::parse_integer(text);
+  if (number) value = *number;
+  return number.has_value();
+}
+bool read_value(std::string_view text, int& value) {
+  std::int64_t wide = 0;
+  if (!read_value(text, wide) || wide != static_cast<int>(wide)) return false;
+  value = static_cast<int>(wide);
+  return true;
+}
+bool read_value(std::string_view text, bool& value) {
+  value = text == "true";
+  return value || text == "false";
+}
+bool read_value(std::string_view text, std::string& value) {
+  value = text;
+  return true;
+}
+template <class Value>
+bool read_value(std::string_view text, std::optional<Value>& value) {
+  value.reset();
+  return text.empty() || read_value(text, value.emplace());
+}
+
+/// A line's fields; nothing where a quotation mark is not closed, or something stands behind one that is.
+std::optional<std::vector<std::string>> fields_of_line(std::string_view line) {
+  std::vector<std::string> fields(1);
+  bool quoted = false, closed = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"')
+      fields.back() += line[++i];
+    else if (quoted && c == '"')
+      quoted = false, closed = true;
+    else if (!quoted && c == ',')
+      fields.emplace_back(), closed = false;
+    else if (closed)
+      return std::nullopt;
+    else if (c == '"' && fields.back().empty() && !quoted)
+      quoted = true;
+    else
+      fields.back() += c;
+  }
+  if (quoted) return std::nullopt;
+  return fields;
+}
+
+tl::unexpected<InputError> at(std::string_view name, std::int64_t line, std::string what) {
+  return tl::unexpected(InputError{std::move(what), std::string(name), InputError::Unit::kLine, line});
+}
+
+/// Sets the fields of a struct from texts by name, none of which may be missing.
+template <class Row>
+std::optional<std::string> set_fields(Row& row, const auto& text_by_name) {
+  std::optional<std::string> wrong;
+  Row::fields(row, [&](std::string_view name, auto& value) {
+    if (wrong) return;
+    const std::string* text = text_by_name(name);
+    if (text == nullptr)
+      wrong = "there is no " + io::quoted(name);
+    else if (!read_value(*text, value))
+      wrong = io::quoted(*text) + " is no value of " + io::quoted(name);
+  });
+  return wrong;
+}
+
+/// The text that stands under a name in two lists of the same length; null where none does.
+const std::string* find_text(const std::vector<std::string>& names, const std::vector<std::string>& texts,
+                             std::string_view name) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == name) return &texts[i];
+  return nullptr;
+}
+
+}  // namespace
+
+template <class Row>
+std::string csv_of(const Provenance& provenance, std::span<const Row> rows) {
+  std::string text = std::string(kFirstLine).append(Row::kTable) + '\n';
+  Provenance::fields(provenance, [&](std::string_view name, const auto& value) {
+    text.append("# ").append(name).append(": ") += csv_value(value) + '\n';
+  });
+  std::string header;
+  const Row none;
+  Row::fields(none, [&](std::string_view name, const auto&) { header.append(header.empty() ? "" : ",").append(name); });
+  text += header + '\n';
+  for (const Row& row : rows) {
+    bool first = true;
+    Row::fields(row, [&](std::string_view, const auto& value) {
+      if (!std::exchange(first, false)) text += ',';
+      text += csv_value(value);
+    });
+    text += '\n';
+  }
+  return text;
+}
+
+template <class Row>
+std::string json_of(const Provenance& provenance, std::span<const Row> rows) {
+  std::string text = std::string("{\"table\":\"").append(Row::kTable).append("\",\"provenance\":") +
+                     object_of(provenance) + ",\"rows\":[";
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    text += (i == 0 ? "" : ",") + object_of(rows[i]);
+  return text + "]}\n";
+}
+
+template <class Row>
+tl::expected<Table<Row>, InputError> read_csv(std::string_view text, std::string_view name) {
+  Table<Row> table;
+  io::Lines lines(text);
+  const std::string first = std::string(kFirstLine).append(Row::kTable);
+  if (!lines.next() || io::trim(lines.line()) != first)
+    return at(name, 1, "the first line of such a table is " + io::quoted(first));
+
+  std::vector<std::string> names, texts;  // of the provenance, then of the columns
+  bool more = lines.next();
+  for (; more && lines.line().starts_with("# "); more = lines.next()) {
+    const std::string_view line = lines.line().substr(2);
+    const std::size_t colon = line.find(": ");
+    const auto value = fields_of_line(colon == std::string_view::npos ? "" : line.substr(colon + 2));
+    if (colon == std::string_view::npos || !value || value->size() != 1)
+      return at(name, lines.number(), "is no line of a provenance");
+    names.emplace_back(line.substr(0, colon));
+    texts.push_back(value->front());
+  }
+  if (const auto wrong =
+          set_fields(table.provenance, [&](std::string_view key) { return find_text(names, texts, key); }))
+    return at(name, lines.number(), *wrong);
+
+  const auto columns = fields_of_line(more ? lines.line() : "");
+  if (!columns) return at(name, lines.number(), "a quotation mark is not closed");
+  Row none;
+  std::string missing;
+  Row::fields(none, [&](std::string_view column, auto&) {
+    if (missing.empty() && find_text(*columns, *columns, column) == nullptr) missing = column;
+  });
+  if (!missing.empty()) return at(name, lines.number(), "there is no " + io::quoted(missing));
+  while (lines.next_filled()) {
+    const auto fields = fields_of_line(lines.line());
+    if (!fields) return at(name, lines.number(), "a quotation mark is not closed");
+    if (fields->size() != columns->size())
+      return at(name, lines.number(),
+                "there are " + io::counted(static_cast<std::int64_t>(fields->size()), "field") + ", and " +
+                    io::counted(static_cast<std::int64_t>(columns->size()), "column"));
+    if (const auto wrong = set_fields(table.rows.emplace_back(),
+                                      [&](std::string_view key) { return find_text(*columns, *fields, key); }))
+      return at(name, lines.number(), *wrong);
+  }
+  return table;
+}
+
+#define SNUG_INSTANTIATE(Row)                                                                                          \
+  template std::string csv_of(const Provenance&, std::span<const Row>);                                                \
+  template std::string json_of(const Provenance&, std::span<const Row>);                                               \
+  template tl::expected<Table<Row>, InputError> read_csv<Row>(std::string_view, std::string_view);
+SNUG_INSTANTIATE(CostRow)
+SNUG_INSTANTIATE(GrowthRow)
+SNUG_INSTANTIATE(TurnRow)
+SNUG_INSTANTIATE(ClaimRow)
+#undef SNUG_INSTANTIATE
+
+}  // namespace snug::cost

@@ -1,0 +1,80 @@
+#include "measure/timing.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace snug::cost {
+namespace {
+
+/// So often is a clock that stands still read before it is believed to.
+constexpr int kMostReadings = 2'000'000;
+constexpr int kSteps = 10;
+constexpr int kLargestBatch = 1 << 20;
+constexpr double kStepsPerBatch = 100;
+constexpr std::size_t kFewestRepeats = 3;
+
+/// Between the two that are nearest, where the share falls between places. sorted: at least one.
+double quantile(const std::vector<double>& sorted, double share) {
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+}  // namespace
+
+double resolution_of(const Clock& clock) {
+  double smallest = 0;
+  double last = clock();
+  for (int readings = 0, steps = 0; readings < kMostReadings && steps < kSteps; ++readings) {
+    const double now = clock();
+    if (!(now > last)) continue;
+    if (steps++ == 0 || now - last < smallest) smallest = now - last;
+    last = now;
+  }
+  return smallest;
+}
+
+double batch_length(double resolution, double least, double most) {
+  return std::clamp(kStepsPerBatch * resolution, least, most);
+}
+
+Timing timing_of(std::vector<double> times, int batch) {
+  std::sort(times.begin(), times.end());
+  Timing timing{
+      .median = quantile(times, 0.5), .min = times.front(), .repeats = static_cast<int>(times.size()), .batch = batch};
+  const double between = quantile(times, 0.75) - quantile(times, 0.25);
+  timing.spread = timing.median > 0 ? between / timing.median : 0;
+  timing.trusted = timing.median > 0 && timing.spread <= kMostSpread;
+  return timing;
+}
+
+void Stopwatch::step(const Clock& clock) {
+  const double start = clock();
+  for (int i = 0; i < batch_; ++i)
+    run_();
+  const double time = clock() - start;
+  if (!warm_) {
+    warm_ = time >= options_.batch || batch_ >= kLargestBatch;
+    if (!warm_) batch_ *= 2;
+    return;
+  }
+  times_.push_back(time / batch_);
+  spent_ += time;
+}
+
+bool Stopwatch::done() const {
+  return times_.size() >= static_cast<std::size_t>(options_.repeats) ||
+         (times_.size() >= kFewestRepeats && spent_ >= options_.enough);
+}
+
+Timing Stopwatch::timing() const { return times_.empty() ? Timing{} : timing_of(times_, batch_); }
+
+Timing time_of(const Clock& clock, std::function<void()> run, const TimingOptions& options) {
+  Stopwatch watch(std::move(run), options);
+  while (!watch.done())
+    watch.step(clock);
+  return watch.timing();
+}
+
+}  // namespace snug::cost

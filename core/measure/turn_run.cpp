@@ -1,0 +1,59 @@
+#include "measure/turn_run.hpp"
+
+#include <utility>
+
+namespace snug::cost {
+
+TurnRun::TurnRun(const AnyPointSet& points, std::vector<const fit::UpdateStrategy*> strategies, int frames,
+                 const TimingOptions& timing, Clock clock)
+    : points_(points), strategies_(std::move(strategies)), poses_(full_turn(fit::dim_of(points), frames)),
+      timing_(timing), clock_(std::move(clock)) {}
+
+double TurnRun::progress() const {
+  if (done()) return 1;
+  const double part = static_cast<double>(frame_) / static_cast<double>(poses_.size() + 1);
+  return (static_cast<double>(at_) + part) / static_cast<double>(strategies_.size());
+}
+
+void TurnRun::step() {
+  if (done()) return;
+  if (!body_)
+    body_ = fit::start_updates(*strategies_[at_], points_);
+  else if (frame_ < poses_.size())
+    add_frame();
+  else
+    take_time();
+}
+
+void TurnRun::add_frame() {
+  const fit::UpdateStrategy& strategy = *strategies_[at_];
+  const fit::UpdatedFrame frame = body_(poses_[frame_], {});
+  rows_.push_back({.volume = std::string(strategy.volume),
+                   .strategy = std::string(strategy.name),
+                   .points = fit::size_of(points_),
+                   .degrees = 360.0 * static_cast<double>(frame_) / static_cast<double>(poses_.size()),
+                   .slack = fit::slack(frame.measure, frame.tightest),
+                   .measure = frame.measure,
+                   .contains = frame.contains});
+  ++frame_;
+}
+
+void TurnRun::take_time() {
+  if (!watch_) {
+    watch_.emplace([turn = fit::start_bare_updates(*strategies_[at_], points_, poses_)] { (void)turn(); }, timing_);
+    return;
+  }
+  watch_->step(clock_);
+  if (!watch_->done()) return;
+  Timing timing = watch_->timing();
+  timing.median /= static_cast<double>(poses_.size());
+  timing.min /= static_cast<double>(poses_.size());
+  for (std::size_t i = rows_.size() - poses_.size(); i < rows_.size(); ++i)
+    rows_[i].updated = timing;
+  watch_.reset();
+  body_ = nullptr;
+  frame_ = 0;
+  ++at_;
+}
+
+}  // namespace snug::cost

@@ -1,0 +1,44 @@
+// How loose each update's volume is over a full turn of its body, and what one update takes.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "fit/updates.hpp"
+#include "measure/cost_run.hpp"
+#include "measure/rows.hpp"
+
+namespace snug::cost {
+
+/// One frame after the other, each held against the points; then the bare updates are timed.
+class TurnRun {
+ public:
+  /// points: outlive the run. strategies: that take points of this dimension. frames: of the full turn, at least 1.
+  TurnRun(const AnyPointSet& points, std::vector<const fit::UpdateStrategy*> strategies, int frames,
+          const TimingOptions& timing, Clock clock);
+
+  /// A piece that cannot be cut: a beginning, a frame or a batch.
+  void step();
+  [[nodiscard]] bool done() const { return at_ == strategies_.size(); }
+  [[nodiscard]] double progress() const;
+  void stop() { at_ = strategies_.size(); }
+  [[nodiscard]] const std::vector<TurnRow>& rows() const { return rows_; }
+
+ private:
+  void add_frame();
+  void take_time();
+
+  const AnyPointSet& points_;
+  std::vector<const fit::UpdateStrategy*> strategies_;
+  std::vector<Pose<double, 3>> poses_;
+  TimingOptions timing_;
+  Clock clock_;
+  std::size_t at_ = 0;    // of strategies_
+  std::size_t frame_ = 0;  // of poses_
+  fit::UpdateBody body_;
+  std::optional<Stopwatch> watch_;
+  std::vector<TurnRow> rows_;
+};
+
+}  // namespace snug::cost

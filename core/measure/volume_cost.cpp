@@ -1,0 +1,234 @@
+#include "measure/volume_cost.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+#include "geometry/kdop_project.hpp"
+#include "geometry/pose.hpp"
+#include "geometry/random.hpp"
+#include "geometry/turn.hpp"
+#include "geometry/volume_bytes.hpp"
+#include "query/overlaps.hpp"
+
+namespace snug::cost {
+namespace {
+
+constexpr int kPairs = 64;
+/// Of hulls, which have many points, and a test goes over them several times.
+constexpr int kHullPairs = 16;
+template <class VolumeType>
+inline constexpr int kPairsOf = kPairs;
+template <class Scalar, int Dim>
+inline constexpr int kPairsOf<ConvexHull<Scalar, Dim>> = kHullPairs;
+
+/// Halvings in the search for the distance at which two copies touch: to a millionth of it.
+constexpr int kHalvings = 20;
+/// So much of that distance copies are moved that touch, and that are apart.
+constexpr double kTouching = 0.9, kApart = 1.1;
+
+/// The volume in its own scalar and dimension again: nothing is lost on the way there and back.
+template <class Scalar, int Dim>
+struct Lower {
+  using Point = Vector<Scalar, Dim>;
+  static Point of(const Vector<double, 3>& v) { return v.head<Dim>().template cast<Scalar>(); }
+
+  Sphere<Scalar, Dim> operator()(const Sphere<double, 3>& v) const {
+    return {of(v.center), static_cast<Scalar>(v.radius)};
+  }
+  Aabb<Scalar, Dim> operator()(const Aabb<double, 3>& v) const { return {of(v.min), of(v.max)}; }
+  Obb<Scalar, Dim> operator()(const Obb<double, 3>& v) const {
+    return {of(v.center), v.axes.topLeftCorner<Dim, Dim>().template cast<Scalar>(), of(v.half_extents)};
+  }
+  Capsule<Scalar, Dim> operator()(const Capsule<double, 3>& v) const {
+    return {of(v.a), of(v.b), static_cast<Scalar>(v.radius)};
+  }
+  Lozenge<Scalar, Dim> operator()(const Lozenge<double, 3>& v) const {
+    return {of(v.origin), {of(v.edges[0]), of(v.edges[1])}, static_cast<Scalar>(v.radius)};
+  }
+  Kdop<Scalar, Dim> operator()(const Kdop<double, 3>& v) const {
+    Kdop<Scalar, Dim> own{.k = v.k};
+    for (std::size_t i = 0; i < own.min.size(); ++i)
+      own.min[i] = static_cast<Scalar>(v.min[i]), own.max[i] = static_cast<Scalar>(v.max[i]);
+    return own;
+  }
+  ConvexHull<Scalar, Dim> operator()(const ConvexHull<double, 3>& v) const {
+    ConvexHull<Scalar, Dim> own{{}, v.indices, {}, v.affine_dim};
+    for (const auto& vertex : v.vertices)
+      own.vertices.push_back(of(vertex));
+    own.facets.resize(v.facets.size());
+    for (std::size_t i = 0; i < v.facets.size(); ++i)
+      std::copy_n(v.facets[i].begin(), Dim, own.facets[i].begin());
+    return own;
+  }
+};
+
+// ---- copies: turned about their own middle where they can turn, then moved
+
+template <class Scalar, int Dim>
+Sphere<Scalar, Dim> copied(Sphere<Scalar, Dim> v, const Pose<Scalar, Dim>& pose) {
+  return v.center += pose.translation, v;
+}
+
+template <class Scalar, int Dim>
+Aabb<Scalar, Dim> copied(const Aabb<Scalar, Dim>& v, const Pose<Scalar, Dim>& pose) {
+  return {v.min + pose.translation, v.max + pose.translation};
+}
+
+template <class Scalar, int Dim>
+Obb<Scalar, Dim> copied(const Obb<Scalar, Dim>& v, const Pose<Scalar, Dim>& pose) {
+  return {v.center + pose.translation, orthonormal<Scalar, Dim>(pose.rotation * v.axes), v.half_extents};
+}
+
+template <class Scalar, int Dim>
+Capsule<Scalar, Dim> copied(const Capsule<Scalar, Dim>& v, const Pose<Scalar, Dim>& pose) {
+  const Vector<Scalar, Dim> middle = (v.a + v.b) / 2, half = pose.rotation * ((v.b - v.a) / 2);
+  return {middle - half + pose.translation, middle + half + pose.translation, v.radius};
+}
+
+template <class Scalar, int Dim>
+Lozenge<Scalar, Dim> copied(const Lozenge<Scalar, Dim>& v, const Pose<Scalar, Dim>& pose) {
+  const Vector<Scalar, Dim> middle = v.origin + (v.edges[0] + v.edges[1]) / 2;
+  const Vector<Scalar, Dim> a = pose.rotation * v.edges[0], b = pose.rotation * v.edges[1];
+  return {middle - (a + b) / 2 + pose.translation, {a, b}, v.radius};
+}
+
+template <class Scalar, int Dim>
+Kdop<Scalar, Dim> copied(Kdop<Scalar, Dim> v, const Pose<Scalar, Dim>& pose) {
+  const auto axes = kdop_axes<Dim>(v.k);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const Scalar by = project<Scalar, Dim>(axes[i], pose.translation);
+    v.min[i] += by, v.max[i] += by;
+  }
+  return v;
+}
+
+template <class Scalar, int Dim>
+ConvexHull<Scalar, Dim> copied(ConvexHull<Scalar, Dim> v, const Pose<Scalar, Dim>& pose) {
+  Vector<Scalar, Dim> middle = Vector<Scalar, Dim>::Zero();
+  v.indices.clear(), v.facets.clear();  // the tests look at the vertices alone
+  for (const auto& vertex : v.vertices)
+    middle += vertex / static_cast<Scalar>(v.vertices.size());
+  for (auto& vertex : v.vertices)
+    vertex = middle + pose.rotation * (vertex - middle) + pose.translation;
+  return v;
+}
+
+template <class Scalar, int Dim>
+Pose<Scalar, Dim> random_turn(Random& random) {
+  const double radians = random.between(0, 6.25);
+  Pose<Scalar, Dim> pose;
+  if constexpr (Dim == 2)
+    pose.rotation = turn(radians).template cast<Scalar>();
+  else
+    pose.rotation =
+        turn(Vector<double, 3>(random.normal(), random.normal(), random.normal()), radians).template cast<Scalar>();
+  return pose;
+}
+
+template <class Scalar, int Dim>
+Vector<Scalar, Dim> random_direction(Random& random) {
+  for (;;) {
+    Vector<double, Dim> v;
+    for (int i = 0; i < Dim; ++i)
+      v[i] = random.between(-1, 1);
+    if (v.squaredNorm() > 0.01 && v.squaredNorm() < 1) return v.normalized().template cast<Scalar>();
+  }
+}
+
+/// Copies from both sides of the place where they touch. They overlap where nothing is moved: a convex body and its
+/// copy share their middle.
+template <class Scalar, int Dim, class VolumeType>
+std::vector<VolumeType> copies_of(const VolumeType& volume, double reach, Random& random) {
+  std::vector<VolumeType> copies;
+  for (int i = 0; i < kPairsOf<VolumeType>; ++i) {
+    Pose<Scalar, Dim> pose = random_turn<Scalar, Dim>(random);
+    const Vector<Scalar, Dim> direction = random_direction<Scalar, Dim>(random);
+    const auto at = [&](double distance) {
+      pose.translation = direction * static_cast<Scalar>(distance);
+      return copied(volume, pose);
+    };
+    double touching = 0, apart = reach;
+    for (int halving = 0; halving < kHalvings; ++halving) {
+      const double between = (touching + apart) / 2;
+      (query::overlaps(volume, at(between)) ? touching : apart) = between;
+    }
+    copies.push_back(at(i % 2 == 0 ? kTouching * touching : kApart * apart));
+  }
+  return copies;
+}
+
+/// Farther than any two of its points are apart.
+double reach_of(const fit::Volume3& volume, int dim) {
+  struct Reach {
+    int dim;
+    double operator()(const Sphere<double, 3>& v) const { return v.radius; }
+    double operator()(const Aabb<double, 3>& v) const { return (v.max - v.min).norm(); }
+    double operator()(const Obb<double, 3>& v) const { return 2 * v.half_extents.norm(); }
+    double operator()(const Capsule<double, 3>& v) const { return (v.b - v.a).norm() + 2 * v.radius; }
+    double operator()(const Lozenge<double, 3>& v) const {
+      return v.edges[0].norm() + v.edges[1].norm() + 2 * v.radius;
+    }
+    double operator()(const Kdop<double, 3>& v) const {  // the first slabs are those of its box
+      double sum = 0;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(dim); ++i)
+        sum += v.max[i] - v.min[i];
+      return sum;
+    }
+    double operator()(const ConvexHull<double, 3>& v) const {
+      double most = 0;
+      for (const auto& vertex : v.vertices)
+        most = std::max(most, (vertex - v.vertices[0]).norm());
+      return 2 * most;
+    }
+  };
+  return 4 * std::visit(Reach{dim}, volume);
+}
+
+template <class Scalar, int Dim>
+OverlapWork work_of(const fit::Volume3& lifted, std::uint64_t seed) {
+  return std::visit(
+      [&](const auto& kind) -> OverlapWork {
+        using VolumeType = decltype(Lower<Scalar, Dim>{}(kind));
+        if constexpr (SNUG_ALL_ROWS || std::is_same_v<VolumeType, Sphere<Scalar, Dim>> ||
+                      std::is_same_v<VolumeType, Obb<Scalar, Dim>>) {
+          Random random(seed);
+          const VolumeType volume = Lower<Scalar, Dim>{}(kind);
+          auto copies =
+              std::make_shared<std::vector<VolumeType>>(copies_of<Scalar, Dim>(volume, reach_of(lifted, Dim), random));
+          return {[volume, copies] {
+                    int overlapping = 0;
+                    for (const VolumeType& copy : *copies)
+                      overlapping += query::overlaps(volume, copy) ? 1 : 0;
+                    return overlapping;
+                  },
+                  kPairsOf<VolumeType>};
+        } else {
+          return {};
+        }
+      },
+      lifted);
+}
+
+}  // namespace
+
+OverlapWork overlap_work(const fit::Volume3& volume, int dim, bool single, std::uint64_t seed) {
+  if constexpr (SNUG_ALL_ROWS)
+    if (single) return dim == 2 ? work_of<float, 2>(volume, seed) : work_of<float, 3>(volume, seed);
+  return dim == 2 ? work_of<double, 2>(volume, seed) : work_of<double, 3>(volume, seed);
+}
+
+std::int64_t bytes_of(const fit::Volume3& volume, int dim, bool single) {
+  return std::visit(
+      [&](const auto& kind) {
+        const auto bytes = [&]<class Scalar, int Dim>(Lower<Scalar, Dim> lower) {
+          return static_cast<std::int64_t>(snug::bytes_of(lower(kind)));
+        };
+        if (single) return dim == 2 ? bytes(Lower<float, 2>{}) : bytes(Lower<float, 3>{});
+        return dim == 2 ? bytes(Lower<double, 2>{}) : bytes(Lower<double, 3>{});
+      },
+      volume);
+}
+
+}  // namespace snug::cost

@@ -1,0 +1,342 @@
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "desktop/cli/command.hpp"
+#include "desktop/cli/cost_file.hpp"
+#include "desktop/cli/cost_text.hpp"
+#include "desktop/cli/files.hpp"
+#include "desktop/cli/progress.hpp"
+#include "desktop/cli/timing.hpp"
+#include "geometry/generate.hpp"
+#include "measure/claims.hpp"
+#include "measure/cost_run.hpp"
+#include "measure/growth.hpp"
+#include "measure/sample.hpp"
+#include "measure/turn_run.hpp"
+
+namespace snug::desktop {
+namespace {
+
+/// Above it a table would take minutes, and memory that not every machine has.
+constexpr Index kMostPoints = 2'000'000;
+/// The frames of a turn are held against every point.
+constexpr Index kMostTurned = 100'000;
+constexpr int kFrames = 72;
+/// A watched and proven run may take so much longer than the one that is timed.
+constexpr double kWatchedLonger = 10;
+/// Where this much time has gone into an algorithm, three batches are enough, ns.
+constexpr double kEnough = 2e9;
+
+struct CostOptions {
+  std::string generate;
+  std::string file;
+  std::string volume;
+  std::vector<std::string> algorithms;
+  std::string scalar = "double";
+  int dim = 0;
+  std::uint64_t seed = 1;
+  int repeat = 9;
+  int longest = 1000;  // ms
+  bool growth = false, turn = false, claims = false;
+  std::string against;
+  bool json = false, csv = false;
+  std::string out;
+};
+
+/// What is measured.
+struct Subject {
+  std::string name;  // "cube:1000", or the file's
+  std::string kind;  // where generated; empty of a file
+  AnyPointSet points;
+};
+
+using Wrong = tl::unexpected<InputError>;
+Wrong wrong(std::string what) { return Wrong(InputError{.what = std::move(what)}); }
+
+std::string kinds() {
+  std::string list;
+  for (const std::string_view kind : generator_kinds())
+    list.append(list.empty() ? "" : ", ").append(kind);
+  return list;
+}
+
+tl::expected<Subject, InputError> generated(const CostOptions& options) {
+  const std::size_t colon = options.generate.find(':');
+  const std::string kind = options.generate.substr(0, colon);
+  const std::string count = colon == std::string::npos ? "" : options.generate.substr(colon + 1);
+  const auto known = generator_kinds();
+  if (std::find(known.begin(), known.end(), kind) == known.end())
+    return wrong("there is no kind \"" + kind + "\" of points; known: " + kinds());
+  Index n = 0;
+  const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), n);
+  if (error != std::errc{} || end != count.data() + count.size() || n < 1 || n > kMostPoints)
+    return wrong("--generate takes KIND:N with a whole number N from 1 to " + std::to_string(kMostPoints));
+  const int dim = options.dim == 0 ? 3 : options.dim;
+  return Subject{options.generate, kind, cost::generated_points(kind, dim, options.scalar == "float", options.seed)(n)};
+}
+
+tl::expected<Subject, InputError> subject_of(const CostOptions& options) {
+  if (options.generate.empty() == options.file.empty()) return wrong("one of --generate KIND:N and FILE is wanted");
+  if (!options.generate.empty()) return generated(options);
+  auto points = read_point_file(options.file).and_then([&](const io::PointFile& file) {
+    return io::to_point_set(file, options.file, options.dim, options.scalar == "float");
+  });
+  if (!points) return Wrong(points.error());
+  if (fit::size_of(*points) > kMostPoints)
+    return Wrong(InputError{.what = "there are " + std::to_string(fit::size_of(*points)) +
+                                    " points, and costs are measured on at most " + std::to_string(kMostPoints),
+                            .file = options.file});
+  return Subject{options.file, "", std::move(*points)};
+}
+
+/// Whether "pca" or "obb:pca" means this one.
+bool is_named(const fit::Algorithm& algorithm, const std::string& name) {
+  return name == algorithm.name || name == std::string(algorithm.volume) + ":" + std::string(algorithm.name);
+}
+
+/// In the catalogue's order, whatever the order of the names.
+tl::expected<std::vector<const fit::Algorithm*>, InputError> algorithms_of(const CostOptions& options, int dim) {
+  const bool known = std::find(kVolumeNames.begin(), kVolumeNames.end(), options.volume) != kVolumeNames.end();
+  if (!options.volume.empty() && !known) return wrong("there is no volume \"" + options.volume + "\"");
+  std::vector<const fit::Algorithm*> chosen;
+  std::vector<bool> met(options.algorithms.size());
+  for (const fit::Algorithm& algorithm :
+       options.volume.empty() ? fit::algorithms() : fit::algorithms_of(options.volume)) {
+    bool wanted = options.algorithms.empty();
+    for (std::size_t i = 0; i < met.size(); ++i)
+      if (is_named(algorithm, options.algorithms[i])) wanted = met[i] = true;
+    if (wanted && fit::takes(algorithm, dim)) chosen.push_back(&algorithm);
+  }
+  for (std::size_t i = 0; i < met.size(); ++i)
+    if (!met[i]) return wrong("there is no algorithm \"" + options.algorithms[i] + "\"; `snug algorithms` lists all");
+  if (chosen.empty()) return wrong("none of these algorithms takes points of " + std::to_string(dim) + " coordinates");
+  return chosen;
+}
+
+/// Goes on until all is done, with a bar for those who wait.
+template <class Run>
+void finish(Run& run) {
+  constexpr int kParts = 1000;
+  Progress bar("measuring", kParts);
+  for (int shown = 0; !run.done();) {
+    run.step();
+    for (; shown < static_cast<int>(kParts * run.progress()); ++shown)
+      bar.advance();
+  }
+}
+
+/// A table in the form that was asked for.
+template <class Row>
+std::string printed(const CostOptions& options, const cost::Provenance& provenance, const std::vector<Row>& rows) {
+  const std::span<const Row> all(rows);
+  if (options.json) return cost::json_of(provenance, all);
+  if (options.csv) return cost::csv_of(provenance, all);
+  return text_of(provenance, all);
+}
+
+std::string printed_costs(const CostOptions& options, const cost::Provenance& provenance,
+                          const std::vector<cost::CostRow>& rows, const cost::Table<cost::CostRow>* then) {
+  const std::span<const cost::CostRow> all(rows);
+  if (options.csv) return cost::csv_of(provenance, all);
+  if (!options.json) return text_of(provenance, all, then);
+  std::string text = cost::json_of(provenance, all);
+  if (then == nullptr) return text;
+  std::string old = cost::json_of(then->provenance, std::span<const cost::CostRow>(then->rows));
+  old.pop_back();  // the line feed
+  return text.substr(0, text.size() - 2) + ",\"against\":" + old + "}\n";
+}
+
+cost::Provenance provenance_of(const CostOptions& options, const Subject& subject) {
+  cost::Provenance provenance = native_provenance();
+  provenance.points = subject.name;
+  provenance.scalar = options.scalar;
+  provenance.dim = fit::dim_of(subject.points);
+  provenance.seed = static_cast<std::int64_t>(options.seed);
+  return provenance;
+}
+
+struct Measured {
+  std::string text;
+  bool all_hold = true;
+};
+
+cost::TimingOptions timing_of(const CostOptions& options) {
+  cost::TimingOptions timing = native_timing(options.repeat);
+  timing.enough = kEnough;
+  return timing;
+}
+
+tl::expected<Measured, InputError> costs(const CostOptions& options, const Subject& subject,
+                                         const std::vector<const fit::Algorithm*>& algorithms) {
+  std::optional<cost::Table<cost::CostRow>> then;
+  if (!options.against.empty()) {
+    auto table = read_costs(options.against);
+    if (!table) return Wrong(table.error());
+    then = std::move(*table);
+  }
+  const double longest = options.longest * 1e6;
+  const cost::CostOptions chosen{{.seed = options.seed}, timing_of(options), {longest, kWatchedLonger * longest}};
+  cost::CostRun run(subject.points, algorithms, chosen, native_clock());
+  finish(run);
+  std::vector<cost::CostRow> rows = run.rows();
+  cost::mark_front(rows);
+  Measured measured{printed_costs(options, provenance_of(options, subject), rows, then ? &*then : nullptr)};
+  for (const cost::CostRow& row : rows)
+    measured.all_hold = measured.all_hold && row.contains;
+  return measured;
+}
+
+Measured growth(const CostOptions& options, const Subject& subject,
+                const std::vector<const fit::Algorithm*>& algorithms) {
+  const int dim = fit::dim_of(subject.points);
+  const cost::PointsOfSize points =
+      subject.kind.empty() ? cost::sampled_points(subject.points, options.seed)
+                           : cost::generated_points(subject.kind, dim, options.scalar == "float", options.seed);
+  std::vector<cost::Workload> loads;
+  for (const fit::Algorithm* algorithm : algorithms)
+    loads.push_back(cost::workload_of(*algorithm, dim, fit::size_of(subject.points), points, {.seed = options.seed}));
+  cost::GrowthRun run(std::move(loads), timing_of(options), options.longest * 1e6, native_clock());
+  finish(run);
+  return {printed(options, provenance_of(options, subject), run.rows())};
+}
+
+Measured full_turn(const CostOptions& options, const Subject& subject) {
+  const int dim = fit::dim_of(subject.points);
+  std::vector<const fit::UpdateStrategy*> strategies;
+  for (const fit::UpdateStrategy& strategy : fit::update_strategies()) {
+    const bool wanted = options.volume.empty() || strategy.volume == options.volume;
+    if (wanted && (dim == 2 ? strategy.plane : strategy.space)) strategies.push_back(&strategy);
+  }
+  const AnyPointSet points = cost::sample(subject.points, kMostTurned, options.seed);
+  cost::TurnRun run(points, strategies, kFrames, timing_of(options), native_clock());
+  finish(run);
+  Measured measured{printed(options, provenance_of(options, subject), run.rows())};
+  for (const cost::TurnRow& row : run.rows())
+    measured.all_hold = measured.all_hold && row.contains;
+  return measured;
+}
+
+Measured claims(const CostOptions& options, const Subject& subject) {
+  const auto all = cost::claims();
+  Progress bar("checking", static_cast<int>(all.size()));
+  std::vector<cost::ClaimRow> rows;
+  for (const cost::Claim& claim : all) {
+    rows.push_back(cost::run_claim(claim, {.points = subject.points, .seed = options.seed, .clock = native_clock()}));
+    bar.advance();
+  }
+  return {printed(options, provenance_of(options, subject), rows)};
+}
+
+std::optional<std::string> wrong_with(const CostOptions& options) {
+  if (options.growth + options.turn + options.claims > 1) return "one of --growth, --turn and --claims at a time";
+  if (options.json && options.csv) return "one of --json and --csv";
+  const bool other = options.growth || options.turn || options.claims;
+  if (!options.against.empty() && other) return "--against lies over the table of costs alone";
+  if (!options.against.empty() && options.csv)
+    return "--against goes with --json or with neither: CSV has room for one table";
+  if ((options.turn || options.claims) && !options.algorithms.empty()) return "--algorithms is for costs and --growth";
+  return std::nullopt;
+}
+
+tl::expected<Measured, InputError> measured(const CostOptions& options) {
+  if (const auto what = wrong_with(options)) return wrong(*what);
+  const auto subject = subject_of(options);
+  if (!subject) return Wrong(subject.error());
+  const int dim = fit::dim_of(subject->points);
+  if (options.claims && dim == 2) return wrong("the claims are about space: points of 3 coordinates are wanted");
+  if (options.claims) return claims(options, *subject);
+  const auto algorithms = algorithms_of(options, dim);
+  if (!algorithms) return Wrong(algorithms.error());
+  if (options.turn) {
+    if (!options.volume.empty() && options.volume != "sphere" && options.volume != "aabb" && options.volume != "obb" &&
+        options.volume != "kdop")
+      return wrong("there is no update of \"" + options.volume + "\"; known: sphere, aabb, obb, kdop");
+    return full_turn(options, *subject);
+  }
+  if (options.growth) return growth(options, *subject, *algorithms);
+  return costs(options, *subject, *algorithms);
+}
+
+CommandResult run_cost(const CostOptions& options) {
+  std::optional<NewFile> file;  // before what takes long: a file that cannot be is known at once
+  if (!options.out.empty()) {
+    auto created = NewFile::create(options.out);
+    if (!created) return bad_input(created.error());
+    file.emplace(std::move(*created));
+  }
+  const auto done = measured(options);
+  if (!done) return bad_input(done.error());
+  const int status = done->all_hold ? 0 : 1;
+  if (!file) return Printed{done->text, status};
+  file->write(done->text);
+  if (const auto placed = file->put_in_place(); !placed) return bad_input(placed.error());
+  return Printed{"", status};
+}
+
+constexpr const char* kCostFooter =
+    R"(Prints a table; --json has one object {"table","provenance","rows"}, --csv the same as columns, with every figure:
+  volume, algorithm         of `snug algorithms`
+  points, of, whole_ns      how many points it was measured on, how many there are, and where that is fewer, for one run
+                            on all would take longer than --longest, what that run would take
+  time_ns                   {median, min, spread, repeats, batch, trusted} of one fit without an observer; spread is between
+                            the quartiles, over the median, and times that spread over more than a third are not trusted
+  operations, steps         counts of a second, watched run
+  size, measure             a ball's radius, of others the measure; 3-D volume or 2-D area
+  tightness                 size over that of the smallest volume of its kind around the same points; null where no
+                            algorithm here claims the smallest
+  over_hull                 measure over that of the convex hull
+  bytes                     of the volume's numbers
+  overlap_ns, overlap_pairs, overlapping
+                            of one overlap test with a copy; the copies are moved to just overlap, or to be just apart
+  update, update_ns         the tight update of the volume in a full turn of the body, and the time of one
+  certificate               {contains, on_boundary, optimal}
+  on_front                  whether no other is both faster and smaller
+
+--growth: the time against the number of points, from 10 to N, with the power that it grows by, beside theory's.
+--turn: by how much each update's volume is larger than the tightest, over a full turn of the body.
+--claims: what two lectures say of time, storage and tightness, and what is measured of it here.
+
+Exit status: 0 done, 1 some volume does not hold every point, 2 bad input or usage.)";
+
+}  // namespace
+
+void add_cost(Commands& commands) {
+  CLI::App& command =
+      *commands.app.add_subcommand("cost", "Measure what accuracy costs: time, operations, tightness, memory");
+  command.footer(kCostFooter);
+  const auto options = add_command<CostOptions>(commands, command, run_cost);
+  command.add_option("--generate", options->generate, "Points of a kind, KIND:N; kinds: " + kinds());
+  command.add_option("FILE", options->file, "Point file, as of snug fit; - is xyz on standard input");
+  command.add_option("--volume", options->volume, "Only volumes of this kind");
+  command
+      .add_option("--algorithms", options->algorithms,
+                  "Only these: pca, or obb:pca for that of one volume, with commas between")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_option("--scalar", options->scalar, "Arithmetic: double or float")
+      ->check(CLI::IsMember({"double", "float"}))
+      ->capture_default_str();
+  command.add_option("--dim", options->dim, "2 or 3; the file's own, or 3, where none is given")
+      ->transform(whole_number(2, 3));
+  command.add_option("--seed", options->seed, "Seed of points and random orders")
+      ->transform(whole_number(0, std::numeric_limits<std::int64_t>::max()))
+      ->capture_default_str();
+  command.add_option("--repeat", options->repeat, "How many batches to time")
+      ->transform(whole_number(1, 1'000'000))
+      ->capture_default_str();
+  command
+      .add_option("--longest", options->longest,
+                  "Milliseconds that one run may take; where it would take more, on fewer points")
+      ->transform(whole_number(1, 1'000'000))
+      ->capture_default_str();
+  command.add_flag("--growth", options->growth, "Time against the number of points instead");
+  command.add_flag("--turn", options->turn, "Slack over a full turn of the body instead");
+  command.add_flag("--claims", options->claims, "The lectures' claims, measured, instead");
+  command.add_option("--against", options->against, "An earlier result, CSV or JSON, to lie beside this one");
+  command.add_flag("--json", options->json, "As one JSON object");
+  command.add_flag("--csv", options->csv, "As CSV");
+  command.add_option("-o", options->out, "File to write to, instead of standard output");
+}
+
+}  // namespace snug::desktop

@@ -1,0 +1,82 @@
+#include "desktop/cli/cost_file.hpp"
+
+#include <limits>
+
+#include "desktop/cli/files.hpp"
+#include "desktop/cli/json.hpp"
+
+namespace snug::desktop {
+namespace {
+
+/// JSON has no infinity: what is too large for a double is null there.
+bool read(const Json& json, double& value) {
+  value = json.is_number() ? json.get<double>() : std::numeric_limits<double>::infinity();
+  return json.is_number() || json.is_null();
+}
+bool read(const Json& json, std::int64_t& value) {
+  return json.is_number_integer() && (value = json.get<std::int64_t>(), true);
+}
+bool read(const Json& json, int& value) {
+  std::int64_t wide = 0;
+  if (!read(json, wide) || wide != static_cast<int>(wide)) return false;
+  value = static_cast<int>(wide);
+  return true;
+}
+bool read(const Json& json, bool& value) { return json.is_boolean() && (value = json.get<bool>(), true); }
+bool read(const Json& json, std::string& value) { return json.is_string() && (value = json.get<std::string>(), true); }
+template <class Value>
+bool read(const Json& json, std::optional<Value>& value) {
+  value.reset();
+  return json.is_null() || read(json, value.emplace());
+}
+
+/// What stands at "time_ns.median"; null where nothing does.
+const Json* find(const Json& json, std::string_view name) {
+  const std::size_t dot = name.find('.');
+  const auto found = json.find(std::string(name.substr(0, dot)));
+  if (!json.is_object() || found == json.end()) return nullptr;
+  return dot == std::string_view::npos ? &*found : find(*found, name.substr(dot + 1));
+}
+
+/// Empty where all fields are there.
+template <class Row>
+std::string set_fields(Row& row, const Json& json, const std::string& where) {
+  std::string wrong;
+  Row::fields(row, [&](std::string_view name, auto& value) {
+    if (!wrong.empty()) return;
+    const Json* const found = find(json, name);
+    if (found == nullptr)
+      wrong = where + std::string(name) + " is missing";
+    else if (!read(*found, value))
+      wrong = where + std::string(name) + " is " + found->dump(-1, ' ', false, Json::error_handler_t::replace);
+  });
+  return wrong;
+}
+
+/// Empty where the whole table is read.
+std::string set_table(cost::Table<cost::CostRow>& table, const Json& json) {
+  const Json* const name = find(json, "table");
+  if (name == nullptr || *name != "costs") return "is not a table of costs";
+  const Json *const provenance = find(json, "provenance"), *const rows = find(json, "rows");
+  if (provenance == nullptr || rows == nullptr || !rows->is_array()) return "has no provenance, or no rows";
+  std::string wrong = set_fields(table.provenance, *provenance, "provenance.");
+  for (std::size_t i = 0; wrong.empty() && i < rows->size(); ++i)
+    wrong = set_fields(table.rows.emplace_back(), (*rows)[i], "rows[" + std::to_string(i) + "].");
+  return wrong;
+}
+
+}  // namespace
+
+tl::expected<cost::Table<cost::CostRow>, InputError> read_costs(const std::string& path) {
+  const auto text = read_file(path);
+  if (!text) return tl::unexpected(text.error());
+  if (text->empty() || text->front() != '{') return cost::read_csv<cost::CostRow>(*text, path);
+  const Json json = Json::parse(*text, nullptr, false);
+  if (json.is_discarded()) return tl::unexpected(InputError{.what = "is not JSON", .file = path});
+  cost::Table<cost::CostRow> table;
+  if (const std::string wrong = set_table(table, json); !wrong.empty())
+    return tl::unexpected(InputError{.what = wrong, .file = path});
+  return table;
+}
+
+}  // namespace snug::desktop

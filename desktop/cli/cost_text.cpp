@@ -1,0 +1,197 @@
+#include "desktop/cli/cost_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace snug::desktop {
+namespace {
+
+template <class... Values>
+std::string said(const char* format, Values... values) {
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+/// Three digits and the unit that suits.
+std::string time_text(double ns) {
+  constexpr double kYear = 365.25 * 24 * 3600 * 1e9;
+  if (ns < 999.5) return said("%.3g ns", ns);
+  if (ns < 999.5e3) return said("%.3g us", ns / 1e3);
+  if (ns < 999.5e6) return said("%.3g ms", ns / 1e6);
+  if (ns < 1e14) return said("%.3g s", ns / 1e9);
+  return said("%.2g years", ns / kYear);
+}
+
+/// What this machine could not measure well is marked.
+std::string time_text(const cost::Timing& timing) {
+  if (timing.repeats == 0) return "-";
+  return time_text(timing.median) + (timing.trusted ? "" : " ?");
+}
+std::string spread_text(const cost::Timing& timing) {
+  return timing.repeats == 0 ? "-" : said("%.0f %%", 100 * timing.spread);
+}
+std::string ratio_text(const std::optional<double>& ratio, const char* format) {
+  return ratio ? said(format, *ratio) : "-";
+}
+
+/// Columns as wide as what stands in them: the first two to the left, figures to the right, the last as it comes.
+class Columns {
+ public:
+  explicit Columns(std::vector<std::string> header) { add(std::move(header)); }
+  void add(std::vector<std::string> line) { lines_.push_back(std::move(line)); }
+
+  [[nodiscard]] std::string text() const {
+    std::vector<std::size_t> widths(lines_[0].size());
+    for (const auto& line : lines_)
+      for (std::size_t i = 0; i < line.size(); ++i)
+        widths[i] = std::max(widths[i], line[i].size());
+    std::string text;
+    for (const auto& line : lines_) {
+      std::string row;
+      for (std::size_t i = 0; i < line.size(); ++i) {
+        const std::string blanks(widths[i] - line[i].size(), ' ');
+        row += i == 0 ? "" : "  ";
+        row += i < 2 || i + 1 == line.size() ? line[i] + blanks : blanks + line[i];
+      }
+      text += row.substr(0, row.find_last_not_of(' ') + 1) + '\n';
+    }
+    return text;
+  }
+
+ private:
+  std::vector<std::vector<std::string>> lines_;
+};
+
+std::string head_of(const cost::Provenance& p) {
+  return p.points +
+         said(", %d-D, %s, seed %lld; %s, ", p.dim, p.scalar.c_str(), static_cast<long long>(p.seed),
+              p.platform.c_str()) +
+         p.build + (p.processor.empty() ? "" : ", " + p.processor) +
+         said("; the clock's step is %s\n\n", time_text(p.clock_resolution_ns).c_str());
+}
+
+constexpr const char* kDoubt =
+    "? the times spread over more than a third of their median: this machine could not measure that well\n";
+
+std::string note_of(const cost::CostRow& row) {
+  std::string note = row.on_front ? "* front" : "";
+  if (row.points < row.of)
+    note +=
+        said("%son %d of %d points%s", note.empty() ? "" : ", ", static_cast<int>(row.points), static_cast<int>(row.of),
+             row.whole_ns ? (": all would take about " + time_text(*row.whole_ns)).c_str() : "");
+  if (!row.contains) note += note.empty() ? "does not hold every point" : ", does not hold every point";
+  return note;
+}
+
+const cost::CostRow* find_row(const cost::Table<cost::CostRow>& table, const cost::CostRow& like) {
+  const auto found = std::find_if(table.rows.begin(), table.rows.end(), [&](const cost::CostRow& row) {
+    return row.volume == like.volume && row.algorithm == like.algorithm && row.points == like.points;
+  });
+  return found == table.rows.end() ? nullptr : &*found;
+}
+
+/// The rows of one algorithm or strategy, which follow each other.
+template <class Row, class Same>
+std::vector<std::span<const Row>> groups_of(std::span<const Row> rows, Same same) {
+  std::vector<std::span<const Row>> groups;
+  for (std::size_t first = 0; first < rows.size();) {
+    std::size_t end = first;
+    while (end < rows.size() && same(rows[end], rows[first]))
+      ++end;
+    groups.push_back(rows.subspan(first, end - first));
+    first = end;
+  }
+  return groups;
+}
+
+}  // namespace
+
+std::string text_of(const cost::Provenance& provenance, std::span<const cost::CostRow> rows,
+                    const cost::Table<cost::CostRow>* then) {
+  std::vector<std::string> header{"volume", "algorithm", "time", "spread"};
+  if (then != nullptr) header.insert(header.end(), {"then", "now/then"});
+  header.insert(header.end(), {"operations", "size/least", "volume/hull", "bytes", "overlap", "update", ""});
+  if (provenance.dim == 2) *(header.end() - 5) = "area/hull";
+  Columns columns(header);
+  bool doubt = false;
+  for (const cost::CostRow& row : rows) {
+    std::vector<std::string> line{row.volume, row.algorithm, time_text(row.time), spread_text(row.time)};
+    if (then != nullptr) {
+      const cost::CostRow* const old = find_row(*then, row);
+      line.push_back(old == nullptr ? "-" : time_text(old->time));
+      line.push_back(old == nullptr || !(old->time.median > 0) ? "-"
+                                                               : said("%.2f", row.time.median / old->time.median));
+    }
+    const std::int64_t operations = std::accumulate(row.operations.begin(), row.operations.end(), std::int64_t{0});
+    line.insert(line.end(), {said("%lld", static_cast<long long>(operations)), ratio_text(row.tightness, "%.4f"),
+                             ratio_text(row.over_hull, "%.3f"), said("%lld", static_cast<long long>(row.bytes)),
+                             time_text(row.overlap), time_text(row.updated), note_of(row)});
+    columns.add(std::move(line));
+    for (const cost::Timing* timing : {&row.time, &row.overlap, &row.updated})
+      doubt = doubt || (timing->repeats > 0 && !timing->trusted);
+  }
+  std::string text = head_of(provenance) + columns.text() + "\n* no other is both faster and smaller\n";
+  if (doubt) text += kDoubt;
+  if (then != nullptr) text += "then: " + head_of(then->provenance);
+  return text;
+}
+
+std::string text_of(const cost::Provenance& provenance, std::span<const cost::GrowthRow> rows) {
+  Columns columns({"volume", "algorithm", "points", "time", "power", "theory's", "theory", ""});
+  const auto same = [](const cost::GrowthRow& a, const cost::GrowthRow& b) {
+    return a.volume == b.volume && a.algorithm == b.algorithm;
+  };
+  bool doubt = false;
+  for (const auto group : groups_of(rows, same)) {
+    const cost::GrowthRow& last = group.back();
+    const std::string theirs =
+        last.theory_exponent ? said(last.tight ? "%.2f" : "<= %.2f", *last.theory_exponent) : "-";
+    columns.add({last.volume, last.algorithm, said("%d", static_cast<int>(last.points)), time_text(last.time),
+                 ratio_text(last.exponent, "%.2f"), theirs, last.theory,
+                 last.stopped.empty() ? "" : "stopped: " + last.stopped});
+    for (const cost::GrowthRow& row : group)
+      doubt = doubt || !row.time.trusted;
+  }
+  std::string text = head_of(provenance) + columns.text() +
+                     "\nThe power of the number of points by which the least times of the last decade and a half of numbers grow;\n"
+                     "--csv has every time. <= is an upper bound of the operations; memory may add to the time.\n";
+  return doubt ? text + kDoubt : text;
+}
+
+std::string text_of(const cost::Provenance& provenance, std::span<const cost::TurnRow> rows) {
+  Columns columns({"volume", "update", "time", "least slack", "mean", "most", ""});
+  const auto same = [](const cost::TurnRow& a, const cost::TurnRow& b) {
+    return a.volume == b.volume && a.strategy == b.strategy;
+  };
+  for (const auto group : groups_of(rows, same)) {
+    double least = group[0].slack, most = group[0].slack, sum = 0;
+    bool holds = true;
+    for (const cost::TurnRow& row : group) {
+      least = std::min(least, row.slack), most = std::max(most, row.slack), sum += row.slack;
+      holds = holds && row.contains;
+    }
+    columns.add({group[0].volume, group[0].strategy, time_text(group[0].updated), said("%.1f %%", 100 * least),
+                 said("%.1f %%", 100 * sum / static_cast<double>(group.size())), said("%.1f %%", 100 * most),
+                 holds ? "" : "does not hold every point"});
+  }
+  return head_of(provenance) + columns.text() +
+         "\nBy how much the volume is larger than the tightest of its kind, over one full turn of the body; of an "
+         "oriented box, than\n"
+         "the box that turns with the body.\n";
+}
+
+std::string text_of(const cost::Provenance& provenance, std::span<const cost::ClaimRow> rows) {
+  std::string text = head_of(provenance);
+  for (const cost::ClaimRow& row : rows) {
+    const std::string verdict = row.verdict == "typical" ? "typical, not a bound" : row.verdict == "false" ? "false here" : row.verdict;
+    text += row.says + "\n  " + row.lecture + ": " + row.slide + "\n  " + verdict + ": " + row.measured + "\n\n";
+  }
+  return text;
+}
+
+}  // namespace snug::desktop

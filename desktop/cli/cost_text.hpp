@@ -1,0 +1,18 @@
+// What `snug cost` prints for people: tables of words and figures with units.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "measure/report.hpp"
+
+namespace snug::desktop {
+
+/// then: an earlier result to lie over this one; empty where there is none.
+[[nodiscard]] std::string text_of(const cost::Provenance& provenance, std::span<const cost::CostRow> rows,
+                                  const cost::Table<cost::CostRow>* then);
+[[nodiscard]] std::string text_of(const cost::Provenance& provenance, std::span<const cost::GrowthRow> rows);
+[[nodiscard]] std::string text_of(const cost::Provenance& provenance, std::span<const cost::TurnRow> rows);
+[[nodiscard]] std::string text_of(const cost::Provenance& provenance, std::span<const cost::ClaimRow> rows);
+
+}  // namespace snug::desktop

@@ -1,0 +1,198 @@
+// `snug cost`: its tables in every form, an earlier result beside the present one, and every way to ask for it wrongly.
+import assert from "node:assert/strict";
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { folder, good, json_lines, refused, snug, write } from "./support.mjs";
+
+const quick = ["--repeat", "3"];
+const costs = (...args) => JSON.parse(good(["cost", ...quick, "--json", ...args]));
+const read = (name) => readFileSync(join(folder, name), "utf8");
+
+const cloud = write("cloud.xyz", Array.from({ length: 300 }, (_, i) =>
+  [0, 1, 2].map((axis) => Math.sin(12.9898 * (3 * i + axis) + 4.1) * (3 - axis)).join(" ")).join("\n"));
+const square = write("square.xyz", "-1 -1\n1 -1\n1 1\n-1 1\n0 0.5\n");
+
+test("every algorithm has a row with the figures that snug fit gives", () => {
+  const { table, provenance, rows } = costs(cloud);
+  assert.equal(table, "costs");
+  assert.equal(provenance.points, "cloud.xyz");
+  assert.equal(provenance.platform, "native");
+  assert.equal(provenance.dim, 3);
+  assert.match(provenance.version, /^\d+\.\d+\.\d+$/);
+  assert.ok(provenance.build.length > 5 && provenance.clock_resolution_ns > 0);
+  const listed = json_lines(good(["algorithms"])).filter(({ dims }) => dims.includes(3));
+  assert.deepEqual(rows.map(({ volume, algorithm }) => `${volume} ${algorithm}`), listed.map(({ volume, algorithm }) => `${volume} ${algorithm}`));
+  for (const row of rows) {
+    assert.ok(row.time_ns.min > 0 && row.time_ns.median >= row.time_ns.min && row.time_ns.repeats === 3);
+    assert.equal(typeof row.time_ns.trusted, "boolean");
+    assert.equal(row.of, 300);
+    assert.ok(row.bytes > 0 && row.overlap_ns.median > 0 && row.certificate.contains);
+    if (row.algorithm === "brute_force") {
+      assert.equal(row.points, 40);
+      assert.ok(row.whole_ns > row.time_ns.median);
+      continue;
+    }
+    assert.equal(row.points, 300);
+    assert.equal(row.whole_ns, null);
+    const fitted = JSON.parse(good(["fit", "--volume", row.volume, "--algorithm", row.algorithm, "--repeat", "1", cloud]));
+    assert.equal(row.measure, fitted.measure);
+    assert.deepEqual(row.operations, fitted.operations);
+    assert.equal(row.steps, fitted.steps);
+    assert.deepEqual(row.certificate, fitted.certificate);
+  }
+});
+
+test("tightness is against the smallest of the kind and against the hull", () => {
+  const { rows } = costs("--algorithms", "ritter,welzl,obb:pca,exact,quickhull", cloud);
+  const [ritter, welzl, pca, exact, hull] = rows;
+  assert.ok(Math.abs(ritter.tightness - ritter.size / welzl.size) < 1e-12 && ritter.tightness >= 1);
+  assert.ok(Math.abs(pca.tightness - pca.measure / exact.measure) < 1e-12 && pca.tightness >= 1);
+  assert.ok(Math.abs(exact.over_hull - exact.measure / hull.measure) < 1e-12 && exact.over_hull > 1);
+  assert.equal(hull.over_hull, 1);
+  for (const row of rows)
+    assert.equal(row.on_front, !rows.some((other) => other.time_ns.median <= row.time_ns.median && other.measure <= row.measure &&
+      (other.time_ns.median < row.time_ns.median || other.measure < row.measure)));
+});
+
+test("updates and overlap tests have their times", () => {
+  const { rows } = costs("--volume", "kdop", "--scalar", "float", cloud);
+  assert.deepEqual(rows.map(({ update }) => update), ["k6_hill_climb", "k14_hill_climb", "k18_hill_climb", "k26_hill_climb"]);
+  assert.deepEqual(rows.map(({ bytes }) => bytes), [24, 56, 72, 104]);
+  for (const row of rows) assert.ok(row.update_ns.median > 0 && row.overlapping === row.overlap_pairs / 2);
+});
+
+test("what would take too long is measured on fewer points, and says so", () => {
+  const { rows: [row] } = costs("--generate", "sphere:20000", "--algorithms", "face_aligned", "--longest", "20");
+  assert.ok(row.points < 20000 && row.points >= 16 && row.of === 20000);
+  assert.ok(row.whole_ns > 20e6);
+  assert.ok(row.time_ns.median < 60e6);
+  assert.equal(row.on_front, false);
+  assert.match(good(["cost", ...quick, "--generate", "sphere:20000", "--algorithms", "face_aligned", "--longest", "20"]), /on \d+ of 20000 points: all would take about/);
+});
+
+test("in the plane there are the plane's algorithms", () => {
+  const { provenance, rows } = costs(square);
+  assert.equal(provenance.dim, 2);
+  assert.ok(rows.some(({ algorithm }) => algorithm === "k8") && !rows.some(({ algorithm }) => algorithm === "k14"));
+  assert.equal(costs("--generate", "cube:50", "--dim", "2", "--volume", "aabb").rows.length, 1);
+});
+
+test("the same points and seed have the same figures but for times", () => {
+  const untimed = ({ rows }) => rows.map(({ volume, algorithm, operations, size, tightness, bytes }) => ({ volume, algorithm, operations, size, tightness, bytes }));
+  const args = ["--generate", "clusters:200", "--seed", "7"];
+  assert.deepEqual(untimed(costs(...args)), untimed(costs(...args)));
+  assert.notDeepEqual(untimed(costs(...args)), untimed(costs("--generate", "clusters:200", "--seed", "8")));
+});
+
+test("the table for people says volume, time and who is on the front", () => {
+  const text = good(["cost", ...quick, "--volume", "sphere", cloud]);
+  assert.match(text, /^cloud\.xyz, 3-D, double, seed 1; native, /);
+  assert.match(text, /\nvolume +algorithm +time +spread +operations +size\/least +volume\/hull +bytes +overlap +update\n/);
+  assert.match(text, /\nsphere +welzl +[\d.e+]+ (ns|us|ms)/);
+  assert.match(text, /\* front/);
+});
+
+test("an earlier result lies beside the present one, from CSV and from JSON", () => {
+  const args = [...quick, "--volume", "sphere", cloud];
+  good(["cost", "--csv", "-o", "then.csv", ...args]);
+  good(["cost", "--json", "-o", "then.json", ...args]);
+  for (const file of ["then.csv", "then.json"]) {
+    const text = good(["cost", ...args, "--against", file]);
+    assert.match(text, /time +spread +then +now\/then/);
+    assert.match(text, /\nsphere +ritter +\S+ \S+( \?)? +\d+ % +\S+ \S+( \?)? +\d+\.\d\d /);
+    const { against, rows } = JSON.parse(good(["cost", ...args, "--json", "--against", file]));
+    assert.equal(against.table, "costs");
+    assert.deepEqual(against.rows.map(({ measure }) => measure), rows.map(({ measure }) => measure));
+  }
+});
+
+test("CSV has a column for every figure", () => {
+  const lines = good(["cost", ...quick, "--csv", "--volume", "obb", cloud]).trimEnd().split("\n");
+  assert.equal(lines[0], "# snug table: costs");
+  const columns = lines.find((line) => !line.startsWith("# ")).split(",");
+  for (const name of ["time_ns.median", "time_ns.spread", "operations.dot_products", "operations.square_roots", "tightness", "bytes", "overlap_ns.median", "update_ns.median"])
+    assert.ok(columns.includes(name), name);
+  for (const line of lines.slice(lines.indexOf(columns.join(",")) + 1)) assert.equal(line.split(",").length, columns.length);
+});
+
+test("growth has a power beside theory's", () => {
+  const { table, rows } = costs("--growth", "--generate", "cube:3000", "--algorithms", "ritter,brute_force");
+  assert.equal(table, "growth");
+  const ritter = rows.filter(({ algorithm }) => algorithm === "ritter");
+  assert.deepEqual(ritter.map(({ points }) => points), [10, 32, 100, 316, 1000, 3000]);
+  assert.ok(ritter.every(({ theory, tight }) => theory === "O(n)" && tight));
+  assert.ok(Math.abs(ritter[0].theory_exponent - 1) < 1e-9 && ritter[0].exponent > 0.5 && ritter[0].exponent < 1.5);
+  const brute = rows.filter(({ algorithm }) => algorithm === "brute_force");
+  assert.equal(brute.at(-1).points, 40);
+  assert.ok(brute[0].exponent > 2 && brute[0].exponent < 5.2);
+  assert.match(good(["cost", ...quick, "--growth", "--algorithms", "ritter", cloud]), /sphere +ritter +300 /);
+});
+
+test("a turn has slack for each update", () => {
+  const { table, rows } = costs("--turn", cloud);
+  assert.equal(table, "turn");
+  const of = (name) => rows.filter(({ strategy }) => strategy === name);
+  assert.equal(of("loose").length, 72);
+  assert.ok(of("rebuild").every(({ slack }) => slack === 0));
+  assert.ok(of("loose").every(({ slack, contains }) => slack > 0 && contains));
+  assert.ok(rows.every(({ update_ns }) => update_ns.median > 0));
+  assert.equal(new Set(rows.map(({ volume, strategy }) => `${volume} ${strategy}`)).size, 10);
+  assert.match(good(["cost", ...quick, "--turn", "--volume", "aabb", cloud]), /aabb +hill_climb +\S+ \S+( \?)? +0\.0 % +0\.0 % +0\.0 %/);
+});
+
+test("the claims have verdicts and figures", () => {
+  const { table, rows } = costs("--claims", cloud);
+  assert.equal(table, "claims");
+  assert.equal(rows.length, 9);
+  for (const { claim, lecture, slide, measured, verdict } of rows) {
+    assert.ok(claim && lecture && slide);
+    assert.match(measured, /\d/);
+    assert.match(verdict, /^(holds|typical|false|unknown)$/);
+  }
+  assert.equal(rows.find(({ claim }) => claim === "box_on_a_face").verdict, "false");
+});
+
+test("what is asked for wrongly is said in one line, and nothing is written", () => {
+  refused(["cost"], "one of --generate KIND:N and FILE is wanted");
+  refused(["cost", "--generate", "cube:10", cloud], "one of --generate KIND:N and FILE is wanted");
+  refused(["cost", "--generate", "donut:10"], /^snug: there is no kind "donut" of points; known: cube, ball/);
+  for (const many of ["cube", "cube:", "cube:0", "cube:-1", "cube:2000001", "cube:1e3", "cube:10x"])
+    refused(["cost", "--generate", many], "--generate takes KIND:N with a whole number N from 1 to 2000000");
+  refused(["cost", "--volume", "cone", cloud], 'there is no volume "cone"');
+  refused(["cost", "--algorithms", "ritter,guess", cloud], 'there is no algorithm "guess"; `snug algorithms` lists all');
+  refused(["cost", "--algorithms", "k14", square], "none of these algorithms takes points of 2 coordinates");
+  refused(["cost", "--growth", "--turn", cloud], "one of --growth, --turn and --claims at a time");
+  refused(["cost", "--json", "--csv", cloud], "one of --json and --csv");
+  refused(["cost", "--claims", square], "the claims are about space: points of 3 coordinates are wanted");
+  refused(["cost", "--turn", "--volume", "hull", cloud], 'there is no update of "hull"; known: sphere, aabb, obb, kdop');
+  refused(["cost", "--repeat", "0", cloud], /--repeat/);
+  refused(["cost", "nowhere.xyz"], /^snug: nowhere\.xyz: /);
+  refused(["cost", "-o", "no/such/file.csv", cloud], /^snug: no\/such\/file\.csv: /);
+  write("old.csv", "# snug table: growth\n");
+  refused(["cost", "-o", "never.csv", "--against", "old.csv", cloud], 'old.csv:1: the first line of such a table is "# snug table: costs"');
+  refused(["cost", "--against", write("old.json", '{"table":"costs","provenance":{},"rows":[]}'), cloud], "old.json: provenance.version is missing");
+  refused(["cost", "--against", write("not.json", "{"), cloud], "not.json: is not JSON");
+  refused(["cost", "--growth", "--against", "old.csv", cloud], "--against lies over the table of costs alone");
+  refused(["cost", "--csv", "--against", "old.csv", cloud], "--against goes with --json or with neither: CSV has room for one table");
+  assert.ok(!existsSync(join(folder, "never.csv")));
+  assert.ok(readdirSync(folder).every((name) => !name.endsWith(".part")));
+});
+
+test("more than two million points are refused", () => {
+  const many = Buffer.alloc(2_000_001 * 12);
+  for (let i = 0; i < 2_000_001; ++i) many.writeFloatLE(i / 7, 12 * i), many.writeFloatLE(i % 11, 12 * i + 4), many.writeFloatLE(i % 13, 12 * i + 8);
+  write("many.ply", Buffer.concat([Buffer.from("ply\nformat binary_little_endian 1.0\nelement vertex 2000001\nproperty float x\nproperty float y\nproperty float z\nend_header\n"), many]));
+  refused(["cost", "many.ply"], "many.ply: there are 2000001 points, and costs are measured on at most 2000000");
+});
+
+test("help says what the fields are", () => {
+  const { out, status } = snug(["cost", "--help"]);
+  assert.equal(status, 0);
+  for (const word of ["tightness", "over_hull", "--growth", "--against", "trusted"]) assert.ok(out.includes(word), word);
+});
+
+test("a result goes to a file whole", () => {
+  assert.equal(good(["cost", ...quick, "--volume", "aabb", "--csv", "-o", "here.csv", cloud]), "");
+  assert.match(read("here.csv"), /\naabb,min_max,/);
+});

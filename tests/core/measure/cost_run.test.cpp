@@ -1,0 +1,213 @@
+// The cost table: its figures against the catalogue's own, in slices as in one go, and what is too long for a slice.
+#include "measure/cost_run.hpp"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "core/measure/false_clock.hpp"
+#include "core/point_clouds.hpp"
+#include "measure/sample.hpp"
+
+using namespace snug;
+
+namespace {
+
+cost::Clock true_clock() {
+  return [] {
+    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  };
+}
+
+std::vector<const fit::Algorithm*> all_for(int dim) {
+  std::vector<const fit::Algorithm*> list;
+  for (const fit::Algorithm& algorithm : fit::algorithms())
+    if (fit::takes(algorithm, dim)) list.push_back(&algorithm);
+  return list;
+}
+
+cost::CostRun run_of(const AnyPointSet& points, std::vector<const fit::Algorithm*> algorithms, const cost::Clock& clock,
+                     double batch = 1000) {
+  return {points, std::move(algorithms), {.timing = {.repeats = 3, .batch = batch}}, clock};
+}
+
+void finish(cost::CostRun& run) {
+  while (!run.done())
+    run.step();
+}
+
+/// Every row's figures are those that the catalogue gives.
+void check_rows(const AnyPointSet& points) {
+  const int dim = fit::dim_of(points);
+  const auto algorithms = all_for(dim);
+  auto run = run_of(points, algorithms, true_clock());
+  finish(run);
+  REQUIRE(run.rows().size() == algorithms.size());
+  const double hull = fit::measure_of(fit::find_algorithm("hull", "quickhull")->fit(points, {}).volume, dim);
+  for (std::size_t i = 0; i < algorithms.size(); ++i) {
+    const cost::CostRow& row = run.rows()[i];
+    INFO(row.volume << " " << row.algorithm << ", dim " << dim);
+    CHECK(row.algorithm == algorithms[i]->name);
+    if (algorithms[i]->max_points < fit::size_of(points)) {
+      CHECK(row.points == algorithms[i]->max_points);
+      CHECK(row.whole_ns.value() > row.time.median);
+      continue;
+    }
+    CHECK(row.points == row.of);
+    CHECK_FALSE(row.whole_ns);
+    const fit::Watched watched = algorithms[i]->watch(points, {}, {});
+    CHECK(row.operations == watched.counts);
+    CHECK(row.steps == watched.steps);
+    CHECK(row.measure == fit::measure_of(watched.result.volume, dim));
+    CHECK(row.contains);
+    CHECK(row.over_hull.value() == row.measure / hull);
+    CHECK(row.over_hull.value() >= 1 - 1e-6);
+    CHECK(row.time.median > 0);
+    CHECK(row.bytes > 0);
+    CHECK(row.overlap.median > 0);
+    CHECK(row.overlapping == row.overlap_pairs / 2);
+    CHECK(row.update.empty() == (row.volume == "capsule" || row.volume == "lozenge" || row.volume == "hull"));
+    CHECK(row.updated.repeats == (row.update.empty() ? 0 : 3));
+    const fit::Algorithm* const exact = fit::exact_algorithm(row.volume);
+    CHECK(row.tightness.has_value() == (exact != nullptr));
+    if (row.tightness) CHECK(row.tightness.value() >= 1 - 1e-6);
+    if (row.algorithm == "exact" || row.algorithm == "welzl" || row.volume == "kdop") CHECK(row.tightness.value() == 1);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("each row has its algorithm's figures, in both dimensions and scalars") {
+  check_rows(test::set_of<double, 2>(test::generated<double, 2>("gaussian", 60, 3)));
+  check_rows(test::set_of<double, 3>(test::generated<double, 3>("stick", 60, 3)));
+  check_rows(test::set_of<float, 2>(test::generated<float, 2>("cube", 50, 3)));
+  check_rows(test::set_of<float, 3>(test::generated<float, 3>("gaussian", 50, 3)));
+}
+
+TEST_CASE("a volume's bytes are those of its numbers in its own scalar") {
+  const AnyPointSet in_float = test::set_of<float, 3>(test::generated<float, 3>("cube", 50, 3));
+  auto run = run_of(
+      in_float,
+      {fit::find_algorithm("sphere", "welzl"), fit::find_algorithm("obb", "pca"), fit::find_algorithm("kdop", "k14")},
+      true_clock());
+  finish(run);
+  CHECK(run.rows()[0].bytes == 16);
+  CHECK(run.rows()[1].bytes == 60);
+  CHECK(run.rows()[2].bytes == 56);
+}
+
+TEST_CASE("flat and single points have rows; what has no size is not divided by") {
+  for (const auto& cloud :
+       {test::Cloud<double, 3>{{1, 2, 3}}, test::Cloud<double, 3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 3, 0}}}) {
+    const AnyPointSet points = test::set_of<double, 3>(cloud);
+    auto run = run_of(points, all_for(3), true_clock());
+    finish(run);
+    CHECK(run.rows().size() == all_for(3).size());
+    for (const cost::CostRow& row : run.rows()) {
+      CHECK(row.contains);
+      CHECK_FALSE(row.over_hull);
+      if (row.tightness) CHECK(std::isfinite(row.tightness.value()));
+    }
+  }
+}
+
+TEST_CASE("in slices the rows are those of one go") {
+  const fit::Algorithm linear = test::slow_algorithm<100, 2>("linear"), square = test::slow_algorithm<1, 4>("square");
+  const AnyPointSet points = test::set_of<double, 3>(test::generated<double, 3>("cube", 300, 3));
+  auto whole = run_of(points, {&linear, &square}, test::false_clock(), 0);
+  finish(whole);
+  auto sliced = run_of(points, {&linear, &square}, test::false_clock(), 0);
+  int slices = 0;
+  for (double before = 0; !sliced.done(); ++slices) {
+    cost::advance(sliced, test::false_clock(), 1e5);
+    CHECK(sliced.progress() >= before);
+    before = sliced.progress();
+    REQUIRE(slices < 10'000);
+  }
+  CHECK(slices > 5);
+  CHECK(sliced.progress() == 1);
+  REQUIRE(sliced.rows().size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(sliced.rows()[i].time.median == doctest::Approx(whole.rows()[i].time.median));
+    CHECK(sliced.rows()[i].operations == whole.rows()[i].operations);
+    CHECK(sliced.rows()[i].measure == whole.rows()[i].measure);
+    CHECK(sliced.rows()[i].tightness == whole.rows()[i].tightness);
+    CHECK(sliced.rows()[i].overlapping == whole.rows()[i].overlapping);
+  }
+  CHECK(whole.rows()[0].time.median == doctest::Approx(30'000));
+  CHECK(whole.rows()[1].time.median == doctest::Approx(90'000));
+}
+
+TEST_CASE("what would take longer than a slice is measured on fewer points, and says so") {
+  const fit::Algorithm square = test::slow_algorithm<1, 4>("square");
+  const AnyPointSet points = test::set_of<double, 3>(test::generated<double, 3>("cube", 10'000, 3));
+  cost::CostRun run(points, {&square},
+                    {.timing = {.repeats = 3, .batch = 0}, .limits = {.longest = 2e6, .longest_watched = 1e9}},
+                    test::false_clock());
+  double longest = 0;
+  while (!run.done()) {
+    const double before = test::false_now();
+    run.step();
+    longest = std::max(longest, test::false_now() - before);
+  }
+  CHECK(longest < 3.3e6);  // a watched run takes three times as long
+  const cost::CostRow& row = run.rows().at(0);
+  CHECK(row.points == 1024);
+  CHECK(row.of == 10'000);
+  CHECK(row.whole_ns.value() == doctest::Approx(1e8).epsilon(0.01));
+  CHECK(row.time.median == doctest::Approx(1024.0 * 1024));
+  CHECK(row.tightness.value() >= 1);
+  CHECK(cost::pareto_front(run.rows()).empty());  // what was measured on fewer points is no rival
+
+  cost::CostRun watched(points, {&square},
+                        {.timing = {.repeats = 3, .batch = 0}, .limits = {.longest = 1e9, .longest_watched = 1e6}},
+                        test::false_clock());
+  finish(watched);
+  CHECK(watched.rows().at(0).points == 512);
+}
+
+TEST_CASE("stopped, the rows that are ready stay") {
+  const AnyPointSet points = test::set_of<double, 3>(test::generated<double, 3>("cube", 100, 3));
+  auto run = run_of(points, all_for(3), true_clock());
+  while (run.rows().size() < 3)
+    run.step();
+  run.stop();
+  CHECK(run.done());
+  run.step();
+  CHECK(run.rows().size() == 3);
+}
+
+TEST_CASE("time is foreseen by its growth") {
+  CHECK(cost::foreseen(100, 10, 200, 40, 400) == doctest::Approx(160));
+  CHECK(cost::foreseen(100, 10, 200, 10, 400) == doctest::Approx(20));  // never less than in proportion
+  CHECK(cost::foreseen(0, 0, 10, 5, 20) == doctest::Approx(80));       // from one time alone: the worst
+}
+
+TEST_CASE("a sample has each part of the set once") {
+  test::Cloud<double, 2> cloud;
+  for (int i = 0; i < 1000; ++i)
+    cloud.emplace_back(i, 0);
+  const AnyPointSet points = test::set_of<double, 2>(cloud);
+  const AnyPointSet fewer = cost::sample(points, 37, 5);
+  REQUIRE(fit::size_of(fewer) == 37);
+  for (Index i = 0; i < 37; ++i) {
+    CHECK(fit::point_of(fewer, i)[0] >= i * 1000 / 37);
+    CHECK(fit::point_of(fewer, i)[0] < (i + 1) * 1000 / 37);
+  }
+  CHECK(fit::size_of(cost::sample(points, 1000, 5)) == 1000);
+  CHECK(fit::size_of(cost::sample(points, 5000, 5)) == 1000);
+}
+
+TEST_CASE("the front of a table is marked") {
+  const auto row = [](double time, double measure) {
+    cost::CostRow made{.points = 5, .of = 5, .measure = measure};
+    made.time.median = time;
+    return made;
+  };
+  std::vector<cost::CostRow> rows{row(1, 5), row(2, 6), row(3, 4)};
+  cost::mark_front(rows);
+  CHECK(rows[0].on_front);
+  CHECK_FALSE(rows[1].on_front);
+  CHECK(rows[2].on_front);
+}

@@ -1,0 +1,62 @@
+// Times by clocks that are known: median, spread, batches, and what is not to be trusted.
+#include "measure/timing.hpp"
+
+#include <doctest/doctest.h>
+
+#include "core/measure/false_clock.hpp"
+
+using namespace snug;
+
+TEST_CASE("median, least and spread are those of the times, whatever their order") {
+  const cost::Timing odd = cost::timing_of({5, 1, 3, 2, 4}, 8);
+  CHECK(odd.median == 3);
+  CHECK(odd.min == 1);
+  CHECK(odd.spread == doctest::Approx(2.0 / 3));  // quartiles 2 and 4
+  CHECK(odd.repeats == 5);
+  CHECK(odd.batch == 8);
+  CHECK(cost::timing_of({1, 2, 3, 4}, 1).median == 2.5);
+  CHECK(cost::timing_of({7}, 1).spread == 0);
+}
+
+TEST_CASE("a spread over a third is not trusted") {
+  CHECK(cost::timing_of({90, 95, 100, 105, 110}, 1).trusted);
+  CHECK(cost::timing_of({83, 84, 100, 116, 117}, 1).trusted);       // 32 %
+  CHECK_FALSE(cost::timing_of({82, 83, 100, 117, 118}, 1).trusted);  // 34 %
+  CHECK_FALSE(cost::timing_of({0, 0, 0}, 1).trusted);               // too short for the clock
+}
+
+TEST_CASE("the clock's step is seen, and a clock that stands still has none") {
+  double now = 0;
+  int readings = 0;
+  CHECK(cost::resolution_of([&] { return ++readings % 5 == 0 ? now += 100 : now; }) == 100);
+  CHECK(cost::resolution_of([] { return 3.0; }) == 0);
+  CHECK(cost::batch_length(100, 1e6, 2e7) == 1e6);  // a fine clock: the least
+  CHECK(cost::batch_length(1e5, 1e6, 2e7) == 1e7);  // a browser's
+  CHECK(cost::batch_length(1e6, 1e6, 2e7) == 2e7);  // a coarse one: no more than may be
+}
+
+TEST_CASE("a batch is as long as the clock needs, and each run's time comes out") {
+  int runs = 0;
+  const cost::Timing timing =
+      cost::time_of(test::false_clock(), [&] { ++runs, test::pass(300); }, {.repeats = 4, .batch = 10'000});
+  CHECK(timing.batch == 64);  // 32 runs take 9600 ns
+  CHECK(timing.median == doctest::Approx(300));
+  CHECK(timing.spread == doctest::Approx(0).epsilon(1e-9));
+  CHECK(timing.repeats == 4);
+  CHECK(runs == 127 + 4 * 64);
+}
+
+TEST_CASE("three repeats are enough where they took long") {
+  const auto run = [] { test::pass(1e9); };
+  CHECK(cost::time_of(test::false_clock(), run, {.repeats = 9, .batch = 1e6, .enough = 2e9}).repeats == 3);
+  CHECK(cost::time_of(test::false_clock(), run, {.repeats = 9, .batch = 1e6}).repeats == 9);
+  CHECK(cost::time_of(test::false_clock(), run, {.repeats = 2, .batch = 1e6, .enough = 2e9}).repeats == 2);
+}
+
+TEST_CASE("times that jump are said to be doubtful") {
+  int i = 0;
+  const auto run = [&] { test::pass(i++ % 2 == 0 ? 1e6 : 2e6); };
+  const cost::Timing timing = cost::time_of(test::false_clock(), run, {.repeats = 9, .batch = 1});
+  CHECK(timing.spread > cost::kMostSpread);
+  CHECK_FALSE(timing.trusted);
+}
