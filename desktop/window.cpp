@@ -11,6 +11,7 @@
 
 #include "app/look.hpp"
 #include "app/timeline.hpp"
+#include "desktop/chart_file.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/glfw_host.hpp"
 #include "desktop/header.hpp"
@@ -83,14 +84,32 @@ void draw(GlfwHost& host, Shell& shell, double now) {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-int take_picture(GlfwHost& host, Shell& shell, const std::string& path) {
-  shell.app().settings().reduced_motion = true;
+/// Draws the chart alone into what is bound.
+void draw(GlfwHost& host, app::App& app, const app::Chart& chart) {
+  host.begin_frame();
+  app.frame({}, host.now());  // its fonts and palette
+  const Extent extent = host.extent();
+  const app::Look& look = app.look();
+  ImDrawList* const list = ImGui::GetBackgroundDrawList();
+  app::draw_chart(list, look, {0, 0, extent.width, extent.height}, chart);
+  ImGui::Render();
+  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(look->ground);
+  glDisable(GL_SCISSOR_TEST);
+  glViewport(0, 0, extent.device_width, extent.device_height);
+  glClearColor(ground.x, ground.y, ground.z, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+/// What draw puts on the screen, as a file.
+template <class Draw>
+int take_picture(GlfwHost& host, const std::string& path, Draw&& draw) {
   const Extent extent = host.extent();
   const OffScreen picture(extent.device_width, extent.device_height);
   if (!picture.complete()) return stop("the graphics driver cannot draw off the screen at this size");
   for (int i = 0; i < kFramesForPicture; ++i) {
     picture.bind();
-    draw(host, shell, host.now());
+    draw();
   }
   const std::string png = picture.png();
   if (png.empty()) return stop("the picture could not be encoded");
@@ -155,6 +174,12 @@ int open_first(Shell& shell, const WindowOptions& options) {
 int run_window(const WindowOptions& options) {
   auto lessons = read_lessons("");
   if (!lessons) return stop(lessons.error().message());
+  std::optional<app::Chart> chart;
+  if (!options.chart.empty()) {
+    auto read = read_chart(options.chart, options.chart_then);
+    if (!read) return stop(read.error().message());
+    chart = std::move(*read);
+  }
   if (font_bytes("Inter-Regular").empty())
     return stop((program_folder() / "assets" / "fonts").string() + " lacks the fonts: build the target snug_assets");
   auto host = GlfwHost::make(options.width, options.height, options.screenshot.empty());
@@ -163,9 +188,13 @@ int run_window(const WindowOptions& options) {
   if (!app.create_graphics()) return stop("the graphics driver refused a shader: " + app.graphics_error());
   app.settings().prose_in_canvas = true;
   app.settings().theme = theme_of_environment();
+  if (chart) return take_picture(**host, options.screenshot, [&] { draw(**host, app, *chart); });
   Shell shell(app, std::move(*lessons));
   if (const int status = open_first(shell, options); status != 0) return status;
-  if (!options.screenshot.empty()) return take_picture(**host, shell, options.screenshot);
+  if (!options.screenshot.empty()) {
+    app.settings().reduced_motion = true;
+    return take_picture(**host, options.screenshot, [&] { draw(**host, shell, (*host)->now()); });
+  }
   run(**host, shell);
   return 0;
 }

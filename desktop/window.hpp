@@ -13,6 +13,7 @@ struct WindowOptions {
   std::optional<std::uint64_t> seed;  // the lesson's own where there is none
   std::string points_file;            // shown instead of the lesson's points; empty for none
   std::string screenshot;             // where to write one frame as PNG and leave; empty to stay open
+  std::string chart, chart_then;      // a result of `snug cost` to draw in place of a lesson, and one that lies over it
   int width = 1280, height = 800;
 };
 

@@ -59,6 +59,7 @@ void add_overlap(Commands& commands);
 void add_update(Commands& commands);
 void add_cull(Commands& commands);
 void add_cost(Commands& commands);
+void add_chart(Commands& commands);
 void add_scene(Commands& commands);
 void add_lesson(Commands& commands);
 void add_trace_hash(Commands& commands);

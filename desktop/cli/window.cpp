@@ -28,9 +28,7 @@ std::string parse_size(const std::string& text, WindowOptions& options) {
   return {};
 }
 
-void add_common(CLI::App& command, WindowOptions& options) {
-  command.add_option("--step", options.step, "The step that is shown")->transform(whole_number(0, std::numeric_limits<int>::max()));
-  command.add_option("--seed", options.seed, "Seed of the points; the lesson's own if none")->transform(whole_number());
+void add_size(CLI::App& command, WindowOptions& options) {
   command.add_option_function<std::string>(
       "--size",
       [&options](const std::string& text) {
@@ -38,6 +36,12 @@ void add_common(CLI::App& command, WindowOptions& options) {
           throw CLI::ValidationError("--size", wrong);
       },
       "WxH in pixels; 1280x800 if none");
+}
+
+void add_common(CLI::App& command, WindowOptions& options) {
+  command.add_option("--step", options.step, "The step that is shown")->transform(whole_number(0, std::numeric_limits<int>::max()));
+  command.add_option("--seed", options.seed, "Seed of the points; the lesson's own if none")->transform(whole_number());
+  add_size(command, options);
   command.add_option("--points", options.points_file, "Point file to show instead of the lesson's points");
 }
 
@@ -59,6 +63,20 @@ void add_render(Commands& commands) {
       });
   command.add_option("LESSON", options->lesson, "The lesson's id")->required();
   add_common(command, *options);
+  command.add_option("-o,--output", options->screenshot, "The PNG file that is written")->required();
+}
+
+void add_chart(Commands& commands) {
+  CLI::App& command = *commands.app.add_subcommand("chart", "Draw a result of snug cost into a picture");
+  command.footer("RESULT: costs, growth or a turn as snug cost --csv writes them, or costs as JSON. SNUG_THEME is dark, contrast or\n"
+                 "projector for another look. Needs a display; xvfb-run serves.");
+  const auto options =
+      add_command<WindowOptions>(commands, command, [open_window = commands.open_window](const WindowOptions& chosen) -> CommandResult {
+        return Printed{"", open_window(chosen)};
+      });
+  command.add_option("RESULT", options->chart, "What is drawn")->required();
+  command.add_option("--against", options->chart_then, "An earlier result of the same kind to lie over it");
+  add_size(command, *options);
   command.add_option("-o,--output", options->screenshot, "The PNG file that is written")->required();
 }
 

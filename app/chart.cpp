@@ -1,0 +1,325 @@
+#include "app/chart.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "app/labels.hpp"
+#include "app/marks.hpp"
+#include "app/numbers.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr float kSize = 12, kTitle = 15, kMark = 5, kReach = 14;
+constexpr double kPadding = 0.06;
+constexpr std::size_t kMostMarks = 20;  // on a line, or little more
+/// A log axis of fewer decades has 2 and 5 between its powers of ten; of a smaller factor, even steps.
+constexpr double kFewDecades = 2, kNoDecade = 5;
+
+template <class... Values>
+std::string said(const char* format, Values... values) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+std::string grouped(double value) {
+  std::string digits = said("%.0f", value);
+  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
+    digits.insert(static_cast<std::size_t>(i), ",");
+  return digits;
+}
+
+std::string time_figure(double ns) {
+  if (ns < 999.5) return said("%.3g ns", ns);
+  if (ns < 999.5e3) return said("%.3g µs", ns / 1e3);
+  if (ns < 999.5e6) return said("%.3g ms", ns / 1e6);
+  return said("%.3g s", ns / 1e9);
+}
+
+/// A stretch of numbers on a stretch of pixels.
+struct Scale {
+  bool log = false;
+  double from = 0, to = 1;
+  float begin = 0, end = 1;
+
+  [[nodiscard]] double shape(double value) const { return log ? std::log10(value) : value; }
+  [[nodiscard]] float at(double value) const {
+    const double share = (shape(value) - shape(from)) / (shape(to) - shape(from));
+    return begin + static_cast<float>(share) * (end - begin);
+  }
+};
+
+/// With room at both ends, so that no mark lies on the frame.
+Scale scale_of(const Chart& chart, bool is_x) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const ChartSeries& series : chart.series)
+    for (const ChartPoint& p : series.points) {
+      least = std::min(least, is_x ? std::min(p.x, p.x_low) : p.y);
+      most = std::max(most, is_x ? std::max(p.x, p.x_high) : p.y);
+    }
+  Scale scale{.log = (is_x ? chart.x : chart.y).log};
+  if (!(least <= most)) least = 1, most = 10;
+  if (least == most) most = least + (least == 0 ? 1 : std::abs(least) * 0.1);
+  if (scale.log) {
+    const double pad = std::pow(most / least, kPadding);
+    scale.from = least / pad, scale.to = most * pad;
+  } else {
+    scale.from = least - kPadding * (most - least), scale.to = most + kPadding * (most - least);
+  }
+  return scale;
+}
+
+Color mark_color(const Look& look, ChartRole role) {
+  switch (role) {
+  case ChartRole::kChosen:
+    return look->current;
+  case ChartRole::kExact:
+    return look->optimum;
+  default:
+    return look->previous;
+  }
+}
+Color word_color(const Look& look, ChartRole role) {
+  switch (role) {
+  case ChartRole::kChosen:
+    return look->current_text;
+  case ChartRole::kExact:
+    return look->optimum_text;
+  default:
+    return look->previous_text;
+  }
+}
+
+void draw_mark(ImDrawList* list, const Look& look, ImVec2 at, const ChartSeries& series) {
+  const float r = kMark * look->mark;
+  const Color color = mark_color(look, series.role);
+  const Color inside = series.hollow || series.role == ChartRole::kThen ? look->ground : color;
+  const auto polygon = [&](std::initializer_list<ImVec2> corners) {
+    list->AddConvexPolyFilled(corners.begin(), static_cast<int>(corners.size()), inside);
+    list->AddPolyline(corners.begin(), static_cast<int>(corners.size()), color, ImDrawFlags_Closed,
+                      look->stroke * 0.7f);
+  };
+  switch (series.shape) {
+  case ChartShape::kDisc:
+    list->AddCircleFilled(at, r, inside);
+    return list->AddCircle(at, r, color, 0, look->stroke * 0.7f);
+  case ChartShape::kDiamond:
+    return polygon(
+        {{at.x, at.y - r * 1.3f}, {at.x + r * 1.3f, at.y}, {at.x, at.y + r * 1.3f}, {at.x - r * 1.3f, at.y}});
+  case ChartShape::kSquare:
+    return polygon({{at.x - r, at.y - r}, {at.x + r, at.y - r}, {at.x + r, at.y + r}, {at.x - r, at.y + r}});
+  case ChartShape::kTriangle:
+    return polygon({{at.x, at.y - r * 1.2f}, {at.x + r * 1.2f, at.y + r}, {at.x - r * 1.2f, at.y + r}});
+  case ChartShape::kTriangleDown:
+    return polygon({{at.x, at.y + r * 1.2f}, {at.x - r * 1.2f, at.y - r}, {at.x + r * 1.2f, at.y - r}});
+  case ChartShape::kPlus:
+    return plus(list, at, r * 1.3f, color, look->stroke);
+  case ChartShape::kCross:
+    return cross(list, at, r, color, look->stroke);
+  }
+}
+
+/// The chart on its way to the screen.
+struct Plot {
+  ImDrawList* list;
+  const Look& look;
+  const Chart& chart;
+  Rect frame;  // within the axes
+  Scale x, y;
+
+  [[nodiscard]] ImVec2 at(const ChartPoint& p) const { return {x.at(p.x), y.at(p.y)}; }
+
+  void axes() const {
+    const float height = look.px(kSize), bottom = frame.y + frame.height;
+    const int most_x = std::max(2, static_cast<int>(frame.width / look.px(76))),
+              most_y = std::max(2, static_cast<int>(frame.height / look.px(44)));
+    for (const ChartTick& tick : chart_ticks(chart.x, x.from, x.to, most_x)) {
+      const float place = x.at(tick.at);
+      list->AddLine({place, frame.y}, {place, bottom}, look->grid);
+      list->AddLine({place, bottom}, {place, bottom + 4}, look->muted);
+      text_middle(list, look, Face::kMono, kSize, {place, bottom + 8}, look->muted, tick.label);
+    }
+    for (const ChartTick& tick : chart_ticks(chart.y, y.from, y.to, most_y)) {
+      const float place = y.at(tick.at);
+      list->AddLine({frame.x, place}, {frame.x + frame.width, place}, look->grid);
+      text_right(list, look, Face::kMono, kSize, {frame.x - 8, middle_of(place, height)}, look->muted, tick.label);
+    }
+    list->AddLine({frame.x, bottom}, {frame.x + frame.width, bottom}, look->line, 1);
+    list->AddLine({frame.x, frame.y}, {frame.x, bottom}, look->line, 1);
+    text_right(list, look, Face::kRegular, kSize, {frame.x + frame.width, bottom + 12 + height}, look->muted,
+               chart.x.title);
+  }
+
+  /// Along the time from one offer to the next nothing smaller is to be had: so it goes down in steps.
+  void front() const {
+    std::vector<ImVec2> way;
+    for (const ChartPoint& p : chart.front) {
+      if (!way.empty()) way.push_back({at(p).x, way.back().y});
+      way.push_back(at(p));
+    }
+    if (way.size() > 1) path(list, way, false, Stroke::kSolid, with_alpha(look->current, 0.6f), look->stroke * 0.7f);
+  }
+
+  void series() const {
+    for (const ChartSeries& one : chart.series) {
+      const Color color = mark_color(look, one.role);
+      std::vector<ImVec2> way;
+      for (const ChartPoint& p : one.points)
+        way.push_back(at(p));
+      const Stroke stroke = one.role == ChartRole::kThen ? Stroke::kDotted : Stroke::kSolid;
+      if (one.line && way.size() > 1) path(list, way, false, stroke, with_alpha(color, 0.7f), look->stroke * 0.7f);
+      for (const ChartPoint& p : one.points)
+        if (p.x_low < p.x_high) {
+          const float left = x.at(p.x_low), right = x.at(p.x_high), height = at(p).y;
+          list->AddLine({left, height}, {right, height}, color, look->stroke * 0.7f);
+          for (const float end : {left, right})
+            list->AddLine({end, height - 4}, {end, height + 4}, color, look->stroke * 0.7f);
+        }
+      const std::size_t every = one.line ? 1 + one.points.size() / kMostMarks : 1;
+      for (std::size_t i = 0; i < one.points.size(); i += every) draw_mark(list, look, at(one.points[i]), one);
+    }
+  }
+
+  /// One a series, beside its last point.
+  void names() const {
+    std::vector<LabelRequest> requests;
+    Obstacles obstacles;
+    for (const ChartSeries& one : chart.series) {
+      const ImVec2 end = one.points.empty() ? ImVec2(frame.x, frame.y) : at(one.points.back());
+      const ImVec2 size = measure(look, Face::kRegular, kSize, one.name);
+      requests.push_back(
+          {end.x, end.y, kMark * look->mark + 3, size.x, size.y, one.line ? 1.0f : 0.7f, -0.7f, false, true});
+      for (const ChartPoint& p : one.points)
+        obstacles.discs.push_back({at(p).x, at(p).y, kMark * look->mark + 2});
+    }
+    for (std::size_t i = 1; i < chart.front.size(); ++i) {
+      const ImVec2 from = at(chart.front[i - 1]), to = at(chart.front[i]);
+      obstacles.segments.push_back({from.x, from.y, to.x, from.y});
+      obstacles.segments.push_back({to.x, from.y, to.x, to.y});
+    }
+    const auto places = place_labels(requests, obstacles, frame);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (places[i] && !chart.series[i].points.empty())
+        halo_text(list, look, Face::kRegular, kSize, {places[i]->x, places[i]->y},
+                  word_color(look, chart.series[i].role), look->ground, chart.series[i].name);
+  }
+
+  [[nodiscard]] std::optional<ChartHit> under_pointer() const {
+    const ImVec2 pointer = ImGui::GetMousePos();
+    std::optional<ChartHit> hit;
+    float nearest = kReach;
+    for (std::size_t i = 0; i < chart.series.size(); ++i)
+      for (std::size_t j = 0; j < chart.series[i].points.size(); ++j) {
+        const ImVec2 place = at(chart.series[i].points[j]);
+        const float distance = std::hypot(place.x - pointer.x, place.y - pointer.y);
+        if (distance < nearest) nearest = distance, hit = ChartHit{i, j};
+      }
+    return hit;
+  }
+
+  void figures(const ChartHit& hit) const {
+    const ChartSeries& one = chart.series[hit.series];
+    const ChartPoint& p = one.points[hit.point];
+    const ImVec2 place = at(p);
+    ring(list, place, kMark * look->mark + 4, look->support, 2);
+    const std::string words = chart_figure(chart.x.unit, p.x) + ", " + chart_figure(chart.y.unit, p.y);
+    const float width =
+        std::max(measure(look, Face::kSemiBold, kSize, one.name).x, measure(look, Face::kMono, kSize, words).x) + 24;
+    const float height = 2 * look.px(kSize) + 24;
+    const float left = std::clamp(place.x + 12, frame.x, std::max(frame.x, frame.x + frame.width - width));
+    const float top = std::clamp(place.y - height - 12, frame.y, std::max(frame.y, frame.y + frame.height - height));
+    list->AddRectFilled({left, top}, {left + width, top + height}, look->panel, 8);
+    list->AddRect({left, top}, {left + width, top + height}, look->line, 8);
+    text(list, look, Face::kSemiBold, kSize, {left + 12, top + 8}, look->ink, one.name);
+    text(list, look, Face::kMono, kSize, {left + 12, top + 14 + look.px(kSize)}, look->ink, words);
+  }
+};
+
+}  // namespace
+
+std::string chart_figure(ChartUnit unit, double value) {
+  switch (unit) {
+  case ChartUnit::kTime:
+    return time_figure(value);
+  case ChartUnit::kCount:
+    return grouped(value);
+  case ChartUnit::kPercent:
+    return value < 9.995 ? said("%.3g %%", 100 * value) : grouped(100 * value) + " %";
+  case ChartUnit::kDegrees:
+    return said("%.3g°", value);
+  case ChartUnit::kRatio:
+    break;
+  }
+  return said("%.4g", value);
+}
+
+namespace {
+
+std::vector<double> even_places(double from, double to, int most) {
+  std::vector<double> places;
+  const double step = nice_at_least((to - from) / most);
+  for (double i = std::ceil(from / step); i * step <= to; ++i) places.push_back(i * step + 0.0);  // not -0
+  return places;
+}
+
+std::vector<double> log_places(double from, double to, int most) {
+  std::vector<double> places;
+  const double decades = std::log10(to / from);
+  const bool between = decades < kFewDecades && 3 * decades + 1 <= most;
+  const int every = between ? 1 : std::max(1, static_cast<int>(std::ceil(decades / most)));
+  const int first = static_cast<int>(std::floor(std::log10(from))), last = static_cast<int>(std::ceil(std::log10(to)));
+  for (int power = first; power <= last; power += every)
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double place = factor * std::pow(10.0, power);
+      if ((between || factor == 1) && place >= from && place <= to) places.push_back(place);
+    }
+  return places;
+}
+
+}  // namespace
+
+std::vector<ChartTick> chart_ticks(const ChartAxis& axis, double from, double to, int most) {
+  std::vector<double> places;
+  if (axis.log && to >= from * kNoDecade) places = log_places(from, to, most);
+  if (places.size() < 2) places = even_places(from, to, most);
+  std::vector<ChartTick> ticks;
+  for (const double place : places)
+    if (place >= from && place <= to) ticks.push_back({place, chart_figure(axis.unit, place)});
+  return ticks;
+}
+
+std::optional<ChartHit> draw_chart(ImDrawList* list, const Look& look, const Rect& rect, const Chart& chart,
+                                   std::optional<ChartHit> focus) {
+  const float line = look.px(kSize);
+  const float left = rect.x + 16, top = rect.y + 16;
+  text(list, look, Face::kSemiBold, kTitle, {left, top}, look->ink,
+       shortened(look, Face::kSemiBold, kTitle, chart.title, rect.width - 32));
+  const float under = top + look.px(kTitle) + 8;
+  const float note = paragraph(list, look, Face::kRegular, kSize, kSize * 1.5f, {left, under}, rect.width - 32,
+                               look->muted, chart.note);
+  text(list, look, Face::kRegular, kSize, {left, under + note + 8}, look->muted, chart.y.title);
+
+  Plot plot{list, look, chart, {}, scale_of(chart, true), scale_of(chart, false)};
+  float widest = 0;
+  for (const ChartTick& tick : chart_ticks(chart.y, plot.y.from, plot.y.to, 12))
+    widest = std::max(widest, measure(look, Face::kMono, kSize, tick.label).x);
+  const float above = under + note + 16 + line - rect.y;
+  plot.frame = {left + widest + 8, rect.y + above, rect.width - widest - 48, rect.height - above - 2 * line - 32};
+  if (plot.frame.width < 1 || plot.frame.height < 1) return std::nullopt;
+  plot.x.begin = plot.frame.x, plot.x.end = plot.frame.x + plot.frame.width;
+  plot.y.begin = plot.frame.y + plot.frame.height, plot.y.end = plot.frame.y;
+  plot.axes();
+  plot.front();
+  plot.series();
+  plot.names();
+  const auto hit = plot.under_pointer();
+  const auto shown = hit ? hit : focus;
+  if (shown) plot.figures(*shown);
+  return shown;
+}
+
+}  // namespace snug::app

@@ -1,0 +1,133 @@
+// What a chart says: its ticks, its figures, and what is made of a table.
+#include "app/chart.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "app/cost_charts.hpp"
+#include "geometry/random.hpp"
+
+namespace snug::app {
+namespace {
+
+std::vector<std::string> labels(const ChartAxis& axis, double from, double to, int most) {
+  std::vector<std::string> list;
+  for (const ChartTick& tick : chart_ticks(axis, from, to, most))
+    list.push_back(tick.label);
+  return list;
+}
+
+cost::CostRow row(const char* algorithm, double time, double tightness, bool front) {
+  cost::CostRow made{.volume = "sphere",
+                     .algorithm = algorithm,
+                     .points = 9,
+                     .of = 9,
+                     .tightness = tightness,
+                     .over_hull = 2 * tightness,
+                     .on_front = front};
+  made.time = {.median = time, .min = time, .spread = 0.2, .repeats = 9, .batch = 1, .trusted = true};
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("ticks are whole powers of ten, or what is between where there is room") {
+  const ChartAxis time{"", ChartUnit::kTime, true}, ratio{"", ChartUnit::kRatio, true},
+      count{"", ChartUnit::kCount, true};
+  CHECK(labels(time, 900, 2e9, 9) ==
+        std::vector<std::string>{"1 µs", "10 µs", "100 µs", "1 ms", "10 ms", "100 ms", "1 s"});
+  CHECK(labels(time, 900, 2e9, 4) == std::vector<std::string>{"10 µs", "1 ms", "100 ms"});
+  CHECK(labels(time, 37e3, 44e6, 4) == std::vector<std::string>{"100 µs", "1 ms", "10 ms"});
+  CHECK(labels(count, 9, 1100, 9) == std::vector<std::string>{"10", "100", "1,000"});
+  CHECK(labels(ratio, 0.9, 12, 9) == std::vector<std::string>{"1", "2", "5", "10"});
+  CHECK(labels(ratio, 0.98, 1.31, 4) == std::vector<std::string>{"1", "1.1", "1.2", "1.3"});
+  CHECK(labels({"", ChartUnit::kDegrees}, -5, 365, 5) == std::vector<std::string>{"0°", "100°", "200°", "300°"});
+}
+
+TEST_CASE("ticks are in the range, rising, and no more than wanted but by a few") {
+  Random random(3);
+  for (int round = 0; round < 2000; ++round) {
+    const bool log = random.below(2) == 0;
+    const double from = log ? 1e-3 + random.between(0, 100) : random.between(-50, 50),
+                 to = from * (log ? 1 + random.between(0.01, 1e4) : 1) + (log ? 0 : random.between(0.01, 1e3));
+    const int most = 2 + static_cast<int>(random.below(10));
+    const auto ticks = chart_ticks({"", ChartUnit::kRatio, log}, from, to, most);
+    INFO(from << " to " << to << ", at most " << most << (log ? ", log" : ""));
+    CHECK(static_cast<int>(ticks.size()) <= most + 1);
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+      CHECK(ticks[i].at >= from);
+      CHECK(ticks[i].at <= to);
+      if (i > 0) CHECK(ticks[i].at > ticks[i - 1].at);
+    }
+  }
+}
+
+TEST_CASE("figures have their units") {
+  CHECK(chart_figure(ChartUnit::kTime, 1234) == "1.23 µs");
+  CHECK(chart_figure(ChartUnit::kTime, 2.5e9) == "2.5 s");
+  CHECK(chart_figure(ChartUnit::kCount, 1000000) == "1,000,000");
+  CHECK(chart_figure(ChartUnit::kCount, 316) == "316");
+  CHECK(chart_figure(ChartUnit::kPercent, 0.35) == "35 %");
+  CHECK(chart_figure(ChartUnit::kPercent, 12.5) == "1,250 %");
+  CHECK(chart_figure(ChartUnit::kRatio, 1.23456) == "1.235");
+}
+
+TEST_CASE("a table of costs has a mark an algorithm, its spread, and the front by time") {
+  const cost::Table<cost::CostRow> table{
+      {.points = "cube:9"}, {row("slow", 300, 1, true), row("quick", 100, 1.2, true), row("worse", 200, 1.4, false)}};
+  const Chart chart = cost_chart(table);
+  REQUIRE(chart.series.size() == 3);
+  CHECK(chart.series[0].name == "slow");
+  CHECK(chart.series[0].role == ChartRole::kExact);
+  CHECK(chart.series[1].role == ChartRole::kChosen);
+  CHECK(chart.series[2].role == ChartRole::kPlain);
+  CHECK(chart.series[0].shape != chart.series[1].shape);
+  CHECK(chart.series[1].points[0].x_low == doctest::Approx(90));
+  CHECK(chart.series[1].points[0].x_high == doctest::Approx(110));
+  REQUIRE(chart.front.size() == 2);
+  CHECK(chart.front[0].x == 100);
+  CHECK(chart.title.find("cube:9") != std::string::npos);
+  CHECK(cost_chart(table, &table).series.size() == 6);
+}
+
+TEST_CASE("volumes of several kinds are held against the hull, and what was sampled says so") {
+  cost::Table<cost::CostRow> table{{}, {row("a", 300, 1, true), row("b", 100, 1.2, true)}};
+  table.rows[1].volume = "obb";
+  table.rows[1].of = 100;
+  const Chart chart = cost_chart(table);
+  CHECK(chart.series[0].points[0].y == 2);
+  CHECK(chart.series[1].name == "obb b (9 points)");
+  CHECK(chart.series[1].hollow);
+}
+
+TEST_CASE("growth and turns are a line each") {
+  const cost::Table<cost::GrowthRow> growth{
+      {},
+      {{.volume = "sphere",
+        .algorithm = "ritter",
+        .points = 10,
+        .time = {.median = 5},
+        .exponent = 1.04,
+        .theory_exponent = 1,
+        .tight = true},
+       {.volume = "sphere",
+        .algorithm = "ritter",
+        .points = 100,
+        .time = {.median = 50},
+        .exponent = 1.04,
+        .theory_exponent = 1,
+        .tight = true},
+       {.volume = "obb", .algorithm = "pca", .points = 10, .time = {.median = 7}}}};
+  const Chart lines = growth_chart(growth);
+  REQUIRE(lines.series.size() == 2);
+  CHECK(lines.series[0].name == "sphere ritter: n^1.04, theory 1.00");
+  CHECK(lines.series[0].points.size() == 2);
+  const cost::Table<cost::TurnRow> turn{{},
+                                        {{.volume = "aabb", .strategy = "loose", .degrees = 0, .slack = 0.5},
+                                         {.volume = "aabb", .strategy = "loose", .degrees = 5, .slack = 0.6}}};
+  CHECK(turn_chart(turn).series.at(0).points.at(1).y == 0.6);
+}
+
+}  // namespace snug::app
