@@ -57,7 +57,7 @@ std::span<const Impulse> held_by(const State& state, const Pair& pair) {
   const auto from = std::lower_bound(state.impulses.begin(), state.impulses.end(), pair, before);
   auto to = from;
   while (to != state.impulses.end() && to->pair == pair) ++to;
-  return {from, to};
+  return std::span(state.impulses).subspan(static_cast<std::size_t>(from - state.impulses.begin()), static_cast<std::size_t>(to - from));
 }
 
 /// Two directions across the normal, the same for the same normal.
