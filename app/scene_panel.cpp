@@ -7,7 +7,7 @@
 
 #include "app/marks.hpp"
 #include "app/widgets.hpp"
-#include "lesson/figures.hpp"
+#include "lesson/scene_figures.hpp"
 
 namespace snug::app {
 namespace {
@@ -64,10 +64,11 @@ class Panel {
     for (const int slot : {0, 1})
       for (int step = 1; session.algorithm(slot) != nullptr && step <= session.step_of(slot); ++step)
         if (const auto* frame = taken(session, slot, step)) most = std::max(most, frame->slack);
+    const std::string most_words = lesson::scene_figure_text("slack", 100 * most);
     const float bottom = y_ + look_.px(kPlot);
-    const float room = measure(look_, Face::kMono, kTiny, lesson::percent_text(most)).x + 10;
+    const float room = measure(look_, Face::kMono, kTiny, most_words).x + 10;
     const float left = x_ + room, wide = width_ - room;
-    text_right(list_, look_, Face::kMono, kTiny, {left - 8, y_ - look_.px(2)}, look_->muted, lesson::percent_text(most));
+    text_right(list_, look_, Face::kMono, kTiny, {left - 8, y_ - look_.px(2)}, look_->muted, most_words);
     text_right(list_, look_, Face::kMono, kTiny, {left - 8, bottom - look_.px(12)}, look_->muted, "0");
     rule(list_, left, y_, wide, look_->line);
     rule(list_, left, bottom, wide, look_->muted);
@@ -109,7 +110,7 @@ class Panel {
  private:
   /// The right end of a column of figures.
   [[nodiscard]] float right(int column) const {
-    constexpr std::array<float, 4> kShares{0.56f, 0.69f, 0.87f, 1};
+    constexpr std::array<float, 4> kShares{0.54f, 0.66f, 0.90f, 1};
     return x_ + width_ * kShares[static_cast<std::size_t>(column)];
   }
 

@@ -24,6 +24,15 @@ Color shaded(Color color, double share) {
   return (color & 0xff000000u) | part(0) | part(8) | part(16);
 }
 
+/// So much of the second colour in the first.
+Color mixed(Color a, Color b, double share) {
+  const auto part = [&](int shift) {
+    const double from = a >> shift & 0xff, to = b >> shift & 0xff;
+    return static_cast<Color>(from + (to - from) * share + 0.5) << shift;
+  };
+  return 0xff000000u | part(0) | part(8) | part(16);
+}
+
 /// Which bodies are in one of the pairs.
 std::vector<bool> in_pairs(std::size_t bodies, const std::vector<scene::Pair>& pairs) {
   std::vector<bool> flags(bodies, false);
@@ -73,11 +82,18 @@ bool shows_points(const lesson::Session& session) { return session.frame() == nu
 
 fit::Sphere3 extent_of_scene(const lesson::Session& session) {
   Point3 least = Point3::Constant(1e300), greatest = -least;
+  const auto hold = [&](const Point3& low, const Point3& high) { least = least.cwiseMin(low), greatest = greatest.cwiseMax(high); };
   for (const SceneFrame& frame : *session.frames(0))
     for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
       const Point3 reach = Point3::Constant(session.members()[i].shape.reach);
-      least = least.cwiseMin(frame.bodies[i].position - reach), greatest = greatest.cwiseMax(frame.bodies[i].position + reach);
+      hold(frame.bodies[i].position - reach, frame.bodies[i].position + reach);
     }
+  if (shows_points(session)) {  // the volumes are what is looked at
+    for (const int slot : {0, 1})
+      for (const SceneFrame& frame : *session.frames(slot))
+        for (const Aabb<double, 3>& box : frame.volumes) hold(box.min, box.max);
+    return {least / 2 + greatest / 2, 0.5 * (greatest - least).norm()};
+  }
   // Not the ball around the box: its corners are empty in nearly every frame.
   return {least / 2 + greatest / 2, 0.5 * (greatest - least).maxCoeff()};
 }
@@ -146,7 +162,7 @@ void Stage::draw_bodies(Brush& brush, const SceneFrame& frame) const {
 /// Solid: faces of a box with the light on them; of any other shape its outline.
 void Stage::draw_body(Brush& brush, const scene::Shape& shape, const scene::Motion& body, bool touching) const {
   const Palette& p = brush.p;
-  const Color fill = touching ? p.support : p.surface;
+  const Color fill = touching ? mixed(p.surface, p.support, 0.35) : p.surface;
   const Color edge = touching ? p.support_text : p.ink;
   const float width = brush.stroke(touching ? 0.9f : 0.5f);
   if (shape.kind == scene::Shape::Kind::kBox) {
