@@ -7,6 +7,7 @@
 
 #include "app/axis_table.hpp"
 #include "app/marks.hpp"
+#include "app/scene_panel.hpp"
 #include "app/widgets.hpp"
 #include "lesson/box_figures.hpp"
 
@@ -70,6 +71,10 @@ class Column {
     y_ += draw_axis_table(look_, session, {x_, y_}, width_) + look_.px(28);
   }
 
+  void scene(lesson::Session& session) {
+    if (session.frame() != nullptr) y_ += draw_scene_panel(look_, session, {x_, y_}, width_) + look_.px(28);
+  }
+
   void gap(float height) { y_ += height; }
   /// Tells ImGui how far it went, so that it can scroll.
   void finish() const {
@@ -83,10 +88,15 @@ class Column {
   float x_, width_, y_;
 };
 
+/// The funnel says it already.
+bool in_panel(const lesson::Session& session, const lesson::Figure& figure) {
+  return session.frame() != nullptr && figure.unit == "pairs";
+}
+
 }  // namespace
 
 /// What two methods are compared by.
-constexpr std::array<std::string_view, 5> kCompared{"radius", "measure", "excess", "corners", "verdict"};
+constexpr std::array<std::string_view, 6> kCompared{"radius", "measure", "excess", "corners", "verdict", "slack"};
 
 std::vector<lesson::Figure> figures_beside(const lesson::Session& session) {
   if (session.algorithm(1) == nullptr) return {};
@@ -101,11 +111,13 @@ void draw_inspector(const Look& look, lesson::Session& session, const Rect& rect
   Column column(look, rect);
   if (const auto figures = session.figures(); !figures.empty()) {
     column.heading(session.step() == session.steps() ? "In the end" : "Now");
-    for (const lesson::Figure& figure : figures) column.figure(figure);
+    for (const lesson::Figure& figure : figures)
+      if (!in_panel(session, figure)) column.figure(figure);
     column.gap(look.px(28));
   }
 
   if (session.boxes() != nullptr) column.axes(session);
+  column.scene(session);
 
   if (session.algorithm(1) != nullptr) {
     column.heading("Beside it: " + std::string(session.algorithm(1)->title));

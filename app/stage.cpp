@@ -30,6 +30,7 @@ fit::Sphere3 around(const fit::Sphere3& a, const fit::Sphere3& b) {
 
 /// What the view has to have room for: what both algorithms end with.
 fit::Sphere3 extent_of(const lesson::Session& session) {
+  if (session.frame() != nullptr) return extent_of_scene(session);
   if (const lesson::BoxPair* pair = session.boxes(); pair != nullptr && lesson::has_frustum(*pair))
     return around(around({lesson::camera_of(*pair).position, 0}, ball_around(pair->boxes[1], session.dim())), ball_around(pair->boxes[0], session.dim()));
   if (const lesson::BoxPair* pair = session.boxes())
@@ -168,6 +169,8 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
   seen_ = session.revision();
   seen_optimum_ = settings.show_optimum;
   shown_ = shown_at(session, settings.show_optimum);
+  points_shown_ = shows_points(session);
+  if (!can_move(session)) arrows_ = false;
   if (first) {
     framed_ball_ = extent_of(session);
     camera_.frame(framed_ball_, true);
@@ -178,7 +181,7 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
 
   std::vector<Point3f> points;
   points.reserve(static_cast<std::size_t>(session.size()));
-  for (Index i = 0; i < session.size(); ++i) points.push_back(frame_.to_stage(session.point(i)));
+  for (Index i = 0; i < session.size(); ++i) points.push_back(frame_.to_stage(place_of(session, i)));
   points_moved_ = points != scene_.points || session.triangles().size() != scene_.triangles.size();
   if (!points_moved_) return;
   scene_.points = std::move(points);
@@ -213,7 +216,7 @@ void Stage::project_points(const lesson::Session& session) {
   const Point3f eye = surface ? frame_.to_stage(camera_.eye()) : Point3f::Zero();
   for (Index i = 0; i < session.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    screen_[k] = camera_.project(session.point(i));
+    screen_[k] = camera_.project(place_of(session, i));
     // A vertex on the far side of a closed surface cannot be seen, nor meant.
     if (surface && scene_.normals[k].dot(eye - scene_.points[k]) < 0) screen_[k].visible = false;
   }
@@ -225,6 +228,7 @@ void Stage::fill_scene(const Look& look, const Rect& rect) {
   scene_.ground = p.ground, scene_.grid = p.grid, scene_.surface = p.surface;
   scene_.three_d = camera_.dim() == 3;
   scene_.point = scene_.normals.empty() ? with_alpha(p.point, 0.92f) : with_alpha(p.point, 0.55f);
+  if (!points_shown_) scene_.point = 0;
   scene_.point_radius = point_radius_ * std::sqrt(p.mark);
   scene_.view_projection = matrix_of(camera_, frame_);
   scene_.volumes.clear();
@@ -279,6 +283,7 @@ void Stage::draw(const Look& look, Settings& settings, lesson::Session& session,
 
 std::vector<Handle> Stage::handles(const lesson::Session& session) const {
   std::vector<Handle> handles;
+  if (!can_move(session)) return handles;
   for (std::size_t i = 0; i < screen_.size(); ++i)
     if (screen_[i].visible) handles.push_back({session.name_of(static_cast<Index>(i)), screen_[i].x, screen_[i].y});
   return handles;

@@ -35,6 +35,16 @@ class Motion {
   bool moving_ = false;
 };
 
+/// Where a point is in the frame of the scene that stands: with the body that it is of, or that stands at it. Without a scene
+/// session.point.
+[[nodiscard]] Point3 place_of(const lesson::Session& session, Index i);
+/// Whether points are drawn as such: not where a body stands at each.
+[[nodiscard]] bool shows_points(const lesson::Session& session);
+/// Whether points can be moved on the stage. What a scene moves is placed where it begins.
+[[nodiscard]] bool can_move(const lesson::Session& session);
+/// What a scene takes up in all of its frames.
+[[nodiscard]] fit::Sphere3 extent_of_scene(const lesson::Session& session);
+
 class Stage {
  public:
   /// Of a session that was just opened: frames it, forgets the selection.
@@ -106,6 +116,13 @@ class Stage {
   void draw_box_axes(Brush& brush, const lesson::BoxPair& pair) const;
   void draw_distances(Brush& brush, const lesson::BoxPair& pair) const;
   void draw_corners(Brush& brush) const;
+  // stage_scene.cpp
+  void draw_scene(Brush& brush) const;
+  void draw_traces(Brush& brush, const lesson::SceneFrame& frame) const;
+  void draw_loose(Brush& brush, const lesson::SceneFrame& frame) const;
+  void draw_bodies(Brush& brush, const lesson::SceneFrame& frame) const;
+  void draw_body(Brush& brush, const scene::Shape& shape, const scene::Motion& body, bool touching) const;
+  void draw_pairs(Brush& brush, const lesson::SceneFrame& frame) const;
   // stage_inset.cpp
   [[nodiscard]] Rect draw_inset(Brush& brush, float top) const;
   // stage_points.cpp
@@ -131,6 +148,7 @@ class Stage {
   std::vector<ScreenPoint> screen_;
   std::vector<bool> special_;              // points that have a mark of their own
   float point_radius_ = 5;
+  bool points_shown_ = true;
 
   std::uint64_t seen_ = 0;                 // the session's revision that shown_ is of
   bool seen_optimum_ = false;

@@ -17,6 +17,8 @@ struct Stage::Brush {
   [[nodiscard]] float stroke(float share = 1) const { return p.stroke * share; }
   [[nodiscard]] ImVec2 at(const Point3& point) const { return canvas.at(point); }
 
+  [[nodiscard]] Point3 point(Index i) const { return place_of(session, i); }
+
   /// A label beside a place of the screen. The anchor's own mark is gap / 2 across.
   void label(ImVec2 anchor, float gap, ImVec2 toward, std::string words, Color color, Face face = Face::kSemiBold,
              float size = 14, bool optional = false) {

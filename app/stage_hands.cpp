@@ -23,13 +23,13 @@ void Stage::hands(lesson::Session& session, const Look& look, const Rect& rect) 
   const bool over = ImGui::IsItemHovered();
   const float reach = look.fingers ? kFingerReach : kMouseReach;
   hovered_ = over || dragging_ ? pick(screen_, io.MousePos.x, io.MousePos.y, reach) : kNoIndex;
-  grabs_ = pressed_ != kNoIndex || (over && grab(screen_, session.dim() == 3, selected_, io.MousePos.x, io.MousePos.y, look.fingers) != kNoIndex);
+  grabs_ = pressed_ != kNoIndex || (over && can_move(session) && grab(screen_, session.dim() == 3, selected_, io.MousePos.x, io.MousePos.y, look.fingers) != kNoIndex);
   if (pressed_ != kNoIndex) hovered_ = pressed_;
   if (ImGui::IsItemActivated()) press(session, look);
   if (pressing_ && ImGui::IsItemActive()) drag(session);
   if (pressing_ && !ImGui::IsItemActive()) release(session);
   if (over) steer_camera();
-  if (over && hovered_ == kNoIndex && !travelled_ && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+  if (over && can_move(session) && hovered_ == kNoIndex && !travelled_ && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     const Point3 at = camera_.unproject(io.MousePos.x, io.MousePos.y, camera_.view().target);
     if (session.add(at)) selected_ = session.size() - 1, arrows_ = false;
   }
@@ -44,7 +44,7 @@ void Stage::press(lesson::Session& session, const Look& look) {
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
   const bool means_points = left && !io.KeyShift;
   tapped_ = means_points ? pick(screen_, press_x_, press_y_, look.fingers ? kFingerReach : kMouseReach) : kNoIndex;
-  pressed_ = means_points ? grab(screen_, session.dim() == 3, selected_, press_x_, press_y_, look.fingers) : kNoIndex;
+  pressed_ = means_points && can_move(session) ? grab(screen_, session.dim() == 3, selected_, press_x_, press_y_, look.fingers) : kNoIndex;
   panning_ = !left || io.KeyShift || session.dim() == 2;
   if (pressed_ == kNoIndex) return;
   const ScreenPoint& point = screen_[static_cast<std::size_t>(pressed_)];
@@ -95,7 +95,7 @@ void Stage::tap(lesson::Session& session) {
     return;
   }
   selected_ = tapped_;
-  arrows_ = tapped_ != kNoIndex && asked == nullptr;
+  arrows_ = tapped_ != kNoIndex && asked == nullptr && can_move(session);
 }
 
 void Stage::steer_camera() {
@@ -110,7 +110,7 @@ void Stage::pinch(float factor, float x, float y, float dx, float dy) {
 }
 
 bool Stage::nudge(lesson::Session& session, int right, int up, int away, bool fine) {
-  if (selected_ == kNoIndex || (away != 0 && session.dim() == 2)) return false;
+  if (selected_ == kNoIndex || !can_move(session) || (away != 0 && session.dim() == 2)) return false;
   const Point3 from = session.point(selected_);
   const double step = nice_at_least(kNudgePixels / camera_.scale_at(from)) * (fine ? 0.1 : 1);
   const Point3 by = camera_.right() * right + camera_.up() * up + camera_.forward() * away;
@@ -120,7 +120,7 @@ bool Stage::nudge(lesson::Session& session, int right, int up, int away, bool fi
 bool Stage::add_point(lesson::Session& session) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const Rect& stage = camera_.stage();
-  const bool over = mouse.x >= stage.x && mouse.y >= stage.y && mouse.x < stage.x + stage.width && mouse.y < stage.y + stage.height;
+  const bool over = can_move(session) && mouse.x >= stage.x && mouse.y >= stage.y && mouse.x < stage.x + stage.width && mouse.y < stage.y + stage.height;
   const Point3 at = over ? camera_.unproject(mouse.x, mouse.y, camera_.view().target) : Point3(camera_.view().target);
   if (!session.add(at)) return false;
   selected_ = session.size() - 1;

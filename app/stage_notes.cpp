@@ -46,7 +46,7 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
   if (button(brush.list, look, {.id = "fit", .rect = fit, .icon = Icon::kFit, .kind = ButtonKind::kOutlined})) reset_view(brush.session);
   right -= height + 8;
 
-  if (brush.session.boxes() == nullptr) right = draw_toggle(brush, settings, right, y, height);
+  if (brush.session.boxes() == nullptr && brush.session.frame() == nullptr) right = draw_toggle(brush, settings, right, y, height);
   keep_free(brush.canvas.obstacles, fit);
 
   // The page's undo and redo stand in the other corner.

@@ -45,7 +45,7 @@ void Stage::draw_points(Brush& brush) const {
       if (point.visible) brush.canvas.obstacles.discs.push_back({point.x, point.y, point_radius_ + (inviting(brush) ? 6 : 1)});
   draw_invitation(brush);
 
-  const auto at = [&](Index i) { return brush.at(brush.session.point(i)); };
+  const auto at = [&](Index i) { return brush.at(brush.point(i)); };
   std::vector<Index> touching = shown_.support;
   if (shown_.extremes && !shown_.volume) touching = {};
   for (const Index i : touching) diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
@@ -99,15 +99,15 @@ void Stage::draw_selected(Brush& brush) const {
   const Palette& p = brush.p;
   const bool special = hovered_ != kNoIndex && among(shown_.support, hovered_);
   if (hovered_ != kNoIndex && hovered_ < brush.session.size()) {
-    const ImVec2 at = brush.at(brush.session.point(hovered_));
+    const ImVec2 at = brush.at(brush.point(hovered_));
     if (special) diamond(brush.list, at, kDiamond * p.mark + 2, p.support, p.ground);
     else disc(brush.list, at, std::max(point_radius_, 3.0f) + 2, hovered_ == shown_.examined ? p.examined : p.ink);
     if (grabs_ || brush.look.fingers || inviting(brush)) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
   if (refused_ != kNoIndex && refused_ < brush.session.size())
-    brush.label(brush.at(brush.session.point(refused_)), 18, {0.5f, -1}, "Choose one of the ringed points", p.ink);
+    brush.label(brush.at(brush.point(refused_)), 18, {0.5f, -1}, "Choose one of the ringed points", p.ink);
   if (selected_ == kNoIndex || selected_ >= brush.session.size()) return;
-  const Point3 place = brush.session.point(selected_);
+  const Point3 place = brush.point(selected_);
   const ImVec2 at = brush.at(place);
   const float radius = std::max(point_radius_, 4.0f) + 6;
   ring(brush.list, at, radius + 2, p.ground, 2);
@@ -126,7 +126,7 @@ void Stage::draw_verdict(Brush& brush) const {
   const Palette& p = brush.p;
   const auto badge = [&](Index i, bool right) {
     if (i < 0 || i >= brush.session.size()) return;
-    const ImVec2 point = brush.at(brush.session.point(i));
+    const ImVec2 point = brush.at(brush.point(i));
     const float away = 13 * p.mark, radius = 9 * p.mark;
     const ImVec2 at{point.x + away, point.y - away};
     disc(brush.list, at, radius, p.ground);
@@ -148,7 +148,7 @@ void Stage::name_points(Brush& brush) const {
   const auto name = [&](Index i, std::string words, Color color, Face face, float gap, float size = 14, bool optional = false) {
     if (i == kNoIndex || named[static_cast<std::size_t>(i)]) return;
     named[static_cast<std::size_t>(i)] = true;
-    const ImVec2 at = brush.at(session.point(i));
+    const ImVec2 at = brush.at(brush.point(i));
     brush.label(at, gap, {at.x - middle.x, at.y - middle.y}, std::move(words), color, face, size, optional);
   };
   const auto plain = [&](Index i) { name(i, session.name_of(i), p.support_text, Face::kSemiBold, 11 * p.mark); };
@@ -171,7 +171,7 @@ void Stage::name_points(Brush& brush) const {
   if (shown_.plane && !shown_.plane_asked)
     for (const Index i : shown_.spoken_of) {  // p- and n-vertex, away from the box
       named[static_cast<std::size_t>(i)] = true;
-      const ImVec2 at = brush.at(session.point(i)), box = brush.at(session.point(0));
+      const ImVec2 at = brush.at(brush.point(i)), box = brush.at(brush.point(0));
       brush.label(at, 15 * p.mark, {at.x - box.x, at.y - box.y}, session.name_of(i), p.support_text, Face::kSemiBold, 15);
     }
   for (const Index i : {selected_, hovered_})

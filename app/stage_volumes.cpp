@@ -26,6 +26,7 @@ void Stage::draw_volumes(Brush& brush) const {
   draw_hull(brush);
   draw_spread(brush);
   draw_extremes(brush);
+  draw_scene(brush);
   draw_rivals(brush);
   draw_candidate(brush);
   draw_current(brush);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/marks.hpp"
+#include "app/stage.hpp"
 #include "desktop/column.hpp"
 
 namespace snug::desktop {
@@ -16,7 +17,8 @@ constexpr float kMargin = 28;
 void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect) {
   float x = rect.x + kMargin;
   for (const bool points : {false, true}) {
-    const std::string_view words = !points ? "Lesson" : shell.session().boxes() != nullptr ? "Boxes" : "Points";
+    const lesson::Session& session = shell.session();
+    const std::string_view words = !points ? "Lesson" : session.boxes() != nullptr ? "Boxes" : app::shows_points(session) ? "Points" : "Bodies";
     const bool on = shell.points_tab == points;
     const float width = app::measure(look, Face::kSemiBold, 14, words).x;
     if (app::touch_area(points ? "tab points" : "tab lesson", {x - 8, rect.y, width + 16, rect.height}).clicked) shell.points_tab = points;

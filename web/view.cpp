@@ -1,5 +1,6 @@
 #include "web/view.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string>
@@ -163,6 +164,8 @@ val lesson_object(const lesson::Lesson& lesson) {
   object.set("algorithms", array_of(lesson.algorithms, [&](std::string_view name) { return algorithm_object(lesson.volume, name); }));
   object.set("boxes", lesson.boxes.has_value());
   object.set("frustum", lesson.boxes && lesson.boxes->taper < 1);
+  object.set("scene", lesson.scene.has_value());
+  object.set("bodies", lesson.scene && std::any_of(lesson.scene->bodies.begin(), lesson.scene->bodies.end(), [](const lesson::SceneBody& body) { return body.at_points; }));
   object.set("dim", lesson.points.dim);
   object.set("generate", lesson.points.generate);
   object.set("count", lesson.points.count);
@@ -203,6 +206,15 @@ val view_object(app::App& app, const lesson::Session& session) {
   set_algorithms(object, session);
   set_figures(object, session);
   set_points(object, app, session);
+  if (const lesson::SceneFrame* frame = session.frame())
+    object.set("effects", array_of(frame->tallies, [](const scene::Tally& tally) {
+                 val row = val::object();
+                 row.set("effect", tally.effect);
+                 row.set("constructed", tally.constructed);
+                 row.set("run", static_cast<double>(tally.run));
+                 row.set("skipped", static_cast<double>(tally.skipped));
+                 return row;
+               }));
   return object;
 }
 

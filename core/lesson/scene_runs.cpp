@@ -43,9 +43,15 @@ void set(scene::EffectCall& call, std::string_view key, std::string_view word) {
   call.settings.push_back({std::string(key), {}, std::string(word)});
 }
 
+void switch_off(scene::Scene& scene, std::span<const SwitchedOff> off, int after) {
+  for (const SwitchedOff& one : off)
+    for (std::size_t i = 0; i < scene.tallies().size(); ++i)
+      if (one.after == after && scene.tallies()[i].effect == one.effect) scene.turn(i, false);
+}
+
 SceneFrame seen(const scene::Scene& scene) {
   const scene::State& state = scene.world().state;
-  return {state.bodies, state.volumes, state.contacts, state.pairs, {scene.tallies().begin(), scene.tallies().end()}};
+  return {state.bodies, state.volumes, state.contacts, state.pairs, state.near, state.shadows, state.trails, state.rays, {scene.tallies().begin(), scene.tallies().end()}};
 }
 
 }  // namespace
@@ -114,7 +120,7 @@ double figure_of(const fit::FrameTaken& frame, std::string_view figure) {
 }
 
 tl::expected<SceneRun, InputError> run_scene(const SceneSet& set, std::string_view method, const AnyPointSet& points, std::uint64_t seed,
-                                             scene::Clock clock) {
+                                             scene::Clock clock, std::span<const SwitchedOff> off) {
   auto declaration = declaration_with(set, method, points, seed);
   if (!declaration) return tl::unexpected(std::move(declaration.error()));
   auto scene = scene::Scene::open(*declaration, clock);
@@ -124,7 +130,9 @@ tl::expected<SceneRun, InputError> run_scene(const SceneSet& set, std::string_vi
   const bool measured = scene->world().members.front().shape.cloud != nullptr;
   SceneRun run;
   run.frames.push_back(seen(*scene));
+  run.members = scene->world().members;
   for (int frame = 0; frame < set.frames; ++frame) {
+    switch_off(*scene, off, frame);
     scene->step();
     const fit::FrameTaken taken = frame_of(*scene);
     run.recording.counts[static_cast<std::size_t>(Operation::kPointsTouched)] += static_cast<std::int64_t>(taken.cost);

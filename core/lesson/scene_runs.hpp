@@ -19,19 +19,28 @@ struct SceneFrame {
   std::vector<scene::Motion> bodies;
   std::vector<Aabb<double, 3>> volumes;
   std::vector<scene::Contact> contacts;
-  std::vector<scene::Pair> pairs;
+  std::vector<scene::Pair> pairs, near;
+  std::vector<std::vector<scene::V3>> shadows, trails;
+  std::vector<scene::Ray> rays;
   std::vector<scene::Tally> tallies;
 };
 
 struct SceneRun {
   fit::Recording recording;        // a step a frame
   std::vector<SceneFrame> frames;  // the beginning first
+  std::vector<scene::Member> members;
+};
+
+/// An effect that the student switched off: it runs up to this frame, and no more.
+struct SwitchedOff {
+  std::string effect;  // as its tally has it
+  int after = 0;
 };
 
 /// method: of scene_methods(). Errors: of scene::Scene::open, with lines of the lesson's file; an effect that the method is
 /// about and the scene does not call for.
 [[nodiscard]] tl::expected<SceneRun, InputError> run_scene(const SceneSet& set, std::string_view method, const AnyPointSet& points,
-                                                           std::uint64_t seed, scene::Clock clock = nullptr);
+                                                           std::uint64_t seed, scene::Clock clock = nullptr, std::span<const SwitchedOff> off = {});
 
 /// The scene as the method has it: what run_scene opens.
 [[nodiscard]] tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet& set, std::string_view method,

@@ -1,6 +1,8 @@
 // Opening a session, the algorithms, and what is worked out when asked for.
 #include "lesson/session.hpp"
 
+#include <algorithm>
+
 #include "lesson/own_points.hpp"
 
 namespace snug::lesson {
@@ -48,7 +50,7 @@ Session::~Session() = default;
 
 void Session::use(int slot, const fit::Algorithm* algorithm) {
   Slot& own = slots_[static_cast<std::size_t>(slot)];
-  own = {algorithm, {}, {}, {}};
+  own = {algorithm, {}, {}, {}, {}};
   if (algorithm == nullptr) return;
   const auto pseudocode = fit::pseudocode_of(*algorithm, dim());
   own.pseudocode.assign(pseudocode.begin(), pseudocode.end());
@@ -58,6 +60,29 @@ void Session::use(int slot, const fit::Algorithm* algorithm) {
 
 const std::vector<SceneFrame>* Session::frames(int slot) const {
   return lesson_.scene ? &slots_[static_cast<std::size_t>(slot)].frames : nullptr;
+}
+
+const SceneFrame* Session::frame() const {
+  const auto at = static_cast<std::size_t>(step_);
+  return at < slots_[0].frames.size() ? &slots_[0].frames[at] : nullptr;
+}
+
+bool Session::is_on(std::string_view effect) const {
+  return std::none_of(off_.begin(), off_.end(), [&](const SwitchedOff& one) { return one.effect == effect; });
+}
+
+bool Session::turn(std::string_view effect, bool on) {
+  const SceneFrame* now = frame();
+  if (now == nullptr || (step_ == 0 && !on)) return false;
+  if (std::none_of(now->tallies.begin(), now->tallies.end(), [&](const scene::Tally& tally) { return tally.effect == effect; })) return false;
+  if (is_on(effect) == on) return true;
+  if (on) std::erase_if(off_, [&](const SwitchedOff& one) { return one.effect == effect; });
+  else off_.push_back({std::string(effect), step_});
+  run(0);
+  run(1);
+  trace_changed(false);
+  ++revision_;
+  return true;
 }
 
 std::span<const std::string_view> Session::pseudocode(int slot) const {
@@ -100,9 +125,10 @@ void Session::run(int slot) {
   Slot& own = slots_[static_cast<std::size_t>(slot)];
   if (own.algorithm == nullptr) return;
   if (lesson_.scene) {
-    auto run = run_scene(*lesson_.scene, own.algorithm->name, points(), seed());
+    auto run = run_scene(*lesson_.scene, own.algorithm->name, points(), seed(), nullptr, off_);
     own.recording = run ? std::move(run->recording) : fit::Recording();  // the lesson's own scene was opened when it was read
     own.frames = run ? std::move(run->frames) : std::vector<SceneFrame>();
+    own.members = run ? std::move(run->members) : std::vector<scene::Member>();
     return;
   }
   own.recording = now_.boxes ? record(*own.algorithm, *now_.boxes)

@@ -101,6 +101,13 @@ class Session {
   [[nodiscard]] const fit::Algorithm* algorithm(int slot) const { return slots_[static_cast<std::size_t>(slot)].algorithm; }
   /// The slot's frames, of a lesson that has a scene; null otherwise. Frame step_of(slot) is the one that stands.
   [[nodiscard]] const std::vector<SceneFrame>* frames(int slot) const;
+  /// The frame of slot 0 that stands, and its bodies' shapes; null where there is none.
+  [[nodiscard]] const SceneFrame* frame() const;
+  [[nodiscard]] std::span<const scene::Member> members() const { return slots_[0].members; }
+  /// Switches an effect of the scene off from the frame that stands, or on again for all frames. false: there is none of that
+  /// name, or none has run yet (at the beginning there is nothing that what reads it could go on with). Grades know no switches.
+  bool turn(std::string_view effect, bool on);
+  [[nodiscard]] bool is_on(std::string_view effect) const;
   /// An empty name clears slot 1; slot 0 must have one. Errors: too many points for it; unknown name.
   tl::expected<void, InputError> choose(int slot, std::string_view name);
   [[nodiscard]] const fit::Recording& recording(int slot) const { return slots_[static_cast<std::size_t>(slot)].recording; }
@@ -189,6 +196,7 @@ class Session {
     fit::Recording recording;
     std::vector<std::string_view> pseudocode;
     std::vector<SceneFrame> frames;
+    std::vector<scene::Member> members;
   };
   /// What is worked out when asked for, and forgotten with the next edit.
   struct Worked {
@@ -234,6 +242,7 @@ class Session {
   std::optional<Snapshot> drag_;  // the points where the drag began
   bool drag_moved_ = false;
   std::array<Slot, 2> slots_;
+  std::vector<SwitchedOff> off_;
   mutable Worked worked_;
   int step_ = 0;
   bool previewing_ = false;

@@ -51,7 +51,7 @@ std::vector<Mark> marks_of(Trace trace, const std::vector<Asked>& questions) {
 
 /// Gates and marks of a new trace. at_end: whether the player stood at the old one's end.
 void Session::trace_changed(bool at_end) {
-  asked_ = asked_on(lesson_, algorithm(0)->name, recording(0).steps, dim(), !edited() && seed() == lesson_.seed);
+  asked_ = asked_on(lesson_, algorithm(0)->name, recording(0).steps, dim(), !edited() && seed() == lesson_.seed && off_.empty());
   marks_ = marks_of(recording(0).steps, asked_);
   step_ = at_end ? steps() : std::min(step_, steps());
   worked_.hash.reset();

@@ -175,8 +175,9 @@ void Session::start_task() {
   found_.clear();
   static_cast<void>(become(now_.boxes ? own_ : Snapshot{start_of_task(lesson_, own_.points), nullptr, own_.seed, "task", 0, true}));
   static_cast<void>(choose(0, lesson_.task->algorithm));
-  step_ = steps();
-  previewing_ = true;  // who builds an example looks at results, and was asked nothing yet
+  // Who builds an example looks at results, and was asked nothing yet. Bodies are placed where they begin.
+  step_ = lesson_.scene ? 0 : steps();
+  previewing_ = !lesson_.scene;
   ++revision_;
 }
 

@@ -95,7 +95,8 @@ struct State {
   std::vector<Motion> bodies;
   std::vector<Aabb<double, 3>> volumes;
   Refitted refitted;
-  std::vector<Pair> pairs;
+  std::vector<Pair> pairs;                       // whose boxes overlap
+  std::vector<Pair> near;                        // of those, whose loose spheres do
   std::vector<Contact> contacts;
   std::vector<Impulse> impulses;
   Funnel funnel;

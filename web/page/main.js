@@ -20,7 +20,8 @@ const kAddressDelay = 250; // milliseconds: browsers count how often the address
 const kPanelsDelay = 250; // milliseconds: so often the HTML follows a drag, whose every frame would lay the page out anew
 
 /** What stands on it, for those who cannot see it. */
-const stage_of = ({ boxes, frustum }) => (frustum ? "a box and a view frustum" : boxes ? "two boxes" : "the points and the volume around them");
+const stage_of = ({ boxes, frustum, scene, bodies }) => (frustum ? "a box and a view frustum" : boxes ? "two boxes"
+  : bodies ? "bodies that move, and their volumes" : scene ? "a body that moves, and the volume around it" : "the points and the volume around them");
 
 class Page {
   #door;

@@ -3,6 +3,7 @@ import { by_id, button, element, set_text, when_changed } from "./dom.js";
 import { clear_notices, notice } from "./messages.js";
 
 const kAxes = ["x", "y", "z"];
+const kNames = [["point", "points"], ["body", "bodies"]]; // of what stands at each
 const kMostBytes = 64e6;
 
 const label = (words, field) => element("label", {}, element("span", {}, words), field);
@@ -13,7 +14,10 @@ export class PointTools {
   #act;
   #bring_mesh;
   #view = null;
+  #names = kNames[0];
   #section;
+  #title = element("h2", {});
+  #point_words = element("span", {});
   #says = element("p", { class: "label", id: "points-heading" });
   #set = element("select", { onchange: () => this.#choose_set() });
   #count = element("input", { type: "number", min: 1, max: 5000, step: 1, value: 26, inputmode: "numeric" });
@@ -34,12 +38,12 @@ export class PointTools {
       this.#scatter();
     };
     this.#section = element("div", {},
-      element("h2", {}, "Points"), this.#says,
+      this.#title, this.#says,
       element("form", { class: "fields", onsubmit: scatter }, label("Set", this.#set), this.#count_label,
         label("Seed", this.#seed), element("button", { type: "submit", class: "button" }, "Scatter")),
       element("div", { class: "row" }, button("Add", () => this.#command("add_point")), this.#delete,
         button("Reset", () => this.#command("reset_points")), button("Open file…", () => this.#file.click()), this.#file),
-      element("div", { class: "coordinates" }, label("Point", this.#point), ...kAxes.map((axis, i) => label(axis, this.#axes[i]))));
+      element("div", { class: "coordinates" }, element("label", {}, this.#point_words, this.#point), ...kAxes.map((axis, i) => label(axis, this.#axes[i]))));
     by_id("points").append(this.#section);
     this.#point.addEventListener("change", () => this.#select());
     for (const field of this.#axes) field.addEventListener("change", () => this.#move());
@@ -52,6 +56,9 @@ export class PointTools {
 
   open(lesson) {
     this.#section.hidden = lesson.boxes;
+    this.#names = kNames[lesson.bodies ? 1 : 0];
+    this.#title.textContent = capital(this.#names[1]);
+    this.#point_words.textContent = capital(this.#names[0]);
     const own = lesson.mesh ? capital(lesson.mesh) : lesson.generate ? capital(lesson.generate) : "The lesson’s own";
     const others = (names, kind, own_name) => names.filter((name) => name !== own_name)
       .map((name) => element("option", { value: `${kind}:${name}` }, capital(name)));
@@ -162,7 +169,7 @@ export class PointTools {
 
   update(view) {
     this.#view = view;
-    set_text(this.#says, `${view.size} ${view.size === 1 ? "point" : "points"}${view.edited ? ", changed" : ""}`);
+    set_text(this.#says, `${view.size} ${this.#names[view.size === 1 ? 0 : 1]}${view.edited ? ", changed" : ""}`);
     this.#point.max = view.size - 1;
     this.#show_seed(view.seed);
     this.#show_selected(view.selected, view.coordinates);

@@ -23,7 +23,7 @@ export class Reading {
     set_hidden(box, !lesson.task);
     if (!lesson.task) return box.replaceChildren();
     box.replaceChildren(element("h2", { class: "kicker" }, "Your turn"), element("p", {}, lesson.task.prompt),
-      element("p", {}, button(lesson.task.points > 0 ? `Start with ${lesson.task.points} points` : "Start", this.#start_task)), this.#grade_says,
+      element("p", {}, button(lesson.task.points > 0 ? `Start with ${lesson.task.points} ${lesson.bodies ? "bodies" : "points"}` : "Start", this.#start_task)), this.#grade_says,
       ...(lesson.task.hint ? [element("details", {}, element("summary", {}, "A hint"), element("p", {}, lesson.task.hint))] : []));
   }
 

@@ -10,15 +10,17 @@ class NarrowPhase final : public Effect {
   void run(World& world) override {
     State& state = world.state;
     state.contacts.clear();
-    state.funnel.after_loose = state.funnel.touching = 0;
+    state.near.clear();
+    state.funnel.touching = 0;
     for (const Pair& pair : state.pairs) {
       const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
       if (!near(world, a, b)) continue;
-      ++state.funnel.after_loose;
+      state.near.push_back(pair);
       const bool touching = touch(world.members[a].shape, pose(state, a), world.members[b].shape, pose(state, b));
       state.funnel.touching += touching ? 1 : 0;
       if (touching || (world.solid && (world.members[a].moves() || world.members[b].moves()))) state.contacts.push_back({pair, touching});
     }
+    state.funnel.after_loose = static_cast<std::int64_t>(state.near.size());
     state.changed(Slot::kContacts);
   }
 

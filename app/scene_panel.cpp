@@ -1,0 +1,158 @@
+#include "app/scene_panel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "app/marks.hpp"
+#include "app/widgets.hpp"
+#include "lesson/scene_figures.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr float kSize = 14, kSmall = 13, kTiny = 12;
+constexpr float kEffectRow = 26, kPlot = 84;
+
+const fit::FrameTaken* taken(const lesson::Session& session, int slot, int step) {
+  if (step == 0) return nullptr;
+  return std::get_if<fit::FrameTaken>(&session.recording(slot).steps[static_cast<std::size_t>(step - 1)].step.fact);
+}
+
+class Panel {
+ public:
+  Panel(const Look& look, ImVec2 at, float width) : look_(look), list_(ImGui::GetWindowDrawList()), x_(at.x), width_(width), top_(at.y), y_(at.y) {}
+
+  [[nodiscard]] float height() const { return y_ - top_; }
+
+  void heading(std::string_view words) {
+    text(list_, look_, Face::kSemiBold, 13, {x_, y_ + look_.px(5)}, look_->muted, words);
+    y_ += look_.px(28);
+  }
+
+  /// A stage of the funnel: its stroke as on the stage, its name, what it left, and a bar of that share of all pairs.
+  void stage(const char* name, double left, double all, Stroke stroke, Color color, bool sampled) {
+    const float middle = y_ + look_.px(9);
+    float x = x_;
+    if (sampled) {
+      line(list_, {x, middle}, {x + 26, middle}, stroke, color, stroke == Stroke::kSolid ? 3.0f : 2.0f);
+      if (stroke == Stroke::kSolid) diamond(list_, {x + 13, middle}, 5, color, look_->panel);
+      x += 36;
+    }
+    text(list_, look_, Face::kRegular, kSize, {x, middle_of(middle, look_.px(kSize))}, look_->ink, name);
+    text_right(list_, look_, Face::kMonoBold, kSmall, {x_ + width_, middle_of(middle, look_.px(kSmall))}, look_->ink, std::to_string(static_cast<std::int64_t>(left)));
+    const float top = y_ + look_.px(22), thick = 8;
+    list_->AddRectFilled({x_, top}, {x_ + width_, top + thick}, look_->track, 2);
+    if (left > 0) list_->AddRectFilled({x_, top}, {x_ + std::max(2.0f, width_ * static_cast<float>(left / all)), top + thick}, color, 2);
+    y_ += look_.px(40);
+  }
+
+  void funnel(const fit::FrameTaken& frame) {
+    heading("The funnel: pairs that are left");
+    stage("All pairs", frame.all_pairs, frame.all_pairs, Stroke::kSolid, look_->muted, false);
+    stage("Boxes overlap", frame.after_broad, frame.all_pairs, Stroke::kDotted, look_->previous, true);
+    stage("Loose spheres overlap", frame.after_loose, frame.all_pairs, Stroke::kDashed, look_->examined_text, true);
+    stage("Touching", frame.touching, frame.all_pairs, Stroke::kSolid, look_->support_text, true);
+    y_ += look_.px(16);
+  }
+
+  /// The slack of each frame so far, against the whole run's length; slot 1's dashed.
+  void slack(const lesson::Session& session) {
+    heading("Slack over time");
+    double most = 0;
+    for (const int slot : {0, 1})
+      for (int step = 1; session.algorithm(slot) != nullptr && step <= session.step_of(slot); ++step)
+        if (const auto* frame = taken(session, slot, step)) most = std::max(most, frame->slack);
+    const std::string most_words = lesson::scene_figure_text("slack", 100 * most);
+    const float bottom = y_ + look_.px(kPlot);
+    const float room = measure(look_, Face::kMono, kTiny, most_words).x + 10;
+    const float left = x_ + room, wide = width_ - room;
+    text_right(list_, look_, Face::kMono, kTiny, {left - 8, y_ - look_.px(2)}, look_->muted, most_words);
+    text_right(list_, look_, Face::kMono, kTiny, {left - 8, bottom - look_.px(12)}, look_->muted, "0");
+    rule(list_, left, y_, wide, look_->line);
+    rule(list_, left, bottom, wide, look_->muted);
+    for (const int slot : {1, 0}) {
+      if (session.algorithm(slot) == nullptr) continue;
+      std::vector<ImVec2> curve;
+      const auto steps = static_cast<float>(session.recording(slot).steps.size());
+      for (int step = 1; step <= session.step_of(slot); ++step)
+        if (const auto* frame = taken(session, slot, step))
+          curve.push_back({left + wide * static_cast<float>(step) / steps, bottom - (bottom - y_) * static_cast<float>(most > 0 ? frame->slack / most : 0)});
+      const Color color = slot == 0 ? look_->current : look_->previous;
+      path(list_, curve, false, slot == 0 ? Stroke::kSolid : Stroke::kDashed, color, 2);
+      if (slot == 0 && !curve.empty()) disc(list_, curve.back(), 4, color);
+    }
+    text(list_, look_, Face::kRegular, kTiny, {left, bottom + look_.px(5)}, look_->muted, "frame 1");
+    text_right(list_, look_, Face::kRegular, kTiny, {x_ + width_, bottom + look_.px(5)}, look_->muted, std::to_string(session.steps()));
+    y_ = bottom + look_.px(44);
+  }
+
+  void effects(lesson::Session& session, std::span<const scene::Tally> tallies) {
+    heading("What each effect did");
+    constexpr std::array<const char*, 4> kHeads{"made", "run", "skipped", "µs"};
+    for (int i = 0; i < 4; ++i) text_right(list_, look_, Face::kRegular, kTiny, {right(i), y_}, look_->muted, kHeads[static_cast<std::size_t>(i)]);
+    y_ += look_.px(20);
+    int row = 0;
+    std::string turned;
+    for (const scene::Tally& tally : tallies) {
+      const bool on = session.is_on(tally.effect);
+      ImGui::PushID(row++);
+      const Touch touch = touch_area("effect", {x_ - 6, y_, width_ + 12, look_.px(kEffectRow)}, session.step() > 0 || !on);
+      ImGui::PopID();
+      if (touch.clicked) turned = tally.effect;
+      if (touch.hovered) list_->AddRectFilled({x_ - 6, y_}, {x_ + width_ + 6, y_ + look_.px(kEffectRow) - 1}, look_->raised, 4);
+      effect(tally, on);
+    }
+    if (!turned.empty()) session.turn(turned, !session.is_on(turned));
+  }
+
+ private:
+  /// The right end of a column of figures.
+  [[nodiscard]] float right(int column) const {
+    constexpr std::array<float, 4> kShares{0.54f, 0.66f, 0.90f, 1};
+    return x_ + width_ * kShares[static_cast<std::size_t>(column)];
+  }
+
+  void effect(const scene::Tally& tally, bool on) {
+    const float middle = y_ + look_.px(kEffectRow) / 2;
+    const float box = 6, indent = 20;
+    list_->AddRect({x_, middle - box}, {x_ + 2 * box, middle + box}, on ? look_->current : look_->muted, 3, 0, 1.5f);
+    if (on) tick(list_, {x_ + box, middle}, 4, look_->current, 2);
+    const float room = right(0) - x_ - indent - look_.px(14);
+    text(list_, look_, Face::kRegular, kSmall, {x_ + indent, middle_of(middle, look_.px(kSmall))}, on ? look_->ink : look_->muted,
+         shortened(look_, Face::kRegular, kSmall, words_of(tally.effect), room));
+    const std::array<std::string, 4> figures{std::to_string(tally.constructed), std::to_string(tally.run), std::to_string(tally.skipped),
+                                             tally.nanoseconds > 0 ? std::to_string((tally.nanoseconds + 500) / 1000) : "—"};
+    for (int i = 0; i < 4; ++i)
+      text_right(list_, look_, Face::kMono, kTiny, {right(i), middle_of(middle, look_.px(kTiny))}, look_->ink, figures[static_cast<std::size_t>(i)]);
+    y_ += look_.px(kEffectRow);
+    rule(list_, x_, y_ - 1, width_, look_->line);
+  }
+
+  /// "broad phase"
+  static std::string words_of(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+  }
+
+  const Look& look_;
+  ImDrawList* list_;
+  float x_, width_, top_, y_;
+};
+
+}  // namespace
+
+float draw_scene_panel(const Look& look, lesson::Session& session, ImVec2 at, float width) {
+  const lesson::SceneFrame* frame = session.frame();
+  if (frame == nullptr) return 0;
+  Panel panel(look, at, width);
+  if (const fit::FrameTaken* now = taken(session, 0, session.step())) {
+    if (now->all_pairs > 0) panel.funnel(*now);
+    else if (session.current(0)->step.has_volume) panel.slack(session);
+  }
+  panel.effects(session, frame->tallies);
+  return panel.height();
+}
+
+}  // namespace snug::app

@@ -1,0 +1,220 @@
+// A scene that moves: its bodies where they are in the frame that stands, their loose volumes, and which pairs each stage of
+// the funnel left.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/stage_brush.hpp"
+#include "app/volumes.hpp"
+
+namespace snug::app {
+namespace {
+
+using lesson::SceneFrame;
+
+constexpr std::size_t kBoxesOfAll = 60;  // more boxes than these hide what they hold: then only those in pairs are drawn
+constexpr int kRim = 24;                 // points of the outline around a corner's radius
+
+/// A colour with the light on it.
+Color shaded(Color color, double share) {
+  const auto part = [&](int shift) {
+    return static_cast<Color>(std::clamp(static_cast<double>(color >> shift & 0xff) * share, 0.0, 255.0)) << shift;
+  };
+  return (color & 0xff000000u) | part(0) | part(8) | part(16);
+}
+
+/// So much of the second colour in the first.
+Color mixed(Color a, Color b, double share) {
+  const auto part = [&](int shift) {
+    const double from = a >> shift & 0xff, to = b >> shift & 0xff;
+    return static_cast<Color>(from + (to - from) * share + 0.5) << shift;
+  };
+  return 0xff000000u | part(0) | part(8) | part(16);
+}
+
+/// Which bodies are in one of the pairs.
+std::vector<bool> in_pairs(std::size_t bodies, const std::vector<scene::Pair>& pairs) {
+  std::vector<bool> flags(bodies, false);
+  for (const scene::Pair& pair : pairs) flags[static_cast<std::size_t>(pair.a)] = flags[static_cast<std::size_t>(pair.b)] = true;
+  return flags;
+}
+
+std::vector<scene::Pair> touching_of(const SceneFrame& frame) {
+  std::vector<scene::Pair> pairs;
+  for (const scene::Contact& contact : frame.contacts)
+    if (contact.touching) pairs.push_back(contact.pair);
+  return pairs;
+}
+
+/// Where the lesson's points are in the declaration: the first body of all of them, or the first of one at each.
+struct Owner {
+  std::size_t body = 0;
+  bool of_points = false, at_points = false;
+};
+
+Owner owner_of(const lesson::Session& session) {
+  Owner owner;
+  for (const lesson::SceneBody& one : session.lesson().scene->bodies) {
+    owner.of_points = one.of_points, owner.at_points = one.at_points;
+    if (one.of_points || one.at_points) return owner;
+    ++owner.body;
+  }
+  return owner;
+}
+
+}  // namespace
+
+Point3 place_of(const lesson::Session& session, Index i) {
+  const SceneFrame* frame = session.frame();
+  if (frame == nullptr) return session.point(i);
+  const Owner owner = owner_of(session);
+  if (owner.of_points) {
+    const scene::Motion& body = frame->bodies[owner.body];
+    return body.position + body.rotation * session.members()[owner.body].shape.corners[static_cast<std::size_t>(i)];
+  }
+  return owner.at_points ? frame->bodies[owner.body + static_cast<std::size_t>(i)].position : session.point(i);
+}
+
+bool can_move(const lesson::Session& session) { return session.frame() == nullptr || session.step() == 0; }
+
+bool shows_points(const lesson::Session& session) { return session.frame() == nullptr || owner_of(session).of_points; }
+
+fit::Sphere3 extent_of_scene(const lesson::Session& session) {
+  Point3 least = Point3::Constant(1e300), greatest = -least;
+  const auto hold = [&](const Point3& low, const Point3& high) { least = least.cwiseMin(low), greatest = greatest.cwiseMax(high); };
+  for (const SceneFrame& frame : *session.frames(0))
+    for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
+      const Point3 reach = Point3::Constant(session.members()[i].shape.reach);
+      hold(frame.bodies[i].position - reach, frame.bodies[i].position + reach);
+    }
+  if (shows_points(session)) {  // the volumes are what is looked at
+    for (const int slot : {0, 1})
+      for (const SceneFrame& frame : *session.frames(slot))
+        for (const Aabb<double, 3>& box : frame.volumes) hold(box.min, box.max);
+    return {least / 2 + greatest / 2, 0.5 * (greatest - least).norm()};
+  }
+  // Not the ball around the box: its corners are empty in nearly every frame.
+  return {least / 2 + greatest / 2, 0.5 * (greatest - least).maxCoeff()};
+}
+
+void Stage::draw_scene(Brush& brush) const {
+  const SceneFrame* frame = brush.session.frame();
+  if (frame == nullptr) return;
+  draw_traces(brush, *frame);
+  draw_loose(brush, *frame);
+  draw_bodies(brush, *frame);
+  draw_pairs(brush, *frame);
+}
+
+/// Shadows, trails and rays of those bodies that have them.
+void Stage::draw_traces(Brush& brush, const SceneFrame& frame) const {
+  const Palette& p = brush.p;
+  for (const auto& shadow : frame.shadows) {
+    std::vector<ImVec2> outline;
+    for (const Point3& corner : shadow) outline.push_back(brush.at(corner));
+    if (outline.size() < 3) continue;
+    outline = convex_outline(std::move(outline));
+    brush.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), with_alpha(p.ink, 0.13f));
+  }
+  for (const auto& trail : frame.trails)
+    for (std::size_t i = 1; i < trail.size(); ++i)
+      line(brush.list, brush.at(trail[i - 1]), brush.at(trail[i]), Stroke::kSolid,
+           with_alpha(p.muted, 0.15f + 0.7f * static_cast<float>(i) / static_cast<float>(trail.size())), brush.stroke(0.7f));
+  for (const scene::Ray& ray : frame.rays) {
+    if (ray.from == ray.to) continue;
+    line(brush.list, brush.at(ray.from), brush.at(ray.to), Stroke::kDotted, p.muted, brush.stroke(0.7f));
+    plus(brush.list, brush.at(ray.to), 4 * p.mark, p.muted, brush.stroke(0.7f));
+  }
+}
+
+/// The boxes that the broad phase compares, paler where none overlaps; and of the body at hand its sphere as well.
+void Stage::draw_loose(Brush& brush, const SceneFrame& frame) const {
+  if (brush.session.step() == 0 || shows_points(brush.session)) return;  // no volume was made yet; or it is drawn for itself
+  const Palette& p = brush.p;
+  const std::vector<bool> paired = in_pairs(frame.bodies.size(), frame.pairs);
+  const Index chosen = hovered_ != kNoIndex ? hovered_ : selected_;
+  const std::size_t hand = chosen != kNoIndex ? owner_of(brush.session).body + static_cast<std::size_t>(chosen) : frame.volumes.size();
+  for (std::size_t i = 0; i < frame.volumes.size(); ++i) {
+    const Aabb<double, 3>& box = frame.volumes[i];
+    if (i != hand && (paired[i] || frame.volumes.size() <= kBoxesOfAll))
+      draw_box(brush.canvas, box.min, box.max, {Stroke::kSolid, with_alpha(p.current, paired[i] ? 0.5f : 0.2f), brush.stroke(0.4f)});
+    if (i != hand) continue;
+    draw_volume(brush.canvas, polytope_of(box, 3), {Stroke::kSolid, p.current, brush.stroke(0.7f), p.fill});
+    const fit::Sphere3 ball{frame.bodies[i].position, brush.session.members()[i].shape.reach};
+    draw_volume(brush.canvas, ball, {Stroke::kDotted, p.previous, brush.stroke(0.8f)});
+  }
+  brush.canvas.obstacles.segments.clear();  // names may stand over so many edges
+}
+
+/// The farthest first: what is nearer covers it.
+void Stage::draw_bodies(Brush& brush, const SceneFrame& frame) const {
+  const std::span<const scene::Member> members = brush.session.members();
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < members.size(); ++i)
+    if (members[i].shape.cloud == nullptr) order.push_back(i);
+  const auto depth = [&](std::size_t i) { return camera_.forward().dot(frame.bodies[i].position); };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return depth(a) > depth(b); });
+  const std::vector<bool> touching = in_pairs(members.size(), touching_of(frame));
+  for (const std::size_t i : order) draw_body(brush, members[i].shape, frame.bodies[i], touching[i]);
+}
+
+/// Solid: faces of a box with the light on them; of any other shape its outline.
+void Stage::draw_body(Brush& brush, const scene::Shape& shape, const scene::Motion& body, bool touching) const {
+  const Palette& p = brush.p;
+  const Color fill = touching ? mixed(p.surface, p.support, 0.35) : p.surface;
+  const Color edge = touching ? p.support_text : p.ink;
+  const float width = brush.stroke(touching ? 0.9f : 0.5f);
+  if (shape.kind == scene::Shape::Kind::kBox) {
+    const Polytope box = polytope_of(Obb<double, 3>{body.position, body.rotation, shape.half_extents}, 3);
+    for (const auto& face : box.faces) {
+      const auto corner = [&](std::size_t k) -> const Point3& { return box.corners[static_cast<std::size_t>(face[k])]; };
+      const Point3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+      if (normal.dot(camera_.eye() - corner(0)) <= 0) continue;
+      std::vector<ImVec2> outline;
+      for (std::size_t k = 0; k < face.size(); ++k) outline.push_back(brush.at(corner(k)));
+      outline = convex_outline(std::move(outline));  // the way round that ImGui fills
+      const double light = 0.78 + 0.26 * normal.dot(scene_.light.cast<double>());
+      brush.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), shaded(fill, light));
+      path(brush.list, outline, true, Stroke::kSolid, edge, width);
+    }
+    return;
+  }
+  std::vector<ImVec2> rims;
+  for (const Point3& corner : shape.corners) {
+    const Point3 at = body.position + body.rotation * corner;
+    const ImVec2 middle = brush.at(at);
+    const double apart = (camera_.eye() - at).norm();
+    const double sine = shape.radius / std::max(apart, shape.radius);
+    const double seen = sine < 1 ? shape.radius / std::sqrt(1 - sine * sine) : shape.radius;  // its silhouette's, from the eye
+    const auto radius = static_cast<float>(seen * camera_.scale_at(at));
+    for (int k = 0; k < (shape.radius > 0 ? kRim : 1); ++k) {
+      const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / kRim;
+      rims.push_back({middle.x + radius * std::cos(turn), middle.y + radius * std::sin(turn)});
+    }
+  }
+  const std::vector<ImVec2> outline = convex_outline(std::move(rims));
+  if (outline.size() > 2) brush.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), fill);
+  path(brush.list, outline, true, Stroke::kSolid, edge, width);
+}
+
+/// From centre to centre, by the last stage that let the pair pass: dotted boxes, dashed spheres, a line for those that touch.
+void Stage::draw_pairs(Brush& brush, const SceneFrame& frame) const {
+  const Palette& p = brush.p;
+  const std::vector<scene::Pair> touching = touching_of(frame);
+  for (const scene::Pair& pair : frame.pairs) {
+    const auto place = [&](Index body) { return brush.at(frame.bodies[static_cast<std::size_t>(body)].position); };
+    const ImVec2 a = place(pair.a), b = place(pair.b);
+    if (std::binary_search(touching.begin(), touching.end(), pair)) {
+      line(brush.list, a, b, Stroke::kSolid, p.ground, brush.stroke(2.6f));
+      line(brush.list, a, b, Stroke::kSolid, p.support_text, brush.stroke(1.4f));
+      diamond(brush.list, {(a.x + b.x) / 2, (a.y + b.y) / 2}, 6 * p.mark, p.support_text, p.ground);
+    } else if (std::binary_search(frame.near.begin(), frame.near.end(), pair)) {
+      line(brush.list, a, b, Stroke::kDashed, p.examined_text, brush.stroke(0.9f));
+    } else {
+      line(brush.list, a, b, Stroke::kDotted, p.previous, brush.stroke(0.9f));
+    }
+  }
+}
+
+}  // namespace snug::app
