@@ -4,6 +4,7 @@
 # of the build tree that holds a single link, NAME, to this one: a room can name the headers of
 # the rooms it links ("geometry/sphere.hpp"), and those of no other.
 set(SNUG_SHARED_HEADER ${PROJECT_SOURCE_DIR}/cmake/shared.hpp)
+set(SNUG_PAGE_OPTIONS -Os -finline-functions)
 function(snug_room name)
   cmake_parse_arguments(PARSE_ARGV 1 room "" "" "LINKS")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
@@ -15,10 +16,10 @@ function(snug_room name)
   snug_door(${name} ${CMAKE_CURRENT_SOURCE_DIR} door)
   target_include_directories(snug_${name} PUBLIC ${door})
   target_link_libraries(snug_${name} PUBLIC ${room_LINKS} PRIVATE snug_options snug_lean)
-  # On the page every byte is waited for. -O1 makes code small; for size alone (-Os, -Oz) Clang would leave each of Eigen's small
-  # functions a call of its own: twice the code, and thirty times as slow.
+  # On the page every byte is waited for. Emscripten has Clang inline nothing where size counts, which makes each of Eigen's small
+  # functions a call: twice the code, and thirty times as slow.
   if(EMSCRIPTEN)
-    target_compile_options(snug_${name} PRIVATE -O1)
+    target_compile_options(snug_${name} PRIVATE ${SNUG_PAGE_OPTIONS})
   endif()
   # What every room's files read is read once: for all rooms, or for each where rooms are compiled for size or for speed.
   # The dev preset does without, and shows that each file includes what it uses.

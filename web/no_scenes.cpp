@@ -1,5 +1,10 @@
 // The page has no scenes yet: simulating them would add a half to what a visitor waits for, and the lists of lessons here
-// leave theirs out (CMakeLists.txt). The linker takes these in the place of core/lesson/scene_runs.cpp.
+// leave theirs out (CMakeLists.txt). The linker takes these in the place of those in core/lesson and app that are named after scenes.
+#include "app/scene_panel.hpp"
+#include "app/stage_brush.hpp"
+#include "lesson/grade.hpp"
+#include "lesson/read_scene.hpp"
+#include "lesson/scene_figures.hpp"
 #include "lesson/scene_runs.hpp"
 
 namespace snug::lesson {
@@ -13,7 +18,8 @@ tl::unexpected<InputError> no_scenes() {
 
 std::span<const fit::Algorithm> scene_methods() { return {}; }
 std::span<const std::string_view> scene_figure_names() { return {}; }
-tl::expected<SceneRun, InputError> run_scene(const SceneSet&, std::string_view, const AnyPointSet&, std::uint64_t, scene::Clock) {
+tl::expected<SceneRun, InputError> run_scene(const SceneSet&, std::string_view, const AnyPointSet&, std::uint64_t, scene::Clock,
+                                            std::span<const SwitchedOff>) {
   return no_scenes();
 }
 tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet&, std::string_view, const AnyPointSet&, std::uint64_t) {
@@ -21,5 +27,22 @@ tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet&, s
 }
 fit::FrameTaken frame_of(const scene::Scene&) { return {}; }
 double figure_of(const fit::FrameTaken&, std::string_view) { return 0; }
+SceneSet read_scene_of(TomlTable&, int, Complaints&) { return {}; }  // to run it is the error
+void read_ranges(TomlTable&, Question&) {}
+Task read_scene_task(const toml::table&, const std::vector<std::string>&, Complaints&) { return {}; }
+std::vector<Figure> scene_figures(const RunView&) { return {}; }
+std::string scene_figure_text(std::string_view, double) { return {}; }
+Grade grade_scene(const Task&, const SceneSet&, const AnyPointSet&, std::uint64_t) { return {}; }
 
 }  // namespace snug::lesson
+
+namespace snug::app {
+
+Point3 place_of(const lesson::Session& session, Index i) { return session.point(i); }
+bool can_move(const lesson::Session&) { return true; }
+bool shows_points(const lesson::Session&) { return true; }
+fit::Sphere3 extent_of_scene(const lesson::Session&) { return {}; }
+void Stage::draw_scene(Brush&) const {}
+float draw_scene_panel(const Look&, lesson::Session&, ImVec2, float) { return 0; }
+
+}  // namespace snug::app
