@@ -73,8 +73,9 @@ TEST_CASE("drag pulls a body to its point, without swinging past it, and to anot
 
 TEST_CASE("every update of every volume keeps each point in its box, and says what it costs") {
   const scene::Cloud points = cloud("gaussian", 200);
-  for (const auto& [volume, strategy] : std::vector<std::pair<std::string, std::string>>{
+  for (const auto& way : std::vector<std::pair<std::string, std::string>>{
            {"aabb", "loose"}, {"aabb", "rebuild"}, {"aabb", "hill_climb"}, {"aabb", "rotated_box"}, {"sphere", "transform"}, {"obb", "transform"}, {"kdop", "k14_hill_climb"}}) {
+    const std::string &volume = way.first, &strategy = way.second;
     INFO(volume << " " << strategy);
     Scene scene = opened({.bodies = {Body{.shape = points}}, .effects = {call("spin", {{"axis", {1, 2, 3}, ""}}), call("refit", {{"volume", {}, volume}, {"strategy", {}, strategy}})}});
     for (int frame = 0; frame < 20; ++frame) {
