@@ -11,9 +11,11 @@ Declaration crowd(int count, std::uint64_t seed) {
   Declaration declaration{.bodies = {floor()}, .effects = solid(0.4), .seed = seed};
   Random random(seed);
   for (int i = 0; i < count; ++i) {
-    const V3 at(random.between(-1, 1), 0.6 + 0.5 * i, random.between(-1, 1));
+    const V3 at{random.between(-1, 1), 0.6 + 0.5 * i, random.between(-1, 1)};  // in braces and one by one: in that order, whatever the compiler
     Body body = i % 2 == 0 ? ball(0.25, at) : box({0.25, 0.2, 0.3}, at);
-    declaration.bodies.push_back(moving(body, V3(random.normal(), 0, random.normal()), V3(random.normal(), random.normal(), random.normal())));
+    const V3 velocity{random.normal(), 0, random.normal()};
+    const V3 turning{random.normal(), random.normal(), random.normal()};
+    declaration.bodies.push_back(moving(body, velocity, turning));
   }
   declaration.effects.push_back(call("trail"));
   declaration.effects.push_back(call("shadow"));
@@ -60,5 +62,5 @@ TEST_CASE("the bits are those of every other compiler") {
   // Held natively and as WebAssembly: whatever moves a bit of physics moves these.
   Scene scene = opened(crowd(20, 3));
   scene.go(300);
-  CHECK(scene.world().hash() == 10252826664083885334u);
+  CHECK(scene.world().hash() == 12343484292343390622u);
 }
