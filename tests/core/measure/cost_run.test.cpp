@@ -52,7 +52,7 @@ void check_rows(const AnyPointSet& points) {
     CHECK(row.algorithm == algorithms[i]->name);
     if (algorithms[i]->max_points < fit::size_of(points)) {
       CHECK(row.points == algorithms[i]->max_points);
-      CHECK(row.whole_ns.value() > row.time.median);
+      CHECK(row.whole_ns.value() > 0);
       continue;
     }
     CHECK(row.points == row.of);
