@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fit/catalogue_rows.hpp"
+#include "fit/lower.hpp"
 #include "geometry/hull_measure.hpp"
 #include "geometry/kdop_measure.hpp"
 
@@ -63,29 +64,12 @@ namespace {
 /// Of a lifted volume of that dimension.
 template <int Dim>
 struct Measure {
-  double operator()(const Sphere3& ball) const { return measure(Sphere<double, Dim>{ball.center.template head<Dim>(), ball.radius}); }
   double operator()(const Aabb<double, 3>& box) const { return (box.max - box.min).template head<Dim>().prod(); }
   double operator()(const Obb<double, 3>& box) const { return (2 * box.half_extents).template head<Dim>().prod(); }
-  double operator()(const Capsule<double, 3>& capsule) const {
-    return measure(Capsule<double, Dim>{capsule.a.template head<Dim>(), capsule.b.template head<Dim>(), capsule.radius});
-  }
-  double operator()(const Lozenge<double, 3>& lozenge) const {
-    return measure(Lozenge<double, Dim>{lozenge.origin.template head<Dim>(),
-                                        {lozenge.edges[0].template head<Dim>(), lozenge.edges[1].template head<Dim>()},
-                                        lozenge.radius});
-  }
-  double operator()(const Kdop<double, 3>& kdop) const {
-    Kdop<double, Dim> own{.k = kdop.k};
-    std::copy_n(kdop.min.begin(), own.min.size(), own.min.begin());
-    std::copy_n(kdop.max.begin(), own.max.size(), own.max.begin());
-    return measure(own);
-  }
-  double operator()(const ConvexHull<double, 3>& hull) const {
-    if constexpr (Dim == 3) return measure(hull);
-    ConvexHull<double, Dim> own{.affine_dim = hull.affine_dim};
-    for (const auto& vertex : hull.vertices) own.vertices.push_back(vertex.template head<Dim>());
-    for (const auto& facet : hull.facets) std::copy_n(facet.begin(), Dim, own.facets.emplace_back().begin());
-    return measure(own);
+  template <class VolumeType>
+  double operator()(const VolumeType& volume) const {
+    if constexpr (Dim == 3) return measure(volume);
+    else return measure(Lower<double, Dim>{}(volume));
   }
 };
 

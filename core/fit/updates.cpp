@@ -8,6 +8,7 @@
 #include "fit/catalogue.hpp"
 #include "fit/kdop_fit.hpp"
 #include "fit/lift.hpp"
+#include "fit/lower.hpp"
 #include "fit/quickhull.hpp"
 #include "fit/update_hill_climb.hpp"
 #include "fit/update_kdop_climb.hpp"
@@ -42,23 +43,11 @@ constexpr std::array kStrategies{
     of_kdop("k26_hill_climb", "26-DOP by hill climbing", 26, false, true),
 };
 
-// ---- what a fitter of the catalogue gives, in the body's own scalar again: nothing is lost on the way there and back
-
-template <class Scalar, int Dim>
-Sphere<Scalar, Dim> lowered(const Sphere3& ball) {
-  return {ball.center.template head<Dim>().template cast<Scalar>(), static_cast<Scalar>(ball.radius)};
-}
-
-template <class Scalar, int Dim>
-Obb<Scalar, Dim> lowered(const Obb<double, 3>& box) {
-  return {box.center.template head<Dim>().template cast<Scalar>(), box.axes.template topLeftCorner<Dim, Dim>().template cast<Scalar>(),
-          box.half_extents.template head<Dim>().template cast<Scalar>()};
-}
-
-template <class VolumeType>
-VolumeType fitted(std::string_view volume, std::string_view algorithm, const AnyPointSet& points) {
+/// What a fitter of the catalogue gives, in the body's own scalar again.
+template <class Scalar, int Dim, class VolumeType>
+auto fitted(std::string_view volume, std::string_view algorithm, const AnyPointSet& points) {
   const Result result = find_algorithm(volume, algorithm)->fit(points, {});
-  return *std::get_if<VolumeType>(&result.volume);
+  return Lower<Scalar, Dim>{}(*std::get_if<VolumeType>(&result.volume));
 }
 
 struct Watch {
@@ -78,9 +67,9 @@ class Body {
  public:
   Body(const UpdateStrategy& strategy, const AnyPointSet& points, PointSpan<Scalar, Dim> span)
       : strategy_(strategy), points_(span), box_(aabb_min_max(span).volume) {
-    if (strategy.volume == "sphere") ball_ = lowered<Scalar, Dim>(fitted<Sphere3>("sphere", "welzl", points));
+    if (strategy.volume == "sphere") ball_ = fitted<Scalar, Dim, Sphere3>("sphere", "welzl", points);
     if (strategy.volume == "obb")
-      oriented_ = lowered<Scalar, Dim>(fitted<Obb<double, 3>>("obb", Dim == 2 ? "pca" : "pca_rectangle", points));
+      oriented_ = fitted<Scalar, Dim, Obb<double, 3>>("obb", Dim == 2 ? "pca" : "pca_rectangle", points);
     if (!strategy.name.ends_with("hill_climb")) return;
     hull_ = quickhull(span).volume;
     neighbors_ = hull_neighbors(hull_);

@@ -4,16 +4,12 @@
 #include <cmath>
 
 #include "fit/certify.hpp"
+#include "fit/lower.hpp"
 #include "geometry/tolerance.hpp"
 #include "query/contains.hpp"
 
 namespace snug::lesson {
 namespace {
-
-template <class Scalar, int Dim>
-Sphere<Scalar, Dim> lowered(const fit::Sphere3& ball) {
-  return {ball.center.head<Dim>().template cast<Scalar>(), static_cast<Scalar>(ball.radius)};
-}
 
 /// The rounding that a ball's numbers carry.
 template <class Scalar>
@@ -40,9 +36,7 @@ Index outside(const PointSet<Scalar, Dim>&, const ConvexHull<double, 3>&) {
 /// The slabs of the plane are slabs of the plane still.
 template <class Scalar, int Dim>
 Index outside(const PointSet<Scalar, Dim>& set, const Kdop<double, 3>& kdop) {
-  Kdop<double, Dim> own{.k = kdop.k};
-  std::copy_n(kdop.min.begin(), own.min.size(), own.min.begin());
-  std::copy_n(kdop.max.begin(), own.max.size(), own.max.begin());
+  const Kdop<double, Dim> own = fit::Lower<double, Dim>{}(kdop);
   Index outside = 0;
   for (const auto& point : set.span()) outside += query::contains(own, point.template cast<double>()) ? 0 : 1;
   return outside;
@@ -74,7 +68,7 @@ StepCertificate certify_step(const AnyPointSet& points, const fit::Sphere3& ball
   const auto certify = [&]<class Scalar, int Dim>(const PointSet<Scalar, Dim>& set) {
     fit::Support held;
     for (const Index i : support) held.add(i);
-    const auto certificate = fit::certify<Scalar, Dim>({lowered<Scalar, Dim>(ball), held}, set.span(), false);
+    const auto certificate = fit::certify<Scalar, Dim>({fit::Lower<Scalar, Dim>{}(ball), held}, set.span(), false);
     return StepCertificate{certificate.on_boundary, ball.radius - certificate.lower_bound <=
                                                         tolerance::kOptimalityRoundoffs * roundoff<Scalar>(ball)};
   };

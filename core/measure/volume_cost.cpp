@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "fit/lower.hpp"
 #include "geometry/kdop_project.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/random.hpp"
@@ -27,42 +28,6 @@ inline constexpr int kPairsOf<ConvexHull<Scalar, Dim>> = kHullPairs;
 constexpr int kHalvings = 20;
 /// So much of that distance copies are moved that touch, and that are apart.
 constexpr double kTouching = 0.9, kApart = 1.1;
-
-/// The volume in its own scalar and dimension again: nothing is lost on the way there and back.
-template <class Scalar, int Dim>
-struct Lower {
-  using Point = Vector<Scalar, Dim>;
-  static Point of(const Vector<double, 3>& v) { return v.head<Dim>().template cast<Scalar>(); }
-
-  Sphere<Scalar, Dim> operator()(const Sphere<double, 3>& v) const {
-    return {of(v.center), static_cast<Scalar>(v.radius)};
-  }
-  Aabb<Scalar, Dim> operator()(const Aabb<double, 3>& v) const { return {of(v.min), of(v.max)}; }
-  Obb<Scalar, Dim> operator()(const Obb<double, 3>& v) const {
-    return {of(v.center), v.axes.topLeftCorner<Dim, Dim>().template cast<Scalar>(), of(v.half_extents)};
-  }
-  Capsule<Scalar, Dim> operator()(const Capsule<double, 3>& v) const {
-    return {of(v.a), of(v.b), static_cast<Scalar>(v.radius)};
-  }
-  Lozenge<Scalar, Dim> operator()(const Lozenge<double, 3>& v) const {
-    return {of(v.origin), {of(v.edges[0]), of(v.edges[1])}, static_cast<Scalar>(v.radius)};
-  }
-  Kdop<Scalar, Dim> operator()(const Kdop<double, 3>& v) const {
-    Kdop<Scalar, Dim> own{.k = v.k};
-    for (std::size_t i = 0; i < own.min.size(); ++i)
-      own.min[i] = static_cast<Scalar>(v.min[i]), own.max[i] = static_cast<Scalar>(v.max[i]);
-    return own;
-  }
-  ConvexHull<Scalar, Dim> operator()(const ConvexHull<double, 3>& v) const {
-    ConvexHull<Scalar, Dim> own{{}, v.indices, {}, v.affine_dim};
-    for (const auto& vertex : v.vertices)
-      own.vertices.push_back(of(vertex));
-    own.facets.resize(v.facets.size());
-    for (std::size_t i = 0; i < v.facets.size(); ++i)
-      std::copy_n(v.facets[i].begin(), Dim, own.facets[i].begin());
-    return own;
-  }
-};
 
 // ---- copies: turned about their own middle where they can turn, then moved
 
@@ -122,8 +87,9 @@ Pose<Scalar, Dim> random_turn(Random& random) {
   if constexpr (Dim == 2)
     pose.rotation = turn(radians).template cast<Scalar>();
   else
+    // In braces they are drawn one after the other, whatever the compiler.
     pose.rotation =
-        turn(Vector<double, 3>(random.normal(), random.normal(), random.normal()), radians).template cast<Scalar>();
+        turn(Vector<double, 3>{random.normal(), random.normal(), random.normal()}, radians).template cast<Scalar>();
   return pose;
 }
 
@@ -190,11 +156,11 @@ template <class Scalar, int Dim>
 OverlapWork work_of(const fit::Volume3& lifted, std::uint64_t seed) {
   return std::visit(
       [&](const auto& kind) -> OverlapWork {
-        using VolumeType = decltype(Lower<Scalar, Dim>{}(kind));
+        using VolumeType = decltype(fit::Lower<Scalar, Dim>{}(kind));
         if constexpr (SNUG_ALL_ROWS || std::is_same_v<VolumeType, Sphere<Scalar, Dim>> ||
                       std::is_same_v<VolumeType, Obb<Scalar, Dim>>) {
           Random random(seed);
-          const VolumeType volume = Lower<Scalar, Dim>{}(kind);
+          const VolumeType volume = fit::Lower<Scalar, Dim>{}(kind);
           auto copies =
               std::make_shared<std::vector<VolumeType>>(copies_of<Scalar, Dim>(volume, reach_of(lifted, Dim), random));
           return {[volume, copies] {
@@ -222,11 +188,11 @@ OverlapWork overlap_work(const fit::Volume3& volume, int dim, bool single, std::
 std::int64_t bytes_of(const fit::Volume3& volume, int dim, bool single) {
   return std::visit(
       [&](const auto& kind) {
-        const auto bytes = [&]<class Scalar, int Dim>(Lower<Scalar, Dim> lower) {
+        const auto bytes = [&]<class Scalar, int Dim>(fit::Lower<Scalar, Dim> lower) {
           return static_cast<std::int64_t>(snug::bytes_of(lower(kind)));
         };
-        if (single) return dim == 2 ? bytes(Lower<float, 2>{}) : bytes(Lower<float, 3>{});
-        return dim == 2 ? bytes(Lower<double, 2>{}) : bytes(Lower<double, 3>{});
+        if (single) return dim == 2 ? bytes(fit::Lower<float, 2>{}) : bytes(fit::Lower<float, 3>{});
+        return dim == 2 ? bytes(fit::Lower<double, 2>{}) : bytes(fit::Lower<double, 3>{});
       },
       volume);
 }
