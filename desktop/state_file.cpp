@@ -1,24 +1,12 @@
 #include "desktop/state_file.hpp"
 
-#include <array>
-#include <cinttypes>
-#include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "desktop/cli/files.hpp"
+#include "lesson/trace_hash.hpp"
 
 namespace snug::desktop {
-namespace {
-
-std::string hex(std::uint64_t hash) {
-  std::array<char, 17> text{};
-  std::snprintf(text.data(), text.size(), "%016" PRIx64, hash);
-  return text.data();
-}
-
-}  // namespace
-
 StateFile::StateFile() {
   if (const char* path = std::getenv("SNUG_STATE")) path_ = path;
 }
@@ -32,7 +20,7 @@ void StateFile::write(app::App& app, const Extent& extent) {
   state["step"] = session->step();
   state["steps"] = session->steps();
   state["caption"] = app.caption();
-  state["trace"] = hex(session->trace_hash());
+  state["trace"] = lesson::hex_of(session->trace_hash());
   state["points"] = session->size();
   state["selected"] = app.selected();
   state["readout"] = nlohmann::ordered_json::object();

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "lesson/trace_hash.hpp"
 #include "web/boxes.hpp"
 
 namespace snug::web {
@@ -90,12 +91,6 @@ val grade_object(const std::optional<lesson::Grade>& grade) {
   object.set("excess", grade->excess);
   object.set("says", grade->says);
   return object;
-}
-
-val hexadecimal(std::uint64_t number) {
-  std::string digits(16, '0');
-  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, number >>= 4U) *digit = "0123456789abcdef"[number & 15U];
-  return val(digits);
 }
 
 void set_algorithms(val& object, const lesson::Session& session) {
@@ -196,7 +191,7 @@ val view_object(app::App& app, const lesson::Session& session) {
   object.set("playing", app.playing());
   object.set("speed", app.speed());
   object.set("previewing", session.previewing());
-  object.set("trace", hexadecimal(session.trace_hash()));
+  object.set("trace", text(lesson::hex_of(session.trace_hash())));
   object.set("asked", asked_object(session.asked(), session));
   object.set("questions", static_cast<int>(session.questions().size()));
   object.set("outcome", session.outcome() != nullptr ? outcome_object(*session.outcome()) : val::null());

@@ -25,12 +25,14 @@ tl::expected<TraceHash, InputError> trace_hash(Session& session) {
   return result;
 }
 
-std::string line_of(const TraceHash& hash) {
-  std::string line = hash.lesson + ' ' + std::to_string(hash.steps) + ' ';
+std::string hex_of(std::uint64_t hash) {
+  std::string digits;
   for (int shift = 60; shift >= 0; shift -= 4)
-    line += "0123456789abcdef"[hash.hash >> shift & 0xf];
-  return line;
+    digits += "0123456789abcdef"[hash >> shift & 0xf];
+  return digits;
 }
+
+std::string line_of(const TraceHash& hash) { return hash.lesson + ' ' + std::to_string(hash.steps) + ' ' + hex_of(hash.hash); }
 
 bool comes_before(const Lesson& a, const Lesson& b) {
   return std::tie(a.group, a.order, a.id) < std::tie(b.group, b.order, b.id);

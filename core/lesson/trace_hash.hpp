@@ -18,7 +18,10 @@ struct TraceHash {
 /// last of them in slot 0. Errors: as of choose.
 [[nodiscard]] tl::expected<TraceHash, InputError> trace_hash(Session& session);
 
-/// "ID STEPS HASH" without a line feed; the hash has 16 hexadecimal digits.
+/// A hash as 16 hexadecimal digits.
+[[nodiscard]] std::string hex_of(std::uint64_t hash);
+
+/// "ID STEPS HASH" without a line feed; the hash as hex_of has it.
 [[nodiscard]] std::string line_of(const TraceHash& hash);
 
 /// The order that lessons are listed in: by group, by place in the group, by id.

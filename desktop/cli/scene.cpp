@@ -6,6 +6,7 @@
 #include "desktop/cli/json.hpp"
 #include "desktop/cli/lesson_files.hpp"
 #include "lesson/scene_runs.hpp"
+#include "lesson/trace_hash.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -20,12 +21,6 @@ struct SceneOptions {
 
 std::int64_t now() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-std::string hex(std::uint64_t value) {
-  std::string text;
-  for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[value >> shift & 0xf];
-  return text;
 }
 
 Json json_of_frame(const scene::Scene& scene) {
@@ -69,7 +64,7 @@ CommandResult run_scene(const SceneOptions& options) {
   last["lesson"] = file->lesson.id;
   last["frames_drawn"] = drawn;
   last["frames_skipped"] = options.frames + 1 - drawn;
-  last["hash"] = hex(scene->world().hash());
+  last["hash"] = lesson::hex_of(scene->world().hash());
   printed.text += line_of(last);
   return printed;
 }
