@@ -96,6 +96,12 @@ std::vector<std::size_t> Settings::bodies() {
   return all;
 }
 
+std::size_t Settings::body() {
+  if (call_.body.empty()) return refuse("needs a \"body\""), 0;
+  const auto named = bodies();
+  return named.empty() ? 0 : named.front();
+}
+
 std::optional<InputError> Settings::fault() {
   for (const Setting& setting : call_.settings)
     if (std::find(known_.begin(), known_.end(), &setting) == known_.end()) refuse("knows nothing of " + quoted(setting.key));

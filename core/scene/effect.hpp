@@ -56,6 +56,8 @@ class Settings {
   std::size_t word(std::string_view key, std::span<const std::string_view> words);
   /// Those that the call is about: one, or all that are not fixed.
   std::vector<std::size_t> bodies();
+  /// The one that a call must name; 0 where it is refused.
+  std::size_t body();
   void refuse(std::string what);
 
   /// The effect, unless something was wrong or a setting was not asked for.

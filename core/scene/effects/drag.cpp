@@ -28,11 +28,10 @@ class Drag final : public Effect {
 
 MadeEffect make_drag(const EffectCall& call, World& world) {
   Settings settings(call, world);
-  if (call.body.empty()) settings.refuse("needs a \"body\"");
-  const auto bodies = settings.bodies();
+  const std::size_t body = settings.body();
   world.pulled_to = settings.vector("to", V3::Zero());
   const double stiffness = settings.number("stiffness", 40, 0, 1e4);  // 1 / s^2
-  return settings.make<Drag>(bodies.empty() ? 0 : bodies.front(), stiffness);
+  return settings.make<Drag>(body, stiffness);
 }
 
 }  // namespace snug::scene

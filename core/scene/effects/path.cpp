@@ -43,14 +43,13 @@ class Path final : public Effect {
 
 MadeEffect make_path(const EffectCall& call, World& world) {
   Settings settings(call, world);
-  if (call.body.empty()) settings.refuse("needs a \"body\"");
-  const auto bodies = settings.bodies();
+  const std::size_t body = settings.body();
   auto places = settings.places("places");
   const double speed = settings.number("speed", 1, 0, 1e6);
   constexpr std::string_view kEnds[] = {"stop", "round"};
   const bool round = settings.word("then", kEnds) == 1;
-  if (bodies.empty() || places.empty()) return settings.make<Path>(std::size_t{0}, world, std::vector<V3>{V3::Zero()}, 0.0, false);
-  return settings.make<Path>(bodies.front(), world, std::move(places), speed, round);
+  if (places.empty()) places.push_back(V3::Zero());  // which was refused
+  return settings.make<Path>(body, world, std::move(places), speed, round);
 }
 
 }  // namespace snug::scene
