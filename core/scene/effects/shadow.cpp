@@ -1,8 +1,8 @@
 // Shadows on the ground: what of each body the light does not let through, as a convex polygon. Corners are exact; around a
 // radius stand so many points of the outline.
-#include <algorithm>
 #include <numbers>
 
+#include "fit/quickhull.hpp"
 #include "geometry/turn.hpp"
 #include "scene/effect.hpp"
 
@@ -11,23 +11,15 @@ namespace {
 
 constexpr int kOutline = 24;
 
-/// Twice the area of a, b, c as seen from above: positive where they turn left.
-double turn_of(const V3& a, const V3& b, const V3& c) { return (b[2] - a[2]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[2] - a[2]); }
-
-/// Source: A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
-std::vector<V3> hull_on_ground(std::vector<V3> points) {
-  std::sort(points.begin(), points.end(), [](const V3& a, const V3& b) { return a[0] != b[0] ? a[0] < b[0] : a[2] < b[2]; });
+/// Points that all lie on the ground. Empty where the light throws them farther than numbers reach.
+std::vector<V3> hull_on_ground(const std::vector<V3>& points) {
+  std::vector<Vector<double, 2>> from_above;
+  for (const V3& p : points) from_above.emplace_back(p[2], p[0]);
+  const auto set = PointSet<double, 2>::make(std::move(from_above));
   std::vector<V3> hull;
-  for (int pass = 0; pass < 2; ++pass) {
-    const std::size_t least = hull.size() + 1;
-    for (const V3& p : points) {
-      while (hull.size() > least && turn_of(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull.empty() ? std::vector<V3>{points.front()} : hull;
+  if (!set) return hull;
+  for (const Index i : fit::quickhull<double, 2>(set->span()).volume.indices) hull.push_back(points[static_cast<std::size_t>(i)]);
+  return hull;
 }
 
 class Shadow final : public Effect {
@@ -57,7 +49,7 @@ class Shadow final : public Effect {
       for (int k = 0; k < (shape.radius > 0 ? kOutline : 1); ++k)
         points.push_back(on_ground(at + shape.radius * turned<double, 3>(turn(light_, 2 * std::numbers::pi * k / kOutline), across_)));
     }
-    return hull_on_ground(std::move(points));
+    return hull_on_ground(points);
   }
 
   std::vector<std::size_t> bodies_;
