@@ -210,6 +210,17 @@ std::size_t kind_of(const AnyVolume& volume) {
   return std::visit([](const auto& v) { return v.index(); }, volume);
 }
 
+template <int Dim>
+tl::expected<void, InputError> takes_frustum(const Rows& rows, bool as_float) {
+  const auto nothing = [](const auto&) {};
+  return as_float ? frustum_of<float, Dim>(rows).map(nothing) : frustum_of<double, Dim>(rows).map(nothing);
+}
+
+/// That the line's planes make a frustum in the arithmetic that is asked for.
+tl::expected<void, InputError> takes_frustum(const CullLine& line, bool as_float) {
+  return line.dim == 2 ? takes_frustum<2>(line.frustum, as_float) : takes_frustum<3>(line.frustum, as_float);
+}
+
 /// All lines are one scene: one frustum, one kind of volume.
 tl::expected<std::vector<CullLine>, std::vector<InputError>> scene_of(const CullOptions& options) {
   std::vector<CullLine> scene;
@@ -219,9 +230,8 @@ tl::expected<std::vector<CullLine>, std::vector<InputError>> scene_of(const Cull
     if (!scene.empty() && scene[0].frustum != line->frustum) return wrong("frustum is another than the first line's; a tree is held against one");
     if (!scene.empty() && kind_of(scene[0].volume) != kind_of(line->volume))
       return wrong("volume is of another kind than the first line's; those of a tree are all of one");
-    const auto frustum = line->dim == 2 ? frustum_of<double, 2>(line->frustum).map([](const auto&) {})
-                                        : frustum_of<double, 3>(line->frustum).map([](const auto&) {});
-    if (!frustum) return wrong("frustum: " + frustum.error().what);
+    if (scene.empty())
+      if (const auto taken = takes_frustum(*line, options.scalar == "float"); !taken) return wrong("frustum: " + taken.error().what);
     scene.push_back(std::move(*line));
     return Json();
   });
@@ -233,15 +243,14 @@ Json json_of(const CullCost& cost) { return {{"volume_tests", cost.volume_tests}
 
 template <class Scalar, int Dim>
 CommandResult cull_scene(const std::vector<CullLine>& scene, const std::string& rule, TraceFile& trace) {
-  const auto frustum = frustum_of<Scalar, Dim>(scene[0].frustum);
-  if (!frustum) return bad_input("frustum: " + frustum.error().what);
+  const auto frustum = *frustum_of<Scalar, Dim>(scene[0].frustum);  // scene_of() has seen that it is one
   std::vector<Volume<Scalar, Dim>> volumes;
   for (const CullLine& line : scene) {
     const Volume<double, Dim>& volume = std::get<static_cast<std::size_t>(Dim - 2)>(line.volume);
     if constexpr (std::is_same_v<Scalar, float>) volumes.push_back(in_float<Dim>(volume));
     else volumes.push_back(volume);
   }
-  const CulledByTree culled = cull_by_tree<Scalar, Dim>(rule, *frustum, volumes, trace);
+  const CulledByTree culled = cull_by_tree<Scalar, Dim>(rule, frustum, volumes, trace);
   Printed printed;
   for (const query::Culling culling : culled.classes)
     printed.text += line_of({{"class", query::kCullingNames[static_cast<std::size_t>(culling)]}});

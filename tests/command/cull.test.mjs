@@ -168,6 +168,9 @@ test("a tree of what does not belong together is refused", () => {
   const two = (a, b) => `${JSON.stringify(a)}\n${JSON.stringify(b)}`;
   refused(two(line, other), "volume is of another kind than the first line's; those of a tree are all of one", 2, "--tree", "median");
   refused(two(line, { ...line, frustum: perspective }), "frustum is another than the first line's; a tree is held against one", 2, "--tree", "median");
+  const tiny = { ...line, frustum: { planes: cube.planes.map((row) => row.map((x) => x * 1e-60)) } };
+  assert.equal(answers([tiny, tiny], "--tree", "median").length, 3);
+  refused(two(tiny, tiny), "frustum: plane 0 (left) has no normal: it is zero", 1, "--tree", "median", "--scalar", "float");
   refused_command(["cull", "--tree", "median", "--test", "corners"], "--tree goes with --test planes", JSON.stringify(line));
   assert.equal(good(["cull", "--tree", "median"], ""), "");
 });
