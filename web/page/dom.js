@@ -18,8 +18,8 @@ export function element(tag, properties = {}, ...children) {
 export const button = (words, onclick, properties = {}) =>
   element("button", { type: "button", class: "button", onclick, ...properties }, words);
 
-/** A corner's name is its signs, −+−: a line that ended between two would make two names of it. */
-const whole_names = (text) => text.replace(/([+−])(?=[+−])/g, "$1\u2060");
+/** A corner's name is its signs, −+−, and a p-vertex one word: a line that ended within would make two of it. */
+const whole_names = (text) => text.replace(/([+−])(?=[+−])|\b([pn]-)(?=vert)/g, "$&\u2060");
 
 /** Writes only what differs, so that a live region does not speak twice and nothing is laid out for naught. */
 export function set_text(node, text) {

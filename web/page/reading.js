@@ -8,6 +8,7 @@ const paragraph = (stretches) =>
 export class Reading {
   #start_task;
   #grade_says = element("p", { class: "grade", role: "status" });
+  #was_open = false; // the task, when it was last graded in this lesson
 
   /** start_task: lays out the points that the task begins with. */
   constructor(start_task) {
@@ -19,6 +20,7 @@ export class Reading {
     by_id("prose").replaceChildren(...lesson.sections.flatMap((section) => [
       ...(section.title ? [element("h2", {}, section.title)] : []), ...section.paragraphs.map(paragraph)]));
     by_id("read").scrollTop = 0;
+    this.#was_open = false;
     const box = by_id("task");
     set_hidden(box, !lesson.task);
     if (!lesson.task) return box.replaceChildren();
@@ -34,9 +36,10 @@ export class Reading {
   #show_grade = when_changed((grade) => {
     if (!grade) return;
     const box = by_id("task");
-    // On a phone it stands far below the stage where it was done.
+    // On a phone it stands far below the stage where it was done. One that an address brings along done is no news.
     const { top, bottom } = box.getBoundingClientRect();
-    if (grade.done && !box.classList.contains("done") && (bottom < 0 || top > innerHeight)) notice(`✓ ${grade.says}`);
+    if (grade.done && this.#was_open && (bottom < 0 || top > innerHeight)) notice(`✓ ${grade.says}`, "told");
+    this.#was_open = !grade.done;
     box.classList.toggle("done", grade.done);
     set_text(this.#grade_says, `${grade.done ? "✓ " : ""}${grade.says}`);
   });
