@@ -93,10 +93,10 @@ bool in_panel(const lesson::Session& session, const lesson::Figure& figure) {
   return session.frame() != nullptr && figure.unit == "pairs";
 }
 
-}  // namespace
-
 /// What two methods are compared by.
 constexpr std::array<std::string_view, 6> kCompared{"radius", "measure", "excess", "corners", "verdict", "slack"};
+
+}  // namespace
 
 std::vector<lesson::Figure> figures_beside(const lesson::Session& session) {
   if (session.algorithm(1) == nullptr) return {};

@@ -120,7 +120,7 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
   const bool outside = shown_.finished && shown_.verdict == query::Culling::kOutside;
   const Color color = outside ? p.wrong : p.current;
   const std::vector<Piece> pieces = edges_seen(eye, *pair);
-  const double least_depth = depths(eye, *pair)[0], greatest_depth = depths(eye, *pair)[1];
+  const auto depth = depths(eye, *pair);
   std::vector<ImVec2> ends;
   for (const Piece& piece : pieces)
     for (const Point3& end : {piece.a, piece.b}) ends.push_back(picture.at(end));
@@ -133,7 +133,7 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
     } else {
       outline = convex_outline(ends);
     }
-    in_and_out(list, image, least_depth <= eye.camera.far, [&](float share) {
+    in_and_out(list, image, depth[0] <= eye.camera.far, [&](float share) {
       if (outline.size() > 2) list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), with_alpha(color, (flat ? 2.5f : 1.2f) * p.fill * share));
       if (flat) path(list, outline, true, Stroke::kSolid, with_alpha(color, share), brush.stroke(0.8f));
       else
@@ -151,7 +151,7 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
       text_middle(list, look, Face::kSemiBold, 12, {at.x, (flat ? image.y : at.y - 3) - look.px(15)}, p.support_text, along ? "p" : "n");
     }
   list->PopClipRect();
-  if (ends.empty()) text(list, look, Face::kRegular, 12, {panel.x + pad, high.y - look.px(18)}, p.muted, greatest_depth > 0 ? "Nearer than near." : "Behind the camera.");
+  if (ends.empty()) text(list, look, Face::kRegular, 12, {panel.x + pad, high.y - look.px(18)}, p.muted, depth[1] > 0 ? "Nearer than near." : "Behind the camera.");
   return panel;
 }
 

@@ -30,7 +30,8 @@ class Board {
       length("n-vertex" + name_of(tested_.n_vertex), "n_distance", tested_.n_distance, any);
       add("Planes tested", "planes_tested", std::to_string(planes_) + " of " + std::to_string(planes_of_frustum(dim_)), planes_, "planes");
     } else {
-      length("Corner" + name_of(corner_.corner), "distance", corner_.distance, plane_ >= 0);
+      const bool any = plane_ >= 0;
+      length(any ? "Corner" + name_of(corner_.corner) : "Corner", "distance", corner_.distance, any);
     }
     const auto looked = run_.step > 0 ? run_.recording->steps[static_cast<std::size_t>(run_.step - 1)].counts[kTests] : 0;
     add("Corner tests", "corners", std::to_string(looked), static_cast<double>(looked), "");
