@@ -63,6 +63,15 @@ struct Sayer {
            (dim() == 2 ? "." : " along each of the three axes.");
   }
 
+  std::string operator()(const fit::FrameTaken& fact) const {
+    const std::string frame = "Frame " + std::to_string(fact.frame) + ": ";
+    if (fact.resting) return frame + "all bodies rest, and nothing is run.";
+    const auto count = [](double n) { return std::to_string(static_cast<long long>(n)); };
+    if (fact.all_pairs == 0) return frame + "the box looks at " + count(fact.cost) + " points and is " + short_figure(100 * fact.slack) + " % too large.";
+    return frame + "of " + count(fact.all_pairs) + " pairs the boxes leave " + count(fact.after_broad) + ", the spheres " + count(fact.after_loose) +
+           "; " + count(fact.touching) + " touch.";
+  }
+
   std::string operator()(const fit::MidpointFound<double, 3>& fact) const {
     const Point widths = fact.greatest - fact.least;
     std::string size = number_text(widths[0]) + " × " + number_text(widths[1]);

@@ -1,6 +1,7 @@
 #include "app/inspector.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -84,20 +85,25 @@ class Column {
 
 }  // namespace
 
+/// What two methods are compared by.
+constexpr std::array<std::string_view, 5> kCompared{"radius", "measure", "excess", "corners", "verdict"};
+
 std::vector<lesson::Figure> figures_beside(const lesson::Session& session) {
   if (session.algorithm(1) == nullptr) return {};
   const std::string step = std::to_string(session.step_of(1)) + " of " + std::to_string(session.recording(1).steps.size());
   std::vector<lesson::Figure> figures{{"Step", "step", step, static_cast<double>(session.step_of(1)), ""}};
   for (lesson::Figure& figure : session.figures(1))
-    if (figure.key == "radius" || figure.key == "measure" || figure.key == "excess") figures.push_back(std::move(figure));
+    if (std::find(kCompared.begin(), kCompared.end(), figure.key) != kCompared.end()) figures.push_back(std::move(figure));
   return figures;
 }
 
 void draw_inspector(const Look& look, lesson::Session& session, const Rect& rect) {
   Column column(look, rect);
-  column.heading(session.step() == session.steps() ? "In the end" : "Now");
-  for (const lesson::Figure& figure : session.figures()) column.figure(figure);
-  column.gap(look.px(28));
+  if (const auto figures = session.figures(); !figures.empty()) {
+    column.heading(session.step() == session.steps() ? "In the end" : "Now");
+    for (const lesson::Figure& figure : figures) column.figure(figure);
+    column.gap(look.px(28));
+  }
 
   if (session.boxes() != nullptr) column.axes(session);
 

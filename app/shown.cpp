@@ -171,6 +171,7 @@ struct Filler {
     if (plane != nullptr && fact.result.rejected_by >= 0) (*this)(*plane);
     shown.verdict = fact.result.verdict;
   }
+  void operator()(const fit::FrameTaken&) const {}
   void operator()(const fit::Finished&) const {}
 
   /// Those of this round: the corners are gone through in order, for each plane or once.
@@ -218,6 +219,7 @@ std::vector<Index> points_of(const lesson::Asked& asked, const lesson::Answer& a
 void show_asked_plane(Shown& shown, const lesson::Session& session) {
   const lesson::Asked* asked = session.asked();
   if (asked == nullptr) return;
+  if (asked->question->asks == lesson::Question::Asks::kVerdict) shown.verdict.reset();  // it is what is asked
   const auto* plane = std::get_if<query::PlaneTested<double, 3>>(&session.recording(0).steps[static_cast<std::size_t>(asked->fact)].step.fact);
   if (plane == nullptr) return;
   shown.plane = *plane;

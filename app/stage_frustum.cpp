@@ -14,6 +14,7 @@ using Plane = query::PlaneTested<double, 3>;
 using Corner = query::CornerTested<double, 3>;
 
 constexpr double kNormal = 0.3;  // of the frustum's half depth
+constexpr float kLeastNormal = 28;  // pixels
 
 struct Side {
   std::vector<Point3> corners;  // in order around it; in 2-D the two ends of an edge
@@ -70,6 +71,14 @@ ImVec2 way_between(ImVec2 from, ImVec2 to) {
 /// "+0.42", "−0.17"
 std::string signed_words(double distance) { return (distance > 0 ? "+" : "") + short_figure(distance); }
 
+/// Of the box, on the screen.
+ImVec2 lowest_corner(const Canvas& canvas, const lesson::BoxPair& pair) {
+  ImVec2 lowest = canvas.at(pair.boxes[0].center);
+  for (int bits = 0; bits < 1 << pair.dim; ++bits)
+    if (const ImVec2 at = canvas.at(lesson::corner_of(pair.boxes[0], bits)); at.y > lowest.y) lowest = at;
+  return lowest;
+}
+
 std::string verdict_words(const Shown& shown) {
   if (!shown.verdict) return "Box";
   return "Box: " + std::string(query::kCullingNames[static_cast<std::size_t>(*shown.verdict)]) + (shown.finished ? "" : " so far");
@@ -89,13 +98,14 @@ void Stage::draw_frustum(Brush& brush, const lesson::BoxPair& pair) const {
     brush.canvas.obstacles.discs.push_back({center.x, center.y, 8});
     draw_knobs(brush, pair, i);
   }
+  const Color verdict = outside ? p.wrong_text : shown_.finished && shown_.verdict == Culling::kIntersecting ? p.examined_text : p.current_text;
+  brush.label(lowest_corner(brush.canvas, pair), 16, {0, 1}, verdict_words(shown_), verdict, Face::kSemiBold, 15);
   if (shown_.plane) draw_plane(brush, pair, shown_.plane->plane);
-  else if (!shown_.corners.empty() && shown_.corners.back().plane >= 0) draw_plane(brush, pair, shown_.corners.back().plane);
+  else if (!shown_.finished && !shown_.corners.empty() && shown_.corners.back().plane >= 0) draw_plane(brush, pair, shown_.corners.back().plane);
   if (shown_.plane && !shown_.plane_asked) draw_distances(brush, pair);
   draw_corners(brush);
-  const Color verdict = outside ? p.wrong_text : shown_.finished && shown_.verdict == Culling::kIntersecting ? p.examined_text : p.current_text;
-  brush.label(brush.at(pair.boxes[0].center), 12, {-0.3f, 1}, verdict_words(shown_), verdict, Face::kSemiBold, 15);
-  brush.label(brush.at(pair.boxes[1].center), 12, {1, 0.4f}, "Frustum", p.previous_text, Face::kSemiBold, 15);
+  const ImVec2 end = brush.at(lesson::corner_of(pair, 1, 0b011));  // far, and off the camera's way
+  brush.label(end, 10, way_between(brush.at(pair.boxes[1].center), end), "Frustum", p.previous_text, Face::kSemiBold, 15);
 }
 
 /// Where the frustum's sides meet.
@@ -120,7 +130,11 @@ void Stage::draw_plane(Brush& brush, const lesson::BoxPair& pair, int plane) con
   std::vector<ImVec2> outline;
   for (const Point3& corner : face.corners) outline.push_back(brush.at(corner));
   const Point3 foot = clear_of(face, pair.boxes[0].center);
-  const ImVec2 middle = brush.at(foot), tip = brush.at(foot + normal_of(face, pair) * (kNormal * pair.boxes[1].half_extents[0]));
+  const Point3 normal = normal_of(face, pair) * (kNormal * pair.boxes[1].half_extents[0]);
+  const ImVec2 middle = brush.at(foot), end = brush.at(foot + normal);
+  // One that nearly runs along the view is drawn longer, for its direction is what is asked of it.
+  const double longer = std::clamp(kLeastNormal / std::max(std::hypot(end.x - middle.x, end.y - middle.y), 1.0f), 1.0f, 4.0f);
+  const ImVec2 tip = brush.at(foot + normal * longer);
   if (pair.dim == 2) {
     const ImVec2 along = way_between(outline[0], outline[1]), out = way_between(middle, tip);
     const float reach = brush.rect.width + brush.rect.height, step = 14;

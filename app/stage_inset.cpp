@@ -49,6 +49,16 @@ std::vector<Piece> edges_seen(const Eye& eye, const lesson::BoxPair& pair) {
   return pieces;
 }
 
+/// The least and the greatest depth of the box's corners.
+std::array<double, 2> depths(const Eye& eye, const lesson::BoxPair& pair) {
+  double least = 1e300, greatest = -1e300;
+  for (int bits = 0; bits < 1 << pair.dim; ++bits) {
+    const double depth = eye.seen(lesson::corner_of(pair.boxes[0], bits))[2];
+    least = std::min(least, depth), greatest = std::max(greatest, depth);
+  }
+  return {least, greatest};
+}
+
 /// Where the image stands on the screen.
 struct Picture {
   ImVec2 middle, half;  // half: of what the camera sees
@@ -62,10 +72,11 @@ struct Picture {
   [[nodiscard]] Rect image() const { return {middle.x - half.x, middle.y - half.y, 2 * half.x, 2 * half.y}; }
 };
 
-/// Draws twice: pale all over the picture, and as it is within the image.
+/// Draws twice: pale all over the picture, and, where it is seen at all, as it is within the image.
 template <class Draw>
-void in_and_out(ImDrawList* list, const Rect& image, const Draw& draw) {
+void in_and_out(ImDrawList* list, const Rect& image, bool seen, const Draw& draw) {
   draw(0.4f);
+  if (!seen) return;
   list->PushClipRect({image.x, image.y}, {image.x + image.width, image.y + image.height}, true);
   draw(1.0f);
   list->PopClipRect();
@@ -90,11 +101,11 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
   const Eye eye{lesson::camera_of(*pair)};
   const bool flat = pair->dim == 2, small = brush.rect.width < 560;
   const float head = look.px(20), pad = 8, outer = 1 + static_cast<float>(kMargin);
-  const float width = small ? 112.0f : look.px(168);
+  const float width = small ? 112.0f : look.px(brush.rect.width < 900 ? 168 : 224);
   const double aspect = eye.camera.half_tangents[1] / eye.camera.half_tangents[0];
   const float half_x = (width - 2 * pad) / (2 * outer);
   const float half_y = flat ? look.px(8) : half_x * static_cast<float>(std::clamp(aspect, 0.3, 1.25));
-  const float height = head + 2 * (flat ? half_y + look.px(9) : half_y * outer) + pad;
+  const float height = head + 2 * (flat ? half_y + look.px(17) : half_y * outer) + pad;
   const Rect panel{brush.rect.x + 12, top, width, height};
   if (top + height > camera_.free_bottom()) return {};
   const ImVec2 low{panel.x, panel.y}, high{panel.x + width, panel.y + height};
@@ -109,6 +120,7 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
   const bool outside = shown_.finished && shown_.verdict == query::Culling::kOutside;
   const Color color = outside ? p.wrong : p.current;
   const std::vector<Piece> pieces = edges_seen(eye, *pair);
+  const double least_depth = depths(eye, *pair)[0], greatest_depth = depths(eye, *pair)[1];
   std::vector<ImVec2> ends;
   for (const Piece& piece : pieces)
     for (const Point3& end : {piece.a, piece.b}) ends.push_back(picture.at(end));
@@ -121,7 +133,7 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
     } else {
       outline = convex_outline(ends);
     }
-    in_and_out(list, image, [&](float share) {
+    in_and_out(list, image, least_depth <= eye.camera.far, [&](float share) {
       if (outline.size() > 2) list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), with_alpha(color, (flat ? 2.5f : 1.2f) * p.fill * share));
       if (flat) path(list, outline, true, Stroke::kSolid, with_alpha(color, share), brush.stroke(0.8f));
       else
@@ -136,10 +148,10 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
       const Point3 seen = eye.seen(along ? shown_.plane->p_point : shown_.plane->n_point);
       const ImVec2 at = eye.in_front(seen) ? picture.at(seen) : kNowhere;
       diamond(list, at, 4, p.support, p.panel);
-      text_middle(list, look, Face::kSemiBold, 12, {at.x, at.y - look.px(18)}, p.support_text, along ? "p" : "n");
+      text_middle(list, look, Face::kSemiBold, 12, {at.x, (flat ? image.y : at.y - 3) - look.px(15)}, p.support_text, along ? "p" : "n");
     }
   list->PopClipRect();
-  if (ends.empty()) text(list, look, Face::kRegular, 12, {panel.x + pad, high.y - look.px(18)}, p.muted, "The box is behind.");
+  if (ends.empty()) text(list, look, Face::kRegular, 12, {panel.x + pad, high.y - look.px(18)}, p.muted, greatest_depth > 0 ? "Nearer than near." : "Behind the camera.");
   return panel;
 }
 

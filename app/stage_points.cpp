@@ -56,7 +56,7 @@ void Stage::draw_points(Brush& brush) const {
         diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
   if (shown_.pair && !shown_.volume)
     for (const Index i : {shown_.pair->a, shown_.pair->b}) diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
-  for (const Index i : shown_.spoken_of) {
+  for (const Index& i : shown_.spoken_of) {
     const bool vertex = shown_.plane.has_value();  // the p-vertex, and then the n-vertex
     const ImVec2 place = at(i);
     diamond(brush.list, place, (vertex ? kVertex : kDiamond) * p.mark, p.support, p.ground);
@@ -178,12 +178,13 @@ void Stage::name_points(Brush& brush) const {
     if (i != kNoIndex && i < session.size()) name(i, session.name_of(i), p.ink, Face::kSemiBold, 13);
   for (const Index i : shown_.spoken_of) plain(i);
   if (session.size() > kNameAll) return;
+  const bool asked_of_corners = session.boxes() != nullptr && inviting(brush);  // then each must have its name
   for (Index i = 0; i < session.size(); ++i) {
     // A centre bears its box's name, a knob its arc.
     const lesson::Place place = lesson::place_of(session.dim(), i);
     if (session.boxes() != nullptr && place.kind != lesson::Place::Kind::kCorner) continue;
     if (session.boxes() != nullptr && lesson::has_frustum(*session.boxes()) && place.box == 1) continue;  // nobody speaks of its corners
-    name(i, session.name_of(i), p.muted, Face::kRegular, inviting(brush) ? 12 : 7, 12, true);
+    name(i, session.name_of(i), p.muted, Face::kRegular, inviting(brush) ? 12 : 7, 12, !asked_of_corners);
   }
 }
 

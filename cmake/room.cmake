@@ -15,6 +15,11 @@ function(snug_room name)
   snug_door(${name} ${CMAKE_CURRENT_SOURCE_DIR} door)
   target_include_directories(snug_${name} PUBLIC ${door})
   target_link_libraries(snug_${name} PUBLIC ${room_LINKS} PRIVATE snug_options snug_lean)
+  # On the page every byte is waited for. To inline little makes code small; for size alone (-Os, -Oz) Clang would leave each
+  # of Eigen's small functions a call of its own: twice the code, and thirty times as slow.
+  if(EMSCRIPTEN)
+    target_compile_options(snug_${name} PRIVATE -O2 "SHELL:-mllvm -inline-threshold=50")
+  endif()
   # What every room's files read is read once: for all rooms, or for each where rooms are compiled for size or for speed.
   # The dev preset does without, and shows that each file includes what it uses.
   if(NOT room_LINKS)

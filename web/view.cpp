@@ -143,6 +143,7 @@ void set_points(val& object, const app::App& app, const lesson::Session& session
   const Index selected = app.selected();
   const bool any = selected >= 0 && selected < session.size();
   object.set("selected", any ? val(selected) : val::null());
+  object.set("selectedName", any ? val(session.name_of(selected)) : val::null());
   object.set("coordinates", any ? coordinates(session.point(selected), session.dim()) : val::null());
 }
 

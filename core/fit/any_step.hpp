@@ -7,6 +7,7 @@
 
 #include "fit/aabb_steps.hpp"
 #include "fit/capsule_steps.hpp"
+#include "fit/frame_steps.hpp"
 #include "fit/hull_steps.hpp"
 #include "fit/kdop_steps.hpp"
 #include "fit/lozenge_steps.hpp"
@@ -45,7 +46,7 @@ struct Union<First, std::variant<Facts...>, Others...>
 using Fact3 =
     Union<SphereStep<double, 3>::Fact, ObbStep<double, 3>::Fact, AabbStep<double, 3>::Fact, CapsuleStep<double, 3>::Fact,
           LozengeStep<double, 3>::Fact, KdopStep<double, 3>::Fact, HullStep<double, 3>::Fact, query::SatStep<double, 3>::Fact,
-          query::WrongStep::Fact, query::ClassifyStep<double, 3>::Fact>::Type;
+          query::WrongStep::Fact, query::ClassifyStep<double, 3>::Fact, FrameStep::Fact>::Type;
 
 struct Step3 {
   using Fact = Fact3;

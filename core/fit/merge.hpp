@@ -32,7 +32,7 @@ template <class Scalar, int Dim>
 [[nodiscard]] Sphere<Scalar, Dim> merge(const Sphere<Scalar, Dim>& a, const Sphere<Scalar, Dim>& b);
 
 /// The smallest box along the axes of either or along the principal axes of all corners, whichever is least, but for
-/// kMergedBox.
+/// kMergedBox. It holds both whether all are read as the meeting of their slabs or as what their edges span.
 template <class Scalar, int Dim>
 [[nodiscard]] Obb<Scalar, Dim> merge(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b);
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -14,26 +15,28 @@
 namespace snug::fit {
 namespace {
 
-/// A box as the meeting of its slabs, seen along any direction. With A its axes as columns, a point of it is its centre plus
-/// A^-T s, |s_i| <= h_i, so that along m it reaches sum h_i |(A^-1 m)_i| from its centre, whether or not A is quite a
-/// rotation.
+/// How a box's numbers are read. With A its axes as columns, as the meeting of its slabs its points are its centre plus A^-T s,
+/// |s_i| <= h_i; as what its edges span, its centre plus A s. The two differ where A is not quite a rotation.
+enum class Read : std::uint8_t { kSlabs, kEdges };
+
+/// A box seen along any direction, however it is read.
 template <int Dim>
 class BoxAlong {
  public:
   template <class Scalar>
   explicit BoxAlong(const Obb<Scalar, Dim>& box)
       : center_(box.center.template cast<double>()), half_(box.half_extents.template cast<double>()),
-        inverse_(box.axes.template cast<double>().inverse()) {}
+        edges_(box.axes.template cast<double>().transpose()), slabs_(box.axes.template cast<double>().inverse()) {}
 
-  /// From a point, the least and the greatest along a unit direction, rounded.
-  [[nodiscard]] std::array<double, 2> extent(const Vector<double, Dim>& direction, const Vector<double, Dim>& from) const {
+  /// From a point, the least and the greatest along a direction of about unit length, rounded.
+  [[nodiscard]] std::array<double, 2> extent(const Vector<double, Dim>& direction, const Vector<double, Dim>& from, Read read) const {
     const double middle = (center_ - from).dot(direction);
-    const double reach = half_.dot(Vector<double, Dim>(inverse_ * direction).cwiseAbs());
+    const double reach = half_.dot(Vector<double, Dim>((read == Read::kSlabs ? slabs_ : edges_) * direction).cwiseAbs());
     return {middle - reach, middle + reach};
   }
   /// How far from the point it reaches to either side, and certainly no farther.
-  [[nodiscard]] double reach_at_most(const Vector<double, Dim>& direction, const Vector<double, Dim>& from) const {
-    const auto [low, high] = extent(direction, from);
+  [[nodiscard]] double reach_at_most(const Vector<double, Dim>& direction, const Vector<double, Dim>& from, Read read) const {
+    const auto [low, high] = extent(direction, from, read);
     const double size = half_.sum() + (center_ - from).cwiseAbs().sum();
     return std::max(-low, high) + (tolerance::kMergedBox * size + 16 * std::numeric_limits<double>::denorm_min());
   }
@@ -41,16 +44,27 @@ class BoxAlong {
 
  private:
   Vector<double, Dim> center_, half_;
-  Matrix<double, Dim> inverse_;
+  Matrix<double, Dim> edges_, slabs_;  // what a direction is multiplied with
 };
+
+/// The half extents with which a box of these axes and this centre holds the other, for certain, both read as slabs or both as
+/// edges: along its axes, by which slabs are judged, and along the rows of their inverse, by which shares of edges are.
+template <class Scalar, int Dim>
+Vector<double, Dim> half_extents_around(const Vector<Scalar, Dim>& center, const Matrix<Scalar, Dim>& axes, const BoxAlong<Dim>& inner) {
+  const Vector<double, Dim> from = center.template cast<double>();
+  const Matrix<double, Dim> columns = axes.template cast<double>();
+  const Matrix<double, Dim> inverse = columns.inverse();
+  Vector<double, Dim> half;
+  for (int i = 0; i < Dim; ++i)
+    half[i] = std::max(inner.reach_at_most(columns.col(i), from, Read::kSlabs),
+                       inner.reach_at_most(inverse.row(i).transpose(), from, Read::kEdges));
+  return half;
+}
 
 template <class Scalar, int Dim>
 bool holds(const Obb<Scalar, Dim>& outer, const BoxAlong<Dim>& inner) {
-  const Vector<double, Dim> center = outer.center.template cast<double>();
-  for (int i = 0; i < Dim; ++i)
-    if (inner.reach_at_most(outer.axes.col(i).template cast<double>(), center) > static_cast<double>(outer.half_extents[i]))
-      return false;
-  return true;
+  const Vector<double, Dim> needed = half_extents_around<Scalar, Dim>(outer.center, outer.axes, inner);
+  return (needed.array() <= outer.half_extents.template cast<double>().array()).all();
 }
 
 template <class Scalar, int Dim>
@@ -59,17 +73,16 @@ Obb<Scalar, Dim> box_along(const Matrix<Scalar, Dim>& axes, const BoxAlong<Dim>&
   Vector<double, Dim> middle = Vector<double, Dim>::Zero();
   for (int i = 0; i < Dim; ++i) {
     const Vector<double, Dim> axis = axes.col(i).template cast<double>();
-    const auto of_a = a.extent(axis, a.center()), of_b = b.extent(axis, a.center());
+    const auto of_a = a.extent(axis, a.center(), Read::kSlabs), of_b = b.extent(axis, a.center(), Read::kSlabs);
     const double low = std::min(of_a[0], of_b[0]), high = std::max(of_a[1], of_b[1]);
     middle += (low + (high - low) / 2) * axis;
   }
   merged.center = (a.center() + middle).template cast<Scalar>();
-  const Vector<double, Dim> center = merged.center.template cast<double>();
+  const Vector<double, Dim> needed = half_extents_around<Scalar, Dim>(merged.center, axes, a)
+                                         .cwiseMax(half_extents_around<Scalar, Dim>(merged.center, axes, b));
   for (int i = 0; i < Dim; ++i) {
-    const Vector<double, Dim> axis = axes.col(i).template cast<double>();
-    const double reach = std::max(a.reach_at_most(axis, center), b.reach_at_most(axis, center));
-    auto half = static_cast<Scalar>(reach);
-    if (static_cast<double>(half) < reach) half = std::nextafter(half, std::numeric_limits<Scalar>::max());
+    auto half = static_cast<Scalar>(needed[i]);
+    if (static_cast<double>(half) < needed[i]) half = std::nextafter(half, std::numeric_limits<Scalar>::max());
     merged.half_extents[i] = half;
   }
   return merged;

@@ -232,8 +232,9 @@ inline constexpr double kLozengeCorner = 4 * kRoundoff<double>;
 /// How far along an axis a box reaches from a point, in units of its half extents and its centre's coordinates from there, all
 /// summed, worked out in double: each entry of the axes' inverse carries 3u of a cofactor, 6u of the determinant and 3u of
 /// dividing, which three of them in a product make 21u, and 8u for it and the sum of extents; the centre's distance along
-/// the axis 4u, the last sums 3u of all. 48u leaves room for terms in u^2. Held by the same.
-inline constexpr double kMergedBox = 48 * kRoundoff<double>;
+/// the axis 4u, the last sums 3u of all; a direction that is itself a row of such an inverse, off by 12u in each entry, as
+/// much again, 21u of the extents and of the distance. 64u leaves room for terms in u^2. Held by the same.
+inline constexpr double kMergedBox = 64 * kRoundoff<double>;
 
 /// The extent of centres up to which a tree tells them apart by index alone: they are floats in a frame where their boxes
 /// together are 2^-8 to 2 wide, so that each is off by 2^-23 or so. Held by "bodies in one place are divided by index".

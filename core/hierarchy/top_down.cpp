@@ -24,6 +24,8 @@ typedef std::int32_t WholeLanes __attribute__((vector_size(16)));
 constexpr int kMostBins = 16, kFewBins = 8;
 constexpr Index kFew = 64;
 constexpr Index kSweptExactly = 8;
+// Of more than twice as many, about so many are looked at to choose a border: that says as well where it goes.
+constexpr Index kSample = 1024;
 // Beyond it every node is halved, so that no scene makes a deep tree.
 constexpr int kMostUneven = 40;
 // A node this small beside its frame is seen in a frame of its own, before the floats run out of digits.
@@ -290,7 +292,8 @@ class TopDown {
     const Binning binning(work);
     const auto bins = static_cast<std::size_t>(binning.bins);
     for (auto& axis : bins_) std::fill(axis.begin(), axis.begin() + binning.bins, Bounds::none());
-    for (Index i = work.begin; i < work.end; ++i) {
+    const Index count_all = work.end - work.begin, stride = count_all > 2 * kSample ? count_all / kSample : 1;
+    for (Index i = work.begin; i < work.end; i += stride) {
       const Body body = at(i);
       const WholeLanes place = binning.bins_of(body.center());
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -318,9 +321,11 @@ class TopDown {
         bounds.take(of_axis[b - 1].low, of_axis[b - 1].high);
         count += count_of[b - 1];
         const float cost = size(bounds, by_length) * static_cast<float>(count) + right[b];
+        // Of a sample no body need be on one side: then the cost is no number.
         if (cost < best.cost) best = {axis, count, static_cast<float>(b), cost};
       }
     }
+    best.cost *= static_cast<float>(stride);
     return best;
   }
 
@@ -342,25 +347,24 @@ class TopDown {
       copies[right + (left - right) * goes_left] = bodies[i];
       left += goes_left, right -= 1 - goes_left;
     }
-    halves_[0].centers = take_back(work.begin, 0, left);
-    halves_[1].centers = take_back(work.begin, left, count);
-    for (Work& half : halves_) half.bounds = Bounds::none();
-    for (int b = 0; b < binning.bins; ++b) {
-      const Bounds& of_bin = bins_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(b)];
-      halves_[b < border ? 0 : 1].bounds.take(of_bin.low, of_bin.high);
-    }
+    choice.left = static_cast<Index>(left);
+    take_back(work.begin, 0, left, halves_[0]);
+    take_back(work.begin, left, count, halves_[1]);
     are_measured_ = true;
   }
 
-  /// Copies, to where the bodies of a node begin. Returns the bounds of twice their centres.
-  SNUG_INLINE Bounds take_back(Index to, std::size_t from, std::size_t end) {
-    Bounds centers = Bounds::none();
+  /// Copies, to where the bodies of a node begin, and measures the half that they are.
+  SNUG_INLINE void take_back(Index to, std::size_t from, std::size_t end, Work& half) {
+    Bounds bounds = Bounds::none(), centers = bounds;
+    Body* bodies = &at(to);
+    const Body* copies = copies_.data();
     for (std::size_t i = from; i < end; ++i) {
-      const Body body = copies_[i];
+      const Body body = copies[i];
+      bounds.take(body.low, body.high);
       centers.take(body.center(), body.center());
-      bodies_[static_cast<std::size_t>(to) + i] = body;
+      bodies[i] = body;
     }
-    return centers;
+    half.bounds = bounds, half.centers = centers;
   }
 
   void list_bodies() {

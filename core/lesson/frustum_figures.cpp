@@ -33,7 +33,7 @@ class Board {
       length("Corner" + name_of(corner_.corner), "distance", corner_.distance, plane_ >= 0);
     }
     const auto looked = run_.step > 0 ? run_.recording->steps[static_cast<std::size_t>(run_.step - 1)].counts[kTests] : 0;
-    add("Corners looked at", "corners", std::to_string(looked), static_cast<double>(looked), "");
+    add("Corner tests", "corners", std::to_string(looked), static_cast<double>(looked), "");
     add(done_ ? "Verdict" : "Verdict so far", "verdict", run_.step > 0 && (done_ || by_planes) ? word(verdict_) : "",
         static_cast<double>(verdict_), "");
     return std::move(figures_);
@@ -52,6 +52,7 @@ class Board {
   void operator()(const query::Classified& fact) {
     verdict_ = fact.result.verdict;
     done_ = true;
+    if (run_.algorithm->name != "p_n_vertex") plane_ = fact.result.rejected_by;  // else it rests on no one plane
   }
   void operator()(const auto&) {}
 

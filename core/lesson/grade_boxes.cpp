@@ -40,7 +40,7 @@ std::string sentence(std::string_view goal, const BoxPair& pair, bool now, bool 
     return found ? "Boxes that only edges separate: found." : "Still to find: boxes that only an axis of two edges separates.";
   }
   const fit::Algorithm& test = *find_method(kBoxPair, goal);
-  const std::string title = "“" + std::string(test.title) + "”";
+  const std::string title = "“" + std::string(test.title.substr(0, test.title.find(" ("))) + "”";  // that it is wrong is to be said
   if (now) return title + " is wrong here: it says that the boxes " + verdict(says_overlap(test, pair)) + ".";
   return found ? title + ": found." : "Still to find: a place where " + title + " is wrong.";
 }

@@ -171,7 +171,11 @@ RunView Session::view(int slot) const {
 
 std::vector<Figure> Session::figures(int slot) const {
   if (algorithm(slot) == nullptr) return {};
-  return figures_of(view(slot));
+  std::vector<Figure> figures = figures_of(view(slot));
+  if (asked() == nullptr || asked()->question->asks != Question::Asks::kVerdict) return figures;
+  for (Figure& figure : figures)  // what is asked is not told beside the question
+    if (figure.key == "verdict") figure.text = "—", figure.known = false;
+  return figures;
 }
 
 std::vector<Proof> Session::proofs(int slot) const {

@@ -40,7 +40,7 @@ class Classify {
     bool ended = has_first && test(plan_.first);
     for (int plane = 0; plane < kFrustumPlanes<Dim> && !ended; ++plane)
       if (!has_first || plane != plan_.first) ended = test(plane);
-    observe_(Step{ClassifyLine::kVerdict, Classified{result_}});
+    observe_(Step{result_.verdict == Culling::kOutside ? ClassifyLine::kOutside : ClassifyLine::kVerdict, Classified{result_}});
     return result_;
   }
 

@@ -187,7 +187,7 @@ class ObbSat {
     result_.overlap = !apart_;
     if (!apart_ && in_doubt_ != 0) settle();
     if (extent_ == SatExtent::kAll && result_.overlap) result_.axis.gap = std::min(result_.axis.gap, Scalar(0));
-    observe_(Step{Line::kVerdict, Verdict<Scalar, Dim>{result_}});
+    observe_(Step{line_of_verdict(), Verdict<Scalar, Dim>{result_}});
     return result_;
   }
 
@@ -209,6 +209,13 @@ class ObbSat {
     apart_ = true;
     if (extent_ == SatExtent::kFirst) result_.axis = frames_.axis(place, gap);
     return extent_ == SatExtent::kFirst;
+  }
+
+  /// The line that said so.
+  [[nodiscard]] int line_of_verdict() const {
+    if (result_.overlap) return Line::kVerdict;
+    if (!apart_) return Line::kExactly;
+    return result_.axis.kind == AxisKind::kFaceA ? Line::kFaceA : result_.axis.kind == AxisKind::kFaceB ? Line::kFaceB : Line::kEdges;
   }
 
   /// By the gap that is certain: of the axis of nearly parallel edges little is.

@@ -18,10 +18,10 @@
 namespace snug::query {
 
 /// The answer of GJK. Of an empty volume there is nothing that could overlap.
-template <class A, class B>
-[[nodiscard]] auto test_gjk(const A& a, const B& b) {
+template <class A, class B, class Observer>
+[[nodiscard]] auto test_gjk(const A& a, const B& b, Observer& observe) {
   OverlapResult<typename VolumeKind<A>::Scalar, VolumeKind<A>::kDim> result;
-  const auto separation = gjk(a, b);
+  const auto separation = gjk(a, b, false, observe);
   if (!separation) return result;
   result.overlap = separation->overlap;
   result.distance = separation->distance;
@@ -31,28 +31,28 @@ template <class A, class B>
 }
 
 /// The slabs that both share, and GJK where those do not separate.
-template <class A, class B>
-[[nodiscard]] auto test_slabs_then_gjk(const A& a, const B& b) {
-  auto result = test_slabs(a, b);
+template <class A, class B, class Observer>
+[[nodiscard]] auto test_slabs_then_gjk(const A& a, const B& b, Observer& observe) {
+  auto result = test_slabs(a, b, observe);
   if (!result.overlap) return result;
-  auto settled = test_gjk(a, b);
+  auto settled = test_gjk(a, b, observe);
   settled.tests += result.tests;
   settled.distance.reset();
   return settled;
 }
 
 /// In the order of the table's rows and columns.
-template <class A, class B>
-[[nodiscard]] auto test_in_order(const A& a, const B& b) {
+template <class A, class B, class Observer = Ignore>
+[[nodiscard]] auto test_in_order(const A& a, const B& b, Observer&& observe = {}) {
   constexpr PairTest kTest = kPairTest<A, B>;
   static_assert(kTest != PairTest::kMissing);
-  if constexpr (kTest == PairTest::kSpheres) return test_spheres(a, b);
-  else if constexpr (kTest == PairTest::kSphereBox) return test_sphere_box(a, b);
-  else if constexpr (kTest == PairTest::kSweptSpheres) return swept_pair(a, b).result();
-  else if constexpr (kTest == PairTest::kSlabs) return test_slabs(a, b);
-  else if constexpr (kTest == PairTest::kSlabsThenGjk) return test_slabs_then_gjk(a, b);
-  else if constexpr (kTest == PairTest::kSeparatingAxes) return test_boxes(a, b);
-  else return test_gjk(a, b);
+  if constexpr (kTest == PairTest::kSpheres) return test_spheres(a, b, observe);
+  else if constexpr (kTest == PairTest::kSphereBox) return test_sphere_box(a, b, observe);
+  else if constexpr (kTest == PairTest::kSweptSpheres) return swept_pair(a, b).result(swept_core(a).corner, observe);
+  else if constexpr (kTest == PairTest::kSlabs) return test_slabs(a, b, observe);
+  else if constexpr (kTest == PairTest::kSlabsThenGjk) return test_slabs_then_gjk(a, b, observe);
+  else if constexpr (kTest == PairTest::kSeparatingAxes) return test_boxes(a, b, observe);
+  else return test_gjk(a, b, observe);
 }
 
 /// The same verdict and nothing else, where that is cheaper.
@@ -82,13 +82,14 @@ template <class A, class B>
 /// Whether they overlap, how far they are apart and along which axis, as far as the pair's test finds it. Errs by no more
 /// than kTouching of both volumes' extents about a common point, wherever that is: within them, they count as
 /// touching. All numbers finite, coordinates at most PointSet's kLargest. The volumes are as their headers say: axes
-/// unit and perpendicular within rounding, radii and extents not negative, each min at most its max.
-template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim>
-[[nodiscard]] OverlapResult<Scalar, Dim> test_overlap(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) {
+/// unit and perpendicular within rounding, radii and extents not negative, each min at most its max. The observer is told
+/// OverlapStep, SatStep or GjkStep, by the pair's test; they speak of b as the first volume where the pair is turned.
+template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim, class Observer = Ignore>
+[[nodiscard]] OverlapResult<Scalar, Dim> test_overlap(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b, Observer&& observe = {}) {
   constexpr bool kLater = VolumeKind<A<Scalar, Dim>>::kIndex > VolumeKind<B<Scalar, Dim>>::kIndex;
-  if constexpr (kLater) return flipped(test_in_order(b, a));
-  else if constexpr (!std::is_same_v<A<Scalar, Dim>, B<Scalar, Dim>>) return test_in_order(a, b);
-  else return turned(a, b) ? flipped(test_in_order(b, a)) : test_in_order(a, b);
+  if constexpr (kLater) return flipped(test_in_order(b, a, observe));
+  else if constexpr (!std::is_same_v<A<Scalar, Dim>, B<Scalar, Dim>>) return test_in_order(a, b, observe);
+  else return turned(a, b) ? flipped(test_in_order(b, a, observe)) : test_in_order(a, b, observe);
 }
 
 /// Its verdict alone, which for some pairs is cheaper.

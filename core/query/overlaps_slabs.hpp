@@ -9,6 +9,8 @@
 #include "geometry/double_double.hpp"
 #include "geometry/kdop.hpp"
 #include "query/overlap_result.hpp"
+#include "query/overlap_steps.hpp"
+#include "trace/observer.hpp"
 
 namespace snug::query {
 
@@ -40,11 +42,24 @@ template <class Scalar, int Dim>
   return {static_cast<double>(kdop.min[slab]), static_cast<double>(kdop.max[slab])};
 }
 
+template <int Dim>
+[[nodiscard]] SlabTested slab_tested(const KdopAxis<Dim>& axis, const Interval& a, const Interval& b) {
+  SlabTested fact{.separates = a.max < b.min || b.max < a.min};
+  for (std::size_t i = 0; i < Dim; ++i) fact.direction[static_cast<int>(i)] = axis[i];
+  const double length = fact.direction.norm();
+  fact.direction /= length;
+  fact.least_a = a.min.value() / length, fact.greatest_a = a.max.value() / length;
+  fact.least_b = b.min.value() / length, fact.greatest_b = b.max.value() / length;
+  return fact;
+}
+
 /// Whether the intervals along one axis are apart; if so, that is the separating axis.
-template <class Scalar, int Dim>
-bool apart_along(const KdopAxis<Dim>& axis, const Interval& a, const Interval& b, OverlapResult<Scalar, Dim>& result) {
+template <class Scalar, int Dim, class Observer>
+bool apart_along(const KdopAxis<Dim>& axis, const Interval& a, const Interval& b, OverlapResult<Scalar, Dim>& result, Observer& observe) {
   ++result.tests;
   const bool before = a.max < b.min;
+  observe.count(Operation::kComparisons, before ? 1 : 2);
+  if constexpr (kWatched<Observer>) observe(OverlapStep{2, slab_tested<Dim>(axis, a, b)});
   if (!before && !(b.max < a.min)) return false;
   Vector<double, Dim> direction;
   for (std::size_t i = 0; i < Dim; ++i) direction[static_cast<int>(i)] = before ? axis[i] : -axis[i];
@@ -57,33 +72,33 @@ bool apart_along(const KdopAxis<Dim>& axis, const Interval& a, const Interval& b
 }
 
 /// Exact.
-template <class Scalar, int Dim>
-[[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Aabb<Scalar, Dim>& a, const Aabb<Scalar, Dim>& b) {
+template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
+[[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Aabb<Scalar, Dim>& a, const Aabb<Scalar, Dim>& b, Observer&& observe = {}) {
   OverlapResult<Scalar, Dim> result{.overlap = true};
   for (const auto& axis : kdop_axes<Dim>(2 * Dim))
-    if (apart_along<Scalar, Dim>(axis, interval_along<Scalar, Dim>(a, axis), interval_along<Scalar, Dim>(b, axis), result))
+    if (apart_along<Scalar, Dim>(axis, interval_along<Scalar, Dim>(a, axis), interval_along<Scalar, Dim>(b, axis), result, observe))
       break;
   return result;
 }
 
 /// All slabs of the k-DOP. No more than a first test where k is larger than a box's: an edge of one may pass an edge of
 /// the other, apart along none of these axes.
-template <class Scalar, int Dim>
-[[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Aabb<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b) {
+template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
+[[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Aabb<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b, Observer&& observe = {}) {
   OverlapResult<Scalar, Dim> result{.overlap = true};
   const auto axes = kdop_axes<Dim>(b.k);
   for (std::size_t i = 0; i < axes.size(); ++i)
-    if (apart_along<Scalar, Dim>(axes[i], interval_along<Scalar, Dim>(a, axes[i]), interval_along(b, i), result)) break;
+    if (apart_along<Scalar, Dim>(axes[i], interval_along<Scalar, Dim>(a, axes[i]), interval_along(b, i), result, observe)) break;
   return result;
 }
 
 /// Of equal k all slabs, else those of the coordinate axes, which every k begins with. The same holds of it.
-template <class Scalar, int Dim>
-[[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Kdop<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b) {
+template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
+[[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Kdop<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b, Observer&& observe = {}) {
   OverlapResult<Scalar, Dim> result{.overlap = true};
   const auto axes = kdop_axes<Dim>(a.k == b.k ? a.k : 2 * Dim);
   for (std::size_t i = 0; i < axes.size(); ++i)
-    if (apart_along<Scalar, Dim>(axes[i], interval_along(a, i), interval_along(b, i), result)) break;
+    if (apart_along<Scalar, Dim>(axes[i], interval_along(a, i), interval_along(b, i), result, observe)) break;
   return result;
 }
 

@@ -8,6 +8,8 @@
 #include "geometry/sphere.hpp"
 #include "geometry/tolerance.hpp"
 #include "query/overlap_result.hpp"
+#include "query/overlap_steps.hpp"
+#include "trace/observer.hpp"
 
 namespace snug::query {
 
@@ -22,11 +24,16 @@ template <class Scalar, int Dim>
 }
 
 /// The result of comparing the distance of two points, one of each volume's core, with the radii around them. Where
-/// exact arithmetic alone sees the gap, it is the least that the scalar can say.
-template <class Scalar, int Dim>
-[[nodiscard]] OverlapResult<Scalar, Dim> by_distance(bool apart, std::string_view kind, const Vector<Scalar, Dim>& between,
-                                                     Scalar radii) {
+/// exact arithmetic alone sees the gap, it is the least that the scalar can say. between: from on_a to the other point.
+template <class Scalar, int Dim, class Observer>
+[[nodiscard]] OverlapResult<Scalar, Dim> by_distance(bool apart, std::string_view kind, const Vector<Scalar, Dim>& on_a,
+                                                     const Vector<Scalar, Dim>& between, Scalar radii, Observer& observe) {
   OverlapResult<Scalar, Dim> result{.overlap = !apart, .distance = Scalar(0), .tests = 1};
+  observe.count(Operation::kDistanceTests, 1);
+  if constexpr (kWatched<Observer>) {
+    const auto from = in_space<Scalar, Dim>(on_a), way = in_space<Scalar, Dim>(between);
+    observe(OverlapStep{2, CoresCompared{from, from + way, way.stableNorm(), static_cast<double>(radii), apart}});
+  }
   if (!apart) return result;
   const Scalar length = scaled_norm<Scalar, Dim>(between);
   const Scalar gap = std::max(length - radii, std::nextafter(radii, std::numeric_limits<Scalar>::infinity()) - radii);
@@ -37,29 +44,31 @@ template <class Scalar, int Dim>
 }
 
 /// Exact.
-template <class Scalar, int Dim>
-[[nodiscard]] OverlapResult<Scalar, Dim> test_spheres(const Sphere<Scalar, Dim>& a, const Sphere<Scalar, Dim>& b) {
+template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
+[[nodiscard]] OverlapResult<Scalar, Dim> test_spheres(const Sphere<Scalar, Dim>& a, const Sphere<Scalar, Dim>& b, Observer&& observe = {}) {
   const bool apart = apart_exactly<Scalar, Dim>(a.center, a.radius, b.center, b.radius);
-  return by_distance<Scalar, Dim>(apart, "centers", b.center - a.center, a.radius + b.radius);
+  return by_distance<Scalar, Dim>(apart, "centers", a.center, b.center - a.center, a.radius + b.radius, observe);
 }
 
 /// Exact: the point of the box nearest to the centre has coordinates of either.
-template <class Scalar, int Dim>
-[[nodiscard]] OverlapResult<Scalar, Dim> test_sphere_box(const Sphere<Scalar, Dim>& sphere, const Aabb<Scalar, Dim>& box) {
+template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
+[[nodiscard]] OverlapResult<Scalar, Dim> test_sphere_box(const Sphere<Scalar, Dim>& sphere, const Aabb<Scalar, Dim>& box,
+                                                         Observer&& observe = {}) {
   const Vector<Scalar, Dim> nearest = sphere.center.cwiseMax(box.min).cwiseMin(box.max);
   const bool apart = apart_exactly<Scalar, Dim>(sphere.center, sphere.radius, nearest, 0);
-  return by_distance<Scalar, Dim>(apart, "closest_points", nearest - sphere.center, sphere.radius);
+  return by_distance<Scalar, Dim>(apart, "closest_points", sphere.center, nearest - sphere.center, sphere.radius, observe);
 }
 
 /// In the box's frame; within rounding of the box's and the sphere's extents about each other.
-template <class Scalar, int Dim>
-[[nodiscard]] OverlapResult<Scalar, Dim> test_sphere_box(const Sphere<Scalar, Dim>& sphere, const Obb<Scalar, Dim>& box) {
+template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
+[[nodiscard]] OverlapResult<Scalar, Dim> test_sphere_box(const Sphere<Scalar, Dim>& sphere, const Obb<Scalar, Dim>& box,
+                                                         Observer&& observe = {}) {
   const Vector<Scalar, Dim> center = box.axes.transpose() * (sphere.center - box.center);
   const Vector<Scalar, Dim> nearest = center.cwiseMax(-box.half_extents).cwiseMin(box.half_extents);
   const Scalar size = std::max({center.cwiseAbs().maxCoeff(), box.half_extents.maxCoeff(), sphere.radius});
   const Scalar touching = tolerance::kTouching<Scalar> * size;
   const bool apart = scaled_norm<Scalar, Dim>(nearest - center) > sphere.radius + touching;
-  return by_distance<Scalar, Dim>(apart, "closest_points", box.axes * (nearest - center), sphere.radius);
+  return by_distance<Scalar, Dim>(apart, "closest_points", sphere.center, box.axes * (nearest - center), sphere.radius, observe);
 }
 
 }  // namespace snug::query

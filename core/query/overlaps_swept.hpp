@@ -10,7 +10,9 @@
 #include "geometry/sphere.hpp"
 #include "query/distance_rectangles.hpp"
 #include "query/overlap_result.hpp"
+#include "query/overlap_steps.hpp"
 #include "query/power_of_two.hpp"
+#include "trace/observer.hpp"
 
 namespace snug::query {
 
@@ -75,9 +77,13 @@ class SweptPair {
     return apart(pair.closest(touching() * touching()));
   }
 
-  [[nodiscard]] OverlapResult<Scalar, Dim> result() const {
+  /// origin: the first core's corner, for those who watch.
+  template <class Observer>
+  [[nodiscard]] OverlapResult<Scalar, Dim> result(const Vector<Scalar, Dim>& origin, Observer& observe) const {
     const ClosestPoints<Scalar> points = closest();
     OverlapResult<Scalar, Dim> result{.overlap = !apart(points), .distance = Scalar(0), .tests = points.tests};
+    observe.count(Operation::kDistanceTests, points.tests);
+    if constexpr (kWatched<Observer>) observe(OverlapStep{2, in_scene(points, origin)});
     if (result.overlap) return result;
     const Vector<Scalar, Dim> between = points.between.template head<Dim>();
     result.distance = (std::sqrt(points.square) - radii_) * unit_;
@@ -139,6 +145,13 @@ class SweptPair {
   /// The longer one's length.
   [[nodiscard]] static Scalar diagonal(const std::array<Space, 2>& edges) {
     return std::sqrt(edges[0].squaredNorm() + edges[1].squaredNorm() + 2 * std::abs(edges[0].dot(edges[1])));
+  }
+
+  [[nodiscard]] CoresCompared in_scene(const ClosestPoints<Scalar>& points, const Vector<Scalar, Dim>& origin) const {
+    const auto unit = static_cast<double>(unit_);
+    const Vector<double, 3> from = in_space<Scalar, Dim>(origin);
+    return {from + points.a.template cast<double>() * unit, from + points.b.template cast<double>() * unit,
+            std::sqrt(static_cast<double>(points.square)) * unit, static_cast<double>(radii_) * unit, apart(points)};
   }
 
   [[nodiscard]] Scalar touching() const { return radii_ + kTouching; }

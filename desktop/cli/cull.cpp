@@ -2,11 +2,16 @@
 #include <cmath>
 
 #include "desktop/cli/command.hpp"
+#include "desktop/cli/cull_tree.hpp"
+#include "desktop/cli/fact_json.hpp"
 #include "desktop/cli/in_float.hpp"
 #include "desktop/cli/json_lines.hpp"
+#include "desktop/cli/trace_file.hpp"
 #include "desktop/cli/volume_json.hpp"
 #include "query/classify.hpp"
+#include "query/classify_corners.hpp"
 #include "query/frustum_sat.hpp"
+#include "query/wrong_corners_outside.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -14,6 +19,9 @@ namespace {
 struct CullOptions {
   std::string scalar = "double";
   int dim = 0;
+  std::string test = "planes";
+  std::string tree;
+  std::string steps;
   std::string file = "-";
 };
 
@@ -112,41 +120,160 @@ Json json_of(const Vector<Scalar, Dim>& point) {
 }
 
 template <class Scalar, int Dim>
-tl::expected<Json, std::string> answer(const Rows& rows, const Volume<Scalar, Dim>& volume) {
+Json plane_json(const query::PlaneTested<Scalar, Dim>& fact) {
+  return {{"plane", fact.plane},
+          {"p_vertex", json_of<Scalar, Dim>(fact.p_point)},
+          {"n_vertex", json_of<Scalar, Dim>(fact.n_point)},
+          {"side", query::kCullingNames[static_cast<std::size_t>(fact.side)]},
+          {"p_distance", static_cast<double>(fact.p_distance)},
+          {"n_distance", static_cast<double>(fact.n_distance)}};
+}
+
+/// By the box's corners, as --test says. Errors: it is no box.
+template <class Scalar, int Dim>
+tl::expected<query::CullResult, std::string> by_corners(const std::string& test, const Frustum<Scalar, Dim>& frustum,
+                                                        const Volume<Scalar, Dim>& volume, query::ClassifyRecorder<Scalar, Dim>& steps) {
+  const auto test_box = [&](const auto& box) {
+    return test == "corners" ? query::classify_corners(frustum, box, steps) : query::corners_outside(frustum, box, steps);
+  };
+  if (const auto* box = std::get_if<Aabb<Scalar, Dim>>(&volume)) return test_box(*box);
+  if (const auto* box = std::get_if<Obb<Scalar, Dim>>(&volume)) return test_box(*box);
+  return wrong("volume is neither aabb nor obb, as --test " + test + " wants it");
+}
+
+/// What one line is asked by.
+struct Asked {
+  const std::string& test;
+  NewFile* trace;       // null where nobody watches
+  std::int64_t number;  // of the answer, counted from 1
+};
+
+template <class Scalar, int Dim>
+tl::expected<Json, std::string> answer(const Rows& rows, const Volume<Scalar, Dim>& volume, const Asked& asked) {
   const auto frustum = frustum_of<Scalar, Dim>(rows);
   if (!frustum) return wrong("frustum: " + frustum.error().what);
-  query::ClassifyRecorder<Scalar, Dim> steps;
-  const auto result = query::classify_volume(*frustum, volume, {.extent = query::CullExtent::kAll}, steps);
+  query::ClassifyRecorder<Scalar, Dim> of_planes, of_corners;
+  const auto result = query::classify_volume(*frustum, volume, {.extent = query::CullExtent::kAll}, of_planes);
+  query::Culling verdict = result.verdict;
+  if (asked.test != "planes") {
+    const auto chosen = by_corners(asked.test, *frustum, volume, of_corners);
+    if (!chosen) return wrong(chosen.error());
+    verdict = chosen->verdict;
+  }
+  if (asked.trace != nullptr)
+    for (const auto& entry : (asked.test == "planes" ? of_planes : of_corners).entries)
+      asked.trace->write(trace_line({{"volume", asked.number}, {"test", asked.test}}, entry.step, Dim));
+
   Json planes = Json::array();
-  for (const auto& entry : steps.entries)
-    if (const auto* fact = std::get_if<query::PlaneTested<Scalar, Dim>>(&entry.step.fact))
-      planes.push_back({{"plane", fact->plane},
-                        {"p_vertex", json_of<Scalar, Dim>(fact->p_point)},
-                        {"n_vertex", json_of<Scalar, Dim>(fact->n_point)},
-                        {"side", query::kCullingNames[static_cast<std::size_t>(fact->side)]},
-                        {"p_distance", static_cast<double>(fact->p_distance)},
-                        {"n_distance", static_cast<double>(fact->n_distance)}});
-  return Json{{"class", query::kCullingNames[static_cast<std::size_t>(result.verdict)]},
+  for (const auto& entry : of_planes.entries)
+    if (const auto* fact = std::get_if<query::PlaneTested<Scalar, Dim>>(&entry.step.fact)) planes.push_back(plane_json(*fact));
+  return Json{{"class", query::kCullingNames[static_cast<std::size_t>(verdict)]},
               {"planes", planes},
               {"exact", exact_class(*frustum, volume, result.verdict)}};
 }
 
 template <int Dim>
-tl::expected<Json, std::string> answer(const Rows& rows, const Volume<double, Dim>& volume, bool as_float) {
-  return as_float ? answer<float, Dim>(rows, in_float<Dim>(volume)) : answer<double, Dim>(rows, volume);
+tl::expected<Json, std::string> answer(const Rows& rows, const Volume<double, Dim>& volume, bool as_float, const Asked& asked) {
+  return as_float ? answer<float, Dim>(rows, in_float<Dim>(volume), asked) : answer<double, Dim>(rows, volume, asked);
 }
 
-tl::expected<Json, std::string> answer_line(const Json& line, const CullOptions& options) {
+struct CullLine {
+  Rows frustum;
+  int dim = 3;
+  AnyVolume volume;
+};
+
+tl::expected<CullLine, std::string> line_from(const Json& line, const CullOptions& options) {
   if (const auto fields = has_just(line, "the line", {"frustum", "volume"}); !fields) return wrong(fields.error());
   for (const char* name : {"frustum", "volume"})
     if (!line.contains(name)) return wrong(std::string(name) + " is missing");
-  const auto rows = rows_of(line["frustum"], options);
+  auto rows = rows_of(line["frustum"], options);
   if (!rows) return wrong(rows.error());
   const int dim = rows->size() == 4 ? 2 : 3;
-  const auto volume = read_volume(line["volume"], volume_wanted("volume", dim, options.scalar));
+  auto volume = read_volume(line["volume"], volume_wanted("volume", dim, options.scalar));
   if (!volume) return wrong(volume.error());
+  return CullLine{std::move(*rows), dim, std::move(*volume)};
+}
+
+tl::expected<Json, std::string> answer_line(const Json& json, const CullOptions& options, const Asked& asked) {
+  const auto line = line_from(json, options);
+  if (!line) return wrong(line.error());
   const bool as_float = options.scalar == "float";
-  return dim == 2 ? answer<2>(*rows, std::get<0>(*volume), as_float) : answer<3>(*rows, std::get<1>(*volume), as_float);
+  return line->dim == 2 ? answer<2>(line->frustum, std::get<0>(line->volume), as_float, asked)
+                        : answer<3>(line->frustum, std::get<1>(line->volume), as_float, asked);
+}
+
+// ---- by a tree
+
+/// Where a volume of the plane or of space is among kVolumeNames.
+std::size_t kind_of(const AnyVolume& volume) {
+  return std::visit([](const auto& v) { return v.index(); }, volume);
+}
+
+/// All lines are one scene: one frustum, one kind of volume.
+tl::expected<std::vector<CullLine>, std::vector<InputError>> scene_of(const CullOptions& options) {
+  std::vector<CullLine> scene;
+  const auto read = answer_lines(options.file, [&](const Json& json) -> tl::expected<Json, std::string> {
+    auto line = line_from(json, options);
+    if (!line) return wrong(line.error());
+    if (!scene.empty() && scene[0].frustum != line->frustum) return wrong("frustum is another than the first line's; a tree is held against one");
+    if (!scene.empty() && kind_of(scene[0].volume) != kind_of(line->volume))
+      return wrong("volume is of another kind than the first line's; those of a tree are all of one");
+    const auto frustum = line->dim == 2 ? frustum_of<double, 2>(line->frustum).map([](const auto&) {})
+                                        : frustum_of<double, 3>(line->frustum).map([](const auto&) {});
+    if (!frustum) return wrong("frustum: " + frustum.error().what);
+    scene.push_back(std::move(*line));
+    return Json();
+  });
+  if (!read) return tl::unexpected(read.error());
+  return scene;
+}
+
+Json json_of(const CullCost& cost) { return {{"volume_tests", cost.volume_tests}, {"planes_tested", cost.planes_tested}}; }
+
+template <class Scalar, int Dim>
+CommandResult cull_scene(const std::vector<CullLine>& scene, const std::string& rule, TraceFile& trace) {
+  const auto frustum = frustum_of<Scalar, Dim>(scene[0].frustum);
+  if (!frustum) return bad_input("frustum: " + frustum.error().what);
+  std::vector<Volume<Scalar, Dim>> volumes;
+  for (const CullLine& line : scene) {
+    const Volume<double, Dim>& volume = std::get<static_cast<std::size_t>(Dim - 2)>(line.volume);
+    if constexpr (std::is_same_v<Scalar, float>) volumes.push_back(in_float<Dim>(volume));
+    else volumes.push_back(volume);
+  }
+  const CulledByTree culled = cull_by_tree<Scalar, Dim>(rule, *frustum, volumes, trace);
+  Printed printed;
+  for (const query::Culling culling : culled.classes)
+    printed.text += line_of({{"class", query::kCullingNames[static_cast<std::size_t>(culling)]}});
+  printed.text += line_of({{"tree", rule},
+                           {"nodes", culled.nodes},
+                           {"nodes_visited", culled.nodes_visited},
+                           {"by_tree", json_of(culled.by_tree)},
+                           {"without_masks", json_of(culled.without_masks)},
+                           {"one_by_one", json_of(culled.one_by_one)}});
+  return printed;
+}
+
+CommandResult run_tree(const CullOptions& options, TraceFile& trace) {
+  if (options.test != "planes") return bad_input("--tree goes with --test planes");
+  const auto scene = scene_of(options);
+  if (!scene) return tl::unexpected(scene.error());
+  if (scene->empty()) return Printed{};
+  const bool as_float = options.scalar == "float";
+  if ((*scene)[0].dim == 2)
+    return as_float ? cull_scene<float, 2>(*scene, options.tree, trace) : cull_scene<double, 2>(*scene, options.tree, trace);
+  return as_float ? cull_scene<float, 3>(*scene, options.tree, trace) : cull_scene<double, 3>(*scene, options.tree, trace);
+}
+
+CommandResult run_cull(const CullOptions& options) {
+  auto trace = trace_file(options.steps);
+  if (!trace) return bad_input(trace.error());
+  if (!options.tree.empty()) return with_trace(run_tree(options, *trace), *trace);
+  std::int64_t number = 0;
+  auto answers = answer_lines(options.file, [&](const Json& line) {
+    return answer_line(line, options, {options.test, *trace ? &**trace : nullptr, ++number});
+  });
+  return with_trace(std::move(answers), *trace);
 }
 
 constexpr const char* kCullFooter = R"(Reads JSON Lines, {"frustum":F,"volume":V} on each, and prints one object for each; empty lines are passed over.
@@ -163,6 +290,18 @@ constexpr const char* kCullFooterEnd = R"(It is of the frustum's dimension.
   exact            the class that is true; null where it is not found out: of what the planes call intersecting, it is
                    found of aabb and obb, against planes that bound a frustum with eight corners (in 2-D four)
 
+--test corners says the class by the box's corners: outside where all are outside of one plane; corners_outside says so
+where all are outside of the frustum, which loses boxes that are wider than it: class then differs from exact.
+--tree RULE builds a tree over all lines' volumes, which are of one kind and have one frustum, by median, surface_area,
+bottom_up or insertion, and culls by it. It prints {"class":..} for each, the same as without, and then one object more:
+  tree, nodes      the rule, and how many nodes it made; nodes_visited: how many the frustum had looked at
+  by_tree          volume_tests (nodes and bodies) and planes_tested; without_masks the same where children are tested
+                   against planes too that their parent is inside of; one_by_one without the tree
+
+--steps writes what the test did, a JSON object a line: volume (which line of the answers), test, step (its name), line
+(of the test's pseudocode, counted from 0) and the step's own fields. Of side, so_far and verdict 0 is inside, 1
+intersecting, 2 outside. Of a tree it is doing (build or cull) in volume's place.
+
 Exit status: 0 done, 2 bad input or usage: one line on stderr that names the field, and nothing on stdout.)";
 
 }  // namespace
@@ -170,13 +309,17 @@ Exit status: 0 done, 2 bad input or usage: one line on stderr that names the fie
 void add_cull(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("cull", "Classify volumes against view frusta");
   command.footer(std::string(kCullFooter) + kVolumesInJson + kCullFooterEnd);
-  const auto options = add_command<CullOptions>(commands, command, [](const CullOptions& chosen) {
-    return answer_lines(chosen.file, [&](const Json& line) { return answer_line(line, chosen); });
-  });
+  const auto options = add_command<CullOptions>(commands, command, run_cull);
   command.add_option("--scalar", options->scalar, "Arithmetic: double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
   command.add_option("--dim", options->dim, "2 or 3; each line's own where none is given")->transform(whole_number(2, 3));
+  command.add_option("--test", options->test, "What says the class: planes; of boxes also corners, or corners_outside, which is wrong")
+      ->check(CLI::IsMember({"planes", "corners", "corners_outside"}))
+      ->capture_default_str();
+  command.add_option("--tree", options->tree, "Cull by a tree built by median, surface_area, bottom_up or insertion")
+      ->check(CLI::IsMember(kTreeRules));
+  command.add_option("--steps", options->steps, "File for the trace of all tests, one JSON object a line");
   command.add_option("FILE", options->file, "File of JSON Lines; - is standard input")->capture_default_str();
 }
 

@@ -2,6 +2,7 @@
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/json.hpp"
 #include "desktop/cli/timing.hpp"
+#include "desktop/cli/trace_file.hpp"
 #include "fit/catalogue.hpp"
 
 namespace snug::desktop {
@@ -62,17 +63,13 @@ tl::expected<AnyPointSet, InputError> points_of(const FitOptions& options, const
 tl::expected<fit::Watched, InputError> watch(const FitOptions& options, const fit::Algorithm& algorithm,
                                              const AnyPointSet& points) {
   const fit::Options chosen{.seed = options.seed};
-  if (options.steps.empty()) return algorithm.watch(points, chosen, {});
-  std::error_code none;
-  if (std::filesystem::is_regular_file(options.steps, none) &&
-      std::filesystem::equivalent(options.steps, "/dev/stdout", none))
-    return tl::unexpected(InputError{.what = "is where the result goes", .file = options.steps});
-  auto file = NewFile::create(options.steps);
-  if (!file) return tl::unexpected(file.error());
+  auto trace = trace_file(options.steps);
+  if (!trace) return tl::unexpected(trace.error());
+  if (!*trace) return algorithm.watch(points, chosen, {});
   const int dim = fit::dim_of(points);
   const fit::Watched watched = algorithm.watch(
-      points, chosen, [&](fit::Step3&& step, const OperationCounts&) { file->write(fit::json_of(step, dim) + '\n'); });
-  return file->put_in_place().map([&] { return watched; });
+      points, chosen, [&](fit::Step3&& step, const OperationCounts&) { (*trace)->write(fit::json_of(step, dim) + '\n'); });
+  return (*trace)->put_in_place().map([&] { return watched; });
 }
 
 Json result_of(const fit::Algorithm& algorithm, const AnyPointSet& points, const fit::Watched& watched,

@@ -1,8 +1,10 @@
 #include "query/overlaps.hpp"
 
 #include "desktop/cli/command.hpp"
+#include "desktop/cli/fact_json.hpp"
 #include "desktop/cli/in_float.hpp"
 #include "desktop/cli/json_lines.hpp"
+#include "desktop/cli/trace_file.hpp"
 #include "desktop/cli/volume_json.hpp"
 
 namespace snug::desktop {
@@ -11,6 +13,7 @@ namespace {
 struct OverlapOptions {
   std::string scalar = "double";
   int dim = 0;
+  std::string steps;
   std::string file = "-";
 };
 
@@ -59,20 +62,61 @@ Json json_of(const query::OverlapResult<Scalar, Dim>& result) {
   return json;
 }
 
+/// Writes the steps of a pair's test. pair: which line of the answers is its own, counted from 1.
+class Trace {
+ public:
+  Trace(NewFile& file, std::int64_t pair, int dim) : file_(file), pair_(pair), dim_(dim) {}
+
+  void operator()(const query::OverlapStep& step) { write(std::holds_alternative<query::SlabTested>(step.fact) ? "slabs" : "distance", step); }
+  void operator()(const query::GjkStep& step) { write("gjk", step); }
+  template <class Scalar, int Dim>
+  void operator()(const query::SatStep<Scalar, Dim>& step) { write("separating_axes", step); }
+  void count(Operation, std::int64_t) {}
+
+  bool turned = false;  // whether the steps' first volume is the pair's second
+
+ private:
+  template <class Step>
+  void write(std::string_view test, const Step& step) {
+    file_.write(trace_line({{"pair", pair_}, {"test", test}, {"first", turned ? "b" : "a"}}, step, dim_));
+  }
+
+  NewFile& file_;
+  std::int64_t pair_;
+  int dim_;
+};
+
+template <class Scalar, int Dim>
+Json answer(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b, Trace* trace) {
+  if (trace == nullptr) return json_of(query::test_overlap<Scalar, Dim>(a, b));
+  return std::visit(
+      [&](const auto& x, const auto& y) {
+        trace->turned = query::turned(x, y);
+        return json_of(query::test_overlap(x, y, *trace));
+      },
+      a, b);
+}
+
 template <int Dim>
-Json answer(const Volume<double, Dim>& a, const Volume<double, Dim>& b, bool as_float) {
-  if (!as_float) return json_of(query::test_overlap<double, Dim>(a, b));
-  return json_of(query::test_overlap<float, Dim>(in_float<Dim>(a), in_float<Dim>(b)));
+Json answer(const Volume<double, Dim>& a, const Volume<double, Dim>& b, bool as_float, Trace* trace) {
+  return as_float ? answer<float, Dim>(in_float<Dim>(a), in_float<Dim>(b), trace) : answer<double, Dim>(a, b, trace);
 }
 
 CommandResult run_overlap(const OverlapOptions& options) {
-  return answer_lines(options.file, [&](const Json& json) -> tl::expected<Json, std::string> {
+  auto file = trace_file(options.steps);
+  if (!file) return bad_input(file.error());
+  std::int64_t number = 0;
+  auto answers = answer_lines(options.file, [&](const Json& json) -> tl::expected<Json, std::string> {
     const auto pair = pair_of(json, options);
     if (!pair) return tl::unexpected(pair.error());
-    const bool as_float = options.scalar == "float";
-    return dim_of(pair->a) == 2 ? answer(std::get<0>(pair->a), std::get<0>(pair->b), as_float)
-                                : answer(std::get<1>(pair->a), std::get<1>(pair->b), as_float);
+    const bool as_float = options.scalar == "float", in_plane = dim_of(pair->a) == 2;
+    std::optional<Trace> trace;
+    if (*file) trace.emplace(**file, ++number, in_plane ? 2 : 3);
+    Trace* const watch = trace ? &*trace : nullptr;
+    return in_plane ? answer<2>(std::get<0>(pair->a), std::get<0>(pair->b), as_float, watch)
+                    : answer<3>(std::get<1>(pair->a), std::get<1>(pair->b), as_float, watch);
   });
+  return with_trace(std::move(answers), *file);
 }
 
 constexpr const char* kOverlapFooter = R"(Reads JSON Lines, {"a":V,"b":V} on each, and prints one object for each; empty lines are passed over.
@@ -84,6 +128,10 @@ constexpr const char* kOverlapFooterEnd = R"(A 6-DOP, which both have, is of the
   separating_axis  {kind, direction, gap}: a unit direction from a to b, and the gap along it; null where they overlap.
                    kind: centers, closest_points, slab, face_a, face_b, edge_edge
   tests            how many axes, pairs of features or simplices were looked at
+
+--steps writes what each test did, a JSON object a line: pair (which line of the answers), test (slabs, distance,
+separating_axes, gjk), first (which of the two volumes the step calls a), step (its name), line (of the test's
+pseudocode, counted from 0) and the step's own fields. An axis' kind is 1 face_a, 2 face_b, 3 edge_edge.
 
 Exit status: 0 done, 2 bad input or usage: one line on stderr that names the field, and nothing on stdout.)";
 
@@ -97,6 +145,7 @@ void add_overlap(Commands& commands) {
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
   command.add_option("--dim", options->dim, "2 or 3; each line's own where none is given")->transform(whole_number(2, 3));
+  command.add_option("--steps", options->steps, "File for the trace of all tests, one JSON object a line");
   command.add_option("FILE", options->file, "File of JSON Lines; - is standard input")->capture_default_str();
 }
 

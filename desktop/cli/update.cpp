@@ -5,6 +5,7 @@
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/json.hpp"
+#include "desktop/cli/trace_file.hpp"
 #include "fit/catalogue.hpp"
 #include "fit/updates.hpp"
 #include "geometry/turn.hpp"
@@ -89,12 +90,6 @@ Json json_of_frame(const fit::UpdateStrategy& strategy, const fit::UpdatedFrame&
   return json;
 }
 
-/// The file for the trace, where one is asked for.
-tl::expected<std::optional<NewFile>, InputError> trace_file(const UpdateOptions& options) {
-  if (options.steps.empty()) return std::nullopt;
-  return NewFile::create(options.steps).map([](NewFile&& file) { return std::optional<NewFile>(std::move(file)); });
-}
-
 CommandResult run_update(const UpdateOptions& options) {
   const auto strategy = strategy_of(options);
   if (!strategy) return bad_input(strategy.error());
@@ -102,7 +97,7 @@ CommandResult run_update(const UpdateOptions& options) {
   if (!points) return bad_input(points.error());
   const int dim = fit::dim_of(*points);
   if (const auto wrong = wrong_with(options, dim)) return bad_input(*wrong);
-  auto file = trace_file(options);
+  auto file = trace_file(options.steps);
   if (!file) return bad_input(file.error());
 
   const fit::UpdateBody update = fit::start_updates(**strategy, *points);
@@ -114,9 +109,7 @@ CommandResult run_update(const UpdateOptions& options) {
     if (!updated.contains) printed.status = 1;
     printed.text += line_of(json_of_frame(**strategy, updated, frame, options.degrees * share, dim));
   }
-  if (!*file) return printed;
-  if (const auto placed = (*file)->put_in_place(); !placed) return bad_input(placed.error());
-  return printed;
+  return with_trace(std::move(printed), *file);
 }
 
 constexpr const char* kUpdateFooter = R"(Turns the points about the origin, moves them, and brings their volume along, frame by frame, from the volume that

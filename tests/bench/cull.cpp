@@ -84,9 +84,10 @@ void measure(const char* name, const std::vector<Shape>& shapes, const Array& ar
   for (const auto verdict : verdicts) ++counts[static_cast<std::size_t>(verdict)];
   const auto to_sum = bench::ratio(at_once, summing, kRounds);
   const auto to_one = bench::ratio(one_by_one, at_once, kRounds / 4);
+  const auto percent = [](std::size_t count) { return 100.0 * static_cast<double>(count) / kCount; };
   std::printf("| %s | %s | %.0f / %.0f / %.0f %% | %.2f ms | %.2f (%.2f to %.2f) | %.1f (%.1f to %.1f) |\n",
-              sizeof(Scalar) == 4 ? "float" : "double", name, 100.0 * counts[0] / kCount, 100.0 * counts[1] / kCount,
-              100.0 * counts[2] / kCount, to_sum.base * 1e3, to_sum.median, to_sum.low, to_sum.high, to_one.median, to_one.low,
+              sizeof(Scalar) == 4 ? "float" : "double", name, percent(counts[0]), percent(counts[1]),
+              percent(counts[2]), to_sum.base * 1e3, to_sum.median, to_sum.low, to_sum.high, to_one.median, to_one.low,
               to_one.high);
 }
 

@@ -1,41 +1,17 @@
 // `snug cull`: every kind of volume against frusta of either form, and every way in which a line can be wrong.
-// SNUG: the program; build/release/snug if not set.
 import assert from "node:assert/strict";
-import { spawnSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { dirname, join, resolve } from "node:path";
-import { after, test } from "node:test";
-import { fileURLToPath } from "node:url";
-
-const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
-const program = resolve(process.env.SNUG ?? join(root, "build/release/snug"));
-const folder = mkdtempSync(join(tmpdir(), "snug-"));
-after(() => rmSync(folder, { recursive: true }));
-
-function snug(args, input = "") {
-  const done = spawnSync(program, args, { input, encoding: "utf8", cwd: folder });
-  assert.equal(done.error, undefined);
-  return { out: done.stdout, err: done.stderr, status: done.status };
-}
+import { test } from "node:test";
+import { good, json_lines, read, refused as refused_command, snug, write } from "./support.mjs";
 
 /** The answers to lines, given as objects. */
 function answers(lines, ...args) {
-  const { out, err, status } = snug(["cull", ...args], lines.map((line) => JSON.stringify(line)).join("\n"));
-  assert.equal(err, "");
-  assert.equal(status, 0);
-  return out.trimEnd().split("\n").map((line) => JSON.parse(line));
+  return json_lines(good(["cull", ...args], lines.map((line) => JSON.stringify(line)).join("\n")));
 }
 const answer = (frustum, volume, ...args) => answers([{ frustum, volume }], ...args)[0];
 
-/** Exit 2, nothing on stdout, and one line on stderr that names file and line. */
+/** Refused with a line that names file and line. */
 function refused(text, what, line = 1, ...args) {
-  const { out, err, status } = snug(["cull", ...args], typeof text === "string" ? text : JSON.stringify(text));
-  assert.equal(out, "");
-  if (what instanceof RegExp) assert.match(err, what);
-  else assert.equal(err, `snug: -:${line}: ${what}\n`);
-  assert.match(err, /^snug: -:\d+: [^\n]+\n$/);
-  assert.equal(status, 2);
+  refused_command(["cull", ...args], what instanceof RegExp ? what : `-:${line}: ${what}`, typeof text === "string" ? text : JSON.stringify(text));
 }
 
 const cube = { planes: [[-1, 0, 0, -1], [1, 0, 0, -1], [0, -1, 0, -1], [0, 1, 0, -1], [0, 0, -1, -1], [0, 0, 1, -1]] };
@@ -120,16 +96,92 @@ test("what the planes call intersecting near an edge, and is outside, is told by
   assert.equal(answer(open, { aabb: { min: [-2, 0, 0], max: [5, 0, 0] } }).exact, null);
 });
 
+test("the corners' tests: one that is right, and the one that loses a box wider than the frustum", () => {
+  const wide = { obb: { center: [0.5, 0, 0], axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], half_extents: [3, 0.5, 0.5] } };
+  const beside = { aabb: { min: [2, -9, 0], max: [3, 9, 1] } };
+  const inside = { aabb: { min: [-0.5, -0.5, -0.5], max: [0.5, 0.5, 0.5] } };
+  const classes = (name) => answers([wide, beside, inside].map((volume) => ({ frustum: cube, volume })), "--test", name).map((result) => [result.class, result.exact]);
+  const right = [["intersecting", "intersecting"], ["outside", "outside"], ["inside", "inside"]];
+  assert.deepEqual(classes("planes"), right);
+  assert.deepEqual(classes("corners"), right);
+  assert.deepEqual(classes("corners_outside"), [["outside", "intersecting"], ...right.slice(1)]);
+  refused({ frustum: cube, volume: sphere }, "volume is neither aabb nor obb, as --test corners wants it", 1, "--test", "corners");
+});
+
+test("every kind of volume tells the steps of its test", () => {
+  for (const [of, frustum, planes, corners] of [[space, cube, 6, 8], [plane, square, 4, 4]]) {
+    const kinds = Object.keys(of);
+    const run = (names, ...args) => {
+      const lines = names.map((kind) => ({ frustum, volume: { [kind]: of[kind](1) } }));
+      const results = answers(lines, "--steps", "cull.jsonl", ...args);
+      const steps = json_lines(read("cull.jsonl"));
+      return results.map((result, i) => ({ result, steps: steps.filter((step) => step.volume === i + 1) }));
+    };
+    for (const scalar of ["double", "float"])
+      for (const { result, steps } of run(kinds, "--scalar", scalar)) {
+        assert.deepEqual(steps.map((step) => step.step), [...Array(planes).fill("plane_tested"), "classified"]);
+        steps.slice(0, -1).forEach((step, i) => assert.deepEqual([step.plane, step.p_point, step.n_point], [i, result.planes[i].p_vertex, result.planes[i].n_vertex]));
+        assert.equal(["inside", "intersecting", "outside"][steps.at(-1).verdict], result.class);
+      }
+    for (const name of ["corners", "corners_outside"])
+      for (const { steps } of run(["aabb", "obb"], "--test", name)) {
+        assert.equal(steps.at(-1).step, "classified");
+        assert.equal(steps.filter((step) => step.step === "corner_tested").length, name === "corners" ? planes * corners : corners);
+        assert.ok(steps.every((step) => step.test === name));
+      }
+  }
+});
+
+/** Volumes of a kind on a lattice of n by n places, of which the frustum sees some. */
+const lattice = (of, kind, frustum, n) => Array.from({ length: n * n }, (_, i) => {
+  const volume = of[kind]((i % n) * 1.25 - 6);
+  return { frustum, volume: { [kind]: volume } };
+});
+
+test("a tree of any kind, built by any rule, gives each volume its own class, and tests fewer", () => {
+  for (const [of, frustum, most] of [[space, cube, 6], [plane, square, 4]])
+    for (const kind of Object.keys(of))
+      for (const scalar of ["double", "float"]) {
+        const lines = lattice(of, kind, frustum, 11);
+        const alone = answers(lines, "--scalar", scalar).map((result) => result.class);
+        assert.ok(["inside", "intersecting", "outside"].every((name) => alone.includes(name)));
+        for (const rule of ["median", "surface_area", "bottom_up", "insertion"]) {
+          const results = answers(lines, "--scalar", scalar, "--tree", rule, "--steps", "tree.jsonl");
+          const about = `${kind} ${scalar} ${rule}`;
+          const { tree, nodes, nodes_visited, by_tree, without_masks, one_by_one } = results.pop();
+          assert.deepEqual(results.map((result) => result.class), alone, about);
+          assert.equal(tree, rule);
+          assert.ok(nodes_visited < nodes && nodes < 2 * lines.length, about);
+          assert.ok(by_tree.volume_tests < one_by_one.volume_tests, `${about} ${JSON.stringify([by_tree, one_by_one])}`);
+          assert.equal(by_tree.volume_tests, without_masks.volume_tests, about);
+          assert.ok(by_tree.planes_tested < without_masks.planes_tested && without_masks.planes_tested <= most * without_masks.volume_tests, about);
+          const steps = json_lines(read("tree.jsonl"));
+          assert.equal(steps.filter((step) => step.step === "volume_made").length, nodes, about);
+          assert.equal(steps.filter((step) => step.step === "node_visited" || step.step === "body_tested").length, by_tree.volume_tests, about);
+        }
+      }
+});
+
+test("a tree of what does not belong together is refused", () => {
+  const other = { frustum: cube, volume: { aabb: { min: [0, 0, 0], max: [1, 1, 1] } } };
+  const line = { frustum: cube, volume: sphere };
+  const two = (a, b) => `${JSON.stringify(a)}\n${JSON.stringify(b)}`;
+  refused(two(line, other), "volume is of another kind than the first line's; those of a tree are all of one", 2, "--tree", "median");
+  refused(two(line, { ...line, frustum: perspective }), "frustum is another than the first line's; a tree is held against one", 2, "--tree", "median");
+  refused_command(["cull", "--tree", "median", "--test", "corners"], "--tree goes with --test planes", JSON.stringify(line));
+  assert.equal(good(["cull", "--tree", "median"], ""), "");
+});
+
 test("lines come from a file or standard input, and empty ones are passed over", () => {
   const line = JSON.stringify({ frustum: cube, volume: sphere });
-  writeFileSync(join(folder, "volumes.jsonl"), `${line}\r\n\n  \n${line}\n`);
+  write("volumes.jsonl", `${line}\r\n\n  \n${line}\n`);
   const { out, status } = snug(["cull", "volumes.jsonl"]);
   assert.equal(status, 0);
   assert.equal(out.split("\n").length, 3);
   assert.equal(snug(["cull", "-"], line).out.split("\n").length, 2);
   assert.deepEqual(snug(["cull"]), { out: "", err: "", status: 0 });
   assert.deepEqual(snug(["cull", "nowhere.jsonl"]), { out: "", err: "snug: nowhere.jsonl: cannot be opened: No such file or directory\n", status: 2 });
-  writeFileSync(join(folder, "bad.jsonl"), `${line}\n${line}\n{}\n`);
+  write("bad.jsonl", `${line}\n${line}\n{}\n`);
   assert.deepEqual(snug(["cull", "bad.jsonl"]), { out: "", err: "snug: bad.jsonl:3: frustum is missing\n", status: 2 });
 });
 
@@ -188,7 +240,7 @@ test("what float cannot take, and bad usage, is refused", () => {
   refused({ frustum: long, volume: sphere }, "frustum: plane 0 (left) is farther away than this program can take", 1, "--scalar", "float");
   refused({ frustum: cube, volume: sphere }, "frustum.planes has 6 rows where 4 belong", 1, "--dim", "2");
   refused({ frustum: perspective, volume: sphere }, "frustum.view_projection is of 3-D, and --dim is 2", 1, "--dim", "2");
-  for (const args of [["--scalar", "half"], ["--dim", "4"], ["a", "b"], ["--json"]]) {
+  for (const args of [["--scalar", "half"], ["--dim", "4"], ["--test", "corner"], ["--tree", "best"], ["--steps", "no/where"], ["a", "b"], ["--json"]]) {
     const { out, err, status } = snug(["cull", ...args]);
     assert.equal(out, "");
     assert.match(err, /^snug: [^\n]+\n$/);

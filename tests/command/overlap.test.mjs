@@ -1,7 +1,7 @@
 // `snug overlap`: every pair of volumes, every form of them, and every way in which they can be wrong.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { good, json_lines, refused as refused_command, snug, write } from "./support.mjs";
+import { good, json_lines, read, refused as refused_command, snug, write } from "./support.mjs";
 
 /** The answers to lines, given as objects. */
 function answers(lines, ...args) {
@@ -215,4 +215,50 @@ test("help says what the contract says", () => {
     "edges", "kdop", "hull", "points", "overlap", "distance", "separating_axis", "tests", "Exit status"])
     assert.ok(out.includes(word), word);
   assert.ok(snug(["--help"]).out.includes("overlap"));
+});
+
+/** The steps of lines, given as objects, one list for each. */
+function traces(lines, ...args) {
+  const results = answers(lines, "--steps", "overlap.jsonl", ...args);
+  const steps = json_lines(read("overlap.jsonl"));
+  return results.map((result, i) => ({ result, steps: steps.filter((step) => step.pair === i + 1) }));
+}
+
+for (const [dim, of] of [[3, space], [2, plane]])
+  test(`every pair's test tells its steps, and they come to its answer, ${dim}-D`, () => {
+    const cases = kinds.flatMap((a) => kinds.flatMap((b) => [1, -1].flatMap((gap) => [1, -1].map((side) => ({ a: { [a]: of[a](0) }, b: { [b]: of[b](side * (2 + gap)) } })))));
+    for (const scalar of ["double", "float"])
+      for (const [i, { result, steps }] of traces(cases, "--scalar", scalar).entries()) {
+        const about = JSON.stringify([cases[i], result, steps]);
+        assert.ok(steps.length > 0, about);
+        const last = steps.at(-1);
+        if (last.test === "slabs") assert.equal(last.separates, !result.overlap, about);
+        if (last.test === "distance") assert.equal(last.apart, !result.overlap, about);
+        if (last.test === "separating_axes") assert.deepEqual([last.step, last.overlap, last.tests], ["verdict", result.overlap, result.tests], about);
+        if (last.test === "gjk") assert.equal(last.step, "distance_found", about);
+        if (steps.every((step) => step.test === "slabs")) assert.equal(steps.length, result.tests, about);
+        const ordered = steps.every((step) => step.first === steps[0].first && Number.isInteger(step.line));
+        assert.ok(ordered && ["a", "b"].includes(steps[0].first), about);
+        for (const vector of [last.direction, last.on_a].filter(Boolean)) assert.equal(vector.length, dim, about);
+      }
+  });
+
+test("a slab's step has both intervals, a distance's both points", () => {
+  const [boxes, spheres] = traces([
+    { a: { aabb: { min: [0, 0, 0], max: [1, 2, 3] } }, b: { aabb: { min: [0.5, 4, 0], max: [2, 5, 1] } } },
+    { a: { sphere: { center: [5, 0, 0], radius: 1 } }, b: { sphere: { center: [0, 0, 0], radius: 2 } } }]);
+  assert.deepEqual(boxes.steps.map(({ direction, least_a, greatest_a, least_b, greatest_b, separates }) => [direction, least_a, greatest_a, least_b, greatest_b, separates]),
+    [[[1, 0, 0], 0, 1, 0.5, 2, false], [[0, 1, 0], 0, 2, 4, 5, true]]);
+  assert.equal(spheres.steps.length, 1);
+  const { on_a, on_b, distance, radii, apart, first } = spheres.steps[0];
+  const given = first === "a" ? [on_a, on_b] : [on_b, on_a];
+  assert.deepEqual([...given, distance, radii, apart], [[5, 0, 0], [0, 0, 0], 5, 3, true]);
+});
+
+test("a trace that cannot be written, or is half done, leaves nothing", () => {
+  const { err, status } = snug(["overlap", "--steps", "nowhere/t.jsonl"], JSON.stringify(with_sphere(sphere)));
+  assert.match(err, /^snug: nowhere\/t\.jsonl: [^\n]+\n$/);
+  assert.equal(status, 2);
+  refused_command(["overlap", "--steps", "half.jsonl"], /^snug: -:2: /, `${JSON.stringify(with_sphere(sphere))}\n{}`);
+  assert.throws(() => read("half.jsonl"));
 });

@@ -1,7 +1,7 @@
 // The `snug` command, called as a script calls it. SNUG: the program; build/release/snug if not set.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { after } from "node:test";
@@ -23,6 +23,8 @@ export function write(name, text) {
   writeFileSync(join(folder, name), text);
   return name;
 }
+
+export const read = (name) => readFileSync(join(folder, name), "utf8");
 
 export const json_lines = (text) => text.trimEnd().split("\n").map((line) => JSON.parse(line));
 

@@ -24,7 +24,7 @@ export class Code {
   open(lesson) {
     const options = lesson.algorithms.map(({ name, title }) => element("option", { value: name }, title));
     this.#main.replaceChildren(...options);
-    this.#beside.replaceChildren(element("option", { value: "" }, "none"), ...options.map((option) => option.cloneNode(true)));
+    this.#beside.replaceChildren(element("option", { value: "" }, "none beside"), ...options.map((option) => option.cloneNode(true)));
     this.#sources = new Map(lesson.algorithms.map(({ name, source }) => [name, source]));
   }
 
@@ -62,11 +62,17 @@ export class Code {
 
 const kLineBeyond = 1.5; // lines that stay in sight before and behind it, clear of the fade
 
+/** Where there is little room the choice of algorithms stays while the lines scroll beneath it. */
+function kept_on_top(scroller) {
+  const fields = scroller.querySelector(".fields");
+  return getComputedStyle(fields).position === "sticky" ? fields.offsetHeight : 0;
+}
+
 /** Scrolls the code alone, never the page under the reader's eyes. */
 function keep_in_view(item, scroller) {
   const [line, box] = [item.getBoundingClientRect(), scroller.getBoundingClientRect()];
   const beyond = kLineBeyond * line.height;
-  const above = line.top - beyond - box.top;
+  const above = line.top - beyond - box.top - kept_on_top(scroller);
   const below = line.bottom + beyond - box.bottom;
   if (above < 0) scroller.scrollTop += above;
   else if (below > 0) scroller.scrollTop += Math.min(below, above);

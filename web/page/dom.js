@@ -18,9 +18,13 @@ export function element(tag, properties = {}, ...children) {
 export const button = (words, onclick, properties = {}) =>
   element("button", { type: "button", class: "button", onclick, ...properties }, words);
 
+/** A corner's name is its signs, −+−: a line that ended between two would make two names of it. */
+const whole_names = (text) => text.replace(/([+−])(?=[+−])/g, "$1\u2060");
+
 /** Writes only what differs, so that a live region does not speak twice and nothing is laid out for naught. */
 export function set_text(node, text) {
-  if (node.textContent !== text) node.textContent = text;
+  const whole = whole_names(text);
+  if (node.textContent !== whole) node.textContent = whole;
 }
 
 export function set_hidden(node, hidden) {

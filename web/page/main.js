@@ -19,6 +19,9 @@ import { Tabs } from "./tabs.js";
 const kAddressDelay = 250; // milliseconds: browsers count how often the address is replaced
 const kPanelsDelay = 250; // milliseconds: so often the HTML follows a drag, whose every frame would lay the page out anew
 
+/** What stands on it, for those who cannot see it. */
+const stage_of = ({ boxes, frustum }) => (frustum ? "a box and a view frustum" : boxes ? "two boxes" : "the points and the volume around them");
+
 class Page {
   #door;
   #downloads;
@@ -40,7 +43,7 @@ class Page {
     this.#embed = embed;
     const act = (what) => this.act(what);
     const question = new QuestionCard(door, act);
-    this.#panels = [new Reading(() => act(() => door.start_task())), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new Player(door, act), new Tabs()];
+    this.#panels = [new Reading(() => this.#start_task()), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new Player(door, act), new Tabs()];
     this.#menu = new LessonMenu(lessons, (id) => this.#go_to(id));
     this.#stage = new Stage(door, () => this.#show());
     this.#settings = new Settings(() => this.#apply_settings());
@@ -50,6 +53,12 @@ class Page {
     by_id("timeline").addEventListener("click", () => this.#view?.asked && question.show()); // its locked "Answer"
     by_id("share").addEventListener("click", () => this.#share());
     addEventListener("popstate", () => this.open(read_address(location.search)));
+  }
+
+  /** On a phone the stage, where it is to be done, is far above the task. */
+  #start_task() {
+    this.act(() => this.#door.start_task());
+    by_id("stage").scrollIntoView({ block: "nearest" });
   }
 
   /** Does what the user asks for, then shows what came of it. */
@@ -93,6 +102,7 @@ class Page {
     this.#lesson = this.#door.lesson();
     this.#menu.show(this.#lesson);
     document.title = `${this.#lesson.title} · Snug`;
+    by_id("canvas").setAttribute("aria-label", `Stage: ${stage_of(this.#lesson)}`);
     for (const panel of this.#panels) panel.open?.(this.#lesson);
     await this.#restore(asked);
     clear_notices();
@@ -141,9 +151,12 @@ class Page {
 
   // ---- what is shown ------------------------------------------------------------------------------------------
 
+  #say_selected = when_changed((name) => set_text(by_id("selected-says"), name ? `${name}, selected` : ""));
+
   #show() {
     this.#view = this.#door.view();
     if (!this.#view) return;
+    this.#say_selected(this.#view.selectedName);
     set_text(by_id("caption"), this.#view.caption);
     if (this.#stage?.pressed) {
       this.#panels_timer ||= setTimeout(() => this.#show_panels(), kPanelsDelay);

@@ -1,5 +1,6 @@
 // What is read: the title, the prose and the task with its grade as it stands.
 import { button, by_id, element, set_hidden, set_text, when_changed } from "./dom.js";
+import { notice } from "./messages.js";
 
 const paragraph = (stretches) =>
   element("p", {}, ...stretches.map(({ text, strong }) => (strong ? element("strong", {}, text) : text)));
@@ -22,7 +23,7 @@ export class Reading {
     set_hidden(box, !lesson.task);
     if (!lesson.task) return box.replaceChildren();
     box.replaceChildren(element("h2", { class: "kicker" }, "Your turn"), element("p", {}, lesson.task.prompt),
-      element("p", {}, button(`Start with ${lesson.task.points} points`, this.#start_task)), this.#grade_says,
+      element("p", {}, button(lesson.task.points > 0 ? `Start with ${lesson.task.points} points` : "Start", this.#start_task)), this.#grade_says,
       ...(lesson.task.hint ? [element("details", {}, element("summary", {}, "A hint"), element("p", {}, lesson.task.hint))] : []));
   }
 
@@ -32,7 +33,11 @@ export class Reading {
 
   #show_grade = when_changed((grade) => {
     if (!grade) return;
-    by_id("task").classList.toggle("done", grade.done);
+    const box = by_id("task");
+    // On a phone it stands far below the stage where it was done.
+    const { top, bottom } = box.getBoundingClientRect();
+    if (grade.done && !box.classList.contains("done") && (bottom < 0 || top > innerHeight)) notice(`✓ ${grade.says}`);
+    box.classList.toggle("done", grade.done);
     set_text(this.#grade_says, `${grade.done ? "✓ " : ""}${grade.says}`);
   });
 }

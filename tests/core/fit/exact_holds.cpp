@@ -92,16 +92,22 @@ Place<Dim> solve(const Matrix<double, Dim>& axes, const Place<Dim>& along) {
   return x;
 }
 
+/// Whether both are read as slabs or both as what their edges span.
 template <int Dim>
 bool holds_one(const Obb<double, Dim>& outer, const Obb<double, Dim>& inner) {
   const auto between = plus(exactly<Dim>(inner.center), exactly<Dim>(outer.center), -1);
+  const Matrix<double, Dim> rows = outer.axes.transpose();
   for (int corner = 0; corner < 1 << Dim; ++corner) {
-    Place<Dim> along;
-    for (std::size_t i = 0; i < Dim; ++i) along[i] = Rational(inner.half_extents[static_cast<int>(i)]) * ((corner >> i & 1) == 0 ? -1 : 1);
-    const auto place = plus(between, solve<Dim>(inner.axes, along));
+    Place<Dim> along, of_edges = between;
+    for (std::size_t i = 0; i < Dim; ++i) {
+      along[i] = Rational(inner.half_extents[static_cast<int>(i)]) * ((corner >> i & 1) == 0 ? -1 : 1);
+      of_edges = plus(of_edges, exactly<Dim>(inner.axes.col(static_cast<int>(i))), along[i]);
+    }
+    const auto of_slabs = plus(between, solve<Dim>(inner.axes, along));
+    const auto shares = solve<Dim>(rows, of_edges);
     for (int i = 0; i < Dim; ++i) {
-      const Rational reach = dot(place, exactly<Dim>(outer.axes.col(i)));
-      if (abs(reach) > Rational(outer.half_extents[i])) return false;
+      const Rational half = outer.half_extents[i], reach = dot(of_slabs, exactly<Dim>(outer.axes.col(i)));
+      if (abs(reach) > half || abs(shares[static_cast<std::size_t>(i)]) > half) return false;
     }
   }
   return true;

@@ -331,7 +331,9 @@ TEST_CASE_TEMPLATE("the steps are those of the lecture's table, in its order", K
         if (extent == SatExtent::kFirst) CHECK(tested.separates == (k + 1 == result.tests && !result.overlap && !settled));
       }
       const auto& verdict = std::get<query::Verdict<Scalar, kDim>>(steps.entries.back().step.fact);
-      CHECK(steps.entries.back().step.line == query::SatLine<kDim>::kVerdict);
+      using Line = query::SatLine<kDim>;
+      const int said_by = result.overlap ? Line::kVerdict : settled ? Line::kExactly : result.axis.j < 0 ? Line::kFaceA : result.axis.i < 0 ? Line::kFaceB : Line::kEdges;
+      CHECK(steps.entries.back().step.line == said_by);
       CHECK(verdict.result.overlap == result.overlap);
       if (extent == SatExtent::kAll) CHECK(result.tests == query::kSatAxes<kDim>);
       if (extent == SatExtent::kFirst) (result.tests < query::kSatAxes<kDim> ? early : late)++;

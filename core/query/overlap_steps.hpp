@@ -1,0 +1,64 @@
+// The steps of the tests of pairs that compare intervals or distances; those of oriented boxes and of GJK have their own.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <variant>
+
+#include "geometry/vector.hpp"
+
+namespace snug::query {
+
+inline constexpr std::array<std::string_view, 4> kSlabsPseudocode{
+    "for each axis along which both have slabs",
+    "  take both intervals",
+    "  apart if one ends before the other begins",
+    "if there is no such axis: they overlap",
+};
+inline constexpr std::array<std::string_view, 3> kDistancePseudocode{
+    "p, q ← the cores' nearest points",
+    "d ← |q - p|",
+    "apart if d > the sum of the radii",
+};
+
+/// Both volumes' intervals along one axis. direction: unit, from low to high; all in scene units along it.
+struct SlabTested {
+  static constexpr std::string_view kName = "slab_tested";
+  Vector<double, 3> direction = Vector<double, 3>::Zero();
+  double least_a = 0, greatest_a = 0;
+  double least_b = 0, greatest_b = 0;
+  bool separates = false;
+  void fields(auto&& see) const {
+    see("direction", direction), see("least_a", least_a), see("greatest_a", greatest_a), see("least_b", least_b);
+    see("greatest_b", greatest_b), see("separates", separates);
+  }
+};
+
+/// The nearest points of two cores (a centre, a segment, a rectangle, a box), within rounding, and their distance against
+/// the radii around both; scene units.
+struct CoresCompared {
+  static constexpr std::string_view kName = "cores_compared";
+  Vector<double, 3> on_a = Vector<double, 3>::Zero(), on_b = Vector<double, 3>::Zero();
+  double distance = 0;
+  double radii = 0;
+  bool apart = false;
+  void fields(auto&& see) const {
+    see("on_a", on_a), see("on_b", on_b), see("distance", distance), see("radii", radii), see("apart", apart);
+  }
+};
+
+struct OverlapStep {
+  using Fact = std::variant<SlabTested, CoresCompared>;
+  int line = 0;  // of kSlabsPseudocode or kDistancePseudocode, counted from 0
+  Fact fact;
+};
+
+/// A vector of the plane with z = 0.
+template <class Scalar, int Dim>
+[[nodiscard]] Vector<double, 3> in_space(const Vector<Scalar, Dim>& v) {
+  Vector<double, 3> lifted = Vector<double, 3>::Zero();
+  lifted.template head<Dim>() = v.template cast<double>();
+  return lifted;
+}
+
+}  // namespace snug::query

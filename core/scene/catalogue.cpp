@@ -1,0 +1,105 @@
+#include <algorithm>
+
+#include "scene/effect.hpp"
+
+namespace snug::scene {
+namespace {
+
+using enum Slot;
+
+constexpr EffectKind kKinds[] = {
+    {"spin", "turns a body about an axis", slots(kTime), 0, 0, slots(kPoses), "", true, make_spin},
+    {"orbit", "leads a body around a centre", slots(kTime), 0, 0, slots(kPoses), "", true, make_orbit},
+    {"path", "leads a body from place to place", slots(kTime), 0, 0, slots(kPoses), "", true, make_path},
+    {"fall", "gravity, by semi-implicit Euler", slots(kTime), 0, 0, slots(kVelocities), "move", false, make_fall},
+    {"drag", "pulls a body to a point", slots(kTime), slots(kPoses), 0, slots(kVelocities), "move", false, make_drag},
+    {"bounce", "impulses where bodies touch", 0, slots(kContacts), slots(kVelocities), slots(kPoses), "move", false, make_bounce},
+    {"move", "bodies go where their velocities take them", slots(kTime, kVelocities), 0, 0, slots(kPoses), "", false, make_move},
+    {"refit", "updates volumes to poses", slots(kPoses), 0, 0, slots(kVolumes), "", false, make_refit},
+    {"broad_phase", "pairs whose boxes overlap", slots(kVolumes), 0, 0, slots(kPairs), "", false, make_broad_phase},
+    {"narrow_phase", "loose volumes, then the exact test, on what is left", slots(kPairs, kPoses), 0, 0, slots(kContacts), "", false,
+     make_narrow_phase},
+    {"cull", "volumes held against a view frustum", slots(kVolumes), 0, 0, slots(kVisibility), "", false, make_cull},
+    {"shadow", "shadows on the ground", slots(kPoses), 0, 0, slots(kShadows), "", false, make_shadow},
+    {"trail", "where bodies have been", slots(kPoses), 0, 0, slots(kTrails), "", false, make_trail},
+    {"projection_rays", "from bodies to their feet on the ground", slots(kPoses), 0, 0, slots(kRays), "", false, make_projection_rays},
+};
+
+std::string quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
+
+}  // namespace
+
+std::span<const EffectKind> catalogue() { return kKinds; }
+
+const EffectKind* find_effect(std::span<const EffectKind> kinds, std::string_view name) {
+  const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const EffectKind& kind) { return kind.name == name; });
+  return found == kinds.end() ? nullptr : &*found;
+}
+
+const Setting* Settings::find(std::string_view key) {
+  for (const Setting& setting : call_.settings)
+    if (setting.key == key) return known_.push_back(&setting), &setting;
+  return nullptr;
+}
+
+void Settings::refuse(std::string what) {
+  if (!wrong_) wrong_ = error_at(call_.line, call_.name + ": " + std::move(what));
+}
+
+double Settings::number(std::string_view key, double otherwise, double least, double most) {
+  const Setting* setting = find(key);
+  if (setting == nullptr) return otherwise;
+  if (setting->numbers.size() != 1) return refuse(quoted(key) + " must be a number"), otherwise;
+  const double value = setting->numbers.front();
+  if (!(value >= least && value <= most)) refuse(quoted(key) + " is out of range");
+  return value;
+}
+
+V3 Settings::vector(std::string_view key, const V3& otherwise) {
+  const Setting* setting = find(key);
+  if (setting == nullptr) return otherwise;
+  if (setting->numbers.size() != 3) return refuse(quoted(key) + " must be three numbers"), otherwise;
+  const V3 v(setting->numbers[0], setting->numbers[1], setting->numbers[2]);
+  if (!(v.cwiseAbs().maxCoeff() <= 1e12)) refuse(quoted(key) + " is not finite, or too large");
+  return v;
+}
+
+std::vector<V3> Settings::places(std::string_view key) {
+  std::vector<V3> all;
+  const Setting* setting = find(key);
+  if (setting == nullptr || setting->numbers.size() % 3 != 0 || setting->numbers.empty())
+    return refuse(quoted(key) + " must be a list of places"), all;
+  for (std::size_t i = 0; i < setting->numbers.size(); i += 3) {
+    all.emplace_back(setting->numbers[i], setting->numbers[i + 1], setting->numbers[i + 2]);
+    if (!(all.back().cwiseAbs().maxCoeff() <= 1e12)) refuse(quoted(key) + " is not finite, or too large");
+  }
+  return all;
+}
+
+std::size_t Settings::word(std::string_view key, std::span<const std::string_view> words) {
+  const Setting* setting = find(key);
+  if (setting == nullptr) return 0;
+  const auto found = std::find(words.begin(), words.end(), setting->text);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  std::string known;
+  for (const std::string_view word : words) known.append(known.empty() ? "" : ", ").append(word);
+  refuse(quoted(key) + " is none of " + known);
+  return 0;
+}
+
+std::vector<std::size_t> Settings::bodies() {
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < world_.size(); ++i)
+    if (call_.body.empty() ? !world_.members[i].fixed : world_.members[i].name == call_.body) all.push_back(i);
+  if (all.empty()) refuse(call_.body.empty() ? "no body moves" : "there is no body called " + call_.body);
+  if (!call_.body.empty() && !all.empty() && world_.members[all.front()].fixed) refuse(call_.body + " is fixed");
+  return all;
+}
+
+std::optional<InputError> Settings::fault() {
+  for (const Setting& setting : call_.settings)
+    if (std::find(known_.begin(), known_.end(), &setting) == known_.end()) refuse("knows nothing of " + quoted(setting.key));
+  return wrong_;
+}
+
+}  // namespace snug::scene

@@ -1,0 +1,89 @@
+#include "scene/declaration.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "geometry/tolerance.hpp"
+
+namespace snug::scene {
+namespace {
+
+/// Beyond it, products of coordinates, masses and steps would soon overflow.
+constexpr double kLargest = 1e12;
+
+bool is_sound(double number) { return std::abs(number) <= kLargest; }  // not of a NaN
+bool is_sound(const V3& v) { return is_sound(v[0]) && is_sound(v[1]) && is_sound(v[2]); }
+bool is_sound(const Sphere<double, 3>& ball) { return is_sound(ball.center) && is_sound(ball.radius) && ball.radius >= 0; }
+bool is_sound(const Aabb<double, 3>& box) { return is_sound(box.min) && is_sound(box.max) && (box.max - box.min).minCoeff() >= 0; }
+bool is_sound(const Obb<double, 3>& box) {
+  return is_sound(box.center) && is_sound(box.half_extents) && box.half_extents.minCoeff() >= 0 &&
+         (box.axes.transpose() * box.axes - Matrix<double, 3>::Identity()).cwiseAbs().maxCoeff() <= tolerance::kAxesAsGiven;
+}
+bool is_sound(const Capsule<double, 3>& c) { return is_sound(c.a) && is_sound(c.b) && is_sound(c.radius) && c.radius >= 0; }
+bool is_sound(const Lozenge<double, 3>& l) {
+  return is_sound(l.origin) && is_sound(l.edges[0]) && is_sound(l.edges[1]) && is_sound(l.radius) && l.radius >= 0;
+}
+bool is_sound(const Kdop<double, 3>& kdop) {
+  const std::size_t slabs = kdop_axes<3>(kdop.k).size();
+  for (std::size_t i = 0; i < slabs; ++i)
+    if (!is_sound(kdop.min[i]) || !is_sound(kdop.max[i]) || kdop.min[i] > kdop.max[i]) return false;
+  return slabs > 0;
+}
+bool is_sound(const Cloud& points) {
+  for (const V3& p : points)
+    if (!is_sound(p)) return false;
+  return !points.empty();
+}
+bool is_sound(const ConvexHull<double, 3>& hull) { return is_sound(hull.vertices); }
+
+bool has_sound_shape(const Body& body) {
+  if (const auto* cloud = std::get_if<Cloud>(&body.shape)) return is_sound(*cloud);
+  return std::visit([](const auto& volume) { return is_sound(volume); }, *std::get_if<Volume3>(&body.shape));
+}
+
+/// What is wrong with a mass, if anything.
+const char* fault_of_mass(double mass) {
+  if (std::isnan(mass)) return "its mass is not a number";
+  if (std::isinf(mass)) return "its mass is infinite: call it fixed instead";
+  if (mass == 0) return "its mass is 0: call it fixed instead";
+  if (mass < 0) return "its mass is negative";
+  return mass > kLargest ? "its mass is too large" : nullptr;
+}
+
+const char* fault_of(const Body& body) {
+  const Quaternion& q = body.orientation;
+  if (!is_sound(body.position)) return "its position is not finite, or too large";
+  if (!is_sound(V3(q.x, q.y, q.z)) || !is_sound(q.w)) return "its orientation is not finite";
+  if (q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0) return "its orientation is no rotation";
+  if (!is_sound(body.velocity) || !is_sound(body.turning)) return "its velocity is not finite, or too large";
+  if (!has_sound_shape(body)) return "its shape is empty, not finite, or too large";
+  return body.fixed ? nullptr : fault_of_mass(body.mass);
+}
+
+std::string name_of(const Declaration& declaration, std::size_t i) {
+  const std::string& name = declaration.bodies[i].name;
+  return name.empty() ? "body " + std::to_string(i) : name;
+}
+
+}  // namespace
+
+InputError error_at(int line, std::string what) {
+  return {.what = std::move(what), .unit = line > 0 ? InputError::Unit::kLine : InputError::Unit::kNone, .position = line};
+}
+
+tl::expected<void, InputError> check(const Declaration& declaration) {
+  const auto refuse = [](int line, std::string what) { return tl::unexpected(error_at(line, std::move(what))); };
+  if (declaration.bodies.empty()) return refuse(0, "the scene has no body");
+  if (std::isnan(declaration.step)) return refuse(0, "the scene's step is not a number");
+  if (!(declaration.step > 0)) return refuse(0, "the scene's step must be above 0");
+  if (declaration.step > 1) return refuse(0, "the scene's step must be at most 1 second");
+  for (std::size_t i = 0; i < declaration.bodies.size(); ++i) {
+    const Body& body = declaration.bodies[i];
+    if (const char* fault = fault_of(body)) return refuse(body.line, name_of(declaration, i) + ": " + fault);
+    for (std::size_t j = 0; j < i && !body.name.empty(); ++j)
+      if (declaration.bodies[j].name == body.name) return refuse(body.line, "there is another body called " + body.name);
+  }
+  return {};
+}
+
+}  // namespace snug::scene

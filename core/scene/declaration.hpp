@@ -1,0 +1,67 @@
+// What a scene is made of, as its author declares it: bodies, and the effects that it calls for. Nothing else is ever built
+// or run.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <variant>
+#include <vector>
+
+#include "geometry/input_error.hpp"
+#include "geometry/point_set.hpp"
+#include "geometry/pose.hpp"
+#include "geometry/volume.hpp"
+
+namespace snug::scene {
+
+using V3 = Vector<double, 3>;
+using Volume3 = Volume<double, 3>;
+
+/// The vertices of a mesh, or any points, that a body consists of.
+using Cloud = std::vector<V3>;
+
+/// Lengths in scene units, metres where gravity is to look right; kilograms and seconds.
+struct Body {
+  std::string name;                       // effects name it by this; none need have one
+  std::variant<Volume3, Cloud> shape;     // in its own frame
+  Quaternion orientation;                 // of any length but 0
+  V3 position = V3::Zero();               // of its frame's origin
+  double mass = 1;                        // finite and > 0; without meaning where fixed
+  bool fixed = false;                     // nothing moves it
+  V3 velocity = V3::Zero();
+  V3 turning = V3::Zero();                // angular velocity, radians a second about the world's axes
+  int line = 0;                           // of the file that declares it, for errors; 0: none
+};
+
+/// A setting of an effect: numbers or a word.
+struct Setting {
+  std::string key;
+  std::vector<double> numbers;
+  std::string text;
+};
+
+struct EffectCall {
+  std::string name;  // of catalogue()
+  std::string body;  // whom it is about; empty: every body that is not fixed
+  std::vector<Setting> settings;
+  int line = 0;
+};
+
+struct Declaration {
+  std::vector<Body> bodies;
+  std::vector<EffectCall> effects;
+  std::uint64_t seed = 1;
+  double step = 1.0 / 60;  // seconds a frame, > 0 and at most 1
+};
+
+/// The declaration, where each of its numbers makes sense. Errors, each with the body's or effect's name and line: no body;
+/// a name twice; a mass that is 0, negative, infinite or no number; a pose, velocity, shape or step that is no number or
+/// too large; an empty shape.
+[[nodiscard]] tl::expected<void, InputError> check(const Declaration& declaration);
+
+/// An error about what stands in a line of the file; 0: none.
+[[nodiscard]] InputError error_at(int line, std::string what);
+
+}  // namespace snug::scene

@@ -1,0 +1,37 @@
+// Which pairs are worth a closer look: those whose boxes overlap.
+#include "geometry/tolerance.hpp"
+#include "scene/effect.hpp"
+#include "scene/pairs.hpp"
+
+namespace snug::scene {
+namespace {
+
+class BroadPhase final : public Effect {
+ public:
+  explicit BroadPhase(PairSearch search) : search_(search) {}
+
+  void run(World& world) override {
+    std::vector<Aabb<double, 3>> boxes = world.state.volumes;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      // What rounding may have put outside of the box, and where the body may be before the next look.
+      const double room = world.margin(i) + tolerance::kPlaced<double> * (boxes[i].min.cwiseAbs().maxCoeff() + boxes[i].max.cwiseAbs().maxCoeff());
+      boxes[i].min -= V3::Constant(room), boxes[i].max += V3::Constant(room);
+    }
+    world.state.pairs = overlapping_pairs(boxes, search_);
+    world.state.funnel.after_broad = static_cast<std::int64_t>(world.state.pairs.size());
+    world.state.changed(Slot::kPairs);
+  }
+
+ private:
+  PairSearch search_;
+};
+
+}  // namespace
+
+MadeEffect make_broad_phase(const EffectCall& call, World& world) {
+  Settings settings(call, world);
+  const std::size_t search = settings.word("search", kPairSearchNames);
+  return settings.make<BroadPhase>(static_cast<PairSearch>(search));
+}
+
+}  // namespace snug::scene

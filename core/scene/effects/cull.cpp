@@ -1,0 +1,52 @@
+// Which bodies a camera may see: each body's box against the view frustum.
+#include "query/classify.hpp"
+#include "scene/effect.hpp"
+
+namespace snug::scene {
+namespace {
+
+class Cull final : public Effect {
+ public:
+  explicit Cull(const Frustum<double, 3>& frustum) : frustum_(frustum) {}
+
+  void run(World& world) override {
+    State& state = world.state;
+    std::vector<std::uint8_t> seen;
+    for (const auto& box : state.volumes) seen.push_back(static_cast<std::uint8_t>(query::classify(frustum_, box).verdict));
+    if (seen == state.visibility) return;
+    state.visibility = std::move(seen);
+    state.changed(Slot::kVisibility);
+  }
+
+ private:
+  Frustum<double, 3> frustum_;
+};
+
+/// Columns right, up and back of one who looks that way with y as far up as it goes.
+Matrix<double, 3> axes_looking(const V3& way) {
+  Matrix<double, 3> axes;
+  axes.col(2) = -way / way.norm();
+  const V3 right = V3::UnitY().cross(axes.col(2));
+  axes.col(0) = right == V3::Zero() ? V3(V3::UnitX()) : V3(right / right.norm());
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  return axes;
+}
+
+}  // namespace
+
+MadeEffect make_cull(const EffectCall& call, World& world) {
+  Settings settings(call, world);
+  FrustumCamera<double, 3> camera;
+  camera.position = settings.vector("from", V3(0, 2, 8));
+  const V3 way = settings.vector("at", V3::Zero()) - camera.position;
+  camera.half_tangents = Vector<double, 2>::Constant(settings.number("half_tangent", 0.5, 1e-3, 1e3));
+  camera.near = settings.number("near", 0.1, 1e-9, 1e9);
+  camera.far = settings.number("far", 100, 1e-9, 1e9);
+  if (way == V3::Zero()) settings.refuse("the camera looks at where it is");
+  else camera.axes = axes_looking(way);
+  const auto frustum = frustum_of_camera(camera);
+  if (!frustum) settings.refuse(frustum.error().what);
+  return settings.make<Cull>(frustum ? *frustum : Frustum<double, 3>());
+}
+
+}  // namespace snug::scene

@@ -1,0 +1,38 @@
+// A body is pulled to a point by a spring, damped so that it comes there without swinging.
+#include <cmath>
+
+#include "scene/effect.hpp"
+
+namespace snug::scene {
+namespace {
+
+class Drag final : public Effect {
+ public:
+  Drag(std::size_t body, double stiffness) : body_(body), stiffness_(stiffness) {}
+
+  void run(World& world) override {
+    Motion& motion = world.state.bodies[body_];
+    // Implicit in the velocity, so that no stiffness makes it swing up.
+    const double pull = stiffness_ * world.step, damping = 2 * std::sqrt(stiffness_) * world.step;
+    motion.velocity = (motion.velocity + pull * (world.pulled_to - motion.position)) / (1 + damping + pull * world.step);
+    world.state.changed(Slot::kVelocities);
+  }
+  [[nodiscard]] bool idle(const World& world) const override { return !world.awake(body_); }
+
+ private:
+  std::size_t body_;
+  double stiffness_;
+};
+
+}  // namespace
+
+MadeEffect make_drag(const EffectCall& call, World& world) {
+  Settings settings(call, world);
+  if (call.body.empty()) settings.refuse("needs a \"body\"");
+  const auto bodies = settings.bodies();
+  world.pulled_to = settings.vector("to", V3::Zero());
+  const double stiffness = settings.number("stiffness", 40, 0, 1e4);  // 1 / s^2
+  return settings.make<Drag>(bodies.empty() ? 0 : bodies.front(), stiffness);
+}
+
+}  // namespace snug::scene

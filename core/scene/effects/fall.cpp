@@ -1,0 +1,26 @@
+// Gravity: velocities first, places after (move.cpp), which is semi-implicit Euler. Of a body in free fall a step so loses
+// m (g step)^2 / 2 of its energy, and never gains.
+#include "scene/effect.hpp"
+
+namespace snug::scene {
+namespace {
+
+class Fall final : public Effect {
+ public:
+  void run(World& world) override {
+    for (std::size_t i = 0; i < world.size(); ++i)
+      if (world.awake(i)) world.state.bodies[i].velocity += world.gravity * world.step;
+    world.state.changed(Slot::kVelocities);
+  }
+  [[nodiscard]] bool idle(const World& world) const override { return world.gravity == V3::Zero() || !world.any_awake(); }
+};
+
+}  // namespace
+
+MadeEffect make_fall(const EffectCall& call, World& world) {
+  Settings settings(call, world);
+  world.gravity = settings.vector("gravity", V3(0, -9.81, 0));
+  return settings.make<Fall>();
+}
+
+}  // namespace snug::scene

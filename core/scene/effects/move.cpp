@@ -1,0 +1,103 @@
+// Bodies go where their velocities take them: the second half of semi-implicit Euler. Where the scene is solid, a body that
+// is too fast for contacts to be seen coming is stopped where it first touches another.
+#include <algorithm>
+#include <cmath>
+
+#include "scene/effect.hpp"
+#include "scene/limits.hpp"
+
+namespace snug::scene {
+namespace {
+
+Pose<double, 3> pose_of(const Motion& motion) { return {motion.rotation, motion.position}; }
+
+/// Turned as it would turn in that time. A body that tumbles keeps its angular momentum, not its axis; what Euler's step
+/// would add to its energy on the way is taken back.
+void turn(World& world, std::size_t i, double seconds) {
+  const Member& member = world.members[i];
+  Motion& motion = world.state.bodies[i];
+  if (motion.turning == V3::Zero()) return;
+  const double before = kinetic_energy(member, motion);
+  V3 momentum = turned_back<double, 3>(motion.rotation, motion.turning);
+  for (int k = 0; k < 3; ++k) momentum[k] = member.inverse_inertia[k] > 0 ? momentum[k] / member.inverse_inertia[k] : 0;
+  const V3 in_world = turned<double, 3>(motion.rotation, momentum);
+  world.place(i, motion.position, normalized(quaternion_about(motion.turning, motion.turning.norm() * seconds) * motion.orientation));
+  if (in_world == V3::Zero()) return;  // nothing resists its turning: a point
+  motion.turning = by_inverse_inertia(member, motion, in_world);
+  const double linear = member.mass * motion.velocity.squaredNorm() / 2;
+  const double after = kinetic_energy(member, motion);
+  if (after > before && after > linear) motion.turning *= std::sqrt(std::max(0.0, before - linear) / (after - linear));
+}
+
+class Move final : public Effect {
+ public:
+  void run(World& world) override {
+    bool moved = false;
+    for (std::size_t i = 0; i < world.size(); ++i) {
+      Motion& motion = world.state.bodies[i];
+      if (!world.awake(i) || (motion.velocity == V3::Zero() && motion.turning == V3::Zero())) continue;
+      moved = true;
+      const double part = world.solid ? free_part(world, i) : 1;
+      const V3 way = motion.velocity * world.step * part;
+      if (part < 1) motion.velocity -= world.gravity * (world.step * (1 - part));  // as if the frame had ended there
+      world.place(i, motion.position + way, motion.orientation);
+      turn(world, i, world.step * part);
+    }
+    if (moved) world.state.changed(Slot::kPoses);
+  }
+  [[nodiscard]] bool idle(const World& world) const override {
+    for (std::size_t i = 0; i < world.size(); ++i)
+      if (world.awake(i) && (world.state.bodies[i].velocity != V3::Zero() || world.state.bodies[i].turning != V3::Zero())) return false;
+    return true;
+  }
+
+ private:
+  /// Which part of its way in this frame the body goes before it touches another. Each look is at most half the body's
+  /// thinness on from the last, so that together they cover all of the way.
+  [[nodiscard]] static double free_part(const World& world, std::size_t i) {
+    const Motion& motion = world.state.bodies[i];
+    const Shape& shape = world.members[i].shape;
+    const V3 way = motion.velocity * world.step;
+    const double length = way.norm();
+    if (length <= shape.thinnest / 2) return 1;
+    const double looks = std::ceil(length / std::max(shape.thinnest / 4, length / limits::kMostSteps));
+    double part = 1;
+    for (std::size_t j = 0; j < world.size(); ++j) {
+      const Shape& other = world.members[j].shape;
+      const V3 to = world.state.bodies[j].position - motion.position;
+      const double along = std::clamp(to.dot(way) / (length * length), 0.0, 1.0);
+      if (j == i || (to - along * way).norm() > shape.reach + other.reach) continue;
+      const auto meets = [&](const Shape& own) {
+        return [&](double at) { return touch(own, {motion.rotation, motion.position + way * at}, other, pose_of(world.state.bodies[j])); };
+      };
+      // What it touches already contacts hold back, but for a corner about which it turns: then its middle is held.
+      const Shape middle{.radius = shape.thinnest / 2, .corners = {V3::Zero()}};
+      if (!meets(shape)(0)) part = first_touch(meets(shape), looks, part);
+      else if (!meets(middle)(0)) part = first_touch(meets(middle), looks, part);
+    }
+    return part;
+  }
+
+  template <class Touches>
+  [[nodiscard]] static double first_touch(const Touches& touches, double looks, double most) {
+    for (double look = 1; look <= looks; ++look) {
+      double free = (look - 1) / looks, at = look / looks;
+      if (free >= most) return most;
+      if (!touches(at)) continue;
+      for (int k = 0; k < limits::kHalvings; ++k) {
+        const double middle = (free + at) / 2;
+        (touches(middle) ? at : free) = middle;
+      }
+      return std::min(at, most);
+    }
+    return most;
+  }
+};
+
+}  // namespace
+
+MadeEffect make_move(const EffectCall& call, World& world) {
+  return Settings(call, world).make<Move>();
+}
+
+}  // namespace snug::scene

@@ -1,0 +1,40 @@
+// Of the pairs that are left, which touch: first by the spheres that hold each body however it is turned, then exactly.
+#include "geometry/tolerance.hpp"
+#include "scene/effect.hpp"
+
+namespace snug::scene {
+namespace {
+
+class NarrowPhase final : public Effect {
+ public:
+  void run(World& world) override {
+    State& state = world.state;
+    state.contacts.clear();
+    state.funnel.after_loose = state.funnel.touching = 0;
+    for (const Pair& pair : state.pairs) {
+      const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
+      if (!near(world, a, b)) continue;
+      ++state.funnel.after_loose;
+      const bool touching = touch(world.members[a].shape, pose(state, a), world.members[b].shape, pose(state, b));
+      state.funnel.touching += touching ? 1 : 0;
+      if (touching || (world.solid && (world.members[a].moves() || world.members[b].moves()))) state.contacts.push_back({pair, touching});
+    }
+    state.changed(Slot::kContacts);
+  }
+
+ private:
+  static Pose<double, 3> pose(const State& state, std::size_t i) { return {state.bodies[i].rotation, state.bodies[i].position}; }
+  static bool near(const World& world, std::size_t a, std::size_t b) {
+    const double reach = world.members[a].shape.reach + world.members[b].shape.reach + world.margin(a) + world.margin(b);
+    const V3 between = world.state.bodies[b].position - world.state.bodies[a].position;
+    return between.squaredNorm() <= reach * reach * (1 + tolerance::kSquaredDistance<double>);
+  }
+};
+
+}  // namespace
+
+MadeEffect make_narrow_phase(const EffectCall& call, World& world) {
+  return Settings(call, world).make<NarrowPhase>();
+}
+
+}  // namespace snug::scene

@@ -1,0 +1,56 @@
+// A body goes from place to place in straight lines, at one speed, to the last or round and round.
+#include <cmath>
+
+#include "scene/effect.hpp"
+
+namespace snug::scene {
+namespace {
+
+class Path final : public Effect {
+ public:
+  Path(std::size_t body, World& world, std::vector<V3> places, double speed, bool round)
+      : body_(body), places_(std::move(places)), speed_(speed), round_(round) {
+    world.members[body].driven = true;
+    if (round_) places_.push_back(places_.front());
+    ends_.push_back(0);
+    for (std::size_t i = 1; i < places_.size(); ++i) ends_.push_back(ends_.back() + (places_[i] - places_[i - 1]).norm());
+  }
+
+  void run(World& world) override {
+    world.place(body_, at(speed_ * world.step * world.state.frame), world.state.bodies[body_].orientation);
+    world.state.changed(Slot::kPoses);
+  }
+  [[nodiscard]] bool idle(const World& world) const override {
+    return ends_.back() == 0 || speed_ == 0 || (!round_ && speed_ * world.step * (world.state.frame - 1) >= ends_.back());
+  }
+
+ private:
+  [[nodiscard]] V3 at(double way) const {
+    if (round_ && ends_.back() > 0) way = std::fmod(way, ends_.back());
+    for (std::size_t i = 1; i < places_.size(); ++i)
+      if (way < ends_[i]) return places_[i - 1] + (places_[i] - places_[i - 1]) * ((way - ends_[i - 1]) / (ends_[i] - ends_[i - 1]));
+    return places_.back();
+  }
+
+  std::size_t body_;
+  std::vector<V3> places_;
+  std::vector<double> ends_;  // how long the way is to each place
+  double speed_;
+  bool round_;
+};
+
+}  // namespace
+
+MadeEffect make_path(const EffectCall& call, World& world) {
+  Settings settings(call, world);
+  if (call.body.empty()) settings.refuse("needs a \"body\"");
+  const auto bodies = settings.bodies();
+  auto places = settings.places("places");
+  const double speed = settings.number("speed", 1, 0, 1e6);
+  constexpr std::string_view kEnds[] = {"stop", "round"};
+  const bool round = settings.word("then", kEnds) == 1;
+  if (bodies.empty() || places.empty()) return settings.make<Path>(std::size_t{0}, world, std::vector<V3>{V3::Zero()}, 0.0, false);
+  return settings.make<Path>(bodies.front(), world, std::move(places), speed, round);
+}
+
+}  // namespace snug::scene

@@ -1,0 +1,86 @@
+// Volumes follow the bodies: each body's box in the world, by one of the updates of fit/. Of bodies that were declared as
+// points any update serves, and what it costs and how loose it is are figures of the scene.
+#include <algorithm>
+
+#include "fit/updates.hpp"
+#include "fit/update_rotated_box.hpp"
+#include "fit/update_sphere.hpp"
+#include "hierarchy/bounds.hpp"
+#include "scene/effect.hpp"
+
+namespace snug::scene {
+namespace {
+
+/// The box of a sphere or a box, or of corners within a radius, in constant time.
+Aabb<double, 3> plain_box(const Shape& shape, const Pose<double, 3>& pose, bool loose) {
+  if (loose || shape.kind == Shape::Kind::kSphere) {
+    const V3 reach = V3::Constant(shape.kind == Shape::Kind::kSphere ? shape.radius : shape.reach);
+    return {pose.translation - reach, pose.translation + reach};
+  }
+  return fit::update_rotated_box(Aabb<double, 3>{-shape.half_extents, shape.half_extents}, pose).volume;
+}
+
+class Refit final : public Effect {
+ public:
+  Refit(const World& world, const fit::UpdateStrategy& strategy) : loose_(strategy.name == "loose"), updates_(world.size()) {
+    for (std::size_t i = 0; i < world.size(); ++i)
+      if (const auto& cloud = world.members[i].shape.cloud) {
+        updates_[i] = fit::start_updates(strategy, *cloud);
+        watched_ = true;
+      }
+  }
+
+  void run(World& world) override {
+    State& state = world.state;
+    double measure = 0, tightest = 0;
+    if (watched_) state.refitted.cost = 0;
+    for (std::size_t i = 0; i < world.size(); ++i) {
+      if (done_ > 0 && state.bodies[i].moved <= done_ && !updates_[i]) continue;
+      const Pose<double, 3> pose{state.bodies[i].rotation, state.bodies[i].position};
+      if (!updates_[i]) {
+        state.volumes[i] = plain_box(world.members[i].shape, pose, loose_);
+        continue;
+      }
+      const fit::UpdatedFrame frame = updates_[i](pose, {});
+      state.volumes[i] = std::visit([](const auto& volume) { return hierarchy::bounds_of(volume); }, frame.volume);
+      if (measure == 0) state.refitted.first = frame.volume;
+      measure += frame.measure, tightest += frame.tightest;
+      state.refitted.cost += static_cast<double>(frame.counts[static_cast<std::size_t>(Operation::kPointsTouched)]);
+    }
+    state.refitted.slack = fit::slack(measure, tightest);
+    done_ = state.revision(Slot::kPoses);
+    state.changed(Slot::kVolumes);
+  }
+
+  /// A walk uphill begins where the last one ended.
+  void restored(World& world) override {
+    done_ = 0;
+    for (std::size_t i = 0; i < world.size(); ++i)
+      if (updates_[i]) updates_[i]({world.state.bodies[i].rotation, world.state.bodies[i].position}, {});
+  }
+
+ private:
+  bool loose_, watched_ = false;
+  std::vector<fit::UpdateBody> updates_;  // by body; none where the shape is plain
+  std::uint64_t done_ = 0;                // the revision of poses that volumes are of; 0: of none
+};
+
+}  // namespace
+
+MadeEffect make_refit(const EffectCall& call, World& world) {
+  Settings settings(call, world);
+  std::vector<std::string_view> volumes, names;
+  for (const fit::UpdateStrategy& strategy : fit::update_strategies()) {
+    if (!strategy.space) continue;
+    if (std::find(volumes.begin(), volumes.end(), strategy.volume) == volumes.end()) volumes.push_back(strategy.volume);
+  }
+  std::rotate(volumes.begin(), std::find(volumes.begin(), volumes.end(), "aabb"), volumes.end());
+  const std::string_view volume = volumes[settings.word("volume", volumes)];
+  for (const fit::UpdateStrategy& strategy : fit::update_strategies())
+    if (strategy.volume == volume && strategy.space) names.push_back(strategy.name);
+  if (volume == "aabb") std::rotate(names.begin(), names.end() - 1, names.end());  // rotated_box, which costs least
+  const std::string_view name = names[settings.word("strategy", names)];
+  return settings.make<Refit>(world, *fit::find_update(volume, name));
+}
+
+}  // namespace snug::scene

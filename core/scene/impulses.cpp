@@ -1,0 +1,167 @@
+#include "scene/impulses.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/limits.hpp"
+
+namespace snug::scene {
+namespace {
+
+const Motion& motion_of(const World& world, Index i) { return world.state.bodies[static_cast<std::size_t>(i)]; }
+const Member& member_of(const World& world, Index i) { return world.members[static_cast<std::size_t>(i)]; }
+double inverse_mass(const World& world, Index i) {
+  const Member& member = member_of(world, i);
+  return member.moves() ? 1 / member.mass : 0;
+}
+
+V3 velocity_at(const World& world, Index i, const V3& arm) {
+  const Motion& motion = motion_of(world, i);
+  if (!member_of(world, i).moves()) return V3::Zero();
+  return motion.velocity + motion.turning.cross(arm);
+}
+
+V3 approach_velocity(const World& world, const ContactRow& row) {
+  return velocity_at(world, row.pair.b, row.arm_b) - velocity_at(world, row.pair.a, row.arm_a);
+}
+
+/// How the body's point gives way in a direction to an impulse along it.
+double yielding(const World& world, Index i, const V3& arm, const V3& way) {
+  const Member& member = member_of(world, i);
+  if (!member.moves()) return 0;
+  const V3 twist = arm.cross(way);
+  return 1 / member.mass + twist.dot(by_inverse_inertia(member, motion_of(world, i), twist));
+}
+
+double mass_along(const World& world, const ContactRow& row, const V3& way) {
+  const double sum = yielding(world, row.pair.a, row.arm_a, way) + yielding(world, row.pair.b, row.arm_b, way);
+  return sum > 0 ? 1 / sum : 0;
+}
+
+void push(World& world, Index i, const V3& arm, const V3& impulse) {
+  const Member& member = member_of(world, i);
+  if (!member.moves()) return;
+  Motion& motion = world.state.bodies[static_cast<std::size_t>(i)];
+  motion.velocity += impulse / member.mass;
+  motion.turning += by_inverse_inertia(member, motion, arm.cross(impulse));
+}
+
+void push(World& world, const ContactRow& row, const V3& impulse) {
+  push(world, row.pair.a, row.arm_a, -impulse);
+  push(world, row.pair.b, row.arm_b, impulse);
+}
+
+/// What the pair held in the last frame.
+std::span<const Impulse> held_by(const State& state, const Pair& pair) {
+  const auto before = [](const Impulse& impulse, const Pair& wanted) { return impulse.pair < wanted; };
+  const auto from = std::lower_bound(state.impulses.begin(), state.impulses.end(), pair, before);
+  auto to = from;
+  while (to != state.impulses.end() && to->pair == pair) ++to;
+  return {from, to};
+}
+
+/// Two directions across the normal, the same for the same normal.
+void span_plane(ContactRow& row) {
+  int least = 0;
+  row.normal.cwiseAbs().minCoeff(&least);
+  row.first = row.normal.cross(V3::Unit(least));
+  row.first /= row.first.norm();
+  row.second = row.normal.cross(row.first);
+}
+
+ContactRow row_of(const World& world, const Pair& pair, const V3& normal, const ManifoldPoint& point) {
+  ContactRow row{.pair = pair, .normal = normal, .separation = point.separation, .impulse = {pair, point.feature}};
+  span_plane(row);
+  row.arm_a = point.position - motion_of(world, pair.a).position;
+  row.arm_b = point.position - motion_of(world, pair.b).position;
+  row.mass = mass_along(world, row, row.normal);
+  row.mass_first = mass_along(world, row, row.first), row.mass_second = mass_along(world, row, row.second);
+  return row;
+}
+
+/// What gravity gave the pair along the normal in this frame.
+double fallen(const World& world, const ContactRow& row) {
+  const double share = (member_of(world, row.pair.b).moves() ? 1.0 : 0.0) - (member_of(world, row.pair.a).moves() ? 1.0 : 0.0);
+  return share * world.step * world.gravity.dot(row.normal);
+}
+
+/// How fast the bodies may still come together there; or, once they touch, how fast they go apart again. The speed at which
+/// they came is remembered until then: what keeps them from passing through slows them down before. It is the speed with
+/// which they meet, on the way: not with all that gravity adds by the end of the frame, or a ball would bounce too high.
+void aim(const World& world, ContactRow& row, const Surface& surface, double approach_before) {
+  const double speed = -approach_velocity(world, row).dot(row.normal);
+  const double part = speed > 0 ? std::clamp(row.separation / (speed * world.step), 0.0, 1.0) : 1;
+  const double coming = std::max(speed + std::min(0.0, fallen(world, row)) * (1 - part), approach_before);
+  const bool quick = coming > limits::kBounces;
+  if (row.separation > limits::kSlop) {
+    row.target = -row.separation / world.step;
+    row.impulse.approach = quick && coming * world.step > row.separation ? coming : 0;
+    return;
+  }
+  // Gravity has a frame of its work done before the body goes up: so it comes as high as it fell, and no higher.
+  row.target = quick ? std::max(0.0, surface.restitution * coming + std::min(0.0, fallen(world, row))) : row.separation > 0 ? -row.separation / world.step : 0;
+}
+
+}  // namespace
+
+std::vector<ContactRow> rows_of(const World& world, const Surface& surface) {
+  std::vector<ContactRow> rows;
+  for (const Contact& contact : world.state.contacts) {
+    const auto a = static_cast<std::size_t>(contact.pair.a), b = static_cast<std::size_t>(contact.pair.b);
+    if (!world.awake(a) && !world.awake(b)) continue;
+    const Motion &of_a = world.state.bodies[a], &of_b = world.state.bodies[b];
+    const Manifold manifold = manifold_of(world.members[a].shape, {of_a.rotation, of_a.position}, world.members[b].shape,
+                                          {of_b.rotation, of_b.position}, world.margin(a) + world.margin(b));
+    const auto held = held_by(world.state, contact.pair);
+    double approach = 0;
+    for (const Impulse& one : held) approach = std::max(approach, one.approach);
+    for (const ManifoldPoint& point : manifold.all()) {
+      ContactRow row = row_of(world, contact.pair, manifold.normal, point);
+      for (const Impulse& one : held)
+        if (one.feature == point.feature) row.impulse.normal = one.normal, row.impulse.first = one.first, row.impulse.second = one.second;
+      aim(world, row, surface, approach);
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+void solve(World& world, std::vector<ContactRow>& rows, const Surface& surface) {
+  for (const ContactRow& row : rows)
+    push(world, row, row.impulse.normal * row.normal + row.impulse.first * row.first + row.impulse.second * row.second);
+  for (int sweep = 0; sweep < limits::kSweeps; ++sweep)
+    for (ContactRow& row : rows) {
+      const double most = surface.friction * row.impulse.normal;
+      const auto rub = [&](const V3& way, double mass, double& sum) {
+        const double before = sum;
+        sum = std::clamp(before - mass * approach_velocity(world, row).dot(way), -most, most);
+        push(world, row, way * (sum - before));
+      };
+      rub(row.first, row.mass_first, row.impulse.first);
+      rub(row.second, row.mass_second, row.impulse.second);
+      const double before = row.impulse.normal;
+      row.impulse.normal = std::max(0.0, before - row.mass * (approach_velocity(world, row).dot(row.normal) - row.target));
+      push(world, row, row.normal * (row.impulse.normal - before));
+    }
+  world.state.impulses.clear();
+  for (const ContactRow& row : rows) world.state.impulses.push_back(row.impulse);
+}
+
+std::vector<Shift> shifts_apart(const World& world, const std::vector<ContactRow>& rows) {
+  std::vector<Shift> shifts;
+  for (std::size_t i = 0; i < rows.size();) {
+    const ContactRow* deepest = &rows[i];
+    const Pair pair = rows[i].pair;
+    for (; i < rows.size() && rows[i].pair == pair; ++i)
+      if (rows[i].separation < deepest->separation) deepest = &rows[i];
+    const double depth = -deepest->separation - limits::kSlop;
+    const double of_a = inverse_mass(world, pair.a), of_b = inverse_mass(world, pair.b);
+    if (depth <= 0 || of_a + of_b == 0) continue;
+    const V3 way = deepest->normal * (limits::kMended * depth / (of_a + of_b));
+    if (of_a > 0) shifts.push_back({static_cast<std::size_t>(pair.a), -way * of_a});
+    if (of_b > 0) shifts.push_back({static_cast<std::size_t>(pair.b), way * of_b});
+  }
+  return shifts;
+}
+
+}  // namespace snug::scene

@@ -1,0 +1,198 @@
+#include "scene/manifold.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "scene/limits.hpp"
+
+namespace snug::scene {
+namespace {
+
+using Kind = Shape::Kind;
+using PoseAt = Pose<double, 3>;
+
+Manifold flipped(Manifold manifold) {
+  manifold.normal = -manifold.normal;
+  return manifold;
+}
+
+Manifold of_spheres(const V3& a, double radius_a, const V3& b, double radius_b, double margin) {
+  Manifold manifold;
+  const V3 between = b - a;
+  const double distance = between.norm(), separation = distance - radius_a - radius_b;
+  if (separation > margin) return manifold;
+  manifold.normal = distance > 0 ? V3(between / distance) : V3(V3::UnitY());  // one in the other's middle: any way out
+  manifold.points[0] = {a + manifold.normal * (radius_a + separation / 2), separation, 0};
+  manifold.count = 1;
+  return manifold;
+}
+
+/// From the box to the ball.
+Manifold of_box_and_sphere(const Shape& box, const PoseAt& at, const V3& center, double radius, double margin) {
+  const V3 local = turned_back<double, 3>(at.rotation, center - at.translation);
+  const V3 nearest = local.cwiseMax(-box.half_extents).cwiseMin(box.half_extents);
+  V3 normal = local - nearest;
+  double distance = normal.norm();
+  int feature = 0;
+  if (distance > 0) {
+    normal /= distance;
+  } else {  // the centre is inside: out through the nearest face
+    int axis = 0;
+    const V3 depth = box.half_extents - local.cwiseAbs();
+    depth.minCoeff(&axis);
+    normal = V3::Unit(axis) * (local[axis] < 0 ? -1.0 : 1.0);
+    distance = -depth[axis];
+    feature = 1 + axis;
+  }
+  Manifold manifold;
+  const double separation = distance - radius;
+  if (separation > margin) return manifold;
+  manifold.normal = turned<double, 3>(at.rotation, normal);
+  manifold.points[0] = {center - manifold.normal * (radius + separation / 2), separation, feature};
+  manifold.count = 1;
+  return manifold;
+}
+
+// ---- two boxes
+
+/// The axis along which they overlap least, or are farthest apart. code: 0 … 2 a face of a, 3 … 5 of b, from 6 on edges.
+struct Widest {
+  double separation = -std::numeric_limits<double>::infinity();
+  V3 normal = V3::Zero();  // from a to b
+  int code = -1;
+};
+
+double reach_along(const Shape& box, const PoseAt& at, const V3& axis) {
+  return turned_back<double, 3>(at.rotation, axis).cwiseAbs().dot(box.half_extents);
+}
+
+void consider(Widest& widest, const Shape& a, const PoseAt& at_a, const Shape& b, const PoseAt& at_b, const V3& axis, int code, double handicap) {
+  const double offset = axis.dot(at_b.translation - at_a.translation);
+  const double separation = std::abs(offset) - reach_along(a, at_a, axis) - reach_along(b, at_b, axis);
+  if (separation - handicap > widest.separation) widest = {separation, offset < 0 ? V3(-axis) : axis, code};
+}
+
+Widest widest_axis(const Shape& a, const PoseAt& at_a, const Shape& b, const PoseAt& at_b) {
+  // The later face has to be better by a little, or rounding would choose between equal ones.
+  const double slight = limits::kSlop / 16;
+  Widest faces;
+  for (int i = 0; i < 3; ++i) consider(faces, a, at_a, b, at_b, at_a.rotation.col(i), i, i == 0 ? 0 : slight);
+  for (int i = 0; i < 3; ++i) consider(faces, a, at_a, b, at_b, at_b.rotation.col(i), 3 + i, slight);
+  Widest best = faces;
+  const double handicap = limits::kEdgeOverFace * std::min(a.thinnest, b.thinnest);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const V3 axis = at_a.rotation.col(i).cross(at_b.rotation.col(j));
+      const double length = axis.norm();
+      if (length > limits::kParallelEdges) consider(best, a, at_a, b, at_b, axis / length, 6 + 3 * i + j, best.code < 6 ? handicap : 0);
+    }
+  return best;
+}
+
+struct Corner {
+  V3 at;
+  int feature;
+};
+/// A face has four corners, and each of four planes adds at most one.
+struct Polygon {
+  std::array<Corner, 8> corners;
+  int count = 0;
+  void add(const Corner& corner) {
+    if (count < 8) corners[static_cast<std::size_t>(count++)] = corner;
+  }
+};
+
+/// What of the polygon lies where normal . p <= offset.
+Polygon clipped(const Polygon& polygon, const V3& normal, double offset, int plane) {
+  Polygon result;
+  for (int i = 0; i < polygon.count; ++i) {
+    const Corner& from = polygon.corners[static_cast<std::size_t>(i)];
+    const Corner& to = polygon.corners[static_cast<std::size_t>((i + 1) % polygon.count)];
+    const double before = normal.dot(from.at) - offset, after = normal.dot(to.at) - offset;
+    if (before <= 0) result.add(from);
+    if ((before < 0 && after > 0) || (before > 0 && after < 0))
+      result.add({from.at + (to.at - from.at) * (before / (before - after)), (plane + 1) * 16 + (before < 0 ? from.feature : to.feature) % 16});
+  }
+  return result;
+}
+
+/// The face of a box that looks most against a direction.
+Polygon face_against(const Shape& box, const PoseAt& at, const V3& way) {
+  const V3 local = turned_back<double, 3>(at.rotation, way);
+  int axis = 0;
+  local.cwiseAbs().maxCoeff(&axis);
+  const double side = local[axis] > 0 ? -1 : 1;
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  Polygon face;
+  for (int k = 0; k < 4; ++k) {
+    V3 corner = V3::Zero();
+    corner[axis] = side * box.half_extents[axis];
+    corner[u] = (k == 1 || k == 2 ? 1 : -1) * box.half_extents[u];
+    corner[v] = (k >= 2 ? 1 : -1) * box.half_extents[v];
+    face.add({placed(at, corner), (axis * 2 + (side > 0 ? 1 : 0)) * 2 % 8 + k});
+  }
+  return face;
+}
+
+/// normal: of the reference box's face, which is across its axis, towards the other.
+Manifold of_faces(const Shape& reference, const PoseAt& at, int axis, const V3& normal, const Shape& other, const PoseAt& at_other, double margin) {
+  Polygon face = face_against(other, at_other, normal);
+  for (int k = 1; k < 3; ++k) {
+    const int side = (axis + k) % 3;
+    const V3 across = at.rotation.col(side);
+    const double middle = across.dot(at.translation), half = reference.half_extents[side];
+    face = clipped(face, across, middle + half, 2 * k - 2);
+    face = clipped(face, -across, half - middle, 2 * k - 1);
+  }
+  const double surface = normal.dot(at.translation) + reference.half_extents[axis];
+  Manifold manifold{.normal = normal};
+  for (int i = 0; i < face.count; ++i) {
+    const Corner& corner = face.corners[static_cast<std::size_t>(i)];
+    const double separation = normal.dot(corner.at) - surface;
+    if (separation > margin) continue;
+    manifold.points[static_cast<std::size_t>(manifold.count++)] = {corner.at - normal * (separation / 2), separation, corner.feature};
+  }
+  return manifold;
+}
+
+/// The middle of the edge along an axis that reaches farthest in a direction.
+V3 edge_middle(const Shape& box, const PoseAt& at, int axis, const V3& way) {
+  const V3 local = turned_back<double, 3>(at.rotation, way);
+  V3 middle;
+  for (int k = 0; k < 3; ++k) middle[k] = k == axis ? 0 : local[k] < 0 ? -box.half_extents[k] : box.half_extents[k];
+  return placed(at, middle);
+}
+
+Manifold of_edges(const Shape& a, const PoseAt& at_a, const Shape& b, const PoseAt& at_b, const Widest& widest) {
+  const int i = (widest.code - 6) / 3, j = (widest.code - 6) % 3;
+  const V3 u = at_a.rotation.col(i), v = at_b.rotation.col(j);
+  const V3 p = edge_middle(a, at_a, i, widest.normal), q = edge_middle(b, at_b, j, -widest.normal);
+  const V3 between = q - p;
+  const double cosine = u.dot(v), square = 1 - cosine * cosine;
+  const double s = (between.dot(u) - cosine * between.dot(v)) / square, t = (cosine * between.dot(u) - between.dot(v)) / square;
+  const V3 on_a = p + std::clamp(s, -a.half_extents[i], a.half_extents[i]) * u, on_b = q + std::clamp(t, -b.half_extents[j], b.half_extents[j]) * v;
+  Manifold manifold{.normal = widest.normal};
+  manifold.points[0] = {(on_a + on_b) / 2, widest.separation, 256 + widest.code};
+  manifold.count = 1;
+  return manifold;
+}
+
+Manifold of_boxes(const Shape& a, const PoseAt& at_a, const Shape& b, const PoseAt& at_b, double margin) {
+  const Widest widest = widest_axis(a, at_a, b, at_b);
+  if (widest.separation > margin) return {};
+  if (widest.code >= 6) return of_edges(a, at_a, b, at_b, widest);
+  if (widest.code < 3) return of_faces(a, at_a, widest.code, widest.normal, b, at_b, margin);
+  return flipped(of_faces(b, at_b, widest.code - 3, -widest.normal, a, at_a, margin));
+}
+
+}  // namespace
+
+Manifold manifold_of(const Shape& a, const PoseAt& at_a, const Shape& b, const PoseAt& at_b, double margin) {
+  if (a.kind == Kind::kSphere && b.kind == Kind::kSphere) return of_spheres(at_a.translation, a.radius, at_b.translation, b.radius, margin);
+  if (a.kind == Kind::kBox && b.kind == Kind::kSphere) return of_box_and_sphere(a, at_a, at_b.translation, b.radius, margin);
+  if (a.kind == Kind::kSphere && b.kind == Kind::kBox) return flipped(of_box_and_sphere(b, at_b, at_a.translation, a.radius, margin));
+  return of_boxes(a, at_a, b, at_b, margin);
+}
+
+}  // namespace snug::scene

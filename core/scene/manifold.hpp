@@ -1,0 +1,32 @@
+// Where two bodies touch, or nearly: the points at which impulses act.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "scene/shape.hpp"
+
+namespace snug::scene {
+
+struct ManifoldPoint {
+  V3 position = V3::Zero();  // half way between both surfaces
+  double separation = 0;     // scene units; negative where they lie in each other
+  int feature = 0;           // the same from frame to frame, where the same corner, edge or face meets the same
+};
+
+struct Manifold {
+  V3 normal = V3::Zero();    // unit, from a to b
+  std::array<ManifoldPoint, 8> points;
+  int count = 0;
+
+  [[nodiscard]] std::span<const ManifoldPoint> all() const { return std::span(points).first(static_cast<std::size_t>(count)); }
+};
+
+/// Empty where they are farther apart than margin. Spheres and boxes only (has_manifolds); of boxes the axis of least
+/// overlap by the separating-axis test, and there the faces clipped against each other.
+/// Source: C. Ericson, "Real-Time Collision Detection", 2005, 4.4.1 and 8.3.4; D. Gregorius, "The Separating Axis Test", 2013.
+[[nodiscard]] Manifold manifold_of(const Shape& a, const Pose<double, 3>& at_a, const Shape& b, const Pose<double, 3>& at_b, double margin);
+
+[[nodiscard]] inline bool has_manifolds(const Shape& shape) { return shape.kind != Shape::Kind::kOther; }
+
+}  // namespace snug::scene

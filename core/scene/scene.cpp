@@ -1,0 +1,111 @@
+#include "scene/scene.hpp"
+
+#include <algorithm>
+
+namespace snug::scene {
+namespace {
+
+constexpr std::size_t kMostSnapshots = 64;  // of 2,000 bodies, about 1 MB each
+
+}  // namespace
+
+tl::expected<Scene, InputError> Scene::open(const Declaration& declaration, Clock clock, std::span<const EffectKind> kinds) {
+  if (auto sound = check(declaration); !sound) return tl::unexpected(std::move(sound.error()));
+  auto planned = plan(declaration.effects, kinds);
+  if (!planned) return tl::unexpected(std::move(planned.error()));
+  Scene scene;
+  scene.world_ = world_of(declaration);
+  scene.clock_ = clock;
+  for (const Planned& one : *planned) {
+    auto effect = one.kind->make(one.call, scene.world_);
+    if (!effect) return tl::unexpected(std::move(effect.error()));
+    scene.runners_.push_back({one.kind, *std::move(effect)});
+    scene.tallies_.push_back({.effect = one.call.name + (one.call.body.empty() ? "" : " " + one.call.body), .constructed = 1});
+  }
+  scene.keep_snapshot();
+  return scene;
+}
+
+bool Scene::has_something_new(const Runner& runner) const {
+  if (!runner.ran) return true;
+  const EffectKind& kind = *runner.kind;
+  const SlotSet all = kind.reads | kind.reads_last | kind.revises;
+  for (std::size_t i = 0; i < kSlots; ++i) {
+    const auto slot = static_cast<Slot>(i);
+    if (has(all, slot) && slot != Slot::kTime && world_.state.revisions[i] != runner.seen[i]) return true;
+  }
+  return has(all, Slot::kTime) && !runner.effect->idle(world_);
+}
+
+void Scene::step() {
+  State& state = world_.state;
+  const auto before = state.revisions;
+  ++state.frame;
+  state.changed(Slot::kTime);
+  resting_ = true;
+  for (std::size_t i = 0; i < runners_.size(); ++i) {
+    if (!tallies_[i].on) continue;
+    if (!has_something_new(runners_[i])) {
+      ++tallies_[i].skipped;
+      continue;
+    }
+    const std::int64_t start = clock_ != nullptr ? clock_() : 0;
+    runners_[i].effect->run(world_);
+    if (clock_ != nullptr) tallies_[i].nanoseconds += clock_() - start;
+    ++tallies_[i].run;
+    runners_[i].seen = state.revisions;
+    runners_[i].ran = true;
+    resting_ = false;
+  }
+  changed_ = !std::equal(before.begin() + 1, before.end(), state.revisions.begin() + 1);  // but for time
+  keep_snapshot();
+}
+
+/// Every so many frames, and where there are too many, every other one is dropped.
+void Scene::keep_snapshot() {
+  const int frame = world_.state.frame;
+  if (frame % every_ != 0 || (!snapshots_.empty() && snapshots_.back().state.frame >= frame)) return;
+  Snapshot snapshot{world_.state, {}, {}, resting_};
+  for (const Runner& runner : runners_) snapshot.seen.push_back(runner.seen), snapshot.ran.push_back(runner.ran);
+  snapshots_.push_back(std::move(snapshot));
+  if (snapshots_.size() <= kMostSnapshots) return;
+  every_ *= 2;
+  std::erase_if(snapshots_, [&](const Snapshot& one) { return one.state.frame % every_ != 0; });
+}
+
+void Scene::restore(const Snapshot& snapshot) {
+  world_.state = snapshot.state;
+  resting_ = snapshot.resting;
+  for (std::size_t i = 0; i < runners_.size(); ++i) {
+    runners_[i].seen = snapshot.seen[i];
+    runners_[i].ran = snapshot.ran[i];
+    runners_[i].effect->restored(world_);
+  }
+}
+
+void Scene::go(int frame) {
+  frame = std::max(frame, 0);
+  if (frame < world_.state.frame) {
+    const auto after = std::upper_bound(snapshots_.begin(), snapshots_.end(), frame,
+                                        [](int wanted, const Snapshot& one) { return wanted < one.state.frame; });
+    restore(*(after - 1));
+    changed_ = true;
+  }
+  while (world_.state.frame < frame) step();
+}
+
+void Scene::turn(std::size_t effect, bool on) {
+  if (tallies_[effect].on == on) return;
+  tallies_[effect].on = on;
+  resting_ = false;
+  std::erase_if(snapshots_, [&](const Snapshot& one) { return one.state.frame > world_.state.frame; });
+}
+
+void Scene::pull_to(const V3& point) {
+  world_.pulled_to = point;
+  resting_ = false;
+  for (std::size_t i = 0; i < world_.size(); ++i) world_.state.bodies[i].asleep = false, world_.state.bodies[i].still = 0;
+  std::erase_if(snapshots_, [&](const Snapshot& one) { return one.state.frame > world_.state.frame; });
+}
+
+}  // namespace snug::scene

@@ -1,0 +1,103 @@
+#include "scene/world.hpp"
+
+#include <algorithm>
+
+#include "geometry/bits.hpp"
+#include "scene/limits.hpp"
+
+namespace snug::scene {
+namespace {
+
+/// The quaternion of a rotation matrix, by the largest of its four squares.
+/// Source: S. W. Shepperd, "Quaternion from rotation matrix", 1978.
+Quaternion quaternion_of(const Matrix<double, 3>& m) {
+  const double x = m(0, 0), y = m(1, 1), z = m(2, 2);
+  if (x + y + z > 0) return normalized({1 + x + y + z, m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)});
+  if (x >= y && x >= z) return normalized({m(2, 1) - m(1, 2), 1 + x - y - z, m(0, 1) + m(1, 0), m(0, 2) + m(2, 0)});
+  if (y >= z) return normalized({m(0, 2) - m(2, 0), m(0, 1) + m(1, 0), 1 + y - z - x, m(1, 2) + m(2, 1)});
+  return normalized({m(1, 0) - m(0, 1), m(0, 2) + m(2, 0), m(1, 2) + m(2, 1), 1 + z - x - y});
+}
+
+/// Source: G. Fowler, L. C. Noll, K.-P. Vo, the FNV hash, 1991.
+struct Hash {
+  std::uint64_t value = 0xcbf29ce484222325u;
+  void add(std::uint64_t word) { value = (value ^ word) * 0x100000001b3u, value ^= value >> 29; }
+  void add(double number) { add(bits_of(number)); }
+  void add(const V3& v) { add(v[0]), add(v[1]), add(v[2]); }
+};
+
+}  // namespace
+
+bool World::any_awake() const {
+  for (std::size_t i = 0; i < size(); ++i)
+    if (awake(i)) return true;
+  return false;
+}
+
+void World::place(std::size_t i, const V3& position, const Quaternion& orientation) {
+  Motion& motion = state.bodies[i];
+  motion.position = position;
+  motion.orientation = orientation;
+  motion.rotation = matrix_of(orientation);
+  motion.moved = state.revision(Slot::kPoses) + 1;
+}
+
+double World::margin(std::size_t i) const {
+  if (!solid) return 0;
+  return limits::kSlop + std::min(state.bodies[i].velocity.norm() * step, members[i].shape.thinnest / 2);
+}
+
+double World::energy() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < size(); ++i)
+    if (members[i].moves()) sum += kinetic_energy(members[i], state.bodies[i]) - members[i].mass * gravity.dot(state.bodies[i].position);
+  return sum;
+}
+
+std::uint64_t World::hash() const {
+  Hash hash;
+  hash.add(static_cast<std::uint64_t>(state.frame));
+  for (const Motion& body : state.bodies) {
+    hash.add(body.position), hash.add(body.velocity), hash.add(body.turning);
+    const Quaternion& q = body.orientation;
+    hash.add(q.w), hash.add(q.x), hash.add(q.y), hash.add(q.z);
+    hash.add(static_cast<std::uint64_t>(body.still) * 2 + (body.asleep ? 1 : 0));
+  }
+  for (const Impulse& impulse : state.impulses)
+    hash.add(impulse.normal), hash.add(impulse.first), hash.add(impulse.second), hash.add(impulse.approach);
+  return hash.value;
+}
+
+World world_of(const Declaration& declaration) {
+  World world{.step = declaration.step, .seed = declaration.seed};
+  for (const Body& body : declaration.bodies) {
+    Centered own = centered(body.shape);
+    const Quaternion declared = normalized(body.orientation);
+    Member member{.name = body.name, .shape = std::move(own.shape), .fixed = body.fixed, .mass = body.fixed ? 0 : body.mass};
+    const V3 inertia = member.mass * inertia_of(member.shape);
+    for (int i = 0; i < 3; ++i) member.inverse_inertia[i] = inertia[i] > 0 ? 1 / inertia[i] : 0;
+    world.members.push_back(std::move(member));
+    world.state.bodies.push_back({.velocity = body.fixed ? V3(V3::Zero()) : body.velocity, .turning = body.fixed ? V3(V3::Zero()) : body.turning});
+    const V3 position = body.position + turned<double, 3>(matrix_of(declared), own.center);
+    world.place(world.size() - 1, position, normalized(declared * quaternion_of(own.axes)));
+  }
+  world.state.funnel.all = static_cast<std::int64_t>(world.size()) * (static_cast<std::int64_t>(world.size()) - 1) / 2;
+  world.state.volumes.resize(world.size());
+  world.state.changed(Slot::kPoses), world.state.changed(Slot::kVelocities);
+  return world;
+}
+
+V3 by_inverse_inertia(const Member& member, const Motion& motion, const V3& v) {
+  const V3 own = turned_back<double, 3>(motion.rotation, v);
+  return turned<double, 3>(motion.rotation, own.cwiseProduct(member.inverse_inertia));
+}
+
+double kinetic_energy(const Member& member, const Motion& motion) {
+  const V3 own = turned_back<double, 3>(motion.rotation, motion.turning);
+  double sum = member.mass * motion.velocity.squaredNorm();
+  for (int i = 0; i < 3; ++i)
+    if (member.inverse_inertia[i] > 0) sum += own[i] * own[i] / member.inverse_inertia[i];
+  return sum / 2;
+}
+
+}  // namespace snug::scene

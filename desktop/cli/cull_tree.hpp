@@ -1,0 +1,34 @@
+// Culling by a tree over the volumes, beside culling one by one.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "desktop/cli/trace_file.hpp"
+#include "geometry/frustum.hpp"
+#include "geometry/volume.hpp"
+#include "query/classify_steps.hpp"
+
+namespace snug::desktop {
+
+inline const std::vector<std::string> kTreeRules{"median", "surface_area", "bottom_up", "insertion"};
+
+/// What was spent on all volumes together.
+struct CullCost {
+  std::int64_t volume_tests = 0;
+  std::int64_t planes_tested = 0;
+};
+
+struct CulledByTree {
+  std::vector<query::Culling> classes;  // of the volumes
+  std::int64_t nodes = 0, nodes_visited = 0;
+  CullCost by_tree, without_masks, one_by_one;
+};
+
+/// rule: of kTreeRules. volumes: all of one kind. trace: gets the steps of building and of the traversal.
+template <class Scalar, int Dim>
+[[nodiscard]] CulledByTree cull_by_tree(const std::string& rule, const Frustum<Scalar, Dim>& frustum,
+                                        std::span<const Volume<Scalar, Dim>> volumes, TraceFile& trace);
+
+}  // namespace snug::desktop

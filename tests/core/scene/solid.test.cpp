@@ -1,0 +1,184 @@
+// Bodies that push each other: stacks stand, walls hold, energy is never made of nothing.
+#include <cmath>
+
+#include "core/scene/declared.hpp"
+#include "geometry/random.hpp"
+#include "query/obb_sat.hpp"
+
+using namespace snug;
+using namespace snug::test;
+
+namespace {
+
+constexpr int kTenMinutes = 10 * 60 * 60;
+
+Declaration stack(bool sleep) {
+  Declaration declaration{.bodies = {floor()}, .effects = solid(0, sleep)};
+  for (int i = 0; i < 10; ++i) declaration.bodies.push_back(box({0.5, 0.5, 0.5}, {0.02 * (i % 3 - 1), 0.51 + 1.01 * i, 0.02 * (i % 2)}));
+  return declaration;
+}
+
+void check_standing(const Scene& scene, double most_aside) {
+  for (std::size_t i = 1; i <= 10; ++i) {
+    const V3& at = motion(scene, i).position;
+    CHECK(std::abs(at[1] - (static_cast<double>(i) - 0.5)) < 0.02);
+    CHECK(std::hypot(at[0], at[2]) < most_aside);
+    CHECK(motion(scene, i).rotation(1, 1) > 0.9999);
+  }
+}
+
+/// By how much at most the energy rose in a frame, in parts of what there was at the start above the lowest place.
+double most_gained(Scene& scene, int frames, double scale) {
+  double most = -1, before = scene.world().energy();
+  for (int frame = 0; frame < frames; ++frame) {
+    scene.step();
+    const double after = scene.world().energy();
+    most = std::max(most, (after - before) / scale);
+    before = after;
+  }
+  return most;
+}
+
+/// Balls have nothing that would stop them rolling.
+Declaration tumble(double restitution, bool balls) {
+  Declaration declaration{.bodies = {floor()}, .effects = solid(restitution)};
+  Random random(7);
+  for (int i = 0; i < 24; ++i) {
+    const V3 at(random.between(-1, 1), 1 + 0.6 * i, random.between(-1, 1));
+    Body body = balls && i % 3 == 0 ? ball(0.3, at) : box({0.3, 0.15 + 0.01 * i, 0.25}, at, 1 + i % 4);
+    body.orientation = normalized({random.unit(), random.unit(), random.unit(), random.unit()});
+    declaration.bodies.push_back(moving(body, V3(random.normal(), random.normal(), random.normal()),
+                                        V3(3 * random.normal(), 3 * random.normal(), 3 * random.normal())));
+  }
+  return declaration;
+}
+
+}  // namespace
+
+TEST_CASE("ten boxes come to rest and stay for ten minutes") {
+  Scene scene = opened(stack(true));
+  scene.go(600);
+  check_standing(scene, 0.05);
+  CHECK(scene.resting());
+  const auto before = scene.world().hash();
+  const std::vector<scene::Motion> bodies = scene.world().state.bodies;
+  const std::int64_t runs = tally(scene, "bounce").run;
+  scene.go(kTenMinutes);
+  CHECK(scene.resting());
+  CHECK(tally(scene, "bounce").run == runs);
+  CHECK(scene.world().hash() != before);  // the frame's number is part of it
+  for (std::size_t i = 0; i < bodies.size(); ++i) CHECK(motion(scene, i).position == bodies[i].position);
+}
+
+TEST_CASE("ten boxes stand without sleep too") {
+  Scene scene = opened(stack(false));
+  scene.go(1800);
+  check_standing(scene, 0.06);
+  CHECK_FALSE(scene.resting());
+}
+
+TEST_CASE("without restitution energy never grows") {
+  for (Declaration declaration : {tumble(0, true), stack(true), stack(false)}) {
+    Scene scene = opened(declaration);
+    CHECK(most_gained(scene, 900, std::abs(scene.world().energy())) < 1e-9);
+  }
+}
+
+TEST_CASE("with restitution a ball comes back as high as it must, and no higher") {
+  for (const double restitution : {0.0, 0.5, 0.9, 1.0}) {
+    Declaration declaration{.bodies = {floor(), ball(0.25, {0, 2.25, 0})}, .effects = solid(restitution, true, 0)};
+    Scene scene = opened(declaration);
+    while (motion(scene, 1).velocity[1] <= 0 && scene.frame() < 120) scene.step();
+    double highest = 0;
+    for (int i = 0; i < 60; ++i) scene.step(), highest = std::max(highest, motion(scene, 1).position[1] - 0.25);
+    INFO("restitution " << restitution << ", came back to " << highest);
+    CHECK(highest < 2 * restitution * restitution + 1e-9);
+    CHECK(highest > 2 * restitution * restitution - 0.2);
+  }
+}
+
+TEST_CASE("a body at 200 metres a second does not end up inside a wall, nor behind it") {
+  for (const double thickness : {0.5, 0.05, 0.004})
+    for (const double restitution : {0.0, 0.6}) {
+      Body wall = fixed(box({thickness / 2, 5, 5}, {0, 0, 0}));
+      for (const bool is_ball : {true, false}) {
+        Body body = is_ball ? ball(0.1, {-7.3, 0.2, 0.1}) : box({0.1, 0.05, 0.2}, {-7.3, 0.2, 0.1});
+        body.orientation = normalized({1, 0.1, 0.2, 0.3});
+        Declaration declaration{.bodies = {wall, moving(body, {200, 3, 1})}, .effects = solid(restitution)};
+        declaration.effects.erase(declaration.effects.begin());  // no gravity
+        Scene scene = opened(declaration);
+        for (int frame = 0; frame < 60; ++frame) {
+          scene.step();
+          INFO("thickness " << thickness << ", frame " << frame << ", x " << motion(scene, 1).position[0]);
+          REQUIRE(motion(scene, 1).position[0] < 0);
+          REQUIRE(motion(scene, 1).position[0] < -thickness / 2 - 0.02);
+        }
+        CHECK(motion(scene, 1).position[0] > -7.3 - 200);
+        if (is_ball && restitution > 0) CHECK(motion(scene, 1).velocity[0] == doctest::Approx(-120));
+        if (is_ball && restitution == 0) CHECK(std::abs(motion(scene, 1).velocity[0]) < 1e-9);
+        if (is_ball) CHECK(motion(scene, 1).position[0] < -thickness / 2 - 0.1 + 0.002);
+        else CHECK(motion(scene, 1).velocity[0] < 100);
+      }
+    }
+}
+
+TEST_CASE("two fast bodies meet head on") {
+  Declaration declaration{.bodies = {moving(ball(0.1, {-9, 0, 0}), {200, 0, 0}), moving(ball(0.1, {9.1, 0, 0}), {-200, 0, 0})}, .effects = solid(1)};
+  declaration.effects.erase(declaration.effects.begin());
+  Scene scene = opened(declaration);
+  scene.go(20);
+  CHECK(motion(scene, 0).velocity[0] == doctest::Approx(-200).epsilon(0.01));
+  CHECK(motion(scene, 1).velocity[0] == doctest::Approx(200).epsilon(0.01));
+  CHECK(motion(scene, 0).position[0] < motion(scene, 1).position[0]);
+}
+
+TEST_CASE("a pile comes to rest with no two bodies deep in each other") {
+  Scene scene = opened(tumble(0.2, false));
+  scene.go(1500);
+  CHECK(scene.resting());
+  for (std::size_t i = 1; i < scene.world().size(); ++i) CHECK(motion(scene, i).position[1] > 0.1);
+  for (const auto& contact : scene.world().state.contacts) {
+    const auto a = static_cast<std::size_t>(contact.pair.a), b = static_cast<std::size_t>(contact.pair.b);
+    const auto& members = scene.world().members;
+    if (members[a].shape.kind != scene::Shape::Kind::kBox || members[b].shape.kind != scene::Shape::Kind::kBox) continue;
+    const auto obb = [&](std::size_t k) {
+      return Obb<double, 3>{motion(scene, k).position, motion(scene, k).rotation, members[k].shape.half_extents - V3::Constant(0.006)};
+    };
+    CHECK_FALSE(query::obb_sat(obb(a), obb(b)).overlap);
+  }
+}
+
+TEST_CASE("friction holds a box on a slope that is not too steep") {
+  for (const double friction : {0.1, 0.8}) {
+    Body slope = fixed(box({10, 0.5, 10}, {0, 0, 0}));
+    slope.orientation = quaternion_about(V3::UnitZ(), 0.35);  // its tangent is 0.365
+    Body body = box({0.3, 0.3, 0.3}, quaternion_about(V3::UnitZ(), 0.35).w * V3::Zero() + V3(-0.8 * std::sin(0.35), 0.8 * std::cos(0.35), 0));
+    body.orientation = slope.orientation;
+    Scene scene = opened({.bodies = {slope, body}, .effects = solid(0, true, friction)});
+    const double start = motion(scene, 1).position[0];
+    scene.go(120);
+    if (friction > 0.365) CHECK(std::abs(motion(scene, 1).position[0] - start) < 0.02);
+    else CHECK(motion(scene, 1).position[0] < start - 1);
+  }
+}
+
+TEST_CASE("a free body keeps its momentum, and tumbling makes no energy") {
+  Declaration declaration{.bodies = {moving(box({0.5, 0.2, 0.1}, {0, 0, 0}), {1, 0, 0}, {0.1, 5, 0.1})}, .effects = {call("move")}};
+  Scene scene = opened(declaration);
+  CHECK(most_gained(scene, 2000, scene.world().energy()) < 1e-12);
+  CHECK(scene.world().energy() > 0.5);
+  CHECK(motion(scene, 0).position[0] == doctest::Approx(2000.0 / 60));
+}
+
+TEST_CASE("a sleeper wakes when another body comes") {
+  Declaration declaration{.bodies = {floor(), box({0.5, 0.5, 0.5}, {0, 0.5, 0}), moving(ball(0.2, {-30, 0.5, 0}), {0, 0, 0})}, .effects = solid(0)};
+  declaration.bodies[2] = ball(0.2, {0, 40, 0}, 3);
+  Scene scene = opened(declaration);
+  scene.go(120);
+  CHECK(motion(scene, 1).asleep);
+  bool woke = false;
+  for (int i = 0; i < 300; ++i) scene.step(), woke = woke || !motion(scene, 1).asleep;
+  CHECK(woke);
+  scene.go(900);
+  CHECK(scene.resting());
+}
