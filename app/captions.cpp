@@ -67,7 +67,7 @@ struct Sayer {
     const std::string frame = "Frame " + std::to_string(fact.frame) + ": ";
     if (fact.resting) return frame + "all bodies rest, and nothing is run.";
     const auto count = [](double n) { return std::to_string(static_cast<long long>(n)); };
-    if (fact.all_pairs == 0) return frame + "the box looks at " + count(fact.cost) + " points and is " + short_figure(100 * fact.slack) + " % too large.";
+    if (fact.all_pairs == 0) return frame + "the update looks at " + counted(static_cast<int>(fact.cost), "point") + ", and its volume is " + short_figure(100 * fact.slack) + " % too large.";
     return frame + "of " + count(fact.all_pairs) + " pairs the boxes leave " + count(fact.after_broad) + ", the spheres " + count(fact.after_loose) +
            "; " + count(fact.touching) + " touch.";
   }

@@ -6,6 +6,8 @@
 #include "lesson/box_tests.hpp"
 #include "lesson/frustum_tests.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/scene_figures.hpp"
+#include "lesson/scene_runs.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::lesson {
@@ -205,6 +207,15 @@ Truth verdict_truth(const Asked& asked, const query::CullResult& result) {
   return culling_truth(result.verdict, "This test says " + std::string(query::kCullingNames[static_cast<std::size_t>(result.verdict)]) + ".");
 }
 
+/// The range that the figure lies in.
+Truth figure_truth(const Asked& asked, const FrameTaken& frame) {
+  const Question& question = *asked.question;
+  const double value = figure_of(frame, question.figure);
+  const auto range = std::lower_bound(question.bounds.begin(), question.bounds.end(), value) - question.bounds.begin();
+  const std::string text = scene_figure_text(question.figure, value);
+  return {{static_cast<int>(range)}, {}, text, "It is " + text + "."};
+}
+
 Truth truth_of(const Asked& asked, Trace trace) {
   const Step3& step = trace[static_cast<std::size_t>(asked.fact)].step;
   const Question& question = *asked.question;
@@ -222,6 +233,7 @@ Truth truth_of(const Asked& asked, Trace trace) {
       return vertex_truth(asked, *std::get_if<query::PlaneTested<double, 3>>(&step.fact), question.asks == Asks::kPVertex);
     case Asks::kPlaneSide: return plane_side_truth(asked, *std::get_if<query::PlaneTested<double, 3>>(&step.fact));
     case Asks::kVerdict: return verdict_truth(asked, std::get_if<query::Classified>(&step.fact)->result);
+    case Asks::kFigure: return figure_truth(asked, *std::get_if<FrameTaken>(&step.fact));
     case Asks::kChoice: break;
   }
   const std::string& right = asked.choices[static_cast<std::size_t>(question.answer)];

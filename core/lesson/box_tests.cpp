@@ -7,6 +7,7 @@
 
 #include "fit/lift.hpp"
 #include "lesson/frustum_tests.hpp"
+#include "lesson/scene_runs.hpp"
 #include "query/obb_sat.hpp"
 #include "query/wrong_corners_only.hpp"
 #include "query/wrong_extents_only.hpp"
@@ -85,6 +86,7 @@ bool says_overlap(const fit::Algorithm& test, const BoxPair& pair) {
 bool has_boxes(std::string_view volume) { return volume == kBoxPair || volume == kFrustumBox; }
 
 std::span<const fit::Algorithm> methods_of(std::string_view volume) {
+  if (volume == kScene) return scene_methods();
   return volume == kBoxPair ? box_tests() : volume == kFrustumBox ? frustum_tests() : fit::algorithms_of(volume);
 }
 

@@ -25,7 +25,7 @@ inline constexpr std::string_view kBoxPair = "box_pair";
 /// Whether a lesson's volume has boxes in place of points: kBoxPair or kFrustumBox.
 [[nodiscard]] bool has_boxes(std::string_view volume);
 
-/// What a lesson of a volume can offer: box_tests() of kBoxPair, frustum_tests() of kFrustumBox, fit::algorithms_of of any
+/// What a lesson of a volume can offer: box_tests() of kBoxPair, frustum_tests() of kFrustumBox, scene_methods() of kScene, fit::algorithms_of of any
 /// other.
 [[nodiscard]] std::span<const fit::Algorithm> methods_of(std::string_view volume);
 [[nodiscard]] const fit::Algorithm* find_method(std::string_view volume, std::string_view name);

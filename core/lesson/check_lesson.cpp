@@ -7,6 +7,7 @@
 #include "lesson/box_tests.hpp"
 #include "lesson/grade.hpp"
 #include "lesson/own_points.hpp"
+#include "lesson/scene_runs.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -56,6 +57,25 @@ void check_boxes(const Lesson& lesson, const toml::table& toml, Complaints& comp
   }
 }
 
+/// A scene: every method is run on it, and the model does the task, which the beginning does not.
+void check_scene(const Lesson& lesson, const toml::table& toml, const AnyPointSet& points, Complaints& complaints) {
+  const TomlTable root(toml, "the lesson", complaints);
+  for (const std::string& name : lesson.algorithms) {
+    const auto run = run_scene(*lesson.scene, name, points, lesson.seed);
+    if (!run) return complaints.add(run.error().position > 0 ? static_cast<int>(run.error().position) : root.line_of("scene"), run.error().what);
+    check_questions(lesson, *find_method(kScene, name), run->recording, fit::dim_of(points), complaints);
+  }
+  if (!lesson.task) return;
+  const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
+  const auto graded = [&](const AnyPointSet& on) { return grade_scene(*lesson.task, *lesson.scene, on, lesson.seed); };
+  if (fit::size_of(points) < lesson.task->points) complaints.add(task.line(), "the task is for more points than the lesson has");
+  if (!offers(lesson, lesson.task->algorithm)) complaints.add(task.line(), "the lesson does not offer the algorithm " + lesson.task->algorithm);
+  if (graded(start_of_task(lesson, points)).done) complaints.add(task.line(), "the task is solved before the student begins");
+  const auto model = to_set(lesson.task->model, fit::dim_of(points));
+  if (!model) return complaints.add(task.line_of("model"), model.error().what);
+  if (const Grade grade = graded(*model); !grade.done) complaints.add(task.line_of("model"), "the model does not solve the task: " + grade.says);
+}
+
 void check_task(const Lesson& lesson, const AnyPointSet& points, int line, int model_line, Complaints& complaints) {
   const Task& task = *lesson.task;
   if (fit::size_of(points) < task.points)
@@ -81,6 +101,7 @@ void check_lesson(const Lesson& lesson, const toml::table& toml, Complaints& com
 
   const auto points = own_points(lesson, lesson.seed, std::nullopt);
   if (!points) return complaints.add(root.line_of("points"), points.error().what);
+  if (lesson.scene) return check_scene(lesson, toml, *points, complaints);
   for (const std::string& name : lesson.algorithms) {
     const fit::Algorithm& algorithm = *fit::find_algorithm(lesson.volume, name);
     if (fit::size_of(*points) <= algorithm.max_points) 

@@ -8,6 +8,8 @@
 #include "lesson/box_figures.hpp"
 #include "lesson/frustum_box.hpp"
 #include "lesson/frustum_figures.hpp"
+#include "lesson/scene_figures.hpp"
+#include "lesson/scene_set.hpp"
 #include "lesson/volume_check.hpp"
 #include "lesson/words.hpp"
 
@@ -195,6 +197,7 @@ std::string percent_text(double ratio) {
 }
 
 std::vector<Figure> figures_of(const RunView& run) {
+  if (run.algorithm->volume == kScene) return scene_figures(run);
   if (run.boxes == nullptr) return Board(run).figures();
   return has_frustum(*run.boxes) ? frustum_figures(run) : box_figures(run);
 }

@@ -5,6 +5,7 @@
 #include "lesson/ask.hpp"
 #include "lesson/box_tests.hpp"
 #include "lesson/frustum_tests.hpp"
+#include "lesson/scene_figures.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::lesson {
@@ -115,6 +116,17 @@ const char* add_cullings(Asked& asked, bool of_it, const char* refused) {
   return of_it ? nullptr : refused;
 }
 
+/// "at most 10 pairs", "more than 10 and at most 40 pairs", "more than 40 pairs"
+const char* add_ranges(Asked& asked, const Step3& step) {
+  if (!std::holds_alternative<FrameTaken>(step.fact)) return "\"figure\" asks of frame_taken";
+  const Question& question = *asked.question;
+  const auto text = [&](double bound) { return scene_figure_text(question.figure, bound); };
+  for (std::size_t i = 0; i < question.bounds.size(); ++i)
+    add_choice(asked, (i == 0 ? "at most " : "more than " + text(question.bounds[i - 1]) + ", at most ") + text(question.bounds[i]));
+  add_choice(asked, "more than " + text(question.bounds.back()));
+  return nullptr;
+}
+
 /// What may be answered. Returns why the step cannot be asked that, or null.
 const char* add_choices(Asked& asked, Trace trace, int dim) {
   const auto& fact = step_at(trace, asked.fact).fact;
@@ -139,6 +151,7 @@ const char* add_choices(Asked& asked, Trace trace, int dim) {
     case Asks::kPlaneSide:
       return add_cullings(asked, std::holds_alternative<query::PlaneTested<double, 3>>(fact), "\"plane_side\" asks of plane_tested");
     case Asks::kVerdict: return add_cullings(asked, std::holds_alternative<query::Classified>(fact), "\"verdict\" asks of classified");
+    case Asks::kFigure: return add_ranges(asked, step_at(trace, asked.fact));
     case Asks::kHolds:
       if (!std::holds_alternative<Finished>(fact)) return "\"holds\" asks of finished";
       for (int n = 1; n <= dim + 1; ++n) add_choice(asked, std::to_string(n));

@@ -11,6 +11,7 @@
 #include "geometry/input_error.hpp"
 #include "geometry/vector.hpp"
 #include "lesson/boxes.hpp"
+#include "lesson/scene_set.hpp"
 
 namespace snug::lesson {
 
@@ -64,6 +65,7 @@ struct Question {
     kNVertex,    // signs; and which against it
     kPlaneSide,  // of plane_tested: on which side of the plane the box is; the choices are query::kCullingNames
     kVerdict,    // of classified: where the box is, of the frustum; the same choices
+    kFigure,     // of frame_taken: between which bounds a figure of the scene lies; the choices are the ranges
   };
   std::string id;
   Gate gate;
@@ -71,6 +73,8 @@ struct Question {
   std::string prompt;
   std::vector<std::string> choices;  // of kChoice
   int answer = 0;                    // of kChoice, counted from 0
+  std::string figure;                // of kFigure: one of scene_figure_names()
+  std::vector<double> bounds;        // of kFigure, rising: up to the first, up to the second … and more
   bool own_points = false;           // asked only on the lesson's own points: the answer is true of those alone
   std::string because;               // shown with what happened, right or wrong
   int line = 0;                      // of the file, for errors
@@ -92,6 +96,14 @@ struct Task {
   /// a frustum "corners_outside": where that test loses a box that shares a point with the frustum.
   std::vector<std::string> goals;
   std::vector<BoxPair> models;  // one a goal
+
+  /// Of a scene: what its last frame's figures must come to.
+  struct Requirement {
+    std::string figure;  // of scene_figure_names()
+    static constexpr double kNoMost = 1e300;
+    double at_least = 0, at_most = kNoMost;
+  };
+  std::vector<Requirement> requirements;
 };
 
 /// An algorithm's pseudocode in the lesson's own words; as many lines as the catalogue's.
@@ -115,6 +127,7 @@ struct Lesson {
   std::vector<Section> sections;
   Points points;
   std::optional<BoxPair> boxes;         // of volumes kBoxPair and kFrustumBox, which have no points
+  std::optional<SceneSet> scene;        // of volume kScene: what moves, made of the points
   std::vector<std::string> meshes;      // which the student may load instead
   std::vector<std::string> generators;  // which the student may scatter by instead
   std::uint64_t seed = 1;

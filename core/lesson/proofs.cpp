@@ -3,6 +3,7 @@
 #include "lesson/figures.hpp"
 #include "lesson/frustum_box.hpp"
 #include "lesson/frustum_figures.hpp"
+#include "lesson/scene_set.hpp"
 #include "lesson/volume_check.hpp"
 #include "lesson/words.hpp"
 
@@ -55,6 +56,7 @@ std::vector<Proof> on_the_way(const RunView& run, const Step3& step) {
 }  // namespace
 
 std::vector<Proof> proofs_of(const RunView& run) {
+  if (run.algorithm->volume == kScene) return {};  // its figures are counts: there is nothing to prove
   if (run.boxes != nullptr) return has_frustum(*run.boxes) ? frustum_proofs(run) : box_proofs(run);
   const auto& steps = run.recording->steps;
   if (run.step == static_cast<int>(steps.size())) return of_result(run);

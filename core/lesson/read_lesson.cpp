@@ -9,6 +9,7 @@
 #include "lesson/frustum_tests.hpp"
 #include "lesson/own_points.hpp"
 #include "lesson/prose.hpp"
+#include "lesson/read_scene.hpp"
 #include "lesson/toml_table.hpp"
 
 namespace snug::lesson {
@@ -21,7 +22,7 @@ constexpr std::int64_t kVersion = 1;
 /// Fifty times a long lesson. The parser's tables within tables, a level for two bytes, must not outgrow the stack.
 constexpr std::size_t kMostBytes = 1 << 18;
 
-constexpr std::array<std::pair<std::string_view, Asks>, 13> kAsks{{{"point", Asks::kPoint},
+constexpr std::array<std::pair<std::string_view, Asks>, 14> kAsks{{{"point", Asks::kPoint},
                                                                   {"axis", Asks::kAxis},
                                                                   {"grows", Asks::kGrows},
                                                                   {"leaves", Asks::kLeaves},
@@ -33,7 +34,8 @@ constexpr std::array<std::pair<std::string_view, Asks>, 13> kAsks{{{"point", Ask
                                                                   {"p_vertex", Asks::kPVertex},
                                                                   {"n_vertex", Asks::kNVertex},
                                                                   {"plane_side", Asks::kPlaneSide},
-                                                                  {"verdict", Asks::kVerdict}}};
+                                                                  {"verdict", Asks::kVerdict},
+                                                                  {"figure", Asks::kFigure}}};
 
 /// "bunny, teapot or dragon"
 std::string one_of(const auto& names) {
@@ -56,7 +58,7 @@ std::vector<std::string_view> volumes() {
   std::vector<std::string_view> names;
   for (const fit::Algorithm& algorithm : fit::algorithms())
     if (!among(names, algorithm.volume)) names.push_back(algorithm.volume);
-  names.insert(names.end(), {kBoxPair, kFrustumBox});
+  names.insert(names.end(), {kBoxPair, kFrustumBox, kScene});
   return names;
 }
 
@@ -133,9 +135,10 @@ Question read_question(const toml::table& toml, std::string_view volume, Complai
   const std::string asks = table.text("asks");
   const auto* kind = std::find_if(kAsks.begin(), kAsks.end(), [&](const auto& row) { return row.first == asks; });
   if (kind != kAsks.end()) question.asks = kind->second;
-  if (kind == kAsks.end()) table.wrong("asks", "is none of point, axis, grows, leaves, choice, better, holds, separates, which_axis, p_vertex, n_vertex, plane_side or verdict: " + asks);
+  if (kind == kAsks.end()) table.wrong("asks", "is none of point, axis, grows, leaves, choice, better, holds, separates, which_axis, p_vertex, n_vertex, plane_side, verdict or figure: " + asks);
   question.prompt = table.text("prompt");
   if (question.asks == Asks::kChoice) read_choices(table, question);
+  if (question.asks == Asks::kFigure) read_ranges(table, question);
   question.own_points = table.flag_or("own_points", false);
   question.because = table.text("because");
   table.refuse_others();
@@ -257,6 +260,7 @@ void read_subject(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   if (subject == nullptr) return complaints.add(1, std::string("the lesson lacks [") + due + "]");
   if (!pair) {
     lesson.points = read_points(*subject, complaints);
+    if (lesson.volume == kScene) lesson.scene = read_scene_of(table, lesson.points.dim, complaints);
     return;
   }
   TomlTable own(*subject, "[boxes]", complaints);
@@ -280,6 +284,7 @@ Lesson read(const toml::table& toml, Complaints& complaints) {
   for (const toml::table* question : table.tables("question")) lesson.questions.push_back(read_question(*question, lesson.volume, complaints));
   if (const toml::table* task = table.table("task"))
     lesson.task = lesson.boxes ? read_box_task(*task, lesson, complaints)
+                  : lesson.scene ? read_scene_task(*task, lesson.algorithms, complaints)
                                : read_task(*task, lesson.volume, lesson.points.dim, complaints);
   table.refuse_others();
   return lesson;

@@ -48,12 +48,16 @@ Session::~Session() = default;
 
 void Session::use(int slot, const fit::Algorithm* algorithm) {
   Slot& own = slots_[static_cast<std::size_t>(slot)];
-  own = {algorithm, {}, {}};
+  own = {algorithm, {}, {}, {}};
   if (algorithm == nullptr) return;
   const auto pseudocode = fit::pseudocode_of(*algorithm, dim());
   own.pseudocode.assign(pseudocode.begin(), pseudocode.end());
   for (const Pseudocode& words : lesson_.pseudocode)
     if (words.algorithm == algorithm->name) own.pseudocode.assign(words.lines.begin(), words.lines.end());
+}
+
+const std::vector<SceneFrame>* Session::frames(int slot) const {
+  return lesson_.scene ? &slots_[static_cast<std::size_t>(slot)].frames : nullptr;
 }
 
 std::span<const std::string_view> Session::pseudocode(int slot) const {
@@ -95,6 +99,12 @@ tl::expected<void, InputError> Session::make_room_for(Index points) {
 void Session::run(int slot) {
   Slot& own = slots_[static_cast<std::size_t>(slot)];
   if (own.algorithm == nullptr) return;
+  if (lesson_.scene) {
+    auto run = run_scene(*lesson_.scene, own.algorithm->name, points(), seed());
+    own.recording = run ? std::move(run->recording) : fit::Recording();  // the lesson's own scene was opened when it was read
+    own.frames = run ? std::move(run->frames) : std::vector<SceneFrame>();
+    return;
+  }
   own.recording = now_.boxes ? record(*own.algorithm, *now_.boxes)
                              : own.algorithm->record(points(), {.seed = seed()}, std::move(own.recording));
 }
@@ -141,7 +151,7 @@ double Session::size_of(const fit::Algorithm& algorithm) const {
 const std::vector<Session::Rival>& Session::rivals() const {
   if (worked_.rivals) return *worked_.rivals;
   std::vector<Rival> rivals;
-  if (now_.boxes) return worked_.rivals.emplace();
+  if (now_.boxes || lesson_.scene) return worked_.rivals.emplace();
   const std::optional<double> smallest = smallest_size();
   for (const std::string& name : lesson_.algorithms) {
     const fit::Algorithm* algorithm = find_method(lesson_.volume, name);
@@ -154,6 +164,7 @@ const std::vector<Session::Rival>& Session::rivals() const {
 
 std::optional<Grade> Session::grade() const {
   if (!lesson_.task) return std::nullopt;
+  if (!worked_.grade && lesson_.scene) worked_.grade = grade_scene(*lesson_.task, *lesson_.scene, points(), seed());
   if (!worked_.grade)
     worked_.grade = now_.boxes ? grade_boxes(*lesson_.task, *now_.boxes, found_) : lesson::grade(*lesson_.task, points(), seed());
   return worked_.grade;

@@ -19,6 +19,7 @@
 #include "lesson/figures.hpp"
 #include "lesson/grade.hpp"
 #include "lesson/lesson.hpp"
+#include "lesson/scene_runs.hpp"
 
 namespace snug::lesson {
 
@@ -98,6 +99,8 @@ class Session {
   // ---- the algorithms ---------------------------------------------------------------------------------------
   /// slot 0 is the main one, which the timeline, sentence and pseudocode speak of; slot 1 stands beside it.
   [[nodiscard]] const fit::Algorithm* algorithm(int slot) const { return slots_[static_cast<std::size_t>(slot)].algorithm; }
+  /// The slot's frames, of a lesson that has a scene; null otherwise. Frame step_of(slot) is the one that stands.
+  [[nodiscard]] const std::vector<SceneFrame>* frames(int slot) const;
   /// An empty name clears slot 1; slot 0 must have one. Errors: too many points for it; unknown name.
   tl::expected<void, InputError> choose(int slot, std::string_view name);
   [[nodiscard]] const fit::Recording& recording(int slot) const { return slots_[static_cast<std::size_t>(slot)].recording; }
@@ -185,6 +188,7 @@ class Session {
     const fit::Algorithm* algorithm = nullptr;
     fit::Recording recording;
     std::vector<std::string_view> pseudocode;
+    std::vector<SceneFrame> frames;
   };
   /// What is worked out when asked for, and forgotten with the next edit.
   struct Worked {

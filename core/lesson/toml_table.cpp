@@ -114,6 +114,20 @@ std::vector<std::string> TomlTable::texts(std::string_view key, std::size_t leas
   return all;
 }
 
+std::vector<double> TomlTable::numbers(std::string_view key) {
+  std::vector<double> all;
+  const toml::node* node = require(key);
+  if (node == nullptr) return all;
+  const auto add = [&](const auto& self, const toml::node& one) -> bool {
+    if (const toml::array* array = one.as_array())
+      return std::all_of(array->begin(), array->end(), [&](const toml::node& item) { return self(self, item); });
+    if (const auto value = one.is_number() ? one.value<double>() : std::nullopt) return all.push_back(*value), true;
+    return false;
+  };
+  if (!add(add, *node)) wrong(key, "must be a number or numbers");
+  return all;
+}
+
 std::vector<Vector<double, 3>> TomlTable::points(std::string_view key, int dim) {
   std::vector<Vector<double, 3>> all;
   const toml::node* node = require(key);

@@ -60,6 +60,7 @@ void add_update(Commands& commands);
 void add_cull(Commands& commands);
 void add_cost(Commands& commands);
 void add_chart(Commands& commands);
+void add_scene(Commands& commands);
 void add_lesson(Commands& commands);
 void add_trace_hash(Commands& commands);
 void add_render(Commands& commands);

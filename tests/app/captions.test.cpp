@@ -86,6 +86,30 @@ std::vector<lesson::Session> frustum_sessions() {
   return sessions;
 }
 
+/// Scenes of pairs, of a volume that follows a body, and of one that comes to rest.
+std::vector<lesson::Session> scene_sessions() {
+  std::vector<lesson::Session> sessions;
+  for (const bool pairs : {true, false})
+    for (const double degrees : {0.0, 20.0}) {
+      lesson::Lesson lesson;
+      lesson.id = "test";
+      lesson.volume = "scene";
+      lesson.points = {.dim = 3, .generate = "ball", .count = 12};
+      lesson.scene = lesson::SceneSet{.frames = 30};
+      lesson.scene->bodies.resize(1);
+      lesson.scene->bodies[0].body.shape = scene::Volume3(Sphere<double, 3>{Vector<double, 3>::Zero(), 0.3});
+      (pairs ? lesson.scene->bodies[0].at_points : lesson.scene->bodies[0].of_points) = true;
+      lesson.scene->effects = {{.name = "spin", .settings = {{"degrees", {degrees}, ""}}}, {.name = "refit"}};
+      if (pairs) lesson.scene->effects.push_back({.name = "broad_phase"}), lesson.scene->effects.push_back({.name = "narrow_phase"});
+      lesson.algorithms = {pairs ? "tree" : "hill_climb"};
+      auto session = lesson::Session::open(std::move(lesson));
+      REQUIRE(session.has_value());
+      REQUIRE(session->steps() == 30);
+      sessions.push_back(*std::move(session));
+    }
+  return sessions;
+}
+
 }  // namespace
 
 TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no number that is not one") {
@@ -114,6 +138,7 @@ TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no numbe
   }
   for (const lesson::Session& session : box_sessions()) check(session.points(), session.recording(0), *session.algorithm(0));
   for (const lesson::Session& session : frustum_sessions()) check(session.points(), session.recording(0), *session.algorithm(0));
+  for (const lesson::Session& session : scene_sessions()) check(session.points(), session.recording(0), *session.algorithm(0));
   // support_replaced, which these runs never reach, has a case of its own below.
   for (const std::string_view fact : fit::fact_names())
     if (fact != "support_replaced") CHECK_MESSAGE(seen.count(fact) == 1, fact);

@@ -1,0 +1,45 @@
+// The grading of a task on a scene: what the last frame's figures come to.
+#include "lesson/grade.hpp"
+#include "lesson/scene_figures.hpp"
+#include "lesson/scene_runs.hpp"
+
+namespace snug::lesson {
+namespace {
+
+constexpr std::string_view title_of(std::string_view figure) {
+  if (figure == "all_pairs") return "All pairs";
+  if (figure == "after_broad") return "Left by the boxes";
+  if (figure == "after_loose") return "Left by the spheres";
+  if (figure == "touching") return "Touching";
+  return figure == "slack" ? "Slack" : figure == "cost" ? "Points looked at" : "Energy";
+}
+
+std::string asked_for(const Task::Requirement& due) {
+  const std::string least = scene_figure_text(due.figure, due.at_least), most = scene_figure_text(due.figure, due.at_most);
+  if (due.at_least == due.at_most) return "it must be " + least;
+  if (due.at_most == Task::Requirement::kNoMost) return "at least " + least + " is asked for";
+  return due.at_least == 0 ? "at most " + most + " is asked for" : "between " + least + " and " + most + " is asked for";
+}
+
+}  // namespace
+
+Grade grade_scene(const Task& task, const SceneSet& scene, const AnyPointSet& points, std::uint64_t seed) {
+  Grade grade;
+  grade.points = static_cast<int>(fit::size_of(points));
+  const auto run = run_scene(scene, task.algorithm, points, seed);
+  if (!run) return grade.says = run.error().what, grade;
+  grade.done = grade.points == task.points;
+  if (!grade.done) grade.says = "There are " + std::to_string(grade.points) + " points; the task is for " + std::to_string(task.points) + ". ";
+  const auto& last = *std::get_if<fit::FrameTaken>(&run->recording.steps.back().step.fact);
+  for (const Task::Requirement& due : task.requirements) {
+    const double value = figure_of(last, due.figure);
+    const bool met = value >= due.at_least && value <= due.at_most;
+    grade.done = grade.done && met;
+    grade.says += std::string(title_of(due.figure)) + ": " + scene_figure_text(due.figure, value) + (met ? ". " : "; " + asked_for(due) + ". ");
+  }
+  if (grade.done) grade.says += "Done.";
+  else grade.says.pop_back();
+  return grade;
+}
+
+}  // namespace snug::lesson

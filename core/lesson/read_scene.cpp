@@ -1,0 +1,148 @@
+#include "lesson/read_scene.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "geometry/pose.hpp"
+
+namespace snug::lesson {
+namespace {
+
+using V3 = Vector<double, 3>;
+
+V3 vector_or(TomlTable& table, std::string_view key, const V3& otherwise) {
+  if (!table.has(key)) return otherwise;
+  const std::vector<double> numbers = table.numbers(key);
+  if (numbers.size() == 3) return {numbers[0], numbers[1], numbers[2]};
+  table.wrong(key, "must be three numbers");
+  return otherwise;
+}
+
+double positive(TomlTable& table, std::string_view key, double otherwise) { return table.has(key) ? table.number(key, 1e9) : otherwise; }
+
+/// Degrees about x, then y, then z.
+Quaternion turned_by(const V3& degrees) {
+  Quaternion turn;
+  for (int axis = 0; axis < 3; ++axis) turn = quaternion_about(V3::Unit(axis), degrees[axis] * std::numbers::pi / 180) * turn;
+  return turn;
+}
+
+/// A shape by its name, about the body's origin.
+void read_shape(TomlTable& table, SceneBody& one) {
+  const std::string shape = table.text("shape");
+  if (shape == "sphere") {
+    one.body.shape = scene::Volume3(Sphere<double, 3>{V3::Zero(), positive(table, "radius", 0.5)});
+  } else if (shape == "box") {
+    const V3 half = vector_or(table, "half_extents", V3::Constant(0.5));
+    one.body.shape = scene::Volume3(Aabb<double, 3>{-half, half});
+  } else if (shape == "capsule") {
+    const double half = positive(table, "half_length", 0.5);
+    one.body.shape = scene::Volume3(Capsule<double, 3>{{-half, 0, 0}, {half, 0, 0}, positive(table, "radius", 0.25)});
+  } else if (shape == "points") {
+    one.of_points = true;
+  } else if (!shape.empty()) {
+    table.wrong("shape", "is none of sphere, box, capsule or points: " + shape);
+  }
+}
+
+SceneBody read_body(const toml::table& toml, Complaints& complaints) {
+  TomlTable table(toml, "[[scene.body]]", complaints);
+  SceneBody one;
+  one.body.line = table.line();
+  one.body.name = table.text_or("name", "");
+  read_shape(table, one);
+  one.at_points = table.flag_or("at_points", false);
+  one.body.position = vector_or(table, "position", V3::Zero());
+  one.body.orientation = turned_by(vector_or(table, "turn", V3::Zero()));
+  one.body.fixed = table.flag_or("fixed", false);
+  one.body.velocity = vector_or(table, "velocity", V3::Zero());
+  one.body.turning = vector_or(table, "turning", V3::Zero()) * (std::numbers::pi / 180);
+  if (table.has("mass")) {
+    const std::vector<double> mass = table.numbers("mass");
+    if (mass.size() == 1) one.body.mass = mass.front();
+    else table.wrong("mass", "must be a number");
+  }
+  if (one.of_points && one.at_points) table.wrong("at_points", "is for bodies of a shape of their own");
+  if (one.at_points && !one.body.name.empty()) table.wrong("name", "would be that of several bodies");
+  table.refuse_others();
+  return one;
+}
+
+scene::EffectCall read_effect(const toml::table& toml, Complaints& complaints) {
+  TomlTable table(toml, "[[scene.effect]]", complaints);
+  scene::EffectCall call{.name = table.text("effect"), .body = table.text_or("body", ""), .line = table.line()};
+  for (const auto& [key, node] : toml) {
+    const std::string name(key.str());
+    if (name == "effect" || name == "body") continue;
+    if (node.is_string()) call.settings.push_back({name, {}, table.text(name)});
+    else call.settings.push_back({name, table.numbers(name), {}});
+  }
+  table.refuse_others();
+  return call;
+}
+
+void check_figure(TomlTable& table, const std::string& figure) {
+  const auto names = scene_figure_names();
+  if (!figure.empty() && std::find(names.begin(), names.end(), figure) == names.end()) table.wrong("figure", "is no figure of a scene: " + figure);
+}
+
+}  // namespace
+
+SceneSet read_scene_of(TomlTable& lesson, int dim, Complaints& complaints) {
+  SceneSet set;
+  const toml::table* own = lesson.table("scene");
+  if (own == nullptr) return complaints.add(1, "the lesson lacks [scene]"), set;
+  TomlTable table(*own, "[scene]", complaints);
+  if (dim != 3) complaints.add(table.line(), "a scene is in space: \"dim\" of [points] must be 3");
+  set.frames = static_cast<int>(table.integer_or("frames", 1, 2000, set.frames));
+  if (table.has("step")) {
+    const std::vector<double> step = table.numbers("step");
+    if (step.size() == 1) set.step = step.front();
+    else table.wrong("step", "must be a number");
+  }
+  for (const toml::table* body : table.tables("body")) set.bodies.push_back(read_body(*body, complaints));
+  for (const toml::table* effect : table.tables("effect")) set.effects.push_back(read_effect(*effect, complaints));
+  if (set.bodies.empty()) complaints.add(table.line(), "[scene] has no [[scene.body]]");
+  table.refuse_others();
+  return set;
+}
+
+void read_ranges(TomlTable& table, Question& question) {
+  question.figure = table.text("figure");
+  check_figure(table, question.figure);
+  question.bounds = table.numbers("bounds");
+  const bool rising = std::is_sorted(question.bounds.begin(), question.bounds.end(), std::less_equal<>());
+  if (question.bounds.empty() || !rising) table.wrong("bounds", "must be numbers that rise"), question.bounds = {0};
+}
+
+Task read_scene_task(const toml::table& toml, const std::vector<std::string>& algorithms, Complaints& complaints) {
+  TomlTable table(toml, "[task]", complaints);
+  Task task;
+  task.volume = kScene;
+  task.prompt = table.text("prompt");
+  task.algorithm = table.text("algorithm");
+  if (std::find(algorithms.begin(), algorithms.end(), task.algorithm) == algorithms.end())
+    table.wrong("algorithm", "is none that the lesson offers: " + task.algorithm);
+  task.points = static_cast<int>(table.integer("points", 1, 1000));
+  for (const toml::table* one : table.tables("require")) {
+    TomlTable own(*one, "[[task.require]]", complaints);
+    Task::Requirement due{.figure = own.text("figure")};
+    check_figure(own, due.figure);
+    const auto number = [&](std::string_view key, double otherwise) {
+      if (!own.has(key)) return otherwise;
+      const std::vector<double> numbers = own.numbers(key);
+      if (numbers.size() != 1) own.wrong(key, "must be a number");
+      return numbers.size() == 1 ? numbers.front() : otherwise;
+    };
+    due.at_least = number("at_least", 0), due.at_most = number("at_most", Task::Requirement::kNoMost);
+    own.refuse_others();
+    task.requirements.push_back(std::move(due));
+  }
+  if (task.requirements.empty()) complaints.add(table.line(), "[task] needs a [[task.require]]");
+  task.hint = table.text("hint");
+  task.model = table.points("model", 3);
+  table.refuse_others();
+  return task;
+}
+
+}  // namespace snug::lesson

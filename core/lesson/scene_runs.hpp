@@ -1,0 +1,46 @@
+// A scene's runs: what a lesson lets the student choose of it, and every frame of it, recorded.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fit/catalogue.hpp"
+#include "lesson/scene_set.hpp"
+#include "scene/scene.hpp"
+
+namespace snug::lesson {
+
+/// The searches for pairs, which broad_phase then makes, and the updates of volumes, which refit then makes. They have no fit
+/// and watch of points.
+[[nodiscard]] std::span<const fit::Algorithm> scene_methods();
+
+/// What of a frame is drawn.
+struct SceneFrame {
+  std::vector<scene::Motion> bodies;
+  std::vector<Aabb<double, 3>> volumes;
+  std::vector<scene::Contact> contacts;
+  std::vector<scene::Pair> pairs;
+  std::vector<scene::Tally> tallies;
+};
+
+struct SceneRun {
+  fit::Recording recording;        // a step a frame
+  std::vector<SceneFrame> frames;  // the beginning first
+};
+
+/// method: of scene_methods(). Errors: of scene::Scene::open, with lines of the lesson's file; an effect that the method is
+/// about and the scene does not call for.
+[[nodiscard]] tl::expected<SceneRun, InputError> run_scene(const SceneSet& set, std::string_view method, const AnyPointSet& points,
+                                                           std::uint64_t seed, scene::Clock clock = nullptr);
+
+/// The scene as the method has it: what run_scene opens.
+[[nodiscard]] tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet& set, std::string_view method,
+                                                                            const AnyPointSet& points, std::uint64_t seed);
+
+/// The figures of a scene as it stands: what a frame's step says.
+[[nodiscard]] fit::FrameTaken frame_of(const scene::Scene& scene);
+
+/// figure: of scene_figure_names().
+[[nodiscard]] double figure_of(const fit::FrameTaken& frame, std::string_view figure);
+
+}  // namespace snug::lesson

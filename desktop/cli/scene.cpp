@@ -1,0 +1,99 @@
+// snug scene: a lesson's scene without a screen, and what each of its effects did.
+#include <algorithm>
+#include <chrono>
+
+#include "desktop/cli/command.hpp"
+#include "desktop/cli/json.hpp"
+#include "desktop/cli/lesson_files.hpp"
+#include "lesson/scene_runs.hpp"
+
+namespace snug::desktop {
+namespace {
+
+struct SceneOptions {
+  std::string folder;
+  std::string id;
+  std::string algorithm;
+  int frames = 120;
+  bool every = false;
+};
+
+std::int64_t now() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string hex(std::uint64_t value) {
+  std::string text;
+  for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[value >> shift & 0xf];
+  return text;
+}
+
+Json json_of_frame(const scene::Scene& scene) {
+  const fit::FrameTaken frame = lesson::frame_of(scene);
+  Json json{{"frame", frame.frame}};
+  for (const std::string_view figure : lesson::scene_figure_names()) json[std::string(figure)] = lesson::figure_of(frame, figure);
+  json["resting"] = frame.resting;
+  return json;
+}
+
+tl::expected<scene::Scene, InputError> open(const SceneOptions& options, const LessonFile& file) {
+  const lesson::Lesson& own = file.lesson;
+  if (!own.scene) return tl::unexpected(InputError{.what = own.id + " has no scene", .file = file.path});
+  const std::string algorithm = options.algorithm.empty() ? own.algorithms.front() : options.algorithm;
+  if (std::find(own.algorithms.begin(), own.algorithms.end(), algorithm) == own.algorithms.end())
+    return tl::unexpected(InputError{.what = own.id + " does not offer \"" + algorithm + "\""});
+  return open_lesson(file)
+      .and_then([&](const lesson::Session& session) { return lesson::declaration_with(*own.scene, algorithm, session.points(), session.seed()); })
+      .and_then([](const scene::Declaration& declaration) { return scene::Scene::open(declaration, now); });
+}
+
+CommandResult run_scene(const SceneOptions& options) {
+  const auto file = find_lesson(options.folder, options.id);
+  if (!file) return bad_input(file.error());
+  auto scene = open(options, *file);
+  if (!scene) return bad_input(scene.error());
+  Printed printed;
+  int drawn = 1;  // the beginning is
+  for (int frame = 0; frame < options.frames; ++frame) {
+    scene->step();
+    drawn += scene->changed() ? 1 : 0;
+    if (options.every) printed.text += line_of(json_of_frame(*scene));
+  }
+  for (const scene::Tally& tally : scene->tallies())
+    printed.text += line_of({{"effect", tally.effect},
+                             {"constructed", tally.constructed},
+                             {"run", tally.run},
+                             {"skipped", tally.skipped},
+                             {"microseconds", static_cast<double>(tally.nanoseconds) / 1000}});
+  Json last = json_of_frame(*scene);
+  last["lesson"] = file->lesson.id;
+  last["frames_drawn"] = drawn;
+  last["frames_skipped"] = options.frames + 1 - drawn;
+  last["hash"] = hex(scene->world().hash());
+  printed.text += line_of(last);
+  return printed;
+}
+
+constexpr const char* kSceneFooter = R"(Runs a lesson's scene and prints JSON Lines:
+  {"effect","constructed","run","skipped","microseconds"}   for each effect that the scene calls for, in the order in
+                    which a frame runs them; skipped counts frames in which nothing that it reads had changed
+  {"frame","all_pairs","after_broad","after_loose","touching","slack","cost","energy","resting","lesson","frames_drawn",
+   "frames_skipped","hash"}   the last frame: pairs that each stage left, slack of the volumes in per cent, points that
+                    their updates looked at; a frame is drawn where it changed something; the hash is of every bit of the
+                    bodies, the same natively and in WebAssembly
+With --every, a line for each frame comes first.)";
+
+}  // namespace
+
+void add_scene(Commands& commands) {
+  CLI::App& command = *commands.app.add_subcommand("scene", "Run a lesson's scene without a screen");
+  command.footer(kSceneFooter);
+  const auto options = add_command<SceneOptions>(commands, command, run_scene);
+  command.add_option("LESSON", options->id, "The lesson's id")->required();
+  command.add_option("--frames", options->frames, "How many frames")->transform(whole_number(1, 10'000'000))->capture_default_str();
+  command.add_option("--algorithm", options->algorithm, "One that the lesson offers; its first where none is given");
+  command.add_flag("--every", options->every, "Print every frame's figures");
+  command.add_option("--lessons", options->folder, "Folder of the lesson files; the one beside the program if none");
+}
+
+}  // namespace snug::desktop

@@ -1,0 +1,93 @@
+// `snug scene`: the counts of both lessons' effects, and every way in which a scene can be declared wrongly.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { good, json_lines, refused, root, snug, write } from "./support.mjs";
+
+const scene = (...args) => json_lines(good(["scene", ...args]));
+const lesson = (id) => readFileSync(join(root, "lessons", `${id}.toml`), "utf8");
+const counts = (lines) => Object.fromEntries(lines.slice(0, -1).map(({ effect, constructed, run, skipped }) => [effect, [constructed, run, skipped]]));
+
+test("each lesson's scene runs just what it calls for", () => {
+  const broad = scene("scene-broad", "--frames", "120");
+  assert.deepEqual(counts(broad), { spin: [1, 120, 0], orbit: [1, 120, 0], refit: [1, 120, 0], broad_phase: [1, 120, 0], narrow_phase: [1, 120, 0] });
+  const updates = scene("scene-updates", "--frames", "120");
+  assert.deepEqual(counts(updates), { "spin body": [1, 120, 0], refit: [1, 120, 0] });
+  for (const lines of [broad, updates]) {
+    assert.ok(lines.slice(0, -1).every(({ microseconds }) => microseconds > 0));
+    assert.equal(lines.at(-1).frames_drawn, 121);
+    assert.equal(lines.at(-1).frames_skipped, 0);
+  }
+});
+
+test("the funnel narrows, whichever way pairs are looked for, to the same pairs", () => {
+  const frames = (algorithm) => scene("scene-broad", "--algorithm", algorithm, "--every", "--frames", "50").slice(0, 50);
+  const [sweep, tree, all] = ["sweep_and_prune", "tree", "all_pairs"].map(frames);
+  assert.deepEqual(tree, sweep);
+  assert.deepEqual(all, sweep);
+  for (const { all_pairs, after_broad, after_loose, touching } of sweep) {
+    assert.equal(all_pairs, 780);
+    assert.ok(after_broad <= all_pairs && after_loose <= after_broad && touching <= after_loose);
+  }
+});
+
+test("the updates differ in slack and cost as geometry says", () => {
+  const at = (algorithm) => scene("scene-updates", "--algorithm", algorithm, "--every", "--frames", "40")[39];
+  const [rotated, rebuilt, climbed, loose] = ["rotated_box", "rebuild", "hill_climb", "loose"].map(at);
+  assert.equal(rebuilt.slack, 0);
+  assert.equal(rebuilt.cost, 80);
+  assert.ok(climbed.slack < 1e-6 && climbed.cost > 0);
+  assert.ok(rotated.slack > 0 && rotated.cost === 0);
+  assert.ok(loose.slack > rotated.slack && loose.cost === 0);
+});
+
+test("a scene that comes to rest runs nothing more, and draws nothing", () => {
+  const still = write("still.toml", lesson("scene-updates").replace("turns_per_second = 0.5", "turns_per_second = 0.5\ndegrees = 30").replace(/\[\[question\]\][^]*/, ""));
+  assert.equal(snug(["lesson", "check", still]).err, "");
+  const lines = scene("still", "--lessons", ".", "--frames", "300");
+  const { "spin body": spin, refit } = counts(lines);
+  assert.ok(spin[1] < 15 && spin[1] + spin[2] === 300);
+  assert.deepEqual(refit, spin);
+  assert.equal(lines.at(-1).resting, true);
+  assert.equal(lines.at(-1).frames_drawn, 1 + spin[1]);
+  assert.equal(lines.at(-1).frames_skipped, 300 - spin[1]);
+});
+
+test("the same bits every time", () => {
+  const hash = () => scene("scene-broad", "--frames", "77").at(-1).hash;
+  assert.match(hash(), /^[0-9a-f]{16}$/);
+  assert.equal(hash(), hash());
+});
+
+test("what a lesson declares wrongly is refused with file and line", () => {
+  const broken = (id, from, to, message) => {
+    const text = lesson(id), changed = text.replace(from, to);
+    assert.notEqual(changed, text);
+    const line = changed.slice(0, changed.indexOf(message.at)).split("\n").length;
+    refused(["lesson", "check", write(`${id}.toml`, changed)], `${id}.toml:${line}: ${message.says}`);
+  };
+  const broad = (from, to, at, says) => broken("scene-broad", from, to, { at, says });
+  const body = "[[scene.body]]";
+  broad('effect = "refit"\nstrategy = "rotated_box"', 'effect = "trail"', '[[scene.effect]]\neffect = "broad_phase"', "broad_phase reads volumes, which no effect of the scene makes");
+  broad('effect = "orbit"', 'effect = "fly"', '[[scene.effect]]\neffect = "fly"', 'there is no effect called "fly"');
+  broad("at_points = true", "at_points = true\nmass = 0", body, "body 0: its mass is 0: call it fixed instead");
+  broad("at_points = true", "at_points = true\nmass = -2", body, "body 0: its mass is negative");
+  broad("at_points = true", "at_points = true\nmass = inf", body, "body 0: its mass is infinite: call it fixed instead");
+  broad("at_points = true", "at_points = true\nposition = [nan, 0, 0]", body, "body 0: its position is not finite, or too large");
+  broad("frames = 120", "frames = 120\nstep = 0", "[scene]", "the scene's step must be above 0");
+  broad("vary = 0.9", "vary = 9", '[[scene.effect]]\neffect = "orbit"', 'orbit: "vary" is out of range');
+  broad("vary = 0.9", "wobble = 9", '[[scene.effect]]\neffect = "orbit"', 'orbit: knows nothing of "wobble"');
+  broad('shape = "box"', 'shape = "cone"', 'shape = "cone"', '"shape" is none of sphere, box, capsule or points: cone');
+  broad("half_extents = [0.30, 0.07, 0.12]", "half_extents = [0.3, 0.1]", "half_extents", '"half_extents" must be three numbers');
+  broad("bounds = [20, 120, 400]", "bounds = [20, 20]", "bounds = [20, 20]", '"bounds" must be numbers that rise');
+  broad('figure = "after_broad"\nbounds', 'figure = "beauty"\nbounds', 'figure = "beauty"', '"figure" is no figure of a scene: beauty');
+  broad("dim = 3", "dim = 2", "[scene]", 'a scene is in space: "dim" of [points] must be 3');
+});
+
+test("what is asked for wrongly is said in one line", () => {
+  refused(["scene", "sphere-ritter"], /^snug: .*sphere-ritter\.toml: sphere-ritter has no scene\n$/);
+  refused(["scene", "scene-broad", "--algorithm", "guess"], 'scene-broad does not offer "guess"');
+  refused(["scene", "scene-broad", "--frames", "0"], /--frames/);
+  refused(["scene", "nowhere"], /nowhere/);
+});
