@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "web/boxes.hpp"
+#include "web/costs.hpp"
 
 namespace snug::web {
 namespace {
@@ -55,6 +56,7 @@ val asked_object(const lesson::Asked* asked, const lesson::Session& session) {
   object.set("step", asked->step);
   object.set("choices", array_of(asked->choices, text));
   object.set("choicePoints", array_of(asked->choice_points, [](Index point) { return val(point); }));
+  object.set("many", asked->many);
   object.set("onStage", asked->on_stage);
   object.set("stagePoints", array_of(asked->stage_points, [](Index point) { return val(point); }));
   int number = 1;
@@ -74,6 +76,7 @@ val outcome_object(const lesson::Outcome& outcome) {
   object.set("right", outcome.right);
   object.set("skipped", outcome.skipped);
   object.set("passed", outcome.passed);
+  object.set("pending", outcome.pending);
   object.set("predicted", outcome.predicted);
   object.set("happened", outcome.happened);
   object.set("says", outcome.says);
@@ -163,6 +166,7 @@ val lesson_object(const lesson::Lesson& lesson) {
   object.set("algorithms", array_of(lesson.algorithms, [&](std::string_view name) { return algorithm_object(lesson.volume, name); }));
   object.set("boxes", lesson.boxes.has_value());
   object.set("frustum", lesson.boxes && lesson.boxes->taper < 1);
+  object.set("measures", lesson.measures);
   object.set("dim", lesson.points.dim);
   object.set("generate", lesson.points.generate);
   object.set("count", lesson.points.count);
@@ -200,6 +204,7 @@ val view_object(app::App& app, const lesson::Session& session) {
   object.set("outcomes", array_of(session.outcomes(), outcome_object));
   object.set("grade", grade_object(session.grade()));
   object.set("framesDrawn", static_cast<double>(app.frames_drawn()));
+  object.set("costs", costs_object(app));
   set_algorithms(object, session);
   set_figures(object, session);
   set_points(object, app, session);

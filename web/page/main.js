@@ -4,6 +4,7 @@ import { BoxTools } from "./boxes.js";
 import { Code } from "./code.js";
 import { by_id, element, set_text, when_changed } from "./dom.js";
 import { open_door } from "./door.js";
+import { CostTools } from "./costs.js";
 import { Downloads } from "./download.js";
 import { listen_to_keys } from "./keys.js";
 import { LessonMenu, lesson_links } from "./lesson_menu.js";
@@ -20,7 +21,7 @@ const kAddressDelay = 250; // milliseconds: browsers count how often the address
 const kPanelsDelay = 250; // milliseconds: so often the HTML follows a drag, whose every frame would lay the page out anew
 
 /** What stands on it, for those who cannot see it. */
-const stage_of = ({ boxes, frustum }) => (frustum ? "a box and a view frustum" : boxes ? "two boxes" : "the points and the volume around them");
+const stage_of = ({ boxes, frustum, measures }) => (measures ? "the chart of costs, or the points" : frustum ? "a box and a view frustum" : boxes ? "two boxes" : "the points and the volume around them");
 
 class Page {
   #door;
@@ -43,7 +44,7 @@ class Page {
     this.#embed = embed;
     const act = (what) => this.act(what);
     const question = new QuestionCard(door, act);
-    this.#panels = [new Reading(() => this.#start_task()), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new Player(door, act), new Tabs()];
+    this.#panels = [new Reading(() => this.#start_task()), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new CostTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs()];
     this.#menu = new LessonMenu(lessons, (id) => this.#go_to(id));
     this.#stage = new Stage(door, () => this.#show());
     this.#settings = new Settings(() => this.#apply_settings());
