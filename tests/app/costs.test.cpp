@@ -98,7 +98,7 @@ TEST_CASE("what is ready stays when it is stopped, and other points are other fi
   CHECK_FALSE(costs.running());
   CHECK(session.costs() == nullptr);
   REQUIRE(costs.command(session, "measure"));
-  REQUIRE(session.move(0, {7, 7, 0}));
+  REQUIRE(session.move(0, {7, 7, 0}).has_value());
   finish(costs, session);
   CHECK(costs.table().rows.size() == 2);
   CHECK(session.costs() == nullptr);
@@ -108,7 +108,7 @@ TEST_CASE("a large file is measured whole and shown in part; above two million p
   Costs costs({.clock = now, .here = {}});
   lesson::Session session = opened(costs);
   session.answer({});
-  REQUIRE(costs.load(session, cloud(6000), "large.xyz"));
+  REQUIRE(costs.load(session, cloud(6000), "large.xyz").has_value());
   CHECK(session.size() == 5000);
   CHECK(costs.size(session) == 6000);
   REQUIRE(costs.command(session, "measure"));
