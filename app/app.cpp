@@ -7,6 +7,7 @@
 
 #include "app/captions.hpp"
 #include "app/commands.hpp"
+#include "app/costs.hpp"
 #include "app/inspector.hpp"
 #include "app/look.hpp"
 #include "app/stage.hpp"
@@ -48,6 +49,8 @@ struct App::State {
   std::optional<int> play_until;  // the step of the outcome that is watched
   double now = 0;
   std::uint64_t drawn_revision = 0;
+  std::unique_ptr<Costs> costs;
+  int drawn_costs = 0;
   int settle = kSettleFrames;
   long frames = 0;
 
@@ -59,6 +62,9 @@ struct App::State {
   [[nodiscard]] bool select(std::string_view name);
   [[nodiscard]] bool view(std::string_view name);
   [[nodiscard]] bool move(std::string_view name);
+  [[nodiscard]] bool has_chart() const { return session && session->lesson().measures; }
+  [[nodiscard]] bool on_chart() const { return has_chart() && costs->shown(); }
+  void draw_stage(const Rect& rect);
   void set_speed(int by);
   void toggle_play();
   void next_mark();
@@ -207,8 +213,21 @@ bool App::State::move(std::string_view name) {
   return false;
 }
 
+/// The points with their volumes, or the chart, and a button that leads from one to the other.
+void App::State::draw_stage(const Rect& rect) {
+  if (!on_chart()) stage.draw(look, settings, *session, rect, now);
+  else costs->draw(look, *session, rect, settings.prose_in_canvas);
+  if (!has_chart()) return;
+  const std::string_view words = costs->shown() ? "Shape" : "Chart";
+  const float height = look.fingers ? 44.0f : look.px(32), width = app::measure(look, Face::kSemiBold, 13, words).x + look.px(28);
+  const float right = rect.x + rect.width - 12 - (costs->shown() ? 0 : height + 8);
+  if (button(ImGui::GetWindowDrawList(), look, {.id = "chart or shape", .rect = {right - width, rect.y + 12, width, height}, .words = words, .kind = ButtonKind::kOutlined, .size = 13}))
+    costs->show(!costs->shown());
+}
+
 App::App(const Platform& platform) : state_(std::make_unique<State>()) {
   state_->platform = platform;
+  state_->costs = std::make_unique<Costs>(platform);
   state_->load_fonts();
   ImGui::GetIO().IniFilename = nullptr;
 }
@@ -226,10 +245,19 @@ tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io
   if (!session) return tl::unexpected(std::move(session.error()));
   state_->session.emplace(std::move(*session));
   state_->stage.open(*state_->session);
+  state_->costs->open();
   state_->playing = false;
   state_->play_until.reset();
   state_->settle = kSettleFrames;
   return {};
+}
+
+tl::expected<void, InputError> App::load(const io::PointFile& file, std::string_view name) {
+  return state_->has_chart() ? state_->costs->load(*state_->session, file, name) : state_->session->load(file, name);
+}
+Costs& App::costs() { return *state_->costs; }
+void App::measure(double budget) {
+  if (state_->session) state_->costs->work(*state_->session, budget);
 }
 
 lesson::Session* App::session() { return state_->session ? &*state_->session : nullptr; }
@@ -239,12 +267,16 @@ const Look& App::look() const { return state_->look; }
 bool App::command(std::string_view name) {
   State& s = *state_;
   if (!s.session) return false;
+  if (s.has_chart() && s.costs->command(*s.session, name)) return s.settle = std::max(s.settle, 1), true;
+  const int step = s.session->step();
   const bool done = s.player(name) || s.edit(name) || s.select(name) || s.view(name) || s.move(name);
+  if (s.on_chart() && (s.playing || s.session->step() != step)) s.costs->show(false);  // a step is of the points
   if (done) s.settle = std::max(s.settle, 1);
   return done;
 }
 
 std::string_view App::command_of_key(std::string_view key, bool shift, bool control) const {
+  if (const std::string_view chart = state_->has_chart() ? chart_command_for(key, state_->costs->shown()) : ""; !chart.empty() && !control) return chart;
   return command_for(key, shift, control, state_->stage.arrows_move());
 }
 
@@ -280,25 +312,26 @@ void App::frame(const Layout& layout, double now) {
   }
   if (shows(layout.stage)) {
     const Pane pane("##stage", layout.stage);
-    s.stage.draw(s.look, s.settings, *s.session, layout.stage, now);
+    s.draw_stage(layout.stage);
   }
   if (shows(layout.inspector)) {
     const Pane pane("##inspector", layout.inspector, Pane::Kind::kScrolls);
     draw_inspector(s.look, *s.session, layout.inspector);
   }
+  s.drawn_costs = s.costs->version();
   s.drawn_revision = s.session->revision();
   s.drawn_settings = s.settings;
 }
 
 void App::draw_3d_behind(int framebuffer_width, int framebuffer_height, float scale) {
-  if (state_->session) state_->gl.draw(state_->stage.scene(), framebuffer_width, framebuffer_height, scale);
+  if (state_->session && !state_->on_chart()) state_->gl.draw(state_->stage.scene(), framebuffer_width, framebuffer_height, scale);
 }
 
 bool App::wants_frame(double now) const {
   const State& s = *state_;
   if (s.settle > 0 || !same(s.settings, s.drawn_settings)) return true;
   if (!s.session) return false;
-  return (s.playing && now >= s.next_step_at) || s.stage.moving() || s.session->revision() != s.drawn_revision;
+  return (s.playing && now >= s.next_step_at) || s.stage.moving() || s.session->revision() != s.drawn_revision || s.costs->version() != s.drawn_costs;
 }
 
 double App::seconds_until_due(double now) const {
@@ -307,7 +340,13 @@ double App::seconds_until_due(double now) const {
 }
 
 long App::frames_drawn() const { return state_->frames; }
-std::string App::caption() const { return state_->session ? caption_at(*state_->session) : std::string(); }
-std::vector<Handle> App::handles() const { return state_->session ? state_->stage.handles(*state_->session) : std::vector<Handle>{}; }
+std::string App::caption() const {
+  if (state_->on_chart()) return state_->costs->caption(*state_->session);
+  return state_->session ? caption_at(*state_->session) : std::string();
+}
+std::vector<Handle> App::handles() const {
+  if (state_->on_chart()) return state_->costs->handles();
+  return state_->session ? state_->stage.handles(*state_->session) : std::vector<Handle>{};
+}
 
 }  // namespace snug::app

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lesson/session.hpp"
+#include "measure/rows.hpp"
 
 namespace snug::app {
 
@@ -42,6 +43,10 @@ struct Platform {
   std::string (*font)(std::string_view name) = nullptr;
   /// The first line of each shader: "#version 330 core" or "#version 300 es".
   const char* glsl_version = "#version 330 core";
+  /// Nanoseconds since some moment, only forward. Null: nothing is measured.
+  double (*clock)() = nullptr;
+  /// What is told of this program and machine with what was measured; what of, and the clock's step, are found here.
+  cost::Provenance here;
 };
 
 /// A draggable thing, at its place on the canvas.
@@ -51,6 +56,7 @@ struct Handle {
 };
 
 struct Look;
+class Costs;
 
 class App {
  public:
@@ -68,6 +74,12 @@ class App {
 
   /// Opens a lesson at its start. Errors: as of Session::open; what was open then stays.
   tl::expected<void, InputError> open(lesson::Lesson lesson, std::optional<io::PointFile> mesh = {});
+  /// A file's points, in the open lesson. Errors: as of Session::load; of a lesson that measures, as of Costs::load.
+  tl::expected<void, InputError> load(const io::PointFile& file, std::string_view name);
+  /// What is measured of a lesson with the chart (app/costs.hpp).
+  [[nodiscard]] Costs& costs();
+  /// One slice of the measurement that runs, for a door to call between frames. ns.
+  void measure(double budget);
   /// Null before the first open.
   [[nodiscard]] lesson::Session* session();
 
@@ -75,7 +87,7 @@ class App {
   /// Fonts and palette as of the last frame, for a door that draws more (app/look.hpp).
   [[nodiscard]] const Look& look() const;
 
-  /// Does what a button or key says. Names: first back step play last next_mark previous_mark faster slower undo redo
+  /// Does what a button or key says. Names: those of Costs::command, and first back step play last next_mark previous_mark faster slower undo redo
   /// add_point delete_point scatter reset_points reset_view skip_question select_next select_previous select_none
   /// move_left move_right move_up move_down move_nearer move_farther (the selected point; "_fine" behind it for a
   /// tenth), zoom_in zoom_out orbit_left orbit_right orbit_up orbit_down

@@ -293,7 +293,7 @@ std::vector<ChartTick> chart_ticks(const ChartAxis& axis, double from, double to
 }
 
 std::optional<ChartHit> draw_chart(ImDrawList* list, const Look& look, const Rect& rect, const Chart& chart,
-                                   std::optional<ChartHit> focus) {
+                                   std::optional<ChartHit> focus, std::vector<ChartPlace>* places) {
   const float line = look.px(kSize);
   const float left = rect.x + 16, top = rect.y + 16;
   text(list, look, Face::kSemiBold, kTitle, {left, top}, look->ink,
@@ -312,6 +312,11 @@ std::optional<ChartHit> draw_chart(ImDrawList* list, const Look& look, const Rec
   if (plot.frame.width < 1 || plot.frame.height < 1) return std::nullopt;
   plot.x.begin = plot.frame.x, plot.x.end = plot.frame.x + plot.frame.width;
   plot.y.begin = plot.frame.y + plot.frame.height, plot.y.end = plot.frame.y;
+  if (places != nullptr)
+    for (const ChartSeries& one : chart.series) {
+      const ImVec2 end = one.points.empty() ? ImVec2(left, under) : plot.at(one.points.back());
+      places->push_back({end.x, end.y});
+    }
   plot.axes();
   plot.front();
   plot.series();

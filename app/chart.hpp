@@ -42,6 +42,7 @@ struct ChartSeries {
   bool line = false;              // whether its points are joined, by rising x
   bool hollow = false;            // measured on fewer points than the others, or not to be trusted
   std::vector<ChartPoint> points;  // finite; above 0 on a log axis
+  int row = -1;                    // of the present table, where it is one of its rows
 };
 
 struct Chart {
@@ -68,9 +69,14 @@ struct ChartHit {
   std::size_t series = 0, point = 0;
 };
 
+/// Where a series' last point was drawn.
+struct ChartPlace {
+  float x = 0, y = 0;
+};
+
 /// Draws into the rectangle. focus: whose figures are shown beside it, as where the pointer is near a point; the
-/// pointer goes before. Returns the point whose figures were shown.
+/// pointer goes before. places: is given one for each series. Returns the point whose figures were shown.
 std::optional<ChartHit> draw_chart(ImDrawList* list, const Look& look, const Rect& rect, const Chart& chart,
-                                   std::optional<ChartHit> focus = {});
+                                   std::optional<ChartHit> focus = {}, std::vector<ChartPlace>* places = nullptr);
 
 }  // namespace snug::app

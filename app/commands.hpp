@@ -30,6 +30,10 @@ inline constexpr KeyHelp kKeyHelp[] = {
     {"Ctrl + arrows", "orbit (3-D)"},
     {"O", "show the smallest ball"},
     {"S", "skip the question"},
+    {"M  C", "where a lesson measures: do so, the chart or the shape"},
 };
+
+/// Of a lesson with the chart of costs, before any other. shown: whether it stands on the stage.
+[[nodiscard]] std::string_view chart_command_for(std::string_view key, bool shown);
 
 }  // namespace snug::app

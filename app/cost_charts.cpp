@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <limits>
+
+#include "fit/catalogue.hpp"
 
 namespace snug::app {
 namespace {
@@ -32,29 +35,48 @@ ChartPoint point_of(const cost::Timing& time, double y) {
   return {time.median, y, time.median * (1 - std::min(time.spread, 1.8) / 2), time.median * (1 + time.spread / 2)};
 }
 
+/// What a size is held against: the smallest of its kind, the hull, or the smallest that there is in the table.
+enum class Against : std::uint8_t { kSmallest, kHull, kFound };
+
 struct CostLook {
-  bool one;         // volume
-  bool by_smallest;  // whether y is against the smallest of the kind, not against the hull
+  bool one;  // volume
+  Against against;
+  double found;  // the smallest measure of a row
   [[nodiscard]] std::optional<double> y(const cost::CostRow& row) const {
-    return by_smallest ? row.tightness : row.over_hull;
+    if (against == Against::kFound) return row.measure / found;
+    return against == Against::kSmallest ? row.tightness : row.over_hull;
   }
   [[nodiscard]] std::string name(const cost::CostRow& row) const {
-    return one ? row.algorithm : row.volume + " " + row.algorithm;
+    if (!one) return row.volume + " " + row.algorithm;
+    const fit::Algorithm* algorithm = fit::find_algorithm(row.volume, row.algorithm);
+    return algorithm != nullptr ? std::string(algorithm->title) : row.algorithm;
   }
 };
+
+/// What is known of every row: where a run takes too long, the exact one is known of few of the points alone.
+CostLook look_of(const std::vector<cost::CostRow>& rows) {
+  const auto all = [&](auto known) { return std::all_of(rows.begin(), rows.end(), known); };
+  CostLook look{of_one_volume(rows), Against::kFound, std::numeric_limits<double>::infinity()};
+  for (const cost::CostRow& row : rows)
+    if (row.measure > 0 && row.points == row.of) look.found = std::min(look.found, row.measure);
+  if (look.one && all([](const cost::CostRow& row) { return row.tightness.has_value(); })) look.against = Against::kSmallest;
+  else if (!look.one || all([](const cost::CostRow& row) { return row.over_hull.has_value(); })) look.against = Against::kHull;
+  return look;
+}
 
 void add_costs(Chart& chart, const std::vector<cost::CostRow>& rows, const CostLook& look, bool then) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const cost::CostRow& row = rows[i];
     const auto y = look.y(row);
-    if (!y || !(row.time.median > 0)) continue;
+    if (!y || !(*y > 0) || !(row.time.median > 0)) continue;
     ChartSeries series{.name = then ? "" : look.name(row),
                        .shape = shape_of(i),
                        .hollow = row.points < row.of || !row.time.trusted,
-                       .points = {point_of(row.time, *y)}};
+                       .points = {point_of(row.time, *y)},
+                       .row = then ? -1 : static_cast<int>(i)};
     if (then)
       series.role = ChartRole::kThen;
-    else if (look.by_smallest && *y <= 1)
+    else if (look.against == Against::kSmallest && *y <= 1)
       series.role = ChartRole::kExact;
     else if (row.on_front)
       series.role = ChartRole::kChosen;
@@ -111,17 +133,15 @@ void add_turn(Chart& chart, const std::vector<cost::TurnRow>& rows, bool then) {
 }  // namespace
 
 Chart cost_chart(const cost::Table<cost::CostRow>& now, const cost::Table<cost::CostRow>* then) {
-  const bool one = of_one_volume(now.rows);
-  const bool known =
-      std::any_of(now.rows.begin(), now.rows.end(), [](const cost::CostRow& row) { return row.tightness.has_value(); });
-  const CostLook look{one, one && known};
-  Chart chart{.title = title_of(one && !now.rows.empty() ? (now.rows[0].volume + ": accuracy against time, ").c_str()
+  const CostLook look = look_of(now.rows);
+  constexpr std::array kAgainst{"size over the smallest of its kind", "measure over that of the convex hull",
+                                "measure over the smallest found here"};
+  Chart chart{.title = title_of(look.one && !now.rows.empty() ? (now.rows[0].volume + ": accuracy against time, ").c_str()
                                                          : "Accuracy against time, ",
                                 now.provenance),
               .note = note_of(now.provenance),
               .x = {"time of one fit", ChartUnit::kTime, true},
-              .y = {look.by_smallest ? "size over the smallest of its kind" : "measure over that of the convex hull",
-                    ChartUnit::kRatio, true}};
+              .y = {kAgainst[static_cast<std::size_t>(look.against)], ChartUnit::kRatio, true}};
   if (then != nullptr) add_costs(chart, then->rows, look, true);
   add_costs(chart, now.rows, look, false);
   std::sort(chart.front.begin(), chart.front.end(), [](const ChartPoint& a, const ChartPoint& b) { return a.x < b.x; });

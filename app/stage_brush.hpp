@@ -28,4 +28,7 @@ struct Stage::Brush {
   }
 };
 
+/// A sentence on a pill at the stage's foot, which is then among the obstacles.
+void draw_sentence(ImDrawList* list, const Look& look, Obstacles& obstacles, const Rect& stage, std::string_view sentence);
+
 }  // namespace snug::app

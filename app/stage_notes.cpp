@@ -12,7 +12,8 @@ void keep_free(Obstacles& obstacles, const Rect& rect) {
   obstacles.taken.push_back({rect.x - 4, rect.y - 4, rect.width + 8, rect.height + 8});
 }
 
-/// The sentence of the step, on a pill at the stage's foot.
+}  // namespace
+
 void draw_sentence(ImDrawList* list, const Look& look, Obstacles& obstacles, const Rect& stage, std::string_view sentence) {
   constexpr float kSize = 15, kLeading = 22, kMargin = 24, kPad = 20;
   if (sentence.empty()) return;
@@ -34,8 +35,6 @@ void draw_sentence(ImDrawList* list, const Look& look, Obstacles& obstacles, con
   keep_free(obstacles, pill);
 }
 
-}  // namespace
-
 void Stage::draw_notes(Brush& brush, Settings& settings) {
   const Palette& p = brush.p;
   const Look& look = brush.look;
@@ -46,7 +45,8 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
   if (button(brush.list, look, {.id = "fit", .rect = fit, .icon = Icon::kFit, .kind = ButtonKind::kOutlined})) reset_view(brush.session);
   right -= height + 8;
 
-  if (brush.session.boxes() == nullptr && brush.session.frame() == nullptr) right = draw_toggle(brush, settings, right, y, height);
+  if (brush.session.boxes() == nullptr && brush.session.frame() == nullptr && !brush.session.lesson().measures)
+    right = draw_toggle(brush, settings, right, y, height);
   keep_free(brush.canvas.obstacles, fit);
 
   // The page's undo and redo stand in the other corner.

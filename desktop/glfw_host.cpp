@@ -28,6 +28,8 @@ std::string named(int key) {
     case GLFW_KEY_DELETE: return "Delete";
     case GLFW_KEY_BACKSPACE: return "Backspace";
     case GLFW_KEY_ESCAPE: return "Escape";
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER: return "Enter";
     case GLFW_KEY_F1: return "F1";
     case GLFW_KEY_F11: return "F11";
     default: return {};

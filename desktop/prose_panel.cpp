@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "app/costs.hpp"
 #include "app/marks.hpp"
 #include "app/stage.hpp"
 #include "desktop/column.hpp"
+#include "lesson/methods.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -74,6 +77,15 @@ std::string place_among(const lesson::Session& session, const lesson::Asked& ask
   return std::to_string(at) + " of " + std::to_string(all.size());
 }
 
+/// Buttons that stay pressed, and one that commits them: the answer then, else -1.
+int chosen_of_many(Shell& shell, Column& column, const lesson::Asked& asked) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < asked.choices.size(); ++i) words.push_back((shell.ticked >> i & 1 ? "✓ " : "") + asked.choices[i]);
+  const int pressed = column.buttons("tick", words);
+  if (pressed >= 0) shell.ticked ^= 1 << pressed;
+  return column.buttons("commit", {"Answer"}) == 0 ? std::exchange(shell.ticked, 0) : -1;
+}
+
 void draw_question(Shell& shell, Column& column) {
   lesson::Session& session = shell.session();
   const lesson::Asked* asked = session.asked();
@@ -83,7 +95,7 @@ void draw_question(Shell& shell, Column& column) {
   column.heading("Predict", look->current_text);
   column.words(asked->prompt);
   column.gap(10);
-  const int chosen = column.buttons("answer", asked->choices);
+  const int chosen = asked->many ? chosen_of_many(shell, column, *asked) : column.buttons("answer", asked->choices);
   const std::string how = std::string(asked->on_stage ? "Click a point on the stage" : "Answer to go on") + " · " + place_among(session, *asked);
   const float height = look.px(28), skip = look.px(56);
   app::text(column.list(), look, Face::kRegular, 13, {column.x(), app::middle_of(column.y() + height / 2, look.px(13))}, look->muted,
@@ -95,8 +107,7 @@ void draw_question(Shell& shell, Column& column) {
   else if (skipped) session.answer({});
 }
 
-void draw_outcome(Shell& shell, Column& column) {
-  const lesson::Outcome* outcome = shell.session().outcome();
+void draw_outcome(Shell& shell, Column& column, const lesson::Outcome* outcome) {
   if (outcome == nullptr) return;
   const app::Look& look = column.look();
   column.begin_card();
@@ -121,6 +132,26 @@ void draw_outcome(Shell& shell, Column& column) {
     if (watch && shell.app().command("watch_outcome")) return column.end_card();  // the outcome is not there for now
   }
   column.end_card();
+}
+
+/// Of a lesson with the chart: to measure, to stop, to save, and what came of the predictions.
+void draw_costs(Shell& shell, Column& column) {
+  if (!shell.session().lesson().measures) return;
+  const app::Costs& costs = shell.app().costs();
+  const bool ready = shell.session().asked() == nullptr, any = !costs.table().rows.empty();
+  const int clicked = column.buttons("costs", {costs.running() ? "Stop" : "Measure", "Save CSV", "Save JSON"}, -1, {ready || costs.running(), any, any});
+  if (clicked == 0) shell.app().command(costs.running() ? "stop_measuring" : "measure");
+  if (clicked > 0) shell.save_costs(clicked == 1 ? "csv" : "json");
+  const app::Look& look = column.look();
+  if (costs.running()) {
+    const float share = static_cast<float>(costs.progress());
+    column.list()->AddRectFilled({column.x(), column.y()}, {column.x() + column.width(), column.y() + 4}, look->track, 2);
+    column.list()->AddRectFilled({column.x(), column.y()}, {column.x() + column.width() * share, column.y() + 4}, look->current, 2);
+  }
+  column.gap(12);
+  if (ready && !costs.running())
+    for (const lesson::Outcome& outcome : shell.session().outcomes())
+      if (!outcome.pending) draw_outcome(shell, column, &outcome), column.gap(8);
 }
 
 void draw_algorithms(Shell& shell, Column& column) {
@@ -176,7 +207,8 @@ void draw_pseudocode(Shell& shell, Column& column) {
 }
 
 void draw_pinned(Shell& shell, Column& column) {
-  draw_outcome(shell, column);  // of the question before, so it stands above the next one
+  draw_costs(shell, column);
+  draw_outcome(shell, column, shell.session().outcome());  // of the question before, so it stands above the next one
   draw_question(shell, column);
   draw_algorithms(shell, column);
   column.gap(4);

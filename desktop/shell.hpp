@@ -23,6 +23,11 @@ class Shell {
   void use_mesh(const std::string& name);
   void use_file(const std::string& path);
 
+  /// What was measured, as a file in the folder that the program was started in; the notice says which. format: csv or json.
+  void save_costs(const std::string& format);
+
+  int ticked = 0;  // of a question with many answers, their bits
+
   /// One sentence that stands until it is clicked away; empty for none.
   std::string notice;
   bool keys_shown = false;

@@ -9,10 +9,12 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "app/costs.hpp"
 #include "app/look.hpp"
 #include "app/timeline.hpp"
 #include "desktop/chart_file.hpp"
 #include "desktop/cli/files.hpp"
+#include "desktop/cli/timing.hpp"
 #include "desktop/glfw_host.hpp"
 #include "desktop/header.hpp"
 #include "desktop/picture.hpp"
@@ -25,6 +27,7 @@ namespace {
 
 constexpr int kBadInput = 2;
 constexpr double kTick = 0.008;         // seconds between looks at the clock while something plays
+constexpr double kSlice = 8e6;          // nanoseconds of measuring between two frames
 constexpr int kFramesForPicture = 4;    // until ImGui has measured everything once
 
 int stop(const std::string& why) {
@@ -150,7 +153,8 @@ void run(GlfwHost& host, Shell& shell) {
       state.write(shell.app(), host.extent());
     }
     if (const std::string next = shell.session().lesson().title + " – Snug"; next != title) host.set_title(title = next);
-    const bool more = shell.measured_anew || shell.app().wants_frame(host.now());
+    shell.app().measure(kSlice);
+    const bool more = shell.app().costs().running() || shell.measured_anew || shell.app().wants_frame(host.now());
     const bool input = host.wait(more ? 0 : shell.app().playing() ? kTick : -1);
     due = input || shell.measured_anew || shell.app().wants_frame(host.now());
   }
@@ -184,7 +188,7 @@ int run_window(const WindowOptions& options) {
     return stop((program_folder() / "assets" / "fonts").string() + " lacks the fonts: build the target snug_assets");
   auto host = GlfwHost::make(options.width, options.height, options.screenshot.empty());
   if (!host) return stop(host.error());
-  app::App app({.font = font_bytes, .glsl_version = "#version 330 core"});
+  app::App app({.font = font_bytes, .glsl_version = "#version 330 core", .clock = native_now, .here = native_provenance()});
   if (!app.create_graphics()) return stop("the graphics driver refused a shader: " + app.graphics_error());
   app.settings().prose_in_canvas = true;
   app.settings().theme = theme_of_environment();

@@ -14,10 +14,12 @@
 #include <string>
 
 #include "app/app.hpp"
+#include "app/costs.hpp"
 #include "io/point_file.hpp"
 #include "snug_gl.h"
 #include "web/boxes.hpp"
 #include "web/canvas.hpp"
+#include "web/costs.hpp"
 #include "web/shared_points.hpp"
 #include "web/view.hpp"
 
@@ -69,15 +71,17 @@ void stop_graphics() {
   web::abandon_renderer();
 }
 
-/// smooth: several samples a pixel. Lines and points are antialiased in any case.
-std::string start(const std::string& selector, bool smooth) {
+/// processor: as far as the browser tells. smooth: several samples a pixel. Lines and points are antialiased in any case.
+std::string start(const std::string& selector, bool smooth, const std::string& processor) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
   const auto font = [](std::string_view name) {
     const auto found = door().fonts.find(name);
     return found == door().fonts.end() ? std::string() : found->second;
   };
-  door().app = std::make_unique<app::App>(app::Platform{.font = font, .glsl_version = web::kGlslVersion});
+  app::Platform platform = web::measuring_platform(processor);
+  platform.font = font, platform.glsl_version = web::kGlslVersion;
+  door().app = std::make_unique<app::App>(platform);
   if (!web::make_graphics_context(selector.c_str(), smooth)) return "no WebGL 2";
   return start_graphics();
 }
@@ -265,10 +269,16 @@ std::string load_file(const std::string& bytes, const std::string& name) {
   if (!session()) return "";
   const auto file = io::read_points(bytes, name);
   if (!file) return file.error().message();
-  const auto loaded = session()->load(*file, name);
+  const auto loaded = door().app->load(*file, name);
   if (loaded) remember_points();
   return sentence(loaded);
 }
+
+/// A slice of the measurement that runs. milliseconds: the budget.
+void measure_slice(double milliseconds) { door().app->measure(milliseconds * 1e6); }
+bool measuring() { return door().app->costs().running(); }
+std::string costs_file(const std::string& format) { return web::costs_file(*door().app, format); }
+std::string lay_over(const std::string& csv, const std::string& name) { return session() ? web::lay_over(*door().app, csv, name) : ""; }
 
 void start_task() {
   if (!session()) return;
@@ -324,5 +334,9 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("set_generator", &set_generator);
   function("start_task", &start_task);
   function("load_file", &load_file);
+  function("measure", &measure_slice);
+  function("measuring", &measuring);
+  function("costs_file", &costs_file);
+  function("lay_over", &lay_over);
   function("shared_points", &shared_points);
 }

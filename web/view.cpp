@@ -6,8 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include "lesson/methods.hpp"
 #include "lesson/trace_hash.hpp"
 #include "web/boxes.hpp"
+#include "web/costs.hpp"
 
 namespace snug::web {
 namespace {
@@ -57,6 +59,7 @@ val asked_object(const lesson::Asked* asked, const lesson::Session& session) {
   object.set("step", asked->step);
   object.set("choices", array_of(asked->choices, text));
   object.set("choicePoints", array_of(asked->choice_points, [](Index point) { return val(point); }));
+  object.set("many", asked->many);
   object.set("onStage", asked->on_stage);
   object.set("stagePoints", array_of(asked->stage_points, [](Index point) { return val(point); }));
   int number = 1;
@@ -76,6 +79,7 @@ val outcome_object(const lesson::Outcome& outcome) {
   object.set("right", outcome.right);
   object.set("skipped", outcome.skipped);
   object.set("passed", outcome.passed);
+  object.set("pending", outcome.pending);
   object.set("predicted", outcome.predicted);
   object.set("happened", outcome.happened);
   object.set("says", outcome.says);
@@ -161,6 +165,7 @@ val lesson_object(const lesson::Lesson& lesson) {
   object.set("frustum", lesson.boxes && lesson.boxes->taper < 1);
   object.set("scene", lesson.scene.has_value());
   object.set("bodies", lesson.scene && std::any_of(lesson.scene->bodies.begin(), lesson.scene->bodies.end(), [](const lesson::SceneBody& body) { return body.at_points; }));
+  object.set("measures", lesson.measures);
   object.set("dim", lesson.points.dim);
   object.set("generate", lesson.points.generate);
   object.set("count", lesson.points.count);
@@ -198,6 +203,7 @@ val view_object(app::App& app, const lesson::Session& session) {
   object.set("outcomes", array_of(session.outcomes(), outcome_object));
   object.set("grade", grade_object(session.grade()));
   object.set("framesDrawn", static_cast<double>(app.frames_drawn()));
+  object.set("costs", costs_object(app));
   set_algorithms(object, session);
   set_figures(object, session);
   set_points(object, app, session);

@@ -234,6 +234,9 @@ Truth truth_of(const Asked& asked, Trace trace) {
     case Asks::kPlaneSide: return plane_side_truth(asked, *std::get_if<query::PlaneTested<double, 3>>(&step.fact));
     case Asks::kVerdict: return verdict_truth(asked, std::get_if<query::Classified>(&step.fact)->result);
     case Asks::kFigure: return figure_truth(asked, *std::get_if<FrameTaken>(&step.fact));
+    case Asks::kOnFront:
+    case Asks::kSlowest:
+    case Asks::kTimesSlower:  // decided in costs.cpp
     case Asks::kChoice: break;
   }
   const std::string& right = asked.choices[static_cast<std::size_t>(question.answer)];

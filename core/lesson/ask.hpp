@@ -29,6 +29,7 @@ struct Asked {
   std::vector<std::string> choices;   // what may be chosen; empty where only the stage answers
   std::vector<Index> choice_points;   // the point that each choice names, or kNoIndex
   bool on_stage = false;              // whether a click on a point answers
+  bool many = false;                  // whether several choices together are an answer: its value's bits
   bool on_axes = false;               // whether the choices are the axes of the test, in their order, and then none
   std::vector<Index> stage_points;    // the points that a click can mean; empty where it can mean any
   int fact = 0;                       // which step of the trace it speaks of, counted from 0
@@ -43,6 +44,7 @@ struct Outcome {
   int step = 0;            // where it was decided: what lies between shows how it came about
   bool right = false;
   bool skipped = false;
+  bool pending = false;    // not decided yet: of the chart, which has to be measured first
   bool passed = false;     // skipped by a jump: it is asked when the player comes to it again
   std::string predicted;   // "P9", "yes", "the x pair", or "the x pair (P9)" where the point was tapped
   std::string happened;    // the same in fact: "P12", "the y pair"

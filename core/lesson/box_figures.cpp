@@ -3,6 +3,7 @@
 
 #include "lesson/ask.hpp"
 #include "lesson/box_tests.hpp"
+#include "lesson/methods.hpp"
 
 namespace snug::lesson {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "fit/lift.hpp"
 #include "lesson/frustum_tests.hpp"
-#include "lesson/scene_runs.hpp"
 #include "query/obb_sat.hpp"
 #include "query/wrong_corners_only.hpp"
 #include "query/wrong_extents_only.hpp"
@@ -81,19 +80,6 @@ fit::Recording record(const fit::Algorithm& test, const BoxPair& pair) {
 bool says_overlap(const fit::Algorithm& test, const BoxPair& pair) {
   Ignore ignore;
   return run(test, pair, ignore);
-}
-
-bool has_boxes(std::string_view volume) { return volume == kBoxPair || volume == kFrustumBox; }
-
-std::span<const fit::Algorithm> methods_of(std::string_view volume) {
-  if (volume == kScene) return scene_methods();
-  return volume == kBoxPair ? box_tests() : volume == kFrustumBox ? frustum_tests() : fit::algorithms_of(volume);
-}
-
-const fit::Algorithm* find_method(std::string_view volume, std::string_view name) {
-  for (const fit::Algorithm& method : methods_of(volume))
-    if (method.name == name) return &method;
-  return nullptr;
 }
 
 std::span<const AxisName> axis_names(int dim) {

@@ -22,14 +22,6 @@ inline constexpr std::string_view kBoxPair = "box_pair";
 /// Whether that test says that the boxes overlap.
 [[nodiscard]] bool says_overlap(const fit::Algorithm& test, const BoxPair& pair);
 
-/// Whether a lesson's volume has boxes in place of points: kBoxPair or kFrustumBox.
-[[nodiscard]] bool has_boxes(std::string_view volume);
-
-/// What a lesson of a volume can offer: box_tests() of kBoxPair, frustum_tests() of kFrustumBox, scene_methods() of kScene, fit::algorithms_of of any
-/// other.
-[[nodiscard]] std::span<const fit::Algorithm> methods_of(std::string_view volume);
-[[nodiscard]] const fit::Algorithm* find_method(std::string_view volume, std::string_view name);
-
 /// One of the test's axes, in the order in which it goes through them: those of A's faces, of B's, then the edges' products.
 struct AxisName {
   std::string text;  // "A x", "B y", "A x × B z"

@@ -5,7 +5,9 @@
 #include "fit/catalogue.hpp"
 #include "lesson/ask.hpp"
 #include "lesson/box_tests.hpp"
+#include "lesson/costs.hpp"
 #include "lesson/grade.hpp"
+#include "lesson/methods.hpp"
 #include "lesson/own_points.hpp"
 #include "lesson/scene_runs.hpp"
 
@@ -21,7 +23,7 @@ void check_ids(const Lesson& lesson, Complaints& complaints) {
     const auto same = [&](const Question& other) { return other.id == question->id; };
     if (std::any_of(lesson.questions.begin(), question, same))
       complaints.add(question->line, "there is another question with the id " + question->id);
-    if (!offers(lesson, question->gate.algorithm))
+    if (!lesson.measures && !offers(lesson, question->gate.algorithm))
       complaints.add(question->line, "the lesson does not offer the algorithm " + question->gate.algorithm);
   }
 }
@@ -89,6 +91,18 @@ void check_task(const Lesson& lesson, const AnyPointSet& points, int line, int m
   if (!graded.done) complaints.add(model_line, "the model does not solve the task: " + graded.says);
 }
 
+/// The chart: on the model's points something is as much smaller as the task asks. What takes the least time to be so is
+/// for the student's machine to say.
+void check_costs(const Lesson& lesson, const toml::table& toml, Complaints& complaints) {
+  if (!lesson.task) return;
+  const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
+  if (!offers(lesson, lesson.task->algorithm)) return complaints.add(task.line(), "the lesson does not offer the algorithm " + lesson.task->algorithm);
+  const auto model = to_set(lesson.task->model, lesson.points.dim);
+  if (!model) return complaints.add(task.line_of("model"), model.error().what);
+  if (cheapest_of(*lesson.task, counted_costs(lesson, *model)).empty())
+    complaints.add(task.line_of("model"), "on the model no algorithm is as much smaller as the task asks");
+}
+
 }  // namespace
 
 void check_lesson(const Lesson& lesson, const toml::table& toml, Complaints& complaints) {
@@ -96,6 +110,7 @@ void check_lesson(const Lesson& lesson, const toml::table& toml, Complaints& com
   check_ids(lesson, complaints);
   if (!lesson.compare.empty() && !offers(lesson, lesson.compare))
     complaints.add(root.line_of("compare"), "the lesson does not offer the algorithm " + lesson.compare);
+  if (lesson.measures && !complaints.first()) return check_costs(lesson, toml, complaints);
   if (!lesson.points.mesh.empty() || complaints.first()) return;
   if (lesson.boxes) return check_boxes(lesson, toml, complaints);
 

@@ -5,6 +5,7 @@
 #include "lesson/ask.hpp"
 #include "lesson/box_tests.hpp"
 #include "lesson/frustum_tests.hpp"
+#include "lesson/methods.hpp"
 #include "lesson/scene_figures.hpp"
 #include "lesson/words.hpp"
 
@@ -159,6 +160,9 @@ const char* add_choices(Asked& asked, Trace trace, int dim) {
     case Asks::kChoice:
       for (const std::string& choice : asked.question->choices) add_choice(asked, in_words_of(dim, choice));
       return nullptr;
+    case Asks::kOnFront:
+    case Asks::kSlowest:
+    case Asks::kTimesSlower: return "this is asked of a lesson with chart = \"cost\"";
   }
   return nullptr;
 }

@@ -2,6 +2,7 @@
 #include "lesson/box_tests.hpp"
 #include "lesson/frustum_tests.hpp"
 #include "lesson/grade.hpp"
+#include "lesson/methods.hpp"
 
 namespace snug::lesson {
 namespace {

@@ -66,6 +66,9 @@ struct Question {
     kPlaneSide,  // of plane_tested: on which side of the plane the box is; the choices are query::kCullingNames
     kVerdict,    // of classified: where the box is, of the frustum; the same choices
     kFigure,     // of frame_taken: between which bounds a figure of the scene lies; the choices are the ranges
+    kOnFront,      // of the chart: which algorithms no other undercuts; any number of them
+    kSlowest,      // of the chart: which algorithm takes longest
+    kTimesSlower,  // of the chart: how many times as long the slowest takes as the fastest; the choices are decades
   };
   std::string id;
   Gate gate;
@@ -87,7 +90,8 @@ struct Task {
   std::string algorithm;           // whose volume is compared with the smallest
   double excess_at_least = 0;      // its size / the smallest - 1: of balls the radius, of others the area or volume
   int support_size = 0;            // how many points must hold the smallest ball; 0 where the task does not say
-  int points = 0;                  // how many points there must be
+  int points = 0;                  // how many points there must be; of the chart, how many it begins with
+  double tighter_by = 0;           // of the chart: what is to be found is smaller than algorithm's by such a share
   std::string hint;
   std::vector<Vector<double, 3>> model;  // a solution, which the checks play
 
@@ -130,6 +134,7 @@ struct Lesson {
   std::optional<SceneSet> scene;        // of volume kScene: what moves, made of the points
   std::vector<std::string> meshes;      // which the student may load instead
   std::vector<std::string> generators;  // which the student may scatter by instead
+  bool measures = false;                // whether the stage has the chart of costs, which all questions and the task are of
   std::uint64_t seed = 1;
   Start start = Start::kBegin;
   std::string volume = "sphere";        // of kVolumeNames: what the algorithms fit

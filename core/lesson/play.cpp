@@ -1,5 +1,8 @@
 #include "lesson/play.hpp"
 
+#include "lesson/costs.hpp"
+#include "lesson/methods.hpp"
+
 #include <algorithm>
 
 namespace snug::lesson {
@@ -8,7 +11,7 @@ namespace {
 /// Answers what is asked, or takes a step. false: neither could be done.
 bool advance(Session& session, std::vector<Outcome>& outcomes) {
   const int step = session.step();
-  if (const Asked* asked = session.asked()) {
+  if (const Asked* asked = session.asked(); asked != nullptr && !session.lesson().measures) {
     if (!session.answer(model_answer(*asked, session.recording(0).steps))) return false;
     if (const Outcome* outcome = session.outcome()) outcomes.push_back(*outcome);
     return true;
@@ -23,11 +26,27 @@ tl::expected<Played::Algorithm, InputError> play_algorithm(Session& session, con
   session.first();
   // Every turn answers a question or takes a step, so that more turns than both are one too many.
   std::size_t turns = session.questions().size() + static_cast<std::size_t>(session.steps());
-  while (session.step() < session.steps() || session.asked() != nullptr)
+  const auto asks = [&] { return session.asked() != nullptr && !session.lesson().measures; };  // the chart's are asked apart
+  while (session.step() < session.steps() || asks())
     if (turns-- == 0 || !advance(session, played.outcomes))
       return tl::unexpected(
           InputError{.what = "the player does not get past step " + std::to_string(session.step()) + " of " + name});
   return played;
+}
+
+/// Predicts what comes of the chart, by operations in the place of times, and has it measured so.
+void play_chart(Session& session, Played& played) {
+  const std::vector<cost::CostRow> rows = counted_costs(session.lesson(), session.points());
+  while (const Asked* asked = session.asked())
+    if (!session.answer(model_answer(*asked, rows))) return;
+  session.measured(rows);
+  if (!played.algorithms.empty()) played.algorithms.front().outcomes = session.outcomes();
+}
+
+/// The cheapest that the task asks for, on the model's points.
+void choose_cheapest(Session& session, const Task& task) {
+  session.measured(counted_costs(session.lesson(), session.points()));
+  static_cast<void>(session.choose(0, cheapest_of(task, *session.costs())));
 }
 
 void find_not_asked(const Lesson& lesson, Played& played) {
@@ -65,6 +84,7 @@ tl::expected<Played, InputError> play(Session& session) {
     if (!algorithm) return tl::unexpected(std::move(algorithm.error()));
     played.algorithms.push_back(std::move(*algorithm));
   }
+  if (session.lesson().measures) play_chart(session, played);
   find_not_asked(session.lesson(), played);
   const auto& task = session.lesson().task;
   if (task && session.boxes() != nullptr) {
@@ -76,6 +96,7 @@ tl::expected<Played, InputError> play(Session& session) {
   } else if (task) {
     const auto loaded = session.load({session.lesson().points.dim, task->model, {}}, "the task's model answer");
     if (!loaded) return tl::unexpected(loaded.error());
+    if (session.lesson().measures) choose_cheapest(session, *task);
     played.grade = session.grade();
   }
   return played;

@@ -7,6 +7,7 @@
 #include "lesson/box_tests.hpp"
 #include "lesson/check_lesson.hpp"
 #include "lesson/frustum_tests.hpp"
+#include "lesson/methods.hpp"
 #include "lesson/own_points.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/read_scene.hpp"
@@ -22,7 +23,7 @@ constexpr std::int64_t kVersion = 1;
 /// Fifty times a long lesson. The parser's tables within tables, a level for two bytes, must not outgrow the stack.
 constexpr std::size_t kMostBytes = 1 << 18;
 
-constexpr std::array<std::pair<std::string_view, Asks>, 14> kAsks{{{"point", Asks::kPoint},
+constexpr std::array<std::pair<std::string_view, Asks>, 17> kAsks{{{"point", Asks::kPoint},
                                                                   {"axis", Asks::kAxis},
                                                                   {"grows", Asks::kGrows},
                                                                   {"leaves", Asks::kLeaves},
@@ -35,7 +36,11 @@ constexpr std::array<std::pair<std::string_view, Asks>, 14> kAsks{{{"point", Ask
                                                                   {"n_vertex", Asks::kNVertex},
                                                                   {"plane_side", Asks::kPlaneSide},
                                                                   {"verdict", Asks::kVerdict},
-                                                                  {"figure", Asks::kFigure}}};
+                                                                  {"figure", Asks::kFigure},
+                                                                  {"on_front", Asks::kOnFront},
+                                                                  {"slowest", Asks::kSlowest},
+                                                                  {"times_slower", Asks::kTimesSlower}}};
+constexpr std::array kOfCharts{Asks::kChoice, Asks::kOnFront, Asks::kSlowest, Asks::kTimesSlower};
 
 /// "bunny, teapot or dragon"
 std::string one_of(const auto& names) {
@@ -121,21 +126,29 @@ void read_choices(TomlTable& table, Question& question) {
   question.answer = static_cast<int>(found - question.choices.begin());
 }
 
-Question read_question(const toml::table& toml, std::string_view volume, Complaints& complaints) {
+/// Which step it speaks of.
+Gate read_gate(TomlTable& table, std::string_view volume) {
+  Gate gate;
+  gate.algorithm = read_algorithm(table, "algorithm", volume);
+  gate.fact = table.text("before");
+  check_name(table, "before", gate.fact, fit::fact_names());
+  gate.occurrence = static_cast<int>(table.integer_or("nth", 1, 100000, 1));
+  gate.after = table.text_or("after", "");
+  if (gate.after != Gate::kStart) check_name(table, "after", gate.after, fit::fact_names());
+  return gate;
+}
+
+Question read_question(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
   TomlTable table(toml, "[[question]]", complaints);
   Question question;
   question.line = table.line();
   question.id = table.text("id");
-  question.gate.algorithm = read_algorithm(table, "algorithm", volume);
-  question.gate.fact = table.text("before");
-  check_name(table, "before", question.gate.fact, fit::fact_names());
-  question.gate.occurrence = static_cast<int>(table.integer_or("nth", 1, 100000, 1));
-  question.gate.after = table.text_or("after", "");
-  if (question.gate.after != Gate::kStart) check_name(table, "after", question.gate.after, fit::fact_names());
+  if (!lesson.measures) question.gate = read_gate(table, lesson.volume);
   const std::string asks = table.text("asks");
   const auto* kind = std::find_if(kAsks.begin(), kAsks.end(), [&](const auto& row) { return row.first == asks; });
   if (kind != kAsks.end()) question.asks = kind->second;
-  if (kind == kAsks.end()) table.wrong("asks", "is none of point, axis, grows, leaves, choice, better, holds, separates, which_axis, p_vertex, n_vertex, plane_side, verdict or figure: " + asks);
+  if (kind == kAsks.end()) table.wrong("asks", "is none of point, axis, grows, leaves, choice, better, holds, separates, which_axis, p_vertex, n_vertex, plane_side, verdict, figure, on_front, slowest or times_slower: " + asks);
+  else if (lesson.measures && std::find(kOfCharts.begin(), kOfCharts.end(), question.asks) == kOfCharts.end()) table.wrong("asks", "is of a step, and this lesson's questions are of its chart: " + asks);
   question.prompt = table.text("prompt");
   if (question.asks == Asks::kChoice) read_choices(table, question);
   if (question.asks == Asks::kFigure) read_ranges(table, question);
@@ -214,6 +227,21 @@ Task read_task(const toml::table& toml, std::string_view volume, int dim, Compla
   return task;
 }
 
+/// "So much smaller than that, for how much time?"
+Task read_cost_task(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
+  TomlTable table(toml, "[task]", complaints);
+  Task task;
+  task.volume = lesson.volume;
+  task.prompt = table.text("prompt");
+  task.algorithm = read_algorithm(table, "algorithm", lesson.volume);
+  task.tighter_by = table.number("tighter_by", 1);
+  task.points = static_cast<int>(table.integer("points", 1, kMostGenerated));
+  task.hint = table.text("hint");
+  task.model = table.points("model", lesson.points.dim);
+  table.refuse_others();
+  return task;
+}
+
 void read_pseudocode(const toml::table& toml, Complaints& complaints, Lesson& lesson) {
   for (const auto& [key, node] : toml) {
     const auto line = static_cast<int>(key.source().begin.line);
@@ -246,6 +274,10 @@ void read_head(TomlTable& table, Lesson& lesson) {
   lesson.start = start == "end" ? Lesson::Start::kEnd : Lesson::Start::kBegin;
   lesson.volume = table.text_or("volume", lesson.volume);
   check_name(table, "volume", lesson.volume, volumes());
+  const std::string chart = table.text_or("chart", "");
+  check_name(table, "chart", chart, std::array<std::string_view, 1>{"cost"});
+  lesson.measures = !chart.empty();
+  if (lesson.measures && fit::exact_algorithm(lesson.volume) == nullptr) table.wrong("chart", "is of volumes that points are fitted with, of which one is the smallest");
   lesson.algorithms = read_names(table, "algorithms", 1, algorithm_names(lesson.volume));
   if (table.has("compare")) lesson.compare = read_algorithm(table, "compare", lesson.volume);
   lesson.meshes = read_names(table, "meshes", 0, mesh_names());
@@ -281,9 +313,10 @@ Lesson read(const toml::table& toml, Complaints& complaints) {
   if (lesson.sections.empty()) complaints.add(1, "the lesson has no [[section]]");
   read_subject(table, lesson, complaints);
   if (const toml::table* words = table.table("pseudocode")) read_pseudocode(*words, complaints, lesson);
-  for (const toml::table* question : table.tables("question")) lesson.questions.push_back(read_question(*question, lesson.volume, complaints));
+  for (const toml::table* question : table.tables("question")) lesson.questions.push_back(read_question(*question, lesson, complaints));
   if (const toml::table* task = table.table("task"))
     lesson.task = lesson.boxes ? read_box_task(*task, lesson, complaints)
+                  : lesson.measures ? read_cost_task(*task, lesson, complaints)
                   : lesson.scene ? read_scene_task(*task, lesson.algorithms, complaints)
                                : read_task(*task, lesson.volume, lesson.points.dim, complaints);
   table.refuse_others();

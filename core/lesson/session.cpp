@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "lesson/costs.hpp"
+#include "lesson/methods.hpp"
 #include "lesson/own_points.hpp"
 
 namespace snug::lesson {
@@ -101,6 +103,7 @@ tl::expected<void, InputError> Session::choose(int slot, std::string_view name) 
   if (slot == 0) {
     step_ = 0;
     trace_changed(at_end);
+    if (lesson_.measures) worked_.grade.reset();
   }
   ++revision_;
   return {};
@@ -144,9 +147,9 @@ void Session::points_changed() {
   ++revision_;
 }
 
-/// Null where there is none, or where it does not take so many points.
+/// Null where there is none, or where it does not take so many points. A chart is to tell what the smallest is, and costs.
 const fit::Algorithm* Session::exact() const {
-  const fit::Algorithm* exact = fit::exact_algorithm(lesson_.volume);
+  const fit::Algorithm* exact = lesson_.measures ? nullptr : fit::exact_algorithm(lesson_.volume);
   return exact != nullptr && size() <= exact->max_points ? exact : nullptr;
 }
 
@@ -177,7 +180,7 @@ double Session::size_of(const fit::Algorithm& algorithm) const {
 const std::vector<Session::Rival>& Session::rivals() const {
   if (worked_.rivals) return *worked_.rivals;
   std::vector<Rival> rivals;
-  if (now_.boxes || lesson_.scene) return worked_.rivals.emplace();
+  if (now_.boxes || lesson_.scene || lesson_.measures) return worked_.rivals.emplace();
   const std::optional<double> smallest = smallest_size();
   for (const std::string& name : lesson_.algorithms) {
     const fit::Algorithm* algorithm = find_method(lesson_.volume, name);
@@ -190,6 +193,7 @@ const std::vector<Session::Rival>& Session::rivals() const {
 
 std::optional<Grade> Session::grade() const {
   if (!lesson_.task) return std::nullopt;
+  if (!worked_.grade && lesson_.measures) worked_.grade = grade_of_costs();
   if (!worked_.grade && lesson_.scene) worked_.grade = grade_scene(*lesson_.task, *lesson_.scene, points(), seed());
   if (!worked_.grade)
     worked_.grade = now_.boxes ? grade_boxes(*lesson_.task, *now_.boxes, found_) : lesson::grade(*lesson_.task, points(), seed());

@@ -20,6 +20,7 @@
 #include "lesson/grade.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/scene_runs.hpp"
+#include "measure/rows.hpp"
 
 namespace snug::lesson {
 
@@ -153,6 +154,14 @@ class Session {
   [[nodiscard]] int next_mark() const;
   [[nodiscard]] int previous_mark() const;
 
+  // ---- the chart of costs, of a lesson that measures --------------------------------------------------------
+  /// Whether the points are the lesson's own, of which its questions are.
+  [[nodiscard]] bool has_own_points() const;
+  /// Takes over what was measured on the points as they stand, a row an algorithm: it decides what was predicted.
+  void measured(std::vector<cost::CostRow> rows);
+  /// Null where these points have not been measured.
+  [[nodiscard]] const std::vector<cost::CostRow>* costs() const { return worked_.costs ? &*worked_.costs : nullptr; }
+
   // ---- questions and the task -------------------------------------------------------------------------------
   /// The question that stands here and has no answer yet; playing waits for it.
   [[nodiscard]] const Asked* asked() const;
@@ -205,6 +214,7 @@ class Session {
     std::optional<std::vector<Rival>> rivals;
     std::optional<Grade> grade;
     std::optional<std::uint64_t> hash;
+    std::optional<std::vector<cost::CostRow>> costs;
   };
 
   struct Recipe {
@@ -233,6 +243,8 @@ class Session {
   [[nodiscard]] double size_of(const fit::Algorithm& algorithm) const;
   [[nodiscard]] const fit::Algorithm* exact() const;
   [[nodiscard]] RunView view(int slot) const;
+  [[nodiscard]] Grade grade_of_costs() const;
+  void decide_costs();
 
   Lesson lesson_;
   Snapshot own_;  // the lesson's own points, for reset

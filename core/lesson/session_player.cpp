@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lesson/costs.hpp"
 #include "lesson/session.hpp"
 
 namespace snug::lesson {
@@ -51,8 +52,11 @@ std::vector<Mark> marks_of(Trace trace, const std::vector<Asked>& questions) {
 
 /// Gates and marks of a new trace. at_end: whether the player stood at the old one's end.
 void Session::trace_changed(bool at_end) {
-  asked_ = asked_on(lesson_, algorithm(0)->name, recording(0).steps, dim(), !edited() && seed() == lesson_.seed && off_.empty());
-  marks_ = marks_of(recording(0).steps, asked_);
+  asked_.clear();
+  if (lesson_.measures && has_own_points()) asked_ = asked_of_costs(lesson_);
+  if (!lesson_.measures)
+    asked_ = asked_on(lesson_, algorithm(0)->name, recording(0).steps, dim(), !edited() && seed() == lesson_.seed && off_.empty());
+  marks_ = marks_of(recording(0).steps, lesson_.measures ? std::vector<Asked>() : asked_);
   step_ = at_end ? steps() : std::min(step_, steps());
   worked_.hash.reset();
   shown_outcome_ = -1;

@@ -173,7 +173,12 @@ tl::expected<void, InputError> Session::load(const io::PointFile& file, std::str
 void Session::start_task() {
   if (!lesson_.task) return;
   found_.clear();
-  static_cast<void>(become(now_.boxes ? own_ : Snapshot{start_of_task(lesson_, own_.points), nullptr, own_.seed, "task", 0, true}));
+  if (lesson_.measures) {
+    const std::string_view kind = lesson_.generators.empty() ? "gaussian" : std::string_view(lesson_.generators.front());
+    static_cast<void>(become(generated(kind, lesson_.task->points, dim(), lesson_.seed, true)));
+  } else {
+    static_cast<void>(become(now_.boxes ? own_ : Snapshot{start_of_task(lesson_, own_.points), nullptr, own_.seed, "task", 0, true}));
+  }
   static_cast<void>(choose(0, lesson_.task->algorithm));
   // Who builds an example looks at results, and was asked nothing yet. Bodies are placed where they begin.
   step_ = lesson_.scene ? 0 : steps();

@@ -1,4 +1,5 @@
 // The questions of a session and the answers given.
+#include "lesson/costs.hpp"
 #include "lesson/session.hpp"
 
 namespace snug::lesson {
@@ -10,6 +11,11 @@ bool Session::open_question(const Asked& asked) const {
 }
 
 const Asked* Session::asked() const {
+  if (lesson_.measures) {
+    for (const Asked& asked : asked_)
+      if (open_question(asked)) return &asked;
+    return nullptr;
+  }
   if (previewing_) return nullptr;
   for (const Asked& asked : asked_)
     if (asked.step == step_ && open_question(asked)) return &asked;
@@ -24,6 +30,13 @@ Outcome& Session::outcome_for(const std::string& id) {
 
 bool Session::answer(const Answer& answer) {
   const Asked* question = asked();
+  if (lesson_.measures) {
+    if (question == nullptr || !answers_of_costs(*question, answer)) return false;
+    outcome_for(question->question->id) = predicted(*question, answer);
+    decide_costs();
+    ++revision_;
+    return true;
+  }
   if (question == nullptr || !answers(*question, answer, size())) return false;
   Outcome& outcome = outcome_for(question->question->id);
   outcome = judge(*question, answer, recording(0).steps);
@@ -34,8 +47,34 @@ bool Session::answer(const Answer& answer) {
 }
 
 const Outcome* Session::outcome() const {
-  if (shown_outcome_ < 0 || previewing_ || step_ != shown_at_) return nullptr;
+  if (lesson_.measures || shown_outcome_ < 0 || previewing_ || step_ != shown_at_) return nullptr;
   return &outcomes_[static_cast<std::size_t>(shown_outcome_)];
+}
+
+bool Session::has_own_points() const { return !edited() && seed() == lesson_.seed && now_.source == own_.source && now_.generated == own_.generated; }
+
+void Session::measured(std::vector<cost::CostRow> rows) {
+  worked_.costs = std::move(rows);
+  worked_.grade.reset();
+  decide_costs();
+  ++revision_;
+}
+
+/// What was predicted of the lesson's own points.
+void Session::decide_costs() {
+  if (costs() == nullptr || costs()->size() != lesson_.algorithms.size()) return;
+  for (const Asked& asked : asked_)
+    for (Outcome& outcome : outcomes_)
+      if (outcome.question == asked.question->id && outcome.pending) decide(asked, *costs(), outcome);
+}
+
+Grade Session::grade_of_costs() const {
+  Grade grade;
+  grade.points = static_cast<int>(size());
+  if (has_own_points()) grade.says = "This is the lesson's own shape: begin with another one, or open a file of yours.";
+  else if (costs() == nullptr) grade.says = "Measure this shape.";
+  else return grade_costs(*lesson_.task, *costs(), algorithm(0)->name);
+  return grade;
 }
 
 void Session::forget_answers() {

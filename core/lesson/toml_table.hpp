@@ -2,8 +2,6 @@
 // wrong as well. Reading goes on after an error with empty values, so that those who read need not stop and ask.
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,6 +10,7 @@
 
 #include "geometry/input_error.hpp"
 #include "geometry/vector.hpp"
+#include "lesson/toml.hpp"
 
 namespace snug::lesson {
 

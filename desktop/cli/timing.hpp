@@ -9,7 +9,8 @@
 
 namespace snug::desktop {
 
-/// One that only goes forward.
+/// One that only goes forward, ns.
+[[nodiscard]] double native_now();
 [[nodiscard]] cost::Clock native_clock();
 
 /// How times are taken by that clock: batches of a millisecond, ten thousand times what reading it costs.

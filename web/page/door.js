@@ -1,4 +1,4 @@
-// Brings the program (snug.wasm) and the fonts that it draws with.
+// Brings a program (programs/points.wasm …) and the fonts that it draws with.
 
 const kFonts = {
   "Inter-Regular": "fonts/Inter-Regular.otf",
@@ -7,12 +7,12 @@ const kFonts = {
   "JetBrainsMono-Bold": "fonts/JetBrainsMono-Bold.ttf",
 };
 
-/** The functions of web/main.cpp. attempt: counted up by each retry, for a browser remembers a module that failed. */
-export async function open_door(downloads, attempt) {
-  const fonts = Object.entries(kFonts).map(async ([name, path]) => [name, await downloads.bytes(path)]);
+/** The functions of web/main.cpp. name: the program's. attempt: counted up by each retry, for a browser remembers a module that failed. */
+export async function open_door(downloads, name, attempt) {
+  const fonts = Object.entries(kFonts).map(async ([font, path]) => [font, await downloads.bytes(path)]);
   const [program, glue, ...loaded] = await Promise.all([
-    downloads.answer("snug.wasm", "application/wasm"),
-    import(attempt ? `./snug.mjs?attempt=${attempt}` : "./snug.mjs"),
+    downloads.answer(`programs/${name}.wasm`, "application/wasm"),
+    import(`./programs/${name}.mjs${attempt ? `?attempt=${attempt}` : ""}`),
     ...fonts,
   ]);
   const door = await new Promise((resolve, reject) => {
@@ -24,6 +24,6 @@ export async function open_door(downloads, attempt) {
       },
     }).then(resolve, reject);
   });
-  for (const [name, bytes] of loaded) door.give_font(name, bytes);
+  for (const [font, bytes] of loaded) door.give_font(font, bytes);
   return door;
 }

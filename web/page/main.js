@@ -4,6 +4,7 @@ import { BoxTools } from "./boxes.js";
 import { Code } from "./code.js";
 import { by_id, element, set_text, when_changed } from "./dom.js";
 import { open_door } from "./door.js";
+import { CostTools } from "./costs.js";
 import { Downloads } from "./download.js";
 import { listen_to_keys } from "./keys.js";
 import { LessonMenu, lesson_links } from "./lesson_menu.js";
@@ -20,13 +21,17 @@ const kAddressDelay = 250; // milliseconds: browsers count how often the address
 const kPanelsDelay = 250; // milliseconds: so often the HTML follows a drag, whose every frame would lay the page out anew
 
 /** What stands on it, for those who cannot see it. */
-const stage_of = ({ boxes, frustum, scene, bodies }) => (frustum ? "a box and a view frustum" : boxes ? "two boxes"
+const stage_of = ({ measures, boxes, frustum, scene, bodies }) => (measures ? "the chart of costs, or the points" : frustum ? "a box and a view frustum" : boxes ? "two boxes"
   : bodies ? "bodies that move, and their volumes" : scene ? "a body that moves, and the volume around it" : "the points and the volume around them");
+
+/** What runs a lesson, and what the first where there is no such lesson. */
+const program_of = (lessons, id) => (lessons.find((lesson) => lesson.id === id) ?? lessons[0])?.program ?? "points";
 
 class Page {
   #door;
   #downloads;
   #lessons;
+  #program; // the name of what runs here: lessons of another need the page anew
   #stage;
   #settings;
   #menu;
@@ -37,14 +42,15 @@ class Page {
   #address_timer = 0;
   #panels_timer = 0;
 
-  constructor(door, downloads, lessons, embed) {
+  constructor(door, downloads, lessons, program, embed) {
     this.#door = door;
     this.#downloads = downloads;
     this.#lessons = lessons;
+    this.#program = program;
     this.#embed = embed;
     const act = (what) => this.act(what);
     const question = new QuestionCard(door, act);
-    this.#panels = [new Reading(() => this.#start_task()), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new Player(door, act), new Tabs()];
+    this.#panels = [new Reading(() => this.#start_task()), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new CostTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs()];
     this.#menu = new LessonMenu(lessons, (id) => this.#go_to(id));
     this.#stage = new Stage(door, () => this.#show());
     this.#settings = new Settings(() => this.#apply_settings());
@@ -89,7 +95,9 @@ class Page {
 
   #go_to(id) {
     this.#write_address();
-    history.pushState(null, "", `?lesson=${encodeURIComponent(id)}${this.#embed ? "&embed=1" : ""}`);
+    const address = `?lesson=${encodeURIComponent(id)}${this.#embed ? "&embed=1" : ""}`;
+    if (program_of(this.#lessons, id) !== this.#program) return location.assign(address);
+    history.pushState(null, "", address);
     this.open(read_address(location.search));
   }
 
@@ -230,8 +238,9 @@ async function begin(attempt) {
   let page;
   try {
     const downloads = new Downloads((share) => veil.progress(share));
-    const [index, door] = await Promise.all([downloads.text("lessons/index.json"), open_door(downloads, attempt)]);
-    page = new Page(door, downloads, JSON.parse(index), asked.embed);
+    const lessons = JSON.parse(await downloads.text("lessons/index.json"));
+    const program = program_of(lessons, asked.lesson);
+    page = new Page(await open_door(downloads, program, attempt), downloads, lessons, program, asked.embed);
   } catch (error) {
     console.warn(error);
     return veil.failed("Snug did not arrive whole. Check the connection, then try again.", () => begin(attempt + 1));

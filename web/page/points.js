@@ -1,10 +1,12 @@
 // The points' tools: which set, add, delete, scatter, reset, a file, and a point's place in numbers.
 import { by_id, button, element, set_text, when_changed } from "./dom.js";
+import { result_as_csv } from "./costs.js";
 import { clear_notices, notice } from "./messages.js";
 
 const kAxes = ["x", "y", "z"];
 const kNames = [["point", "points"], ["body", "bodies"]]; // of what stands at each
 const kMostBytes = 64e6;
+const kMostMeasured = 256e6; // bytes: two million points, written out
 
 const label = (words, field) => element("label", {}, element("span", {}, words), field);
 const capital = (word) => word[0].toUpperCase() + word.slice(1);
@@ -24,7 +26,7 @@ export class PointTools {
   #seed = element("input", { type: "number", min: 0, max: Number.MAX_SAFE_INTEGER, step: 1, inputmode: "numeric" });
   #point = element("input", { type: "number", min: 0, step: 1, inputmode: "numeric", placeholder: "none", "aria-label": "Selected point" });
   #axes = kAxes.map((axis) => element("input", { type: "number", step: "any", inputmode: "decimal", "aria-label": `${axis} of the selected point` }));
-  #file = element("input", { type: "file", class: "unseen", tabindex: "-1", "aria-hidden": "true", accept: ".xyz,.csv,.txt,.obj,.ply,.stl" });
+  #file = element("input", { type: "file", class: "unseen", tabindex: "-1", "aria-hidden": "true", accept: ".xyz,.csv,.txt,.obj,.ply,.stl,.json" });
   #delete = button("Delete", () => this.#command("delete_point"));
   #count_label = label("How many", this.#count);
 
@@ -102,16 +104,27 @@ export class PointTools {
   }
 
   async load(file) {
-    if (file.size > kMostBytes) return notice(`${file.name} is larger than ${kMostBytes / 1e6} MB, which is more than a page should hold.`);
+    const most = this.#view.costs ? kMostMeasured : kMostBytes;
+    if (file.size > most) return notice(`${file.name} is larger than ${most / 1e6} MB, which is more than a page should hold.`);
     this.#use(new Uint8Array(await file.arrayBuffer()), file.name);
   }
 
   #use(bytes, name) {
     this.#act(() => {
-      const error = this.#door.load_file(bytes, name);
+      const error = this.#take(bytes, name);
       if (error) notice(`That file cannot be used. ${error}.`);
       else clear_notices();
     });
+  }
+
+  /** A point file, or a result that lies over the chart. */
+  #take(bytes, name) {
+    try {
+      const result = result_as_csv(bytes);
+      return result === null ? this.#door.load_file(bytes, name) : this.#door.lay_over(result, name);
+    } catch {
+      return `${name}: is no whole result`;
+    }
   }
 
   #select() {

@@ -21,15 +21,17 @@ export class QuestionCard {
 
   update(view) {
     const { asked, outcome, outcomes, questions } = view;
-    const ended = view.step === view.steps && !asked && !view.previewing;
+    const pending = outcomes.some((each) => each.pending);
+    const ended = (view.costs ? outcomes.length > 0 && !pending : view.step === view.steps && !view.previewing) && !asked;
     const given = outcomes.filter((each) => !each.passed);
-    const now = JSON.stringify([view.lesson, asked, outcome, questions, ended && given]);
+    const now = JSON.stringify([view.lesson, asked, outcome, questions, ended && given, pending]);
     if (now === this.#shown) return;
     this.#shown = now;
     const box = by_id("ask");
     const had_focus = box.contains(document.activeElement);
     const cards = [];
     if (asked) cards.push(this.#asked_card(asked, questions));
+    if (view.costs && ended) cards.push(...outcomes.map((each) => this.#outcome_card(each, true)));
     if (outcome) cards.push(this.#outcome_card(outcome, Boolean(asked)));
     if (ended && given.length > 0) cards.push(this.#score_card(given));
     box.replaceChildren(...cards);
@@ -56,7 +58,10 @@ export class QuestionCard {
   }
 
   #asked_card(asked, questions) {
-    const choices = asked.choices.map((words, i) => button(words, () => this.#answer("choice", i)));
+    const choices = asked.choices.map((words, i) => button(words, (event) => (asked.many ? toggle(event.currentTarget) : this.#answer("choice", i)),
+      asked.many ? { "aria-pressed": "false" } : {}));
+    const pressed = () => choices.reduce((bits, choice, i) => bits | (choice.getAttribute("aria-pressed") === "true") << i, 0);
+    if (asked.many) choices.push(button("Answer", () => this.#answer("choice", pressed()), { class: "button primary" }));
     return element("div", { class: "card predict", tabindex: "-1" },
       element("h2", { class: "kicker" }, "Predict"),
       element("p", { class: "prompt" }, asked.prompt),
@@ -96,13 +101,15 @@ export class QuestionCard {
     const right = outcomes.filter((outcome) => outcome.right).length;
     const again = () => this.#act(() => {
       this.#door.forget_answers();
-      this.#door.command("first");
+      if (!this.#door.lesson().measures) this.#door.command("first");
     });
     return element("div", { class: "card score" },
       element("p", {}, `The end: ${right} of ${outcomes.length} ${outcomes.length === 1 ? "prediction" : "predictions"} right.`),
       button("Predict again", again));
   }
 }
+
+const toggle = (choice) => choice.setAttribute("aria-pressed", choice.getAttribute("aria-pressed") !== "true");
 
 /** Scrolls no further than the first lines need: the stage is to stay in sight. */
 function show_top(box) {

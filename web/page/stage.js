@@ -39,7 +39,7 @@ export class Stage {
   constructor(door, after_frame) {
     this.#door = door;
     this.#after_frame = after_frame;
-    const error = door.start("#canvas", !drawn_by_processor());
+    const error = door.start("#canvas", !drawn_by_processor(), `${navigator.hardwareConcurrency ?? "?"} cores`);
     if (error) this.#cannot_draw(error);
     this.#listen();
     watch_layout(() => {

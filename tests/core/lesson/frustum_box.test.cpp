@@ -7,6 +7,7 @@
 
 #include "geometry/frustum_corners.hpp"
 #include "lesson/frustum_tests.hpp"
+#include "lesson/methods.hpp"
 #include "lesson/play.hpp"
 
 using namespace snug;

@@ -1,5 +1,4 @@
-// The page has no scenes yet: simulating them would add a half to what a visitor waits for, and the lists of lessons here
-// leave theirs out (CMakeLists.txt). The linker takes these in the place of those in core/lesson and app that are named after scenes.
+// A program without scenes: see snug_program() in CMakeLists.txt.
 #include "app/scene_panel.hpp"
 #include "app/stage_brush.hpp"
 #include "lesson/grade.hpp"
@@ -11,7 +10,7 @@ namespace snug::lesson {
 namespace {
 
 tl::unexpected<InputError> no_scenes() {
-  return tl::unexpected(InputError{.what = "the page does not run scenes: the desktop program does"});
+  return tl::unexpected(InputError{.what = "this program does not run scenes"});
 }
 
 }  // namespace

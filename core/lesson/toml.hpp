@@ -1,0 +1,32 @@
+// toml++. It reads and writes numbers by <charconv> where the standard library can, and else by streams, whose locales are a
+// twentieth of the page. Emscripten's library can for whole numbers alone; what it lacks for others stands here.
+#pragma once
+
+#include <charconv>
+
+#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 14000
+#include <fast_float/fast_float.h>
+
+#include <cstdio>
+
+namespace std {  // NOLINT: where toml++ looks for it
+
+inline from_chars_result from_chars(const char* first, const char* last, double& value) {
+  const auto read = fast_float::from_chars(first, last, value);
+  return {read.ptr, read.ec};
+}
+
+/// Of messages alone: enough digits to tell any two numbers apart.
+inline to_chars_result to_chars(char* first, char* last, double value) {
+  const int written = snprintf(first, static_cast<size_t>(last - first), "%.17g", value);
+  return {first + written, errc{}};
+}
+inline to_chars_result to_chars(char* first, char* last, double value, chars_format, int = 0) { return to_chars(first, last, value); }
+
+}  // namespace std
+
+#define TOML_INT_CHARCONV 1
+#define TOML_FLOAT_CHARCONV 1
+#endif
+
+#include <toml++/toml.h>

@@ -1,0 +1,101 @@
+// The chart of costs: measured in slices between the frames; its controls, its table in words, results as files.
+import { by_id, button, element, set_hidden, set_text, when_changed } from "./dom.js";
+
+const kSlice = 8; // milliseconds: beside a frame's own work
+const kFormats = { csv: "text/csv", json: "application/json" };
+
+const quoted = (text) => (/[,"#\r\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
+const field = (value) => (value === null ? "" : quoted(String(value)));
+/** {a: {b: 1}} as [["a.b", 1]] */
+const flat = (object, prefix = "") => Object.entries(object).flatMap(([name, value]) =>
+  (value !== null && typeof value === "object" ? flat(value, `${prefix}${name}.`) : [[prefix + name, value]]));
+
+/** A result in JSON as the CSV that the program reads; null where the bytes are no result. Throws where they are broken. */
+export function result_as_csv(bytes) {
+  const start = new TextDecoder().decode(bytes.subarray(0, 40));
+  if (start.startsWith("# snug table:")) return new TextDecoder().decode(bytes);
+  if (!/^\s*\{\s*"table"/.test(start)) return null;
+  const { table, provenance, rows } = JSON.parse(new TextDecoder().decode(bytes));
+  const lines = [`# snug table: ${table}`, ...flat(provenance).map(([name, value]) => `# ${name}: ${field(value)}`)];
+  const columns = flat(rows[0] ?? {}).map(([name]) => name);
+  return [...lines, columns.join(","), ...rows.map((row) => {
+    const values = Object.fromEntries(flat(row));
+    return columns.map((name) => field(values[name] ?? null)).join(",");
+  })].join("\n");
+}
+
+export class CostTools {
+  #door;
+  #act;
+  #request;
+  #timer = 0;
+  #says = element("p", { class: "label", role: "status" });
+  #bar = element("div", { class: "veil-bar costs-bar", role: "progressbar", "aria-label": "Measured", "aria-valuemin": 0, "aria-valuemax": 100 }, element("div", {}));
+  #measure = button("Measure", () => this.#command("measure"), { class: "button primary" });
+  #stop = button("Stop", () => this.#command("stop_measuring"));
+  #view = button("Shape", () => this.#command("toggle_chart"));
+  #files = Object.keys(kFormats).map((format) => button(format.toUpperCase(), () => this.#save(format), { "aria-label": `Save as ${format.toUpperCase()}` }));
+  #body = element("tbody", {});
+  #section;
+
+  /** request: asks for a frame of the stage. */
+  constructor(door, act, request) {
+    this.#door = door;
+    this.#act = act;
+    this.#request = request;
+    this.#section = element("section", { class: "ask costs", "aria-label": "Measurement", hidden: true },
+      element("div", { class: "row" }, this.#measure, this.#stop, this.#view, ...this.#files), this.#bar, this.#says,
+      element("table", { class: "unseen" }, element("caption", {}, "What was measured"),
+        element("thead", {}, element("tr", {}, ...["Algorithm", "Time", "Times the smallest", "On the front"].map((words) => element("th", { scope: "col" }, words)))),
+        this.#body));
+    by_id("ask").before(this.#section);
+  }
+
+  open(lesson) {
+    set_hidden(this.#section, !lesson.measures);
+  }
+
+  #command(name) {
+    this.#act(() => this.#door.command(name));
+  }
+
+  /** A slice, then the page's own work; a frame only where the chart has changed. */
+  #work() {
+    this.#timer = 0;
+    this.#door.measure(kSlice);
+    if (this.#door.seconds_until_due(performance.now() / 1000) <= 0) this.#request();
+    if (this.#door.measuring()) this.#timer = setTimeout(() => this.#work(), 0);
+    else this.#act(() => {});
+  }
+
+  #save(format) {
+    const blob = new Blob([this.#door.costs_file(format)], { type: kFormats[format] });
+    const url = URL.createObjectURL(blob);
+    element("a", { href: url, download: `snug-costs.${format}` }).click();
+    setTimeout(() => URL.revokeObjectURL(url), 1000);
+  }
+
+  update({ costs }) {
+    if (!costs) return;
+    if (costs.running) this.#timer ||= setTimeout(() => this.#work(), 0);
+    this.#show(costs);
+  }
+
+  #show = when_changed(({ shown, running, progress, ready, size, rows, of, then }) => {
+    this.#measure.disabled = running || !ready;
+    this.#stop.disabled = !running;
+    for (const file of this.#files) file.disabled = rows.length === 0;
+    set_text(this.#view, shown ? "Shape" : "Chart");
+    const percent = Math.round(100 * progress);
+    set_hidden(this.#bar, !running);
+    this.#bar.setAttribute("aria-valuenow", percent);
+    this.#bar.firstElementChild.style.transform = `scaleX(${progress})`;
+    const there = `${size.toLocaleString("en")} points`;
+    const words = !ready ? "The predictions come first." : running ? `Measuring ${there}.`
+      : rows.length > 0 ? `${rows.length} measured, on ${of}.` : `${there} to measure.`;
+    set_text(this.#says, then ? `${words} Hollow: ${then}, an earlier result.` : words);
+    this.#body.replaceChildren(...rows.map((row) => element("tr", {}, element("th", { scope: "row" }, row.title),
+      element("td", {}, `${row.time}${row.trusted ? "" : ", spread widely"}${row.points < row.of ? `, on ${row.points} of ${row.of} points` : ""}`),
+      element("td", {}, row.size || "not known"), element("td", {}, row.front ? "yes" : "no"))));
+  });
+}
