@@ -396,6 +396,8 @@ std::string caption_at(const lesson::Session& session) {
   if (entry == nullptr && session.boxes() != nullptr)
     return std::string(session.algorithm(0)->title) + (lesson::has_frustum(*session.boxes()) ? " on the box and the frustum" : " on the boxes A and B") +
            ": nothing is known yet. Take the first step.";
+  if (entry == nullptr && session.lesson().scene && session.lesson().scene->at_points())
+    return std::string(session.algorithm(0)->title) + " on " + std::to_string(session.size()) + (session.size() == 1 ? " body" : " bodies") + ": nothing has moved yet. Take the first step.";
   if (entry == nullptr) return caption_at_start(*session.algorithm(0), session.size());
   const auto& steps = session.recording(0).steps;
   const auto next = static_cast<std::size_t>(session.step());

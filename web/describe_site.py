@@ -26,7 +26,7 @@ def lesson_entry(path: pathlib.Path) -> dict:
 
 def main(site: pathlib.Path, lesson_files: list[pathlib.Path]) -> None:
     lessons = [lesson_entry(path) for path in lesson_files]
-    lessons.sort(key=lambda lesson: (lesson.get("group", ""), lesson.get("order", 0), lesson["id"]))
+    lessons.sort(key=lambda lesson: (lesson.get("order", 0), lesson["id"]))
     (site / "lessons").mkdir(exist_ok=True)
     (site / "lessons/index.json").write_text(json.dumps(lessons, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
     files = (path for path in sorted(site.rglob("*")) if path.is_file() and path.name != "sizes.json")

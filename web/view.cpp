@@ -164,7 +164,7 @@ val lesson_object(const lesson::Lesson& lesson) {
   object.set("boxes", lesson.boxes.has_value());
   object.set("frustum", lesson.boxes && lesson.boxes->taper < 1);
   object.set("scene", lesson.scene.has_value());
-  object.set("bodies", lesson.scene && std::any_of(lesson.scene->bodies.begin(), lesson.scene->bodies.end(), [](const lesson::SceneBody& body) { return body.at_points; }));
+  object.set("bodies", lesson.scene && lesson.scene->at_points());
   object.set("measures", lesson.measures);
   object.set("dim", lesson.points.dim);
   object.set("generate", lesson.points.generate);

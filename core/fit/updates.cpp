@@ -5,10 +5,11 @@
 #include <memory>
 
 #include "fit/aabb_min_max.hpp"
-#include "fit/catalogue.hpp"
+#include "fit/catalogue_rows.hpp"
 #include "fit/kdop_fit.hpp"
 #include "fit/lift.hpp"
-#include "fit/lower.hpp"
+#include "fit/obb_pca.hpp"
+#include "fit/obb_pca_rectangle.hpp"
 #include "fit/quickhull.hpp"
 #include "fit/update_hill_climb.hpp"
 #include "fit/update_kdop_climb.hpp"
@@ -17,6 +18,7 @@
 #include "fit/update_rebuild.hpp"
 #include "fit/update_rotated_box.hpp"
 #include "fit/update_sphere.hpp"
+#include "fit/welzl.hpp"
 #include "query/contains.hpp"
 
 namespace snug::fit {
@@ -43,13 +45,6 @@ constexpr std::array kStrategies{
     of_kdop("k26_hill_climb", "26-DOP by hill climbing", 26, false, true),
 };
 
-/// What a fitter of the catalogue gives, in the body's own scalar again.
-template <class Scalar, int Dim, class VolumeType>
-auto fitted(std::string_view volume, std::string_view algorithm, const AnyPointSet& points) {
-  const Result result = find_algorithm(volume, algorithm)->fit(points, {});
-  return Lower<Scalar, Dim>{}(*std::get_if<VolumeType>(&result.volume));
-}
-
 struct Watch {
   const SeeUpdateStep& see;
   Counter counter;
@@ -65,11 +60,13 @@ struct Watch {
 template <class Scalar, int Dim>
 class Body {
  public:
-  Body(const UpdateStrategy& strategy, const AnyPointSet& points, PointSpan<Scalar, Dim> span)
+  Body(const UpdateStrategy& strategy, PointSpan<Scalar, Dim> span)
       : strategy_(strategy), points_(span), box_(aabb_min_max(span).volume) {
-    if (strategy.volume == "sphere") ball_ = fitted<Scalar, Dim, Sphere3>("sphere", "welzl", points);
-    if (strategy.volume == "obb")
-      oriented_ = fitted<Scalar, Dim, Obb<double, 3>>("obb", Dim == 2 ? "pca" : "pca_rectangle", points);
+    if (strategy.volume == "sphere") ball_ = welzl(span, Options{}).volume;
+    if (strategy.volume == "obb") {
+      if constexpr (Dim == 2) oriented_ = obb_pca(span).volume;
+      else oriented_ = obb_pca_rectangle(span).volume;
+    }
     if (!strategy.name.ends_with("hill_climb")) return;
     hull_ = quickhull(span).volume;
     neighbors_ = hull_neighbors(hull_);
@@ -176,24 +173,20 @@ const UpdateStrategy* find_update(std::string_view volume, std::string_view name
 }
 
 UpdateBody start_updates(const UpdateStrategy& strategy, const AnyPointSet& points) {
-  return std::visit(
-      [&]<class Scalar, int Dim>(const PointSet<Scalar, Dim>& set) -> UpdateBody {
-        auto body = std::make_shared<Body<Scalar, Dim>>(strategy, points, set.span());
-        return [body](const Pose<double, 3>& pose, const SeeUpdateStep& see) { return body->to(pose, see); };
-      },
-      points);
+  return with_span<UpdateBody>(points, [&]<class Scalar, int Dim>(PointSpan<Scalar, Dim> span) -> UpdateBody {
+    auto body = std::make_shared<Body<Scalar, Dim>>(strategy, span);
+    return [body](const Pose<double, 3>& pose, const SeeUpdateStep& see) { return body->to(pose, see); };
+  });
 }
 
 std::function<double()> start_bare_updates(const UpdateStrategy& strategy, const AnyPointSet& points,
                                            std::span<const Pose<double, 3>> poses) {
-  return std::visit(
-      [&]<class Scalar, int Dim>(const PointSet<Scalar, Dim>& set) -> std::function<double()> {
-        auto body = std::make_shared<Body<Scalar, Dim>>(strategy, points, set.span());
-        std::vector<Pose<Scalar, Dim>> own;
-        for (const auto& pose : poses) own.push_back(body->own(pose));
-        return [body, own = std::move(own)] { return body->bare(own); };
-      },
-      points);
+  return with_span<std::function<double()>>(points, [&]<class Scalar, int Dim>(PointSpan<Scalar, Dim> span) -> std::function<double()> {
+    auto body = std::make_shared<Body<Scalar, Dim>>(strategy, span);
+    std::vector<Pose<Scalar, Dim>> own;
+    for (const auto& pose : poses) own.push_back(body->own(pose));
+    return [body, own = std::move(own)] { return body->bare(own); };
+  });
 }
 
 }  // namespace snug::fit

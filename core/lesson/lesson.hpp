@@ -126,7 +126,7 @@ struct Lesson {
   std::string group;    // "Spheres"
   std::string title;
   std::string summary;  // one sentence
-  int order = 0;        // among the lessons of its group
+  int order = 0;        // among all lessons
   std::vector<std::string> covers;  // "lecture title: slide title", what of the lectures it stands for
   std::vector<Section> sections;
   Points points;

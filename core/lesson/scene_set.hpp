@@ -1,6 +1,7 @@
 // A lesson's scene: its bodies, made of the lesson's points, and the effects that it calls for.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +26,11 @@ struct SceneSet {
   std::vector<scene::EffectCall> effects;
   double step = 1.0 / 60;   // seconds a frame
   int frames = 120;         // how many are shown
+
+  /// Whether a body stands at each of the points.
+  [[nodiscard]] bool at_points() const {
+    return std::any_of(bodies.begin(), bodies.end(), [](const SceneBody& body) { return body.at_points; });
+  }
 };
 
 /// The scene with the points as they stand.

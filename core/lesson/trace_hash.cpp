@@ -35,7 +35,7 @@ std::string hex_of(std::uint64_t hash) {
 std::string line_of(const TraceHash& hash) { return hash.lesson + ' ' + std::to_string(hash.steps) + ' ' + hex_of(hash.hash); }
 
 bool comes_before(const Lesson& a, const Lesson& b) {
-  return std::tie(a.group, a.order, a.id) < std::tie(b.group, b.order, b.id);
+  return std::tie(a.order, a.id) < std::tie(b.order, b.id);
 }
 
 }  // namespace snug::lesson

@@ -105,7 +105,7 @@ class Page {
   async open(asked) {
     const id = asked.lesson ?? this.#lessons[0]?.id;
     if (!this.#lessons.some((lesson) => lesson.id === id)) return this.#offer_lessons(asked.lesson);
-    const error = await this.#load(id).catch(() => null);
+    const error = await this.#load(id).catch((failed) => (console.warn(failed), null)); // a file that did not come
     if (error === null) return veil.failed("The lesson did not arrive. Check the connection, then try again.", () => this.open(asked));
     if (error) return veil.failed(`This lesson cannot be opened. ${error}.`, null);
     this.#lesson = this.#door.lesson();
@@ -228,9 +228,6 @@ class Page {
   }
 }
 
-let resolve_ready;
-window.snug = { ready: new Promise((resolve) => (resolve_ready = resolve)), state: () => null, handles: () => [], frameTimes: () => [] };
-
 async function begin(attempt) {
   const asked = read_address(location.search);
   document.documentElement.classList.toggle("embed", asked.embed);
@@ -247,7 +244,7 @@ async function begin(attempt) {
   }
   Object.assign(window.snug, { state: () => page.state(), handles: () => page.handles(), frameTimes: () => page.frame_times() });
   await page.open(asked);
-  resolve_ready();
+  dispatchEvent(new Event("snug-ready"));
 }
 
 begin(0);

@@ -1,0 +1,106 @@
+// Scenes that move: stepped by keyboard to their end, answered, reloaded, placed; and nothing is drawn while nothing moves.
+import { after, before, test } from "node:test";
+import { assert, drag, handles, kPhone, ready, start, state, still, stop, until, visit } from "./support.mjs";
+
+before(start);
+after(stop);
+
+const kFrames = 120;
+const kScenes = [
+  { id: "scene-broad", first: "boxes", effects: ["spin", "orbit", "refit", "broad_phase", "narrow_phase"] },
+  { id: "scene-updates", first: "slack-turned", effects: ["spin body", "refit"] },
+];
+
+const counts = (view) => Object.fromEntries(view.effects.map(({ effect, constructed, run, skipped }) => [effect, [constructed, run, skipped]]));
+const all = (effects, runs) => Object.fromEntries(effects.map((effect) => [effect, [1, runs, 0]]));
+
+/** To the end by keys alone; each question on the way is answered with its first choice. Returns their ids. */
+async function step_through(page) {
+  await page.locator("#canvas").focus();
+  const asked = [];
+  for (let view = await state(page); view.step < view.steps; view = await state(page)) {
+    if (view.asked) {
+      asked.push(view.asked.id);
+      await page.keyboard.press("1");
+      await until(page, (now, id) => now.asked?.id !== id, view.asked.id);
+      continue;
+    }
+    await page.keyboard.press("ArrowRight");
+    await until(page, (now, step) => now.step !== step || now.asked, view.step);
+  }
+  return asked;
+}
+
+for (const { id, first, effects } of kScenes) {
+  test(`${id}: every frame by keyboard, each effect as often as it is called for, and at rest nothing is drawn`, async (t) => {
+    const page = await visit(t, `?lesson=${id}`);
+    const begun = await state(page);
+    assert.equal(begun.steps, kFrames);
+    assert.deepEqual(counts(begun), all(effects, 0));
+    const asked = await step_through(page);
+    assert.equal(asked[0], first);
+    const end = await state(page);
+    assert.equal(end.step, kFrames);
+    assert.equal(end.readout.frame, kFrames);
+    assert.equal(end.outcomes.length, asked.length);
+    assert.deepEqual(counts(end), all(effects, kFrames));
+    assert.match(end.caption, /[.]$/);
+    await still(page);
+    const { framesDrawn } = await state(page);
+    await page.waitForTimeout(1000);
+    assert.equal((await state(page)).framesDrawn, framesDrawn);
+  });
+
+  test(`${id}: a question is answered, and the address leads back to the same frame`, async (t) => {
+    const page = await visit(t, `?lesson=${id}`);
+    await page.locator("#canvas").focus();
+    for (let view = await state(page); !view.asked; view = await state(page)) await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("1");
+    const told = await until(page, (now) => now.outcome !== null);
+    assert.equal(told.outcome.question, first);
+    assert.ok(told.outcome.happened.length > 0 && told.outcome.because.length > 0);
+    await page.keyboard.press("ArrowRight");
+    const there = await until(page, (now, step) => now.step === step + 1, told.step);
+    for (let href = ""; href !== page.url() || !/step=/.test(href); await page.waitForTimeout(400)) href = page.url(); // it follows a moment later
+    await page.reload();
+    await ready(page);
+    const again = await state(page);
+    for (const key of ["lesson", "seed", "step", "steps", "caption", "trace", "readout", "effects"]) assert.deepEqual(again[key], there[key]);
+  });
+}
+
+test("back takes a scene to the very frame that was there", async (t) => {
+  const page = await visit(t, "?lesson=scene-broad&step=70");
+  const there = await state(page);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("ArrowLeft");
+  const before = await until(page, (now) => now.step === 69);
+  assert.notDeepEqual(before.readout, there.readout);
+  await page.keyboard.press("ArrowRight");
+  assert.deepEqual((await until(page, (now) => now.step === 70)).readout, there.readout);
+});
+
+test("a body is placed where it begins, and nowhere else", async (t) => {
+  const page = await visit(t, "?lesson=scene-broad");
+  await page.getByRole("button", { name: "Start with 6 bodies" }).click();
+  const begun = await until(page, (now) => now.size === 6 && now.step === 0);
+  assert.equal(begun.grade.done, false);
+  const [first] = await handles(page);
+  await drag(page, first.id, 30, -22);
+  const moved = await state(page);
+  assert.notEqual(moved.trace, begun.trace);
+  assert.equal(moved.step, 0);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("ArrowRight");
+  await until(page, (now) => now.step === 1);
+  assert.deepEqual(await handles(page), []);
+});
+
+test("the tools speak of bodies where a body stands at each point", async (t) => {
+  for (const [id, words] of [["scene-broad", "40 bodies"], ["scene-updates", "80 points"]]) {
+    const page = await visit(t, `?lesson=${id}`, kPhone);
+    await page.getByRole("tab", { name: id === "scene-broad" ? "Bodies" : "Points" }).click();
+    await page.getByText(words, { exact: true }).waitFor();
+  }
+});
