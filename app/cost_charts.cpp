@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdio>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 #include "fit/catalogue.hpp"
 
@@ -28,6 +31,14 @@ std::string note_of(const cost::Provenance& p) {
 
 bool of_one_volume(const std::vector<cost::CostRow>& rows) {
   return std::all_of(rows.begin(), rows.end(), [&](const cost::CostRow& row) { return row.volume == rows[0].volume; });
+}
+
+/// "OBB", "Sphere"
+std::string heading_of(const std::string& volume) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kShort{{{"obb", "OBB"}, {"aabb", "AABB"}, {"kdop", "k-DOP"}}};
+  for (const auto& [name, text] : kShort)
+    if (name == volume) return std::string(text);
+  return static_cast<char>(std::toupper(static_cast<unsigned char>(volume[0]))) + volume.substr(1);
 }
 
 /// Half of the spread to either side.
@@ -134,9 +145,8 @@ void add_turn(Chart& chart, const std::vector<cost::TurnRow>& rows, bool then) {
 
 Chart cost_chart(const cost::Table<cost::CostRow>& now, const cost::Table<cost::CostRow>* then) {
   const CostLook look = look_of(now.rows);
-  constexpr std::array kAgainst{"size over the smallest of its kind", "measure over that of the convex hull",
-                                "measure over the smallest found here"};
-  Chart chart{.title = title_of(look.one && !now.rows.empty() ? (now.rows[0].volume + ": accuracy against time, ").c_str()
+  constexpr std::array kAgainst{"times the smallest of its kind", "times the convex hull’s size", "times the smallest found here"};
+  Chart chart{.title = title_of(look.one && !now.rows.empty() ? (heading_of(now.rows[0].volume) + ": accuracy against time, ").c_str()
                                                          : "Accuracy against time, ",
                                 now.provenance),
               .note = note_of(now.provenance),

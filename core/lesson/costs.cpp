@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <numeric>
 
@@ -29,8 +31,14 @@ std::string title_of(const cost::CostRow& row) {
 /// One run on all points, measured or foreseen.
 double whole_time(const cost::CostRow& row) { return row.whole_ns.value_or(row.time.median); }
 
-/// "12", "1.3": what is counted in times needs no third digit.
+/// "12", "1.3", "4,700": what is counted in times needs no third digit.
 std::string times_text(double ratio) {
+  if (ratio >= 1000) {
+    const double last = std::pow(10, std::floor(std::log10(ratio)) - 1);
+    std::string text = std::to_string(static_cast<std::int64_t>(std::min(std::round(ratio / last) * last, 1e18)));
+    for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
+    return text;
+  }
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), ratio < 10 ? "%.1f" : "%.0f", ratio);
   return text.data();

@@ -34,7 +34,7 @@ export class CostTools {
   #measure = button("Measure", () => this.#command("measure"), { class: "button primary" });
   #stop = button("Stop", () => this.#command("stop_measuring"));
   #view = button("Shape", () => this.#command("toggle_chart"));
-  #files = Object.keys(kFormats).map((format) => button(format.toUpperCase(), () => this.#save(format), { "aria-label": `Save as ${format.toUpperCase()}` }));
+  #files = Object.keys(kFormats).map((format) => button(format.toUpperCase(), () => this.#save(format), { class: "quiet", "aria-label": `Save as ${format.toUpperCase()}` }));
   #body = element("tbody", {});
   #section;
 
@@ -44,7 +44,8 @@ export class CostTools {
     this.#act = act;
     this.#request = request;
     this.#section = element("section", { class: "ask costs", "aria-label": "Measurement", hidden: true },
-      element("div", { class: "row" }, this.#measure, this.#stop, this.#view, ...this.#files), this.#bar, this.#says,
+      element("div", { class: "row" }, this.#measure, this.#stop, this.#view), this.#bar,
+      element("div", { class: "row costs-says" }, this.#says, ...this.#files),
       element("table", { class: "unseen" }, element("caption", {}, "What was measured"),
         element("thead", {}, element("tr", {}, ...["Algorithm", "Time", "Times the smallest", "On the front"].map((words) => element("th", { scope: "col" }, words)))),
         this.#body));

@@ -152,7 +152,7 @@ TEST_CASE("what would take longer than a slice is measured on fewer points, and 
     run.step();
     longest = std::max(longest, test::false_now() - before);
   }
-  CHECK(longest < 3.3e6);  // a watched run takes three times as long
+  CHECK(longest < 6.5e6);  // a watched run takes three times as long, and is done again
   const cost::CostRow& row = run.rows().at(0);
   CHECK(row.points == 1024);
   CHECK(row.of == 10'000);
