@@ -17,7 +17,8 @@ async function answer_by_keyboard(page, asked) {
 }
 
 test("every lesson is stepped to its end by keyboard alone, each prediction answered", async (t) => {
-  for (const { id } of await lessons()) {
+  const stepped = (await lessons()).filter(({ program }) => program === "points" || program === "boxes"); // scene.test.mjs and cost_chart.test.mjs have the others
+  for (const { id } of stepped) {
     const page = await visit(t, `?lesson=${id}`);
     await page.keyboard.press("Home");
     let now = await until(page, (it) => it.step === 0);
