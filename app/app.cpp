@@ -331,7 +331,8 @@ bool App::wants_frame(double now) const {
   const State& s = *state_;
   if (s.settle > 0 || !same(s.settings, s.drawn_settings)) return true;
   if (!s.session) return false;
-  return (s.playing && now >= s.next_step_at) || s.stage.moving() || s.session->revision() != s.drawn_revision || s.costs->version() != s.drawn_costs;
+  const bool moving = !s.on_chart() && s.stage.moving();  // under the chart, the stage waits
+  return (s.playing && now >= s.next_step_at) || moving || s.session->revision() != s.drawn_revision || s.costs->version() != s.drawn_costs;
 }
 
 double App::seconds_until_due(double now) const {

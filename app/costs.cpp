@@ -16,6 +16,7 @@ constexpr Index kMostShown = 5'000;
 /// A batch that any browser's clock can tell, and the longest runs that leave a frame its time, ns; the watched one is
 /// done once or twice.
 constexpr double kLeastBatch = 10e6, kMostBatch = 15e6, kLongest = 16e6, kLongestWatched = 24e6;
+constexpr double kLongestLoaded = 0.3e9;  // what a click may take, ns
 constexpr int kRepeats = 9;
 
 bool same(const AnyPointSet& a, const AnyPointSet& b) {
@@ -163,7 +164,7 @@ bool Costs::load_algorithm(lesson::Session& session) {
   if (focus_ < 0) return false;
   const cost::CostRow& row = table_.rows[static_cast<std::size_t>(focus_)];
   ++version_;
-  if (row.whole_ns && row.points < session.size()) {
+  if (row.whole_ns && row.points < session.size() && *row.whole_ns > kLongestLoaded) {
     refused_ = title_of(row) + " would take about " + chart_figure(ChartUnit::kTime, *row.whole_ns) +
                " on all points: it was measured on fewer, and is not loaded.";
     return false;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/app.hpp"
+#include "app/costs.hpp"
 #include "app/inspector.hpp"
 #include "app/shown.hpp"
 
@@ -141,6 +142,20 @@ lesson::Lesson in_space(int count) {
 }
 
 }  // namespace
+
+TEST_CASE("a view that was easing when the chart came over it asks for no more frames") {
+  lesson::Lesson lesson = in_space(12);
+  lesson.measures = true;
+  Bench bench(std::move(lesson));
+  bench.app.settings().reduced_motion = false;
+  bench.app.costs().show(false);
+  bench.frames(3);
+  REQUIRE(bench.app.command("orbit_left"));
+  bench.frames(1);
+  bench.app.costs().show(true);
+  bench.frames(50);
+  CHECK_FALSE(bench.app.wants_frame(1e6));
+}
 
 TEST_CASE("a drag moves its point and leaves the arrow keys to the player") {
   Bench bench(flat());

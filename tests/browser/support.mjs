@@ -94,9 +94,10 @@ export const lessons = async () => (await (await fetch(`${site.url}lessons/index
 
 /** Until no frame is drawn any more. */
 export async function still(page) {
-  await page.evaluate(() => new Promise((resolve) => {
+  await page.evaluate(() => new Promise((resolve, reject) => {
     let last = -1;
     let same = 0;
+    setTimeout(() => reject(new Error("frames are drawn for 20 seconds on end")), 20_000);
     const look = () => {
       const now = window.snug.state()?.framesDrawn ?? 0;
       same = now === last ? same + 1 : 0;
