@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/bits.hpp"
 #include "geometry/tolerance.hpp"
 
 namespace snug::fit {
@@ -43,7 +44,11 @@ bool solve(std::array<std::array<Wide, N>, N>& gram, std::array<Wide, N>& right,
 }
 
 /// value * 2^exponent, both parts exactly.
-Wide scaled(Wide value, int exponent) { return {std::ldexp(value.high, exponent), std::ldexp(value.low, exponent)}; }
+Wide scaled(Wide value, int exponent) {
+  if (exponent < -1022 || exponent > 1023) return {std::ldexp(value.high, exponent), std::ldexp(value.low, exponent)};
+  const double power = double_of(static_cast<std::uint64_t>(exponent + 1023) << 52);  // ldexp is a call, and slow
+  return {value.high * power, value.low * power};
+}
 
 template <int Dim>
 using WideVector = std::array<Wide, Dim>;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/double_double.hpp"
 #include "geometry/exact_sum.hpp"
 #include "geometry/tolerance.hpp"
 
@@ -17,6 +18,18 @@ bool square_is_sound(Scalar square) {
   constexpr Scalar kSmall = std::numeric_limits<Scalar>::min() / tolerance::kRoundoff<Scalar> * 16;
   constexpr Scalar kLarge = std::numeric_limits<Scalar>::max() / 16;
   return square > kSmall && square < kLarge;
+}
+
+/// What twice a double's digits say of the side: nothing where that is in doubt.
+int side_in_double_double(const double* point, const double* center, double radius, int dim) noexcept {
+  DoubleDouble gap = -DoubleDouble::product(radius, radius);
+  const double size = -gap.high;
+  for (int i = 0; i < dim; ++i) {
+    const DoubleDouble d = DoubleDouble::sum(point[i], -center[i]);
+    gap += d * d;
+  }
+  const double doubt = tolerance::kWideSquaredDistance * size;
+  return gap.high > doubt ? 1 : gap.high < -doubt ? -1 : 0;
 }
 
 // Up to this many points near the boundary are decided exactly; with more, the radius is widened by its error bound.
@@ -50,6 +63,8 @@ int side_of_sphere(const double* point, const double* center, double radius, int
     const double doubt = tolerance::kSquaredDistance<double> * std::max(square, radius_square);
     if (square - radius_square > doubt) return 1;
     if (radius_square - square > doubt) return -1;
+    if (std::min(square, radius_square) > tolerance::kSoundWideSquare && radius_square < 1 / tolerance::kSoundWideSquare)
+      if (const int side = side_in_double_double(point, center, radius, dim); side != 0) return side;
   }
   ExactSum sum;
   for (int i = 0; i < dim; ++i) {

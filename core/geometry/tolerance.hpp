@@ -24,6 +24,14 @@ template <class Scalar>
 template <class Scalar>
 inline constexpr Scalar kSquaredDistance = 8 * kRoundoff<Scalar>;
 
+/// The same in double-doubles, with |p - c| near the radius, less the radius's square, in parts of that: the differences
+/// and the square of the radius are exact, each product is off by at most 2^-102 and each of the sums by 2^-103. 2^-98
+/// leaves room for all of them. Held by "the side of a sphere is what rational arithmetic says, in the last of 106 bits".
+inline constexpr double kWideSquaredDistance = 0x1p-98;
+
+/// A square above it, and below its inverse, keeps those digits: 2^-98 of it is far above the least of doubles.
+inline constexpr double kSoundWideSquare = 0x1p-900;
+
 /// A pivot of the support's Gram matrix, scaled to a largest entry near 1 and solved in about 106 bits (relative
 /// error 2^-104), below which its points count as affinely dependent: half of those digits are then gone, but the
 /// centre still keeps all of double's. Held by "support points 1e-10 apart".

@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+#include <cmath>
+
 #include "core/exact.hpp"
 #include "core/point_clouds.hpp"
 #include "geometry/tolerance.hpp"
@@ -29,6 +32,39 @@ TEST_CASE_TEMPLATE("the side of a sphere is what rational arithmetic says, howev
   CHECK(on > 80);
   CHECK(in > 100);
   CHECK(out > 100);
+}
+
+TEST_CASE("the side of a sphere is what rational arithmetic says, in the last of 106 bits") {
+  const auto expected = [](const Vector<double, 3>& point, const Sphere<double, 3>& sphere) {
+    return (exact::squared_distance<double, 3>(point, sphere.center) - Rational(sphere.radius) * Rational(sphere.radius)).sign();
+  };
+  Random random(11);
+  std::array<int, 3> seen{};
+  for (int round = 0; round < 4000; ++round) {
+    const double scale = std::ldexp(1.0, 10 * (static_cast<int>(random.below(97)) - 48));
+    const auto any = [&] { return (random.unit() - 0.5) * scale; };
+    Vector<double, 3> center, d;
+    for (int i = 0; i < 3; ++i) center[i] = any();
+    for (int i = 0; i < 3; ++i) d[i] = any();
+    Sphere<double, 3> sphere{center, d.norm()};
+    Vector<double, 3> point = center + d;
+    if (round % 4 == 1) {  // just on it
+      const double k = std::floor(random.unit() * 0x1p45);
+      center.setZero();
+      point = {3 * k * scale, -4 * k * scale, 12 * k * scale};
+      sphere = {center, 13 * k * scale};
+    }
+    if (round % 4 == 2) {  // above it by 2^-80 to 2^-119 of its square, whatever is lost
+      center.setZero();
+      point = {sphere.radius, std::ldexp(sphere.radius, -40 - static_cast<int>(random.below(20))), 0};
+      sphere.center = center;
+    }
+    if (round % 4 == 3) sphere.radius = std::nextafter(sphere.radius, round % 8 == 3 ? 0.0 : 1e300);
+    const int side = expected(point, sphere);
+    REQUIRE(side_of_sphere(point, sphere) == side);
+    ++seen[static_cast<std::size_t>(side + 1)];
+  }
+  for (const int count : seen) CHECK(count > 800);
 }
 
 TEST_CASE_TEMPLATE("a computed squared distance stays within its bound", Scalar, float, double) {
