@@ -54,9 +54,11 @@ TEST_CASE("the side of a sphere is what rational arithmetic says, in the last of
       point = {3 * k * scale, -4 * k * scale, 12 * k * scale};
       sphere = {center, 13 * k * scale};
     }
-    if (round % 4 == 2) {  // above it by 2^-80 to 2^-119 of its square, whatever is lost
-      center.setZero();
-      point = {sphere.radius, std::ldexp(sphere.radius, -40 - static_cast<int>(random.below(20))), 0};
+    if (round % 4 == 2) {  // nearer to it than the last of those bits: (r - t)^2 + s^2, where s^2 is about 2rt - t^2
+      const double r = sphere.radius, t = std::ldexp(r * random.unit(), -53 - static_cast<int>(random.below(8)));
+      center = {t, 0, 0};
+      point = {r, std::sqrt(2 * r * t), 0};
+      if (round % 8 == 2) point[1] = std::nextafter(point[1], 0.0);
       sphere.center = center;
     }
     if (round % 4 == 3) sphere.radius = std::nextafter(sphere.radius, round % 8 == 3 ? 0.0 : 1e300);
