@@ -12,6 +12,7 @@ namespace {
 
 constexpr Index kNameAll = 30;    // so many points have room for all their names
 constexpr Index kInviteAll = 250; // more rings than this hide the points
+constexpr float kTied = 14;         // a label so much farther out than it would stand has a line to what it names, pixels
 constexpr float kDiamond = 7.5f, kRing = 11, kVertex = 13;
 
 std::string coordinates(const Point3& p, int dim) {
@@ -34,6 +35,19 @@ void arrow_heads(ImDrawList* list, ImVec2 at, float from, Color color, Color hal
 }
 
 bool among(const std::vector<Index>& points, Index i) { return std::find(points.begin(), points.end(), i) != points.end(); }
+
+/// A corner's name, of plus and minus alone, which a halo would close up.
+bool is_of_signs(std::string_view words) { return words.find_first_not_of("+\u2212") == std::string_view::npos; }
+
+/// A label that had to go far out is tied to what it names.
+void draw_leader(ImDrawList* list, float width, const Label& label, const Rect& place) {
+  const ImVec2 anchor{label.request.x, label.request.y};
+  const ImVec2 from{std::clamp(anchor.x, place.x, place.x + place.width), std::clamp(anchor.y, place.y, place.y + place.height)};
+  const float dx = anchor.x - from.x, dy = anchor.y - from.y, away = std::hypot(dx, dy);
+  if (away < label.request.gap + kTied) return;
+  const float share = 1 - label.request.gap / away;
+  list->AddLine(from, {from.x + dx * share, from.y + dy * share}, with_alpha(label.color, 0.6f), width);
+}
 
 }  // namespace
 
@@ -193,13 +207,14 @@ void Stage::draw_labels(Brush& brush) const {
   for (const Label& label : brush.labels) requests.push_back(label.request);
   const Rect& r = brush.rect;
   const auto places = place_labels(requests, brush.canvas.obstacles, {r.x + 4, r.y + 4, r.width - 8, r.height - 8});
-  const bool of_signs = brush.session.boxes() != nullptr && lesson::has_frustum(*brush.session.boxes());
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!places[i]) continue;
     const Label& label = brush.labels[i];
     const ImVec2 at{places[i]->x + 3, places[i]->y + 1};
-    // A name that is only shown where it is clear of everything needs no halo; one of signs would be unreadable with it.
-    if (label.request.optional && (!scene_.three_d || of_signs)) text(brush.list, brush.look, label.face, label.size, at, label.color, label.words);
+    draw_leader(brush.list, brush.p.mark, label, *places[i]);
+    // A name that is only shown where it is clear of everything needs no halo.
+    if (is_of_signs(label.words) || (label.request.optional && !scene_.three_d))
+      text(brush.list, brush.look, label.face, label.size, at, label.color, label.words);
     else halo_text(brush.list, brush.look, label.face, label.size, at, label.color, brush.p.ground, label.words);
   }
 }

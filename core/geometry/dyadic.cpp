@@ -30,12 +30,25 @@ Dyadic::Dyadic(double value) {
   trim();
 }
 
-double Dyadic::approximate() const noexcept {
-  double value = 0;
+Dyadic::Leading Dyadic::leading() const noexcept {
   const int n = static_cast<int>(digits_.size());
-  for (int i = n - 1; i >= std::max(0, n - 4); --i)
-    value += std::ldexp(static_cast<double>(digits_[static_cast<std::size_t>(i)]), 32 * (i + place_));
-  return negative_ ? -value : value;
+  Leading leading;
+  double weight = 1;
+  for (int i = n - 1; i >= std::max(0, n - 4); --i, weight *= 0x1p-32)
+    leading.mantissa += weight * static_cast<double>(digits_[static_cast<std::size_t>(i)]);
+  leading.exponent = 32 * (n - 1 + place_);
+  if (negative_) leading.mantissa = -leading.mantissa;
+  return leading;
+}
+
+double Dyadic::approximate() const noexcept {
+  const Leading own = leading();
+  return std::ldexp(own.mantissa, own.exponent);
+}
+
+double quotient(const Dyadic& a, const Dyadic& b) noexcept {
+  const auto x = a.leading(), y = b.leading();
+  return std::ldexp(x.mantissa / y.mantissa, x.exponent - y.exponent);
 }
 
 void Dyadic::trim() {

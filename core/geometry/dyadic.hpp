@@ -19,6 +19,10 @@ class Dyadic {
   /// The nearest double or one of its neighbours; infinite where the value is beyond them all.
   [[nodiscard]] double approximate() const noexcept;
 
+  /// a / b within 4u of its size, or the rounding of what is subnormal; infinite where it is beyond all doubles. b: not 0.
+  /// Neither a nor b need be within the range of double.
+  friend double quotient(const Dyadic& a, const Dyadic& b) noexcept;
+
   friend Dyadic operator-(Dyadic a) {
     a.negative_ = !a.negative_;
     return a;
@@ -38,6 +42,13 @@ class Dyadic {
  private:
   static Dyadic sum(const Dyadic& a, const Dyadic& b, bool b_negative);
   void trim();
+
+  /// mantissa * 2^exponent, 1 <= mantissa < 2^32, of 97 bits or more before the mantissa was rounded; 0 of nothing.
+  struct Leading {
+    double mantissa = 0;
+    int exponent = 0;
+  };
+  [[nodiscard]] Leading leading() const noexcept;
 
   // The magnitude is the sum of digits_[i] * 2^(32 (i + place_)); no zero digit at either end.
   std::vector<std::uint32_t> digits_;

@@ -160,9 +160,8 @@ tl::expected<FrustumCorners<Scalar, Dim>, InputError> corners_of(const Frustum<S
   if (!exact) return tl::unexpected(exact.error());
   FrustumCorners<Scalar, Dim> corners;
   for (std::size_t c = 0; c < corners.size(); ++c) {
-    const double weight = (*exact)[c].weight.approximate();
     for (int i = 0; i < Dim; ++i)
-      corners[c][i] = static_cast<Scalar>((*exact)[c].coordinates[static_cast<std::size_t>(i)].approximate() / weight);
+      corners[c][i] = static_cast<Scalar>(quotient((*exact)[c].coordinates[static_cast<std::size_t>(i)], (*exact)[c].weight));
     if (!corners[c].allFinite()) return tl::unexpected(InputError{.what = "a corner is farther away than this program can say"});
   }
   return corners;

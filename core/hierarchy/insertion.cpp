@@ -59,7 +59,7 @@ class Insertion {
     const Box& box = at(body).box;
     Index group = root_;
     Size above{};  // what the groups passed grow by
-    while (!is_body(group)) {
+    for (int depth = 0; depth < kDeepestInsertion && !is_body(group); ++depth) {
       const Size pair_here = size_with(group, box);
       const Size passed = pair_here - at(group).size;
       std::array<Size, 2> below;

@@ -82,6 +82,9 @@ struct Axis {
   double size = 0;  // of rounded numbers only
 };
 
+/// Of a doubt below it, no sum that it is of came near to the largest double.
+constexpr double kSoundDoubt = tolerance::kFrustumGap * (std::numeric_limits<double>::max() / 64);
+
 constexpr int kPairsOfSides = 12;  // in space, those of a frustum's planes that meet in an edge
 template <int Dim>
 constexpr int kAxes = 3 * Dim + (Dim == 3 ? 3 * kPairsOfSides : 0);
@@ -93,10 +96,10 @@ std::array<std::size_t, 2> planes_of_edge(std::size_t edge) {
   return {2 * i + (edge & 1), 2 * j + (edge >> 1 & 1)};
 }
 
-/// The axis at a place: the frustum's normals, the box's, crosses of the box's edges and the frustum's.
-template <class Number, class Scalar, int Dim>
-Axis<Number, Dim> axis_at(const Frustum<Scalar, Dim>& frustum, const Box<Number, Dim>& box, int place) {
-  const auto normal = [&](std::size_t plane) { return numbers<Number, Scalar, Dim>(frustum.planes()[plane].normal); };
+/// The axis at a place: the frustum's normals, the box's, crosses of the box's edges and the frustum's. normal(i): of plane
+/// i, of any length.
+template <class Number, int Dim>
+Axis<Number, Dim> axis_at(const auto& normal, const Box<Number, Dim>& box, int place) {
   Axis<Number, Dim> axis;
   [[maybe_unused]] const auto sized = [&](double size) {
     if constexpr (std::is_same_v<Number, double>) axis.size = size;
@@ -149,9 +152,13 @@ tl::expected<FrustumSat<Scalar, Dim>, InputError> FrustumSat<Scalar, Dim>::make(
 template <class Scalar, int Dim>
 FrustumSat<Scalar, Dim>::FrustumSat(const Frustum<Scalar, Dim>& frustum, ExactCorners exact)
     : frustum_(frustum), exact_(std::move(exact)) {
+  for (std::size_t i = 0; i < normals_.size(); ++i) {
+    const Vector<double, Dim> normal = frustum.planes()[i].normal.template cast<double>();
+    normals_[i] = normal * std::ldexp(1.0, -std::clamp(std::ilogb(normal.cwiseAbs().maxCoeff()), -1022, 1022));
+  }
   for (std::size_t c = 0; c < exact_.size(); ++c) {
     for (int i = 0; i < Dim; ++i)
-      corners_[c][i] = exact_[c].coordinates[static_cast<std::size_t>(i)].approximate() / exact_[c].weight.approximate();
+      corners_[c][i] = quotient(exact_[c].coordinates[static_cast<std::size_t>(i)], exact_[c].weight);
     size_ = corners_[c].allFinite() ? std::max(size_, corners_[c].cwiseAbs().maxCoeff()) : std::numeric_limits<double>::infinity();
   }
 }
@@ -160,10 +167,11 @@ template <class Scalar, int Dim>
 bool FrustumSat<Scalar, Dim>::overlaps_any(const auto& given) const {
   const Box<double, Dim> box(given);
   const double size = size_ + static_cast<double>(size_of(given));
+  const auto rounded = [&](std::size_t plane) { return numbers<double, double, Dim>(normals_[plane]); };
   std::array<int, kAxes<Dim>> open;
   std::size_t count = 0;
   for (int place = 0; place < kAxes<Dim>; ++place) {
-    const auto axis = axis_at<double>(frustum_, box, place);
+    const auto axis = axis_at<double, Dim>(rounded, box, place);
     const Span<double> span = box.along(axis.direction);
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const auto& corner : corners_) {
@@ -174,13 +182,15 @@ bool FrustumSat<Scalar, Dim>::overlaps_any(const auto& given) const {
     }
     const double gap = std::max(low - span.high, span.low - high);
     const double doubt = tolerance::kFrustumGap * axis.size * size + std::numeric_limits<double>::min();
-    if (gap > doubt) return false;
-    if (!(gap < -doubt)) open[count++] = place;
+    const bool sound = doubt < kSoundDoubt;
+    if (sound && gap > doubt) return false;
+    if (!sound || !(gap < -doubt)) open[count++] = place;
   }
   if (count == 0) return true;
   const Box<Dyadic, Dim> exact(given);
+  const auto whole = [&](std::size_t plane) { return numbers<Dyadic, Scalar, Dim>(frustum_.planes()[plane].normal); };
   return std::none_of(open.begin(), open.begin() + count, [&](int place) {
-    return separates_exactly<Dim>(axis_at<Dyadic>(frustum_, exact, place).direction, exact, exact_);
+    return separates_exactly<Dim>(axis_at<Dyadic, Dim>(whole, exact, place).direction, exact, exact_);
   });
 }
 

@@ -34,6 +34,7 @@ class FrustumSat {
   [[nodiscard]] bool overlaps_any(const auto& box) const;
 
   Frustum<Scalar, Dim> frustum_;
+  std::array<Vector<double, Dim>, 2 * Dim> normals_;  // its planes', scaled to about 1: their products do not overflow
   ExactCorners exact_;
   std::array<Vector<double, Dim>, kFrustumCorners<Dim>> corners_;
   double size_ = 0;  // their largest coordinate; infinite where one is beyond every double

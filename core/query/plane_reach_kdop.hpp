@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "geometry/kdop.hpp"
 #include "query/plane_reach.hpp"
@@ -79,6 +80,7 @@ template <class Number, class Scalar, int Dim>
       else
         for (std::size_t k = j + 1; k < axes.size(); ++k) meet({i, j, k});
     }
+  if (span->high < span->low) std::swap(span->low, span->high);  // slabs that rounding left without a common point
   const Number d = over(exactly<Number>(plane.d), 1);
   return {span->low + d, span->high + d};
 }

@@ -4,12 +4,14 @@
 #include <set>
 
 #include "desktop/cli/files.hpp"
+#include "desktop/cli/progress.hpp"
 
 namespace snug::desktop {
 namespace {
 
 /// One line's JSON. Errors: what is wrong with it as JSON, a key that is there twice included.
 tl::expected<Json, std::string> json_line(const std::string& line) {
+  if (line.find('\0') != std::string::npos) return tl::unexpected(std::string("not JSON: it has a NUL byte"));  // to the library, an end
   std::vector<std::set<std::string>> open;
   std::string twice;
   const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
@@ -36,11 +38,13 @@ CommandResult answer_lines(const std::string& file, const std::function<tl::expe
   if (!bytes) return bad_input(bytes.error());
   Printed printed;
   std::int64_t number = 0;
+  Progress progress("lines", static_cast<int>(std::count(bytes->begin(), bytes->end(), '\n')) + 1);
   for (std::size_t from = 0; from < bytes->size();) {
     const std::size_t end = std::min(bytes->find('\n', from), bytes->size());
     const std::string line = bytes->substr(from, end - from);
     from = end + 1;
     ++number;
+    progress.advance();
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     const auto answered = json_line(line).and_then(answer);
     if (!answered) return bad_input(InputError{answered.error(), file, InputError::Unit::kLine, number});

@@ -258,3 +258,27 @@ test("help says what the contract says", () => {
     assert.ok(out.includes(word), word);
   assert.ok(snug(["--help"]).out.includes("cull"));
 });
+
+test("no box or k-DOP loses a point on its way to float: what touches is not outside, what sticks out not inside", () => {
+  const far = [[1, 0, 0, -1e9], [0, -1, 0, -1e9], [0, 1, 0, -1e9], [0, 0, -1, -1e9], [0, 0, 1, -1e9]];
+  const forms = [{ center: [16777216, 0.5, 0], half_extents: [0.75, 0, 0] }, { min: [16777216, 0.5, 0], widths: [0.75, 0, 0] }];
+  for (const form of forms)
+    for (const planes of [[[-1, 1, 0, 16777216], ...far], [[1, -1, 0, -16777216], [-1, 0, 0, -1e9], ...far.slice(1)]])
+      for (const scalar of ["double", "float"])
+        assert.equal(answer({ planes }, { aabb: form }, "--scalar", scalar).class, "intersecting", JSON.stringify([form, planes[0], scalar]));
+});
+
+test("a point as a k-DOP, rounded, is on one side of a plane, and a tree says the same of it", () => {
+  const kdop = (x, y) => ({ kdop: { k: 8, min: [x, y, x + y, x - y], max: [x, y, x + y, x - y] } });
+  const normal = [-0.13446585834026337, 0.5245601534843445];
+  for (const scalar of ["double", "float"]) {
+    const points = Array.from({ length: 60 }, (_, i) => [Math.fround(Math.sin(7 * i)), Math.fround(Math.cos(11 * i))]);
+    for (const [x, y] of points) {
+      const frustum = { planes: [[...normal, -(normal[0] * x + normal[1] * y)], [1, 0, -10], [0, -1, -10], [0, 1, -10]] };
+      const alone = answer(frustum, kdop(x, y), "--scalar", scalar);
+      const [left] = alone.planes;
+      assert.ok(left.n_distance <= left.p_distance, JSON.stringify([x, y, scalar, left]));
+      assert.equal(answers([{ frustum, volume: kdop(x, y) }], "--scalar", scalar, "--tree", "median")[0].class, alone.class);
+    }
+  }
+});

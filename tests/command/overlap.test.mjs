@@ -194,6 +194,7 @@ test("a line that is no JSON is refused with its number", () => {
   refused(good.replace(/"radius":1/, '"radius":1e999'), /^snug: -:1: not JSON: number overflow/);
   refused(good.replace(/"radius":1/, '"radius":1,"radius":2'), 'the key "radius" is there twice');
   refused(`${good} ${good}`, /^snug: -:1: not JSON: parse error/);
+  refused(`${good}\0and more`, /^snug: -:1: not JSON: it has a NUL byte/);
   refused("[".repeat(100000), /^snug: -:1: not JSON: parse error/);
 });
 

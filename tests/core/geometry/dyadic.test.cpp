@@ -54,6 +54,17 @@ TEST_CASE("a dyadic number has the sign and size that rational arithmetic gives 
   CHECK(zero > 2);
 }
 
+TEST_CASE("a quotient is as near as a double can be, wherever its parts lie") {
+  for (const double power : {1.0, 0x1p-1074, 0x1p1000}) {
+    const Dyadic three = Dyadic(3) * Dyadic(power) * Dyadic(power), seven = Dyadic(7) * Dyadic(power) * Dyadic(power);
+    CHECK(std::abs(quotient(three, seven) * 7 / 3 - 1) < 0x1p-50);
+    CHECK(quotient(-three, seven) == -quotient(three, seven));
+    CHECK(quotient(Dyadic(), seven) == 0);
+  }
+  CHECK(std::isinf(quotient(Dyadic(0x1p1000), Dyadic(0x1p-1000))));
+  CHECK(quotient(Dyadic(0x1p-1074), Dyadic(3)) == 0);
+}
+
 TEST_CASE("what cancels to nothing is nothing, and comparisons tell the last bit") {
   for (const double value : {1.0, -3.5, 0x1p-1074, 0x1.fffffffffffffp1023}) {
     CHECK((Dyadic(value) - Dyadic(value)).sign() == 0);

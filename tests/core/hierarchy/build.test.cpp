@@ -1,5 +1,6 @@
 // Every tree of every builder holds each body once, and each node holds what is below it, exactly; after motion too.
 #include "hierarchy/build.hpp"
+#include "hierarchy/insertion.hpp"
 
 #include "core/hierarchy/scenes.hpp"
 #include "core/query/volume_pairs.hpp"
@@ -133,6 +134,27 @@ TEST_CASE_TEMPLATE("trees stay shallow", Scalar, float, double) {
   };
   check_dim(std::integral_constant<int, 2>{});
   check_dim(std::integral_constant<int, 3>{});
+}
+
+TEST_CASE("bodies one inside of another are not put ever deeper: the next is beside what is no deeper than a limit") {
+  std::vector<Aabb<double, 3>> nested;
+  for (int i = 0; i < 2000; ++i) nested.push_back({Vector<double, 3>::Constant(i - 2000.), Vector<double, 3>::Constant(2000. - i)});
+  const auto tree = hierarchy::build_by_insertion<Aabb<double, 3>>(nested);
+  test::check_volumes(tree, nested, true);
+  // The last one, innermost, hangs where it was put, and not below all others.
+  std::vector<int> depth(tree.nodes.size(), 0);
+  int of_last = -1;
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const auto& node = tree.nodes[i];
+    if (node.is_leaf()) {
+      if (tree.bodies[static_cast<std::size_t>(node.first)] == 1999) of_last = depth[i];
+      continue;
+    }
+    const auto left = static_cast<std::size_t>(node.first);
+    depth[left] = depth[left + 1] = depth[i] + 1;
+  }
+  CHECK(of_last > 0);
+  CHECK(of_last <= hierarchy::kDeepestInsertion + 1);
 }
 
 TEST_CASE("bodies in one place are divided by index") {

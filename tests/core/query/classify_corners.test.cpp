@@ -158,6 +158,34 @@ TEST_CASE("a frustum's edges and corners touch a box's, and a step away do not")
   check_touching_corners<float>();
 }
 
+TEST_CASE("the exact test of frustum and box takes normals of any length, and corners among the subnormal numbers") {
+  const auto check = []<int Dim>(std::integral_constant<int, Dim>, const typename Frustum<double, Dim>::Planes& planes, const Aabb<double, Dim>& box) {
+    const auto frustum = Frustum<double, Dim>::make(planes);
+    REQUIRE(frustum.has_value());
+    const Obb<double, Dim> turned{(box.min + box.max) / 2, Matrix<double, Dim>::Identity(), (box.max - box.min) / 2};
+    CHECK(query::FrustumSat<double, Dim>::make(*frustum)->overlaps(box) == exact::overlap(*frustum, turned));
+  };
+  const auto in_space = std::integral_constant<int, 3>{};
+  const auto in_plane = std::integral_constant<int, 2>{};
+  for (const double length : {1.0, 0x1p500, 0x1p-500}) {
+    const auto plane = [&](double x, double y, double z, double d) {
+      return Plane<double, 3>{Vector<double, 3>(x, y, z) * length, d * length};
+    };
+    const Frustum<double, 3>::Planes planes{plane(-5, 3, -1, 0), plane(3, -5, -1, 0), plane(-5, -5, 7, 0),
+                                            plane(3, 3, -9, 0), plane(-1, -1, -1, 3), plane(1, 1, 1, -3e9)};
+    for (int i = -6; i <= 6; ++i) check(in_space, planes, Aabb<double, 3>{{8, 6. + i, 6}, {14, 12. + i, 12}});
+  }
+  // A slab about x = 0 whose sides are tilted by less than a normal number.
+  const Frustum<double, 2>::Planes tilted{Plane<double, 2>{{-1.75, 0}, -0x1p-600}, {{1.75, 0}, -0x1p-600},
+                                          {{-1.5, -0x1p-1072}, -0x1p-601}, {{1.5, 0x1p-1072}, -0x1p-601}};
+  for (int i = -4; i <= 4; ++i)
+    check(in_plane, tilted, Aabb<double, 2>{{-0x1p-600, std::ldexp(1.0, 470 + i)}, {0x1p-600, std::ldexp(1.5, 470 + i)}});
+  constexpr double kLeast = 0x1p-1074;
+  const Frustum<double, 2>::Planes tiny{Plane<double, 2>{{-4.7e108, 1.2e108}, -2.3e-215}, {{1, 0}, -3 * kLeast}, {{0, -0.625}, -2 * kLeast}, {{0, 1}, -kLeast}};
+  for (int x = -4; x <= 4; ++x)
+    for (int y = -4; y <= 4; ++y) check(in_plane, tiny, Aabb<double, 2>{{x * kLeast, y * kLeast}, {(x + 2) * kLeast, (y + 2) * kLeast}});
+}
+
 TEST_CASE("what the planes do not tell is counted") {
   Random random(2);
   const auto frustum = *frustum_of_camera(FrustumCamera<float, 3>{.near = 1, .far = 9});
