@@ -91,8 +91,8 @@ class Panel {
   }
 
   void effects(lesson::Session& session, std::span<const scene::Tally> tallies) {
-    heading("What each effect did");
-    constexpr std::array<const char*, 4> kHeads{"made", "run", "skipped", "µs a run"};
+    heading("What each effect did; µs a run");
+    constexpr std::array<const char*, 4> kHeads{"made", "run", "skipped", "µs"};
     for (int i = 0; i < 4; ++i) text_right(list_, look_, Face::kRegular, kTiny, {right(i), y_}, look_->muted, kHeads[static_cast<std::size_t>(i)]);
     y_ += look_.px(20);
     int row = 0;
@@ -112,7 +112,7 @@ class Panel {
  private:
   /// The right end of a column of figures.
   [[nodiscard]] float right(int column) const {
-    constexpr std::array<float, 4> kShares{0.46f, 0.58f, 0.78f, 1};
+    constexpr std::array<float, 4> kShares{0.50f, 0.63f, 0.853f, 1};
     return x_ + width_ * kShares[static_cast<std::size_t>(column)];
   }
 

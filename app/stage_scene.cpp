@@ -158,7 +158,10 @@ void Stage::draw_bodies(Brush& brush, const SceneFrame& frame) const {
     if (members[i].shape.cloud == nullptr) order.emplace_back(-camera_.forward().dot(frame.bodies[i].position), i);
   std::sort(order.begin(), order.end());
   const std::vector<bool> touching = in_pairs(members.size(), touching_of(frame));
+  const ImDrawListFlags flags = brush.list->Flags;
+  if (members.size() > kCrowd) brush.list->Flags &= ~ImDrawListFlags_AntiAliasedFill;  // whose fringe is half of their triangles
   for (const auto& [nearness, i] : order) draw_body(brush, members[i].shape, frame.bodies[i], touching[i]);
+  brush.list->Flags = flags;
 }
 
 /// Of a box the faces towards the eye, with the light on them. There may be thousands: nothing here takes memory.
