@@ -112,7 +112,7 @@ class Panel {
  private:
   /// The right end of a column of figures.
   [[nodiscard]] float right(int column) const {
-    constexpr std::array<float, 4> kShares{0.50f, 0.63f, 0.853f, 1};
+    constexpr std::array<float, 4> kShares{0.495f, 0.615f, 0.825f, 1};
     return x_ + width_ * kShares[static_cast<std::size_t>(column)];
   }
 
@@ -121,7 +121,7 @@ class Panel {
     const float box = 6, indent = 20;
     list_->AddRect({x_, middle - box}, {x_ + 2 * box, middle + box}, on ? look_->current : look_->muted, 3, 0, 1.5f);
     if (on) tick(list_, {x_ + box, middle}, 4, look_->current, 2);
-    const float room = right(0) - x_ - indent - look_.px(14);
+    const float room = right(0) - x_ - indent - look_.px(11);
     text(list_, look_, Face::kRegular, kSmall, {x_ + indent, middle_of(middle, look_.px(kSmall))}, on ? look_->ink : look_->muted,
          shortened(look_, Face::kRegular, kSmall, words_of(tally.effect), room));
     const std::array<std::string, 4> figures{std::to_string(tally.constructed), std::to_string(tally.run), std::to_string(tally.skipped),
