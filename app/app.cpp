@@ -241,7 +241,7 @@ void App::abandon_graphics() { state_->gl.abandon(); }
 const std::string& App::graphics_error() const { return state_->gl.error(); }
 
 tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io::PointFile> mesh) {
-  auto session = lesson::Session::open(std::move(lesson), std::move(mesh));
+  auto session = lesson::Session::open(std::move(lesson), std::move(mesh), state_->platform.clock);
   if (!session) return tl::unexpected(std::move(session.error()));
   state_->session.emplace(std::move(*session));
   state_->stage.open(*state_->session);

@@ -43,7 +43,7 @@ struct Platform {
   std::string (*font)(std::string_view name) = nullptr;
   /// The first line of each shader: "#version 330 core" or "#version 300 es".
   const char* glsl_version = "#version 330 core";
-  /// Nanoseconds since some moment, only forward. Null: nothing is measured.
+  /// Nanoseconds since some moment, only forward: costs and the effects of scenes are timed by it. Null: nothing is.
   double (*clock)() = nullptr;
   /// What is told of this program and machine with what was measured; what of, and the clock's step, are found here.
   cost::Provenance here;

@@ -33,16 +33,16 @@ float Camera::center_y() const { return stage_.y + top_ + static_cast<float>(fre
 double Camera::focal() const { return free_height() / (2 * kTanHalf); }
 double Camera::distance() const { return now_.height / (2 * kTanHalf); }
 
-V3 Camera::forward() const {
-  if (dim_ == 2) return {0, 0, -1};
-  return {-std::sin(now_.yaw) * std::cos(now_.pitch), -std::sin(now_.pitch), -std::cos(now_.yaw) * std::cos(now_.pitch)};
+void Camera::turn() {
+  forward_ = {0, 0, -1}, right_ = {1, 0, 0};
+  if (dim_ == 3) {
+    const double cos_yaw = std::cos(now_.yaw), sin_yaw = std::sin(now_.yaw), cos_pitch = std::cos(now_.pitch);
+    forward_ = {-sin_yaw * cos_pitch, -std::sin(now_.pitch), -cos_yaw * cos_pitch};
+    right_ = {cos_yaw, 0, -sin_yaw};
+  }
+  up_ = right_.cross(forward_);
+  eye_ = now_.target - forward_ * distance();
 }
-V3 Camera::right() const {
-  if (dim_ == 2) return {1, 0, 0};
-  return {std::cos(now_.yaw), 0, -std::sin(now_.yaw)};
-}
-V3 Camera::up() const { return right().cross(forward()); }
-V3 Camera::eye() const { return now_.target - forward() * distance(); }
 
 void Camera::frame(const Sphere<double, 3>& ball, bool at_once) {
   double radius = ball.radius > 0 ? ball.radius : std::max(ball.center.cwiseAbs().maxCoeff() * 1e-3, 1e-300);
@@ -53,7 +53,7 @@ void Camera::frame(const Sphere<double, 3>& ball, bool at_once) {
   goal_.height = 2 * radius / fit * (dim_ == 3 ? 1.0 / std::cos(kFieldOfView / 2 * fit) : 1.0);
   if (dim_ == 3 && framed_ && now_.yaw == 0 && now_.pitch == 0) goal_.yaw = 0.55, goal_.pitch = 0.32;
   framed_ = true;
-  if (at_once) now_ = goal_;
+  if (at_once) now_ = goal_, turn();
 }
 
 double Camera::share_of_room(const Sphere<double, 3>& ball) const {
@@ -95,23 +95,23 @@ double Camera::scale_at(const V3& p) const {
 void Camera::pan(float dx, float dy) {
   const double scale = free_height() / now_.height;
   now_.target += (-dx * right() + dy * up()) / scale;
-  goal_ = now_;
+  goal_ = now_, turn();
   framed_ = false;
 }
 
 void Camera::zoom(double factor, float x, float y) {
   const V3 under = unproject(x, y, now_.target);
-  now_.height = std::max(now_.height / factor, 1e-300);
+  now_.height = std::max(now_.height / factor, 1e-300), turn();
   const V3 moved = unproject(x, y, now_.target);
   now_.target += under - moved;
-  goal_ = now_;
+  goal_ = now_, turn();
   framed_ = false;
 }
 
 void Camera::orbit(float dx, float dy) {
   now_.yaw -= dx * kRadiansPerPixel;
   now_.pitch = std::clamp(now_.pitch + dy * kRadiansPerPixel, -kSteepest, kSteepest);
-  goal_ = now_;
+  goal_ = now_, turn();
   framed_ = false;
 }
 
@@ -142,6 +142,7 @@ bool Camera::ease(double dt, bool at_once) {
                        std::abs(std::log(goal_.height / now_.height)) < kArrived &&
                        std::abs(goal_.yaw - now_.yaw) < kArrived && std::abs(goal_.pitch - now_.pitch) < kArrived;
   if (arrived || at_once) now_ = goal_;
+  turn();
   return moving();
 }
 

@@ -24,7 +24,7 @@ struct View {
 
 class Camera {
  public:
-  explicit Camera(int dim = 2) : dim_(dim) {}
+  explicit Camera(int dim = 2) : dim_(dim) { turn(); }
 
   /// The room that things should be framed in: the stage less the margins for what stands over it.
   void set_stage(const Rect& stage, float margin_top, float margin_side, float margin_bottom);
@@ -55,10 +55,10 @@ class Camera {
   /// Whether a hand has taken it away from where frame() put it.
   [[nodiscard]] bool framed() const { return framed_; }
 
-  [[nodiscard]] Vector<double, 3> right() const;
-  [[nodiscard]] Vector<double, 3> up() const;
-  [[nodiscard]] Vector<double, 3> forward() const;
-  [[nodiscard]] Vector<double, 3> eye() const;      // 3-D only
+  [[nodiscard]] const Vector<double, 3>& right() const { return right_; }
+  [[nodiscard]] const Vector<double, 3>& up() const { return up_; }
+  [[nodiscard]] const Vector<double, 3>& forward() const { return forward_; }
+  [[nodiscard]] const Vector<double, 3>& eye() const { return eye_; }  // 3-D only
   [[nodiscard]] const View& view() const { return now_; }
   [[nodiscard]] double focal() const;               // page pixels; 3-D only
   [[nodiscard]] float center_x() const;
@@ -74,7 +74,10 @@ class Camera {
   int dim_;
   Rect stage_;
   float top_ = 0, side_ = 0, bottom_ = 0;
+  void turn();  // to now_, after every change of it
+
   View now_, goal_;
+  Vector<double, 3> right_, up_, forward_, eye_;  // as now_ has them: a frame projects tens of thousands of places
   bool framed_ = true;
 };
 

@@ -10,6 +10,7 @@
 #include "lesson/box_tests.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/frustum_box.hpp"
+#include "lesson/scene_figures.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::app {
@@ -67,7 +68,7 @@ struct Sayer {
     const std::string frame = "Frame " + std::to_string(fact.frame) + ": ";
     if (fact.resting) return frame + "all bodies rest, and nothing is run.";
     const auto count = [](double n) { return std::to_string(static_cast<long long>(n)); };
-    if (fact.all_pairs == 0) return frame + "the update looks at " + counted(static_cast<int>(fact.cost), "point") + ", and its volume is " + short_figure(100 * fact.slack) + " % too large.";
+    if (fact.all_pairs == 0) return frame + "the update looks at " + counted(static_cast<int>(fact.cost), "point") + ", and its volume is " + lesson::scene_figure_text("slack", 100 * fact.slack) + " too large.";
     return frame + "of " + count(fact.all_pairs) + " pairs the boxes leave " + count(fact.after_broad) + ", the spheres " + count(fact.after_loose) +
            "; " + count(fact.touching) + " touch.";
   }
@@ -399,6 +400,9 @@ std::string caption_at(const lesson::Session& session) {
   if (entry == nullptr && session.lesson().scene && session.lesson().scene->at_points())
     return std::string(session.algorithm(0)->title) + " on " + std::to_string(session.size()) + (session.size() == 1 ? " body" : " bodies") + ": nothing has moved yet. Take the first step.";
   if (entry == nullptr) return caption_at_start(*session.algorithm(0), session.size());
+  // Of a frame the sentence would tell beside the question nearly what is asked of a later one.
+  if (const auto* frame = std::get_if<fit::FrameTaken>(&entry->step.fact); frame != nullptr && !session.asked_figure().empty())
+    return "Frame " + std::to_string(frame->frame) + ": what comes next is for you to say.";
   const auto& steps = session.recording(0).steps;
   const auto next = static_cast<std::size_t>(session.step());
   return caption_of(entry->step, next < steps.size() ? &steps[next].step : nullptr, session.points(), session.algorithm(0)->exact);

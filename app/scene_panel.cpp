@@ -32,7 +32,8 @@ class Panel {
   }
 
   /// A stage of the funnel: its stroke as on the stage, its name, what it left, and a bar of that share of all pairs.
-  void stage(const char* name, double left, double all, Stroke stroke, Color color, bool sampled) {
+  /// What is asked of it is not told.
+  void stage(const char* name, double left, double all, bool asked, Stroke stroke, Color color, bool sampled) {
     const float middle = y_ + look_.px(9);
     float x = x_;
     if (sampled) {
@@ -41,19 +42,20 @@ class Panel {
       x += 36;
     }
     text(list_, look_, Face::kRegular, kSize, {x, middle_of(middle, look_.px(kSize))}, look_->ink, name);
-    text_right(list_, look_, Face::kMonoBold, kSmall, {x_ + width_, middle_of(middle, look_.px(kSmall))}, look_->ink, std::to_string(static_cast<std::int64_t>(left)));
+    text_right(list_, look_, Face::kMonoBold, kSmall, {x_ + width_, middle_of(middle, look_.px(kSmall))}, look_->ink, asked ? "—" : std::to_string(static_cast<std::int64_t>(left)));
     const float top = y_ + look_.px(22), thick = 8;
     list_->AddRectFilled({x_, top}, {x_ + width_, top + thick}, look_->track, 2);
-    if (left > 0) list_->AddRectFilled({x_, top}, {x_ + std::max(2.0f, width_ * static_cast<float>(left / all)), top + thick}, color, 2);
+    if (left > 0 && !asked) list_->AddRectFilled({x_, top}, {x_ + std::max(2.0f, width_ * static_cast<float>(left / all)), top + thick}, color, 2);
     y_ += look_.px(40);
   }
 
-  void funnel(const fit::FrameTaken& frame) {
+  /// asked: the key of the figure that a question is about.
+  void funnel(const fit::FrameTaken& frame, std::string_view asked) {
     heading("The funnel: pairs that are left");
-    stage("All pairs", frame.all_pairs, frame.all_pairs, Stroke::kSolid, look_->muted, false);
-    stage("Boxes overlap", frame.after_broad, frame.all_pairs, Stroke::kDotted, look_->previous, true);
-    stage("Loose spheres overlap", frame.after_loose, frame.all_pairs, Stroke::kDashed, look_->examined_text, true);
-    stage("Touching", frame.touching, frame.all_pairs, Stroke::kSolid, look_->support_text, true);
+    stage("All pairs", frame.all_pairs, frame.all_pairs, asked == "all_pairs", Stroke::kSolid, look_->muted, false);
+    stage("Boxes overlap", frame.after_broad, frame.all_pairs, asked == "after_broad", Stroke::kDotted, look_->previous, true);
+    stage("Loose spheres overlap", frame.after_loose, frame.all_pairs, asked == "after_loose", Stroke::kDashed, look_->examined_text, true);
+    stage("Touching", frame.touching, frame.all_pairs, asked == "touching", Stroke::kSolid, look_->support_text, true);
     y_ += look_.px(16);
   }
 
@@ -89,7 +91,7 @@ class Panel {
   }
 
   void effects(lesson::Session& session, std::span<const scene::Tally> tallies) {
-    heading("What each effect did");
+    heading("What each effect did; µs a run");
     constexpr std::array<const char*, 4> kHeads{"made", "run", "skipped", "µs"};
     for (int i = 0; i < 4; ++i) text_right(list_, look_, Face::kRegular, kTiny, {right(i), y_}, look_->muted, kHeads[static_cast<std::size_t>(i)]);
     y_ += look_.px(20);
@@ -102,7 +104,7 @@ class Panel {
       ImGui::PopID();
       if (touch.clicked) turned = tally.effect;
       if (touch.hovered) list_->AddRectFilled({x_ - 6, y_}, {x_ + width_ + 6, y_ + look_.px(kEffectRow) - 1}, look_->raised, 4);
-      effect(tally, on);
+      effect(tally, on, tally.run > 0 ? session.time_of(tally.effect) : "");
     }
     if (!turned.empty()) session.turn(turned, !session.is_on(turned));
   }
@@ -110,20 +112,20 @@ class Panel {
  private:
   /// The right end of a column of figures.
   [[nodiscard]] float right(int column) const {
-    constexpr std::array<float, 4> kShares{0.54f, 0.66f, 0.90f, 1};
+    constexpr std::array<float, 4> kShares{0.495f, 0.615f, 0.825f, 1};
     return x_ + width_ * kShares[static_cast<std::size_t>(column)];
   }
 
-  void effect(const scene::Tally& tally, bool on) {
+  void effect(const scene::Tally& tally, bool on, const std::string& time) {
     const float middle = y_ + look_.px(kEffectRow) / 2;
     const float box = 6, indent = 20;
     list_->AddRect({x_, middle - box}, {x_ + 2 * box, middle + box}, on ? look_->current : look_->muted, 3, 0, 1.5f);
     if (on) tick(list_, {x_ + box, middle}, 4, look_->current, 2);
-    const float room = right(0) - x_ - indent - look_.px(14);
+    const float room = right(0) - x_ - indent - look_.px(11);
     text(list_, look_, Face::kRegular, kSmall, {x_ + indent, middle_of(middle, look_.px(kSmall))}, on ? look_->ink : look_->muted,
          shortened(look_, Face::kRegular, kSmall, words_of(tally.effect), room));
     const std::array<std::string, 4> figures{std::to_string(tally.constructed), std::to_string(tally.run), std::to_string(tally.skipped),
-                                             tally.nanoseconds > 0 ? std::to_string((tally.nanoseconds + 500) / 1000) : "—"};
+                                             time.empty() ? "—" : time};
     for (int i = 0; i < 4; ++i)
       text_right(list_, look_, Face::kMono, kTiny, {right(i), middle_of(middle, look_.px(kTiny))}, look_->ink, figures[static_cast<std::size_t>(i)]);
     y_ += look_.px(kEffectRow);
@@ -148,7 +150,7 @@ float draw_scene_panel(const Look& look, lesson::Session& session, ImVec2 at, fl
   if (frame == nullptr) return 0;
   Panel panel(look, at, width);
   if (const fit::FrameTaken* now = taken(session, 0, session.step())) {
-    if (now->all_pairs > 0) panel.funnel(*now);
+    if (now->all_pairs > 0) panel.funnel(*now, session.asked_figure());
     else if (session.current(0)->step.has_volume) panel.slack(session);
   }
   panel.effects(session, frame->tallies);

@@ -30,7 +30,6 @@ fit::Sphere3 around(const fit::Sphere3& a, const fit::Sphere3& b) {
 
 /// What the view has to have room for: what both algorithms end with.
 fit::Sphere3 extent_of(const lesson::Session& session) {
-  if (session.frame() != nullptr) return extent_of_scene(session);
   if (const lesson::BoxPair* pair = session.boxes(); pair != nullptr && lesson::has_frustum(*pair))
     return around(around({lesson::camera_of(*pair).position, 0}, ball_around(pair->boxes[1], session.dim())), ball_around(pair->boxes[0], session.dim()));
   if (const lesson::BoxPair* pair = session.boxes())
@@ -129,15 +128,23 @@ std::optional<fit::Volume3> Motion::at(const std::optional<fit::Volume3>& target
   return drawn_;
 }
 
+fit::Sphere3 Stage::extent(const lesson::Session& session) {
+  if (session.frame() == nullptr) return extent_of(session);
+  const std::uint64_t trace = session.trace_hash();
+  const fit::Algorithm* beside = session.algorithm(1);
+  if (!scene_extent_ || scene_extent_->trace != trace || scene_extent_->beside != beside) scene_extent_ = {trace, beside, extent_of_scene(session)};
+  return scene_extent_->ball;
+}
+
 void Stage::open(const lesson::Session& session) {
   *this = Stage();
   camera_ = Camera(session.dim());
-  framed_ball_ = extent_of(session);
+  framed_ball_ = extent(session);
   seen_ = session.revision() - 1;
 }
 
 void Stage::reset_view(const lesson::Session& session) {
-  framed_ball_ = extent_of(session);
+  framed_ball_ = extent(session);
   camera_.frame(framed_ball_, false);
 }
 
@@ -172,7 +179,7 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
   points_shown_ = shows_points(session);
   if (!can_move(session)) arrows_ = false;
   if (first) {
-    framed_ball_ = extent_of(session);
+    framed_ball_ = extent(session);
     camera_.frame(framed_ball_, true);
   }
   keep_framed(session);
@@ -193,19 +200,19 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
 /// An automatic view follows the points when they outgrow it or shrink away; never under a hand.
 void Stage::keep_framed(const lesson::Session& session) {
   if (dragging_) return;
-  const fit::Sphere3 extent = extent_of(session);
+  const fit::Sphere3 all = extent(session);
   if (camera_.framed()) {
-    const double share = camera_.share_of_room(extent);
-    const bool elsewhere = (extent.center - framed_ball_.center).norm() > 0.25 * framed_ball_.radius;
+    const double share = camera_.share_of_room(all);
+    const bool elsewhere = (all.center - framed_ball_.center).norm() > 0.25 * framed_ball_.radius;
     if (share > kTight || share < kRoomy || (elsewhere && !camera_.moving())) {
-      framed_ball_ = extent;
-      camera_.frame(extent, false);
+      framed_ball_ = all;
+      camera_.frame(all, false);
     }
   }
-  const double unit = extent.radius > 0 ? extent.radius : 1;
-  const bool off = (extent.center - frame_.origin).norm() > 4 * frame_.unit;
+  const double unit = all.radius > 0 ? all.radius : 1;
+  const bool off = (all.center - frame_.origin).norm() > 4 * frame_.unit;
   if (scene_.points.empty() || off || unit > 4 * frame_.unit || unit < frame_.unit / 4) {
-    frame_ = {extent.center, unit};  // floats hold what lies around it
+    frame_ = {all.center, unit};  // floats hold what lies around it
     scene_.points.clear();
   }
 }

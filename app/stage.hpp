@@ -122,6 +122,7 @@ class Stage {
   void draw_loose(Brush& brush, const lesson::SceneFrame& frame) const;
   void draw_bodies(Brush& brush, const lesson::SceneFrame& frame) const;
   void draw_body(Brush& brush, const scene::Shape& shape, const scene::Motion& body, bool touching) const;
+  void draw_faces(Brush& brush, const scene::Shape& shape, const scene::Motion& body, Color fill, Color edge, float width) const;  // width 0: no edges
   void draw_pairs(Brush& brush, const lesson::SceneFrame& frame) const;
   // stage_inset.cpp
   [[nodiscard]] Rect draw_inset(Brush& brush, float top) const;
@@ -138,9 +139,18 @@ class Stage {
   float draw_toggle(Brush& brush, Settings& settings, float right, float y, float height);
   void draw_axis_cross(Brush& brush) const;
 
+  /// What the view has to have room for.
+  [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session);
+  struct SceneExtent {
+    std::uint64_t trace;
+    const fit::Algorithm* beside;
+    fit::Sphere3 ball;
+  };
+
   Camera camera_;
   Frame frame_;
   fit::Sphere3 framed_ball_;
+  std::optional<SceneExtent> scene_extent_;  // worked out once a run: of thousands of bodies in all frames
   GlScene scene_;
   Shown shown_;
   Motion motion_;

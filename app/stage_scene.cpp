@@ -2,8 +2,10 @@
 // the funnel left.
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "app/stage_brush.hpp"
 #include "app/volumes.hpp"
@@ -14,6 +16,7 @@ namespace {
 using lesson::SceneFrame;
 
 constexpr std::size_t kBoxesOfAll = 60;  // more boxes than these hide what they hold: then only those in pairs are drawn
+constexpr std::size_t kCrowd = 400;      // of more bodies only the one at hand has its box, and only those that touch edges
 constexpr int kRim = 24;                 // points of the outline around a corner's radius
 
 /// A colour with the light on it.
@@ -137,7 +140,7 @@ void Stage::draw_loose(Brush& brush, const SceneFrame& frame) const {
   const std::size_t hand = chosen != kNoIndex ? owner_of(brush.session).body + static_cast<std::size_t>(chosen) : frame.volumes.size();
   for (std::size_t i = 0; i < frame.volumes.size(); ++i) {
     const Aabb<double, 3>& box = frame.volumes[i];
-    if (i != hand && (paired[i] || frame.volumes.size() <= kBoxesOfAll))
+    if (i != hand && frame.volumes.size() <= (paired[i] ? kCrowd : kBoxesOfAll))
       draw_box(brush.canvas, box.min, box.max, {Stroke::kSolid, with_alpha(p.current, paired[i] ? 0.5f : 0.2f), brush.stroke(0.4f)});
     if (i != hand) continue;
     draw_volume(brush.canvas, polytope_of(box, 3), {Stroke::kSolid, p.current, brush.stroke(0.7f), p.fill});
@@ -150,34 +153,48 @@ void Stage::draw_loose(Brush& brush, const SceneFrame& frame) const {
 /// The farthest first: what is nearer covers it.
 void Stage::draw_bodies(Brush& brush, const SceneFrame& frame) const {
   const std::span<const scene::Member> members = brush.session.members();
-  std::vector<std::size_t> order;
+  std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < members.size(); ++i)
-    if (members[i].shape.cloud == nullptr) order.push_back(i);
-  const auto depth = [&](std::size_t i) { return camera_.forward().dot(frame.bodies[i].position); };
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return depth(a) > depth(b); });
+    if (members[i].shape.cloud == nullptr) order.emplace_back(-camera_.forward().dot(frame.bodies[i].position), i);
+  std::sort(order.begin(), order.end());
   const std::vector<bool> touching = in_pairs(members.size(), touching_of(frame));
-  for (const std::size_t i : order) draw_body(brush, members[i].shape, frame.bodies[i], touching[i]);
+  const ImDrawListFlags flags = brush.list->Flags;
+  if (members.size() > kCrowd) brush.list->Flags &= ~ImDrawListFlags_AntiAliasedFill;  // whose fringe is half of their triangles
+  for (const auto& [nearness, i] : order) draw_body(brush, members[i].shape, frame.bodies[i], touching[i]);
+  brush.list->Flags = flags;
 }
 
-/// Solid: faces of a box with the light on them; of any other shape its outline.
+/// Of a box the faces towards the eye, with the light on them. There may be thousands: nothing here takes memory.
+void Stage::draw_faces(Brush& brush, const scene::Shape& shape, const scene::Motion& body, Color fill, Color edge, float width) const {
+  std::array<ImVec2, 8> places;  // of the corners, by their bits (1: +x, 2: +y, 4: +z)
+  for (int bits = 0; bits < 8; ++bits) {
+    const Point3 own((bits & 1) != 0 ? 1 : -1, (bits & 2) != 0 ? 1 : -1, (bits & 4) != 0 ? 1 : -1);
+    places[static_cast<std::size_t>(bits)] = brush.at(body.position + body.rotation * own.cwiseProduct(shape.half_extents));
+  }
+  const Point3 to_eye = camera_.eye() - body.position;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double away = body.rotation.col(axis).dot(to_eye), half = shape.half_extents[axis];
+    if (std::abs(away) <= half) continue;  // both faces are seen from behind
+    const bool positive = away > 0;
+    const int corner = positive ? 1 << axis : 0, u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
+    const auto place = [&](int bits) { return places[static_cast<std::size_t>(corner | bits)]; };
+    // Clockwise as seen from outside, which is the way round that ImGui fills.
+    const std::array<ImVec2, 4> outline{place(0), place(positive ? v : u), place(u | v), place(positive ? u : v)};
+    const double light = 0.78 + 0.26 * (positive ? 1 : -1) * body.rotation.col(axis).dot(scene_.light.cast<double>());
+    brush.list->AddConvexPolyFilled(outline.data(), 4, shaded(fill, light));
+    if (width > 0) path(brush.list, outline, true, Stroke::kSolid, edge, width);
+  }
+}
+
+/// Solid: faces of a box; of any other shape its outline.
 void Stage::draw_body(Brush& brush, const scene::Shape& shape, const scene::Motion& body, bool touching) const {
   const Palette& p = brush.p;
   const Color fill = touching ? mixed(p.surface, p.support, 0.35) : p.surface;
   const Color edge = touching ? p.support_text : p.ink;
-  const float width = brush.stroke(touching ? 0.9f : 0.5f);
+  const bool crowd = brush.session.members().size() > kCrowd;
+  const float width = touching ? brush.stroke(0.9f) : crowd ? 0 : brush.stroke(0.5f);
   if (shape.kind == scene::Shape::Kind::kBox) {
-    const Polytope box = polytope_of(Obb<double, 3>{body.position, body.rotation, shape.half_extents}, 3);
-    for (const auto& face : box.faces) {
-      const auto corner = [&](std::size_t k) -> const Point3& { return box.corners[static_cast<std::size_t>(face[k])]; };
-      const Point3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
-      if (normal.dot(camera_.eye() - corner(0)) <= 0) continue;
-      std::vector<ImVec2> outline;
-      for (std::size_t k = 0; k < face.size(); ++k) outline.push_back(brush.at(corner(k)));
-      outline = convex_outline(std::move(outline));  // the way round that ImGui fills
-      const double light = 0.78 + 0.26 * normal.dot(scene_.light.cast<double>());
-      brush.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), shaded(fill, light));
-      path(brush.list, outline, true, Stroke::kSolid, edge, width);
-    }
+    draw_faces(brush, shape, body, fill, edge, width);
     return;
   }
   std::vector<ImVec2> rims;
@@ -195,7 +212,7 @@ void Stage::draw_body(Brush& brush, const scene::Shape& shape, const scene::Moti
   }
   const std::vector<ImVec2> outline = convex_outline(std::move(rims));
   if (outline.size() > 2) brush.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), fill);
-  path(brush.list, outline, true, Stroke::kSolid, edge, width);
+  if (width > 0) path(brush.list, outline, true, Stroke::kSolid, edge, width);
 }
 
 /// From centre to centre, by the last stage that let the pair pass: dotted boxes, dashed spheres, a line for those that touch.

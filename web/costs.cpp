@@ -1,15 +1,11 @@
 #include "web/costs.hpp"
 
-#include <emscripten.h>
-
 #include "app/costs.hpp"
 
 namespace snug::web {
 namespace {
 
 using emscripten::val;
-
-double now() { return emscripten_get_now() * 1e6; }
 
 std::string title_of(const cost::CostRow& row) {
   const fit::Algorithm* algorithm = fit::find_algorithm(row.volume, row.algorithm);
@@ -31,13 +27,8 @@ val row_object(const cost::CostRow& row) {
 
 }  // namespace
 
-app::Platform measuring_platform(const std::string& processor) {
-  app::Platform platform{.glsl_version = nullptr, .clock = now};
-  platform.here.version = SNUG_VERSION;
-  platform.here.build = SNUG_BUILD;
-  platform.here.platform = "WebAssembly";
-  platform.here.processor = processor;
-  return platform;
+cost::Provenance web_provenance(const std::string& processor) {
+  return {.version = SNUG_VERSION, .build = SNUG_BUILD, .platform = "WebAssembly", .processor = processor};
 }
 
 val costs_object(app::App& app) {

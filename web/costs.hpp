@@ -9,8 +9,8 @@
 
 namespace snug::web {
 
-/// A clock and what is known of this program; the processor is the page's to say, as far as a browser tells.
-[[nodiscard]] app::Platform measuring_platform(const std::string& processor);
+/// What is known of this program; the processor is the page's to say, as far as a browser tells.
+[[nodiscard]] cost::Provenance web_provenance(const std::string& processor);
 
 /// {shown, running, progress, ready, total, size, rows: [{title, time, size, points, of, front, trusted}], then}; null
 /// where the lesson has no chart.

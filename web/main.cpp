@@ -1,5 +1,6 @@
 // The browser's door: it gives the front end a canvas, input and files, and hands the page what its HTML shows.
 // The page's own half is page/door.js; every function here is one that it calls.
+#include <emscripten.h>
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 #include <imgui.h>
@@ -79,9 +80,9 @@ std::string start(const std::string& selector, bool smooth, const std::string& p
     const auto found = door().fonts.find(name);
     return found == door().fonts.end() ? std::string() : found->second;
   };
-  app::Platform platform = web::measuring_platform(processor);
-  platform.font = font, platform.glsl_version = web::kGlslVersion;
-  door().app = std::make_unique<app::App>(platform);
+  const auto clock = [] { return emscripten_get_now() * 1e6; };
+  door().app = std::make_unique<app::App>(
+      app::Platform{.font = font, .glsl_version = web::kGlslVersion, .clock = clock, .here = web::web_provenance(processor)});
   if (!web::make_graphics_context(selector.c_str(), smooth)) return "no WebGL 2";
   return start_graphics();
 }

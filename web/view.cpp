@@ -208,12 +208,13 @@ val view_object(app::App& app, const lesson::Session& session) {
   set_figures(object, session);
   set_points(object, app, session);
   if (const lesson::SceneFrame* frame = session.frame())
-    object.set("effects", array_of(frame->tallies, [](const scene::Tally& tally) {
+    object.set("effects", array_of(frame->tallies, [&](const scene::Tally& tally) {
                  val row = val::object();
                  row.set("effect", tally.effect);
                  row.set("constructed", tally.constructed);
                  row.set("run", static_cast<double>(tally.run));
                  row.set("skipped", static_cast<double>(tally.skipped));
+                 row.set("microseconds", text(session.time_of(tally.effect)));
                  return row;
                }));
   return object;

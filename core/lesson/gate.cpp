@@ -37,10 +37,11 @@ int find_fact(Trace trace, std::string_view name, int occurrence) {
   return i;
 }
 
-/// Just behind the last step of that name before a step; the step itself where there is none.
-int place_after(Trace trace, std::string_view name, int before) {
-  if (name == Gate::kStart) return 0;
-  const std::size_t fact = fact_index(name);
+/// Just behind the last step of that name before a step, or the one that is counted; the step itself where there is none.
+int place_after(Trace trace, const Gate& gate, int before) {
+  if (gate.after == Gate::kStart) return 0;
+  if (gate.after_nth > 0) return std::min(find_fact(trace, gate.after, gate.after_nth) + 1, before);
+  const std::size_t fact = fact_index(gate.after);
   for (int i = before; i-- > 0;)
     if (step_at(trace, i).fact.index() == fact) return i + 1;
   return before;
@@ -183,7 +184,7 @@ std::optional<Asked> resolve(const Question& question, std::string_view volume, 
           (gate.occurrence > 1 ? " " + std::to_string(gate.occurrence) + " times" : "") + " on these points";
     return std::nullopt;
   }
-  asked.step = gate.after.empty() ? asked.fact : place_after(trace, gate.after, asked.fact);
+  asked.step = gate.after.empty() ? asked.fact : place_after(trace, gate, asked.fact);
   asked.until = place_decided(trace, asked.fact, question.asks);
   if (const char* refused = add_choices(asked, trace, dim)) {
     why = refused;

@@ -40,13 +40,14 @@ struct Points {
 [[nodiscard]] const std::vector<std::string>& mesh_names();
 
 /// What a question speaks of: the n-th step of that name, counted from 1, in the algorithm's trace. The question stands
-/// just before it; or, where after is given, right after the last step of that name before it, so that what leads to
-/// the answer is not shown yet (the next growth, asked right after the last one).
+/// just before it; or, where after is given, right after the last step of that name before it, or the one that after_nth
+/// counts, so that what leads to the answer is not shown yet (the next growth, asked right after the last one).
 struct Gate {
   std::string algorithm;
   std::string fact;  // as fit::fact_names() has it: "pair_chosen"
   int occurrence = 1;
   std::string after;  // a fact's name, kStart for the beginning, or empty
+  int after_nth = 0;  // counted from 1; 0: the last one
   static constexpr std::string_view kStart = "start";
 };
 

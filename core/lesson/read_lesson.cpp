@@ -135,6 +135,8 @@ Gate read_gate(TomlTable& table, std::string_view volume) {
   gate.occurrence = static_cast<int>(table.integer_or("nth", 1, 100000, 1));
   gate.after = table.text_or("after", "");
   if (gate.after != Gate::kStart) check_name(table, "after", gate.after, fit::fact_names());
+  gate.after_nth = static_cast<int>(table.integer_or("after_nth", 1, 100'000, 0));
+  if (gate.after_nth > 0 && (gate.after.empty() || gate.after == Gate::kStart)) table.wrong("after_nth", "counts the steps that \"after\" names");
   return gate;
 }
 

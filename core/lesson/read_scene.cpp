@@ -28,7 +28,7 @@ Quaternion turned_by(const V3& degrees) {
 }
 
 /// A shape by its name, about the body's origin.
-void read_shape(TomlTable& table, SceneBody& one) {
+void read_shape(TomlTable& table, SceneBody& one, bool has_mesh) {
   const std::string shape = table.text("shape");
   if (shape == "sphere") {
     one.body.shape = scene::Volume3(Sphere<double, 3>{V3::Zero(), positive(table, "radius", 0.5)});
@@ -38,19 +38,20 @@ void read_shape(TomlTable& table, SceneBody& one) {
   } else if (shape == "capsule") {
     const double half = positive(table, "half_length", 0.5);
     one.body.shape = scene::Volume3(Capsule<double, 3>{{-half, 0, 0}, {half, 0, 0}, positive(table, "radius", 0.25)});
-  } else if (shape == "points") {
+  } else if (shape == "points" || shape == "mesh") {
     one.of_points = true;
+    if (shape == "mesh" && !has_mesh) table.wrong("shape", "is a mesh, and [points] names none");
   } else if (!shape.empty()) {
-    table.wrong("shape", "is none of sphere, box, capsule or points: " + shape);
+    table.wrong("shape", "is none of sphere, box, capsule, points or mesh: " + shape);
   }
 }
 
-SceneBody read_body(const toml::table& toml, Complaints& complaints) {
+SceneBody read_body(const toml::table& toml, bool has_mesh, Complaints& complaints) {
   TomlTable table(toml, "[[scene.body]]", complaints);
   SceneBody one;
   one.body.line = table.line();
   one.body.name = table.text_or("name", "");
-  read_shape(table, one);
+  read_shape(table, one, has_mesh);
   one.at_points = table.flag_or("at_points", false);
   one.body.position = vector_or(table, "position", V3::Zero());
   one.body.orientation = turned_by(vector_or(table, "turn", V3::Zero()));
@@ -100,7 +101,9 @@ SceneSet read_scene_of(TomlTable& lesson, int dim, Complaints& complaints) {
     if (step.size() == 1) set.step = step.front();
     else table.wrong("step", "must be a number");
   }
-  for (const toml::table* body : table.tables("body")) set.bodies.push_back(read_body(*body, complaints));
+  const toml::table* points = lesson.table("points");
+  const bool has_mesh = points != nullptr && points->contains("mesh");
+  for (const toml::table* body : table.tables("body")) set.bodies.push_back(read_body(*body, has_mesh, complaints));
   for (const toml::table* effect : table.tables("effect")) set.effects.push_back(read_effect(*effect, complaints));
   if (set.bodies.empty()) complaints.add(table.line(), "[scene] has no [[scene.body]]");
   table.refuse_others();

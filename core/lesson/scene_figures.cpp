@@ -1,5 +1,6 @@
 #include "lesson/scene_figures.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -23,6 +24,15 @@ std::string scene_figure_text(std::string_view figure, double value) {
   const std::string count = fixed_text(value, 0);
   if (figure == "cost") return count + (value == 1 ? " point" : " points");
   return count + (value == 1 ? " pair" : " pairs");
+}
+
+std::string effect_time_text(const scene::Tally& tally, double clock_step) {
+  if (tally.run == 0) return {};
+  const auto runs = static_cast<double>(tally.run);
+  const double mean = tally.nanoseconds / runs / 1000, doubt = 2 * clock_step / std::sqrt(runs) / 1000;
+  if (mean >= doubt) return fixed_text(mean, mean < 1 ? 2 : mean < 10 ? 1 : 0);
+  const double places = std::floor(std::log10(doubt)), unit = std::pow(10, places);
+  return "< " + fixed_text(std::ceil(doubt / unit) * unit, std::max(0, static_cast<int>(-places)));
 }
 
 std::vector<Figure> scene_figures(const RunView& run) {

@@ -96,6 +96,17 @@ tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet& sc
   return declaration;
 }
 
+tl::expected<void, InputError> check_scene_opens(const SceneSet& set, std::span<const std::string> methods, const AnyPointSet& points,
+                                                 std::uint64_t seed) {
+  for (const std::string& method : methods) {
+    const auto scene = declaration_with(set, method, points, seed).and_then([](const scene::Declaration& declaration) {
+      return scene::Scene::open(declaration);
+    });
+    if (!scene) return tl::unexpected(scene.error());
+  }
+  return {};
+}
+
 fit::FrameTaken frame_of(const scene::Scene& scene) {
   const scene::State& state = scene.world().state;
   const std::uint64_t hash = scene.world().hash();

@@ -17,7 +17,7 @@ inline constexpr std::string_view kScene = "scene";
 
 struct SceneBody {
   scene::Body body;
-  bool of_points = false;   // its shape is all of the lesson's points
+  bool of_points = false;   // its shape is all of the lesson's points, which may be a mesh's
   bool at_points = false;   // there is one such body at each of the points
 };
 

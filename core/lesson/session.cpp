@@ -6,6 +6,8 @@
 #include "lesson/costs.hpp"
 #include "lesson/methods.hpp"
 #include "lesson/own_points.hpp"
+#include "lesson/scene_figures.hpp"
+#include "measure/timing.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -16,7 +18,7 @@ InputError too_many(const fit::Algorithm& algorithm) {
 
 }  // namespace
 
-tl::expected<Session, InputError> Session::open(Lesson lesson, std::optional<io::PointFile> mesh) {
+tl::expected<Session, InputError> Session::open(Lesson lesson, std::optional<io::PointFile> mesh, scene::Clock clock) {
   if (lesson.algorithms.empty()) return tl::unexpected(InputError{.what = "the lesson offers no algorithm"});
   auto points = lesson.boxes ? places(*lesson.boxes) : own_points(lesson, lesson.seed, mesh);
   if (!points) return tl::unexpected(std::move(points.error()));
@@ -31,7 +33,12 @@ tl::expected<Session, InputError> Session::open(Lesson lesson, std::optional<io:
     own.triangles = std::make_shared<const Triangles>(std::move(mesh->triangles));
   }
   Session session(std::move(lesson), std::move(own));
+  if (session.lesson_.scene && clock != nullptr) session.clock_ = clock, session.clock_step_ = cost::resolution_of(clock);
   if (auto made = session.make_room_for(session.size()); !made) return tl::unexpected(std::move(made.error()));
+  const Lesson& opened = session.lesson_;
+  if (opened.scene && !opened.points.mesh.empty())  // any other was run when it was read
+    if (auto sound = check_scene_opens(*opened.scene, opened.algorithms, session.points(), opened.seed); !sound)
+      return tl::unexpected(std::move(sound.error()));
   session.points_changed();
   session.step_ = 0;
   if (session.lesson_.start == Lesson::Start::kEnd) {
@@ -87,6 +94,13 @@ bool Session::turn(std::string_view effect, bool on) {
   return true;
 }
 
+std::string Session::time_of(std::string_view effect) const {
+  if (!clock_ || slots_[0].frames.empty()) return {};
+  for (const scene::Tally& tally : slots_[0].frames.back().tallies)
+    if (tally.effect == effect) return effect_time_text(tally, clock_step_);
+  return {};
+}
+
 std::span<const std::string_view> Session::pseudocode(int slot) const {
   return slots_[static_cast<std::size_t>(slot)].pseudocode;
 }
@@ -128,7 +142,7 @@ void Session::run(int slot) {
   Slot& own = slots_[static_cast<std::size_t>(slot)];
   if (own.algorithm == nullptr) return;
   if (lesson_.scene) {
-    auto run = run_scene(*lesson_.scene, own.algorithm->name, points(), seed(), nullptr, off_);
+    auto run = run_scene(*lesson_.scene, own.algorithm->name, points(), seed(), clock_, off_);
     own.recording = run ? std::move(run->recording) : fit::Recording();  // the lesson's own scene was opened when it was read
     own.frames = run ? std::move(run->frames) : std::vector<SceneFrame>();
     own.members = run ? std::move(run->members) : std::vector<scene::Member>();
@@ -210,12 +224,18 @@ RunView Session::view(int slot) const {
   return {&now_.points, own.algorithm, &own.recording, step_of(slot), smallest_size(), boxes()};
 }
 
+std::string_view Session::asked_figure() const {
+  const Asked* now = asked();
+  if (now == nullptr) return {};
+  return now->question->asks == Question::Asks::kVerdict ? "verdict" : std::string_view(now->question->figure);
+}
+
 std::vector<Figure> Session::figures(int slot) const {
   if (algorithm(slot) == nullptr) return {};
   std::vector<Figure> figures = figures_of(view(slot));
-  if (asked() == nullptr || asked()->question->asks != Question::Asks::kVerdict) return figures;
-  for (Figure& figure : figures)  // what is asked is not told beside the question
-    if (figure.key == "verdict") figure.text = "—", figure.known = false;
+  const std::string_view hidden = asked_figure();
+  for (Figure& figure : figures)
+    if (figure.key == hidden) figure.text = "—", figure.known = false;
   return figures;
 }
 

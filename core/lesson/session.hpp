@@ -37,8 +37,9 @@ struct Mark {
 
 class Session {
  public:
-  /// mesh: what lesson.points.mesh names, where it names one. Errors: points that no set can be made of.
-  [[nodiscard]] static tl::expected<Session, InputError> open(Lesson lesson, std::optional<io::PointFile> mesh = {});
+  /// mesh: what lesson.points.mesh names, where it names one. clock: by which a scene's effects are timed. Errors: points
+  /// that no set can be made of; a scene whose effects cannot take the mesh, by its line.
+  [[nodiscard]] static tl::expected<Session, InputError> open(Lesson lesson, std::optional<io::PointFile> mesh = {}, scene::Clock clock = nullptr);
   // Asked points into the lesson, which a move leaves in place and a copy would not.
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -109,6 +110,9 @@ class Session {
   /// name, or none has run yet (at the beginning there is nothing that what reads it could go on with). Grades know no switches.
   bool turn(std::string_view effect, bool on);
   [[nodiscard]] bool is_on(std::string_view effect) const;
+  /// What one run of an effect takes here, as effect_time_text has it, of all runs in slot 0's frames. Of no step, figure or
+  /// hash: they are the same everywhere.
+  [[nodiscard]] std::string time_of(std::string_view effect) const;
   /// An empty name clears slot 1; slot 0 must have one. Errors: too many points for it; unknown name.
   tl::expected<void, InputError> choose(int slot, std::string_view name);
   [[nodiscard]] const fit::Recording& recording(int slot) const { return slots_[static_cast<std::size_t>(slot)].recording; }
@@ -181,6 +185,8 @@ class Session {
   // ---- figures ----------------------------------------------------------------------------------------------
   using Figure = lesson::Figure;
   [[nodiscard]] std::vector<Figure> figures(int slot = 0) const;
+  /// The key of the figure that is asked for, which is not told beside the question; empty for none.
+  [[nodiscard]] std::string_view asked_figure() const;
   /// What is proven of the ball as it stands ("Proof, so far"), and in the end the result's certificate.
   [[nodiscard]] std::vector<Proof> proofs(int slot = 0) const;
   /// Changes whenever anything that a view shows has changed.
@@ -255,6 +261,8 @@ class Session {
   bool drag_moved_ = false;
   std::array<Slot, 2> slots_;
   std::vector<SwitchedOff> off_;
+  scene::Clock clock_ = nullptr;
+  double clock_step_ = 0;  // ns
   mutable Worked worked_;
   int step_ = 0;
   bool previewing_ = false;

@@ -28,8 +28,9 @@ int widest_axis(std::span<const Box> boxes) {
   return axis;
 }
 
-struct Begin {
-  double at, end;
+/// A box beside its body: what follows in the sweep lies next in memory.
+struct Swept {
+  Box box;
   Index body;
 };
 
@@ -37,14 +38,20 @@ std::vector<Pair> sweep_and_prune(std::span<const Box> boxes) {
   std::vector<Pair> pairs;
   if (boxes.empty()) return pairs;
   const int axis = widest_axis(boxes);
-  std::vector<Begin> order;
+  std::vector<Swept> order;
   order.reserve(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) order.push_back({boxes[i].min[axis], boxes[i].max[axis], static_cast<Index>(i)});
-  std::sort(order.begin(), order.end(), [](const Begin& a, const Begin& b) { return a.at != b.at ? a.at < b.at : a.body < b.body; });
+  for (std::size_t i = 0; i < boxes.size(); ++i) order.push_back({boxes[i], static_cast<Index>(i)});
+  std::sort(order.begin(), order.end(), [axis](const Swept& a, const Swept& b) {
+    return a.box.min[axis] != b.box.min[axis] ? a.box.min[axis] < b.box.min[axis] : a.body < b.body;
+  });
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  // All four comparisons at once: which of them fails is a toss of a coin, and a branch on each would be guessed wrongly.
+  const auto overlap = [u, v](const Box& a, const Box& b) {
+    return int{a.min[u] > b.max[u]} + int{b.min[u] > a.max[u]} + int{a.min[v] > b.max[v]} + int{b.min[v] > a.max[v]} == 0;
+  };
   for (std::size_t i = 0; i < order.size(); ++i)
-    for (std::size_t j = i + 1; j < order.size() && order[j].at <= order[i].end; ++j)
-      if (query::aabbs_overlap(boxes[static_cast<std::size_t>(order[i].body)], boxes[static_cast<std::size_t>(order[j].body)]))
-        pairs.push_back(pair_of(order[i].body, order[j].body));
+    for (std::size_t j = i + 1; j < order.size() && order[j].box.min[axis] <= order[i].box.max[axis]; ++j)
+      if (overlap(order[i].box, order[j].box)) pairs.push_back(pair_of(order[i].body, order[j].body));
   return pairs;
 }
 

@@ -49,7 +49,7 @@ void Scene::step() {
       ++tallies_[i].skipped;
       continue;
     }
-    const std::int64_t start = clock_ != nullptr ? clock_() : 0;
+    const double start = clock_ != nullptr ? clock_() : 0;
     runners_[i].effect->run(world_);
     if (clock_ != nullptr) tallies_[i].nanoseconds += clock_() - start;
     ++tallies_[i].run;

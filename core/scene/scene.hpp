@@ -11,7 +11,7 @@
 namespace snug::scene {
 
 /// Nanoseconds of a clock that only goes forward. This room knows no clock of its own.
-using Clock = std::int64_t (*)();
+using Clock = double (*)();
 
 /// What one effect did, since the scene was opened; going back does not take it back.
 struct Tally {
@@ -19,7 +19,7 @@ struct Tally {
   int constructed = 0;
   std::int64_t run = 0;
   std::int64_t skipped = 0;       // its inputs had not changed
-  std::int64_t nanoseconds = 0;   // 0 without a clock
+  double nanoseconds = 0;         // 0 without a clock
   bool on = true;
 };
 

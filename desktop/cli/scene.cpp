@@ -1,10 +1,10 @@
 // snug scene: a lesson's scene without a screen, and what each of its effects did.
 #include <algorithm>
-#include <chrono>
 
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/json.hpp"
 #include "desktop/cli/lesson_files.hpp"
+#include "desktop/cli/timing.hpp"
 #include "lesson/scene_runs.hpp"
 #include "lesson/trace_hash.hpp"
 
@@ -18,10 +18,6 @@ struct SceneOptions {
   int frames = 120;
   bool every = false;
 };
-
-std::int64_t now() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 Json json_of_frame(const scene::Scene& scene) {
   const fit::FrameTaken frame = lesson::frame_of(scene);
@@ -39,7 +35,7 @@ tl::expected<scene::Scene, InputError> open(const SceneOptions& options, const L
     return tl::unexpected(InputError{.what = own.id + " does not offer \"" + algorithm + "\""});
   return open_lesson(file)
       .and_then([&](const lesson::Session& session) { return lesson::declaration_with(*own.scene, algorithm, session.points(), session.seed()); })
-      .and_then([](const scene::Declaration& declaration) { return scene::Scene::open(declaration, now); });
+      .and_then([](const scene::Declaration& declaration) { return scene::Scene::open(declaration, native_now); });
 }
 
 CommandResult run_scene(const SceneOptions& options) {
@@ -59,7 +55,7 @@ CommandResult run_scene(const SceneOptions& options) {
                              {"constructed", tally.constructed},
                              {"run", tally.run},
                              {"skipped", tally.skipped},
-                             {"microseconds", static_cast<double>(tally.nanoseconds) / 1000}});
+                             {"microseconds", tally.nanoseconds / 1000}});
   Json last = json_of_frame(*scene);
   last["lesson"] = file->lesson.id;
   last["frames_drawn"] = drawn;

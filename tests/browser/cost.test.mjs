@@ -1,4 +1,5 @@
-// What the page costs: bytes on the wire, and the program's time for a frame while dragging (told, and held to no time).
+// What the page costs: bytes on the wire, and the program's time for a frame while dragging and while 2,000 bodies move (told,
+// and held to no time).
 import { after, before, test } from "node:test";
 import { assert, handles, lesson_with, start, state, still, stop, until, visit } from "./support.mjs";
 
@@ -89,4 +90,37 @@ test("dragging a vertex of the bunny draws frames and follows", async (t) => {
   const page = await visit(t, `?lesson=${id}&from=bunny`);
   assert.equal((await state(page)).size, 1839);
   await drag_around(t, page);
+});
+
+/** In the page, before anything of it: scene-broad comes with bodies so small that 2,000 have room, and asks nothing. */
+function smaller_bodies() {
+  const own = window.fetch;
+  window.fetch = async (path, ...more) => {
+    const answer = await own(path, ...more);
+    if (!/scene-broad[.]toml$/.test(path)) return answer;
+    const text = (await answer.text()).replace("[0.30, 0.07, 0.12]", "[0.048, 0.016, 0.032]").replace(/\[\[question\]\][^]*/, "");
+    return new Response(text);
+  };
+}
+
+test("2,000 moving bodies, by broad and then narrow phase, are simulated and drawn", async (t) => {
+  const page = await visit(t, "?lesson=scene-broad&step=1&from=cube:2000", { init: smaller_bodies });
+  const { effects, readout, size } = await state(page);
+  assert.equal(size, 2000);
+  assert.equal(readout.all_pairs, 1_999_000);
+  assert.ok(readout.after_broad > 1000 && readout.after_loose < readout.after_broad && readout.touching < readout.after_loose);
+  await page.locator("#canvas").focus();
+  for (let i = 0; i < 5; ++i) await page.keyboard.press(">"); // 32 times: 64 frames of the scene a second
+  await page.evaluate(() => (window.snug.frameTimes().length = 0));
+  await page.keyboard.press(" ");
+  const end = await until(page, (now) => now.step === now.steps && !now.playing);
+  const times = await page.evaluate(() => window.snug.frameTimes().map(({ at, cost }) => [at, cost]));
+  assert.deepEqual(end.effects.map(({ run }) => run), Array(5).fill(end.steps));
+  const costs = times.map(([, cost]) => cost).sort((a, b) => a - b);
+  const rate = (times.length - 1) / ((times.at(-1)[0] - times[0][0]) / 1000);
+  const [median, slow] = [0.5, 0.95].map((share) => costs[Math.floor(share * (costs.length - 1))].toFixed(1));
+  const simulated = effects.map(({ effect, microseconds }) => `${effect} ${microseconds}`).join(", ");
+  t.diagnostic(`${readout.after_broad} pairs after the boxes, ${readout.after_loose} after the spheres, ${readout.touching} touch; a frame's effects, µs: ${simulated}`);
+  t.diagnostic(`${rate.toFixed(0)} frames a second; the program's time to draw one: median ${median} ms, 95 % under ${slow} ms`);
+  assert.ok(times.length > 5, "frames were drawn");
 });

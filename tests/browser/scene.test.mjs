@@ -65,9 +65,44 @@ for (const { id, first, effects } of kScenes) {
     await page.reload();
     await ready(page);
     const again = await state(page);
-    for (const key of ["lesson", "seed", "step", "steps", "caption", "trace", "readout", "effects"]) assert.deepEqual(again[key], there[key]);
+    for (const key of ["lesson", "seed", "step", "steps", "caption", "trace", "readout"]) assert.deepEqual(again[key], there[key]);
+    assert.deepEqual(counts(again), counts(there));
   });
 }
+
+test("each effect is timed here, and nothing that is the same everywhere says so", async (t) => {
+  const page = await visit(t, "?lesson=scene-broad");
+  const begun = await state(page);
+  for (const { microseconds } of begun.effects) assert.match(microseconds, /^(< )?[\d.]+$/);
+  await page.reload();
+  await ready(page);
+  const again = await state(page);
+  assert.deepEqual([again.trace, again.readout, counts(again)], [begun.trace, begun.readout, counts(begun)]);
+});
+
+test("the volume that follows the body, and how, is the student's choice", async (t) => {
+  const page = await visit(t, "?lesson=scene-updates");
+  const options = await page.locator("#algorithm").locator("option").evaluateAll((all) => all.map(({ value }) => value));
+  assert.deepEqual(options, ["rotated_box", "rebuild", "hill_climb", "loose", "sphere", "obb", "k14"]);
+  await page.locator("#canvas").focus();
+  for (let view = await state(page); view.step < kFrames; view = await state(page)) {
+    await page.keyboard.press("PageDown"); // to the next question, and past it
+    await until(page, (now, step, asked) => now.step !== step || (now.asked?.id ?? null) !== asked, view.step, view.asked?.id ?? null);
+  }
+  const told = {};
+  for (const option of options) {
+    await page.locator("#algorithm").selectOption(option);
+    const view = await until(page, (now, name) => now.algorithm === name && now.step === now.steps, option);
+    assert.deepEqual(counts(view), all(["spin body", "refit"], kFrames));
+    told[option] = view.readout;
+  }
+  // After a whole turn all are as tight as at the beginning; the loose box never was.
+  for (const option of options) assert.ok(option === "loose" ? told[option].slack > 100 : told[option].slack < 0.01, option);
+  assert.equal(told.rebuild.cost, 80);
+  assert.ok(told.hill_climb.cost > 0 && told.hill_climb.cost < 80); // six walks
+  assert.ok(told.k14.cost > told.hill_climb.cost); // fourteen
+  for (const option of ["rotated_box", "loose", "sphere", "obb"]) assert.equal(told[option].cost, 0, option);
+});
 
 test("back takes a scene to the very frame that was there", async (t) => {
   const page = await visit(t, "?lesson=scene-broad&step=70");

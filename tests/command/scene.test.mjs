@@ -78,11 +78,26 @@ test("what a lesson declares wrongly is refused with file and line", () => {
   broad("frames = 120", "frames = 120\nstep = 0", "[scene]", "the scene's step must be above 0");
   broad("vary = 0.9", "vary = 9", '[[scene.effect]]\neffect = "orbit"', 'orbit: "vary" is out of range');
   broad("vary = 0.9", "wobble = 9", '[[scene.effect]]\neffect = "orbit"', 'orbit: knows nothing of "wobble"');
-  broad('shape = "box"', 'shape = "cone"', 'shape = "cone"', '"shape" is none of sphere, box, capsule or points: cone');
+  broad('shape = "box"', 'shape = "cone"', 'shape = "cone"', '"shape" is none of sphere, box, capsule, points or mesh: cone');
+  broken("scene-updates", 'shape = "points"', 'shape = "mesh"', { at: 'shape = "mesh"', says: '"shape" is a mesh, and [points] names none' });
+  broken("scene-updates", 'after_nth = 90', 'after_nth = 0', { at: "after_nth = 0", says: '"after_nth" must be from 1 to 100000' });
+  broken("scene-updates", 'after = "frame_taken"\n', "", { at: "after_nth = 90", says: '"after_nth" counts the steps that "after" names' });
   broad("half_extents = [0.30, 0.07, 0.12]", "half_extents = [0.3, 0.1]", "half_extents", '"half_extents" must be three numbers');
   broad("bounds = [20, 120, 400]", "bounds = [20, 20]", "bounds = [20, 20]", '"bounds" must be numbers that rise');
   broad('figure = "after_broad"\nbounds', 'figure = "beauty"\nbounds', 'figure = "beauty"', '"figure" is no figure of a scene: beauty');
   broad("dim = 3", "dim = 2", "[scene]", 'a scene is in space: "dim" of [points] must be 3');
+});
+
+test("a mesh is a body: it is run, and impulses refuse it with file and line", () => {
+  const meshy = lesson("scene-updates").replace('generate = "stick"\ncount = 80', 'mesh = "bunny"').replace('shape = "points"', 'shape = "mesh"').replace(/\[\[question\]\][^]*/, "");
+  const more = (...effects) => meshy.replace('effect = "refit"\n', (own) => own + effects.map((name) => `\n[[scene.effect]]\neffect = "${name}"\n`).join(""));
+  assert.equal(snug(["lesson", "check", write("meshy.toml", more("cull", "shadow", "trail"))]).err, "");
+  const lines = scene("meshy", "--lessons", ".", "--frames", "20");
+  assert.deepEqual(Object.values(counts(lines)), Array(5).fill([1, 20, 0]));
+  assert.ok(lines.at(-1).slack > 0);
+  const solid = more("broad_phase", "narrow_phase", "bounce");
+  const line = solid.slice(0, solid.indexOf('"bounce"')).split("\n").length - 1;
+  refused(["lesson", "check", write("solid.toml", solid)], `solid.toml:${line}: bounce: has impulses for spheres and boxes alone; give body such a shape`);
 });
 
 test("what is asked for wrongly is said in one line", () => {

@@ -41,7 +41,7 @@ std::vector<Handle> Costs::handles() const { return {}; }
 
 namespace snug::web {
 
-app::Platform measuring_platform(const std::string&) { return {.glsl_version = nullptr}; }
+cost::Provenance web_provenance(const std::string&) { return {}; }
 emscripten::val costs_object(app::App&) { return emscripten::val::null(); }
 std::string costs_file(app::App&, const std::string&) { return {}; }
 std::string lay_over(app::App&, const std::string&, const std::string&) { return "this lesson has no chart to lay it over"; }

@@ -24,6 +24,9 @@ tl::expected<SceneRun, InputError> run_scene(const SceneSet&, std::string_view, 
 tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet&, std::string_view, const AnyPointSet&, std::uint64_t) {
   return no_scenes();
 }
+tl::expected<void, InputError> check_scene_opens(const SceneSet&, std::span<const std::string>, const AnyPointSet&, std::uint64_t) {
+  return no_scenes();
+}
 fit::FrameTaken frame_of(const scene::Scene&) { return {}; }
 double figure_of(const fit::FrameTaken&, std::string_view) { return 0; }
 SceneSet read_scene_of(TomlTable&, int, Complaints&) { return {}; }  // to run it is the error
@@ -31,6 +34,7 @@ void read_ranges(TomlTable&, Question&) {}
 Task read_scene_task(const toml::table&, const std::vector<std::string>&, Complaints&) { return {}; }
 std::vector<Figure> scene_figures(const RunView&) { return {}; }
 std::string scene_figure_text(std::string_view, double) { return {}; }
+std::string effect_time_text(const scene::Tally&, double) { return {}; }
 Grade grade_scene(const Task&, const SceneSet&, const AnyPointSet&, std::uint64_t) { return {}; }
 
 }  // namespace snug::lesson

@@ -1,10 +1,14 @@
 // Lessons on scenes: the session moves through frames, answers and grades by figures that are worked out.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 #include "lesson/play.hpp"
+#include "lesson/scene_figures.hpp"
 #include "lesson/scene_runs.hpp"
 #include "lesson/session.hpp"
 
@@ -12,21 +16,25 @@ using namespace snug;
 
 namespace {
 
-lesson::Lesson read(const std::string& id) {
+std::string text_of(const std::string& id) {
   const std::string path = std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml";
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   REQUIRE(file);
   std::string text;
   char buffer[4096];
   while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, file.get())) text.append(buffer, n);
-  auto read = lesson::read_lesson(text, path);
+  return text;
+}
+
+lesson::Lesson read(const std::string& id) {
+  auto read = lesson::read_lesson(text_of(id), id + ".toml");
   INFO((read ? "" : read.error().message()));
   REQUIRE(read.has_value());
   return *std::move(read);
 }
 
-lesson::Session opened(const std::string& id) {
-  auto session = lesson::Session::open(read(id));
+lesson::Session opened(const std::string& id, scene::Clock clock = nullptr) {
+  auto session = lesson::Session::open(read(id), {}, clock);
   REQUIRE(session.has_value());
   return *std::move(session);
 }
@@ -41,7 +49,41 @@ std::vector<std::string> counts(const lesson::Session& session, std::size_t n) {
   return lines;
 }
 
+/// Each reading is 3 µs after the last one; the coarse clock tells of every 100 µs.
+double readings = 0;
+double fine() { return readings += 3000; }
+double coarse() { return 1e5 * std::floor(fine() / 1e5); }
+
 }  // namespace
+
+TEST_CASE("effects are timed by the clock that is passed in, and no trace knows of it") {
+  const lesson::Session untimed = opened("scene-updates"), timed = opened("scene-updates", fine), barely = opened("scene-updates", coarse);
+  CHECK(untimed.time_of("refit").empty());
+  CHECK(timed.time_of("refit") == "3.0");
+  CHECK(timed.time_of("spin body") == "3.0");
+  CHECK(timed.time_of("bounce").empty());
+  CHECK(barely.time_of("refit") == "< 20");  // 200 µs / sqrt(120)
+  CHECK(timed.trace_hash() == untimed.trace_hash());
+  CHECK(barely.trace_hash() == untimed.trace_hash());
+  lesson::Session off = opened("scene-updates", fine);
+  off.jump(20);
+  REQUIRE(off.turn("spin body", false));
+  CHECK(off.time_of("spin body") == "3.0");
+}
+
+TEST_CASE("an effect's time is told as finely as its clock can tell it") {
+  const auto told = [](double microseconds, std::int64_t runs, double step) {
+    return lesson::effect_time_text({.run = runs, .nanoseconds = 1000 * microseconds * static_cast<double>(runs)}, step);
+  };
+  CHECK(told(12.34, 100, 30) == "12");
+  CHECK(told(1.26, 100, 30) == "1.3");
+  CHECK(told(0.054, 100, 30) == "0.05");
+  CHECK(told(0, 100, 5000) == "< 1");
+  CHECK(told(0.9, 100, 5000) == "< 1");
+  CHECK(told(1.1, 100, 5000) == "1.1");
+  CHECK(told(15, 60, 100'000) == "< 30");
+  CHECK(told(0, 0, 30).empty());
+}
 
 TEST_CASE("a scene's frames are the steps of its lesson, with their figures") {
   lesson::Session session = opened("scene-broad");
@@ -114,6 +156,81 @@ TEST_CASE("questions on figures have the range that holds them as their answer")
   REQUIRE(session.outcome() != nullptr);
   CHECK_FALSE(session.outcome()->right);
   CHECK(session.step() == 1);
+}
+
+TEST_CASE("a question may stand long before its frame, and its figure is not told beside it") {
+  lesson::Session session = opened("scene-updates");
+  std::vector<std::pair<int, int>> stood;  // where each stands, and where it is decided
+  for (const lesson::Asked& asked : session.questions()) stood.emplace_back(asked.step, asked.until);
+  CHECK(stood == std::vector<std::pair<int, int>>{{0, 20}, {39, 40}, {90, 120}});
+  session.jump(90);
+  REQUIRE(session.asked() != nullptr);
+  CHECK(session.asked_figure() == "slack");
+  const auto told = [&](std::string_view key) {
+    for (const lesson::Figure& figure : session.figures(0))
+      if (figure.key == key) return figure.known;
+    return false;
+  };
+  CHECK_FALSE(told("slack"));
+  CHECK(told("cost"));
+  session.answer({lesson::Answer::Kind::kChoice, 0});
+  REQUIRE(session.outcome() != nullptr);
+  CHECK(session.outcome()->right);  // the first box again
+  CHECK(session.step() == 120);
+  CHECK(told("slack"));
+  CHECK(session.asked_figure().empty());
+}
+
+namespace {
+
+/// scene-updates, whose body is a mesh; more: effects after its own.
+std::string with_mesh(const std::string& more, const std::string& points = "mesh = \"bunny\"") {
+  std::string text = text_of("scene-updates");
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    REQUIRE(at != std::string::npos);
+    text.replace(at, from.size(), to);
+  };
+  replace("generate = \"stick\"\ncount = 80", points);
+  replace("shape = \"points\"", "shape = \"mesh\"");
+  text.erase(text.find("[[question]]"));
+  replace("effect = \"refit\"\n", "effect = \"refit\"\n" + more);
+  return text;
+}
+
+tl::expected<lesson::Session, InputError> opened_with_mesh(const std::string& more) {
+  auto lesson = lesson::read_lesson(with_mesh(more), "meshy.toml");
+  REQUIRE(lesson.has_value());
+  const std::vector<Vector<double, 3>> corners{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}, {0, 0, 1}};
+  return lesson::Session::open(*std::move(lesson), io::PointFile{3, corners, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
+}
+
+std::string effect_called(const std::string& name) { return "\n[[scene.effect]]\neffect = \"" + name + "\"\n"; }
+
+}  // namespace
+
+TEST_CASE("a mesh is a body for every effect but impulses, which refuse it with their line") {
+  auto session = opened_with_mesh(effect_called("broad_phase") + effect_called("narrow_phase") + effect_called("cull") +
+                                  effect_called("shadow") + effect_called("trail") + effect_called("projection_rays"));
+  REQUIRE(session.has_value());
+  CHECK(session->frames(0)->size() == 121);
+  CHECK(session->triangles().size() == 4);
+  CHECK(session->members()[0].shape.corners.size() == 4);
+  session->jump(30);
+  CHECK(frame(*session).slack > 0);
+  CHECK(counts(*session, 30).size() == 8);
+  for (const std::string& line : counts(*session, 30)) CHECK(line.ends_with(" 1 30 0"));
+
+  const std::string solid = effect_called("broad_phase") + effect_called("narrow_phase") + effect_called("bounce");
+  const auto refused = opened_with_mesh(solid);
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().what == "bounce: has impulses for spheres and boxes alone; give body such a shape");
+  const std::string text = with_mesh(solid), before = text.substr(0, text.find("\"bounce\""));
+  CHECK(refused.error().position == std::count(before.begin(), before.end(), '\n'));  // of the table's head, the line above
+
+  const auto nameless = lesson::read_lesson(with_mesh("", "generate = \"stick\"\ncount = 80"), "nameless.toml");
+  REQUIRE_FALSE(nameless.has_value());
+  CHECK(nameless.error().what.find("is a mesh, and [points] names none") != std::string::npos);
 }
 
 TEST_CASE("a task on a scene is graded by its last frame") {

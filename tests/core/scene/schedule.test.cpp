@@ -29,8 +29,8 @@ class Nothing final : public scene::Effect {
 };
 scene::MadeEffect make_nothing(const EffectCall&, scene::World&) { return std::unique_ptr<scene::Effect>(std::make_unique<Nothing>()); }
 
-std::int64_t ticks = 0;
-std::int64_t ticking() { return ticks += 5; }
+double ticks = 0;
+double ticking() { return ticks += 5; }
 
 }  // namespace
 
