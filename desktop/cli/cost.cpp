@@ -171,7 +171,7 @@ tl::expected<Measured, InputError> costs(const CostOptions& options, const Subje
                                          const std::vector<const fit::Algorithm*>& algorithms) {
   std::optional<cost::Table<cost::CostRow>> then;
   if (!options.against.empty()) {
-    auto table = read_costs(options.against);
+    auto table = read_table<cost::CostRow>(options.against);
     if (!table) return Wrong(table.error());
     then = std::move(*table);
   }
