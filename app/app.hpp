@@ -45,6 +45,8 @@ struct Platform {
   const char* glsl_version = "#version 330 core";
   /// Nanoseconds since some moment, only forward: costs and the effects of scenes are timed by it. Null: nothing is.
   double (*clock)() = nullptr;
+  /// How long one run may take where growth is followed, ns: a page keeps no frame waiting, a window does for a moment.
+  double longest_run = 12e6;
   /// What is told of this program and machine with what was measured; what of, and the clock's step, are found here.
   cost::Provenance here;
 };

@@ -15,6 +15,8 @@ namespace {
 
 constexpr float kSize = 12, kTitle = 15, kMark = 5, kReach = 14;
 constexpr double kPadding = 0.06;
+constexpr double kNothing = 1e-7;  // of a share: what rounding leaves
+constexpr float kLittleRoom = 360;  // so low a chart of lines goes without its note, which its file has as well
 constexpr std::size_t kMostMarks = 20;  // on a line, or little more
 /// A log axis of fewer decades has 2 and 5 between its powers of ten; of a smaller factor, even steps.
 constexpr double kFewDecades = 2, kNoDecade = 5;
@@ -123,6 +125,56 @@ void draw_mark(ImDrawList* list, const Look& look, ImVec2 at, const ChartSeries&
   }
 }
 
+/// What the marks of lines mean, below the axes: there is no room for names beside lines that lie close.
+class Legend {
+ public:
+  /// The whole names where they take few rows, else without what the figures are held against.
+  Legend(const Look& look, const Chart& chart, float width) : look_(look), chart_(chart) {
+    if (std::none_of(chart.series.begin(), chart.series.end(), [](const ChartSeries& one) { return one.line; })) return;
+    place(width, true);
+    if (rows_ > kMostRows) place(width, false);
+  }
+  [[nodiscard]] float height() const { return rows_ == 0 ? 0 : static_cast<float>(rows_) * row() + 8; }
+  void draw(ImDrawList* list, ImVec2 from) const {
+    for (const Entry& entry : entries_) {
+      const ImVec2 at{from.x + entry.x, from.y + static_cast<float>(entry.row) * row() + row() / 2};
+      draw_mark(list, look_, {at.x + kMark, at.y}, *entry.series);
+      text(list, look_, Face::kRegular, kSize, {at.x + kIndent, middle_of(at.y, look_.px(kSize))}, look_->ink, entry.words);
+    }
+  }
+
+ private:
+  struct Entry {
+    const ChartSeries* series;
+    std::string words;
+    float x;
+    int row;
+  };
+  static constexpr int kMostRows = 3;
+  static constexpr float kIndent = 18, kGap = 20;
+  [[nodiscard]] float row() const { return look_.px(18); }
+
+  void place(float width, bool whole) {
+    entries_.clear();
+    float x = 0;
+    int row = 0;
+    for (const ChartSeries& one : chart_.series) {
+      if (one.name.empty()) continue;
+      std::string words = whole ? full_name(one) : one.figure.empty() ? one.name : one.name + ": " + one.figure;
+      const float wanted = kIndent + measure(look_, Face::kRegular, kSize, words).x;
+      if (x > 0 && x + wanted > width) x = 0, ++row;
+      entries_.push_back({&one, shortened(look_, Face::kRegular, kSize, words, width - kIndent), x, row});
+      x += wanted + kGap;
+    }
+    rows_ = entries_.empty() ? 0 : row + 1;
+  }
+
+  const Look& look_;
+  const Chart& chart_;
+  std::vector<Entry> entries_;
+  int rows_ = 0;
+};
+
 /// The chart on its way to the screen.
 struct Plot {
   ImDrawList* list;
@@ -184,7 +236,7 @@ struct Plot {
     }
   }
 
-  /// One a series, beside its last point.
+  /// One a series, beside its last point. Bars of spread are lines that labels keep clear of.
   void names() const {
     std::vector<LabelRequest> requests;
     Obstacles obstacles;
@@ -192,9 +244,11 @@ struct Plot {
       const ImVec2 end = one.points.empty() ? ImVec2(frame.x, frame.y) : at(one.points.back());
       const ImVec2 size = measure(look, Face::kRegular, kSize, one.name);
       requests.push_back(
-          {end.x, end.y, kMark * look->mark + 3, size.x, size.y, one.line ? 1.0f : 0.7f, -0.7f, false, true});
-      for (const ChartPoint& p : one.points)
+          {end.x, end.y, kMark * look->mark + 3, size.x, size.y, 0.7f, -0.7f, false, true});
+      for (const ChartPoint& p : one.points) {
         obstacles.discs.push_back({at(p).x, at(p).y, kMark * look->mark + 2});
+        if (p.x_low < p.x_high) obstacles.segments.push_back({x.at(p.x_low), at(p).y, x.at(p.x_high), at(p).y});
+      }
     }
     for (std::size_t i = 1; i < chart.front.size(); ++i) {
       const ImVec2 from = at(chart.front[i - 1]), to = at(chart.front[i]);
@@ -226,20 +280,29 @@ struct Plot {
     const ChartPoint& p = one.points[hit.point];
     const ImVec2 place = at(p);
     ring(list, place, kMark * look->mark + 4, look->support, 2);
-    const std::string words = chart_figure(chart.x.unit, p.x) + ", " + chart_figure(chart.y.unit, p.y);
+    const std::string name = full_name(one);
+    const std::string words = chart_figure(chart.x.unit, p.x) + (chart.x.unit == ChartUnit::kCount ? " " + chart.x.title : "") +
+                              ", " + chart_figure(chart.y.unit, p.y);
     const float width =
-        std::max(measure(look, Face::kSemiBold, kSize, one.name).x, measure(look, Face::kMono, kSize, words).x) + 24;
+        std::max(measure(look, Face::kSemiBold, kSize, name).x, measure(look, Face::kMono, kSize, words).x) + 24;
     const float height = 2 * look.px(kSize) + 24;
     const float left = std::clamp(place.x + 12, frame.x, std::max(frame.x, frame.x + frame.width - width));
     const float top = std::clamp(place.y - height - 12, frame.y, std::max(frame.y, frame.y + frame.height - height));
     list->AddRectFilled({left, top}, {left + width, top + height}, look->panel, 8);
     list->AddRect({left, top}, {left + width, top + height}, look->line, 8);
-    text(list, look, Face::kSemiBold, kSize, {left + 12, top + 8}, look->ink, one.name);
+    text(list, look, Face::kSemiBold, kSize, {left + 12, top + 8}, look->ink, name);
     text(list, look, Face::kMono, kSize, {left + 12, top + 14 + look.px(kSize)}, look->ink, words);
   }
 };
 
 }  // namespace
+
+std::string full_name(const ChartSeries& series) {
+  std::string name = series.name;
+  for (const std::string* more : {&series.figure, &series.beside})
+    if (!more->empty()) name += (name == series.name ? ": " : ", ") + *more;
+  return name;
+}
 
 std::string chart_figure(ChartUnit unit, double value) {
   switch (unit) {
@@ -248,6 +311,7 @@ std::string chart_figure(ChartUnit unit, double value) {
   case ChartUnit::kCount:
     return grouped(value);
   case ChartUnit::kPercent:
+    if (std::abs(value) < kNothing) return "0 %";
     return value < 9.995 ? said("%.3g %%", 100 * value) : grouped(100 * value) + " %";
   case ChartUnit::kDegrees:
     return said("%.3g°", value);
@@ -299,7 +363,9 @@ std::optional<ChartHit> draw_chart(ImDrawList* list, const Look& look, const Rec
   text(list, look, Face::kSemiBold, kTitle, {left, top}, look->ink,
        shortened(look, Face::kSemiBold, kTitle, chart.title, rect.width - 32));
   const float under = top + look.px(kTitle) + 8;
-  const float note = paragraph(list, look, Face::kRegular, kSize, kSize * 1.5f, {left, under}, rect.width - 32,
+  const Legend legend(look, chart, rect.width - 32);
+  const bool noted = legend.height() == 0 || rect.height >= kLittleRoom;
+  const float note = !noted ? -8 : paragraph(list, look, Face::kRegular, kSize, kSize * 1.5f, {left, under}, rect.width - 32,
                                look->muted, chart.note);
   text(list, look, Face::kRegular, kSize, {left, under + note + 8}, look->muted, chart.y.title);
 
@@ -308,7 +374,7 @@ std::optional<ChartHit> draw_chart(ImDrawList* list, const Look& look, const Rec
   for (const ChartTick& tick : chart_ticks(chart.y, plot.y.from, plot.y.to, 12))
     widest = std::max(widest, measure(look, Face::kMono, kSize, tick.label).x);
   const float above = under + note + 16 + line - rect.y;
-  plot.frame = {left + widest + 8, rect.y + above, rect.width - widest - 48, rect.height - above - 2 * line - 32};
+  plot.frame = {left + widest + 8, rect.y + above, rect.width - widest - 48, rect.height - above - 2 * line - (legend.height() > 0 ? 20 : 32) - legend.height()};
   if (plot.frame.width < 1 || plot.frame.height < 1) return std::nullopt;
   plot.x.begin = plot.frame.x, plot.x.end = plot.frame.x + plot.frame.width;
   plot.y.begin = plot.frame.y + plot.frame.height, plot.y.end = plot.frame.y;
@@ -320,7 +386,8 @@ std::optional<ChartHit> draw_chart(ImDrawList* list, const Look& look, const Rec
   plot.axes();
   plot.front();
   plot.series();
-  plot.names();
+  if (legend.height() > 0) legend.draw(list, {left, rect.y + rect.height - legend.height()});
+  else plot.names();
   const auto hit = plot.under_pointer();
   const auto shown = hit ? hit : focus;
   if (shown) plot.figures(*shown);

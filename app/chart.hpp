@@ -37,6 +37,7 @@ struct ChartPoint {
 
 struct ChartSeries {
   std::string name;
+  std::string figure, beside;     // of a line: what is found of it and what it is held against; may be empty
   ChartShape shape = ChartShape::kDisc;
   ChartRole role = ChartRole::kPlain;
   bool line = false;              // whether its points are joined, by rising x
@@ -68,6 +69,9 @@ struct ChartTick {
 struct ChartHit {
   std::size_t series = 0, point = 0;
 };
+
+/// "PCA: n^1.04, theory 1.00"
+[[nodiscard]] std::string full_name(const ChartSeries& series);
 
 /// Where a series' last point was drawn.
 struct ChartPlace {

@@ -30,7 +30,7 @@ inline constexpr KeyHelp kKeyHelp[] = {
     {"Ctrl + arrows", "orbit (3-D)"},
     {"O", "show the smallest ball"},
     {"S", "skip the question"},
-    {"M  C", "where a lesson measures: do so, the chart or the shape"},
+    {"M  C  V", "where a lesson measures: do so, the chart or the shape, another chart"},
 };
 
 /// Of a lesson with the chart of costs, before any other. shown: whether it stands on the stage.

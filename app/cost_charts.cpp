@@ -9,9 +9,13 @@
 #include <utility>
 
 #include "fit/catalogue.hpp"
+#include "fit/updates.hpp"
 
 namespace snug::app {
 namespace {
+
+/// A volume that is larger by less is the tightest, for all that is seen.
+constexpr double kRounding = 1e-6;
 
 std::string said(const char* format, double value) {
   std::array<char, 48> text{};
@@ -59,8 +63,7 @@ struct CostLook {
   }
   [[nodiscard]] std::string name(const cost::CostRow& row) const {
     if (!one) return row.volume + " " + row.algorithm;
-    const fit::Algorithm* algorithm = fit::find_algorithm(row.volume, row.algorithm);
-    return algorithm != nullptr ? std::string(algorithm->title) : row.algorithm;
+    return algorithm_title(row.volume, row.algorithm);
   }
 };
 
@@ -92,56 +95,92 @@ void add_costs(Chart& chart, const std::vector<cost::CostRow>& rows, const CostL
     else if (row.on_front)
       series.role = ChartRole::kChosen;
     if (row.points < row.of && !then) series.name += " (" + std::to_string(row.points) + " points)";
-    if (row.on_front && !then) chart.front.push_back(series.points[0]);
+    if (row.on_front && !then) {
+      const ChartPoint& own = series.points[0];
+      chart.front.insert(std::find_if(chart.front.begin(), chart.front.end(), [&](const ChartPoint& p) { return p.x > own.x; }), own);
+    }
     chart.series.push_back(std::move(series));
   }
 }
 
-/// A row's key tells one line from the next.
-template <class Row, class Key, class Add>
-void each_line(const std::vector<Row>& rows, Key key, Add add) {
-  for (std::size_t first = 0, line = 0; first < rows.size(); ++line) {
-    std::size_t end = first;
-    while (end < rows.size() && key(rows[end]) == key(rows[first]))
-      ++end;
-    add(line, std::span(rows).subspan(first, end - first));
-    first = end;
+/// What two neighbours in a table have in common says whether they are of one line.
+template <class Row, class Same>
+std::vector<std::span<const Row>> cut(const std::vector<Row>& rows, Same same) {
+  std::vector<std::span<const Row>> lines;
+  for (std::size_t first = 0, end = 0; first < rows.size(); first = end) {
+    while (end < rows.size() && same(rows[end], rows[first])) ++end;
+    lines.push_back(std::span<const Row>(rows).subspan(first, end - first));
   }
+  return lines;
+}
+
+ChartSeries line_series(std::size_t line, bool then) {
+  return {.shape = shape_of(line), .role = then ? ChartRole::kThen : ChartRole::kChosen, .line = true, .row = then ? -1 : static_cast<int>(line)};
 }
 
 void add_growth(Chart& chart, const std::vector<cost::GrowthRow>& rows, bool then) {
-  const auto key = [](const cost::GrowthRow& row) { return row.volume + " " + row.algorithm; };
-  each_line(rows, key, [&](std::size_t line, std::span<const cost::GrowthRow> own) {
-    ChartSeries series{.name = key(own[0]),
-                       .shape = shape_of(line),
-                       .role = then ? ChartRole::kThen : ChartRole::kChosen,
-                       .line = true};
-    for (const cost::GrowthRow& row : own)
-      if (row.time.median > 0)
-        series.points.push_back({static_cast<double>(row.points), row.time.median, static_cast<double>(row.points),
-                                 static_cast<double>(row.points)});
-    if (own[0].exponent) series.name += said(": n^%.2f", *own[0].exponent);
-    if (own[0].theory_exponent)
-      series.name += said(own[0].tight ? ", theory %.2f" : ", theory at most %.2f", *own[0].theory_exponent);
-    if (then) series.name.clear();
+  const bool one = std::all_of(rows.begin(), rows.end(), [&](const cost::GrowthRow& row) { return row.volume == rows[0].volume; });
+  const auto lines = lines_of(rows);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    ChartSeries series = line_series(i, then);
+    const cost::GrowthRow& first = lines[i][0];
+    for (const cost::GrowthRow& row : lines[i]) {
+      const auto n = static_cast<double>(row.points);
+      if (row.time.median > 0) series.points.push_back({n, row.time.median, n, n});
+    }
+    if (!then) {
+      series.name = one ? algorithm_title(first.volume, first.algorithm) : first.volume + " " + first.algorithm;
+      if (first.exponent) series.figure = said("n^%.2f", *first.exponent);
+      series.beside = theory_words(first);
+    }
     chart.series.push_back(std::move(series));
-  });
+  }
 }
 
 void add_turn(Chart& chart, const std::vector<cost::TurnRow>& rows, bool then) {
-  const auto key = [](const cost::TurnRow& row) { return row.volume + " " + row.strategy; };
-  each_line(rows, key, [&](std::size_t line, std::span<const cost::TurnRow> own) {
-    ChartSeries series{.name = then ? "" : key(own[0]),
-                       .shape = shape_of(line),
-                       .role = then ? ChartRole::kThen : ChartRole::kChosen,
-                       .line = true};
-    for (const cost::TurnRow& row : own)
-      series.points.push_back({row.degrees, row.slack, row.degrees, row.degrees});
+  const auto lines = lines_of(rows);
+  const auto tight = std::count_if(lines.begin(), lines.end(), always_tight);
+  bool tight_is_there = false;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool of_many = tight > 1 && always_tight(lines[i]);
+    if (of_many && std::exchange(tight_is_there, true)) continue;
+    ChartSeries series = line_series(i, then);
+    if (!then) series.name = of_many ? std::to_string(tight) + " that are always tight" : update_title(lines[i][0].volume, lines[i][0].strategy);
+    for (const cost::TurnRow& row : lines[i]) series.points.push_back({row.degrees, row.slack, row.degrees, row.degrees});
     chart.series.push_back(std::move(series));
-  });
+  }
 }
 
 }  // namespace
+
+std::vector<std::span<const cost::GrowthRow>> lines_of(const std::vector<cost::GrowthRow>& rows) {
+  return cut(rows, [](const cost::GrowthRow& a, const cost::GrowthRow& b) { return a.volume == b.volume && a.algorithm == b.algorithm; });
+}
+std::vector<std::span<const cost::TurnRow>> lines_of(const std::vector<cost::TurnRow>& rows) {
+  return cut(rows, [](const cost::TurnRow& a, const cost::TurnRow& b) { return a.volume == b.volume && a.strategy == b.strategy; });
+}
+
+bool always_tight(std::span<const cost::TurnRow> line) {
+  return std::all_of(line.begin(), line.end(), [](const cost::TurnRow& row) { return row.slack < kRounding; });
+}
+
+std::string algorithm_title(std::string_view volume, std::string_view algorithm) {
+  const fit::Algorithm* found = fit::find_algorithm(volume, algorithm);
+  return std::string(found != nullptr ? found->title : algorithm);
+}
+
+std::string update_title(std::string_view volume, std::string_view strategy) {
+  const fit::UpdateStrategy* found = fit::find_update(volume, strategy);
+  std::string title(found != nullptr ? found->title : strategy);
+  if (volume == "kdop") return title;  // which says so itself
+  title[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(title[0])));
+  return heading_of(std::string(volume)) + ", " + title;
+}
+
+std::string theory_words(const cost::GrowthRow& row) {
+  if (!row.theory_exponent) return {};
+  return said(row.tight ? "theory %.2f" : "theory at most %.2f", *row.theory_exponent);
+}
 
 Chart cost_chart(const cost::Table<cost::CostRow>& now, const cost::Table<cost::CostRow>* then) {
   const CostLook look = look_of(now.rows);
@@ -154,7 +193,6 @@ Chart cost_chart(const cost::Table<cost::CostRow>& now, const cost::Table<cost::
               .y = {kAgainst[static_cast<std::size_t>(look.against)], ChartUnit::kRatio, true}};
   if (then != nullptr) add_costs(chart, then->rows, look, true);
   add_costs(chart, now.rows, look, false);
-  std::sort(chart.front.begin(), chart.front.end(), [](const ChartPoint& a, const ChartPoint& b) { return a.x < b.x; });
   return chart;
 }
 

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/chart.hpp"
 #include "measure/report.hpp"
@@ -13,11 +16,23 @@ namespace snug::app {
 /// its kind.
 [[nodiscard]] Chart cost_chart(const cost::Table<cost::CostRow>& now, const cost::Table<cost::CostRow>* then = nullptr);
 
-/// Time against the number of points, with the fitted power and theory's in the name.
+/// Time against the number of points, a line an algorithm, with the fitted power beside theory's.
 [[nodiscard]] Chart growth_chart(const cost::Table<cost::GrowthRow>& now,
                                  const cost::Table<cost::GrowthRow>* then = nullptr);
 
-/// Slack over a full turn.
+/// Slack over a full turn, a line an update; those that are always tight are one.
 [[nodiscard]] Chart turn_chart(const cost::Table<cost::TurnRow>& now, const cost::Table<cost::TurnRow>* then = nullptr);
+
+/// The rows of one algorithm, or of one update, as they follow each other: a chart's line.
+[[nodiscard]] std::vector<std::span<const cost::GrowthRow>> lines_of(const std::vector<cost::GrowthRow>& rows);
+[[nodiscard]] std::vector<std::span<const cost::TurnRow>> lines_of(const std::vector<cost::TurnRow>& rows);
+/// Whether the update's volume is the tightest of its kind at every angle.
+[[nodiscard]] bool always_tight(std::span<const cost::TurnRow> line);
+
+/// As people say them: "PCA of the points", "AABB, hill climbing". What there is none of by that name keeps it.
+[[nodiscard]] std::string algorithm_title(std::string_view volume, std::string_view algorithm);
+[[nodiscard]] std::string update_title(std::string_view volume, std::string_view strategy);
+/// "theory 1.00", or of what is a mere bound "theory at most 2.00"; empty where there is none.
+[[nodiscard]] std::string theory_words(const cost::GrowthRow& row);
 
 }  // namespace snug::app

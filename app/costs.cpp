@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/cost_captions.hpp"
 #include "app/cost_charts.hpp"
 #include "app/stage_brush.hpp"
 #include "app/widgets.hpp"
+#include "geometry/generate.hpp"
+#include "measure/growth.hpp"
 #include "measure/sample.hpp"
+#include "measure/turn_run.hpp"
 
 namespace snug::app {
 namespace {
@@ -18,6 +22,17 @@ constexpr Index kMostShown = 5'000;
 constexpr double kLeastBatch = 10e6, kMostBatch = 15e6, kLongest = 16e6, kLongestWatched = 24e6;
 constexpr double kLongestLoaded = 0.3e9;  // what a click may take, ns
 constexpr int kRepeats = 9;
+/// A line has many points: each has fewer batches, and where those are long, three.
+constexpr int kRepeatsOnLine = 5;
+constexpr double kEnoughOnLine = 1e9;
+/// How far growth is followed; a set of fewer points than the least says little of it, and others stand in.
+constexpr Index kMostGrown = 1'000'000, kFewestGrown = 10'000;
+constexpr std::string_view kStandIn = "cube";
+constexpr int kFrames = 72;  // of a turn
+
+using AccuracySheet = CostSheetOf<cost::CostRun, cost::CostRow>;
+using GrowthSheet = CostSheetOf<cost::GrowthRun, cost::GrowthRow>;
+using TurnSheet = CostSheetOf<cost::TurnRun, cost::TurnRow>;
 
 bool same(const AnyPointSet& a, const AnyPointSet& b) {
   const Index n = fit::size_of(a);
@@ -27,28 +42,48 @@ bool same(const AnyPointSet& a, const AnyPointSet& b) {
   return true;
 }
 
-std::string title_of(const cost::CostRow& row) {
-  const fit::Algorithm* algorithm = fit::find_algorithm(row.volume, row.algorithm);
-  return std::string(algorithm != nullptr ? algorithm->title : std::string_view(row.algorithm));
+std::vector<const fit::Algorithm*> algorithms_of(const lesson::Session& session) {
+  std::vector<const fit::Algorithm*> algorithms;
+  for (const std::string& name : session.lesson().algorithms)
+    algorithms.push_back(fit::find_algorithm(session.lesson().volume, name));
+  return algorithms;
+}
+
+/// The kind that the session's points are of, if they are of one.
+std::string generated_kind(const lesson::Session& session) {
+  const auto kinds = generator_kinds();
+  return std::find(kinds.begin(), kinds.end(), session.source()) != kinds.end() ? session.source() : std::string();
+}
+
+std::optional<CostView> view_named(std::string_view name) {
+  for (std::size_t i = 0; i < kCostViewNames.size(); ++i)
+    if (kCostViewNames[i] == name) return static_cast<CostView>(i);
+  return std::nullopt;
 }
 
 }  // namespace
 
-Costs::Costs(const Platform& platform) {
+Costs::Costs(const Platform& platform)
+    : longest_growing_(platform.longest_run),
+      sheets_{std::make_unique<AccuracySheet>(cost_chart), std::make_unique<GrowthSheet>(growth_chart), std::make_unique<TurnSheet>(turn_chart)} {
   if (platform.clock == nullptr) return;
   clock_ = platform.clock;
-  table_.provenance = platform.here;
-  table_.provenance.clock_resolution_ns = cost::resolution_of(clock_);
-  options_.timing = {.repeats = kRepeats,
-                     .batch = cost::batch_length(table_.provenance.clock_resolution_ns, kLeastBatch, kMostBatch)};
+  here_ = platform.here;
+  here_.clock_resolution_ns = cost::resolution_of(clock_);
+  options_.timing = {.repeats = kRepeats, .batch = cost::batch_length(here_.clock_resolution_ns, kLeastBatch, kMostBatch)};
   options_.limits = {.longest = kLongest, .longest_watched = kLongestWatched};
 }
+Costs::~Costs() = default;
+
+const CostTable& Costs::table() const { return static_cast<const AccuracySheet&>(of(CostView::kAccuracy)).table; }
+const GrowthTable& Costs::growth() const { return static_cast<const GrowthSheet&>(of(CostView::kGrowth)).table; }
+const TurnTable& Costs::turn() const { return static_cast<const TurnSheet&>(of(CostView::kTurn)).table; }
 
 void Costs::open() {
-  run_.reset();
-  whole_.reset(), then_.reset();
-  table_.rows.clear();
-  focus_ = -1;
+  for (const auto& sheet : sheets_) sheet->clear();
+  at_work_.reset();
+  whole_.reset();
+  view_ = CostView::kAccuracy;
   show(false);  // the shape is what the predictions are of
   take_rows();
 }
@@ -72,11 +107,32 @@ tl::expected<void, InputError> Costs::load(lesson::Session& session, const io::P
   return {};
 }
 
-void Costs::lay_over(CostTable then) {
-  then_ = std::move(then);
+bool Costs::may_see(const lesson::Session& session, CostView view) const {
+  return view == CostView::kAccuracy || session.asked() == nullptr;
+}
+
+bool Costs::look_at(const lesson::Session& session, CostView view) {
+  if (!may_see(session, view)) return false;
+  refused_.clear();
+  view_ = view;
+  focus_row_ = -1;
   take_rows();
   show(true);
+  return true;
 }
+
+template <class Row>
+bool Costs::lay_over(const lesson::Session& session, cost::Table<Row> then) {
+  constexpr bool growth = std::is_same_v<Row, cost::GrowthRow>, turn = std::is_same_v<Row, cost::TurnRow>;
+  const CostView view = growth ? CostView::kGrowth : turn ? CostView::kTurn : CostView::kAccuracy;
+  if (!may_see(session, view)) return false;
+  using Sheet = std::conditional_t<growth, GrowthSheet, std::conditional_t<turn, TurnSheet, AccuracySheet>>;
+  static_cast<Sheet&>(of(view)).lay_over(std::move(then));
+  return look_at(session, view);
+}
+template bool Costs::lay_over(const lesson::Session&, CostTable);
+template bool Costs::lay_over(const lesson::Session&, GrowthTable);
+template bool Costs::lay_over(const lesson::Session&, TurnTable);
 
 Index Costs::size(const lesson::Session& session) const {
   return whole_ && same(*some_, session.points()) ? fit::size_of(*whole_) : session.size();
@@ -84,48 +140,86 @@ Index Costs::size(const lesson::Session& session) const {
 
 void Costs::start(const lesson::Session& session) {
   at_start_ = session.points();
-  subject_ = whole_ && same(*some_, *at_start_) ? *whole_ : *at_start_;
-  std::vector<const fit::Algorithm*> algorithms;
-  for (const std::string& name : session.lesson().algorithms)
-    algorithms.push_back(fit::find_algorithm(session.lesson().volume, name));
+  subject_ = whole_ && same(*some_, *at_start_) && view_ != CostView::kTurn ? *whole_ : *at_start_;
   options_.fit.seed = session.seed();
-  cost::Provenance& about = table_.provenance;
+  cost::Provenance about = here_;
   about.points = session.source(), about.scalar = "double", about.dim = session.dim();
   about.seed = static_cast<std::int64_t>(session.seed());
-  table_.rows.clear();
-  focus_ = -1;
+  if (view_ == CostView::kAccuracy) start_accuracy(session, std::move(about));
+  else if (view_ == CostView::kGrowth) start_growth(session, std::move(about));
+  else start_turn(std::move(about));
+  at_work_ = view_;
+  focus_row_ = -1;
   percent_ = 0;
-  run_ = std::make_unique<cost::CostRun>(*subject_, std::move(algorithms), options_, clock_);
   take_rows();
   show(true);
 }
 
+void Costs::start_accuracy(const lesson::Session& session, cost::Provenance about) {
+  static_cast<AccuracySheet&>(of(CostView::kAccuracy))
+      .start(std::make_unique<cost::CostRun>(*subject_, algorithms_of(session), options_, clock_), std::move(about));
+}
+
+/// Of generated points there are as many as one likes, of others only those that there are.
+void Costs::start_growth(const lesson::Session& session, cost::Provenance about) {
+  std::string kind = generated_kind(session);
+  if (kind.empty() && fit::size_of(*subject_) < kFewestGrown) kind = kStandIn;
+  const Index most = kind.empty() ? std::min(kMostGrown, fit::size_of(*subject_)) : kMostGrown;
+  const auto points = kind.empty() ? std::make_shared<cost::PointStock>(*subject_, session.seed())
+                                   : std::make_shared<cost::PointStock>(kind, session.dim(), false, session.seed());
+  if (!kind.empty()) about.points = kind + ":" + std::to_string(most);
+  std::vector<cost::Workload> loads;
+  for (const fit::Algorithm* algorithm : algorithms_of(session)) loads.push_back(cost::workload_of(*algorithm, session.dim(), most, points, options_.fit));
+  cost::TimingOptions timing = options_.timing;
+  timing.repeats = kRepeatsOnLine, timing.enough = kEnoughOnLine;
+  static_cast<GrowthSheet&>(of(CostView::kGrowth))
+      .start(std::make_unique<cost::GrowthRun>(std::move(loads), timing, longest_growing_, clock_), std::move(about));
+}
+
+void Costs::start_turn(cost::Provenance about) {
+  std::vector<const fit::UpdateStrategy*> strategies;
+  for (const fit::UpdateStrategy& strategy : fit::update_strategies())
+    if (about.dim == 2 ? strategy.plane : strategy.space) strategies.push_back(&strategy);
+  cost::TimingOptions timing = options_.timing;
+  timing.repeats = kRepeatsOnLine;
+  static_cast<TurnSheet&>(of(CostView::kTurn))
+      .start(std::make_unique<cost::TurnRun>(*subject_, std::move(strategies), kFrames, timing, clock_), std::move(about));
+}
+
 /// What is ready goes onto the chart.
 void Costs::take_rows() {
-  if (run_ != nullptr) table_.rows = run_->rows();
-  cost::mark_front(table_.rows);
-  chart_ = cost_chart(table_, then());
+  chart_ = sheet().chart();
+  places_.clear();
   ++version_;
 }
 
 void Costs::work(lesson::Session& session, double budget) {
-  if (run_ == nullptr) return;
-  cost::advance(*run_, clock_, budget);
-  const int percent = static_cast<int>(100 * run_->progress());
+  if (!running()) return;
+  CostSheet& sheet = of(*at_work_);
+  const bool more = sheet.work(clock_, budget);
+  const int percent = static_cast<int>(100 * sheet.progress());
   if (std::exchange(percent_, percent) != percent) ++version_;
-  if (run_->rows().size() != table_.rows.size()) take_rows();
-  if (run_->done()) finish(session);
+  if (more && view_ == *at_work_) take_rows();
+  if (sheet.done()) finish(session);
 }
 
 /// Whole results alone are told to the session, if its points are still those.
 void Costs::finish(lesson::Session& session) {
-  run_.reset();
-  ++version_;
-  if (table_.rows.size() == session.lesson().algorithms.size() && same(*at_start_, session.points())) session.measured(table_.rows);
+  const CostView done = *std::exchange(at_work_, std::nullopt);
+  of(done).stop();
+  take_rows();
+  const bool whole = done == CostView::kAccuracy && table().rows.size() == session.lesson().algorithms.size();
+  if (whole && same(*at_start_, session.points())) session.measured(table().rows);
 }
 
 bool Costs::command(lesson::Session& session, std::string_view name) {
   if (!session.lesson().measures) return false;
+  constexpr std::string_view kShow = "show_";
+  if (name == "show_other") return look_at(session, static_cast<CostView>((static_cast<int>(view_) + 1) % kCostViews));
+  if (name.substr(0, kShow.size()) == kShow) {
+    const auto view = view_named(name.substr(kShow.size()));
+    return view && look_at(session, *view);
+  }
   refused_.clear();
   if (name == "measure") {
     if (running() || !clock_ || session.asked() != nullptr) return false;
@@ -136,7 +230,9 @@ bool Costs::command(lesson::Session& session, std::string_view name) {
   } else if (name == "toggle_chart") {
     show(!shown_);
   } else if (name == "chart_next" || name == "chart_previous") {
-    move_focus(name == "chart_next" ? 1 : -1);
+    move_focus(name == "chart_next" ? 1 : -1, false);
+  } else if (name == "chart_down" || name == "chart_up") {
+    move_focus(name == "chart_down" ? 1 : -1, true);
   } else if (name == "chart_load") {
     return load_algorithm(session);
   } else {
@@ -145,27 +241,51 @@ bool Costs::command(lesson::Session& session, std::string_view name) {
   return true;
 }
 
-/// From mark to mark by rising time, round and round.
-void Costs::move_focus(int by) {
-  std::vector<int> order;
-  for (const ChartSeries& series : chart_.series)
-    if (series.row >= 0) order.push_back(series.row);
+std::optional<ChartHit> Costs::focused() const {
+  for (std::size_t i = 0; i < chart_.series.size(); ++i) {
+    const ChartSeries& series = chart_.series[i];
+    if (focus_row_ >= 0 && series.row == focus_row_ && !series.points.empty())
+      return ChartHit{i, std::min(focus_point_, series.points.size() - 1)};
+  }
+  return std::nullopt;
+}
+
+/// The chart's points in the order of the keys: by rising time, along a line and on along the next, or from line to line.
+std::vector<ChartHit> Costs::stops(bool to_line) const {
+  std::vector<ChartHit> stops;
+  const auto x_of = [&](const ChartHit& hit) { return chart_.series[hit.series].points[hit.point].x; };
+  for (std::size_t i = 0; i < chart_.series.size(); ++i) {
+    const ChartSeries& series = chart_.series[i];
+    if (series.row < 0 || series.points.empty()) continue;
+    const std::size_t last = series.points.size() - 1, only = std::min(focus_point_, last);
+    for (std::size_t k = to_line ? only : 0; k <= (to_line ? only : last); ++k) {
+      const ChartHit hit{i, k};
+      stops.insert(series.line ? stops.end() : std::find_if(stops.begin(), stops.end(), [&](const ChartHit& other) { return x_of(other) > x_of(hit); }), hit);
+    }
+  }
+  return stops;
+}
+
+/// Round and round.
+void Costs::move_focus(int by, bool to_line) {
+  const std::vector<ChartHit> order = stops(to_line);
   if (order.empty()) return;
-  const auto time = [&](int row) { return table_.rows[static_cast<std::size_t>(row)].time.median; };
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return time(a) < time(b); });
+  const auto now = focused();
   const auto n = static_cast<int>(order.size());
-  const auto found = std::find(order.begin(), order.end(), focus_);
+  const auto found = std::find_if(order.begin(), order.end(), [&](const ChartHit& hit) { return now && hit.series == now->series && hit.point == now->point; });
   const int at = found == order.end() ? (by > 0 ? 0 : n - 1) : (static_cast<int>(found - order.begin()) + by + n) % n;
-  focus_ = order[static_cast<std::size_t>(at)];
+  const ChartHit& to = order[static_cast<std::size_t>(at)];
+  focus_row_ = chart_.series[to.series].row;
+  focus_point_ = to.point;
   ++version_;
 }
 
 bool Costs::load_algorithm(lesson::Session& session) {
-  if (focus_ < 0) return false;
-  const cost::CostRow& row = table_.rows[static_cast<std::size_t>(focus_)];
+  if (focus_row_ < 0 || view_ != CostView::kAccuracy) return false;
+  const cost::CostRow& row = table().rows[static_cast<std::size_t>(focus_row_)];
   ++version_;
   if (row.whole_ns && row.points < session.size() && *row.whole_ns > kLongestLoaded) {
-    refused_ = title_of(row) + " would take about " + chart_figure(ChartUnit::kTime, *row.whole_ns) +
+    refused_ = algorithm_title(row.volume, row.algorithm) + " would take about " + chart_figure(ChartUnit::kTime, *row.whole_ns) +
                " on all points: it was measured on fewer, and is not loaded.";
     return false;
   }
@@ -177,49 +297,53 @@ bool Costs::load_algorithm(lesson::Session& session) {
 
 std::string Costs::caption(const lesson::Session& session) const {
   if (!refused_.empty()) return refused_;
-  const auto all = session.lesson().algorithms.size();
-  if (running()) return "Measuring: " + std::to_string(table_.rows.size()) + " of " + std::to_string(all) + " algorithms are done.";
-  if (focus_ >= 0) {
-    const cost::CostRow& row = table_.rows[static_cast<std::size_t>(focus_)];
-    std::string said = title_of(row) + ": " + chart_figure(ChartUnit::kTime, row.time.median);
-    if (row.tightness) said += ", " + chart_figure(ChartUnit::kRatio, *row.tightness) + " times the smallest";
-    else if (row.over_hull) said += ", " + chart_figure(ChartUnit::kRatio, *row.over_hull) + " times the hull";
-    if (row.points < row.of) said += ", on " + std::to_string(row.points) + " of " + std::to_string(row.of) + " points";
-    return said + (row.on_front ? "; on the front." : "; not on the front.");
+  if (running() && *at_work_ != view_) return "Another chart is being measured: this one waits.";
+  if (running()) {
+    const bool turn = view_ == CostView::kTurn;
+    const auto lines = turn ? lines_of(this->turn().rows).size() : view_ == CostView::kGrowth ? lines_of(growth().rows).size() : table().rows.size() + 1;
+    const auto all = turn ? 0 : session.lesson().algorithms.size();
+    return measuring_caption(static_cast<int>(lines > 0 ? lines - 1 : 0), static_cast<int>(all));
+  }
+  const bool any = sheet().rows() > 0;
+  if (focus_row_ >= 0 && any) {
+    if (view_ == CostView::kGrowth) return growth_caption(growth(), focus_row_, focus_point_);
+    if (view_ == CostView::kTurn) return turn_caption(turn(), focus_row_, focus_point_);
+    return accuracy_caption(table().rows[static_cast<std::size_t>(focus_row_)]);
   }
   if (session.asked() != nullptr) return "Predict first, then measure.";
-  if (table_.rows.empty()) return "Nothing is measured yet: press Measure.";
-  const auto front = std::count_if(table_.rows.begin(), table_.rows.end(), [](const cost::CostRow& row) { return row.on_front; });
-  return std::to_string(front) + " of " + std::to_string(table_.rows.size()) + " lie on the front. Click a mark to load its box.";
+  if (!any) return "Nothing is measured yet: press Measure.";
+  if (view_ == CostView::kGrowth) return growth_caption(growth(), longest_growing_);
+  return view_ == CostView::kTurn ? turn_caption(turn()) : accuracy_caption(table());
 }
 
 void Costs::draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->ground);
   // The buttons stand above it, the sentence below.
-  const float above = look.fingers ? 60 : look.px(44), below = rect.width >= 560 ? look.px(64) : 4;
+  const float above = look.fingers ? 60 : look.px(44), below = rect.width >= 560 ? look.px(76) : 4;
   const Rect room{rect.x, rect.y + above, rect.width, rect.height - above - below};
-  std::optional<ChartHit> focus;
-  for (std::size_t i = 0; i < chart_.series.size(); ++i)
-    if (focus_ >= 0 && chart_.series[i].row == focus_) focus = ChartHit{i, 0};
   const Touch touch = touch_area("chart", room);
-  std::vector<ChartPlace> drawn;
-  const auto hit = chart_.series.empty() ? std::nullopt : draw_chart(list, look, room, chart_, focus, &drawn);
-  places_.assign(table_.rows.size(), std::nullopt);
-  for (std::size_t i = 0; i < drawn.size(); ++i)
-    if (chart_.series[i].row >= 0) places_[static_cast<std::size_t>(chart_.series[i].row)] = drawn[i];
+  places_.clear();
+  const auto hit = chart_.series.empty() ? std::nullopt : draw_chart(list, look, room, chart_, focused(), &places_);
   Obstacles none;
   if (with_sentence) draw_sentence(list, look, none, rect, caption(session));
   if (!touch.clicked || !hit || chart_.series[hit->series].row < 0) return;
-  focus_ = chart_.series[hit->series].row;
+  focus_row_ = chart_.series[hit->series].row;
+  focus_point_ = hit->point;
   refused_.clear();
+  ++version_;
   static_cast<void>(load_algorithm(session));
 }
 
 std::vector<Handle> Costs::handles() const {
   std::vector<Handle> handles;
-  for (std::size_t i = 0; i < places_.size(); ++i)
-    if (places_[i] && i < table_.rows.size()) handles.push_back({table_.rows[i].algorithm, places_[i]->x, places_[i]->y});
+  for (std::size_t i = 0; i < places_.size() && i < chart_.series.size(); ++i) {
+    const int row = chart_.series[i].row;
+    if (row < 0) continue;
+    if (view_ == CostView::kAccuracy) handles.push_back({table().rows[static_cast<std::size_t>(row)].algorithm, places_[i].x, places_[i].y});
+    else if (view_ == CostView::kGrowth) handles.push_back({lines_of(growth().rows)[static_cast<std::size_t>(row)][0].algorithm, places_[i].x, places_[i].y});
+    else handles.push_back({chart_.series[i].name, places_[i].x, places_[i].y});
+  }
   return handles;
 }
 

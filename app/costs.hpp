@@ -1,6 +1,8 @@
-// What accuracy costs on the session's points: measured in slices between the frames, shown as a chart on the stage.
+// What accuracy costs on the session's points: measured in slices between the frames, shown as one of three charts on the
+// stage: accuracy against time, time against the number of points, slack over a turn.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,18 +10,25 @@
 #include <vector>
 
 #include "app/app.hpp"
-#include "app/chart.hpp"
-#include "measure/cost_run.hpp"
-#include "measure/report.hpp"
+#include "app/cost_sheet.hpp"
 
 namespace snug::app {
 
 using CostTable = cost::Table<cost::CostRow>;
+using GrowthTable = cost::Table<cost::GrowthRow>;
+using TurnTable = cost::Table<cost::TurnRow>;
+
+/// The charts' names in commands ("show_growth") and as people say them, in CostView's order.
+inline constexpr std::array<std::string_view, kCostViews> kCostViewNames{"accuracy", "growth", "turn"};
+inline constexpr std::array<std::string_view, kCostViews> kCostViewTitles{"Accuracy", "Growth", "Slack in a turn"};
+/// Why the last two are not to be had before the predictions.
+inline constexpr std::string_view kPredictFirst = "The predictions come first: the other charts would give them away.";
 
 class Costs {
  public:
   explicit Costs(const Platform& platform);
-  Costs(const Costs&) = delete;  // the run points into it
+  ~Costs();
+  Costs(const Costs&) = delete;  // a run points into it
   Costs& operator=(const Costs&) = delete;
 
   /// Of a session that was just opened.
@@ -27,20 +36,29 @@ class Costs {
   /// A file's points. Of more than the stage can hold it shows some, and all of them are measured. Errors: as of
   /// Session::load; more than kMostMeasured.
   tl::expected<void, InputError> load(lesson::Session& session, const io::PointFile& file, std::string_view name);
-  /// An earlier result, to lie over the present one.
-  void lay_over(CostTable then);
+  /// An earlier result, to lie over the present one, whose chart is shown then. Row: CostRow, GrowthRow or TurnRow. false:
+  /// that chart is not to be had before the predictions.
+  template <class Row>
+  bool lay_over(const lesson::Session& session, cost::Table<Row> then);
 
-  /// Names: measure stop_measuring toggle_chart chart_next chart_previous chart_load. false: it cannot be done now.
+  /// Names: measure stop_measuring toggle_chart chart_next chart_previous chart_up chart_down chart_load show_accuracy
+  /// show_growth show_turn show_other. false: it cannot be done now.
   bool command(lesson::Session& session, std::string_view name);
   /// Goes on for so many nanoseconds, or one piece that cannot be cut.
   void work(lesson::Session& session, double budget);
 
-  [[nodiscard]] bool running() const { return run_ != nullptr; }
+  [[nodiscard]] bool running() const { return at_work_.has_value(); }
   /// From 0 to 1.
-  [[nodiscard]] double progress() const { return run_ != nullptr ? run_->progress() : 1; }
-  [[nodiscard]] const CostTable& table() const { return table_; }
-  [[nodiscard]] const CostTable* then() const { return then_ ? &*then_ : nullptr; }
-  /// How many points are measured.
+  [[nodiscard]] double progress() const { return at_work_ ? of(*at_work_).progress() : 1; }
+  /// Which chart is shown, or would be, and its table.
+  [[nodiscard]] CostView view() const { return view_; }
+  [[nodiscard]] const CostSheet& sheet() const { return of(view_); }
+  /// Whether this chart may be chosen: not before the predictions, of what they are about.
+  [[nodiscard]] bool may_see(const lesson::Session& session, CostView view) const;
+  [[nodiscard]] const CostTable& table() const;
+  [[nodiscard]] const GrowthTable& growth() const;
+  [[nodiscard]] const TurnTable& turn() const;
+  /// How many points are measured, but of the growth, which has its own.
   [[nodiscard]] Index size(const lesson::Session& session) const;
   /// Changes with whatever the chart shows, and with each per cent of progress.
   [[nodiscard]] int version() const { return version_; }
@@ -51,27 +69,37 @@ class Costs {
   /// In the current pane.
   void draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence);
   [[nodiscard]] std::string caption(const lesson::Session& session) const;
-  /// The marks, by their algorithms' names.
+  /// The marks by their algorithms' names; of lines the last of each.
   [[nodiscard]] std::vector<Handle> handles() const;
 
  private:
+  [[nodiscard]] CostSheet& of(CostView view) const { return *sheets_[static_cast<std::size_t>(view)]; }
   void start(const lesson::Session& session);
+  void start_accuracy(const lesson::Session& session, cost::Provenance about);
+  void start_growth(const lesson::Session& session, cost::Provenance about);
+  void start_turn(cost::Provenance about);
   void finish(lesson::Session& session);
   void take_rows();
+  bool look_at(const lesson::Session& session, CostView view);
   [[nodiscard]] bool load_algorithm(lesson::Session& session);
-  void move_focus(int by);
+  [[nodiscard]] std::vector<ChartHit> stops(bool to_line) const;
+  void move_focus(int by, bool to_line);
+  [[nodiscard]] std::optional<ChartHit> focused() const;
 
   cost::Clock clock_;
+  cost::Provenance here_;
   cost::CostOptions options_;
+  double longest_growing_ = 0;
   std::optional<AnyPointSet> whole_, some_;  // a large file's points, and those of them that the session has
   std::optional<AnyPointSet> subject_, at_start_;  // of the run: its points, and the session's
-  std::unique_ptr<cost::CostRun> run_;
-  CostTable table_;
-  std::optional<CostTable> then_;
+  std::array<std::unique_ptr<CostSheet>, kCostViews> sheets_;
+  std::optional<CostView> at_work_;
+  CostView view_ = CostView::kAccuracy;
   Chart chart_;
-  std::vector<std::optional<ChartPlace>> places_;  // of the rows, as drawn
-  int focus_ = -1;                                // a row
-  std::string refused_;                           // why it could not be loaded
+  std::vector<ChartPlace> places_;  // of the chart's series, as drawn
+  int focus_row_ = -1;              // a row of the table, or a line of the chart,
+  std::size_t focus_point_ = 0;     // and a point of that
+  std::string refused_;             // why it could not be loaded
   bool shown_ = false;
   int version_ = 0, percent_ = 0;
 };

@@ -8,14 +8,6 @@ namespace snug::desktop {
 namespace {
 
 template <class Row>
-tl::expected<cost::Table<Row>, InputError> read_table(const std::string& path) {
-  if constexpr (std::is_same_v<Row, cost::CostRow>)
-    return read_costs(path);
-  else
-    return read_file(path).and_then([&](const std::string& text) { return cost::read_csv<Row>(text, path); });
-}
-
-template <class Row>
 tl::expected<app::Chart, InputError> chart_of(const std::string& path, const std::string& then,
                                               app::Chart (*draw)(const cost::Table<Row>&, const cost::Table<Row>*)) {
   const auto now = read_table<Row>(path);
@@ -31,9 +23,9 @@ tl::expected<app::Chart, InputError> chart_of(const std::string& path, const std
 tl::expected<app::Chart, InputError> read_chart(const std::string& path, const std::string& then) {
   const auto text = read_file(path);
   if (!text) return tl::unexpected(text.error());
-  const auto is = [&](std::string_view table) { return text->starts_with("# snug table: " + std::string(table)); };
-  if (is(cost::GrowthRow::kTable)) return chart_of<cost::GrowthRow>(path, then, app::growth_chart);
-  if (is(cost::TurnRow::kTable)) return chart_of<cost::TurnRow>(path, then, app::turn_chart);
+  const std::string table = table_name(*text);
+  if (table == cost::GrowthRow::kTable) return chart_of<cost::GrowthRow>(path, then, app::growth_chart);
+  if (table == cost::TurnRow::kTable) return chart_of<cost::TurnRow>(path, then, app::turn_chart);
   return chart_of<cost::CostRow>(path, then, app::cost_chart);
 }
 

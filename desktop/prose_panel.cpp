@@ -134,11 +134,28 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome* outcome) 
   column.end_card();
 }
 
-/// Of a lesson with the chart: to measure, to stop, to save, and what came of the predictions.
+/// Which of the charts is shown.
+void draw_chart_choice(Shell& shell, Column& column) {
+  const app::Costs& costs = shell.app().costs();
+  std::vector<std::string> words;
+  std::vector<bool> enabled;
+  for (int i = 0; i < app::kCostViews; ++i) {
+    words.emplace_back(app::kCostViewTitles[static_cast<std::size_t>(i)]);
+    enabled.push_back(costs.may_see(shell.session(), static_cast<app::CostView>(i)));
+  }
+  const int clicked = column.buttons("chart", words, static_cast<int>(costs.view()), enabled);
+  if (clicked >= 0) shell.app().command("show_" + std::string(app::kCostViewNames[static_cast<std::size_t>(clicked)]));
+  if (enabled.back()) return;
+  column.words(app::kPredictFirst, Face::kRegular, 13, column.look()->muted);
+  column.gap(8);
+}
+
+/// Of a lesson with the charts: which, to measure, to stop, to save, and what came of the predictions.
 void draw_costs(Shell& shell, Column& column) {
   if (!shell.session().lesson().measures) return;
+  draw_chart_choice(shell, column);
   const app::Costs& costs = shell.app().costs();
-  const bool ready = shell.session().asked() == nullptr, any = !costs.table().rows.empty();
+  const bool ready = shell.session().asked() == nullptr, any = costs.sheet().rows() > 0;
   const int clicked = column.buttons("costs", {costs.running() ? "Stop" : "Measure", "Save CSV", "Save JSON"}, -1, {ready || costs.running(), any, any});
   if (clicked == 0) shell.app().command(costs.running() ? "stop_measuring" : "measure");
   if (clicked > 0) shell.save_costs(clicked == 1 ? "csv" : "json");

@@ -11,10 +11,10 @@ namespace {
 
 std::string mesh_path(const std::string& name) { return (program_folder() / "assets" / "meshes" / (name + ".ply")).string(); }
 
-/// Whether the file begins as a table of what was measured.
-bool is_result(const std::string& path) {
+/// Which table of what was measured the file begins as; empty for none.
+std::string result_in(const std::string& path) {
   const auto text = read_file(path);
-  return text && (text->starts_with("# snug table:") || text->starts_with("{\"table\""));
+  return text ? table_name(*text) : std::string();
 }
 
 }  // namespace
@@ -40,10 +40,17 @@ void Shell::use_mesh(const std::string& name) {
   if (tell(read)) tell(app_.load(*read, name));
 }
 
+template <class Row>
+void Shell::lay_over(const std::string& path) {
+  auto table = read_table<Row>(path);
+  if (tell(table) && !app_.costs().lay_over(session(), std::move(*table))) notice = app::kPredictFirst;
+}
+
 void Shell::use_file(const std::string& path) {
-  if (session().lesson().measures && is_result(path)) {
-    auto table = read_costs(path);
-    if (tell(table)) app_.costs().lay_over(std::move(*table));
+  if (const std::string table = session().lesson().measures ? result_in(path) : ""; !table.empty()) {
+    if (table == cost::GrowthRow::kTable) lay_over<cost::GrowthRow>(path);
+    else if (table == cost::TurnRow::kTable) lay_over<cost::TurnRow>(path);
+    else lay_over<cost::CostRow>(path);
     return;
   }
   const auto read = read_point_file(path);
@@ -51,10 +58,10 @@ void Shell::use_file(const std::string& path) {
 }
 
 void Shell::save_costs(const std::string& format) {
-  const app::CostTable& table = app_.costs().table();
-  const std::span<const cost::CostRow> rows(table.rows);
-  const std::string path = (std::filesystem::current_path() / ("snug-costs." + format)).string();
-  const auto written = write_file(path, format == "csv" ? cost::csv_of(table.provenance, rows) : cost::json_of(table.provenance, rows));
+  const app::Costs& costs = app_.costs();
+  const std::string name = costs.view() == app::CostView::kAccuracy ? "costs" : std::string(app::kCostViewNames[static_cast<std::size_t>(costs.view())]);
+  const std::string path = (std::filesystem::current_path() / ("snug-" + name + "." + format)).string();
+  const auto written = write_file(path, format == "csv" ? costs.sheet().csv() : costs.sheet().json());
   if (tell(written)) notice = "Saved as " + path + ".";
 }
 

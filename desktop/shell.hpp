@@ -23,7 +23,7 @@ class Shell {
   void use_mesh(const std::string& name);
   void use_file(const std::string& path);
 
-  /// What was measured, as a file in the folder that the program was started in; the notice says which. format: csv or json.
+  /// What was measured of the chart that is shown, as a file in the folder that the program was started in; the notice says which. format: csv or json.
   void save_costs(const std::string& format);
 
   int ticked = 0;  // of a question with many answers, their bits
@@ -43,6 +43,9 @@ class Shell {
   }
 
  private:
+  template <class Row>
+  void lay_over(const std::string& path);
+
   app::App& app_;
   std::vector<LessonFile> lessons_;
 };

@@ -28,6 +28,7 @@ namespace {
 constexpr int kBadInput = 2;
 constexpr double kTick = 0.008;         // seconds between looks at the clock while something plays
 constexpr double kSlice = 8e6;          // nanoseconds of measuring between two frames
+constexpr double kLongestRun = 1e9;     // nanoseconds of one run where growth is followed: so long a window may stand still
 constexpr int kFramesForPicture = 4;    // until ImGui has measured everything once
 
 int stop(const std::string& why) {
@@ -188,7 +189,7 @@ int run_window(const WindowOptions& options) {
     return stop((program_folder() / "assets" / "fonts").string() + " lacks the fonts: build the target snug_assets");
   auto host = GlfwHost::make(options.width, options.height, options.screenshot.empty());
   if (!host) return stop(host.error());
-  app::App app({.font = font_bytes, .glsl_version = "#version 330 core", .clock = native_now, .here = native_provenance()});
+  app::App app({.font = font_bytes, .glsl_version = "#version 330 core", .clock = native_now, .longest_run = kLongestRun, .here = native_provenance()});
   if (!app.create_graphics()) return stop("the graphics driver refused a shader: " + app.graphics_error());
   app.settings().prose_in_canvas = true;
   app.settings().theme = theme_of_environment();

@@ -1,5 +1,9 @@
 #include "web/costs.hpp"
 
+#include <algorithm>
+#include <span>
+
+#include "app/cost_charts.hpp"
 #include "app/costs.hpp"
 
 namespace snug::web {
@@ -7,22 +11,71 @@ namespace {
 
 using emscripten::val;
 
-std::string title_of(const cost::CostRow& row) {
-  const fit::Algorithm* algorithm = fit::find_algorithm(row.volume, row.algorithm);
-  return std::string(algorithm != nullptr ? algorithm->title : std::string_view(row.algorithm));
-}
+std::string time_of(const cost::Timing& timing) { return app::chart_figure(app::ChartUnit::kTime, timing.median); }
+std::string percent_of(double share) { return app::chart_figure(app::ChartUnit::kPercent, share); }
 
 val row_object(const cost::CostRow& row) {
   val object = val::object();
   object.set("algorithm", row.algorithm);
-  object.set("title", title_of(row));
-  object.set("time", app::chart_figure(app::ChartUnit::kTime, row.time.median));
+  object.set("title", app::algorithm_title(row.volume, row.algorithm));
+  object.set("time", time_of(row.time));
   object.set("size", row.tightness ? app::chart_figure(app::ChartUnit::kRatio, *row.tightness) : "");
   object.set("points", row.points);
   object.set("of", row.of);
   object.set("front", row.on_front);
   object.set("trusted", row.time.trusted);
   return object;
+}
+
+/// Of a line: its last point, and the power.
+val row_object(std::span<const cost::GrowthRow> line) {
+  const cost::GrowthRow& last = line.back();
+  val object = val::object();
+  object.set("algorithm", last.algorithm);
+  object.set("title", app::algorithm_title(last.volume, last.algorithm));
+  object.set("points", last.points);
+  object.set("time", time_of(last.time));
+  object.set("trusted", last.time.trusted);
+  object.set("exponent", last.exponent ? val(*last.exponent) : val::null());
+  object.set("theory", last.theory_exponent ? val(*last.theory_exponent) : val::null());
+  object.set("bound", last.theory);
+  object.set("tight", last.tight);
+  object.set("stopped", last.stopped);
+  return object;
+}
+
+/// Of a line: the least and the most slack.
+val row_object(std::span<const cost::TurnRow> line) {
+  const auto [least, most] = std::minmax_element(line.begin(), line.end(), [](const auto& a, const auto& b) { return a.slack < b.slack; });
+  val object = val::object();
+  object.set("volume", line[0].volume);
+  object.set("strategy", line[0].strategy);
+  object.set("title", app::update_title(line[0].volume, line[0].strategy));
+  object.set("angles", static_cast<int>(line.size()));
+  object.set("least", percent_of(least->slack));
+  object.set("most", percent_of(most->slack));
+  object.set("time", line[0].updated.median > 0 ? time_of(line[0].updated) : "");
+  return object;
+}
+
+val array_of_rows(const auto& rows) {
+  val array = val::array();
+  for (const auto& row : rows) array.call<void>("push", row_object(row));
+  return array;
+}
+
+val shown_rows(const app::Costs& costs) {
+  if (costs.view() == app::CostView::kGrowth) return array_of_rows(app::lines_of(costs.growth().rows));
+  if (costs.view() == app::CostView::kTurn) return array_of_rows(app::lines_of(costs.turn().rows));
+  return array_of_rows(costs.table().rows);
+}
+
+/// "" or why it cannot be.
+template <class Row>
+std::string lay_over_as(app::App& app, const std::string& csv, const std::string& name) {
+  auto table = cost::read_csv<Row>(csv, name);
+  if (!table) return table.error().message();
+  return app.costs().lay_over(*app.session(), std::move(*table)) ? "" : std::string(app::kPredictFirst);
 }
 
 }  // namespace
@@ -35,32 +88,31 @@ val costs_object(app::App& app) {
   const lesson::Session& session = *app.session();
   if (!session.lesson().measures) return val::null();
   const app::Costs& costs = app.costs();
-  val object = val::object(), rows = val::array();
-  for (const cost::CostRow& row : costs.table().rows) rows.call<void>("push", row_object(row));
+  const auto view = static_cast<std::size_t>(costs.view());
+  val object = val::object();
+  object.set("chart", std::string(app::kCostViewNames[view]));
   object.set("shown", costs.shown());
   object.set("running", costs.running());
   object.set("progress", costs.progress());
   object.set("ready", session.asked() == nullptr);
   object.set("decided", session.costs() != nullptr);
   object.set("size", costs.size(session));
-  object.set("of", costs.table().provenance.points);
-  object.set("rows", rows);
-  object.set("then", costs.then() != nullptr ? val(costs.then()->provenance.points) : val::null());
+  object.set("of", costs.sheet().about().points);
+  object.set("rows", shown_rows(costs));
+  object.set("then", costs.sheet().then() != nullptr ? val(costs.sheet().then()->points) : val::null());
   return object;
 }
 
 std::string costs_file(app::App& app, const std::string& format) {
-  const app::CostTable& table = app.costs().table();
-  const std::span<const cost::CostRow> rows(table.rows);
-  return format == "csv" ? cost::csv_of(table.provenance, rows) : cost::json_of(table.provenance, rows);
+  return format == "csv" ? app.costs().sheet().csv() : app.costs().sheet().json();
 }
 
 std::string lay_over(app::App& app, const std::string& csv, const std::string& name) {
   if (!app.session()->lesson().measures) return "this lesson has no chart to lay it over";
-  auto table = cost::read_csv<cost::CostRow>(csv, name);
-  if (!table) return table.error().message();
-  app.costs().lay_over(std::move(*table));
-  return "";
+  const auto is = [&](std::string_view table) { return csv.substr(0, csv.find('\n')).ends_with(table); };
+  if (is(cost::GrowthRow::kTable)) return lay_over_as<cost::GrowthRow>(app, csv, name);
+  if (is(cost::TurnRow::kTable)) return lay_over_as<cost::TurnRow>(app, csv, name);
+  return lay_over_as<cost::CostRow>(app, csv, name);
 }
 
 }  // namespace snug::web

@@ -83,10 +83,14 @@ class Body {
   UpdatedFrame to(const Pose<double, 3>& lifted, const SeeUpdateStep& see) {
     Watch watch{see, {}};
     UpdatedFrame frame = moved(own(lifted), watch);
-    frame.measure = measure_of(frame.volume, Dim);
     frame.counts = watch.counter.counts;
     frame.steps = watch.counter.steps;
     return frame;
+  }
+
+  UpdatedFrame to(const Pose<double, 3>& lifted) {
+    Ignore ignore;
+    return moved(own(lifted), ignore);
   }
 
   /// Which update it is, is decided once for all poses: beside a box's few sums that would count.
@@ -122,14 +126,14 @@ class Body {
   }
 
  private:
-  UpdatedFrame moved(const Pose<Scalar, Dim>& pose, Watch& watch) {
+  UpdatedFrame moved(const Pose<Scalar, Dim>& pose, auto& watch) {
     if (strategy_.volume == "sphere") return frame_of(update_sphere(ball_, pose, watch).volume, pose, measure_of(lift(ball_), Dim));
     if (strategy_.volume == "obb") return frame_of(update_obb(oriented_, pose, watch).volume, pose, measure_of(lift(oriented_), Dim));
     if (strategy_.volume == "kdop") return frame_of(update_kdop_climb(*climb_, strategy_.k, pose, watch).volume, pose, tightest_kdop(pose));
     return frame_of(box_at(pose, watch), pose, measure_of(lift(update_rebuild(points_, pose).volume), Dim));
   }
 
-  Aabb<Scalar, Dim> box_at(const Pose<Scalar, Dim>& pose, Watch& watch) {
+  Aabb<Scalar, Dim> box_at(const Pose<Scalar, Dim>& pose, auto& watch) {
     if (strategy_.name == "rebuild") return update_rebuild(points_, pose, watch).volume;
     if (strategy_.name == "hill_climb") return update_hill_climb(*climb_, pose, watch).volume;
     if (strategy_.name == "rotated_box") return update_rotated_box(box_, pose, watch).volume;
@@ -147,7 +151,8 @@ class Body {
   template <class VolumeType>
   UpdatedFrame frame_of(const VolumeType& volume, const Pose<Scalar, Dim>& pose, double tightest) const {
     const bool contains = std::all_of(points_.begin(), points_.end(), [&](const auto& p) { return query::contains(volume, placed(pose, p)); });
-    return {.volume = lift(volume), .tightest = tightest, .contains = contains};
+    const Volume3 lifted = lift(volume);
+    return {.volume = lifted, .measure = measure_of(lifted, Dim), .tightest = tightest, .contains = contains};
   }
 
   const UpdateStrategy& strategy_;
@@ -176,6 +181,14 @@ UpdateBody start_updates(const UpdateStrategy& strategy, const AnyPointSet& poin
   return with_span<UpdateBody>(points, [&]<class Scalar, int Dim>(PointSpan<Scalar, Dim> span) -> UpdateBody {
     auto body = std::make_shared<Body<Scalar, Dim>>(strategy, span);
     return [body](const Pose<double, 3>& pose, const SeeUpdateStep& see) { return body->to(pose, see); };
+  });
+}
+
+std::function<UpdatedFrame(const Pose<double, 3>& pose)> start_unwatched_updates(const UpdateStrategy& strategy, const AnyPointSet& points) {
+  using Moved = std::function<UpdatedFrame(const Pose<double, 3>& pose)>;
+  return with_span<Moved>(points, [&]<class Scalar, int Dim>(PointSpan<Scalar, Dim> span) -> Moved {
+    auto body = std::make_shared<Body<Scalar, Dim>>(strategy, span);
+    return [body](const Pose<double, 3>& pose) { return body->to(pose); };
   });
 }
 

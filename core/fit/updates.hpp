@@ -61,6 +61,10 @@ using UpdateBody = std::function<UpdatedFrame(const Pose<double, 3>& pose, const
 /// points: in the local frame, about whose origin the body turns; they outlive the result.
 [[nodiscard]] UpdateBody start_updates(const UpdateStrategy& strategy, const AnyPointSet& points);
 
+/// The same without anybody watching: neither counts nor steps.
+[[nodiscard]] std::function<UpdatedFrame(const Pose<double, 3>& pose)> start_unwatched_updates(const UpdateStrategy& strategy,
+                                                                                               const AnyPointSet& points);
+
 /// The same body taken through the poses by the updates alone, unwatched and unchecked: what is timed. Each call goes through
 /// all of them; what it returns says nothing, and keeps the work from being left out.
 [[nodiscard]] std::function<double()> start_bare_updates(const UpdateStrategy& strategy, const AnyPointSet& points,

@@ -73,16 +73,20 @@ constexpr std::array<Make, 8> kMakers{in_cube, in_ball, on_sphere, gaussian, sti
 
 std::span<const std::string_view> generator_kinds() { return kKinds; }
 
-std::optional<std::vector<Point>> generate(std::string_view kind, int n, int dim, std::uint64_t seed) {
-  for (std::size_t k = 0; k < kKinds.size(); ++k) {
-    if (kKinds[k] != kind || n < 1) continue;
-    Random random(seed);
-    std::vector<Point> points;
-    points.reserve(static_cast<std::size_t>(n));
-    for (int i = 0; i < n; ++i) points.push_back(kMakers[k](random, i, n, dim));
-    return points;
-  }
+std::optional<PointStream> generate_stream(std::string_view kind, int n, int dim, std::uint64_t seed) {
+  for (std::size_t k = 0; k < kKinds.size(); ++k)
+    if (kKinds[k] == kind && n >= 1)
+      return [make = kMakers[k], random = Random(seed), i = 0, n, dim]() mutable { return make(random, i++, n, dim); };
   return std::nullopt;
+}
+
+std::optional<std::vector<Point>> generate(std::string_view kind, int n, int dim, std::uint64_t seed) {
+  const auto next = generate_stream(kind, n, dim, seed);
+  if (!next) return std::nullopt;
+  std::vector<Point> points;
+  points.reserve(static_cast<std::size_t>(n));
+  for (int i = 0; i < n; ++i) points.push_back((*next)());
+  return points;
 }
 
 }  // namespace snug

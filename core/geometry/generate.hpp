@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -20,5 +21,10 @@ namespace snug {
 /// of integer coordinates, scaled. line: on a tilted line.
 [[nodiscard]] std::optional<std::vector<Vector<double, 3>>> generate(std::string_view kind, int n, int dim,
                                                                      std::uint64_t seed);
+
+/// Gives one point after the other.
+using PointStream = std::function<Vector<double, 3>()>;
+/// The points of generate, for who cannot wait for all of them.
+[[nodiscard]] std::optional<PointStream> generate_stream(std::string_view kind, int n, int dim, std::uint64_t seed);
 
 }  // namespace snug

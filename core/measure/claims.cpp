@@ -68,7 +68,7 @@ void iterative(const ClaimContext& context, ClaimRow& row) { within("ritter_iter
 std::vector<GrowthRow> growth_of(std::string_view volume, std::string_view algorithm, Index most,
                                  const ClaimContext& context) {
   const fit::Options options{.seed = context.seed};
-  const auto points = generated_points("sphere", 3, false, context.seed);
+  const auto points = std::make_shared<PointStock>("sphere", 3, false, context.seed);
   GrowthRun run({workload_of(row_of(volume, algorithm), 3, most, points, options)},
                 {.repeats = 3, .batch = 1e6, .enough = context.longest}, context.longest, context.clock);
   while (!run.done())

@@ -4,13 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <map>
-#include <memory>
 #include <utility>
 
-#include "geometry/generate.hpp"
-#include "io/point_file.hpp"
-#include "measure/sample.hpp"
+#include "measure/ladder.hpp"
 #include "measure/theory.hpp"
 
 namespace snug::cost {
@@ -41,7 +37,7 @@ std::vector<SizedTime> tail_of(std::span<GrowthRow> rows) {
 
 }  // namespace
 
-Workload workload_of(const fit::Algorithm& algorithm, int dim, Index most, PointsOfSize points,
+Workload workload_of(const fit::Algorithm& algorithm, int dim, Index most, std::shared_ptr<PointStock> points,
                      const fit::Options& options) {
   Workload load{.volume = std::string(algorithm.volume),
                 .algorithm = std::string(algorithm.name),
@@ -51,30 +47,12 @@ Workload workload_of(const fit::Algorithm& algorithm, int dim, Index most, Point
     load.work = work_of(*theory, dim);
     load.tight = theory->tight;
   }
-  load.prepare = [&algorithm, points = std::move(points), options](Index n) -> std::function<void()> {
-    const AnyPointSet* const set = &points(n);
+  load.make_ready = [points](Index n) { return points->make(n); };
+  load.prepare = [&algorithm, points, options](Index n) -> std::function<void()> {
+    const AnyPointSet* const set = &points->of(n);
     return [&algorithm, set, options] { (void)algorithm.fit(*set, options); };
   };
   return load;
-}
-
-PointsOfSize generated_points(std::string kind, int dim, bool single, std::uint64_t seed) {
-  auto kept = std::make_shared<std::map<Index, AnyPointSet>>();
-  return [=](Index n) -> const AnyPointSet& {
-    const auto found = kept->find(n);
-    if (found != kept->end()) return found->second;
-    const io::PointFile file{.dim = dim, .points = *generate(kind, n, dim, seed)};
-    return kept->emplace(n, *io::to_point_set(file, kind, dim, single)).first->second;  // of unit size: none is refused
-  };
-}
-
-PointsOfSize sampled_points(const AnyPointSet& points, std::uint64_t seed) {
-  auto kept = std::make_shared<std::map<Index, AnyPointSet>>();
-  return [&points, kept, seed](Index n) -> const AnyPointSet& {
-    if (n >= fit::size_of(points)) return points;
-    const auto found = kept->find(n);
-    return found != kept->end() ? found->second : kept->emplace(n, sample(points, n, seed)).first->second;
-  };
 }
 
 std::vector<Index> growth_sizes(Index most) {
@@ -126,6 +104,7 @@ void GrowthRun::step() {
       const double time = foreseen(a.points, a.time.min, b.points, b.time.min, n);
       if (time > longest_) return finish(why_stopped(n, time));
     }
+    if (load.make_ready && !load.make_ready(n)) return;
     run_ = load.prepare(n);
     return;
   }

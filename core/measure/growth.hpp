@@ -2,13 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "fit/catalogue.hpp"
-#include "measure/ladder.hpp"
+#include "measure/point_stock.hpp"
 #include "measure/rows.hpp"
 
 namespace snug::cost {
@@ -20,19 +21,15 @@ struct Workload {
   std::string theory;                 // as it is said; empty where there is none
   double (*work)(double n) = nullptr;  // theory's, up to a factor; null where points alone do not say
   bool tight = false;
+  /// A piece of what comes before; whether all of it is done. None where nothing does.
+  std::function<bool(Index n)> make_ready;
   /// What is timed on n points.
   std::function<std::function<void()>(Index n)> prepare;
 };
 
-/// An algorithm of the catalogue on points that come in any number. points: outlive the workload's use; most: there
-/// are.
-[[nodiscard]] Workload workload_of(const fit::Algorithm& algorithm, int dim, Index most, PointsOfSize points,
-                                   const fit::Options& options);
-
-/// Points of a kind (geometry/generate.hpp), each number of them made once and kept. kind: a known one.
-[[nodiscard]] PointsOfSize generated_points(std::string kind, int dim, bool single, std::uint64_t seed);
-/// Samples of a set, which outlives them, each kept.
-[[nodiscard]] PointsOfSize sampled_points(const AnyPointSet& points, std::uint64_t seed);
+/// An algorithm of the catalogue on points that come in any number. most: there are.
+[[nodiscard]] Workload workload_of(const fit::Algorithm& algorithm, int dim, Index most,
+                                   std::shared_ptr<PointStock> points, const fit::Options& options);
 
 /// From ten to most by half decades, and most itself; where that is few, five numbers in equal steps of a factor.
 [[nodiscard]] std::vector<Index> growth_sizes(Index most);

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include "io/text.hpp"
 
@@ -13,6 +15,29 @@ namespace snug::cost {
 namespace {
 
 constexpr std::string_view kFirstLine = "# snug table: ";
+
+// ---- a row as names and values: the code below is the same for every row, and the page has it once
+
+using Value = std::variant<double*, int*, std::int64_t*, bool*, std::string*, std::optional<double>*, std::optional<bool>*>;
+struct Field {
+  std::string name;
+  Value value;
+};
+using Fields = std::vector<Field>;
+
+void add(Fields& fields, std::string_view name, Value value) { fields.push_back({std::string(name), value}); }
+
+template <class Row>
+Fields fields_of(Row& row) {
+  Fields fields;
+  Row::fields(row, [&](std::string_view name, auto& value) { add(fields, name, &value); });
+  return fields;
+}
+/// To be read only.
+template <class Row>
+Fields fields_of(const Row& row) {
+  return fields_of(const_cast<Row&>(row));
+}
 
 // ---- values as text: shared by both formats but for what there is none of
 
@@ -29,8 +54,8 @@ std::string text_of(double value) {
 std::string text_of(std::int64_t value) { return std::to_string(value); }
 std::string text_of(int value) { return std::to_string(value); }
 std::string text_of(bool value) { return value ? "true" : "false"; }
-template <class Value>
-std::string text_of(const std::optional<Value>& value) {
+template <class Held>
+std::string text_of(const std::optional<Held>& value) {
   return value ? text_of(*value) : std::string();
 }
 
@@ -66,25 +91,35 @@ std::string json_value(const std::string& value) {
   return text + '"';
 }
 
+std::string csv_text(const Field& field) {
+  return std::visit([](const auto* value) { return csv_value(*value); }, field.value);
+}
+std::string json_text(const Field& field) {
+  return std::visit([](const auto* value) { return json_value(*value); }, field.value);
+}
+
+void add_csv_row(std::string& text, const Fields& fields) {
+  for (std::size_t i = 0; i < fields.size(); ++i) text += (i > 0 ? "," : "") + csv_text(fields[i]);
+  text += '\n';
+}
+
 /// An object of a row's fields. Names with a dot that follow each other are one object within.
-template <class Row>
-std::string object_of(const Row& row) {
+std::string object_of(const Fields& fields) {
   std::string text = "{";
   std::string level;
-  Row::fields(row, [&](std::string_view name, const auto& value) {
-    const std::size_t dot = name.find('.');
-    const std::string_view own_level = dot == std::string_view::npos ? std::string_view() : name.substr(0, dot);
+  for (const Field& field : fields) {
+    const std::size_t dot = field.name.find('.');
+    const std::string own_level = dot == std::string::npos ? std::string() : field.name.substr(0, dot);
     if (own_level != level) {
       if (!level.empty()) text += '}';
       if (text.back() != '{') text += ',';
-      if (!own_level.empty()) text.append("\"").append(own_level) += "\":{";
+      if (!own_level.empty()) text += "\"" + own_level + "\":{";
       level = own_level;
     } else if (text.back() != '{') {
       text += ',';
     }
-    text.append("\"").append(own_level.empty() ? name : name.substr(dot + 1)) += "\":";
-    text += json_value(value);
-  });
+    text += "\"" + (own_level.empty() ? field.name : field.name.substr(dot + 1)) + "\":" + json_text(field);
+  }
   return text + (level.empty() ? "}" : "}}");
 }
 
@@ -147,19 +182,15 @@ tl::unexpected<InputError> at(std::string_view name, std::int64_t line, std::str
   return tl::unexpected(InputError{std::move(what), std::string(name), InputError::Unit::kLine, line});
 }
 
-/// Sets the fields of a struct from texts by name, none of which may be missing.
-template <class Row>
-std::optional<std::string> set_fields(Row& row, const auto& text_by_name) {
-  std::optional<std::string> wrong;
-  Row::fields(row, [&](std::string_view name, auto& value) {
-    if (wrong) return;
-    const std::string* text = text_by_name(name);
-    if (text == nullptr)
-      wrong = "there is no " + io::quoted(name);
-    else if (!read_value(*text, value))
-      wrong = io::quoted(*text) + " is no value of " + io::quoted(name);
-  });
-  return wrong;
+/// Sets the fields from texts by name, none of which may be missing.
+std::optional<std::string> set_fields(const Fields& fields, const std::function<const std::string*(std::string_view)>& text_by_name) {
+  for (const Field& field : fields) {
+    const std::string* text = text_by_name(field.name);
+    if (text == nullptr) return "there is no " + io::quoted(field.name);
+    if (!std::visit([&](auto* value) { return read_value(*text, *value); }, field.value))
+      return io::quoted(*text) + " is no value of " + io::quoted(field.name);
+  }
+  return std::nullopt;
 }
 
 /// The text that stands under a name in two lists of the same length; null where none does.
@@ -170,43 +201,20 @@ const std::string* find_text(const std::vector<std::string>& names, const std::v
   return nullptr;
 }
 
-}  // namespace
-
-template <class Row>
-std::string csv_of(const Provenance& provenance, std::span<const Row> rows) {
-  std::string text = std::string(kFirstLine).append(Row::kTable) + '\n';
-  Provenance::fields(provenance, [&](std::string_view name, const auto& value) {
-    text.append("# ").append(name).append(": ") += csv_value(value) + '\n';
-  });
-  std::string header;
-  const Row none;
-  Row::fields(none, [&](std::string_view name, const auto&) { header.append(header.empty() ? "" : ",").append(name); });
-  text += header + '\n';
-  for (const Row& row : rows) {
-    bool first = true;
-    Row::fields(row, [&](std::string_view, const auto& value) {
-      if (!std::exchange(first, false)) text += ',';
-      text += csv_value(value);
-    });
-    text += '\n';
-  }
-  return text;
+std::string csv_head(std::string_view table, const Fields& provenance, const Fields& columns) {
+  std::string text = std::string(kFirstLine).append(table) + '\n';
+  for (const Field& field : provenance) text += "# " + field.name + ": " + csv_text(field) + '\n';
+  for (std::size_t i = 0; i < columns.size(); ++i) text += (i > 0 ? "," : "") + columns[i].name;
+  return text + '\n';
 }
 
-template <class Row>
-std::string json_of(const Provenance& provenance, std::span<const Row> rows) {
-  std::string text = std::string("{\"table\":\"").append(Row::kTable).append("\",\"provenance\":") +
-                     object_of(provenance) + ",\"rows\":[";
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    text += (i == 0 ? "" : ",") + object_of(rows[i]);
-  return text + "]}\n";
-}
+using Wrong = std::optional<tl::unexpected<InputError>>;
 
-template <class Row>
-tl::expected<Table<Row>, InputError> read_csv(std::string_view text, std::string_view name) {
-  Table<Row> table;
+/// columns: a row's, for their names. add_row: the fields of one more row.
+Wrong read_lines(std::string_view text, std::string_view name, std::string_view table, const Fields& provenance,
+                 const Fields& wanted, const std::function<Fields()>& add_row) {
   io::Lines lines(text);
-  const std::string first = std::string(kFirstLine).append(Row::kTable);
+  const std::string first = std::string(kFirstLine).append(table);
   if (!lines.next() || io::trim(lines.line()) != first)
     return at(name, 1, "the first line of such a table is " + io::quoted(first));
 
@@ -221,18 +229,14 @@ tl::expected<Table<Row>, InputError> read_csv(std::string_view text, std::string
     names.emplace_back(line.substr(0, colon));
     texts.push_back(value->front());
   }
-  if (const auto wrong =
-          set_fields(table.provenance, [&](std::string_view key) { return find_text(names, texts, key); }))
+  if (const auto wrong = set_fields(provenance, [&](std::string_view key) { return find_text(names, texts, key); }))
     return at(name, lines.number(), *wrong);
 
   const auto columns = fields_of_line(more ? lines.line() : "");
   if (!columns) return at(name, lines.number(), "a quotation mark is not closed");
-  Row none;
-  std::string missing;
-  Row::fields(none, [&](std::string_view column, auto&) {
-    if (missing.empty() && find_text(*columns, *columns, column) == nullptr) missing = column;
-  });
-  if (!missing.empty()) return at(name, lines.number(), "there is no " + io::quoted(missing));
+  for (const Field& field : wanted)
+    if (find_text(*columns, *columns, field.name) == nullptr)
+      return at(name, lines.number(), "there is no " + io::quoted(field.name));
   while (lines.next_filled()) {
     const auto fields = fields_of_line(lines.line());
     if (!fields) return at(name, lines.number(), "a quotation mark is not closed");
@@ -240,10 +244,36 @@ tl::expected<Table<Row>, InputError> read_csv(std::string_view text, std::string
       return at(name, lines.number(),
                 "there are " + io::counted(static_cast<std::int64_t>(fields->size()), "field") + ", and " +
                     io::counted(static_cast<std::int64_t>(columns->size()), "column"));
-    if (const auto wrong = set_fields(table.rows.emplace_back(),
-                                      [&](std::string_view key) { return find_text(*columns, *fields, key); }))
+    if (const auto wrong = set_fields(add_row(), [&](std::string_view key) { return find_text(*columns, *fields, key); }))
       return at(name, lines.number(), *wrong);
   }
+  return std::nullopt;
+}
+
+}  // namespace
+
+template <class Row>
+std::string csv_of(const Provenance& provenance, std::span<const Row> rows) {
+  const Row none;
+  std::string text = csv_head(Row::kTable, fields_of(provenance), fields_of(none));
+  for (const Row& row : rows) add_csv_row(text, fields_of(row));
+  return text;
+}
+
+template <class Row>
+std::string json_of(const Provenance& provenance, std::span<const Row> rows) {
+  std::string text = "{\"table\":\"" + std::string(Row::kTable) + "\",\"provenance\":" + object_of(fields_of(provenance)) + ",\"rows\":[";
+  for (const Row& row : rows) text += (&row == rows.data() ? "" : ",") + object_of(fields_of(row));
+  return text + "]}\n";
+}
+
+template <class Row>
+tl::expected<Table<Row>, InputError> read_csv(std::string_view text, std::string_view name) {
+  Table<Row> table;
+  const Row none;
+  const auto wrong = read_lines(text, name, Row::kTable, fields_of(table.provenance), fields_of(none),
+                                [&] { return fields_of(table.rows.emplace_back()); });
+  if (wrong) return *wrong;
   return table;
 }
 

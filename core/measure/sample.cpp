@@ -2,9 +2,20 @@
 
 #include <utility>
 
+#include "fit/catalogue.hpp"
 #include "geometry/random.hpp"
 
 namespace snug::cost {
+namespace {
+
+/// One of part i of n equal parts of a set of so many points.
+Index place_in(Index i, Index n, Index size, Random& random) {
+  const auto begin = static_cast<Index>(std::int64_t{i} * size / n);
+  const auto end = static_cast<Index>((std::int64_t{i} + 1) * size / n);
+  return begin + static_cast<Index>(random.below(static_cast<std::uint32_t>(end - begin)));
+}
+
+}  // namespace
 
 AnyPointSet sample(const AnyPointSet& points, Index n, std::uint64_t seed) {
   return std::visit(
@@ -13,14 +24,16 @@ AnyPointSet sample(const AnyPointSet& points, Index n, std::uint64_t seed) {
         Random random(seed);
         std::vector<Vector<Scalar, Dim>> chosen;
         chosen.reserve(static_cast<std::size_t>(n));
-        for (Index i = 0; i < n; ++i) {
-          const auto begin = static_cast<Index>(std::int64_t{i} * set.size() / n);
-          const auto end = static_cast<Index>((std::int64_t{i} + 1) * set.size() / n);
-          chosen.push_back(set[begin + static_cast<Index>(random.below(static_cast<std::uint32_t>(end - begin)))]);
-        }
+        for (Index i = 0; i < n; ++i) chosen.push_back(set[place_in(i, n, set.size(), random)]);
         return std::move(*PointSet<Scalar, Dim>::make(std::move(chosen)));  // finite, for the set was
       },
       points);
+}
+
+PointStream sample_stream(const AnyPointSet& points, Index n, std::uint64_t seed) {
+  return [&points, n, size = fit::size_of(points), random = Random(seed), i = Index{0}]() mutable {
+    return fit::point_of(points, place_in(i++, n, size, random));
+  };
 }
 
 }  // namespace snug::cost

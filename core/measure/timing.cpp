@@ -11,6 +11,7 @@ constexpr int kMostReadings = 2'000'000;
 constexpr int kSteps = 10;
 constexpr int kLargestBatch = 1 << 20;
 constexpr double kStepsPerBatch = 100;
+constexpr double kFarTooShort = 0.4;  // of what a batch should be: less than what clocks and caches make of it
 constexpr std::size_t kFewestRepeats = 3;
 
 /// Between the two that are nearest, where the share falls between places. sorted: at least one.
@@ -57,6 +58,13 @@ void Stopwatch::step(const Clock& clock) {
   if (!warm_) {
     warm_ = time >= options_.batch || batch_ >= kLargestBatch;
     if (!warm_) batch_ *= 2;
+    return;
+  }
+  if (time < options_.batch * kFarTooShort && batch_ < kLargestBatch) {
+    // It only seemed long enough: something else held up the one that was first to be.
+    warm_ = false, spent_ = 0;
+    times_.clear();
+    batch_ *= 2;
     return;
   }
   times_.push_back(time / batch_);

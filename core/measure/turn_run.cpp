@@ -18,7 +18,7 @@ double TurnRun::progress() const {
 void TurnRun::step() {
   if (done()) return;
   if (!body_)
-    body_ = fit::start_updates(*strategies_[at_], points_);
+    body_ = fit::start_unwatched_updates(*strategies_[at_], points_);
   else if (frame_ < poses_.size())
     add_frame();
   else
@@ -27,7 +27,7 @@ void TurnRun::step() {
 
 void TurnRun::add_frame() {
   const fit::UpdateStrategy& strategy = *strategies_[at_];
-  const fit::UpdatedFrame frame = body_(poses_[frame_], {});
+  const fit::UpdatedFrame frame = body_(poses_[frame_]);
   rows_.push_back({.volume = std::string(strategy.volume),
                    .strategy = std::string(strategy.name),
                    .points = fit::size_of(points_),

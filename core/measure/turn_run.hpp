@@ -36,7 +36,7 @@ class TurnRun {
   Clock clock_;
   std::size_t at_ = 0;    // of strategies_
   std::size_t frame_ = 0;  // of poses_
-  fit::UpdateBody body_;
+  std::function<fit::UpdatedFrame(const Pose<double, 3>& pose)> body_;
   std::optional<Stopwatch> watch_;
   std::vector<TurnRow> rows_;
 };

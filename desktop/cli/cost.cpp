@@ -73,7 +73,7 @@ tl::expected<Subject, InputError> generated(const CostOptions& options) {
   if (error != std::errc{} || end != count.data() + count.size() || n < 1 || n > kMostPoints)
     return wrong("--generate takes KIND:N with a whole number N from 1 to " + std::to_string(kMostPoints));
   const int dim = options.dim == 0 ? 3 : options.dim;
-  return Subject{options.generate, kind, cost::generated_points(kind, dim, options.scalar == "float", options.seed)(n)};
+  return Subject{options.generate, kind, cost::PointStock(kind, dim, options.scalar == "float", options.seed).of(n)};
 }
 
 tl::expected<Subject, InputError> subject_of(const CostOptions& options) {
@@ -171,7 +171,7 @@ tl::expected<Measured, InputError> costs(const CostOptions& options, const Subje
                                          const std::vector<const fit::Algorithm*>& algorithms) {
   std::optional<cost::Table<cost::CostRow>> then;
   if (!options.against.empty()) {
-    auto table = read_costs(options.against);
+    auto table = read_table<cost::CostRow>(options.against);
     if (!table) return Wrong(table.error());
     then = std::move(*table);
   }
@@ -190,9 +190,10 @@ tl::expected<Measured, InputError> costs(const CostOptions& options, const Subje
 Measured growth(const CostOptions& options, const Subject& subject,
                 const std::vector<const fit::Algorithm*>& algorithms) {
   const int dim = fit::dim_of(subject.points);
-  const cost::PointsOfSize points =
-      subject.kind.empty() ? cost::sampled_points(subject.points, options.seed)
-                           : cost::generated_points(subject.kind, dim, options.scalar == "float", options.seed);
+  const auto points =
+      subject.kind.empty()
+          ? std::make_shared<cost::PointStock>(subject.points, options.seed)
+          : std::make_shared<cost::PointStock>(subject.kind, dim, options.scalar == "float", options.seed);
   std::vector<cost::Workload> loads;
   for (const fit::Algorithm* algorithm : algorithms)
     loads.push_back(cost::workload_of(*algorithm, dim, fit::size_of(subject.points), points, {.seed = options.seed}));

@@ -54,9 +54,10 @@ std::string set_fields(Row& row, const Json& json, const std::string& where) {
 }
 
 /// Empty where the whole table is read.
-std::string set_table(cost::Table<cost::CostRow>& table, const Json& json) {
+template <class Row>
+std::string set_table(cost::Table<Row>& table, const Json& json) {
   const Json* const name = find(json, "table");
-  if (name == nullptr || *name != "costs") return "is not a table of costs";
+  if (name == nullptr || *name != Row::kTable) return "is not a table of " + std::string(Row::kTable);
   const Json *const provenance = find(json, "provenance"), *const rows = find(json, "rows");
   if (provenance == nullptr || rows == nullptr || !rows->is_array()) return "has no provenance, or no rows";
   std::string wrong = set_fields(table.provenance, *provenance, "provenance.");
@@ -67,16 +68,27 @@ std::string set_table(cost::Table<cost::CostRow>& table, const Json& json) {
 
 }  // namespace
 
-tl::expected<cost::Table<cost::CostRow>, InputError> read_costs(const std::string& path) {
+template <class Row>
+tl::expected<cost::Table<Row>, InputError> read_table(const std::string& path) {
   const auto text = read_file(path);
   if (!text) return tl::unexpected(text.error());
-  if (text->empty() || text->front() != '{') return cost::read_csv<cost::CostRow>(*text, path);
+  if (text->empty() || text->front() != '{') return cost::read_csv<Row>(*text, path);
   const Json json = Json::parse(*text, nullptr, false);
   if (json.is_discarded()) return tl::unexpected(InputError{.what = "is not JSON", .file = path});
-  cost::Table<cost::CostRow> table;
+  cost::Table<Row> table;
   if (const std::string wrong = set_table(table, json); !wrong.empty())
     return tl::unexpected(InputError{.what = wrong, .file = path});
   return table;
+}
+template tl::expected<cost::Table<cost::CostRow>, InputError> read_table(const std::string&);
+template tl::expected<cost::Table<cost::GrowthRow>, InputError> read_table(const std::string&);
+template tl::expected<cost::Table<cost::TurnRow>, InputError> read_table(const std::string&);
+
+std::string table_name(std::string_view text) {
+  constexpr std::string_view kCsv = "# snug table: ", kJson = "{\"table\":\"";
+  for (const std::string_view first : {kCsv, kJson})
+    if (text.starts_with(first)) return std::string(text.substr(first.size(), text.find_first_of("\r\n\"", first.size()) - first.size()));
+  return {};
 }
 
 }  // namespace snug::desktop

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 
 #include "geometry/input_error.hpp"
@@ -9,8 +10,12 @@
 
 namespace snug::desktop {
 
-/// Costs as CSV or JSON, told apart by the first character. Errors: of reading; in CSV with the line, in JSON with the
-/// field.
-[[nodiscard]] tl::expected<cost::Table<cost::CostRow>, InputError> read_costs(const std::string& path);
+/// A table as CSV or JSON, told apart by the first character. Row: CostRow, GrowthRow or TurnRow. Errors: of reading; in
+/// CSV with the line, in JSON with the field.
+template <class Row>
+[[nodiscard]] tl::expected<cost::Table<Row>, InputError> read_table(const std::string& path);
+
+/// "growth" of a text that begins as such a table; empty where it begins as none.
+[[nodiscard]] std::string table_name(std::string_view text);
 
 }  // namespace snug::desktop

@@ -68,7 +68,7 @@ void add_render(Commands& commands) {
 
 void add_chart(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("chart", "Draw a result of snug cost into a picture");
-  command.footer("RESULT: costs, growth or a turn as snug cost --csv writes them, or costs as JSON. SNUG_THEME is dark, contrast or\n"
+  command.footer("RESULT: costs, growth or a turn as snug cost --csv or --json writes them. SNUG_THEME is dark, contrast or\n"
                  "projector for another look. Needs a display; xvfb-run serves.");
   const auto options =
       add_command<WindowOptions>(commands, command, [open_window = commands.open_window](const WindowOptions& chosen) -> CommandResult {

@@ -122,12 +122,30 @@ TEST_CASE("growth and turns are a line each") {
        {.volume = "obb", .algorithm = "pca", .points = 10, .time = {.median = 7}}}};
   const Chart lines = growth_chart(growth);
   REQUIRE(lines.series.size() == 2);
-  CHECK(lines.series[0].name == "sphere ritter: n^1.04, theory 1.00");
+  CHECK(full_name(lines.series[0]) == "sphere ritter: n^1.04, theory 1.00");
+  CHECK(full_name(lines.series[1]) == "obb pca");
   CHECK(lines.series[0].points.size() == 2);
   const cost::Table<cost::TurnRow> turn{{},
                                         {{.volume = "aabb", .strategy = "loose", .degrees = 0, .slack = 0.5},
                                          {.volume = "aabb", .strategy = "loose", .degrees = 5, .slack = 0.6}}};
   CHECK(turn_chart(turn).series.at(0).points.at(1).y == 0.6);
+}
+
+TEST_CASE("updates that are always tight share a line, and an earlier result adds one that has no name") {
+  const auto at = [](const char* volume, const char* strategy, double degrees, double slack) {
+    return cost::TurnRow{.volume = volume, .strategy = strategy, .degrees = degrees, .slack = slack};
+  };
+  const cost::Table<cost::TurnRow> turn{{}, {at("aabb", "rebuild", 0, 0), at("aabb", "rebuild", 5, 1e-12), at("aabb", "loose", 0, 0),
+                                             at("aabb", "loose", 5, 0.6), at("kdop", "k6_hill_climb", 0, 0)}};
+  const Chart chart = turn_chart(turn, &turn);
+  REQUIRE(chart.series.size() == 4);
+  CHECK(chart.series[0].row == -1);
+  CHECK(chart.series[0].name.empty());
+  CHECK(chart.series[2].name == "2 that are always tight");
+  CHECK(chart.series[2].row == 0);
+  CHECK(chart.series[3].name == "AABB, loose for every orientation");
+  CHECK(chart.series[3].row == 1);
+  CHECK(update_title("kdop", "k6_hill_climb") == "6-DOP by hill climbing");
 }
 
 }  // namespace snug::app

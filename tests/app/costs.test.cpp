@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "app/commands.hpp"
+#include "app/cost_charts.hpp"
 
 namespace snug::app {
 namespace {
@@ -128,15 +129,109 @@ TEST_CASE("an earlier result lies over the present one, with marks of no row") {
   lesson::Session session = opened(costs);
   cost::CostRow row;
   row.volume = "sphere", row.algorithm = "ritter", row.time.median = 5, row.tightness = 1.1;
-  costs.lay_over({{.points = "before"}, {row}});
-  REQUIRE(costs.then() != nullptr);
-  CHECK(costs.then()->provenance.points == "before");
+  REQUIRE(costs.lay_over(session, CostTable{{.points = "before"}, {row}}));
+  REQUIRE(costs.sheet().then() != nullptr);
+  CHECK(costs.sheet().then()->points == "before");
   CHECK(costs.command(session, "chart_next"));
   CHECK_FALSE(costs.command(session, "chart_load"));  // it is no algorithm of this measurement
 }
 
+TEST_CASE("the other charts are not to be had before the predictions, whose answers they would give away") {
+  Costs costs({.clock = now, .here = {}});
+  lesson::Session session = opened(costs);
+  for (const char* name : {"show_growth", "show_turn", "show_other"}) CHECK_FALSE(costs.command(session, name));
+  CHECK_FALSE(costs.command(session, "show_nothing"));
+  CHECK(costs.command(session, "show_accuracy"));
+  CHECK_FALSE(costs.may_see(session, CostView::kGrowth));
+  cost::GrowthRow row{.volume = "sphere", .algorithm = "ritter", .points = 10, .time = {.median = 5}};
+  CHECK_FALSE(costs.lay_over(session, GrowthTable{{}, {row}}));
+  CHECK(costs.view() == CostView::kAccuracy);
+  session.answer({});
+  CHECK(costs.command(session, "show_other"));
+  CHECK(costs.view() == CostView::kGrowth);
+  CHECK(costs.sheet().then() == nullptr);  // what was refused is not there either
+  CHECK(costs.lay_over(session, GrowthTable{{}, {row}}));
+  CHECK(costs.sheet().then() != nullptr);
+}
+
+TEST_CASE("growth is measured on a kind of points; what is ready stays, and figures are to be had by key") {
+  Costs costs({.clock = now, .longest_run = 2e4, .here = {}});
+  lesson::Session session = opened(costs);
+  session.answer({});
+  REQUIRE(costs.command(session, "show_growth"));
+  CHECK(costs.shown());
+  REQUIRE(costs.command(session, "measure"));
+  finish(costs, session);
+  const GrowthTable& table = costs.growth();
+  CHECK(table.provenance.points == "cube:1000000");  // the lesson's own are too few to grow
+  REQUIRE(lines_of(table.rows).size() == 2);
+  for (const auto& line : lines_of(table.rows)) {
+    CHECK(line[0].points == 10);
+    CHECK(line.back().points < 1'000'000);
+    CHECK(line[0].stopped.find("one run of") == 0);
+  }
+  CHECK(session.costs() == nullptr);  // the questions are of the other chart
+  CHECK(costs.table().rows.empty());
+  CHECK(costs.sheet().csv().find("# snug table: growth\n") == 0);
+  CHECK(costs.caption(session).find("end where one run would take over 20 µs") != std::string::npos);
+  REQUIRE(costs.command(session, "chart_next"));
+  CHECK(costs.caption(session).find(": 10 points, ") != std::string::npos);
+  REQUIRE(costs.command(session, "chart_next"));
+  CHECK(costs.caption(session).find(": 32 points, ") != std::string::npos);
+  const std::string first = costs.caption(session);
+  REQUIRE(costs.command(session, "chart_down"));
+  CHECK(costs.caption(session) != first);
+  CHECK(costs.caption(session).find(": 32 points, ") != std::string::npos);
+  CHECK_FALSE(costs.command(session, "chart_load"));
+}
+
+TEST_CASE("a generated set grows as its kind, a large file's by samples of itself") {
+  Costs costs({.clock = now, .longest_run = 1e4, .here = {}});
+  lesson::Session session = opened(costs);
+  session.answer({});
+  REQUIRE(costs.command(session, "show_growth"));
+  REQUIRE(session.set_generator("gaussian", 50, 2, 7).has_value());
+  REQUIRE(costs.command(session, "measure"));
+  REQUIRE(costs.command(session, "stop_measuring"));
+  CHECK(costs.growth().provenance.points == "gaussian:1000000");
+  CHECK(costs.growth().provenance.seed == 7);
+  REQUIRE(costs.load(session, cloud(12'000), "large.xyz").has_value());
+  REQUIRE(costs.command(session, "measure"));
+  finish(costs, session);
+  CHECK(costs.growth().provenance.points == "large.xyz");
+  CHECK(costs.growth().rows.size() > 2);
+}
+
+TEST_CASE("a turn has each update at every angle; another chart can be looked at while it is measured") {
+  Costs costs({.clock = now, .here = {}});
+  lesson::Session session = opened(costs);
+  session.answer({});
+  REQUIRE(costs.command(session, "show_turn"));
+  REQUIRE(costs.command(session, "measure"));
+  while (costs.turn().rows.empty()) costs.work(session, 0);
+  REQUIRE(costs.command(session, "show_growth"));
+  CHECK(costs.running());
+  CHECK_FALSE(costs.command(session, "measure"));
+  CHECK(costs.caption(session).find("Another chart") == 0);
+  finish(costs, session);
+  CHECK(costs.growth().rows.empty());
+  REQUIRE(costs.command(session, "show_turn"));
+  const auto lines = lines_of(costs.turn().rows);
+  CHECK(lines.size() == 9);  // of the plane
+  for (const auto& line : lines) {
+    CHECK(line.size() == 72);
+    CHECK(line[0].updated.median > 0);
+    for (const cost::TurnRow& row : line) CHECK(row.contains);
+  }
+  CHECK(costs.caption(session).find(" of 9 updates are always the tightest") != std::string::npos);
+  CHECK(costs.command(session, "chart_next"));
+  CHECK(costs.sheet().json().find("{\"table\":\"turn\"") == 0);
+}
+
 TEST_CASE("on the chart the arrow keys go from mark to mark") {
   CHECK(chart_command_for("ArrowRight", true) == "chart_next");
+  CHECK(chart_command_for("ArrowDown", true) == "chart_down");
+  CHECK(chart_command_for("v", false) == "show_other");
   CHECK(chart_command_for("ArrowRight", false).empty());
   CHECK(chart_command_for("Enter", true) == "chart_load");
   CHECK(chart_command_for("c", false) == "toggle_chart");

@@ -1,4 +1,4 @@
-// The chart of costs: predicted, measured in slices while the page stays alive, loaded from, saved and laid over, refused.
+// The charts of costs: predicted, measured in slices while the page stays alive, loaded from, saved and laid over, refused.
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { assert, handles, kPhone, start, state, still, stop, to_points, until, visit } from "./support.mjs";
@@ -16,6 +16,19 @@ async function skip_all(page) {
     await button(page, "Skip").click();
     await until(page, (now, before) => now.outcomes.length > before, i);
   }
+}
+
+const choice = (page, name) => page.getByRole("radio", { name, exact: true });
+
+/** Chooses a chart with the mouse, and measures it to the end. */
+async function measure_chart(page, name, chart) {
+  await page.locator(".segments label", { hasText: name }).click();
+  await until(page, (now, wanted) => now.costs.chart === wanted && now.costs.shown, chart);
+  await button(page, "Measure").click();
+  await until(page, (now) => now.costs.running);
+  await page.waitForFunction(() => !window.snug.state().costs.running, null, { timeout: 180_000 });
+  await still(page);
+  return state(page);
 }
 
 async function measure(page) {
@@ -153,4 +166,99 @@ test("five per cent tighter: the fastest that is so does the task, on the studen
   const { grade } = await state(page);
   assert.ok(grade.done || /nothing is/.test(grade.says), grade.says);
   t.diagnostic(grade.says);
+});
+
+test("the other charts wait for the predictions; then the keyboard chooses them", async (t) => {
+  const page = await visit(t, kLesson);
+  for (const name of ["Growth", "Slack in a turn"]) assert.ok(await choice(page, name).isDisabled());
+  assert.ok(await choice(page, "Accuracy").isChecked());
+  await page.getByText("The predictions come first: the other charts would give them away.").waitFor();
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("v");
+  assert.equal((await state(page)).costs.chart, "accuracy");
+  await skip_all(page);
+  await choice(page, "Accuracy").focus();
+  await page.keyboard.press("ArrowRight");
+  assert.ok((await until(page, (now) => now.costs.chart === "growth")).costs.shown);
+  assert.ok(await choice(page, "Growth").isChecked());
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("v");
+  await until(page, (now) => now.costs.chart === "turn");
+  assert.ok(await choice(page, "Slack in a turn").isChecked());
+});
+
+test("growth: from ten points on, stopped before a frame would have to wait, figures by key, saved and laid over", async (t) => {
+  const page = await visit(t, kLesson);
+  await skip_all(page);
+  const { costs, caption, outcomes } = await measure_chart(page, "Growth", "growth");
+  assert.equal(costs.of, "cube:1000000");
+  assert.equal(costs.rows.length, kAll);
+  assert.ok(!costs.decided && outcomes.every(({ pending }) => pending), "the questions are of the other chart");
+  t.diagnostic(costs.rows.map(({ title, points, exponent, theory, stopped }) => `${title}: ${points}, ${exponent?.toFixed(2)} (${theory?.toFixed(2)}), ${stopped}`).join("; "));
+  for (const row of costs.rows) assert.ok(row.points >= 10 && (row.points === 1_000_000 || /^one run of \d+ points would take about/.test(row.stopped)), row.stopped);
+  if (costs.rows.some(({ stopped }) => stopped)) assert.match(caption, /where one run would take over 12 ms: the page must not wait longer/);
+  assert.equal(await page.locator(".costs tbody tr").count(), kAll);
+  assert.deepEqual(await page.locator(".costs thead th").allTextContents(), ["Algorithm", "Points at most", "Time of these", "Power of n", "In theory"]);
+
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("ArrowRight");
+  const first = await until(page, (now) => /: 10 points, /.test(now.caption));
+  await page.keyboard.press("ArrowRight");
+  await until(page, (now) => /: 32 points, /.test(now.caption));
+  await page.keyboard.press("ArrowDown");
+  const other = await until(page, (now, was) => /: 32 points, /.test(now.caption) && now.caption.split(":")[0] !== was, first.caption.split(":")[0]);
+  const mark = (await handles(page)).find(({ id }) => id === "exact");
+  await page.mouse.click(mark.x, mark.y);
+  const clicked = await until(page, (now, was) => now.caption !== was, other.caption);
+  assert.ok(clicked.costs.shown, "a line's mark tells its figures, and loads nothing");
+
+  const saved = {};
+  for (const format of ["CSV", "JSON"]) {
+    const [download] = await Promise.all([page.waitForEvent("download"), button(page, `Save as ${format}`).click()]);
+    assert.equal(download.suggestedFilename(), `snug-growth.${format.toLowerCase()}`);
+    saved[format] = await readFile(await download.path());
+  }
+  const table = JSON.parse(saved.JSON);
+  assert.equal(table.table, "growth");
+  assert.ok(table.rows.length >= 3 * kAll && table.rows.every(({ points, time_ns }) => points >= 10 && time_ns.median > 0));
+  await page.locator(".segments label", { hasText: "Accuracy" }).click();
+  await until(page, (now) => now.costs.chart === "accuracy");
+  await to_points(page);
+  for (const [name, buffer] of Object.entries(saved)) {
+    await page.locator("#points input[type=file]").setInputFiles({ name: `old.${name.toLowerCase()}`, mimeType: "text/plain", buffer });
+    await until(page, (now) => now.costs.chart === "growth" && now.costs.then === "cube:1000000");
+  }
+});
+
+test("a turn: every update at 72 angles; stopped, what is ready stays; a saved turn waits for the predictions", async (t) => {
+  const page = await visit(t, kLesson, kPhone);
+  await skip_all(page);
+  const { costs, caption } = await measure_chart(page, "Slack in a turn", "turn");
+  t.diagnostic(costs.rows.map(({ title, most, time }) => `${title}: ${most}, ${time}`).join("; "));
+  assert.equal(costs.rows.length, 10);
+  assert.ok(costs.rows.every(({ angles, time }) => angles === 72 && time));
+  const slack = Object.fromEntries(costs.rows.map(({ volume, strategy, most }) => [`${volume} ${strategy}`, most]));
+  assert.equal(slack["aabb rebuild"], "0 %");
+  assert.ok(parseFloat(slack["aabb loose"]) > 100 && parseFloat(slack["aabb rotated_box"]) > 100);
+  assert.match(caption, /^8 of 10 updates are always the tightest of their kind/);
+  await page.locator("#stage").scrollIntoViewIfNeeded();
+  await still(page);
+  const loose = (await handles(page)).find(({ id }) => /loose/.test(id));
+  await page.touchscreen.tap(loose.x, loose.y);
+  await until(page, (now) => /at 355°: larger than the tightest by \d/.test(now.caption));
+
+  await button(page, "Measure").click();
+  await until(page, (now) => now.costs.running && now.costs.rows.length > 1);
+  await button(page, "Stop").click();
+  const { costs: part } = await until(page, (now) => !now.costs.running);
+  assert.ok(part.rows.length > 1 && part.rows.length < 10, `${part.rows.length} of 10`);
+
+  const [download] = await Promise.all([page.waitForEvent("download"), button(page, "Save as CSV").click()]);
+  const buffer = await readFile(await download.path());
+  assert.ok(buffer.toString().startsWith("# snug table: turn\n"));
+  const fresh = await visit(t, kLesson);
+  await to_points(fresh);
+  await fresh.locator("#points input[type=file]").setInputFiles({ name: "turn.csv", mimeType: "text/plain", buffer });
+  await fresh.locator(".notice", { hasText: "The predictions come first" }).waitFor();
+  assert.equal((await state(fresh)).costs.chart, "accuracy");
 });

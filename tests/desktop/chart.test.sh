@@ -3,6 +3,7 @@
 "$snug" cost --generate gaussian:300 --volume obb --repeat 3 --csv -o "$work/costs.csv"
 "$snug" cost --generate gaussian:300 --volume obb --repeat 3 --json -o "$work/costs.json"
 "$snug" cost --generate cube:1000 --growth --algorithms ritter,welzl --repeat 3 --csv -o "$work/growth.csv"
+"$snug" cost --generate cube:1000 --growth --algorithms ritter,welzl --repeat 3 --json -o "$work/growth.json"
 "$snug" cost --generate cube:50 --turn --repeat 3 --csv -o "$work/turn.csv"
 
 drawn() { # picture size...
@@ -13,7 +14,7 @@ for theme in light dark contrast projector; do
     SNUG_THEME=$theme "$snug" chart "$work/costs.csv" --size 1280x800 -o "$work/$theme.png"
     drawn "$work/$theme.png" 1280x800
 done
-for table in costs.csv costs.json growth.csv turn.csv; do
+for table in costs.csv costs.json growth.csv growth.json turn.csv; do
     "$snug" chart "$work/$table" --size 390x844 -o "$work/$table.png"
     drawn "$work/$table.png" 390x844
 done

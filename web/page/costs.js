@@ -1,8 +1,23 @@
-// The chart of costs: measured in slices between the frames; its controls, its table in words, results as files.
+// The charts of costs: which is shown, measured in slices between the frames; its controls, its table in words, results as files.
 import { by_id, button, element, set_hidden, set_text, when_changed } from "./dom.js";
 
 const kSlice = 8; // milliseconds: beside a frame's own work
 const kFormats = { csv: "text/csv", json: "application/json" };
+
+const kPredictFirst = "The predictions come first: the other charts would give them away.";
+const trusted = (row) => `${row.time}${row.trusted ? "" : ", spread widely"}`;
+const power = (number) => (number === null ? "not known" : number.toFixed(2));
+/** How the choice calls each chart, what its file is called, and its table: a column's heading, and its words for a row. */
+const kCharts = {
+  accuracy: { title: "Accuracy", file: "costs", columns: [["Algorithm", (row) => row.title],
+    ["Time", (row) => `${trusted(row)}${row.points < row.of ? `, on ${row.points} of ${row.of} points` : ""}`],
+    ["Times the smallest", (row) => row.size || "not known"], ["On the front", (row) => (row.front ? "yes" : "no")]] },
+  growth: { title: "Growth", file: "growth", columns: [["Algorithm", (row) => row.title],
+    ["Points at most", (row) => `${row.points.toLocaleString("en")}${row.stopped ? `: ${row.stopped}` : ""}`], ["Time of these", trusted],
+    ["Power of n", (row) => power(row.exponent)], ["In theory", (row) => `${row.bound}, ${row.tight ? "" : "at most "}${power(row.theory)}`]] },
+  turn: { title: "Slack in a turn", file: "turn", columns: [["Update", (row) => row.title], ["Least slack", (row) => row.least],
+    ["Most slack", (row) => row.most], ["Time of one", (row) => row.time || "not measured"]] },
+};
 
 const quoted = (text) => (/[,"#\r\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
 const field = (value) => (value === null ? "" : quoted(String(value)));
@@ -35,7 +50,13 @@ export class CostTools {
   #stop = button("Stop", () => this.#command("stop_measuring"));
   #view = button("Shape", () => this.#command("toggle_chart"));
   #files = Object.keys(kFormats).map((format) => button(format.toUpperCase(), () => this.#save(format), { class: "quiet", "aria-label": `Save as ${format.toUpperCase()}` }));
+  #head = element("tr", {});
   #body = element("tbody", {});
+  #choices = Object.entries(kCharts).map(([name, { title }]) => {
+    const field = element("input", { type: "radio", name: "chart", value: name, onchange: () => this.#command(`show_${name}`) });
+    return [name, field, element("label", {}, field, title)];
+  });
+  #chart = "accuracy";
   #section;
 
   /** request: asks for a frame of the stage. */
@@ -44,11 +65,11 @@ export class CostTools {
     this.#act = act;
     this.#request = request;
     this.#section = element("section", { class: "ask costs", "aria-label": "Measurement", hidden: true },
+      element("fieldset", { class: "segments" }, element("legend", { class: "unseen" }, "Chart"), ...this.#choices.map(([, , label]) => label)),
       element("div", { class: "row" }, this.#measure, this.#stop, this.#view), this.#bar,
       element("div", { class: "row costs-says" }, this.#says, ...this.#files),
       element("table", { class: "unseen" }, element("caption", {}, "What was measured"),
-        element("thead", {}, element("tr", {}, ...["Algorithm", "Time", "Times the smallest", "On the front"].map((words) => element("th", { scope: "col" }, words)))),
-        this.#body));
+        element("thead", {}, this.#head), this.#body));
     by_id("ask").before(this.#section);
   }
 
@@ -72,7 +93,7 @@ export class CostTools {
   #save(format) {
     const blob = new Blob([this.#door.costs_file(format)], { type: kFormats[format] });
     const url = URL.createObjectURL(blob);
-    element("a", { href: url, download: `snug-costs.${format}` }).click();
+    element("a", { href: url, download: `snug-${kCharts[this.#chart].file}.${format}` }).click();
     setTimeout(() => URL.revokeObjectURL(url), 1000);
   }
 
@@ -82,7 +103,13 @@ export class CostTools {
     this.#show(costs);
   }
 
-  #show = when_changed(({ shown, running, progress, ready, size, rows, of, then }) => {
+  #show = when_changed(({ chart, shown, running, progress, ready, size, rows, of, then }) => {
+    this.#chart = chart;
+    for (const [name, field, label] of this.#choices) {
+      field.checked = name === chart;
+      field.disabled = !ready && name !== "accuracy";
+      label.title = field.disabled ? kPredictFirst : "";
+    }
     this.#measure.disabled = running || !ready;
     this.#stop.disabled = !running;
     for (const file of this.#files) file.disabled = rows.length === 0;
@@ -92,11 +119,12 @@ export class CostTools {
     this.#bar.setAttribute("aria-valuenow", percent);
     this.#bar.firstElementChild.style.transform = `scaleX(${progress})`;
     const there = `${size.toLocaleString("en")} points`;
-    const words = !ready ? "The predictions come first." : running ? `Measuring ${there}.`
-      : rows.length > 0 ? `${rows.length} measured, on ${of}.` : `${there} to measure.`;
+    const words = !ready ? kPredictFirst : running ? (chart === "growth" ? `Measuring ${of}.` : `Measuring ${there}.`)
+      : rows.length > 0 ? `${rows.length} measured, on ${of}.` : chart === "growth" ? "From 10 points to a million." : `${there} to measure.`;
     set_text(this.#says, then ? `${words} Hollow: ${then}, an earlier result.` : words);
-    this.#body.replaceChildren(...rows.map((row) => element("tr", {}, element("th", { scope: "row" }, row.title),
-      element("td", {}, `${row.time}${row.trusted ? "" : ", spread widely"}${row.points < row.of ? `, on ${row.points} of ${row.of} points` : ""}`),
-      element("td", {}, row.size || "not known"), element("td", {}, row.front ? "yes" : "no"))));
+    const { columns } = kCharts[chart];
+    this.#head.replaceChildren(...columns.map(([heading]) => element("th", { scope: "col" }, heading)));
+    this.#body.replaceChildren(...rows.map((row) => element("tr", {}, ...columns.map(([, words], i) =>
+      (i === 0 ? element("th", { scope: "row" }, words(row)) : element("td", {}, words(row)))))));
   });
 }

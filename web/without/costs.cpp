@@ -3,12 +3,6 @@
 #include "lesson/costs.hpp"
 #include "web/costs.hpp"
 
-namespace snug::cost {
-
-double CostRun::progress() const { return 1; }
-
-}  // namespace snug::cost
-
 namespace snug::lesson {
 
 std::vector<Asked> asked_of_costs(const Lesson&) { return {}; }
@@ -25,11 +19,11 @@ std::vector<cost::CostRow> counted_costs(const Lesson&, const AnyPointSet&) { re
 namespace snug::app {
 
 Costs::Costs(const Platform&) {}
+Costs::~Costs() = default;
 void Costs::open() {}
 tl::expected<void, InputError> Costs::load(lesson::Session& session, const io::PointFile& file, std::string_view name) {
   return session.load(file, name);
 }
-void Costs::lay_over(CostTable) {}
 bool Costs::command(lesson::Session&, std::string_view) { return false; }
 void Costs::work(lesson::Session&, double) {}
 Index Costs::size(const lesson::Session&) const { return 0; }

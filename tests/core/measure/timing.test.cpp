@@ -7,6 +7,17 @@
 
 using namespace snug;
 
+TEST_CASE("a batch that something else held up is not taken for long enough") {
+  int runs = 0;
+  cost::Stopwatch watch([&] { test::pass(++runs == 2 ? 5000 : 10); }, {.repeats = 3, .batch = 1000});
+  for (int steps = 0; !watch.done(); ++steps) {
+    watch.step(test::false_clock());
+    REQUIRE(steps < 100);
+  }
+  CHECK(watch.timing().batch == 128);  // the least power of two of runs that fills it
+  CHECK(watch.timing().median == doctest::Approx(10).epsilon(0.2));
+}
+
 TEST_CASE("median, least and spread are those of the times, whatever their order") {
   const cost::Timing odd = cost::timing_of({5, 1, 3, 2, 4}, 8);
   CHECK(odd.median == 3);

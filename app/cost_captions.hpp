@@ -1,0 +1,21 @@
+// What is said below a chart of costs.
+#pragma once
+
+#include <string>
+
+#include "measure/report.hpp"
+
+namespace snug::app {
+
+/// all: 0 where that is not said.
+[[nodiscard]] std::string measuring_caption(int done, int all);
+/// Of a row, and of all.
+[[nodiscard]] std::string accuracy_caption(const cost::CostRow& row);
+[[nodiscard]] std::string accuracy_caption(const cost::Table<cost::CostRow>& table);
+/// Of a line's point, and of all. longest: what one run may take, ns.
+[[nodiscard]] std::string growth_caption(const cost::Table<cost::GrowthRow>& table, int line, std::size_t point);
+[[nodiscard]] std::string growth_caption(const cost::Table<cost::GrowthRow>& table, double longest);
+[[nodiscard]] std::string turn_caption(const cost::Table<cost::TurnRow>& table, int line, std::size_t point);
+[[nodiscard]] std::string turn_caption(const cost::Table<cost::TurnRow>& table);
+
+}  // namespace snug::app

@@ -1,0 +1,88 @@
+// A table that is measured piece by piece, as a chart and as a file, and an earlier one that lies over it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/chart.hpp"
+#include "measure/cost_run.hpp"
+#include "measure/report.hpp"
+
+namespace snug::app {
+
+/// Which chart it is.
+enum class CostView : std::uint8_t { kAccuracy, kGrowth, kTurn };
+inline constexpr int kCostViews = 3;
+
+class CostSheet {
+ public:
+  virtual ~CostSheet() = default;
+  /// Some nanoseconds of it, or one piece that cannot be cut. Whether there are more rows for that.
+  virtual bool work(const cost::Clock& clock, double budget) = 0;
+  /// From 0 to 1; 1 where nothing runs.
+  [[nodiscard]] virtual double progress() const = 0;
+  [[nodiscard]] virtual bool done() const = 0;
+  /// Ends the run; what is ready stays.
+  virtual void stop() = 0;
+  /// Nothing is measured, nothing lies over it.
+  virtual void clear() = 0;
+  [[nodiscard]] virtual std::size_t rows() const = 0;
+  [[nodiscard]] virtual Chart chart() const = 0;
+  /// As `snug cost` writes it.
+  [[nodiscard]] virtual std::string csv() const = 0;
+  [[nodiscard]] virtual std::string json() const = 0;
+  /// What was measured, and where and how.
+  [[nodiscard]] virtual const cost::Provenance& about() const = 0;
+  /// Of the earlier result; null where there is none.
+  [[nodiscard]] virtual const cost::Provenance* then() const = 0;
+};
+
+template <class Run, class Row>
+class CostSheetOf final : public CostSheet {
+ public:
+  using Table = cost::Table<Row>;
+  explicit CostSheetOf(Chart (*draw)(const Table&, const Table*)) : draw_(draw) {}
+
+  void start(std::unique_ptr<Run> run, cost::Provenance about) {
+    run_ = std::move(run);
+    table = {std::move(about), {}};
+  }
+  void lay_over(Table earlier) { then_ = std::move(earlier); }
+
+  bool work(const cost::Clock& clock, double budget) override {
+    cost::advance(*run_, clock, budget);
+    return run_->rows().size() != table.rows.size() && (take(), true);
+  }
+  [[nodiscard]] double progress() const override { return run_ != nullptr ? run_->progress() : 1; }
+  [[nodiscard]] bool done() const override { return run_ == nullptr || run_->done(); }
+  void stop() override {
+    if (run_ == nullptr) return;
+    run_->stop();
+    take();
+    run_.reset();
+  }
+  void clear() override { run_.reset(), table = {}, then_.reset(); }
+  [[nodiscard]] std::size_t rows() const override { return table.rows.size(); }
+  [[nodiscard]] Chart chart() const override { return draw_(table, then_ ? &*then_ : nullptr); }
+  [[nodiscard]] std::string csv() const override { return cost::csv_of(table.provenance, std::span<const Row>(table.rows)); }
+  [[nodiscard]] std::string json() const override { return cost::json_of(table.provenance, std::span<const Row>(table.rows)); }
+  [[nodiscard]] const cost::Provenance& about() const override { return table.provenance; }
+  [[nodiscard]] const cost::Provenance* then() const override { return then_ ? &then_->provenance : nullptr; }
+
+  Table table;  // what is ready
+
+ private:
+  void take() {
+    table.rows = run_->rows();
+    if constexpr (std::is_same_v<Row, cost::CostRow>) cost::mark_front(table.rows);
+  }
+
+  Chart (*draw_)(const Table&, const Table*);
+  std::unique_ptr<Run> run_;
+  std::optional<Table> then_;
+};
+
+}  // namespace snug::app
