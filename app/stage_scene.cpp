@@ -16,7 +16,9 @@ namespace {
 using lesson::SceneFrame;
 
 constexpr std::size_t kBoxesOfAll = 60;  // more boxes than these hide what they hold: then only those in pairs are drawn
-constexpr std::size_t kCrowd = 400;      // of more bodies only the one at hand has its box, and only those that touch edges
+// More bodies than these have neither edges nor boxes, but for the box of the one at hand, and lines only where they touch. With all of
+// that 2,000 took more than 65,536 vertices, which the browser's indices of 16 bits do not reach: faces flew across the stage.
+constexpr std::size_t kCrowd = 400;
 constexpr int kRim = 24;                 // points of the outline around a corner's radius
 
 /// A colour with the light on it.
@@ -192,7 +194,7 @@ void Stage::draw_body(Brush& brush, const scene::Shape& shape, const scene::Moti
   const Color fill = touching ? mixed(p.surface, p.support, 0.35) : p.surface;
   const Color edge = touching ? p.support_text : p.ink;
   const bool crowd = brush.session.members().size() > kCrowd;
-  const float width = touching ? brush.stroke(0.9f) : crowd ? 0 : brush.stroke(0.5f);
+  const float width = crowd ? 0 : brush.stroke(touching ? 0.9f : 0.5f);
   if (shape.kind == scene::Shape::Kind::kBox) {
     draw_faces(brush, shape, body, fill, edge, width);
     return;
@@ -219,8 +221,12 @@ void Stage::draw_body(Brush& brush, const scene::Shape& shape, const scene::Moti
 void Stage::draw_pairs(Brush& brush, const SceneFrame& frame) const {
   const Palette& p = brush.p;
   const std::vector<scene::Pair> touching = touching_of(frame);
+  const auto place = [&](Index body) { return brush.at(frame.bodies[static_cast<std::size_t>(body)].position); };
+  if (frame.bodies.size() > kCrowd) {
+    for (const scene::Pair& pair : touching) line(brush.list, place(pair.a), place(pair.b), Stroke::kSolid, p.support_text, brush.stroke(0.7f));
+    return;
+  }
   for (const scene::Pair& pair : frame.pairs) {
-    const auto place = [&](Index body) { return brush.at(frame.bodies[static_cast<std::size_t>(body)].position); };
     const ImVec2 a = place(pair.a), b = place(pair.b);
     if (std::binary_search(touching.begin(), touching.end(), pair)) {
       line(brush.list, a, b, Stroke::kSolid, p.ground, brush.stroke(2.6f));
