@@ -56,6 +56,7 @@ class CostRun {
  private:
   // The pieces of a row in their order: each returns whether it is finished, else it is called again.
   bool climb();
+  [[nodiscard]] double whole_time(const Ladder& ladder) const;
   bool take_time();
   bool count();
   bool compare_with_hull();
