@@ -56,7 +56,8 @@ built() { # preset targets...: whether it could be built; if not, that is a fail
     return 1
 }
 
-screen=(xvfb-run -a -s "-screen 0 1280x800x24")
+# It keeps its settings when no window is left, and has room for one at two pixels to one.
+screen=(xvfb-run -a -s "-screen 0 2560x1600x24 -noreset")
 
 if built release snug_tests snug_app_tests snug_desktop; then
     doctest_suite "core, native" core-native build/release/tests/snug_tests
