@@ -17,7 +17,7 @@
 namespace snug::app {
 namespace {
 
-constexpr double kStepsPerSecond = 2;  // at speed 1
+constexpr double kStepsPerSecond = 2;  // at speed 1, where steps are not a scene's frames
 constexpr int kSettleFrames = 2;       // ImGui answers an input over this many frames
 constexpr double kOrbitStep = 0.2, kZoomStep = 1.25;
 
@@ -50,12 +50,17 @@ struct App::State {
   double now = 0;
   std::uint64_t drawn_revision = 0;
   std::unique_ptr<Costs> costs;
-  int drawn_costs = 0;
+  int drawn_costs = 0, drawn_percent = 0;
   int settle = kSettleFrames;
   long frames = 0;
 
   void load_fonts();
   void refresh_look(bool fingers);
+  /// Seconds from one playing step to the next. At speed 1 a scene takes the time that it simulates.
+  [[nodiscard]] double pause() const {
+    const auto& scene = session->lesson().scene;
+    return (scene ? scene->step : 1 / kStepsPerSecond) / static_cast<double>(speed);
+  }
   void play_on();
   [[nodiscard]] bool player(std::string_view name);
   [[nodiscard]] bool edit(std::string_view name);
@@ -104,11 +109,10 @@ void App::State::refresh_look(bool fingers) {
 /// Takes the steps that are due.
 void App::State::play_on() {
   if (!playing) return;
-  const double pause = 1 / (kStepsPerSecond * static_cast<double>(speed));
   if (now - next_step_at > 1) next_step_at = now;  // nobody drew for a while: don't catch up
   while (playing && now >= next_step_at) {
     session->forward();
-    next_step_at += pause;
+    next_step_at += pause();
     const bool watched = play_until && session->step() >= *play_until;
     if (watched || session->asked() != nullptr || session->step() == session->steps()) playing = false;
     if (watched) play_until.reset();
@@ -119,7 +123,7 @@ void App::State::toggle_play() {
   playing = !playing && session->asked() == nullptr;
   if (!playing) return;
   if (session->step() == session->steps() && !session->previewing()) session->first();
-  next_step_at = now + (session->previewing() ? 0 : 1 / (kStepsPerSecond * static_cast<double>(speed)));
+  next_step_at = now + (session->previewing() ? 0 : pause());
 }
 
 /// A clicker has this key alone to go on with: a question that stands is skipped.
@@ -136,7 +140,7 @@ bool App::State::watch_outcome() {
   play_until = outcome->step;
   session->go(from);
   playing = true;
-  next_step_at = now + 1 / (kStepsPerSecond * static_cast<double>(speed));
+  next_step_at = now + pause();
   return true;
 }
 
@@ -319,6 +323,7 @@ void App::frame(const Layout& layout, double now) {
     draw_inspector(s.look, *s.session, layout.inspector);
   }
   s.drawn_costs = s.costs->version();
+  s.drawn_percent = s.costs->percent();
   s.drawn_revision = s.session->revision();
   s.drawn_settings = s.settings;
 }
@@ -332,7 +337,8 @@ bool App::wants_frame(double now) const {
   if (s.settle > 0 || !same(s.settings, s.drawn_settings)) return true;
   if (!s.session) return false;
   const bool moving = !s.on_chart() && s.stage.moving();  // under the chart, the stage waits
-  return (s.playing && now >= s.next_step_at) || moving || s.session->revision() != s.drawn_revision || s.costs->version() != s.drawn_costs;
+  const bool advanced = s.settings.prose_in_canvas && s.costs->percent() != s.drawn_percent;  // a page has its bar outside the canvas
+  return (s.playing && now >= s.next_step_at) || moving || advanced || s.session->revision() != s.drawn_revision || s.costs->version() != s.drawn_costs;
 }
 
 double App::seconds_until_due(double now) const {

@@ -107,7 +107,7 @@ class App {
   [[nodiscard]] Index selected() const;
   void select(Index point);
   [[nodiscard]] bool playing() const;
-  [[nodiscard]] float speed() const;  // steps a second are 2 * speed
+  [[nodiscard]] float speed() const;  // steps a second are 2 * speed, a scene's its own frames a second * speed
 
   /// Two fingers on the stage: factor > 1 as they part, around their middle (canvas coordinates), which moved by
   /// (dx, dy) since the last call.

@@ -275,12 +275,23 @@ struct Plot {
     return hit;
   }
 
+  /// The power that a line is held against, from where the line begins to where it ends.
+  void slope(const ChartSeries& one) const {
+    const ChartPoint& last = one.points.back();
+    const double first = one.points.front().x;
+    list->PushClipRect({frame.x, frame.y}, {frame.x + frame.width, frame.y + frame.height}, true);
+    const std::array way{at({first, last.y * std::pow(first / last.x, *one.slope)}), at(last)};
+    path(list, way, false, Stroke::kDashed, look->optimum, look->stroke);
+    list->PopClipRect();
+  }
+
   void figures(const ChartHit& hit) const {
     const ChartSeries& one = chart.series[hit.series];
+    if (one.slope) slope(one);
     const ChartPoint& p = one.points[hit.point];
     const ImVec2 place = at(p);
     ring(list, place, kMark * look->mark + 4, look->support, 2);
-    const std::string name = full_name(one);
+    const std::string name = full_name(one) + (one.slope ? " (dashed)" : "");
     const std::string words = chart_figure(chart.x.unit, p.x) + (chart.x.unit == ChartUnit::kCount ? " " + chart.x.title : "") +
                               ", " + chart_figure(chart.y.unit, p.y);
     const float width =

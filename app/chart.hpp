@@ -38,6 +38,7 @@ struct ChartPoint {
 struct ChartSeries {
   std::string name;
   std::string figure, beside;     // of a line: what is found of it and what it is held against; may be empty
+  std::optional<double> slope;    // of a line between log axes: what it is held against, drawn through its last point where it is looked at
   ChartShape shape = ChartShape::kDisc;
   ChartRole role = ChartRole::kPlain;
   bool line = false;              // whether its points are joined, by rising x

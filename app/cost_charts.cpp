@@ -132,6 +132,7 @@ void add_growth(Chart& chart, const std::vector<cost::GrowthRow>& rows, bool the
       series.name = one ? algorithm_title(first.volume, first.algorithm) : first.volume + " " + first.algorithm;
       if (first.exponent) series.figure = said("n^%.2f", *first.exponent);
       series.beside = theory_words(first);
+      series.slope = first.theory_exponent;
     }
     chart.series.push_back(std::move(series));
   }

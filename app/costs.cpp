@@ -150,7 +150,6 @@ void Costs::start(const lesson::Session& session) {
   else start_turn(std::move(about));
   at_work_ = view_;
   focus_row_ = -1;
-  percent_ = 0;
   take_rows();
   show(true);
 }
@@ -197,8 +196,6 @@ void Costs::work(lesson::Session& session, double budget) {
   if (!running()) return;
   CostSheet& sheet = of(*at_work_);
   const bool more = sheet.work(clock_, budget);
-  const int percent = static_cast<int>(100 * sheet.progress());
-  if (std::exchange(percent_, percent) != percent) ++version_;
   if (more && view_ == *at_work_) take_rows();
   if (sheet.done()) finish(session);
 }

@@ -60,7 +60,8 @@ class Costs {
   [[nodiscard]] const TurnTable& turn() const;
   /// How many points are measured, but of the growth, which has its own.
   [[nodiscard]] Index size(const lesson::Session& session) const;
-  /// Changes with whatever the chart shows, and with each per cent of progress.
+  [[nodiscard]] int percent() const { return static_cast<int>(100 * progress()); }
+  /// Changes with whatever the chart shows.
   [[nodiscard]] int version() const { return version_; }
 
   /// Whether the chart stands on the stage, in the place of the points.
@@ -101,7 +102,7 @@ class Costs {
   std::size_t focus_point_ = 0;     // and a point of that
   std::string refused_;             // why it could not be loaded
   bool shown_ = false;
-  int version_ = 0, percent_ = 0;
+  int version_ = 0;
 };
 
 /// More points are refused: measuring would need memory that not every machine has.

@@ -13,7 +13,7 @@ namespace snug::app {
 namespace {
 
 constexpr float kSize = 14, kSmall = 13, kTiny = 12;
-constexpr float kEffectRow = 26, kPlot = 84;
+constexpr float kEffectRow = 26, kLeading = 16, kIndent = 20, kPlot = 84;
 
 const fit::FrameTaken* taken(const lesson::Session& session, int slot, int step) {
   if (step == 0) return nullptr;
@@ -100,11 +100,16 @@ class Panel {
     for (const scene::Tally& tally : tallies) {
       const bool on = session.is_on(tally.effect);
       ImGui::PushID(row++);
-      const Touch touch = touch_area("effect", {x_ - 6, y_, width_ + 12, look_.px(kEffectRow)}, session.step() > 0 || !on);
+      const std::string name = words_of(tally.effect);
+      const auto lines = lines_of(look_, Face::kRegular, kSmall, name, right(0) - x_ - kIndent - look_.px(11));
+      const float height = look_.px(kEffectRow + kLeading * static_cast<float>(lines.size() - 1));
+      const Touch touch = touch_area("effect", {x_ - 6, y_, width_ + 12, height}, session.step() > 0 || !on);
       ImGui::PopID();
       if (touch.clicked) turned = tally.effect;
-      if (touch.hovered) list_->AddRectFilled({x_ - 6, y_}, {x_ + width_ + 6, y_ + look_.px(kEffectRow) - 1}, look_->raised, 4);
-      effect(tally, on, tally.run > 0 ? session.time_of(tally.effect) : "");
+      if (touch.hovered) list_->AddRectFilled({x_ - 6, y_}, {x_ + width_ + 6, y_ + height - 1}, look_->raised, 4);
+      effect(tally, on, lines, tally.run > 0 ? session.time_of(tally.effect) : "");
+      y_ += height;
+      rule(list_, x_, y_ - 1, width_, look_->line);
     }
     if (!turned.empty()) session.turn(turned, !session.is_on(turned));
   }
@@ -116,20 +121,21 @@ class Panel {
     return x_ + width_ * kShares[static_cast<std::size_t>(column)];
   }
 
-  void effect(const scene::Tally& tally, bool on, const std::string& time) {
+  /// lines: of its name, which is broken where it is too long for the row, and never cut.
+  void effect(const scene::Tally& tally, bool on, const std::vector<std::string_view>& lines, const std::string& time) {
     const float middle = y_ + look_.px(kEffectRow) / 2;
-    const float box = 6, indent = 20;
+    const float box = 6;
     list_->AddRect({x_, middle - box}, {x_ + 2 * box, middle + box}, on ? look_->current : look_->muted, 3, 0, 1.5f);
     if (on) tick(list_, {x_ + box, middle}, 4, look_->current, 2);
-    const float room = right(0) - x_ - indent - look_.px(11);
-    text(list_, look_, Face::kRegular, kSmall, {x_ + indent, middle_of(middle, look_.px(kSmall))}, on ? look_->ink : look_->muted,
-         shortened(look_, Face::kRegular, kSmall, words_of(tally.effect), room));
+    float y = middle_of(middle, look_.px(kSmall));
+    for (const std::string_view line : lines) {
+      text(list_, look_, Face::kRegular, kSmall, {x_ + kIndent, y}, on ? look_->ink : look_->muted, line);
+      y += look_.px(kLeading);
+    }
     const std::array<std::string, 4> figures{std::to_string(tally.constructed), std::to_string(tally.run), std::to_string(tally.skipped),
                                              time.empty() ? "—" : time};
     for (int i = 0; i < 4; ++i)
       text_right(list_, look_, Face::kMono, kTiny, {right(i), middle_of(middle, look_.px(kTiny))}, look_->ink, figures[static_cast<std::size_t>(i)]);
-    y_ += look_.px(kEffectRow);
-    rule(list_, x_, y_ - 1, width_, look_->line);
   }
 
   /// "broad phase"

@@ -269,7 +269,8 @@ void Stage::draw(const Look& look, Settings& settings, lesson::Session& session,
   camera_.ease(std::min(now - last_now_, 0.05), look.still);
   last_now_ = now;
   const bool stepped = session.step() != seen_step_ && seen_run_ == session.algorithm(0) && !points_moved_;
-  const bool jump = look.still || dragging_ || (!stepped && !motion_.moving());
+  const bool scene = session.frame() != nullptr;  // its bodies are where the frame has them, and so is what encloses them
+  const bool jump = scene || look.still || dragging_ || (!stepped && !motion_.moving());
   volume_ = motion_.at(shown_.volume, jump, now);
   seen_step_ = session.step();
   seen_run_ = session.algorithm(0);

@@ -278,6 +278,8 @@ std::string load_file(const std::string& bytes, const std::string& name) {
 /// A slice of the measurement that runs. milliseconds: the budget.
 void measure_slice(double milliseconds) { door().app->measure(milliseconds * 1e6); }
 bool measuring() { return door().app->costs().running(); }
+/// Of the run, from 0 to 1.
+double measured() { return door().app->costs().progress(); }
 std::string costs_file(const std::string& format) { return web::costs_file(*door().app, format); }
 std::string lay_over(const std::string& csv, const std::string& name) { return session() ? web::lay_over(*door().app, csv, name) : ""; }
 
@@ -337,6 +339,7 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("load_file", &load_file);
   function("measure", &measure_slice);
   function("measuring", &measuring);
+  function("measured", &measured);
   function("costs_file", &costs_file);
   function("lay_over", &lay_over);
   function("shared_points", &shared_points);

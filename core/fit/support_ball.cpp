@@ -1,6 +1,7 @@
 #include "fit/support_ball.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -30,15 +31,16 @@ bool solve(std::array<std::array<Wide, N>, N>& gram, std::array<Wide, N>& right,
       if (at(largest, largest) < at(i, i)) largest = i;
     std::swap(order[static_cast<std::size_t>(k)], order[static_cast<std::size_t>(largest)]);
     if (!(at(k, k).high > tolerance::kDependentPivot)) return false;
+    at(k, k) = Wide(1) / at(k, k);  // a division takes as long as many products
     for (int i = k + 1; i < n; ++i) {
-      const Wide factor = at(i, k) / at(k, k);
+      const Wide factor = at(i, k) * at(k, k);
       for (int j = k + 1; j < n; ++j) at(i, j) -= factor * at(k, j);
       b(i) -= factor * b(k);
     }
   }
   for (int k = n - 1; k >= 0; --k) {
     for (int j = k + 1; j < n; ++j) b(k) -= at(k, j) * b(j);
-    b(k) = b(k) / at(k, k);
+    b(k) *= at(k, k);
   }
   return true;
 }
@@ -130,17 +132,37 @@ std::optional<SupportBall<Dim>> ball_through(PointSpan<Scalar, Dim> points, cons
   return ball;
 }
 
+namespace {
+
+/// Whether it is the smallest around the others too, beyond rounding: no further subset needs to be looked at.
+template <class Scalar, int Dim>
+bool surely_smallest(PointSpan<Scalar, Dim> points, const SupportBall<Dim>& ball, const Support& others) {
+  for (int i = 0; i < ball.support.size(); ++i)
+    if (!(ball.weights[static_cast<std::size_t>(i)] > tolerance::kBeyondDoubt)) return false;
+  return std::all_of(others.begin(), others.end(), [&](Index i) {
+    if (ball.support.contains(i)) return true;
+    const double distance = (points[i].template cast<double>() - ball.center).stableNorm();
+    return distance < ball.radius * (1 - tolerance::kBeyondDoubt);
+  });
+}
+
+}  // namespace
+
 template <class Scalar, int Dim>
 SupportBall<Dim> smallest_ball_with(PointSpan<Scalar, Dim> points, Index on_boundary, const Support& others) {
   SupportBall<Dim> best = *ball_through(points, Support{on_boundary});
-  for (unsigned subset = 1; subset < (1u << static_cast<unsigned>(others.size())); ++subset) {
-    Support support{on_boundary};
-    for (int i = 0; i < others.size(); ++i)
-      if ((subset >> static_cast<unsigned>(i) & 1u) != 0 && support.size() <= Dim + 1) support.add(others[i]);
-    if (support.size() > Dim + 1) continue;
-    const auto ball = ball_through(points, support);
-    if (ball && ball->center_in_hull() && smaller(best, *ball)) best = *ball;
-  }
+  for (int size = std::min(Dim, others.size()); size > 0; --size)
+    for (unsigned subset = 1; subset < (1u << static_cast<unsigned>(others.size())); ++subset) {
+      if (std::popcount(subset) != size) continue;
+      Support support{on_boundary};
+      for (int i = 0; i < others.size(); ++i)
+        if ((subset >> static_cast<unsigned>(i) & 1u) != 0) support.add(others[i]);
+      const auto ball = ball_through(points, support);
+      if (!ball || !ball->center_in_hull()) continue;
+      if (surely_smallest(points, *ball, others)) return *ball;
+      const bool as_large_with_fewer = !smaller(*ball, best) && ball->support.size() < best.support.size();
+      if (smaller(best, *ball) || as_large_with_fewer) best = *ball;
+    }
   return best;
 }
 

@@ -40,7 +40,7 @@ template <class Scalar, int Dim>
 
 /// The smallest ball of a few points, one of which is known to lie on its boundary: of all subsets with that point
 /// whose centre is in their hull, the one with the largest ball. (Each is a lower bound, and the smallest ball is one.)
-/// others: at most Dim + 1 points.
+/// others: at most Dim + 1 points. Larger subsets go first: one that is beyond doubt the smallest ball ends the search.
 /// Source: B. Gärtner, "Fast and robust smallest enclosing balls", 1999, and the basis computation of
 /// J. Matoušek, M. Sharir, E. Welzl, "A subexponential bound for linear programming", 1996.
 template <class Scalar, int Dim>

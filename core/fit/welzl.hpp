@@ -28,8 +28,9 @@ inline constexpr std::array<std::string_view, 10> kWelzlPseudocode{
     "  return ball",
 };
 
-/// Lists up to this length are solved by the recursion whole; of longer ones a random sample is, and the rest let in.
-inline constexpr Index kWelzlList = 256;
+/// Lists up to this length are solved by the recursion whole; of longer ones a random sample is, and the rest let in. A larger
+/// sample costs more balls than it saves passes over the points.
+inline constexpr Index kWelzlList = 256, kWelzlSample = 8;
 
 /// The state of one run: Welzl's recursion with a stack of Dim + 2 frames, however many points there are.
 template <class Scalar, int Dim, class Observer>
@@ -53,10 +54,10 @@ class Welzl {
   using Step = SphereStep<Scalar, Dim>;
 
   void sample(std::uint64_t seed) {
-    const Index size = std::min(points_.size(), kWelzlList);
-    list_.resize(static_cast<std::size_t>(size));
+    const bool whole = points_.size() <= kWelzlList;
+    list_.resize(static_cast<std::size_t>(whole ? points_.size() : kWelzlSample));
     std::iota(list_.begin(), list_.end(), Index{0});
-    if (size == points_.size()) return;
+    if (whole) return;
     Random random(seed);
     for (Index& i : list_) i = static_cast<Index>(random.below(static_cast<std::uint32_t>(points_.size())));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -20,16 +21,28 @@ bool square_is_sound(Scalar square) {
   return square > kSmall && square < kLarge;
 }
 
-/// What twice a double's digits say of the side: nothing where that is in doubt.
-int side_in_double_double(const double* point, const double* center, double radius, int dim) noexcept {
-  DoubleDouble gap = -DoubleDouble::product(radius, radius);
-  const double size = -gap.high;
+bool wide_is_sound(double square) { return square > tolerance::kSoundWideSquare && square < 1 / tolerance::kSoundWideSquare; }
+
+/// What twice a double's digits say of the side: nothing where that is in doubt. What each step rounds away is summed apart.
+inline int side_in_double_double(const double* point, const double* center, double radius, int dim) noexcept {
+  const DoubleDouble square = DoubleDouble::product(radius, radius);
+  double sum = -square.high, rest = -square.low;
   for (int i = 0; i < dim; ++i) {
     const DoubleDouble d = DoubleDouble::sum(point[i], -center[i]);
-    gap += d * d;
+    const DoubleDouble p = DoubleDouble::product(d.high, d.high);
+    const DoubleDouble s = DoubleDouble::sum(sum, p.high);
+    sum = s.high;
+    rest += s.low + (p.low + 2 * d.high * d.low);
   }
-  const double doubt = tolerance::kWideSquaredDistance * size;
-  return gap.high > doubt ? 1 : gap.high < -doubt ? -1 : 0;
+  const double gap = sum + rest, doubt = tolerance::kWideSquaredDistance * square.high;
+  return gap > doubt ? 1 : gap < -doubt ? -1 : 0;
+}
+
+/// A power of two near the square root.
+Index block_of(Index points) {
+  std::int64_t block = 16;
+  while (block * block < points) block *= 2;
+  return static_cast<Index>(block);
 }
 
 // Up to this many points near the boundary are decided exactly; with more, the radius is widened by its error bound.
@@ -63,7 +76,7 @@ int side_of_sphere(const double* point, const double* center, double radius, int
     const double doubt = tolerance::kSquaredDistance<double> * std::max(square, radius_square);
     if (square - radius_square > doubt) return 1;
     if (radius_square - square > doubt) return -1;
-    if (std::min(square, radius_square) > tolerance::kSoundWideSquare && radius_square < 1 / tolerance::kSoundWideSquare)
+    if (wide_is_sound(square) && wide_is_sound(radius_square))
       if (const int side = side_in_double_double(point, center, radius, dim); side != 0) return side;
   }
   ExactSum sum;
@@ -78,12 +91,11 @@ int side_of_sphere(const double* point, const double* center, double radius, int
 
 template <class Scalar, int Dim>
 FarthestPoints<Scalar> farthest_points(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim> points) {
-  using Farthest = FarthestPoints<Scalar>;
-  Farthest result;
-  result.of_block.reserve(static_cast<std::size_t>(points.size() / Farthest::kBlock + 1));
-  for (Index begin = 0; begin < points.size(); begin += Farthest::kBlock) {
-    const Index end = begin + std::min(points.size() - begin, Farthest::kBlock);
-    typename Farthest::Far most{-1, begin};
+  FarthestPoints<Scalar> result{.block = block_of(points.size())};
+  result.of_block.reserve(static_cast<std::size_t>(points.size() / result.block + 1));
+  for (Index begin = 0; begin < points.size(); begin += result.block) {
+    const Index end = begin + std::min(points.size() - begin, result.block);
+    typename FarthestPoints<Scalar>::Far most{-1, begin};
     for (Index i = begin; i < end; ++i) {
       const Scalar square = (points[i] - center).squaredNorm();
       if (square > most.square) most = {square, i};
@@ -103,14 +115,18 @@ Scalar enclosing_radius(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim
   constexpr Scalar kBound = tolerance::kSquaredDistance<Scalar>;
   const Scalar threshold = most * (1 - 2 * kBound);
   Sphere<Scalar, Dim> sphere{center, std::sqrt(most)};
+  const Vector<double, Dim> c = center.template cast<double>();
+  const bool wide = wide_is_sound(static_cast<double>(most));  // so near the boundary, the plain digits decide nothing
   Index candidates = 0;
   Index begin = 0;
   for (const auto& block : far.of_block) {
-    const Index end = begin + std::min(points.size() - begin, far.kBlock);
+    const Index end = begin + std::min(points.size() - begin, far.block);
     for (Index i = begin; i < end && block.square >= threshold; ++i) {
       if ((points[i] - center).squaredNorm() < threshold) continue;
       if (++candidates > kExactCandidates) return std::sqrt(most * (1 + 2 * kBound));
-      widen_to_hold(sphere, points[i]);
+      const Vector<double, Dim> p = points[i].template cast<double>();
+      const bool held = wide && side_in_double_double(p.data(), c.data(), static_cast<double>(sphere.radius), Dim) < 0;
+      if (!held) widen_to_hold(sphere, points[i]);
     }
     begin = end;
   }

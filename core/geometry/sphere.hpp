@@ -38,15 +38,15 @@ template <class Scalar, int Dim>
   return std::ldexp(std::sqrt(scaled.squaredNorm()), exponent);
 }
 
-/// The farthest point from a centre, and that of each block of kBlock points.
+/// The farthest point from a centre, and that of each block of points. There are about as many blocks as points in one.
 template <class Scalar>
 struct FarthestPoints {
-  static constexpr Index kBlock = 2048;
   struct Far {
     Scalar square = 0;  // the squared distance, as rounded
     Index point = 0;
   };
   Far overall;
+  Index block = 0;  // points
   std::vector<Far> of_block;
 };
 

@@ -24,9 +24,9 @@ template <class Scalar>
 template <class Scalar>
 inline constexpr Scalar kSquaredDistance = 8 * kRoundoff<Scalar>;
 
-/// The same in double-doubles, with |p - c| near the radius, less the radius's square, in parts of that: the differences
-/// and the square of the radius are exact, each product is off by at most 2^-102 and each of the sums by 2^-103. 2^-98
-/// leaves room for all of them. Held by "the side of a sphere is what rational arithmetic says, in the last of 106 bits".
+/// The same in twice the digits, with |p - c| near the radius, less the radius's square, in parts of that: the differences,
+/// the radius's square and each sum are exact but for what is summed apart, and there each of twelve roundings is at most
+/// 2^-53 of 2^-49; the square of a difference's last digits, left out, is 2^-106. 2^-98 leaves room for all of them. Held by "the side of a sphere is what rational arithmetic says, in the last of 106 bits".
 inline constexpr double kWideSquaredDistance = 0x1p-98;
 
 /// A square above it, and below its inverse, keeps those digits: 2^-98 of it is far above the least of doubles.
@@ -36,6 +36,11 @@ inline constexpr double kSoundWideSquare = 0x1p-900;
 /// error 2^-104), below which its points count as affinely dependent: half of those digits are then gone, but the
 /// centre still keeps all of double's. Held by "support points 1e-10 apart".
 inline constexpr double kDependentPivot = 0x1p-90;
+
+/// A barycentric coordinate of a ball's centre above it is positive, and a point nearer than the radius by that share of it
+/// is inside: at kDependentPivot the coordinates are off by 2^-14. Held by "the first sure ball of a few points is the
+/// largest of all subsets'".
+inline constexpr double kBeyondDoubt = 0x1p-10;
 
 /// How far a proven lower bound may stay below the radius for the ball to be called the smallest, in units of
 /// u * (radius + largest coordinate): the centre is rounded once per coordinate (sqrt(3) u of its size), the radius

@@ -122,7 +122,11 @@ const char* add_cullings(Asked& asked, bool of_it, const char* refused) {
 const char* add_ranges(Asked& asked, const Step3& step) {
   if (!std::holds_alternative<FrameTaken>(step.fact)) return "\"figure\" asks of frame_taken";
   const Question& question = *asked.question;
-  const auto text = [&](double bound) { return scene_figure_text(question.figure, bound); };
+  const auto text = [&](double bound) {
+    std::string words = scene_figure_text(question.figure, bound);
+    const std::size_t tenths = words.find(".0 ");  // a bound is exact
+    return tenths == std::string::npos ? words : words.erase(tenths, 2);
+  };
   for (std::size_t i = 0; i < question.bounds.size(); ++i)
     add_choice(asked, (i == 0 ? "at most " : "more than " + text(question.bounds[i - 1]) + ", at most ") + text(question.bounds[i]));
   add_choice(asked, "more than " + text(question.bounds.back()));

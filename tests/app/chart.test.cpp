@@ -123,7 +123,9 @@ TEST_CASE("growth and turns are a line each") {
   const Chart lines = growth_chart(growth);
   REQUIRE(lines.series.size() == 2);
   CHECK(full_name(lines.series[0]) == "sphere ritter: n^1.04, theory 1.00");
+  CHECK(lines.series[0].slope == 1);
   CHECK(full_name(lines.series[1]) == "obb pca");
+  CHECK(!lines.series[1].slope);
   CHECK(lines.series[0].points.size() == 2);
   const cost::Table<cost::TurnRow> turn{{},
                                         {{.volume = "aabb", .strategy = "loose", .degrees = 0, .slack = 0.5},

@@ -304,6 +304,41 @@ TEST_CASE("among few points in space a press beside one drags it") {
   CHECK(bench.session().trace_hash() != hash);
 }
 
+/// A body that turns for two seconds, and its box.
+lesson::Lesson turning() {
+  lesson::Lesson lesson = in_space(12);
+  lesson.volume = "scene";
+  lesson.scene = lesson::SceneSet{.frames = 120};
+  lesson.scene->bodies.resize(1);
+  lesson.scene->bodies[0].of_points = true;
+  lesson.scene->effects = {{.name = "spin", .settings = {{"turns_per_second", {1}, ""}}}, {.name = "refit"}};
+  lesson.algorithms = {"rebuild"};
+  return lesson;
+}
+
+TEST_CASE("a scene plays in the time that it simulates, and an algorithm twice a second") {
+  Bench scene(turning()), steps(flat());
+  for (Bench* bench : {&scene, &steps}) {
+    const int before = bench->session().step();
+    REQUIRE(bench->app.command("play"));
+    for (int i = 0; i < 50; ++i) bench->frames(1);  // a second
+    const int taken = bench->session().step() - before;
+    if (bench == &scene) CHECK(std::abs(taken - 60) <= 1);
+    else CHECK(taken == 2);
+  }
+}
+
+TEST_CASE("a scene's box is where its body is in every frame: it does not move there after it") {
+  Bench bench(turning());
+  bench.app.settings().reduced_motion = false;
+  bench.frames(3);
+  REQUIRE(bench.app.command("step"));
+  bench.frames(3);
+  REQUIRE(bench.app.command("step"));
+  bench.frames(3);
+  CHECK_FALSE(bench.app.wants_frame(0));
+}
+
 TEST_CASE("on a narrow stage the framed ball stays below the tools") {
   Bench bench(flat());
   ImGui::NewFrame();

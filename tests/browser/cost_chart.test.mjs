@@ -57,15 +57,21 @@ test("predictions come first; then six algorithms are measured, and what happene
   // While it measures, the page goes on drawing: told, and held to no frame's time on a machine that others use.
   await page.evaluate(() => {
     window.gaps = [];
+    window.bars = new Set();
     let last = performance.now();
     const look = (now) => {
       window.gaps.push(now - last);
       last = now;
+      window.bars.add(document.querySelector(".costs-bar").getAttribute("aria-valuenow"));
       if (!window.snug.state().costs.decided) requestAnimationFrame(look);
     };
     requestAnimationFrame(look);
   });
-  const { costs: done, outcomes } = await measure(page);
+  const { framesDrawn: earlier } = await state(page);
+  const { costs: done, outcomes, framesDrawn: later } = await measure(page);
+  const bars = await page.evaluate(() => window.bars.size);
+  assert.ok(bars > 5, `the bar stood at ${bars} places`);
+  assert.ok(later - earlier < 40, `the stage was drawn ${later - earlier} times: the bar alone is no reason to`);
   const gaps = (await page.evaluate(() => window.gaps)).sort((a, b) => a - b);
   t.diagnostic(`${gaps.length} frames: median ${gaps[gaps.length >> 1].toFixed(0)} ms, 95 % ${gaps[Math.floor(gaps.length * 0.95)].toFixed(0)} ms, longest ${gaps.at(-1).toFixed(0)} ms`);
   assert.ok(gaps.length > 20, `${gaps.length} frames while measuring`);

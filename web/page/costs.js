@@ -81,10 +81,11 @@ export class CostTools {
     this.#act(() => this.#door.command(name));
   }
 
-  /** A slice, then the page's own work; a frame only where the chart has changed. */
+  /** A slice, then the page's own work; a frame of the stage only where the chart has changed. */
   #work() {
     this.#timer = 0;
     this.#door.measure(kSlice);
+    this.#show_progress(this.#door.measured());
     if (this.#door.seconds_until_due(performance.now() / 1000) <= 0) this.#request();
     if (this.#door.measuring()) this.#timer = setTimeout(() => this.#work(), 0);
     else this.#act(() => {});
@@ -96,6 +97,11 @@ export class CostTools {
     element("a", { href: url, download: `snug-${kCharts[this.#chart].file}.${format}` }).click();
     setTimeout(() => URL.revokeObjectURL(url), 1000);
   }
+
+  #show_progress = when_changed((progress) => {
+    this.#bar.setAttribute("aria-valuenow", Math.round(100 * progress));
+    this.#bar.firstElementChild.style.transform = `scaleX(${progress})`;
+  });
 
   update({ costs }) {
     if (!costs) return;
@@ -114,10 +120,8 @@ export class CostTools {
     this.#stop.disabled = !running;
     for (const file of this.#files) file.disabled = rows.length === 0;
     set_text(this.#view, shown ? "Shape" : "Chart");
-    const percent = Math.round(100 * progress);
     set_hidden(this.#bar, !running);
-    this.#bar.setAttribute("aria-valuenow", percent);
-    this.#bar.firstElementChild.style.transform = `scaleX(${progress})`;
+    this.#show_progress(progress);
     const there = `${size.toLocaleString("en")} points`;
     const words = !ready ? kPredictFirst : running ? (chart === "growth" ? `Measuring ${of}.` : `Measuring ${there}.`)
       : rows.length > 0 ? `${rows.length} measured, on ${of}.` : chart === "growth" ? "From 10 points to a million." : `${there} to measure.`;

@@ -119,7 +119,8 @@ TEST_CASE("the farthest point is named, overall and of each block") {
   const auto far = farthest_points<double, 2>({0, 0}, test::set_of<double, 2>(points).span());
   CHECK(far.overall.point == 4321);
   CHECK(far.overall.square == 25);
-  REQUIRE(far.of_block.size() == 3);
-  CHECK(far.of_block[2].point == 4321);
-  CHECK(far.of_block[0].point < far.kBlock);
+  CHECK(far.block == 128);
+  REQUIRE(far.of_block.size() == 40);
+  CHECK(far.of_block[4321 / 128].point == 4321);
+  CHECK(far.of_block[0].point < far.block);
 }
