@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "scene/limits.hpp"
 
@@ -70,7 +71,8 @@ void span_plane(ContactRow& row) {
 }
 
 ContactRow row_of(const World& world, const Pair& pair, const V3& normal, const ManifoldPoint& point) {
-  ContactRow row{.pair = pair, .normal = normal, .separation = point.separation, .impulse = {pair, point.feature}};
+  ContactRow row{.pair = pair, .normal = normal, .separation = point.separation, .slop = world.slop(pair), .impulse = {pair, point.feature}};
+  row.against_wall = !member_of(world, pair.a).moves() || !member_of(world, pair.b).moves();
   span_plane(row);
   row.arm_a = point.position - motion_of(world, pair.a).position;
   row.arm_b = point.position - motion_of(world, pair.b).position;
@@ -82,24 +84,24 @@ ContactRow row_of(const World& world, const Pair& pair, const V3& normal, const 
 /// What gravity gave the pair along the normal in this frame.
 double fallen(const World& world, const ContactRow& row) {
   const double share = (member_of(world, row.pair.b).moves() ? 1.0 : 0.0) - (member_of(world, row.pair.a).moves() ? 1.0 : 0.0);
-  return share * world.step * world.gravity.dot(row.normal);
+  return share * world.round() * world.gravity.dot(row.normal);
 }
 
 /// How fast the bodies may still come together there; or, once they touch, how fast they go apart again. The speed at which
-/// they came is remembered until then: what keeps them from passing through slows them down before. It is the speed with
-/// which they meet, on the way: not with all that gravity adds by the end of the frame, or a ball would bounce too high.
+/// they came is remembered for the round in which they get there: what keeps them from passing through slows them down before. It is the speed with
+/// which they meet, on the way: not with all that gravity adds by the end of the round, or a ball would bounce too high.
 void aim(const World& world, ContactRow& row, const Surface& surface, double approach_before) {
-  const double speed = -approach_velocity(world, row).dot(row.normal);
-  const double part = speed > 0 ? std::clamp(row.separation / (speed * world.step), 0.0, 1.0) : 1;
-  const double coming = std::max(speed + std::min(0.0, fallen(world, row)) * (1 - part), approach_before);
-  const bool quick = coming > limits::kBounces;
-  if (row.separation > limits::kSlop) {
-    row.target = -row.separation / world.step;
-    row.impulse.approach = quick && coming * world.step > row.separation ? coming : 0;
+  const double seconds = world.round(), speed = -approach_velocity(world, row).dot(row.normal);
+  const double part = speed > 0 ? std::clamp(row.separation / (speed * seconds), 0.0, 1.0) : 1;
+  const double own = speed + std::min(0.0, fallen(world, row)) * (1 - part), coming = std::max(own, approach_before);
+  const auto quick = [&](double comes) { return comes > limits::kBounces * world.pace(); };
+  if (row.separation > row.slop) {
+    row.target = -row.separation / seconds;
+    row.impulse.approach = quick(own) && own * seconds > row.separation ? own : 0;
     return;
   }
-  // Gravity has a frame of its work done before the body goes up: so it comes as high as it fell, and no higher.
-  row.target = quick ? std::max(0.0, surface.restitution * coming + std::min(0.0, fallen(world, row))) : row.separation > 0 ? -row.separation / world.step : 0;
+  // Gravity has a round of its work done before the body goes up: so it comes as high as it fell, and no higher.
+  row.target = quick(coming) ? std::max(0.0, surface.restitution * coming + std::min(0.0, fallen(world, row))) : row.separation > 0 ? -row.separation / seconds : 0;
 }
 
 }  // namespace
@@ -126,23 +128,49 @@ std::vector<ContactRow> rows_of(const World& world, const Surface& surface) {
   return rows;
 }
 
+namespace {
+
+/// The more, the more heavier one body is than another that it may lean on.
+int most_sweeps(const World& world, const std::vector<ContactRow>& rows) {
+  double ratio = 1;
+  for (const ContactRow& row : rows) {
+    if (row.against_wall) continue;
+    const double a = member_of(world, row.pair.a).mass, b = member_of(world, row.pair.b).mass;
+    ratio = std::max({ratio, a / b, b / a});
+  }
+  return static_cast<int>(std::min(limits::kSweeps * std::sqrt(ratio), limits::kMostSweeps));
+}
+
+/// What is still wrong at one point, put right there. By how much of a speed along the normal it was.
+double settle(World& world, ContactRow& row, const Surface& surface) {
+  const double most = surface.friction * row.impulse.normal;
+  const auto rub = [&](const V3& way, double mass, double& sum) {
+    const double before = sum;
+    sum = std::clamp(before - mass * approach_velocity(world, row).dot(way), -most, most);
+    push(world, row, way * (sum - before));
+  };
+  rub(row.first, row.mass_first, row.impulse.first);
+  rub(row.second, row.mass_second, row.impulse.second);
+  const double before = row.impulse.normal;
+  row.impulse.normal = std::max(0.0, before - row.mass * (approach_velocity(world, row).dot(row.normal) - row.target));
+  push(world, row, row.normal * (row.impulse.normal - before));
+  return row.mass > 0 ? std::abs(row.impulse.normal - before) / row.mass : 0;
+}
+
+}  // namespace
+
 void solve(World& world, std::vector<ContactRow>& rows, const Surface& surface) {
   for (const ContactRow& row : rows)
     push(world, row, row.impulse.normal * row.normal + row.impulse.first * row.first + row.impulse.second * row.second);
-  for (int sweep = 0; sweep < limits::kSweeps; ++sweep)
-    for (ContactRow& row : rows) {
-      const double most = surface.friction * row.impulse.normal;
-      const auto rub = [&](const V3& way, double mass, double& sum) {
-        const double before = sum;
-        sum = std::clamp(before - mass * approach_velocity(world, row).dot(way), -most, most);
-        push(world, row, way * (sum - before));
-      };
-      rub(row.first, row.mass_first, row.impulse.first);
-      rub(row.second, row.mass_second, row.impulse.second);
-      const double before = row.impulse.normal;
-      row.impulse.normal = std::max(0.0, before - row.mass * (approach_velocity(world, row).dot(row.normal) - row.target));
-      push(world, row, row.normal * (row.impulse.normal - before));
-    }
+  double wrong = std::numeric_limits<double>::infinity();
+  const int most = most_sweeps(world, rows);
+  for (int sweep = 0; sweep < most && wrong > limits::kSettled * world.pace(); ++sweep) {
+    wrong = 0;
+    for (ContactRow& row : rows) wrong = std::max(wrong, settle(world, row, surface));
+  }
+  // What does not move has the last word: a light body between it and a heavy one would be pushed through it.
+  for (ContactRow& row : rows)
+    if (row.against_wall) settle(world, row, surface);
   world.state.impulses.clear();
   for (const ContactRow& row : rows) world.state.impulses.push_back(row.impulse);
 }
@@ -154,12 +182,12 @@ std::vector<Shift> shifts_apart(const World& world, const std::vector<ContactRow
     const Pair pair = rows[i].pair;
     for (; i < rows.size() && rows[i].pair == pair; ++i)
       if (rows[i].separation < deepest->separation) deepest = &rows[i];
-    const double depth = -deepest->separation - limits::kSlop;
+    const double depth = -deepest->separation - deepest->slop;
     const double of_a = inverse_mass(world, pair.a), of_b = inverse_mass(world, pair.b);
     if (depth <= 0 || of_a + of_b == 0) continue;
-    const V3 way = deepest->normal * (limits::kMended * depth / (of_a + of_b));
-    if (of_a > 0) shifts.push_back({static_cast<std::size_t>(pair.a), -way * of_a});
-    if (of_b > 0) shifts.push_back({static_cast<std::size_t>(pair.b), way * of_b});
+    const V3 way = deepest->normal * (depth / (of_a + of_b));
+    if (of_a > 0) shifts.push_back({static_cast<std::size_t>(pair.a), -way * of_a, of_b == 0});
+    if (of_b > 0) shifts.push_back({static_cast<std::size_t>(pair.b), way * of_b, of_a == 0});
   }
   return shifts;
 }

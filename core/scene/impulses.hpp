@@ -19,7 +19,8 @@ struct ContactRow {
   Pair pair;
   V3 normal, first, second;                       // the last two across the first
   V3 arm_a, arm_b;                                // from the centres of mass
-  double separation = 0;
+  double separation = 0, slop = 0;
+  bool against_wall = false;                      // one of the two does not move
   double mass = 0, mass_first = 0, mass_second = 0;  // along each: what one unit of impulse changes a unit of velocity of
   double target = 0;                              // the velocity along the normal must not be below it
   Impulse impulse;                                // the sums so far
@@ -35,6 +36,7 @@ void solve(World& world, std::vector<ContactRow>& rows, const Surface& surface);
 struct Shift {
   std::size_t body = 0;
   V3 by = V3::Zero();
+  bool out_of_wall = false;  // the other one does not move
 };
 [[nodiscard]] std::vector<Shift> shifts_apart(const World& world, const std::vector<ContactRow>& rows);
 

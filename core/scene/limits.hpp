@@ -1,28 +1,38 @@
-// The figures by which bodies rest, sleep and are held apart: lengths in scene units, speeds a second.
+// The figures by which bodies rest, sleep and are held apart, none of them in units of their own: lengths in parts of the
+// thinner body's half thickness, speeds in parts of what gravity adds in a round.
 #pragma once
 
 namespace snug::scene::limits {
 
-/// How deep bodies at rest may lie in each other without being pushed apart: so contacts last from frame to frame. Held by
+/// How deep bodies at rest may lie in each other without being pushed apart: so contacts last from round to round. Held by
 /// "ten boxes come to rest and stay for ten minutes".
-inline constexpr double kSlop = 1e-3;
+inline constexpr double kSlop = 2e-3;
 
-/// Which part of what is deeper than that is mended in a frame: all at once would throw bodies about.
+/// Which part of what is deeper than that is mended in a round, where no impact pays for all of it.
 inline constexpr double kMended = 0.2;
 
-/// Bodies that come slower than this do not bounce; gravity alone adds 0.16 in a frame.
-inline constexpr double kBounces = 0.5;
+/// Bodies that come slower than this do not bounce.
+inline constexpr double kBounces = 3;
 
-/// Slower than both (scene units, radians a second) for so many frames, and bodies that lean on each other sleep.
-inline constexpr double kStillSpeed = 0.04, kStillTurning = 0.06;
-inline constexpr int kStillFrames = 30;
+/// Slower than this, at every point, for so many rounds, and bodies that lean on each other sleep.
+inline constexpr double kStill = 0.25;
+inline constexpr int kStillRounds = 30;
 
-/// How often all contacts are gone over in a frame. A stack of ten needs about as many to carry its weight down; warm starts
-/// do the rest.
-inline constexpr int kSweeps = 24;
+/// Where there is no gravity, what stands for it in these speeds.
+inline constexpr double kUsualGravity = 9.81;
+
+/// A frame of a solid scene goes in rounds: none longer than this, in seconds, and none in which gravity moves a body by more
+/// than this part of its half thickness. Held by "small bodies stand as large ones do" and "a frame may be a second".
+inline constexpr double kLongestRound = 0.02, kFallInRound = 0.0055;
+inline constexpr int kMostRounds = 1000;
+
+/// All contacts are gone over until no speed is wrong by more than this, and at most so often, times the root of the ratio of
+/// masses. A stack of ten needs about as many to carry its weight down; warm starts do the rest.
+inline constexpr double kSettled = 5e-3;
+inline constexpr double kSweeps = 24, kMostSweeps = 400;
 
 /// An axis of two edges is taken for the contact of boxes only where it shows them this much farther apart than a face
-/// does, in parts of the thinner box: faces give more points to rest on. Held by the same.
+/// does: faces give more points to rest on. Held by the same.
 inline constexpr double kEdgeOverFace = 0.05;
 
 /// Edges whose directions have a sine below this are parallel: their faces meet as well.
@@ -33,5 +43,8 @@ inline constexpr int kHalvings = 20;
 
 /// The most steps in which a fast body's way is looked at: at 200 a second a ball of radius 0.01 takes 667.
 inline constexpr int kMostSteps = 20000;
+
+/// Of a body that touches another already, how small a core is still kept out of that.
+inline constexpr double kLeastCore = 1.0 / 16;
 
 }  // namespace snug::scene::limits

@@ -75,12 +75,12 @@ void consider(Widest& widest, const Shape& a, const PoseAt& at_a, const Shape& b
 
 Widest widest_axis(const Shape& a, const PoseAt& at_a, const Shape& b, const PoseAt& at_b) {
   // The later face has to be better by a little, or rounding would choose between equal ones.
-  const double slight = limits::kSlop / 16;
+  const double thinner = std::min(a.thinnest, b.thinnest), slight = limits::kSlop * thinner / 16;
   Widest faces;
   for (int i = 0; i < 3; ++i) consider(faces, a, at_a, b, at_b, at_a.rotation.col(i), i, i == 0 ? 0 : slight);
   for (int i = 0; i < 3; ++i) consider(faces, a, at_a, b, at_b, at_b.rotation.col(i), 3 + i, slight);
   Widest best = faces;
-  const double handicap = limits::kEdgeOverFace * std::min(a.thinnest, b.thinnest);
+  const double handicap = limits::kEdgeOverFace * thinner;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       const V3 axis = at_a.rotation.col(i).cross(at_b.rotation.col(j));

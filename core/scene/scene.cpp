@@ -7,6 +7,15 @@ namespace {
 
 constexpr std::size_t kMostSnapshots = 64;  // of 2,000 bodies, about 1 MB each
 
+/// Whether it runs in that round of a frame: what velocities and contacts come from in each, what leads bodies by time alone
+/// in the first, and what only looks at them in the last.
+bool is_of_round(const EffectKind& kind, int round, int rounds) {
+  constexpr SlotSet kLoop = slots(Slot::kVelocities, Slot::kVolumes, Slot::kPairs, Slot::kContacts);
+  const SlotSet made = kind.writes | kind.revises;
+  if ((made & kLoop) != 0 || has(kind.reads, Slot::kVelocities)) return true;
+  return has(made, Slot::kPoses) ? round == 0 : round == rounds - 1;
+}
+
 }  // namespace
 
 tl::expected<Scene, InputError> Scene::open(const Declaration& declaration, Clock clock, std::span<const EffectKind> kinds) {
@@ -37,26 +46,26 @@ bool Scene::has_something_new(const Runner& runner) const {
   return has(all, Slot::kTime) && !runner.effect->idle(world_);
 }
 
+void Scene::run(std::size_t i) {
+  const double start = clock_ != nullptr ? clock_() : 0;
+  runners_[i].effect->run(world_);
+  if (clock_ != nullptr) tallies_[i].nanoseconds += clock_() - start;
+  runners_[i].seen = world_.state.revisions;
+  runners_[i].ran = true;
+}
+
 void Scene::step() {
   State& state = world_.state;
   const auto before = state.revisions;
   ++state.frame;
   state.changed(Slot::kTime);
-  resting_ = true;
-  for (std::size_t i = 0; i < runners_.size(); ++i) {
-    if (!tallies_[i].on) continue;
-    if (!has_something_new(runners_[i])) {
-      ++tallies_[i].skipped;
-      continue;
-    }
-    const double start = clock_ != nullptr ? clock_() : 0;
-    runners_[i].effect->run(world_);
-    if (clock_ != nullptr) tallies_[i].nanoseconds += clock_() - start;
-    ++tallies_[i].run;
-    runners_[i].seen = state.revisions;
-    runners_[i].ran = true;
-    resting_ = false;
-  }
+  std::vector<bool> ran(runners_.size(), false);
+  for (int round = 0; round < world_.rounds; ++round)
+    for (std::size_t i = 0; i < runners_.size(); ++i)
+      if (tallies_[i].on && is_of_round(*runners_[i].kind, round, world_.rounds) && has_something_new(runners_[i])) run(i), ran[i] = true;
+  for (std::size_t i = 0; i < runners_.size(); ++i)
+    if (tallies_[i].on) ++(ran[i] ? tallies_[i].run : tallies_[i].skipped);
+  resting_ = std::find(ran.begin(), ran.end(), true) == ran.end();
   changed_ = !std::equal(before.begin() + 1, before.end(), state.revisions.begin() + 1);  // but for time
   keep_snapshot();
 }

@@ -62,6 +62,7 @@ class Scene {
   };
   Scene() = default;
   [[nodiscard]] bool has_something_new(const Runner& runner) const;
+  void run(std::size_t i);
   void keep_snapshot();
   void restore(const Snapshot& snapshot);
 

@@ -42,9 +42,17 @@ void World::place(std::size_t i, const V3& position, const Quaternion& orientati
   motion.moved = state.revision(Slot::kPoses) + 1;
 }
 
+double World::pace() const { return (gravity == V3::Zero() ? limits::kUsualGravity : gravity.norm()) * round(); }
+
+double World::slop(const Pair& pair) const {
+  const auto thinnest = [&](Index i) { return members[static_cast<std::size_t>(i)].shape.thinnest; };
+  return limits::kSlop * std::min(thinnest(pair.a), thinnest(pair.b));
+}
+
 double World::margin(std::size_t i) const {
   if (!solid) return 0;
-  return limits::kSlop + std::min(state.bodies[i].velocity.norm() * step, members[i].shape.thinnest / 2);
+  const double thinnest = members[i].shape.thinnest;
+  return limits::kSlop * thinnest + std::min(state.bodies[i].velocity.norm() * round(), thinnest / 2);
 }
 
 double World::energy() const {

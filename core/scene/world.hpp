@@ -45,7 +45,7 @@ struct Motion {
   Matrix<double, 3> rotation = Matrix<double, 3>::Identity();  // of the orientation
   V3 velocity = V3::Zero();
   V3 turning = V3::Zero();
-  int still = 0;                      // for how many frames it hardly moved
+  int still = 0;                      // for how many rounds it hardly moved
   bool asleep = false;
   std::uint64_t moved = 0;            // the revision of poses with which it moved last
 };
@@ -112,7 +112,8 @@ struct State {
 /// What stays, and what changes.
 struct World {
   std::vector<Member> members;
-  double step = 0;                    // seconds
+  double step = 0;                    // seconds a frame
+  int rounds = 1;                     // in how many equal parts of it what moves by velocities goes: set by bounce
   std::uint64_t seed = 1;
   V3 gravity = V3::Zero();            // scene units / s^2: set by fall
   bool solid = false;                 // bodies do not pass through each other: set by bounce
@@ -125,6 +126,11 @@ struct World {
   [[nodiscard]] bool any_awake() const;
   /// Turns and moves a body. The caller says that poses changed.
   void place(std::size_t i, const V3& position, const Quaternion& orientation);
+  [[nodiscard]] double round() const { return step / rounds; }  // seconds
+  /// What gravity adds to a speed in a round, or would where there is none: speeds are held against it.
+  [[nodiscard]] double pace() const;
+  /// How deep the two may lie in each other, scene units.
+  [[nodiscard]] double slop(const Pair& pair) const;
   /// How far ahead of a body contacts are looked for, scene units.
   [[nodiscard]] double margin(std::size_t i) const;
   /// Of all bodies that velocities move, with what gravity may still give them.

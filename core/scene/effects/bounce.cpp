@@ -36,15 +36,7 @@ class Bounce final : public Effect {
     std::vector<ContactRow> rows = rows_of(world, surface_);
     std::vector<Budget> budgets = budgets_of(world, islands, rows);
     solve(world, rows, surface_);
-    for (const Shift& shift : shifts_apart(world, rows)) {
-      const double work = -world.members[shift.body].mass * world.gravity.dot(shift.by);
-      Budget& budget = budgets[islands.of(shift.body)];
-      if (!budget.bounces && budget.pushed + work > budget.before) continue;
-      budget.pushed += work;
-      const Motion& motion = world.state.bodies[shift.body];
-      world.place(shift.body, motion.position + shift.by, motion.orientation);
-      world.state.changed(Slot::kPoses);
-    }
+    for (const Shift& shift : shifts_apart(world, rows)) push_apart(world, budgets[islands.of(shift.body)], shift);
     take_back(world, islands, budgets);
     if (sleeps_) rest(world, islands);
     world.state.changed(Slot::kVelocities);
@@ -81,12 +73,24 @@ class Bounce final : public Effect {
     bool bounces = false;           // restitution gives back what an earlier frame took
   };
 
+  /// Out of a wall all of the way, where what an impact takes away pays for it; else a part of it, or none.
+  static void push_apart(World& world, Budget& budget, const Shift& shift) {
+    const Motion& motion = world.state.bodies[shift.body];
+    const double work = -world.members[shift.body].mass * world.gravity.dot(shift.by);
+    const auto affords = [&](double part) { return budget.bounces || budget.pushed + part * work <= budget.before; };
+    const double part = shift.out_of_wall && !budget.bounces && affords(1) ? 1 : limits::kMended;
+    if (!affords(part)) return;
+    budget.pushed += part * work;
+    world.place(shift.body, motion.position + part * shift.by, motion.orientation);
+    world.state.changed(Slot::kPoses);
+  }
+
   static std::vector<Budget> budgets_of(const World& world, Islands& islands, const std::vector<ContactRow>& rows) {
     std::vector<Budget> budgets(world.size());
     for (std::size_t i = 0; i < world.size(); ++i) {
       if (!world.awake(i)) continue;
       Motion motion = world.state.bodies[i];
-      motion.velocity -= world.gravity * world.step;
+      motion.velocity -= world.gravity * world.round();
       budgets[islands.of(i)].before += kinetic_energy(world.members[i], motion);
     }
     for (const ContactRow& row : rows)
@@ -103,7 +107,7 @@ class Bounce final : public Effect {
       if (!world.awake(i)) continue;
       Budget& budget = budgets[islands.of(i)];
       budget.kinetic += kinetic_energy(world.members[i], world.state.bodies[i]);
-      budget.falls += world.members[i].mass * world.step * world.gravity.dot(world.state.bodies[i].velocity);
+      budget.falls += world.members[i].mass * world.round() * world.gravity.dot(world.state.bodies[i].velocity);
     }
     for (std::size_t i = 0; i < world.size(); ++i) {
       const Budget& budget = budgets[islands.of(i)];
@@ -116,16 +120,17 @@ class Bounce final : public Effect {
   }
 
   static void rest(World& world, Islands& islands) {
-    std::vector<int> still(world.size(), limits::kStillFrames);
+    const double slow = limits::kStill * world.pace();
+    std::vector<int> still(world.size(), limits::kStillRounds);
     for (std::size_t i = 0; i < world.size(); ++i) {
       if (!world.awake(i)) continue;
       Motion& motion = world.state.bodies[i];
-      const bool slow = motion.velocity.norm() < limits::kStillSpeed && motion.turning.norm() < limits::kStillTurning;
-      motion.still = slow ? motion.still + 1 : 0;
+      const double fastest = std::max(motion.velocity.norm(), motion.turning.norm() * world.members[i].shape.reach);
+      motion.still = fastest < slow ? motion.still + 1 : 0;
       still[islands.of(i)] = std::min(still[islands.of(i)], motion.still);
     }
     for (std::size_t i = 0; i < world.size(); ++i) {
-      if (!world.awake(i) || still[islands.of(i)] < limits::kStillFrames) continue;
+      if (!world.awake(i) || still[islands.of(i)] < limits::kStillRounds) continue;
       Motion& motion = world.state.bodies[i];
       motion.asleep = true;
       motion.velocity = motion.turning = V3::Zero();
@@ -135,6 +140,22 @@ class Bounce final : public Effect {
   Surface surface_;
   bool sleeps_;
 };
+
+/// The thinnest that velocities move; null where nothing does.
+const Member* thinnest_of(const World& world) {
+  const Member* thinnest = nullptr;
+  for (const Member& member : world.members)
+    if (member.moves() && (thinnest == nullptr || member.shape.thinnest < thinnest->shape.thinnest)) thinnest = &member;
+  return thinnest;
+}
+
+/// Into how many rounds a frame is cut.
+double rounds_for(const World& world, const Member* thinnest) {
+  double longest = limits::kLongestRound;
+  if (thinnest != nullptr && world.gravity != V3::Zero())
+    longest = std::min(longest, std::sqrt(limits::kFallInRound * thinnest->shape.thinnest / world.gravity.norm()));
+  return std::ceil(world.step / longest);
+}
 
 }  // namespace
 
@@ -147,6 +168,12 @@ MadeEffect make_bounce(const EffectCall& call, World& world) {
   const bool sleeps = settings.word("sleep", kSleeps) == 0;
   for (const Member& member : world.members)
     if (!has_manifolds(member.shape)) settings.refuse("has impulses for spheres and boxes alone; give " + (member.name.empty() ? "each body" : member.name) + " such a shape");
+  const Member* const thinnest = thinnest_of(world);
+  const double rounds = rounds_for(world, thinnest);
+  if (!(rounds <= limits::kMostRounds))
+    settings.refuse("would need more than " + std::to_string(limits::kMostRounds) + " rounds a frame: " +
+                    (thinnest->name.empty() ? "a body" : thinnest->name) + " is too thin for so long a step");
+  else world.rounds = static_cast<int>(std::max(1.0, rounds));
   world.solid = true;
   return settings.make<Bounce>(surface, sleeps);
 }

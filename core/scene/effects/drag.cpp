@@ -13,8 +13,8 @@ class Drag final : public Effect {
   void run(World& world) override {
     Motion& motion = world.state.bodies[body_];
     // Implicit in the velocity, so that no stiffness makes it swing up.
-    const double pull = stiffness_ * world.step, damping = 2 * std::sqrt(stiffness_) * world.step;
-    motion.velocity = (motion.velocity + pull * (world.pulled_to - motion.position)) / (1 + damping + pull * world.step);
+    const double seconds = world.round(), pull = stiffness_ * seconds, damping = 2 * std::sqrt(stiffness_) * seconds;
+    motion.velocity = (motion.velocity + pull * (world.pulled_to - motion.position)) / (1 + damping + pull * seconds);
     world.state.changed(Slot::kVelocities);
   }
   [[nodiscard]] bool idle(const World& world) const override { return !world.awake(body_); }

@@ -29,6 +29,20 @@ void turn(World& world, std::size_t i, double seconds) {
   if (after > before && after > linear) motion.turning *= std::sqrt(std::max(0.0, before - linear) / (after - linear));
 }
 
+/// Of the motion that a contact cut short, what gravity would have given on the rest of the way is taken back.
+void give_back(const World& world, Motion& motion, double seconds) {
+  const double square = motion.velocity.squaredNorm();
+  if (square > 0) motion.velocity *= std::sqrt(std::max(0.0, 1 - 2 * seconds * world.gravity.dot(motion.velocity) / square));
+}
+
+/// A sphere or box that is larger by a length, or as many times as large. Without corners: they are not asked for.
+Shape grown(const Shape& shape, double by) {
+  return {.kind = shape.kind, .half_extents = shape.half_extents + V3::Constant(by), .radius = shape.radius + by};
+}
+Shape core_of(const Shape& shape, double part) {
+  return {.kind = shape.kind, .half_extents = part * shape.half_extents, .radius = part * shape.radius};
+}
+
 class Move final : public Effect {
  public:
   void run(World& world) override {
@@ -37,11 +51,10 @@ class Move final : public Effect {
       Motion& motion = world.state.bodies[i];
       if (!world.awake(i) || (motion.velocity == V3::Zero() && motion.turning == V3::Zero())) continue;
       moved = true;
-      const double part = world.solid ? free_part(world, i) : 1;
-      const V3 way = motion.velocity * world.step * part;
-      if (part < 1) motion.velocity -= world.gravity * (world.step * (1 - part));  // as if the frame had ended there
-      world.place(i, motion.position + way, motion.orientation);
-      turn(world, i, world.step * part);
+      const double seconds = world.round(), part = world.solid ? free_part(world, i) : 1;
+      world.place(i, motion.position + motion.velocity * (seconds * part), motion.orientation);
+      if (part < 1) give_back(world, motion, seconds * (1 - part));
+      turn(world, i, seconds * part);
     }
     if (moved) world.state.changed(Slot::kPoses);
   }
@@ -52,28 +65,33 @@ class Move final : public Effect {
   }
 
  private:
-  /// Which part of its way in this frame the body goes before it touches another. Each look is at most half the body's
-  /// thinness on from the last, so that together they cover all of the way.
+  /// Which part of its way in this round the body goes before it touches another. Each look is at most half the body's
+  /// thinness on from the last, so that together they cover all of the way, turning included: a body that falls over about
+  /// a corner moves on, though straight ahead that corner is in the way.
   [[nodiscard]] static double free_part(const World& world, std::size_t i) {
     const Motion& motion = world.state.bodies[i];
     const Shape& shape = world.members[i].shape;
-    const V3 way = motion.velocity * world.step;
-    const double length = way.norm();
+    const V3 way = motion.velocity * world.round();
+    const double angle = shape.kind == Shape::Kind::kSphere ? 0 : motion.turning.norm() * world.round();
+    const double length = way.norm() + angle * shape.reach;
     if (length <= shape.thinnest / 2) return 1;
+    const auto pose_at = [&](double at) -> Pose<double, 3> {
+      if (angle == 0) return {motion.rotation, motion.position + way * at};
+      return {matrix_of(normalized(quaternion_about(motion.turning, angle * at) * motion.orientation)), motion.position + way * at};
+    };
     const double looks = std::ceil(length / std::max(shape.thinnest / 4, length / limits::kMostSteps));
     double part = 1;
     for (std::size_t j = 0; j < world.size(); ++j) {
       const Shape& other = world.members[j].shape;
       const V3 to = world.state.bodies[j].position - motion.position;
-      const double along = std::clamp(to.dot(way) / (length * length), 0.0, 1.0);
+      const double along = way.squaredNorm() > 0 ? std::clamp(to.dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
       if (j == i || (to - along * way).norm() > shape.reach + other.reach) continue;
-      const auto meets = [&](const Shape& own) {
-        return [&](double at) { return touch(own, {motion.rotation, motion.position + way * at}, other, pose_of(world.state.bodies[j])); };
-      };
-      // What it touches already contacts hold back, but for a corner about which it turns: then its middle is held.
-      const Shape middle{.radius = shape.thinnest / 2, .corners = {V3::Zero()}};
-      if (!meets(shape)(0)) part = first_touch(meets(shape), looks, part);
-      else if (!meets(middle)(0)) part = first_touch(meets(middle), looks, part);
+      const auto meets = [&](const Shape& own, double at) { return touch(own, pose_at(at), other, pose_of(world.state.bodies[j])); };
+      // What it touches already contacts hold back, as far as they can: a core of it they must.
+      const double slop = world.slop({static_cast<Index>(std::min(i, j)), static_cast<Index>(std::max(i, j))});
+      Shape own = shape;
+      for (double core = 1; core >= limits::kLeastCore && meets(core == 1 ? grown(shape, slop) : own, 0); core /= 2) own = core_of(shape, core / 2);
+      if (!meets(own, 0)) part = first_touch([&](double at) { return meets(own, at); }, looks, part);
     }
     return part;
   }

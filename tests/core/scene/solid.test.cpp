@@ -1,5 +1,6 @@
 // Bodies that push each other: stacks stand, walls hold, energy is never made of nothing.
 #include <cmath>
+#include <numbers>
 
 #include "core/scene/declared.hpp"
 #include "geometry/random.hpp"
@@ -53,6 +54,21 @@ Declaration tumble(double restitution, bool balls) {
   return declaration;
 }
 
+/// Ten cubes exactly on each other.
+Declaration cubes(double half) {
+  Declaration declaration{.bodies = {floor()}, .effects = solid(0)};
+  for (int i = 0; i < 10; ++i) declaration.bodies.push_back(box({half, half, half}, {0, half * (2 * i + 1), 0}));
+  return declaration;
+}
+
+/// A box from 3 above the floor, turned about z and then x, in degrees.
+Declaration falling(const V3& half, double about_x, double about_z) {
+  const auto radians = [](double degrees) { return degrees * std::numbers::pi / 180; };
+  Body body = box(half, {0, 3, 0});
+  body.orientation = normalized(quaternion_about(V3::UnitX(), radians(about_x)) * quaternion_about(V3::UnitZ(), radians(about_z)));
+  return {.bodies = {floor(), body}, .effects = solid(0)};
+}
+
 }  // namespace
 
 TEST_CASE("ten boxes come to rest and stay for ten minutes") {
@@ -82,6 +98,101 @@ TEST_CASE("without restitution energy never grows") {
     Scene scene = opened(declaration);
     CHECK(most_gained(scene, 900, std::abs(scene.world().energy())) < 1e-9);
   }
+}
+
+TEST_CASE("without restitution energy never grows in small bodies, thin ones and long frames") {
+  std::vector<Declaration> all;
+  for (const double half : {0.02, 0.01, 0.005}) all.push_back(cubes(half));
+  for (const double half : {0.05, 0.1}) all.push_back(falling({2, half, 2}, 5, 9));
+  for (const double step : {0.03, 0.1, 0.5, 1.0}) all.push_back(stack(true)), all.back().step = step;
+  for (const Declaration& declaration : all) {
+    Scene scene = opened(declaration);
+    const int frames = static_cast<int>(std::min(600.0, 10 / declaration.step));
+    INFO("half thickness " << scene.world().members.back().shape.thinnest << ", step " << declaration.step);
+    CHECK(most_gained(scene, frames, std::abs(scene.world().energy())) < 1e-9);
+  }
+}
+
+TEST_CASE("small bodies stand as large ones do") {
+  for (const double half : {0.5, 0.1, 0.05, 0.02, 0.01, 0.005}) {
+    Scene scene = opened(cubes(half));
+    scene.go(1200);
+    INFO("half " << half);
+    CHECK(scene.resting());
+    for (std::size_t i = 1; i <= 10; ++i) {
+      CHECK(std::abs(motion(scene, i).position[1] / half - (2 * static_cast<double>(i) - 1)) < 0.05);
+      CHECK(motion(scene, i).rotation(1, 1) > 0.999);
+    }
+  }
+}
+
+TEST_CASE("a heavy body stands on light ones") {
+  for (const double mass : {20.0, 100.0}) {
+    Declaration declaration = cubes(0.5);
+    declaration.bodies.back().mass = mass;
+    Scene scene = opened(declaration);
+    scene.go(900);
+    INFO("mass " << mass);
+    CHECK(scene.resting());
+    for (std::size_t i = 1; i <= 10; ++i) {
+      CHECK(std::abs(motion(scene, i).position[1] - (static_cast<double>(i) - 0.5)) < 0.15);
+      CHECK(motion(scene, i).rotation(1, 1) > 0.999);
+    }
+  }
+}
+
+TEST_CASE("a frame may be a second") {
+  for (const double step : {0.1, 0.5, 1.0}) {
+    Declaration declaration = stack(true);
+    declaration.step = step;
+    Scene scene = opened(declaration);
+    scene.go(static_cast<int>(20 / step));
+    check_standing(scene, 0.06);
+  }
+}
+
+TEST_CASE("a body too thin for so long a frame is refused by name") {
+  Declaration declaration = falling({1, 1e-6, 1}, 0, 0);
+  declaration.bodies.back().name = "leaf";
+  declaration.step = 1;
+  CHECK(refusal(declaration).find("leaf is too thin for so long a step") != std::string::npos);
+}
+
+TEST_CASE("slender bodies fall over in their own time") {
+  struct Case {
+    V3 half;
+    double tilt, roll;
+  };
+  for (const Case& one : {Case{{2, 0.1, 0.1}, 0, 30}, {{2, 0.1, 2}, 5, 9}, {{1.5, 0.03, 0.1}, 3, 15}, {{2, 0.001, 2}, 5, 9}, {{3, 0.2, 0.2}, 0, 20}}) {
+    Scene scene = opened(falling(one.half, one.tilt, one.roll));
+    int frame = 0;
+    while (!scene.resting() && frame < 400) scene.go(++frame);
+    INFO("half extents " << one.half.transpose() << " at frame " << frame);
+    CHECK(scene.resting());
+    CHECK(frame > 45);
+    CHECK(std::abs(motion(scene, 1).position[1] - one.half.minCoeff()) < 0.01 * one.half.minCoeff());
+  }
+}
+
+TEST_CASE("a heavy body does not push a light one through a wall, nor into it") {
+  for (const double mass : {1.0, 100.0, 1e4})
+    for (const double speed : {20.0, 200.0})
+      for (const double gap : {0.0, 0.05})
+        for (const double thickness : {0.04, 1.0})
+          for (const bool balls : {false, true}) {
+            const auto body = [&](double x, double weight) { return balls ? ball(0.2, {x, 0, 0}, weight) : box({0.2, 0.2, 0.2}, {x, 0.01, 0.01}, weight); };
+            Declaration declaration{.bodies = {fixed(box({thickness / 2, 50, 50}, {5, 0, 0})), body(4.8 - thickness / 2 - gap, 1),
+                                               moving(body(2, mass), {speed, 0, 0})},
+                                    .effects = solid(0)};
+            declaration.effects.erase(declaration.effects.begin());  // no gravity
+            Scene scene = opened(declaration);
+            for (int frame = 0; frame < 90; ++frame) {
+              scene.step();
+              INFO("mass " << mass << ", speed " << speed << ", gap " << gap << ", thickness " << thickness << ", balls " << balls << ", frame " << frame);
+              REQUIRE(motion(scene, 1).position[0] < 5 - thickness / 2);
+              REQUIRE(motion(scene, 2).position[0] < 5 - thickness / 2);
+            }
+          }
 }
 
 TEST_CASE("with restitution a ball comes back as high as it must, and no higher") {
