@@ -47,7 +47,8 @@ std::string heading_of(const std::string& volume) {
 
 /// Half of the spread to either side.
 ChartPoint point_of(const cost::Timing& time, double y) {
-  return {time.median, y, time.median * (1 - std::min(time.spread, 1.8) / 2), time.median * (1 + time.spread / 2)};
+  if (!time.spread) return {time.median, y};
+  return {time.median, y, time.median * (1 - std::min(*time.spread, 1.8) / 2), time.median * (1 + *time.spread / 2)};
 }
 
 /// What a size is held against: the smallest of its kind, the hull, or the smallest that there is in the table.

@@ -55,8 +55,8 @@ struct CostRow {
   std::int64_t bytes = 0;
   int overlap_pairs = 0, overlapping = 0;
   Timing overlap;     // of one test with a copy
-  std::string update;  // which update was timed; empty where there is none
-  Timing updated;     // of one update after a turn
+  std::optional<std::string> update;  // which update was timed; none where the volume has none
+  Timing updated;                     // of one update after a turn; nothing timed where there is none
   bool contains = false, on_boundary = false;
   std::optional<bool> optimal;  // none where the algorithm claims nothing
   bool on_front = false;       // whether no other row undercuts it in time and measure (mark_front)

@@ -281,7 +281,8 @@ constexpr const char* kCostFooter =
   points, of, whole_ns      how many points it was measured on, how many there are, and where that is fewer, for one run
                             on all would take longer than --longest, what that run would take
   time_ns                   {median, min, spread, repeats, batch, trusted} of one fit without an observer; spread is between
-                            the quartiles, over the median, and times that spread over more than a third are not trusted
+                            the quartiles, over the median, and times that spread over more than a third are not trusted;
+                            one batch alone has no spread, null, and is not trusted
   operations, steps         counts of a second, watched run
   size, measure             a ball's radius, of others the measure; 3-D volume or 2-D area
   tightness                 size over that of the smallest volume of its kind around the same points; null where no
@@ -290,7 +291,8 @@ constexpr const char* kCostFooter =
   bytes                     of the volume's numbers
   overlap_ns, overlap_pairs, overlapping
                             of one overlap test with a copy; the copies are moved to just overlap, or to be just apart
-  update, update_ns         the tight update of the volume in a full turn of the body, and the time of one
+  update, update_ns         the tight update of the volume in a full turn of the body, and the time of one; null of
+                            volumes that have none
   certificate               {contains, on_boundary, optimal}
   on_front                  whether no other is both faster and smaller
 

@@ -33,7 +33,7 @@ std::string time_text(const cost::Timing& timing) {
   return time_text(timing.median) + (timing.trusted ? "" : " ?");
 }
 std::string spread_text(const cost::Timing& timing) {
-  return timing.repeats == 0 ? "-" : said("%.0f %%", 100 * timing.spread);
+  return timing.spread ? said("%.0f %%", 100 * *timing.spread) : "-";
 }
 std::string ratio_text(const std::optional<double>& ratio, const char* format) {
   return ratio ? said(format, *ratio) : "-";
@@ -76,7 +76,7 @@ std::string head_of(const cost::Provenance& p) {
 }
 
 constexpr const char* kDoubt =
-    "? the times spread over more than a third of their median: this machine could not measure that well\n";
+    "? the times spread over more than a third of their median, or there is only one: that could not be measured well\n";
 
 std::string note_of(const cost::CostRow& row) {
   std::string note = row.on_front ? "* front" : "";

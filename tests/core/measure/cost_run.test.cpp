@@ -67,8 +67,8 @@ void check_rows(const AnyPointSet& points) {
     CHECK(row.bytes > 0);
     CHECK(row.overlap.median > 0);
     CHECK(row.overlapping == row.overlap_pairs / 2);
-    CHECK(row.update.empty() == (row.volume == "capsule" || row.volume == "lozenge" || row.volume == "hull"));
-    CHECK(row.updated.repeats == (row.update.empty() ? 0 : 3));
+    CHECK(row.update.has_value() != (row.volume == "capsule" || row.volume == "lozenge" || row.volume == "hull"));
+    CHECK(row.updated.repeats == (row.update ? 3 : 0));
     const fit::Algorithm* const exact = fit::exact_algorithm(row.volume);
     CHECK(row.tightness.has_value() == (exact != nullptr));
     if (row.tightness) CHECK(row.tightness.value() >= 1 - 1e-6);
