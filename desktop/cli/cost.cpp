@@ -286,8 +286,8 @@ constexpr const char* kCostFooter =
   operations, steps         counts of a second, watched run
   size, measure             a ball's radius, of others the measure; 3-D volume or 2-D area
   tightness                 size over that of the smallest volume of its kind around the same points; null where no
-                            algorithm here claims the smallest
-  over_hull                 measure over that of the convex hull
+                            algorithm here claims the smallest, or that is flat: of a size that is nothing but rounding
+  over_hull                 measure over that of the convex hull; null where that is flat
   bytes                     of the volume's numbers
   overlap_ns, overlap_pairs, overlapping
                             of one overlap test with a copy; the copies are moved to just overlap, or to be just apart
@@ -297,7 +297,7 @@ constexpr const char* kCostFooter =
   on_front                  whether no other is both faster and smaller
 
 --growth: the time against the number of points, from 10 to N, with the power that it grows by, beside theory's.
---turn: by how much each update's volume is larger than the tightest, over a full turn of the body.
+--turn: by how much each update's volume is larger than the tightest, over a full turn of the body; null where that is flat.
 --claims: what two lectures say of time, storage and tightness, and what is measured of it here.
 
 Exit status: 0 done, 1 some volume does not hold every point, 2 bad input or usage.)";
