@@ -7,6 +7,7 @@
 
 #include "app/chart.hpp"
 #include "app/cost_charts.hpp"
+#include "measure/turn_run.hpp"
 
 namespace snug::app {
 namespace {
@@ -21,10 +22,13 @@ std::string said(const char* format, Values... values) {
 std::string figure(ChartUnit unit, double value) { return chart_figure(unit, value); }
 std::string time(double ns) { return figure(ChartUnit::kTime, ns); }
 
-double most_slack(std::span<const cost::TurnRow> line) {
-  double most = 0;
-  for (const cost::TurnRow& row : line) most = std::max(most, row.slack);
-  return most;
+double most_slack(std::span<const cost::TurnRow> line) { return cost::slack_range(line).value_or(cost::SlackRange{}).most; }
+
+/// A point of a chart's line is one whose slack is known.
+const cost::TurnRow& row_at(std::span<const cost::TurnRow> line, std::size_t point) {
+  for (const cost::TurnRow& row : line)
+    if (row.slack && point-- == 0) return row;
+  return line.back();
 }
 
 /// Of the updates that are always tight.
@@ -88,10 +92,10 @@ std::string growth_caption(const cost::Table<cost::GrowthRow>& table, double lon
 std::string turn_caption(const cost::Table<cost::TurnRow>& table, int line, std::size_t point) {
   const auto lines = lines_of(table.rows);
   const auto own = lines[static_cast<std::size_t>(line)];
-  const cost::TurnRow& row = own[std::min(point, own.size() - 1)];
+  const cost::TurnRow& row = row_at(own, point);
   if (const int tight = count_tight(lines); tight > 1 && always_tight(own)) return tight_caption(lines, tight);
   return said("%s, at %s: larger than the tightest by %s.%s", update_title(row.volume, row.strategy).c_str(),
-              figure(ChartUnit::kDegrees, row.degrees).c_str(), figure(ChartUnit::kPercent, row.slack).c_str(),
+              figure(ChartUnit::kDegrees, row.degrees).c_str(), figure(ChartUnit::kPercent, row.slack.value_or(0)).c_str(),
               row.updated.median > 0 ? said(" One update takes %s.", time(row.updated.median).c_str()).c_str() : "");
 }
 

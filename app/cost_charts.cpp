@@ -45,20 +45,24 @@ std::string heading_of(const std::string& volume) {
   return static_cast<char>(std::toupper(static_cast<unsigned char>(volume[0]))) + volume.substr(1);
 }
 
-/// Half of the spread to either side.
+/// Half of the spread to either side; where there is none, no bar.
 ChartPoint point_of(const cost::Timing& time, double y) {
-  return {time.median, y, time.median * (1 - std::min(time.spread, 1.8) / 2), time.median * (1 + time.spread / 2)};
+  if (!time.spread) return {time.median, y};
+  return {time.median, y, time.median * (1 - std::min(*time.spread, 1.8) / 2), time.median * (1 + *time.spread / 2)};
 }
 
 /// What a size is held against: the smallest of its kind, the hull, or the smallest that there is in the table.
 enum class Against : std::uint8_t { kSmallest, kHull, kFound };
+
+/// Whether its measure is nothing but rounding.
+bool is_flat(const cost::CostRow& row) { return !(row.measure > row.noise); }
 
 struct CostLook {
   bool one;  // volume
   Against against;
   double found;  // the smallest measure of a row
   [[nodiscard]] std::optional<double> y(const cost::CostRow& row) const {
-    if (against == Against::kFound) return row.measure / found;
+    if (against == Against::kFound) return is_flat(row) ? std::nullopt : std::optional(row.measure / found);
     return against == Against::kSmallest ? row.tightness : row.over_hull;
   }
   [[nodiscard]] std::string name(const cost::CostRow& row) const {
@@ -72,7 +76,7 @@ CostLook look_of(const std::vector<cost::CostRow>& rows) {
   const auto all = [&](auto known) { return std::all_of(rows.begin(), rows.end(), known); };
   CostLook look{of_one_volume(rows), Against::kFound, std::numeric_limits<double>::infinity()};
   for (const cost::CostRow& row : rows)
-    if (row.measure > 0 && row.points == row.of) look.found = std::min(look.found, row.measure);
+    if (!is_flat(row) && row.points == row.of) look.found = std::min(look.found, row.measure);
   if (look.one && all([](const cost::CostRow& row) { return row.tightness.has_value(); })) look.against = Against::kSmallest;
   else if (!look.one || all([](const cost::CostRow& row) { return row.over_hull.has_value(); })) look.against = Against::kHull;
   return look;
@@ -147,7 +151,9 @@ void add_turn(Chart& chart, const std::vector<cost::TurnRow>& rows, bool then) {
     if (of_many && std::exchange(tight_is_there, true)) continue;
     ChartSeries series = line_series(i, then);
     if (!then) series.name = of_many ? std::to_string(tight) + " that are always tight" : update_title(lines[i][0].volume, lines[i][0].strategy);
-    for (const cost::TurnRow& row : lines[i]) series.points.push_back({row.degrees, row.slack, row.degrees, row.degrees});
+    for (const cost::TurnRow& row : lines[i])
+      if (row.slack) series.points.push_back({row.degrees, *row.slack, row.degrees, row.degrees});
+    if (series.points.empty()) continue;
     chart.series.push_back(std::move(series));
   }
 }
@@ -162,7 +168,7 @@ std::vector<std::span<const cost::TurnRow>> lines_of(const std::vector<cost::Tur
 }
 
 bool always_tight(std::span<const cost::TurnRow> line) {
-  return std::all_of(line.begin(), line.end(), [](const cost::TurnRow& row) { return row.slack < kRounding; });
+  return std::all_of(line.begin(), line.end(), [](const cost::TurnRow& row) { return row.slack && *row.slack < kRounding; });
 }
 
 std::string algorithm_title(std::string_view volume, std::string_view algorithm) {

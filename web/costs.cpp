@@ -5,6 +5,7 @@
 
 #include "app/cost_charts.hpp"
 #include "app/costs.hpp"
+#include "measure/turn_run.hpp"
 
 namespace snug::web {
 namespace {
@@ -46,14 +47,14 @@ val row_object(std::span<const cost::GrowthRow> line) {
 
 /// Of a line: the least and the most slack.
 val row_object(std::span<const cost::TurnRow> line) {
-  const auto [least, most] = std::minmax_element(line.begin(), line.end(), [](const auto& a, const auto& b) { return a.slack < b.slack; });
+  const auto range = cost::slack_range(line);
   val object = val::object();
   object.set("volume", line[0].volume);
   object.set("strategy", line[0].strategy);
   object.set("title", app::update_title(line[0].volume, line[0].strategy));
   object.set("angles", static_cast<int>(line.size()));
-  object.set("least", percent_of(least->slack));
-  object.set("most", percent_of(most->slack));
+  object.set("least", range ? percent_of(range->least) : "not known");
+  object.set("most", range ? percent_of(range->most) : "not known");
   object.set("time", line[0].updated.median > 0 ? time_of(line[0].updated) : "");
   return object;
 }

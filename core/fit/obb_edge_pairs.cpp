@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace snug::fit {
@@ -48,7 +49,8 @@ bool EdgePairSearch::take(const Matrix<double, 3>& axes) {
   return true;
 }
 
-PairTally EdgePairSearch::search(Index edge, const SeeSmaller& see) {
+template <class Count>
+PairTally EdgePairSearch::search(Index edge, const SeeSmaller& see, Count& count) {
   PairTally tally;
   const std::vector<NormalArc>& arcs = solid_.arcs();
   const auto by_edge = [](const NormalArc& arc, Index e) { return arc.edge < e; };
@@ -59,14 +61,17 @@ PairTally EdgePairSearch::search(Index edge, const SeeSmaller& see) {
       with_a_[i] = first->a.dot(solid_.normals()[i]);
       with_b_[i] = first->b.dot(solid_.normals()[i]);
     }
-    for (auto second = static_cast<std::size_t>(end - arcs.begin()); second < arcs.size(); ++second) {
+    const auto later = static_cast<std::size_t>(end - arcs.begin());
+    count.count(Operation::kDotProducts, 2 * std::ssize(solid_.normals()));
+    count.count(Operation::kComparisons, 4 * static_cast<std::int64_t>(arcs.size() - later));  // signs at the four ends
+    for (std::size_t second = later; second < arcs.size(); ++second) {
       const auto [from, to] = ends_[second];
       const double aa = with_a_[from], ab = with_a_[to], ba = with_b_[from], bb = with_b_[to];
       // The dot product of two normals is bilinear in their places on the arcs: it is 0 somewhere, or has one sign at all
       // four ends.
       if (std::min(std::min(aa, ab), std::min(ba, bb)) > 0 || std::max(std::max(aa, ab), std::max(ba, bb)) < 0) continue;
       ++tally.pairs;
-      search_pair({*first, arcs[second], aa, ab, ba, bb}, tally, see);
+      search_pair({*first, arcs[second], aa, ab, ba, bb}, tally, see, count);
     }
   }
   return tally;
@@ -74,7 +79,8 @@ PairTally EdgePairSearch::search(Index edge, const SeeSmaller& see) {
 
 // A normal of the first arc is perpendicular to some normal of the second where its dot products with the second's ends have
 // opposite signs.
-void EdgePairSearch::search_pair(const Pair& pair, PairTally& tally, const SeeSmaller& see) {
+template <class Count>
+void EdgePairSearch::search_pair(const Pair& pair, PairTally& tally, const SeeSmaller& see, Count& count) {
   std::array<double, 4> breaks{0, root(pair.aa, pair.ba), root(pair.ab, pair.bb), 1};
   if (breaks[1] > breaks[2]) std::swap(breaks[1], breaks[2]);
   bool all_ruled_out = true;
@@ -82,16 +88,19 @@ void EdgePairSearch::search_pair(const Pair& pair, PairTally& tally, const SeeSm
     if (!(breaks[i] < breaks[i + 1])) continue;
     const double middle = (breaks[i] + breaks[i + 1]) / 2;
     const double with_a = mix(pair.aa, pair.ba, middle), with_b = mix(pair.ab, pair.bb, middle);
+    count.count(Operation::kComparisons, 2);
     if ((with_a > 0 && with_b > 0) || (with_a < 0 && with_b < 0)) continue;
     const Stretch stretch{pair.at_first(breaks[i]), pair.at_first(breaks[i + 1])};
-    if (all_larger(pair.by_first(stretch), nearby_spans(pair, middle))) continue;
+    count.count(Operation::kPointsTouched, 2);
+    if (all_larger(pair.by_first(stretch), nearby_spans(pair, middle), count)) continue;
     all_ruled_out = false;
-    halve(pair, stretch, tally, see);
+    halve(pair, stretch, tally, see, count);
   }
   if (all_ruled_out) ++tally.ruled_out;
 }
 
-void EdgePairSearch::halve(const Pair& pair, const Stretch& whole, PairTally& tally, const SeeSmaller& see) {
+template <class Count>
+void EdgePairSearch::halve(const Pair& pair, const Stretch& whole, PairTally& tally, const SeeSmaller& see, Count& count) {
   open_.assign({whole});
   while (!open_.empty()) {
     const Stretch stretch = open_.back();
@@ -104,10 +113,16 @@ void EdgePairSearch::halve(const Pair& pair, const Stretch& whole, PairTally& ta
                                   : pair.at_second((stretch.from.s + stretch.to.s) / 2);
     const Point first = mix(pair.first.a, pair.first.b, middle.t).normalized();
     const Point second = mix(pair.second.a, pair.second.b, middle.s).normalized();
-    const Spans spans = spans_at(pair, first, second);
+    const Spans spans = spans_at(pair, first, second, count);
     const double measure = spans.first.dot(first) * spans.second.dot(second) * spans.third.dot(first.cross(second));
-    if (measure < measure_ && take(frame(first, second))) see(vertices_of(pair));
-    if (all_larger(by_first ? pair.by_first(stretch) : pair.by_second(stretch), spans)) continue;
+    count.count(Operation::kSquareRoots, 2);
+    count.count(Operation::kDotProducts, 3);
+    count.count(Operation::kComparisons, 1);
+    if (measure < measure_) {
+      count_box<3>(solid_.vertices().size(), count);
+      if (take(frame(first, second))) see(vertices_of(pair));
+    }
+    if (all_larger(by_first ? pair.by_first(stretch) : pair.by_second(stretch), spans, count)) continue;
     if (first_turn + second_turn <= tolerance::kSameTurn) continue;
     ++tally.halvings;
     open_.push_back({middle, stretch.to});
@@ -121,8 +136,12 @@ EdgePairSearch::Spans EdgePairSearch::nearby_spans(const Pair& pair, double t) c
   return {pair.first.thickness, pair.second.thickness, solid_.at(solid_.far(third)) - solid_.at(solid_.far(-third))};
 }
 
-EdgePairSearch::Spans EdgePairSearch::spans_at(const Pair& pair, const Point& first, const Point& second) const {
-  const auto farthest = [&](const Point& direction) { return solid_.at(solid_.farthest(direction, solid_.far(direction))); };
+template <class Count>
+EdgePairSearch::Spans EdgePairSearch::spans_at(const Pair& pair, const Point& first, const Point& second,
+                                               Count& count) const {
+  const auto farthest = [&](const Point& direction) {
+    return solid_.at(solid_.farthest(direction, solid_.far(direction), count));
+  };
   const auto edge = [&](const NormalArc& arc) { return solid_.at(solid_.edges()[static_cast<std::size_t>(arc.edge)][0]); };
   const Point third = first.cross(second);
   return {edge(pair.first) - farthest(-first), edge(pair.second) - farthest(-second), farthest(third) - farthest(-third)};
@@ -130,19 +149,26 @@ EdgePairSearch::Spans EdgePairSearch::spans_at(const Pair& pair, const Point& fi
 
 // The box is as long along its normals as the spans at least. With normals m and n, and their product as the third,
 // (p . m) (q . n) (r . (m x n)) is the volume between the spans times |m|^2 |n|^2: both sides are quartics in the parameter.
-bool EdgePairSearch::all_larger(const Ends& ends, const Spans& spans) const {
+template <class Count>
+bool EdgePairSearch::all_larger(const Ends& ends, const Spans& spans, Count& count) const {
+  count.count(Operation::kComparisons, 1);
   if (!(to_beat_ > 0)) return true;
   const auto& [m, n] = ends;
   const double p0 = spans.first.dot(m[0]), p1 = spans.first.dot(m[1]);
   const double q0 = spans.second.dot(n[0]), q1 = spans.second.dot(n[1]);
   const Point across0 = spans.third.cross(m[0]), across1 = spans.third.cross(m[1]);
   const Quadratic third{across0.dot(n[0]), (across0.dot(n[1]) + across1.dot(n[0])) / 2, across1.dot(n[1])};
+  count.count(Operation::kDotProducts, 8);
+  count.count(Operation::kComparisons, 7);
   if (!(std::min({p0, p1, q0, q1, third[0], third[1], third[2]}) >= 0)) return false;
   const Quartic volume = product(product(p0, p1, q0, q1), third);
   const Quartic scale = product(Quadratic{m[0].squaredNorm(), m[0].dot(m[1]), m[1].squaredNorm()},
                                 Quadratic{n[0].squaredNorm(), n[0].dot(n[1]), n[1].squaredNorm()});
-  for (std::size_t i = 0; i < volume.size(); ++i)
+  count.count(Operation::kDotProducts, 6);
+  for (std::size_t i = 0; i < volume.size(); ++i) {
+    count.count(Operation::kComparisons, 1);
     if (!(volume[i] >= to_beat_ * scale[i])) return false;
+  }
   return true;
 }
 
@@ -182,5 +208,8 @@ EdgePairSearch::Ends EdgePairSearch::Pair::by_second(const Stretch& stretch) con
   }
   return ends;
 }
+
+template PairTally EdgePairSearch::search(Index, const SeeSmaller&, Ignore&);
+template PairTally EdgePairSearch::search(Index, const SeeSmaller&, Tally&);
 
 }  // namespace snug::fit

@@ -31,8 +31,13 @@ class EdgePairSearch {
   EdgePairSearch(const HullSolid& solid, const Matrix<double, 3>& start);
 
   /// Goes through all boxes with a face on this edge and an adjacent one on a later edge. After all edges have had their
-  /// turn, no box is smaller than lower_bound().
-  PairTally search(Index edge, const SeeSmaller& see);
+  /// turn, no box is smaller than lower_bound(). count: Ignore or Tally.
+  template <class Count>
+  PairTally search(Index edge, const SeeSmaller& see, Count& count);
+  PairTally search(Index edge, const SeeSmaller& see) {
+    Ignore ignore;
+    return search(edge, see, ignore);
+  }
 
   /// Of the smallest box found.
   [[nodiscard]] const Matrix<double, 3>& axes() const { return axes_; }
@@ -71,12 +76,16 @@ class EdgePairSearch {
     Point first, second, third;
   };
 
-  void search_pair(const Pair& pair, PairTally& tally, const SeeSmaller& see);
-  void halve(const Pair& pair, const Stretch& stretch, PairTally& tally, const SeeSmaller& see);
+  template <class Count>
+  void search_pair(const Pair& pair, PairTally& tally, const SeeSmaller& see, Count& count);
+  template <class Count>
+  void halve(const Pair& pair, const Stretch& stretch, PairTally& tally, const SeeSmaller& see, Count& count);
   [[nodiscard]] Spans nearby_spans(const Pair& pair, double t) const;
-  [[nodiscard]] Spans spans_at(const Pair& pair, const Point& first, const Point& second) const;
+  template <class Count>
+  [[nodiscard]] Spans spans_at(const Pair& pair, const Point& first, const Point& second, Count& count) const;
   [[nodiscard]] std::array<Index, 4> vertices_of(const Pair& pair) const;
-  [[nodiscard]] bool all_larger(const Ends& ends, const Spans& spans) const;
+  template <class Count>
+  [[nodiscard]] bool all_larger(const Ends& ends, const Spans& spans, Count& count) const;
   bool take(const Matrix<double, 3>& axes);
 
   const HullSolid& solid_;

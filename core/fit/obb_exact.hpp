@@ -45,20 +45,24 @@ class ObbExact {
 
   void start() {
     const PointSet<Scalar, 3> vertices = vertices_of(hull_);
-    Ignore ignore;
-    const auto axes = watched_principal_axes(vertices.span(), 1, ignore);
+    TallyFor<Observer> tally;
+    const auto axes = watched_principal_axes(vertices.span(), 1, tally);
+    hand_on(tally, observe_);
     trials_.attempt(axes.template cast<double>(), std::array<Index, 0>{}, 1);
     shrink_by_rectangles(trials_, hull_.indices, 2, observe_);
   }
 
   void search() {
-    const HullSolid solid(hull_);
+    TallyFor<Observer> built;
+    const HullSolid solid(hull_, built);
     EdgePairSearch pairs(solid, trials_.axes());
+    count_box<3>(hull_.vertices.size(), built);  // of the box to beat
+    hand_on(built, observe_);
     for (Index e = 0; e < static_cast<Index>(solid.edges().size()); ++e) {
-      const PairTally tally = pairs.search(e, [&](const std::array<Index, 4>& on) {
-        trials_.attempt(pairs.axes(), indices(on), 7);
-      });
-      observe_.count(Operation::kComparisons, tally.pairs);
+      TallyFor<Observer> spent;
+      const auto see = [&](const std::array<Index, 4>& on) { trials_.attempt(pairs.axes(), indices(on), 7); };
+      const PairTally tally = pairs.search(e, see, spent);
+      hand_on(spent, observe_);
       const auto ends = indices(solid.edges()[static_cast<std::size_t>(e)]);
       observe_(Step{6, true, trials_.box(), EdgeSearched{ends[0], ends[1], tally.pairs, tally.ruled_out, tally.halvings}});
     }

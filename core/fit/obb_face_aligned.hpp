@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 
 #include "fit/obb_hull.hpp"
@@ -35,7 +36,7 @@ class ObbFaceAligned {
     switch (hull_.affine_dim) {
       case 0: attempt({Matrix<double, 3>::Identity()}, hull_.indices); break;
       case 1: attempt({frame(at(1) - at(0), Vector<double, 3>::Zero())}, hull_.indices); break;
-      case 2: attempt(rectangle_along(flat_normal(), trials_.local().at), hull_.indices); break;
+      case 2: attempt(watched_rectangle_along(flat_normal(), trials_.local().at, observe_), hull_.indices); break;
       default: try_faces();
     }
     return trials_.scalar_axes();
@@ -48,29 +49,35 @@ class ObbFaceAligned {
   [[nodiscard]] const Point& at(Index i) const { return trials_.local().at[static_cast<std::size_t>(i)]; }
 
   void try_faces() {
-    const HullSolid solid(hull_);
+    TallyFor<Observer> built;
+    const HullSolid solid(hull_, built);
+    hand_on(built, observe_);
     for (std::size_t f = 0; f < hull_.facets.size(); ++f) {
       if (f > 0 && in_one_plane(hull_.facets[f - 1], hull_.facets[f])) continue;
       const Point& normal = solid.normals()[f];
       std::vector<Point> outline;
-      for (const Index i : solid.outline(normal)) outline.push_back(at(i));
-      observe_.count(Operation::kDotProducts, 2 * static_cast<std::int64_t>(outline.size()));
+      TallyFor<Observer> walked;
+      for (const Index i : solid.outline(normal, walked)) outline.push_back(at(i));
+      hand_on(walked, observe_);
       std::array<Index, 3> face{};
       for (std::size_t k = 0; k < 3; ++k) face[k] = hull_.indices[static_cast<std::size_t>(hull_.facets[f][k])];
-      attempt(rectangle_along(normal, outline), face);
+      attempt(watched_rectangle_along(normal, outline, observe_), face);
     }
   }
 
   /// A face that quickhull cut into triangles has them one after the other.
-  [[nodiscard]] bool in_one_plane(const Triangle& f, const Triangle& g) const {
+  [[nodiscard]] bool in_one_plane(const Triangle& f, const Triangle& g) {
     const auto p = [&](Index i) -> Point { return hull_.vertices[static_cast<std::size_t>(i)].template cast<double>(); };
     return std::all_of(g.begin(), g.end(), [&](Index i) {
-      return std::find(f.begin(), f.end(), i) != f.end() || orient3d(p(f[0]), p(f[1]), p(f[2]), p(i)) == 0;
+      if (std::find(f.begin(), f.end(), i) != f.end()) return true;
+      observe_.count(Operation::kOrientationTests, 1);
+      return orient3d(p(f[0]), p(f[1]), p(f[2]), p(i)) == 0;
     });
   }
 
   /// Of the triangles that a flat polygon's fan has, the largest knows the plane best.
-  [[nodiscard]] Point flat_normal() const {
+  [[nodiscard]] Point flat_normal() {
+    observe_.count(Operation::kSquareRoots, 2 * (std::ssize(hull_.vertices) - 2));
     Point best = Point::Zero();
     for (Index i = 1; i + 1 < static_cast<Index>(hull_.vertices.size()); ++i) {
       const Point normal = (at(i) - at(0)).cross(at(i + 1) - at(0));

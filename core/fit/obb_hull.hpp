@@ -8,6 +8,7 @@
 #include "fit/obb_frame.hpp"
 #include "fit/obb_from_axes.hpp"
 #include "fit/quickhull.hpp"
+#include "fit/tally.hpp"
 
 namespace snug::fit {
 
@@ -59,8 +60,25 @@ RectangleFrame<2> smallest_rectangle(const ConvexHull<Scalar, 2>& hull, Observer
 }
 
 /// Of what points cast along a direction, which is the frame's first axis. points: n >= 1, of coordinates of about 1; the
-/// edge by their places. O(n log n) time.
+/// edge by their places. count: Ignore or Tally. O(n log n) time.
+template <class Count>
 [[nodiscard]] RectangleFrame<3> rectangle_along(const Vector<double, 3>& direction,
-                                                const std::vector<Vector<double, 3>>& points);
+                                                const std::vector<Vector<double, 3>>& points, Count& count);
+
+[[nodiscard]] inline RectangleFrame<3> rectangle_along(const Vector<double, 3>& direction,
+                                                       const std::vector<Vector<double, 3>>& points) {
+  Ignore ignore;
+  return rectangle_along(direction, points, ignore);
+}
+
+/// The same for who watches: what it spends, and no steps.
+template <class Observer>
+[[nodiscard]] RectangleFrame<3> watched_rectangle_along(const Vector<double, 3>& direction,
+                                                        const std::vector<Vector<double, 3>>& points, Observer& observe) {
+  TallyFor<Observer> tally;
+  RectangleFrame<3> found = rectangle_along(direction, points, tally);
+  hand_on(tally, observe);
+  return found;
+}
 
 }  // namespace snug::fit

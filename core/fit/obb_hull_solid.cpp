@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <tuple>
 
@@ -64,20 +65,24 @@ Point unit_normal(const Point& a, const Point& b, const Point& c) {
 
 }  // namespace
 
-void HullSolid::build(Corners corners, const std::vector<Triangle>& facets) {
+template <class Count>
+void HullSolid::build(Corners corners, const std::vector<Triangle>& facets, Count& count) {
   // Faces and edges come from the corners as they are, for moving them to the first would round; scaling does not.
   for (Point& p : corners)
     for (int i = 0; i < 3; ++i) p[i] = std::ldexp(p[i], -local_.exponent);
   const std::vector<SharedEdge> edges = edges_of(facets);
   link_neighbours(edges);
-  make_table();
+  make_table(count);
   const auto corner = [&](Index i) -> const Point& { return corners[static_cast<std::size_t>(i)]; };
   for (const Triangle& f : facets) normals_.push_back(unit_normal(corner(f[0]), corner(f[1]), corner(f[2])));
+  count.count(Operation::kSquareRoots, 4 * static_cast<std::int64_t>(facets.size()));
+  count.count(Operation::kOrientationTests, static_cast<std::int64_t>(edges.size()));
   for (const SharedEdge& e : edges) {
     const Triangle& f = facets[static_cast<std::size_t>(e.left)];
     if (orient3d(corner(f[0]), corner(f[1]), corner(f[2]), corner(e.beyond)) == 0) continue;
     edges_.push_back(e.edge);
-    add_arc(unit<3>(corner(e.edge[1]) - corner(e.edge[0])), e.left, e.right);
+    count.count(Operation::kSquareRoots, 1);
+    add_arc(unit<3>(corner(e.edge[1]) - corner(e.edge[0])), e.left, e.right, count);
   }
 }
 
@@ -103,7 +108,8 @@ Vector<double, 3> HullSolid::table_direction(int face, int row, int column) cons
   return direction;
 }
 
-void HullSolid::make_table() {
+template <class Count>
+void HullSolid::make_table(Count& count) {
   // About as many cells as vertices, so that a cell's neighbour is one of few.
   cells_ = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(vertices().size()))), 8, 64);
   table_.reserve(static_cast<std::size_t>(6 * cells_ * cells_));
@@ -111,31 +117,40 @@ void HullSolid::make_table() {
   for (int face = 0; face < 6; ++face)
     for (int row = 0; row < cells_; ++row)
       for (int column = 0; column < cells_; ++column)
-        table_.push_back(at = farthest(table_direction(face, row, column), at));
+        table_.push_back(at = farthest(table_direction(face, row, column), at, count));
 }
 
-void HullSolid::add_arc(const Point& along, Index from, Index to) {
+template <class Count>
+void HullSolid::add_arc(const Point& along, Index from, Index to, Count& count) {
   const Point a = normals_[static_cast<std::size_t>(from)], b = normals_[static_cast<std::size_t>(to)];
   const double cosine = a.dot(b);
+  count.count(Operation::kDotProducts, 1);
+  count.count(Operation::kSquareRoots, 1);
   if (cosine < 0.5) {
     // Where they are nearly opposite, their difference tells the middle better than their sum.
     normals_.push_back(unit<3>(cosine > 0 ? Point(a + b) : Point(along.cross(a - b))));
     const auto middle = static_cast<Index>(normals_.size() - 1);
-    add_arc(along, from, middle);
-    add_arc(along, middle, to);
+    add_arc(along, from, middle, count);
+    add_arc(along, middle, to, count);
     return;
   }
   const auto edge = static_cast<Index>(edges_.size() - 1);
-  const Index opposite = farthest(-(a + b), far(-(a + b)));
+  const Index opposite = farthest(-(a + b), far(-(a + b)), count);
   const Index first = edges_.back()[0];
   arcs_.push_back({edge, from, to, a, b, (b - a).norm(), opposite, at(first) - at(opposite)});
 }
 
-Index HullSolid::farthest(const Point& direction, Index near) const {
+template <class Count>
+Index HullSolid::farthest(const Point& direction, Index near, Count& count) const {
   double most = direction.dot(at(near));
+  count.count(Operation::kPointsTouched, 1);
+  count.count(Operation::kDotProducts, 1);
   for (bool climbing = true; climbing;) {
     climbing = false;
-    for (const Neighbour& next : neighbours(near)) {
+    const std::span<const Neighbour> around = neighbours(near);
+    for (const Operation each : {Operation::kPointsTouched, Operation::kDotProducts, Operation::kComparisons})
+      count.count(each, std::ssize(around));
+    for (const Neighbour& next : around) {
       const double reach = direction.dot(at(next.vertex));
       if (!(reach > most)) continue;
       most = reach;
@@ -148,20 +163,26 @@ Index HullSolid::farthest(const Point& direction, Index near) const {
 
 // From a vertex of the outline all others are reached along edges of it, which is a closed curve, with the sides of faces
 // that the direction lies in.
-std::vector<Index> HullSolid::outline(const Point& direction) const {
+template <class Count>
+std::vector<Index> HullSolid::outline(const Point& direction, Count& count) const {
   const auto turned = [&](Index facet) { return direction.dot(normals_[static_cast<std::size_t>(facet)]); };
   const Point across = direction.cross(axis_across<3>(direction));
-  std::vector<Index> found{farthest(across, far(across))};
+  std::vector<Index> found{farthest(across, far(across), count)};
   std::vector<bool> seen(vertices().size());
   seen[static_cast<std::size_t>(found[0])] = true;
-  for (std::size_t i = 0; i < found.size(); ++i)
-    for (const Neighbour& next : neighbours(found[i])) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::span<const Neighbour> around = neighbours(found[i]);
+    count.count(Operation::kPointsTouched, std::ssize(around));
+    count.count(Operation::kDotProducts, 2 * std::ssize(around));
+    count.count(Operation::kComparisons, 2 * std::ssize(around));
+    for (const Neighbour& next : around) {
       const double left = turned(next.left), right = turned(next.right);
       if (std::min(left, right) > tolerance::kOnOutline || std::max(left, right) < -tolerance::kOnOutline) continue;
       if (seen[static_cast<std::size_t>(next.vertex)]) continue;
       seen[static_cast<std::size_t>(next.vertex)] = true;
       found.push_back(next.vertex);
     }
+  }
   return found;
 }
 
@@ -175,5 +196,13 @@ Index HullSolid::far(const Point& direction) const {
   const int face = 2 * axis + (direction[axis] > 0 ? 0 : 1);
   return table_[static_cast<std::size_t>((face * cells_ + cell(1)) * cells_ + cell(2))];
 }
+
+#define SNUG_INSTANTIATE(Count)                                                                   \
+  template void HullSolid::build(Corners, const std::vector<Triangle>&, Count&);                  \
+  template Index HullSolid::farthest(const Vector<double, 3>&, Index, Count&) const;              \
+  template std::vector<Index> HullSolid::outline(const Vector<double, 3>&, Count&) const;
+SNUG_INSTANTIATE(Ignore)
+SNUG_INSTANTIATE(Tally)
+#undef SNUG_INSTANTIATE
 
 }  // namespace snug::fit

@@ -27,12 +27,16 @@ struct NormalArc {
 /// A hull of affine_dim 3.
 class HullSolid {
  public:
-  template <class Scalar>
-  explicit HullSolid(const ConvexHull<Scalar, 3>& hull) : local_(hull.vertices) {
+  /// count: Ignore or Tally, as below.
+  template <class Scalar, class Count>
+  HullSolid(const ConvexHull<Scalar, 3>& hull, Count& count) : local_(hull.vertices) {
     Corners corners;
     for (const auto& p : hull.vertices) corners.push_back(p.template cast<double>());
-    build(std::move(corners), hull.facets);
+    count.count(Operation::kPointsTouched, static_cast<std::int64_t>(corners.size()));
+    build(std::move(corners), hull.facets, count);
   }
+  template <class Scalar>
+  explicit HullSolid(const ConvexHull<Scalar, 3>& hull) : HullSolid(hull, unwatched()) {}
 
   using Edge = std::array<Index, 2>;  // places in the hull's vertices
 
@@ -48,13 +52,21 @@ class HullSolid {
   [[nodiscard]] const std::vector<NormalArc>& arcs() const { return arcs_; }
 
   /// A vertex that no neighbour lies beyond, climbing from a near one: the farthest along the direction, within rounding.
-  [[nodiscard]] Index farthest(const Vector<double, 3>& direction, Index near) const;
+  template <class Count>
+  [[nodiscard]] Index farthest(const Vector<double, 3>& direction, Index near, Count& count) const;
+  [[nodiscard]] Index farthest(const Vector<double, 3>& direction, Index near) const {
+    return farthest(direction, near, unwatched());
+  }
   /// The vertex farthest along a direction near this one: at once, and nearly the farthest along this one.
   [[nodiscard]] Index far(const Vector<double, 3>& direction) const;
   /// The vertices on the edges between faces turned to a direction and away from it, and on faces along it: of all that is
   /// cast along the direction, what lies on the outline. O(their number) time, about O(sqrt n) on a round hull.
   /// direction: unit.
-  [[nodiscard]] std::vector<Index> outline(const Vector<double, 3>& direction) const;
+  template <class Count>
+  [[nodiscard]] std::vector<Index> outline(const Vector<double, 3>& direction, Count& count) const;
+  [[nodiscard]] std::vector<Index> outline(const Vector<double, 3>& direction) const {
+    return outline(direction, unwatched());
+  }
 
  private:
   using Corners = std::vector<Vector<double, 3>>;
@@ -65,15 +77,23 @@ class HullSolid {
     Index vertex, left, right;
   };
 
-  void build(Corners corners, const std::vector<Triangle>& facets);
+  static Ignore& unwatched() {
+    static Ignore ignore;
+    return ignore;
+  }
+
+  template <class Count>
+  void build(Corners corners, const std::vector<Triangle>& facets, Count& count);
   template <class Edges>
   void link_neighbours(const Edges& edges);
   [[nodiscard]] std::span<const Neighbour> neighbours(Index vertex) const {
     const auto* from = &neighbours_from_[static_cast<std::size_t>(vertex)];
     return std::span(neighbours_).subspan(from[0], from[1] - from[0]);
   }
-  void make_table();
-  void add_arc(const Vector<double, 3>& along, Index from, Index to);
+  template <class Count>
+  void make_table(Count& count);
+  template <class Count>
+  void add_arc(const Vector<double, 3>& along, Index from, Index to, Count& count);
   [[nodiscard]] Vector<double, 3> table_direction(int face, int row, int column) const;
 
   LocalPoints<3> local_;

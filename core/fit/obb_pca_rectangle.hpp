@@ -45,8 +45,8 @@ void shrink_by_rectangles(ObbTrials<Scalar, 3, Observer>& trials, const std::vec
     const auto& points = trials.local().at;
     const double before = trials.least();
     const Matrix<double, 3> box = by_length<3>(LocalBox<3>(trials.axes(), points));
-    RectangleFrame<3> found = rectangle_along(box.col(turn), points);
-    observe.count(Operation::kDotProducts, 5 * static_cast<std::int64_t>(points.size()));
+    count_box<3>(points.size(), observe);
+    RectangleFrame<3> found = watched_rectangle_along(box.col(turn), points, observe);
     for (Index* i : {&found.edge_a, &found.edge_b})
       if (*i != kNoIndex) *i = indices[static_cast<std::size_t>(*i)];
     attempt_rectangle(trials, found, line, observe);
@@ -69,8 +69,10 @@ Fit<Obb<Scalar, Dim>> obb_pca_rectangle(PointSpan<Scalar, Dim> points, Observer&
   if constexpr (Dim == 3) {
     shrink_by_rectangles(trials, hull.indices, 5, observe);
   } else {
-    Ignore ignore;
-    attempt_rectangle(trials, smallest_rectangle(hull, ignore), 5, observe);
+    TallyFor<Watcher> tally;
+    const RectangleFrame<2> found = smallest_rectangle(hull, tally);
+    hand_on(tally, observe);
+    attempt_rectangle(trials, found, 5, observe);
   }
   return finish_on_hull<Scalar, Dim>(trials.scalar_axes(), hull, 7, observe);
 }

@@ -30,10 +30,12 @@ struct LongestChord {
   PairChosen pair;
   Vector<double, Dim> chord;
 
-  /// points: n >= 1, of coordinates of about 1.
-  explicit LongestChord(std::vector<Vector<double, Dim>> points) {
+  /// points: n >= 1, of coordinates of about 1. count: Ignore or Tally.
+  template <class Count>
+  LongestChord(std::vector<Vector<double, Dim>> points, Count& count) {
     const auto set = *PointSet<double, Dim>::make(std::move(points));  // finite and small: nothing is refused
-    ball = welzl(set.span(), Options{});
+    ball = welzl(set.span(), Options{}, count);
+    count.count(Operation::kDistanceTests, ball.support.size() * (ball.support.size() - 1) / 2);
     pair = {ball.support[0], ball.support[0], kNoIndex, 0};
     for (const Index a : ball.support)
       for (const Index b : ball.support) {
@@ -54,12 +56,13 @@ Fit<Obb<Scalar, Dim>> obb_sphere_axis(PointSpan<Scalar, Dim> points, Observer&& 
   const auto tell = [&](int line, const Vector<double, Dim>& center, const auto& found) {
     const Sphere<Scalar, Dim> ball{(local.first + scale * center).template cast<Scalar>(),
                                    static_cast<Scalar>(scale * found.ball.volume.radius)};
-    observe.count(Operation::kPointsTouched, points.size());
     observe(Step{line, false, {}, BallFound<Scalar, Dim>{ball, found.ball.support.list()}});
     observe(Step{line + 1, false, {}, PairChosen{found.pair.a, found.pair.b, kNoIndex, scale * found.pair.distance}});
   };
 
-  const LongestChord<Dim> first(local.at);
+  TallyFor<Observer> tally;
+  const LongestChord<Dim> first(local.at, tally);
+  hand_on(tally, observe);
   const Vector<double, Dim> center = first.ball.volume.center;
   tell(0, center, first);
   Matrix<double, Dim> axes;
@@ -70,7 +73,11 @@ Fit<Obb<Scalar, Dim>> obb_sphere_axis(PointSpan<Scalar, Dim> points, Observer&& 
     const Vector<double, 3> u = axes.col(0), x = axes.col(1), y = axes.col(2);
     std::vector<Vector<double, 2>> cast;
     for (const auto& p : local.at) cast.emplace_back(x.dot(p), y.dot(p));
-    const LongestChord<2> second(std::move(cast));
+    TallyFor<Observer> spent;
+    spent.count(Operation::kPointsTouched, points.size());
+    spent.count(Operation::kDotProducts, 2 * std::int64_t{points.size()});
+    const LongestChord<2> second(std::move(cast), spent);
+    hand_on(spent, observe);
     const Vector<double, 2> middle = second.ball.volume.center;
     tell(2, u * u.dot(center) + x * middle[0] + y * middle[1], second);
     axes = frame(first.chord, x * second.chord[0] + y * second.chord[1]);

@@ -11,6 +11,7 @@
 
 #include "fit/obb_frame.hpp"
 #include "fit/obb_steps.hpp"
+#include "fit/tally.hpp"
 #include "geometry/tolerance.hpp"
 #include "trace/observer.hpp"
 
@@ -60,6 +61,15 @@ struct LocalBox {
   }
 };
 
+/// What a LocalBox of so many points takes.
+template <int Dim, class Observer>
+void count_box(std::size_t points, Observer& observe) {
+  const auto n = static_cast<std::int64_t>(points);
+  observe.count(Operation::kPointsTouched, n);
+  observe.count(Operation::kDotProducts, Dim * n);
+  observe.count(Operation::kComparisons, 2 * Dim * n);
+}
+
 /// The axes by rising length of the box along them, right-handed.
 template <int Dim>
 [[nodiscard]] Matrix<double, Dim> by_length(const LocalBox<Dim>& box) {
@@ -104,7 +114,8 @@ class ObbTrials {
   template <class Tell>
   bool attempt_and_tell(const Matrix<double, Dim>& axes, Tell&& tell) {
     const LocalBox<Dim> box(axes, local_.at);
-    observe_.count(Operation::kDotProducts, Dim * static_cast<std::int64_t>(local_.at.size()));
+    count_box<Dim>(local_.at.size(), observe_);
+    observe_.count(Operation::kComparisons, 1);
     const double size = padded_measure<Dim>(box.greatest - box.least, floor_);
     const bool better = size < least_;
     if (better) {

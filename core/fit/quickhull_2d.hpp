@@ -167,13 +167,12 @@ ConvexHull<Scalar, 2> polygon_on(const Points& points, std::vector<Index> ring) 
 }
 
 /// The hull of any finite points in the plane, of which at least one: for those who have no PointSet, as projections.
-template <class Scalar>
-ConvexHull<Scalar, 2> quickhull_2d(std::span<const Vector<Scalar, 2>> points) {
-  Ignore ignore;
+template <class Scalar, class Count>
+ConvexHull<Scalar, 2> quickhull_2d(std::span<const Vector<Scalar, 2>> points, Count& count) {
   const auto at = [points](Index i) -> Vector<double, 2> {
     return points[static_cast<std::size_t>(i)].template cast<double>();
   };
-  return polygon_on<Scalar>(points, hull_ring<Scalar>(static_cast<Index>(points.size()), at, ignore));
+  return polygon_on<Scalar>(points, hull_ring<Scalar>(static_cast<Index>(points.size()), at, count));
 }
 
 template <class Scalar, class Observer>

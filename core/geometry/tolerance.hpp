@@ -209,6 +209,17 @@ inline constexpr double kSameTurn = 16 * kRoundoff<double>;
 /// proof that the box is smallest may be off by twice that. Held by "box fitters keep their promises".
 inline constexpr double kBoxBoundaryRoundoffs = 64;
 
+/// By how much a length of a fitted volume may be off, in parts of the points' size plus their farthest coordinate: of a
+/// smallest box by kBoxProof, of which 16u are the projections' and 8u the axes'; where a centre or bound is rounded, in a
+/// ball as in a slab, by kBoundaryRoundoffs or less. A product of lengths is then off by that times the other lengths, once
+/// for each. Held by "no volume is told to be smaller than the smallest, and what is flat is compared with nothing".
+template <class Scalar>
+inline constexpr double kVolumeLength = 64 * static_cast<double>(kRoundoff<Scalar>);
+
+/// How many times larger than what rounding may make of it a smallest size must be for others to be compared with it: their
+/// ratio is then off by a sixteenth at most, and mostly by far less. Less is called flat. Held by the same.
+inline constexpr double kKnownSize = 16;
+
 /// How rough a box's axes and a lozenge's edges may be as people and programs write them down: each dot product of unit
 /// axes is off by no more. Eight times what entries rounded to float, or to seven digits, come to; no fault of a hand.
 inline constexpr double kAxesAsGiven = 0x1p-20;

@@ -62,6 +62,8 @@ void check_boxes(const Lesson& lesson, const toml::table& toml, Complaints& comp
 /// A scene: every method is run on it, and the model does the task, which the beginning does not.
 void check_scene(const Lesson& lesson, const toml::table& toml, const AnyPointSet& points, Complaints& complaints) {
   const TomlTable root(toml, "the lesson", complaints);
+  const TomlTable own(*toml.get_as<toml::table>("scene"), "[scene]", complaints);
+  if (lesson.scene->is_too_long(fit::size_of(points))) return complaints.add(own.line_of("frames"), too_long_text());
   for (const std::string& name : lesson.algorithms) {
     const auto run = run_scene(*lesson.scene, name, points, lesson.seed);
     if (!run) return complaints.add(run.error().position > 0 ? static_cast<int>(run.error().position) : root.line_of("scene"), run.error().what);
@@ -75,6 +77,7 @@ void check_scene(const Lesson& lesson, const toml::table& toml, const AnyPointSe
   if (graded(start_of_task(lesson, points)).done) complaints.add(task.line(), "the task is solved before the student begins");
   const auto model = to_set(lesson.task->model, fit::dim_of(points));
   if (!model) return complaints.add(task.line_of("model"), model.error().what);
+  if (lesson.scene->is_too_long(fit::size_of(*model))) return complaints.add(task.line_of("model"), too_long_text());
   if (const Grade grade = graded(*model); !grade.done) complaints.add(task.line_of("model"), "the model does not solve the task: " + grade.says);
 }
 

@@ -31,6 +31,9 @@ std::string title_of(const cost::CostRow& row) {
 /// One run on all points, measured or foreseen.
 double whole_time(const cost::CostRow& row) { return row.whole_ns.value_or(row.time.median); }
 
+/// Whether operations stand in the place of times: nothing was timed (counted_costs).
+bool is_counted(const cost::CostRow& row) { return row.time.repeats == 0; }
+
 /// "12", "1.3", "4,700": what is counted in times needs no third digit.
 std::string times_text(double ratio) {
   if (ratio >= 1000) {
@@ -73,8 +76,8 @@ Truth time_truth(const Asked& asked, Costs rows) {
   const auto faster = [](const cost::CostRow& a, const cost::CostRow& b) { return whole_time(a) < whole_time(b); };
   const auto [least, most] = std::minmax_element(rows.begin(), rows.end(), faster);
   const double ratio = whole_time(*most) / whole_time(*least);
-  const std::string sentence =
-      title_of(*most) + " takes " + times_text(ratio) + " times as long as " + title_of(*least) + ".";
+  const std::string sentence = title_of(*most) + " takes " + times_text(ratio) + " times as " +
+                               (is_counted(*most) ? "many operations as " : "long as ") + title_of(*least) + ".";
   if (asked.question->asks == Asks::kSlowest)
     return {static_cast<int>(most - rows.begin()), title_of(*most), sentence};
   const auto range = std::lower_bound(kTimes.begin(), kTimes.end(), ratio) - kTimes.begin();
@@ -158,9 +161,10 @@ Answer model_answer(const Asked& asked, Costs rows) { return {Kind::kChoice, tru
 
 std::string_view cheapest_of(const Task& task, Costs rows) {
   const cost::CostRow* const than = find_row(rows, task.algorithm);
+  const bool known = than != nullptr && than->measure > than->noise;  // of a flat shape sizes are nothing but rounding
   const cost::CostRow* best = nullptr;
   for (const cost::CostRow& row : rows) {
-    const bool smaller = than != nullptr && of_same_points(row, *than) && row.size <= (1 - task.tighter_by) * than->size;
+    const bool smaller = known && of_same_points(row, *than) && row.size <= (1 - task.tighter_by) * than->size;
     if (smaller && (best == nullptr || row.time.median < best->time.median)) best = &row;
   }
   return best != nullptr ? std::string_view(best->algorithm) : std::string_view();
@@ -180,7 +184,8 @@ Grade grade_costs(const Task& task, Costs rows, std::string_view chosen) {
     return grade;
   }
   if (own == than) {
-    grade.says = name + " stands on the stage. Load what is at least " + asked_for + " smaller, for the least time.";
+    grade.says = name + " stands on the stage. Load what is at least " + asked_for + " smaller, for the " +
+                 (is_counted(*own) ? "fewest operations." : "least time.");
     return grade;
   }
   if (!of_same_points(*own, *than)) {
@@ -190,7 +195,7 @@ Grade grade_costs(const Task& task, Costs rows, std::string_view chosen) {
   grade.excess = own->size / than->size - 1;
   grade.done = chosen == cheapest;
   grade.says = title_of(*own) + ": " + smaller_text(own->size, than->size) + " " + name + ", for " +
-               times_text(own->time.median / than->time.median) + " times its time.";
+               times_text(own->time.median / than->time.median) + " times its " + (is_counted(*own) ? "operations." : "time.");
   if (grade.done)
     grade.says += " Done.";
   else if (own->size <= (1 - task.tighter_by) * than->size)
@@ -211,6 +216,7 @@ std::vector<cost::CostRow> counted_costs(const Lesson& lesson, const AnyPointSet
     row.volume = algorithm.volume, row.algorithm = algorithm.name;
     row.points = row.of = fit::size_of(points);
     row.time.median = static_cast<double>(std::accumulate(run.counts.begin(), run.counts.end(), std::int64_t{1}));
+    row.noise = cost::rounding_of(points).noise(dim);
     row.size = fit::size_of(run.result.volume, dim), row.measure = fit::measure_of(run.result.volume, dim);
     rows.push_back(std::move(row));
   }

@@ -146,9 +146,17 @@ struct Lesson {
   std::optional<Task> task;
 };
 
+/// A lesson file's size, bytes: fifty times a long lesson's. The parser's tables within tables, a level for two bytes, must not
+/// outgrow the stack.
+inline constexpr std::size_t kMostLessonBytes = 1 << 18;
+
+/// How far a lesson is checked: by what its file says alone, or by all that comes of running it, which may take seconds.
+enum class Checked : std::uint8_t { kAsWritten, kAsRun };
+
 /// Reads a lesson file. name: for errors and for the id. Errors: of TOML, of an unknown or missing key, of an
-/// algorithm, fact, generator, mesh or answer that does not exist, of a question whose step the algorithm does not take
-/// on the lesson's own points, of a model solution that the task does not accept, each with its line.
-[[nodiscard]] tl::expected<Lesson, InputError> read_lesson(std::string_view toml, std::string_view name);
+/// algorithm, fact, generator, mesh or answer that does not exist; where it is run, of a question whose step the algorithm
+/// does not take on the lesson's own points, of a model solution that the task does not accept; each with its line.
+[[nodiscard]] tl::expected<Lesson, InputError> read_lesson(std::string_view toml, std::string_view name,
+                                                           Checked checked = Checked::kAsRun);
 
 }  // namespace snug::lesson

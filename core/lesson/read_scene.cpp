@@ -1,7 +1,10 @@
 #include "lesson/read_scene.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include "geometry/pose.hpp"
 
@@ -18,7 +21,16 @@ V3 vector_or(TomlTable& table, std::string_view key, const V3& otherwise) {
   return otherwise;
 }
 
-double positive(TomlTable& table, std::string_view key, double otherwise) { return table.has(key) ? table.number(key, 1e9) : otherwise; }
+constexpr double kMostLength = 1e9;
+double length(TomlTable& table, std::string_view key) { return table.number(key, kMostLength); }
+
+/// Each of them a length, as a radius is.
+V3 half_extents(TomlTable& table) {
+  const V3 half = vector_or(table, "half_extents", V3::Constant(0.5));
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(half[axis] > 0 && half[axis] <= kMostLength)) table.wrong("half_extents", "must be above 0 and at most 1000000000");
+  return half;
+}
 
 /// Degrees about x, then y, then z.
 Quaternion turned_by(const V3& degrees) {
@@ -31,13 +43,13 @@ Quaternion turned_by(const V3& degrees) {
 void read_shape(TomlTable& table, SceneBody& one, bool has_mesh) {
   const std::string shape = table.text("shape");
   if (shape == "sphere") {
-    one.body.shape = scene::Volume3(Sphere<double, 3>{V3::Zero(), positive(table, "radius", 0.5)});
+    one.body.shape = scene::Volume3(Sphere<double, 3>{V3::Zero(), length(table, "radius")});
   } else if (shape == "box") {
-    const V3 half = vector_or(table, "half_extents", V3::Constant(0.5));
+    const V3 half = half_extents(table);
     one.body.shape = scene::Volume3(Aabb<double, 3>{-half, half});
   } else if (shape == "capsule") {
-    const double half = positive(table, "half_length", 0.5);
-    one.body.shape = scene::Volume3(Capsule<double, 3>{{-half, 0, 0}, {half, 0, 0}, positive(table, "radius", 0.25)});
+    const double half = table.has("half_length") ? length(table, "half_length") : 0.5;
+    one.body.shape = scene::Volume3(Capsule<double, 3>{{-half, 0, 0}, {half, 0, 0}, length(table, "radius")});
   } else if (shape == "points" || shape == "mesh") {
     one.of_points = true;
     if (shape == "mesh" && !has_mesh) table.wrong("shape", "is a mesh, and [points] names none");
@@ -69,14 +81,22 @@ SceneBody read_body(const toml::table& toml, bool has_mesh, Complaints& complain
   return one;
 }
 
+/// Places are lists of three numbers; a setting keeps them one after the other.
+scene::Setting read_setting(TomlTable& table, const std::string& key, const toml::node& node) {
+  if (node.is_string()) return {key, {}, table.text(key)};
+  if (key != "places") return {key, table.numbers(key), {}};
+  scene::Setting places{key, {}, {}};
+  for (const V3& place : table.points(key, 3)) places.numbers.insert(places.numbers.end(), {place[0], place[1], place[2]});
+  return places;
+}
+
 scene::EffectCall read_effect(const toml::table& toml, Complaints& complaints) {
   TomlTable table(toml, "[[scene.effect]]", complaints);
   scene::EffectCall call{.name = table.text("effect"), .body = table.text_or("body", ""), .line = table.line()};
   for (const auto& [key, node] : toml) {
     const std::string name(key.str());
     if (name == "effect" || name == "body") continue;
-    if (node.is_string()) call.settings.push_back({name, {}, table.text(name)});
-    else call.settings.push_back({name, table.numbers(name), {}});
+    call.settings.push_back(read_setting(table, name, node));
   }
   table.refuse_others();
   return call;
@@ -114,8 +134,10 @@ void read_ranges(TomlTable& table, Question& question) {
   question.figure = table.text("figure");
   check_figure(table, question.figure);
   question.bounds = table.numbers("bounds");
-  const bool rising = std::is_sorted(question.bounds.begin(), question.bounds.end(), std::less_equal<>());
-  if (question.bounds.empty() || !rising) table.wrong("bounds", "must be numbers that rise"), question.bounds = {0};
+  double last = -std::numeric_limits<double>::infinity();
+  const auto rises = [&](double bound) { return bound > std::exchange(last, bound) && std::isfinite(bound); };  // no NaN does
+  if (question.bounds.empty() || !std::all_of(question.bounds.begin(), question.bounds.end(), rises))
+    table.wrong("bounds", "must be numbers that rise"), question.bounds = {0};
 }
 
 Task read_scene_task(const toml::table& toml, const std::vector<std::string>& algorithms, Complaints& complaints) {

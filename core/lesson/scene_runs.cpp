@@ -98,6 +98,7 @@ tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet& sc
 
 tl::expected<void, InputError> check_scene_opens(const SceneSet& set, std::span<const std::string> methods, const AnyPointSet& points,
                                                  std::uint64_t seed) {
+  if (set.is_too_long(fit::size_of(points))) return tl::unexpected(InputError{.what = too_long_text()});
   for (const std::string& method : methods) {
     const auto scene = declaration_with(set, method, points, seed).and_then([](const scene::Declaration& declaration) {
       return scene::Scene::open(declaration);

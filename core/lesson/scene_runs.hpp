@@ -42,7 +42,7 @@ struct SwitchedOff {
 [[nodiscard]] tl::expected<SceneRun, InputError> run_scene(const SceneSet& set, std::string_view method, const AnyPointSet& points,
                                                            std::uint64_t seed, scene::Clock clock = nullptr, std::span<const SwitchedOff> off = {});
 
-/// Whether the scene can be run by each of the methods. Errors: as of run_scene.
+/// Whether the scene can be run by each of the methods. Errors: as of run_scene; too many frames of too many bodies.
 [[nodiscard]] tl::expected<void, InputError> check_scene_opens(const SceneSet& set, std::span<const std::string> methods,
                                                                const AnyPointSet& points, std::uint64_t seed);
 

@@ -118,13 +118,13 @@ std::vector<double> TomlTable::numbers(std::string_view key) {
   std::vector<double> all;
   const toml::node* node = require(key);
   if (node == nullptr) return all;
-  const auto add = [&](const auto& self, const toml::node& one) -> bool {
-    if (const toml::array* array = one.as_array())
-      return std::all_of(array->begin(), array->end(), [&](const toml::node& item) { return self(self, item); });
-    if (const auto value = one.is_number() ? one.value<double>() : std::nullopt) return all.push_back(*value), true;
-    return false;
+  const auto add = [&](const toml::node& one) {
+    const auto value = one.is_number() ? one.value<double>() : std::nullopt;
+    if (value) all.push_back(*value);
+    return value.has_value();
   };
-  if (!add(add, *node)) wrong(key, "must be a number or numbers");
+  const toml::array* list = node->as_array();
+  if (list != nullptr ? !std::all_of(list->begin(), list->end(), add) : !add(*node)) wrong(key, "must be a number or numbers");
   return all;
 }
 

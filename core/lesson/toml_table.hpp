@@ -47,7 +47,7 @@ class TomlTable {
   bool flag_or(std::string_view key, bool otherwise);
   /// A list of texts, with at least so many.
   std::vector<std::string> texts(std::string_view key, std::size_t least);
-  /// A number, or a list of them, of lists too, one after the other; any sign.
+  /// A number, or a list of them; any sign.
   std::vector<double> numbers(std::string_view key);
   /// A list of points of dim numbers each.
   std::vector<Vector<double, 3>> points(std::string_view key, int dim);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -53,11 +54,8 @@ Timing per_test(Timing timing, int tests) {
   return timing;
 }
 
-/// None where there is nothing to compare with.
-std::optional<double> ratio(double value, double least) {
-  if (least > 0) return value / least;
-  return std::nullopt;
-}
+/// What a volume's size is a product of: a ball is compared by its radius.
+int lengths_of_size(std::string_view volume, int dim) { return volume == "sphere" ? 1 : dim; }
 
 }  // namespace
 
@@ -152,23 +150,26 @@ bool CostRun::count() {
   row_.size = fit::size_of(volume_, dim_);
   row_.measure = fit::measure_of(volume_, dim_);
   row_.bytes = bytes_of(volume_, dim_, single_);
+  rounding_ = rounding_of(points_of(row_.points));
+  row_.noise = rounding_.noise(dim_);
   return true;
 }
 
 bool CostRun::compare_with_hull() {
   Ladder& ladder = ladder_of(hull_row());
   if (!step_up(ladder)) return false;
-  if (ladder.reached() >= row_.points) row_.over_hull = ratio(row_.measure, fit::measure_of(fitted(hull_row()), dim_));
+  if (ladder.reached() >= row_.points) row_.over_hull = rounding_.ratio(row_.measure, fit::measure_of(fitted(hull_row()), dim_), dim_);
   return true;
 }
 
 bool CostRun::compare_with_smallest() {
-  if (algorithm().exact) return row_.tightness = ratio(row_.size, row_.size), true;
+  const int lengths = lengths_of_size(row_.volume, dim_);
+  if (algorithm().exact) return row_.tightness = rounding_.ratio(row_.size, row_.size, lengths), true;
   const fit::Algorithm* const exact = fit::exact_algorithm(algorithm().volume);
   if (exact == nullptr) return true;
   Ladder& ladder = ladder_of(*exact);
   if (!step_up(ladder)) return false;
-  if (ladder.reached() >= row_.points) row_.tightness = ratio(row_.size, fit::size_of(fitted(*exact), dim_));
+  if (ladder.reached() >= row_.points) row_.tightness = rounding_.ratio(row_.size, fit::size_of(fitted(*exact), dim_), lengths);
   return true;
 }
 
@@ -204,8 +205,11 @@ bool CostRun::take_update() {
 
 std::vector<std::size_t> pareto_front(std::span<const CostRow> rows) {
   std::vector<Offer> offers;
-  for (const CostRow& row : rows)
-    offers.push_back({row.points == row.of ? row.time.median : std::numeric_limits<double>::infinity(), row.measure});
+  for (const CostRow& row : rows) {
+    const bool is_flat = std::isfinite(row.measure) && row.measure <= row.noise;
+    offers.push_back({row.points == row.of ? row.time.median : std::numeric_limits<double>::infinity(),
+                      is_flat ? 0 : row.measure});
+  }
   return pareto_front(offers);
 }
 

@@ -10,6 +10,7 @@
 
 #include "geometry/pose.hpp"
 #include "measure/ladder.hpp"
+#include "measure/rounding.hpp"
 #include "measure/rows.hpp"
 #include "measure/volume_cost.hpp"
 
@@ -81,6 +82,7 @@ class CostRun {
   std::size_t at_ = 0;    // of algorithms_
   std::size_t piece_ = 0;  // of the row
   CostRow row_;
+  Rounding rounding_;  // of the row's points
   fit::Volume3 volume_;
   std::optional<Stopwatch> watch_;
   int tests_ = 1;  // in one run of it
@@ -91,7 +93,7 @@ class CostRun {
 };
 
 /// The places of the rows that no other row undercuts in time and measure, by time. Of all points alone: what was
-/// measured on fewer is no rival.
+/// measured on fewer is no rival. Measures that are nothing but rounding are equal.
 [[nodiscard]] std::vector<std::size_t> pareto_front(std::span<const CostRow> rows);
 
 void mark_front(std::span<CostRow> rows);

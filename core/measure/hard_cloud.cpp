@@ -7,6 +7,7 @@
 
 #include "geometry/generate.hpp"
 #include "geometry/random.hpp"
+#include "measure/rounding.hpp"
 
 namespace snug::cost {
 namespace {
@@ -28,7 +29,8 @@ double excess_on(const fit::Algorithm& algorithm, const AnyPointSet& points, std
   const int dim = fit::dim_of(points);
   const fit::Options options{.seed = seed};
   const double least = fit::size_of(fit::exact_algorithm(algorithm.volume)->fit(points, options).volume, dim);
-  return least > 0 ? fit::size_of(algorithm.fit(points, options).volume, dim) / least - 1 : 0;
+  const int lengths = algorithm.volume == "sphere" ? 1 : dim;
+  return rounding_of(points).ratio(fit::size_of(algorithm.fit(points, options).volume, dim), least, lengths).value_or(1) - 1;
 }
 
 Excess excess_of(const fit::Algorithm& algorithm, std::uint64_t seed) {

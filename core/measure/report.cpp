@@ -18,19 +18,36 @@ constexpr std::string_view kFirstLine = "# snug table: ";
 
 // ---- a row as names and values: the code below is the same for every row, and the page has it once
 
-using Value = std::variant<double*, int*, std::int64_t*, bool*, std::string*, std::optional<double>*, std::optional<bool>*>;
+using Value = std::variant<double*, int*, std::int64_t*, bool*, std::string*, std::optional<double>*, std::optional<bool>*,
+                           std::optional<std::string>*>;
 struct Field {
   std::string name;
   Value value;
+  bool none = false;  // of a timing that has no repeats: nothing was timed
+
+  /// "time_ns" of "time_ns.median"; empty of a name without a dot.
+  [[nodiscard]] std::string level() const {
+    const std::size_t dot = name.find('.');
+    return dot == std::string::npos ? std::string() : name.substr(0, dot);
+  }
 };
 using Fields = std::vector<Field>;
 
+constexpr std::string_view kRepeats = ".repeats";
+
 void add(Fields& fields, std::string_view name, Value value) { fields.push_back({std::string(name), value}); }
+
+void mark_none(Fields& fields) {
+  for (const Field& repeats : fields)
+    if (repeats.name.ends_with(kRepeats) && **std::get_if<int*>(&repeats.value) == 0)
+      for (Field& field : fields) field.none = field.none || field.level() == repeats.level();
+}
 
 template <class Row>
 Fields fields_of(Row& row) {
   Fields fields;
   Row::fields(row, [&](std::string_view name, auto& value) { add(fields, name, &value); });
+  mark_none(fields);
   return fields;
 }
 /// To be read only.
@@ -61,6 +78,8 @@ std::string text_of(const std::optional<Held>& value) {
 
 std::string csv_value(const auto& value) { return text_of(value); }
 std::string csv_value(double value) { return std::isfinite(value) ? text_of(value) : std::isnan(value) ? "nan" : "inf"; }
+std::string csv_value(const std::string& value);
+std::string csv_value(const std::optional<std::string>& value) { return value ? csv_value(*value) : std::string(); }
 std::string csv_value(const std::string& value) {
   if (value.find_first_of(",\"\r\n#") == std::string::npos) return value;
   std::string text = "\"";
@@ -75,6 +94,8 @@ std::string json_value(const auto& value) {
   std::string text = text_of(value);
   return text.empty() ? "null" : text;
 }
+std::string json_value(const std::string& value);
+std::string json_value(const std::optional<std::string>& value) { return value ? json_value(*value) : "null"; }
 std::string json_value(const std::string& value) {
   std::string text = "\"";
   for (const char c : value) {
@@ -92,6 +113,7 @@ std::string json_value(const std::string& value) {
 }
 
 std::string csv_text(const Field& field) {
+  if (field.none) return {};
   return std::visit([](const auto* value) { return csv_value(*value); }, field.value);
 }
 std::string json_text(const Field& field) {
@@ -103,13 +125,15 @@ void add_csv_row(std::string& text, const Fields& fields) {
   text += '\n';
 }
 
-/// An object of a row's fields. Names with a dot that follow each other are one object within.
+/// An object of a row's fields. Names with a dot that follow each other are one object within, or null of what is none.
 std::string object_of(const Fields& fields) {
   std::string text = "{";
-  std::string level;
+  std::string level, null;
   for (const Field& field : fields) {
-    const std::size_t dot = field.name.find('.');
-    const std::string own_level = dot == std::string::npos ? std::string() : field.name.substr(0, dot);
+    std::string own_level = field.level();
+    if (field.none && own_level == null) continue;
+    const std::string own_name = own_level.empty() ? field.name : field.name.substr(own_level.size() + 1);
+    if (field.none) null = std::exchange(own_level, {});
     if (own_level != level) {
       if (!level.empty()) text += '}';
       if (text.back() != '{') text += ',';
@@ -118,7 +142,7 @@ std::string object_of(const Fields& fields) {
     } else if (text.back() != '{') {
       text += ',';
     }
-    text += "\"" + (own_level.empty() ? field.name : field.name.substr(dot + 1)) + "\":" + json_text(field);
+    text += "\"" + (field.none ? null : own_name) + "\":" + (field.none ? "null" : json_text(field));
   }
   return text + (level.empty() ? "}" : "}}");
 }
@@ -182,11 +206,13 @@ tl::unexpected<InputError> at(std::string_view name, std::int64_t line, std::str
   return tl::unexpected(InputError{std::move(what), std::string(name), InputError::Unit::kLine, line});
 }
 
-/// Sets the fields from texts by name, none of which may be missing.
+/// Sets the fields from texts by name, none of which may be missing. What was not timed has no repeats, and stays none.
 std::optional<std::string> set_fields(const Fields& fields, const std::function<const std::string*(std::string_view)>& text_by_name) {
   for (const Field& field : fields) {
     const std::string* text = text_by_name(field.name);
     if (text == nullptr) return "there is no " + io::quoted(field.name);
+    const std::string* repeats = field.none ? text_by_name(field.level().append(kRepeats)) : nullptr;
+    if (text->empty() && repeats != nullptr && repeats->empty()) continue;
     if (!std::visit([&](auto* value) { return read_value(*text, *value); }, field.value))
       return io::quoted(*text) + " is no value of " + io::quoted(field.name);
   }

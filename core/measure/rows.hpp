@@ -50,13 +50,14 @@ struct CostRow {
   std::int64_t steps = 0;
   double size = 0;                 // a ball's radius; of others the measure
   double measure = 0;              // volume (3-D) or area (2-D), scene units cubed or squared
-  std::optional<double> tightness;  // size over that of the smallest of its kind; none where nobody can tell
+  std::optional<double> tightness;  // size over that of the smallest of its kind; none where nobody can tell, or it is flat
   std::optional<double> over_hull;  // measure over that of the convex hull; none where that is flat or took too long
+  double noise = 0;  // a measure that is no larger is nothing but rounding; of a run alone, no column of a table
   std::int64_t bytes = 0;
   int overlap_pairs = 0, overlapping = 0;
   Timing overlap;     // of one test with a copy
-  std::string update;  // which update was timed; empty where there is none
-  Timing updated;     // of one update after a turn
+  std::optional<std::string> update;  // which update was timed; none where the volume has none
+  Timing updated;                     // of one update after a turn; nothing timed where there is none
   bool contains = false, on_boundary = false;
   std::optional<bool> optimal;  // none where the algorithm claims nothing
   bool on_front = false;       // whether no other row undercuts it in time and measure (mark_front)
@@ -103,7 +104,7 @@ struct TurnRow {
   std::string volume, strategy;
   Index points = 0;
   double degrees = 0;
-  double slack = 0;  // by how much it is larger than the tightest of its kind
+  std::optional<double> slack;  // by how much it is larger than the tightest of its kind; none where that is flat
   double measure = 0;
   bool contains = false;
   Timing updated;  // of one update, the median of the whole turn

@@ -44,9 +44,10 @@ Timing timing_of(std::vector<double> times, int batch) {
   std::sort(times.begin(), times.end());
   Timing timing{
       .median = quantile(times, 0.5), .min = times.front(), .repeats = static_cast<int>(times.size()), .batch = batch};
+  if (times.size() < 2) return timing;  // nobody knows how far another would be from it
   const double between = quantile(times, 0.75) - quantile(times, 0.25);
   timing.spread = timing.median > 0 ? between / timing.median : 0;
-  timing.trusted = timing.median > 0 && timing.spread <= kMostSpread;
+  timing.trusted = timing.median > 0 && *timing.spread <= kMostSpread;
   return timing;
 }
 

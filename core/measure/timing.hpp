@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace snug::cost {
@@ -23,10 +24,10 @@ using Clock = std::function<double()>;
 struct Timing {
   double median = 0;
   double min = 0;
-  double spread = 0;    // between the quartiles, over the median
-  int repeats = 0;      // batches that were timed
-  int batch = 0;        // runs in each
-  bool trusted = false;  // whether the spread is at most kMostSpread
+  std::optional<double> spread;  // between the quartiles, over the median; none of a single batch
+  int repeats = 0;               // batches that were timed; 0: nothing was
+  int batch = 0;                 // runs in each
+  bool trusted = false;          // whether there is a spread, of at most kMostSpread
   static void fields(auto& own, auto&& see) {
     see("median", own.median), see("min", own.min), see("spread", own.spread), see("repeats", own.repeats);
     see("batch", own.batch), see("trusted", own.trusted);

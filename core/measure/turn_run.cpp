@@ -1,13 +1,26 @@
 #include "measure/turn_run.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace snug::cost {
 
+std::optional<SlackRange> slack_range(std::span<const TurnRow> rows) {
+  std::optional<SlackRange> range;
+  int known = 0;
+  for (const TurnRow& row : rows) {
+    if (!row.slack) continue;
+    if (!range) range = {*row.slack, 0, *row.slack};
+    range->least = std::min(range->least, *row.slack), range->most = std::max(range->most, *row.slack);
+    range->mean += (*row.slack - range->mean) / ++known;
+  }
+  return range;
+}
+
 TurnRun::TurnRun(const AnyPointSet& points, std::vector<const fit::UpdateStrategy*> strategies, int frames,
                  const TimingOptions& timing, Clock clock)
     : points_(points), strategies_(std::move(strategies)), poses_(full_turn(fit::dim_of(points), frames)),
-      timing_(timing), clock_(std::move(clock)) {}
+      timing_(timing), clock_(std::move(clock)), noise_(rounding_of(points).noise(fit::dim_of(points))) {}
 
 double TurnRun::progress() const {
   if (done()) return 1;
@@ -32,7 +45,7 @@ void TurnRun::add_frame() {
                    .strategy = std::string(strategy.name),
                    .points = fit::size_of(points_),
                    .degrees = 360.0 * static_cast<double>(frame_) / static_cast<double>(poses_.size()),
-                   .slack = fit::slack(frame.measure, frame.tightest),
+                   .slack = frame.tightest > noise_ ? std::optional(fit::slack(frame.measure, frame.tightest)) : std::nullopt,
                    .measure = frame.measure,
                    .contains = frame.contains});
   ++frame_;

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "fit/updates.hpp"
@@ -10,6 +11,13 @@
 #include "measure/rows.hpp"
 
 namespace snug::cost {
+
+/// Of the rows whose slack is known.
+struct SlackRange {
+  double least = 0, mean = 0, most = 0;
+};
+/// None where that is not known of any.
+[[nodiscard]] std::optional<SlackRange> slack_range(std::span<const TurnRow> rows);
 
 /// One frame after the other, each held against the points; then the bare updates are timed.
 class TurnRun {
@@ -34,6 +42,7 @@ class TurnRun {
   std::vector<Pose<double, 3>> poses_;
   TimingOptions timing_;
   Clock clock_;
+  double noise_ = 0;      // a measure that is no larger is nothing but rounding
   std::size_t at_ = 0;    // of strategies_
   std::size_t frame_ = 0;  // of poses_
   std::function<fit::UpdatedFrame(const Pose<double, 3>& pose)> body_;

@@ -7,12 +7,13 @@ namespace {
 
 using enum Slot;
 
+// What drag does goes through velocities, and those of a body that another effect drives move nothing.
 constexpr EffectKind kKinds[] = {
-    {"spin", "turns a body about an axis", slots(kTime), 0, 0, slots(kPoses), "", true, make_spin},
-    {"orbit", "leads a body around a centre", slots(kTime), 0, 0, slots(kPoses), "", true, make_orbit},
-    {"path", "leads a body from place to place", slots(kTime), 0, 0, slots(kPoses), "", true, make_path},
+    {"spin", "turns a body about an axis", slots(kTime), 0, 0, slots(kPoses), "", true, make_spin, kTurn},
+    {"orbit", "leads a body around a centre", slots(kTime), 0, 0, slots(kPoses), "", true, make_orbit, kPlace},
+    {"path", "leads a body from place to place", slots(kTime), 0, 0, slots(kPoses), "", true, make_path, kPlace},
     {"fall", "gravity, by semi-implicit Euler", slots(kTime), 0, 0, slots(kVelocities), "move", false, make_fall},
-    {"drag", "pulls a body to a point", slots(kTime), slots(kPoses), 0, slots(kVelocities), "move", false, make_drag},
+    {"drag", "pulls a body to a point", slots(kTime), slots(kPoses), 0, slots(kVelocities), "move", false, make_drag, kWholePose},
     {"bounce", "impulses where bodies touch", 0, slots(kContacts), slots(kVelocities), slots(kPoses), "move", false, make_bounce},
     {"move", "bodies go where their velocities take them", slots(kTime, kVelocities), 0, 0, slots(kPoses), "", false, make_move},
     {"refit", "updates volumes to poses", slots(kPoses), 0, 0, slots(kVolumes), "", false, make_refit},

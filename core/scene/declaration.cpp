@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "geometry/tolerance.hpp"
+#include "scene/effect.hpp"
 
 namespace snug::scene {
 namespace {
@@ -42,8 +43,9 @@ bool has_sound_shape(const Body& body) {
 }
 
 /// What is wrong with a mass, if anything.
-const char* fault_of_mass(double mass) {
+const char* fault_of_mass(double mass, bool fixed) {
   if (std::isnan(mass)) return "its mass is not a number";
+  if (fixed && (mass == 0 || std::isinf(mass))) return "its mass is 0 or infinite: a body that is fixed needs none";
   if (std::isinf(mass)) return "its mass is infinite: call it fixed instead";
   if (mass == 0) return "its mass is 0: call it fixed instead";
   if (mass < 0) return "its mass is negative";
@@ -57,12 +59,35 @@ const char* fault_of(const Body& body) {
   if (q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0) return "its orientation is no rotation";
   if (!is_sound(body.velocity) || !is_sound(body.turning)) return "its velocity is not finite, or too large";
   if (!has_sound_shape(body)) return "its shape is empty, not finite, or too large";
-  return body.fixed ? nullptr : fault_of_mass(body.mass);
+  return fault_of_mass(body.mass, body.fixed);
 }
 
 std::string name_of(const Declaration& declaration, std::size_t i) {
   const std::string& name = declaration.bodies[i].name;
   return name.empty() ? "body " + std::to_string(i) : name;
+}
+
+/// What of a pose an effect drives. None of an unknown one, which is refused where effects are planned.
+PosePart driven_by(const EffectCall& call) {
+  const EffectKind* kind = find_effect(catalogue(), call.name);
+  return kind != nullptr ? kind->drives : 0;
+}
+
+/// Whom both are about; nothing where no body need be. A call without a body is about all that are not fixed.
+std::optional<std::string> common_body(const EffectCall& a, const EffectCall& b) {
+  if (a.body.empty() && b.body.empty()) return "every body";
+  if (a.body.empty() || b.body.empty() || a.body == b.body) return a.body.empty() ? b.body : a.body;
+  return std::nullopt;
+}
+
+tl::expected<void, InputError> check_drivers(const std::vector<EffectCall>& effects) {
+  for (auto later = effects.begin(); later != effects.end(); ++later)
+    for (auto first = effects.begin(); first != later; ++first) {
+      const auto whom = common_body(*first, *later);
+      if (whom && (driven_by(*first) & driven_by(*later)) != 0)
+        return tl::unexpected(error_at(later->line, first->name + " and " + later->name + " would both drive " + *whom + ": one undoes the other"));
+    }
+  return {};
 }
 
 }  // namespace
@@ -83,7 +108,7 @@ tl::expected<void, InputError> check(const Declaration& declaration) {
     for (std::size_t j = 0; j < i && !body.name.empty(); ++j)
       if (declaration.bodies[j].name == body.name) return refuse(body.line, "there is another body called " + body.name);
   }
-  return {};
+  return check_drivers(declaration.effects);
 }
 
 }  // namespace snug::scene

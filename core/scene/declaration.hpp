@@ -28,7 +28,7 @@ struct Body {
   std::variant<Volume3, Cloud> shape;     // in its own frame
   Quaternion orientation;                 // of any length but 0
   V3 position = V3::Zero();               // of its frame's origin
-  double mass = 1;                        // finite and > 0; without meaning where fixed
+  double mass = 1;                        // finite and > 0, where fixed as well, though nothing comes of it there
   bool fixed = false;                     // nothing moves it
   V3 velocity = V3::Zero();
   V3 turning = V3::Zero();                // angular velocity, radians a second about the world's axes
@@ -58,7 +58,7 @@ struct Declaration {
 
 /// The declaration, where each of its numbers makes sense. Errors, each with the body's or effect's name and line: no body;
 /// a name twice; a mass that is 0, negative, infinite or no number; a pose, velocity, shape or step that is no number or
-/// too large; an empty shape.
+/// too large; an empty shape; two effects that drive the pose of one body, where the later would undo the other.
 [[nodiscard]] tl::expected<void, InputError> check(const Declaration& declaration);
 
 /// An error about what stands in a line of the file; 0: none.

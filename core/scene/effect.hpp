@@ -25,6 +25,10 @@ class Effect {
   virtual void restored(World&) {}
 };
 
+/// What of a body's pose an effect says itself, bits: what others would make of it is lost.
+using PosePart = unsigned;
+inline constexpr PosePart kPlace = 1, kTurn = 2, kWholePose = kPlace | kTurn;
+
 /// A row of the catalogue.
 struct EffectKind {
   std::string_view name;
@@ -36,6 +40,7 @@ struct EffectKind {
   std::string_view calls_for;  // another effect that comes along with it; empty for none
   bool many = false;           // whether a scene may call for it more than once, for several bodies
   tl::expected<std::unique_ptr<Effect>, InputError> (*make)(const EffectCall& call, World& world) = nullptr;
+  PosePart drives = 0;         // of the bodies that it is about; two effects drive no common part of one body
 };
 
 /// Every effect that there is. A new one is its file in effects/ and its row here.

@@ -281,21 +281,23 @@ constexpr const char* kCostFooter =
   points, of, whole_ns      how many points it was measured on, how many there are, and where that is fewer, for one run
                             on all would take longer than --longest, what that run would take
   time_ns                   {median, min, spread, repeats, batch, trusted} of one fit without an observer; spread is between
-                            the quartiles, over the median, and times that spread over more than a third are not trusted
+                            the quartiles, over the median, and times that spread over more than a third are not trusted;
+                            one batch alone has no spread, null, and is not trusted
   operations, steps         counts of a second, watched run
   size, measure             a ball's radius, of others the measure; 3-D volume or 2-D area
   tightness                 size over that of the smallest volume of its kind around the same points; null where no
-                            algorithm here claims the smallest
-  over_hull                 measure over that of the convex hull
+                            algorithm here claims the smallest, or that is flat: of a size that is nothing but rounding
+  over_hull                 measure over that of the convex hull; null where that is flat
   bytes                     of the volume's numbers
   overlap_ns, overlap_pairs, overlapping
                             of one overlap test with a copy; the copies are moved to just overlap, or to be just apart
-  update, update_ns         the tight update of the volume in a full turn of the body, and the time of one
+  update, update_ns         the tight update of the volume in a full turn of the body, and the time of one; null of
+                            volumes that have none
   certificate               {contains, on_boundary, optimal}
   on_front                  whether no other is both faster and smaller
 
 --growth: the time against the number of points, from 10 to N, with the power that it grows by, beside theory's.
---turn: by how much each update's volume is larger than the tightest, over a full turn of the body.
+--turn: by how much each update's volume is larger than the tightest, over a full turn of the body; null where that is flat.
 --claims: what two lectures say of time, storage and tightness, and what is measured of it here.
 
 Exit status: 0 done, 1 some volume does not hold every point, 2 bad input or usage.)";

@@ -38,12 +38,20 @@ const Json* find(const Json& json, std::string_view name) {
   return dot == std::string_view::npos ? &*found : find(*found, name.substr(dot + 1));
 }
 
+/// Whether the field stands within a level that is null: what was not timed.
+bool is_none(const Json& json, std::string_view name) {
+  const std::size_t dot = name.find('.');
+  if (dot == std::string_view::npos || !name.substr(0, dot).ends_with("_ns")) return false;
+  const Json* const level = find(json, name.substr(0, dot));
+  return level != nullptr && level->is_null();
+}
+
 /// Empty where all fields are there.
 template <class Row>
 std::string set_fields(Row& row, const Json& json, const std::string& where) {
   std::string wrong;
   Row::fields(row, [&](std::string_view name, auto& value) {
-    if (!wrong.empty()) return;
+    if (!wrong.empty() || is_none(json, name)) return;
     const Json* const found = find(json, name);
     if (found == nullptr)
       wrong = where + std::string(name) + " is missing";

@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "measure/turn_run.hpp"
+
 namespace snug::desktop {
 namespace {
 
@@ -33,7 +35,7 @@ std::string time_text(const cost::Timing& timing) {
   return time_text(timing.median) + (timing.trusted ? "" : " ?");
 }
 std::string spread_text(const cost::Timing& timing) {
-  return timing.repeats == 0 ? "-" : said("%.0f %%", 100 * timing.spread);
+  return timing.spread ? said("%.0f %%", 100 * *timing.spread) : "-";
 }
 std::string ratio_text(const std::optional<double>& ratio, const char* format) {
   return ratio ? said(format, *ratio) : "-";
@@ -76,7 +78,7 @@ std::string head_of(const cost::Provenance& p) {
 }
 
 constexpr const char* kDoubt =
-    "? the times spread over more than a third of their median: this machine could not measure that well\n";
+    "? the times spread over more than a third of their median, or there is only one: that could not be measured well\n";
 
 std::string note_of(const cost::CostRow& row) {
   std::string note = row.on_front ? "* front" : "";
@@ -169,15 +171,11 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Tu
     return a.volume == b.volume && a.strategy == b.strategy;
   };
   for (const auto group : groups_of(rows, same)) {
-    double least = group[0].slack, most = group[0].slack, sum = 0;
-    bool holds = true;
-    for (const cost::TurnRow& row : group) {
-      least = std::min(least, row.slack), most = std::max(most, row.slack), sum += row.slack;
-      holds = holds && row.contains;
-    }
-    columns.add({group[0].volume, group[0].strategy, time_text(group[0].updated), said("%.1f %%", 100 * least),
-                 said("%.1f %%", 100 * sum / static_cast<double>(group.size())), said("%.1f %%", 100 * most),
-                 holds ? "" : "does not hold every point"});
+    const auto range = cost::slack_range(group);
+    const bool holds = std::all_of(group.begin(), group.end(), [](const cost::TurnRow& row) { return row.contains; });
+    const auto per_cent = [&](double cost::SlackRange::*slack) { return range ? said("%.1f %%", 100 * (*range).*slack) : "-"; };
+    columns.add({group[0].volume, group[0].strategy, time_text(group[0].updated), per_cent(&cost::SlackRange::least),
+                 per_cent(&cost::SlackRange::mean), per_cent(&cost::SlackRange::most), holds ? "" : "does not hold every point"});
   }
   return head_of(provenance) + columns.text() +
          "\nBy how much the volume is larger than the tightest of its kind, over one full turn of the body; of an "

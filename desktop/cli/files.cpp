@@ -24,11 +24,14 @@ tl::unexpected<InputError> cannot(const std::string& path, const char* what, int
   return tl::unexpected(InputError{.what = std::string(what) + ": " + std::strerror(error), .file = path});
 }
 
-tl::expected<std::string, InputError> read_all(std::FILE* file, const std::string& path) {
+tl::expected<std::string, InputError> read_all(std::FILE* file, const std::string& path, std::size_t most) {
   std::string bytes;
   std::array<char, 1 << 16> buffer;
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), file))
+  while (bytes.size() <= most) {
+    const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), file);
+    if (n == 0) break;
     bytes.append(buffer.data(), n);
+  }
   if (std::ferror(file) != 0) return cannot(path, "cannot be read", errno);
   return bytes;
 }
@@ -51,13 +54,13 @@ void remove_when_told_to_end(const fs::path& part) {
 
 }  // namespace
 
-tl::expected<std::string, InputError> read_file(const std::string& path) {
-  if (path == "-") return read_all(stdin, path);
+tl::expected<std::string, InputError> read_file(const std::string& path, std::size_t most) {
+  if (path == "-") return read_all(stdin, path, most);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return tl::unexpected(InputError{.what = "is a directory", .file = path});
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file) return cannot(path, "cannot be opened", errno);
-  return read_all(file.get(), path);
+  return read_all(file.get(), path, most);
 }
 
 tl::expected<io::PointFile, InputError> read_point_file(const std::string& path) {

@@ -13,8 +13,10 @@
 
 namespace snug::desktop {
 
-/// A file's bytes; "-" is standard input. Errors: there is none, it is a directory, it cannot be read.
-[[nodiscard]] tl::expected<std::string, InputError> read_file(const std::string& path);
+/// A file's bytes; "-" is standard input. most: of a file that is longer, or has no end, only a little more is read.
+/// Errors: there is none, it is a directory, it cannot be read.
+[[nodiscard]] tl::expected<std::string, InputError> read_file(const std::string& path,
+                                                              std::size_t most = std::string::npos);
 
 /// The points of a file, as io::read_points reads them. Errors: of both.
 [[nodiscard]] tl::expected<io::PointFile, InputError> read_point_file(const std::string& path);

@@ -7,6 +7,9 @@
 namespace snug::desktop {
 namespace {
 
+/// The lesson with the chart of costs is checked and played without a clock.
+constexpr const char* kDecidedBy = "operations";
+
 struct LessonOptions {
   std::string folder;
   std::string id;
@@ -56,7 +59,9 @@ tl::expected<Json, InputError> check(const std::string& path) {
   const auto played = play(*file);
   if (!played) return tl::unexpected(played.error());
   if (auto fault = fault_of(*file, *played)) return tl::unexpected(std::move(*fault));
-  return Json{{"lesson", file->lesson.id}, {"questions", file->lesson.questions.size()}, {"file", path}};
+  Json json{{"lesson", file->lesson.id}, {"questions", file->lesson.questions.size()}, {"file", path}};
+  if (file->lesson.measures) json["decided_by"] = kDecidedBy;
+  return json;
 }
 
 CommandResult run_check(const LessonOptions& options) {
@@ -95,10 +100,12 @@ CommandResult run_play(const LessonOptions& options) {
   Json task;
   if (played->grade)
     task = {{"done", played->grade->done}, {"excess", played->grade->excess}, {"says", played->grade->says}};
-  printed.text += line_of({{"lesson", file->lesson.id},
-                           {"not_asked", played->not_asked},
-                           {"task", std::move(task)},
-                           {"sound", played->sound()}});
+  Json last{{"lesson", file->lesson.id},
+            {"not_asked", played->not_asked},
+            {"task", std::move(task)},
+            {"sound", played->sound()}};
+  if (file->lesson.measures) last["decided_by"] = kDecidedBy;
+  printed.text += line_of(last);
   return printed;
 }
 
@@ -120,7 +127,9 @@ void add_lesson(Commands& commands) {
   CLI::App& check = *group.add_subcommand("check", "Check lesson files");
   check.footer("Reads each file, plays it with its model answers, and prints {\"lesson\",\"questions\",\"file\"} for "
                "each where all\n"
-               "are sound; else one line on stderr for each that is not, with file and line, and exit status 2.");
+               "are sound; else one line on stderr for each that is not, with file and line, and exit status 2.\n"
+               "A lesson with the chart of costs is decided by counted operations, never by time, and has\n"
+               "\"decided_by\":\"operations\" as well.");
   const auto checked = add_command<LessonOptions>(commands, check, run_check);
   check.add_option("FILE", checked->files, "Lesson files")->required();
 
@@ -129,7 +138,10 @@ void add_lesson(Commands& commands) {
       "Plays each algorithm that the lesson offers to the last step and gives each exercise its model answer.\n"
       "JSON Lines: {\"algorithm\",\"steps\",\"questions\":[{\"question\",\"answer\",\"happened\",\"right\"}]} for "
       "each, then\n"
-      "{\"lesson\",\"not_asked\",\"task\",\"sound\"}. Exit status 1 where an answer is wrong or was never asked for.");
+      "{\"lesson\",\"not_asked\",\"task\",\"sound\"}. Exit status 1 where an answer is wrong or was never asked for.\n"
+      "A lesson with the chart of costs is played without a clock: which algorithm is fastest, and for how much, is\n"
+      "decided by counted operations, and the last line has \"decided_by\":\"operations\". In the window and on the page\n"
+      "it is decided by times.");
   const auto played = add_command<LessonOptions>(commands, play, run_play);
   add_folder(play, *played);
   play.add_option("ID", played->id, "The lesson's id")->required();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "desktop/cli/files.hpp"
+#include "lesson/own_points.hpp"
 #include "lesson/trace_hash.hpp"
 
 namespace snug::desktop {
@@ -35,9 +36,9 @@ tl::expected<std::optional<io::PointFile>, InputError> mesh_of(const lesson::Les
 
 }  // namespace
 
-tl::expected<LessonFile, InputError> read_lesson_file(const std::string& path) {
-  return read_file(path)
-      .and_then([&](const std::string& text) { return lesson::read_lesson(text, path); })
+tl::expected<LessonFile, InputError> read_lesson_file(const std::string& path, lesson::Checked checked) {
+  return read_file(path, lesson::kMostLessonBytes)
+      .and_then([&](const std::string& text) { return lesson::read_lesson(text, path, checked); })
       .map([&](lesson::Lesson&& lesson) {
         return LessonFile{path, std::move(lesson)};
       });
@@ -57,13 +58,22 @@ tl::expected<std::vector<LessonFile>, InputError> read_lessons(const std::string
   return lessons;
 }
 
-tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, const std::string& id) {
+tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, const std::string& id,
+                                               lesson::Checked checked) {
   const auto paths = toml_files(folder_or_own(folder));
   if (!paths) return tl::unexpected(paths.error());
   for (const std::string& path : *paths)
-    if (fs::path(path).stem() == id) return read_lesson_file(path);
+    if (fs::path(path).stem() == id) return read_lesson_file(path, checked);
   return tl::unexpected(
       InputError{.what = "there is no lesson \"" + id + "\": `snug lesson list` says which there are"});
+}
+
+tl::expected<AnyPointSet, InputError> points_of(const LessonFile& file) {
+  const auto mesh = mesh_of(file.lesson);
+  if (!mesh) return tl::unexpected(mesh.error());
+  auto points = lesson::own_points(file.lesson, file.lesson.seed, *mesh);
+  if (!points) points.error().file = file.path;
+  return points;
 }
 
 tl::expected<lesson::Session, InputError> open_lesson(const LessonFile& file) {

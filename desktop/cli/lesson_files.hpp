@@ -16,14 +16,19 @@ struct LessonFile {
 };
 
 /// Errors: of the file, of its form, each with the path.
-[[nodiscard]] tl::expected<LessonFile, InputError> read_lesson_file(const std::string& path);
+[[nodiscard]] tl::expected<LessonFile, InputError> read_lesson_file(const std::string& path,
+                                                                    lesson::Checked checked = lesson::Checked::kAsRun);
 
 /// Every lesson of a folder in the order that they are listed in; "" is the folder beside the program.
 /// Errors: of the folder, of the first file that is wrong.
 [[nodiscard]] tl::expected<std::vector<LessonFile>, InputError> read_lessons(const std::string& folder);
 
 /// The lesson of that id in a folder. Errors: of its file, or that there is none.
-[[nodiscard]] tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, const std::string& id);
+[[nodiscard]] tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, const std::string& id,
+                                                               lesson::Checked checked = lesson::Checked::kAsRun);
+
+/// The lesson's own points, a mesh's among them. Errors: of the mesh's file, as of own_points, with a path.
+[[nodiscard]] tl::expected<AnyPointSet, InputError> points_of(const LessonFile& file);
 
 /// The lesson opened, with its mesh where it has one. Errors: as of Session::open, with the lesson's path.
 [[nodiscard]] tl::expected<lesson::Session, InputError> open_lesson(const LessonFile& file);

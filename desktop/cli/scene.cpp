@@ -33,13 +33,16 @@ tl::expected<scene::Scene, InputError> open(const SceneOptions& options, const L
   const std::string algorithm = options.algorithm.empty() ? own.algorithms.front() : options.algorithm;
   if (std::find(own.algorithms.begin(), own.algorithms.end(), algorithm) == own.algorithms.end())
     return tl::unexpected(InputError{.what = own.id + " does not offer \"" + algorithm + "\""});
-  return open_lesson(file)
-      .and_then([&](const lesson::Session& session) { return lesson::declaration_with(*own.scene, algorithm, session.points(), session.seed()); })
+  auto scene = points_of(file)
+      .and_then([&](const AnyPointSet& points) { return lesson::declaration_with(*own.scene, algorithm, points, own.seed); })
       .and_then([](const scene::Declaration& declaration) { return scene::Scene::open(declaration, native_now); });
+  if (!scene && scene.error().file.empty()) scene.error().file = file.path;
+  return scene;
 }
 
 CommandResult run_scene(const SceneOptions& options) {
-  const auto file = find_lesson(options.folder, options.id);
+  // Its questions and task are for `snug lesson check`, which runs every method that the lesson offers to see to them.
+  const auto file = find_lesson(options.folder, options.id, lesson::Checked::kAsWritten);
   if (!file) return bad_input(file.error());
   auto scene = open(options, *file);
   if (!scene) return bad_input(scene.error());

@@ -9,6 +9,7 @@
 #include "fit/catalogue.hpp"
 #include "fit/updates.hpp"
 #include "geometry/turn.hpp"
+#include "measure/rounding.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -79,11 +80,12 @@ std::optional<std::string> wrong_with(const UpdateOptions& options, int dim) {
   return std::nullopt;
 }
 
-Json json_of_frame(const fit::UpdateStrategy& strategy, const fit::UpdatedFrame& frame, int number, double degrees, int dim) {
+/// noise: a measure that is no larger is nothing but rounding.
+Json json_of_frame(const fit::UpdateStrategy& strategy, const fit::UpdatedFrame& frame, int number, double degrees, int dim, double noise) {
   Json json{{"frame", number}, {"degrees", degrees}};
   json[std::string(strategy.volume)] = json_of(frame.volume, dim);
   json["measure"] = frame.measure;
-  json["slack"] = fit::slack(frame.measure, frame.tightest);
+  json["slack"] = frame.tightest > noise ? Json(fit::slack(frame.measure, frame.tightest)) : Json();
   json["contains"] = frame.contains;
   json["steps"] = frame.steps;
   for (std::size_t i = 0; i < kOperationNames.size(); ++i) json["operations"][std::string(kOperationNames[i])] = frame.counts[i];
@@ -103,11 +105,12 @@ CommandResult run_update(const UpdateOptions& options) {
   const fit::UpdateBody update = fit::start_updates(**strategy, *points);
   const fit::SeeUpdateStep see = [&](const fit::UpdateStep3& step) { (*file)->write(fit::json_of(step, dim) + '\n'); };
   Printed printed;
+  const double noise = cost::rounding_of(*points).noise(dim);
   for (int frame = 0; frame < options.frames; ++frame) {
     const double share = options.frames == 1 ? 1 : static_cast<double>(frame) / options.frames;
     const fit::UpdatedFrame updated = update(pose_at(options, dim, share), *file ? see : fit::SeeUpdateStep());
     if (!updated.contains) printed.status = 1;
-    printed.text += line_of(json_of_frame(**strategy, updated, frame, options.degrees * share, dim));
+    printed.text += line_of(json_of_frame(**strategy, updated, frame, options.degrees * share, dim, noise));
   }
   return with_trace(std::move(printed), *file);
 }
@@ -118,7 +121,7 @@ holds them where they are. Prints one JSON object for each frame:
   the volume        in the world, as `snug fit` has it
   measure           its 3-D volume or 2-D area
   slack             by how much it is larger than the tightest of its kind: 0.5 is half as much again. Of an oriented
-                    box, than the box that turns with the body
+                    box, than the box that turns with the body. null where the tightest is flat
   contains          whether it holds every point where the body is now
   steps, operations how many steps, and named counts of what was done
 

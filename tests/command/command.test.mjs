@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
-import { existsSync, readFileSync, readdirSync, symlinkSync } from "node:fs";
+import { existsSync, readFileSync, readdirSync, symlinkSync, truncateSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
 import { folder, good, json_lines, program, refused, root, snug, write } from "./support.mjs";
@@ -267,7 +267,12 @@ test("a lesson that is wrong is refused with its line, each in a line of its own
   write("syntax.toml", "title = \n");
   refused(["lesson", "check", "unknown.toml"], new RegExp(`^snug: unknown\\.toml:${line + 1}: .*quick`));
   write("large.toml", `${"a.".repeat(1000000)}a = 1\n`);
-  refused(["lesson", "check", "large.toml"], "large.toml:1: the file has 2000006 bytes, and a lesson at most 262144");
+  refused(["lesson", "check", "large.toml"], "large.toml:1: the file is too long: a lesson has at most 262144 bytes");
+  const long = (name) => `${name}:1: the file is too long: a lesson has at most 262144 bytes`;
+  write("sparse.toml", "version = 1\n");
+  truncateSync(join(folder, "sparse.toml"), 3e9);
+  refused(["lesson", "check", "sparse.toml"], long("sparse.toml"));
+  if (existsSync("/dev/zero")) refused(["lesson", "check", "/dev/zero"], long("/dev/zero"));
   refused(["lesson", "check", "nowhere.toml"], /^snug: nowhere\.toml: cannot be opened/);
   const { out, err, status } = snug(["lesson", "check", "unknown.toml", join(lessons, "sphere-ritter.toml"), "syntax.toml"]);
   assert.equal(out, "");
@@ -295,6 +300,16 @@ test("a lesson whose question is never asked is unsound", () => {
   assert.ok(at > 0 && at < line && line - at < 10, checked.err);
   assert.equal(checked.status, 2);
   refused(["lesson", "play", "nowhere"], /there is no lesson "nowhere"/);
+});
+
+test("a lesson with the chart of costs is played and checked by operations, and says so", () => {
+  const lines = json_lines(good(["lesson", "play", "cost-chart"]));
+  const { decided_by, task } = lines.at(-1);
+  assert.equal(decided_by, "operations");
+  assert.match(task.says, / times its operations\. Done\.$/);
+  assert.equal(json_lines(good(["lesson", "play", "sphere-ritter"])).at(-1).decided_by, undefined);
+  assert.equal(json_lines(good(["lesson", "check", join(lessons, "cost-chart.toml")]))[0].decided_by, "operations");
+  for (const name of ["play", "check"]) assert.match(snug(["lesson", name, "--help"]).out, /counted operations/);
 });
 
 test("trace-hash is a line for each lesson, the same each time", () => {

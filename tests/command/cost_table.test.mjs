@@ -9,8 +9,9 @@ const quick = ["--repeat", "3"];
 const costs = (...args) => JSON.parse(good(["cost", ...quick, "--json", ...args]));
 const read = (name) => readFileSync(join(folder, name), "utf8");
 
+// Squares in the sine: without them all points would lie in a plane.
 const cloud = write("cloud.xyz", Array.from({ length: 300 }, (_, i) =>
-  [0, 1, 2].map((axis) => Math.sin(12.9898 * (3 * i + axis) + 4.1) * (3 - axis)).join(" ")).join("\n"));
+  [0, 1, 2].map((axis) => Math.sin(12.9898 * (3 * i + axis) ** 2 + 4.1) * (3 - axis)).join(" ")).join("\n"));
 const square = write("square.xyz", "-1 -1\n1 -1\n1 1\n-1 1\n0 0.5\n");
 
 test("every algorithm has a row with the figures that snug fit gives", () => {
@@ -69,6 +70,45 @@ test("what would take too long is measured on fewer points, and says so", () => 
   assert.ok(row.time_ns.median < 60e6);
   assert.equal(row.on_front, false);
   assert.match(good(["cost", ...quick, "--generate", "sphere:20000", "--algorithms", "face_aligned", "--longest", "20"]), /on \d+ of 20000 points: all would take about/);
+});
+
+test("one batch has no spread, and a volume without an update none", () => {
+  const [{ time_ns, update, update_ns }, hull] = JSON.parse(good(["cost", "--repeat", "1", "--json", "--algorithms", "ritter,quickhull", cloud])).rows;
+  assert.equal(time_ns.spread, null);
+  assert.equal(time_ns.trusted, false);
+  assert.equal(update_ns.spread, null);
+  assert.equal(typeof update, "string");
+  assert.equal(hull.update, null);
+  assert.equal(hull.update_ns, null);
+  const text = good(["cost", "--repeat", "1", "--algorithms", "ritter", cloud]);
+  assert.match(text, /\nsphere +ritter +\S+ \S+ \? +- +\d/);
+});
+
+test("a result in JSON is the page's CSV, with columns for times that nobody took", async () => {
+  const { result_as_csv } = await import("../../web/page/costs.js");
+  for (const [name, args] of Object.entries({ hull: ["--volume", "hull"], all: ["--algorithms", "quickhull,ritter"], turn: ["--turn"] })) {
+    good(["cost", "--repeat", "1", "--json", "-o", `${name}.json`, ...args, cloud]);
+    write(`${name}.csv`, result_as_csv(new TextEncoder().encode(read(`${name}.json`))));
+    const columns = read(`${name}.csv`).split("\n").find((line) => !line.startsWith("# ")).split(",");
+    for (const part of ["median", "min", "spread", "repeats", "batch", "trusted"]) assert.ok(columns.includes(`update_ns.${part}`), part);
+    if (name === "turn") continue;
+    for (const file of [`${name}.json`, `${name}.csv`])
+      assert.match(good(["cost", ...quick, ...args, "--against", file, cloud]), /now\/then\n|now\/then /);
+  }
+});
+
+test("of flat points ratios are not known, nor a box's slack", () => {
+  const line = write("line.xyz", Array.from({ length: 50 }, (_, i) => [1, 2, 3].map((axis) => axis * i / 10).join(" ")).join("\n"));
+  for (const row of costs("--volume", "obb", line).rows) {
+    assert.equal(row.tightness, null);
+    assert.equal(row.over_hull, null);
+  }
+  assert.ok(costs("--generate", "line:100", "--volume", "obb").rows.every(({ tightness, over_hull }) => tightness === null && over_hull === null));
+  assert.match(good(["cost", ...quick, "--csv", "--algorithms", "obb:pca", line]), /\nobb,pca,50,50,,.*,,,120,/);
+  assert.match(good(["cost", ...quick, "--algorithms", "obb:pca", line]), /\nobb +pca +.* +- +- +120 /);
+  assert.ok(costs("--turn", "--volume", "obb", line).rows.every(({ slack }) => slack === null));
+  assert.match(good(["cost", ...quick, "--turn", "--volume", "obb", line]), /\nobb +\S+ .* - +- +-\n/);
+  assert.equal(json_lines(good(["update", "--volume", "obb", "--strategy", "transform", "--frames", "3", line]))[1].slack, null);
 });
 
 test("in the plane there are the plane's algorithms", () => {

@@ -85,7 +85,48 @@ test("what a lesson declares wrongly is refused with file and line", () => {
   broad("half_extents = [0.30, 0.07, 0.12]", "half_extents = [0.3, 0.1]", "half_extents", '"half_extents" must be three numbers');
   broad("bounds = [20, 120, 400]", "bounds = [20, 20]", "bounds = [20, 20]", '"bounds" must be numbers that rise');
   broad('figure = "after_broad"\nbounds', 'figure = "beauty"\nbounds', 'figure = "beauty"', '"figure" is no figure of a scene: beauty');
+  broad("bounds = [20, 120, 400]", "bounds = [nan]", "bounds = [nan]", '"bounds" must be numbers that rise');
+  broad("bounds = [20, 120, 400]", "bounds = [20, nan, 400]", "bounds = [20, nan", '"bounds" must be numbers that rise');
+  broad("bounds = [20, 120, 400]", "bounds = [20, inf]", "bounds = [20, inf", '"bounds" must be numbers that rise');
+  broad("bounds = [20, 120, 400]", "bounds = [[20], [120]]", "bounds = [[20", '"bounds" must be a number or numbers');
+  broad('"tree", "all_pairs"]', '"tree", "tree"]', "algorithms = ", '"algorithms" names tree twice');
+  for (const half of ["[0, 0, 0]", "[0.3, 0, 0.1]", "[0.3, -1, 0.1]", "[0.3, nan, 0.1]", "[0.3, inf, 0.1]"])
+    broad("half_extents = [0.30, 0.07, 0.12]", `half_extents = ${half}`, "half_extents", '"half_extents" must be above 0 and at most 1000000000');
+  const box = 'shape = "box"\nhalf_extents = [0.30, 0.07, 0.12]';
+  broad(box, 'shape = "sphere"', body, '[[scene.body]] lacks the key "radius"');
+  broad(box, 'shape = "capsule"\nhalf_length = 1', body, '[[scene.body]] lacks the key "radius"');
+  broad(box, 'shape = "sphere"\nradius = 0', "radius = 0", '"radius" must be above 0 and at most 1000000000');
+  const wall = (mass) => `[[scene.body]]\nname = "wall"\nshape = "sphere"\nradius = 1\nfixed = true\nmass = ${mass}\n\n[[scene.body]]`;
+  for (const mass of ["0", "inf"]) broad(body, wall(mass), body, "wall: its mass is 0 or infinite: a body that is fixed needs none");
+  broad(body, wall("nan"), body, "wall: its mass is not a number");
+  broad(body, wall("-1"), body, "wall: its mass is negative");
   broad("dim = 3", "dim = 2", "[scene]", 'a scene is in space: "dim" of [points] must be 3');
+});
+
+test("places are lists of three numbers, and no two effects drive the same of a body", () => {
+  const own = '[[scene.body]]\nname = "a"\nshape = "sphere"\nradius = 0.1\n\n';
+  const fault = (effect, at, says) => {
+    const text = lesson("scene-broad").replace("[[scene.effect]]", `${own}${effect}\n\n[[scene.effect]]`);
+    const line = text.slice(0, text.indexOf(at)).split("\n").length;
+    refused(["lesson", "check", write("a.toml", text)], `a.toml:${line}: ${says}`);
+  };
+  const path = (places) => `[[scene.effect]]\neffect = "path"\nbody = "a"\nplaces = ${places}`;
+  for (const places of ["[0, 0, 0, 1, 0, 0]", "[[0, 0], [0, 1, 0, 0]]", "[[0, 0, 0, 1, 0, 0]]", "[[0, 0, 0], [1, 0]]", "[[0, 0, 0], [1, nan, 0]]"])
+    fault(path(places), "places", 'each of "places" must be a point of 3 finite numbers: [x, y, z]');
+  fault(path("[]"), "places", '"places" must be a list of points');
+  fault(path("[[0, 0, 0], [1, 0, 0]]"), '[[scene.effect]]\neffect = "orbit"', "path and orbit would both drive a: one undoes the other");
+  fault('[[scene.effect]]\neffect = "spin"', '[[scene.effect]]\neffect = "spin"\naxis', "spin and spin would both drive every body: one undoes the other");
+  fault('[[scene.effect]]\neffect = "drag"\nbody = "a"', '[[scene.effect]]\neffect = "orbit"', "drag and orbit would both drive a: one undoes the other");
+});
+
+test("a scene with too many frames of too many bodies is refused before it is run", () => {
+  const text = lesson("scene-broad").replace(/\[\[question\]\][^]*/, "");
+  const line = text.slice(0, text.indexOf("frames = ")).split("\n").length;
+  const of = (bodies, frames) => write("many.toml", text.replace("count = 40", `count = ${bodies}`).replace("frames = 120", `frames = ${frames}`));
+  const start = performance.now();
+  for (const [bodies, frames] of [[100000, 120], [2100, 120], [126, 2000]])
+    refused(["lesson", "check", of(bodies, frames)], `many.toml:${line}: too many frames of too many bodies: one times the other may be at most 250000`);
+  assert.ok(performance.now() - start < 5000);
 });
 
 test("a mesh is a body: it is run, and impulses refuse it with file and line", () => {

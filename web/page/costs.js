@@ -21,9 +21,13 @@ const kCharts = {
 
 const quoted = (text) => (/[,"#\r\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
 const field = (value) => (value === null ? "" : quoted(String(value)));
-/** {a: {b: 1}} as [["a.b", 1]] */
-const flat = (object, prefix = "") => Object.entries(object).flatMap(([name, value]) =>
-  (value !== null && typeof value === "object" ? flat(value, `${prefix}${name}.`) : [[prefix + name, value]]));
+const kUntimed = { median: null, min: null, spread: null, repeats: null, batch: null, trusted: null };
+const filled = (name, value) => (value === null && /^(time|overlap|update)_ns$/.test(name) ? kUntimed : value);
+/** {a: {b: 1}} as [["a.b", 1]]; a time that was not taken, null, has its columns all the same */
+const flat = (object, prefix = "") => Object.entries(object).flatMap(([name, value]) => {
+  const own = filled(name, value);
+  return own !== null && typeof own === "object" ? flat(own, `${prefix}${name}.`) : [[prefix + name, own]];
+});
 
 /** A result in JSON as the CSV that the program reads; null where the bytes are no result. Throws where they are broken. */
 export function result_as_csv(bytes) {

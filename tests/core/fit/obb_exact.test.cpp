@@ -6,6 +6,7 @@
 #include "core/exact.hpp"
 #include "core/point_clouds.hpp"
 #include "fit/certify_obb.hpp"
+#include "fit/obb_sphere_axis.hpp"
 #include "geometry/turn.hpp"
 
 using namespace snug;
@@ -277,6 +278,40 @@ TEST_CASE("points on a sphere: the pairs of edges are all gone through, most of 
   CHECK(2 * ruled_out > pairs);
   CHECK(halvings > 300);
   CHECK(fit::certify(found, set.span(), true).optimal == true);
+}
+
+TEST_CASE("boxes count what is spent within: on balls, on each face's rectangle, on each pair's bounds") {
+  const auto set = test::set_of<double, 3>(test::generated<double, 3>("sphere", 300, 5));
+  const std::int64_t n = set.size(), faces = 2 * n - 4, edges = 3 * n - 6;
+  const auto at = [](const OperationCounts& counts, Operation kind) { return counts[static_cast<std::size_t>(kind)]; };
+
+  Counter axis, ball;
+  const auto on_axis = fit::obb_sphere_axis(set.span(), axis);
+  static_cast<void>(fit::welzl(set.span(), fit::Options{}, ball));
+  CHECK(at(axis.counts, Operation::kBallSolves) > at(ball.counts, Operation::kBallSolves));  // the ball's, and a circle's
+  CHECK(at(axis.counts, Operation::kDistanceTests) > at(ball.counts, Operation::kDistanceTests) + n);
+  CHECK(at(axis.counts, Operation::kPointsTouched) > at(ball.counts, Operation::kPointsTouched) + 3 * n);
+  CHECK(fit::obb_sphere_axis(set.span()).volume.half_extents == on_axis.volume.half_extents);
+
+  Counter face, hull;
+  const auto on_face = fit::obb_face_aligned(set.span(), face);
+  static_cast<void>(fit::quickhull(set.span(), hull));
+  // Of each face an outline of ten or more vertices, whose rectangle has three corners moved for each of its edges.
+  CHECK(at(face.counts, Operation::kOrientationTests) > at(hull.counts, Operation::kOrientationTests) + faces * 3 * 10);
+  CHECK(at(face.counts, Operation::kDotProducts) > at(hull.counts, Operation::kDotProducts) + faces * 3 * n);
+  CHECK(at(face.counts, Operation::kComparisons) > faces * 6 * n);
+  CHECK(at(face.counts, Operation::kPointsTouched) > faces * n);
+  CHECK(fit::obb_face_aligned(set.span()).volume.half_extents == on_face.volume.half_extents);
+
+  Recorder<fit::ObbStep<double, 3>> exact;
+  const auto smallest = fit::obb_exact(set.span(), exact);
+  std::int64_t halvings = 0;
+  for (const auto& entry : exact.entries)
+    if (const auto* edge = std::get_if<fit::EdgeSearched>(&entry.step.fact)) halvings += edge->halvings;
+  CHECK(at(exact.counts, Operation::kDotProducts) > edges * 2 * faces + 17 * halvings);
+  CHECK(at(exact.counts, Operation::kSquareRoots) > 2 * halvings);
+  CHECK(at(exact.counts, Operation::kComparisons) > edges * edges / 2 * 4);
+  CHECK(fit::obb_exact(set.span()).volume.half_extents == smallest.volume.half_extents);
 }
 
 TEST_CASE("the normals of thin triangles keep their digits") {

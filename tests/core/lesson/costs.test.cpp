@@ -71,6 +71,7 @@ std::string with(std::string_view old_words, std::string_view new_words) {
 cost::CostRow row(const char* algorithm, double time, double size, Index points = 4, Index of = 4) {
   cost::CostRow row;
   row.volume = "obb", row.algorithm = algorithm, row.time.median = time, row.points = points, row.of = of;
+  row.time.repeats = 9;
   row.size = row.measure = size;
   return row;
 }
@@ -88,6 +89,19 @@ TEST_CASE("a lesson with the chart is read, and its model answers are sound by o
   REQUIRE(played.has_value());
   CHECK(played->sound());
   CHECK(played->algorithms.front().outcomes.size() == 3);
+}
+
+TEST_CASE("what is decided by counted operations speaks of them, and what is measured of time") {
+  Session session = opened();
+  const auto played = play(session);
+  REQUIRE(played.has_value());
+  CHECK(played->algorithms.front().outcomes[1].says.find(" times as many operations as ") != std::string::npos);
+  CHECK(played->grade->says.find(" times its operations. Done.") != std::string::npos);
+  CHECK(played->grade->says.find("time.") == std::string::npos);
+  const std::vector<cost::CostRow> counted = counted_costs(session.lesson(), session.points());
+  CHECK(grade_costs(*session.lesson().task, counted, "aabb").says.find("for the fewest operations.") != std::string::npos);
+  CHECK(grade_costs(*session.lesson().task, rows(), "aabb").says.find("for the least time.") != std::string::npos);
+  CHECK(grade_costs(*session.lesson().task, rows(), "exact").says.find(" times its time.") != std::string::npos);
 }
 
 TEST_CASE("what such a lesson gets wrong is said with its line") {
@@ -171,6 +185,9 @@ TEST_CASE("the task: a shape of one's own, measured, and the cheapest that is ti
   cheaper[0].size = 9.5;
   CHECK(cheapest_of(task, cheaper) == "pca");
   CHECK_FALSE(grade_costs(task, cheaper, "exact").done);
+  auto flat = cheaper;
+  for (cost::CostRow& one : flat) one.noise = 20;
+  CHECK(cheapest_of(task, flat).empty());  // sizes that are nothing but rounding are not compared
   cheaper[0].points = 2;  // of other points nothing can be said
   CHECK(cheapest_of(task, cheaper) == "exact");
   CHECK(grade_costs(task, cheaper, "pca").says.find("fewer points") != std::string::npos);

@@ -34,6 +34,8 @@ constexpr Broken kBroken[] = {
     {"covers = [\"A lecture: a slide\"]", "covers = [3]", "covers", "list of texts"},
     {"[\"ritter\", \"welzl\", \"brute_force\"]", "[]", "algorithms", "at least 1"},
     {"[\"ritter\", \"welzl\", \"brute_force\"]", "[\"ritter\", \"wezl\"]", "algorithms", "wezl"},
+    {"[\"ritter\", \"welzl\", \"brute_force\"]", "[\"ritter\", \"welzl\", \"ritter\"]", "algorithms", "names ritter twice"},
+    {"\"cube\", \"gaussian\"", "\"cube\", \"cube\"", "generators", "names cube twice"},
     {"meshes = [\"bunny\"]", "meshes = [\"cow\"]", "meshes", "bunny, teapot or dragon"},
     {"\"cube\", \"gaussian\"", "\"blob\"", "generators", "blob"},
     {"seed = 5", "seed = 5\nstart = \"middle\"", "start = \"middle\"", "begin or end"},
@@ -131,7 +133,7 @@ TEST_CASE("no bytes make the reader fail otherwise than by an error") {
   for (int level = 0; level < 1000000; ++level) tables += ".a";
   const auto deep = read_lesson(tables + " = 1\n", "x.toml");
   REQUIRE_FALSE(deep.has_value());
-  CHECK(deep.error().what.find("bytes, and a lesson at most") != std::string::npos);
+  CHECK(deep.error().what.find("a lesson has at most 262144 bytes") != std::string::npos);
   // Cut short before its prose is whole, a file is no lesson, wherever it is cut.
   const std::size_t prose_ends = kSmallLesson.find("Another paragraph");
   for (std::size_t length = 0; length < prose_ends; ++length) {

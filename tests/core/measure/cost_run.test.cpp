@@ -8,6 +8,7 @@
 
 #include "core/measure/false_clock.hpp"
 #include "core/point_clouds.hpp"
+#include "geometry/random.hpp"
 #include "measure/sample.hpp"
 
 using namespace snug;
@@ -67,8 +68,8 @@ void check_rows(const AnyPointSet& points) {
     CHECK(row.bytes > 0);
     CHECK(row.overlap.median > 0);
     CHECK(row.overlapping == row.overlap_pairs / 2);
-    CHECK(row.update.empty() == (row.volume == "capsule" || row.volume == "lozenge" || row.volume == "hull"));
-    CHECK(row.updated.repeats == (row.update.empty() ? 0 : 3));
+    CHECK(row.update.has_value() != (row.volume == "capsule" || row.volume == "lozenge" || row.volume == "hull"));
+    CHECK(row.updated.repeats == (row.update ? 3 : 0));
     const fit::Algorithm* const exact = fit::exact_algorithm(row.volume);
     CHECK(row.tightness.has_value() == (exact != nullptr));
     if (row.tightness) CHECK(row.tightness.value() >= 1 - 1e-6);
@@ -110,6 +111,62 @@ TEST_CASE("flat and single points have rows; what has no size is not divided by"
       if (row.tightness) CHECK(std::isfinite(row.tightness.value()));
     }
   }
+}
+
+TEST_CASE("no volume is told to be smaller than the smallest, and what is flat is compared with nothing") {
+  const auto rows_of = [](const AnyPointSet& points, int dim) {
+    auto run = run_of(points, all_for(dim), true_clock());
+    finish(run);
+    std::vector<cost::CostRow> rows = run.rows();
+    cost::mark_front(rows);
+    return rows;
+  };
+  Random random(3);
+  for (const double away : {0.0, 1.0, 1e6}) {
+    for (int round = 0; round < 3; ++round) {
+      const auto direction = [&] { return Vector<double, 3>(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)); };
+      const Vector<double, 3> from = away * direction(), u = direction(), v = direction();
+      test::Cloud<double, 3> line, plane, solid;
+      for (int i = 0; i < 50; ++i) {
+        line.push_back(from + random.between(-1, 1) * u);
+        plane.push_back(from + random.between(-1, 1) * u + random.between(-1, 1) * v);
+        solid.push_back(from + direction());
+      }
+      for (const auto& cloud : {line, plane}) {
+        int boxes_on_front = 0;
+        for (const cost::CostRow& row : rows_of(test::set_of<double, 3>(cloud), 3)) {
+          INFO(away << " " << row.volume << " " << row.algorithm);
+          CHECK_FALSE(row.over_hull);
+          if (row.volume == "obb") CHECK_FALSE(row.tightness);
+          if (row.volume == "sphere" || row.volume == "aabb") CHECK(row.tightness.value() >= 1);
+          boxes_on_front += row.on_front && row.volume == "obb" && row.measure <= row.noise ? 1 : 0;
+        }
+        CHECK(boxes_on_front <= 1);  // the fastest of those that are equal
+      }
+      for (const cost::CostRow& row : rows_of(test::set_of<double, 3>(solid), 3)) {
+        INFO(away << " " << row.volume << " " << row.algorithm);
+        if (row.points < row.of) continue;
+        CHECK(row.over_hull.value() >= 1);
+        if (row.tightness) CHECK(row.tightness.value() >= 1);
+      }
+    }
+  }
+  test::Cloud<double, 2> line;
+  for (int i = 0; i < 20; ++i) line.emplace_back(0.1 * i, 0.3 * i);
+  for (const cost::CostRow& row : rows_of(test::set_of<double, 2>(line), 2))
+    if (row.volume == "obb") CHECK_FALSE(row.tightness);
+}
+
+TEST_CASE("a size below the smallest is that but for rounding, and else is told") {
+  const auto set = test::set_of<double, 3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  const cost::Rounding rounding = cost::rounding_of(set);
+  CHECK(rounding.ratio(1 - rounding.of(3) / 2, 1, 3) == std::optional(1.0));
+  CHECK(rounding.ratio(1 - 2 * rounding.of(3), 1, 3).value() < 1);
+  CHECK(rounding.ratio(2, 1, 3) == std::optional(2.0));
+  CHECK_FALSE(rounding.ratio(1, rounding.noise(3), 3));
+  CHECK_FALSE(rounding.ratio(1, 0, 3));
+  CHECK(rounding.ratio(1, 1e-9, 3).has_value());  // thin, but by far thicker than rounding
+  CHECK(cost::rounding_of(test::set_of<float, 3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})).of(1) > 1e8 * rounding.of(1));
 }
 
 TEST_CASE("in slices the rows are those of one go") {

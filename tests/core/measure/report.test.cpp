@@ -39,6 +39,7 @@ std::vector<cost::CostRow> rows() {
                      .overlap_pairs = 64,
                      .overlapping = 32,
                      .update = "transform",
+                     .updated = {7, 7, std::nullopt, 1, 2, false},
                      .contains = true,
                      .optimal = false,
                      .on_front = true};
@@ -79,7 +80,11 @@ TEST_CASE("what is written as CSV is read back to the same bits") {
   CHECK(read.size == written.size);
   CHECK(read.measure == written.measure);
   CHECK(read.optimal == std::optional(false));
-  CHECK(read.update == "transform");
+  CHECK(read.update == std::optional<std::string>("transform"));
+  CHECK(read.updated.median == 7);
+  CHECK_FALSE(read.updated.spread);
+  CHECK(read.overlap.repeats == 0);
+  CHECK_FALSE(table->rows[1].update);
   CHECK_FALSE(table->rows[1].tightness);
   CHECK_FALSE(table->rows[1].optimal);
   CHECK(cost::csv_of(table->provenance, std::span<const cost::CostRow>(table->rows)) == csv());
@@ -112,6 +117,20 @@ TEST_CASE("columns may stand in another order, and more of them") {
   const auto table = cost::read_csv<cost::CostRow>(text, "");
   REQUIRE(table);
   CHECK(table->rows[0].volume == "obb");
+}
+
+TEST_CASE("what was not timed is null, and empty fields") {
+  const std::vector<cost::CostRow> all{rows()[1]};
+  const std::string json = cost::json_of(provenance(), std::span<const cost::CostRow>(all));
+  CHECK(json.find("\"overlapping\":0,\"overlap_ns\":null,\"update\":null,\"update_ns\":null,\"certificate\":{") !=
+        std::string::npos);
+  const std::string text = cost::csv_of(provenance(), std::span<const cost::CostRow>(all));
+  CHECK(text.find(",0,0,,,,,,,,,,,,,,false,false,") != std::string::npos);
+  CHECK(cost::read_csv<cost::CostRow>(text, "")->rows[0].updated.repeats == 0);
+  // Programs before this one wrote noughts there.
+  CHECK(cost::read_csv<cost::CostRow>(replaced(text, ",0,0,,,,,,,,,,,,,,false", ",0,0,0,0,0,0,0,false,,0,0,0,0,0,false,false"), ""));
+  // A median of so many repeats has to be there.
+  CHECK_FALSE(cost::read_csv<cost::CostRow>(replaced(text, ",0,0,,,,,,,", ",0,0,,,,9,1,true,"), ""));
 }
 
 TEST_CASE("damaged CSV is refused with its line") {

@@ -22,11 +22,19 @@ TEST_CASE("median, least and spread are those of the times, whatever their order
   const cost::Timing odd = cost::timing_of({5, 1, 3, 2, 4}, 8);
   CHECK(odd.median == 3);
   CHECK(odd.min == 1);
-  CHECK(odd.spread == doctest::Approx(2.0 / 3));  // quartiles 2 and 4
+  CHECK(odd.spread.value() == doctest::Approx(2.0 / 3));  // quartiles 2 and 4
   CHECK(odd.repeats == 5);
   CHECK(odd.batch == 8);
   CHECK(cost::timing_of({1, 2, 3, 4}, 1).median == 2.5);
-  CHECK(cost::timing_of({7}, 1).spread == 0);
+}
+
+TEST_CASE("one batch has no spread, and is not trusted") {
+  const cost::Timing one = cost::timing_of({7}, 1);
+  CHECK(one.median == 7);
+  CHECK_FALSE(one.spread);
+  CHECK_FALSE(one.trusted);
+  CHECK(cost::timing_of({7, 7}, 1).spread == std::optional(0.0));
+  CHECK(cost::timing_of({7, 7}, 1).trusted);
 }
 
 TEST_CASE("a spread over a third is not trusted") {
@@ -52,7 +60,7 @@ TEST_CASE("a batch is as long as the clock needs, and each run's time comes out"
       cost::time_of(test::false_clock(), [&] { ++runs, test::pass(300); }, {.repeats = 4, .batch = 10'000});
   CHECK(timing.batch == 64);  // 32 runs take 9600 ns
   CHECK(timing.median == doctest::Approx(300));
-  CHECK(timing.spread == doctest::Approx(0).epsilon(1e-9));
+  CHECK(timing.spread.value() == doctest::Approx(0).epsilon(1e-9));
   CHECK(timing.repeats == 4);
   CHECK(runs == 127 + 4 * 64);
 }
@@ -68,6 +76,6 @@ TEST_CASE("times that jump are said to be doubtful") {
   int i = 0;
   const auto run = [&] { test::pass(i++ % 2 == 0 ? 1e6 : 2e6); };
   const cost::Timing timing = cost::time_of(test::false_clock(), run, {.repeats = 9, .batch = 1});
-  CHECK(timing.spread > cost::kMostSpread);
+  CHECK(timing.spread.value() > cost::kMostSpread);
   CHECK_FALSE(timing.trusted);
 }

@@ -93,7 +93,11 @@ TEST_CASE("masses, poses, steps and shapes that make no sense are refused by nam
   CHECK(with(ball(1, V3::Zero(), -1)) == "bob: its mass is negative");
   CHECK(with(ball(1, V3::Zero(), kInfinity)) == "bob: its mass is infinite: call it fixed instead");
   CHECK(with(ball(1, V3::Zero(), kNaN)) == "bob: its mass is not a number");
-  CHECK(with(fixed(ball(1, V3::Zero(), 0))) == "");
+  CHECK(with(fixed(ball(1, V3::Zero()))) == "");
+  CHECK(with(fixed(ball(1, V3::Zero(), 0))) == "bob: its mass is 0 or infinite: a body that is fixed needs none");
+  CHECK(with(fixed(ball(1, V3::Zero(), kInfinity))) == "bob: its mass is 0 or infinite: a body that is fixed needs none");
+  CHECK(with(fixed(ball(1, V3::Zero(), -3))) == "bob: its mass is negative");
+  CHECK(with(fixed(ball(1, V3::Zero(), kNaN))) == "bob: its mass is not a number");
   CHECK(with(ball(1, {0, kNaN, 0})) == "bob: its position is not finite, or too large");
   Body turned = ball(1, V3::Zero());
   turned.orientation = {0, 0, 0, 0};
@@ -109,6 +113,24 @@ TEST_CASE("masses, poses, steps and shapes that make no sense are refused by nam
   CHECK(refusal({.bodies = {ball(1, V3::Zero())}, .step = kNaN}) == "the scene's step is not a number");
   CHECK(refusal({.bodies = {ball(1, V3::Zero())}, .step = 2}) == "the scene's step must be at most 1 second");
   CHECK(refusal({.bodies = {named("a", floor()), named("a", floor())}}) == "there is another body called a");
+}
+
+TEST_CASE("of two effects that drive one body neither undoes the other") {
+  const auto with = [](std::vector<EffectCall> effects) {
+    return refusal({.bodies = {named("a", ball(1, V3::Zero())), named("b", ball(1, {5, 0, 0}))}, .effects = std::move(effects)});
+  };
+  const auto path = [](const char* body) { return call("path", {{"places", {0, 0, 0, 1, 0, 0}, ""}}, body); };
+  CHECK(with({call("spin"), call("orbit")}) == "");  // one turns it, the other moves it
+  CHECK(with({call("spin", {}, "a"), path("a")}) == "");
+  CHECK(with({call("spin", {}, "a"), call("spin", {}, "b"), path("a"), path("b")}) == "");
+  CHECK(with({call("drag", {}, "a"), call("fall"), path("b")}) == "");
+  CHECK(with({call("spin"), call("spin")}) == "spin and spin would both drive every body: one undoes the other");
+  CHECK(with({call("spin"), call("spin", {}, "b")}) == "spin and spin would both drive b: one undoes the other");
+  CHECK(with({path("a"), path("a")}) == "path and path would both drive a: one undoes the other");
+  CHECK(with({call("orbit"), path("a")}) == "orbit and path would both drive a: one undoes the other");
+  CHECK(with({call("orbit", {}, "a"), call("orbit", {}, "a")}) == "orbit and orbit would both drive a: one undoes the other");
+  CHECK(with({call("drag", {}, "a"), path("a")}) == "drag and path would both drive a: one undoes the other");
+  CHECK(with({call("drag", {}, "a"), call("spin", {}, "a")}) == "drag and spin would both drive a: one undoes the other");
 }
 
 TEST_CASE("settings that an effect does not know, or cannot use, are refused by name") {

@@ -1,0 +1,41 @@
+// What a part of a fitter spends, where its own steps are not for the watcher of the whole.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "trace/observer.hpp"
+
+namespace snug {
+namespace fit {
+
+/// Counts alone: of a part of an algorithm whose own steps nobody is to see, nor is anything worked out for them.
+struct Tally {
+  OperationCounts counts{};
+
+  template <class Step>
+  constexpr void operator()(const Step&) const noexcept {}
+  void count(Operation operation, std::int64_t n) noexcept {
+    counts[static_cast<std::size_t>(operation)] += n;
+  }
+};
+
+/// What counts such a part for an observer: nothing where that ignores.
+template <class Observer>
+using TallyFor = std::conditional_t<std::is_same_v<std::remove_cvref_t<Observer>, Ignore>, Ignore, Tally>;
+
+/// Tells the observer what the part came to.
+template <class Observer>
+void hand_on(const Tally& tally, Observer& observe) {
+  for (std::size_t i = 0; i < tally.counts.size(); ++i) observe.count(static_cast<Operation>(i), tally.counts[i]);
+}
+template <class Observer>
+constexpr void hand_on(const Ignore&, Observer&) noexcept {}
+
+}  // namespace fit
+
+template <>
+inline constexpr bool kWatched<fit::Tally> = false;
+
+}  // namespace snug
