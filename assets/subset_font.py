@@ -1,4 +1,4 @@
-"""subset_font.py FONT OUT: keep the characters that Snug writes.
+"""subset_font.py FONT [--without-accents] OUT: keep the characters that Snug writes.
 
 One file serves the page, which uses kerning and tabular figures, and Dear ImGui, whose rasterizer reads
 outlines alone: two would be fetched twice.
@@ -8,9 +8,12 @@ import sys
 
 from fontTools import subset
 
-CHARACTERS = (
-    "".join(map(chr, [*range(0x20, 0x7F), *range(0xA0, 0x100)]))  # Basic Latin, Latin-1
+ACCENTED = (
+    "".join(map(chr, [*range(0xC0, 0xD7), *range(0xD8, 0xF7), *range(0xF8, 0x100)]))
     + "ĀāČčĆćĐđĚěĞğİıŁłŃńŇňŐőŒœŘřŚśŞşŠšŤťŮůŰűŸŹźŻżŽž"
+)
+CHARACTERS = (
+    "".join(map(chr, [*range(0x20, 0x7F), *range(0xA0, 0xC0)])) + "×÷"  # Basic Latin, Latin-1 but for its letters
     + "ΓΔΘΛΞΠΣΦΨΩαβγδεζηθικλμνξπρσςτυφχψω"
     + "‐‑‒–—―‘’‚“”„†‡•…‰′″‹›⁄ \u2009\u200a\u202f"
     + "⁰⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ⁿ₀₁₂₃₄₅₆₇₈₉₊₋€™"
@@ -19,16 +22,18 @@ CHARACTERS = (
 )
 
 
-def main(font_path: str, out_path: str) -> None:
+def main(font_path: str, *flags: str) -> None:
+    out_path = flags[-1]
     options = subset.Options(
-        layout_features=["kern", "mark", "ccmp", "tnum", "case"],
+        layout_features=["kern", "tnum"],
         hinting=False,  # neither browsers at these sizes nor stb_truetype run it
+        desubroutinize=True,  # compressed, outlines without subroutines are smaller
         notdef_outline=True,
         name_IDs=[0, 1, 2, 13, 14],  # who made it and its licence stay inside
     )
     font = subset.load_font(font_path, options)
     subsetter = subset.Subsetter(options)
-    subsetter.populate(text=CHARACTERS)
+    subsetter.populate(text=CHARACTERS + ("" if "--without-accents" in flags else ACCENTED))
     subsetter.subset(font)
     subset.save_font(font, out_path, options)
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/bits.hpp"
+#include "geometry/sphere.hpp"
 #include "geometry/tolerance.hpp"
 
 namespace snug::fit {
@@ -141,7 +142,7 @@ bool surely_smallest(PointSpan<Scalar, Dim> points, const SupportBall<Dim>& ball
     if (!(ball.weights[static_cast<std::size_t>(i)] > tolerance::kBeyondDoubt)) return false;
   return std::all_of(others.begin(), others.end(), [&](Index i) {
     if (ball.support.contains(i)) return true;
-    const double distance = (points[i].template cast<double>() - ball.center).stableNorm();
+    const double distance = scaled_norm<double, Dim>(points[i].template cast<double>() - ball.center);
     return distance < ball.radius * (1 - tolerance::kBeyondDoubt);
   });
 }
