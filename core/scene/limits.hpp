@@ -45,6 +45,6 @@ inline constexpr int kHalvings = 20;
 inline constexpr int kMostSteps = 20000;
 
 /// Of a body that touches another already, how small a core is still kept out of that.
-inline constexpr double kLeastCore = 1.0 / 16;
+inline constexpr double kLeastCore = 1.0 / 32;
 
 }  // namespace snug::scene::limits

@@ -90,8 +90,9 @@ class Move final : public Effect {
       // What it touches already contacts hold back, as far as they can: a core of it they must.
       const double slop = world.slop({static_cast<Index>(std::min(i, j)), static_cast<Index>(std::max(i, j))});
       Shape own = shape;
-      for (double core = 1; core >= limits::kLeastCore && meets(core == 1 ? grown(shape, slop) : own, 0); core /= 2) own = core_of(shape, core / 2);
-      if (!meets(own, 0)) part = first_touch([&](double at) { return meets(own, at); }, looks, part);
+      bool apart = !meets(grown(shape, slop), 0);
+      for (double core = 0.5; core >= limits::kLeastCore && !apart; core /= 2) own = core_of(shape, core), apart = !meets(own, 0);
+      if (apart) part = first_touch([&](double at) { return meets(own, at); }, looks, part);
     }
     return part;
   }
