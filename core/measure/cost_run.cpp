@@ -54,9 +54,6 @@ Timing per_test(Timing timing, int tests) {
   return timing;
 }
 
-/// What a volume's size is a product of: a ball is compared by its radius.
-int lengths_of_size(std::string_view volume, int dim) { return volume == "sphere" ? 1 : dim; }
-
 }  // namespace
 
 CostRun::CostRun(const AnyPointSet& points, std::vector<const fit::Algorithm*> algorithms, const CostOptions& options,

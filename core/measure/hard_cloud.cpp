@@ -29,7 +29,7 @@ double excess_on(const fit::Algorithm& algorithm, const AnyPointSet& points, std
   const int dim = fit::dim_of(points);
   const fit::Options options{.seed = seed};
   const double least = fit::size_of(fit::exact_algorithm(algorithm.volume)->fit(points, options).volume, dim);
-  const int lengths = algorithm.volume == "sphere" ? 1 : dim;
+  const int lengths = lengths_of_size(algorithm.volume, dim);
   return rounding_of(points).ratio(fit::size_of(algorithm.fit(points, options).volume, dim), least, lengths).value_or(1) - 1;
 }
 

@@ -16,6 +16,8 @@ std::optional<double> Rounding::ratio(double value, double least, int lengths) c
   return value / least;
 }
 
+int lengths_of_size(std::string_view volume, int dim) { return volume == "sphere" ? 1 : dim; }
+
 Rounding rounding_of(const AnyPointSet& points) {
   return std::visit(
       []<class Scalar, int Dim>(const PointSet<Scalar, Dim>& set) -> Rounding {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "fit/catalogue.hpp"
 
@@ -20,6 +21,9 @@ struct Rounding {
   /// below it, but by no more than least may be off, is as small: 1. What is smaller still undercuts it, and is told.
   [[nodiscard]] std::optional<double> ratio(double value, double least, int lengths) const;
 };
+
+/// How many lengths a volume's size is a product of: a ball is compared by its radius.
+[[nodiscard]] int lengths_of_size(std::string_view volume, int dim);
 
 /// O(n).
 [[nodiscard]] Rounding rounding_of(const AnyPointSet& points);
