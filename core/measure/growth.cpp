@@ -88,36 +88,54 @@ std::optional<double> power_of(std::span<const SizedTime> times) {
 
 double GrowthRun::progress() const {
   if (done()) return 1;
-  const double part = sizes_.empty() ? 0 : static_cast<double>(size_) / static_cast<double>(sizes_.size());
-  return (static_cast<double>(at_) + part) / static_cast<double>(workloads_.size());
+  const double half = sizes_.empty() ? 0 : static_cast<double>(size_) / static_cast<double>(2 * sizes_.size());
+  return (static_cast<double>(at_) + (stopped_ ? 1 - half : half)) / static_cast<double>(workloads_.size());
 }
 
 void GrowthRun::step() {
   if (done()) return;
+  if (stopped_)
+    step_back();
+  else
+    step_up();
+}
+
+void GrowthRun::step_up() {
   const Workload& load = workloads_[at_];
   if (sizes_.empty()) sizes_ = growth_sizes(load.most);
   const Index n = sizes_[size_];
-  if (!run_) {
+  if (watches_.size() == size_) {
     const auto own = own_rows();
     if (own.size() >= 2) {
       const GrowthRow &a = own[own.size() - 2], &b = own.back();
       const double time = foreseen(a.points, a.time.min, b.points, b.time.min, n);
-      if (time > longest_) return finish(why_stopped(n, time));
+      if (time > longest_) return turn(why_stopped(n, time));
     }
     if (load.make_ready && !load.make_ready(n)) return;
-    run_ = load.prepare(n);
+    watches_.emplace_back(load.prepare(n), timing_);
+    watches_.back().pause_after((timing_.repeats + 1) / 2);
     return;
   }
-  if (!watch_) watch_.emplace(run_, timing_);
-  watch_->step(clock_);
-  if (!watch_->done()) return;
-  rows_.push_back({.volume = load.volume, .algorithm = load.algorithm, .points = n, .time = watch_->timing()});
-  watch_.reset();
-  run_ = nullptr;
-  if (++size_ == sizes_.size()) finish("");
+  watches_.back().step(clock_);
+  if (!watches_.back().done()) return;
+  rows_.push_back({.volume = load.volume, .algorithm = load.algorithm, .points = n, .time = watches_.back().timing()});
+  if (++size_ == sizes_.size()) turn("");
 }
 
-void GrowthRun::finish(const std::string& stopped) {
+void GrowthRun::turn(std::string stopped) {
+  stopped_ = std::move(stopped);
+  for (Stopwatch& watch : watches_)
+    watch.pause_after(timing_.repeats);
+}
+
+void GrowthRun::step_back() {
+  if (size_ == 0) return finish();
+  Stopwatch& watch = watches_[size_ - 1];
+  if (!watch.done()) return watch.step(clock_);
+  own_rows()[--size_].time = watch.timing();
+}
+
+void GrowthRun::finish() {
   const Workload& load = workloads_[at_];
   std::vector<SizedTime> tail = tail_of(own_rows());
   const auto power = power_of(tail);
@@ -132,17 +150,20 @@ void GrowthRun::finish(const std::string& stopped) {
     row.theory = load.theory;
     row.theory_exponent = theory;
     row.tight = load.tight;
-    row.stopped = stopped;
+    row.stopped = *stopped_;
   }
   first_ = rows_.size();
   size_ = 0;
   sizes_.clear();
+  watches_.clear();
+  stopped_.reset();
   ++at_;
 }
 
 void GrowthRun::stop() {
   if (done()) return;
-  if (first_ < rows_.size()) finish("stopped");
+  if (!stopped_) turn("stopped");
+  if (first_ < rows_.size()) finish();
   at_ = workloads_.size();
 }
 

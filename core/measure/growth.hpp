@@ -44,7 +44,9 @@ struct SizedTime {
 /// So far below the largest number of points a time still counts for the power: what does not grow is felt below.
 inline constexpr double kTail = 32;
 
-/// Times each workload on more and more points, until all are reached or one run would take longer than is allowed.
+/// Times each workload on more and more points, until all are reached or one run would take longer than is allowed, and
+/// once more on the way back, half of the batches each way: a second in which the machine does other things as well
+/// meets no number of points both times, and does not bend the line.
 class GrowthRun {
  public:
   /// longest: one run, ns.
@@ -61,8 +63,12 @@ class GrowthRun {
 
  private:
   [[nodiscard]] std::span<GrowthRow> own_rows() { return std::span(rows_).subspan(first_); }
-  /// Fits the power, and goes on to the next workload. stopped: why there are no more points.
-  void finish(const std::string& stopped);
+  void step_up();
+  void step_back();
+  /// From here it goes back. stopped: why there are no more points.
+  void turn(std::string stopped);
+  /// Fits the power, and goes on to the next workload.
+  void finish();
 
   std::vector<Workload> workloads_;
   TimingOptions timing_;
@@ -70,10 +76,10 @@ class GrowthRun {
   Clock clock_;
   std::size_t at_ = 0;  // of workloads_
   std::vector<Index> sizes_;
-  std::size_t size_ = 0;  // of sizes_
+  std::size_t size_ = 0;  // of sizes_: on the way up the one to come, on the way back the one that was left last
   std::size_t first_ = 0;  // of rows_, that is the workload's
-  std::function<void()> run_;
-  std::optional<Stopwatch> watch_;
+  std::vector<Stopwatch> watches_;  // of sizes_
+  std::optional<std::string> stopped_;  // why there are no more points; none on the way up
   std::vector<GrowthRow> rows_;
 };
 

@@ -56,6 +56,8 @@ class Stopwatch {
   /// One more batch.
   void step(const Clock& clock);
   [[nodiscard]] bool done() const;
+  /// Done after so many batches; it may go on later, when there are to be more.
+  void pause_after(int repeats) { options_.repeats = repeats; }
   /// Of what has been timed so far; empty where nothing has.
   [[nodiscard]] Timing timing() const;
 

@@ -86,6 +86,21 @@ TEST_CASE("sizes go by half decades, and few points have five") {
   CHECK(cost::growth_sizes(11).front() == 10);
 }
 
+TEST_CASE("a second in which the machine does other things does not bend the line") {
+  for (const double from : {1e6, 3e6, 1e7}) {  // from when it is half as fast, ns
+    CAPTURE(from);
+    auto load = work_that_takes(0, 20, 1, 1'000'000);
+    const double start = test::false_now();
+    load.prepare = [=](Index n) {
+      return [=] {
+        const double since = test::false_now() - start;
+        test::pass((since > from && since < 8 * from ? 40 : 20) * double(n));
+      };
+    };
+    CHECK(run_whole({load}).back().exponent.value() == doctest::Approx(1).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("a power needs three times that are not 0") {
   CHECK_FALSE(cost::power_of(std::vector<cost::SizedTime>{{1, 1}, {2, 2}}));
   CHECK_FALSE(cost::power_of(std::vector<cost::SizedTime>{{1, 0}, {2, 2}, {3, 3}}));
