@@ -1,6 +1,7 @@
 #include "measure/timing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace snug::cost {
@@ -10,6 +11,7 @@ namespace {
 constexpr int kMostReadings = 2'000'000;
 constexpr int kSteps = 10;
 constexpr int kLargestBatch = 1 << 20;
+constexpr double kSurelyLongEnough = 1.1;  // of what a batch should be: runs differ
 constexpr double kStepsPerBatch = 100;
 constexpr double kFarTooShort = 0.4;  // of what a batch should be: less than what clocks and caches make of it
 constexpr std::size_t kFewestRepeats = 3;
@@ -20,6 +22,12 @@ double quantile(const std::vector<double>& sorted, double share) {
   const auto below = static_cast<std::size_t>(place);
   const std::size_t above = std::min(below + 1, sorted.size() - 1);
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+/// The next to try after one that was too short: as many as will do, by its time, but no more than twice as many.
+int longer(int batch, double time, double wanted) {
+  const double runs = time > 0 ? std::ceil(batch * kSurelyLongEnough * wanted / time) : kLargestBatch;
+  return std::clamp(static_cast<int>(std::min<double>(runs, kLargestBatch)), batch + 1, 2 * batch);
 }
 
 }  // namespace
@@ -58,14 +66,14 @@ void Stopwatch::step(const Clock& clock) {
   const double time = clock() - start;
   if (!warm_) {
     warm_ = time >= options_.batch || batch_ >= kLargestBatch;
-    if (!warm_) batch_ *= 2;
+    if (!warm_) batch_ = longer(batch_, time, options_.batch);
     return;
   }
   if (time < options_.batch * kFarTooShort && batch_ < kLargestBatch) {
     // It only seemed long enough: something else held up the one that was first to be.
     warm_ = false, spent_ = 0;
     times_.clear();
-    batch_ *= 2;
+    batch_ = longer(batch_, time, options_.batch);
     return;
   }
   times_.push_back(time / batch_);

@@ -48,7 +48,7 @@ struct TimingOptions {
 };
 
 /// Takes the time of a run, a batch at a time, so that what else there is to do can be done in between. The batch is
-/// the smallest power of two of runs that is long enough, found by doing it, which also warms the caches.
+/// hardly longer than it must be, found by doing it, which also warms the caches.
 class Stopwatch {
  public:
   Stopwatch(std::function<void()> run, TimingOptions options) : run_(std::move(run)), options_(options) {}

@@ -1,7 +1,7 @@
 // The charts of costs: which is shown, measured in slices between the frames; its controls, its table in words, results as files.
 import { by_id, button, element, set_hidden, set_text, when_changed } from "./dom.js";
 
-const kSlice = 8; // milliseconds: beside a frame's own work
+const kSlice = 4; // milliseconds: beside a frame's own work
 const kFormats = { csv: "text/csv", json: "application/json" };
 
 const kPredictFirst = "The predictions come first: the other charts would give them away.";
@@ -85,14 +85,18 @@ export class CostTools {
     this.#act(() => this.#door.command(name));
   }
 
-  /** A slice, then the page's own work; a frame of the stage only where the chart has changed. */
+  /** A slice between two frames of the page, so that none is late; the stage is drawn only where the chart has changed. */
   #work() {
     this.#timer = 0;
     this.#door.measure(kSlice);
     this.#show_progress(this.#door.measured());
     if (this.#door.seconds_until_due(performance.now() / 1000) <= 0) this.#request();
-    if (this.#door.measuring()) this.#timer = setTimeout(() => this.#work(), 0);
+    if (this.#door.measuring()) this.#work_after_frame();
     else this.#act(() => {});
+  }
+
+  #work_after_frame() {
+    this.#timer ||= requestAnimationFrame(() => setTimeout(() => this.#work(), 0));
   }
 
   #save(format) {
@@ -109,7 +113,7 @@ export class CostTools {
 
   update({ costs }) {
     if (!costs) return;
-    if (costs.running) this.#timer ||= setTimeout(() => this.#work(), 0);
+    if (costs.running) this.#work_after_frame();
     this.#show(costs);
   }
 
