@@ -17,6 +17,7 @@ tl::expected<AnyPointSet, InputError> to_set(const std::vector<Vector<double, 3>
 
 tl::expected<AnyPointSet, InputError> own_points(const Lesson& lesson, std::uint64_t seed,
                                                  const std::optional<io::PointFile>& mesh) {
+  if (lesson.boxes) return places(*lesson.boxes);
   const Points& points = lesson.points;
   if (!points.mesh.empty()) {
     if (!mesh) return tl::unexpected(InputError{.what = "the mesh " + points.mesh + " is not loaded"});

@@ -20,7 +20,7 @@ InputError too_many(const fit::Algorithm& algorithm) {
 
 tl::expected<Session, InputError> Session::open(Lesson lesson, std::optional<io::PointFile> mesh, scene::Clock clock) {
   if (lesson.algorithms.empty()) return tl::unexpected(InputError{.what = "the lesson offers no algorithm"});
-  auto points = lesson.boxes ? places(*lesson.boxes) : own_points(lesson, lesson.seed, mesh);
+  auto points = own_points(lesson, lesson.seed, mesh);
   if (!points) return tl::unexpected(std::move(points.error()));
   Snapshot own{*std::move(points), nullptr, lesson.seed, "own"};
   own.boxes = lesson.boxes;

@@ -6,6 +6,7 @@
 #include "desktop/cli/lesson_files.hpp"
 #include "desktop/cli/timing.hpp"
 #include "lesson/scene_runs.hpp"
+#include "lesson/still_scene.hpp"
 #include "lesson/trace_hash.hpp"
 
 namespace snug::desktop {
@@ -29,12 +30,14 @@ Json json_of_frame(const scene::Scene& scene) {
 
 tl::expected<scene::Scene, InputError> open(const SceneOptions& options, const LessonFile& file) {
   const lesson::Lesson& own = file.lesson;
-  if (!own.scene) return tl::unexpected(InputError{.what = own.id + " has no scene", .file = file.path});
   const std::string algorithm = options.algorithm.empty() ? own.algorithms.front() : options.algorithm;
   if (std::find(own.algorithms.begin(), own.algorithms.end(), algorithm) == own.algorithms.end())
     return tl::unexpected(InputError{.what = own.id + " does not offer \"" + algorithm + "\""});
   auto scene = points_of(file)
-      .and_then([&](const AnyPointSet& points) { return lesson::declaration_with(*own.scene, algorithm, points, own.seed); })
+      .and_then([&](const AnyPointSet& points) -> tl::expected<scene::Declaration, InputError> {
+        if (!own.scene) return lesson::still_scene(own, points);
+        return lesson::declaration_with(*own.scene, algorithm, points, own.seed);
+      })
       .and_then([](const scene::Declaration& declaration) { return scene::Scene::open(declaration, native_now); });
   if (!scene && scene.error().file.empty()) scene.error().file = file.path;
   return scene;
@@ -75,6 +78,7 @@ constexpr const char* kSceneFooter = R"(Runs a lesson's scene and prints JSON Li
    "frames_skipped","hash"}   the last frame: pairs that each stage left, slack of the volumes in per cent, points that
                     their updates looked at; a frame is drawn where it changed something; the hash is of every bit of the
                     bodies, the same natively and in WebAssembly
+A lesson that declares no scene stands still: it has no effects, and no frame after the first is drawn.
 With --every, a line for each frame comes first.)";
 
 }  // namespace

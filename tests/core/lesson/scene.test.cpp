@@ -9,8 +9,10 @@
 
 #include "lesson/play.hpp"
 #include "lesson/scene_figures.hpp"
+#include "lesson/own_points.hpp"
 #include "lesson/scene_runs.hpp"
 #include "lesson/session.hpp"
+#include "lesson/still_scene.hpp"
 
 using namespace snug;
 
@@ -106,6 +108,22 @@ TEST_CASE("each lesson's effects run as often as their inputs change") {
   CHECK(counts(opened("scene-broad"), 120) ==
         std::vector<std::string>{"spin 1 120 0", "orbit 1 120 0", "refit 1 120 0", "broad_phase 1 120 0", "narrow_phase 1 120 0"});
   CHECK(counts(opened("scene-updates"), 120) == std::vector<std::string>{"spin body 1 120 0", "refit 1 120 0"});
+}
+
+TEST_CASE("a lesson that declares no scene constructs no effect and draws one frame") {
+  for (const std::string id : {"sphere-ritter", "obb-axes", "obb-sat", "frustum-2d", "frustum-3d"}) {
+    CAPTURE(id);
+    const lesson::Lesson own = read(id);
+    auto scene = scene::Scene::open(lesson::still_scene(own, *lesson::own_points(own, own.seed, {})));
+    REQUIRE(scene.has_value());
+    CHECK(scene->tallies().empty());
+    CHECK(scene->world().size() == (own.boxes ? 2u : 1u));
+    for (int i = 0; i < 60; ++i) {
+      scene->step();
+      CHECK_FALSE(scene->changed());
+    }
+    CHECK(scene->resting());
+  }
 }
 
 TEST_CASE("what the student chooses is what the scene runs") {
