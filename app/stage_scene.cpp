@@ -16,8 +16,8 @@ namespace {
 using lesson::SceneFrame;
 
 constexpr std::size_t kBoxesOfAll = 60;  // more boxes than these hide what they hold: then only those in pairs are drawn
-// More bodies than these have neither edges nor boxes, but for the box of the one at hand, and lines only where they touch. With all of
-// that 2,000 took more than 65,536 vertices, which the browser's indices of 16 bits do not reach: faces flew across the stage.
+// More bodies than these have neither edges nor boxes, but for the box of the one at hand, and lines only where they touch: all of that
+// took eight times as many vertices.
 constexpr std::size_t kCrowd = 400;
 constexpr int kRim = 24;                 // points of the outline around a corner's radius
 

@@ -60,10 +60,17 @@ void check_boxes(const Lesson& lesson, const toml::table& toml, Complaints& comp
 }
 
 /// A scene: every method is run on it, and the model does the task, which the beginning does not.
+void complain_of_points(const TomlTable& root, const fit::Algorithm& algorithm, Complaints& complaints) {
+  complaints.add(root.line_of("points"),
+                 "too many points for " + std::string(algorithm.title) + ": at most " + std::to_string(algorithm.max_points));
+}
+
 void check_scene(const Lesson& lesson, const toml::table& toml, const AnyPointSet& points, Complaints& complaints) {
   const TomlTable root(toml, "the lesson", complaints);
   const TomlTable own(*toml.get_as<toml::table>("scene"), "[scene]", complaints);
   if (lesson.scene->is_too_long(fit::size_of(points))) return complaints.add(own.line_of("frames"), too_long_text());
+  const fit::Algorithm& first = *find_method(kScene, lesson.algorithms.front());
+  if (fit::size_of(points) > first.max_points) return complain_of_points(root, first, complaints);
   for (const std::string& name : lesson.algorithms) {
     const auto run = run_scene(*lesson.scene, name, points, lesson.seed);
     if (!run) return complaints.add(run.error().position > 0 ? static_cast<int>(run.error().position) : root.line_of("scene"), run.error().what);
@@ -125,8 +132,7 @@ void check_lesson(const Lesson& lesson, const toml::table& toml, Complaints& com
     if (fit::size_of(*points) <= algorithm.max_points) 
       check_questions(lesson, algorithm, algorithm.record(*points, {.seed = lesson.seed}), fit::dim_of(*points), complaints);
     else if (&name == &lesson.algorithms.front() || name == lesson.compare)
-      complaints.add(root.line_of("points"), "too many points for " + std::string(algorithm.title) + ": at most " +
-                                                 std::to_string(algorithm.max_points));
+      complain_of_points(root, algorithm, complaints);
   }
   if (!lesson.task) return;
   const toml::table& task = *toml.get_as<toml::table>("task");

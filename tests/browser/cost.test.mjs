@@ -1,7 +1,7 @@
 // What the page costs: bytes on the wire, and the program's time for a frame while dragging and while 2,000 bodies move (told,
 // and held to no time).
 import { after, before, test } from "node:test";
-import { assert, handles, lesson_with, start, state, still, stop, until, visit } from "./support.mjs";
+import { assert, handles, lesson_with, pixels_of, start, state, still, stop, until, visit } from "./support.mjs";
 
 let site;
 before(async () => (site = await start()));
@@ -92,16 +92,45 @@ test("dragging a vertex of the bunny draws frames and follows", async (t) => {
   await drag_around(t, page);
 });
 
-/** In the page, before anything of it: scene-broad comes with bodies so small that 2,000 have room, and asks nothing. */
-function smaller_bodies() {
+/** In the page, before anything of it: scene-broad asks nothing, and comes with bodies so small that thousands have room. */
+function smaller_bodies(half_extents) {
   const own = window.fetch;
   window.fetch = async (path, ...more) => {
     const answer = await own(path, ...more);
     if (!/scene-broad[.]toml$/.test(path)) return answer;
-    const text = (await answer.text()).replace("[0.30, 0.07, 0.12]", "[0.048, 0.016, 0.032]").replace(/\[\[question\]\][^]*/, "");
+    const text = (await answer.text()).replace("[0.30, 0.07, 0.12]", half_extents ?? "[0.048, 0.016, 0.032]").replace(/\[\[question\]\][^]*/, "");
     return new Response(text);
   };
 }
+
+/** As smaller_bodies, and at each point stand two, in a few frames: more than 65,536 corners of faces. */
+const twice_as_many = `(${smaller_bodies})("[0.008, 0.004, 0.006]");
+  const once = window.fetch;
+  window.fetch = async (path, ...more) => {
+    const answer = await once(path, ...more);
+    if (!/scene-broad[.]toml$/.test(path)) return answer;
+    const text = (await answer.text()).replace("frames = 120", "frames = 4").replace("[[scene.effect]]",
+      '[[scene.body]]\\nshape = "box"\\nhalf_extents = [0.008, 0.004, 0.006]\\nat_points = true\\nposition = [0.02, 0.02, 0.02]\\n\\n[[scene.effect]]');
+    return new Response(text);
+  };`;
+
+test("of 8,000 bodies each is drawn where it is", async (t) => {
+  const page = await visit(t, "?lesson=scene-broad&step=0&from=cube:4000", { init: twice_as_many });
+  await still(page);
+  const places = await handles(page);
+  const stage = await page.locator("#stage").boundingBox();
+  const seen = places.filter(({ x, y }) => x > stage.x + 60 && x < stage.x + stage.width - 60 && y > stage.y + 60 && y < stage.y + stage.height - 120);
+  assert.ok(seen.length > 2000, `${seen.length} are on the stage`);
+  const pixels = new Uint32Array((await pixels_of(page, stage)).buffer);
+  const width = Math.round(stage.width);
+  const at = ({ x, y }) => pixels[Math.floor(y - stage.y) * width + Math.floor(x - stage.x)];
+  const often = new Map();
+  for (const pixel of pixels) often.set(pixel, (often.get(pixel) ?? 0) + 1);
+  const [ground] = [...often].reduce((a, b) => (a[1] > b[1] ? a : b));
+  const drawn = seen.filter((place) => at(place) !== ground).length / seen.length;
+  t.diagnostic(`${Math.round(100 * drawn)} % of ${seen.length} have a body's colour in their middle`);
+  assert.ok(drawn > 0.98);
+});
 
 test("2,000 moving bodies, by broad and then narrow phase, are simulated and drawn", async (t) => {
   const page = await visit(t, "?lesson=scene-broad&step=1&from=cube:2000", { init: smaller_bodies });

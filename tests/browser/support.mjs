@@ -151,3 +151,18 @@ export async function until(page, test, ...given) {
 }
 
 export { assert };
+
+/** The pixels of a part of what is seen, four bytes each. */
+export async function pixels_of(page, clip) {
+  const picture = await page.screenshot({ clip });
+  const text = await page.evaluate(async (base64) => {
+    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
+    const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    let bytes = "";
+    for (const byte of data) bytes += String.fromCharCode(byte);
+    return btoa(bytes);
+  }, picture.toString("base64"));
+  return new Uint8Array(Buffer.from(text, "base64"));
+}

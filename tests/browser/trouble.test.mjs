@@ -1,6 +1,6 @@
 // What goes wrong is said plainly, and mended where it can be.
 import { after, before, test } from "node:test";
-import { assert, handles, ready, start, state, still, stop, until, visit } from "./support.mjs";
+import { assert, handles, pixels_of, ready, start, state, still, stop, until, visit } from "./support.mjs";
 
 let site;
 before(async () => (site = await start()));
@@ -41,14 +41,8 @@ test("a lost context is said and comes back", async (t) => {
 /** How many colours a picture of the stage has: one would be an empty canvas. */
 async function colours_on_stage(page) {
   const [first] = await handles(page);
-  const picture = await page.screenshot({ clip: { x: first.x - 20, y: first.y - 20, width: 40, height: 40 } });
-  return page.evaluate(async (base64) => {
-    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
-    const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
-    context.drawImage(image, 0, 0);
-    const { data } = context.getImageData(0, 0, image.width, image.height);
-    return new Set(new Uint32Array(data.buffer)).size;
-  }, picture.toString("base64"));
+  const pixels = await pixels_of(page, { x: first.x - 20, y: first.y - 20, width: 40, height: 40 });
+  return new Set(new Uint32Array(pixels.buffer)).size;
 }
 
 for (const missing of ["programs/points.wasm", "programs/points.mjs", "fonts/Inter-Regular.otf", "lessons/index.json"]) {

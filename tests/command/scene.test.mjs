@@ -139,6 +139,12 @@ test("a scene with too many frames of too many bodies is refused before it is ru
   assert.ok(performance.now() - start < 5000);
 });
 
+test("more points than a method takes are refused with their line", () => {
+  const text = lesson("scene-broad").replace(/\[\[question\]\][^]*/, "").replace("count = 40", "count = 4001").replace("frames = 120", "frames = 20");
+  const line = text.slice(0, text.indexOf("[points]")).split("\n").length;
+  refused(["lesson", "check", write("crowd.toml", text)], `crowd.toml:${line}: too many points for Sweep and prune: at most 4000`);
+});
+
 test("a mesh is a body: it is run, and impulses refuse it with file and line", () => {
   const meshy = lesson("scene-updates").replace('generate = "stick"\ncount = 80', 'mesh = "bunny"').replace('shape = "points"', 'shape = "mesh"').replace(/\[\[question\]\][^]*/, "");
   const more = (...effects) => meshy.replace('effect = "refit"\n', (own) => own + effects.map((name) => `\n[[scene.effect]]\neffect = "${name}"\n`).join(""));
