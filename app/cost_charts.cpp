@@ -54,15 +54,12 @@ ChartPoint point_of(const cost::Timing& time, double y) {
 /// What a size is held against: the smallest of its kind, the hull, or the smallest that there is in the table.
 enum class Against : std::uint8_t { kSmallest, kHull, kFound };
 
-/// Whether its measure is nothing but rounding.
-bool is_flat(const cost::CostRow& row) { return !(row.measure > row.noise); }
-
 struct CostLook {
   bool one;  // volume
   Against against;
   double found;  // the smallest measure of a row
   [[nodiscard]] std::optional<double> y(const cost::CostRow& row) const {
-    if (against == Against::kFound) return is_flat(row) ? std::nullopt : std::optional(row.measure / found);
+    if (against == Against::kFound) return row.is_flat() ? std::nullopt : std::optional(row.measure / found);
     return against == Against::kSmallest ? row.tightness : row.over_hull;
   }
   [[nodiscard]] std::string name(const cost::CostRow& row) const {
@@ -76,7 +73,7 @@ CostLook look_of(const std::vector<cost::CostRow>& rows) {
   const auto all = [&](auto known) { return std::all_of(rows.begin(), rows.end(), known); };
   CostLook look{of_one_volume(rows), Against::kFound, std::numeric_limits<double>::infinity()};
   for (const cost::CostRow& row : rows)
-    if (!is_flat(row) && row.points == row.of) look.found = std::min(look.found, row.measure);
+    if (!row.is_flat() && row.points == row.of) look.found = std::min(look.found, row.measure);
   if (look.one && all([](const cost::CostRow& row) { return row.tightness.has_value(); })) look.against = Against::kSmallest;
   else if (!look.one || all([](const cost::CostRow& row) { return row.over_hull.has_value(); })) look.against = Against::kHull;
   return look;

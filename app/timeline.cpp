@@ -66,7 +66,7 @@ void draw_legend(ImDrawList* list, const Look& look, const lesson::Session& sess
   constexpr float kSize = 13;
   const bool boxes = session.boxes() != nullptr;
   const std::array<std::pair<Kind, std::string>, 3> kinds{
-      {{Kind::kGrew, std::string("the ") + (session.lesson().volume == "sphere" ? "ball" : "volume") + " grew"},
+      {{Kind::kGrew, session.lesson().volume == "sphere" ? "the ball grew" : "the first volume"},
        {Kind::kReplaced, boxes ? "the verdict" : "new support"},
        {Kind::kBest, !boxes ? "best so far" : session.lesson().volume == "box_pair" ? "it separates" : "wholly outside"}}};
   for (const auto& [kind, words] : kinds) {

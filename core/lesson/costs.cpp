@@ -161,7 +161,7 @@ Answer model_answer(const Asked& asked, Costs rows) { return {Kind::kChoice, tru
 
 std::string_view cheapest_of(const Task& task, Costs rows) {
   const cost::CostRow* const than = find_row(rows, task.algorithm);
-  const bool known = than != nullptr && than->measure > than->noise;  // of a flat shape sizes are nothing but rounding
+  const bool known = than != nullptr && !than->is_flat();  // of a flat shape sizes are nothing but rounding
   const cost::CostRow* best = nullptr;
   for (const cost::CostRow& row : rows) {
     const bool smaller = known && of_same_points(row, *than) && row.size <= (1 - task.tighter_by) * than->size;

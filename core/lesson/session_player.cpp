@@ -12,6 +12,7 @@ using namespace fit;
 
 /// Which mark a step deserves, if any. first_ball: whether there was none before it.
 std::optional<Mark::Kind> mark_of(const Step3& step, bool first_ball) {
+  if (std::holds_alternative<FrameTaken>(step.fact)) return std::nullopt;  // all are alike
   if (std::holds_alternative<SupportReplaced>(step.fact)) return Mark::Kind::kReplaced;
   if (const auto* forced = std::get_if<BoundaryForced>(&step.fact); forced != nullptr && forced->depth == 1)
     return Mark::Kind::kReplaced;

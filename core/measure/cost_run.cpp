@@ -202,11 +202,9 @@ bool CostRun::take_update() {
 
 std::vector<std::size_t> pareto_front(std::span<const CostRow> rows) {
   std::vector<Offer> offers;
-  for (const CostRow& row : rows) {
-    const bool is_flat = std::isfinite(row.measure) && row.measure <= row.noise;
+  for (const CostRow& row : rows)
     offers.push_back({row.points == row.of ? row.time.median : std::numeric_limits<double>::infinity(),
-                      is_flat ? 0 : row.measure});
-  }
+                      row.is_flat() ? 0 : row.measure});
   return pareto_front(offers);
 }
 

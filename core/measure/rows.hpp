@@ -53,6 +53,7 @@ struct CostRow {
   std::optional<double> tightness;  // size over that of the smallest of its kind; none where nobody can tell, or it is flat
   std::optional<double> over_hull;  // measure over that of the convex hull; none where that is flat or took too long
   double noise = 0;  // a measure that is no larger is nothing but rounding; of a run alone, no column of a table
+  [[nodiscard]] bool is_flat() const { return measure <= noise; }
   std::int64_t bytes = 0;
   int overlap_pairs = 0, overlapping = 0;
   Timing overlap;     // of one test with a copy

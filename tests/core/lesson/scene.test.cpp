@@ -110,6 +110,12 @@ TEST_CASE("each lesson's effects run as often as their inputs change") {
   CHECK(counts(opened("scene-updates"), 120) == std::vector<std::string>{"spin body 1 120 0", "refit 1 120 0"});
 }
 
+TEST_CASE("no frame of a scene is marked, but for questions") {
+  for (const std::string id : {"scene-broad", "scene-updates"})
+    for (const lesson::Session session = opened(id); const lesson::Mark& mark : session.marks())
+      CHECK(mark.kind == lesson::Mark::Kind::kQuestion);
+}
+
 TEST_CASE("a lesson that declares no scene constructs no effect and draws one frame") {
   for (const std::string id : {"sphere-ritter", "obb-axes", "obb-sat", "frustum-2d", "frustum-3d"}) {
     CAPTURE(id);
