@@ -93,7 +93,7 @@ class App {
   /// add_point delete_point scatter reset_points reset_view skip_question select_next select_previous select_none
   /// move_left move_right move_up move_down move_nearer move_farther (the selected point; "_fine" behind it for a
   /// tenth), zoom_in zoom_out orbit_left orbit_right orbit_up orbit_down
-  /// toggle_optimum watch_outcome.
+  /// toggle_optimum watch_outcome; and turn:EFFECT, which switches an effect of the scene off, and on again.
   /// next_mark skips a question that stands: a clicker has no other key. watch_outcome goes back to where the outcome's
   /// question was asked and plays on to the outcome; it cannot where nothing lies between.
   /// Returns false where the name is unknown or it cannot be done now (undo with nothing to undo).

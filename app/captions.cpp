@@ -37,6 +37,25 @@ std::span<const Index> span_of(const Support& support) {
 std::span<const Index> span_of(const std::vector<Index>& support) { return support; }
 
 /// Says each fact. One overload per fact, so that a new one does not compile before it has its sentence.
+/// hidden: whether a figure is still to be predicted; the sentence ends before it.
+template <class Hidden>
+std::string frame_caption(const fit::FrameTaken& fact, const Hidden& hidden) {
+  std::string words = "Frame " + std::to_string(fact.frame) + ": ";
+  if (fact.resting) return words + "all bodies rest, and nothing is run.";
+  const auto count = [](double n) { return std::to_string(static_cast<long long>(n)); };
+  if (fact.all_pairs == 0) {
+    const bool slack = !hidden("slack");
+    if (!hidden("cost")) words += "the update looks at " + counted(static_cast<int>(fact.cost), "point") + (slack ? ", and " : "");
+    return words + (slack ? "its volume is " + lesson::scene_figure_text("slack", 100 * fact.slack) + " too large." : ".");
+  }
+  words += "of " + count(fact.all_pairs) + " pairs";
+  if (hidden("after_broad")) return words + " how many are left?";
+  words += " the boxes leave " + count(fact.after_broad);
+  if (hidden("after_loose")) return words + ".";
+  words += ", the spheres " + count(fact.after_loose);
+  return hidden("touching") ? words + "." : words + "; " + count(fact.touching) + " touch.";
+}
+
 struct Sayer {
   const Step3& step;
   const Step3* next;
@@ -64,14 +83,7 @@ struct Sayer {
            (dim() == 2 ? "." : " along each of the three axes.");
   }
 
-  std::string operator()(const fit::FrameTaken& fact) const {
-    const std::string frame = "Frame " + std::to_string(fact.frame) + ": ";
-    if (fact.resting) return frame + "all bodies rest, and nothing is run.";
-    const auto count = [](double n) { return std::to_string(static_cast<long long>(n)); };
-    if (fact.all_pairs == 0) return frame + "the update looks at " + counted(static_cast<int>(fact.cost), "point") + ", and its volume is " + lesson::scene_figure_text("slack", 100 * fact.slack) + " too large.";
-    return frame + "of " + count(fact.all_pairs) + " pairs the boxes leave " + count(fact.after_broad) + ", the spheres " + count(fact.after_loose) +
-           "; " + count(fact.touching) + " touch.";
-  }
+  std::string operator()(const fit::FrameTaken& fact) const { return frame_caption(fact, [](std::string_view) { return false; }); }
 
   std::string operator()(const fit::MidpointFound<double, 3>& fact) const {
     const Point widths = fact.greatest - fact.least;
@@ -400,9 +412,11 @@ std::string caption_at(const lesson::Session& session) {
   if (entry == nullptr && session.lesson().scene && session.lesson().scene->at_points())
     return std::string(session.algorithm(0)->title) + " on " + std::to_string(session.size()) + (session.size() == 1 ? " body" : " bodies") + ": nothing has moved yet. Take the first step.";
   if (entry == nullptr) return caption_at_start(*session.algorithm(0), session.size());
-  // Of a frame the sentence would tell beside the question nearly what is asked of a later one.
-  if (const auto* frame = std::get_if<fit::FrameTaken>(&entry->step.fact); frame != nullptr && !session.asked_figure().empty())
-    return "Frame " + std::to_string(frame->frame) + ": what comes next is for you to say.";
+  if (const auto* frame = std::get_if<fit::FrameTaken>(&entry->step.fact)) {
+    // The sentence would tell beside the question nearly what is asked of a later frame.
+    if (!session.asked_figure().empty()) return "Frame " + std::to_string(frame->frame) + ": what comes next is for you to say.";
+    return frame_caption(*frame, [&](std::string_view figure) { return session.is_hidden(figure); });
+  }
   const auto& steps = session.recording(0).steps;
   const auto next = static_cast<std::size_t>(session.step());
   return caption_of(entry->step, next < steps.size() ? &steps[next].step : nullptr, session.points(), session.algorithm(0)->exact);

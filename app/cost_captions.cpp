@@ -63,7 +63,9 @@ std::string accuracy_caption(const cost::CostRow& row) {
 
 std::string accuracy_caption(const cost::Table<cost::CostRow>& table) {
   const auto front = std::count_if(table.rows.begin(), table.rows.end(), [](const cost::CostRow& row) { return row.on_front; });
-  return said("%d of %d lie on the front. Click a mark to load its box.", static_cast<int>(front), static_cast<int>(table.rows.size()));
+  const auto slow = std::find_if(table.rows.begin(), table.rows.end(), [](const cost::CostRow& row) { return row.points < row.of; });
+  const std::string left_out = slow == table.rows.end() ? "" : said(" %s, too slow here for all points, is left out.", algorithm_title(slow->volume, slow->algorithm).c_str());
+  return said("%d of %d lie on the front.%s Choose a mark to load its box.", static_cast<int>(front), static_cast<int>(table.rows.size()), left_out.c_str());
 }
 
 std::string growth_caption(const cost::Table<cost::GrowthRow>& table, int line, std::size_t point) {

@@ -26,7 +26,8 @@ std::string said(const char* format, double value) {
 /// Shapes go round, in the order of the names: what is told apart by its shape keeps its colour for what it means.
 ChartShape shape_of(std::size_t i) { return static_cast<ChartShape>(i % kChartShapes); }
 
-std::string title_of(const char* what, const cost::Provenance& p) { return std::string(what) + p.points; }
+/// Without how many points there are, which the axis or the table says: "cube" of "cube:1000".
+std::string title_of(const char* what, const cost::Provenance& p) { return what + p.points.substr(0, p.points.find(':')); }
 
 std::string note_of(const cost::Provenance& p) {
   return p.scalar + ", seed " + std::to_string(p.seed) + "; " + p.platform + ", " + p.build +

@@ -13,6 +13,7 @@ namespace snug::app {
 namespace {
 
 constexpr float kSize = 14, kSmall = 13, kTiny = 12;
+constexpr double kLeastSlack = 0.01;  // that the scale ends at: less is mostly rounding
 constexpr float kEffectRow = 26, kLeading = 16, kIndent = 20, kPlot = 84;
 
 const fit::FrameTaken* taken(const lesson::Session& session, int slot, int step) {
@@ -32,8 +33,8 @@ class Panel {
   }
 
   /// A stage of the funnel: its stroke as on the stage, its name, what it left, and a bar of that share of all pairs.
-  /// What is asked of it is not told.
-  void stage(const char* name, double left, double all, bool asked, Stroke stroke, Color color, bool sampled) {
+  /// hidden: it is still to be predicted.
+  void stage(const char* name, double left, double all, bool hidden, Stroke stroke, Color color, bool sampled) {
     const float middle = y_ + look_.px(9);
     float x = x_;
     if (sampled) {
@@ -42,27 +43,26 @@ class Panel {
       x += 36;
     }
     text(list_, look_, Face::kRegular, kSize, {x, middle_of(middle, look_.px(kSize))}, look_->ink, name);
-    text_right(list_, look_, Face::kMonoBold, kSmall, {x_ + width_, middle_of(middle, look_.px(kSmall))}, look_->ink, asked ? "—" : std::to_string(static_cast<std::int64_t>(left)));
+    text_right(list_, look_, Face::kMonoBold, kSmall, {x_ + width_, middle_of(middle, look_.px(kSmall))}, look_->ink, hidden ? "—" : std::to_string(static_cast<std::int64_t>(left)));
     const float top = y_ + look_.px(22), thick = 8;
     list_->AddRectFilled({x_, top}, {x_ + width_, top + thick}, look_->track, 2);
-    if (left > 0 && !asked) list_->AddRectFilled({x_, top}, {x_ + std::max(2.0f, width_ * static_cast<float>(left / all)), top + thick}, color, 2);
+    if (left > 0 && !hidden) list_->AddRectFilled({x_, top}, {x_ + std::max(2.0f, width_ * static_cast<float>(left / all)), top + thick}, color, 2);
     y_ += look_.px(40);
   }
 
-  /// asked: the key of the figure that a question is about.
-  void funnel(const fit::FrameTaken& frame, std::string_view asked) {
+  void funnel(const lesson::Session& session, const fit::FrameTaken& frame) {
     heading("The funnel: pairs that are left");
-    stage("All pairs", frame.all_pairs, frame.all_pairs, asked == "all_pairs", Stroke::kSolid, look_->muted, false);
-    stage("Boxes overlap", frame.after_broad, frame.all_pairs, asked == "after_broad", Stroke::kDotted, look_->previous, true);
-    stage("Loose spheres overlap", frame.after_loose, frame.all_pairs, asked == "after_loose", Stroke::kDashed, look_->examined_text, true);
-    stage("Touching", frame.touching, frame.all_pairs, asked == "touching", Stroke::kSolid, look_->support_text, true);
+    stage("All pairs", frame.all_pairs, frame.all_pairs, session.is_hidden("all_pairs"), Stroke::kSolid, look_->muted, false);
+    stage("Boxes overlap", frame.after_broad, frame.all_pairs, session.is_hidden("after_broad"), Stroke::kDotted, look_->previous, true);
+    stage("Loose spheres overlap", frame.after_loose, frame.all_pairs, session.is_hidden("after_loose"), Stroke::kDashed, look_->examined_text, true);
+    stage("Touching", frame.touching, frame.all_pairs, session.is_hidden("touching"), Stroke::kSolid, look_->support_text, true);
     y_ += look_.px(16);
   }
 
   /// The slack of each frame so far, against the whole run's length; slot 1's dashed.
   void slack(const lesson::Session& session) {
     heading("Slack over time");
-    double most = 0;
+    double most = kLeastSlack;
     for (const int slot : {0, 1})
       for (int step = 1; session.algorithm(slot) != nullptr && step <= session.step_of(slot); ++step)
         if (const auto* frame = taken(session, slot, step)) most = std::max(most, frame->slack);
@@ -80,7 +80,7 @@ class Panel {
       const auto steps = static_cast<float>(session.recording(slot).steps.size());
       for (int step = 1; step <= session.step_of(slot); ++step)
         if (const auto* frame = taken(session, slot, step))
-          curve.push_back({left + wide * static_cast<float>(step) / steps, bottom - (bottom - y_) * static_cast<float>(most > 0 ? frame->slack / most : 0)});
+          curve.push_back({left + wide * static_cast<float>(step) / steps, bottom - (bottom - y_) * static_cast<float>(frame->slack / most)});
       const Color color = slot == 0 ? look_->current : look_->previous;
       path(list_, curve, false, slot == 0 ? Stroke::kSolid : Stroke::kDashed, color, 2);
       if (slot == 0 && !curve.empty()) disc(list_, curve.back(), 4, color);
@@ -156,7 +156,7 @@ float draw_scene_panel(const Look& look, lesson::Session& session, ImVec2 at, fl
   if (frame == nullptr) return 0;
   Panel panel(look, at, width);
   if (const fit::FrameTaken* now = taken(session, 0, session.step())) {
-    if (now->all_pairs > 0) panel.funnel(*now, session.asked_figure());
+    if (now->all_pairs > 0) panel.funnel(session, *now);
     else if (session.current(0)->step.has_volume) panel.slack(session);
   }
   panel.effects(session, frame->tallies);

@@ -211,6 +211,7 @@ val view_object(app::App& app, const lesson::Session& session) {
     object.set("effects", array_of(frame->tallies, [&](const scene::Tally& tally) {
                  val row = val::object();
                  row.set("effect", tally.effect);
+                 row.set("on", session.is_on(tally.effect));
                  row.set("constructed", tally.constructed);
                  row.set("run", static_cast<double>(tally.run));
                  row.set("skipped", static_cast<double>(tally.skipped));

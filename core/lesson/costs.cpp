@@ -59,6 +59,13 @@ std::string names_of(const std::vector<std::string>& choices, int bits) {
   return text.empty() ? "none" : text;
 }
 
+/// That a time was not taken of all points, but worked out; nothing where it was.
+std::string foretold(const cost::CostRow& row) {
+  if (!row.whole_ns) return "";
+  return " It would keep the page waiting: it was timed on " + std::to_string(row.points) + " of the " + std::to_string(row.of) +
+         " points, and that is what follows from them.";
+}
+
 struct Truth {
   int value = 0;
   std::string happened, sentence;
@@ -69,6 +76,8 @@ Truth front_truth(const Asked& asked, Costs rows) {
   for (const std::size_t i : cost::pareto_front(rows)) truth.value |= 1 << i;
   truth.happened = names_of(asked.choices, truth.value);
   truth.sentence = "On the front: " + truth.happened + ".";
+  for (const cost::CostRow& row : rows)
+    if (row.whole_ns) truth.sentence += " " + title_of(row) + " was too slow here for all points, and is left out.";
   return truth;
 }
 
@@ -76,8 +85,8 @@ Truth time_truth(const Asked& asked, Costs rows) {
   const auto faster = [](const cost::CostRow& a, const cost::CostRow& b) { return whole_time(a) < whole_time(b); };
   const auto [least, most] = std::minmax_element(rows.begin(), rows.end(), faster);
   const double ratio = whole_time(*most) / whole_time(*least);
-  const std::string sentence = title_of(*most) + " takes " + times_text(ratio) + " times as " +
-                               (is_counted(*most) ? "many operations as " : "long as ") + title_of(*least) + ".";
+  const std::string sentence = title_of(*most) + " takes " + (most->whole_ns ? "about " : "") + times_text(ratio) + " times as " +
+                               (is_counted(*most) ? "many operations as " : "long as ") + title_of(*least) + "." + foretold(*most);
   if (asked.question->asks == Asks::kSlowest)
     return {static_cast<int>(most - rows.begin()), title_of(*most), sentence};
   const auto range = std::lower_bound(kTimes.begin(), kTimes.end(), ratio) - kTimes.begin();

@@ -230,12 +230,18 @@ std::string_view Session::asked_figure() const {
   return now->question->asks == Question::Asks::kVerdict ? "verdict" : std::string_view(now->question->figure);
 }
 
+bool Session::is_hidden(std::string_view figure) const {
+  if (figure == asked_figure()) return true;
+  const auto first = std::find_if(asked_.begin(), asked_.end(), [&](const Asked& asked) { return asked.question->figure == figure; });
+  if (first == asked_.end() || step() >= first->until) return false;
+  return std::none_of(outcomes_.begin(), outcomes_.end(), [&](const Outcome& outcome) { return outcome.question == first->question->id; });
+}
+
 std::vector<Figure> Session::figures(int slot) const {
   if (algorithm(slot) == nullptr) return {};
   std::vector<Figure> figures = figures_of(view(slot));
-  const std::string_view hidden = asked_figure();
   for (Figure& figure : figures)
-    if (figure.key == hidden) figure.text = "—", figure.known = false;
+    if (is_hidden(figure.key)) figure.text = "—", figure.known = false;
   return figures;
 }
 

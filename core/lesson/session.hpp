@@ -187,6 +187,8 @@ class Session {
   [[nodiscard]] std::vector<Figure> figures(int slot = 0) const;
   /// The key of the figure that is asked for, which is not told beside the question; empty for none.
   [[nodiscard]] std::string_view asked_figure() const;
+  /// Whether a figure is not told: it is asked for, or the first question about it is still open, ahead of where one stands.
+  [[nodiscard]] bool is_hidden(std::string_view figure) const;
   /// What is proven of the ball as it stands ("Proof, so far"), and in the end the result's certificate.
   [[nodiscard]] std::vector<Proof> proofs(int slot = 0) const;
   /// Changes whenever anything that a view shows has changed.

@@ -10,6 +10,7 @@ namespace {
 constexpr Index kFirst = 8;
 /// From the first run alone the worst is foreseen, where most of such a run is what no number of points changes.
 constexpr double kBold = 4;
+constexpr int kTriesBeforeStop = 2;
 constexpr double kLeastPower = 1, kMostPower = 4;
 /// The first run of a kind finds the caches empty, and in a browser code that is not yet compiled, which can take ten
 /// times as long: it counts only where it is longer than this. Else others do, for a browser's clock goes on by 0.1 ms, so
@@ -57,9 +58,15 @@ bool Ladder::affordable(Index n, const Limits& limits) const {
 void Ladder::choose(const Limits& limits) {
   for (const Index factor : {4, 2}) {
     next_ = reached_ > most_ / factor ? most_ : reached_ * factor;
-    if (affordable(next_, limits)) return;
+    if (!affordable(next_, limits)) continue;
+    again_ = 0;
+    return;
   }
-  done_ = true;
+  // One run that something else held up is no reason to stop: the least of a few times counts.
+  if (again_++ < kTriesBeforeStop)
+    next_ = reached_;
+  else
+    done_ = true;
 }
 
 void Ladder::step(const Clock& clock, const PointsOfSize& points, const fit::Options& options, const Limits& limits) {
@@ -72,8 +79,12 @@ void Ladder::step(const Clock& clock, const PointsOfSize& points, const fit::Opt
     now_.watched = time_of_one(clock, [&] { (void)algorithm_.watch(set, options, {}); });
   }
   timed_ = false;
-  before_ = last_, last_ = now_;
-  reached_ = next_;
+  if (next_ == reached_) {
+    last_.time = std::min(last_.time, now_.time), last_.watched = std::min(last_.watched, now_.watched);
+  } else {
+    before_ = last_, last_ = now_;
+    reached_ = next_;
+  }
   done_ = reached_ == most_;
   if (!done_) choose(limits);
 }

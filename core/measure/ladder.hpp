@@ -24,7 +24,7 @@ struct Limits {
 [[nodiscard]] double foreseen(double n1, double t1, double n2, double t2, double n);
 
 /// Goes up from few points by factors of four, of two where four is too much, until all are reached or the next run
-/// would take too long.
+/// would take too long, by the least of three times of the last.
 class Ladder {
  public:
   /// algorithm: its watch may be null, and then counts for nothing. size: of the whole set.
@@ -52,6 +52,7 @@ class Ladder {
   Index reached_ = 0;
   Index next_;
   bool timed_ = false;  // whether the unwatched run of next_ is done, and the watched one is to come
+  int again_ = 0;  // how often the last size was taken once more, before the next is too long
   bool done_ = false;
   Rung before_, last_, now_;
 };

@@ -31,6 +31,21 @@ async function step_through(page) {
   return asked;
 }
 
+test("an effect is switched off and on by keyboard alone", async (t) => {
+  const page = await visit(t, "?lesson=scene-broad&step=3");
+  const field = page.getByRole("checkbox", { name: "narrow phase" });
+  assert.ok(await field.isChecked());
+  await page.locator("#player button").first().focus();
+  for (let i = 0; i < 30 && !(await field.evaluate((node) => node === document.activeElement)); ++i) await page.keyboard.press("Tab");
+  await page.keyboard.press(" ");
+  const off = await until(page, (now) => now.effects.some(({ on }) => !on));
+  assert.deepEqual(off.effects.filter(({ on }) => !on).map(({ effect }) => effect), ["narrow_phase"]);
+  assert.ok(!(await field.isChecked()) && (await field.evaluate((node) => node === document.activeElement)));
+  await page.keyboard.press(" ");
+  await until(page, (now) => now.effects.every(({ on }) => on));
+  assert.equal(off.step, 3);
+});
+
 for (const { id, first, effects } of kScenes) {
   test(`${id}: every frame by keyboard, each effect as often as it is called for, and at rest nothing is drawn`, async (t) => {
     const page = await visit(t, `?lesson=${id}`);

@@ -124,15 +124,19 @@ export class CostTools {
       field.disabled = !ready && name !== "accuracy";
       label.title = field.disabled ? kPredictFirst : "";
     }
+    const [before, after] = running ? [this.#measure, this.#stop] : [this.#stop, this.#measure];
+    const held = document.activeElement === before; // what is disabled loses the focus
     this.#measure.disabled = running || !ready;
     this.#stop.disabled = !running;
+    if (held) after.focus();
     for (const file of this.#files) file.disabled = rows.length === 0;
     set_text(this.#view, shown ? "Shape" : "Chart");
     set_hidden(this.#bar, !running);
     this.#show_progress(progress);
+    const on = of.split(":")[0];
     const there = `${size.toLocaleString("en")} points`;
-    const words = !ready ? kPredictFirst : running ? (chart === "growth" ? `Measuring ${of}.` : `Measuring ${there}.`)
-      : rows.length > 0 ? `${rows.length} measured, on ${of}.` : chart === "growth" ? "From 10 points to a million." : `${there} to measure.`;
+    const words = !ready ? kPredictFirst : running ? (chart === "growth" ? `Measuring ${on}.` : `Measuring ${there}.`)
+      : rows.length > 0 ? `${rows.length} measured, on ${on}.` : chart === "growth" ? "From 10 points to a million." : `${there} to measure.`;
     set_text(this.#says, then ? `${words} Hollow: ${then}, an earlier result.` : words);
     const { columns } = kCharts[chart];
     this.#head.replaceChildren(...columns.map(([heading]) => element("th", { scope: "col" }, heading)));

@@ -1,4 +1,5 @@
-// The timeline's buttons once more as HTML: unseen until the keyboard comes to them, for those who cannot see the canvas.
+// The timeline's buttons, and a scene's effects, once more as HTML: unseen until the keyboard comes to them, for those who
+// cannot see the canvas.
 import { by_id, element, set_text, when_changed } from "./dom.js";
 
 const kButtons = [["first", "First step"], ["back", "Step back"], ["step", "Step"], ["play", "Play"], ["last", "Last step"],
@@ -7,15 +8,26 @@ const kButtons = [["first", "First step"], ["back", "Step back"], ["step", "Step
 export class Player {
   #slider;
   #play;
+  #effects = element("span", { class: "row" });
+  #switches = [];
+  #door;
+  #act;
 
   constructor(door, act) {
+    this.#door = door;
+    this.#act = act;
     this.#slider = element("input", { type: "range", min: 0, step: 1, "aria-label": "Step",
       oninput: () => act(() => door.go(Number(this.#slider.value))) });
     const buttons = kButtons.map(([command, words]) =>
       element("button", { type: "button", class: "button", onclick: () => act(() => door.command(command)) }, words));
     this.#play = buttons[3];
-    by_id("player").append(...buttons, this.#slider);
+    by_id("player").append(...buttons, this.#effects, this.#slider);
   }
+
+  #list_effects = when_changed((...names) => {
+    this.#switches = names.map((name) => element("input", { type: "checkbox", onchange: () => this.#act(() => this.#door.command(`turn:${name}`)) }));
+    this.#effects.replaceChildren(...names.map((name, i) => element("label", {}, this.#switches[i], ` ${name.replaceAll("_", " ")}`)));
+  });
 
   #show_step = when_changed((step, steps) => {
     this.#slider.max = steps;
@@ -25,6 +37,9 @@ export class Player {
 
   update(view) {
     this.#show_step(view.step, view.steps);
+    const effects = view.effects ?? [];
+    this.#list_effects(...effects.map(({ effect }) => effect));
+    for (const [i, { on }] of effects.entries()) this.#switches[i].checked = on;
     set_text(this.#play, view.playing ? "Pause" : "Play");
   }
 }

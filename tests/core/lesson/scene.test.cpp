@@ -110,6 +110,27 @@ TEST_CASE("each lesson's effects run as often as their inputs change") {
   CHECK(counts(opened("scene-updates"), 120) == std::vector<std::string>{"spin body 1 120 0", "refit 1 120 0"});
 }
 
+TEST_CASE("a figure is not told before the first question about it is answered") {
+  lesson::Session session = opened("scene-broad");
+  const auto told = [&](std::string_view key) {
+    for (const lesson::Figure& figure : session.figures(0))
+      if (figure.key == key) return figure.known;
+    return false;
+  };
+  session.answer({lesson::Answer::Kind::kChoice, 0});
+  CHECK(session.step() == 1);
+  CHECK(told("after_broad"));
+  CHECK_FALSE(told("after_loose"));
+  CHECK_FALSE(told("touching"));
+  session.jump(29);
+  session.answer({lesson::Answer::Kind::kChoice, 0});
+  session.jump(40);
+  CHECK(told("after_loose"));
+  CHECK_FALSE(told("touching"));
+  session.jump(60);
+  CHECK(told("touching"));  // the frame that it is about
+}
+
 TEST_CASE("no frame of a scene is marked, but for questions") {
   for (const std::string id : {"scene-broad", "scene-updates"})
     for (const lesson::Session session = opened(id); const lesson::Mark& mark : session.marks())
