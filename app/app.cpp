@@ -18,6 +18,7 @@ namespace snug::app {
 namespace {
 
 constexpr double kStepsPerSecond = 2;  // at speed 1, where steps are not a scene's frames
+constexpr double kWatchedSeconds = 2;  // that the way to an outcome is shown in, at least
 constexpr int kSettleFrames = 2;       // ImGui answers an input over this many frames
 constexpr double kOrbitStep = 0.2, kZoomStep = 1.25;
 
@@ -47,6 +48,7 @@ struct App::State {
   float speed = 1;
   double next_step_at = 0;
   std::optional<int> play_until;  // the step of the outcome that is watched
+  double watched_pause = 0;  // seconds, until then
   double now = 0;
   std::uint64_t drawn_revision = 0;
   std::unique_ptr<Costs> costs;
@@ -56,10 +58,11 @@ struct App::State {
 
   void load_fonts();
   void refresh_look(bool fingers);
-  /// Seconds from one playing step to the next. At speed 1 a scene takes the time that it simulates.
+  /// Seconds from one playing step to the next. At speed 1 a scene takes the time that it simulates, but where its outcome
+  /// is watched: a third of a second nobody sees.
   [[nodiscard]] double pause() const {
     const auto& scene = session->lesson().scene;
-    return (scene ? scene->step : 1 / kStepsPerSecond) / static_cast<double>(speed);
+    return (scene ? std::max(scene->step, play_until ? watched_pause : 0) : 1 / kStepsPerSecond) / static_cast<double>(speed);
   }
   void play_on();
   [[nodiscard]] bool player(std::string_view name);
@@ -146,6 +149,7 @@ bool App::State::watch_outcome() {
   if (outcome == nullptr || outcome->step - outcome->from_step < 2) return false;
   const int from = outcome->from_step;
   play_until = outcome->step;
+  watched_pause = kWatchedSeconds / (outcome->step - from);
   session->go(from);
   playing = true;
   next_step_at = now + pause();

@@ -94,7 +94,7 @@ bool in_panel(const lesson::Session& session, const lesson::Figure& figure) {
 }
 
 /// What two methods are compared by.
-constexpr std::array<std::string_view, 6> kCompared{"radius", "measure", "excess", "corners", "verdict", "slack"};
+constexpr std::array<std::string_view, 8> kCompared{"radius", "measure", "excess", "corners", "verdict", "slack", "cost", "compared"};
 
 }  // namespace
 

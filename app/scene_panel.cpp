@@ -50,9 +50,18 @@ class Panel {
     y_ += look_.px(40);
   }
 
+  /// What is no stage: the work that the first one takes.
+  void figure(const char* name, const std::string& value) {
+    const float middle = y_ + look_.px(9);
+    text(list_, look_, Face::kRegular, kSize, {x_, middle_of(middle, look_.px(kSize))}, look_->muted, name);
+    text_right(list_, look_, Face::kMono, kSmall, {x_ + width_, middle_of(middle, look_.px(kSmall))}, look_->ink, value);
+    y_ += look_.px(28);
+  }
+
   void funnel(const lesson::Session& session, const fit::FrameTaken& frame) {
     heading("The funnel: pairs that are left");
     stage("All pairs", frame.all_pairs, frame.all_pairs, session.is_hidden("all_pairs"), Stroke::kSolid, look_->muted, false);
+    figure("Boxes compared", std::to_string(static_cast<std::int64_t>(frame.compared)));
     stage("Boxes overlap", frame.after_broad, frame.all_pairs, session.is_hidden("after_broad"), Stroke::kDotted, look_->previous, true);
     stage("Loose spheres overlap", frame.after_loose, frame.all_pairs, session.is_hidden("after_loose"), Stroke::kDashed, look_->examined_text, true);
     stage("Touching", frame.touching, frame.all_pairs, session.is_hidden("touching"), Stroke::kSolid, look_->support_text, true);

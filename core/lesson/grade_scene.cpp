@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::string_view title_of(std::string_view figure) {
   if (figure == "all_pairs") return "All pairs";
+  if (figure == "compared") return "Boxes compared";
   if (figure == "after_broad") return "Left by the boxes";
   if (figure == "after_loose") return "Left by the spheres";
   if (figure == "touching") return "Touching";
@@ -17,8 +18,8 @@ constexpr std::string_view title_of(std::string_view figure) {
 std::string asked_for(const Task::Requirement& due) {
   const std::string least = scene_figure_text(due.figure, due.at_least), most = scene_figure_text(due.figure, due.at_most);
   if (due.at_least == due.at_most) return "it must be " + least;
-  if (due.at_most == Task::Requirement::kNoMost) return "at least " + least + " is asked for";
-  return due.at_least == 0 ? "at most " + most + " is asked for" : "between " + least + " and " + most + " is asked for";
+  if (due.at_most == Task::Requirement::kNoMost) return "it must be at least " + least;
+  return due.at_least == 0 ? "it must be at most " + most : "it must be between " + least + " and " + most;
 }
 
 }  // namespace
@@ -29,7 +30,7 @@ Grade grade_scene(const Task& task, const SceneSet& scene, const AnyPointSet& po
   const auto run = run_scene(scene, task.algorithm, points, seed);
   if (!run) return grade.says = run.error().what, grade;
   grade.done = grade.points == task.points;
-  if (!grade.done) grade.says = "There are " + std::to_string(grade.points) + " points; the task is for " + std::to_string(task.points) + ". ";
+  if (!grade.done) grade.says = "There are " + std::to_string(grade.points) + (scene.at_points() ? " bodies" : " points") + "; the task is for " + std::to_string(task.points) + ". ";
   const auto& last = *std::get_if<fit::FrameTaken>(&run->recording.steps.back().step.fact);
   for (const Task::Requirement& due : task.requirements) {
     const double value = figure_of(last, due.figure);

@@ -46,6 +46,7 @@ std::vector<Figure> scene_figures(const RunView& run) {
   };
   if (frame->all_pairs > 0) {
     add("All pairs", "all_pairs", "pairs");
+    add("Boxes compared", "compared", "pairs");
     add("Boxes overlap", "after_broad", "pairs");
     add("Loose spheres overlap", "after_loose", "pairs");
     add("Touching", "touching", "pairs");

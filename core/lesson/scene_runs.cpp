@@ -16,7 +16,7 @@ constexpr fit::Algorithm row(std::string_view name, std::string_view title, std:
   return {kScene, name, title, false, false, true, kMostBodies, kEricson, pseudocode, {}, nullptr, nullptr};
 }
 
-constexpr std::array<std::string_view, 7> kFigures{"all_pairs", "after_broad", "after_loose", "touching", "slack", "cost", "energy"};
+constexpr std::array<std::string_view, 8> kFigures{"all_pairs", "compared", "after_broad", "after_loose", "touching", "slack", "cost", "energy"};
 
 /// Lessons' names of updates: with the volume where it is no AABB.
 std::string name_of(const fit::UpdateStrategy& strategy) {
@@ -114,6 +114,7 @@ fit::FrameTaken frame_of(const scene::Scene& scene) {
   const bool pairs = std::any_of(scene.tallies().begin(), scene.tallies().end(), [](const scene::Tally& tally) { return tally.effect == "broad_phase"; });
   return {.frame = state.frame,
           .all_pairs = pairs ? static_cast<double>(state.funnel.all) : 0,
+          .compared = static_cast<double>(state.funnel.compared),
           .after_broad = static_cast<double>(state.funnel.after_broad),
           .after_loose = static_cast<double>(state.funnel.after_loose),
           .touching = static_cast<double>(state.funnel.touching),
@@ -126,7 +127,7 @@ fit::FrameTaken frame_of(const scene::Scene& scene) {
 }
 
 double figure_of(const fit::FrameTaken& frame, std::string_view figure) {
-  const double values[] = {frame.all_pairs, frame.after_broad, frame.after_loose, frame.touching, 100 * frame.slack, frame.cost, frame.energy};
+  const double values[] = {frame.all_pairs, frame.compared, frame.after_broad, frame.after_loose, frame.touching, 100 * frame.slack, frame.cost, frame.energy};
   const auto found = std::find(kFigures.begin(), kFigures.end(), figure);
   return found == kFigures.end() ? 0 : values[found - kFigures.begin()];
 }

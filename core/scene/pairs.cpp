@@ -34,9 +34,9 @@ struct Swept {
   Index body;
 };
 
-std::vector<Pair> sweep_and_prune(std::span<const Box> boxes) {
-  std::vector<Pair> pairs;
-  if (boxes.empty()) return pairs;
+PairsFound sweep_and_prune(std::span<const Box> boxes) {
+  PairsFound found;
+  if (boxes.empty()) return found;
   const int axis = widest_axis(boxes);
   std::vector<Swept> order;
   order.reserve(boxes.size());
@@ -49,35 +49,41 @@ std::vector<Pair> sweep_and_prune(std::span<const Box> boxes) {
   const auto overlap = [u, v](const Box& a, const Box& b) {
     return int{a.min[u] > b.max[u]} + int{b.min[u] > a.max[u]} + int{a.min[v] > b.max[v]} + int{b.min[v] > a.max[v]} == 0;
   };
-  for (std::size_t i = 0; i < order.size(); ++i)
-    for (std::size_t j = i + 1; j < order.size() && order[j].box.min[axis] <= order[i].box.max[axis]; ++j)
-      if (overlap(order[i].box, order[j].box)) pairs.push_back(pair_of(order[i].body, order[j].body));
-  return pairs;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    std::size_t j = i + 1;
+    for (; j < order.size() && order[j].box.min[axis] <= order[i].box.max[axis]; ++j)
+      if (overlap(order[i].box, order[j].box)) found.pairs.push_back(pair_of(order[i].body, order[j].body));
+    found.compared += static_cast<std::int64_t>(j - i - 1);
+  }
+  return found;
 }
 
-std::vector<Pair> by_tree(std::span<const Box> boxes) {
-  std::vector<Pair> pairs;
+PairsFound by_tree(std::span<const Box> boxes) {
+  PairsFound found;
   const hierarchy::Tree<Box> tree = hierarchy::build_median<Box>(boxes);
-  hierarchy::overlapping_pairs(tree, boxes, tree, boxes, [&](Index i, Index j) {
-    if (i < j) pairs.push_back({i, j});  // each is met both ways round
+  const auto counts = hierarchy::overlapping_pairs(tree, boxes, tree, boxes, [&](Index i, Index j) {
+    if (i < j) found.pairs.push_back({i, j});  // each is met both ways round
   });
-  return pairs;
+  found.compared = counts.volume_tests();
+  return found;
 }
 
-std::vector<Pair> all_pairs(std::span<const Box> boxes) {
-  std::vector<Pair> pairs;
+PairsFound all_pairs(std::span<const Box> boxes) {
+  PairsFound found;
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (std::size_t j = i + 1; j < boxes.size(); ++j)
-      if (query::aabbs_overlap(boxes[i], boxes[j])) pairs.push_back({static_cast<Index>(i), static_cast<Index>(j)});
-  return pairs;
+      if (query::aabbs_overlap(boxes[i], boxes[j])) found.pairs.push_back({static_cast<Index>(i), static_cast<Index>(j)});
+  const auto n = static_cast<std::int64_t>(boxes.size());
+  found.compared = n * (n - 1) / 2;
+  return found;
 }
 
 }  // namespace
 
-std::vector<Pair> overlapping_pairs(std::span<const Box> boxes, PairSearch search) {
-  std::vector<Pair> pairs = search == PairSearch::kTree ? by_tree(boxes) : search == PairSearch::kAllPairs ? all_pairs(boxes) : sweep_and_prune(boxes);
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+PairsFound overlapping_pairs(std::span<const Box> boxes, PairSearch search) {
+  PairsFound found = search == PairSearch::kTree ? by_tree(boxes) : search == PairSearch::kAllPairs ? all_pairs(boxes) : sweep_and_prune(boxes);
+  std::sort(found.pairs.begin(), found.pairs.end());
+  return found;
 }
 
 }  // namespace snug::scene

@@ -41,8 +41,13 @@ inline constexpr std::array<std::string_view, 4> kAllPairsPseudocode{
     "loose spheres, then the exact test, on each pair",
 };
 
-/// By rising a, then b; the same whichever way they are found. Touching boxes overlap.
+struct PairsFound {
+  std::vector<Pair> pairs;     // by rising a, then b; the same whichever way they are found
+  std::int64_t compared = 0;   // pairs of boxes that were compared, of the tree's nodes as well
+};
+
+/// Touching boxes overlap.
 /// Source: C. Ericson, "Real-Time Collision Detection", 2005, 7.5.
-[[nodiscard]] std::vector<Pair> overlapping_pairs(std::span<const Aabb<double, 3>> boxes, PairSearch search);
+[[nodiscard]] PairsFound overlapping_pairs(std::span<const Aabb<double, 3>> boxes, PairSearch search);
 
 }  // namespace snug::scene

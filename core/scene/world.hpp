@@ -71,9 +71,9 @@ struct Impulse {
   double approach = 0;                // at which speed the bodies came, where they have yet to bounce
 };
 
-/// How many pairs each stage left.
+/// How many pairs each stage left, and how many the first one had to compare for it.
 struct Funnel {
-  std::int64_t all = 0, after_broad = 0, after_loose = 0, touching = 0;
+  std::int64_t all = 0, compared = 0, after_broad = 0, after_loose = 0, touching = 0;
 };
 
 /// What the volumes came to when they were last updated.

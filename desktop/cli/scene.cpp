@@ -74,8 +74,8 @@ CommandResult run_scene(const SceneOptions& options) {
 constexpr const char* kSceneFooter = R"(Runs a lesson's scene and prints JSON Lines:
   {"effect","constructed","run","skipped","microseconds"}   for each effect that the scene calls for, in the order in
                     which a frame runs them; skipped counts frames in which nothing that it reads had changed
-  {"frame","all_pairs","after_broad","after_loose","touching","slack","cost","energy","resting","lesson","frames_drawn",
-   "frames_skipped","hash"}   the last frame: pairs that each stage left, slack of the volumes in per cent, points that
+  {"frame","all_pairs","compared","after_broad","after_loose","touching","slack","cost","energy","resting","lesson",
+   "frames_drawn","frames_skipped","hash"}   the last frame: pairs whose boxes were compared, pairs that each stage left, slack of the volumes in per cent, points that
                     their updates looked at; a frame is drawn where it changed something; the hash is of every bit of the
                     bodies, the same natively and in WebAssembly
 A lesson that declares no scene stands still: it has no effects, and no frame after the first is drawn.

@@ -1,4 +1,6 @@
 // Which pairs are worth a closer look: those whose boxes overlap.
+#include <utility>
+
 #include "geometry/tolerance.hpp"
 #include "scene/effect.hpp"
 #include "scene/pairs.hpp"
@@ -17,7 +19,9 @@ class BroadPhase final : public Effect {
       const double room = world.margin(i) + tolerance::kPlaced<double> * (boxes[i].min.cwiseAbs().maxCoeff() + boxes[i].max.cwiseAbs().maxCoeff());
       boxes[i].min -= V3::Constant(room), boxes[i].max += V3::Constant(room);
     }
-    world.state.pairs = overlapping_pairs(boxes, search_);
+    PairsFound found = overlapping_pairs(boxes, search_);
+    world.state.pairs = std::move(found.pairs);
+    world.state.funnel.compared = found.compared;
     world.state.funnel.after_broad = static_cast<std::int64_t>(world.state.pairs.size());
     world.state.changed(Slot::kPairs);
   }

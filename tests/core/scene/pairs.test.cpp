@@ -48,12 +48,17 @@ TEST_CASE("sweep and prune, and a tree, find the pairs that trying all finds") {
       for (const double size : {0.05, 0.3, 3.0}) {
         const auto all = boxes(count, size, static_cast<std::uint64_t>(count), on_grid);
         const auto wanted = scene::overlapping_pairs(all, PairSearch::kAllPairs);
-        CHECK(scene::overlapping_pairs(all, PairSearch::kSweepAndPrune) == wanted);
-        CHECK(scene::overlapping_pairs(all, PairSearch::kTree) == wanted);
-        if (count == 400) CHECK_FALSE(wanted.empty());
+        const auto swept = scene::overlapping_pairs(all, PairSearch::kSweepAndPrune);
+        CHECK(swept.pairs == wanted.pairs);
+        CHECK(scene::overlapping_pairs(all, PairSearch::kTree).pairs == wanted.pairs);
+        const auto n = static_cast<std::int64_t>(all.size());
+        CHECK(wanted.compared == n * (n - 1) / 2);
+        CHECK(swept.compared <= wanted.compared);
+        CHECK(swept.compared >= static_cast<std::int64_t>(swept.pairs.size()));
+        if (count == 400) CHECK_FALSE(wanted.pairs.empty());
       }
-  CHECK(scene::overlapping_pairs({}, PairSearch::kSweepAndPrune).empty());
-  CHECK(scene::overlapping_pairs({}, PairSearch::kTree).empty());
+  CHECK(scene::overlapping_pairs({}, PairSearch::kSweepAndPrune).pairs.empty());
+  CHECK(scene::overlapping_pairs({}, PairSearch::kTree).pairs.empty());
 }
 
 TEST_CASE("each stage of the funnel leaves fewer pairs and loses none that touch") {
