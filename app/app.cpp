@@ -34,6 +34,17 @@ bool same(const Settings& a, const Settings& b) {
          a.prose_in_canvas == b.prose_in_canvas && a.show_optimum == b.show_optimum;
 }
 
+/// What a new texture of letters leaves empty becomes white: it is transparent all the same, and where letters stand between
+/// pixels their edges are mixed with it, so that of the black that comes with it a pale halo had grey seams.
+void whiten(const ImFontAtlas& atlas) {
+  for (ImTextureData* texture : atlas.TexList) {
+    if (texture->Status != ImTextureStatus_WantCreate || texture->BytesPerPixel != 4) continue;
+    unsigned char* const end = texture->Pixels + texture->Width * texture->Height * 4;
+    for (unsigned char* pixel = texture->Pixels; pixel != end; pixel += 4)
+      if (pixel[3] == 0) std::fill(pixel, pixel + 3, static_cast<unsigned char>(255));
+  }
+}
+
 }  // namespace
 
 struct App::State {
@@ -313,6 +324,7 @@ void App::pinch(float factor, float x, float y, float dx, float dy) {
 
 void App::frame(const Layout& layout, double now) {
   State& s = *state_;
+  whiten(*ImGui::GetIO().Fonts);
   s.now = now;
   s.settle = has_input(ImGui::GetIO()) ? kSettleFrames : std::max(0, s.settle - 1);
   s.refresh_look(layout.fingers);
@@ -335,6 +347,7 @@ void App::frame(const Layout& layout, double now) {
     const Pane pane("##inspector", layout.inspector, Pane::Kind::kScrolls);
     draw_inspector(s.look, *s.session, layout.inspector);
   }
+  whiten(*ImGui::GetIO().Fonts);  // which may have grown
   s.drawn_costs = s.costs->version();
   s.drawn_percent = s.costs->percent();
   s.drawn_revision = s.session->revision();

@@ -61,7 +61,7 @@ class Panel {
   void funnel(const lesson::Session& session, const fit::FrameTaken& frame) {
     heading("The funnel: pairs that are left");
     stage("All pairs", frame.all_pairs, frame.all_pairs, session.is_hidden("all_pairs"), Stroke::kSolid, look_->muted, false);
-    figure("Boxes compared", std::to_string(static_cast<std::int64_t>(frame.compared)));
+    figure("Boxes compared", session.is_hidden("compared") ? "—" : std::to_string(static_cast<std::int64_t>(frame.compared)));
     stage("Boxes overlap", frame.after_broad, frame.all_pairs, session.is_hidden("after_broad"), Stroke::kDotted, look_->previous, true);
     stage("Loose spheres overlap", frame.after_loose, frame.all_pairs, session.is_hidden("after_loose"), Stroke::kDashed, look_->examined_text, true);
     stage("Touching", frame.touching, frame.all_pairs, session.is_hidden("touching"), Stroke::kSolid, look_->support_text, true);
