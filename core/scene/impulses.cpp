@@ -87,6 +87,9 @@ double fallen(const World& world, const ContactRow& row) {
   return share * world.round() * world.gravity.dot(row.normal);
 }
 
+/// They may close what is between them, and no more.
+double still_target(const World& world, const ContactRow& row) { return row.separation > 0 ? -row.separation / world.round() : 0; }
+
 /// How fast the bodies may still come together there; or, once they touch, how fast they go apart again. The speed at which
 /// they came is remembered for the round in which they get there: what keeps them from passing through slows them down before. It is the speed with
 /// which they meet, on the way: not with all that gravity adds by the end of the round, or a ball would bounce too high.
@@ -101,7 +104,7 @@ void aim(const World& world, ContactRow& row, const Surface& surface, double app
     return;
   }
   // Gravity has a round of its work done before the body goes up: so it comes as high as it fell, and no higher.
-  row.target = quick(coming) ? std::max(0.0, surface.restitution * coming + std::min(0.0, fallen(world, row))) : row.separation > 0 ? -row.separation / seconds : 0;
+  row.target = quick(coming) ? std::max(0.0, surface.restitution * coming + std::min(0.0, fallen(world, row))) : still_target(world, row);
 }
 
 }  // namespace
@@ -158,6 +161,11 @@ double settle(World& world, ContactRow& row, const Surface& surface) {
 }
 
 }  // namespace
+
+void stop_bouncing(const World& world, std::vector<ContactRow>& rows) {
+  for (ContactRow& row : rows)
+    if (row.target > 0) row.target = still_target(world, row);
+}
 
 void solve(World& world, std::vector<ContactRow>& rows, const Surface& surface) {
   for (const ContactRow& row : rows)

@@ -32,6 +32,9 @@ struct ContactRow {
 /// Changes velocities, and keeps in the state what the next frame begins from.
 void solve(World& world, std::vector<ContactRow>& rows, const Surface& surface);
 
+/// The rows as they are without restitution: what would go apart only stays.
+void stop_bouncing(const World& world, std::vector<ContactRow>& rows);
+
 /// How bodies that lie deeper in each other than they may are to be moved apart.
 struct Shift {
   std::size_t body = 0;

@@ -72,7 +72,7 @@ std::uint64_t World::hash() const {
     hash.add(static_cast<std::uint64_t>(body.still) * 2 + (body.asleep ? 1 : 0));
   }
   for (const Impulse& impulse : state.impulses)
-    hash.add(impulse.normal), hash.add(impulse.first), hash.add(impulse.second), hash.add(impulse.approach);
+    hash.add(impulse.normal), hash.add(impulse.first), hash.add(impulse.second), hash.add(impulse.approach), hash.add(impulse.owed);
   return hash.value;
 }
 

@@ -69,6 +69,7 @@ struct Impulse {
   int feature = 0;                    // which corner, edge or face
   double normal = 0, first = 0, second = 0;  // kg scene units / s
   double approach = 0;                // at which speed the bodies came, where they have yet to bounce
+  double owed = 0;                    // the energy that slowing down for that took
 };
 
 /// How many pairs each stage left.

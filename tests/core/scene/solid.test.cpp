@@ -208,6 +208,30 @@ TEST_CASE("with restitution a ball comes back as high as it must, and no higher"
   }
 }
 
+TEST_CASE("with restitution there is never more energy than there was") {
+  const auto spinning = [](double tilt, double turning, double restitution) {
+    Body body = box({0.5, 0.1, 0.5}, {0, 1.5, 0});
+    body.orientation = quaternion_about(V3::UnitZ(), tilt * std::numbers::pi / 180);
+    return Declaration{.bodies = {floor(), moving(body, {0, -1, 0}, {0, 0, turning})}, .effects = solid(restitution, true, 0)};
+  };
+  std::vector<Declaration> all{tumble(0.6, false), tumble(0.9, true), tumble(1, false)};
+  for (const double restitution : {0.5, 0.6, 0.7, 0.9, 1.0})
+    for (int tilt = 0; tilt < 90; tilt += 17)
+      for (const double turning : {-9.0, -3.0, 5.0, 12.0}) all.push_back(spinning(tilt, turning, restitution));
+  for (const Declaration& declaration : all)
+    for (const bool gravity : {true, false}) {
+      Declaration own = declaration;
+      if (!gravity) own.effects.erase(own.effects.begin());
+      Scene scene = opened(own);
+      const double start = scene.world().energy();
+      INFO("restitution " << own.effects.back().settings[0].numbers[0] << ", gravity " << gravity << ", bodies " << own.bodies.size());
+      for (int frame = 0; frame < 90; ++frame) {
+        scene.step();
+        REQUIRE(scene.world().energy() <= start + 1e-9 * std::abs(start));
+      }
+    }
+}
+
 TEST_CASE("a body at 200 metres a second does not end up inside a wall, nor behind it") {
   for (const double thickness : {0.5, 0.05, 0.004})
     for (const double restitution : {0.0, 0.6}) {
