@@ -194,8 +194,8 @@ std::vector<Shift> shifts_apart(const World& world, const std::vector<ContactRow
     const double of_a = inverse_mass(world, pair.a), of_b = inverse_mass(world, pair.b);
     if (depth <= 0 || of_a + of_b == 0) continue;
     const V3 way = deepest->normal * (depth / (of_a + of_b));
-    if (of_a > 0) shifts.push_back({static_cast<std::size_t>(pair.a), -way * of_a, of_b == 0});
-    if (of_b > 0) shifts.push_back({static_cast<std::size_t>(pair.b), way * of_b, of_a == 0});
+    if (of_a > 0) shifts.push_back({static_cast<std::size_t>(pair.a), -way * of_a, of_b == 0, member_of(world, pair.b).driven});
+    if (of_b > 0) shifts.push_back({static_cast<std::size_t>(pair.b), way * of_b, of_a == 0, member_of(world, pair.a).driven});
   }
   return shifts;
 }

@@ -40,6 +40,7 @@ struct Shift {
   std::size_t body = 0;
   V3 by = V3::Zero();
   bool out_of_wall = false;  // the other one does not move
+  bool driven = false;       // the other one is driven: what drives it has energy enough
 };
 [[nodiscard]] std::vector<Shift> shifts_apart(const World& world, const std::vector<ContactRow>& rows);
 

@@ -47,7 +47,7 @@ struct Motion {
   V3 turning = V3::Zero();
   int still = 0;                      // for how many rounds it hardly moved
   bool asleep = false;
-  std::uint64_t moved = 0;            // the revision of poses with which it moved last
+  std::uint64_t moved = 0;            // the revision of poses with which it moved last, or fell asleep
 };
 
 /// Two bodies, a < b.

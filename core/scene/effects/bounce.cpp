@@ -63,11 +63,12 @@ class Bounce final : public Effect {
     std::vector<bool> awake(world.size(), false);
     for (std::size_t i = 0; i < world.size(); ++i)
       if (world.awake(i)) awake[islands.of(i)] = true;
-    // What is driven against a sleeper wakes it.
+    // What is driven against a sleeper wakes it, where it moved since that fell asleep.
     for (const Contact& contact : world.state.contacts)
-      for (const Index i : {contact.pair.a, contact.pair.b})
-        if (world.members[static_cast<std::size_t>(i)].driven && world.state.bodies[static_cast<std::size_t>(i)].moved >= world.state.revision(Slot::kPoses))
-          awake[islands.of(static_cast<std::size_t>(contact.pair.a + contact.pair.b - i))] = true;
+      for (const Index i : {contact.pair.a, contact.pair.b}) {
+        const auto one = static_cast<std::size_t>(i), other = static_cast<std::size_t>(contact.pair.a + contact.pair.b - i);
+        if (world.members[one].driven && world.state.bodies[one].moved > world.state.bodies[other].moved) awake[islands.of(other)] = true;
+      }
     for (std::size_t i = 0; i < world.size(); ++i)
       if (world.members[i].moves() && world.state.bodies[i].asleep && awake[islands.of(i)]) world.state.bodies[i].asleep = false, world.state.bodies[i].still = 0;
   }
@@ -87,9 +88,9 @@ class Bounce final : public Effect {
   /// Out of a wall all of the way, where what an impact takes away pays for it; else a part of it, or none.
   static void push_apart(World& world, Budget& budget, const Shift& shift) {
     const Motion& motion = world.state.bodies[shift.body];
-    const double work = -world.members[shift.body].mass * world.gravity.dot(shift.by);
-    const auto affords = [&](double part) { return budget.pushed + part * work <= budget.may_spend(); };
-    const double part = shift.out_of_wall && !budget.bounces && affords(1) ? 1 : limits::kMended;
+    const double work = shift.driven ? 0 : -world.members[shift.body].mass * world.gravity.dot(shift.by);
+    const auto affords = [&](double part) { return shift.driven || budget.pushed + part * work <= budget.may_spend(); };
+    const double part = shift.driven || (shift.out_of_wall && !budget.bounces && affords(1)) ? 1 : limits::kMended;
     if (!affords(part)) return;
     budget.pushed += part * work;
     world.place(shift.body, motion.position + part * shift.by, motion.orientation);
@@ -203,6 +204,7 @@ class Bounce final : public Effect {
       if (!world.awake(i) || still[islands.of(i)] < limits::kStillRounds) continue;
       Motion& motion = world.state.bodies[i];
       motion.asleep = true;
+      motion.moved = world.state.revision(Slot::kPoses);
       motion.velocity = motion.turning = V3::Zero();
     }
   }

@@ -317,3 +317,22 @@ TEST_CASE("a sleeper wakes when another body comes") {
   scene.go(900);
   CHECK(scene.resting());
 }
+
+TEST_CASE("what is driven against a sleeper wakes it, whatever else is driven") {
+  for (const bool first : {true, false}) {
+    Declaration declaration{.bodies = {floor(), box({0.5, 0.5, 0.5}, {0, 0.5, 0}), named("pusher", box({0.3, 0.4, 0.4}, {-8, 0.5, 0})),
+                                       named("other", ball(0.1, {0, 30, 0}))},
+                            .effects = solid(0)};
+    const EffectCall push = call("path", {{"places", {-8, 0.5, 0, 4, 0.5, 0}, ""}, {"speed", {4}, ""}}, "pusher");
+    const EffectCall fly = call("path", {{"places", {0, 30, 0, 500, 30, 0}, ""}, {"speed", {0.3}, ""}}, "other");
+    for (const EffectCall& one : first ? std::vector{push, fly} : std::vector{fly, push}) declaration.effects.push_back(one);
+    Scene scene = opened(declaration);
+    scene.go(80);
+    CHECK(motion(scene, 1).asleep);
+    scene.go(200);
+    INFO("the pusher is driven " << (first ? "first" : "last") << "; x " << motion(scene, 1).position[0]);
+    CHECK(motion(scene, 1).position[0] > 4);
+    scene.go(600);
+    CHECK(motion(scene, 1).asleep);
+  }
+}
