@@ -14,9 +14,12 @@ inline constexpr double kMended = 0.2;
 /// Bodies that come slower than this do not bounce.
 inline constexpr double kBounces = 3;
 
-/// Slower than this, at every point, for so many rounds, and bodies that lean on each other sleep.
+/// Slower than this, at every point, for so many rounds, and on an average of these slower than the third figure, so that
+/// it does not begin to roll, slide or fall over; and bodies that lean on each other sleep. Held by "what has no support, or
+/// is about to move, does not sleep".
 inline constexpr double kStill = 0.25;
 inline constexpr int kStillRounds = 30;
+inline constexpr double kDrifts = 0.05;
 
 /// Where there is no gravity, what stands for it in these speeds.
 inline constexpr double kUsualGravity = 9.81;

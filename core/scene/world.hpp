@@ -46,6 +46,7 @@ struct Motion {
   V3 velocity = V3::Zero();
   V3 turning = V3::Zero();
   int still = 0;                      // for how many rounds it hardly moved
+  V3 drifted = V3::Zero(), drifted_turning = V3::Zero();  // the sums of its velocities in the last of these
   bool asleep = false;
   std::uint64_t moved = 0;            // the revision of poses with which it moved last, or fell asleep
 };

@@ -45,7 +45,7 @@ class Bounce final : public Effect {
       bounce_less(world, islands, budgets, before, unsolved);
     take_back(world, islands, budgets);
     remember(world, islands, budgets);
-    if (sleeps_) rest(world, islands);
+    if (sleeps_) rest(world, islands, rows);
     world.state.changed(Slot::kVelocities);
   }
 
@@ -190,18 +190,33 @@ class Bounce final : public Effect {
     }
   }
 
-  static void rest(World& world, Islands& islands) {
-    const double slow = limits::kStill * world.pace();
-    std::vector<int> still(world.size(), limits::kStillRounds);
+  /// Counts the rounds in which a body hardly moved. Those in which it moved little by little, to one side, do not count.
+  static void watch(const World& world, std::size_t i, Motion& motion) {
+    const double reach = world.members[i].shape.reach;
+    motion.drifted += motion.velocity, motion.drifted_turning += motion.turning;
+    const bool slow = std::max(motion.velocity.norm(), motion.turning.norm() * reach) < limits::kStill * world.pace();
+    const bool drifts = std::max(motion.drifted.norm(), motion.drifted_turning.norm() * reach) > limits::kDrifts * world.pace() * limits::kStillRounds;
+    motion.still = slow && !drifts ? motion.still + 1 : 0;
+    if (motion.still % limits::kStillRounds == 0) motion.drifted = motion.drifted_turning = V3::Zero();
+  }
+
+  static bool stands_still(const World& world, const Motion& motion) {
+    return motion.position + motion.velocity * world.round() == motion.position && motion.turning == V3::Zero();
+  }
+
+  static void rest(World& world, Islands& islands, const std::vector<ContactRow>& rows) {
+    std::vector<bool> held(world.size(), false), wakeful(world.size(), false);
+    for (const ContactRow& row : rows)
+      if (row.impulse.normal > 0) held[static_cast<std::size_t>(row.pair.a)] = held[static_cast<std::size_t>(row.pair.b)] = true;
     for (std::size_t i = 0; i < world.size(); ++i) {
       if (!world.awake(i)) continue;
       Motion& motion = world.state.bodies[i];
-      const double fastest = std::max(motion.velocity.norm(), motion.turning.norm() * world.members[i].shape.reach);
-      motion.still = fastest < slow ? motion.still + 1 : 0;
-      still[islands.of(i)] = std::min(still[islands.of(i)], motion.still);
+      watch(world, i, motion);
+      const bool rests = motion.still >= limits::kStillRounds && (held[i] || stands_still(world, motion));
+      if (!rests) wakeful[islands.of(i)] = true;
     }
     for (std::size_t i = 0; i < world.size(); ++i) {
-      if (!world.awake(i) || still[islands.of(i)] < limits::kStillRounds) continue;
+      if (!world.awake(i) || wakeful[islands.of(i)]) continue;
       Motion& motion = world.state.bodies[i];
       motion.asleep = true;
       motion.moved = world.state.revision(Slot::kPoses);

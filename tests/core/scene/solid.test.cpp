@@ -336,3 +336,37 @@ TEST_CASE("what is driven against a sleeper wakes it, whatever else is driven") 
     CHECK(motion(scene, 1).asleep);
   }
 }
+
+TEST_CASE("what has no support, or is about to move, does not sleep") {
+  const auto after = [](Declaration declaration, bool gravity, int frames) {
+    if (!gravity) declaration.effects.erase(declaration.effects.begin());
+    Scene scene = opened(declaration);
+    scene.go(frames);
+    return scene.world().state.bodies.back();
+  };
+  for (const double speed : {0.04, 0.001})
+    CHECK(after({.bodies = {moving(ball(0.5, {0, 0, 0}), {speed, 0, 0})}, .effects = solid(0)}, false, 600).position[0] == doctest::Approx(10 * speed));
+  for (const double degrees : {0.3, 0.5}) {
+    const double slope = degrees * std::numbers::pi / 180;
+    for (const bool is_ball : {true, false}) {
+      Body plane = fixed(box({50, 0.5, 50}, {0, 0, 0})), body = is_ball ? ball(0.3, {0, 0, 0}) : box({0.3, 0.3, 0.3}, {0, 0, 0});
+      plane.orientation = body.orientation = quaternion_about(V3::UnitZ(), slope);
+      body.position = V3(-std::sin(slope), std::cos(slope), 0) * 0.8;
+      const V3 at = after({.bodies = {plane, body}, .effects = solid(0, true, is_ball ? 0.5 : 0)}, true, 600).position;
+      INFO(degrees << " degrees, ball " << is_ball);
+      CHECK((at - body.position).norm() == doctest::Approx(50 * 9.81 * std::sin(slope) * (is_ball ? 5.0 / 7 : 1)).epsilon(0.1));
+    }
+  }
+  for (const double degrees : {1.0, 2.0}) {
+    const double lean = degrees * std::numbers::pi / 180;
+    Body plate = box({0.01, 2, 2}, {0, 2 * std::cos(lean) + 0.01 * std::sin(lean), 0});
+    plate.orientation = quaternion_about(V3::UnitZ(), lean);
+    const scene::Motion fallen = after({.bodies = {floor(), plate}, .effects = solid(0)}, true, 600);
+    INFO("a plate that leans by " << degrees);
+    CHECK(std::abs(fallen.position[1] - 0.01) < 1e-3);
+    CHECK(fallen.asleep);
+  }
+  Declaration dragged{.bodies = {named("a", ball(0.5, {0.5, 0, 0}))}, .effects = solid(0)};
+  dragged.effects.push_back(call("drag", {{"stiffness", {0.005}, ""}}, "a"));
+  CHECK(after(dragged, false, 6000).position.norm() < 0.01);
+}
