@@ -49,6 +49,8 @@ struct Motion {
   V3 drifted = V3::Zero(), drifted_turning = V3::Zero();  // the sums of its velocities in the last of these
   bool asleep = false;
   std::uint64_t moved = 0;            // the revision of poses with which it moved last, or fell asleep
+
+  void wake() { asleep = false, still = 0, drifted = drifted_turning = V3::Zero(); }
 };
 
 /// Two bodies, a < b.

@@ -70,7 +70,7 @@ class Bounce final : public Effect {
         if (world.members[one].driven && world.state.bodies[one].moved > world.state.bodies[other].moved) awake[islands.of(other)] = true;
       }
     for (std::size_t i = 0; i < world.size(); ++i)
-      if (world.members[i].moves() && world.state.bodies[i].asleep && awake[islands.of(i)]) world.state.bodies[i].asleep = false, world.state.bodies[i].still = 0;
+      if (world.members[i].moves() && world.state.bodies[i].asleep && awake[islands.of(i)]) world.state.bodies[i].wake();
   }
 
   /// What an island may spend in a round: the kinetic energy with which it came in, before gravity added to it; and where it
