@@ -106,11 +106,16 @@ TEST_CASE("masses, poses, steps and shapes that make no sense are refused by nam
   CHECK(with(turned) == "bob: its orientation is not finite");
   CHECK(with(moving(ball(1, V3::Zero()), {kInfinity, 0, 0})) == "bob: its velocity is not finite, or too large");
   CHECK(with(ball(-1, V3::Zero())) == "bob: its shape is empty, not finite, or too large");
+  CHECK(with(ball(1, V3::Zero(), 1e-308)) == "bob: its mass is too small");
+  CHECK(with(ball(1e-160, V3::Zero())) == "bob: its shape is too small");
+  CHECK(with(box({1, 1e-160, 1}, V3::Zero())) == "bob: its shape is too small");
+  CHECK(with(ball(1e-12, V3::Zero(), 1e-12)) == "");
   CHECK(with(Body{.shape = scene::Cloud{}}) == "bob: its shape is empty, not finite, or too large");
   CHECK(refusal({}) == "the scene has no body");
   CHECK(refusal({.bodies = {ball(1, V3::Zero())}, .step = 0}) == "the scene's step must be above 0");
   CHECK(refusal({.bodies = {ball(1, V3::Zero())}, .step = -1}) == "the scene's step must be above 0");
   CHECK(refusal({.bodies = {ball(1, V3::Zero())}, .step = kNaN}) == "the scene's step is not a number");
+  CHECK(refusal({.bodies = {ball(1, V3::Zero())}, .step = 1e-10}) == "the scene's step must be at least 1e-9 seconds");
   CHECK(refusal({.bodies = {ball(1, V3::Zero())}, .step = 2}) == "the scene's step must be at most 1 second");
   CHECK(refusal({.bodies = {named("a", floor()), named("a", floor())}}) == "there is another body called a");
 }
