@@ -131,6 +131,8 @@ TEST_CASE("of two effects that drive one body neither undoes the other") {
   CHECK(with({call("drag", {}, "a"), call("fall"), path("b")}) == "");
   CHECK(with({call("spin"), call("spin")}) == "spin and spin would both drive every body: one undoes the other");
   CHECK(with({call("spin"), call("spin", {}, "b")}) == "spin and spin would both drive b: one undoes the other");
+  CHECK(with({call("spin"), call("fall")}) == "fall: nothing falls: other effects drive every body that is not fixed");
+  CHECK(with({call("spin", {}, "a"), call("fall")}) == "");
   CHECK(with({path("a"), path("a")}) == "path and path would both drive a: one undoes the other");
   CHECK(with({call("orbit"), path("a")}) == "orbit and path would both drive a: one undoes the other");
   CHECK(with({call("orbit", {}, "a"), call("orbit", {}, "a")}) == "orbit and orbit would both drive a: one undoes the other");
