@@ -11,6 +11,10 @@ inline constexpr double kSlop = 2e-3;
 /// Which part of what is deeper than that is mended in a round, where no impact pays for all of it.
 inline constexpr double kMended = 0.2;
 
+/// A body is not pushed against what is firmer, by more than the first part of its half thickness, nor aside where less than
+/// the second part of the way (squared) is left. Held by "what pushes a body does not push it into what is fixed".
+inline constexpr double kShared = 0.1, kLeastFree = 0.25;
+
 /// Bodies that come slower than this do not bounce.
 inline constexpr double kBounces = 3;
 

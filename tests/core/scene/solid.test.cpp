@@ -195,6 +195,37 @@ TEST_CASE("a heavy body does not push a light one through a wall, nor into it") 
           }
 }
 
+TEST_CASE("what pushes a body does not push it into what is fixed") {
+  for (const double mass : {1e3, 1e6})
+    for (const double speed : {50.0, 200.0, 2000.0})
+      for (const double thickness : {0.001, 1.0})
+        for (const double gap : {0.0, 0.05}) {
+          const Declaration declaration{.bodies = {fixed(box({20, thickness / 2, 20}, {0, -thickness / 2, 0})), box({0.2, 0.2, 0.2}, {0, 0.2 + gap, 0}),
+                                                   moving(box({0.5, 0.5, 0.5}, {0.05, 3, 0.02}, mass), {0, -speed, 0})},
+                                        .effects = solid(0)};
+          Scene scene = opened(declaration);
+          for (int frame = 0; frame < 100; ++frame) {
+            scene.step();
+            INFO("mass " << mass << ", speed " << speed << ", thickness " << thickness << ", gap " << gap << ", frame " << frame);
+            REQUIRE(motion(scene, 1).position[1] > 0.1);
+            REQUIRE(motion(scene, 2).position[1] > 0.4);
+          }
+        }
+  for (const double thickness : {0.01, 1.0})
+    for (const bool is_ball : {true, false}) {
+      Declaration declaration{.bodies = {floor(), is_ball ? ball(0.5, {0, 0.5, 0}) : box({0.5, 0.5, 0.5}, {0, 0.5, 0}), named("pusher", box({0.3, 0.4, 0.4}, {-5, 0.5, 0})),
+                                         fixed(box({thickness / 2, 5, 5}, {1 + thickness / 2, 5, 0}))},
+                              .effects = solid(0)};
+      declaration.effects.push_back(call("path", {{"places", {-5, 0.5, 0, 10, 0.5, 0}, ""}}, "pusher"));
+      Scene scene = opened(declaration);
+      for (int frame = 0; frame < 900; ++frame) {
+        scene.step();
+        INFO("a driven body pushes it against a wall of " << thickness << ", ball " << is_ball << ", frame " << frame);
+        REQUIRE(motion(scene, 1).position[0] < 0.52);
+      }
+    }
+}
+
 TEST_CASE("with restitution a ball comes back as high as it must, and no higher") {
   for (const double restitution : {0.0, 0.5, 0.9, 1.0}) {
     Declaration declaration{.bodies = {floor(), ball(0.25, {0, 2.25, 0})}, .effects = solid(restitution, true, 0)};
