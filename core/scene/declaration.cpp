@@ -5,12 +5,15 @@
 
 #include "geometry/tolerance.hpp"
 #include "scene/effect.hpp"
+#include "scene/shape.hpp"
 
 namespace snug::scene {
 namespace {
 
 /// Beyond it, products of coordinates, masses and steps would soon overflow.
 constexpr double kLargest = 1e12;
+/// Below it, squares of lengths and what divides by masses and steps would vanish or overflow. A length may be 0.
+constexpr double kSmallest = 1e-12, kShortestStep = 1e-9;
 
 bool is_sound(double number) { return std::abs(number) <= kLargest; }  // not of a NaN
 bool is_sound(const V3& v) { return is_sound(v[0]) && is_sound(v[1]) && is_sound(v[2]); }
@@ -42,6 +45,13 @@ bool has_sound_shape(const Body& body) {
   return std::visit([](const auto& volume) { return is_sound(volume); }, *std::get_if<Volume3>(&body.shape));
 }
 
+bool has_tiny_lengths(const Body& body) {
+  if (std::holds_alternative<Cloud>(body.shape)) return false;
+  const Shape shape = centered(body.shape).shape;
+  const auto tiny = [](double length) { return length > 0 && length < kSmallest; };
+  return tiny(shape.radius) || (shape.half_extents.array() > 0 && shape.half_extents.array() < kSmallest).any();
+}
+
 /// What is wrong with a mass, if anything.
 const char* fault_of_mass(double mass, bool fixed) {
   if (std::isnan(mass)) return "its mass is not a number";
@@ -49,6 +59,7 @@ const char* fault_of_mass(double mass, bool fixed) {
   if (std::isinf(mass)) return "its mass is infinite: call it fixed instead";
   if (mass == 0) return "its mass is 0: call it fixed instead";
   if (mass < 0) return "its mass is negative";
+  if (mass < kSmallest) return "its mass is too small";
   return mass > kLargest ? "its mass is too large" : nullptr;
 }
 
@@ -59,6 +70,7 @@ const char* fault_of(const Body& body) {
   if (q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0) return "its orientation is no rotation";
   if (!is_sound(body.velocity) || !is_sound(body.turning)) return "its velocity is not finite, or too large";
   if (!has_sound_shape(body)) return "its shape is empty, not finite, or too large";
+  if (has_tiny_lengths(body)) return "its shape is too small";
   return fault_of_mass(body.mass, body.fixed);
 }
 
@@ -101,6 +113,7 @@ tl::expected<void, InputError> check(const Declaration& declaration) {
   if (declaration.bodies.empty()) return refuse(0, "the scene has no body");
   if (std::isnan(declaration.step)) return refuse(0, "the scene's step is not a number");
   if (!(declaration.step > 0)) return refuse(0, "the scene's step must be above 0");
+  if (declaration.step < kShortestStep) return refuse(0, "the scene's step must be at least 1e-9 seconds");
   if (declaration.step > 1) return refuse(0, "the scene's step must be at most 1 second");
   for (std::size_t i = 0; i < declaration.bodies.size(); ++i) {
     const Body& body = declaration.bodies[i];

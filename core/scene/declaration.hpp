@@ -57,8 +57,8 @@ struct Declaration {
 };
 
 /// The declaration, where each of its numbers makes sense. Errors, each with the body's or effect's name and line: no body;
-/// a name twice; a mass that is 0, negative, infinite or no number; a pose, velocity, shape or step that is no number or
-/// too large; an empty shape; two effects that drive the pose of one body, where the later would undo the other.
+/// a name twice; a mass that is 0, negative, infinite or no number; a pose, velocity, shape or step that is no number, too
+/// large or too small; an empty shape; two effects that drive the pose of one body, where the later would undo the other.
 [[nodiscard]] tl::expected<void, InputError> check(const Declaration& declaration);
 
 /// An error about what stands in a line of the file; 0: none.

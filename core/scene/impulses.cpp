@@ -87,6 +87,9 @@ double fallen(const World& world, const ContactRow& row) {
   return share * world.round() * world.gravity.dot(row.normal);
 }
 
+/// They may close what is between them, and no more.
+double still_target(const World& world, const ContactRow& row) { return row.separation > 0 ? -row.separation / world.round() : 0; }
+
 /// How fast the bodies may still come together there; or, once they touch, how fast they go apart again. The speed at which
 /// they came is remembered for the round in which they get there: what keeps them from passing through slows them down before. It is the speed with
 /// which they meet, on the way: not with all that gravity adds by the end of the round, or a ball would bounce too high.
@@ -101,7 +104,7 @@ void aim(const World& world, ContactRow& row, const Surface& surface, double app
     return;
   }
   // Gravity has a round of its work done before the body goes up: so it comes as high as it fell, and no higher.
-  row.target = quick(coming) ? std::max(0.0, surface.restitution * coming + std::min(0.0, fallen(world, row))) : row.separation > 0 ? -row.separation / seconds : 0;
+  row.target = quick(coming) ? std::max(0.0, surface.restitution * coming + std::min(0.0, fallen(world, row))) : still_target(world, row);
 }
 
 }  // namespace
@@ -159,6 +162,11 @@ double settle(World& world, ContactRow& row, const Surface& surface) {
 
 }  // namespace
 
+void stop_bouncing(const World& world, std::vector<ContactRow>& rows) {
+  for (ContactRow& row : rows)
+    if (row.target > 0) row.target = still_target(world, row);
+}
+
 void solve(World& world, std::vector<ContactRow>& rows, const Surface& surface) {
   for (const ContactRow& row : rows)
     push(world, row, row.impulse.normal * row.normal + row.impulse.first * row.first + row.impulse.second * row.second);
@@ -175,19 +183,55 @@ void solve(World& world, std::vector<ContactRow>& rows, const Surface& surface) 
   for (const ContactRow& row : rows) world.state.impulses.push_back(row.impulse);
 }
 
+namespace {
+
+/// The points at which each body is held by one that does not move.
+std::vector<std::vector<const ContactRow*>> walls_of(const World& world, const std::vector<ContactRow>& rows) {
+  std::vector<std::vector<const ContactRow*>> walls(world.size());
+  for (const ContactRow& row : rows)
+    if (row.against_wall) walls[static_cast<std::size_t>(member_of(world, row.pair.a).moves() ? row.pair.a : row.pair.b)].push_back(&row);
+  return walls;
+}
+
+/// Of two that push a body the one that yields less moves it: what moves yields to what is driven, and that to what is fixed.
+int firmness(const Member& member) { return member.moves() ? 0 : member.fixed ? 2 : 1; }
+
+/// What is left of a unit way on which the pusher would shift a body so far: nothing into what is firmer and so near. Of
+/// little, where the pusher moves as well, all: what does not move pushes back in the same round, and stacks share the work.
+V3 free_way(const World& world, std::span<const ContactRow* const> walls, Index body, Index pusher, V3 way, double far) {
+  if (member_of(world, pusher).moves() && far < limits::kShared * member_of(world, body).shape.thinnest) return way;
+  for (const ContactRow* row : walls) {
+    const bool first = row->pair.a == body;
+    const Member& wall = member_of(world, first ? row->pair.b : row->pair.a);
+    const V3 into = first ? row->normal : V3(-row->normal);
+    if (row->separation < far && firmness(wall) > firmness(member_of(world, pusher))) way -= std::max(0.0, way.dot(into)) * into;
+  }
+  if (way.squaredNorm() < limits::kLeastFree) way = V3::Zero();
+  return way;
+}
+
+}  // namespace
+
 std::vector<Shift> shifts_apart(const World& world, const std::vector<ContactRow>& rows) {
   std::vector<Shift> shifts;
+  const auto walls = walls_of(world, rows);
   for (std::size_t i = 0; i < rows.size();) {
     const ContactRow* deepest = &rows[i];
     const Pair pair = rows[i].pair;
     for (; i < rows.size() && rows[i].pair == pair; ++i)
       if (rows[i].separation < deepest->separation) deepest = &rows[i];
     const double depth = -deepest->separation - deepest->slop;
+    if (depth <= 0) continue;
+    const auto free = [&](Index body, Index pusher, const V3& way) {
+      return V3(free_way(world, walls[static_cast<std::size_t>(body)], body, pusher, way, depth));
+    };
+    const V3 way_a = free(pair.a, pair.b, -deepest->normal), way_b = free(pair.b, pair.a, deepest->normal);
     const double of_a = inverse_mass(world, pair.a), of_b = inverse_mass(world, pair.b);
-    if (depth <= 0 || of_a + of_b == 0) continue;
-    const V3 way = deepest->normal * (depth / (of_a + of_b));
-    if (of_a > 0) shifts.push_back({static_cast<std::size_t>(pair.a), -way * of_a, of_b == 0});
-    if (of_b > 0) shifts.push_back({static_cast<std::size_t>(pair.b), way * of_b, of_a == 0});
+    const double yields_a = of_a * way_a.squaredNorm(), yields_b = of_b * way_b.squaredNorm();
+    if (yields_a + yields_b == 0) continue;
+    const double share = depth / (yields_a + yields_b);
+    if (yields_a > 0) shifts.push_back({static_cast<std::size_t>(pair.a), way_a * (share * of_a), yields_b == 0, member_of(world, pair.b).driven});
+    if (yields_b > 0) shifts.push_back({static_cast<std::size_t>(pair.b), way_b * (share * of_b), yields_a == 0, member_of(world, pair.a).driven});
   }
   return shifts;
 }

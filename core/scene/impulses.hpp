@@ -32,11 +32,15 @@ struct ContactRow {
 /// Changes velocities, and keeps in the state what the next frame begins from.
 void solve(World& world, std::vector<ContactRow>& rows, const Surface& surface);
 
+/// The rows as they are without restitution: what would go apart only stays.
+void stop_bouncing(const World& world, std::vector<ContactRow>& rows);
+
 /// How bodies that lie deeper in each other than they may are to be moved apart.
 struct Shift {
   std::size_t body = 0;
   V3 by = V3::Zero();
   bool out_of_wall = false;  // the other one does not move
+  bool driven = false;       // the other one is driven: what drives it has energy enough
 };
 [[nodiscard]] std::vector<Shift> shifts_apart(const World& world, const std::vector<ContactRow>& rows);
 

@@ -11,12 +11,19 @@ inline constexpr double kSlop = 2e-3;
 /// Which part of what is deeper than that is mended in a round, where no impact pays for all of it.
 inline constexpr double kMended = 0.2;
 
+/// A body is not pushed against what is firmer, by more than the first part of its half thickness, nor aside where less than
+/// the second part of the way (squared) is left. Held by "what pushes a body does not push it into what is fixed".
+inline constexpr double kShared = 0.1, kLeastFree = 0.25;
+
 /// Bodies that come slower than this do not bounce.
 inline constexpr double kBounces = 3;
 
-/// Slower than this, at every point, for so many rounds, and bodies that lean on each other sleep.
+/// Slower than this, at every point, for so many rounds, and on an average of these slower than the third figure, so that
+/// it does not begin to roll, slide or fall over; and bodies that lean on each other sleep. Held by "what has no support, or
+/// is about to move, does not sleep".
 inline constexpr double kStill = 0.25;
 inline constexpr int kStillRounds = 30;
+inline constexpr double kDrifts = 0.05;
 
 /// Where there is no gravity, what stands for it in these speeds.
 inline constexpr double kUsualGravity = 9.81;

@@ -70,13 +70,25 @@ void Scene::step() {
   keep_snapshot();
 }
 
+void Scene::take_snapshot() {
+  Snapshot snapshot{world_.state, {}, {}, resting_, set_};
+  for (const Runner& runner : runners_) snapshot.seen.push_back(runner.seen), snapshot.ran.push_back(runner.ran);
+  snapshots_.push_back(std::move(snapshot));
+}
+
+/// Something was set from outside: the frames from here on are others, and this one is what they begin from.
+void Scene::set_anew() {
+  ++set_;
+  resting_ = false;
+  std::erase_if(snapshots_, [&](const Snapshot& one) { return one.state.frame >= world_.state.frame || one.state.frame % every_ != 0; });
+  take_snapshot();
+}
+
 /// Every so many frames, and where there are too many, every other one is dropped.
 void Scene::keep_snapshot() {
   const int frame = world_.state.frame;
   if (frame % every_ != 0 || (!snapshots_.empty() && snapshots_.back().state.frame >= frame)) return;
-  Snapshot snapshot{world_.state, {}, {}, resting_};
-  for (const Runner& runner : runners_) snapshot.seen.push_back(runner.seen), snapshot.ran.push_back(runner.ran);
-  snapshots_.push_back(std::move(snapshot));
+  take_snapshot();
   if (snapshots_.size() <= kMostSnapshots) return;
   every_ *= 2;
   std::erase_if(snapshots_, [&](const Snapshot& one) { return one.state.frame % every_ != 0; });
@@ -97,7 +109,13 @@ void Scene::go(int frame) {
   if (frame < world_.state.frame) {
     const auto after = std::upper_bound(snapshots_.begin(), snapshots_.end(), frame,
                                         [](int wanted, const Snapshot& one) { return wanted < one.state.frame; });
-    restore(*(after - 1));
+    if ((after - 1)->set != set_) {  // what was taken after it does not follow from it any more
+      snapshots_.erase(after, snapshots_.end());
+      snapshots_.back().set = set_;
+      restore(snapshots_.back());
+    } else {
+      restore(*(after - 1));
+    }
     changed_ = true;
   }
   while (world_.state.frame < frame) step();
@@ -106,15 +124,13 @@ void Scene::go(int frame) {
 void Scene::turn(std::size_t effect, bool on) {
   if (tallies_[effect].on == on) return;
   tallies_[effect].on = on;
-  resting_ = false;
-  std::erase_if(snapshots_, [&](const Snapshot& one) { return one.state.frame > world_.state.frame; });
+  set_anew();
 }
 
 void Scene::pull_to(const V3& point) {
   world_.pulled_to = point;
-  resting_ = false;
-  for (std::size_t i = 0; i < world_.size(); ++i) world_.state.bodies[i].asleep = false, world_.state.bodies[i].still = 0;
-  std::erase_if(snapshots_, [&](const Snapshot& one) { return one.state.frame > world_.state.frame; });
+  for (Motion& motion : world_.state.bodies) motion.wake();
+  set_anew();
 }
 
 }  // namespace snug::scene

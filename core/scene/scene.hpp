@@ -59,17 +59,21 @@ class Scene {
     std::vector<std::array<std::uint64_t, kSlots>> seen;
     std::vector<bool> ran;
     bool resting = false;
+    int set = 0;                     // what was set from outside when it was taken, by number
   };
   Scene() = default;
   [[nodiscard]] bool has_something_new(const Runner& runner) const;
   void run(std::size_t i);
   void keep_snapshot();
+  void take_snapshot();
+  void set_anew();
   void restore(const Snapshot& snapshot);
 
   World world_;
   std::vector<Runner> runners_;
   std::vector<Tally> tallies_;
   std::vector<Snapshot> snapshots_;  // by rising frame, the beginning first
+  int set_ = 0;                      // how often pull_to and turn changed something
   int every_ = 64;                   // frames between snapshots
   Clock clock_ = nullptr;
   bool resting_ = false;

@@ -69,10 +69,11 @@ std::uint64_t World::hash() const {
     hash.add(body.position), hash.add(body.velocity), hash.add(body.turning);
     const Quaternion& q = body.orientation;
     hash.add(q.w), hash.add(q.x), hash.add(q.y), hash.add(q.z);
+    hash.add(body.drifted), hash.add(body.drifted_turning);
     hash.add(static_cast<std::uint64_t>(body.still) * 2 + (body.asleep ? 1 : 0));
   }
   for (const Impulse& impulse : state.impulses)
-    hash.add(impulse.normal), hash.add(impulse.first), hash.add(impulse.second), hash.add(impulse.approach);
+    hash.add(impulse.normal), hash.add(impulse.first), hash.add(impulse.second), hash.add(impulse.approach), hash.add(impulse.owed);
   return hash.value;
 }
 

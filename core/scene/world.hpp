@@ -46,8 +46,11 @@ struct Motion {
   V3 velocity = V3::Zero();
   V3 turning = V3::Zero();
   int still = 0;                      // for how many rounds it hardly moved
+  V3 drifted = V3::Zero(), drifted_turning = V3::Zero();  // the sums of its velocities in the last of these
   bool asleep = false;
-  std::uint64_t moved = 0;            // the revision of poses with which it moved last
+  std::uint64_t moved = 0;            // the revision of poses with which it moved last, or fell asleep
+
+  void wake() { asleep = false, still = 0, drifted = drifted_turning = V3::Zero(); }
 };
 
 /// Two bodies, a < b.
@@ -69,6 +72,7 @@ struct Impulse {
   int feature = 0;                    // which corner, edge or face
   double normal = 0, first = 0, second = 0;  // kg scene units / s
   double approach = 0;                // at which speed the bodies came, where they have yet to bounce
+  double owed = 0;                    // the energy that slowing down for that took
 };
 
 /// How many pairs each stage left, and how many the first one had to compare for it.

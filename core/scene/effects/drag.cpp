@@ -11,6 +11,7 @@ class Drag final : public Effect {
   Drag(std::size_t body, double stiffness) : body_(body), stiffness_(stiffness) {}
 
   void run(World& world) override {
+    if (!world.awake(body_)) return;
     Motion& motion = world.state.bodies[body_];
     // Implicit in the velocity, so that no stiffness makes it swing up.
     const double seconds = world.round(), pull = stiffness_ * seconds, damping = 2 * std::sqrt(stiffness_) * seconds;

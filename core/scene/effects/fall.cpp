@@ -1,5 +1,7 @@
 // Gravity: velocities first, places after (move.cpp), which is semi-implicit Euler. Of a body in free fall a step so loses
 // m (g step)^2 / 2 of its energy, and never gains.
+#include <algorithm>
+
 #include "scene/effect.hpp"
 
 namespace snug::scene {
@@ -20,6 +22,9 @@ class Fall final : public Effect {
 MadeEffect make_fall(const EffectCall& call, World& world) {
   Settings settings(call, world);
   world.gravity = settings.vector("gravity", V3(0, -9.81, 0));
+  const auto is = [&](auto has) { return std::any_of(world.members.begin(), world.members.end(), has); };
+  if (!is([](const Member& member) { return member.moves(); }) && is([](const Member& member) { return member.driven; }))
+    settings.refuse("nothing falls: other effects drive every body that is not fixed");
   return settings.make<Fall>();
 }
 

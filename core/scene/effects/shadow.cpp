@@ -64,7 +64,7 @@ MadeEffect make_shadow(const EffectCall& call, World& world) {
   auto bodies = settings.bodies();
   const V3 light = settings.vector("light", V3(0.4, -1, 0.3));
   const double ground = settings.number("ground", 0, -1e9, 1e9);
-  if (!(light[1] < 0)) settings.refuse("the light does not come from above");
+  if (!(light[1] <= -1e-12)) settings.refuse("the light does not come from above");
   return settings.make<Shadow>(std::move(bodies), light, ground);
 }
 

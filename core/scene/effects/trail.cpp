@@ -1,4 +1,6 @@
 // Where bodies have been: the centres of the last frames in which they moved.
+#include <cmath>
+
 #include "scene/effect.hpp"
 
 namespace snug::scene {
@@ -33,6 +35,7 @@ MadeEffect make_trail(const EffectCall& call, World& world) {
   Settings settings(call, world);
   auto bodies = settings.bodies();
   const double length = settings.number("length", 60, 2, 10000);  // frames
+  if (length != std::floor(length)) settings.refuse("\"length\" must be a whole number");
   return settings.make<Trail>(std::move(bodies), static_cast<std::size_t>(length));
 }
 

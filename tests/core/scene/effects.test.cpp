@@ -71,6 +71,17 @@ TEST_CASE("drag pulls a body to its point, without swinging past it, and to anot
   CHECK((motion(scene, 0).position - V3(-3, 0, 0)).norm() < 1e-3);
 }
 
+TEST_CASE("a sleeper gathers no speed from what drags it") {
+  Declaration declaration{.bodies = {floor(), named("a", box({0.5, 0.5, 0.5}, {0, 0.5, 0})), fixed(box({0.2, 2, 2}, {0.71, 2, 0})), named("b", ball(0.2, {-15, 3, 0}))},
+                          .effects = solid(0)};
+  declaration.effects.push_back(call("drag", {{"to", {5, 0.5, 0}, ""}, {"stiffness", {1}, ""}}, "a"));
+  declaration.effects.push_back(call("orbit", {{"center", {-13, 3, 0}, ""}}, "b"));
+  Scene scene = opened(declaration);
+  scene.go(400);
+  CHECK(motion(scene, 1).asleep);
+  CHECK(motion(scene, 1).velocity == V3::Zero());
+}
+
 TEST_CASE("every update of every volume keeps each point in its box, and says what it costs") {
   const scene::Cloud points = cloud("gaussian", 200);
   for (const auto& way : std::vector<std::pair<std::string, std::string>>{

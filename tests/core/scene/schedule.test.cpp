@@ -106,11 +106,16 @@ TEST_CASE("masses, poses, steps and shapes that make no sense are refused by nam
   CHECK(with(turned) == "bob: its orientation is not finite");
   CHECK(with(moving(ball(1, V3::Zero()), {kInfinity, 0, 0})) == "bob: its velocity is not finite, or too large");
   CHECK(with(ball(-1, V3::Zero())) == "bob: its shape is empty, not finite, or too large");
+  CHECK(with(ball(1, V3::Zero(), 1e-308)) == "bob: its mass is too small");
+  CHECK(with(ball(1e-160, V3::Zero())) == "bob: its shape is too small");
+  CHECK(with(box({1, 1e-160, 1}, V3::Zero())) == "bob: its shape is too small");
+  CHECK(with(ball(1e-12, V3::Zero(), 1e-12)) == "");
   CHECK(with(Body{.shape = scene::Cloud{}}) == "bob: its shape is empty, not finite, or too large");
   CHECK(refusal({}) == "the scene has no body");
   CHECK(refusal({.bodies = {ball(1, V3::Zero())}, .step = 0}) == "the scene's step must be above 0");
   CHECK(refusal({.bodies = {ball(1, V3::Zero())}, .step = -1}) == "the scene's step must be above 0");
   CHECK(refusal({.bodies = {ball(1, V3::Zero())}, .step = kNaN}) == "the scene's step is not a number");
+  CHECK(refusal({.bodies = {ball(1, V3::Zero())}, .step = 1e-10}) == "the scene's step must be at least 1e-9 seconds");
   CHECK(refusal({.bodies = {ball(1, V3::Zero())}, .step = 2}) == "the scene's step must be at most 1 second");
   CHECK(refusal({.bodies = {named("a", floor()), named("a", floor())}}) == "there is another body called a");
 }
@@ -126,6 +131,8 @@ TEST_CASE("of two effects that drive one body neither undoes the other") {
   CHECK(with({call("drag", {}, "a"), call("fall"), path("b")}) == "");
   CHECK(with({call("spin"), call("spin")}) == "spin and spin would both drive every body: one undoes the other");
   CHECK(with({call("spin"), call("spin", {}, "b")}) == "spin and spin would both drive b: one undoes the other");
+  CHECK(with({call("spin"), call("fall")}) == "fall: nothing falls: other effects drive every body that is not fixed");
+  CHECK(with({call("spin", {}, "a"), call("fall")}) == "");
   CHECK(with({path("a"), path("a")}) == "path and path would both drive a: one undoes the other");
   CHECK(with({call("orbit"), path("a")}) == "orbit and path would both drive a: one undoes the other");
   CHECK(with({call("orbit", {}, "a"), call("orbit", {}, "a")}) == "orbit and orbit would both drive a: one undoes the other");
@@ -149,6 +156,8 @@ TEST_CASE("settings that an effect does not know, or cannot use, are refused by 
   CHECK(with(call("drag")) == "drag: needs a \"body\"");
   CHECK(with(call("refit", {{"strategy", {}, "guess"}})) == "refit: \"strategy\" is none of rotated_box, loose, rebuild, hill_climb");
   CHECK(with(call("shadow", {{"light", {0, 1, 0}, ""}})) == "shadow: the light does not come from above");
+  CHECK(with(call("shadow", {{"light", {0, -1e-200, 0}, ""}})) == "shadow: the light does not come from above");
+  CHECK(with(call("trail", {{"length", {2.5}, ""}})) == "trail: \"length\" must be a whole number");
   CHECK(with(call("bounce", {{"restitution", {1.5}, ""}})) == "bounce: \"restitution\" is out of range");
   Body capsule{.name = "c", .shape = scene::Volume3(Capsule<double, 3>{V3::Zero(), V3::UnitX(), 1})};
   CHECK(refusal({.bodies = {capsule}, .effects = {call("refit"), call("broad_phase"), call("narrow_phase"), call("bounce")}}) ==

@@ -195,6 +195,37 @@ TEST_CASE("a heavy body does not push a light one through a wall, nor into it") 
           }
 }
 
+TEST_CASE("what pushes a body does not push it into what is fixed") {
+  for (const double mass : {1e3, 1e6})
+    for (const double speed : {50.0, 200.0, 2000.0})
+      for (const double thickness : {0.001, 1.0})
+        for (const double gap : {0.0, 0.05}) {
+          const Declaration declaration{.bodies = {fixed(box({20, thickness / 2, 20}, {0, -thickness / 2, 0})), box({0.2, 0.2, 0.2}, {0, 0.2 + gap, 0}),
+                                                   moving(box({0.5, 0.5, 0.5}, {0.05, 3, 0.02}, mass), {0, -speed, 0})},
+                                        .effects = solid(0)};
+          Scene scene = opened(declaration);
+          for (int frame = 0; frame < 100; ++frame) {
+            scene.step();
+            INFO("mass " << mass << ", speed " << speed << ", thickness " << thickness << ", gap " << gap << ", frame " << frame);
+            REQUIRE(motion(scene, 1).position[1] > 0.1);
+            REQUIRE(motion(scene, 2).position[1] > 0.4);
+          }
+        }
+  for (const double thickness : {0.01, 1.0})
+    for (const bool is_ball : {true, false}) {
+      Declaration declaration{.bodies = {floor(), is_ball ? ball(0.5, {0, 0.5, 0}) : box({0.5, 0.5, 0.5}, {0, 0.5, 0}), named("pusher", box({0.3, 0.4, 0.4}, {-5, 0.5, 0})),
+                                         fixed(box({thickness / 2, 5, 5}, {1 + thickness / 2, 5, 0}))},
+                              .effects = solid(0)};
+      declaration.effects.push_back(call("path", {{"places", {-5, 0.5, 0, 10, 0.5, 0}, ""}}, "pusher"));
+      Scene scene = opened(declaration);
+      for (int frame = 0; frame < 900; ++frame) {
+        scene.step();
+        INFO("a driven body pushes it against a wall of " << thickness << ", ball " << is_ball << ", frame " << frame);
+        REQUIRE(motion(scene, 1).position[0] < 0.52);
+      }
+    }
+}
+
 TEST_CASE("with restitution a ball comes back as high as it must, and no higher") {
   for (const double restitution : {0.0, 0.5, 0.9, 1.0}) {
     Declaration declaration{.bodies = {floor(), ball(0.25, {0, 2.25, 0})}, .effects = solid(restitution, true, 0)};
@@ -206,6 +237,30 @@ TEST_CASE("with restitution a ball comes back as high as it must, and no higher"
     CHECK(highest < 2 * restitution * restitution + 1e-9);
     CHECK(highest > 2 * restitution * restitution - 0.2);
   }
+}
+
+TEST_CASE("with restitution there is never more energy than there was") {
+  const auto spinning = [](double tilt, double turning, double restitution) {
+    Body body = box({0.5, 0.1, 0.5}, {0, 1.5, 0});
+    body.orientation = quaternion_about(V3::UnitZ(), tilt * std::numbers::pi / 180);
+    return Declaration{.bodies = {floor(), moving(body, {0, -1, 0}, {0, 0, turning})}, .effects = solid(restitution, true, 0)};
+  };
+  std::vector<Declaration> all{tumble(0.6, false), tumble(0.9, true), tumble(1, false)};
+  for (const double restitution : {0.5, 0.6, 0.7, 0.9, 1.0})
+    for (int tilt = 0; tilt < 90; tilt += 17)
+      for (const double turning : {-9.0, -3.0, 5.0, 12.0}) all.push_back(spinning(tilt, turning, restitution));
+  for (const Declaration& declaration : all)
+    for (const bool gravity : {true, false}) {
+      Declaration own = declaration;
+      if (!gravity) own.effects.erase(own.effects.begin());
+      Scene scene = opened(own);
+      const double start = scene.world().energy();
+      INFO("restitution " << own.effects.back().settings[0].numbers[0] << ", gravity " << gravity << ", bodies " << own.bodies.size());
+      for (int frame = 0; frame < 90; ++frame) {
+        scene.step();
+        REQUIRE(scene.world().energy() <= start + 1e-9 * std::abs(start));
+      }
+    }
 }
 
 TEST_CASE("a body at 200 metres a second does not end up inside a wall, nor behind it") {
@@ -292,4 +347,57 @@ TEST_CASE("a sleeper wakes when another body comes") {
   CHECK(woke);
   scene.go(900);
   CHECK(scene.resting());
+}
+
+TEST_CASE("what is driven against a sleeper wakes it, whatever else is driven") {
+  for (const bool first : {true, false}) {
+    Declaration declaration{.bodies = {floor(), box({0.5, 0.5, 0.5}, {0, 0.5, 0}), named("pusher", box({0.3, 0.4, 0.4}, {-8, 0.5, 0})),
+                                       named("other", ball(0.1, {0, 30, 0}))},
+                            .effects = solid(0)};
+    const EffectCall push = call("path", {{"places", {-8, 0.5, 0, 4, 0.5, 0}, ""}, {"speed", {4}, ""}}, "pusher");
+    const EffectCall fly = call("path", {{"places", {0, 30, 0, 500, 30, 0}, ""}, {"speed", {0.3}, ""}}, "other");
+    for (const EffectCall& one : first ? std::vector{push, fly} : std::vector{fly, push}) declaration.effects.push_back(one);
+    Scene scene = opened(declaration);
+    scene.go(80);
+    CHECK(motion(scene, 1).asleep);
+    scene.go(200);
+    INFO("the pusher is driven " << (first ? "first" : "last") << "; x " << motion(scene, 1).position[0]);
+    CHECK(motion(scene, 1).position[0] > 4);
+    scene.go(600);
+    CHECK(motion(scene, 1).asleep);
+  }
+}
+
+TEST_CASE("what has no support, or is about to move, does not sleep") {
+  const auto after = [](Declaration declaration, bool gravity, int frames) {
+    if (!gravity) declaration.effects.erase(declaration.effects.begin());
+    Scene scene = opened(declaration);
+    scene.go(frames);
+    return scene.world().state.bodies.back();
+  };
+  for (const double speed : {0.04, 0.001})
+    CHECK(after({.bodies = {moving(ball(0.5, {0, 0, 0}), {speed, 0, 0})}, .effects = solid(0)}, false, 600).position[0] == doctest::Approx(10 * speed));
+  for (const double degrees : {0.3, 0.5}) {
+    const double slope = degrees * std::numbers::pi / 180;
+    for (const bool is_ball : {true, false}) {
+      Body plane = fixed(box({50, 0.5, 50}, {0, 0, 0})), body = is_ball ? ball(0.3, {0, 0, 0}) : box({0.3, 0.3, 0.3}, {0, 0, 0});
+      plane.orientation = body.orientation = quaternion_about(V3::UnitZ(), slope);
+      body.position = V3(-std::sin(slope), std::cos(slope), 0) * 0.8;
+      const V3 at = after({.bodies = {plane, body}, .effects = solid(0, true, is_ball ? 0.5 : 0)}, true, 600).position;
+      INFO(degrees << " degrees, ball " << is_ball);
+      CHECK((at - body.position).norm() == doctest::Approx(50 * 9.81 * std::sin(slope) * (is_ball ? 5.0 / 7 : 1)).epsilon(0.1));
+    }
+  }
+  for (const double degrees : {1.0, 2.0}) {
+    const double lean = degrees * std::numbers::pi / 180;
+    Body plate = box({0.01, 2, 2}, {0, 2 * std::cos(lean) + 0.01 * std::sin(lean), 0});
+    plate.orientation = quaternion_about(V3::UnitZ(), lean);
+    const scene::Motion fallen = after({.bodies = {floor(), plate}, .effects = solid(0)}, true, 600);
+    INFO("a plate that leans by " << degrees);
+    CHECK(std::abs(fallen.position[1] - 0.01) < 1e-3);
+    CHECK(fallen.asleep);
+  }
+  Declaration dragged{.bodies = {named("a", ball(0.5, {0.5, 0, 0}))}, .effects = solid(0)};
+  dragged.effects.push_back(call("drag", {{"stiffness", {0.005}, ""}}, "a"));
+  CHECK(after(dragged, false, 6000).position.norm() < 0.01);
 }
