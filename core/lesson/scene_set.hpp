@@ -41,14 +41,31 @@ struct SceneSet {
 /// Held by "a scene with too many frames of too many bodies is refused before it is run".
 inline constexpr std::int64_t kMostBodyFrames = 250'000;
 
+/// How many places of trails take as much as a body.
+inline constexpr std::int64_t kPlacesOfBody = 10;
+
+/// How many pairs all frames together may keep: what 50 for each body's frame come to.
+inline constexpr std::int64_t kMostPairs = 50 * kMostBodyFrames;
+
+/// How many places a trail keeps in a frame; what no trail may have, its effect refuses.
+inline std::int64_t places_of(const scene::EffectCall& trail, int frames) {
+  double length = 60;
+  for (const scene::Setting& setting : trail.settings)
+    if (setting.key == "length" && !setting.numbers.empty()) length = setting.numbers.front();
+  return length < frames ? static_cast<std::int64_t>(std::max(0.0, length)) : frames;  // a NaN: frames
+}
+
 inline bool SceneSet::is_too_long(std::int64_t points) const {
-  std::int64_t count = 0;
+  std::int64_t count = 0, places = 0;
   for (const SceneBody& body : bodies) count += body.at_points ? points : 1;
-  return count * frames > kMostBodyFrames;
+  for (const scene::EffectCall& effect : effects)
+    if (effect.name == "trail") places += (effect.body.empty() ? count : 1) * places_of(effect, frames);
+  return (count + places / kPlacesOfBody) * frames > kMostBodyFrames;
 }
 
 [[nodiscard]] inline std::string too_long_text() {
-  return "too many frames of too many bodies: one times the other may be at most " + std::to_string(kMostBodyFrames);
+  return "too many frames of too many bodies: one times the other may be at most " + std::to_string(kMostBodyFrames) + ", and " + std::to_string(kPlacesOfBody) +
+         " places of a trail count as a body";
 }
 
 /// The scene with the points as they stand.

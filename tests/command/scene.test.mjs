@@ -136,10 +136,19 @@ test("a scene with too many frames of too many bodies is refused before it is ru
   const text = lesson("scene-broad").replace(/\[\[question\]\][^]*/, "");
   const line = text.slice(0, text.indexOf("frames = ")).split("\n").length;
   const of = (bodies, frames) => write("many.toml", text.replace("count = 40", `count = ${bodies}`).replace("frames = 120", `frames = ${frames}`));
+  const too_long = "too many frames of too many bodies: one times the other may be at most 250000, and 10 places of a trail count as a body";
   const start = performance.now();
   for (const [bodies, frames] of [[100000, 120], [2100, 120], [126, 2000]])
-    refused(["lesson", "check", of(bodies, frames)], `many.toml:${line}: too many frames of too many bodies: one times the other may be at most 250000`);
+    refused(["lesson", "check", of(bodies, frames)], `many.toml:${line}: ${too_long}`);
+  const trails = write("trails.toml", text.replace("count = 40", "count = 125").replace("frames = 120", "frames = 2000").replace("[[scene.effect]]", '[[scene.effect]]\neffect = "trail"\nlength = 10000\n\n[[scene.effect]]'));
+  refused(["lesson", "check", trails], `trails.toml:${line}: ${too_long}`);
   assert.ok(performance.now() - start < 5000);
+});
+
+test("a scene with too many pairs is refused with the line of what looks for them", () => {
+  const text = lesson("scene-broad").replace(/\[\[question\]\][^]*/, "").replace("count = 40", "count = 500").replace("frames = 120", "frames = 500").replace(/half_extents = .*/, "half_extents = [50, 50, 50]");
+  const line = text.slice(0, text.indexOf('[[scene.effect]]\neffect = "broad_phase"')).split("\n").length;
+  refused(["lesson", "check", write("pairs.toml", text)], `pairs.toml:${line}: too many pairs: those of all frames together may be at most 12500000, which are reached at frame 101`);
 });
 
 test("more points than a method takes are refused with their line", () => {

@@ -236,6 +236,18 @@ const Member* thinnest_of(const World& world) {
   return thinnest;
 }
 
+/// The first that crosses too many of its own thicknesses in a frame; null where none does.
+const Member* too_fast(const World& world) {
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    const Member& member = world.members[i];
+    const Motion& motion = world.state.bodies[i];
+    const double turning = member.shape.kind == Shape::Kind::kSphere ? 0 : motion.turning.norm() * member.shape.reach;
+    const bool fast = (motion.velocity.norm() + turning) * world.step > limits::kMostCrossed * 2 * member.shape.thinnest;
+    if (member.moves() && fast) return &member;
+  }
+  return nullptr;
+}
+
 /// Into how many rounds a frame is cut.
 double rounds_for(const World& world, const Member* thinnest) {
   double longest = limits::kLongestRound;
@@ -261,6 +273,9 @@ MadeEffect make_bounce(const EffectCall& call, World& world) {
     settings.refuse("would need more than " + std::to_string(limits::kMostRounds) + " rounds a frame: " +
                     (thinnest->name.empty() ? "a body" : thinnest->name) + " is too thin for so long a step");
   else world.rounds = static_cast<int>(std::max(1.0, rounds));
+  if (const Member* const fast = too_fast(world))
+    settings.refuse((fast->name.empty() ? "a body" : fast->name) + " is too fast: it would cross more than " +
+                    std::to_string(static_cast<int>(limits::kMostCrossed)) + " times its own thickness in a frame");
   world.solid = true;
   return settings.make<Bounce>(surface, sleeps);
 }

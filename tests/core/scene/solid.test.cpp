@@ -158,6 +158,16 @@ TEST_CASE("a body too thin for so long a frame is refused by name") {
   CHECK(refusal(declaration).find("leaf is too thin for so long a step") != std::string::npos);
 }
 
+TEST_CASE("a body too fast for its thickness is refused by name") {
+  const auto with = [](Body body) { return refusal({.bodies = {floor(), named("dart", body)}, .effects = solid(0)}); };
+  CHECK(with(moving(ball(0.1, {0, 3, 0}), {2000, 0, 0})) == "");
+  CHECK(with(moving(box({0.1, 0.05, 0.2}, {0, 3, 0}), {2000, 0, 0})) == "");
+  CHECK(with(moving(ball(0.1, {0, 3, 0}), {0, 0, 0}, {1e9, 0, 0})) == "");  // a ball crosses nothing by turning
+  const std::string fault = "bounce: dart is too fast: it would cross more than 1000 times its own thickness in a frame";
+  CHECK(with(moving(ball(0.1, {0, 3, 0}), {1e9, 0, 0})) == fault);
+  CHECK(with(moving(box({0.05, 0.002, 0.05}, {0, 3, 0}), {0, 0, 0}, {1e9, 0, 0})) == fault);
+}
+
 TEST_CASE("slender bodies fall over in their own time") {
   struct Case {
     V3 half;
