@@ -111,8 +111,8 @@ void App::State::load_fonts() {
   };
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     look.fonts[i] = add(i, false);
-    if (i < 2) add(i + 2, true);  // what Inter lacks (∈, ∪ …)
-    if (i == 3) add(2, true);     // accents, which the bold figures go without
+    if (i < 2) add(i + 2, true);   // what Inter lacks (∈, ∪ …)
+    if (i >= 2) add(i - 2, true);  // accents, which figures and code go without
   }
   // A door that could not read one face shows its words in another.
   ImFont* any = *std::find_if(look.fonts.begin(), look.fonts.end() - 1, [](ImFont* font) { return font != nullptr; });

@@ -6,11 +6,11 @@
 #include <variant>
 
 #include "app/numbers.hpp"
+#include "app/scene_panel.hpp"
 #include "lesson/ask.hpp"
 #include "lesson/box_tests.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/frustum_box.hpp"
-#include "lesson/scene_figures.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::app {
@@ -37,25 +37,6 @@ std::span<const Index> span_of(const Support& support) {
 std::span<const Index> span_of(const std::vector<Index>& support) { return support; }
 
 /// Says each fact. One overload per fact, so that a new one does not compile before it has its sentence.
-/// hidden: whether a figure is still to be predicted; the sentence ends before it.
-template <class Hidden>
-std::string frame_caption(const fit::FrameTaken& fact, const Hidden& hidden) {
-  std::string words = "Frame " + std::to_string(fact.frame) + ": ";
-  if (fact.resting) return words + "all bodies rest, and nothing is run.";
-  const auto count = [](double n) { return std::to_string(static_cast<long long>(n)); };
-  if (fact.all_pairs == 0) {
-    const bool slack = !hidden("slack");
-    if (!hidden("cost")) words += "the update looks at " + counted(static_cast<int>(fact.cost), "point") + (slack ? ", and " : "");
-    return words + (slack ? "its volume is " + lesson::scene_figure_text("slack", 100 * fact.slack) + " too large." : ".");
-  }
-  words += "of " + count(fact.all_pairs) + " pairs";
-  if (hidden("after_broad")) return words + " how many are left?";
-  words += " the boxes leave " + count(fact.after_broad);
-  if (hidden("after_loose")) return words + ".";
-  words += ", the spheres " + count(fact.after_loose);
-  return hidden("touching") ? words + "." : words + "; " + count(fact.touching) + " touch.";
-}
-
 struct Sayer {
   const Step3& step;
   const Step3* next;
@@ -83,7 +64,7 @@ struct Sayer {
            (dim() == 2 ? "." : " along each of the three axes.");
   }
 
-  std::string operator()(const fit::FrameTaken& fact) const { return frame_caption(fact, [](std::string_view) { return false; }); }
+  std::string operator()(const fit::FrameTaken& fact) const { return frame_caption(fact, nullptr); }
 
   std::string operator()(const fit::MidpointFound<double, 3>& fact) const {
     const Point widths = fact.greatest - fact.least;
@@ -415,7 +396,7 @@ std::string caption_at(const lesson::Session& session) {
   if (const auto* frame = std::get_if<fit::FrameTaken>(&entry->step.fact)) {
     // The sentence would tell beside the question nearly what is asked of a later frame.
     if (!session.asked_figure().empty()) return "Frame " + std::to_string(frame->frame) + ": what comes next is for you to say.";
-    return frame_caption(*frame, [&](std::string_view figure) { return session.is_hidden(figure); });
+    return frame_caption(*frame, &session);
   }
   const auto& steps = session.recording(0).steps;
   const auto next = static_cast<std::size_t>(session.step());

@@ -160,6 +160,25 @@ class Panel {
 
 }  // namespace
 
+std::string frame_caption(const fit::FrameTaken& fact, const lesson::Session* session) {
+  const auto hidden = [&](std::string_view figure) { return session != nullptr && session->is_hidden(figure); };
+  std::string words = "Frame " + std::to_string(fact.frame) + ": ";
+  if (fact.resting) return words + "all bodies rest, and nothing is run.";
+  const auto count = [](double n) { return std::to_string(static_cast<long long>(n)); };
+  if (fact.all_pairs == 0) {
+    const bool slack = !hidden("slack"), cost = !hidden("cost");
+    if (!slack && !cost) return words + "what comes next is for you to say.";
+    if (cost) words += "the update looks at " + lesson::scene_figure_text("cost", fact.cost) + (slack ? ", and " : ".");
+    return slack ? words + "its volume is " + lesson::scene_figure_text("slack", 100 * fact.slack) + " too large." : words;
+  }
+  words += "of " + count(fact.all_pairs) + " pairs";
+  if (hidden("after_broad")) return words + " how many are left?";
+  words += " the boxes leave " + count(fact.after_broad);
+  if (hidden("after_loose")) return words + ".";
+  words += ", the spheres " + count(fact.after_loose);
+  return hidden("touching") ? words + "." : words + "; " + count(fact.touching) + " touch.";
+}
+
 float draw_scene_panel(const Look& look, lesson::Session& session, ImVec2 at, float width) {
   const lesson::SceneFrame* frame = session.frame();
   if (frame == nullptr) return 0;

@@ -1,7 +1,6 @@
 #include "lesson/check_lesson.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "fit/catalogue.hpp"
 #include "lesson/ask.hpp"
@@ -66,27 +65,6 @@ void complain_of_points(const TomlTable& root, const fit::Algorithm& algorithm, 
                  "too many points for " + std::string(algorithm.title) + ": at most " + std::to_string(algorithm.max_points));
 }
 
-/// Where all pairs of all frames could be too many to keep: whether they are, with the line of what looks for them. Frames
-/// are taken one by one, and none is kept.
-std::optional<InputError> too_many_pairs(const SceneSet& set, const std::string& method, const AnyPointSet& points, std::uint64_t seed) {
-  const auto declaration = declaration_with(set, method, points, seed);
-  if (!declaration) return std::nullopt;
-  const auto bodies = static_cast<std::int64_t>(declaration->bodies.size());
-  const auto looks = [](const scene::EffectCall& call) { return call.name == "broad_phase"; };
-  const auto search = std::find_if(declaration->effects.begin(), declaration->effects.end(), looks);
-  if (search == declaration->effects.end() || bodies * (bodies - 1) / 2 * set.frames <= kMostPairs) return std::nullopt;
-  auto scene = scene::Scene::open(*declaration);
-  std::size_t kept = 0;
-  for (int frame = 1; scene && frame <= set.frames; ++frame) {
-    scene->step();
-    kept += scene->world().state.pairs.size();
-    if (kept > static_cast<std::size_t>(kMostPairs))
-      return scene::error_at(search->line, "too many pairs: those of all frames together may be at most " + std::to_string(kMostPairs) +
-                                               ", which are reached at frame " + std::to_string(frame));
-  }
-  return std::nullopt;
-}
-
 void check_scene(const Lesson& lesson, const toml::table& toml, const AnyPointSet& points, Complaints& complaints) {
   const TomlTable root(toml, "the lesson", complaints);
   const TomlTable own(*toml.get_as<toml::table>("scene"), "[scene]", complaints);
@@ -94,7 +72,7 @@ void check_scene(const Lesson& lesson, const toml::table& toml, const AnyPointSe
   const fit::Algorithm& first = *find_method(kScene, lesson.algorithms.front());
   if (fit::size_of(points) > first.max_points) return complain_of_points(root, first, complaints);
   for (const std::string& name : lesson.algorithms) {
-    if (const auto error = too_many_pairs(*lesson.scene, name, points, lesson.seed)) return complaints.add(static_cast<int>(error->position), error->what);
+    if (const auto kept = check_pairs(*lesson.scene, name, points, lesson.seed); !kept) return complaints.add(static_cast<int>(kept.error().position), kept.error().what);
     const auto run = run_scene(*lesson.scene, name, points, lesson.seed);
     if (!run) return complaints.add(run.error().position > 0 ? static_cast<int>(run.error().position) : root.line_of("scene"), run.error().what);
     check_questions(lesson, *find_method(kScene, name), run->recording, fit::dim_of(points), complaints);
@@ -108,7 +86,7 @@ void check_scene(const Lesson& lesson, const toml::table& toml, const AnyPointSe
   const auto model = to_set(lesson.task->model, fit::dim_of(points));
   if (!model) return complaints.add(task.line_of("model"), model.error().what);
   if (lesson.scene->is_too_long(fit::size_of(*model))) return complaints.add(task.line_of("model"), too_long_text());
-  if (const auto error = too_many_pairs(*lesson.scene, lesson.task->algorithm, *model, lesson.seed)) return complaints.add(task.line_of("model"), error->what);
+  if (const auto kept = check_pairs(*lesson.scene, lesson.task->algorithm, *model, lesson.seed); !kept) return complaints.add(task.line_of("model"), kept.error().what);
   if (const Grade grade = graded(*model); !grade.done) complaints.add(task.line_of("model"), "the model does not solve the task: " + grade.says);
 }
 

@@ -108,6 +108,25 @@ tl::expected<void, InputError> check_scene_opens(const SceneSet& set, std::span<
   return {};
 }
 
+tl::expected<void, InputError> check_pairs(const SceneSet& set, std::string_view method, const AnyPointSet& points, std::uint64_t seed) {
+  const auto declaration = declaration_with(set, method, points, seed);
+  if (!declaration) return {};
+  const auto bodies = static_cast<std::int64_t>(declaration->bodies.size());
+  const auto looks = [](const scene::EffectCall& call) { return call.name == "broad_phase"; };
+  const auto search = std::find_if(declaration->effects.begin(), declaration->effects.end(), looks);
+  if (search == declaration->effects.end() || bodies * (bodies - 1) / 2 * set.frames <= kMostPairs) return {};
+  auto scene = scene::Scene::open(*declaration);
+  std::size_t kept = 0;
+  for (int frame = 1; scene && frame <= set.frames; ++frame) {
+    scene->step();
+    kept += scene->world().state.pairs.size();
+    if (kept > static_cast<std::size_t>(kMostPairs))
+      return tl::unexpected(scene::error_at(search->line, "too many pairs: those of all frames together may be at most " + std::to_string(kMostPairs) +
+                                                              ", which are reached at frame " + std::to_string(frame)));
+  }
+  return {};
+}
+
 fit::FrameTaken frame_of(const scene::Scene& scene) {
   const scene::State& state = scene.world().state;
   const std::uint64_t hash = scene.world().hash();

@@ -46,6 +46,11 @@ struct SwitchedOff {
 [[nodiscard]] tl::expected<void, InputError> check_scene_opens(const SceneSet& set, std::span<const std::string> methods,
                                                                const AnyPointSet& points, std::uint64_t seed);
 
+/// Whether all pairs of all frames can be kept. Frames are taken one by one, where they could be too many, and none is kept.
+/// Errors: too many pairs, with the line of what looks for them.
+[[nodiscard]] tl::expected<void, InputError> check_pairs(const SceneSet& set, std::string_view method, const AnyPointSet& points,
+                                                         std::uint64_t seed);
+
 /// The scene as the method has it: what run_scene opens.
 [[nodiscard]] tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet& set, std::string_view method,
                                                                             const AnyPointSet& points, std::uint64_t seed);

@@ -27,6 +27,7 @@ tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet&, s
 tl::expected<void, InputError> check_scene_opens(const SceneSet&, std::span<const std::string>, const AnyPointSet&, std::uint64_t) {
   return no_scenes();
 }
+tl::expected<void, InputError> check_pairs(const SceneSet&, std::string_view, const AnyPointSet&, std::uint64_t) { return no_scenes(); }
 fit::FrameTaken frame_of(const scene::Scene&) { return {}; }
 double figure_of(const fit::FrameTaken&, std::string_view) { return 0; }
 SceneSet read_scene_of(TomlTable&, int, Complaints&) { return {}; }  // to run it is the error
@@ -46,6 +47,7 @@ bool can_move(const lesson::Session&) { return true; }
 bool shows_points(const lesson::Session&) { return true; }
 fit::Sphere3 extent_of_scene(const lesson::Session&) { return {}; }
 void Stage::draw_scene(Brush&) const {}
+std::string frame_caption(const fit::FrameTaken&, const lesson::Session*) { return {}; }
 float draw_scene_panel(const Look&, lesson::Session&, ImVec2, float) { return 0; }
 
 }  // namespace snug::app

@@ -98,7 +98,7 @@ TEST_CASE("a scene's frames are the steps of its lesson, with their figures") {
   CHECK(frame(session).after_loose < frame(session).after_broad);
   CHECK(static_cast<double>((*session.frames(0))[30].pairs.size()) == frame(session).after_broad);
   const auto figures = session.figures(0);
-  CHECK(figures.size() == 5);
+  CHECK(figures.size() == 6);
   CHECK(figures[0].value == 30);
   session.back();
   CHECK(frame(session).frame == 29);
@@ -283,5 +283,5 @@ TEST_CASE("a task on a scene is graded by its last frame") {
   session.start_task();
   REQUIRE(session.grade().has_value());
   CHECK_FALSE(session.grade()->done);
-  CHECK(session.grade()->says.find("at least 4 pairs is asked for") != std::string::npos);
+  CHECK(session.grade()->says.find("it must be at least 4 pairs") != std::string::npos);
 }
