@@ -9,8 +9,10 @@ until_state 's.step === s.steps'
 before=$(state "s.readout.radius")
 
 # The support point farthest from the middle of the stage is pulled outwards.
-read -r x y < <(handle P1)
-xdotool mousemove --window "$window" "$x" "$y" sleep 0.2 mousedown 1
+last=
+until [[ $(handle P1) == "$last" ]]; do last=$(handle P1) && sleep 0.3; done # the view eases to the result
+read -r x y <<<"$last"
+xdotool mousemove --window "$window" "$x" "$y" sleep 0.5 mousedown 1 sleep 0.2
 for i in 1 2 3 4 5 6 7 8; do xdotool mousemove --window "$window" $((x + 8 * i)) $((y - 5 * i)) sleep 0.03; done
 until_state "s.selected === 1 && Math.abs(s.readout.radius - $before) > 0.01"
 until_state "s.handles.find(h => h.id === 'P1').x > $x + 50" # it is under the mouse, before the button is let go
