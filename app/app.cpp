@@ -78,7 +78,6 @@ struct App::State {
   void play_on();
   [[nodiscard]] bool player(std::string_view name);
   [[nodiscard]] bool edit(std::string_view name);
-  bool turn(std::string_view effect);
   [[nodiscard]] bool select(std::string_view name);
   [[nodiscard]] bool view(std::string_view name);
   [[nodiscard]] bool move(std::string_view name);
@@ -90,12 +89,6 @@ struct App::State {
   void next_mark();
   bool watch_outcome();
 };
-
-/// At the beginning an effect can only be switched on again: nothing has run that others could go on with.
-bool App::State::turn(std::string_view effect) {
-  const bool on = session->is_on(effect);
-  return (session->step() > 0 || !on) && session->turn(effect, !on);
-}
 
 void App::State::load_fonts() {
   constexpr std::array<std::string_view, 4> kNames{"Inter-Regular", "Inter-SemiBold", "JetBrainsMono-Regular", "JetBrainsMono-Bold"};
@@ -111,8 +104,7 @@ void App::State::load_fonts() {
   };
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     look.fonts[i] = add(i, false);
-    if (i < 2) add(i + 2, true);   // what Inter lacks (∈, ∪ …)
-    if (i >= 2) add(i - 2, true);  // accents, which figures and code go without
+    add((i + 2) % 4, true);  // what Inter lacks (∈, ∪ …); accents, which figures and code go without
   }
   // A door that could not read one face shows its words in another.
   ImFont* any = *std::find_if(look.fonts.begin(), look.fonts.end() - 1, [](ImFont* font) { return font != nullptr; });
@@ -297,7 +289,8 @@ bool App::command(std::string_view name) {
   if (s.has_chart() && s.costs->command(*s.session, name)) return s.settle = std::max(s.settle, 1), true;
   constexpr std::string_view kTurn = "turn:";
   const int step = s.session->step();
-  const bool done = name.starts_with(kTurn) ? s.turn(name.substr(kTurn.size())) : s.player(name) || s.edit(name) || s.select(name) || s.view(name) || s.move(name);
+  const auto turn = [&](std::string_view effect) { return s.session->turn(effect, !s.session->is_on(effect)); };
+  const bool done = name.starts_with(kTurn) ? turn(name.substr(kTurn.size())) : s.player(name) || s.edit(name) || s.select(name) || s.view(name) || s.move(name);
   if (s.on_chart() && (s.playing || s.session->step() != step)) s.costs->show(false);  // a step is of the points
   if (done) s.settle = std::max(s.settle, 1);
   return done;

@@ -393,11 +393,7 @@ std::string caption_at(const lesson::Session& session) {
   if (entry == nullptr && session.lesson().scene && session.lesson().scene->at_points())
     return std::string(session.algorithm(0)->title) + " on " + std::to_string(session.size()) + (session.size() == 1 ? " body" : " bodies") + ": nothing has moved yet. Take the first step.";
   if (entry == nullptr) return caption_at_start(*session.algorithm(0), session.size());
-  if (const auto* frame = std::get_if<fit::FrameTaken>(&entry->step.fact)) {
-    // The sentence would tell beside the question nearly what is asked of a later frame.
-    if (!session.asked_figure().empty()) return "Frame " + std::to_string(frame->frame) + ": what comes next is for you to say.";
-    return frame_caption(*frame, &session);
-  }
+  if (const auto* frame = std::get_if<fit::FrameTaken>(&entry->step.fact)) return frame_caption(*frame, &session);
   const auto& steps = session.recording(0).steps;
   const auto next = static_cast<std::size_t>(session.step());
   return caption_of(entry->step, next < steps.size() ? &steps[next].step : nullptr, session.points(), session.algorithm(0)->exact);

@@ -163,11 +163,13 @@ class Panel {
 std::string frame_caption(const fit::FrameTaken& fact, const lesson::Session* session) {
   const auto hidden = [&](std::string_view figure) { return session != nullptr && session->is_hidden(figure); };
   std::string words = "Frame " + std::to_string(fact.frame) + ": ";
+  const bool slack = !hidden("slack"), cost = !hidden("cost");
+  // Beside a question the sentence would tell nearly what is asked of a later frame.
+  const bool asked = session != nullptr && !session->asked_figure().empty();
+  if (asked || (fact.all_pairs == 0 && !slack && !cost)) return words + "what comes next is for you to say.";
   if (fact.resting) return words + "all bodies rest, and nothing is run.";
   const auto count = [](double n) { return std::to_string(static_cast<long long>(n)); };
   if (fact.all_pairs == 0) {
-    const bool slack = !hidden("slack"), cost = !hidden("cost");
-    if (!slack && !cost) return words + "what comes next is for you to say.";
     if (cost) words += "the update looks at " + lesson::scene_figure_text("cost", fact.cost) + (slack ? ", and " : ".");
     return slack ? words + "its volume is " + lesson::scene_figure_text("slack", 100 * fact.slack) + " too large." : words;
   }

@@ -222,7 +222,7 @@ void jump(int step) {
 void forget_answers() {
   if (!session()) return;
   session()->forget_answers();
-  if (door().app->costs().shown()) door().app->command("toggle_chart");  // it would give the answers away
+  door().app->costs().show(false);  // it would give the answers away
 }
 
 /// name: "" clears the one beside.

@@ -10,6 +10,7 @@
 
 #include "geometry/point_set.hpp"
 #include "scene/declaration.hpp"
+#include "scene/limits.hpp"
 
 namespace snug::lesson {
 
@@ -36,7 +37,7 @@ struct SceneSet {
   }
 };
 
-/// How many bodies times frames a lesson's scene may have. All frames are kept for the timeline: a body takes 250 bytes in each
+/// How many bodies times frames a lesson's scene may have. All frames are kept for the timeline: a body takes 300 bytes in each
 /// and a microsecond; in a crowd of 2,000, whose pairs are kept as well, 1.6 KB and 25 us. So a scene ends at 0.4 GB and 6 s.
 /// Held by "a scene with too many frames of too many bodies is refused before it is run".
 inline constexpr std::int64_t kMostBodyFrames = 250'000;
@@ -49,7 +50,7 @@ inline constexpr std::int64_t kMostPairs = 50 * kMostBodyFrames;
 
 /// How many places a trail keeps in a frame; what no trail may have, its effect refuses.
 inline std::int64_t places_of(const scene::EffectCall& trail, int frames) {
-  double length = 60;
+  double length = scene::limits::kTrailPlaces;
   for (const scene::Setting& setting : trail.settings)
     if (setting.key == "length" && !setting.numbers.empty()) length = setting.numbers.front();
   return length < frames ? static_cast<std::int64_t>(std::max(0.0, length)) : frames;  // a NaN: frames

@@ -233,8 +233,7 @@ std::string_view Session::asked_figure() const {
 bool Session::is_hidden(std::string_view figure) const {
   if (figure == asked_figure()) return true;
   const auto first = std::find_if(asked_.begin(), asked_.end(), [&](const Asked& asked) { return asked.question->figure == figure; });
-  if (first == asked_.end() || step() >= first->until) return false;
-  return std::none_of(outcomes_.begin(), outcomes_.end(), [&](const Outcome& outcome) { return outcome.question == first->question->id; });
+  return first != asked_.end() && step() < first->until && open_question(*first);
 }
 
 std::vector<Figure> Session::figures(int slot) const {

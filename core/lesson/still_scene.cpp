@@ -2,41 +2,35 @@
 
 #include <utility>
 
-#include "fit/catalogue.hpp"
-
 namespace snug::lesson {
 namespace {
 
-scene::Cloud corners_of(const BoxPair& pair, int box) {
+SceneBody still_body() {
+  SceneBody still;
+  still.body.fixed = true;
+  return still;
+}
+
+SceneBody corners_of(const BoxPair& pair, int box) {
+  SceneBody still = still_body();
   scene::Cloud corners;
   for (int bits = 0; bits < 1 << pair.dim; ++bits)
     corners.push_back(corner_of(pair, box, bits));
-  return corners;
-}
-
-scene::Cloud all_of(const AnyPointSet& points) {
-  scene::Cloud cloud;
-  for (Index i = 0; i < fit::size_of(points); ++i)
-    cloud.push_back(fit::point_of(points, i));
-  return cloud;
+  still.body.shape = std::move(corners);
+  return still;
 }
 
 }  // namespace
 
-scene::Declaration still_scene(const Lesson& lesson, const AnyPointSet& points) {
-  scene::Declaration declaration{.bodies = {}, .effects = {}, .seed = lesson.seed};
-  const auto stand = [&](scene::Cloud cloud) {
-    scene::Body body;
-    body.shape = std::move(cloud);
-    body.fixed = true;
-    declaration.bodies.push_back(std::move(body));
-  };
-  if (lesson.boxes)
-    for (const int box : {0, 1})
-      stand(corners_of(*lesson.boxes, box));
-  else
-    stand(all_of(points));
-  return declaration;
+SceneSet still_scene(const Lesson& lesson) {
+  SceneSet set;
+  if (lesson.boxes) {
+    set.bodies = {corners_of(*lesson.boxes, 0), corners_of(*lesson.boxes, 1)};
+  } else {
+    set.bodies = {still_body()};
+    set.bodies.front().of_points = true;
+  }
+  return set;
 }
 
 }  // namespace snug::lesson

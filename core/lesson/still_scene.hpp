@@ -2,11 +2,10 @@
 #pragma once
 
 #include "lesson/lesson.hpp"
-#include "scene/declaration.hpp"
 
 namespace snug::lesson {
 
 /// Fixed bodies, of its points or of its two boxes' corners, and no effect, for it calls for none. In 2-D z is 0.
-[[nodiscard]] scene::Declaration still_scene(const Lesson& lesson, const AnyPointSet& points);
+[[nodiscard]] SceneSet still_scene(const Lesson& lesson);
 
 }  // namespace snug::lesson

@@ -51,6 +51,9 @@ inline constexpr int kHalvings = 20;
 /// The most steps in which a fast body's way is looked at: at 200 a second a ball of radius 0.01 takes 667.
 inline constexpr int kMostSteps = 20000;
 
+/// How many places a trail keeps where its length is not declared.
+inline constexpr int kTrailPlaces = 60;
+
 /// How many of its own thicknesses a body may at the start be declared to cross in a frame: a ball of radius 0.1 at 2,000 a
 /// second crosses 167. So all of its way is looked at, and in bounded time.
 inline constexpr double kMostCrossed = 1000;

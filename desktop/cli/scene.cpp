@@ -35,7 +35,7 @@ tl::expected<scene::Scene, InputError> open(const SceneOptions& options, const L
     return tl::unexpected(InputError{.what = own.id + " does not offer \"" + algorithm + "\""});
   auto scene = points_of(file)
       .and_then([&](const AnyPointSet& points) -> tl::expected<scene::Declaration, InputError> {
-        if (!own.scene) return lesson::still_scene(own, points);
+        if (!own.scene) return lesson::declaration_of(lesson::still_scene(own), points, own.seed);
         return lesson::declaration_with(*own.scene, algorithm, points, own.seed);
       })
       .and_then([](const scene::Declaration& declaration) { return scene::Scene::open(declaration, native_now); });
@@ -75,9 +75,9 @@ constexpr const char* kSceneFooter = R"(Runs a lesson's scene and prints JSON Li
   {"effect","constructed","run","skipped","microseconds"}   for each effect that the scene calls for, in the order in
                     which a frame runs them; skipped counts frames in which nothing that it reads had changed
   {"frame","all_pairs","compared","after_broad","after_loose","touching","slack","cost","energy","resting","lesson",
-   "frames_drawn","frames_skipped","hash"}   the last frame: pairs whose boxes were compared, pairs that each stage left, slack of the volumes in per cent, points that
-                    their updates looked at; a frame is drawn where it changed something; the hash is of every bit of the
-                    bodies, the same natively and in WebAssembly
+   "frames_drawn","frames_skipped","hash"}   the last frame: pairs whose boxes were compared, pairs that each stage left,
+                    slack of the volumes in per cent, points that their updates looked at; a frame is drawn where it
+                    changed something; the hash is of every bit of the bodies, the same natively and in WebAssembly
 A lesson that declares no scene stands still: it has no effects, and no frame after the first is drawn.
 With --every, a line for each frame comes first.)";
 

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <string>
 #include <vector>
 
+#include "bench/mesh.hpp"
 #include "bench/ratio.hpp"
 #include "fit/obb_aabb.hpp"
 #include "fit/obb_dito.hpp"
@@ -19,7 +16,6 @@
 #include "fit/obb_pca_hull_area.hpp"
 #include "fit/obb_pca_rectangle.hpp"
 #include "geometry/generate.hpp"
-#include "io/point_file.hpp"
 #include "measure/cost_run.hpp"
 
 using namespace snug;
@@ -29,14 +25,6 @@ namespace {
 using Set = PointSet<double, 3>;
 
 constexpr int kRounds = 9;
-
-AnyPointSet bunny() {
-  std::ifstream file(SNUG_ASSETS_DIR "/meshes/bunny.ply", std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
-  const auto read = io::read_points(bytes, "bunny");
-  if (!read) std::abort();
-  return *Set::make(read->points);
-}
 
 double nanoseconds() {
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -112,7 +100,7 @@ void dear_boxes(const char* name, const AnyPointSet& points) {
 }  // namespace
 
 int main() {
-  const AnyPointSet mesh = bunny(), cube = *Set::make(*generate("cube", 1'000'000, 3, 1));
+  const AnyPointSet mesh = bench::mesh("bunny"), cube = *Set::make(*generate("cube", 1'000'000, 3, 1));
   std::puts("| points | algorithm | a plain loop, ms | snug cost / loop | quartiles |\n|---|---|---:|---:|---|");
   spheres("bunny", mesh);
   boxes("bunny", mesh);

@@ -1,18 +1,15 @@
 // Convex hulls beside Qhull's and Bullet's, in one run: how long ours takes in units of their time, and how many vertices each keeps.
 // Prints the table that RESULTS.md keeps. Needs Debian's libqhull-dev and libbullet-dev.
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
+#include "bench/mesh.hpp"
 #include "bench/peers/bullet_hull.hpp"
 #include "bench/peers/qhull.hpp"
 #include "bench/ratio.hpp"
 #include "fit/quickhull.hpp"
 #include "geometry/generate.hpp"
-#include "io/point_file.hpp"
 
 using namespace snug;
 
@@ -39,15 +36,6 @@ void one_set(const std::string& name, const Set& set, int rounds) {
 
 Set generated(const char* kind, int n) { return *Set::make(*generate(kind, n, 3, 1)); }
 
-/// A mesh of the build's assets.
-Set mesh(const std::string& name) {
-  std::ifstream file(SNUG_ASSETS_DIR "/meshes/" + name, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
-  const auto read = io::read_points(bytes, name);
-  if (!read) std::abort();
-  return *Set::make(read->points);
-}
-
 }  // namespace
 
 int main() {
@@ -58,6 +46,6 @@ int main() {
   one_set("in a ball", generated("ball", 100'000), 9);
   one_set("in a cube", generated("cube", 1'000'000), 7);
   one_set("gaussian", generated("gaussian", 1'000'000), 7);
-  one_set("bunny", mesh("bunny.ply"), 25);
-  one_set("dragon", mesh("dragon.ply"), 9);
+  one_set("bunny", bench::mesh("bunny"), 25);
+  one_set("dragon", bench::mesh("dragon"), 9);
 }

@@ -2,12 +2,9 @@
 // Prints the tables that RESULTS.md keeps. Needs Debian's libcgal-dev.
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <string>
 #include <vector>
 
+#include "bench/mesh.hpp"
 #include "bench/peers/cgal_obb.hpp"
 #include "bench/ratio.hpp"
 #include "fit/obb_aabb.hpp"
@@ -20,22 +17,12 @@
 #include "fit/obb_pca_rectangle.hpp"
 #include "fit/obb_sphere_axis.hpp"
 #include "geometry/generate.hpp"
-#include "io/point_file.hpp"
 
 using namespace snug;
 
 namespace {
 
 using Set = PointSet<double, 3>;
-
-/// A mesh of the build's assets.
-Set mesh(const std::string& name) {
-  std::ifstream file(SNUG_ASSETS_DIR "/meshes/" + name + ".ply", std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
-  const auto read = io::read_points(bytes, name);
-  if (!read) std::abort();
-  return *Set::make(read->points);
-}
 
 Set cloud(const char* kind, int n) { return *Set::make(*generate(kind, n, 3, 1)); }
 
@@ -108,12 +95,12 @@ void worth(const char* name, const Set& set) {
 }  // namespace
 
 int main() {
-  const Set bunny = mesh("bunny"), dragon = mesh("dragon");
+  const Set bunny = bench::mesh("bunny"), dragon = bench::mesh("dragon");
   std::puts("| points | n | hull | exact / CGAL | quartiles | CGAL, ms | CGAL's volume too large by | met |");
   std::puts("|---|---:|---:|---:|---|---:|---|---|");
   beside_cgal("bunny", bunny, 9);
   beside_cgal("dragon", dragon, 9);
-  beside_cgal("teapot", mesh("teapot"), 9);
+  beside_cgal("teapot", bench::mesh("teapot"), 9);
   beside_cgal("sphere", cloud("sphere", 1000), 5);
   beside_cgal("sphere", cloud("sphere", 10'000), 3);
   std::puts("\n| points | algorithm | passes | quartiles | at most | met |\n|---|---|---|---|---|---|");

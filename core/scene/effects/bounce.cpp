@@ -36,8 +36,10 @@ class Bounce final : public Effect {
     wake(world, islands);
     std::vector<ContactRow> rows = rows_of(world, surface_);
     std::vector<Budget> budgets = budgets_of(world, islands, rows);
-    const std::vector<Motion> before = world.state.bodies;
-    const std::vector<ContactRow> unsolved = rows;
+    // Copies are taken only where a bounce may have to be solved once more.
+    const bool bounces = std::any_of(budgets.begin(), budgets.end(), [](const Budget& budget) { return budget.bounces; });
+    const std::vector<Motion> before = bounces ? world.state.bodies : std::vector<Motion>();
+    const std::vector<ContactRow> unsolved = bounces ? rows : std::vector<ContactRow>();
     solve(world, rows, surface_);
     for (const Shift& shift : shifts_apart(world, rows)) push_apart(world, budgets[islands.of(shift.body)], shift);
     sum_up(world, islands, budgets);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "scene/effect.hpp"
+#include "scene/limits.hpp"
 
 namespace snug::scene {
 namespace {
@@ -34,7 +35,7 @@ class Trail final : public Effect {
 MadeEffect make_trail(const EffectCall& call, World& world) {
   Settings settings(call, world);
   auto bodies = settings.bodies();
-  const double length = settings.number("length", 60, 2, 10000);  // frames
+  const double length = settings.number("length", limits::kTrailPlaces, 2, 10000);  // frames
   if (length != std::floor(length)) settings.refuse("\"length\" must be a whole number");
   return settings.make<Trail>(std::move(bodies), static_cast<std::size_t>(length));
 }

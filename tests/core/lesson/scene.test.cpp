@@ -141,7 +141,7 @@ TEST_CASE("a lesson that declares no scene constructs no effect and draws one fr
   for (const std::string id : {"sphere-ritter", "obb-axes", "obb-sat", "frustum-2d", "frustum-3d"}) {
     CAPTURE(id);
     const lesson::Lesson own = read(id);
-    auto scene = scene::Scene::open(lesson::still_scene(own, *lesson::own_points(own, own.seed, {})));
+    auto scene = scene::Scene::open(lesson::declaration_of(lesson::still_scene(own), *lesson::own_points(own, own.seed, {}), own.seed));
     REQUIRE(scene.has_value());
     CHECK(scene->tallies().empty());
     CHECK(scene->world().size() == (own.boxes ? 2u : 1u));
