@@ -48,7 +48,7 @@ inline constexpr double kParallelEdges = 1e-3;
 /// Halvings by which the moment at which a fast body meets another is found: within 2^-20 of its way.
 inline constexpr int kHalvings = 20;
 
-/// The most steps in which a fast body's way is looked at: at 200 a second a ball of radius 0.01 takes 667.
+/// The most steps in which a fast body's way is looked at: at 200 a second a ball of radius 0.01 takes 1,333 at most.
 inline constexpr int kMostSteps = 20000;
 
 /// How many places a trail keeps where its length is not declared.
@@ -58,7 +58,7 @@ inline constexpr int kTrailPlaces = 60;
 /// second crosses 167. So all of its way is looked at, and in bounded time.
 inline constexpr double kMostCrossed = 1000;
 
-/// Of a body that touches another already, how small a core is still kept out of that.
-inline constexpr double kLeastCore = 1.0 / 32;
+/// How far a fast body that touches another already may go into that, in parts of its half thickness, before it is stopped.
+inline constexpr double kDeepest = 0.5;
 
 }  // namespace snug::scene::limits

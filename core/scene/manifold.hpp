@@ -27,6 +27,10 @@ struct Manifold {
 /// Source: C. Ericson, "Real-Time Collision Detection", 2005, 4.4.1 and 8.3.4; D. Gregorius, "The Separating Axis Test", 2013.
 [[nodiscard]] Manifold manifold_of(const Shape& a, const Pose<double, 3>& at_a, const Shape& b, const Pose<double, 3>& at_b, double margin);
 
+/// How far they are apart, or less; where they share a point, minus how far one has to be moved at least to be apart. As
+/// manifold_of has it. When no point of either moves farther than a length, it changes by no more.
+[[nodiscard]] double separation_of(const Shape& a, const Pose<double, 3>& at_a, const Shape& b, const Pose<double, 3>& at_b);
+
 [[nodiscard]] inline bool has_manifolds(const Shape& shape) { return shape.kind != Shape::Kind::kOther; }
 
 }  // namespace snug::scene

@@ -5,11 +5,10 @@
 
 #include "scene/effect.hpp"
 #include "scene/limits.hpp"
+#include "scene/manifold.hpp"
 
 namespace snug::scene {
 namespace {
-
-Pose<double, 3> pose_of(const Motion& motion) { return {motion.rotation, motion.position}; }
 
 /// Turned as it would turn in that time. A body that tumbles keeps its angular momentum, not its axis; what Euler's step
 /// would add to its energy on the way is taken back.
@@ -35,14 +34,6 @@ void give_back(const World& world, Motion& motion, double seconds) {
   if (square > 0) motion.velocity *= std::sqrt(std::max(0.0, 1 - 2 * seconds * world.gravity.dot(motion.velocity) / square));
 }
 
-/// A sphere or box that is larger by a length, or as many times as large. Without corners: they are not asked for.
-Shape grown(const Shape& shape, double by) {
-  return {.kind = shape.kind, .half_extents = shape.half_extents + V3::Constant(by), .radius = shape.radius + by};
-}
-Shape core_of(const Shape& shape, double part) {
-  return {.kind = shape.kind, .half_extents = part * shape.half_extents, .radius = part * shape.radius};
-}
-
 class Move final : public Effect {
  public:
   void run(World& world) override {
@@ -65,9 +56,8 @@ class Move final : public Effect {
   }
 
  private:
-  /// Which part of its way in this round the body goes before it touches another. Each look is at most half the body's
-  /// thinness on from the last, so that together they cover all of the way, turning included: a body that falls over about
-  /// a corner moves on, though straight ahead that corner is in the way.
+  /// Which part of its way in this round the body goes before it touches another: turning included, for a body that falls
+  /// over about a corner moves on, though straight ahead that corner is in the way.
   [[nodiscard]] static double free_part(const World& world, std::size_t i) {
     const Motion& motion = world.state.bodies[i];
     const Shape& shape = world.members[i].shape;
@@ -75,39 +65,44 @@ class Move final : public Effect {
     const double angle = shape.kind == Shape::Kind::kSphere ? 0 : motion.turning.norm() * world.round();
     const double length = way.norm() + angle * shape.reach;
     if (length <= shape.thinnest / 2) return 1;
-    const auto pose_at = [&](double at) -> Pose<double, 3> {
-      if (angle == 0) return {motion.rotation, motion.position + way * at};
-      return {matrix_of(normalized(quaternion_about(motion.turning, angle * at) * motion.orientation)), motion.position + way * at};
+    const auto pose_at = [&](double part) -> Pose<double, 3> {
+      if (angle == 0) return {motion.rotation, motion.position + way * part};
+      return {matrix_of(normalized(quaternion_about(motion.turning, angle * part) * motion.orientation)), motion.position + way * part};
     };
-    const double looks = std::ceil(length / std::max(shape.thinnest / 4, length / limits::kMostSteps));
     double part = 1;
     for (std::size_t j = 0; j < world.size(); ++j) {
+      const Motion& met = world.state.bodies[j];
       const Shape& other = world.members[j].shape;
-      const V3 to = world.state.bodies[j].position - motion.position;
+      const V3 to = met.position - motion.position;
       const double along = way.squaredNorm() > 0 ? std::clamp(to.dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
       if (j == i || (to - along * way).norm() > shape.reach + other.reach) continue;
-      const auto meets = [&](const Shape& own, double at) { return touch(own, pose_at(at), other, pose_of(world.state.bodies[j])); };
-      // What it touches already contacts hold back, as far as they can: a core of it they must.
-      const double slop = world.slop({static_cast<Index>(std::min(i, j)), static_cast<Index>(std::max(i, j))});
-      Shape own = shape;
-      bool apart = !meets(grown(shape, slop), 0);
-      for (double core = 0.5; core >= limits::kLeastCore && !apart; core /= 2) own = core_of(shape, core), apart = !meets(own, 0);
-      if (apart) part = first_touch([&](double at) { return meets(own, at); }, looks, part);
+      const auto separation = [&](double at) { return separation_of(shape, pose_at(at), other, {met.rotation, met.position}); };
+      // What it touches already contacts hold back, as far as they can: so far it may go in, or stay as it is.
+      const double start = separation(0), slop = world.slop({static_cast<Index>(std::min(i, j)), static_cast<Index>(std::max(i, j))});
+      const double deepest = start > slop ? 0 : std::min(-limits::kDeepest * shape.thinnest, start - slop / 8);
+      part = first_below(separation, deepest, shape.thinnest / 4, length, part);
     }
     return part;
   }
 
-  template <class Touches>
-  [[nodiscard]] static double first_touch(const Touches& touches, double looks, double most) {
-    for (double look = 1; look <= looks; ++look) {
-      double free = (look - 1) / looks, at = look / looks;
-      if (free >= most) return most;
-      if (!touches(at)) continue;
+  /// The last part up to which the separation stays what it may be at least, at most so much. Each look is as far on from the
+  /// one before as they are apart there, or the shortest stride: so all of the way is covered.
+  template <class Separation>
+  [[nodiscard]] static double first_below(const Separation& separation, double deepest, double stride, double length, double most) {
+    stride = std::max(stride, length / limits::kMostSteps);
+    double free = 0, ahead = separation(0);
+    while (free < most) {
+      double at = std::min(most, free + std::max(ahead - deepest, stride) / length);
+      ahead = separation(at);
+      if (ahead >= deepest) {
+        free = at;
+        continue;
+      }
       for (int k = 0; k < limits::kHalvings; ++k) {
         const double middle = (free + at) / 2;
-        (touches(middle) ? at : free) = middle;
+        (separation(middle) < deepest ? at : free) = middle;
       }
-      return std::min(at, most);
+      return free;
     }
     return most;
   }

@@ -1,4 +1,5 @@
 // Bodies that push each other: stacks stand, walls hold, energy is never made of nothing.
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -296,6 +297,44 @@ TEST_CASE("a body at 200 metres a second does not end up inside a wall, nor behi
         else CHECK(motion(scene, 1).velocity[0] < 100);
       }
     }
+}
+
+TEST_CASE("a slender body flung into the corner of two walls stays before both") {
+  for (const double half : {0.1, 0.03, 0.01})
+    for (const double degrees : {90.0, 60.0, 35.0}) {
+      const double angle = degrees * std::numbers::pi / 180;
+      // The walls' faces meet along z; into is the way into each.
+      const std::array<V3, 2> into{V3(0, -1, 0), V3(std::sin(angle), std::cos(angle), 0)};
+      const V3 open(-std::cos(angle / 2), std::sin(angle / 2), 0);
+      Random random(9);
+      for (int i = 0; i < 12; ++i) {
+        Declaration declaration{.bodies = {}, .effects = solid(0)};
+        declaration.effects.erase(declaration.effects.begin());  // no gravity
+        for (const V3& way : into) {
+          declaration.bodies.push_back(fixed(box({0.25, 60, 60}, way * 0.25)));
+          declaration.bodies.back().orientation = quaternion_about(V3::UnitZ(), std::atan2(way[1], way[0]));
+        }
+        const auto any = [&](double most) { return V3(random.between(-most, most), random.between(-most, most), random.between(-most, most)); };
+        Body rod = box({1, half, half}, open * (1.3 / std::sin(angle / 2) + 0.5));
+        rod.orientation = normalized({random.between(-1, 1), random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)});
+        declaration.bodies.push_back(moving(rod, (any(0.3) - open).normalized() * 200, any(i % 2 == 0 ? 0 : 30)));
+        Scene scene = opened(declaration);
+        for (int frame = 0; frame < 60; ++frame) {
+          scene.step();
+          INFO("half thickness " << half << ", corner of " << degrees << ", rod " << i << ", frame " << frame);
+          const scene::Motion& at = motion(scene, 2);
+          for (const V3& way : into) REQUIRE(way.dot(at.position) + (at.rotation.transpose() * way).cwiseAbs().dot(V3(1, half, half)) < half);
+        }
+      }
+    }
+}
+
+TEST_CASE("a body that starts deep in what is fixed is refused by name") {
+  const auto with = [](double height) { return refusal({.bodies = {named("ground", floor()), named("crate", box({0.5, 0.2, 0.5}, {0, height, 0}))}, .effects = solid(0)}); };
+  CHECK(with(0.2) == "");
+  CHECK(with(0.11) == "");
+  CHECK(with(0.09) == "bounce: crate starts inside ground: move it out, or call it fixed too");
+  CHECK(with(-0.5).find("crate starts inside ground") != std::string::npos);
 }
 
 TEST_CASE("two fast bodies meet head on") {

@@ -1,0 +1,120 @@
+#include "scene/budget.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/limits.hpp"
+
+namespace snug::scene {
+
+Budgets::Budgets(World& world, Islands& islands, const Surface& surface, const std::vector<ContactRow>& rows)
+    : world_(world), islands_(islands), surface_(surface), budgets_(world.size()) {
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    if (!world.awake(i)) continue;
+    Motion motion = world.state.bodies[i];
+    motion.velocity -= world.gravity * world.round();
+    budgets_[islands.of(i)].before += kinetic_energy(world.members[i], motion);
+  }
+  for (const Impulse& held : world.state.impulses) budgets_[island_of(world, islands, held.pair)].owed += held.owed;
+  bool bounces = false;
+  for (const ContactRow& row : rows)
+    if (row.target > 0) budgets_[island_of(world, islands, row.pair)].bounces = bounces = true;
+  if (bounces) before_ = world.state.bodies, unsolved_ = rows;
+}
+
+void Budgets::push_apart(const Shift& shift) {
+  Budget& budget = budgets_[islands_.of(shift.body)];
+  const Motion& motion = world_.state.bodies[shift.body];
+  const double work = shift.driven ? 0 : -world_.members[shift.body].mass * world_.gravity.dot(shift.by);
+  const auto affords = [&](double part) { return shift.driven || budget.pushed + part * work <= budget.may_spend(); };
+  const double part = shift.driven || (shift.out_of_wall && !budget.bounces && affords(1)) ? 1 : limits::kMended;
+  if (!affords(part)) return;
+  budget.pushed += part * work;
+  world_.place(shift.body, motion.position + part * shift.by, motion.orientation);
+  world_.state.changed(Slot::kPoses);
+}
+
+void Budgets::settle() {
+  sum_up();
+  if (std::any_of(budgets_.begin(), budgets_.end(), [](const Budget& budget) { return budget.bounces && budget.is_exceeded(); })) bounce_less();
+  take_back();
+  remember();
+}
+
+void Budgets::sum_up() {
+  for (Budget& budget : budgets_) budget.kinetic = budget.falls = 0;
+  for (std::size_t i = 0; i < world_.size(); ++i) {
+    if (!world_.awake(i)) continue;
+    Budget& budget = budgets_[islands_.of(i)];
+    budget.kinetic += kinetic_energy(world_.members[i], world_.state.bodies[i]);
+    budget.falls += world_.members[i].mass * world_.round() * world_.gravity.dot(world_.state.bodies[i].velocity);
+  }
+}
+
+/// What each point of a contact gives back of its own speed can come to more than all brought. With velocities v1, which
+/// bounce, and v0, which do not and never gain, an island goes out with v0 + s (v1 - v0): the greatest s for which it
+/// spends no more than it may. What keeps bodies apart is linear, so that it holds between the two.
+void Budgets::bounce_less() {
+  const std::vector<Budget> with = budgets_;
+  std::vector<Motion> bouncing = world_.state.bodies;
+  const std::vector<Impulse> impulses = world_.state.impulses;
+  std::vector<Motion>& bodies = world_.state.bodies;
+  for (std::size_t i = 0; i < world_.size(); ++i) bodies[i].velocity = before_[i].velocity, bodies[i].turning = before_[i].turning;
+  stop_bouncing(world_, unsolved_);
+  solve(world_, unsolved_, surface_);
+  sum_up();
+  for (std::size_t i = 0; i < world_.size(); ++i) bouncing[i].velocity -= bodies[i].velocity, bouncing[i].turning -= bodies[i].turning;
+  const std::vector<double> parts = parts_of_bounce(with, bouncing);
+  for (std::size_t i = 0; i < world_.size(); ++i) {
+    const double part = parts[islands_.of(i)];
+    bodies[i].velocity += part * bouncing[i].velocity, bodies[i].turning += part * bouncing[i].turning;
+  }
+  for (std::size_t k = 0; k < impulses.size(); ++k) {
+    Impulse& impulse = world_.state.impulses[k];
+    const double part = parts[island_of(world_, islands_, impulse.pair)];
+    impulse.normal += part * (impulses[k].normal - impulse.normal);
+    impulse.first += part * (impulses[k].first - impulse.first);
+    impulse.second += part * (impulses[k].second - impulse.second);
+  }
+  sum_up();
+}
+
+/// The s of each island: 1, or the greater root of gained s^2 + linear s = what v0 left, where gained is the energy of v1 - v0.
+std::vector<double> Budgets::parts_of_bounce(const std::vector<Budget>& with, const std::vector<Motion>& bouncing) {
+  std::vector<double> gained(world_.size()), parts(world_.size(), 1);
+  for (std::size_t i = 0; i < world_.size(); ++i)
+    if (world_.awake(i)) gained[islands_.of(i)] += kinetic_energy(world_.members[i], bouncing[i]);
+  for (std::size_t i = 0; i < world_.size(); ++i) {
+    if (!with[i].is_exceeded()) continue;
+    const double spent = budgets_[i].kinetic - budgets_[i].falls, left = budgets_[i].left() - spent;
+    const double linear = (with[i].kinetic - with[i].falls) - spent - gained[i];
+    const bool none = left <= 0 || gained[i] <= 0;
+    parts[i] = none ? 0 : std::clamp((std::sqrt(linear * linear + 4 * gained[i] * left) - linear) / (2 * gained[i]), 0.0, 1.0);
+  }
+  return parts;
+}
+
+/// Exact impulses without restitution take energy away. These are not quite exact, so that an island may go out with a
+/// trace more than it came in with: then it is made slower as a whole, by just so much, by which nothing moves into
+/// anything. With its velocities times s, s^2 kinetic - s falls = what is left.
+void Budgets::take_back() {
+  for (std::size_t i = 0; i < world_.size(); ++i) {
+    const Budget& budget = budgets_[islands_.of(i)];
+    if (!world_.awake(i) || !budget.is_exceeded()) continue;
+    const double root = std::sqrt(std::max(0.0, budget.falls * budget.falls + 4 * budget.kinetic * budget.left()));
+    const double part = budget.kinetic > 0 ? std::clamp((budget.falls + root) / (2 * budget.kinetic), 0.0, 1.0) : 1;
+    world_.state.bodies[i].velocity *= part, world_.state.bodies[i].turning *= part;
+  }
+}
+
+/// What an island lost is owed to the first of its contacts that have yet to bounce.
+void Budgets::remember() {
+  for (Impulse& impulse : world_.state.impulses) {
+    if (impulse.approach <= 0) continue;
+    Budget& budget = budgets_[island_of(world_, islands_, impulse.pair)];
+    impulse.owed = std::max(0.0, budget.before + budget.owed - budget.pushed - (budget.kinetic - budget.falls));
+    budget = {};
+  }
+}
+
+}  // namespace snug::scene

@@ -1,0 +1,46 @@
+// Bodies that lean on each other, and so share what they may spend and sleep and wake together.
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "scene/world.hpp"
+
+namespace snug::scene {
+
+/// A forest of disjoint sets: each island goes by the least of its bodies.
+/// Source: R. Tarjan, "Efficiency of a good but not linear set union algorithm", 1975.
+class Islands {
+ public:
+  explicit Islands(std::size_t bodies) : parents_(bodies) { std::iota(parents_.begin(), parents_.end(), std::size_t{0}); }
+  [[nodiscard]] std::size_t of(std::size_t i) {
+    while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
+    return i;
+  }
+  void join(std::size_t a, std::size_t b) {
+    a = of(a), b = of(b);
+    parents_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::size_t> parents_;
+};
+
+/// Of bodies that move and have a contact with each other.
+[[nodiscard]] inline Islands islands_of(const World& world) {
+  Islands islands(world.size());
+  for (const Contact& contact : world.state.contacts) {
+    const auto a = static_cast<std::size_t>(contact.pair.a), b = static_cast<std::size_t>(contact.pair.b);
+    if (world.members[a].moves() && world.members[b].moves()) islands.join(a, b);
+  }
+  return islands;
+}
+
+/// Of a pair of which one moves at least.
+[[nodiscard]] inline std::size_t island_of(const World& world, Islands& islands, const Pair& pair) {
+  const auto a = static_cast<std::size_t>(pair.a);
+  return islands.of(world.members[a].moves() ? a : static_cast<std::size_t>(pair.b));
+}
+
+}  // namespace snug::scene
