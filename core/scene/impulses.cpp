@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <vector>
 
 #include "scene/limits.hpp"
 
@@ -52,13 +54,24 @@ void push(World& world, const ContactRow& row, const V3& impulse) {
   push(world, row.pair.b, row.arm_b, impulse);
 }
 
-/// What the pair held in the last frame.
-std::span<const Impulse> held_by(const State& state, const Pair& pair) {
+/// What the pair held in the last round.
+std::vector<Impulse> held_by(const State& state, const Pair& pair) {
   const auto before = [](const Impulse& impulse, const Pair& wanted) { return impulse.pair < wanted; };
   const auto from = std::lower_bound(state.impulses.begin(), state.impulses.end(), pair, before);
   auto to = from;
   while (to != state.impulses.end() && to->pair == pair) ++to;
-  return std::span(state.impulses).subspan(static_cast<std::size_t>(from - state.impulses.begin()), static_cast<std::size_t>(to - from));
+  return {from, to};
+}
+
+/// Of what is held the point that lies nearest on one body or the other, and so near that it is the same; null where none
+/// does. It is taken once.
+std::optional<Impulse> take_nearest(std::vector<Impulse>& held, const Impulse& point, double most) {
+  const auto apart = [&](const Impulse& one) { return std::min((one.on_a - point.on_a).norm(), (one.on_b - point.on_b).norm()); };
+  const auto nearest = std::min_element(held.begin(), held.end(), [&](const Impulse& x, const Impulse& y) { return apart(x) < apart(y); });
+  if (nearest == held.end() || apart(*nearest) > most) return std::nullopt;
+  const Impulse found = *nearest;
+  held.erase(nearest);
+  return found;
 }
 
 /// Two directions across the normal, the same for the same normal.
@@ -71,11 +84,13 @@ void span_plane(ContactRow& row) {
 }
 
 ContactRow row_of(const World& world, const Pair& pair, const V3& normal, const ManifoldPoint& point) {
-  ContactRow row{.pair = pair, .normal = normal, .separation = point.separation, .slop = world.slop(pair), .impulse = {pair, point.feature}};
+  ContactRow row{.pair = pair, .normal = normal, .separation = point.separation, .slop = world.slop(pair), .impulse = {pair}};
   row.against_wall = !member_of(world, pair.a).moves() || !member_of(world, pair.b).moves();
   span_plane(row);
   row.arm_a = point.position - motion_of(world, pair.a).position;
   row.arm_b = point.position - motion_of(world, pair.b).position;
+  row.impulse.on_a = turned_back<double, 3>(motion_of(world, pair.a).rotation, row.arm_a);
+  row.impulse.on_b = turned_back<double, 3>(motion_of(world, pair.b).rotation, row.arm_b);
   row.mass = mass_along(world, row, row.normal);
   row.mass_first = mass_along(world, row, row.first), row.mass_second = mass_along(world, row, row.second);
   return row;
@@ -114,16 +129,17 @@ std::vector<ContactRow> rows_of(const World& world, const Surface& surface) {
   for (const Contact& contact : world.state.contacts) {
     const auto a = static_cast<std::size_t>(contact.pair.a), b = static_cast<std::size_t>(contact.pair.b);
     if (!world.awake(a) && !world.awake(b)) continue;
-    const Motion &of_a = world.state.bodies[a], &of_b = world.state.bodies[b];
-    const Manifold manifold = manifold_of(world.members[a].shape, {of_a.rotation, of_a.position}, world.members[b].shape,
-                                          {of_b.rotation, of_b.position}, world.margin(a) + world.margin(b));
-    const auto held = held_by(world.state, contact.pair);
+    const Manifold manifold = manifold_of(world.members[a].shape, pose_of(world.state.bodies[a]), world.members[b].shape,
+                                          pose_of(world.state.bodies[b]), world.margin(a) + world.margin(b));
+    std::vector<Impulse> held = held_by(world.state, contact.pair);
+    const bool lone = held.size() == 1 && manifold.count == 1;  // a ball rolls on
+    const double most = lone ? std::numeric_limits<double>::infinity() : limits::kSamePoint * world.thinner(contact.pair);
     double approach = 0;
     for (const Impulse& one : held) approach = std::max(approach, one.approach);
     for (const ManifoldPoint& point : manifold.all()) {
       ContactRow row = row_of(world, contact.pair, manifold.normal, point);
-      for (const Impulse& one : held)
-        if (one.feature == point.feature) row.impulse.normal = one.normal, row.impulse.first = one.first, row.impulse.second = one.second;
+      if (const auto before = take_nearest(held, row.impulse, most))
+        row.impulse.normal = before->normal, row.impulse.first = before->first, row.impulse.second = before->second;
       aim(world, row, surface, approach);
       rows.push_back(row);
     }
@@ -133,15 +149,17 @@ std::vector<ContactRow> rows_of(const World& world, const Surface& surface) {
 
 namespace {
 
-/// The more, the more heavier one body is than another that it may lean on.
+/// The more, the more heavier one body is than another that it may lean on; and most where nothing was held yet, as at the
+/// start: a stack that sinks then has nothing that would pay for lifting it again.
 int most_sweeps(const World& world, const std::vector<ContactRow>& rows) {
+  if (world.state.impulses.empty()) return limits::kMostSweeps;
   double ratio = 1;
   for (const ContactRow& row : rows) {
     if (row.against_wall) continue;
     const double a = member_of(world, row.pair.a).mass, b = member_of(world, row.pair.b).mass;
     ratio = std::max({ratio, a / b, b / a});
   }
-  return static_cast<int>(std::min(limits::kSweeps * std::sqrt(ratio), limits::kMostSweeps));
+  return static_cast<int>(std::min(limits::kSweeps * std::sqrt(ratio), 1.0 * limits::kMostSweeps));
 }
 
 /// What is still wrong at one point, put right there. By how much of a speed along the normal it was.

@@ -23,7 +23,7 @@ inline constexpr double kBounces = 3;
 /// is about to move, does not sleep".
 inline constexpr double kStill = 0.25;
 inline constexpr int kStillRounds = 30;
-inline constexpr double kDrifts = 0.05;
+inline constexpr double kDrifts = 0.01;
 
 /// Where there is no gravity, what stands for it in these speeds.
 inline constexpr double kUsualGravity = 9.81;
@@ -36,7 +36,11 @@ inline constexpr int kMostRounds = 1000;
 /// All contacts are gone over until no speed is wrong by more than this, and at most so often, times the root of the ratio of
 /// masses. A stack of ten needs about as many to carry its weight down; warm starts do the rest.
 inline constexpr double kSettled = 5e-3;
-inline constexpr double kSweeps = 24, kMostSweeps = 400;
+inline constexpr int kSweeps = 24, kMostSweeps = 400;
+
+/// Points of a contact no farther apart than this, in parts of the thinner half thickness, from one round to the next are the
+/// same: a new one begins with what the old one held.
+inline constexpr double kSamePoint = 0.2;
 
 /// An axis of two edges is taken for the contact of boxes only where it shows them this much farther apart than a face
 /// does: faces give more points to rest on. Held by the same.

@@ -23,7 +23,7 @@ Manifold of_spheres(const V3& a, double radius_a, const V3& b, double radius_b, 
   const double distance = between.norm(), separation = distance - radius_a - radius_b;
   if (separation > margin) return manifold;
   manifold.normal = distance > 0 ? V3(between / distance) : V3(V3::UnitY());  // one in the other's middle: any way out
-  manifold.points[0] = {a + manifold.normal * (radius_a + separation / 2), separation, 0};
+  manifold.points[0] = {a + manifold.normal * (radius_a + separation / 2), separation};
   manifold.count = 1;
   return manifold;
 }
@@ -34,7 +34,6 @@ Manifold of_box_and_sphere(const Shape& box, const PoseAt& at, const V3& center,
   const V3 nearest = local.cwiseMax(-box.half_extents).cwiseMin(box.half_extents);
   V3 normal = local - nearest;
   double distance = normal.norm();
-  int feature = 0;
   if (distance > 0) {
     normal /= distance;
   } else {  // the centre is inside: out through the nearest face
@@ -43,13 +42,12 @@ Manifold of_box_and_sphere(const Shape& box, const PoseAt& at, const V3& center,
     depth.minCoeff(&axis);
     normal = V3::Unit(axis) * (local[axis] < 0 ? -1.0 : 1.0);
     distance = -depth[axis];
-    feature = 1 + axis;
   }
   Manifold manifold;
   const double separation = distance - radius;
   if (separation > margin) return manifold;
   manifold.normal = turned<double, 3>(at.rotation, normal);
-  manifold.points[0] = {center - manifold.normal * (radius + separation / 2), separation, feature};
+  manifold.points[0] = {center - manifold.normal * (radius + separation / 2), separation};
   manifold.count = 1;
   return manifold;
 }
@@ -90,29 +88,24 @@ Widest widest_axis(const Shape& a, const PoseAt& at_a, const Shape& b, const Pos
   return best;
 }
 
-struct Corner {
-  V3 at;
-  int feature;
-};
 /// A face has four corners, and each of four planes adds at most one.
 struct Polygon {
-  std::array<Corner, 8> corners;
+  std::array<V3, 8> corners;
   int count = 0;
-  void add(const Corner& corner) {
+  void add(const V3& corner) {
     if (count < 8) corners[static_cast<std::size_t>(count++)] = corner;
   }
 };
 
 /// What of the polygon lies where normal . p <= offset.
-Polygon clipped(const Polygon& polygon, const V3& normal, double offset, int plane) {
+Polygon clipped(const Polygon& polygon, const V3& normal, double offset) {
   Polygon result;
   for (int i = 0; i < polygon.count; ++i) {
-    const Corner& from = polygon.corners[static_cast<std::size_t>(i)];
-    const Corner& to = polygon.corners[static_cast<std::size_t>((i + 1) % polygon.count)];
-    const double before = normal.dot(from.at) - offset, after = normal.dot(to.at) - offset;
+    const V3& from = polygon.corners[static_cast<std::size_t>(i)];
+    const V3& to = polygon.corners[static_cast<std::size_t>((i + 1) % polygon.count)];
+    const double before = normal.dot(from) - offset, after = normal.dot(to) - offset;
     if (before <= 0) result.add(from);
-    if ((before < 0 && after > 0) || (before > 0 && after < 0))
-      result.add({from.at + (to.at - from.at) * (before / (before - after)), (plane + 1) * 16 + (before < 0 ? from.feature : to.feature) % 16});
+    if ((before < 0 && after > 0) || (before > 0 && after < 0)) result.add(from + (to - from) * (before / (before - after)));
   }
   return result;
 }
@@ -130,7 +123,7 @@ Polygon face_against(const Shape& box, const PoseAt& at, const V3& way) {
     corner[axis] = side * box.half_extents[axis];
     corner[u] = (k == 1 || k == 2 ? 1 : -1) * box.half_extents[u];
     corner[v] = (k >= 2 ? 1 : -1) * box.half_extents[v];
-    face.add({placed(at, corner), (axis * 2 + (side > 0 ? 1 : 0)) * 2 % 8 + k});
+    face.add(placed(at, corner));
   }
   return face;
 }
@@ -142,16 +135,16 @@ Manifold of_faces(const Shape& reference, const PoseAt& at, int axis, const V3& 
     const int side = (axis + k) % 3;
     const V3 across = at.rotation.col(side);
     const double middle = across.dot(at.translation), half = reference.half_extents[side];
-    face = clipped(face, across, middle + half, 2 * k - 2);
-    face = clipped(face, -across, half - middle, 2 * k - 1);
+    face = clipped(face, across, middle + half);
+    face = clipped(face, -across, half - middle);
   }
   const double surface = normal.dot(at.translation) + reference.half_extents[axis];
   Manifold manifold{.normal = normal};
   for (int i = 0; i < face.count; ++i) {
-    const Corner& corner = face.corners[static_cast<std::size_t>(i)];
-    const double separation = normal.dot(corner.at) - surface;
+    const V3& corner = face.corners[static_cast<std::size_t>(i)];
+    const double separation = normal.dot(corner) - surface;
     if (separation > margin) continue;
-    manifold.points[static_cast<std::size_t>(manifold.count++)] = {corner.at - normal * (separation / 2), separation, corner.feature};
+    manifold.points[static_cast<std::size_t>(manifold.count++)] = {corner - normal * (separation / 2), separation};
   }
   return manifold;
 }
@@ -173,7 +166,7 @@ Manifold of_edges(const Shape& a, const PoseAt& at_a, const Shape& b, const Pose
   const double s = (between.dot(u) - cosine * between.dot(v)) / square, t = (cosine * between.dot(u) - between.dot(v)) / square;
   const V3 on_a = p + std::clamp(s, -a.half_extents[i], a.half_extents[i]) * u, on_b = q + std::clamp(t, -b.half_extents[j], b.half_extents[j]) * v;
   Manifold manifold{.normal = widest.normal};
-  manifold.points[0] = {(on_a + on_b) / 2, widest.separation, 256 + widest.code};
+  manifold.points[0] = {(on_a + on_b) / 2, widest.separation};
   manifold.count = 1;
   return manifold;
 }

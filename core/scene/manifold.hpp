@@ -11,7 +11,6 @@ namespace snug::scene {
 struct ManifoldPoint {
   V3 position = V3::Zero();  // half way between both surfaces
   double separation = 0;     // scene units; negative where they lie in each other
-  int feature = 0;           // the same from frame to frame, where the same corner, edge or face meets the same
 };
 
 struct Manifold {

@@ -44,10 +44,12 @@ void World::place(std::size_t i, const V3& position, const Quaternion& orientati
 
 double World::pace() const { return (gravity == V3::Zero() ? limits::kUsualGravity : gravity.norm()) * round(); }
 
-double World::slop(const Pair& pair) const {
+double World::thinner(const Pair& pair) const {
   const auto thinnest = [&](Index i) { return members[static_cast<std::size_t>(i)].shape.thinnest; };
-  return limits::kSlop * std::min(thinnest(pair.a), thinnest(pair.b));
+  return std::min(thinnest(pair.a), thinnest(pair.b));
 }
+
+double World::slop(const Pair& pair) const { return limits::kSlop * thinner(pair); }
 
 double World::margin(std::size_t i) const {
   if (!solid) return 0;
@@ -73,7 +75,7 @@ std::uint64_t World::hash() const {
     hash.add(static_cast<std::uint64_t>(body.still) * 2 + (body.asleep ? 1 : 0));
   }
   for (const Impulse& impulse : state.impulses)
-    hash.add(impulse.normal), hash.add(impulse.first), hash.add(impulse.second), hash.add(impulse.approach), hash.add(impulse.owed);
+    hash.add(impulse.on_a), hash.add(impulse.on_b), hash.add(impulse.normal), hash.add(impulse.first), hash.add(impulse.second), hash.add(impulse.approach), hash.add(impulse.owed);
   return hash.value;
 }
 

@@ -53,6 +53,8 @@ struct Motion {
   void wake() { asleep = false, still = 0, drifted = drifted_turning = V3::Zero(); }
 };
 
+[[nodiscard]] inline Pose<double, 3> pose_of(const Motion& motion) { return {motion.rotation, motion.position}; }
+
 /// Two bodies, a < b.
 struct Pair {
   Index a = 0, b = 0;
@@ -69,7 +71,7 @@ struct Contact {
 /// What a contact's point held in the last frame, by which the next one begins.
 struct Impulse {
   Pair pair;
-  int feature = 0;                    // which corner, edge or face
+  V3 on_a = V3::Zero(), on_b = V3::Zero();  // where, in each body's own frame
   double normal = 0, first = 0, second = 0;  // kg scene units / s
   double approach = 0;                // at which speed the bodies came, where they have yet to bounce
   double owed = 0;                    // the energy that slowing down for that took
@@ -133,6 +135,8 @@ struct World {
   [[nodiscard]] double round() const { return step / rounds; }  // seconds
   /// What gravity adds to a speed in a round, or would where there is none: speeds are held against it.
   [[nodiscard]] double pace() const;
+  /// The half thickness of the thinner one, scene units.
+  [[nodiscard]] double thinner(const Pair& pair) const;
   /// How deep the two may lie in each other, scene units.
   [[nodiscard]] double slop(const Pair& pair) const;
   /// How far ahead of a body contacts are looked for, scene units.

@@ -102,16 +102,32 @@ const Member* too_fast(const World& world) {
   return nullptr;
 }
 
+double separation_at_start(const World& world, std::size_t i, std::size_t j) {
+  return separation_of(world.members[i].shape, pose_of(world.state.bodies[i]), world.members[j].shape, pose_of(world.state.bodies[j]));
+}
+
 /// The first that starts so deep in what is fixed that contacts would not know which way is out, and in what; nulls where
 /// none does. Others are taken as they are: they move apart.
 std::pair<const Member*, const Member*> first_inside(const World& world) {
-  const auto placed_at = [&](std::size_t i) { return Pose<double, 3>{world.state.bodies[i].rotation, world.state.bodies[i].position}; };
   for (std::size_t j = 0; j < world.size(); ++j)
     for (std::size_t i = 0; world.members[j].fixed && i < world.size(); ++i) {
       const Member &body = world.members[i], &wall = world.members[j];
-      if (body.moves() && separation_of(body.shape, placed_at(i), wall.shape, placed_at(j)) < -limits::kDeepest * body.shape.thinnest) return {&body, &wall};
+      if (body.moves() && separation_at_start(world, i, j) < -limits::kDeepest * body.shape.thinnest) return {&body, &wall};
     }
   return {nullptr, nullptr};
+}
+
+/// What touches at the start: narrow_phase first tells of it when the first round has let bodies fall into each other.
+std::vector<Contact> contacts_at_start(const World& world) {
+  std::vector<Contact> contacts;
+  for (Index a = 0; a < static_cast<Index>(world.size()); ++a)
+    for (Index b = a + 1; b < static_cast<Index>(world.size()); ++b) {
+      const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+      if (!world.members[i].moves() && !world.members[j].moves()) continue;
+      const double separation = separation_at_start(world, i, j);
+      if (separation <= world.slop({a, b})) contacts.push_back({{a, b}, separation <= 0});
+    }
+  return contacts;
 }
 
 /// Into how many rounds a frame is cut.
@@ -148,6 +164,7 @@ MadeEffect make_bounce(const EffectCall& call, World& world) {
   const auto [inside, wall] = first_inside(world);
   if (inside != nullptr) settings.refuse(name(*inside, "a body") + " starts inside " + name(*wall, "a fixed one") + ": move it out, or call it fixed too");
   world.solid = true;
+  world.state.contacts = contacts_at_start(world);
   return settings.make<Bounce>(surface, sleeps);
 }
 

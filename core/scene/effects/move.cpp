@@ -76,7 +76,7 @@ class Move final : public Effect {
       const V3 to = met.position - motion.position;
       const double along = way.squaredNorm() > 0 ? std::clamp(to.dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
       if (j == i || (to - along * way).norm() > shape.reach + other.reach) continue;
-      const auto separation = [&](double at) { return separation_of(shape, pose_at(at), other, {met.rotation, met.position}); };
+      const auto separation = [&](double at) { return separation_of(shape, pose_at(at), other, pose_of(met)); };
       // What it touches already contacts hold back, as far as they can: so far it may go in, or stay as it is.
       const double start = separation(0), slop = world.slop({static_cast<Index>(std::min(i, j)), static_cast<Index>(std::max(i, j))});
       const double deepest = start > slop ? 0 : std::min(-limits::kDeepest * shape.thinnest, start - slop / 8);

@@ -16,7 +16,7 @@ class NarrowPhase final : public Effect {
       const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
       if (!near(world, a, b)) continue;
       state.near.push_back(pair);
-      const bool touching = touch(world.members[a].shape, pose(state, a), world.members[b].shape, pose(state, b));
+      const bool touching = touch(world.members[a].shape, pose_of(state.bodies[a]), world.members[b].shape, pose_of(state.bodies[b]));
       state.funnel.touching += touching ? 1 : 0;
       if (touching || (world.solid && (world.members[a].moves() || world.members[b].moves()))) state.contacts.push_back({pair, touching});
     }
@@ -25,7 +25,6 @@ class NarrowPhase final : public Effect {
   }
 
  private:
-  static Pose<double, 3> pose(const State& state, std::size_t i) { return {state.bodies[i].rotation, state.bodies[i].position}; }
   static bool near(const World& world, std::size_t a, std::size_t b) {
     const double reach = world.members[a].shape.reach + world.members[b].shape.reach + world.margin(a) + world.margin(b);
     const V3 between = world.state.bodies[b].position - world.state.bodies[a].position;

@@ -36,7 +36,7 @@ class Refit final : public Effect {
     if (watched_) state.refitted.cost = 0;
     for (std::size_t i = 0; i < world.size(); ++i) {
       if (done_ > 0 && state.bodies[i].moved <= done_ && !updates_[i]) continue;
-      const Pose<double, 3> pose{state.bodies[i].rotation, state.bodies[i].position};
+      const Pose<double, 3> pose = pose_of(state.bodies[i]);
       if (!updates_[i]) {
         state.volumes[i] = plain_box(world.members[i].shape, pose, loose_);
         continue;
@@ -56,7 +56,7 @@ class Refit final : public Effect {
   void restored(World& world) override {
     done_ = 0;
     for (std::size_t i = 0; i < world.size(); ++i)
-      if (updates_[i]) updates_[i]({world.state.bodies[i].rotation, world.state.bodies[i].position}, {});
+      if (updates_[i]) updates_[i](pose_of(world.state.bodies[i]), {});
   }
 
  private:

@@ -377,6 +377,33 @@ TEST_CASE("friction holds a box on a slope that is not too steep") {
   }
 }
 
+TEST_CASE("a smooth slope does not brake, however flat") {
+  for (const double degrees : {0.05, 0.5, 5.0})
+    for (const double half : {0.5, 0.05, 0.005}) {
+      const double angle = degrees * std::numbers::pi / 180;
+      Body slope = fixed(box({50, 0.5, 50}, {0, 0, 0}));
+      slope.orientation = quaternion_about(V3::UnitZ(), angle);
+      Body body = box({0.5, half, 0.5}, V3(-(0.5 + half) * std::sin(angle), (0.5 + half) * std::cos(angle), 0));
+      body.orientation = slope.orientation;
+      Scene scene = opened({.bodies = {slope, body}, .effects = solid(0, true, 0)});
+      scene.go(300);
+      INFO("a slope of " << degrees << " degrees, half thickness " << half);
+      CHECK((motion(scene, 1).position - body.position).norm() == doctest::Approx(0.5 * 9.81 * std::sin(angle) * 25).epsilon(0.01));
+    }
+}
+
+TEST_CASE("what stands at the start stands as it is") {
+  for (const double half : {0.5, 0.05, 0.002}) {
+    Scene scene = opened(cubes(half));
+    for (int frame = 0; frame < 60; ++frame) {
+      scene.step();
+      INFO("half " << half << ", frame " << frame);
+      for (std::size_t i = 1; i <= 10; ++i) REQUIRE(std::abs(motion(scene, i).position[1] / half - (2 * static_cast<double>(i) - 1)) < 1e-3);
+    }
+    CHECK(scene.resting());
+  }
+}
+
 TEST_CASE("a free body keeps its momentum, and tumbling makes no energy") {
   Declaration declaration{.bodies = {moving(box({0.5, 0.2, 0.1}, {0, 0, 0}), {1, 0, 0}, {0.1, 5, 0.1})}, .effects = {call("move")}};
   Scene scene = opened(declaration);
@@ -437,15 +464,16 @@ TEST_CASE("what has no support, or is about to move, does not sleep") {
       CHECK((at - body.position).norm() == doctest::Approx(50 * 9.81 * std::sin(slope) * (is_ball ? 5.0 / 7 : 1)).epsilon(0.1));
     }
   }
-  for (const double degrees : {1.0, 2.0}) {
-    const double lean = degrees * std::numbers::pi / 180;
-    Body plate = box({0.01, 2, 2}, {0, 2 * std::cos(lean) + 0.01 * std::sin(lean), 0});
-    plate.orientation = quaternion_about(V3::UnitZ(), lean);
-    const scene::Motion fallen = after({.bodies = {floor(), plate}, .effects = solid(0)}, true, 600);
-    INFO("a plate that leans by " << degrees);
-    CHECK(std::abs(fallen.position[1] - 0.01) < 1e-3);
-    CHECK(fallen.asleep);
-  }
+  for (const double half : {0.01, 0.002, 0.0005})
+    for (const double degrees : {0.3, 1.0, 2.0}) {
+      const double lean = degrees * std::numbers::pi / 180 + std::atan(half / 2);  // past where it would stand on its edge
+      Body plate = box({half, 2, 2}, {0, 2 * std::cos(lean) + half * std::sin(lean), 0});
+      plate.orientation = quaternion_about(V3::UnitZ(), lean);
+      const scene::Motion fallen = after({.bodies = {floor(), plate}, .effects = solid(0)}, true, 600);
+      INFO("a plate " << half << " half thick, leaning " << degrees << " degrees too far");
+      CHECK(std::abs(fallen.position[1] - half) < 0.1 * half);
+      CHECK(fallen.asleep);
+    }
   Declaration dragged{.bodies = {named("a", ball(0.5, {0.5, 0, 0}))}, .effects = solid(0)};
   dragged.effects.push_back(call("drag", {{"stiffness", {0.005}, ""}}, "a"));
   CHECK(after(dragged, false, 6000).position.norm() < 0.01);
