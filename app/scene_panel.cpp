@@ -21,6 +21,19 @@ const fit::FrameTaken* taken(const lesson::Session& session, int slot, int step)
   return std::get_if<fit::FrameTaken>(&session.recording(slot).steps[static_cast<std::size_t>(step - 1)].step.fact);
 }
 
+/// "broad phase"
+std::string words_of(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+/// The first of those that make the figures which is off: they are still those of an earlier frame. Null where none is.
+const char* stale(const lesson::Session& session) {
+  constexpr std::array<const char*, 3> kMakers{"refit", "broad_phase", "narrow_phase"};
+  const auto off = std::find_if(kMakers.begin(), kMakers.end(), [&](const char* effect) { return session.off_since(effect) >= 0; });
+  return off == kMakers.end() ? nullptr : *off;
+}
+
 class Panel {
  public:
   Panel(const Look& look, ImVec2 at, float width) : look_(look), list_(ImGui::GetWindowDrawList()), x_(at.x), width_(width), top_(at.y), y_(at.y) {}
@@ -59,9 +72,11 @@ class Panel {
   }
 
   void funnel(const lesson::Session& session, const fit::FrameTaken& frame) {
-    heading("The funnel: pairs that are left");
+    const char* off = stale(session);
+    heading(off == nullptr ? "The funnel: pairs that are left" : "The funnel of frame " + std::to_string(session.off_since(off)));
     stage("All pairs", frame.all_pairs, frame.all_pairs, session.is_hidden("all_pairs"), Stroke::kSolid, look_->muted, false);
-    figure("Boxes compared", session.is_hidden("compared") ? "—" : std::to_string(static_cast<std::int64_t>(frame.compared)));
+    constexpr std::array<const char*, 4> kCompared{"Boxes compared", "Boxes compared along x", "Boxes compared along y", "Boxes compared along z"};
+    figure(kCompared[static_cast<std::size_t>(1 + session.frame()->swept_along)], session.is_hidden("compared") ? "—" : std::to_string(static_cast<std::int64_t>(frame.compared)));
     stage("Boxes overlap", frame.after_broad, frame.all_pairs, session.is_hidden("after_broad"), Stroke::kDotted, look_->previous, true);
     stage("Loose spheres overlap", frame.after_loose, frame.all_pairs, session.is_hidden("after_loose"), Stroke::kDashed, look_->examined_text, true);
     stage("Touching", frame.touching, frame.all_pairs, session.is_hidden("touching"), Stroke::kSolid, look_->support_text, true);
@@ -147,12 +162,6 @@ class Panel {
       text_right(list_, look_, Face::kMono, kTiny, {right(i), middle_of(middle, look_.px(kTiny))}, look_->ink, figures[static_cast<std::size_t>(i)]);
   }
 
-  /// "broad phase"
-  static std::string words_of(std::string name) {
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
-  }
-
   const Look& look_;
   ImDrawList* list_;
   float x_, width_, top_, y_;
@@ -167,6 +176,8 @@ std::string frame_caption(const fit::FrameTaken& fact, const lesson::Session* se
   // Beside a question the sentence would tell nearly what is asked of a later frame.
   const bool asked = session != nullptr && !session->asked_figure().empty();
   if (asked || (fact.all_pairs == 0 && !slack && !cost)) return words + "what comes next is for you to say.";
+  if (const char* off = session != nullptr ? stale(*session) : nullptr; off != nullptr)
+    return words + words_of(off) + " is off: what it makes is still that of frame " + std::to_string(session->off_since(off)) + ".";
   if (fact.resting) return words + "all bodies rest, and nothing is run.";
   const auto count = [](double n) { return std::to_string(static_cast<long long>(n)); };
   if (fact.all_pairs == 0) {

@@ -84,19 +84,23 @@ float Stage::draw_toggle(Brush& brush, Settings& settings, float right, float y,
   return toggle.x;
 }
 
+/// The one that boxes are sorted along is thicker.
 void Stage::draw_axis_cross(Brush& brush) const {
   constexpr float kLength = 22;
   // Above the room that a sentence takes.
   const ImVec2 origin{brush.rect.x + 44, camera_.free_bottom() - 30};
   std::array<int, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(), [&](int a, int b) { return camera_.forward()[a] > camera_.forward()[b]; });
+  const lesson::SceneFrame* frame = brush.session.frame();
   for (const int axis : order) {
+    const bool swept = frame != nullptr && frame->swept_along == axis;
+    const Color color = swept ? brush.p.current_text : brush.p.muted;
     const float dx = static_cast<float>(camera_.right()[axis]) * kLength, dy = -static_cast<float>(camera_.up()[axis]) * kLength;
-    brush.list->AddLine(origin, {origin.x + dx, origin.y + dy}, brush.p.muted, 1.5f);
+    brush.list->AddLine(origin, {origin.x + dx, origin.y + dy}, color, swept ? 4.0f : 1.5f);
     const ImVec2 end{origin.x + dx * 1.5f, origin.y + dy * 1.5f};
     const float size = brush.look.px(12);
     const bool towards = dx * dx + dy * dy < 0.06f * kLength * kLength;  // it would stand on the origin
-    if (!towards) text_middle(brush.list, brush.look, Face::kSemiBold, 12, {end.x, end.y - size / 2}, brush.p.muted, std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1));
+    if (!towards) text_middle(brush.list, brush.look, Face::kSemiBold, 12, {end.x, end.y - size / 2}, color, std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1));
   }
   keep_free(brush.canvas.obstacles, {origin.x - 36, origin.y - 36, 72, 72});
 }

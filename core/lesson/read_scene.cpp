@@ -70,11 +70,7 @@ SceneBody read_body(const toml::table& toml, bool has_mesh, Complaints& complain
   one.body.fixed = table.flag_or("fixed", false);
   one.body.velocity = vector_or(table, "velocity", V3::Zero());
   one.body.turning = vector_or(table, "turning", V3::Zero()) * (std::numbers::pi / 180);
-  if (table.has("mass")) {
-    const std::vector<double> mass = table.numbers("mass");
-    if (mass.size() == 1) one.body.mass = mass.front();
-    else table.wrong("mass", "must be a number");
-  }
+  one.body.mass = table.any_number("mass", one.body.mass);
   if (one.of_points && one.at_points) table.wrong("at_points", "is for bodies of a shape of their own");
   if (one.at_points && !one.body.name.empty()) table.wrong("name", "would be that of several bodies");
   table.refuse_others();
@@ -116,11 +112,7 @@ SceneSet read_scene_of(TomlTable& lesson, int dim, Complaints& complaints) {
   TomlTable table(*own, "[scene]", complaints);
   if (dim != 3) complaints.add(table.line(), "a scene is in space: \"dim\" of [points] must be 3");
   set.frames = static_cast<int>(table.integer_or("frames", 1, 2000, set.frames));
-  if (table.has("step")) {
-    const std::vector<double> step = table.numbers("step");
-    if (step.size() == 1) set.step = step.front();
-    else table.wrong("step", "must be a number");
-  }
+  set.step = table.any_number("step", set.step);
   const toml::table* points = lesson.table("points");
   const bool has_mesh = points != nullptr && points->contains("mesh");
   for (const toml::table* body : table.tables("body")) set.bodies.push_back(read_body(*body, has_mesh, complaints));

@@ -23,6 +23,7 @@ struct SceneFrame {
   std::vector<std::vector<scene::V3>> shadows, trails;
   std::vector<scene::Ray> rays;
   std::vector<scene::Tally> tallies;
+  int swept_along = -1;  // the axis that boxes were sorted along; -1: none
 };
 
 struct SceneRun {

@@ -80,6 +80,11 @@ bool Session::is_on(std::string_view effect) const {
   return std::none_of(off_.begin(), off_.end(), [&](const SwitchedOff& one) { return one.effect == effect; });
 }
 
+int Session::off_since(std::string_view effect) const {
+  const auto off = std::find_if(off_.begin(), off_.end(), [&](const SwitchedOff& one) { return one.effect == effect; });
+  return off != off_.end() && off->after < step_ ? off->after : -1;
+}
+
 bool Session::turn(std::string_view effect, bool on) {
   const SceneFrame* now = frame();
   if (now == nullptr || (step_ == 0 && !on)) return false;
@@ -211,7 +216,9 @@ std::optional<Grade> Session::grade() const {
   if (!worked_.grade && lesson_.scene) worked_.grade = grade_scene(*lesson_.task, *lesson_.scene, points(), seed());
   if (!worked_.grade)
     worked_.grade = now_.boxes ? grade_boxes(*lesson_.task, *now_.boxes, found_) : lesson::grade(*lesson_.task, points(), seed());
-  return worked_.grade;
+  std::optional<Grade> now = worked_.grade;
+  if (lesson_.scene && step_ > 0 && !now->done) now->says += lesson_.scene->at_points() ? " Bodies are placed at the first step." : " Points are moved at the first step.";
+  return now;
 }
 
 std::uint64_t Session::trace_hash() const {

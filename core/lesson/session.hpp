@@ -110,6 +110,8 @@ class Session {
   /// name, or none has run yet (at the beginning there is nothing that what reads it could go on with). Grades know no switches.
   bool turn(std::string_view effect, bool on);
   [[nodiscard]] bool is_on(std::string_view effect) const;
+  /// The step after which it was switched off; -1 where it is on, or was in the step that stands.
+  [[nodiscard]] int off_since(std::string_view effect) const;
   /// What one run of an effect takes here, as effect_time_text has it, of all runs in slot 0's frames. Of no step, figure or
   /// hash: they are the same everywhere.
   [[nodiscard]] std::string time_of(std::string_view effect) const;

@@ -88,6 +88,13 @@ double TomlTable::number(std::string_view key, double most) {
   return *value;
 }
 
+double TomlTable::any_number(std::string_view key, double otherwise) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return otherwise;
+  const auto value = node->is_number() ? node->value<double>() : std::nullopt;
+  return value ? *value : (wrong(key, "must be a number"), otherwise);
+}
+
 bool TomlTable::flag_or(std::string_view key, bool otherwise) {
   const toml::node* node = find(key);
   if (node == nullptr) return otherwise;

@@ -47,6 +47,8 @@ class TomlTable {
   bool flag_or(std::string_view key, bool otherwise);
   /// A list of texts, with at least so many.
   std::vector<std::string> texts(std::string_view key, std::size_t least);
+  /// Whatever it is, a NaN as well; otherwise where it is none.
+  double any_number(std::string_view key, double otherwise);
   /// A number, or a list of them; any sign.
   std::vector<double> numbers(std::string_view key);
   /// A list of points of dim numbers each.

@@ -37,7 +37,7 @@ struct Swept {
 PairsFound sweep_and_prune(std::span<const Box> boxes) {
   PairsFound found;
   if (boxes.empty()) return found;
-  const int axis = widest_axis(boxes);
+  const int axis = found.axis = widest_axis(boxes);
   std::vector<Swept> order;
   order.reserve(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) order.push_back({boxes[i], static_cast<Index>(i)});

@@ -44,6 +44,7 @@ inline constexpr std::array<std::string_view, 4> kAllPairsPseudocode{
 struct PairsFound {
   std::vector<Pair> pairs;     // by rising a, then b; the same whichever way they are found
   std::int64_t compared = 0;   // pairs of boxes that were compared, of the tree's nodes as well
+  int axis = -1;               // along which boxes were sorted; -1: along none
 };
 
 /// Touching boxes overlap.

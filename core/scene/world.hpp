@@ -77,9 +77,10 @@ struct Impulse {
   double owed = 0;                    // the energy that slowing down for that took
 };
 
-/// How many pairs each stage left, and how many the first one had to compare for it.
+/// How many pairs each stage left, how many the first one had to compare for it, and along which axis it sorted (-1: none).
 struct Funnel {
   std::int64_t all = 0, compared = 0, after_broad = 0, after_loose = 0, touching = 0;
+  int axis = -1;
 };
 
 /// What the volumes came to when they were last updated.

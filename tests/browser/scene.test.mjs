@@ -46,6 +46,18 @@ test("an effect is switched off and on by keyboard alone", async (t) => {
   assert.equal(off.step, 3);
 });
 
+test("what an effect that is off made is told as that of its last frame", async (t) => {
+  const page = await visit(t, "?lesson=scene-broad&algorithm=tree&step=3");
+  await page.getByRole("checkbox", { name: "broad phase" }).click();
+  await until(page, (now) => now.effects.some(({ on }) => !on));
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("ArrowRight");
+  const later = await until(page, (now) => now.step === 4);
+  assert.equal(later.caption, "Frame 4: broad phase is off: what it makes is still that of frame 3.");
+  await page.keyboard.press("ArrowLeft");
+  assert.match((await until(page, (now) => now.step === 3)).caption, /^Frame 3: of 780 pairs the boxes leave \d+, /);
+});
+
 for (const { id, first, effects } of kScenes) {
   test(`${id}: every frame by keyboard, each effect as often as it is called for, and at rest nothing is drawn`, async (t) => {
     const page = await visit(t, `?lesson=${id}`);

@@ -85,6 +85,8 @@ test("what a lesson declares wrongly is refused with file and line", () => {
   broad('effect = "refit"\nstrategy = "rotated_box"', 'effect = "trail"', '[[scene.effect]]\neffect = "broad_phase"', "broad_phase reads volumes, which no effect of the scene makes");
   broad('effect = "orbit"', 'effect = "fly"', '[[scene.effect]]\neffect = "fly"', 'there is no effect called "fly"');
   broad("at_points = true", "at_points = true\nmass = 0", body, "body 0: its mass is 0: call it fixed instead");
+  for (const mass of ['"heavy"', "[1]", "true"]) broad("at_points = true", `at_points = true\nmass = ${mass}`, "mass = ", '"mass" must be a number');
+  broad("frames = 120", 'frames = 120\nstep = "fast"', "step = ", '"step" must be a number');
   broad("at_points = true", "at_points = true\nmass = -2", body, "body 0: its mass is negative");
   broad("at_points = true", "at_points = true\nmass = inf", body, "body 0: its mass is infinite: call it fixed instead");
   broad("at_points = true", "at_points = true\nposition = [nan, 0, 0]", body, "body 0: its position is not finite, or too large");

@@ -21,7 +21,7 @@ class BroadPhase final : public Effect {
     }
     PairsFound found = overlapping_pairs(boxes, search_);
     world.state.pairs = std::move(found.pairs);
-    world.state.funnel.compared = found.compared;
+    world.state.funnel.compared = found.compared, world.state.funnel.axis = found.axis;
     world.state.funnel.after_broad = static_cast<std::int64_t>(world.state.pairs.size());
     world.state.changed(Slot::kPairs);
   }

@@ -284,4 +284,7 @@ TEST_CASE("a task on a scene is graded by its last frame") {
   REQUIRE(session.grade().has_value());
   CHECK_FALSE(session.grade()->done);
   CHECK(session.grade()->says.find("it must be at least 4 pairs") != std::string::npos);
+  CHECK(session.grade()->says.find("first step") == std::string::npos);
+  session.go(5);
+  CHECK(session.grade()->says.find(" Bodies are placed at the first step.") != std::string::npos);
 }

@@ -51,12 +51,20 @@ TEST_CASE("sweep and prune, and a tree, find the pairs that trying all finds") {
         const auto swept = scene::overlapping_pairs(all, PairSearch::kSweepAndPrune);
         CHECK(swept.pairs == wanted.pairs);
         CHECK(scene::overlapping_pairs(all, PairSearch::kTree).pairs == wanted.pairs);
+        CHECK(wanted.axis == -1);
+        CHECK((swept.axis >= 0 && swept.axis < 3));
         const auto n = static_cast<std::int64_t>(all.size());
         CHECK(wanted.compared == n * (n - 1) / 2);
         CHECK(swept.compared <= wanted.compared);
         CHECK(swept.compared >= static_cast<std::int64_t>(swept.pairs.size()));
         if (count == 400) CHECK_FALSE(wanted.pairs.empty());
       }
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<Aabb<double, 3>> row;
+    for (int i = 0; i < 5; ++i) row.push_back({V3::Unit(axis) * i, V3::Unit(axis) * i + V3::Constant(0.5)});
+    CHECK(scene::overlapping_pairs(row, PairSearch::kSweepAndPrune).axis == axis);
+    CHECK(scene::overlapping_pairs(row, PairSearch::kTree).axis == -1);
+  }
   CHECK(scene::overlapping_pairs({}, PairSearch::kSweepAndPrune).pairs.empty());
   CHECK(scene::overlapping_pairs({}, PairSearch::kTree).pairs.empty());
 }
