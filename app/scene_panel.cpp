@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/marks.hpp"
@@ -27,11 +28,10 @@ std::string words_of(std::string name) {
   return name;
 }
 
-/// The first of those that make the figures which is off: they are still those of an earlier frame. Null where none is.
-const char* stale(const lesson::Session& session) {
-  constexpr std::array<const char*, 3> kMakers{"refit", "broad_phase", "narrow_phase"};
-  const auto off = std::find_if(kMakers.begin(), kMakers.end(), [&](const char* effect) { return session.off_since(effect) >= 0; });
-  return off == kMakers.end() ? nullptr : *off;
+/// "<20" stands clear of the column beside it, "< 20" may not.
+std::string without_spaces(std::string text) {
+  std::erase(text, ' ');
+  return text;
 }
 
 class Panel {
@@ -72,11 +72,11 @@ class Panel {
   }
 
   void funnel(const lesson::Session& session, const fit::FrameTaken& frame) {
-    const char* off = stale(session);
-    heading(off == nullptr ? "The funnel: pairs that are left" : "The funnel of frame " + std::to_string(session.off_since(off)));
+    heading("The funnel: pairs that are left");
     stage("All pairs", frame.all_pairs, frame.all_pairs, session.is_hidden("all_pairs"), Stroke::kSolid, look_->muted, false);
     constexpr std::array<const char*, 4> kCompared{"Boxes compared", "Boxes compared along x", "Boxes compared along y", "Boxes compared along z"};
-    figure(kCompared[static_cast<std::size_t>(1 + session.frame()->swept_along)], session.is_hidden("compared") ? "—" : std::to_string(static_cast<std::int64_t>(frame.compared)));
+    const std::string compared = session.is_hidden("compared") ? "—" : std::to_string(static_cast<std::int64_t>(frame.compared));
+    figure(kCompared[static_cast<std::size_t>(1 + session.frame()->swept_along)], compared);
     stage("Boxes overlap", frame.after_broad, frame.all_pairs, session.is_hidden("after_broad"), Stroke::kDotted, look_->previous, true);
     stage("Loose spheres overlap", frame.after_loose, frame.all_pairs, session.is_hidden("after_loose"), Stroke::kDashed, look_->examined_text, true);
     stage("Touching", frame.touching, frame.all_pairs, session.is_hidden("touching"), Stroke::kSolid, look_->support_text, true);
@@ -157,7 +157,7 @@ class Panel {
       y += look_.px(kLeading);
     }
     const std::array<std::string, 4> figures{std::to_string(tally.constructed), std::to_string(tally.run), std::to_string(tally.skipped),
-                                             time.empty() ? "—" : time};
+                                             time.empty() ? "—" : without_spaces(time)};
     for (int i = 0; i < 4; ++i)
       text_right(list_, look_, Face::kMono, kTiny, {right(i), middle_of(middle, look_.px(kTiny))}, look_->ink, figures[static_cast<std::size_t>(i)]);
   }
@@ -166,6 +166,16 @@ class Panel {
   ImDrawList* list_;
   float x_, width_, top_, y_;
 };
+
+/// Where an effect that makes the figures is off: which of them are still those of an earlier frame.
+std::string still_words(const lesson::Session& session, bool pairs) {
+  const std::array<std::pair<const char*, const char*>, 3> makers{{{"refit", pairs ? "the boxes are still those" : "the volume is still that"},
+                                                                   {"broad_phase", "the pairs are still those"},
+                                                                   {"narrow_phase", "what touches is still that"}}};
+  for (const auto& [effect, what] : makers)
+    if (const int since = session.off_since(effect); since >= 0) return words_of(effect) + " is off, so " + what + " of frame " + std::to_string(since) + ".";
+  return {};
+}
 
 }  // namespace
 
@@ -176,8 +186,7 @@ std::string frame_caption(const fit::FrameTaken& fact, const lesson::Session* se
   // Beside a question the sentence would tell nearly what is asked of a later frame.
   const bool asked = session != nullptr && !session->asked_figure().empty();
   if (asked || (fact.all_pairs == 0 && !slack && !cost)) return words + "what comes next is for you to say.";
-  if (const char* off = session != nullptr ? stale(*session) : nullptr; off != nullptr)
-    return words + words_of(off) + " is off: what it makes is still that of frame " + std::to_string(session->off_since(off)) + ".";
+  if (const std::string still = session != nullptr ? still_words(*session, fact.all_pairs > 0) : ""; !still.empty()) return words + still;
   if (fact.resting) return words + "all bodies rest, and nothing is run.";
   const auto count = [](double n) { return std::to_string(static_cast<long long>(n)); };
   if (fact.all_pairs == 0) {

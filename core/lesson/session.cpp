@@ -217,7 +217,8 @@ std::optional<Grade> Session::grade() const {
   if (!worked_.grade)
     worked_.grade = now_.boxes ? grade_boxes(*lesson_.task, *now_.boxes, found_) : lesson::grade(*lesson_.task, points(), seed());
   std::optional<Grade> now = worked_.grade;
-  if (lesson_.scene && step_ > 0 && !now->done) now->says += lesson_.scene->at_points() ? " Bodies are placed at the first step." : " Points are moved at the first step.";
+  if (lesson_.scene && step_ > 0 && !now->done)
+    now->says += lesson_.scene->at_points() ? " Bodies are placed at the first step." : " Points are moved at the first step.";
   return now;
 }
 

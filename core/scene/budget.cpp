@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/limits.hpp"
+#include "scene/sweep.hpp"
 
 namespace snug::scene {
 
@@ -22,13 +23,29 @@ Budgets::Budgets(World& world, Islands& islands, const Surface& surface, const s
   if (bounces) before_ = world.state.bodies, unsolved_ = rows;
 }
 
+/// What is driven pushes with all its might, and far. How much of that goes into no fixed body: one may have no contact yet.
+double Budgets::part_before_walls(const Shift& shift) const {
+  const Motion& motion = world_.state.bodies[shift.body];
+  const Shape& shape = world_.members[shift.body].shape;
+  double part = 1;
+  for (std::size_t j = 0; j < world_.size(); ++j) {
+    if (!world_.members[j].fixed) continue;
+    const auto separation = [&](double at) {
+      return separation_of(shape, {motion.rotation, motion.position + at * shift.by}, world_.members[j].shape, pose_of(world_.state.bodies[j]));
+    };
+    part = part_above(std::min(0.0, separation(0)), separation, shift.by.norm(), shape.thinnest / 4, part);
+  }
+  return part;
+}
+
 void Budgets::push_apart(const Shift& shift) {
   Budget& budget = budgets_[islands_.of(shift.body)];
   const Motion& motion = world_.state.bodies[shift.body];
   const double work = shift.driven ? 0 : -world_.members[shift.body].mass * world_.gravity.dot(shift.by);
   const auto affords = [&](double part) { return shift.driven || budget.pushed + part * work <= budget.may_spend(); };
-  const double part = shift.driven || (shift.out_of_wall && !budget.bounces && affords(1)) ? 1 : limits::kMended;
+  double part = shift.driven || (shift.out_of_wall && !budget.bounces && affords(1)) ? 1 : limits::kMended;
   if (!affords(part)) return;
+  if (shift.driven) part = part_before_walls(shift);
   budget.pushed += part * work;
   world_.place(shift.body, motion.position + part * shift.by, motion.orientation);
   world_.state.changed(Slot::kPoses);

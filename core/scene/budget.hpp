@@ -33,6 +33,7 @@ class Budgets {
   void bounce_less();
   [[nodiscard]] std::vector<double> parts_of_bounce(const std::vector<Budget>& with, const std::vector<Motion>& bouncing);
   void take_back();
+  [[nodiscard]] double part_before_walls(const Shift& shift) const;
   void remember();
 
   World& world_;

@@ -165,13 +165,12 @@ int most_sweeps(const World& world, const std::vector<ContactRow>& rows) {
 /// What is still wrong at one point, put right there. By how much of a speed along the normal it was.
 double settle(World& world, ContactRow& row, const Surface& surface) {
   const double most = surface.friction * row.impulse.normal;
-  const auto rub = [&](const V3& way, double mass, double& sum) {
-    const double before = sum;
-    sum = std::clamp(before - mass * approach_velocity(world, row).dot(way), -most, most);
-    push(world, row, way * (sum - before));
-  };
-  rub(row.first, row.mass_first, row.impulse.first);
-  rub(row.second, row.mass_second, row.impulse.second);
+  const V3 sliding = approach_velocity(world, row);
+  double first = row.impulse.first - row.mass_first * sliding.dot(row.first), second = row.impulse.second - row.mass_second * sliding.dot(row.second);
+  const double length = std::hypot(first, second), part = length > most ? most / length : 1;
+  first *= part, second *= part;
+  push(world, row, row.first * (first - row.impulse.first) + row.second * (second - row.impulse.second));
+  row.impulse.first = first, row.impulse.second = second;
   const double before = row.impulse.normal;
   row.impulse.normal = std::max(0.0, before - row.mass * (approach_velocity(world, row).dot(row.normal) - row.target));
   push(world, row, row.normal * (row.impulse.normal - before));

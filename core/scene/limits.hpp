@@ -62,7 +62,11 @@ inline constexpr int kTrailPlaces = 60;
 /// second crosses 167. So all of its way is looked at, and in bounded time.
 inline constexpr double kMostCrossed = 1000;
 
-/// How far a fast body that touches another already may go into that, in parts of its half thickness, before it is stopped.
+/// How deep a body may start in a fixed one, in parts of its half thickness. Held by "a body that starts deep in what is fixed
+/// is refused by name".
+inline constexpr double kDeepestStart = 0.02;
+
+/// How far a fast body that touches another already may go into that, in parts of its half thickness, before it is stopped. Held by "a slender body flung into the corner of two walls stays before both".
 inline constexpr double kDeepest = 0.5;
 
 }  // namespace snug::scene::limits

@@ -124,6 +124,11 @@ void Scene::go(int frame) {
 void Scene::turn(std::size_t effect, bool on) {
   if (tallies_[effect].on == on) return;
   tallies_[effect].on = on;
+  // What it led away, or no longer tells of, may have held up a sleeper.
+  constexpr SlotSet kHolds = slots(Slot::kPoses, Slot::kVelocities, Slot::kVolumes, Slot::kPairs, Slot::kContacts);
+  const EffectKind& kind = *runners_[effect].kind;
+  if (((kind.writes | kind.revises) & kHolds) != 0)
+    for (Motion& motion : world_.state.bodies) motion.wake();
   set_anew();
 }
 

@@ -45,8 +45,9 @@ void World::place(std::size_t i, const V3& position, const Quaternion& orientati
 double World::pace() const { return (gravity == V3::Zero() ? limits::kUsualGravity : gravity.norm()) * round(); }
 
 double World::thinner(const Pair& pair) const {
-  const auto thinnest = [&](Index i) { return members[static_cast<std::size_t>(i)].shape.thinnest; };
-  return std::min(thinnest(pair.a), thinnest(pair.b));
+  const Member &a = members[static_cast<std::size_t>(pair.a)], &b = members[static_cast<std::size_t>(pair.b)];
+  if (a.moves() != b.moves()) return (a.moves() ? a : b).shape.thinnest;
+  return std::min(a.shape.thinnest, b.shape.thinnest);
 }
 
 double World::slop(const Pair& pair) const { return limits::kSlop * thinner(pair); }
@@ -74,8 +75,10 @@ std::uint64_t World::hash() const {
     hash.add(body.drifted), hash.add(body.drifted_turning);
     hash.add(static_cast<std::uint64_t>(body.still) * 2 + (body.asleep ? 1 : 0));
   }
-  for (const Impulse& impulse : state.impulses)
-    hash.add(impulse.on_a), hash.add(impulse.on_b), hash.add(impulse.normal), hash.add(impulse.first), hash.add(impulse.second), hash.add(impulse.approach), hash.add(impulse.owed);
+  for (const Impulse& impulse : state.impulses) {
+    hash.add(impulse.on_a), hash.add(impulse.on_b);
+    hash.add(impulse.normal), hash.add(impulse.first), hash.add(impulse.second), hash.add(impulse.approach), hash.add(impulse.owed);
+  }
   return hash.value;
 }
 

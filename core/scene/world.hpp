@@ -136,7 +136,7 @@ struct World {
   [[nodiscard]] double round() const { return step / rounds; }  // seconds
   /// What gravity adds to a speed in a round, or would where there is none: speeds are held against it.
   [[nodiscard]] double pace() const;
-  /// The half thickness of the thinner one, scene units.
+  /// The half thickness of the thinner one, or where one alone moves, of that, scene units: a floor may be as thin as paper.
   [[nodiscard]] double thinner(const Pair& pair) const;
   /// How deep the two may lie in each other, scene units.
   [[nodiscard]] double slop(const Pair& pair) const;

@@ -48,14 +48,15 @@ test("an effect is switched off and on by keyboard alone", async (t) => {
 
 test("what an effect that is off made is told as that of its last frame", async (t) => {
   const page = await visit(t, "?lesson=scene-broad&algorithm=tree&step=3");
-  await page.getByRole("checkbox", { name: "broad phase" }).click();
+  await page.getByRole("checkbox", { name: "broad phase" }).focus();
+  await page.keyboard.press(" ");
   await until(page, (now) => now.effects.some(({ on }) => !on));
   await page.locator("#canvas").focus();
   await page.keyboard.press("ArrowRight");
   const later = await until(page, (now) => now.step === 4);
-  assert.equal(later.caption, "Frame 4: broad phase is off: what it makes is still that of frame 3.");
+  assert.equal(later.caption, "Frame 4: broad phase is off, so the pairs are still those of frame 3.");
   await page.keyboard.press("ArrowLeft");
-  assert.match((await until(page, (now) => now.step === 3)).caption, /^Frame 3: of 780 pairs the boxes leave \d+, /);
+  assert.match((await until(page, (now) => now.step === 3)).caption, /^Frame 3: of 780 pairs the boxes leave \d+\./);
 });
 
 for (const { id, first, effects } of kScenes) {

@@ -102,17 +102,19 @@ const Member* too_fast(const World& world) {
   return nullptr;
 }
 
+/// As separation_of has it; of bodies that are surely apart a bound.
 double separation_at_start(const World& world, std::size_t i, std::size_t j) {
+  const double between = (world.state.bodies[j].position - world.state.bodies[i].position).norm();
+  if (const double bound = between - world.members[i].shape.reach - world.members[j].shape.reach; bound > 0) return bound;
   return separation_of(world.members[i].shape, pose_of(world.state.bodies[i]), world.members[j].shape, pose_of(world.state.bodies[j]));
 }
 
-/// The first that starts so deep in what is fixed that contacts would not know which way is out, and in what; nulls where
-/// none does. Others are taken as they are: they move apart.
+/// The first that starts deep in what is fixed, and in what; nulls where none does. Nothing would pay for lifting it out.
 std::pair<const Member*, const Member*> first_inside(const World& world) {
   for (std::size_t j = 0; j < world.size(); ++j)
     for (std::size_t i = 0; world.members[j].fixed && i < world.size(); ++i) {
       const Member &body = world.members[i], &wall = world.members[j];
-      if (body.moves() && separation_at_start(world, i, j) < -limits::kDeepest * body.shape.thinnest) return {&body, &wall};
+      if (body.moves() && separation_at_start(world, i, j) < -limits::kDeepestStart * body.shape.thinnest) return {&body, &wall};
     }
   return {nullptr, nullptr};
 }
@@ -156,13 +158,15 @@ MadeEffect make_bounce(const EffectCall& call, World& world) {
   const Member* const thinnest = thinnest_of(world);
   const double rounds = rounds_for(world, thinnest);
   if (!(rounds <= limits::kMostRounds))
-    settings.refuse("would need more than " + std::to_string(limits::kMostRounds) + " rounds a frame: " + name(*thinnest, "a body") + " is too thin for so long a step");
+    settings.refuse("would need more than " + std::to_string(limits::kMostRounds) + " rounds a frame: " + name(*thinnest, "a body") +
+                    " is too thin for so long a step");
   else world.rounds = static_cast<int>(std::max(1.0, rounds));
   if (const Member* const fast = too_fast(world))
     settings.refuse(name(*fast, "a body") + " is too fast: it would cross more than " + std::to_string(static_cast<int>(limits::kMostCrossed)) +
                     " times its own thickness in a frame");
   const auto [inside, wall] = first_inside(world);
-  if (inside != nullptr) settings.refuse(name(*inside, "a body") + " starts inside " + name(*wall, "a fixed one") + ": move it out, or call it fixed too");
+  if (inside != nullptr)
+    settings.refuse(name(*inside, "a body") + " starts inside " + name(*wall, "a fixed one") + ": move it out, or call it fixed too");
   world.solid = true;
   world.state.contacts = contacts_at_start(world);
   return settings.make<Bounce>(surface, sleeps);

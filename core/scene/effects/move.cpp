@@ -6,6 +6,7 @@
 #include "scene/effect.hpp"
 #include "scene/limits.hpp"
 #include "scene/manifold.hpp"
+#include "scene/sweep.hpp"
 
 namespace snug::scene {
 namespace {
@@ -80,31 +81,9 @@ class Move final : public Effect {
       // What it touches already contacts hold back, as far as they can: so far it may go in, or stay as it is.
       const double start = separation(0), slop = world.slop({static_cast<Index>(std::min(i, j)), static_cast<Index>(std::max(i, j))});
       const double deepest = start > slop ? 0 : std::min(-limits::kDeepest * shape.thinnest, start - slop / 8);
-      part = first_below(separation, deepest, shape.thinnest / 4, length, part);
+      part = part_above(deepest, separation, length, shape.thinnest / 4, part);
     }
     return part;
-  }
-
-  /// The last part up to which the separation stays what it may be at least, at most so much. Each look is as far on from the
-  /// one before as they are apart there, or the shortest stride: so all of the way is covered.
-  template <class Separation>
-  [[nodiscard]] static double first_below(const Separation& separation, double deepest, double stride, double length, double most) {
-    stride = std::max(stride, length / limits::kMostSteps);
-    double free = 0, ahead = separation(0);
-    while (free < most) {
-      double at = std::min(most, free + std::max(ahead - deepest, stride) / length);
-      ahead = separation(at);
-      if (ahead >= deepest) {
-        free = at;
-        continue;
-      }
-      for (int k = 0; k < limits::kHalvings; ++k) {
-        const double middle = (free + at) / 2;
-        (separation(middle) < deepest ? at : free) = middle;
-      }
-      return free;
-    }
-    return most;
   }
 };
 

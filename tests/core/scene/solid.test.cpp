@@ -332,8 +332,8 @@ TEST_CASE("a slender body flung into the corner of two walls stays before both")
 TEST_CASE("a body that starts deep in what is fixed is refused by name") {
   const auto with = [](double height) { return refusal({.bodies = {named("ground", floor()), named("crate", box({0.5, 0.2, 0.5}, {0, height, 0}))}, .effects = solid(0)}); };
   CHECK(with(0.2) == "");
-  CHECK(with(0.11) == "");
-  CHECK(with(0.09) == "bounce: crate starts inside ground: move it out, or call it fixed too");
+  CHECK(with(0.197) == "");
+  CHECK(with(0.19) == "bounce: crate starts inside ground: move it out, or call it fixed too");
   CHECK(with(-0.5).find("crate starts inside ground") != std::string::npos);
 }
 
@@ -374,6 +374,73 @@ TEST_CASE("friction holds a box on a slope that is not too steep") {
     scene.go(120);
     if (friction > 0.365) CHECK(std::abs(motion(scene, 1).position[0] - start) < 0.02);
     else CHECK(motion(scene, 1).position[0] < start - 1);
+  }
+}
+
+TEST_CASE("friction is the same in every direction") {
+  for (int degrees = 0; degrees <= 90; degrees += 15) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const V3 way(std::cos(angle), 0, std::sin(angle));
+    INFO("at " << degrees << " degrees");
+    Scene sliding = opened({.bodies = {floor(), moving(box({0.3, 0.3, 0.3}, {0, 0.3, 0}), way * 4)}, .effects = solid(0, true, 0.4)});
+    sliding.go(120);
+    CHECK(motion(sliding, 1).position.dot(way) == doctest::Approx(16 / (2 * 0.4 * 9.81)).epsilon(0.02));
+    CHECK(std::abs(motion(sliding, 1).position.dot(way.cross(V3::UnitY()))) < 1e-3);
+    for (const double steepness : {0.97, 1.03}) {
+      const double lean = std::atan(0.5 * steepness);
+      Body slope = fixed(box({50, 0.5, 50}, {0, 0, 0}));
+      slope.orientation = quaternion_about(way, lean);
+      Body body = box({0.5, 0.2, 0.5}, turned<double, 3>(matrix_of(slope.orientation), V3(0, 0.7, 0)));
+      body.orientation = slope.orientation;
+      Scene scene = opened({.bodies = {slope, body}, .effects = solid(0)});
+      scene.go(300);
+      const double moved = (motion(scene, 1).position - body.position).norm();
+      if (steepness < 1) CHECK(moved < 1e-3);
+      else CHECK(moved > 1);
+    }
+  }
+}
+
+TEST_CASE("what is driven does not knock a body into a floor that is still out of reach") {
+  Declaration declaration{.bodies = {floor(), ball(0.156, {0.0324, 0.3126, -0.3343}, 0.115), named("bar", box({1.5, 0.1, 0.2}, {0, 0.3, 0}))}, .effects = solid(0)};
+  declaration.effects.push_back(call("spin", {{"axis", {0, 1, 0}, ""}, {"turns_per_second", {5}, ""}}, "bar"));
+  Scene scene = opened(declaration);
+  for (int frame = 0; frame < 120; ++frame) {
+    scene.step();
+    INFO("frame " << frame);
+    REQUIRE(motion(scene, 1).position[1] > 0.15);
+  }
+}
+
+TEST_CASE("a sleeper wakes when what drives its support is switched on again far away") {
+  Declaration declaration{.bodies = {named("lift", box({1, 0.1, 1}, {0, 0, 0})), box({0.3, 0.3, 0.3}, {0, 0.4, 0})}, .effects = solid(0)};
+  declaration.effects.push_back(call("path", {{"places", {0, 0, 0, 0, -50, 0}, ""}, {"speed", {5}, ""}}, "lift"));
+  Scene scene = opened(declaration);
+  const auto path = [&] {
+    std::size_t i = 0;
+    while (scene.tallies()[i].effect != "path lift") ++i;
+    return i;
+  }();
+  scene.turn(path, false);
+  scene.go(300);
+  CHECK(motion(scene, 1).asleep);
+  scene.turn(path, true);
+  scene.go(600);
+  CHECK(motion(scene, 1).position[1] < -40);
+}
+
+TEST_CASE("a stack stands on a floor as thin as paper") {
+  for (const double half : {0.0, 1e-6, 0.5}) {
+    Declaration declaration{.bodies = {fixed(box({20, half, 20}, {0, -half, 0}))}, .effects = solid(0)};
+    for (int i = 0; i < 10; ++i) {
+      declaration.bodies.push_back(box({0.25, 0.25, 0.25}, {0, 0.25 + 0.5 * i, 0}));
+      declaration.bodies.back().orientation = quaternion_about(V3::UnitY(), 0.23 * i);
+    }
+    Scene scene = opened(declaration);
+    scene.go(600);
+    INFO("half thickness " << half);
+    CHECK(scene.resting());
+    for (std::size_t i = 1; i <= 10; ++i) CHECK((motion(scene, i).position - V3(0, 0.25 + 0.5 * (static_cast<double>(i) - 1), 0)).norm() < 0.01);
   }
 }
 
