@@ -167,7 +167,8 @@ double settle(World& world, ContactRow& row, const Surface& surface) {
   const double most = surface.friction * row.impulse.normal;
   const V3 sliding = approach_velocity(world, row);
   double first = row.impulse.first - row.mass_first * sliding.dot(row.first), second = row.impulse.second - row.mass_second * sliding.dot(row.second);
-  const double length = std::hypot(first, second), part = length > most ? most / length : 1;
+  const double length = std::sqrt(first * first + second * second);  // hypot has other bits elsewhere
+  const double part = length > most ? most / length : 1;
   first *= part, second *= part;
   push(world, row, row.first * (first - row.impulse.first) + row.second * (second - row.impulse.second));
   row.impulse.first = first, row.impulse.second = second;
