@@ -29,8 +29,9 @@ inline constexpr KeyHelp kKeyHelp[] = {
     {"+  −  0", "nearer, farther, the whole view"},
     {"Ctrl + arrows", "orbit (3-D)"},
     {"O", "show the smallest ball"},
+    {"1  2  3", "answer the question with its first, second, third choice"},
     {"S", "skip the question"},
-    {"M  C  V", "where a lesson measures: do so, the chart or the shape, another chart"},
+    {"M  C  V", "in costs: measure, the chart or the shape, the next chart"},
 };
 
 /// Of a lesson with the chart of costs, before any other. shown: whether it stands on the stage.

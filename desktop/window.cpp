@@ -128,6 +128,17 @@ app::Theme theme_of_environment() {
   return theme == "dark" ? app::Theme::kDark : theme == "contrast" ? app::Theme::kHighContrast : theme == "projector" ? app::Theme::kProjector : app::Theme::kLight;
 }
 
+/// Whether a digit chose an answer of the question that stands; of many, one is ticked.
+bool choose(Shell& shell, const std::string& key) {
+  const lesson::Asked* asked = shell.session().asked();
+  if (asked == nullptr || key.size() != 1 || key[0] < '1' || key[0] > '9') return false;
+  const int choice = key[0] - '1';
+  if (choice >= static_cast<int>(asked->choices.size())) return false;
+  if (asked->many) shell.ticked ^= 1 << choice;
+  else shell.session().answer({lesson::Answer::Kind::kChoice, choice});
+  return true;
+}
+
 void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift, bool control) {
   if (key == "F1" || (shell.keys_shown && key == "Escape")) {
     shell.keys_shown = !shell.keys_shown;
@@ -135,6 +146,7 @@ void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift
   }
   if (key == "F11") return host.toggle_fullscreen();
   if (key == "Escape" && !shell.notice.empty()) return shell.notice.clear();
+  if (!control && choose(shell, key)) return;
   shell.app().command(shell.app().command_of_key(key, shift, control));
 }
 

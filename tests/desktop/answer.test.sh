@@ -1,0 +1,15 @@
+# A question is answered by the key of its number, as on the page; until then no step is taken.
+. tests/desktop/support.sh
+open_window --lesson scene-broad
+xdotool key Right
+sleep 0.5
+[[ $(state 's.step') == 0 ]] || fail "it stepped past its question"
+xdotool key 9 # there are four answers
+sleep 0.3
+xdotool key Right
+sleep 0.5
+[[ $(state 's.step') == 0 ]] || fail "a number without an answer answered"
+xdotool key 2 # which takes the step
+until_state 's.step === 1'
+xdotool key Right
+until_state 's.step === 2'
