@@ -76,13 +76,18 @@ const SceneFrame* Session::frame() const {
   return at < slots_[0].frames.size() ? &slots_[0].frames[at] : nullptr;
 }
 
+const SwitchedOff* Session::switched_off(std::string_view effect) const {
+  const auto off = std::find_if(off_.begin(), off_.end(), [&](const SwitchedOff& one) { return one.effect == effect; });
+  return off == off_.end() ? nullptr : &*off;
+}
+
 bool Session::is_on(std::string_view effect) const {
-  return std::none_of(off_.begin(), off_.end(), [&](const SwitchedOff& one) { return one.effect == effect; });
+  return switched_off(effect) == nullptr;
 }
 
 int Session::off_since(std::string_view effect) const {
-  const auto off = std::find_if(off_.begin(), off_.end(), [&](const SwitchedOff& one) { return one.effect == effect; });
-  return off != off_.end() && off->after < step_ ? off->after : -1;
+  const SwitchedOff* off = switched_off(effect);
+  return off != nullptr && off->after < step_ ? off->after : -1;
 }
 
 bool Session::turn(std::string_view effect, bool on) {

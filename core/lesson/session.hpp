@@ -255,6 +255,7 @@ class Session {
   [[nodiscard]] RunView view(int slot) const;
   [[nodiscard]] Grade grade_of_costs() const;
   void decide_costs();
+  [[nodiscard]] const SwitchedOff* switched_off(std::string_view effect) const;  // null where it is on
 
   Lesson lesson_;
   Snapshot own_;  // the lesson's own points, for reset

@@ -33,7 +33,8 @@ double Budgets::part_before_walls(const Shift& shift) const {
     const auto separation = [&](double at) {
       return separation_of(shape, {motion.rotation, motion.position + at * shift.by}, world_.members[j].shape, pose_of(world_.state.bodies[j]));
     };
-    part = part_above(std::min(0.0, separation(0)), separation, shift.by.norm(), shape.thinnest / 4, part);
+    const double start = separation(0);
+    part = part_above(std::min(0.0, start), start, separation, shift.by.norm(), shape.thinnest / 4, part);
   }
   return part;
 }

@@ -179,26 +179,18 @@ Manifold of_boxes(const Shape& a, const PoseAt& at_a, const Shape& b, const Pose
   return flipped(of_faces(b, at_b, widest.code - 3, -widest.normal, a, at_a, margin));
 }
 
-double of_box_and_ball(const Shape& box, const PoseAt& at, const V3& center, double radius) {
-  const V3 beyond = turned_back<double, 3>(at.rotation, center - at.translation).cwiseAbs() - box.half_extents;
-  const double inside = std::min(0.0, beyond.maxCoeff());
-  return (inside < 0 ? inside : beyond.cwiseMax(0).norm()) - radius;
-}
-
 }  // namespace
-
-double separation_of(const Shape& a, const PoseAt& at_a, const Shape& b, const PoseAt& at_b) {
-  if (a.kind == Kind::kBox && b.kind == Kind::kBox) return widest_axis(a, at_a, b, at_b).separation;
-  if (a.kind == Kind::kBox) return of_box_and_ball(a, at_a, at_b.translation, b.radius);
-  if (b.kind == Kind::kBox) return of_box_and_ball(b, at_b, at_a.translation, a.radius);
-  return (at_b.translation - at_a.translation).norm() - a.radius - b.radius;
-}
 
 Manifold manifold_of(const Shape& a, const PoseAt& at_a, const Shape& b, const PoseAt& at_b, double margin) {
   if (a.kind == Kind::kSphere && b.kind == Kind::kSphere) return of_spheres(at_a.translation, a.radius, at_b.translation, b.radius, margin);
   if (a.kind == Kind::kBox && b.kind == Kind::kSphere) return of_box_and_sphere(a, at_a, at_b.translation, b.radius, margin);
   if (a.kind == Kind::kSphere && b.kind == Kind::kBox) return flipped(of_box_and_sphere(b, at_b, at_a.translation, a.radius, margin));
   return of_boxes(a, at_a, b, at_b, margin);
+}
+
+double separation_of(const Shape& a, const PoseAt& at_a, const Shape& b, const PoseAt& at_b) {
+  if (a.kind == Kind::kBox && b.kind == Kind::kBox) return widest_axis(a, at_a, b, at_b).separation;
+  return manifold_of(a, at_a, b, at_b, std::numeric_limits<double>::infinity()).points[0].separation;
 }
 
 }  // namespace snug::scene

@@ -7,11 +7,15 @@ namespace {
 
 constexpr std::size_t kMostSnapshots = 64;  // of 2,000 bodies, about 1 MB each
 
+/// What velocities and contacts come from.
+constexpr SlotSet kLoop = slots(Slot::kVelocities, Slot::kVolumes, Slot::kPairs, Slot::kContacts);
+
+SlotSet made_by(const EffectKind& kind) { return kind.writes | kind.revises; }
+
 /// Whether it runs in that round of a frame: what velocities and contacts come from in each, what leads bodies by time alone
 /// in the first, and what only looks at them in the last.
 bool is_of_round(const EffectKind& kind, int round, int rounds) {
-  constexpr SlotSet kLoop = slots(Slot::kVelocities, Slot::kVolumes, Slot::kPairs, Slot::kContacts);
-  const SlotSet made = kind.writes | kind.revises;
+  const SlotSet made = made_by(kind);
   if ((made & kLoop) != 0 || has(kind.reads, Slot::kVelocities)) return true;
   return has(made, Slot::kPoses) ? round == 0 : round == rounds - 1;
 }
@@ -125,9 +129,7 @@ void Scene::turn(std::size_t effect, bool on) {
   if (tallies_[effect].on == on) return;
   tallies_[effect].on = on;
   // What it led away, or no longer tells of, may have held up a sleeper.
-  constexpr SlotSet kHolds = slots(Slot::kPoses, Slot::kVelocities, Slot::kVolumes, Slot::kPairs, Slot::kContacts);
-  const EffectKind& kind = *runners_[effect].kind;
-  if (((kind.writes | kind.revises) & kHolds) != 0)
+  if ((made_by(*runners_[effect].kind) & (kLoop | bit(Slot::kPoses))) != 0)
     for (Motion& motion : world_.state.bodies) motion.wake();
   set_anew();
 }

@@ -81,7 +81,7 @@ class Move final : public Effect {
       // What it touches already contacts hold back, as far as they can: so far it may go in, or stay as it is.
       const double start = separation(0), slop = world.slop({static_cast<Index>(std::min(i, j)), static_cast<Index>(std::max(i, j))});
       const double deepest = start > slop ? 0 : std::min(-limits::kDeepest * shape.thinnest, start - slop / 8);
-      part = part_above(deepest, separation, length, shape.thinnest / 4, part);
+      part = part_above(deepest, start, separation, length, shape.thinnest / 4, part);
     }
     return part;
   }
