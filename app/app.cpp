@@ -26,7 +26,8 @@ constexpr double kOrbitStep = 0.2, kZoomStep = 1.25;
 bool has_input(const ImGuiIO& io) {
   return io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || io.MouseWheelH != 0 ||
          std::any_of(std::begin(io.MouseClicked), std::end(io.MouseClicked), std::identity{}) ||
-         std::any_of(std::begin(io.MouseReleased), std::end(io.MouseReleased), std::identity{}) || io.InputQueueCharacters.Size > 0;
+         std::any_of(std::begin(io.MouseReleased), std::end(io.MouseReleased), std::identity{}) ||
+         io.InputQueueCharacters.Size > 0;
 }
 
 bool same(const Settings& a, const Settings& b) {
@@ -34,8 +35,8 @@ bool same(const Settings& a, const Settings& b) {
          a.prose_in_canvas == b.prose_in_canvas && a.show_optimum == b.show_optimum;
 }
 
-/// What a new texture of letters leaves empty becomes white: it is transparent all the same, and where letters stand between
-/// pixels their edges are mixed with it, so that of the black that comes with it a pale halo had grey seams.
+/// What a new texture of letters leaves empty becomes white: it is transparent all the same, and where letters stand
+/// between pixels their edges are mixed with it, so that of the black that comes with it a pale halo had grey seams.
 void whiten(const ImFontAtlas& atlas) {
   for (ImTextureData* texture : atlas.TexList) {
     if (texture->Status != ImTextureStatus_WantCreate || texture->BytesPerPixel != 4) continue;
@@ -59,7 +60,7 @@ struct App::State {
   float speed = 1;
   double next_step_at = 0;
   std::optional<int> play_until;  // the step of the outcome that is watched
-  double watched_pause = 0;  // seconds, until then
+  double watched_pause = 0;       // seconds, until then
   double now = 0;
   std::uint64_t drawn_revision = 0;
   std::unique_ptr<Costs> costs;
@@ -69,11 +70,12 @@ struct App::State {
 
   void load_fonts();
   void refresh_look(bool fingers);
-  /// Seconds from one playing step to the next. At speed 1 a scene takes the time that it simulates, but where its outcome
-  /// is watched: a third of a second nobody sees.
+  /// Seconds from one playing step to the next. At speed 1 a scene takes the time that it simulates, but where its
+  /// outcome is watched: a third of a second nobody sees.
   [[nodiscard]] double pause() const {
     const auto& scene = session->lesson().scene;
-    return (scene ? std::max(scene->step, play_until ? watched_pause : 0) : 1 / kStepsPerSecond) / static_cast<double>(speed);
+    return (scene ? std::max(scene->step, play_until ? watched_pause : 0) : 1 / kStepsPerSecond) /
+           static_cast<double>(speed);
   }
   void play_on();
   [[nodiscard]] bool player(std::string_view name);
@@ -91,7 +93,8 @@ struct App::State {
 };
 
 void App::State::load_fonts() {
-  constexpr std::array<std::string_view, 4> kNames{"Inter-Regular", "Inter-SemiBold", "JetBrainsMono-Regular", "JetBrainsMono-Bold"};
+  constexpr std::array<std::string_view, 4> kNames{"Inter-Regular", "Inter-SemiBold", "JetBrainsMono-Regular",
+                                                   "JetBrainsMono-Bold"};
   ImFontAtlas* atlas = ImGui::GetIO().Fonts;
   for (std::size_t i = 0; i < kNames.size(); ++i)
     font_bytes[i] = platform.font != nullptr ? platform.font(kNames[i]) : std::string();
@@ -161,7 +164,7 @@ bool App::State::watch_outcome() {
 
 void App::State::set_speed(int by) {
   const auto at = std::find(kSpeeds.begin(), kSpeeds.end(), speed) - kSpeeds.begin();
-  speed = kSpeeds[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at + by, 0, static_cast<std::ptrdiff_t>(kSpeeds.size()) - 1))];
+  speed = kSpeeds[std::clamp<std::ptrdiff_t>(at + by, 0, static_cast<std::ptrdiff_t>(kSpeeds.size()) - 1)];
 }
 
 bool App::State::player(std::string_view name) {
@@ -238,9 +241,15 @@ void App::State::draw_stage(const Rect& rect) {
   else costs->draw(look, *session, rect, settings.prose_in_canvas);
   if (!has_chart()) return;
   const std::string_view words = costs->shown() ? "Shape" : "Chart";
-  const float height = look.fingers ? 44.0f : look.px(32), width = app::measure(look, Face::kSemiBold, 13, words).x + look.px(28);
+  const float height = look.fingers ? 44.0f : look.px(32),
+              width = app::measure(look, Face::kSemiBold, 13, words).x + look.px(28);
   const float right = rect.x + rect.width - 12 - (costs->shown() ? 0 : height + 8);
-  if (button(ImGui::GetWindowDrawList(), look, {.id = "chart or shape", .rect = {right - width, rect.y + 12, width, height}, .words = words, .kind = ButtonKind::kOutlined, .size = 13}))
+  if (button(ImGui::GetWindowDrawList(), look,
+             {.id = "chart or shape",
+              .rect = {right - width, rect.y + 12, width, height},
+              .words = words,
+              .kind = ButtonKind::kOutlined,
+              .size = 13}))
     costs->show(!costs->shown());
 }
 
@@ -290,14 +299,18 @@ bool App::command(std::string_view name) {
   constexpr std::string_view kTurn = "turn:";
   const int step = s.session->step();
   const auto turn = [&](std::string_view effect) { return s.session->turn(effect, !s.session->is_on(effect)); };
-  const bool done = name.starts_with(kTurn) ? turn(name.substr(kTurn.size())) : s.player(name) || s.edit(name) || s.select(name) || s.view(name) || s.move(name);
+  const bool done = name.starts_with(kTurn)
+                        ? turn(name.substr(kTurn.size()))
+                        : s.player(name) || s.edit(name) || s.select(name) || s.view(name) || s.move(name);
   if (s.on_chart() && (s.playing || s.session->step() != step)) s.costs->show(false);  // a step is of the points
   if (done) s.settle = std::max(s.settle, 1);
   return done;
 }
 
 std::string_view App::command_of_key(std::string_view key, bool shift, bool control) const {
-  if (const std::string_view chart = state_->has_chart() ? chart_command_for(key, state_->costs->shown()) : ""; !chart.empty() && !control) return chart;
+  if (const std::string_view chart = state_->has_chart() ? chart_command_for(key, state_->costs->shown()) : "";
+      !chart.empty() && !control)
+    return chart;
   return command_for(key, shift, control, state_->stage.arrows_move());
 }
 
@@ -348,7 +361,8 @@ void App::frame(const Layout& layout, double now) {
 }
 
 void App::draw_3d_behind(int framebuffer_width, int framebuffer_height, float scale) {
-  if (state_->session && !state_->on_chart()) state_->gl.draw(state_->stage.scene(), framebuffer_width, framebuffer_height, scale);
+  if (state_->session && !state_->on_chart())
+    state_->gl.draw(state_->stage.scene(), framebuffer_width, framebuffer_height, scale);
 }
 
 bool App::wants_frame(double now) const {
@@ -356,8 +370,10 @@ bool App::wants_frame(double now) const {
   if (s.settle > 0 || !same(s.settings, s.drawn_settings)) return true;
   if (!s.session) return false;
   const bool moving = !s.on_chart() && s.stage.moving();  // under the chart, the stage waits
-  const bool advanced = s.settings.prose_in_canvas && s.costs->percent() != s.drawn_percent;  // a page has its bar outside the canvas
-  return (s.playing && now >= s.next_step_at) || moving || advanced || s.session->revision() != s.drawn_revision || s.costs->version() != s.drawn_costs;
+  const bool advanced =
+      s.settings.prose_in_canvas && s.costs->percent() != s.drawn_percent;  // a page has its bar outside the canvas
+  return (s.playing && now >= s.next_step_at) || moving || advanced || s.session->revision() != s.drawn_revision ||
+         s.costs->version() != s.drawn_costs;
 }
 
 double App::seconds_until_due(double now) const {

@@ -31,7 +31,7 @@ enum class Theme { kLight, kDark, kHighContrast, kProjector };
 
 struct Settings {
   Theme theme = Theme::kLight;
-  float text_scale = 1;          // 1 is 15 px prose
+  float text_scale = 1;  // 1 is 15 px prose
   bool reduced_motion = false;
   bool prose_in_canvas = false;  // the step's sentence on the stage; the page has it as HTML above the canvas instead
   bool show_optimum = false;     // the smallest ball beside the current one before the end; there it always shows
@@ -68,7 +68,8 @@ class App {
   App(const App&) = delete;
   App& operator=(const App&) = delete;
 
-  /// Makes what lives in the GL context; again after a lost context. false: the shaders did not build (see graphics_error).
+  /// Makes what lives in the GL context; again after a lost context. false: the shaders did not build (see
+  /// graphics_error).
   bool create_graphics();
   /// Forgets GL objects of a context that is lost.
   void abandon_graphics();
@@ -89,18 +90,18 @@ class App {
   /// Fonts and palette as of the last frame, for a door that draws more (app/look.hpp).
   [[nodiscard]] const Look& look() const;
 
-  /// Does what a button or key says. Names: those of Costs::command, and first back step play last next_mark previous_mark faster slower undo redo
-  /// add_point delete_point scatter reset_points reset_view skip_question select_next select_previous select_none
-  /// move_left move_right move_up move_down move_nearer move_farther (the selected point; "_fine" behind it for a
-  /// tenth), zoom_in zoom_out orbit_left orbit_right orbit_up orbit_down
+  /// Does what a button or key says. Names: those of Costs::command, and first back step play last next_mark
+  /// previous_mark faster slower undo redo add_point delete_point scatter reset_points reset_view skip_question
+  /// select_next select_previous select_none move_left move_right move_up move_down move_nearer move_farther (the
+  /// selected point; "_fine" behind it for a tenth), zoom_in zoom_out orbit_left orbit_right orbit_up orbit_down
   /// toggle_optimum watch_outcome; and turn:EFFECT, which switches an effect of the scene off, and on again.
   /// next_mark skips a question that stands: a clicker has no other key. watch_outcome goes back to where the outcome's
   /// question was asked and plays on to the outcome; it cannot where nothing lies between.
   /// Returns false where the name is unknown or it cannot be done now (undo with nothing to undo).
   bool command(std::string_view name);
   /// The command of a key, as the browser names keys ("ArrowRight", "PageDown", " ", "Home", "z"); empty for none.
-  /// Arrow keys move the selected point where it was selected by a key, by select() or by a click that moved nothing, and
-  /// step otherwise: after a drag or an answer they step.
+  /// Arrow keys move the selected point where it was selected by a key, by select() or by a click that moved nothing,
+  /// and step otherwise: after a drag or an answer they step.
   [[nodiscard]] std::string_view command_of_key(std::string_view key, bool shift, bool control) const;
 
   /// The selected point, kNoIndex for none.

@@ -22,7 +22,7 @@ std::string short_number(double value) { return lesson::number_text(value, 3); }
 /// The rows that were tested, by the axis's place in the table.
 std::vector<const Axis*> rows_of(const std::vector<Axis>& seen, int dim) {
   std::vector<const Axis*> rows(lesson::axis_names(dim).size(), nullptr);
-  for (const Axis& axis : seen) rows[static_cast<std::size_t>(lesson::axis_index(dim, axis.axis))] = &axis;
+  for (const Axis& axis : seen) rows[lesson::axis_index(dim, axis.axis)] = &axis;
   return rows;
 }
 
@@ -36,7 +36,7 @@ struct Table {
 
   void head(float y) const {
     for (int i = 0; i < 4; ++i)
-      text_right(list, look, Face::kRegular, 11, {right(i), y + look.px(4)}, look->muted, kHeads[static_cast<std::size_t>(i)]);
+      text_right(list, look, Face::kRegular, 11, {right(i), y + look.px(4)}, look->muted, kHeads[i]);
   }
 
   void row(float y, const lesson::AxisName& name, const Axis* axis, bool lit) const {
@@ -46,10 +46,12 @@ struct Table {
     const Color ink = separates ? look->wrong_text : axis != nullptr ? look->ink : look->muted;
     text(list, look, lit ? Face::kMonoBold : Face::kMono, kSize, {x, middle}, ink, name.text);
     if (axis == nullptr) return;
-    if (axis->skipped) return text_right(list, look, Face::kRegular, 11, {x + width, middle}, look->muted, "parallel: none");
+    if (axis->skipped)
+      return text_right(list, look, Face::kRegular, 11, {x + width, middle}, look->muted, "parallel: none");
     const std::array<double, 4> figures{axis->distance, axis->radius_a, axis->radius_b, axis->axis.gap};
     for (int i = 0; i < 4; ++i)
-      text_right(list, look, i == 3 ? Face::kMonoBold : Face::kMono, kSize, {right(i), middle}, i == 3 ? ink : look->ink, short_number(figures[static_cast<std::size_t>(i)]));
+      text_right(list, look, i == 3 ? Face::kMonoBold : Face::kMono, kSize, {right(i), middle},
+                 i == 3 ? ink : look->ink, short_number(figures[i]));
   }
 };
 
@@ -57,7 +59,7 @@ struct Table {
 
 float draw_axis_table(const Look& look, lesson::Session& session, ImVec2 at, float width) {
   const int dim = session.dim();
-  const auto steps = std::span(session.recording(0).steps).first(static_cast<std::size_t>(session.step()));
+  const auto steps = std::span(session.recording(0).steps).first(session.step());
   const std::vector<Axis> seen = lesson::axes_seen(steps);
   const auto rows = rows_of(seen, dim);
   const auto names = lesson::axis_names(dim);
@@ -67,7 +69,7 @@ float draw_axis_table(const Look& look, lesson::Session& session, ImVec2 at, flo
   table.head(at.y);
   float y = at.y + look.px(kRow);
   for (std::size_t i = 0; i < names.size(); ++i, y += look.px(kRow)) {
-    const bool lit = !seen.empty() && rows[i] != nullptr && rows[i] == rows[static_cast<std::size_t>(lesson::axis_index(dim, seen.back().axis))];
+    const bool lit = !seen.empty() && rows[i] != nullptr && rows[i] == rows[lesson::axis_index(dim, seen.back().axis)];
     bool hovered = false;
     if (choosing) {
       ImGui::SetCursorScreenPos({at.x - 6, y});
@@ -80,7 +82,8 @@ float draw_axis_table(const Look& look, lesson::Session& session, ImVec2 at, flo
       hovered = ImGui::IsItemHovered();
       ImGui::PopID();
       if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-      table.list->AddRect({at.x - 6, y + 1}, {at.x + width + 6, y + look.px(kRow) - 1}, with_alpha(look->current, hovered ? 0.9f : 0.35f), 4);
+      table.list->AddRect({at.x - 6, y + 1}, {at.x + width + 6, y + look.px(kRow) - 1},
+                          with_alpha(look->current, hovered ? 0.9f : 0.35f), 4);
     }
     table.row(y, names[i], rows[i], lit);
   }

@@ -75,7 +75,8 @@ ScreenPoint Camera::project(const V3& p) const {
   const bool visible = depth > 0.02 * now_.height;
   const double scale = focal() / std::max(depth, 0.02 * now_.height);
   return {static_cast<float>(center_x() + from_eye.dot(right()) * scale),
-          static_cast<float>(center_y() - from_eye.dot(up()) * scale), static_cast<float>(depth / now_.height), visible};
+          static_cast<float>(center_y() - from_eye.dot(up()) * scale), static_cast<float>(depth / now_.height),
+          visible};
 }
 
 V3 Camera::unproject(float x, float y, const V3& through) const {

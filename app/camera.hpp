@@ -60,7 +60,7 @@ class Camera {
   [[nodiscard]] const Vector<double, 3>& forward() const { return forward_; }
   [[nodiscard]] const Vector<double, 3>& eye() const { return eye_; }  // 3-D only
   [[nodiscard]] const View& view() const { return now_; }
-  [[nodiscard]] double focal() const;               // page pixels; 3-D only
+  [[nodiscard]] double focal() const;  // page pixels; 3-D only
   [[nodiscard]] float center_x() const;
   [[nodiscard]] float center_y() const;
   /// Where the room for what stands over the stage's foot begins.

@@ -17,18 +17,16 @@ namespace snug::app {
 namespace {
 
 using fit::Step3;
+using fit::Support;
 using lesson::number_text;
 using lesson::point_name;
-using fit::Support;
 using Point = Vector<double, 3>;
 
-std::string counted(std::int64_t n, const char* thing) {
-  return std::to_string(n) + " " + thing + (n == 1 ? "" : "s");
-}
+std::string counted(std::int64_t n, const char* thing) { return std::to_string(n) + " " + thing + (n == 1 ? "" : "s"); }
 
 std::string direction_name(int axis) {
   constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
-  return kNames[static_cast<std::size_t>(axis)];
+  return kNames[axis];
 }
 
 std::span<const Index> span_of(const Support& support) {
@@ -76,14 +74,15 @@ struct Sayer {
   std::string operator()(const fit::PairChosen& fact) const {
     const std::string pair = point_name(fact.a) + " and " + point_name(fact.b);
     if (!step.has_volume) return pair + " reach farthest to either side along the main axis.";
-    const std::string why = fact.axis == kNoIndex
-                                ? ", the ends along the main axis, become"
-                                : ", the extremes along " + direction_name(fact.axis) + ", are farthest apart and become";
+    const std::string why =
+        fact.axis == kNoIndex ? ", the ends along the main axis, become"
+                              : ", the extremes along " + direction_name(fact.axis) + ", are farthest apart and become";
     return pair + why + " the first diameter: " + number_text(fact.distance) + ".";
   }
 
   std::string operator()(const fit::FarthestFound& fact) const {
-    return point_name(fact.point) + " is farthest from the centre, at " + number_text(fact.distance) + ", so it sets the radius.";
+    return point_name(fact.point) + " is farthest from the centre, at " + number_text(fact.distance) +
+           ", so it sets the radius.";
   }
 
   std::string operator()(const fit::PointExamined& fact) const {
@@ -91,13 +90,16 @@ struct Sayer {
     if (!step.has_volume) return point + " is the first point: there is no " + ball + " yet to hold it.";
     const double gap = fact.distance - radius();
     const bool forced = next != nullptr && std::holds_alternative<fit::BoundaryForced>(next->fact);
-    if (!fact.outside) return point + " lies inside" + (gap < 0 ? " by " + short_figure(-gap) : "") + ": nothing changes.";
-    return point + " lies outside by " + short_figure(gap) + (forced ? ", so it is on the boundary of the next " + ball + "." : ".");
+    if (!fact.outside)
+      return point + " lies inside" + (gap < 0 ? " by " + short_figure(-gap) : "") + ": nothing changes.";
+    return point + " lies outside by " + short_figure(gap) +
+           (forced ? ", so it is on the boundary of the next " + ball + "." : ".");
   }
 
   std::string operator()(const fit::BallGrown<double, 3>& fact) const {
     const double gap = (at(fact.point) - fact.before.center).norm() - fact.before.radius;
-    return point_name(fact.point) + " lies outside by " + short_figure(gap) + ", so the " + ball + " grows to take it in.";
+    return point_name(fact.point) + " lies outside by " + short_figure(gap) + ", so the " + ball +
+           " grows to take it in.";
   }
 
   std::string operator()(const fit::MeanFound<double, 3>& fact) const {
@@ -132,8 +134,10 @@ struct Sayer {
 
   std::string operator()(const fit::BoundaryForced& fact) const {
     const std::string names = name_of_points(span_of(fact.boundary));
-    if (fact.boundary.size() == 1) return names + " must be on the boundary: the " + ball + " starts again as that point alone.";
-    return names + " must be on the boundary: the smallest " + ball + " through them has radius " + number_text(radius()) + ".";
+    if (fact.boundary.size() == 1)
+      return names + " must be on the boundary: the " + ball + " starts again as that point alone.";
+    return names + " must be on the boundary: the smallest " + ball + " through them has radius " +
+           number_text(radius()) + ".";
   }
 
   std::string operator()(const fit::MovedToFront& fact) const {
@@ -155,9 +159,11 @@ struct Sayer {
     Support gone;
     for (const Index i : fact.before)
       if (!fact.after.contains(i)) gone.add(i);
-    const std::string left = gone.size() == 0 ? "" : name_of_points(span_of(gone)) + (gone.size() == 1 ? " leaves" : " leave");
+    const std::string left =
+        gone.size() == 0 ? "" : name_of_points(span_of(gone)) + (gone.size() == 1 ? " leaves" : " leave");
     if (fact.entered == kNoIndex)
-      return (left.empty() ? "The support set is solved again" : left + " the support set") + ": the rest hold the " + ball + " alone.";
+      return (left.empty() ? "The support set is solved again" : left + " the support set") + ": the rest hold the " +
+             ball + " alone.";
     return point_name(fact.entered) + " joins the support set" +
            (left.empty() ? ", and none leaves it." : ", and " + left + " it.");
   }
@@ -167,7 +173,9 @@ struct Sayer {
     const std::string names = name_of_points(span_of(fact.points));
     const std::string tried = "The " + ball + " of " + names;
     switch (fact.verdict) {
-      case Verdict::kKept: return tried + " holds every point and is the smallest so far, " + number_text(fact.candidate.radius) + ": kept.";
+      case Verdict::kKept:
+        return tried + " holds every point and is the smallest so far, " + number_text(fact.candidate.radius) +
+               ": kept.";
       case Verdict::kNotSmaller: return tried + " is no smaller than the best: dropped unseen.";
       case Verdict::kLeavesPointOutside: return tried + " leaves " + point_name(fact.outside) + " outside: dropped.";
       case Verdict::kNoBall: break;
@@ -182,8 +190,8 @@ struct Sayer {
   }
 
   std::string operator()(const fit::BallFound<double, 3>& fact) const {
-    return "The smallest " + ball + " around the points has radius " + number_text(fact.ball.radius) + "; it is held by " +
-           name_of_points(span_of(fact.support)) + ".";
+    return "The smallest " + ball + " around the points has radius " + number_text(fact.ball.radius) +
+           "; it is held by " + name_of_points(span_of(fact.support)) + ".";
   }
 
   std::string operator()(const fit::HullFound& fact) const {
@@ -193,40 +201,46 @@ struct Sayer {
 
   std::string operator()(const fit::SurfaceFound<double, 3>& fact) const {
     return std::string("The hull's ") + (dim() == 2 ? "outline is " : "surface is ") + number_text(fact.area) +
-           (dim() == 2 ? " units long" : " units²") + ": each bit of it weighs the same, however many points lie on it.";
+           (dim() == 2 ? " units long" : " units²") +
+           ": each bit of it weighs the same, however many points lie on it.";
   }
 
   std::string operator()(const fit::PointsChosen& fact) const {
-    return name_of_points(span_of(fact.points)) + (fact.points.size() == 1 ? " is" : " are") + " chosen: the axes are built on " +
-           (fact.points.size() == 1 ? "it." : "them.");
+    return name_of_points(span_of(fact.points)) + (fact.points.size() == 1 ? " is" : " are") +
+           " chosen: the axes are built on " + (fact.points.size() == 1 ? "it." : "them.");
   }
 
   std::string operator()(const fit::BoxTried<double, 3>& fact) const {
     const std::string on = fact.on.empty() ? "A box" : "The box on " + name_of_points(span_of(fact.on));
-    return on + " has " + size_word() + number_text(fact.measure) + (fact.better ? ", the smallest so far: it is kept." : ", no smaller than the best: it is dropped.");
+    return on + " has " + size_word() + number_text(fact.measure) +
+           (fact.better ? ", the smallest so far: it is kept." : ", no smaller than the best: it is dropped.");
   }
 
   std::string operator()(const fit::RectangleFound<double, 3>& fact) const {
     const std::string on = fact.edge_a == kNoIndex ? "The smallest rectangle"
-                                                   : "The smallest rectangle lies on the hull's edge from " + point_name(fact.edge_a) +
-                                                         " to " + point_name(fact.edge_b);
+                                                   : "The smallest rectangle lies on the hull's edge from " +
+                                                         point_name(fact.edge_a) + " to " + point_name(fact.edge_b);
     return on + (dim() == 2 ? ": " : ", seen along the axis; its box has ") + size_word() + number_text(fact.measure) +
            (fact.better ? ", the smallest so far." : ": no better than before.");
   }
 
   std::string operator()(const fit::EdgeSearched& fact) const {
-    return "Every box with a face on the edge from " + point_name(fact.a) + " to " + point_name(fact.b) + " is ruled out or tried, with " +
-           counted(fact.pairs, "second edge") + ".";
+    return "Every box with a face on the edge from " + point_name(fact.a) + " to " + point_name(fact.b) +
+           " is ruled out or tried, with " + counted(fact.pairs, "second edge") + ".";
   }
 
-  std::string operator()(const fit::BoxWidened& fact) const { return point_name(fact.point) + " lies outside the box so far, which widens to it."; }
+  std::string operator()(const fit::BoxWidened& fact) const {
+    return point_name(fact.point) + " lies outside the box so far, which widens to it.";
+  }
 
   std::string operator()(const fit::LineFound& fact) const {
-    return "The line along the main axis that lies closest to all points is held by " + name_of_points(fact.support) + ", at " + number_text(fact.radius) + ".";
+    return "The line along the main axis that lies closest to all points is held by " + name_of_points(fact.support) +
+           ", at " + number_text(fact.radius) + ".";
   }
 
   std::string operator()(const fit::EndPulledIn& fact) const {
-    return std::string(fact.end == 0 ? "The first" : "The second") + " end is pulled in by " + number_text(fact.by) + ", until its cap touches " + point_name(fact.point) + ".";
+    return std::string(fact.end == 0 ? "The first" : "The second") + " end is pulled in by " + number_text(fact.by) +
+           ", until its cap touches " + point_name(fact.point) + ".";
   }
 
   std::string operator()(const fit::ThicknessFound& fact) const {
@@ -234,7 +248,8 @@ struct Sayer {
   }
 
   std::string operator()(const fit::SidePulledIn& fact) const {
-    return "Side " + std::to_string(fact.side + 1) + " of the rectangle is pulled in by " + number_text(fact.by) + ", until " + point_name(fact.point) + " is touched.";
+    return "Side " + std::to_string(fact.side + 1) + " of the rectangle is pulled in by " + number_text(fact.by) +
+           ", until " + point_name(fact.point) + " is touched.";
   }
 
   std::string operator()(const fit::CornerMovedOut& fact) const {
@@ -242,43 +257,51 @@ struct Sayer {
   }
 
   std::string operator()(const fit::SlabFound& fact) const {
-    return "Slab " + std::to_string(fact.slab + 1) + " lies between " + point_name(fact.least) + " and " + point_name(fact.greatest) + ", the extremes along its axis.";
+    return "Slab " + std::to_string(fact.slab + 1) + " lies between " + point_name(fact.least) + " and " +
+           point_name(fact.greatest) + ", the extremes along its axis.";
   }
 
   std::string operator()(const fit::SimplexChosen& fact) const {
-    return std::string(dim() == 2 ? "A segment" : "A tetrahedron") + " is the first hull: " + name_of_points(fact.points) + ".";
+    return std::string(dim() == 2 ? "A segment" : "A tetrahedron") +
+           " is the first hull: " + name_of_points(fact.points) + ".";
   }
 
   std::string operator()(const fit::FlatFound& fact) const {
     constexpr std::array<const char*, 3> kWhere{"in one place", "on one line", "in one plane"};
-    return std::string("All points lie ") + kWhere[static_cast<std::size_t>(fact.affine_dim)] + ".";
+    return std::string("All points lie ") + kWhere[fact.affine_dim] + ".";
   }
 
   std::string operator()(const fit::PointsAssigned& fact) const {
     std::int64_t outside = 0;
     for (const Index count : fact.counts) outside += count;
-    return counted(outside, "point") + (outside == 1 ? " is" : " are") + " given to the facets that see them; " + counted(fact.dropped, "point") +
+    return counted(outside, "point") + (outside == 1 ? " is" : " are") + " given to the facets that see them; " +
+           counted(fact.dropped, "point") +
            (fact.dropped == 1 ? " lies inside and is done with." : " lie inside and are done with.");
   }
 
   std::string operator()(const fit::EyeChosen& fact) const {
-    return point_name(fact.point) + " is farthest from its facet, by " + number_text(fact.distance) + ": it is a corner of the hull.";
+    return point_name(fact.point) + " is farthest from its facet, by " + number_text(fact.distance) +
+           ": it is a corner of the hull.";
   }
 
   std::string operator()(const fit::EdgeSplit& fact) const {
-    return "The edge from " + point_name(fact.a) + " to " + point_name(fact.b) + " gives way to two, by way of " + point_name(fact.point) + ".";
+    return "The edge from " + point_name(fact.a) + " to " + point_name(fact.b) + " gives way to two, by way of " +
+           point_name(fact.point) + ".";
   }
 
   std::string operator()(const fit::HorizonFound& fact) const {
-    return point_name(fact.eye) + " sees " + counted(static_cast<std::int64_t>(fact.facets.size()), "facet") + "; their border is its horizon.";
+    return point_name(fact.eye) + " sees " + counted(static_cast<std::int64_t>(fact.facets.size()), "facet") +
+           "; their border is its horizon.";
   }
 
   std::string operator()(const fit::FacetsReplaced& fact) const {
-    return counted(static_cast<std::int64_t>(fact.removed.size()), "facet") + " give way to " + std::to_string(fact.added.size()) + " new ones, from the horizon to " + point_name(fact.eye) + ".";
+    return counted(static_cast<std::int64_t>(fact.removed.size()), "facet") + " give way to " +
+           std::to_string(fact.added.size()) + " new ones, from the horizon to " + point_name(fact.eye) + ".";
   }
 
   std::string operator()(const fit::FacesMerged& fact) const {
-    return "Facets in one plane become one face: " + counted(fact.faces, "face") + ", and " + counted(static_cast<std::int64_t>(fact.dropped.size()), "point") + " inside them are no corners.";
+    return "Facets in one plane become one face: " + counted(fact.faces, "face") + ", and " +
+           counted(static_cast<std::int64_t>(fact.dropped.size()), "point") + " inside them are no corners.";
   }
 
   std::string operator()(const query::FramesRelated<double, 3>&) const {
@@ -287,16 +310,19 @@ struct Sayer {
   }
 
   std::string operator()(const query::AxisTested<double, 3>& fact) const {
-    const std::string axis = lesson::axis_names(dim())[static_cast<std::size_t>(lesson::axis_index(dim(), fact.axis))].text;
+    const std::string axis = lesson::axis_names(dim())[lesson::axis_index(dim(), fact.axis)].text;
     if (fact.skipped) return axis + ": these edges are parallel, so they have no axis of their own.";
     const std::string sum = number_text(fact.radius_a) + " + " + number_text(fact.radius_b);
-    if (fact.separates) return "Along " + axis + " the centres are " + number_text(fact.distance) + " apart, more than " + sum + ": there is a gap, so the boxes are apart.";
-    return "Along " + axis + " the centres are " + number_text(fact.distance) + " apart, no more than " + sum + ": this axis does not separate them.";
+    if (fact.separates)
+      return "Along " + axis + " the centres are " + number_text(fact.distance) + " apart, more than " + sum +
+             ": there is a gap, so the boxes are apart.";
+    return "Along " + axis + " the centres are " + number_text(fact.distance) + " apart, no more than " + sum +
+           ": this axis does not separate them.";
   }
 
   std::string operator()(const query::LookedCloser& fact) const {
-    return "The numbers are too close to call: " + std::to_string(fact.axes) + (fact.axes == 1 ? " axis" : " axes") + (fact.axes == 1 ? " is" : " are") +
-           " looked at again in exact arithmetic.";
+    return "The numbers are too close to call: " + std::to_string(fact.axes) + (fact.axes == 1 ? " axis" : " axes") +
+           (fact.axes == 1 ? " is" : " are") + " looked at again in exact arithmetic.";
   }
 
   std::string operator()(const query::OutlinesCompared& fact) const {
@@ -305,17 +331,22 @@ struct Sayer {
 
   std::string operator()(const query::CornerTried& fact) const {
     const char* other = fact.box == 0 ? "B" : "A";
-    const std::string corner = lesson::place_name(dim(), lesson::index_of(dim(), {lesson::Place::Kind::kCorner, fact.box, fact.corner}));
+    const std::string corner =
+        lesson::place_name(dim(), lesson::index_of(dim(), {lesson::Place::Kind::kCorner, fact.box, fact.corner}));
     return "Corner " + corner + (fact.inside ? " lies in box " : " is not in box ") + other + ".";
   }
 
   std::string operator()(const query::Claimed& fact) const {
-    return std::string("This test says: the boxes ") + (fact.overlap ? "overlap." : "are apart.") + " The proof beside it says whether that is so.";
+    return std::string("This test says: the boxes ") + (fact.overlap ? "overlap." : "are apart.") +
+           " The proof beside it says whether that is so.";
   }
 
   std::string operator()(const query::Verdict<double, 3>& fact) const {
-    const std::string after = " after " + std::to_string(fact.result.tests) + (fact.result.tests == 1 ? " axis." : " axes.");
-    return (fact.result.overlap ? "Overlap: no axis separates the boxes," : "Apart: one axis that separates them is enough,") + after;
+    const std::string after =
+        " after " + std::to_string(fact.result.tests) + (fact.result.tests == 1 ? " axis." : " axes.");
+    return (fact.result.overlap ? "Overlap: no axis separates the boxes,"
+                                : "Apart: one axis that separates them is enough,") +
+           after;
   }
 
   /// "Left plane: …"
@@ -327,39 +358,46 @@ struct Sayer {
 
   std::string operator()(const query::PlaneTested<double, 3>& fact) const {
     using query::Culling;
-    const std::string p = "p-vertex " + lesson::sign_name(dim(), fact.p_vertex), n = "n-vertex " + lesson::sign_name(dim(), fact.n_vertex);
+    const std::string p = "p-vertex " + lesson::sign_name(dim(), fact.p_vertex),
+                      n = "n-vertex " + lesson::sign_name(dim(), fact.n_vertex);
     const std::string p_by = short_figure(std::abs(fact.p_distance)), n_by = short_figure(std::abs(fact.n_distance));
     if (fact.skipped) return plane(fact.plane) + "it is skipped, for the box is known to be inside of it.";
     if (fact.looked_closer)
       return plane(fact.plane) + "a vertex is too close to it for rounded numbers; exact ones say " +
              std::string(query::kCullingNames[static_cast<std::size_t>(fact.side)]) + ".";
-    if (fact.side == Culling::kOutside) return plane(fact.plane) + "even the " + n + " is outside, by " + n_by + ", so all of the box is.";
-    if (fact.side == Culling::kInside) return plane(fact.plane) + "even the " + p + " is inside, by " + p_by + ", so all of the box is.";
-    return plane(fact.plane) + "the " + p + " is outside by " + p_by + ", the " + n + " inside by " + n_by + ": the box crosses it.";
+    if (fact.side == Culling::kOutside)
+      return plane(fact.plane) + "even the " + n + " is outside, by " + n_by + ", so all of the box is.";
+    if (fact.side == Culling::kInside)
+      return plane(fact.plane) + "even the " + p + " is inside, by " + p_by + ", so all of the box is.";
+    return plane(fact.plane) + "the " + p + " is outside by " + p_by + ", the " + n + " inside by " + n_by +
+           ": the box crosses it.";
   }
 
   std::string operator()(const query::CornerTested<double, 3>& fact) const {
     const std::string corner = "Corner " + lesson::sign_name(dim(), fact.corner);
     if (fact.plane < 0) return corner + " is outside of no plane: it can be seen.";
     const std::string by = fact.distance == 0 ? "" : ", by " + short_figure(std::abs(fact.distance));
-    return corner + (fact.outside ? " is outside of the " : " is inside of the ") + lesson::plane_name(dim(), fact.plane) + " plane" + by + ".";
+    return corner + (fact.outside ? " is outside of the " : " is inside of the ") +
+           lesson::plane_name(dim(), fact.plane) + " plane" + by + ".";
   }
 
   std::string operator()(const query::Classified& fact) const {
     using query::Culling;
     const query::CullResult& result = fact.result;
     if (result.rejected_by >= 0)
-      return "Outside: all of the box is beyond the " + lesson::plane_name(dim(), result.rejected_by) + " plane, found after " + counted(result.planes_tested, "plane") + ".";
-    if (result.verdict == Culling::kOutside) return "No corner can be seen, so this test says outside. The proof beside it says whether that is so.";
+      return "Outside: all of the box is beyond the " + lesson::plane_name(dim(), result.rejected_by) +
+             " plane, found after " + counted(result.planes_tested, "plane") + ".";
+    if (result.verdict == Culling::kOutside)
+      return "No corner can be seen, so this test says outside. The proof beside it says whether that is so.";
     if (result.verdict == Culling::kInside) return "Inside: every corner of the box is inside of every plane.";
     if (result.crossing == 0) return "Intersecting: some corners can be seen, and some cannot.";
-    return "Intersecting: the box crosses " + lesson::plane_names(dim(), result.crossing) + ", and no plane has all of it outside.";
+    return "Intersecting: the box crosses " + lesson::plane_names(dim(), result.crossing) +
+           ", and no plane has all of it outside.";
   }
 
   std::string operator()(const fit::Finished& fact) const {
     // The iterative method starts from Ritter's result: the same fact, but not the end.
-    if (next != nullptr)
-      return "Ritter's " + ball + " is where it starts, with radius " + number_text(radius()) + ".";
+    if (next != nullptr) return "Ritter's " + ball + " is where it starts, with radius " + number_text(radius()) + ".";
     const std::string done = "Done: " + size(), names = name_of_points(span_of(fact.support));
     return exact ? done + ", held by " + names + "." : done + "; it touches " + names + ".";
   }
@@ -382,21 +420,25 @@ std::string caption_of(const Step3& step, const Step3* next, const AnyPointSet& 
 }
 
 std::string caption_at_start(const fit::Algorithm& algorithm, Index points) {
-  return std::string(algorithm.title) + " on " + counted(points, "point") + ": nothing is known yet. Take the first step.";
+  return std::string(algorithm.title) + " on " + counted(points, "point") +
+         ": nothing is known yet. Take the first step.";
 }
 
 std::string caption_at(const lesson::Session& session) {
   const auto* entry = session.current(0);
   if (entry == nullptr && session.boxes() != nullptr)
-    return std::string(session.algorithm(0)->title) + (lesson::has_frustum(*session.boxes()) ? " on the box and the frustum" : " on the boxes A and B") +
+    return std::string(session.algorithm(0)->title) +
+           (lesson::has_frustum(*session.boxes()) ? " on the box and the frustum" : " on the boxes A and B") +
            ": nothing is known yet. Take the first step.";
   if (entry == nullptr && session.lesson().scene && session.lesson().scene->at_points())
-    return std::string(session.algorithm(0)->title) + " on " + std::to_string(session.size()) + (session.size() == 1 ? " body" : " bodies") + ": nothing has moved yet. Take the first step.";
+    return std::string(session.algorithm(0)->title) + " on " + std::to_string(session.size()) +
+           (session.size() == 1 ? " body" : " bodies") + ": nothing has moved yet. Take the first step.";
   if (entry == nullptr) return caption_at_start(*session.algorithm(0), session.size());
   if (const auto* frame = std::get_if<fit::FrameTaken>(&entry->step.fact)) return frame_caption(*frame, &session);
   const auto& steps = session.recording(0).steps;
   const auto next = static_cast<std::size_t>(session.step());
-  return caption_of(entry->step, next < steps.size() ? &steps[next].step : nullptr, session.points(), session.algorithm(0)->exact);
+  return caption_of(entry->step, next < steps.size() ? &steps[next].step : nullptr, session.points(),
+                    session.algorithm(0)->exact);
 }
 
 }  // namespace snug::app

@@ -15,7 +15,8 @@ namespace snug::app {
 /// One sentence on a step. next: the step after it, null where it is the last; it says what follows from this one.
 /// points: those that the trace was made of. exact: whether the algorithm claims the smallest volume; the points of any
 /// other's result touch it, but do not hold it in place.
-[[nodiscard]] std::string caption_of(const fit::Step3& step, const fit::Step3* next, const AnyPointSet& points, bool exact);
+[[nodiscard]] std::string caption_of(const fit::Step3& step, const fit::Step3* next, const AnyPointSet& points,
+                                     bool exact);
 
 /// The sentence before the first step.
 [[nodiscard]] std::string caption_at_start(const fit::Algorithm& algorithm, Index points);

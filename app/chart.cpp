@@ -15,8 +15,8 @@ namespace {
 
 constexpr float kSize = 12, kTitle = 15, kMark = 5, kReach = 14;
 constexpr double kPadding = 0.06;
-constexpr double kNothing = 1e-7;  // of a share: what rounding leaves
-constexpr float kLittleRoom = 360;  // so low a chart of lines goes without its note, which its file has as well
+constexpr double kNothing = 1e-7;       // of a share: what rounding leaves
+constexpr float kLittleRoom = 360;      // so low a chart of lines goes without its note, which its file has as well
 constexpr std::size_t kMostMarks = 20;  // on a line, or little more
 /// A log axis of fewer decades has 2 and 5 between its powers of ten; of a smaller factor, even steps.
 constexpr double kFewDecades = 2, kNoDecade = 5;
@@ -30,8 +30,7 @@ std::string said(const char* format, Values... values) {
 
 std::string grouped(double value) {
   std::string digits = said("%.0f", value);
-  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
-    digits.insert(static_cast<std::size_t>(i), ",");
+  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), ",");
   return digits;
 }
 
@@ -77,22 +76,16 @@ Scale scale_of(const Chart& chart, bool is_x) {
 
 Color mark_color(const Look& look, ChartRole role) {
   switch (role) {
-  case ChartRole::kChosen:
-    return look->current;
-  case ChartRole::kExact:
-    return look->optimum;
-  default:
-    return look->previous;
+    case ChartRole::kChosen: return look->current;
+    case ChartRole::kExact: return look->optimum;
+    default: return look->previous;
   }
 }
 Color word_color(const Look& look, ChartRole role) {
   switch (role) {
-  case ChartRole::kChosen:
-    return look->current_text;
-  case ChartRole::kExact:
-    return look->optimum_text;
-  default:
-    return look->previous_text;
+    case ChartRole::kChosen: return look->current_text;
+    case ChartRole::kExact: return look->optimum_text;
+    default: return look->previous_text;
   }
 }
 
@@ -106,22 +99,20 @@ void draw_mark(ImDrawList* list, const Look& look, ImVec2 at, const ChartSeries&
                       look->stroke * 0.7f);
   };
   switch (series.shape) {
-  case ChartShape::kDisc:
-    list->AddCircleFilled(at, r, inside);
-    return list->AddCircle(at, r, color, 0, look->stroke * 0.7f);
-  case ChartShape::kDiamond:
-    return polygon(
-        {{at.x, at.y - r * 1.3f}, {at.x + r * 1.3f, at.y}, {at.x, at.y + r * 1.3f}, {at.x - r * 1.3f, at.y}});
-  case ChartShape::kSquare:
-    return polygon({{at.x - r, at.y - r}, {at.x + r, at.y - r}, {at.x + r, at.y + r}, {at.x - r, at.y + r}});
-  case ChartShape::kTriangle:
-    return polygon({{at.x, at.y - r * 1.2f}, {at.x + r * 1.2f, at.y + r}, {at.x - r * 1.2f, at.y + r}});
-  case ChartShape::kTriangleDown:
-    return polygon({{at.x, at.y + r * 1.2f}, {at.x - r * 1.2f, at.y - r}, {at.x + r * 1.2f, at.y - r}});
-  case ChartShape::kPlus:
-    return plus(list, at, r * 1.3f, color, look->stroke);
-  case ChartShape::kCross:
-    return cross(list, at, r, color, look->stroke);
+    case ChartShape::kDisc:
+      list->AddCircleFilled(at, r, inside);
+      return list->AddCircle(at, r, color, 0, look->stroke * 0.7f);
+    case ChartShape::kDiamond:
+      return polygon(
+          {{at.x, at.y - r * 1.3f}, {at.x + r * 1.3f, at.y}, {at.x, at.y + r * 1.3f}, {at.x - r * 1.3f, at.y}});
+    case ChartShape::kSquare:
+      return polygon({{at.x - r, at.y - r}, {at.x + r, at.y - r}, {at.x + r, at.y + r}, {at.x - r, at.y + r}});
+    case ChartShape::kTriangle:
+      return polygon({{at.x, at.y - r * 1.2f}, {at.x + r * 1.2f, at.y + r}, {at.x - r * 1.2f, at.y + r}});
+    case ChartShape::kTriangleDown:
+      return polygon({{at.x, at.y + r * 1.2f}, {at.x - r * 1.2f, at.y - r}, {at.x + r * 1.2f, at.y - r}});
+    case ChartShape::kPlus: return plus(list, at, r * 1.3f, color, look->stroke);
+    case ChartShape::kCross: return cross(list, at, r, color, look->stroke);
   }
 }
 
@@ -139,7 +130,8 @@ class Legend {
     for (const Entry& entry : entries_) {
       const ImVec2 at{from.x + entry.x, from.y + static_cast<float>(entry.row) * row() + row() / 2};
       draw_mark(list, look_, {at.x + kMark, at.y}, *entry.series);
-      text(list, look_, Face::kRegular, kSize, {at.x + kIndent, middle_of(at.y, look_.px(kSize))}, look_->ink, entry.words);
+      text(list, look_, Face::kRegular, kSize, {at.x + kIndent, middle_of(at.y, look_.px(kSize))}, look_->ink,
+           entry.words);
     }
   }
 
@@ -220,8 +212,7 @@ struct Plot {
     for (const ChartSeries& one : chart.series) {
       const Color color = mark_color(look, one.role);
       std::vector<ImVec2> way;
-      for (const ChartPoint& p : one.points)
-        way.push_back(at(p));
+      for (const ChartPoint& p : one.points) way.push_back(at(p));
       const Stroke stroke = one.role == ChartRole::kThen ? Stroke::kDotted : Stroke::kSolid;
       if (one.line && way.size() > 1) path(list, way, false, stroke, with_alpha(color, 0.7f), look->stroke * 0.7f);
       for (const ChartPoint& p : one.points)
@@ -243,8 +234,7 @@ struct Plot {
     for (const ChartSeries& one : chart.series) {
       const ImVec2 end = one.points.empty() ? ImVec2(frame.x, frame.y) : at(one.points.back());
       const ImVec2 size = measure(look, Face::kRegular, kSize, one.name);
-      requests.push_back(
-          {end.x, end.y, kMark * look->mark + 3, size.x, size.y, 0.7f, -0.7f, false, true});
+      requests.push_back({end.x, end.y, kMark * look->mark + 3, size.x, size.y, 0.7f, -0.7f, false, true});
       for (const ChartPoint& p : one.points) {
         obstacles.discs.push_back({at(p).x, at(p).y, kMark * look->mark + 2});
         if (p.x_low < p.x_high) obstacles.segments.push_back({x.at(p.x_low), at(p).y, x.at(p.x_high), at(p).y});
@@ -292,8 +282,9 @@ struct Plot {
     const ImVec2 place = at(p);
     ring(list, place, kMark * look->mark + 4, look->support, 2);
     const std::string name = full_name(one) + (one.slope ? " (dashed)" : "");
-    const std::string words = chart_figure(chart.x.unit, p.x) + (chart.x.unit == ChartUnit::kCount ? " " + chart.x.title : "") +
-                              ", " + chart_figure(chart.y.unit, p.y);
+    const std::string words = chart_figure(chart.x.unit, p.x) +
+                              (chart.x.unit == ChartUnit::kCount ? " " + chart.x.title : "") + ", " +
+                              chart_figure(chart.y.unit, p.y);
     const float width =
         std::max(measure(look, Face::kSemiBold, kSize, name).x, measure(look, Face::kMono, kSize, words).x) + 24;
     const float height = 2 * look.px(kSize) + 24;
@@ -317,17 +308,13 @@ std::string full_name(const ChartSeries& series) {
 
 std::string chart_figure(ChartUnit unit, double value) {
   switch (unit) {
-  case ChartUnit::kTime:
-    return time_figure(value);
-  case ChartUnit::kCount:
-    return grouped(value);
-  case ChartUnit::kPercent:
-    if (std::abs(value) < kNothing) return "0 %";
-    return value < 9.995 ? said("%.3g %%", 100 * value) : grouped(100 * value) + " %";
-  case ChartUnit::kDegrees:
-    return said("%.3g°", value);
-  case ChartUnit::kRatio:
-    break;
+    case ChartUnit::kTime: return time_figure(value);
+    case ChartUnit::kCount: return grouped(value);
+    case ChartUnit::kPercent:
+      if (std::abs(value) < kNothing) return "0 %";
+      return value < 9.995 ? said("%.3g %%", 100 * value) : grouped(100 * value) + " %";
+    case ChartUnit::kDegrees: return said("%.3g°", value);
+    case ChartUnit::kRatio: break;
   }
   return said("%.4g", value);
 }
@@ -376,8 +363,9 @@ std::optional<ChartHit> draw_chart(ImDrawList* list, const Look& look, const Rec
   const float under = top + look.px(kTitle) + 8;
   const Legend legend(look, chart, rect.width - 32);
   const bool noted = legend.height() == 0 || rect.height >= kLittleRoom;
-  const float note = !noted ? -8 : paragraph(list, look, Face::kRegular, kSize, kSize * 1.5f, {left, under}, rect.width - 32,
-                               look->muted, chart.note);
+  const float note = !noted ? -8
+                            : paragraph(list, look, Face::kRegular, kSize, kSize * 1.5f, {left, under}, rect.width - 32,
+                                        look->muted, chart.note);
   text(list, look, Face::kRegular, kSize, {left, under + note + 8}, look->muted, chart.y.title);
 
   Plot plot{list, look, chart, {}, scale_of(chart, true), scale_of(chart, false)};
@@ -385,7 +373,8 @@ std::optional<ChartHit> draw_chart(ImDrawList* list, const Look& look, const Rec
   for (const ChartTick& tick : chart_ticks(chart.y, plot.y.from, plot.y.to, 12))
     widest = std::max(widest, measure(look, Face::kMono, kSize, tick.label).x);
   const float above = under + note + 16 + line - rect.y;
-  plot.frame = {left + widest + 8, rect.y + above, rect.width - widest - 48, rect.height - above - 2 * line - (legend.height() > 0 ? 20 : 32) - legend.height()};
+  plot.frame = {left + widest + 8, rect.y + above, rect.width - widest - 48,
+                rect.height - above - 2 * line - (legend.height() > 0 ? 20 : 32) - legend.height()};
   if (plot.frame.width < 1 || plot.frame.height < 1) return std::nullopt;
   plot.x.begin = plot.frame.x, plot.x.end = plot.frame.x + plot.frame.width;
   plot.y.begin = plot.frame.y + plot.frame.height, plot.y.end = plot.frame.y;

@@ -24,10 +24,10 @@ inline constexpr int kChartShapes = 7;
 
 /// What a series is, which says its colour and line.
 enum class ChartRole : std::uint8_t {
-  kPlain,  // a rival
+  kPlain,   // a rival
   kChosen,  // of the front
-  kExact,  // the smallest of its kind, proven
-  kThen,   // of an earlier result
+  kExact,   // the smallest of its kind, proven
+  kThen,    // of an earlier result
 };
 
 struct ChartPoint {
@@ -37,12 +37,13 @@ struct ChartPoint {
 
 struct ChartSeries {
   std::string name;
-  std::string figure, beside;     // of a line: what is found of it and what it is held against; may be empty
-  std::optional<double> slope;    // of a line between log axes: what it is held against, drawn through its last point where it is looked at
+  std::string figure, beside;  // of a line: what is found of it and what it is held against; may be empty
+  std::optional<double>
+      slope;  // of a line between log axes: what it is held against, drawn through its last point where it is looked at
   ChartShape shape = ChartShape::kDisc;
   ChartRole role = ChartRole::kPlain;
-  bool line = false;              // whether its points are joined, by rising x
-  bool hollow = false;            // measured on fewer points than the others, or not to be trusted
+  bool line = false;               // whether its points are joined, by rising x
+  bool hollow = false;             // measured on fewer points than the others, or not to be trusted
   std::vector<ChartPoint> points;  // finite; above 0 on a log axis
   int row = -1;                    // of the present table, where it is one of its rows
 };

@@ -9,24 +9,47 @@ struct Row {
   std::string_view key, command;
 };
 
-constexpr std::array kAlways{
-    Row{" ", "play"}, Row{"Home", "first"}, Row{"End", "last"}, Row{"PageDown", "next_mark"}, Row{"PageUp", "previous_mark"},
-    Row{"Delete", "delete_point"}, Row{"Backspace", "delete_point"}, Row{"Escape", "select_none"}, Row{"a", "add_point"},
-    Row{"A", "add_point"}, Row{"+", "zoom_in"}, Row{"=", "zoom_in"}, Row{"-", "zoom_out"}, Row{"0", "reset_view"},
-    Row{"<", "slower"}, Row{">", "faster"}, Row{"[", "select_previous"}, Row{"]", "select_next"}, Row{"o", "toggle_optimum"},
-    Row{"O", "toggle_optimum"}, Row{"s", "skip_question"}, Row{"S", "skip_question"}};
-constexpr std::array kWithControl{Row{"z", "undo"}, Row{"Z", "redo"}, Row{"y", "redo"}, Row{"Y", "redo"},
-                                  Row{"ArrowLeft", "orbit_left"}, Row{"ArrowRight", "orbit_right"},
-                                  Row{"ArrowUp", "orbit_up"}, Row{"ArrowDown", "orbit_down"}};
-constexpr std::array kStepping{Row{"ArrowRight", "step"}, Row{"ArrowLeft", "back"}, Row{"ArrowDown", "step"}, Row{"ArrowUp", "back"}};
+constexpr std::array kAlways{Row{" ", "play"},
+                             Row{"Home", "first"},
+                             Row{"End", "last"},
+                             Row{"PageDown", "next_mark"},
+                             Row{"PageUp", "previous_mark"},
+                             Row{"Delete", "delete_point"},
+                             Row{"Backspace", "delete_point"},
+                             Row{"Escape", "select_none"},
+                             Row{"a", "add_point"},
+                             Row{"A", "add_point"},
+                             Row{"+", "zoom_in"},
+                             Row{"=", "zoom_in"},
+                             Row{"-", "zoom_out"},
+                             Row{"0", "reset_view"},
+                             Row{"<", "slower"},
+                             Row{">", "faster"},
+                             Row{"[", "select_previous"},
+                             Row{"]", "select_next"},
+                             Row{"o", "toggle_optimum"},
+                             Row{"O", "toggle_optimum"},
+                             Row{"s", "skip_question"},
+                             Row{"S", "skip_question"}};
+constexpr std::array kWithControl{Row{"z", "undo"},
+                                  Row{"Z", "redo"},
+                                  Row{"y", "redo"},
+                                  Row{"Y", "redo"},
+                                  Row{"ArrowLeft", "orbit_left"},
+                                  Row{"ArrowRight", "orbit_right"},
+                                  Row{"ArrowUp", "orbit_up"},
+                                  Row{"ArrowDown", "orbit_down"}};
+constexpr std::array kStepping{Row{"ArrowRight", "step"}, Row{"ArrowLeft", "back"}, Row{"ArrowDown", "step"},
+                               Row{"ArrowUp", "back"}};
 constexpr std::array kMoving{Row{"ArrowLeft", "move_left"}, Row{"ArrowRight", "move_right"}, Row{"ArrowUp", "move_up"},
-                             Row{"ArrowDown", "move_down"}, Row{".", "move_nearer"}, Row{",", "move_farther"}};
+                             Row{"ArrowDown", "move_down"}, Row{".", "move_nearer"},         Row{",", "move_farther"}};
 constexpr std::array kMovingFine{Row{"ArrowLeft", "move_left_fine"}, Row{"ArrowRight", "move_right_fine"},
-                                 Row{"ArrowUp", "move_up_fine"}, Row{"ArrowDown", "move_down_fine"},
-                                 Row{">", "move_nearer_fine"}, Row{"<", "move_farther_fine"}};
+                                 Row{"ArrowUp", "move_up_fine"},     Row{"ArrowDown", "move_down_fine"},
+                                 Row{">", "move_nearer_fine"},       Row{"<", "move_farther_fine"}};
 
-constexpr std::array kOnChart{Row{"ArrowRight", "chart_next"}, Row{"ArrowDown", "chart_down"}, Row{"ArrowLeft", "chart_previous"},
-                              Row{"ArrowUp", "chart_up"}, Row{"Enter", "chart_load"}};
+constexpr std::array kOnChart{Row{"ArrowRight", "chart_next"}, Row{"ArrowDown", "chart_down"},
+                              Row{"ArrowLeft", "chart_previous"}, Row{"ArrowUp", "chart_up"},
+                              Row{"Enter", "chart_load"}};
 
 std::string_view found(const auto& rows, std::string_view key) {
   for (const Row& row : rows)

@@ -27,7 +27,9 @@ std::string said(const char* format, double value) {
 ChartShape shape_of(std::size_t i) { return static_cast<ChartShape>(i % kChartShapes); }
 
 /// Without how many points there are, which the axis or the table says: "cube" of "cube:1000".
-std::string title_of(const char* what, const cost::Provenance& p) { return what + p.points.substr(0, p.points.find(':')); }
+std::string title_of(const char* what, const cost::Provenance& p) {
+  return what + p.points.substr(0, p.points.find(':'));
+}
 
 std::string note_of(const cost::Provenance& p) {
   return p.scalar + ", seed " + std::to_string(p.seed) + "; " + p.platform + ", " + p.build +
@@ -40,7 +42,8 @@ bool of_one_volume(const std::vector<cost::CostRow>& rows) {
 
 /// "OBB", "Sphere"
 std::string heading_of(const std::string& volume) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kShort{{{"obb", "OBB"}, {"aabb", "AABB"}, {"kdop", "k-DOP"}}};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kShort{
+      {{"obb", "OBB"}, {"aabb", "AABB"}, {"kdop", "k-DOP"}}};
   for (const auto& [name, text] : kShort)
     if (name == volume) return std::string(text);
   return static_cast<char>(std::toupper(static_cast<unsigned char>(volume[0]))) + volume.substr(1);
@@ -75,8 +78,10 @@ CostLook look_of(const std::vector<cost::CostRow>& rows) {
   CostLook look{of_one_volume(rows), Against::kFound, std::numeric_limits<double>::infinity()};
   for (const cost::CostRow& row : rows)
     if (!row.is_flat() && row.points == row.of) look.found = std::min(look.found, row.measure);
-  if (look.one && all([](const cost::CostRow& row) { return row.tightness.has_value(); })) look.against = Against::kSmallest;
-  else if (!look.one || all([](const cost::CostRow& row) { return row.over_hull.has_value(); })) look.against = Against::kHull;
+  if (look.one && all([](const cost::CostRow& row) { return row.tightness.has_value(); }))
+    look.against = Against::kSmallest;
+  else if (!look.one || all([](const cost::CostRow& row) { return row.over_hull.has_value(); }))
+    look.against = Against::kHull;
   return look;
 }
 
@@ -90,16 +95,14 @@ void add_costs(Chart& chart, const std::vector<cost::CostRow>& rows, const CostL
                        .hollow = row.points < row.of || !row.time.trusted,
                        .points = {point_of(row.time, *y)},
                        .row = then ? -1 : static_cast<int>(i)};
-    if (then)
-      series.role = ChartRole::kThen;
-    else if (look.against == Against::kSmallest && *y <= 1)
-      series.role = ChartRole::kExact;
-    else if (row.on_front)
-      series.role = ChartRole::kChosen;
+    if (then) series.role = ChartRole::kThen;
+    else if (look.against == Against::kSmallest && *y <= 1) series.role = ChartRole::kExact;
+    else if (row.on_front) series.role = ChartRole::kChosen;
     if (row.points < row.of && !then) series.name += " (" + std::to_string(row.points) + " points)";
     if (row.on_front && !then) {
       const ChartPoint& own = series.points[0];
-      chart.front.insert(std::find_if(chart.front.begin(), chart.front.end(), [&](const ChartPoint& p) { return p.x > own.x; }), own);
+      chart.front.insert(
+          std::find_if(chart.front.begin(), chart.front.end(), [&](const ChartPoint& p) { return p.x > own.x; }), own);
     }
     chart.series.push_back(std::move(series));
   }
@@ -117,11 +120,15 @@ std::vector<std::span<const Row>> cut(const std::vector<Row>& rows, Same same) {
 }
 
 ChartSeries line_series(std::size_t line, bool then) {
-  return {.shape = shape_of(line), .role = then ? ChartRole::kThen : ChartRole::kChosen, .line = true, .row = then ? -1 : static_cast<int>(line)};
+  return {.shape = shape_of(line),
+          .role = then ? ChartRole::kThen : ChartRole::kChosen,
+          .line = true,
+          .row = then ? -1 : static_cast<int>(line)};
 }
 
 void add_growth(Chart& chart, const std::vector<cost::GrowthRow>& rows, bool then) {
-  const bool one = std::all_of(rows.begin(), rows.end(), [&](const cost::GrowthRow& row) { return row.volume == rows[0].volume; });
+  const bool one =
+      std::all_of(rows.begin(), rows.end(), [&](const cost::GrowthRow& row) { return row.volume == rows[0].volume; });
   const auto lines = lines_of(rows);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     ChartSeries series = line_series(i, then);
@@ -148,7 +155,9 @@ void add_turn(Chart& chart, const std::vector<cost::TurnRow>& rows, bool then) {
     const bool of_many = tight > 1 && always_tight(lines[i]);
     if (of_many && std::exchange(tight_is_there, true)) continue;
     ChartSeries series = line_series(i, then);
-    if (!then) series.name = of_many ? std::to_string(tight) + " that are always tight" : update_title(lines[i][0].volume, lines[i][0].strategy);
+    if (!then)
+      series.name = of_many ? std::to_string(tight) + " that are always tight"
+                            : update_title(lines[i][0].volume, lines[i][0].strategy);
     for (const cost::TurnRow& row : lines[i])
       if (row.slack) series.points.push_back({row.degrees, *row.slack, row.degrees, row.degrees});
     if (series.points.empty()) continue;
@@ -159,14 +168,19 @@ void add_turn(Chart& chart, const std::vector<cost::TurnRow>& rows, bool then) {
 }  // namespace
 
 std::vector<std::span<const cost::GrowthRow>> lines_of(const std::vector<cost::GrowthRow>& rows) {
-  return cut(rows, [](const cost::GrowthRow& a, const cost::GrowthRow& b) { return a.volume == b.volume && a.algorithm == b.algorithm; });
+  return cut(rows, [](const cost::GrowthRow& a, const cost::GrowthRow& b) {
+    return a.volume == b.volume && a.algorithm == b.algorithm;
+  });
 }
 std::vector<std::span<const cost::TurnRow>> lines_of(const std::vector<cost::TurnRow>& rows) {
-  return cut(rows, [](const cost::TurnRow& a, const cost::TurnRow& b) { return a.volume == b.volume && a.strategy == b.strategy; });
+  return cut(rows, [](const cost::TurnRow& a, const cost::TurnRow& b) {
+    return a.volume == b.volume && a.strategy == b.strategy;
+  });
 }
 
 bool always_tight(std::span<const cost::TurnRow> line) {
-  return std::all_of(line.begin(), line.end(), [](const cost::TurnRow& row) { return row.slack && *row.slack < kRounding; });
+  return std::all_of(line.begin(), line.end(),
+                     [](const cost::TurnRow& row) { return row.slack && *row.slack < kRounding; });
 }
 
 std::string algorithm_title(std::string_view volume, std::string_view algorithm) {
@@ -189,9 +203,11 @@ std::string theory_words(const cost::GrowthRow& row) {
 
 Chart cost_chart(const cost::Table<cost::CostRow>& now, const cost::Table<cost::CostRow>* then) {
   const CostLook look = look_of(now.rows);
-  constexpr std::array kAgainst{"times the smallest of its kind", "times the convex hull’s size", "times the smallest found here"};
-  Chart chart{.title = title_of(look.one && !now.rows.empty() ? (heading_of(now.rows[0].volume) + ": accuracy against time, ").c_str()
-                                                         : "Accuracy against time, ",
+  constexpr std::array kAgainst{"times the smallest of its kind", "times the convex hull’s size",
+                                "times the smallest found here"};
+  Chart chart{.title = title_of(look.one && !now.rows.empty()
+                                    ? (heading_of(now.rows[0].volume) + ": accuracy against time, ").c_str()
+                                    : "Accuracy against time, ",
                                 now.provenance),
               .note = note_of(now.provenance),
               .x = {"time of one fit", ChartUnit::kTime, true},

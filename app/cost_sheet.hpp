@@ -67,8 +67,12 @@ class CostSheetOf final : public CostSheet {
   void clear() override { run_.reset(), table = {}, then_.reset(); }
   [[nodiscard]] std::size_t rows() const override { return table.rows.size(); }
   [[nodiscard]] Chart chart() const override { return draw_(table, then_ ? &*then_ : nullptr); }
-  [[nodiscard]] std::string csv() const override { return cost::csv_of(table.provenance, std::span<const Row>(table.rows)); }
-  [[nodiscard]] std::string json() const override { return cost::json_of(table.provenance, std::span<const Row>(table.rows)); }
+  [[nodiscard]] std::string csv() const override {
+    return cost::csv_of(table.provenance, std::span<const Row>(table.rows));
+  }
+  [[nodiscard]] std::string json() const override {
+    return cost::json_of(table.provenance, std::span<const Row>(table.rows));
+  }
   [[nodiscard]] const cost::Provenance& about() const override { return table.provenance; }
   [[nodiscard]] const cost::Provenance* then() const override { return then_ ? &then_->provenance : nullptr; }
 

@@ -64,13 +64,15 @@ std::optional<CostView> view_named(std::string_view name) {
 }  // namespace
 
 Costs::Costs(const Platform& platform)
-    : longest_growing_(platform.longest_run),
-      sheets_{std::make_unique<AccuracySheet>(cost_chart), std::make_unique<GrowthSheet>(growth_chart), std::make_unique<TurnSheet>(turn_chart)} {
+    : longest_growing_(platform.longest_run), sheets_{std::make_unique<AccuracySheet>(cost_chart),
+                                                      std::make_unique<GrowthSheet>(growth_chart),
+                                                      std::make_unique<TurnSheet>(turn_chart)} {
   if (platform.clock == nullptr) return;
   clock_ = platform.clock;
   here_ = platform.here;
   here_.clock_resolution_ns = cost::resolution_of(clock_);
-  options_.timing = {.repeats = kRepeats, .batch = cost::batch_length(here_.clock_resolution_ns, kLeastBatch, kMostBatch)};
+  options_.timing = {.repeats = kRepeats,
+                     .batch = cost::batch_length(here_.clock_resolution_ns, kLeastBatch, kMostBatch)};
   options_.limits = {.longest = kLongest, .longest_watched = kLongestWatched};
 }
 Costs::~Costs() = default;
@@ -92,10 +94,10 @@ tl::expected<void, InputError> Costs::load(lesson::Session& session, const io::P
   const auto n = static_cast<Index>(file.points.size());
   if (n <= kMostShown) return session.load(file, name);
   if (file.points.size() > kMostMeasured)
-    return tl::unexpected(InputError{.what = "there are " + chart_figure(ChartUnit::kCount, static_cast<double>(file.points.size())) +
-                                             " points, and costs are measured on at most " +
-                                             chart_figure(ChartUnit::kCount, kMostMeasured),
-                                     .file = std::string(name)});
+    return tl::unexpected(InputError{
+        .what = "there are " + chart_figure(ChartUnit::kCount, static_cast<double>(file.points.size())) +
+                " points, and costs are measured on at most " + chart_figure(ChartUnit::kCount, kMostMeasured),
+        .file = std::string(name)});
   auto set = io::to_point_set(file, name, 0, false);
   if (!set) return tl::unexpected(std::move(set.error()));
   const AnyPointSet some = cost::sample(*set, kMostShown, session.seed());
@@ -168,7 +170,8 @@ void Costs::start_growth(const lesson::Session& session, cost::Provenance about)
                                    : std::make_shared<cost::PointStock>(kind, session.dim(), false, session.seed());
   if (!kind.empty()) about.points = kind + ":" + std::to_string(most);
   std::vector<cost::Workload> loads;
-  for (const fit::Algorithm* algorithm : algorithms_of(session)) loads.push_back(cost::workload_of(*algorithm, session.dim(), most, points, options_.fit));
+  for (const fit::Algorithm* algorithm : algorithms_of(session))
+    loads.push_back(cost::workload_of(*algorithm, session.dim(), most, points, options_.fit));
   cost::TimingOptions timing = options_.timing;
   timing.repeats = kRepeatsOnLine, timing.enough = kEnoughOnLine;
   static_cast<GrowthSheet&>(of(CostView::kGrowth))
@@ -182,7 +185,8 @@ void Costs::start_turn(cost::Provenance about) {
   cost::TimingOptions timing = options_.timing;
   timing.repeats = kRepeatsOnLine;
   static_cast<TurnSheet&>(of(CostView::kTurn))
-      .start(std::make_unique<cost::TurnRun>(*subject_, std::move(strategies), kFrames, timing, clock_), std::move(about));
+      .start(std::make_unique<cost::TurnRun>(*subject_, std::move(strategies), kFrames, timing, clock_),
+             std::move(about));
 }
 
 /// What is ready goes onto the chart.
@@ -247,7 +251,8 @@ std::optional<ChartHit> Costs::focused() const {
   return std::nullopt;
 }
 
-/// The chart's points in the order of the keys: by rising time, along a line and on along the next, or from line to line.
+/// The chart's points in the order of the keys: by rising time, along a line and on along the next, or from line to
+/// line.
 std::vector<ChartHit> Costs::stops(bool to_line) const {
   std::vector<ChartHit> stops;
   const auto x_of = [&](const ChartHit& hit) { return chart_.series[hit.series].points[hit.point].x; };
@@ -257,7 +262,10 @@ std::vector<ChartHit> Costs::stops(bool to_line) const {
     const std::size_t last = series.points.size() - 1, only = std::min(focus_point_, last);
     for (std::size_t k = to_line ? only : 0; k <= (to_line ? only : last); ++k) {
       const ChartHit hit{i, k};
-      stops.insert(series.line ? stops.end() : std::find_if(stops.begin(), stops.end(), [&](const ChartHit& other) { return x_of(other) > x_of(hit); }), hit);
+      stops.insert(series.line ? stops.end()
+                               : std::find_if(stops.begin(), stops.end(),
+                                              [&](const ChartHit& other) { return x_of(other) > x_of(hit); }),
+                   hit);
     }
   }
   return stops;
@@ -269,9 +277,11 @@ void Costs::move_focus(int by, bool to_line) {
   if (order.empty()) return;
   const auto now = focused();
   const auto n = static_cast<int>(order.size());
-  const auto found = std::find_if(order.begin(), order.end(), [&](const ChartHit& hit) { return now && hit.series == now->series && hit.point == now->point; });
+  const auto found = std::find_if(order.begin(), order.end(), [&](const ChartHit& hit) {
+    return now && hit.series == now->series && hit.point == now->point;
+  });
   const int at = found == order.end() ? (by > 0 ? 0 : n - 1) : (static_cast<int>(found - order.begin()) + by + n) % n;
-  const ChartHit& to = order[static_cast<std::size_t>(at)];
+  const ChartHit& to = order[at];
   focus_row_ = chart_.series[to.series].row;
   focus_point_ = to.point;
   ++version_;
@@ -279,10 +289,11 @@ void Costs::move_focus(int by, bool to_line) {
 
 bool Costs::load_algorithm(lesson::Session& session) {
   if (focus_row_ < 0 || view_ != CostView::kAccuracy) return false;
-  const cost::CostRow& row = table().rows[static_cast<std::size_t>(focus_row_)];
+  const cost::CostRow& row = table().rows[focus_row_];
   ++version_;
   if (row.whole_ns && row.points < session.size() && *row.whole_ns > kLongestLoaded) {
-    refused_ = algorithm_title(row.volume, row.algorithm) + " would take about " + chart_figure(ChartUnit::kTime, *row.whole_ns) +
+    refused_ = algorithm_title(row.volume, row.algorithm) + " would take about " +
+               chart_figure(ChartUnit::kTime, *row.whole_ns) +
                " on all points: it was measured on fewer, and is not loaded.";
     return false;
   }
@@ -297,7 +308,9 @@ std::string Costs::caption(const lesson::Session& session) const {
   if (running() && *at_work_ != view_) return "Another chart is being measured: this one waits.";
   if (running()) {
     const bool turn = view_ == CostView::kTurn;
-    const auto lines = turn ? lines_of(this->turn().rows).size() : view_ == CostView::kGrowth ? lines_of(growth().rows).size() : table().rows.size() + 1;
+    const auto lines = turn                         ? lines_of(this->turn().rows).size()
+                       : view_ == CostView::kGrowth ? lines_of(growth().rows).size()
+                                                    : table().rows.size() + 1;
     const auto all = turn ? 0 : session.lesson().algorithms.size();
     return measuring_caption(static_cast<int>(lines > 0 ? lines - 1 : 0), static_cast<int>(all));
   }
@@ -305,7 +318,7 @@ std::string Costs::caption(const lesson::Session& session) const {
   if (focus_row_ >= 0 && any) {
     if (view_ == CostView::kGrowth) return growth_caption(growth(), focus_row_, focus_point_);
     if (view_ == CostView::kTurn) return turn_caption(turn(), focus_row_, focus_point_);
-    return accuracy_caption(table().rows[static_cast<std::size_t>(focus_row_)]);
+    return accuracy_caption(table().rows[focus_row_]);
   }
   if (session.asked() != nullptr) return "Predict first, then measure.";
   if (!any) return "Nothing is measured yet: press Measure.";
@@ -337,8 +350,9 @@ std::vector<Handle> Costs::handles() const {
   for (std::size_t i = 0; i < places_.size() && i < chart_.series.size(); ++i) {
     const int row = chart_.series[i].row;
     if (row < 0) continue;
-    if (view_ == CostView::kAccuracy) handles.push_back({table().rows[static_cast<std::size_t>(row)].algorithm, places_[i].x, places_[i].y});
-    else if (view_ == CostView::kGrowth) handles.push_back({lines_of(growth().rows)[static_cast<std::size_t>(row)][0].algorithm, places_[i].x, places_[i].y});
+    if (view_ == CostView::kAccuracy) handles.push_back({table().rows[row].algorithm, places_[i].x, places_[i].y});
+    else if (view_ == CostView::kGrowth)
+      handles.push_back({lines_of(growth().rows)[row][0].algorithm, places_[i].x, places_[i].y});
     else handles.push_back({chart_.series[i].name, places_[i].x, places_[i].y});
   }
   return handles;

@@ -1,5 +1,5 @@
-// What accuracy costs on the session's points: measured in slices between the frames, shown as one of three charts on the
-// stage: accuracy against time, time against the number of points, slack over a turn.
+// What accuracy costs on the session's points: measured in slices between the frames, shown as one of three charts on
+// the stage: accuracy against time, time against the number of points, slack over a turn.
 #pragma once
 
 #include <array>
@@ -36,8 +36,8 @@ class Costs {
   /// A file's points. Of more than the stage can hold it shows some, and all of them are measured. Errors: as of
   /// Session::load; more than kMostMeasured.
   tl::expected<void, InputError> load(lesson::Session& session, const io::PointFile& file, std::string_view name);
-  /// An earlier result, to lie over the present one, whose chart is shown then. Row: CostRow, GrowthRow or TurnRow. false:
-  /// that chart is not to be had before the predictions.
+  /// An earlier result, to lie over the present one, whose chart is shown then. Row: CostRow, GrowthRow or TurnRow.
+  /// false: that chart is not to be had before the predictions.
   template <class Row>
   bool lay_over(const lesson::Session& session, cost::Table<Row> then);
 
@@ -91,7 +91,7 @@ class Costs {
   cost::Provenance here_;
   cost::CostOptions options_;
   double longest_growing_ = 0;
-  std::optional<AnyPointSet> whole_, some_;  // a large file's points, and those of them that the session has
+  std::optional<AnyPointSet> whole_, some_;        // a large file's points, and those of them that the session has
   std::optional<AnyPointSet> subject_, at_start_;  // of the run: its points, and the session's
   std::array<std::unique_ptr<CostSheet>, kCostViews> sheets_;
   std::optional<CostView> at_work_;

@@ -51,7 +51,8 @@ void flat(const GlScene& scene, int width, int height, float scale, Strips& stri
     if (!(pitch * kMostLines > size[axis])) continue;
     const float half = 0.5f * size[axis], reach = 0.5f * size[1 - axis];
     for (float at = origin[axis] - std::floor((origin[axis] + 1) / pitch) * pitch; at < size[axis] + 1; at += pitch)
-      axis == 0 ? strips.add({at - half, -reach, 1}, {at - half, reach, 1}) : strips.add({-reach, at - half, 1}, {reach, at - half, 1});
+      axis == 0 ? strips.add({at - half, -reach, 1}, {at - half, reach, 1})
+                : strips.add({-reach, at - half, 1}, {reach, at - half, 1});
   }
 }
 
@@ -79,7 +80,9 @@ class Plane {
     const float step = 0.01f * scene_.plane_step;
     const Seen right = seen(x + step, z), front = seen(x, z + step);
     if (at.w <= kNear || right.w <= kNear || front.w <= kNear) return 0;
-    const auto moved = [&](const Seen& to) { return std::array{(to.x / to.w - at.x / at.w) * 100, (to.y / to.w - at.y / at.w) * 100}; };
+    const auto moved = [&](const Seen& to) {
+      return std::array{(to.x / to.w - at.x / at.w) * 100, (to.y / to.w - at.y / at.w) * 100};
+    };
     const auto u = moved(right), v = moved(front);  // pixels per cell
     const float area = std::abs(u[0] * v[1] - u[1] * v[0]);
     const auto& other = along_z ? v : u;
@@ -100,7 +103,8 @@ class Plane {
     if (b.w < kNear) b = cut(a, b), b_share = a_share;
     const End from{a.x / a.w, a.y / a.w, a_share}, to{b.x / b.w, b.y / b.w, b_share};
     if (std::min(from.x, to.x) > half_width_ || std::max(from.x, to.x) < -half_width_ ||
-        std::min(from.y, to.y) > half_height_ || std::max(from.y, to.y) < -half_height_) return;
+        std::min(from.y, to.y) > half_height_ || std::max(from.y, to.y) < -half_height_)
+      return;
     strips.add(from, to);
   }
 

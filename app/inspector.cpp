@@ -18,7 +18,8 @@ namespace {
 class Column {
  public:
   Column(const Look& look, const Rect& rect)
-      : look_(look), list_(ImGui::GetWindowDrawList()), x_(rect.x + 24), width_(rect.width - 48), y_(rect.y + 24 - ImGui::GetScrollY()) {}
+      : look_(look), list_(ImGui::GetWindowDrawList()), x_(rect.x + 24), width_(rect.width - 48),
+        y_(rect.y + 24 - ImGui::GetScrollY()) {}
 
   void heading(std::string_view words) {
     text(list_, look_, Face::kSemiBold, 13, {x_, y_ + look_.px(5)}, look_->muted, words);
@@ -31,7 +32,8 @@ class Column {
     const float value = measure(look_, Face::kMonoBold, small, figure.text).x;
     const auto lines = lines_of(look_, Face::kRegular, size, figure.name, width_ - value - 10);
     float y = y_ + row / 2;
-    text_right(list_, look_, Face::kMonoBold, small, {x_ + width_, middle_of(y, look_.px(small))}, look_->ink, figure.text);
+    text_right(list_, look_, Face::kMonoBold, small, {x_ + width_, middle_of(y, look_.px(small))}, look_->ink,
+               figure.text);
     for (const std::string_view line : lines) {
       text(list_, look_, Face::kRegular, size, {x_, middle_of(y, look_.px(size))}, look_->ink, line);
       y += look_.px(leading);
@@ -42,11 +44,14 @@ class Column {
 
   void rival(const lesson::Session::Rival& rival, double widest, bool chosen, bool beside) {
     const float size = 14, small = 13;
-    const std::string value = chosen || !rival.excess ? lesson::number_text(rival.size) : lesson::percent_text(*rival.excess);
+    const std::string value =
+        chosen || !rival.excess ? lesson::number_text(rival.size) : lesson::percent_text(*rival.excess);
     const Color bar = chosen ? look_->current : look_->previous;
-    text_right(list_, look_, chosen ? Face::kMonoBold : Face::kMono, small, {x_ + width_, y_ + look_.px(4)}, chosen ? look_->current_text : look_->muted, value);
+    text_right(list_, look_, chosen ? Face::kMonoBold : Face::kMono, small, {x_ + width_, y_ + look_.px(4)},
+               chosen ? look_->current_text : look_->muted, value);
     const float room = width_ - measure(look_, Face::kMono, small, value).x - 10;
-    text(list_, look_, chosen || beside ? Face::kSemiBold : Face::kRegular, size, {x_, y_ + look_.px(3)}, look_->ink, shortened(look_, Face::kRegular, size, rival.algorithm->title, room));
+    text(list_, look_, chosen || beside ? Face::kSemiBold : Face::kRegular, size, {x_, y_ + look_.px(3)}, look_->ink,
+         shortened(look_, Face::kRegular, size, rival.algorithm->title, room));
     const float top = y_ + look_.px(24), height = 6;
     const float share = widest > 0 ? static_cast<float>(rival.size / widest) : 1.0f;
     list_->AddRectFilled({x_, top}, {x_ + width_, top + height}, look_->track, height / 2);
@@ -60,8 +65,12 @@ class Column {
     if (proof.holds) tick(list_, {x_ + 6, middle}, 5, look_->optimum, 2);
     else if (proof.claimed) cross(list_, {x_ + 6, middle}, 4, look_->wrong, 2);
     else list_->AddLine({x_ + 2, middle}, {x_ + 10, middle}, look_->muted, 2);
-    const float height = paragraph(list_, look_, Face::kRegular, size, leading, {x_ + indent, y_ + look_.px(4)}, width_ - indent,
-                                   proof.holds ? look_->ink : proof.claimed ? look_->wrong_text : look_->muted, proof.text);
+    const float height =
+        paragraph(list_, look_, Face::kRegular, size, leading, {x_ + indent, y_ + look_.px(4)}, width_ - indent,
+                  proof.holds     ? look_->ink
+                  : proof.claimed ? look_->wrong_text
+                                  : look_->muted,
+                  proof.text);
     y_ += height + look_.px(8);
   }
 
@@ -94,16 +103,19 @@ bool in_panel(const lesson::Session& session, const lesson::Figure& figure) {
 }
 
 /// What two methods are compared by.
-constexpr std::array<std::string_view, 8> kCompared{"radius", "measure", "excess", "corners", "verdict", "slack", "cost", "compared"};
+constexpr std::array<std::string_view, 8> kCompared{"radius",  "measure", "excess", "corners",
+                                                    "verdict", "slack",   "cost",   "compared"};
 
 }  // namespace
 
 std::vector<lesson::Figure> figures_beside(const lesson::Session& session) {
   if (session.algorithm(1) == nullptr) return {};
-  const std::string step = std::to_string(session.step_of(1)) + " of " + std::to_string(session.recording(1).steps.size());
+  const std::string step =
+      std::to_string(session.step_of(1)) + " of " + std::to_string(session.recording(1).steps.size());
   std::vector<lesson::Figure> figures{{"Step", "step", step, static_cast<double>(session.step_of(1)), ""}};
   for (lesson::Figure& figure : session.figures(1))
-    if (std::find(kCompared.begin(), kCompared.end(), figure.key) != kCompared.end()) figures.push_back(std::move(figure));
+    if (std::find(kCompared.begin(), kCompared.end(), figure.key) != kCompared.end())
+      figures.push_back(std::move(figure));
   return figures;
 }
 
@@ -130,7 +142,8 @@ void draw_inspector(const Look& look, lesson::Session& session, const Rect& rect
     double widest = 0;
     for (const auto& rival : session.rivals()) widest = std::max(widest, rival.size);
     for (const auto& rival : session.rivals())
-      column.rival(rival, widest * 1.08, rival.algorithm == session.algorithm(0), rival.algorithm == session.algorithm(1));
+      column.rival(rival, widest * 1.08, rival.algorithm == session.algorithm(0),
+                   rival.algorithm == session.algorithm(1));
     column.gap(look.px(20));
   }
 

@@ -14,8 +14,9 @@ constexpr int kOptionalRings = 2;
 constexpr float kLineCost = 4;   // a line through a label makes it hard to read,
 constexpr float kPointCost = 3;  // a point beneath it only hides that point
 constexpr float kClearPointCost = 12;
-constexpr std::array kRingCosts{0.0f, 1.0f, 2.5f, 5.0f, 9.0f, 14.0f};  // far from what it names, a label is better over a line
-constexpr float kTurnCost = 0.6f;  // for each radian away from where it would stand
+constexpr std::array kRingCosts{0.0f, 1.0f, 2.5f,
+                                5.0f, 9.0f, 14.0f};  // far from what it names, a label is better over a line
+constexpr float kTurnCost = 0.6f;                    // for each radian away from where it would stand
 constexpr float kMostOfOptional = 3;
 
 float clamp_to(float value, float low, float high) { return std::max(low, std::min(value, high)); }
@@ -54,7 +55,8 @@ Obstacles near(const LabelRequest& request, const Obstacles& all) {
   Obstacles found{all.circles, all.segments, {}, {}};
   const float reach = request.gap + kRings.back() + std::hypot(request.width, request.height);
   for (const auto& disc : all.discs)
-    if (std::abs(disc.x - request.x) < reach + disc.radius && std::abs(disc.y - request.y) < reach + disc.radius) found.discs.push_back(disc);
+    if (std::abs(disc.x - request.x) < reach + disc.radius && std::abs(disc.y - request.y) < reach + disc.radius)
+      found.discs.push_back(disc);
   return found;
 }
 
@@ -68,9 +70,9 @@ std::optional<Rect> best_place(const LabelRequest& request, const Obstacles& all
   for (int ring = 0; ring < (request.optional ? kOptionalRings : static_cast<int>(kRings.size())); ++ring) {
     for (int k = 0; k < kDirections; ++k) {
       const float turn = static_cast<float>((k + 1) / 2) * (k % 2 == 0 ? -step : step);
-      const float own = kRingCosts[static_cast<std::size_t>(ring)] + kTurnCost * std::abs(turn);
+      const float own = kRingCosts[ring] + kTurnCost * std::abs(turn);
       if (own >= least) continue;
-      const Rect rect = at(request, toward + turn, request.gap + kRings[static_cast<std::size_t>(ring)]);
+      const Rect rect = at(request, toward + turn, request.gap + kRings[ring]);
       if (!inside(rect, bounds) || taken(rect, placed)) continue;
       const float cost = own + cost_of(rect, obstacles, request.clear_of_points ? kClearPointCost : kPointCost);
       if (cost < least) least = cost, best = rect;

@@ -22,7 +22,8 @@ float font_size(const Look& look, Face face, float size) {
 
 ImVec2 measure(const Look& look, Face face, float size, std::string_view words) {
   if (words.empty()) return {0, look.px(size)};  // an end of null is one that ImGui looks for itself
-  return {advance(look.font(face), font_size(look, face, size), words.data(), words.data() + words.size()), look.px(size)};
+  return {advance(look.font(face), font_size(look, face, size), words.data(), words.data() + words.size()),
+          look.px(size)};
 }
 
 void text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words) {
@@ -32,11 +33,13 @@ void text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, 
   list->AddText(look.font(face), box, at, color, words.data(), words.data() + words.size());
 }
 
-void text_right(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words) {
+void text_right(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color,
+                std::string_view words) {
   text(list, look, face, size, {at.x - measure(look, face, size, words).x, at.y}, color, words);
 }
 
-void text_middle(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words) {
+void text_middle(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color,
+                 std::string_view words) {
   text(list, look, face, size, {at.x - measure(look, face, size, words).x / 2, at.y}, color, words);
 }
 
@@ -62,7 +65,8 @@ std::vector<std::string_view> lines_of(const Look& look, Face face, float size, 
     while (end < words.size() && words[end] != '\n') {
       std::size_t next = end + 1;
       while (next < words.size() && continues(words[next])) ++next;
-      if (advance(font, px, words.data() + begin, words.data() + next) > width && end > begin && words[end] != ' ') break;
+      if (advance(font, px, words.data() + begin, words.data() + next) > width && end > begin && words[end] != ' ')
+        break;
       if (words[end] == ' ') space = end;
       end = next;
     }
@@ -75,8 +79,8 @@ std::vector<std::string_view> lines_of(const Look& look, Face face, float size, 
   return lines;
 }
 
-float paragraph(ImDrawList* list, const Look& look, Face face, float size, float leading, ImVec2 at, float width, Color color,
-                std::string_view words) {
+float paragraph(ImDrawList* list, const Look& look, Face face, float size, float leading, ImVec2 at, float width,
+                Color color, std::string_view words) {
   const float step = look.px(leading);
   float y = at.y + (step - look.px(size)) / 2;
   const auto lines = lines_of(look, face, size, words, width);
@@ -89,7 +93,8 @@ float paragraph(ImDrawList* list, const Look& look, Face face, float size, float
 
 void apply_style(const Look& look) {
   ImGuiStyle& style = ImGui::GetStyle();
-  style.CircleTessellationMaxError = 0.2f / std::max(1.0f, ImGui::GetIO().DisplayFramebufferScale.x);  // 0.2 device pixels
+  style.CircleTessellationMaxError =
+      0.2f / std::max(1.0f, ImGui::GetIO().DisplayFramebufferScale.x);  // 0.2 device pixels
   style.WindowPadding = {0, 0};
   style.WindowBorderSize = 0;
   style.WindowRounding = 0;
@@ -113,7 +118,8 @@ void apply_style(const Look& look) {
   style.Colors[ImGuiCol_PopupBg] = color(p.panel);
   style.Colors[ImGuiCol_Border] = color(p.line);
   style.Colors[ImGuiCol_BorderShadow] = {0, 0, 0, 0};
-  style.Colors[ImGuiCol_FrameBg] = style.Colors[ImGuiCol_FrameBgHovered] = style.Colors[ImGuiCol_FrameBgActive] = color(p.panel);
+  style.Colors[ImGuiCol_FrameBg] = style.Colors[ImGuiCol_FrameBgHovered] = style.Colors[ImGuiCol_FrameBgActive] =
+      color(p.panel);
   style.Colors[ImGuiCol_ScrollbarGrab] = color(p.line);
   style.Colors[ImGuiCol_ScrollbarGrabHovered] = style.Colors[ImGuiCol_ScrollbarGrabActive] = color(p.muted);
   style.Colors[ImGuiCol_TextSelectedBg] = color(with_alpha(p.current, 0.35f));

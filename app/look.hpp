@@ -34,15 +34,18 @@ struct Look {
 [[nodiscard]] ImVec2 measure(const Look& look, Face face, float size, std::string_view text);
 /// at: the top left of the line box, which is as high as the size.
 void text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words);
-void text_right(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words);
-void text_middle(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words);
+void text_right(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color,
+                std::string_view words);
+void text_middle(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color,
+                 std::string_view words);
 /// As much of it as fits, with an ellipsis where some does not.
 [[nodiscard]] std::string shortened(const Look& look, Face face, float size, std::string_view words, float width);
 /// Its lines at a width. Words longer than a line are broken.
-[[nodiscard]] std::vector<std::string_view> lines_of(const Look& look, Face face, float size, std::string_view words, float width);
+[[nodiscard]] std::vector<std::string_view> lines_of(const Look& look, Face face, float size, std::string_view words,
+                                                     float width);
 /// Draws lines and returns their height. leading: at text scale 1.
-float paragraph(ImDrawList* list, const Look& look, Face face, float size, float leading, ImVec2 at, float width, Color color,
-                std::string_view words);
+float paragraph(ImDrawList* list, const Look& look, Face face, float size, float leading, ImVec2 at, float width,
+                Color color, std::string_view words);
 
 /// Where the words' middle stands for a line box of this size: Inter's capitals sit a little above the box's middle.
 [[nodiscard]] inline float middle_of(float y, float size) { return y - size / 2; }

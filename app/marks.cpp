@@ -10,8 +10,8 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kDotPitch = 6.5f, kDash = 8, kDashGap = 5, kLongDash = 22, kLongGap = 7;  // page pixels at a width of 2
-constexpr float kFlat = 0.1f;                               // device pixels
-constexpr std::size_t kMostParts = 4000;                    // of one patterned path
+constexpr float kFlat = 0.1f;                                                             // device pixels
+constexpr std::size_t kMostParts = 4000;                                                  // of one patterned path
 
 bool near_clip(const ImDrawList* list, ImVec2 p, float reach) {
   const ImVec2 low = list->GetClipRectMin(), high = list->GetClipRectMax();
@@ -44,9 +44,10 @@ void patterned(ImDrawList* list, std::span<const ImVec2> points, bool closed, St
   const float scale = std::max(1.0f, width / 2);
   if (stroke != Stroke::kDotted) {
     const bool is_long = stroke == Stroke::kLongDashed;
-    walk(points, closed, (is_long ? kLongDash : kDash) * scale, (is_long ? kLongGap : kDashGap) * scale, [&](ImVec2 a, ImVec2 b) {
-      if (near_clip(list, a, 20)) list->AddLine(a, b, color, width);
-    });
+    walk(points, closed, (is_long ? kLongDash : kDash) * scale, (is_long ? kLongGap : kDashGap) * scale,
+         [&](ImVec2 a, ImVec2 b) {
+           if (near_clip(list, a, 20)) list->AddLine(a, b, color, width);
+         });
     return;
   }
   // A dot is a stretch of no length: the walk's parts of a hair's breadth give its place.
@@ -60,9 +61,9 @@ void patterned(ImDrawList* list, std::span<const ImVec2> points, bool closed, St
 void path(ImDrawList* list, std::span<const ImVec2> points, bool closed, Stroke stroke, Color color, float width) {
   if (points.size() < 2) return;
   if (stroke == Stroke::kSolid)
-    list->AddPolyline(points.data(), static_cast<int>(points.size()), color, closed ? ImDrawFlags_Closed : ImDrawFlags_None, width);
-  else
-    patterned(list, points, closed, stroke, color, width);
+    list->AddPolyline(points.data(), static_cast<int>(points.size()), color,
+                      closed ? ImDrawFlags_Closed : ImDrawFlags_None, width);
+  else patterned(list, points, closed, stroke, color, width);
 }
 
 void line(ImDrawList* list, ImVec2 a, ImVec2 b, Stroke stroke, Color color, float width) {
@@ -90,7 +91,7 @@ void circle(ImDrawList* list, ImVec2 center, float radius, Stroke stroke, Color 
   std::vector<ImVec2> points(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     const float angle = from + (to - from) * static_cast<float>(i) / static_cast<float>(part ? count - 1 : count);
-    points[static_cast<std::size_t>(i)] = {center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)};
+    points[i] = {center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)};
   }
   path(list, points, !part, stroke, color, width);
 }
@@ -101,7 +102,8 @@ void disc(ImDrawList* list, ImVec2 center, float radius, Color color) {
 
 void diamond(ImDrawList* list, ImVec2 center, float size, Color color, Color rim) {
   const auto quad = [&](float s, Color c) {
-    list->AddQuadFilled({center.x, center.y - s}, {center.x + s, center.y}, {center.x, center.y + s}, {center.x - s, center.y}, c);
+    list->AddQuadFilled({center.x, center.y - s}, {center.x + s, center.y}, {center.x, center.y + s},
+                        {center.x - s, center.y}, c);
   };
   quad(size + 2.5f, rim);
   quad(size, color);
@@ -122,7 +124,8 @@ void cross(ImDrawList* list, ImVec2 center, float size, Color color, float width
 }
 
 void tick(ImDrawList* list, ImVec2 center, float size, Color color, float width) {
-  const std::array<ImVec2, 3> points{ImVec2{center.x - size, center.y}, {center.x - size * 0.3f, center.y + size * 0.65f},
+  const std::array<ImVec2, 3> points{ImVec2{center.x - size, center.y},
+                                     {center.x - size * 0.3f, center.y + size * 0.65f},
                                      {center.x + size, center.y - size * 0.7f}};
   path(list, points, false, Stroke::kSolid, color, width);
 }
@@ -134,7 +137,8 @@ void arrow(ImDrawList* list, ImVec2 from, ImVec2 to, Color color, float width) {
   const ImVec2 along{(to.x - from.x) / length, (to.y - from.y) / length};
   const ImVec2 neck{to.x - along.x * head, to.y - along.y * head};
   list->AddLine(from, neck, color, width);
-  list->AddTriangleFilled(to, {neck.x - along.y * half, neck.y + along.x * half}, {neck.x + along.y * half, neck.y - along.x * half}, color);
+  list->AddTriangleFilled(to, {neck.x - along.y * half, neck.y + along.x * half},
+                          {neck.x + along.y * half, neck.y - along.x * half}, color);
 }
 
 void hatching(ImDrawList* list, ImVec2 center, float radius, Color color) {
@@ -147,15 +151,19 @@ void hatching(ImDrawList* list, ImVec2 center, float radius, Color color) {
     const float half = std::sqrt(std::max(0.0f, radius * radius - off * off)) * half_root;
     const ImVec2 middle{center.x + off * half_root, center.y + off * half_root};
     const ImVec2 a{middle.x - half, middle.y + half}, b{middle.x + half, middle.y - half};
-    if (std::max(a.x, b.x) < low.x || std::min(a.x, b.x) > high.x || std::max(a.y, b.y) < low.y || std::min(a.y, b.y) > high.y) continue;
+    if (std::max(a.x, b.x) < low.x || std::min(a.x, b.x) > high.x || std::max(a.y, b.y) < low.y ||
+        std::min(a.y, b.y) > high.y)
+      continue;
     list->AddLine(a, b, color, 1);
   }
 }
 
 void halo_text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, Color halo,
                std::string_view words) {
-  constexpr std::array<ImVec2, 8> kAround{ImVec2{-2, 0}, {2, 0}, {0, -2}, {0, 2}, {-1.5f, -1.5f}, {1.5f, -1.5f}, {-1.5f, 1.5f}, {1.5f, 1.5f}};
-  for (const ImVec2 off : kAround) text(list, look, face, size, {at.x + off.x, at.y + off.y}, with_alpha(halo, 0.7f), words);
+  constexpr std::array<ImVec2, 8> kAround{ImVec2{-2, 0},  {2, 0},        {0, -2},       {0, 2},
+                                          {-1.5f, -1.5f}, {1.5f, -1.5f}, {-1.5f, 1.5f}, {1.5f, 1.5f}};
+  for (const ImVec2 off : kAround)
+    text(list, look, face, size, {at.x + off.x, at.y + off.y}, with_alpha(halo, 0.7f), words);
   text(list, look, face, size, at, color, words);
 }
 

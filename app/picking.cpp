@@ -24,9 +24,10 @@ Index pick(std::span<const ScreenPoint> points, float x, float y, float reach) {
 }
 
 Index grab(std::span<const ScreenPoint> points, bool space, Index selected, float x, float y, bool finger) {
-  if (!space || points.size() <= static_cast<std::size_t>(kSparse)) return pick(points, x, y, finger ? kFingerReach : kMouseReach);
+  if (!space || points.size() <= static_cast<std::size_t>(kSparse))
+    return pick(points, x, y, finger ? kFingerReach : kMouseReach);
   if (selected >= 0 && static_cast<std::size_t>(selected) < points.size()) {
-    const auto only = points.subspan(static_cast<std::size_t>(selected), 1);
+    const auto only = points.subspan(selected, 1);
     if (pick(only, x, y, finger ? kFingerReach : kSelectedReach) == 0) return selected;
   }
   return finger ? kNoIndex : pick(points, x, y, kExactReach);

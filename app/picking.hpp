@@ -19,7 +19,8 @@ inline constexpr float kExactReach = 1.5f, kSelectedReach = 6;
 
 /// The point that a drag from (x, y) moves; kNoIndex: it moves the view. A finger cannot hit the middle of a point: in
 /// dense space it drags the selected one alone.
-[[nodiscard]] Index grab(std::span<const ScreenPoint> points, bool space, Index selected, float x, float y, bool finger);
+[[nodiscard]] Index grab(std::span<const ScreenPoint> points, bool space, Index selected, float x, float y,
+                         bool finger);
 
 /// The point nearest to (x, y) within reach; of those that are as near to within a pixel, the one in front.
 /// kNoIndex for none. points: those that are not visible cannot be picked.

@@ -29,9 +29,9 @@ Polytope box(const V3& center, const Matrix<double, 3>& half_axes, int dim) {
 /// The edges of the plane in the order in which they join.
 std::vector<int> joined(const std::vector<std::array<Index, 3>>& edges, std::size_t corners) {
   std::vector<int> next(corners, -1), around;
-  for (const auto& edge : edges) next[static_cast<std::size_t>(edge[0])] = edge[1];
+  for (const auto& edge : edges) next[edge[0]] = edge[1];
   if (edges.empty()) return around;
-  for (int at = edges.front()[0]; around.size() < edges.size(); at = next[static_cast<std::size_t>(at)]) around.push_back(at);
+  for (int at = edges.front()[0]; around.size() < edges.size(); at = next[at]) around.push_back(at);
   return around;
 }
 
@@ -53,8 +53,9 @@ struct Farthest {
   }
   V3 operator()(const Lozenge<double, 3>& lozenge) const {
     const V3 opposite = lozenge.origin + lozenge.edges[0] + lozenge.edges[1];
-    return pushed(of_corners({lozenge.origin, lozenge.origin + lozenge.edges[0], lozenge.origin + lozenge.edges[1], opposite}),
-                  lozenge.radius);
+    return pushed(
+        of_corners({lozenge.origin, lozenge.origin + lozenge.edges[0], lozenge.origin + lozenge.edges[1], opposite}),
+        lozenge.radius);
   }
   V3 operator()(const auto& flat_faced) const { return of_corners(polytope_of(flat_faced, dim).corners); }
 
@@ -77,7 +78,8 @@ Polytope polytope_of(const Obb<double, 3>& obb, int dim) {
 
 Polytope frustum_polytope(const lesson::BoxPair& pair) {
   Polytope frustum = polytope_of(pair.boxes[1], pair.dim);
-  for (std::size_t bits = 0; bits < frustum.corners.size(); ++bits) frustum.corners[bits] = lesson::corner_of(pair, 1, static_cast<int>(bits));
+  for (std::size_t bits = 0; bits < frustum.corners.size(); ++bits)
+    frustum.corners[bits] = lesson::corner_of(pair, 1, static_cast<int>(bits));
   return frustum;
 }
 

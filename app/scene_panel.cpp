@@ -19,7 +19,7 @@ constexpr float kEffectRow = 26, kLeading = 16, kIndent = 20, kPlot = 84;
 
 const fit::FrameTaken* taken(const lesson::Session& session, int slot, int step) {
   if (step == 0) return nullptr;
-  return std::get_if<fit::FrameTaken>(&session.recording(slot).steps[static_cast<std::size_t>(step - 1)].step.fact);
+  return std::get_if<fit::FrameTaken>(&session.recording(slot).steps[step - 1].step.fact);
 }
 
 /// "broad phase"
@@ -36,7 +36,8 @@ std::string without_spaces(std::string text) {
 
 class Panel {
  public:
-  Panel(const Look& look, ImVec2 at, float width) : look_(look), list_(ImGui::GetWindowDrawList()), x_(at.x), width_(width), top_(at.y), y_(at.y) {}
+  Panel(const Look& look, ImVec2 at, float width)
+      : look_(look), list_(ImGui::GetWindowDrawList()), x_(at.x), width_(width), top_(at.y), y_(at.y) {}
 
   [[nodiscard]] float height() const { return y_ - top_; }
 
@@ -56,10 +57,13 @@ class Panel {
       x += 36;
     }
     text(list_, look_, Face::kRegular, kSize, {x, middle_of(middle, look_.px(kSize))}, look_->ink, name);
-    text_right(list_, look_, Face::kMonoBold, kSmall, {x_ + width_, middle_of(middle, look_.px(kSmall))}, look_->ink, hidden ? "—" : std::to_string(static_cast<std::int64_t>(left)));
+    text_right(list_, look_, Face::kMonoBold, kSmall, {x_ + width_, middle_of(middle, look_.px(kSmall))}, look_->ink,
+               hidden ? "—" : std::to_string(static_cast<std::int64_t>(left)));
     const float top = y_ + look_.px(22), thick = 8;
     list_->AddRectFilled({x_, top}, {x_ + width_, top + thick}, look_->track, 2);
-    if (left > 0 && !hidden) list_->AddRectFilled({x_, top}, {x_ + std::max(2.0f, width_ * static_cast<float>(left / all)), top + thick}, color, 2);
+    if (left > 0 && !hidden)
+      list_->AddRectFilled({x_, top}, {x_ + std::max(2.0f, width_ * static_cast<float>(left / all)), top + thick},
+                           color, 2);
     y_ += look_.px(40);
   }
 
@@ -67,19 +71,26 @@ class Panel {
   void figure(const char* name, const std::string& value) {
     const float middle = y_ + look_.px(9);
     text(list_, look_, Face::kRegular, kSize, {x_, middle_of(middle, look_.px(kSize))}, look_->muted, name);
-    text_right(list_, look_, Face::kMono, kSmall, {x_ + width_, middle_of(middle, look_.px(kSmall))}, look_->ink, value);
+    text_right(list_, look_, Face::kMono, kSmall, {x_ + width_, middle_of(middle, look_.px(kSmall))}, look_->ink,
+               value);
     y_ += look_.px(28);
   }
 
   void funnel(const lesson::Session& session, const fit::FrameTaken& frame) {
     heading("The funnel: pairs that are left");
-    stage("All pairs", frame.all_pairs, frame.all_pairs, session.is_hidden("all_pairs"), Stroke::kSolid, look_->muted, false);
-    constexpr std::array<const char*, 4> kCompared{"Boxes compared", "Boxes compared along x", "Boxes compared along y", "Boxes compared along z"};
-    const std::string compared = session.is_hidden("compared") ? "—" : std::to_string(static_cast<std::int64_t>(frame.compared));
-    figure(kCompared[static_cast<std::size_t>(1 + session.frame()->swept_along)], compared);
-    stage("Boxes overlap", frame.after_broad, frame.all_pairs, session.is_hidden("after_broad"), Stroke::kDotted, look_->previous, true);
-    stage("Loose spheres overlap", frame.after_loose, frame.all_pairs, session.is_hidden("after_loose"), Stroke::kDashed, look_->examined_text, true);
-    stage("Touching", frame.touching, frame.all_pairs, session.is_hidden("touching"), Stroke::kSolid, look_->support_text, true);
+    stage("All pairs", frame.all_pairs, frame.all_pairs, session.is_hidden("all_pairs"), Stroke::kSolid, look_->muted,
+          false);
+    constexpr std::array<const char*, 4> kCompared{"Boxes compared", "Boxes compared along x", "Boxes compared along y",
+                                                   "Boxes compared along z"};
+    const std::string compared =
+        session.is_hidden("compared") ? "—" : std::to_string(static_cast<std::int64_t>(frame.compared));
+    figure(kCompared[1 + session.frame()->swept_along], compared);
+    stage("Boxes overlap", frame.after_broad, frame.all_pairs, session.is_hidden("after_broad"), Stroke::kDotted,
+          look_->previous, true);
+    stage("Loose spheres overlap", frame.after_loose, frame.all_pairs, session.is_hidden("after_loose"),
+          Stroke::kDashed, look_->examined_text, true);
+    stage("Touching", frame.touching, frame.all_pairs, session.is_hidden("touching"), Stroke::kSolid,
+          look_->support_text, true);
     y_ += look_.px(16);
   }
 
@@ -104,20 +115,23 @@ class Panel {
       const auto steps = static_cast<float>(session.recording(slot).steps.size());
       for (int step = 1; step <= session.step_of(slot); ++step)
         if (const auto* frame = taken(session, slot, step))
-          curve.push_back({left + wide * static_cast<float>(step) / steps, bottom - (bottom - y_) * static_cast<float>(frame->slack / most)});
+          curve.push_back({left + wide * static_cast<float>(step) / steps,
+                           bottom - (bottom - y_) * static_cast<float>(frame->slack / most)});
       const Color color = slot == 0 ? look_->current : look_->previous;
       path(list_, curve, false, slot == 0 ? Stroke::kSolid : Stroke::kDashed, color, 2);
       if (slot == 0 && !curve.empty()) disc(list_, curve.back(), 4, color);
     }
     text(list_, look_, Face::kRegular, kTiny, {left, bottom + look_.px(5)}, look_->muted, "frame 1");
-    text_right(list_, look_, Face::kRegular, kTiny, {x_ + width_, bottom + look_.px(5)}, look_->muted, std::to_string(session.steps()));
+    text_right(list_, look_, Face::kRegular, kTiny, {x_ + width_, bottom + look_.px(5)}, look_->muted,
+               std::to_string(session.steps()));
     y_ = bottom + look_.px(44);
   }
 
   void effects(lesson::Session& session, std::span<const scene::Tally> tallies) {
     heading("What each effect did; µs a run");
     constexpr std::array<const char*, 4> kHeads{"made", "run", "skipped", "µs"};
-    for (int i = 0; i < 4; ++i) text_right(list_, look_, Face::kRegular, kTiny, {right(i), y_}, look_->muted, kHeads[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < 4; ++i)
+      text_right(list_, look_, Face::kRegular, kTiny, {right(i), y_}, look_->muted, kHeads[i]);
     y_ += look_.px(20);
     int row = 0;
     std::string turned;
@@ -142,7 +156,7 @@ class Panel {
   /// The right end of a column of figures.
   [[nodiscard]] float right(int column) const {
     constexpr std::array<float, 4> kShares{0.495f, 0.615f, 0.825f, 1};
-    return x_ + width_ * kShares[static_cast<std::size_t>(column)];
+    return x_ + width_ * kShares[column];
   }
 
   /// lines: of its name, which is broken where it is too long for the row, and never cut.
@@ -156,10 +170,11 @@ class Panel {
       text(list_, look_, Face::kRegular, kSmall, {x_ + kIndent, y}, on ? look_->ink : look_->muted, line);
       y += look_.px(kLeading);
     }
-    const std::array<std::string, 4> figures{std::to_string(tally.constructed), std::to_string(tally.run), std::to_string(tally.skipped),
-                                             time.empty() ? "—" : without_spaces(time)};
+    const std::array<std::string, 4> figures{std::to_string(tally.constructed), std::to_string(tally.run),
+                                             std::to_string(tally.skipped), time.empty() ? "—" : without_spaces(time)};
     for (int i = 0; i < 4; ++i)
-      text_right(list_, look_, Face::kMono, kTiny, {right(i), middle_of(middle, look_.px(kTiny))}, look_->ink, figures[static_cast<std::size_t>(i)]);
+      text_right(list_, look_, Face::kMono, kTiny, {right(i), middle_of(middle, look_.px(kTiny))}, look_->ink,
+                 figures[i]);
   }
 
   const Look& look_;
@@ -169,11 +184,13 @@ class Panel {
 
 /// Where an effect that makes the figures is off: which of them are still those of an earlier frame.
 std::string still_words(const lesson::Session& session, bool pairs) {
-  const std::array<std::pair<const char*, const char*>, 3> makers{{{"refit", pairs ? "the boxes are still those" : "the volume is still that"},
-                                                                   {"broad_phase", "the pairs are still those"},
-                                                                   {"narrow_phase", "what touches is still that"}}};
+  const std::array<std::pair<const char*, const char*>, 3> makers{
+      {{"refit", pairs ? "the boxes are still those" : "the volume is still that"},
+       {"broad_phase", "the pairs are still those"},
+       {"narrow_phase", "what touches is still that"}}};
   for (const auto& [effect, what] : makers)
-    if (const int since = session.off_since(effect); since >= 0) return words_of(effect) + " is off, so " + what + " of frame " + std::to_string(since) + ".";
+    if (const int since = session.off_since(effect); since >= 0)
+      return words_of(effect) + " is off, so " + what + " of frame " + std::to_string(since) + ".";
   return {};
 }
 
@@ -186,12 +203,14 @@ std::string frame_caption(const fit::FrameTaken& fact, const lesson::Session* se
   // Beside a question the sentence would tell nearly what is asked of a later frame.
   const bool asked = session != nullptr && !session->asked_figure().empty();
   if (asked || (fact.all_pairs == 0 && !slack && !cost)) return words + "what comes next is for you to say.";
-  if (const std::string still = session != nullptr ? still_words(*session, fact.all_pairs > 0) : ""; !still.empty()) return words + still;
+  if (const std::string still = session != nullptr ? still_words(*session, fact.all_pairs > 0) : ""; !still.empty())
+    return words + still;
   if (fact.resting) return words + "all bodies rest, and nothing is run.";
   const auto count = [](double n) { return std::to_string(static_cast<long long>(n)); };
   if (fact.all_pairs == 0) {
     if (cost) words += "the update looks at " + lesson::scene_figure_text("cost", fact.cost) + (slack ? ", and " : ".");
-    return slack ? words + "its volume is " + lesson::scene_figure_text("slack", 100 * fact.slack) + " too large." : words;
+    return slack ? words + "its volume is " + lesson::scene_figure_text("slack", 100 * fact.slack) + " too large."
+                 : words;
   }
   words += "of " + count(fact.all_pairs) + " pairs";
   if (hidden("after_broad")) return words + " how many are left?";

@@ -1,4 +1,5 @@
-// What a scene's frame came to: how many pairs each stage left, how loose the volume was over time, and what each effect did.
+// What a scene's frame came to: how many pairs each stage left, how loose the volume was over time, and what each
+// effect did.
 #pragma once
 
 #include <string>
@@ -8,7 +9,8 @@
 
 namespace snug::app {
 
-/// The effects' rows switch them off and on. Draws at a place of the current pane, as wide as width, and returns the height. Nothing where the lesson has no scene.
+/// The effects' rows switch them off and on. Draws at a place of the current pane, as wide as width, and returns the
+/// height. Nothing where the lesson has no scene.
 float draw_scene_panel(const Look& look, lesson::Session& session, ImVec2 at, float width);
 
 /// The frame in a sentence, which ends before a figure that is still to be predicted. session: null where nothing is.

@@ -24,7 +24,8 @@ std::optional<fit::Volume3> ball_before(Steps steps) {
   if (steps.size() < 2) return std::nullopt;
   const fit::Sphere3* now = ball_of(steps[steps.size() - 1].step);
   const fit::Sphere3* earlier = ball_of(steps[steps.size() - 2].step);
-  if (now == nullptr || earlier == nullptr || (earlier->center == now->center && earlier->radius == now->radius)) return std::nullopt;
+  if (now == nullptr || earlier == nullptr || (earlier->center == now->center && earlier->radius == now->radius))
+    return std::nullopt;
   return *earlier;
 }
 
@@ -40,11 +41,13 @@ struct Filler {
   void operator()(const fit::ExtremesFound<double, 3>& fact) const { shown.extremes = {fact.least, fact.greatest}; }
   void operator()(const fit::MidpointFound<double, 3>& fact) const {
     shown.box = {fact.least, fact.greatest, fact.midpoint};
-    if (const auto* found = last<fit::ExtremesFound<double, 3>>(steps)) shown.extremes = {found->least, found->greatest};
+    if (const auto* found = last<fit::ExtremesFound<double, 3>>(steps))
+      shown.extremes = {found->least, found->greatest};
   }
   void operator()(const fit::PairChosen& fact) const {
     shown.pair = fact;
-    if (const auto* found = last<fit::ExtremesFound<double, 3>>(steps)) shown.extremes = {found->least, found->greatest};
+    if (const auto* found = last<fit::ExtremesFound<double, 3>>(steps))
+      shown.extremes = {found->least, found->greatest};
     if (const auto* axes = last<fit::AxesFound<double, 3>>(steps)) {
       shown.mean = axes->mean;
       shown.spread = {axes->axes, deviations(axes->variances), true, true};
@@ -154,7 +157,8 @@ struct Filler {
     for (const Entry& entry : steps) {
       const auto* axis = std::get_if<query::AxisTested<double, 3>>(&entry.step.fact);
       const auto& own = fact.result.axis;
-      if (axis != nullptr && axis->axis.kind == own.kind && axis->axis.i == own.i && axis->axis.j == own.j) shown.axis = *axis;
+      if (axis != nullptr && axis->axis.kind == own.kind && axis->axis.i == own.i && axis->axis.j == own.j)
+        shown.axis = *axis;
     }
   }
   void operator()(const query::PlaneTested<double, 3>& fact) const {
@@ -211,7 +215,8 @@ std::vector<Index> points_of(const lesson::Asked& asked, const lesson::Answer& a
   if (answer.kind == lesson::Answer::Kind::kPoint) return {answer.value};
   const auto choice = static_cast<std::size_t>(answer.value);
   if (answer.kind == lesson::Answer::Kind::kSkipped || choice >= asked.choice_points.size()) return {};
-  if (asked.question->asks == lesson::Question::Asks::kAxis) return {asked.stage_points[2 * choice], asked.stage_points[2 * choice + 1]};
+  if (asked.question->asks == lesson::Question::Asks::kAxis)
+    return {asked.stage_points[2 * choice], asked.stage_points[2 * choice + 1]};
   return asked.choice_points[choice] == kNoIndex ? std::vector<Index>{} : std::vector{asked.choice_points[choice]};
 }
 
@@ -220,7 +225,8 @@ void show_asked_plane(Shown& shown, const lesson::Session& session) {
   const lesson::Asked* asked = session.asked();
   if (asked == nullptr) return;
   if (asked->question->asks == lesson::Question::Asks::kVerdict) shown.verdict.reset();  // it is what is asked
-  const auto* plane = std::get_if<query::PlaneTested<double, 3>>(&session.recording(0).steps[static_cast<std::size_t>(asked->fact)].step.fact);
+  const auto* plane = std::get_if<query::PlaneTested<double, 3>>(
+      &session.recording(0).steps[static_cast<std::size_t>(asked->fact)].step.fact);
   if (plane == nullptr) return;
   shown.plane = *plane;
   shown.plane_asked = true;
@@ -235,7 +241,9 @@ void show_outcome(Shown& shown, const lesson::Session& session) {
     const std::vector<Index> given = points_of(asked, outcome->given);
     if (!outcome->right) shown.guessed_wrong = given;
     // Of several right answers, the one that was given.
-    shown.right = outcome->right && !given.empty() ? given : points_of(asked, lesson::model_answer(asked, session.recording(0).steps));
+    shown.right = outcome->right && !given.empty()
+                      ? given
+                      : points_of(asked, lesson::model_answer(asked, session.recording(0).steps));
   }
 }
 
@@ -243,9 +251,10 @@ void show_outcome(Shown& shown, const lesson::Session& session) {
 
 Shown shown_at(const lesson::Session& session, bool want_optimum) {
   Shown shown;
-  if (const Entry* rival = session.current(1); rival != nullptr && rival->step.has_volume) shown.rival = rival->step.volume;
+  if (const Entry* rival = session.current(1); rival != nullptr && rival->step.has_volume)
+    shown.rival = rival->step.volume;
   if (const Entry* entry = session.current(0); entry != nullptr) {
-    const Steps steps = Steps(session.recording(0).steps).first(static_cast<std::size_t>(session.step()));
+    const Steps steps = Steps(session.recording(0).steps).first(session.step());
     if (entry->step.has_volume) shown.volume = entry->step.volume;
     shown.support = session.support(0);
     std::visit(Filler{shown, entry->step, steps, session.points()}, entry->step.fact);

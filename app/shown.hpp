@@ -17,18 +17,18 @@ struct Shown {
   std::optional<fit::Volume3> before;     // the one that this step replaced
   std::optional<fit::Volume3> candidate;  // tried by this step, other than the volume
   bool candidate_fails = false;
-  std::optional<fit::Volume3> rival;      // of slot 1, at the same share of its trace
-  std::optional<fit::Volume3> optimum;    // where it is wanted, or at the end
+  std::optional<fit::Volume3> rival;    // of slot 1, at the same share of its trace
+  std::optional<fit::Volume3> optimum;  // where it is wanted, or at the end
   bool finished = false;
 
-  std::vector<Index> support;             // what holds the volume, in this trace so far
-  fit::Support forced;                    // of it, what Welzl's recursion has forced onto the boundary
+  std::vector<Index> support;  // what holds the volume, in this trace so far
+  fit::Support forced;         // of it, what Welzl's recursion has forced onto the boundary
   int depth = 0;
 
   Index examined = kNoIndex;
   bool examined_outside = false;
-  double outside_by = 0;                  // < 0 inside, scene units
-  Index left_outside = kNoIndex;          // the point that the candidate leaves outside
+  double outside_by = 0;          // < 0 inside, scene units
+  Index left_outside = kNoIndex;  // the point that the candidate leaves outside
 
   struct Extremes {
     std::array<Index, 3> least, greatest;
@@ -38,13 +38,13 @@ struct Shown {
     Point3 least, greatest, midpoint;
   };
   std::optional<Box> box;
-  std::optional<fit::PairChosen> pair;    // the first diameter
+  std::optional<fit::PairChosen> pair;  // the first diameter
   std::optional<Point3> mean;
   struct Spread {
-    Matrix<double, 3> axes;               // columns, by rising sigma
-    Point3 sigma;                         // standard deviations, scene units
-    bool named = false;                   // whether the axes themselves were found yet
-    bool ends = false;                    // whether the extreme points along the main axis were
+    Matrix<double, 3> axes;  // columns, by rising sigma
+    Point3 sigma;            // standard deviations, scene units
+    bool named = false;      // whether the axes themselves were found yet
+    bool ends = false;       // whether the extreme points along the main axis were
   };
   std::optional<Spread> spread;
 

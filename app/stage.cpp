@@ -31,7 +31,8 @@ fit::Sphere3 around(const fit::Sphere3& a, const fit::Sphere3& b) {
 /// What the view has to have room for: what both algorithms end with.
 fit::Sphere3 extent_of(const lesson::Session& session) {
   if (const lesson::BoxPair* pair = session.boxes(); pair != nullptr && lesson::has_frustum(*pair))
-    return around(around({lesson::camera_of(*pair).position, 0}, ball_around(pair->boxes[1], session.dim())), ball_around(pair->boxes[0], session.dim()));
+    return around(around({lesson::camera_of(*pair).position, 0}, ball_around(pair->boxes[1], session.dim())),
+                  ball_around(pair->boxes[0], session.dim()));
   if (const lesson::BoxPair* pair = session.boxes())
     return around(ball_around(pair->boxes[0], session.dim()), ball_around(pair->boxes[1], session.dim()));
   const auto ball = [&](int slot) { return ball_around(session.recording(slot).result.volume, session.dim()); };
@@ -106,7 +107,7 @@ std::array<float, 16> matrix_of(const Camera& camera, const Frame& frame) {
     m.row(3) = depth;
   }
   std::array<float, 16> out{};
-  for (int i = 0; i < 16; ++i) out[static_cast<std::size_t>(i)] = static_cast<float>(m(i % 4, i / 4));
+  for (int i = 0; i < 16; ++i) out[i] = static_cast<float>(m(i % 4, i / 4));
   return out;
 }
 
@@ -132,7 +133,8 @@ fit::Sphere3 Stage::extent(const lesson::Session& session) {
   if (session.frame() == nullptr) return extent_of(session);
   const std::uint64_t trace = session.trace_hash();
   const fit::Algorithm* beside = session.algorithm(1);
-  if (!scene_extent_ || scene_extent_->trace != trace || scene_extent_->beside != beside) scene_extent_ = {trace, beside, extent_of_scene(session)};
+  if (!scene_extent_ || scene_extent_->trace != trace || scene_extent_->beside != beside)
+    scene_extent_ = {trace, beside, extent_of_scene(session)};
   return scene_extent_->ball;
 }
 
@@ -187,7 +189,7 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
   if (const lesson::Asked* asked = session.asked(); asked == nullptr || !asked->on_stage) refused_ = kNoIndex;
 
   std::vector<Point3f> points;
-  points.reserve(static_cast<std::size_t>(session.size()));
+  points.reserve(session.size());
   for (Index i = 0; i < session.size(); ++i) points.push_back(frame_.to_stage(place_of(session, i)));
   points_moved_ = points != scene_.points || session.triangles().size() != scene_.triangles.size();
   if (!points_moved_) return;
@@ -218,7 +220,7 @@ void Stage::keep_framed(const lesson::Session& session) {
 }
 
 void Stage::project_points(const lesson::Session& session) {
-  screen_.resize(static_cast<std::size_t>(session.size()));
+  screen_.resize(session.size());
   const bool surface = !scene_.normals.empty();
   const Point3f eye = surface ? frame_.to_stage(camera_.eye()) : Point3f::Zero();
   for (Index i = 0; i < session.size(); ++i) {
@@ -269,7 +271,8 @@ void Stage::draw(const Look& look, Settings& settings, lesson::Session& session,
   camera_.ease(std::min(now - last_now_, 0.05), look.still);
   last_now_ = now;
   const bool stepped = session.step() != seen_step_ && seen_run_ == session.algorithm(0) && !points_moved_;
-  const bool scene = session.frame() != nullptr;  // its bodies are where the frame has them, and so is what encloses them
+  const bool scene =
+      session.frame() != nullptr;  // its bodies are where the frame has them, and so is what encloses them
   const bool jump = scene || look.still || dragging_ || (!stepped && !motion_.moving());
   volume_ = motion_.at(shown_.volume, jump, now);
   seen_step_ = session.step();

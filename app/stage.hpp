@@ -35,8 +35,8 @@ class Motion {
   bool moving_ = false;
 };
 
-/// Where a point is in the frame of the scene that stands: with the body that it is of, or that stands at it. Without a scene
-/// session.point.
+/// Where a point is in the frame of the scene that stands: with the body that it is of, or that stands at it. Without a
+/// scene session.point.
 [[nodiscard]] Point3 place_of(const lesson::Session& session, Index i);
 /// Whether points are drawn as such: not where a body stands at each.
 [[nodiscard]] bool shows_points(const lesson::Session& session);
@@ -122,7 +122,8 @@ class Stage {
   void draw_loose(Brush& brush, const lesson::SceneFrame& frame) const;
   void draw_bodies(Brush& brush, const lesson::SceneFrame& frame) const;
   void draw_body(Brush& brush, const scene::Shape& shape, const scene::Motion& body, bool touching) const;
-  void draw_faces(Brush& brush, const scene::Shape& shape, const scene::Motion& body, Color fill, Color edge, float width) const;  // width 0: no edges
+  void draw_faces(Brush& brush, const scene::Shape& shape, const scene::Motion& body, Color fill, Color edge,
+                  float width) const;  // width 0: no edges
   void draw_pairs(Brush& brush, const lesson::SceneFrame& frame) const;
   // stage_inset.cpp
   [[nodiscard]] Rect draw_inset(Brush& brush, float top) const;
@@ -154,13 +155,13 @@ class Stage {
   GlScene scene_;
   Shown shown_;
   Motion motion_;
-  std::optional<fit::Volume3> volume_;     // as drawn, on its way
+  std::optional<fit::Volume3> volume_;  // as drawn, on its way
   std::vector<ScreenPoint> screen_;
-  std::vector<bool> special_;              // points that have a mark of their own
+  std::vector<bool> special_;  // points that have a mark of their own
   float point_radius_ = 5;
   bool points_shown_ = true;
 
-  std::uint64_t seen_ = 0;                 // the session's revision that shown_ is of
+  std::uint64_t seen_ = 0;  // the session's revision that shown_ is of
   bool seen_optimum_ = false;
   bool points_moved_ = false;
   int seen_step_ = -1;
@@ -169,16 +170,16 @@ class Stage {
 
   Index selected_ = kNoIndex;
   Index hovered_ = kNoIndex;
-  bool arrows_ = false;                    // whether arrow keys move the selected point
-  Index pressed_ = kNoIndex;               // what a drag from the press moves
-  Index tapped_ = kNoIndex;                // what the press means if it does not travel
-  Index refused_ = kNoIndex;               // the last tap: a point that is no answer to what is asked
-  bool pressing_ = false;                  // a button is down that went down on the stage
+  bool arrows_ = false;       // whether arrow keys move the selected point
+  Index pressed_ = kNoIndex;  // what a drag from the press moves
+  Index tapped_ = kNoIndex;   // what the press means if it does not travel
+  Index refused_ = kNoIndex;  // the last tap: a point that is no answer to what is asked
+  bool pressing_ = false;     // a button is down that went down on the stage
   bool panning_ = false;
-  bool grabs_ = false;                     // a press where the pointer is would grab a point
+  bool grabs_ = false;  // a press where the pointer is would grab a point
   bool dragging_ = false;
   float press_x_ = 0, press_y_ = 0, grab_x_ = 0, grab_y_ = 0;
-  bool travelled_ = false;                 // since the press
+  bool travelled_ = false;  // since the press
 };
 
 }  // namespace snug::app

@@ -23,12 +23,16 @@ struct Stage::Brush {
   void label(ImVec2 anchor, float gap, ImVec2 toward, std::string words, Color color, Face face = Face::kSemiBold,
              float size = 14, bool optional = false) {
     const ImVec2 extent = measure(look, face, size, words);
-    labels.push_back({{anchor.x, anchor.y, gap, extent.x + 6, extent.y + 2, toward.x, toward.y, optional}, std::move(words),
-                      face, size, color});
+    labels.push_back({{anchor.x, anchor.y, gap, extent.x + 6, extent.y + 2, toward.x, toward.y, optional},
+                      std::move(words),
+                      face,
+                      size,
+                      color});
   }
 };
 
 /// A sentence on a pill at the stage's foot, which is then among the obstacles.
-void draw_sentence(ImDrawList* list, const Look& look, Obstacles& obstacles, const Rect& stage, std::string_view sentence);
+void draw_sentence(ImDrawList* list, const Look& look, Obstacles& obstacles, const Rect& stage,
+                   std::string_view sentence);
 
 }  // namespace snug::app

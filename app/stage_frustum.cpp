@@ -13,7 +13,7 @@ using query::Culling;
 using Plane = query::PlaneTested<double, 3>;
 using Corner = query::CornerTested<double, 3>;
 
-constexpr double kNormal = 0.3;  // of the frustum's half depth
+constexpr double kNormal = 0.3;     // of the frustum's half depth
 constexpr float kLeastNormal = 28;  // pixels
 
 struct Side {
@@ -27,10 +27,9 @@ Side side_of(const lesson::BoxPair& pair, int plane) {
   Side face{{}, Point3::Zero()};
   if (pair.dim == 2) {
     for (int bits = 0; bits < 4; ++bits)
-      if (((bits >> axis & 1) != 0) == positive) face.corners.push_back(frustum.corners[static_cast<std::size_t>(bits)]);
+      if (((bits >> axis & 1) != 0) == positive) face.corners.push_back(frustum.corners[bits]);
   } else {
-    for (const int bits : frustum.faces[static_cast<std::size_t>(2 * axis + (positive ? 0 : 1))])
-      face.corners.push_back(frustum.corners[static_cast<std::size_t>(bits)]);
+    for (const int bits : frustum.faces[2 * axis + (positive ? 0 : 1)]) face.corners.push_back(frustum.corners[bits]);
   }
   for (const Point3& corner : face.corners) face.middle += corner / static_cast<double>(face.corners.size());
   return face;
@@ -39,7 +38,8 @@ Side side_of(const lesson::BoxPair& pair, int plane) {
 /// Unit, out of the frustum.
 Point3 normal_of(const Side& face, const lesson::BoxPair& pair) {
   const Point3 along = face.corners[1] - face.corners[0];
-  Point3 normal = pair.dim == 2 ? Point3(along[1], -along[0], 0) : Point3(along.cross(face.corners[2] - face.corners[0]));
+  Point3 normal =
+      pair.dim == 2 ? Point3(along[1], -along[0], 0) : Point3(along.cross(face.corners[2] - face.corners[0]));
   if (normal.dot(face.middle - pair.boxes[1].center) < 0) normal = -normal;
   return normal.normalized();
 }
@@ -57,7 +57,8 @@ Point3 clear_of(const Side& face, const Point3& box) {
 /// "n (+, −)"
 std::string normal_words(int dim, int signs) {
   std::string words = "n (";
-  for (int axis = 0; axis < dim; ++axis) words += std::string(axis > 0 ? ", " : "") + ((signs >> axis & 1) != 0 ? "+" : "−");
+  for (int axis = 0; axis < dim; ++axis)
+    words += std::string(axis > 0 ? ", " : "") + ((signs >> axis & 1) != 0 ? "+" : "−");
   return words + ")";
 }
 
@@ -81,7 +82,8 @@ ImVec2 lowest_corner(const Canvas& canvas, const lesson::BoxPair& pair) {
 
 std::string verdict_words(const Shown& shown) {
   if (!shown.verdict) return "Box";
-  return "Box: " + std::string(query::kCullingNames[static_cast<std::size_t>(*shown.verdict)]) + (shown.finished ? "" : " so far");
+  return "Box: " + std::string(query::kCullingNames[static_cast<std::size_t>(*shown.verdict)]) +
+         (shown.finished ? "" : " so far");
 }
 
 }  // namespace
@@ -91,21 +93,26 @@ void Stage::draw_frustum(Brush& brush, const lesson::BoxPair& pair) const {
   draw_camera(brush, pair);
   draw_volume(brush.canvas, frustum_polytope(pair), {Stroke::kSolid, p.previous, brush.stroke(0.9f), 0.6f * p.fill});
   const bool outside = shown_.finished && shown_.verdict == Culling::kOutside;
-  draw_volume(brush.canvas, fit::Volume3(pair.boxes[0]), {Stroke::kSolid, outside ? p.wrong : p.current, brush.stroke(), p.fill});
+  draw_volume(brush.canvas, fit::Volume3(pair.boxes[0]),
+              {Stroke::kSolid, outside ? p.wrong : p.current, brush.stroke(), p.fill});
   for (int i = 0; i < 2; ++i) {
-    const ImVec2 center = brush.at(pair.boxes[static_cast<std::size_t>(i)].center);
+    const ImVec2 center = brush.at(pair.boxes[i].center);
     plus(brush.list, center, 5 * p.mark, i == 1 ? p.previous : outside ? p.wrong : p.current, brush.stroke(0.8f));
     brush.canvas.obstacles.discs.push_back({center.x, center.y, 8});
     draw_knobs(brush, pair, i);
   }
-  const Color verdict = outside ? p.wrong_text : shown_.finished && shown_.verdict == Culling::kIntersecting ? p.examined_text : p.current_text;
+  const Color verdict = outside                                                       ? p.wrong_text
+                        : shown_.finished && shown_.verdict == Culling::kIntersecting ? p.examined_text
+                                                                                      : p.current_text;
   brush.label(lowest_corner(brush.canvas, pair), 16, {0, 1}, verdict_words(shown_), verdict, Face::kSemiBold, 15);
   if (shown_.plane) draw_plane(brush, pair, shown_.plane->plane);
-  else if (!shown_.finished && !shown_.corners.empty() && shown_.corners.back().plane >= 0) draw_plane(brush, pair, shown_.corners.back().plane);
+  else if (!shown_.finished && !shown_.corners.empty() && shown_.corners.back().plane >= 0)
+    draw_plane(brush, pair, shown_.corners.back().plane);
   if (shown_.plane && !shown_.plane_asked) draw_distances(brush, pair);
   draw_corners(brush);
   const ImVec2 end = brush.at(lesson::corner_of(pair, 1, 0b011));  // far, and off the camera's way
-  brush.label(end, 10, way_between(brush.at(pair.boxes[1].center), end), "Frustum", p.previous_text, Face::kSemiBold, 15);
+  brush.label(end, 10, way_between(brush.at(pair.boxes[1].center), end), "Frustum", p.previous_text, Face::kSemiBold,
+              15);
 }
 
 /// Where the frustum's sides meet.
@@ -123,7 +130,8 @@ void Stage::draw_camera(Brush& brush, const lesson::BoxPair& pair) const {
   brush.label(at, 10, away, "camera", p.previous_text, Face::kRegular, 13);
 }
 
-/// The plane at hand: its part of the frustum's border, and its normal; in 2-D the whole line, with strokes on its outer side.
+/// The plane at hand: its part of the frustum's border, and its normal; in 2-D the whole line, with strokes on its
+/// outer side.
 void Stage::draw_plane(Brush& brush, const lesson::BoxPair& pair, int plane) const {
   const Palette& p = brush.p;
   const Side face = side_of(pair, plane);
@@ -133,12 +141,14 @@ void Stage::draw_plane(Brush& brush, const lesson::BoxPair& pair, int plane) con
   const Point3 normal = normal_of(face, pair) * (kNormal * pair.boxes[1].half_extents[0]);
   const ImVec2 middle = brush.at(foot), end = brush.at(foot + normal);
   // One that nearly runs along the view is drawn longer, for its direction is what is asked of it.
-  const double longer = std::clamp(kLeastNormal / std::max(std::hypot(end.x - middle.x, end.y - middle.y), 1.0f), 1.0f, 4.0f);
+  const double longer =
+      std::clamp(kLeastNormal / std::max(std::hypot(end.x - middle.x, end.y - middle.y), 1.0f), 1.0f, 4.0f);
   const ImVec2 tip = brush.at(foot + normal * longer);
   if (pair.dim == 2) {
     const ImVec2 along = way_between(outline[0], outline[1]), out = way_between(middle, tip);
     const float reach = brush.rect.width + brush.rect.height, step = 14;
-    line(brush.list, shifted(middle, along, -reach), shifted(middle, along, reach), Stroke::kSolid, with_alpha(p.examined, 0.5f), brush.stroke(0.5f));
+    line(brush.list, shifted(middle, along, -reach), shifted(middle, along, reach), Stroke::kSolid,
+         with_alpha(p.examined, 0.5f), brush.stroke(0.5f));
     for (float t = -reach; t < reach; t += step) {
       const ImVec2 at = shifted(middle, along, t);
       line(brush.list, at, shifted(shifted(at, out, 7), along, 4), Stroke::kSolid, with_alpha(p.examined, 0.45f), 1);
@@ -152,7 +162,9 @@ void Stage::draw_plane(Brush& brush, const lesson::BoxPair& pair, int plane) con
   brush.canvas.obstacles.segments.push_back({middle.x, middle.y, tip.x, tip.y});
   const std::string name = lesson::plane_name(pair.dim, plane);
   const bool signs = shown_.plane && !shown_.plane_asked;
-  brush.label(tip, 6, way_between(middle, tip), signs ? name + ": " + normal_words(pair.dim, shown_.plane->signs) : name + " plane", p.ink, Face::kSemiBold, 14);
+  brush.label(tip, 6, way_between(middle, tip),
+              signs ? name + ": " + normal_words(pair.dim, shown_.plane->signs) : name + " plane", p.ink,
+              Face::kSemiBold, 14);
   if (signs) draw_box_axes(brush, pair);
 }
 
@@ -162,7 +174,8 @@ void Stage::draw_box_axes(Brush& brush, const lesson::BoxPair& pair) const {
   const Obb<double, 3>& box = pair.boxes[0];
   const ImVec2 center = brush.at(box.center);
   for (int axis = 0; axis < pair.dim; ++axis) {
-    const ImVec2 tip = brush.at(box.center + box.axes.col(axis) * (26 * static_cast<double>(p.mark) / camera_.scale_at(box.center)));
+    const ImVec2 tip =
+        brush.at(box.center + box.axes.col(axis) * (26 * static_cast<double>(p.mark) / camera_.scale_at(box.center)));
     arrow(brush.list, center, tip, p.muted, brush.stroke(0.7f));
     brush.label(tip, 2, way_between(center, tip), std::string(1, "xyz"[axis]), p.muted, Face::kSemiBold, 12, true);
   }
@@ -182,8 +195,8 @@ void Stage::draw_distances(Brush& brush, const lesson::BoxPair& pair) const {
     line(brush.list, from, foot, Stroke::kDashed, color, brush.stroke(0.9f));
     line(brush.list, shifted(foot, aside, -6), shifted(foot, aside, 6), Stroke::kSolid, color, brush.stroke());
     brush.canvas.obstacles.segments.push_back({from.x, from.y, foot.x, foot.y});
-    brush.label({(from.x + foot.x) / 2, (from.y + foot.y) / 2}, 5, aside.x >= 0 ? aside : ImVec2{-aside.x, -aside.y}, signed_words(distance),
-                distance > 0 ? p.examined_text : p.current_text, Face::kMonoBold, 13);
+    brush.label({(from.x + foot.x) / 2, (from.y + foot.y) / 2}, 5, aside.x >= 0 ? aside : ImVec2{-aside.x, -aside.y},
+                signed_words(distance), distance > 0 ? p.examined_text : p.current_text, Face::kMonoBold, 13);
   }
 }
 
@@ -194,12 +207,15 @@ void Stage::draw_corners(Brush& brush) const {
     const ImVec2 at = brush.at(corner.point);
     const bool last = &corner == &shown_.corners.back() && !shown_.finished;
     if (corner.outside) ring(brush.list, at, (last ? 13 : 10) * p.mark, p.examined, brush.stroke(last ? 1.2f : 0.8f));
-    else tick(brush.list, shifted(at, {0.7f, -0.7f}, 14 * p.mark), 5 * p.mark, p.optimum, brush.stroke(last ? 1.2f : 0.8f));
+    else
+      tick(brush.list, shifted(at, {0.7f, -0.7f}, 14 * p.mark), 5 * p.mark, p.optimum,
+           brush.stroke(last ? 1.2f : 0.8f));
     brush.canvas.obstacles.discs.push_back({at.x, at.y, 14 * p.mark});
     if (!last) continue;
     const std::string of = corner.plane < 0 ? "every plane" : lesson::plane_name(camera_.dim(), corner.plane);
     const std::string by = corner.plane < 0 ? "" : " " + signed_words(corner.distance);
-    brush.label(at, 20 * p.mark, {0.5f, -1}, (corner.outside ? "outside of " : "inside of ") + of + by, corner.outside ? p.examined_text : p.optimum_text);
+    brush.label(at, 20 * p.mark, {0.5f, -1}, (corner.outside ? "outside of " : "inside of ") + of + by,
+                corner.outside ? p.examined_text : p.optimum_text);
   }
 }
 

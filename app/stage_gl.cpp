@@ -101,7 +101,8 @@ out vec4 result;
 void main() { result = tint; }
 )";
 
-// A point is a point sprite, not an instance of a quad: renderers without a GPU take each instance as a draw of its own.
+// A point is a point sprite, not an instance of a quad: renderers without a GPU take each instance as a draw of its
+// own.
 constexpr const char* kPointVertex = R"(
 uniform mat4 view_projection;
 uniform vec3 eye;

@@ -34,20 +34,20 @@ struct GlScene {
   bool three_d = false;
   std::array<float, 16> view_projection{};  // column-major, into the stage's rectangle
   Point3f eye = Point3f::Zero();
-  float eye_to_target = 1;                  // 3-D: stage units
-  Point3f light = Point3f::UnitY();         // towards it
+  float eye_to_target = 1;           // 3-D: stage units
+  Point3f light = Point3f::UnitY();  // towards it
 
-  float grid_step = 40;                     // 2-D: page pixels
-  float grid_x = 0, grid_y = 0;             // 2-D: where a line stands, page pixels from the stage's left and bottom
+  float grid_step = 40;          // 2-D: page pixels
+  float grid_x = 0, grid_y = 0;  // 2-D: where a line stands, page pixels from the stage's left and bottom
   float plane_height = -1, plane_step = 0.25f, plane_reach = 4;  // 3-D: stage units
 
   std::vector<Point3f> points;
   std::vector<std::array<Index, 3>> triangles;
-  std::vector<Point3f> normals;             // one per point where there are triangles
-  std::uint64_t points_version = 0;         // changes with the points or the triangles
-  float point_radius = 5;                   // page pixels
-  std::vector<GlVolume> volumes;            // 3-D: the farthest first
-  std::vector<GlFill> fills;                // 2-D: over the points
+  std::vector<Point3f> normals;      // one per point where there are triangles
+  std::uint64_t points_version = 0;  // changes with the points or the triangles
+  float point_radius = 5;            // page pixels
+  std::vector<GlVolume> volumes;     // 3-D: the farthest first
+  std::vector<GlFill> fills;         // 2-D: over the points
 };
 
 class StageGl {

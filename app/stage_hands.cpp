@@ -9,8 +9,8 @@
 namespace snug::app {
 namespace {
 
-constexpr float kTravel = 3;           // pixels a pointer may tremble without it being a drag
-constexpr double kNudgePixels = 12;    // an arrow key's step is the round number next above
+constexpr float kTravel = 3;         // pixels a pointer may tremble without it being a drag
+constexpr double kNudgePixels = 12;  // an arrow key's step is the round number next above
 
 }  // namespace
 
@@ -19,17 +19,21 @@ void Stage::hands(lesson::Session& session, const Look& look, const Rect& rect) 
   ImGui::SetNextItemAllowOverlap();
   ImGui::SetCursorScreenPos({rect.x, rect.y});
   ImGui::InvisibleButton("stage", {std::max(1.0f, rect.width), std::max(1.0f, rect.height)},
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
   const bool over = ImGui::IsItemHovered();
   const float reach = look.fingers ? kFingerReach : kMouseReach;
   hovered_ = over || dragging_ ? pick(screen_, io.MousePos.x, io.MousePos.y, reach) : kNoIndex;
-  grabs_ = pressed_ != kNoIndex || (over && can_move(session) && grab(screen_, session.dim() == 3, selected_, io.MousePos.x, io.MousePos.y, look.fingers) != kNoIndex);
+  grabs_ = pressed_ != kNoIndex ||
+           (over && can_move(session) &&
+            grab(screen_, session.dim() == 3, selected_, io.MousePos.x, io.MousePos.y, look.fingers) != kNoIndex);
   if (pressed_ != kNoIndex) hovered_ = pressed_;
   if (ImGui::IsItemActivated()) press(session, look);
   if (pressing_ && ImGui::IsItemActive()) drag(session);
   if (pressing_ && !ImGui::IsItemActive()) release(session);
   if (over) steer_camera();
-  if (over && can_move(session) && hovered_ == kNoIndex && !travelled_ && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+  if (over && can_move(session) && hovered_ == kNoIndex && !travelled_ &&
+      ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     const Point3 at = camera_.unproject(io.MousePos.x, io.MousePos.y, camera_.view().target);
     if (session.add(at)) selected_ = session.size() - 1, arrows_ = false;
   }
@@ -44,10 +48,12 @@ void Stage::press(lesson::Session& session, const Look& look) {
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
   const bool means_points = left && !io.KeyShift;
   tapped_ = means_points ? pick(screen_, press_x_, press_y_, look.fingers ? kFingerReach : kMouseReach) : kNoIndex;
-  pressed_ = means_points && can_move(session) ? grab(screen_, session.dim() == 3, selected_, press_x_, press_y_, look.fingers) : kNoIndex;
+  pressed_ = means_points && can_move(session)
+                 ? grab(screen_, session.dim() == 3, selected_, press_x_, press_y_, look.fingers)
+                 : kNoIndex;
   panning_ = !left || io.KeyShift || session.dim() == 2;
   if (pressed_ == kNoIndex) return;
-  const ScreenPoint& point = screen_[static_cast<std::size_t>(pressed_)];
+  const ScreenPoint& point = screen_[pressed_];
   grab_x_ = point.x - press_x_, grab_y_ = point.y - press_y_;
 }
 
@@ -58,7 +64,8 @@ void Stage::drag(lesson::Session& session) {
   travelled_ = true;
   if (pressed_ == kNoIndex) {
     // The first few pixels, by which a drag was told from a click, are part of the way.
-    const float dx = begins ? io.MousePos.x - press_x_ : io.MouseDelta.x, dy = begins ? io.MousePos.y - press_y_ : io.MouseDelta.y;
+    const float dx = begins ? io.MousePos.x - press_x_ : io.MouseDelta.x,
+                dy = begins ? io.MousePos.y - press_y_ : io.MouseDelta.y;
     if (panning_) camera_.pan(dx, dy);
     else camera_.orbit(dx, dy);
     return;
@@ -120,7 +127,8 @@ bool Stage::nudge(lesson::Session& session, int right, int up, int away, bool fi
 bool Stage::add_point(lesson::Session& session) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const Rect& stage = camera_.stage();
-  const bool over = can_move(session) && mouse.x >= stage.x && mouse.y >= stage.y && mouse.x < stage.x + stage.width && mouse.y < stage.y + stage.height;
+  const bool over = can_move(session) && mouse.x >= stage.x && mouse.y >= stage.y && mouse.x < stage.x + stage.width &&
+                    mouse.y < stage.y + stage.height;
   const Point3 at = over ? camera_.unproject(mouse.x, mouse.y, camera_.view().target) : Point3(camera_.view().target);
   if (!session.add(at)) return false;
   selected_ = session.size() - 1;

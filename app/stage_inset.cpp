@@ -1,4 +1,5 @@
-// The same from the frustum's camera: a small picture in a corner of the stage, with a margin around what the camera sees.
+// The same from the frustum's camera: a small picture in a corner of the stage, with a margin around what the camera
+// sees.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -85,7 +86,8 @@ void in_and_out(ImDrawList* list, const Rect& image, bool seen, const Draw& draw
 /// The image's side that a plane is seen as; all of them for near and far.
 std::vector<ImVec2> side_of(const Rect& image, int dim, int plane) {
   const float right = image.x + image.width, bottom = image.y + image.height;
-  if (plane >= 2 * dim - 2) return {{image.x, image.y}, {right, image.y}, {right, bottom}, {image.x, bottom}, {image.x, image.y}};
+  if (plane >= 2 * dim - 2)
+    return {{image.x, image.y}, {right, image.y}, {right, bottom}, {image.x, bottom}, {image.x, image.y}};
   if (plane < 2) return {{plane == 0 ? image.x : right, image.y}, {plane == 0 ? image.x : right, bottom}};
   return {{image.x, plane == 2 ? bottom : image.y}, {right, plane == 2 ? bottom : image.y}};
 }
@@ -112,7 +114,8 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
   ImDrawList* list = brush.list;
   list->AddRectFilled(low, high, p.panel, 8);
   list->AddRect(low, high, p.line, 8, 0, 1);
-  text(list, look, Face::kSemiBold, 12, {panel.x + pad, panel.y + look.px(5)}, p.muted, small ? "Camera’s view" : "From the camera");
+  text(list, look, Face::kSemiBold, 12, {panel.x + pad, panel.y + look.px(5)}, p.muted,
+       small ? "Camera’s view" : "From the camera");
   const Picture picture{{panel.x + width / 2, panel.y + head + (height - head - pad) / 2}, {half_x, half_y}, pair->dim};
   const Rect image = picture.image();
   list->AddRectFilled({image.x, image.y}, {image.x + image.width, image.y + image.height}, p.ground);
@@ -127,20 +130,28 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
   if (!ends.empty()) {
     std::vector<ImVec2> outline;
     if (flat) {
-      const auto [least, most] = std::minmax_element(ends.begin(), ends.end(), [](ImVec2 a, ImVec2 b) { return a.x < b.x; });
+      const auto [least, most] =
+          std::minmax_element(ends.begin(), ends.end(), [](ImVec2 a, ImVec2 b) { return a.x < b.x; });
       const float high_y = half_y * 0.7f;
-      outline = {{least->x, picture.middle.y - high_y}, {most->x, picture.middle.y - high_y}, {most->x, picture.middle.y + high_y}, {least->x, picture.middle.y + high_y}};
+      outline = {{least->x, picture.middle.y - high_y},
+                 {most->x, picture.middle.y - high_y},
+                 {most->x, picture.middle.y + high_y},
+                 {least->x, picture.middle.y + high_y}};
     } else {
       outline = convex_outline(ends);
     }
     in_and_out(list, image, depth[0] <= eye.camera.far, [&](float share) {
-      if (outline.size() > 2) list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), with_alpha(color, (flat ? 2.5f : 1.2f) * p.fill * share));
+      if (outline.size() > 2)
+        list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()),
+                                  with_alpha(color, (flat ? 2.5f : 1.2f) * p.fill * share));
       if (flat) path(list, outline, true, Stroke::kSolid, with_alpha(color, share), brush.stroke(0.8f));
       else
-        for (std::size_t i = 0; i + 1 < ends.size(); i += 2) line(list, ends[i], ends[i + 1], Stroke::kSolid, with_alpha(color, share), brush.stroke(0.7f));
+        for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+          line(list, ends[i], ends[i + 1], Stroke::kSolid, with_alpha(color, share), brush.stroke(0.7f));
     });
   }
-  list->AddRect({image.x, image.y}, {image.x + image.width, image.y + image.height}, p.previous, 0, 0, brush.stroke(0.7f));
+  list->AddRect({image.x, image.y}, {image.x + image.width, image.y + image.height}, p.previous, 0, 0,
+                brush.stroke(0.7f));
   const int plane = shown_.plane ? shown_.plane->plane : !shown_.corners.empty() ? shown_.corners.back().plane : -1;
   if (plane >= 0) path(list, side_of(image, pair->dim, plane), false, Stroke::kSolid, p.examined, brush.stroke(1.4f));
   if (shown_.plane && !shown_.plane_asked)
@@ -148,10 +159,13 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
       const Point3 seen = eye.seen(along ? shown_.plane->p_point : shown_.plane->n_point);
       const ImVec2 at = eye.in_front(seen) ? picture.at(seen) : kNowhere;
       diamond(list, at, 4, p.support, p.panel);
-      text_middle(list, look, Face::kSemiBold, 12, {at.x, (flat ? image.y : at.y - 3) - look.px(15)}, p.support_text, along ? "p" : "n");
+      text_middle(list, look, Face::kSemiBold, 12, {at.x, (flat ? image.y : at.y - 3) - look.px(15)}, p.support_text,
+                  along ? "p" : "n");
     }
   list->PopClipRect();
-  if (ends.empty()) text(list, look, Face::kRegular, 12, {panel.x + pad, high.y - look.px(18)}, p.muted, depth[1] > 0 ? "Nearer than near." : "Behind the camera.");
+  if (ends.empty())
+    text(list, look, Face::kRegular, 12, {panel.x + pad, high.y - look.px(18)}, p.muted,
+         depth[1] > 0 ? "Nearer than near." : "Behind the camera.");
   return panel;
 }
 

@@ -1,4 +1,5 @@
-// What stands over the stage: the sentence, two buttons, Welzl's depth, the axis cross. All of it is kept free of labels.
+// What stands over the stage: the sentence, two buttons, Welzl's depth, the axis cross. All of it is kept free of
+// labels.
 #include <algorithm>
 
 #include "app/captions.hpp"
@@ -14,7 +15,8 @@ void keep_free(Obstacles& obstacles, const Rect& rect) {
 
 }  // namespace
 
-void draw_sentence(ImDrawList* list, const Look& look, Obstacles& obstacles, const Rect& stage, std::string_view sentence) {
+void draw_sentence(ImDrawList* list, const Look& look, Obstacles& obstacles, const Rect& stage,
+                   std::string_view sentence) {
   constexpr float kSize = 15, kLeading = 22, kMargin = 24, kPad = 20;
   if (sentence.empty()) return;
   const Palette& p = *look.palette;
@@ -42,7 +44,8 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
   const float y = brush.rect.y + 12;
   float right = brush.rect.x + brush.rect.width - 12;
   const Rect fit{right - height, y, height, height};
-  if (button(brush.list, look, {.id = "fit", .rect = fit, .icon = Icon::kFit, .kind = ButtonKind::kOutlined})) reset_view(brush.session);
+  if (button(brush.list, look, {.id = "fit", .rect = fit, .icon = Icon::kFit, .kind = ButtonKind::kOutlined}))
+    reset_view(brush.session);
   right -= height + 8;
 
   if (brush.session.boxes() == nullptr && brush.session.frame() == nullptr && !brush.session.lesson().measures)
@@ -55,17 +58,21 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
 
   if (shown_.depth > 0 && shown_.forced.size() > 0) {
     const std::string words = "Forced onto the boundary: " +
-                              name_of_points({shown_.forced.begin(), static_cast<std::size_t>(shown_.forced.size())}) + " (depth " +
-                              std::to_string(shown_.depth) + ")";
+                              name_of_points({shown_.forced.begin(), static_cast<std::size_t>(shown_.forced.size())}) +
+                              " (depth " + std::to_string(shown_.depth) + ")";
     const float left = tools + 16;
     const Rect place{brush.rect.x + left, y, right - brush.rect.x - left - 16, look.px(20)};
     const std::string fitting = shortened(look, Face::kSemiBold, 13, words, place.width);
-    halo_text(brush.list, look, Face::kSemiBold, 13, {place.x, middle_of(y + height / 2, look.px(13))}, p.support_text, p.ground, fitting);
-    keep_free(brush.canvas.obstacles, {place.x, y + height / 2 - look.px(10), measure(look, Face::kSemiBold, 13, fitting).x, look.px(20)});
+    halo_text(brush.list, look, Face::kSemiBold, 13, {place.x, middle_of(y + height / 2, look.px(13))}, p.support_text,
+              p.ground, fitting);
+    keep_free(brush.canvas.obstacles,
+              {place.x, y + height / 2 - look.px(10), measure(look, Face::kSemiBold, 13, fitting).x, look.px(20)});
   }
-  if (const Rect inset = draw_inset(brush, y + (tools > 0 ? height + 10 : 0)); inset.width > 0) keep_free(brush.canvas.obstacles, inset);
+  if (const Rect inset = draw_inset(brush, y + (tools > 0 ? height + 10 : 0)); inset.width > 0)
+    keep_free(brush.canvas.obstacles, inset);
   if (camera_.dim() == 3) draw_axis_cross(brush);
-  if (settings.prose_in_canvas) draw_sentence(brush.list, look, brush.canvas.obstacles, brush.rect, caption_at(brush.session));
+  if (settings.prose_in_canvas)
+    draw_sentence(brush.list, look, brush.canvas.obstacles, brush.rect, caption_at(brush.session));
 }
 
 /// "Smallest": whether the smallest volume is shown before the end. Returns where the next button may end.
@@ -75,11 +82,13 @@ float Stage::draw_toggle(Brush& brush, Settings& settings, float right, float y,
   const float width = measure(look, Face::kSemiBold, 13, "Smallest").x + look.px(52);
   const Rect toggle{right - width, y, width, height};
   const bool on = settings.show_optimum;
-  if (button(brush.list, look, {.id = "smallest", .rect = toggle, .kind = on ? ButtonKind::kChosen : ButtonKind::kOutlined}))
+  if (button(brush.list, look,
+             {.id = "smallest", .rect = toggle, .kind = on ? ButtonKind::kChosen : ButtonKind::kOutlined}))
     settings.show_optimum = !on;
   const float middle = y + height / 2;
   line(brush.list, {toggle.x + look.px(12), middle}, {toggle.x + look.px(36), middle}, Stroke::kDashed, p.optimum, 2);
-  text(brush.list, look, Face::kSemiBold, 13, {toggle.x + look.px(42), middle_of(middle, look.px(13))}, p.ink, "Smallest");
+  text(brush.list, look, Face::kSemiBold, 13, {toggle.x + look.px(42), middle_of(middle, look.px(13))}, p.ink,
+       "Smallest");
   keep_free(brush.canvas.obstacles, toggle);
   return toggle.x;
 }
@@ -95,12 +104,15 @@ void Stage::draw_axis_cross(Brush& brush) const {
   for (const int axis : order) {
     const bool swept = frame != nullptr && frame->swept_along == axis;
     const Color color = swept ? brush.p.current_text : brush.p.muted;
-    const float dx = static_cast<float>(camera_.right()[axis]) * kLength, dy = -static_cast<float>(camera_.up()[axis]) * kLength;
+    const float dx = static_cast<float>(camera_.right()[axis]) * kLength,
+                dy = -static_cast<float>(camera_.up()[axis]) * kLength;
     brush.list->AddLine(origin, {origin.x + dx, origin.y + dy}, color, swept ? 4.0f : 1.5f);
     const ImVec2 end{origin.x + dx * 1.5f, origin.y + dy * 1.5f};
     const float size = brush.look.px(12);
     const bool towards = dx * dx + dy * dy < 0.06f * kLength * kLength;  // it would stand on the origin
-    if (!towards) text_middle(brush.list, brush.look, Face::kSemiBold, 12, {end.x, end.y - size / 2}, color, std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1));
+    if (!towards)
+      text_middle(brush.list, brush.look, Face::kSemiBold, 12, {end.x, end.y - size / 2}, color,
+                  std::string_view("xyz").substr(axis, 1));
   }
   keep_free(brush.canvas.obstacles, {origin.x - 36, origin.y - 36, 72, 72});
 }

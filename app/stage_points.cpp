@@ -10,9 +10,9 @@
 namespace snug::app {
 namespace {
 
-constexpr Index kNameAll = 30;    // so many points have room for all their names
-constexpr Index kInviteAll = 250; // more rings than this hide the points
-constexpr float kTied = 14;         // a label so much farther out than it would stand has a line to what it names, pixels
+constexpr Index kNameAll = 30;     // so many points have room for all their names
+constexpr Index kInviteAll = 250;  // more rings than this hide the points
+constexpr float kTied = 14;  // a label so much farther out than it would stand has a line to what it names, pixels
 constexpr float kDiamond = 7.5f, kRing = 11, kVertex = 13;
 
 std::string coordinates(const Point3& p, int dim) {
@@ -34,7 +34,9 @@ void arrow_heads(ImDrawList* list, ImVec2 at, float from, Color color, Color hal
   }
 }
 
-bool among(const std::vector<Index>& points, Index i) { return std::find(points.begin(), points.end(), i) != points.end(); }
+bool among(const std::vector<Index>& points, Index i) {
+  return std::find(points.begin(), points.end(), i) != points.end();
+}
 
 /// A corner's name, of plus and minus alone, which a halo would close up.
 bool is_of_signs(std::string_view words) { return words.find_first_not_of("+\u2212") == std::string_view::npos; }
@@ -42,7 +44,8 @@ bool is_of_signs(std::string_view words) { return words.find_first_not_of("+\u22
 /// A label that had to go far out is tied to what it names.
 void draw_leader(ImDrawList* list, float width, const Label& label, const Rect& place) {
   const ImVec2 anchor{label.request.x, label.request.y};
-  const ImVec2 from{std::clamp(anchor.x, place.x, place.x + place.width), std::clamp(anchor.y, place.y, place.y + place.height)};
+  const ImVec2 from{std::clamp(anchor.x, place.x, place.x + place.width),
+                    std::clamp(anchor.y, place.y, place.y + place.height)};
   const float dx = anchor.x - from.x, dy = anchor.y - from.y, away = std::hypot(dx, dy);
   if (away < label.request.gap + kTied) return;
   const float share = 1 - label.request.gap / away;
@@ -56,7 +59,8 @@ void Stage::draw_points(Brush& brush) const {
   // On a mesh of thousands, labels keep clear of the surface's marked points alone.
   if (screen_.size() <= 1500 && scene_.triangles.empty())
     for (const ScreenPoint& point : screen_)
-      if (point.visible) brush.canvas.obstacles.discs.push_back({point.x, point.y, point_radius_ + (inviting(brush) ? 6 : 1)});
+      if (point.visible)
+        brush.canvas.obstacles.discs.push_back({point.x, point.y, point_radius_ + (inviting(brush) ? 6 : 1)});
   draw_invitation(brush);
 
   const auto at = [&](Index i) { return brush.at(brush.point(i)); };
@@ -66,17 +70,19 @@ void Stage::draw_points(Brush& brush) const {
   for (const Index i : shown_.forced) ring(brush.list, at(i), kRing * p.mark, p.support, brush.stroke(0.7f));
   if (shown_.extremes && !shown_.volume)
     for (int axis = 0; axis < camera_.dim(); ++axis)
-      for (const Index i : {shown_.extremes->least[static_cast<std::size_t>(axis)], shown_.extremes->greatest[static_cast<std::size_t>(axis)]})
+      for (const Index i : {shown_.extremes->least[axis], shown_.extremes->greatest[axis]})
         diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
   if (shown_.pair && !shown_.volume)
-    for (const Index i : {shown_.pair->a, shown_.pair->b}) diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
+    for (const Index i : {shown_.pair->a, shown_.pair->b})
+      diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
   for (const Index& i : shown_.spoken_of) {
     const bool vertex = shown_.plane.has_value();  // the p-vertex, and then the n-vertex
     const ImVec2 place = at(i);
     diamond(brush.list, place, (vertex ? kVertex : kDiamond) * p.mark, p.support, p.ground);
     if (!vertex) continue;
     const float size = kVertex * p.mark / brush.look.text_scale;  // a mark, not a word: it does not grow with the text
-    text_middle(brush.list, brush.look, Face::kSemiBold, size, {place.x, place.y - 0.6f * kVertex * p.mark}, p.ground, &i == shown_.spoken_of.data() ? "p" : "n");
+    text_middle(brush.list, brush.look, Face::kSemiBold, size, {place.x, place.y - 0.6f * kVertex * p.mark}, p.ground,
+                &i == shown_.spoken_of.data() ? "p" : "n");
     brush.canvas.obstacles.discs.push_back({place.x, place.y, kVertex * p.mark});
   }
   if (shown_.examined != kNoIndex) {
@@ -100,10 +106,11 @@ void Stage::draw_invitation(Brush& brush) const {
   if (!inviting(brush)) return;
   const lesson::Asked* asked = brush.session.asked();
   const auto invite = [&](const ScreenPoint& point) {
-    if (point.visible) ring(brush.list, {point.x, point.y}, point_radius_ + 5, with_alpha(brush.p.current, 0.75f), 1.5f);
+    if (point.visible)
+      ring(brush.list, {point.x, point.y}, point_radius_ + 5, with_alpha(brush.p.current, 0.75f), 1.5f);
   };
   if (!asked->stage_points.empty())
-    for (const Index i : asked->stage_points) invite(screen_[static_cast<std::size_t>(i)]);
+    for (const Index i : asked->stage_points) invite(screen_[i]);
   else if (screen_.size() <= static_cast<std::size_t>(kInviteAll))
     for (const ScreenPoint& point : screen_) invite(point);
 }
@@ -131,7 +138,8 @@ void Stage::draw_selected(Brush& brush) const {
   if (!dragging_) return;
   // A finger covers what is below it.
   const bool finger = brush.look.fingers;
-  brush.label(at, radius + (finger ? 26 : 4), {0.3f, finger ? -1.0f : 1.0f}, coordinates(place, brush.session.dim()), p.ink, Face::kMono, 13);
+  brush.label(at, radius + (finger ? 26 : 4), {0.3f, finger ? -1.0f : 1.0f}, coordinates(place, brush.session.dim()),
+              p.ink, Face::kMono, 13);
   brush.labels.back().request.clear_of_points = true;
 }
 
@@ -159,15 +167,16 @@ void Stage::name_points(Brush& brush) const {
   const lesson::Session& session = brush.session;
   std::vector<bool> named(static_cast<std::size_t>(session.size()), false);
   const ImVec2 middle = brush.at(volume_ ? ball_around(*volume_, camera_.dim()).center : framed_ball_.center);
-  const auto name = [&](Index i, std::string words, Color color, Face face, float gap, float size = 14, bool optional = false) {
-    if (i == kNoIndex || named[static_cast<std::size_t>(i)]) return;
-    named[static_cast<std::size_t>(i)] = true;
+  const auto name = [&](Index i, std::string words, Color color, Face face, float gap, float size = 14,
+                        bool optional = false) {
+    if (i == kNoIndex || named[i]) return;
+    named[i] = true;
     const ImVec2 at = brush.at(brush.point(i));
     brush.label(at, gap, {at.x - middle.x, at.y - middle.y}, std::move(words), color, face, size, optional);
   };
   const auto plain = [&](Index i) { name(i, session.name_of(i), p.support_text, Face::kSemiBold, 11 * p.mark); };
 
-  if (shown_.left_outside != kNoIndex) named[static_cast<std::size_t>(shown_.left_outside)] = true;
+  if (shown_.left_outside != kNoIndex) named[shown_.left_outside] = true;
   if (shown_.examined != kNoIndex) {
     std::string words = lesson::point_name(shown_.examined);
     if (shown_.examined_outside && shown_.outside_by > 0) words += " outside by " + short_figure(shown_.outside_by);
@@ -176,7 +185,7 @@ void Stage::name_points(Brush& brush) const {
   }
   if (shown_.extremes && !shown_.volume) {
     for (int axis = 0; axis < camera_.dim(); ++axis)
-      for (const Index i : {shown_.extremes->least[static_cast<std::size_t>(axis)], shown_.extremes->greatest[static_cast<std::size_t>(axis)]}) plain(i);
+      for (const Index i : {shown_.extremes->least[axis], shown_.extremes->greatest[axis]}) plain(i);
   } else {
     for (const Index i : shown_.support) plain(i);
   }
@@ -184,9 +193,10 @@ void Stage::name_points(Brush& brush) const {
     for (const Index i : {shown_.pair->a, shown_.pair->b}) plain(i);
   if (shown_.plane && !shown_.plane_asked)
     for (const Index i : shown_.spoken_of) {  // p- and n-vertex, away from the box
-      named[static_cast<std::size_t>(i)] = true;
+      named[i] = true;
       const ImVec2 at = brush.at(brush.point(i)), box = brush.at(brush.point(0));
-      brush.label(at, 15 * p.mark, {at.x - box.x, at.y - box.y}, session.name_of(i), p.support_text, Face::kSemiBold, 15);
+      brush.label(at, 15 * p.mark, {at.x - box.x, at.y - box.y}, session.name_of(i), p.support_text, Face::kSemiBold,
+                  15);
     }
   for (const Index i : {selected_, hovered_})
     if (i != kNoIndex && i < session.size()) name(i, session.name_of(i), p.ink, Face::kSemiBold, 13);
@@ -197,7 +207,8 @@ void Stage::name_points(Brush& brush) const {
     // A centre bears its box's name, a knob its arc.
     const lesson::Place place = lesson::place_of(session.dim(), i);
     if (session.boxes() != nullptr && place.kind != lesson::Place::Kind::kCorner) continue;
-    if (session.boxes() != nullptr && lesson::has_frustum(*session.boxes()) && place.box == 1) continue;  // nobody speaks of its corners
+    if (session.boxes() != nullptr && lesson::has_frustum(*session.boxes()) && place.box == 1)
+      continue;  // nobody speaks of its corners
     name(i, session.name_of(i), p.muted, Face::kRegular, inviting(brush) ? 12 : 7, 12, !asked_of_corners);
   }
 }

@@ -1,5 +1,5 @@
-// A scene that moves: its bodies where they are in the frame that stands, their loose volumes, and which pairs each stage of
-// the funnel left.
+// A scene that moves: its bodies where they are in the frame that stands, their loose volumes, and which pairs each
+// stage of the funnel left.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -15,11 +15,12 @@ namespace {
 
 using lesson::SceneFrame;
 
-constexpr std::size_t kBoxesOfAll = 60;  // more boxes than these hide what they hold: then only those in pairs are drawn
-// More bodies than these have neither edges nor boxes, but for the box of the one at hand, and lines only where they touch: all of that
-// took eight times as many vertices.
+constexpr std::size_t kBoxesOfAll =
+    60;  // more boxes than these hide what they hold: then only those in pairs are drawn
+// More bodies than these have neither edges nor boxes, but for the box of the one at hand, and lines only where they
+// touch: all of that took eight times as many vertices.
 constexpr std::size_t kCrowd = 400;
-constexpr int kRim = 24;                 // points of the outline around a corner's radius
+constexpr int kRim = 24;  // points of the outline around a corner's radius
 
 /// A colour with the light on it.
 Color shaded(Color color, double share) {
@@ -41,7 +42,7 @@ Color mixed(Color a, Color b, double share) {
 /// Which bodies are in one of the pairs.
 std::vector<bool> in_pairs(std::size_t bodies, const std::vector<scene::Pair>& pairs) {
   std::vector<bool> flags(bodies, false);
-  for (const scene::Pair& pair : pairs) flags[static_cast<std::size_t>(pair.a)] = flags[static_cast<std::size_t>(pair.b)] = true;
+  for (const scene::Pair& pair : pairs) flags[pair.a] = flags[pair.b] = true;
   return flags;
 }
 
@@ -76,7 +77,7 @@ Point3 place_of(const lesson::Session& session, Index i) {
   const Owner owner = owner_of(session);
   if (owner.of_points) {
     const scene::Motion& body = frame->bodies[owner.body];
-    return body.position + body.rotation * session.members()[owner.body].shape.corners[static_cast<std::size_t>(i)];
+    return body.position + body.rotation * session.members()[owner.body].shape.corners[i];
   }
   return owner.at_points ? frame->bodies[owner.body + static_cast<std::size_t>(i)].position : session.point(i);
 }
@@ -87,7 +88,9 @@ bool shows_points(const lesson::Session& session) { return session.frame() == nu
 
 fit::Sphere3 extent_of_scene(const lesson::Session& session) {
   Point3 least = Point3::Constant(1e300), greatest = -least;
-  const auto hold = [&](const Point3& low, const Point3& high) { least = least.cwiseMin(low), greatest = greatest.cwiseMax(high); };
+  const auto hold = [&](const Point3& low, const Point3& high) {
+    least = least.cwiseMin(low), greatest = greatest.cwiseMax(high);
+  };
   for (const SceneFrame& frame : *session.frames(0))
     for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
       const Point3 reach = Point3::Constant(session.members()[i].shape.reach);
@@ -125,7 +128,8 @@ void Stage::draw_traces(Brush& brush, const SceneFrame& frame) const {
   for (const auto& trail : frame.trails)
     for (std::size_t i = 1; i < trail.size(); ++i)
       line(brush.list, brush.at(trail[i - 1]), brush.at(trail[i]), Stroke::kSolid,
-           with_alpha(p.muted, 0.15f + 0.7f * static_cast<float>(i) / static_cast<float>(trail.size())), brush.stroke(0.7f));
+           with_alpha(p.muted, 0.15f + 0.7f * static_cast<float>(i) / static_cast<float>(trail.size())),
+           brush.stroke(0.7f));
   for (const scene::Ray& ray : frame.rays) {
     if (ray.from == ray.to) continue;
     line(brush.list, brush.at(ray.from), brush.at(ray.to), Stroke::kDotted, p.muted, brush.stroke(0.7f));
@@ -135,15 +139,18 @@ void Stage::draw_traces(Brush& brush, const SceneFrame& frame) const {
 
 /// The boxes that the broad phase compares, paler where none overlaps; and of the body at hand its sphere as well.
 void Stage::draw_loose(Brush& brush, const SceneFrame& frame) const {
-  if (brush.session.step() == 0 || shows_points(brush.session)) return;  // no volume was made yet; or it is drawn for itself
+  if (brush.session.step() == 0 || shows_points(brush.session))
+    return;  // no volume was made yet; or it is drawn for itself
   const Palette& p = brush.p;
   const std::vector<bool> paired = in_pairs(frame.bodies.size(), frame.pairs);
   const Index chosen = hovered_ != kNoIndex ? hovered_ : selected_;
-  const std::size_t hand = chosen != kNoIndex ? owner_of(brush.session).body + static_cast<std::size_t>(chosen) : frame.volumes.size();
+  const std::size_t hand =
+      chosen != kNoIndex ? owner_of(brush.session).body + static_cast<std::size_t>(chosen) : frame.volumes.size();
   for (std::size_t i = 0; i < frame.volumes.size(); ++i) {
     const Aabb<double, 3>& box = frame.volumes[i];
     if (i != hand && frame.volumes.size() <= (paired[i] ? kCrowd : kBoxesOfAll))
-      draw_box(brush.canvas, box.min, box.max, {Stroke::kSolid, with_alpha(p.current, paired[i] ? 0.5f : 0.2f), brush.stroke(0.4f)});
+      draw_box(brush.canvas, box.min, box.max,
+               {Stroke::kSolid, with_alpha(p.current, paired[i] ? 0.5f : 0.2f), brush.stroke(0.4f)});
     if (i != hand) continue;
     draw_volume(brush.canvas, polytope_of(box, 3), {Stroke::kSolid, p.current, brush.stroke(0.7f), p.fill});
     const fit::Sphere3 ball{frame.bodies[i].position, brush.session.members()[i].shape.reach};
@@ -161,17 +168,19 @@ void Stage::draw_bodies(Brush& brush, const SceneFrame& frame) const {
   std::sort(order.begin(), order.end());
   const std::vector<bool> touching = in_pairs(members.size(), touching_of(frame));
   const ImDrawListFlags flags = brush.list->Flags;
-  if (members.size() > kCrowd) brush.list->Flags &= ~ImDrawListFlags_AntiAliasedFill;  // whose fringe is half of their triangles
+  if (members.size() > kCrowd)
+    brush.list->Flags &= ~ImDrawListFlags_AntiAliasedFill;  // whose fringe is half of their triangles
   for (const auto& [nearness, i] : order) draw_body(brush, members[i].shape, frame.bodies[i], touching[i]);
   brush.list->Flags = flags;
 }
 
 /// Of a box the faces towards the eye, with the light on them. There may be thousands: nothing here takes memory.
-void Stage::draw_faces(Brush& brush, const scene::Shape& shape, const scene::Motion& body, Color fill, Color edge, float width) const {
+void Stage::draw_faces(Brush& brush, const scene::Shape& shape, const scene::Motion& body, Color fill, Color edge,
+                       float width) const {
   std::array<ImVec2, 8> places;  // of the corners, by their bits (1: +x, 2: +y, 4: +z)
   for (int bits = 0; bits < 8; ++bits) {
     const Point3 own((bits & 1) != 0 ? 1 : -1, (bits & 2) != 0 ? 1 : -1, (bits & 4) != 0 ? 1 : -1);
-    places[static_cast<std::size_t>(bits)] = brush.at(body.position + body.rotation * own.cwiseProduct(shape.half_extents));
+    places[bits] = brush.at(body.position + body.rotation * own.cwiseProduct(shape.half_extents));
   }
   const Point3 to_eye = camera_.eye() - body.position;
   for (int axis = 0; axis < 3; ++axis) {
@@ -179,7 +188,7 @@ void Stage::draw_faces(Brush& brush, const scene::Shape& shape, const scene::Mot
     if (std::abs(away) <= half) continue;  // both faces are seen from behind
     const bool positive = away > 0;
     const int corner = positive ? 1 << axis : 0, u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
-    const auto place = [&](int bits) { return places[static_cast<std::size_t>(corner | bits)]; };
+    const auto place = [&](int bits) { return places[corner | bits]; };
     // Clockwise as seen from outside, which is the way round that ImGui fills.
     const std::array<ImVec2, 4> outline{place(0), place(positive ? v : u), place(u | v), place(positive ? u : v)};
     const double light = 0.78 + 0.26 * (positive ? 1 : -1) * body.rotation.col(axis).dot(scene_.light.cast<double>());
@@ -205,7 +214,8 @@ void Stage::draw_body(Brush& brush, const scene::Shape& shape, const scene::Moti
     const ImVec2 middle = brush.at(at);
     const double apart = (camera_.eye() - at).norm();
     const double sine = shape.radius / std::max(apart, shape.radius);
-    const double seen = sine < 1 ? shape.radius / std::sqrt(1 - sine * sine) : shape.radius;  // its silhouette's, from the eye
+    const double seen =
+        sine < 1 ? shape.radius / std::sqrt(1 - sine * sine) : shape.radius;  // its silhouette's, from the eye
     const auto radius = static_cast<float>(seen * camera_.scale_at(at));
     for (int k = 0; k < (shape.radius > 0 ? kRim : 1); ++k) {
       const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / kRim;
@@ -217,13 +227,15 @@ void Stage::draw_body(Brush& brush, const scene::Shape& shape, const scene::Moti
   if (width > 0) path(brush.list, outline, true, Stroke::kSolid, edge, width);
 }
 
-/// From centre to centre, by the last stage that let the pair pass: dotted boxes, dashed spheres, a line for those that touch.
+/// From centre to centre, by the last stage that let the pair pass: dotted boxes, dashed spheres, a line for those that
+/// touch.
 void Stage::draw_pairs(Brush& brush, const SceneFrame& frame) const {
   const Palette& p = brush.p;
   const std::vector<scene::Pair> touching = touching_of(frame);
-  const auto place = [&](Index body) { return brush.at(frame.bodies[static_cast<std::size_t>(body)].position); };
+  const auto place = [&](Index body) { return brush.at(frame.bodies[body].position); };
   if (frame.bodies.size() > kCrowd) {
-    for (const scene::Pair& pair : touching) line(brush.list, place(pair.a), place(pair.b), Stroke::kSolid, p.support_text, brush.stroke(0.7f));
+    for (const scene::Pair& pair : touching)
+      line(brush.list, place(pair.a), place(pair.b), Stroke::kSolid, p.support_text, brush.stroke(0.7f));
     return;
   }
   for (const scene::Pair& pair : frame.pairs) {

@@ -60,7 +60,8 @@ void Stage::draw_radius(Brush& brush, const fit::Sphere3& ball) const {
   for (const Index i : shown_.support) {
     const Point3 way = brush.session.point(i) - ball.center;
     const double right = way.dot(camera_.right()) / ball.radius;
-    if (std::abs(way.norm() - ball.radius) < 0.02 * ball.radius && right > best) best = right, rim = brush.session.point(i);
+    if (std::abs(way.norm() - ball.radius) < 0.02 * ball.radius && right > best)
+      best = right, rim = brush.session.point(i);
   }
   draw_line(canvas, ball.center, rim, {Stroke::kSolid, p.current, brush.stroke(0.65f)});
   const ImVec2 end = brush.at(rim);
@@ -68,7 +69,9 @@ void Stage::draw_radius(Brush& brush, const fit::Sphere3& ball) const {
   const ImVec2 aside = along.x >= 0 ? ImVec2{along.y, -along.x} : ImVec2{-along.y, along.x};  // upwards
   if (std::hypot(end.x - center.x, end.y - center.y) < 36) return;
   brush.label({center.x + (end.x - center.x) * 0.55f, center.y + (end.y - center.y) * 0.55f}, 4, aside,
-              "r = " + lesson::number_text(ball_in(shown_.volume) != nullptr ? ball_in(shown_.volume)->radius : ball.radius), p.current_text);
+              "r = " +
+                  lesson::number_text(ball_in(shown_.volume) != nullptr ? ball_in(shown_.volume)->radius : ball.radius),
+              p.current_text);
 }
 
 /// Where a volume's label stands: at its top, or to one side of it on the screen.
@@ -80,7 +83,8 @@ Point3 Stage::top_of(const fit::Volume3& volume, double right) const {
 void Stage::draw_hull(Brush& brush) const {
   std::vector<ImVec2> corners;
   for (const Index i : shown_.hull) corners.push_back(brush.at(brush.session.point(i)));
-  if (camera_.dim() == 2) return path(brush.list, convex_outline(std::move(corners)), true, Stroke::kSolid, brush.p.ink, brush.stroke(0.8f));
+  if (camera_.dim() == 2)
+    return path(brush.list, convex_outline(std::move(corners)), true, Stroke::kSolid, brush.p.ink, brush.stroke(0.8f));
   for (const ImVec2 at : corners) ring(brush.list, at, 4 * brush.p.mark, brush.p.ink, brush.stroke(0.6f));
 }
 
@@ -95,7 +99,8 @@ void Stage::draw_rivals(Brush& brush) const {
   };
   if (shown_.before) draw_volume(canvas, *shown_.before, {Stroke::kDotted, p.previous, brush.stroke(0.85f)});
   if (shown_.rival) {
-    draw_volume(canvas, *shown_.rival, {Stroke::kLongDashed, p.previous, brush.stroke(), scene_.three_d ? 0.03f : 0.0f});
+    draw_volume(canvas, *shown_.rival,
+                {Stroke::kLongDashed, p.previous, brush.stroke(), scene_.three_d ? 0.03f : 0.0f});
     if (fit::size_of(*shown_.rival, dim) > 0)
       brush.label(brush.at(top_of(*shown_.rival, -0.5)), 6, {-0.6f, -1},
                   std::string(brush.session.algorithm(1)->title) + " " + size(*shown_.rival), p.previous_text);
@@ -113,7 +118,8 @@ void Stage::draw_rivals(Brush& brush) const {
 void Stage::draw_candidate(Brush& brush) const {
   if (!shown_.candidate) return;
   const Palette& p = brush.p;
-  draw_volume(brush.canvas, *shown_.candidate, {Stroke::kDotted, shown_.candidate_fails ? p.wrong : p.previous, brush.stroke()});
+  draw_volume(brush.canvas, *shown_.candidate,
+              {Stroke::kDotted, shown_.candidate_fails ? p.wrong : p.previous, brush.stroke()});
   const fit::Sphere3* ball = ball_in(shown_.candidate);
   if (ball != nullptr && shown_.candidate_fails && !scene_.three_d) {
     const auto radius = static_cast<float>(ball->radius * camera_.scale_at(ball->center));
@@ -139,13 +145,14 @@ void Stage::draw_extremes(Brush& brush) const {
   if (!shown_.extremes) return;
   Point3 least = Point3::Zero(), greatest = Point3::Zero();
   for (int axis = 0; axis < camera_.dim(); ++axis) {
-    least[axis] = brush.session.point(shown_.extremes->least[static_cast<std::size_t>(axis)])[axis];
-    greatest[axis] = brush.session.point(shown_.extremes->greatest[static_cast<std::size_t>(axis)])[axis];
+    least[axis] = brush.session.point(shown_.extremes->least[axis])[axis];
+    greatest[axis] = brush.session.point(shown_.extremes->greatest[axis])[axis];
   }
-  if (!shown_.box && !shown_.volume) draw_box(canvas, least, greatest, {Stroke::kDotted, p.previous, brush.stroke(0.7f)});
+  if (!shown_.box && !shown_.volume)
+    draw_box(canvas, least, greatest, {Stroke::kDotted, p.previous, brush.stroke(0.7f)});
   if (shown_.volume) return;  // the pair was chosen: its points alone matter now
   for (int axis = 0; axis < camera_.dim(); ++axis) {
-    for (const Index i : {shown_.extremes->least[static_cast<std::size_t>(axis)], shown_.extremes->greatest[static_cast<std::size_t>(axis)]}) {
+    for (const Index i : {shown_.extremes->least[axis], shown_.extremes->greatest[axis]}) {
       const Point3 at = brush.session.point(i);
       for (int other = 0; other < camera_.dim(); ++other) {
         if (other == axis) continue;
@@ -167,7 +174,8 @@ void Stage::draw_spread(Brush& brush) const {
     for (const double deviations : {2.0, 1.0}) {
       Ellipsoid ellipsoid{*shown_.mean, shown_.spread->axes};
       for (int i = 0; i < 3; ++i) ellipsoid.half_axes.col(i) *= deviations * shown_.spread->sigma[i];
-      draw_volume(canvas, ellipsoid, {deviations == 1.0 ? Stroke::kSolid : Stroke::kDotted, p.current, brush.stroke(0.8f), p.fill * 0.8f});
+      draw_volume(canvas, ellipsoid,
+                  {deviations == 1.0 ? Stroke::kSolid : Stroke::kDotted, p.current, brush.stroke(0.8f), p.fill * 0.8f});
       if (shown_.spread->named) continue;
       const Point3 end = *shown_.mean + ellipsoid.half_axes.col(2);
       brush.label(brush.at(end), 6, kAbove, deviations == 1.0 ? "1 σ" : "2 σ", p.current_text, Face::kSemiBold, 13);

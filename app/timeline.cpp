@@ -36,7 +36,8 @@ void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, bool op
       list->AddRectFilled(low, {low.x + width, low.y + height}, open ? p.current : p.panel, 4);
       list->AddRect(low, {low.x + width, low.y + height}, p.current, 4, 0, 1.5f);
       const float size = 12 / look.text_scale;  // a mark, not a word: it does not grow with the text
-      text_middle(list, look, Face::kSemiBold, size, {at.x, low.y + height / 2 - 6}, open ? p.on_current : p.current_text, "?");
+      text_middle(list, look, Face::kSemiBold, size, {at.x, low.y + height / 2 - 6},
+                  open ? p.on_current : p.current_text, "?");
       break;
     }
   }
@@ -55,7 +56,8 @@ void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, co
   list->AddRectFilled({map.left, y - half}, {map.left + map.width, y + half}, p.track, half);
   list->AddRectFilled({map.left, y - half}, {thumb, y + half}, p.current, half);
   for (const lesson::Mark& mark : marks_with_room(marks_to_show(session), map, kMarksApart))
-    draw_mark(list, look, mark.kind, {map.x_of(mark.step), y}, mark.kind == Kind::kQuestion && is_open(session, mark.step));
+    draw_mark(list, look, mark.kind, {map.x_of(mark.step), y},
+              mark.kind == Kind::kQuestion && is_open(session, mark.step));
   const float radius = (touch.held || touch.hovered ? 10.0f : 8.0f) + (look.fingers ? 2.0f : 0.0f);
   disc(list, {thumb, y}, radius + 3, p.panel);
   disc(list, {thumb, y}, radius, p.current);
@@ -68,10 +70,13 @@ void draw_legend(ImDrawList* list, const Look& look, const lesson::Session& sess
   const std::array<std::pair<Kind, std::string>, 3> kinds{
       {{Kind::kGrew, session.lesson().volume == "sphere" ? "the ball grew" : "the first volume"},
        {Kind::kReplaced, boxes ? "the verdict" : "new support"},
-       {Kind::kBest, !boxes ? "best so far" : session.lesson().volume == "box_pair" ? "it separates" : "wholly outside"}}};
+       {Kind::kBest, !boxes                                  ? "best so far"
+                     : session.lesson().volume == "box_pair" ? "it separates"
+                                                             : "wholly outside"}}};
   for (const auto& [kind, words] : kinds) {
     const auto& marks = session.marks();
-    if (std::none_of(marks.begin(), marks.end(), [kind = kind](const lesson::Mark& m) { return m.kind == kind; })) continue;
+    if (std::none_of(marks.begin(), marks.end(), [kind = kind](const lesson::Mark& m) { return m.kind == kind; }))
+      continue;
     const float width = measure(look, Face::kRegular, kSize, words).x + 18;
     if ((room -= width + 16) < 0) return;
     text_right(list, look, Face::kRegular, kSize, {right, middle_of(y, look.px(kSize))}, look->muted, words);
@@ -100,7 +105,11 @@ float speed_menu(const Look& look, const Rect& anchor, float current) {
     const float speed = kSpeeds[kSpeeds.size() - 1 - i];
     const std::string words = speed_text(speed);
     const Rect rect{corner.x + 4, corner.y + 4 + row * static_cast<float>(i), width - 8, row};
-    if (button(list, look, {.id = words.c_str(), .rect = rect, .words = words, .kind = speed == current ? ButtonKind::kPlain : ButtonKind::kQuiet})) {
+    if (button(list, look,
+               {.id = words.c_str(),
+                .rect = rect,
+                .words = words,
+                .kind = speed == current ? ButtonKind::kPlain : ButtonKind::kQuiet})) {
       chosen = speed;
       ImGui::CloseCurrentPopup();
     }
@@ -140,10 +149,19 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
   };
   press({.id = "first", .rect = place(c.small), .icon = Icon::kFirst, .enabled = !at_start}, "first");
   press({.id = "back", .rect = place(c.small), .icon = Icon::kBack, .enabled = !at_start}, "back");
-  press({.id = "step", .rect = place(c.wide), .words = gate ? "Answer" : "Step", .icon = gate ? Icon::kLock : Icon::kStep,
-         .kind = ButtonKind::kPrimary, .enabled = !gate && !at_end}, "step");
-  press({.id = "play", .rect = place(c.wide), .words = player.playing ? "Pause" : "Play",
-         .icon = player.playing ? Icon::kPause : Icon::kNone, .enabled = player.playing || !gate}, "play");
+  press({.id = "step",
+         .rect = place(c.wide),
+         .words = gate ? "Answer" : "Step",
+         .icon = gate ? Icon::kLock : Icon::kStep,
+         .kind = ButtonKind::kPrimary,
+         .enabled = !gate && !at_end},
+        "step");
+  press({.id = "play",
+         .rect = place(c.wide),
+         .words = player.playing ? "Pause" : "Play",
+         .icon = player.playing ? Icon::kPause : Icon::kNone,
+         .enabled = player.playing || !gate},
+        "play");
   press({.id = "last", .rect = place(c.small), .icon = Icon::kLast, .enabled = !gate && !at_end}, "last");
 }
 
@@ -166,12 +184,14 @@ PlayerWish draw_timeline(const Look& look, lesson::Session& session, const Rect&
 
   const std::string speed = speed_text(player.speed);
   const float speed_width = look.px(48), speed_height = look.fingers ? 40 : look.px(32), foot = low ? 8 : 14;
-  // On a phone the buttons take the whole row below: the speed stands beside the step. On its side there is no such row.
+  // On a phone the buttons take the whole row below: the speed stands beside the step. On its side there is no such
+  // row.
   const Rect buttons{rect.x, rect.y, low ? rect.width - speed_width - 4 : rect.width, rect.height};
   const float row = sizes(look, buttons.width - 16, low).height;
   const float bottom = rect.y + rect.height - foot - row;
   const float beside = look.fingers && !low ? words : bottom + row / 2;
-  const Rect at{low ? rect.x + rect.width - speed_width - 8 : map.left + map.width - speed_width + 8, beside - speed_height / 2, speed_width, speed_height};
+  const Rect at{low ? rect.x + rect.width - speed_width - 8 : map.left + map.width - speed_width + 8,
+                beside - speed_height / 2, speed_width, speed_height};
   if (!low) {
     const std::string step = "step " + std::to_string(session.step()) + " of " + std::to_string(session.steps());
     text(list, look, Face::kRegular, kSize, {map.left + 2, middle_of(words, look.px(kSize))}, p.muted, step);
@@ -180,7 +200,8 @@ PlayerWish draw_timeline(const Look& look, lesson::Session& session, const Rect&
     draw_legend(list, look, session, legend, words, legend - map.left - said - 12);
   }
   draw_buttons(list, look, session, buttons, bottom, player, wish);
-  if (button(list, look, {.id = "speed", .rect = at, .words = speed, .kind = ButtonKind::kQuiet})) ImGui::OpenPopup("speeds");
+  if (button(list, look, {.id = "speed", .rect = at, .words = speed, .kind = ButtonKind::kQuiet}))
+    ImGui::OpenPopup("speeds");
   wish.speed = speed_menu(look, at, player.speed);
   return wish;
 }

@@ -31,7 +31,8 @@ std::vector<lesson::Mark> marks_to_show(const lesson::Session& session) {
     if (is_open(session, asked.step)) gate = std::min(gate, asked.step);
   known = std::max(known, gate);
   std::vector<lesson::Mark> shown = session.marks();
-  std::erase_if(shown, [&](const lesson::Mark& mark) { return mark.kind != lesson::Mark::Kind::kQuestion && mark.step > known; });
+  std::erase_if(
+      shown, [&](const lesson::Mark& mark) { return mark.kind != lesson::Mark::Kind::kQuestion && mark.step > known; });
   return shown;
 }
 
@@ -49,7 +50,8 @@ std::vector<lesson::Mark> marks_with_room(std::span<const lesson::Mark> marks, c
       continue;
     }
     const float x = map.x_of(mark.step);
-    const bool at_firm = std::any_of(firm.begin(), firm.end(), [&](float other) { return std::abs(other - x) < apart; });
+    const bool at_firm =
+        std::any_of(firm.begin(), firm.end(), [&](float other) { return std::abs(other - x) < apart; });
     if (x - before < apart || at_firm) continue;
     before = x;
     kept.push_back(mark);

@@ -25,8 +25,8 @@ struct TimelineMap {
 /// the first question without an answer.
 [[nodiscard]] std::vector<lesson::Mark> marks_to_show(const lesson::Session& session);
 
-/// The marks that are drawn: every question, every best, and of the others those that stand clear of these and of the one
-/// before by `apart` pixels.
+/// The marks that are drawn: every question, every best, and of the others those that stand clear of these and of the
+/// one before by `apart` pixels.
 [[nodiscard]] std::vector<lesson::Mark> marks_with_room(std::span<const lesson::Mark> marks, const TimelineMap& map,
                                                         float apart);
 

@@ -13,8 +13,8 @@ namespace {
 
 using V3 = Vector<double, 3>;
 
-constexpr int kParts = 128;  // of an ellipse
-constexpr int kStride = 2;   // so many of them to a piece of a great circle, which is fainter
+constexpr int kParts = 128;                            // of an ellipse
+constexpr int kStride = 2;                             // so many of them to a piece of a great circle, which is fainter
 constexpr float kFrontLine = 0.42f, kBackLine = 0.2f;  // alphas of great circles
 
 float bounded(double value) { return static_cast<float>(std::clamp(value, -1e30, 1e30)); }
@@ -51,11 +51,13 @@ std::vector<V3> silhouette(const V3& center, const Eigen::Matrix3d& axes, const 
   const V3 direction = unit_eye / std::sqrt(square);
   const V3 aside = direction.cross(std::abs(direction[1]) < 0.9 ? V3(V3::UnitY()) : V3(V3::UnitX())).normalized();
   const double radius = std::sqrt(1 - 1 / square);
-  return ellipse(center + axes * (unit_eye / square), axes * (aside * radius), axes * (direction.cross(aside) * radius));
+  return ellipse(center + axes * (unit_eye / square), axes * (aside * radius),
+                 axes * (direction.cross(aside) * radius));
 }
 
 /// A great circle, its far half thinner and paler.
-void great_circle(const Canvas& canvas, const V3& center, const Eigen::Matrix3d& axes, const V3& unit_eye, int a, int b, Color color) {
+void great_circle(const Canvas& canvas, const V3& center, const Eigen::Matrix3d& axes, const V3& unit_eye, int a, int b,
+                  Color color) {
   const std::vector<V3> points = ellipse(center, axes.col(a), axes.col(b));
   const std::vector<ImVec2> screen = projected(canvas, points);
   for (int i = 0; i < kParts; i += kStride) {
@@ -63,8 +65,8 @@ void great_circle(const Canvas& canvas, const V3& center, const Eigen::Matrix3d&
     V3 unit = V3::Zero();
     unit[a] = std::cos(t), unit[b] = std::sin(t);
     const bool front = unit.dot(unit_eye) > 1;
-    canvas.list->AddLine(screen[static_cast<std::size_t>(i)], screen[static_cast<std::size_t>((i + kStride) % kParts)],
-                         with_alpha(color, front ? kFrontLine : kBackLine), front ? 1.25f : 0.8f);
+    canvas.list->AddLine(screen[i], screen[(i + kStride) % kParts], with_alpha(color, front ? kFrontLine : kBackLine),
+                         front ? 1.25f : 0.8f);
   }
 }
 
@@ -74,7 +76,8 @@ void draw_solid(const Canvas& canvas, const V3& center, const Eigen::Matrix3d& a
   // A flat ellipsoid (points in a plane) has no inverse: a hair's breadth of thickness gives it one.
   Eigen::Matrix3d full = axes;
   for (int i = 0; i < 3; ++i)
-    if (full.col(i).norm() < 1e-4 * reach) full.col(i) = full.col((i + 1) % 3).cross(full.col((i + 2) % 3)).normalized() * 1e-4 * reach;
+    if (full.col(i).norm() < 1e-4 * reach)
+      full.col(i) = full.col((i + 1) % 3).cross(full.col((i + 2) % 3)).normalized() * 1e-4 * reach;
   const V3 unit_eye = full.inverse() * (canvas.camera.eye() - center);
   if (style.fill > 0) {
     GlVolume volume;
@@ -83,7 +86,8 @@ void draw_solid(const Canvas& canvas, const V3& center, const Eigen::Matrix3d& a
     volume.color = style.color;
     volume.fill = style.fill;
     canvas.gl.volumes.push_back(volume);
-    for (const auto& [a, b] : {std::pair{0, 2}, {0, 1}, {1, 2}}) great_circle(canvas, center, full, unit_eye, a, b, style.color);
+    for (const auto& [a, b] : {std::pair{0, 2}, {0, 1}, {1, 2}})
+      great_circle(canvas, center, full, unit_eye, a, b, style.color);
   }
   const std::vector<ImVec2> outline = projected(canvas, silhouette(center, full, unit_eye));
   path(canvas.list, outline, true, style.stroke, style.color, style.width);
@@ -92,13 +96,14 @@ void draw_solid(const Canvas& canvas, const V3& center, const Eigen::Matrix3d& a
 
 std::vector<ImVec2> around(const std::vector<ImVec2>& screen, const std::vector<int>& face) {
   std::vector<ImVec2> outline;
-  for (const int corner : face) outline.push_back(screen[static_cast<std::size_t>(corner)]);
+  for (const int corner : face) outline.push_back(screen[corner]);
   return outline;
 }
 
 void fill_convex(const Canvas& canvas, const std::vector<ImVec2>& outline, const VolumeStyle& style, float share) {
   if (style.fill > 0 && outline.size() > 2)
-    canvas.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), with_alpha(style.color, style.fill * share));
+    canvas.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()),
+                                     with_alpha(style.color, style.fill * share));
 }
 
 void add_sides(const Canvas& canvas, const std::vector<ImVec2>& outline) {
@@ -111,7 +116,7 @@ void add_sides(const Canvas& canvas, const std::vector<ImVec2>& outline) {
 std::vector<bool> faces_in_front(const Canvas& canvas, const Polytope& polytope) {
   std::vector<bool> front;
   for (const auto& face : polytope.faces) {
-    const auto corner = [&](std::size_t i) -> const V3& { return polytope.corners[static_cast<std::size_t>(face[i])]; };
+    const auto corner = [&](std::size_t i) -> const V3& { return polytope.corners[face[i]]; };
     const V3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
     front.push_back(normal.dot(canvas.camera.eye() - corner(0)) > 0);
   }
@@ -130,9 +135,10 @@ void draw_swept(const Canvas& canvas, const std::vector<V3>& core, double radius
   std::vector<ImVec2> rims;
   for (const V3& corner : core) {
     const double scale = radius > 0 ? 1 / radius : 0;
-    const std::vector<V3> rim =
-        is_flat(canvas) ? ellipse(corner, V3::UnitX() * radius, V3::UnitY() * radius)
-                        : silhouette(corner, Eigen::Matrix3d(Eigen::Matrix3d::Identity() * radius), (canvas.camera.eye() - corner) * scale);
+    const std::vector<V3> rim = is_flat(canvas)
+                                    ? ellipse(corner, V3::UnitX() * radius, V3::UnitY() * radius)
+                                    : silhouette(corner, Eigen::Matrix3d(Eigen::Matrix3d::Identity() * radius),
+                                                 (canvas.camera.eye() - corner) * scale);
     for (const ImVec2 at : projected(canvas, rim)) rims.push_back(at);
     rims.push_back(canvas.at(corner));
   }
@@ -140,14 +146,17 @@ void draw_swept(const Canvas& canvas, const std::vector<V3>& core, double radius
   fill_convex(canvas, outline, style, 1);
   path(canvas.list, outline, true, style.stroke, style.color, style.width);
   add_sides(canvas, outline);
-  if (style.fill > 0) path(canvas.list, projected(canvas, core), core.size() > 2, Stroke::kDashed, with_alpha(style.color, 0.5f), 1);
+  if (style.fill > 0)
+    path(canvas.list, projected(canvas, core), core.size() > 2, Stroke::kDashed, with_alpha(style.color, 0.5f), 1);
 }
 
 }  // namespace
 
 std::vector<ImVec2> convex_outline(std::vector<ImVec2> points) {
   std::sort(points.begin(), points.end(), [](ImVec2 a, ImVec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-  const auto turns = [](ImVec2 a, ImVec2 b, ImVec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0; };
+  const auto turns = [](ImVec2 a, ImVec2 b, ImVec2 c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0;
+  };
   std::vector<ImVec2> outline;
   for (int side = 0; side < 2; ++side) {
     const std::size_t begin = outline.size() + 1;
@@ -173,7 +182,8 @@ void draw_volume(const Canvas& canvas, const Sphere<double, 3>& ball, const Volu
   }
   const ImVec2 center = canvas.at(ball.center);
   const float radius = bounded(ball.radius * canvas.camera.scale_at(ball.center));
-  if (style.fill > 0 && radius < 1e5f) canvas.gl.fills.push_back({center.x, center.y, radius, 0, 0, radius, with_alpha(style.color, style.fill)});
+  if (style.fill > 0 && radius < 1e5f)
+    canvas.gl.fills.push_back({center.x, center.y, radius, 0, 0, radius, with_alpha(style.color, style.fill)});
   circle(canvas.list, center, radius, style.stroke, style.color, style.width);
   canvas.obstacles.circles.push_back({center.x, center.y, radius});
 }
@@ -219,13 +229,15 @@ void draw_volume(const Canvas& canvas, const Capsule<double, 3>& capsule, const 
 
 void draw_volume(const Canvas& canvas, const Lozenge<double, 3>& lozenge, const VolumeStyle& style) {
   const auto& [u, v] = lozenge.edges;
-  draw_swept(canvas, {lozenge.origin, lozenge.origin + u, lozenge.origin + u + v, lozenge.origin + v}, lozenge.radius, style);
+  draw_swept(canvas, {lozenge.origin, lozenge.origin + u, lozenge.origin + u + v, lozenge.origin + v}, lozenge.radius,
+             style);
 }
 
 void draw_volume(const Canvas& canvas, const fit::Volume3& volume, const VolumeStyle& style) {
   std::visit(
       [&]<class Kind>(const Kind& kind) {
-        if constexpr (requires { polytope_of(kind, 2); }) draw_volume(canvas, polytope_of(kind, canvas.camera.dim()), style);
+        if constexpr (requires { polytope_of(kind, 2); })
+          draw_volume(canvas, polytope_of(kind, canvas.camera.dim()), style);
         else draw_volume(canvas, kind, style);
       },
       volume);

@@ -57,7 +57,8 @@ void draw_volume(const Canvas& canvas, const fit::Volume3& volume, const VolumeS
 /// Source: A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
 [[nodiscard]] std::vector<ImVec2> convex_outline(std::vector<ImVec2> points);
 /// An axis-aligned box's edges.
-void draw_box(const Canvas& canvas, const Vector<double, 3>& least, const Vector<double, 3>& greatest, const VolumeStyle& style);
+void draw_box(const Canvas& canvas, const Vector<double, 3>& least, const Vector<double, 3>& greatest,
+              const VolumeStyle& style);
 /// A straight line of the scene, and an obstacle to labels.
 void draw_line(const Canvas& canvas, const Vector<double, 3>& a, const Vector<double, 3>& b, const VolumeStyle& style);
 

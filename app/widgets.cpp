@@ -32,7 +32,8 @@ void turning_arrow(ImDrawList* list, ImVec2 m, float size, float direction, Colo
   path(list, arc, false, Stroke::kSolid, color, 1.75f);
   const ImVec2 tip = arc.back();
   const float h = size * 0.3f;
-  list->AddTriangleFilled({tip.x - h, tip.y - h * 0.2f}, {tip.x + h, tip.y - h * 0.2f}, {tip.x, tip.y + h * 0.9f}, color);
+  list->AddTriangleFilled({tip.x - h, tip.y - h * 0.2f}, {tip.x + h, tip.y - h * 0.2f}, {tip.x, tip.y + h * 0.9f},
+                          color);
 }
 
 void lock(ImDrawList* list, ImVec2 m, float size, Color color) {
@@ -73,18 +74,29 @@ Touch touch_area(const char* id, const Rect& rect, bool enabled) {
 void draw_icon(ImDrawList* list, Icon icon, ImVec2 m, float size, Color color) {
   switch (icon) {
     case Icon::kNone: break;
-    case Icon::kFirst: bar(list, m.x - size * 0.5f, m.y, size, 2, color), triangle(list, {m.x + size * 0.15f, m.y}, size * 0.95f, -1, color); break;
+    case Icon::kFirst:
+      bar(list, m.x - size * 0.5f, m.y, size, 2, color),
+          triangle(list, {m.x + size * 0.15f, m.y}, size * 0.95f, -1, color);
+      break;
     case Icon::kBack: triangle(list, m, size, -1, color); break;
     case Icon::kStep:
     case Icon::kPlay: triangle(list, m, size, 1, color); break;
-    case Icon::kPause: bar(list, m.x - size * 0.25f, m.y, size * 0.9f, 3.5f, color), bar(list, m.x + size * 0.25f, m.y, size * 0.9f, 3.5f, color); break;
-    case Icon::kLast: bar(list, m.x + size * 0.5f, m.y, size, 2, color), triangle(list, {m.x - size * 0.15f, m.y}, size * 0.95f, 1, color); break;
+    case Icon::kPause:
+      bar(list, m.x - size * 0.25f, m.y, size * 0.9f, 3.5f, color),
+          bar(list, m.x + size * 0.25f, m.y, size * 0.9f, 3.5f, color);
+      break;
+    case Icon::kLast:
+      bar(list, m.x + size * 0.5f, m.y, size, 2, color),
+          triangle(list, {m.x - size * 0.15f, m.y}, size * 0.95f, 1, color);
+      break;
     case Icon::kLock: lock(list, m, size, color); break;
     case Icon::kFit: {
       const float s = size * 0.5f, c = size * 0.22f;
       for (const float dx : {-1.0f, 1.0f})
         for (const float dy : {-1.0f, 1.0f}) {
-          const std::array<ImVec2, 3> corner{ImVec2{m.x + dx * (s - c), m.y + dy * s}, {m.x + dx * s, m.y + dy * s}, {m.x + dx * s, m.y + dy * (s - c)}};
+          const std::array<ImVec2, 3> corner{ImVec2{m.x + dx * (s - c), m.y + dy * s},
+                                             {m.x + dx * s, m.y + dy * s},
+                                             {m.x + dx * s, m.y + dy * (s - c)}};
           path(list, corner, false, Stroke::kSolid, color, 1.6f);
         }
       disc(list, m, 2, color);
@@ -108,7 +120,9 @@ bool button(ImDrawList* list, const Look& look, const Button& b) {
   const Touch touch = touch_area(b.id, b.rect, b.enabled);
   const ImVec2 low{b.rect.x, b.rect.y}, high{b.rect.x + b.rect.width, b.rect.y + b.rect.height};
   const bool filled = b.kind == ButtonKind::kPrimary;
-  Color ground = filled ? p.current : b.kind == ButtonKind::kQuiet || b.kind == ButtonKind::kOutlined ? p.panel : p.raised;
+  Color ground = filled                                                            ? p.current
+                 : b.kind == ButtonKind::kQuiet || b.kind == ButtonKind::kOutlined ? p.panel
+                                                                                   : p.raised;
   if (b.kind == ButtonKind::kChosen) ground = p.panel;
   Color ink = filled ? p.on_current : b.kind == ButtonKind::kChosen ? p.current_text : p.ink;
   if (!b.enabled) {
@@ -118,7 +132,8 @@ bool button(ImDrawList* list, const Look& look, const Button& b) {
   if (b.kind != ButtonKind::kQuiet) list->AddRectFilled(low, high, ground, kCorner);
   if (touch.hovered) list->AddRectFilled(low, high, with_alpha(p.ink, touch.held ? 0.14f : 0.07f), kCorner);
   if (b.kind == ButtonKind::kChosen) list->AddRect(low, high, p.current, kCorner, 0, 2);
-  else if (b.kind == ButtonKind::kOutlined || (p.panel == p.ground && b.kind != ButtonKind::kQuiet)) list->AddRect(low, high, p.line, kCorner, 0, 1);
+  else if (b.kind == ButtonKind::kOutlined || (p.panel == p.ground && b.kind != ButtonKind::kQuiet))
+    list->AddRect(low, high, p.line, kCorner, 0, 1);
 
   const ImVec2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
   const float icon = b.icon == Icon::kNone ? 0 : look.px(13), gap = icon > 0 && !b.words.empty() ? look.px(8) : 0;

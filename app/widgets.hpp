@@ -27,7 +27,23 @@ struct Touch {
 /// An area that answers the pointer.
 Touch touch_area(const char* id, const Rect& rect, bool enabled = true);
 
-enum class Icon { kNone, kFirst, kBack, kStep, kPlay, kPause, kLast, kLock, kFit, kPlus, kMinus, kUndo, kRedo, kTheme, kClose };
+enum class Icon {
+  kNone,
+  kFirst,
+  kBack,
+  kStep,
+  kPlay,
+  kPause,
+  kLast,
+  kLock,
+  kFit,
+  kPlus,
+  kMinus,
+  kUndo,
+  kRedo,
+  kTheme,
+  kClose
+};
 void draw_icon(ImDrawList* list, Icon icon, ImVec2 middle, float size, Color color);
 
 enum class ButtonKind { kPlain, kPrimary, kOutlined, kChosen, kQuiet };

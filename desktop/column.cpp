@@ -64,7 +64,8 @@ void Column::prose(const lesson::Paragraph& paragraph) {
     std::size_t end = i + 1;
     while (end < words.size() && !words[end].space_before) ++end;
     float run = 0;
-    for (std::size_t k = i; k < end; ++k) run += app::measure(look_, words[k].strong ? Face::kSemiBold : Face::kRegular, kSize, words[k].text).x;
+    for (std::size_t k = i; k < end; ++k)
+      run += app::measure(look_, words[k].strong ? Face::kSemiBold : Face::kRegular, kSize, words[k].text).x;
     if (x > 0 && x + space + run > width_) x = 0, y_ += look_.px(kLeading);
     else if (x > 0) x += space;
     for (; i < end; ++i) {
@@ -76,7 +77,8 @@ void Column::prose(const lesson::Paragraph& paragraph) {
   if (!words.empty()) y_ += look_.px(kLeading);
 }
 
-int Column::buttons(const char* id, const std::vector<std::string>& words, int chosen, const std::vector<bool>& enabled) {
+int Column::buttons(const char* id, const std::vector<std::string>& words, int chosen,
+                    const std::vector<bool>& enabled) {
   int clicked = -1;
   float x = 0;
   const float height = look_.px(34), gap = 8;
@@ -86,7 +88,12 @@ int Column::buttons(const char* id, const std::vector<std::string>& words, int c
     if (x > 0 && x + width > width_ + 0.5f) x = 0, y_ += height + gap;
     const std::string name = std::string(id) + std::to_string(i);
     const bool on = static_cast<int>(i) == chosen;
-    if (app::button(list_, look_, {.id = name.c_str(), .rect = {x_ + x, y_, width, height}, .words = words[i], .kind = on ? app::ButtonKind::kChosen : app::ButtonKind::kOutlined, .enabled = enabled.empty() || enabled[i]}))
+    if (app::button(list_, look_,
+                    {.id = name.c_str(),
+                     .rect = {x_ + x, y_, width, height},
+                     .words = words[i],
+                     .kind = on ? app::ButtonKind::kChosen : app::ButtonKind::kOutlined,
+                     .enabled = enabled.empty() || enabled[i]}))
       clicked = static_cast<int>(i);
     x += width + gap;
   }
@@ -98,13 +105,16 @@ int Column::chooser(const char* id, float from, float width, const std::vector<s
   const float height = look_.px(34), middle = y_ + height / 2;
   const app::Rect rect{x_ + from, y_, width, height};
   const std::string button_id = std::string(id) + " button";
-  if (app::button(list_, look_, {.id = button_id.c_str(), .rect = rect, .kind = app::ButtonKind::kOutlined})) ImGui::OpenPopup(id);
-  const std::string_view now = chosen >= 0 ? std::string_view(words[static_cast<std::size_t>(chosen)]) : std::string_view();
-  app::text(list_, look_, Face::kSemiBold, 14, {rect.x + 12, app::middle_of(middle, look_.px(14))}, look_->ink, app::shortened(look_, Face::kSemiBold, 14, now, rect.width - 40));
+  if (app::button(list_, look_, {.id = button_id.c_str(), .rect = rect, .kind = app::ButtonKind::kOutlined}))
+    ImGui::OpenPopup(id);
+  const std::string_view now = chosen >= 0 ? std::string_view(words[chosen]) : std::string_view();
+  app::text(list_, look_, Face::kSemiBold, 14, {rect.x + 12, app::middle_of(middle, look_.px(14))}, look_->ink,
+            app::shortened(look_, Face::kSemiBold, 14, now, rect.width - 40));
   const float cx = rect.x + rect.width - 16;
   list_->AddTriangleFilled({cx - 5, middle - 2.5f}, {cx + 5, middle - 2.5f}, {cx, middle + 3.5f}, look_->muted);
   const float list_width = std::max(width, look_.px(180));
-  return choice_list(look_, id, {std::min(rect.x, x_ + width_ - list_width), rect.y + height + 4}, list_width, words, chosen);
+  return choice_list(look_, id, {std::min(rect.x, x_ + width_ - list_width), rect.y + height + 4}, list_width, words,
+                     chosen);
 }
 
 // The card's ground is drawn beneath what stands on it, though its height is known only afterwards.
@@ -128,7 +138,8 @@ void Column::end_card() {
   y_ += 12;
 }
 
-int choice_list(const app::Look& look, const char* id, ImVec2 at, float width, const std::vector<std::string>& words, int chosen) {
+int choice_list(const app::Look& look, const char* id, ImVec2 at, float width, const std::vector<std::string>& words,
+                int chosen) {
   const float row = look.px(34), height = row * static_cast<float>(words.size()) + 8;
   const float below = ImGui::GetIO().DisplaySize.y - at.y - 8;
   const float top = below >= height ? at.y : std::max(8.0f, ImGui::GetIO().DisplaySize.y - height - 8);
@@ -142,9 +153,11 @@ int choice_list(const app::Look& look, const char* id, ImVec2 at, float width, c
     const std::string name = "choice " + std::to_string(i);
     const bool on = static_cast<int>(i) == chosen;
     const app::Touch touch = app::touch_area(name.c_str(), rect);
-    if (touch.hovered || on) list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + row}, look->raised, 6);
-    app::text(list, look, on ? Face::kSemiBold : Face::kRegular, 14, {rect.x + 10, app::middle_of(rect.y + row / 2, look.px(14))},
-              on ? look->current_text : look->ink, app::shortened(look, Face::kSemiBold, 14, words[i], rect.width - 20));
+    if (touch.hovered || on)
+      list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + row}, look->raised, 6);
+    app::text(list, look, on ? Face::kSemiBold : Face::kRegular, 14,
+              {rect.x + 10, app::middle_of(rect.y + row / 2, look.px(14))}, on ? look->current_text : look->ink,
+              app::shortened(look, Face::kSemiBold, 14, words[i], rect.width - 20));
     if (touch.clicked) {
       clicked = static_cast<int>(i);
       ImGui::CloseCurrentPopup();

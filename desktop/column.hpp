@@ -31,7 +31,8 @@ class Column {
   void prose(const lesson::Paragraph& paragraph);
   /// Buttons in rows, as many as fit in each. Returns the one that was clicked, or -1. chosen: the one that is on.
   /// enabled: of each; none for all.
-  int buttons(const char* id, const std::vector<std::string>& words, int chosen = -1, const std::vector<bool>& enabled = {});
+  int buttons(const char* id, const std::vector<std::string>& words, int chosen = -1,
+              const std::vector<bool>& enabled = {});
   /// A button for a choice among many, which opens a list; within the row that starts here, which the caller leaves.
   /// Returns the one that was chosen, or -1.
   int chooser(const char* id, float from, float width, const std::vector<std::string>& words, int chosen);
@@ -47,6 +48,7 @@ class Column {
 };
 
 /// The list of a choice, at a place; to be opened by ImGui::OpenPopup(id). Returns the one that was chosen, or -1.
-int choice_list(const app::Look& look, const char* id, ImVec2 at, float width, const std::vector<std::string>& words, int chosen);
+int choice_list(const app::Look& look, const char* id, ImVec2 at, float width, const std::vector<std::string>& words,
+                int chosen);
 
 }  // namespace snug::desktop

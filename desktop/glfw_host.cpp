@@ -106,7 +106,8 @@ tl::expected<std::unique_ptr<GlfwHost>, std::string> GlfwHost::make(int width, i
     host->window_ = glfwCreateWindow(width, height, "Snug", nullptr, nullptr);
     if (host->window_ != nullptr) break;
   }
-  if (host->window_ == nullptr) return tl::unexpected(std::string("the display has no OpenGL 3.3, which the window needs"));
+  if (host->window_ == nullptr)
+    return tl::unexpected(std::string("the display has no OpenGL 3.3, which the window needs"));
   glfwMakeContextCurrent(host->window_);
   glfwSwapInterval(1);
   host->install();
@@ -172,7 +173,8 @@ Extent GlfwHost::extent() const {
   if (!(extent.scale >= 0.5f)) extent.scale = 1;
   extent.width = static_cast<float>(extent.device_width) / extent.scale;
   extent.height = static_cast<float>(extent.device_height) / extent.scale;
-  const float device_per_window = window_width > 0 ? static_cast<float>(extent.device_width) / static_cast<float>(window_width) : 1;
+  const float device_per_window =
+      window_width > 0 ? static_cast<float>(extent.device_width) / static_cast<float>(window_width) : 1;
   extent.window_per_page = device_per_window > 0 ? extent.scale / device_per_window : 1;
   return extent;
 }

@@ -48,13 +48,15 @@ void draw_picker(Shell& shell, const app::Look& look, ImDrawList* list, const ap
   const std::string& title = shell.session().lesson().title;
   const float height = look.px(32), width = app::measure(look, Face::kSemiBold, 14, title).x + 40;
   const app::Rect place{x, rect.y + (rect.height - height) / 2, width, height};
-  if (app::button(list, look, {.id = "lesson", .rect = place, .kind = app::ButtonKind::kQuiet})) ImGui::OpenPopup("lessons");
+  if (app::button(list, look, {.id = "lesson", .rect = place, .kind = app::ButtonKind::kQuiet}))
+    ImGui::OpenPopup("lessons");
   const float middle = place.y + height / 2;
   app::text(list, look, Face::kSemiBold, 14, {x + 8, app::middle_of(middle, look.px(14))}, look->ink, title);
   const float cx = x + width - 16;
   list->AddTriangleFilled({cx - 5, middle - 2.5f}, {cx + 5, middle - 2.5f}, {cx, middle + 3.5f}, look->muted);
-  const int picked = choice_list(look, "lessons", {x, rect.y + rect.height}, std::max(width, look.px(340)), titles, chosen);
-  if (picked >= 0) static_cast<void>(shell.open(shell.lessons()[static_cast<std::size_t>(picked)].lesson.id));
+  const int picked =
+      choice_list(look, "lessons", {x, rect.y + rect.height}, std::max(width, look.px(340)), titles, chosen);
+  if (picked >= 0) static_cast<void>(shell.open(shell.lessons()[picked].lesson.id));
 }
 
 }  // namespace
@@ -76,9 +78,16 @@ void draw_header(Shell& shell, const app::Rect& rect) {
     right -= 4;
     return at;
   };
-  if (app::button(list, look, {.id = "theme", .rect = place(look.px(40)), .icon = app::Icon::kTheme, .kind = app::ButtonKind::kQuiet})) next_theme(settings);
-  if (app::button(list, look, {.id = "size", .rect = place(look.px(44)), .words = "Aa", .kind = app::ButtonKind::kQuiet})) next_text_scale(settings);
-  if (app::button(list, look, {.id = "keys", .rect = place(look.px(56)), .words = "Keys", .kind = app::ButtonKind::kQuiet})) shell.keys_shown = !shell.keys_shown;
+  if (app::button(
+          list, look,
+          {.id = "theme", .rect = place(look.px(40)), .icon = app::Icon::kTheme, .kind = app::ButtonKind::kQuiet}))
+    next_theme(settings);
+  if (app::button(list, look,
+                  {.id = "size", .rect = place(look.px(44)), .words = "Aa", .kind = app::ButtonKind::kQuiet}))
+    next_text_scale(settings);
+  if (app::button(list, look,
+                  {.id = "keys", .rect = place(look.px(56)), .words = "Keys", .kind = app::ButtonKind::kQuiet}))
+    shell.keys_shown = !shell.keys_shown;
 }
 
 void draw_keys(Shell& shell, const app::Rect& window) {
@@ -86,17 +95,21 @@ void draw_keys(Shell& shell, const app::Rect& window) {
   const app::Look& look = shell.app().look();
   constexpr std::size_t kRows = std::size(app::kKeyHelp);
   const float row = look.px(28), width = std::min(look.px(560), window.width - 32), height = row * kRows + look.px(84);
-  const app::Rect card{window.x + (window.width - width) / 2, window.y + std::max(8.0f, (window.height - height) / 2), width, height};
+  const app::Rect card{window.x + (window.width - width) / 2, window.y + std::max(8.0f, (window.height - height) / 2),
+                       width, height};
   const app::Pane pane("##keys", window, app::Pane::Kind::kOver);
   ImDrawList* list = pane.list();
-  list->AddRectFilled({window.x, window.y}, {window.x + window.width, window.y + window.height}, app::with_alpha(look->ground, 0.75f));
+  list->AddRectFilled({window.x, window.y}, {window.x + window.width, window.y + window.height},
+                      app::with_alpha(look->ground, 0.75f));
   list->AddRectFilled({card.x, card.y}, {card.x + width, card.y + height}, look->panel, 8);
   list->AddRect({card.x, card.y}, {card.x + width, card.y + height}, look->line, 8, 0, 1);
   app::text(list, look, Face::kSemiBold, 18, {card.x + 28, card.y + look.px(24)}, look->ink, "Keys");
   float y = card.y + look.px(60);
   for (const app::KeyHelp& help : app::kKeyHelp) {
-    app::text(list, look, Face::kMonoBold, 13, {card.x + 28, app::middle_of(y + row / 2, look.px(13))}, look->current_text, help.keys);
-    app::text(list, look, Face::kRegular, 14, {card.x + 28 + look.px(140), app::middle_of(y + row / 2, look.px(14))}, look->ink, help.does);
+    app::text(list, look, Face::kMonoBold, 13, {card.x + 28, app::middle_of(y + row / 2, look.px(13))},
+              look->current_text, help.keys);
+    app::text(list, look, Face::kRegular, 14, {card.x + 28 + look.px(140), app::middle_of(y + row / 2, look.px(14))},
+              look->ink, help.does);
     y += row;
   }
   if (app::touch_area("keys away", window).clicked) shell.keys_shown = false;

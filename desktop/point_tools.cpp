@@ -45,7 +45,8 @@ class Fields {
   void row(const char* name) {
     const app::Look& look = column_.look();
     const float height = ImGui::GetFrameHeight(), label = look.px(64);
-    app::text(column_.list(), look, Face::kRegular, 14, {column_.x(), app::middle_of(column_.y() + height / 2, look.px(14))}, look->ink, name);
+    app::text(column_.list(), look, Face::kRegular, 14,
+              {column_.x(), app::middle_of(column_.y() + height / 2, look.px(14))}, look->ink, name);
     ImGui::PushID(name);
     ImGui::SetCursorScreenPos({column_.x() + label, column_.y()});
     ImGui::SetNextItemWidth(column_.width() - label);
@@ -65,7 +66,7 @@ void draw_edits(Shell& shell, Column& column) {
   const bool can_delete = shell.app().selected() != kNoIndex && session.size() > 1;
   const std::vector<bool> can{true, can_delete, session.can_undo(), session.can_redo()};
   const int clicked = column.buttons("edit", {"Add", "Delete", "Undo", "Redo"}, -1, can);
-  if (clicked >= 0) shell.app().command(commands[static_cast<std::size_t>(clicked)]);
+  if (clicked >= 0) shell.app().command(commands[clicked]);
 }
 
 void draw_selected(Shell& shell, Column& column) {
@@ -74,7 +75,8 @@ void draw_selected(Shell& shell, Column& column) {
   column.gap(12);
   if (selected == kNoIndex) {
     column.heading("No point selected");
-    column.words("Click a point to move it by number, or drag it. A double click on the ground adds one.", Face::kRegular, 14, column.look()->muted);
+    column.words("Click a point to move it by number, or drag it. A double click on the ground adds one.",
+                 Face::kRegular, 14, column.look()->muted);
     return;
   }
   column.heading(lesson::point_name(selected));
@@ -82,7 +84,7 @@ void draw_selected(Shell& shell, Column& column) {
   Fields fields(column, "coordinates");
   bool entered = false;
   constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
-  for (int axis = 0; axis < session.dim(); ++axis) entered = fields.number(kNames[static_cast<std::size_t>(axis)], at[axis]) || entered;
+  for (int axis = 0; axis < session.dim(); ++axis) entered = fields.number(kNames[axis], at[axis]) || entered;
   if (entered) shell.tell(session.move(selected, at));
 }
 
@@ -93,15 +95,17 @@ void draw_box(Shell& shell, Column& column, int i) {
   constexpr double kDegree = std::numbers::pi / 180;
   lesson::Session& session = shell.session();
   lesson::BoxPair pair = *session.boxes();
-  Obb<double, 3>& box = pair.boxes[static_cast<std::size_t>(i)];
+  Obb<double, 3>& box = pair.boxes[i];
   column.gap(12);
   const bool frustum = lesson::has_frustum(pair);
   column.heading(frustum ? (i == 0 ? "Box" : "Frustum") : i == 0 ? "Box A" : "Box B");
   bool entered = false;
   {
     Fields fields(column, i == 0 ? "box a" : "box b");
-    for (int axis = 0; axis < session.dim(); ++axis) entered = fields.number(kCenter[static_cast<std::size_t>(axis)], box.center[axis]) || entered;
-    for (int axis = 0; axis < session.dim(); ++axis) entered = fields.number(kHalf[static_cast<std::size_t>(axis)], box.half_extents[axis]) || entered;
+    for (int axis = 0; axis < session.dim(); ++axis)
+      entered = fields.number(kCenter[axis], box.center[axis]) || entered;
+    for (int axis = 0; axis < session.dim(); ++axis)
+      entered = fields.number(kHalf[axis], box.half_extents[axis]) || entered;
     double degrees = lesson::angle_of(box) / kDegree;
     if (session.dim() == 2 && fields.number("degrees", degrees)) {
       box.axes = Matrix<double, 3>::Identity();
@@ -146,17 +150,18 @@ void draw_sources(Shell& shell, Column& column) {
     const int count = lesson.points.count > 0 ? lesson.points.count : kUsual;
     const int clicked = column.buttons("generator", lesson.generators, now(lesson.generators));
     if (clicked >= 0)
-      shell.tell(session.set_generator(lesson.generators[static_cast<std::size_t>(clicked)], count, lesson.points.dim, session.seed()));
+      shell.tell(session.set_generator(lesson.generators[clicked], count, lesson.points.dim, session.seed()));
   }
   if (!lesson.meshes.empty()) {
     column.gap(12);
     column.heading("Meshes");
     const int clicked = column.buttons("mesh", lesson.meshes, now(lesson.meshes));
-    if (clicked >= 0) shell.use_mesh(lesson.meshes[static_cast<std::size_t>(clicked)]);
+    if (clicked >= 0) shell.use_mesh(lesson.meshes[clicked]);
   }
   column.gap(12);
   column.heading("Your own");
-  column.words("Drop a point file on this window: xyz, csv, obj, ply or stl.", Face::kRegular, 14, column.look()->muted);
+  column.words("Drop a point file on this window: xyz, csv, obj, ply or stl.", Face::kRegular, 14,
+               column.look()->muted);
 }
 
 }  // namespace
@@ -170,7 +175,8 @@ void draw_point_tools(Shell& shell, Column& column) {
   }
   const std::string source = session.source().empty() ? "" : " · " + session.source();
   column.title(std::to_string(session.size()) + (session.size() == 1 ? " point" : " points"));
-  column.words(std::to_string(session.dim()) + "-D" + source + (session.edited() ? " · changed by you" : ""), Face::kRegular, 14, column.look()->muted);
+  column.words(std::to_string(session.dim()) + "-D" + source + (session.edited() ? " · changed by you" : ""),
+               Face::kRegular, 14, column.look()->muted);
   column.gap(10);
   draw_edits(shell, column);
   draw_selected(shell, column);

@@ -21,11 +21,16 @@ void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app:
   float x = rect.x + kMargin;
   for (const bool points : {false, true}) {
     const lesson::Session& session = shell.session();
-    const std::string_view words = !points ? "Lesson" : session.boxes() != nullptr ? "Boxes" : app::shows_points(session) ? "Points" : "Bodies";
+    const std::string_view words = !points                      ? "Lesson"
+                                   : session.boxes() != nullptr ? "Boxes"
+                                   : app::shows_points(session) ? "Points"
+                                                                : "Bodies";
     const bool on = shell.points_tab == points;
     const float width = app::measure(look, Face::kSemiBold, 14, words).x;
-    if (app::touch_area(points ? "tab points" : "tab lesson", {x - 8, rect.y, width + 16, rect.height}).clicked) shell.points_tab = points;
-    app::text(list, look, on ? Face::kSemiBold : Face::kRegular, 14, {x, app::middle_of(rect.y + rect.height / 2, look.px(14))}, on ? look->ink : look->muted, words);
+    if (app::touch_area(points ? "tab points" : "tab lesson", {x - 8, rect.y, width + 16, rect.height}).clicked)
+      shell.points_tab = points;
+    app::text(list, look, on ? Face::kSemiBold : Face::kRegular, 14,
+              {x, app::middle_of(rect.y + rect.height / 2, look.px(14))}, on ? look->ink : look->muted, words);
     if (on) list->AddRectFilled({x, rect.y + rect.height - 3}, {x + width, rect.y + rect.height - 1}, look->current, 1);
     x += width + 28;
   }
@@ -51,7 +56,8 @@ void draw_task(Shell& shell, Column& column) {
     column.words(task->hint, Face::kRegular, 13, look->muted);
     column.gap(8);
   }
-  if (column.buttons("task", {"Start with " + std::to_string(task->points) + " points"}) == 0) shell.session().start_task();
+  if (column.buttons("task", {"Start with " + std::to_string(task->points) + " points"}) == 0)
+    shell.session().start_task();
   column.end_card();
 }
 
@@ -73,14 +79,16 @@ void draw_lesson(Shell& shell, Column& column) {
 
 std::string place_among(const lesson::Session& session, const lesson::Asked& asked) {
   const auto& all = session.questions();
-  const auto at = std::find_if(all.begin(), all.end(), [&](const lesson::Asked& a) { return &a == &asked; }) - all.begin() + 1;
+  const auto at =
+      std::find_if(all.begin(), all.end(), [&](const lesson::Asked& a) { return &a == &asked; }) - all.begin() + 1;
   return std::to_string(at) + " of " + std::to_string(all.size());
 }
 
 /// Buttons that stay pressed, and one that commits them: the answer then, else -1.
 int chosen_of_many(Shell& shell, Column& column, const lesson::Asked& asked) {
   std::vector<std::string> words;
-  for (std::size_t i = 0; i < asked.choices.size(); ++i) words.push_back((shell.ticked >> i & 1 ? "✓ " : "") + asked.choices[i]);
+  for (std::size_t i = 0; i < asked.choices.size(); ++i)
+    words.push_back((shell.ticked >> i & 1 ? "✓ " : "") + asked.choices[i]);
   const int pressed = column.buttons("tick", words);
   if (pressed >= 0) shell.ticked ^= 1 << pressed;
   return column.buttons("commit", {"Answer"}) == 0 ? std::exchange(shell.ticked, 0) : -1;
@@ -96,11 +104,17 @@ void draw_question(Shell& shell, Column& column) {
   column.words(asked->prompt);
   column.gap(10);
   const int chosen = asked->many ? chosen_of_many(shell, column, *asked) : column.buttons("answer", asked->choices);
-  const std::string how = std::string(asked->on_stage ? "Click a point on the stage" : "Answer to go on") + " · " + place_among(session, *asked);
+  const std::string how = std::string(asked->on_stage ? "Click a point on the stage" : "Answer to go on") + " · " +
+                          place_among(session, *asked);
   const float height = look.px(28), skip = look.px(56);
-  app::text(column.list(), look, Face::kRegular, 13, {column.x(), app::middle_of(column.y() + height / 2, look.px(13))}, look->muted,
-            app::shortened(look, Face::kRegular, 13, how, column.width() - skip));
-  const bool skipped = app::button(column.list(), look, {.id = "skip", .rect = {column.x() + column.width() - skip + 10, column.y(), skip, height}, .words = "Skip", .kind = app::ButtonKind::kQuiet, .size = 13});
+  app::text(column.list(), look, Face::kRegular, 13, {column.x(), app::middle_of(column.y() + height / 2, look.px(13))},
+            look->muted, app::shortened(look, Face::kRegular, 13, how, column.width() - skip));
+  const bool skipped = app::button(column.list(), look,
+                                   {.id = "skip",
+                                    .rect = {column.x() + column.width() - skip + 10, column.y(), skip, height},
+                                    .words = "Skip",
+                                    .kind = app::ButtonKind::kQuiet,
+                                    .size = 13});
   column.gap(height);
   column.end_card();
   if (chosen >= 0) session.answer({lesson::Answer::Kind::kChoice, chosen});
@@ -127,7 +141,12 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome* outcome) 
     column.gap(8);
     constexpr std::string_view kWords = "Watch how it came about";
     const float width = app::measure(look, Face::kSemiBold, 13, kWords).x + 28, height = look.px(30);
-    const bool watch = app::button(column.list(), look, {.id = "watch", .rect = {column.x(), column.y(), width, height}, .words = kWords, .kind = app::ButtonKind::kOutlined, .size = 13});
+    const bool watch = app::button(column.list(), look,
+                                   {.id = "watch",
+                                    .rect = {column.x(), column.y(), width, height},
+                                    .words = kWords,
+                                    .kind = app::ButtonKind::kOutlined,
+                                    .size = 13});
     column.gap(height);
     if (watch && shell.app().command("watch_outcome")) return column.end_card();  // the outcome is not there for now
   }
@@ -140,11 +159,11 @@ void draw_chart_choice(Shell& shell, Column& column) {
   std::vector<std::string> words;
   std::vector<bool> enabled;
   for (int i = 0; i < app::kCostViews; ++i) {
-    words.emplace_back(app::kCostViewTitles[static_cast<std::size_t>(i)]);
+    words.emplace_back(app::kCostViewTitles[i]);
     enabled.push_back(costs.may_see(shell.session(), static_cast<app::CostView>(i)));
   }
   const int clicked = column.buttons("chart", words, static_cast<int>(costs.view()), enabled);
-  if (clicked >= 0) shell.app().command("show_" + std::string(app::kCostViewNames[static_cast<std::size_t>(clicked)]));
+  if (clicked >= 0) shell.app().command("show_" + std::string(app::kCostViewNames[clicked]));
   if (enabled.back()) return;
   column.words(app::kPredictFirst, Face::kRegular, 13, column.look()->muted);
   column.gap(8);
@@ -156,14 +175,17 @@ void draw_costs(Shell& shell, Column& column) {
   draw_chart_choice(shell, column);
   const app::Costs& costs = shell.app().costs();
   const bool ready = shell.session().asked() == nullptr, any = costs.sheet().rows() > 0;
-  const int clicked = column.buttons("costs", {costs.running() ? "Stop" : "Measure", "Save CSV", "Save JSON"}, -1, {ready || costs.running(), any, any});
+  const int clicked = column.buttons("costs", {costs.running() ? "Stop" : "Measure", "Save CSV", "Save JSON"}, -1,
+                                     {ready || costs.running(), any, any});
   if (clicked == 0) shell.app().command(costs.running() ? "stop_measuring" : "measure");
   if (clicked > 0) shell.save_costs(clicked == 1 ? "csv" : "json");
   const app::Look& look = column.look();
   if (costs.running()) {
     const float share = static_cast<float>(costs.progress());
-    column.list()->AddRectFilled({column.x(), column.y()}, {column.x() + column.width(), column.y() + 4}, look->track, 2);
-    column.list()->AddRectFilled({column.x(), column.y()}, {column.x() + column.width() * share, column.y() + 4}, look->current, 2);
+    column.list()->AddRectFilled({column.x(), column.y()}, {column.x() + column.width(), column.y() + 4}, look->track,
+                                 2);
+    column.list()->AddRectFilled({column.x(), column.y()}, {column.x() + column.width() * share, column.y() + 4},
+                                 look->current, 2);
   }
   column.gap(12);
   if (ready && !costs.running())
@@ -188,14 +210,15 @@ void draw_algorithms(Shell& shell, Column& column) {
   const app::Look& look = column.look();
   const float row = look.px(34), words = app::measure(look, Face::kRegular, 14, "beside").x + 16;
   // The main one takes what its name needs, the other what is left.
-  const std::string_view name = main >= 0 ? std::string_view(titles[static_cast<std::size_t>(main)]) : std::string_view();
+  const std::string_view name = main >= 0 ? std::string_view(titles[main]) : std::string_view();
   const float room = column.width() - words;
   const float first = std::clamp(app::measure(look, Face::kSemiBold, 14, name).x + 44, room * 0.5f, room * 0.65f);
-  app::text(column.list(), look, Face::kRegular, 14, {column.x() + first + 8, app::middle_of(column.y() + row / 2, look.px(14))}, look->muted, "beside");
+  app::text(column.list(), look, Face::kRegular, 14,
+            {column.x() + first + 8, app::middle_of(column.y() + row / 2, look.px(14))}, look->muted, "beside");
   if (const int chosen = column.chooser("algorithm", 0, first, titles, main); chosen >= 0)
-    shell.tell(session.choose(0, names[static_cast<std::size_t>(chosen)]));
+    shell.tell(session.choose(0, names[chosen]));
   if (const int chosen = column.chooser("beside", first + words, room - first, beside, second); chosen >= 0)
-    shell.tell(session.choose(1, beside_names[static_cast<std::size_t>(chosen)]));
+    shell.tell(session.choose(1, beside_names[chosen]));
   column.gap(row + 8);
 }
 
@@ -212,12 +235,17 @@ void draw_pseudocode(Shell& shell, Column& column) {
     const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
     const bool on = number++ == lit;
     float inset = advance * static_cast<float>(indent) + 4;
-    const auto parts = app::lines_of(look, on ? Face::kMonoBold : Face::kMono, kSize, line.substr(indent), column.width() - inset - advance * 2);
+    const auto parts = app::lines_of(look, on ? Face::kMonoBold : Face::kMono, kSize, line.substr(indent),
+                                     column.width() - inset - advance * 2);
     const float height = look.px(kLeading) * static_cast<float>(parts.size());
-    if (on) column.list()->AddRectFilled({column.x() - 8, column.y()}, {column.x() + column.width() + 8, column.y() + height}, look->lit, 4);
+    if (on)
+      column.list()->AddRectFilled({column.x() - 8, column.y()}, {column.x() + column.width() + 8, column.y() + height},
+                                   look->lit, 4);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const float y = column.y() + look.px(kLeading) * (static_cast<float>(i) + 0.5f);
-      app::text(column.list(), look, on ? Face::kMonoBold : Face::kMono, kSize, {column.x() + inset + (i > 0 ? advance * 2 : 0), app::middle_of(y, look.px(kSize))}, look->ink, parts[i]);
+      app::text(column.list(), look, on ? Face::kMonoBold : Face::kMono, kSize,
+                {column.x() + inset + (i > 0 ? advance * 2 : 0), app::middle_of(y, look.px(kSize))}, look->ink,
+                parts[i]);
     }
     column.gap(height);
   }
@@ -268,7 +296,8 @@ void draw_prose_panel(Shell& shell, const app::Rect& rect) {
     if (needed != shell.pinned_height) shell.pinned_height = needed, shell.measured_anew = true;
   }
   const app::Pane edge("##edge", {rect.x + rect.width - 1, rect.y, 1, rect.height});
-  edge.list()->AddRectFilled({rect.x + rect.width - 1, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->line);
+  edge.list()->AddRectFilled({rect.x + rect.width - 1, rect.y}, {rect.x + rect.width, rect.y + rect.height},
+                             look->line);
 }
 
 }  // namespace snug::desktop

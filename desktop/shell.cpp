@@ -9,7 +9,9 @@
 namespace snug::desktop {
 namespace {
 
-std::string mesh_path(const std::string& name) { return (program_folder() / "assets" / "meshes" / (name + ".ply")).string(); }
+std::string mesh_path(const std::string& name) {
+  return (program_folder() / "assets" / "meshes" / (name + ".ply")).string();
+}
 
 /// Which table of what was measured the file begins as; empty for none.
 std::string result_in(const std::string& path) {
@@ -32,7 +34,8 @@ tl::expected<void, InputError> Shell::open(const std::string& id) {
     tell(opened);
     return opened;
   }
-  return tl::unexpected(InputError{.what = "there is no lesson \"" + id + "\": `snug lesson list` says which there are"});
+  return tl::unexpected(
+      InputError{.what = "there is no lesson \"" + id + "\": `snug lesson list` says which there are"});
 }
 
 void Shell::use_mesh(const std::string& name) {
@@ -59,7 +62,9 @@ void Shell::use_file(const std::string& path) {
 
 void Shell::save_costs(const std::string& format) {
   const app::Costs& costs = app_.costs();
-  const std::string name = costs.view() == app::CostView::kAccuracy ? "costs" : std::string(app::kCostViewNames[static_cast<std::size_t>(costs.view())]);
+  const std::string name = costs.view() == app::CostView::kAccuracy
+                               ? "costs"
+                               : std::string(app::kCostViewNames[static_cast<std::size_t>(costs.view())]);
   const std::string path = (std::filesystem::current_path() / ("snug-" + name + "." + format)).string();
   const auto written = write_file(path, format == "csv" ? costs.sheet().csv() : costs.sheet().json());
   if (tell(written)) notice = "Saved as " + path + ".";

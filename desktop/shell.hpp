@@ -23,7 +23,8 @@ class Shell {
   void use_mesh(const std::string& name);
   void use_file(const std::string& path);
 
-  /// What was measured of the chart that is shown, as a file in the folder that the program was started in; the notice says which. format: csv or json.
+  /// What was measured of the chart that is shown, as a file in the folder that the program was started in; the notice
+  /// says which. format: csv or json.
   void save_costs(const std::string& format);
 
   int ticked = 0;  // of a question with many answers, their bits
@@ -32,8 +33,8 @@ class Shell {
   std::string notice;
   bool keys_shown = false;
   bool points_tab = false;
-  float pinned_height = 300;  // of the column's lower part, as measured in the last frame
-  bool measured_anew = false; // it was other than thought: one more frame is due
+  float pinned_height = 300;   // of the column's lower part, as measured in the last frame
+  bool measured_anew = false;  // it was other than thought: one more frame is due
 
   /// Keeps what went wrong as the notice; returns whether it went right.
   template <class T>

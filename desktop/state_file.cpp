@@ -28,7 +28,8 @@ void StateFile::write(app::App& app, const Extent& extent) {
     if (figure.known) state["readout"][figure.key] = figure.value;
   state["handles"] = nlohmann::ordered_json::array();
   for (const app::Handle& handle : app.handles())  // in the window system's pixels, where a mouse would find them
-    state["handles"].push_back({{"id", handle.id}, {"x", handle.x * extent.window_per_page}, {"y", handle.y * extent.window_per_page}});
+    state["handles"].push_back(
+        {{"id", handle.id}, {"x", handle.x * extent.window_per_page}, {"y", handle.y * extent.window_per_page}});
   std::string text = state.dump();
   if (text == written_) return;
   written_ = std::move(text);

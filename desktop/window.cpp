@@ -26,10 +26,11 @@ namespace snug::desktop {
 namespace {
 
 constexpr int kBadInput = 2;
-constexpr double kTick = 0.008;         // seconds between looks at the clock while something plays
-constexpr double kSlice = 8e6;          // nanoseconds of measuring between two frames
-constexpr double kLongestRun = 1e9;     // nanoseconds of one run where growth is followed: so long a window may stand still
-constexpr int kFramesForPicture = 4;    // until ImGui has measured everything once
+constexpr double kTick = 0.008;  // seconds between looks at the clock while something plays
+constexpr double kSlice = 8e6;   // nanoseconds of measuring between two frames
+constexpr double kLongestRun =
+    1e9;  // nanoseconds of one run where growth is followed: so long a window may stand still
+constexpr int kFramesForPicture = 4;  // until ImGui has measured everything once
 
 int stop(const std::string& why) {
   std::fprintf(stderr, "snug: %s\n", why.c_str());
@@ -38,7 +39,8 @@ int stop(const std::string& why) {
 
 std::string font_bytes(std::string_view name) {
   for (const char* extension : {".otf", ".ttf"})
-    if (auto bytes = read_file((program_folder() / "assets" / "fonts" / (std::string(name) + extension)).string())) return *bytes;
+    if (auto bytes = read_file((program_folder() / "assets" / "fonts" / (std::string(name) + extension)).string()))
+      return *bytes;
   return {};
 }
 
@@ -75,7 +77,8 @@ void draw(GlfwHost& host, Shell& shell, double now) {
   draw_prose_panel(shell, parts.column);
   shell.app().frame(parts.app, now);
   const app::Look& look = shell.app().look();
-  ImGui::GetForegroundDrawList()->AddRectFilled({parts.app.inspector.x - 1, parts.app.inspector.y}, {parts.app.inspector.x, parts.window.height}, look->line);
+  ImGui::GetForegroundDrawList()->AddRectFilled({parts.app.inspector.x - 1, parts.app.inspector.y},
+                                                {parts.app.inspector.x, parts.window.height}, look->line);
   draw_notice(shell, parts.app.stage);
   draw_keys(shell, parts.window);
   ImGui::Render();
@@ -125,7 +128,10 @@ int take_picture(GlfwHost& host, const std::string& path, Draw&& draw) {
 app::Theme theme_of_environment() {
   const char* name = std::getenv("SNUG_THEME");
   const std::string_view theme = name != nullptr ? name : "";
-  return theme == "dark" ? app::Theme::kDark : theme == "contrast" ? app::Theme::kHighContrast : theme == "projector" ? app::Theme::kProjector : app::Theme::kLight;
+  return theme == "dark"        ? app::Theme::kDark
+         : theme == "contrast"  ? app::Theme::kHighContrast
+         : theme == "projector" ? app::Theme::kProjector
+                                : app::Theme::kLight;
 }
 
 /// Whether a digit chose an answer of the question that stands; of many, one is ticked.
@@ -165,7 +171,8 @@ void run(GlfwHost& host, Shell& shell) {
       host.swap();
       state.write(shell.app(), host.extent());
     }
-    if (const std::string next = shell.session().lesson().title + " – Snug"; next != title) host.set_title(title = next);
+    if (const std::string next = shell.session().lesson().title + " – Snug"; next != title)
+      host.set_title(title = next);
     shell.app().measure(kSlice);
     const bool more = shell.app().costs().running() || shell.measured_anew || shell.app().wants_frame(host.now());
     const bool input = host.wait(more ? 0 : shell.app().playing() ? kTick : -1);
@@ -174,7 +181,8 @@ void run(GlfwHost& host, Shell& shell) {
 }
 
 int open_first(Shell& shell, const WindowOptions& options) {
-  const std::string id = options.lesson.empty() && !shell.lessons().empty() ? shell.lessons().front().lesson.id : options.lesson;
+  const std::string id =
+      options.lesson.empty() && !shell.lessons().empty() ? shell.lessons().front().lesson.id : options.lesson;
   if (const auto opened = shell.open(id); !opened) return stop(opened.error().message());
   if (options.seed) shell.session().scatter(*options.seed);
   if (!options.points_file.empty()) {
@@ -201,7 +209,11 @@ int run_window(const WindowOptions& options) {
     return stop((program_folder() / "assets" / "fonts").string() + " lacks the fonts: build the target snug_assets");
   auto host = GlfwHost::make(options.width, options.height, options.screenshot.empty());
   if (!host) return stop(host.error());
-  app::App app({.font = font_bytes, .glsl_version = "#version 330 core", .clock = native_now, .longest_run = kLongestRun, .here = native_provenance()});
+  app::App app({.font = font_bytes,
+                .glsl_version = "#version 330 core",
+                .clock = native_now,
+                .longest_run = kLongestRun,
+                .here = native_provenance()});
   if (!app.create_graphics()) return stop("the graphics driver refused a shader: " + app.graphics_error());
   app.settings().prose_in_canvas = true;
   app.settings().theme = theme_of_environment();

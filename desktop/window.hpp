@@ -8,7 +8,7 @@
 namespace snug::desktop {
 
 struct WindowOptions {
-  std::string lesson;                 // its id; empty for the first
+  std::string lesson;  // its id; empty for the first
   int step = 0;
   std::optional<std::uint64_t> seed;  // the lesson's own where there is none
   std::string points_file;            // shown instead of the lesson's points; empty for none

@@ -17,8 +17,7 @@ tl::expected<std::string, InputError> read_file(const std::string& path) {
   if (!file) return tl::unexpected(InputError{.what = "cannot be opened", .file = path});
   std::string bytes;
   char buffer[4096];
-  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, file.get()))
-    bytes.append(buffer, n);
+  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, file.get())) bytes.append(buffer, n);
   return bytes;
 }
 

@@ -34,12 +34,12 @@ bool are_axes(const Matrix<double, 3>& axes) {
 }
 
 const Box* box_at(const lesson::Session& session, int box) {
-  return session.boxes() == nullptr || box < 0 || box > 1 ? nullptr : &session.boxes()->boxes[static_cast<std::size_t>(box)];
+  return session.boxes() == nullptr || box < 0 || box > 1 ? nullptr : &session.boxes()->boxes[box];
 }
 
 std::string replace(lesson::Session& session, int box, const Box& by) {
   lesson::BoxPair pair = *session.boxes();
-  pair.boxes[static_cast<std::size_t>(box)] = by;
+  pair.boxes[box] = by;
   return sentence(session.set_boxes(pair));
 }
 
@@ -84,7 +84,7 @@ std::string set_box_rows(lesson::Session& session, const val& rows) {
     for (int axis = 0; axis < (dim == 2 ? 1 : 3); ++axis) box.axes.col(axis) = taken(row, at, dim);
     if (dim == 2) box.axes.col(1) = Vector<double, 3>(-box.axes(1, 0), box.axes(0, 0), 0);
     if (!are_axes(box.axes)) return "the axes of a box are unit and perpendicular";
-    pair.boxes[static_cast<std::size_t>(i)] = box;
+    pair.boxes[i] = box;
   }
   return sentence(session.set_boxes(pair));
 }

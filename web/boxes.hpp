@@ -20,7 +20,8 @@ namespace snug::web {
 [[nodiscard]] std::string set_box_rows(lesson::Session& session, const emscripten::val& rows);
 
 /// By number. values: as long as the centre or the half extents.
-[[nodiscard]] std::string set_box(lesson::Session& session, int box, const std::string& what, const emscripten::val& values);
+[[nodiscard]] std::string set_box(lesson::Session& session, int box, const std::string& what,
+                                  const emscripten::val& values);
 
 /// Counter-clockwise about a world axis (0 … 2; in 2-D 2): by so many degrees, or in 2-D to so many.
 [[nodiscard]] std::string turn_box(lesson::Session& session, int box, int axis, double degrees, bool to);

@@ -68,10 +68,13 @@ void pointer_left() {
 
 void pointer_button(int button, bool down, const std::string& source) {
   if (button < 0 || button > 2) return;
-  // A press where nothing was hovered before (a tap, a pen, a script's click) would be lost: ImGui lets an item that others
-  // may overlap be pressed only a frame after it was hovered, and waits that frame only for presses of a touch screen.
+  // A press where nothing was hovered before (a tap, a pen, a script's click) would be lost: ImGui lets an item that
+  // others may overlap be pressed only a frame after it was hovered, and waits that frame only for presses of a touch
+  // screen.
   name_source(down ? "touch" : source);
-  const int as_imgui_counts = button == 0 ? ImGuiMouseButton_Left : button == 1 ? ImGuiMouseButton_Middle : ImGuiMouseButton_Right;
+  const int as_imgui_counts = button == 0   ? ImGuiMouseButton_Left
+                              : button == 1 ? ImGuiMouseButton_Middle
+                                            : ImGuiMouseButton_Right;
   ImGui::GetIO().AddMouseButtonEvent(as_imgui_counts, down);
   owe_frames();
 }

@@ -12,8 +12,8 @@ namespace snug::web {
 /// What is known of this program; the processor is the page's to say, as far as a browser tells.
 [[nodiscard]] cost::Provenance web_provenance(const std::string& processor);
 
-/// {chart: "accuracy", "growth" or "turn", shown, running, progress, ready, decided, size, of, then, rows}; null where the
-/// lesson has no chart. A row is an algorithm {algorithm, title, time, size, points, of, front, trusted}, of growth
+/// {chart: "accuracy", "growth" or "turn", shown, running, progress, ready, decided, size, of, then, rows}; null where
+/// the lesson has no chart. A row is an algorithm {algorithm, title, time, size, points, of, front, trusted}, of growth
 /// {algorithm, title, points, time, trusted, exponent, theory, bound, tight, stopped}, or of a turn an update {volume,
 /// strategy, title, angles, least, most, time}.
 [[nodiscard]] emscripten::val costs_object(app::App& app);

@@ -72,7 +72,8 @@ void stop_graphics() {
   web::abandon_renderer();
 }
 
-/// processor: as far as the browser tells. smooth: several samples a pixel. Lines and points are antialiased in any case.
+/// processor: as far as the browser tells. smooth: several samples a pixel. Lines and points are antialiased in any
+/// case.
 std::string start(const std::string& selector, bool smooth, const std::string& processor) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
@@ -81,8 +82,8 @@ std::string start(const std::string& selector, bool smooth, const std::string& p
     return found == door().fonts.end() ? std::string() : found->second;
   };
   const auto clock = [] { return emscripten_get_now() * 1e6; };
-  door().app = std::make_unique<app::App>(
-      app::Platform{.font = font, .glsl_version = web::kGlslVersion, .clock = clock, .here = web::web_provenance(processor)});
+  door().app = std::make_unique<app::App>(app::Platform{
+      .font = font, .glsl_version = web::kGlslVersion, .clock = clock, .here = web::web_provenance(processor)});
   if (!web::make_graphics_context(selector.c_str(), smooth)) return "no WebGL 2";
   return start_graphics();
 }
@@ -95,7 +96,8 @@ app::Rect rectangle(const val& from) {
 
 /// {width, height, scale, fingers, stage, timeline, inspector: {x, y, width, height}}
 void set_layout(val from) {
-  door().layout = {rectangle(from["stage"]), rectangle(from["timeline"]), rectangle(from["inspector"]), from["fingers"].as<bool>()};
+  door().layout = {rectangle(from["stage"]), rectangle(from["timeline"]), rectangle(from["inspector"]),
+                   from["fingers"].as<bool>()};
   door().width = from["width"].as<float>();
   door().height = from["height"].as<float>();
   door().scale = from["scale"].as<float>();
@@ -111,7 +113,7 @@ void set_settings(val from) {
                                           : app::Theme::kLight;
   settings.text_scale = from["textScale"].as<float>();
   settings.reduced_motion = from["reducedMotion"].as<bool>();
-  for (int channel = 0; channel < 3; ++channel) door().ground[static_cast<std::size_t>(channel)] = from["ground"][channel].as<float>();
+  for (int channel = 0; channel < 3; ++channel) door().ground[channel] = from["ground"][channel].as<float>();
 }
 
 /// Draws one frame, where there is something to draw on. now: in seconds.
@@ -140,7 +142,9 @@ double seconds_until_due(double now) {
 }
 
 /// Whether a menu of the canvas is open, which the page's own layers must not cover.
-bool menu_open() { return ImGui::GetCurrentContext() != nullptr && ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); }
+bool menu_open() {
+  return ImGui::GetCurrentContext() != nullptr && ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+}
 
 // ---- lessons --------------------------------------------------------------------------------------------------
 
@@ -148,10 +152,8 @@ bool menu_open() { return ImGui::GetCurrentContext() != nullptr && ImGui::IsPopu
 val check_lesson(const std::string& toml, const std::string& name) {
   val answer = val::object();
   const auto lesson = lesson::read_lesson(toml, name);
-  if (lesson)
-    answer.set("mesh", lesson->points.mesh);
-  else
-    answer.set("error", lesson.error().message());
+  if (lesson) answer.set("mesh", lesson->points.mesh);
+  else answer.set("error", lesson.error().message());
   return answer;
 }
 
@@ -165,7 +167,8 @@ std::string open_lesson(const std::string& toml, const std::string& name, const 
     if (!read) return read.error().message();
     file = std::move(*read);
   }
-  if (const auto opened = door().app->open(std::move(*lesson), std::move(file)); !opened) return opened.error().message();
+  if (const auto opened = door().app->open(std::move(*lesson), std::move(file)); !opened)
+    return opened.error().message();
   door().shared.forget();
   door().shared.remember(*session());
   return "";
@@ -205,7 +208,10 @@ std::string command_of_key(const std::string& key, bool shift, bool control) {
 /// kind: "point", "choice" or "skip". false: that is no answer to what is asked.
 bool answer(const std::string& kind, int value) {
   using Kind = lesson::Answer::Kind;
-  return session() && session()->answer({kind == "point" ? Kind::kPoint : kind == "choice" ? Kind::kChoice : Kind::kSkipped, value});
+  return session() && session()->answer({kind == "point"    ? Kind::kPoint
+                                         : kind == "choice" ? Kind::kChoice
+                                                            : Kind::kSkipped,
+                                         value});
 }
 
 /// Two fingers: factor > 1 as they part, around (x, y), which moved by (dx, dy).
@@ -226,7 +232,9 @@ void forget_answers() {
 }
 
 /// name: "" clears the one beside.
-std::string choose(int slot, const std::string& name) { return session() ? sentence(session()->choose(slot, name)) : ""; }
+std::string choose(int slot, const std::string& name) {
+  return session() ? sentence(session()->choose(slot, name)) : "";
+}
 
 void select_point(int point) {
   if (session()) door().app->select(point >= 0 && point < session()->size() ? point : kNoIndex);
@@ -244,7 +252,8 @@ std::string move_points(val rows) {
   session()->begin_drag();
   for (int i = 0; i < rows["length"].as<int>() && error.empty(); ++i) {
     const val row = rows[i];
-    error = move_point(row[0].as<int>(), row[1].as<double>(), row[2].as<double>(), session()->dim() == 3 ? row[3].as<double>() : 0);
+    error = move_point(row[0].as<int>(), row[1].as<double>(), row[2].as<double>(),
+                       session()->dim() == 3 ? row[3].as<double>() : 0);
   }
   session()->end_drag();
   return error;
@@ -283,7 +292,9 @@ bool measuring() { return door().app->costs().running(); }
 /// Of the run, from 0 to 1.
 double measured() { return door().app->costs().progress(); }
 std::string costs_file(const std::string& format) { return web::costs_file(*door().app, format); }
-std::string lay_over(const std::string& csv, const std::string& name) { return session() ? web::lay_over(*door().app, csv, name) : ""; }
+std::string lay_over(const std::string& csv, const std::string& name) {
+  return session() ? web::lay_over(*door().app, csv, name) : "";
+}
 
 void start_task() {
   if (!session()) return;
@@ -292,8 +303,12 @@ void start_task() {
 }
 
 std::string set_box_rows(val rows) { return session() ? web::set_box_rows(*session(), rows) : ""; }
-std::string set_box(int box, const std::string& what, val values) { return session() ? web::set_box(*session(), box, what, values) : ""; }
-std::string turn_box(int box, int axis, double degrees, bool to) { return session() ? web::turn_box(*session(), box, axis, degrees, to) : ""; }
+std::string set_box(int box, const std::string& what, val values) {
+  return session() ? web::set_box(*session(), box, what, values) : "";
+}
+std::string turn_box(int box, int axis, double degrees, bool to) {
+  return session() ? web::turn_box(*session(), box, axis, degrees, to) : "";
+}
 
 val shared_points() { return session() ? door().shared.describe(*session()) : val::object(); }
 

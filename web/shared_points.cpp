@@ -17,7 +17,7 @@ constexpr std::size_t kMostKnown = 16;
 
 std::vector<Vector<double, 3>> points_of(const lesson::Session& session) {
   std::vector<Vector<double, 3>> points;
-  points.reserve(static_cast<std::size_t>(session.size()));
+  points.reserve(session.size());
   for (Index i = 0; i < session.size(); ++i) points.push_back(session.point(i));
   return points;
 }
@@ -29,7 +29,9 @@ std::vector<Index> differences(const std::vector<Vector<double, 3>>& a, const st
   return moved;
 }
 
-bool is_one_of(const auto& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+bool is_one_of(const auto& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 /// How an address names the points, the seed aside; nothing where it cannot.
 std::optional<std::string> words_for(const lesson::Session& session) {

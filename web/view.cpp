@@ -160,7 +160,8 @@ val lesson_object(const lesson::Lesson& lesson) {
   object.set("title", lesson.title);
   object.set("summary", lesson.summary);
   object.set("sections", array_of(lesson.sections, section_object));
-  object.set("algorithms", array_of(lesson.algorithms, [&](std::string_view name) { return algorithm_object(lesson.volume, name); }));
+  object.set("algorithms",
+             array_of(lesson.algorithms, [&](std::string_view name) { return algorithm_object(lesson.volume, name); }));
   object.set("boxes", lesson.boxes.has_value());
   object.set("frustum", lesson.boxes && lesson.boxes->taper < 1);
   object.set("scene", lesson.scene.has_value());

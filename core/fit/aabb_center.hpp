@@ -26,8 +26,8 @@ Fit<Sphere<Scalar, Dim>> aabb_center(PointSpan<Scalar, Dim> points, Observer&& o
 
   Vector<Scalar, Dim> least, greatest;
   for (int axis = 0; axis < Dim; ++axis) {
-    least[axis] = points[extremes.least[static_cast<std::size_t>(axis)]][axis];
-    greatest[axis] = points[extremes.greatest[static_cast<std::size_t>(axis)]][axis];
+    least[axis] = points[extremes.least[axis]][axis];
+    greatest[axis] = points[extremes.greatest[axis]][axis];
   }
   Sphere<Scalar, Dim> ball;
   ball.center = (least + greatest) / 2;

@@ -28,12 +28,12 @@ bool widen_to_hold(Aabb<Scalar, Dim>& box, ExtremesFound<Scalar, Dim>& extremes,
   for (int axis = 0; axis < Dim; ++axis) {
     if (point[axis] < box.min[axis]) {
       box.min[axis] = point[axis];
-      extremes.least[static_cast<std::size_t>(axis)] = index;
+      extremes.least[axis] = index;
       outside = true;
     }
     if (point[axis] > box.max[axis]) {
       box.max[axis] = point[axis];
-      extremes.greatest[static_cast<std::size_t>(axis)] = index;
+      extremes.greatest[axis] = index;
       outside = true;
     }
   }

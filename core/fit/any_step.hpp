@@ -30,7 +30,8 @@ struct AddFacts {
 };
 template <class... Known, class Fact, class... Facts>
 struct AddFacts<std::variant<Known...>, Fact, Facts...>
-    : AddFacts<std::conditional_t<(std::is_same_v<Known, Fact> || ...), std::variant<Known...>, std::variant<Known..., Fact>>,
+    : AddFacts<std::conditional_t<(std::is_same_v<Known, Fact> || ...), std::variant<Known...>,
+                                  std::variant<Known..., Fact>>,
                Facts...> {};
 
 /// A variant of all alternatives of several, each once.
@@ -39,14 +40,13 @@ struct Union {
   using Type = First;
 };
 template <class First, class... Facts, class... Others>
-struct Union<First, std::variant<Facts...>, Others...>
-    : Union<typename AddFacts<First, Facts...>::Type, Others...> {};
+struct Union<First, std::variant<Facts...>, Others...> : Union<typename AddFacts<First, Facts...>::Type, Others...> {};
 
 /// Every fact that there is.
-using Fact3 =
-    Union<SphereStep<double, 3>::Fact, ObbStep<double, 3>::Fact, AabbStep<double, 3>::Fact, CapsuleStep<double, 3>::Fact,
-          LozengeStep<double, 3>::Fact, KdopStep<double, 3>::Fact, HullStep<double, 3>::Fact, query::SatStep<double, 3>::Fact,
-          query::WrongStep::Fact, query::ClassifyStep<double, 3>::Fact, FrameStep::Fact>::Type;
+using Fact3 = Union<SphereStep<double, 3>::Fact, ObbStep<double, 3>::Fact, AabbStep<double, 3>::Fact,
+                    CapsuleStep<double, 3>::Fact, LozengeStep<double, 3>::Fact, KdopStep<double, 3>::Fact,
+                    HullStep<double, 3>::Fact, query::SatStep<double, 3>::Fact, query::WrongStep::Fact,
+                    query::ClassifyStep<double, 3>::Fact, FrameStep::Fact>::Type;
 
 struct Step3 {
   using Fact = Fact3;

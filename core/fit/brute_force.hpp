@@ -56,7 +56,8 @@ class BruteForce {
     // Where the centre is outside their hull, fewer of them hold a smaller ball, which is a candidate of its own.
     if (!ball || !ball->center_in_hull()) return tell(1, {support, best_, Verdict::kNoBall, kNoIndex});
     const Sphere<Scalar, Dim> candidate{ball->center.template cast<Scalar>(), static_cast<Scalar>(ball->radius)};
-    if (has_ball_ && !(candidate.radius < best_.radius)) return tell(2, {support, candidate, Verdict::kNotSmaller, kNoIndex});
+    if (has_ball_ && !(candidate.radius < best_.radius))
+      return tell(2, {support, candidate, Verdict::kNotSmaller, kNoIndex});
     const Index outside = first_outside(candidate);
     if (outside != kNoIndex) return tell(3, {support, candidate, Verdict::kLeavesPointOutside, outside});
     best_ = candidate;

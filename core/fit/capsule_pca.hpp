@@ -44,8 +44,7 @@ template <class Scalar, class Observer>
     if constexpr (!kWatched<Observer>) return welzl(set.span(), options);
     Counter counter;  // its steps are another algorithm's
     auto fit = welzl(set.span(), options, counter);
-    for (int i = 0; i < kOperations; ++i)
-      observe.count(static_cast<Operation>(i), counter.counts[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < kOperations; ++i) observe.count(static_cast<Operation>(i), counter.counts[i]);
     return fit;
   }();
   return {{circle.volume.center[0], circle.volume.center[1], 0}, circle.volume.radius, circle.support.list()};
@@ -54,8 +53,8 @@ template <class Scalar, class Observer>
 template <class Scalar, class Observer>
 [[nodiscard]] SeenAlong<Scalar, 2> seen_along(const std::vector<Vector<Scalar, 2>>& local, const Options&,
                                               Observer& observe) {
-  const auto ends = std::minmax_element(local.begin(), local.end(),
-                                        [](const auto& p, const auto& q) { return p[0] < q[0]; });
+  const auto ends =
+      std::minmax_element(local.begin(), local.end(), [](const auto& p, const auto& q) { return p[0] < q[0]; });
   observe.count(Operation::kComparisons, 2 * static_cast<std::int64_t>(local.size()));
   const Scalar least = (*ends.first)[0], greatest = (*ends.second)[0];
   return {{(least + greatest) / 2, 0},

@@ -93,7 +93,8 @@ Index size_of(const AnyPointSet& points) {
 }
 
 Vector<double, 3> point_of(const AnyPointSet& points, Index i) {
-  return std::visit([&]<class Scalar, int Dim>(const PointSet<Scalar, Dim>& set) { return lift<Scalar, Dim>(set[i]); }, points);
+  return std::visit([&]<class Scalar, int Dim>(const PointSet<Scalar, Dim>& set) { return lift<Scalar, Dim>(set[i]); },
+                    points);
 }
 
 }  // namespace snug::fit

@@ -35,13 +35,13 @@ struct Watched {
 using SeeStep = std::function<void(Step3&& step, const OperationCounts& counts)>;
 
 struct Algorithm {
-  std::string_view volume;      // of kVolumeNames
-  std::string_view name;        // as scripts say it: "ritter_iterative"
-  std::string_view title;       // as people say it: "Iterative Ritter"
-  bool exact;                   // whether it claims the smallest volume of its kind
-  bool plane, space;            // whether it takes points of 2-D, of 3-D
-  Index max_points;             // more are refused
-  std::string_view source;      // author, title, year
+  std::string_view volume;                             // of kVolumeNames
+  std::string_view name;                               // as scripts say it: "ritter_iterative"
+  std::string_view title;                              // as people say it: "Iterative Ritter"
+  bool exact;                                          // whether it claims the smallest volume of its kind
+  bool plane, space;                                   // whether it takes points of 2-D, of 3-D
+  Index max_points;                                    // more are refused
+  std::string_view source;                             // author, title, year
   std::span<const std::string_view> pseudocode;        // steps name its lines, counted from 0
   std::span<const std::string_view> plane_pseudocode;  // in 2-D, where that differs; empty otherwise
 
@@ -49,8 +49,8 @@ struct Algorithm {
   Result (*fit)(const AnyPointSet& points, const Options& options);
   /// The same code, watched. see: none where only the figures are wanted.
   Watched (*watch)(const AnyPointSet& points, const Options& options, const SeeStep& see);
-  /// The same, with every step kept, in the memory of an earlier recording where one is given up for it: a long trace is
-  /// megabytes, which to ask for anew would take longer than the run.
+  /// The same, with every step kept, in the memory of an earlier recording where one is given up for it: a long trace
+  /// is megabytes, which to ask for anew would take longer than the run.
   [[nodiscard]] Recording record(const AnyPointSet& points, const Options& options, Recording room = {}) const;
 };
 
@@ -62,7 +62,9 @@ struct Algorithm {
 [[nodiscard]] inline std::span<const std::string_view> pseudocode_of(const Algorithm& algorithm, int dim) {
   return dim == 2 && !algorithm.plane_pseudocode.empty() ? algorithm.plane_pseudocode : algorithm.pseudocode;
 }
-[[nodiscard]] inline bool takes(const Algorithm& algorithm, int dim) { return dim == 2 ? algorithm.plane : algorithm.space; }
+[[nodiscard]] inline bool takes(const Algorithm& algorithm, int dim) {
+  return dim == 2 ? algorithm.plane : algorithm.space;
+}
 
 /// Null where there is none of that volume and name.
 [[nodiscard]] const Algorithm* find_algorithm(std::string_view volume, std::string_view name);

@@ -10,7 +10,8 @@ namespace {
 constexpr auto kMinMax = [](auto p, const Options&, auto& o) { return aabb_min_max(p, o); };
 
 constexpr std::array kRows{
-    row<kMinMax, true>({"aabb", "min_max", "Least and greatest", "C. Ericson, Real-Time Collision Detection, 2005", kAabbMinMaxPseudocode}),
+    row<kMinMax, true>({"aabb", "min_max", "Least and greatest", "C. Ericson, Real-Time Collision Detection, 2005",
+                        kAabbMinMaxPseudocode}),
 };
 
 }  // namespace

@@ -36,9 +36,11 @@ constexpr std::array kRows{
     row<kPcaHullArea>({"obb", "pca_hull_area", "PCA of the hull's area", kGottschalk, kObbPcaHullAreaPseudocode}),
     row<kPcaRectangle>({"obb", "pca_rectangle", "PCA and rectangle", kRomanick, kObbPcaRectanglePseudocode}),
     row<kFaceAligned>({"obb", "face_aligned", "Aligned with a face", kRomanick, kObbFaceAlignedPseudocode}),
-    row<kDito>({"obb", "dito", "DiTO-14", "T. Larsson, L. Källberg, Fast computation of tight-fitting oriented bounding boxes, 2011",
+    row<kDito>({"obb", "dito", "DiTO-14",
+                "T. Larsson, L. Källberg, Fast computation of tight-fitting oriented bounding boxes, 2011",
                 kObbDitoPseudocode}),
-    row<kExact, true>({"obb", "exact", "Exact minimum", "J. O'Rourke, Finding minimal enclosing boxes, 1985", kObbExactPseudocode}),
+    row<kExact, true>(
+        {"obb", "exact", "Exact minimum", "J. O'Rourke, Finding minimal enclosing boxes, 1985", kObbExactPseudocode}),
 };
 
 }  // namespace

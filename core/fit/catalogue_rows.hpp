@@ -31,9 +31,9 @@ std::vector<Index> indices_of(const Held& support) {
   return {support.begin(), support.end()};
 }
 
-/// The page is served without what no lesson there uses, for every byte is waited for: rows in single precision (nothing on
-/// it makes such points, and the rows would give back nothing for them) and rows of volumes that no lesson fits. Its
-/// tests have them all (tests/CMakeLists.txt).
+/// The page is served without what no lesson there uses, for every byte is waited for: rows in single precision
+/// (nothing on it makes such points, and the rows would give back nothing for them) and rows of volumes that no lesson
+/// fits. Its tests have them all (tests/CMakeLists.txt).
 inline constexpr bool kAllRows = SNUG_ALL_ROWS;
 
 template <class Scalar>
@@ -85,8 +85,11 @@ struct About {
 /// kFitter: takes a PointSpan, Options and an observer. kExact: whether it claims the smallest.
 template <auto kFitter, bool kExact = false>
 constexpr Algorithm row(const About& about) {
-  return {about.volume,     about.name,   about.title,       kExact,           about.plane,
-          about.space,      about.max_points, about.source,  about.pseudocode, about.plane_pseudocode,
+  return {about.volume,      about.name,
+          about.title,       kExact,
+          about.plane,       about.space,
+          about.max_points,  about.source,
+          about.pseudocode,  about.plane_pseudocode,
           &fit_any<kFitter>, &watch_any<kFitter, kExact>};
 }
 

@@ -13,8 +13,10 @@ constexpr auto kLozenge = [](auto p, const Options&, auto& o) { return lozenge_p
 
 constexpr std::array kRows{
     row<kCapsule>({"capsule", "pca", "PCA", "D. Eberly, 3D Game Engine Design, 2000", kCapsulePcaPseudocode}),
-    row<kLozenge>({"lozenge", "pca", "PCA", "E. Larsen, S. Gottschalk, M. C. Lin, D. Manocha, Fast proximity queries with swept sphere volumes, 1999",
-                   kLozengePcaPseudocode}),
+    row<kLozenge>(
+        {"lozenge", "pca", "PCA",
+         "E. Larsen, S. Gottschalk, M. C. Lin, D. Manocha, Fast proximity queries with swept sphere volumes, 1999",
+         kLozengePcaPseudocode}),
 };
 
 }  // namespace

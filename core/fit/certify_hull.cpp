@@ -83,9 +83,7 @@ class Surface {
   }
 
  private:
-  [[nodiscard]] const Point3& corner(std::size_t f, std::size_t i) const {
-    return corners_[static_cast<std::size_t>(facets_[f][i % 3])];
-  }
+  [[nodiscard]] const Point3& corner(std::size_t f, std::size_t i) const { return corners_[facets_[f][i % 3]]; }
   [[nodiscard]] int side_of(std::size_t f, const Point3& p) const {
     return orient3d(corner(f, 0), corner(f, 1), corner(f, 2), p);
   }
@@ -114,9 +112,7 @@ class Surface {
       }
     return true;
   }
-  [[nodiscard]] std::size_t left_of(Index edge) const {
-    return static_cast<std::size_t>(neighbors_.facets[static_cast<std::size_t>(edge)]);
-  }
+  [[nodiscard]] std::size_t left_of(Index edge) const { return static_cast<std::size_t>(neighbors_.facets[edge]); }
 
   bool bends_outward() {
     bent_edges_.assign(corners_.size(), 0);
@@ -124,7 +120,7 @@ class Surface {
       for (std::size_t e = 0; e < 3; ++e) {
         const int side = side_of(f, apex_beyond(f, e));
         if (side > 0) return false;
-        if (side < 0) ++bent_edges_[static_cast<std::size_t>(facets_[f][e])];
+        if (side < 0) ++bent_edges_[facets_[f][e]];
       }
     return true;
   }
@@ -200,7 +196,7 @@ class VertexPlaces {
   }
 
  private:
-  [[nodiscard]] const Vector<Scalar, Dim>& at(Index i) const { return hull_.vertices[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Vector<Scalar, Dim>& at(Index i) const { return hull_.vertices[i]; }
   [[nodiscard]] static bool before(const Vector<Scalar, Dim>& a, const Vector<Scalar, Dim>& b) {
     for (int axis = 0; axis < Dim; ++axis)
       if (a[axis] != b[axis]) return a[axis] < b[axis];
@@ -274,7 +270,7 @@ class Prover {
       if (points_[hull_.indices[i]] != hull_.vertices[i]) proof_.of_points = false;
     for (Index i = 0; i < points_.size(); ++i) {
       const Index vertex = places.find(points_[i]);
-      if (vertex != kNoIndex && i < hull_.indices[static_cast<std::size_t>(vertex)]) proof_.of_points = false;
+      if (vertex != kNoIndex && i < hull_.indices[vertex]) proof_.of_points = false;
       const bool is_held = vertex != kNoIndex && proof_.convex;
       if (!is_held && !holds(points_[i])) {
         ++proof_.outside;
@@ -314,8 +310,8 @@ Certificate certify(const Fit<ConvexHull<Scalar, Dim>>& fit, PointSpan<Scalar, D
   return certificate;
 }
 
-#define SNUG_INSTANTIATE(Scalar, Dim)                                                      \
-  template HullProof prove_hull(const ConvexHull<Scalar, Dim>&, PointSpan<Scalar, Dim>);   \
+#define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
+  template HullProof prove_hull(const ConvexHull<Scalar, Dim>&, PointSpan<Scalar, Dim>);                               \
   template Certificate certify(const Fit<ConvexHull<Scalar, Dim>>&, PointSpan<Scalar, Dim>, bool);
 SNUG_INSTANTIATE(float, 2)
 SNUG_INSTANTIATE(float, 3)

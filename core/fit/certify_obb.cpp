@@ -44,8 +44,8 @@ bool support_on_faces(const Fit<Obb<Scalar, Dim>>& fit, PointSpan<Scalar, Dim> p
     for (int axis = 0; axis < Dim; ++axis) {
       if (std::abs(std::abs(along[axis]) - static_cast<double>(fit.volume.half_extents[axis])) > rounding) continue;
       on_face = true;
-      if (along[axis] <= rounding) touched[static_cast<std::size_t>(2 * axis)] = true;
-      if (along[axis] >= -rounding) touched[static_cast<std::size_t>(2 * axis + 1)] = true;
+      if (along[axis] <= rounding) touched[2 * axis] = true;
+      if (along[axis] >= -rounding) touched[2 * axis + 1] = true;
     }
     if (!on_face) return false;
   }
@@ -84,8 +84,8 @@ Vector<double, Dim> scaled_lengths(const Obb<Scalar, Dim>& box, int exponent) {
   return lengths;
 }
 
-/// Below what no box is smaller, and how much shorter than the smallest found its lengths were taken for it; in units of
-/// 2^exponent of the hull's local points.
+/// Below what no box is smaller, and how much shorter than the smallest found its lengths were taken for it; in units
+/// of 2^exponent of the hull's local points.
 struct Bound {
   double measure = 0, shorter = 0;
 };
@@ -106,7 +106,8 @@ Bound smallest_measure(const ConvexHull<Scalar, Dim>& hull, const Obb<Scalar, Di
 }
 
 template <class Scalar, int Dim>
-void prove_smallest(Certificate& certificate, const Obb<Scalar, Dim>& box, PointSpan<Scalar, Dim> points, double rounding) {
+void prove_smallest(Certificate& certificate, const Obb<Scalar, Dim>& box, PointSpan<Scalar, Dim> points,
+                    double rounding) {
   const ConvexHull<Scalar, Dim> hull = quickhull(points).volume;
   const int exponent = LocalPoints<Dim>(hull.vertices).exponent;
   const Bound bound = smallest_measure(hull, box, exponent);
@@ -138,15 +139,16 @@ Certificate certify(const Fit<Obb<Scalar, Dim>>& fit, PointSpan<Scalar, Dim> poi
 
 template <class Scalar, int Dim>
 std::vector<FaceContact> contacts(const Obb<Scalar, Dim>& box, PointSpan<Scalar, Dim> points) {
-  const double rounding = tolerance::kBoxBoundaryRoundoffs * tolerance::roundoff<Scalar>(largest_coordinate(box, points));
+  const double rounding =
+      tolerance::kBoxBoundaryRoundoffs * tolerance::roundoff<Scalar>(largest_coordinate(box, points));
   std::vector<FaceContact> faces;
   for (int axis = 0; axis < Dim; ++axis)
     for (const bool upper : {false, true}) faces.push_back({axis, upper, {}, kNoIndex});
   for (Index i = 0; i < points.size(); ++i) {
     const Vector<double, Dim> along = from_middle(box, points[i]);
     for (FaceContact& face : faces) {
-      const double beyond = (face.upper ? along[face.axis] : -along[face.axis]) -
-                            static_cast<double>(box.half_extents[face.axis]);
+      const double beyond =
+          (face.upper ? along[face.axis] : -along[face.axis]) - static_cast<double>(box.half_extents[face.axis]);
       if (std::abs(beyond) <= rounding) face.points.push_back(i);
     }
   }
@@ -165,8 +167,8 @@ bool on_edges(const std::vector<FaceContact>& contacts) {
 template bool on_edges<2>(const std::vector<FaceContact>&);
 template bool on_edges<3>(const std::vector<FaceContact>&);
 
-#define SNUG_INSTANTIATE(Scalar, Dim)                                                                     \
-  template Certificate certify(const Fit<Obb<Scalar, Dim>>&, PointSpan<Scalar, Dim>, bool);               \
+#define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
+  template Certificate certify(const Fit<Obb<Scalar, Dim>>&, PointSpan<Scalar, Dim>, bool);                            \
   template std::vector<FaceContact> contacts(const Obb<Scalar, Dim>&, PointSpan<Scalar, Dim>);
 SNUG_INSTANTIATE(float, 2)
 SNUG_INSTANTIATE(float, 3)

@@ -92,12 +92,12 @@ Certificate certify(const Fit<Lozenge<Scalar, Dim>>& fit, PointSpan<Scalar, Dim>
   return certify_swept(fit, points, claims_optimal);
 }
 
-#define SNUG_INSTANTIATE(Volume, Scalar, Dim) \
+#define SNUG_INSTANTIATE(Volume, Scalar, Dim)                                                                          \
   template Certificate certify(const Fit<Volume<Scalar, Dim>>&, PointSpan<Scalar, Dim>, bool);
-#define SNUG_INSTANTIATE_ALL(Volume)  \
-  SNUG_INSTANTIATE(Volume, float, 2)  \
-  SNUG_INSTANTIATE(Volume, float, 3)  \
-  SNUG_INSTANTIATE(Volume, double, 2) \
+#define SNUG_INSTANTIATE_ALL(Volume)                                                                                   \
+  SNUG_INSTANTIATE(Volume, float, 2)                                                                                   \
+  SNUG_INSTANTIATE(Volume, float, 3)                                                                                   \
+  SNUG_INSTANTIATE(Volume, double, 2)                                                                                  \
   SNUG_INSTANTIATE(Volume, double, 3)
 SNUG_INSTANTIATE_ALL(Aabb)
 SNUG_INSTANTIATE_ALL(Kdop)

@@ -17,11 +17,11 @@ ExtremesFound<Scalar, Dim> extreme_points(PointSpan<Scalar, Dim> points, Observe
       const Scalar coordinate = points[i][axis];
       if (coordinate < least[axis]) {
         least[axis] = coordinate;
-        found.least[static_cast<std::size_t>(axis)] = i;
+        found.least[axis] = i;
       }
       if (coordinate > greatest[axis]) {
         greatest[axis] = coordinate;
-        found.greatest[static_cast<std::size_t>(axis)] = i;
+        found.greatest[axis] = i;
       }
     }
   }

@@ -1,5 +1,5 @@
-// The facts that fitters of several volumes share, in geometric words. Colours and captions live with those who show them.
-// Each fact lists its fields by name once, for every reader of traces (hash, JSON lines, inspector).
+// The facts that fitters of several volumes share, in geometric words. Colours and captions live with those who show
+// them. Each fact lists its fields by name once, for every reader of traces (hash, JSON lines, inspector).
 #pragma once
 
 #include <array>

@@ -21,9 +21,9 @@ class Support {
   constexpr Support(std::initializer_list<Index> indices) {
     for (const Index i : indices) add(i);
   }
-  constexpr void add(Index i) { indices_[static_cast<std::size_t>(size_++)] = i; }
+  constexpr void add(Index i) { indices_[size_++] = i; }
   [[nodiscard]] constexpr int size() const { return size_; }
-  [[nodiscard]] constexpr Index operator[](int i) const { return indices_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] constexpr Index operator[](int i) const { return indices_[i]; }
   [[nodiscard]] std::vector<Index> list() const { return {begin(), end()}; }
   [[nodiscard]] constexpr const Index* begin() const { return indices_.data(); }
   [[nodiscard]] constexpr const Index* end() const { return indices_.data() + size_; }
@@ -48,7 +48,8 @@ struct SupportOf<Sphere<Scalar, Dim>> {
   using Type = Support;
 };
 
-/// A volume that holds every point, and the points that hold it in place (that touch it). Nothing that can be recomputed.
+/// A volume that holds every point, and the points that hold it in place (that touch it). Nothing that can be
+/// recomputed.
 template <class Volume>
 struct Fit {
   Volume volume;

@@ -13,14 +13,16 @@ namespace snug::fit {
 /// the old one's back on the other. Returns whether it grew.
 /// Source: J. Ritter, "An efficient bounding sphere", Graphics Gems, 1990.
 template <class Scalar, int Dim, class Observer>
-bool grow_to_hold(Sphere<Scalar, Dim>& ball, const Vector<Scalar, Dim>& point, Index index, int line, Observer& observe) {
+bool grow_to_hold(Sphere<Scalar, Dim>& ball, const Vector<Scalar, Dim>& point, Index index, int line,
+                  Observer& observe) {
   const Vector<Scalar, Dim> to_point = point - ball.center;
   const Scalar square = to_point.squaredNorm();
   const bool outside = square > ball.radius * ball.radius;
   if constexpr (kWatched<Observer>) {
     observe.count(Operation::kPointsTouched, 1);
     observe.count(Operation::kDistanceTests, 1);
-    observe(SphereStep<Scalar, Dim>{line, true, ball, PointExamined{index, std::sqrt(static_cast<double>(square)), outside}});
+    observe(SphereStep<Scalar, Dim>{line, true, ball,
+                                    PointExamined{index, std::sqrt(static_cast<double>(square)), outside}});
   }
   if (!outside) return false;
 
@@ -38,8 +40,8 @@ bool grow_to_hold(Sphere<Scalar, Dim>& ball, const Vector<Scalar, Dim>& point, I
 
 /// What a growing method ends with: the radius is widened where rounding left a point outside.
 template <class Scalar, int Dim, class Observer>
-Fit<Sphere<Scalar, Dim>> finish_grown(Sphere<Scalar, Dim> ball, Support support, PointSpan<Scalar, Dim> points, int line,
-                                      Observer& observe) {
+Fit<Sphere<Scalar, Dim>> finish_grown(Sphere<Scalar, Dim> ball, Support support, PointSpan<Scalar, Dim> points,
+                                      int line, Observer& observe) {
   using Step = SphereStep<Scalar, Dim>;
   const FarthestPoints<Scalar> far = farthest_points(ball.center, points);
   const Scalar enclosing = enclosing_radius(ball.center, points, far);

@@ -33,26 +33,23 @@ class HillClimb {
   /// for. all_points: whether the body has no points but these; others, inside, may be placed farther out by rounding.
   HillClimb(std::span<const Vector<Scalar, Dim>> vertices, const HullNeighbors& neighbors, int directions,
             bool all_points)
-      : vertices_(vertices),
-        neighbors_(neighbors),
-        ends_(static_cast<std::size_t>(directions), 0),
-        seen_(vertices.size(), 0),
-        all_points_(all_points) {
+      : vertices_(vertices), neighbors_(neighbors), ends_(static_cast<std::size_t>(directions), 0),
+        seen_(vertices.size(), 0), all_points_(all_points) {
     for (const auto& v : vertices) largest_ = largest_.cwiseMax(v.cwiseAbs());
   }
 
-  [[nodiscard]] const Vector<Scalar, Dim>& vertex(Index v) const { return vertices_[static_cast<std::size_t>(v)]; }
+  [[nodiscard]] const Vector<Scalar, Dim>& vertex(Index v) const { return vertices_[v]; }
   /// Of the vertices' coordinates, in absolute value, by axis.
   [[nodiscard]] const Vector<Scalar, Dim>& largest() const { return largest_; }
   [[nodiscard]] bool all_points() const { return all_points_; }
   /// Where the last walk in the direction ended: the vertex of greatest value.
-  [[nodiscard]] Index end(int direction) const { return ends_[static_cast<std::size_t>(direction)]; }
+  [[nodiscard]] Index end(int direction) const { return ends_[direction]; }
 
   /// From where the last walk in this direction ended. value(v): of vertex v, a linear function of the vertex; doubt:
   /// at least twice by how much it may be off. path: the start and each vertex that was better than all before.
   template <class Value>
   Climbed<Scalar> climb(int direction, Value&& value, Scalar doubt, std::vector<Index>* path) {
-    Index& best = ends_[static_cast<std::size_t>(direction)];
+    Index& best = ends_[direction];
     Climbed<Scalar> climbed{value(best), 1};
     if (path != nullptr) *path = {best};
     begin_walk();
@@ -89,7 +86,7 @@ class HillClimb {
     walk_ = 1;
   }
   bool mark(Index v) {
-    std::uint32_t& seen = seen_[static_cast<std::size_t>(v)];
+    std::uint32_t& seen = seen_[v];
     const bool first = seen != walk_;
     seen = walk_;
     return first;

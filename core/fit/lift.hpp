@@ -149,11 +149,13 @@ auto lift_fact(const BoxTried<Scalar, Dim>& fact) {
 }
 template <class Scalar, int Dim>
 auto lift_fact(const RectangleFound<Scalar, Dim>& fact) {
-  return RectangleFound<double, 3>{lift<Scalar, Dim>(fact.along), fact.edge_a, fact.edge_b, lift(fact.box), fact.measure, fact.better};
+  return RectangleFound<double, 3>{
+      lift<Scalar, Dim>(fact.along), fact.edge_a, fact.edge_b, lift(fact.box), fact.measure, fact.better};
 }
 template <class Scalar, int Dim>
 auto lift_fact(const query::FramesRelated<Scalar, Dim>& fact) {
-  return query::FramesRelated<double, 3>{lift<Scalar, Dim>(fact.rotation, 1), lift<Scalar, Dim>(fact.translation), fact.doubt};
+  return query::FramesRelated<double, 3>{lift<Scalar, Dim>(fact.rotation, 1), lift<Scalar, Dim>(fact.translation),
+                                         fact.doubt};
 }
 template <class Scalar, int Dim>
 query::SatAxis<double, 3> lift(const query::SatAxis<Scalar, Dim>& axis) {
@@ -172,14 +174,27 @@ auto lift_fact(const query::Verdict<Scalar, Dim>& fact) {
 /// Corners of the plane keep their bits.
 template <class Scalar, int Dim>
 auto lift_fact(const query::PlaneTested<Scalar, Dim>& fact) {
-  return query::PlaneTested<double, 3>{
-      fact.plane, fact.skipped, lift<Scalar, Dim>(fact.normal), fact.signs, fact.p_vertex, fact.n_vertex, fact.p_corners, fact.n_corners,
-      lift<Scalar, Dim>(fact.p_point), lift<Scalar, Dim>(fact.n_point), fact.p_distance, fact.n_distance, fact.doubt, fact.looked_closer,
-      fact.side, fact.so_far};
+  return query::PlaneTested<double, 3>{fact.plane,
+                                       fact.skipped,
+                                       lift<Scalar, Dim>(fact.normal),
+                                       fact.signs,
+                                       fact.p_vertex,
+                                       fact.n_vertex,
+                                       fact.p_corners,
+                                       fact.n_corners,
+                                       lift<Scalar, Dim>(fact.p_point),
+                                       lift<Scalar, Dim>(fact.n_point),
+                                       fact.p_distance,
+                                       fact.n_distance,
+                                       fact.doubt,
+                                       fact.looked_closer,
+                                       fact.side,
+                                       fact.so_far};
 }
 template <class Scalar, int Dim>
 auto lift_fact(const query::CornerTested<Scalar, Dim>& fact) {
-  return query::CornerTested<double, 3>{fact.corner, fact.plane, lift<Scalar, Dim>(fact.point), fact.distance, fact.outside};
+  return query::CornerTested<double, 3>{fact.corner, fact.plane, lift<Scalar, Dim>(fact.point), fact.distance,
+                                        fact.outside};
 }
 
 template <class VolumeType, class... Facts>

@@ -34,11 +34,9 @@ struct Lower {
   }
   ConvexHull<Scalar, Dim> operator()(const ConvexHull<double, 3>& v) const {
     ConvexHull<Scalar, Dim> own{{}, v.indices, {}, v.affine_dim};
-    for (const auto& vertex : v.vertices)
-      own.vertices.push_back(of(vertex));
+    for (const auto& vertex : v.vertices) own.vertices.push_back(of(vertex));
     own.facets.resize(v.facets.size());
-    for (std::size_t i = 0; i < v.facets.size(); ++i)
-      std::copy_n(v.facets[i].begin(), Dim, own.facets[i].begin());
+    for (std::size_t i = 0; i < v.facets.size(); ++i) std::copy_n(v.facets[i].begin(), Dim, own.facets[i].begin());
     return own;
   }
 };

@@ -120,7 +120,7 @@ class LozengeMaker {
   [[nodiscard]] Index size() const { return static_cast<Index>(local_.size()); }
 
  private:
-  [[nodiscard]] Scalar at(Index i, int axis) const { return local_[static_cast<std::size_t>(i)][axis]; }
+  [[nodiscard]] Scalar at(Index i, int axis) const { return local_[i][axis]; }
   [[nodiscard]] int thin_axis() const { return 3 - edge_axes_[0] - edge_axes_[1]; }
 
   [[nodiscard]] std::pair<Index, Index> ends_along(int axis) const {
@@ -137,7 +137,7 @@ class LozengeMaker {
     std::array<std::pair<Scalar, int>, static_cast<std::size_t>(Dim)> lengths;
     for (int axis = 0; axis < Dim; ++axis) {
       const auto [least, greatest] = ends_along(axis);
-      lengths[static_cast<std::size_t>(axis)] = {at(greatest, axis) - at(least, axis), axis};
+      lengths[axis] = {at(greatest, axis) - at(least, axis), axis};
     }
     std::sort(lengths.rbegin(), lengths.rend());
     for (std::size_t edge = 0; edge < 2; ++edge) {

@@ -43,8 +43,7 @@ struct CornerMovedOut {
 };
 
 template <class Scalar, int Dim>
-using LozengeStep =
-    Step<Lozenge<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>, AxesFound<Scalar, Dim>,
-         ThicknessFound, SidePulledIn, CornerMovedOut, RadiusChecked, Finished>;
+using LozengeStep = Step<Lozenge<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>,
+                         AxesFound<Scalar, Dim>, ThicknessFound, SidePulledIn, CornerMovedOut, RadiusChecked, Finished>;
 
 }  // namespace snug::fit

@@ -25,8 +25,8 @@ Sphere<double, 2> seen_from(const Balls<Dim>& balls, const Matrix<double, Dim>& 
   return around;
 }
 
-/// Around the line along the frame's first axis. Each ball needs the segment to reach within sqrt((R - r)^2 - its centre's
-/// distance from the line^2) of its centre.
+/// Around the line along the frame's first axis. Each ball needs the segment to reach within sqrt((R - r)^2 - its
+/// centre's distance from the line^2) of its centre.
 template <int Dim>
 Capsule<double, Dim> along_line(const Balls<Dim>& balls, const Matrix<double, Dim>& axes) {
   const Sphere<double, 2> around = seen_from<Dim>(balls, axes);
@@ -56,7 +56,9 @@ Matrix<double, Dim> frame_along(const Vector<double, Dim>& direction) {
 /// balls: two of a, then two of b.
 template <int Dim>
 std::vector<Vector<double, Dim>> directions(const Balls<Dim>& balls) {
-  const auto between = [&](std::size_t i, std::size_t j) -> Vector<double, Dim> { return balls[j].center - balls[i].center; };
+  const auto between = [&](std::size_t i, std::size_t j) -> Vector<double, Dim> {
+    return balls[j].center - balls[i].center;
+  };
   std::vector<Vector<double, Dim>> all{between(0, 1), between(2, 3), (between(0, 2) + between(1, 3)) / 2};
   Vector<double, Dim> farthest = between(0, 2);
   for (const std::size_t i : {0u, 1u})
@@ -82,11 +84,13 @@ Capsule<Scalar, Dim> merge(const Capsule<Scalar, Dim>& a, const Capsule<Scalar, 
   const LocalBalls<Dim> local(balls);
   using Local = Capsule<double, Dim>;
   const auto least = least_of<Local>(directions<Dim>(local.balls), [&](const Vector<double, Dim>& direction) {
-    return direction.isZero(0) ? std::nullopt : std::optional<Local>(along_line<Dim>(local.balls, frame_along<Dim>(direction)));
+    return direction.isZero(0) ? std::nullopt
+                               : std::optional<Local>(along_line<Dim>(local.balls, frame_along<Dim>(direction)));
   });
   // Where no direction is left, all centres are one, and either holds the other.
   const Local chosen = least.value_or(Local{});
-  Capsule<Scalar, Dim> merged{local.to_scene(chosen.a).template cast<Scalar>(), local.to_scene(chosen.b).template cast<Scalar>()};
+  Capsule<Scalar, Dim> merged{local.to_scene(chosen.a).template cast<Scalar>(),
+                              local.to_scene(chosen.b).template cast<Scalar>()};
   widen_to_hold(merged, balls);
   return merged;
 }

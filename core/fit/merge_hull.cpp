@@ -6,13 +6,14 @@
 namespace snug::fit {
 namespace {
 
-/// Whether each vertex of the merged hull is one of the second's, which follow `first` others in its point set. Of several
-/// in one place the set's first is the vertex, so that one of the others may be the second's as well.
+/// Whether each vertex of the merged hull is one of the second's, which follow `first` others in its point set. Of
+/// several in one place the set's first is the vertex, so that one of the others may be the second's as well.
 template <class Scalar, int Dim>
 bool is_second(const ConvexHull<Scalar, Dim>& merged, const ConvexHull<Scalar, Dim>& second, std::size_t first) {
   for (std::size_t i = 0; i < merged.vertices.size(); ++i) {
     if (static_cast<std::size_t>(merged.indices[i]) >= first) continue;
-    if (std::find(second.vertices.begin(), second.vertices.end(), merged.vertices[i]) == second.vertices.end()) return false;
+    if (std::find(second.vertices.begin(), second.vertices.end(), merged.vertices[i]) == second.vertices.end())
+      return false;
   }
   return true;
 }
@@ -28,7 +29,8 @@ ConvexHull<Scalar, Dim> merge(const ConvexHull<Scalar, Dim>& a, const ConvexHull
   const auto set = *PointSet<Scalar, Dim>::make(std::move(vertices));  // vertices are points of a set: never refused
   ConvexHull<Scalar, Dim> merged = quickhull(set.span()).volume;
   const std::size_t first = a.vertices.size();
-  if (std::all_of(merged.indices.begin(), merged.indices.end(), [&](Index i) { return static_cast<std::size_t>(i) < first; }))
+  if (std::all_of(merged.indices.begin(), merged.indices.end(),
+                  [&](Index i) { return static_cast<std::size_t>(i) < first; }))
     return a;
   if (is_second(merged, b, first)) return b;
   return merged;

@@ -90,17 +90,18 @@ Matrix<double, Dim> frame_along(const Vector<double, Dim>& first, const Vector<d
 /// The middle, within rounding.
 template <class Scalar, int Dim>
 Vector<double, Dim> middle_of(const Lozenge<Scalar, Dim>& lozenge) {
-  return lozenge.origin.template cast<double>() +
-         (lozenge.edges[0] / 2 + lozenge.edges[1] / 2).template cast<double>();
+  return lozenge.origin.template cast<double>() + (lozenge.edges[0] / 2 + lozenge.edges[1] / 2).template cast<double>();
 }
 
 template <class Scalar, int Dim>
 std::vector<Matrix<double, Dim>> frames(const Lozenge<Scalar, Dim>& a, const Lozenge<Scalar, Dim>& b) {
   std::vector<Matrix<double, Dim>> all;
   for (const auto* lozenge : {&a, &b})
-    all.push_back(frame_along<Dim>(lozenge->edges[0].template cast<double>(), lozenge->edges[1].template cast<double>()));
+    all.push_back(
+        frame_along<Dim>(lozenge->edges[0].template cast<double>(), lozenge->edges[1].template cast<double>()));
   const bool first_is_longer = scaled_norm<Scalar, Dim>(a.edges[0]) >= scaled_norm<Scalar, Dim>(a.edges[1]);
-  all.push_back(frame_along<Dim>(middle_of(b) - middle_of(a), a.edges[first_is_longer ? 0 : 1].template cast<double>()));
+  all.push_back(
+      frame_along<Dim>(middle_of(b) - middle_of(a), a.edges[first_is_longer ? 0 : 1].template cast<double>()));
   return all;
 }
 
@@ -123,7 +124,8 @@ Lozenge<Scalar, Dim> merge(const Lozenge<Scalar, Dim>& a, const Lozenge<Scalar, 
                          return std::optional<Local>(LozengeAround<Dim>(local.balls, axes).lozenge());
                        }).value_or(Local{});
   Lozenge<Scalar, Dim> merged{local.to_scene(chosen.origin).template cast<Scalar>()};
-  for (const std::size_t edge : {0u, 1u}) merged.edges[edge] = (chosen.edges[edge] / local.scale).template cast<Scalar>();
+  for (const std::size_t edge : {0u, 1u})
+    merged.edges[edge] = (chosen.edges[edge] / local.scale).template cast<Scalar>();
   widen_to_hold(merged, balls);
   return merged;
 }

@@ -15,8 +15,8 @@
 namespace snug::fit {
 namespace {
 
-/// How a box's numbers are read. With A its axes as columns, as the meeting of its slabs its points are its centre plus A^-T s,
-/// |s_i| <= h_i; as what its edges span, its centre plus A s. The two differ where A is not quite a rotation.
+/// How a box's numbers are read. With A its axes as columns, as the meeting of its slabs its points are its centre plus
+/// A^-T s, |s_i| <= h_i; as what its edges span, its centre plus A s. The two differ where A is not quite a rotation.
 enum class Read : std::uint8_t { kSlabs, kEdges };
 
 /// A box seen along any direction, however it is read.
@@ -29,13 +29,16 @@ class BoxAlong {
         edges_(box.axes.template cast<double>().transpose()), slabs_(box.axes.template cast<double>().inverse()) {}
 
   /// From a point, the least and the greatest along a direction of about unit length, rounded.
-  [[nodiscard]] std::array<double, 2> extent(const Vector<double, Dim>& direction, const Vector<double, Dim>& from, Read read) const {
+  [[nodiscard]] std::array<double, 2> extent(const Vector<double, Dim>& direction, const Vector<double, Dim>& from,
+                                             Read read) const {
     const double middle = (center_ - from).dot(direction);
-    const double reach = half_.dot(Vector<double, Dim>((read == Read::kSlabs ? slabs_ : edges_) * direction).cwiseAbs());
+    const double reach =
+        half_.dot(Vector<double, Dim>((read == Read::kSlabs ? slabs_ : edges_) * direction).cwiseAbs());
     return {middle - reach, middle + reach};
   }
   /// How far from the point it reaches to either side, and certainly no farther.
-  [[nodiscard]] double reach_at_most(const Vector<double, Dim>& direction, const Vector<double, Dim>& from, Read read) const {
+  [[nodiscard]] double reach_at_most(const Vector<double, Dim>& direction, const Vector<double, Dim>& from,
+                                     Read read) const {
     const auto [low, high] = extent(direction, from, read);
     const double size = half_.sum() + (center_ - from).cwiseAbs().sum();
     return std::max(-low, high) + (tolerance::kMergedBox * size + 16 * std::numeric_limits<double>::denorm_min());
@@ -47,10 +50,12 @@ class BoxAlong {
   Matrix<double, Dim> edges_, slabs_;  // what a direction is multiplied with
 };
 
-/// The half extents with which a box of these axes and this centre holds the other, for certain, both read as slabs or both as
-/// edges: along its axes, by which slabs are judged, and along the rows of their inverse, by which shares of edges are.
+/// The half extents with which a box of these axes and this centre holds the other, for certain, both read as slabs or
+/// both as edges: along its axes, by which slabs are judged, and along the rows of their inverse, by which shares of
+/// edges are.
 template <class Scalar, int Dim>
-Vector<double, Dim> half_extents_around(const Vector<Scalar, Dim>& center, const Matrix<Scalar, Dim>& axes, const BoxAlong<Dim>& inner) {
+Vector<double, Dim> half_extents_around(const Vector<Scalar, Dim>& center, const Matrix<Scalar, Dim>& axes,
+                                        const BoxAlong<Dim>& inner) {
   const Vector<double, Dim> from = center.template cast<double>();
   const Matrix<double, Dim> columns = axes.template cast<double>();
   const Matrix<double, Dim> inverse = columns.inverse();
@@ -98,7 +103,8 @@ Matrix<Scalar, Dim> axes_of_corners(const Obb<Scalar, Dim>& a, const Obb<Scalar,
     for (int corner = 0; corner < 1 << Dim; ++corner) {
       auto& place = corners.emplace_back(box->center.template cast<double>() - origin);
       for (int i = 0; i < Dim; ++i) {
-        const Vector<double, Dim> arm = box->axes.col(i).template cast<double>() * static_cast<double>(box->half_extents[i]);
+        const Vector<double, Dim> arm =
+            box->axes.col(i).template cast<double>() * static_cast<double>(box->half_extents[i]);
         place += (corner >> i & 1) == 0 ? -arm : arm;
       }
       largest = std::max(largest, place.cwiseAbs().maxCoeff());

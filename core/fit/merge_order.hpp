@@ -11,7 +11,10 @@ template <class VolumeType>
   std::vector<double> of_a, of_b;
   const auto list = [](std::vector<double>& numbers) {
     return [&numbers](const char*, const auto& value) {
-      if constexpr (requires { value.data(); value.size(); }) {
+      if constexpr (requires {
+                      value.data();
+                      value.size();
+                    }) {
         if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(*value.data())>>)
           for (std::size_t i = 0; i < static_cast<std::size_t>(value.size()); ++i)
             numbers.push_back(static_cast<double>(value.data()[i]));

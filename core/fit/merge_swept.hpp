@@ -28,7 +28,8 @@ template <class Scalar, int Dim>
   return {{capsule.a.template cast<double>(), radius}, {capsule.b.template cast<double>(), radius}};
 }
 
-/// The balls at the corners. A corner is no number but a sum of three: each ball is larger by what that sum may be off by.
+/// The balls at the corners. A corner is no number but a sum of three: each ball is larger by what that sum may be off
+/// by.
 template <class Scalar, int Dim>
 [[nodiscard]] Balls<Dim> balls_of(const Lozenge<Scalar, Dim>& lozenge) {
   const Vector<double, Dim> o = lozenge.origin.template cast<double>();
@@ -74,7 +75,8 @@ void widen_to_hold(VolumeType& volume, const Balls<Dim>& balls) {
   for (const BallIn<Dim>& ball : balls) most = std::max(most, core.distance(ball.center) + ball.radius);
   volume.radius = static_cast<Scalar>(most);
   // Steps double, and start at what is nothing beside the rounding of the core's own coordinates.
-  const auto least_step = static_cast<Scalar>(core.size() * tolerance::kRoundoff<Scalar> * tolerance::kRoundoff<Scalar>);
+  const auto least_step =
+      static_cast<Scalar>(core.size() * tolerance::kRoundoff<Scalar> * tolerance::kRoundoff<Scalar>);
   Scalar step = std::max(std::nextafter(volume.radius, std::numeric_limits<Scalar>::max()) - volume.radius, least_step);
   for (; !holds(volume, balls); step *= 2) volume.radius += step;
 }

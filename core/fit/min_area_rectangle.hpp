@@ -73,9 +73,7 @@ class Calipers {
 
   [[nodiscard]] Index size() const { return static_cast<Index>(hull_.vertices.size()); }
   [[nodiscard]] Index around(Index i) const { return i < size() ? i : i - size(); }
-  [[nodiscard]] Point point(Index i) const {
-    return hull_.vertices[static_cast<std::size_t>(around(i))].template cast<double>();
-  }
+  [[nodiscard]] Point point(Index i) const { return hull_.vertices[around(i)].template cast<double>(); }
 
   /// Each corner goes on from where it is, at first from where the one before it is; none ever goes back.
   void turn(CalipersRectangle& at) {
@@ -100,7 +98,7 @@ class Calipers {
     Wide d;
     for (int i = 0; i < 2; ++i) {
       const DoubleDouble exact = DoubleDouble::sum(point(to)[i], -point(from)[i]);
-      d[static_cast<std::size_t>(i)] = {std::ldexp(exact.high, -exponent), std::ldexp(exact.low, -exponent)};
+      d[i] = {std::ldexp(exact.high, -exponent), std::ldexp(exact.low, -exponent)};
     }
     return d;
   }
@@ -138,7 +136,7 @@ class Calipers {
   void tell(const CalipersRectangle& at, const CalipersRectangle& best, bool better) {
     std::vector<Index> touching;
     for (const Index place : {at.on, around(at.on + 1), at.right, at.top, at.left}) {
-      const Index index = hull_.indices[static_cast<std::size_t>(place)];
+      const Index index = hull_.indices[place];
       if (std::find(touching.begin(), touching.end(), index) == touching.end()) touching.push_back(index);
     }
     const Obb<Scalar, 2> tried = box(at);
@@ -165,7 +163,7 @@ Obb<Scalar, 2> min_area_rectangle(const ConvexHull<Scalar, 2>& hull, Observer&& 
   const PointSet<Scalar, 2> vertices = *PointSet<Scalar, 2>::make(hull.vertices);
   BoxOnAxes<Scalar, 2> found = obb_from_axes<Scalar, 2>(axes.template cast<Scalar>(), vertices.span());
   for (auto* ends : {&found.least, &found.greatest})
-    for (Index& i : *ends) i = hull.indices[static_cast<std::size_t>(i)];
+    for (Index& i : *ends) i = hull.indices[i];
   observe.count(Operation::kPointsTouched, vertices.size());
   return finish_box(found, 5, observe).volume;
 }

@@ -1,5 +1,6 @@
-// Source: T. Larsson, L. Källberg, "Fast computation of tight-fitting oriented bounding boxes", Game Engine Gems 2, 2011:
-// their DiTO-14, ditetrahedron OBB; boxes are compared by volume. In 2-D the same with a base line and two triangles.
+// Source: T. Larsson, L. Källberg, "Fast computation of tight-fitting oriented bounding boxes", Game Engine Gems 2,
+// 2011: their DiTO-14, ditetrahedron OBB; boxes are compared by volume. In 2-D the same with a base line and two
+// triangles.
 #pragma once
 
 #include <algorithm>
@@ -50,7 +51,8 @@ class SlabExtremes {
       Index begin = 0;
       for (const Reach& block : blocks) {
         if (least[k] == kNoIndex && block.least[k] == all.least[k]) least[k] = find(begin, k, all.least[k]);
-        if (greatest[k] == kNoIndex && block.greatest[k] == all.greatest[k]) greatest[k] = find(begin, k, all.greatest[k]);
+        if (greatest[k] == kNoIndex && block.greatest[k] == all.greatest[k])
+          greatest[k] = find(begin, k, all.greatest[k]);
         begin += kBlock;
       }
     }
@@ -169,8 +171,8 @@ class ObbDito {
     trials_.attempt(axes, std::span(points).first(on.size()), line);
   }
 
-  // Farthest pair, and in space the point farthest from their line. False where there is no such base: the points are then
-  // on one place or (as far as the extremes tell) on one line, whose box has been tried.
+  // Farthest pair, and in space the point farthest from their line. False where there is no such base: the points are
+  // then on one place or (as far as the extremes tell) on one line, whose box has been tried.
   bool find_base() {
     double most = -1;
     for (std::size_t a = 0; a < size(); ++a)
@@ -226,8 +228,8 @@ class ObbDito {
     }
   }
 
-  // The extremes tell which axes are promising; only all points tell whether they beat the axes that the points came in,
-  // along which the extremes are those of all.
+  // The extremes tell which axes are promising; only all points tell whether they beat the axes that the points came
+  // in, along which the extremes are those of all.
   Fit<Obb<Scalar, Dim>> finish() {
     BoxOnAxes<Scalar, Dim> found = obb_from_axes(trials_.scalar_axes(), points_);
     tell_extents(found, points_.size(), 5, observe_);
@@ -235,7 +237,8 @@ class ObbDito {
     const LocalBox<Dim> aabb(Matrix<double, Dim>::Identity(), local.at);
     Vector<double, Dim> lengths = 2 * found.box.half_extents.template cast<double>();
     for (int i = 0; i < Dim; ++i) lengths[i] = std::ldexp(lengths[i], -local.exponent);
-    if (padded_measure<Dim>(aabb.greatest - aabb.least, trials_.floor()) < padded_measure<Dim>(lengths, trials_.floor())) {
+    if (padded_measure<Dim>(aabb.greatest - aabb.least, trials_.floor()) <
+        padded_measure<Dim>(lengths, trials_.floor())) {
       found = obb_from_axes<Scalar, Dim>(Matrix<Scalar, Dim>::Identity(), points_);
       tell_extents(found, points_.size(), 6, observe_);
     }

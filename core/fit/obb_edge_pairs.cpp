@@ -30,9 +30,7 @@ double root(double p, double q) { return (p < 0) == (q < 0) ? 0 : p / (p - q); }
 }  // namespace
 
 EdgePairSearch::EdgePairSearch(const HullSolid& solid, const Matrix<double, 3>& start)
-    : solid_(solid),
-      measure_(std::numeric_limits<double>::infinity()),
-      with_a_(solid.normals().size()),
+    : solid_(solid), measure_(std::numeric_limits<double>::infinity()), with_a_(solid.normals().size()),
       with_b_(solid.normals().size()) {
   for (const NormalArc& arc : solid.arcs())
     ends_.push_back({static_cast<std::size_t>(arc.from), static_cast<std::size_t>(arc.to)});
@@ -67,9 +65,10 @@ PairTally EdgePairSearch::search(Index edge, const SeeSmaller& see, Count& count
     for (std::size_t second = later; second < arcs.size(); ++second) {
       const auto [from, to] = ends_[second];
       const double aa = with_a_[from], ab = with_a_[to], ba = with_b_[from], bb = with_b_[to];
-      // The dot product of two normals is bilinear in their places on the arcs: it is 0 somewhere, or has one sign at all
-      // four ends.
-      if (std::min(std::min(aa, ab), std::min(ba, bb)) > 0 || std::max(std::max(aa, ab), std::max(ba, bb)) < 0) continue;
+      // The dot product of two normals is bilinear in their places on the arcs: it is 0 somewhere, or has one sign at
+      // all four ends.
+      if (std::min(std::min(aa, ab), std::min(ba, bb)) > 0 || std::max(std::max(aa, ab), std::max(ba, bb)) < 0)
+        continue;
       ++tally.pairs;
       search_pair({*first, arcs[second], aa, ab, ba, bb}, tally, see, count);
     }
@@ -77,8 +76,8 @@ PairTally EdgePairSearch::search(Index edge, const SeeSmaller& see, Count& count
   return tally;
 }
 
-// A normal of the first arc is perpendicular to some normal of the second where its dot products with the second's ends have
-// opposite signs.
+// A normal of the first arc is perpendicular to some normal of the second where its dot products with the second's ends
+// have opposite signs.
 template <class Count>
 void EdgePairSearch::search_pair(const Pair& pair, PairTally& tally, const SeeSmaller& see, Count& count) {
   std::array<double, 4> breaks{0, root(pair.aa, pair.ba), root(pair.ab, pair.bb), 1};
@@ -100,7 +99,8 @@ void EdgePairSearch::search_pair(const Pair& pair, PairTally& tally, const SeeSm
 }
 
 template <class Count>
-void EdgePairSearch::halve(const Pair& pair, const Stretch& whole, PairTally& tally, const SeeSmaller& see, Count& count) {
+void EdgePairSearch::halve(const Pair& pair, const Stretch& whole, PairTally& tally, const SeeSmaller& see,
+                           Count& count) {
   open_.assign({whole});
   while (!open_.empty()) {
     const Stretch stretch = open_.back();
@@ -142,13 +142,15 @@ EdgePairSearch::Spans EdgePairSearch::spans_at(const Pair& pair, const Point& fi
   const auto farthest = [&](const Point& direction) {
     return solid_.at(solid_.farthest(direction, solid_.far(direction), count));
   };
-  const auto edge = [&](const NormalArc& arc) { return solid_.at(solid_.edges()[static_cast<std::size_t>(arc.edge)][0]); };
+  const auto edge = [&](const NormalArc& arc) { return solid_.at(solid_.edges()[arc.edge][0]); };
   const Point third = first.cross(second);
-  return {edge(pair.first) - farthest(-first), edge(pair.second) - farthest(-second), farthest(third) - farthest(-third)};
+  return {edge(pair.first) - farthest(-first), edge(pair.second) - farthest(-second),
+          farthest(third) - farthest(-third)};
 }
 
 // The box is as long along its normals as the spans at least. With normals m and n, and their product as the third,
-// (p . m) (q . n) (r . (m x n)) is the volume between the spans times |m|^2 |n|^2: both sides are quartics in the parameter.
+// (p . m) (q . n) (r . (m x n)) is the volume between the spans times |m|^2 |n|^2: both sides are quartics in the
+// parameter.
 template <class Count>
 bool EdgePairSearch::all_larger(const Ends& ends, const Spans& spans, Count& count) const {
   count.count(Operation::kComparisons, 1);
@@ -173,8 +175,8 @@ bool EdgePairSearch::all_larger(const Ends& ends, const Spans& spans, Count& cou
 }
 
 std::array<Index, 4> EdgePairSearch::vertices_of(const Pair& pair) const {
-  const auto& e = solid_.edges()[static_cast<std::size_t>(pair.first.edge)];
-  const auto& f = solid_.edges()[static_cast<std::size_t>(pair.second.edge)];
+  const auto& e = solid_.edges()[pair.first.edge];
+  const auto& f = solid_.edges()[pair.second.edge];
   return {e[0], e[1], f[0], f[1]};
 }
 

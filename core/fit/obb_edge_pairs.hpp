@@ -1,10 +1,10 @@
 // The smallest box of a hull in space, found and proven among the boxes with two adjacent faces on edges.
-// Source: J. O'Rourke, "Finding minimal enclosing boxes", 1985: the smallest box is one of them. (Seen along each of its axes
-// it is a smallest rectangle, one side of which lies on an edge of what the hull casts, by H. Freeman, R. Shapira,
-// "Determining the minimum-area encasing rectangle for an arbitrary closed curve", 1975; so two of its faces that meet have
-// an edge each.) How they are gone through is ours: as each pair of edges lets the box turn along one curve, on which the
-// volume between any six fixed vertices is a rational function, whole stretches of it are ruled out by the signs of a
-// quartic's Bernstein coefficients, and what is left is halved.
+// Source: J. O'Rourke, "Finding minimal enclosing boxes", 1985: the smallest box is one of them. (Seen along each of
+// its axes it is a smallest rectangle, one side of which lies on an edge of what the hull casts, by H. Freeman, R.
+// Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed curve", 1975; so two of its faces
+// that meet have an edge each.) How they are gone through is ours: as each pair of edges lets the box turn along one
+// curve, on which the volume between any six fixed vertices is a rational function, whole stretches of it are ruled out
+// by the signs of a quartic's Bernstein coefficients, and what is left is halved.
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ class EdgePairSearch {
   /// start: the axes of a box to beat; the smaller it is, the less is left to do.
   EdgePairSearch(const HullSolid& solid, const Matrix<double, 3>& start);
 
-  /// Goes through all boxes with a face on this edge and an adjacent one on a later edge. After all edges have had their
-  /// turn, no box is smaller than lower_bound(). count: Ignore or Tally.
+  /// Goes through all boxes with a face on this edge and an adjacent one on a later edge. After all edges have had
+  /// their turn, no box is smaller than lower_bound(). count: Ignore or Tally.
   template <class Count>
   PairTally search(Index edge, const SeeSmaller& see, Count& count);
   PairTally search(Index edge, const SeeSmaller& see) {

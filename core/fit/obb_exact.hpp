@@ -1,5 +1,6 @@
-// Source: J. O'Rourke, "Finding minimal enclosing boxes", 1985: two adjacent faces of the smallest box lie on edges of the
-// hull. In 2-D H. Freeman, R. Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed curve", 1975.
+// Source: J. O'Rourke, "Finding minimal enclosing boxes", 1985: two adjacent faces of the smallest box lie on edges of
+// the hull. In 2-D H. Freeman, R. Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed
+// curve", 1975.
 #pragma once
 
 #include <array>
@@ -63,14 +64,15 @@ class ObbExact {
       const auto see = [&](const std::array<Index, 4>& on) { trials_.attempt(pairs.axes(), indices(on), 7); };
       const PairTally tally = pairs.search(e, see, spent);
       hand_on(spent, observe_);
-      const auto ends = indices(solid.edges()[static_cast<std::size_t>(e)]);
-      observe_(Step{6, true, trials_.box(), EdgeSearched{ends[0], ends[1], tally.pairs, tally.ruled_out, tally.halvings}});
+      const auto ends = indices(solid.edges()[e]);
+      observe_(
+          Step{6, true, trials_.box(), EdgeSearched{ends[0], ends[1], tally.pairs, tally.ruled_out, tally.halvings}});
     }
   }
 
   template <std::size_t kN>
   [[nodiscard]] std::array<Index, kN> indices(std::array<Index, kN> places) const {
-    for (Index& i : places) i = hull_.indices[static_cast<std::size_t>(i)];
+    for (Index& i : places) i = hull_.indices[i];
     return places;
   }
 
@@ -80,9 +82,9 @@ class ObbExact {
 };
 
 /// The smallest box, proven so but for rounding (tolerance::kBoxProof).
-/// points: n >= 1 finite points, scene units. Expected O(n log n) time for the hull; of its h vertices O(h log h) in 2-D. In
-/// 3-D each edge is held against those with a normal across one of its own, of which on a round hull there are about
-/// O(sqrt h), and looked up among all: O(h^2) in all, with a small constant.
+/// points: n >= 1 finite points, scene units. Expected O(n log n) time for the hull; of its h vertices O(h log h) in
+/// 2-D. In 3-D each edge is held against those with a normal across one of its own, of which on a round hull there are
+/// about O(sqrt h), and looked up among all: O(h^2) in all, with a small constant.
 template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
 Fit<Obb<Scalar, Dim>> obb_exact(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   using Watcher = std::remove_reference_t<Observer>;

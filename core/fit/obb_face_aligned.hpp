@@ -1,6 +1,6 @@
-// Source: I. D. Romanick, "Data Structures & Algorithms for Geometry", 2007: a box with one side on a face of the hull, and the
-// rectangle of least area across it. In the plane that is the smallest box (H. Freeman, R. Shapira, "Determining the
-// minimum-area encasing rectangle for an arbitrary closed curve", 1975); in space it need not be.
+// Source: I. D. Romanick, "Data Structures & Algorithms for Geometry", 2007: a box with one side on a face of the hull,
+// and the rectangle of least area across it. In the plane that is the smallest box (H. Freeman, R. Shapira,
+// "Determining the minimum-area encasing rectangle for an arbitrary closed curve", 1975); in space it need not be.
 #pragma once
 
 #include <algorithm>
@@ -46,7 +46,7 @@ class ObbFaceAligned {
   using Point = Vector<double, 3>;
   using Triangle = std::array<Index, 3>;
 
-  [[nodiscard]] const Point& at(Index i) const { return trials_.local().at[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Point& at(Index i) const { return trials_.local().at[i]; }
 
   void try_faces() {
     TallyFor<Observer> built;
@@ -60,14 +60,14 @@ class ObbFaceAligned {
       for (const Index i : solid.outline(normal, walked)) outline.push_back(at(i));
       hand_on(walked, observe_);
       std::array<Index, 3> face{};
-      for (std::size_t k = 0; k < 3; ++k) face[k] = hull_.indices[static_cast<std::size_t>(hull_.facets[f][k])];
+      for (std::size_t k = 0; k < 3; ++k) face[k] = hull_.indices[hull_.facets[f][k]];
       attempt(watched_rectangle_along(normal, outline, observe_), face);
     }
   }
 
   /// A face that quickhull cut into triangles has them one after the other.
   [[nodiscard]] bool in_one_plane(const Triangle& f, const Triangle& g) {
-    const auto p = [&](Index i) -> Point { return hull_.vertices[static_cast<std::size_t>(i)].template cast<double>(); };
+    const auto p = [&](Index i) -> Point { return hull_.vertices[i].template cast<double>(); };
     return std::all_of(g.begin(), g.end(), [&](Index i) {
       if (std::find(f.begin(), f.end(), i) != f.end()) return true;
       observe_.count(Operation::kOrientationTests, 1);
@@ -101,16 +101,15 @@ class ObbFaceAligned {
 
 /// The smallest box with a side on a face of the hull; in 2-D on an edge, which is the smallest of all. On a regular
 /// tetrahedron it is twice as large as the smallest.
-/// points: n >= 1 finite points, scene units. Expected O(n log n) time for the hull; in 3-D O(h) more for each of its faces,
-/// of h vertices.
+/// points: n >= 1 finite points, scene units. Expected O(n log n) time for the hull; in 3-D O(h) more for each of its
+/// faces, of h vertices.
 template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
 Fit<Obb<Scalar, Dim>> obb_face_aligned(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   const ConvexHull<Scalar, Dim> hull = watched_hull(points, 0, observe);
   Matrix<Scalar, Dim> axes;
   if constexpr (Dim == 2)  // the calipers tell of their steps on lines 2 and 3, as their own pseudocode has them
     axes = smallest_rectangle(hull, observe).axes.template cast<Scalar>();
-  else
-    axes = ObbFaceAligned<Scalar, std::remove_reference_t<Observer>>(hull, observe).run();
+  else axes = ObbFaceAligned<Scalar, std::remove_reference_t<Observer>>(hull, observe).run();
   return finish_on_hull<Scalar, Dim>(axes, hull, 4, observe);
 }
 

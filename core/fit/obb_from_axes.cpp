@@ -123,8 +123,8 @@ class Around {
     Index least = kNoIndex, greatest = kNoIndex;
     for (std::size_t block = 0; block < blocks_.size(); ++block) {
       const double low = blocks_[block].least[axis], high = blocks_[block].greatest[axis];
-      const bool has_end = (least == kNoIndex && low == all_.least[axis]) ||
-                           (greatest == kNoIndex && high == all_.greatest[axis]);
+      const bool has_end =
+          (least == kNoIndex && low == all_.least[axis]) || (greatest == kNoIndex && high == all_.greatest[axis]);
       if (!has_end && !near(low) && !near(high)) continue;
       for_block(block, [&](Index i) {
         const double projection = along(i)[axis];

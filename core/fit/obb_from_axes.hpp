@@ -17,11 +17,11 @@ struct BoxOnAxes {
   std::vector<Index> least, greatest;
 };
 
-/// The smallest box of these axes, but for rounding: its centre is the rounded middle, and each half extent is the least
-/// with which the slab around that centre holds all points in exact arithmetic (where more than a few thousand points lie
-/// on its faces, perhaps the one after). So a half extent is 0 only if the points are flat exactly.
-/// axes: unit, perpendicular and right-handed within rounding. One pass, and a second look at the blocks of points that
-/// reach a face.
+/// The smallest box of these axes, but for rounding: its centre is the rounded middle, and each half extent is the
+/// least with which the slab around that centre holds all points in exact arithmetic (where more than a few thousand
+/// points lie on its faces, perhaps the one after). So a half extent is 0 only if the points are flat exactly. axes:
+/// unit, perpendicular and right-handed within rounding. One pass, and a second look at the blocks of points that reach
+/// a face.
 template <class Scalar, int Dim>
 [[nodiscard]] BoxOnAxes<Scalar, Dim> obb_from_axes(const Matrix<Scalar, Dim>& axes, PointSpan<Scalar, Dim> points);
 

@@ -12,7 +12,8 @@ RectangleFrame<3> rectangle_along(const Vector<double, 3>& direction, const std:
   const auto n = static_cast<std::int64_t>(points.size());
   count.count(Operation::kPointsTouched, n);
   count.count(Operation::kDotProducts, 2 * n);
-  const RectangleFrame<2> found = smallest_rectangle(quickhull_2d<double>(std::span<const Vector<double, 2>>(cast), count), count);
+  const RectangleFrame<2> found =
+      smallest_rectangle(quickhull_2d<double>(std::span<const Vector<double, 2>>(cast), count), count);
   const Vector<double, 2> side = found.axes.col(0);
   return {frame(across.col(0), across.col(1) * side[0] + across.col(2) * side[1]), found.edge_a, found.edge_b};
 }

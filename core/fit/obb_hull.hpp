@@ -1,4 +1,5 @@
-// What box fitters do with the convex hull: find it, measure their box on its vertices alone, lay a rectangle around it.
+// What box fitters do with the convex hull: find it, measure their box on its vertices alone, lay a rectangle around
+// it.
 #pragma once
 
 #include <utility>
@@ -16,10 +17,8 @@ namespace snug::fit {
 template <class Scalar, int Dim, class Observer>
 ConvexHull<Scalar, Dim> watched_hull(PointSpan<Scalar, Dim> points, int line, Observer& observe) {
   ConvexHull<Scalar, Dim> hull;
-  if constexpr (kWatched<Observer>)
-    hull = quickhull(points, CountsOnly<Observer>{observe}).volume;
-  else
-    hull = quickhull(points).volume;
+  if constexpr (kWatched<Observer>) hull = quickhull(points, CountsOnly<Observer>{observe}).volume;
+  else hull = quickhull(points).volume;
   observe(ObbStep<Scalar, Dim>{line, false, {}, HullFound{hull.indices, static_cast<Index>(hull.facets.size())}});
   return hull;
 }
@@ -29,19 +28,21 @@ template <class Scalar, int Dim>
   return *PointSet<Scalar, Dim>::make(hull.vertices);  // points of a set: nothing is refused
 }
 
-/// As finish_on_axes, on the vertices alone. A box that holds them exactly holds their hull exactly, and with it each point.
+/// As finish_on_axes, on the vertices alone. A box that holds them exactly holds their hull exactly, and with it each
+/// point.
 template <class Scalar, int Dim, class Observer>
 Fit<Obb<Scalar, Dim>> finish_on_hull(const Matrix<Scalar, Dim>& axes, const ConvexHull<Scalar, Dim>& hull, int line,
                                      Observer& observe) {
   const PointSet<Scalar, Dim> vertices = vertices_of(hull);
   BoxOnAxes<Scalar, Dim> found = obb_from_axes(axes, vertices.span());
   for (auto* ends : {&found.least, &found.greatest})
-    for (Index& i : *ends) i = hull.indices[static_cast<std::size_t>(i)];
+    for (Index& i : *ends) i = hull.indices[i];
   tell_extents(found, vertices.size(), line, observe);
   return finish_box(found, line + 1, observe);
 }
 
-/// A smallest rectangle by its frame, the first side on the edge between two of the points (kNoIndex where all are one).
+/// A smallest rectangle by its frame, the first side on the edge between two of the points (kNoIndex where all are
+/// one).
 template <int Dim>
 struct RectangleFrame {
   Matrix<double, Dim> axes;
@@ -59,8 +60,8 @@ RectangleFrame<2> smallest_rectangle(const ConvexHull<Scalar, 2>& hull, Observer
   return {frame(Vector<double, 2>(b - a)), hull.indices[on], hull.indices[to]};
 }
 
-/// Of what points cast along a direction, which is the frame's first axis. points: n >= 1, of coordinates of about 1; the
-/// edge by their places. count: Ignore or Tally. O(n log n) time.
+/// Of what points cast along a direction, which is the frame's first axis. points: n >= 1, of coordinates of about 1;
+/// the edge by their places. count: Ignore or Tally. O(n log n) time.
 template <class Count>
 [[nodiscard]] RectangleFrame<3> rectangle_along(const Vector<double, 3>& direction,
                                                 const std::vector<Vector<double, 3>>& points, Count& count);
@@ -74,7 +75,8 @@ template <class Count>
 /// The same for who watches: what it spends, and no steps.
 template <class Observer>
 [[nodiscard]] RectangleFrame<3> watched_rectangle_along(const Vector<double, 3>& direction,
-                                                        const std::vector<Vector<double, 3>>& points, Observer& observe) {
+                                                        const std::vector<Vector<double, 3>>& points,
+                                                        Observer& observe) {
   TallyFor<Observer> tally;
   RectangleFrame<3> found = rectangle_along(direction, points, tally);
   hand_on(tally, observe);

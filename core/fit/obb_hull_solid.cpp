@@ -20,14 +20,14 @@ template <class Number>
 std::array<Number, 3> cross_of(const Point& a, const Point& b, const Point& c) {
   std::array<Number, 3> e, f;
   for (int i = 0; i < 3; ++i) {
-    e[static_cast<std::size_t>(i)] = Number(b[i]) - Number(a[i]);
-    f[static_cast<std::size_t>(i)] = Number(c[i]) - Number(a[i]);
+    e[i] = Number(b[i]) - Number(a[i]);
+    f[i] = Number(c[i]) - Number(a[i]);
   }
   return {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
 }
 
-/// An edge with the facets on its two sides, left on the way from its first vertex to its second as seen from outside, and
-/// the right one's third vertex.
+/// An edge with the facets on its two sides, left on the way from its first vertex to its second as seen from outside,
+/// and the right one's third vertex.
 struct SharedEdge {
   HullSolid::Edge edge;
   Index left, right, beyond;
@@ -73,12 +73,12 @@ void HullSolid::build(Corners corners, const std::vector<Triangle>& facets, Coun
   const std::vector<SharedEdge> edges = edges_of(facets);
   link_neighbours(edges);
   make_table(count);
-  const auto corner = [&](Index i) -> const Point& { return corners[static_cast<std::size_t>(i)]; };
+  const auto corner = [&](Index i) -> const Point& { return corners[i]; };
   for (const Triangle& f : facets) normals_.push_back(unit_normal(corner(f[0]), corner(f[1]), corner(f[2])));
   count.count(Operation::kSquareRoots, 4 * static_cast<std::int64_t>(facets.size()));
   count.count(Operation::kOrientationTests, static_cast<std::int64_t>(edges.size()));
   for (const SharedEdge& e : edges) {
-    const Triangle& f = facets[static_cast<std::size_t>(e.left)];
+    const Triangle& f = facets[e.left];
     if (orient3d(corner(f[0]), corner(f[1]), corner(f[2]), corner(e.beyond)) == 0) continue;
     edges_.push_back(e.edge);
     count.count(Operation::kSquareRoots, 1);
@@ -96,7 +96,7 @@ void HullSolid::link_neighbours(const Edges& edges) {
   std::vector<std::size_t> next(neighbours_from_.begin(), neighbours_from_.end() - 1);
   for (const SharedEdge& e : edges)
     for (const auto& [v, other] : {e.edge, HullSolid::Edge{e.edge[1], e.edge[0]}})
-      neighbours_[next[static_cast<std::size_t>(v)]++] = {other, e.left, e.right};
+      neighbours_[next[v]++] = {other, e.left, e.right};
 }
 
 Vector<double, 3> HullSolid::table_direction(int face, int row, int column) const {
@@ -112,7 +112,7 @@ template <class Count>
 void HullSolid::make_table(Count& count) {
   // About as many cells as vertices, so that a cell's neighbour is one of few.
   cells_ = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(vertices().size()))), 8, 64);
-  table_.reserve(static_cast<std::size_t>(6 * cells_ * cells_));
+  table_.reserve(6 * cells_ * cells_);
   Index at = 0;
   for (int face = 0; face < 6; ++face)
     for (int row = 0; row < cells_; ++row)
@@ -122,7 +122,7 @@ void HullSolid::make_table(Count& count) {
 
 template <class Count>
 void HullSolid::add_arc(const Point& along, Index from, Index to, Count& count) {
-  const Point a = normals_[static_cast<std::size_t>(from)], b = normals_[static_cast<std::size_t>(to)];
+  const Point a = normals_[from], b = normals_[to];
   const double cosine = a.dot(b);
   count.count(Operation::kDotProducts, 1);
   count.count(Operation::kSquareRoots, 1);
@@ -161,15 +161,15 @@ Index HullSolid::farthest(const Point& direction, Index near, Count& count) cons
   return near;
 }
 
-// From a vertex of the outline all others are reached along edges of it, which is a closed curve, with the sides of faces
-// that the direction lies in.
+// From a vertex of the outline all others are reached along edges of it, which is a closed curve, with the sides of
+// faces that the direction lies in.
 template <class Count>
 std::vector<Index> HullSolid::outline(const Point& direction, Count& count) const {
-  const auto turned = [&](Index facet) { return direction.dot(normals_[static_cast<std::size_t>(facet)]); };
+  const auto turned = [&](Index facet) { return direction.dot(normals_[facet]); };
   const Point across = direction.cross(axis_across<3>(direction));
   std::vector<Index> found{farthest(across, far(across), count)};
   std::vector<bool> seen(vertices().size());
-  seen[static_cast<std::size_t>(found[0])] = true;
+  seen[found[0]] = true;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::span<const Neighbour> around = neighbours(found[i]);
     count.count(Operation::kPointsTouched, std::ssize(around));
@@ -178,8 +178,8 @@ std::vector<Index> HullSolid::outline(const Point& direction, Count& count) cons
     for (const Neighbour& next : around) {
       const double left = turned(next.left), right = turned(next.right);
       if (std::min(left, right) > tolerance::kOnOutline || std::max(left, right) < -tolerance::kOnOutline) continue;
-      if (seen[static_cast<std::size_t>(next.vertex)]) continue;
-      seen[static_cast<std::size_t>(next.vertex)] = true;
+      if (seen[next.vertex]) continue;
+      seen[next.vertex] = true;
       found.push_back(next.vertex);
     }
   }
@@ -194,12 +194,12 @@ Index HullSolid::far(const Point& direction) const {
     return std::clamp(static_cast<int>(place), 0, cells_ - 1);
   };
   const int face = 2 * axis + (direction[axis] > 0 ? 0 : 1);
-  return table_[static_cast<std::size_t>((face * cells_ + cell(1)) * cells_ + cell(2))];
+  return table_[(face * cells_ + cell(1)) * cells_ + cell(2)];
 }
 
-#define SNUG_INSTANTIATE(Count)                                                                   \
-  template void HullSolid::build(Corners, const std::vector<Triangle>&, Count&);                  \
-  template Index HullSolid::farthest(const Vector<double, 3>&, Index, Count&) const;              \
+#define SNUG_INSTANTIATE(Count)                                                                                        \
+  template void HullSolid::build(Corners, const std::vector<Triangle>&, Count&);                                       \
+  template Index HullSolid::farthest(const Vector<double, 3>&, Index, Count&) const;                                   \
   template std::vector<Index> HullSolid::outline(const Vector<double, 3>&, Count&) const;
 SNUG_INSTANTIATE(Ignore)
 SNUG_INSTANTIATE(Tally)

@@ -1,5 +1,5 @@
-// A convex hull in space as the search for its smallest box wants it: edges with the normals of boxes that may lie on them,
-// and the vertex farthest along any direction.
+// A convex hull in space as the search for its smallest box wants it: edges with the normals of boxes that may lie on
+// them, and the vertex farthest along any direction.
 #pragma once
 
 #include <array>
@@ -12,9 +12,9 @@
 
 namespace snug::fit {
 
-/// The unit normals of planes that lie on an edge and have the hull on one side: from one face's normal to the other's, on a
-/// great circle. Long ones are cut, so that from a to b is at most 60 degrees.
-/// Source: the Gauss map, as J. O'Rourke, "Finding minimal enclosing boxes", 1985, uses it.
+/// The unit normals of planes that lie on an edge and have the hull on one side: from one face's normal to the other's,
+/// on a great circle. Long ones are cut, so that from a to b is at most 60 degrees. Source: the Gauss map, as J.
+/// O'Rourke, "Finding minimal enclosing boxes", 1985, uses it.
 struct NormalArc {
   Index edge = 0;               // place in HullSolid::edges
   Index from = 0, to = 0;       // places in HullSolid::normals
@@ -42,7 +42,7 @@ class HullSolid {
 
   /// In the coordinates of LocalPoints: from the first vertex, scaled to about 1.
   [[nodiscard]] const std::vector<Vector<double, 3>>& vertices() const { return local_.at; }
-  [[nodiscard]] const Vector<double, 3>& at(Index i) const { return local_.at[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Vector<double, 3>& at(Index i) const { return local_.at[i]; }
   [[nodiscard]] double size() const { return local_.size; }
 
   /// But for those inside a face that was cut into triangles.
@@ -51,7 +51,8 @@ class HullSolid {
   [[nodiscard]] const std::vector<Vector<double, 3>>& normals() const { return normals_; }
   [[nodiscard]] const std::vector<NormalArc>& arcs() const { return arcs_; }
 
-  /// A vertex that no neighbour lies beyond, climbing from a near one: the farthest along the direction, within rounding.
+  /// A vertex that no neighbour lies beyond, climbing from a near one: the farthest along the direction, within
+  /// rounding.
   template <class Count>
   [[nodiscard]] Index farthest(const Vector<double, 3>& direction, Index near, Count& count) const;
   [[nodiscard]] Index farthest(const Vector<double, 3>& direction, Index near) const {
@@ -59,8 +60,8 @@ class HullSolid {
   }
   /// The vertex farthest along a direction near this one: at once, and nearly the farthest along this one.
   [[nodiscard]] Index far(const Vector<double, 3>& direction) const;
-  /// The vertices on the edges between faces turned to a direction and away from it, and on faces along it: of all that is
-  /// cast along the direction, what lies on the outline. O(their number) time, about O(sqrt n) on a round hull.
+  /// The vertices on the edges between faces turned to a direction and away from it, and on faces along it: of all that
+  /// is cast along the direction, what lies on the outline. O(their number) time, about O(sqrt n) on a round hull.
   /// direction: unit.
   template <class Count>
   [[nodiscard]] std::vector<Index> outline(const Vector<double, 3>& direction, Count& count) const;
@@ -87,7 +88,7 @@ class HullSolid {
   template <class Edges>
   void link_neighbours(const Edges& edges);
   [[nodiscard]] std::span<const Neighbour> neighbours(Index vertex) const {
-    const auto* from = &neighbours_from_[static_cast<std::size_t>(vertex)];
+    const auto* from = &neighbours_from_[vertex];
     return std::span(neighbours_).subspan(from[0], from[1] - from[0]);
   }
   template <class Count>
@@ -102,8 +103,8 @@ class HullSolid {
   std::vector<NormalArc> arcs_;
   std::vector<Neighbour> neighbours_;  // of vertex i from neighbours_from_[i] to neighbours_from_[i + 1]
   std::vector<std::size_t> neighbours_from_;
-  std::vector<Index> table_;           // per cell of a cube's surface
-  int cells_ = 1;                      // along a side of it
+  std::vector<Index> table_;  // per cell of a cube's surface
+  int cells_ = 1;             // along a side of it
 };
 
 }  // namespace snug::fit

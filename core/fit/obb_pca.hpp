@@ -1,4 +1,5 @@
-// Source: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: a hierarchical structure for rapid interference detection", 1996.
+// Source: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: a hierarchical structure for rapid interference detection",
+// 1996.
 #pragma once
 
 #include <array>
@@ -35,9 +36,8 @@ Matrix<Scalar, Dim> watched_principal_axes(PointSpan<Scalar, Dim> points, int li
   return found.axes;
 }
 
-/// The box along the directions in which the points spread most and least. Dense clusters of points skew it, inside as well
-/// as on the surface.
-/// points: n >= 1 finite points, scene units. O(n) time: three passes.
+/// The box along the directions in which the points spread most and least. Dense clusters of points skew it, inside as
+/// well as on the surface. points: n >= 1 finite points, scene units. O(n) time: three passes.
 template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
 Fit<Obb<Scalar, Dim>> obb_pca(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   const Matrix<Scalar, Dim> axes = watched_principal_axes(points, 0, observe);

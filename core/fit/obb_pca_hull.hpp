@@ -1,5 +1,5 @@
-// Source: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: a hierarchical structure for rapid interference detection", 1996,
-// who take the hull's vertices in place of all points.
+// Source: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: a hierarchical structure for rapid interference detection",
+// 1996, who take the hull's vertices in place of all points.
 #pragma once
 
 #include <array>

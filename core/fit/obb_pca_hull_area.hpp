@@ -1,5 +1,5 @@
-// Source: S. Gottschalk, "Collision queries using oriented bounding boxes", PhD thesis, 2000, section 4: the covariance of
-// the hull's surface, integrated over its triangles. In 2-D over its edges.
+// Source: S. Gottschalk, "Collision queries using oriented bounding boxes", PhD thesis, 2000, section 4: the covariance
+// of the hull's surface, integrated over its triangles. In 2-D over its edges.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ inline constexpr std::array<std::string_view, 6> kObbPcaHullAreaPseudocode{
     "return box",
 };
 
-/// The hull's surface as simplices: its facets; of a flat hull in space the triangles of a fan, of a segment itself, of a
-/// point itself. Each a list of places in the vertices.
+/// The hull's surface as simplices: its facets; of a flat hull in space the triangles of a fan, of a segment itself, of
+/// a point itself. Each a list of places in the vertices.
 template <class Scalar, int Dim>
 [[nodiscard]] std::vector<std::vector<Index>> surface_pieces(const ConvexHull<Scalar, Dim>& hull) {
   std::vector<std::vector<Index>> pieces;
@@ -38,16 +38,15 @@ template <class Scalar, int Dim>
 /// Area, length or, of a point, 1, in the points' units.
 template <int Dim>
 [[nodiscard]] double size_of_piece(const std::vector<Index>& piece, const std::vector<Vector<double, Dim>>& at) {
-  const auto p = [&](std::size_t k) -> const Vector<double, Dim>& { return at[static_cast<std::size_t>(piece[k])]; };
+  const auto p = [&](std::size_t k) -> const Vector<double, Dim>& { return at[piece[k]]; };
   if (piece.size() == 1) return 1;
   if (piece.size() == 2) return (p(1) - p(0)).norm();
   if constexpr (Dim == 3) return Vector<double, 3>(p(1) - p(0)).cross(Vector<double, 3>(p(2) - p(0))).norm() / 2;
   return 0;
 }
 
-/// PCA of the hull's surface, every part of it with its area: neither points inside nor how densely the surface was sampled
-/// skew it; what does is its shape alone.
-/// points: n >= 1 finite points, scene units. Expected O(n log n) time.
+/// PCA of the hull's surface, every part of it with its area: neither points inside nor how densely the surface was
+/// sampled skew it; what does is its shape alone. points: n >= 1 finite points, scene units. Expected O(n log n) time.
 template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
 Fit<Obb<Scalar, Dim>> obb_pca_hull_area(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   using Step = ObbStep<Scalar, Dim>;
@@ -55,7 +54,7 @@ Fit<Obb<Scalar, Dim>> obb_pca_hull_area(PointSpan<Scalar, Dim> points, Observer&
   const ConvexHull<Scalar, Dim> hull = watched_hull(points, 0, observe);
   const LocalPoints<Dim> local(hull.vertices);
   const auto pieces = surface_pieces(hull);
-  const auto at = [&](Index i) -> const Point& { return local.at[static_cast<std::size_t>(i)]; };
+  const auto at = [&](Index i) -> const Point& { return local.at[i]; };
   const auto middle = [&](const std::vector<Index>& piece) {
     Point sum = Point::Zero();
     for (const Index i : piece) sum += at(i);
@@ -86,8 +85,10 @@ Fit<Obb<Scalar, Dim>> obb_pca_hull_area(PointSpan<Scalar, Dim> points, Observer&
   const double scale = std::ldexp(1.0, local.exponent);
   const Vector<Scalar, Dim> centroid = (local.first + scale * mean).template cast<Scalar>();
   observe.count(Operation::kDotProducts, Dim * (Dim + 1) / 2 * static_cast<std::int64_t>(pieces.size()));
-  observe(Step{1, false, {}, SurfaceFound<Scalar, Dim>{area * (pieces[0].size() == 3 ? scale * scale : scale), centroid}});
-  observe(Step{2, false, {}, CovarianceFound<Scalar, Dim>{centroid, (covariance * scale * scale).template cast<Scalar>()}});
+  observe(
+      Step{1, false, {}, SurfaceFound<Scalar, Dim>{area * (pieces[0].size() == 3 ? scale * scale : scale), centroid}});
+  observe(
+      Step{2, false, {}, CovarianceFound<Scalar, Dim>{centroid, (covariance * scale * scale).template cast<Scalar>()}});
   const AxesFound<double, Dim> found = principal_axes(CovarianceFound<double, Dim>{mean, covariance});
   const Matrix<double, Dim> axes = right_handed<double, Dim>(orthonormal<double, Dim>(found.axes));
   const AxesFound<Scalar, Dim> in_scene{centroid, axes.template cast<Scalar>(),

@@ -1,6 +1,6 @@
 // Source: G. Barequet, S. Har-Peled, "Efficiently approximating the minimum-volume bounding box of a point set in three
-// dimensions", 2001, and I. D. Romanick, "Data Structures & Algorithms for Geometry", 2007: project along an axis of the
-// PCA box, take the rectangle of least area, repeat.
+// dimensions", 2001, and I. D. Romanick, "Data Structures & Algorithms for Geometry", 2007: project along an axis of
+// the PCA box, take the rectangle of least area, repeat.
 #pragma once
 
 #include <array>
@@ -31,8 +31,9 @@ void attempt_rectangle(ObbTrials<Scalar, Dim, Observer>& trials, const Rectangle
   trials.attempt_and_tell(found.axes, [&](const Obb<Scalar, Dim>& box, bool better) {
     Vector<Scalar, Dim> along = Vector<Scalar, Dim>::Zero();
     if constexpr (Dim == 3) along = box.axes.col(0);
-    observe(ObbStep<Scalar, Dim>{line + (better ? 1 : 0), true, trials.box(),
-                                 RectangleFound<Scalar, Dim>{along, found.edge_a, found.edge_b, box, measure(box), better}});
+    observe(ObbStep<Scalar, Dim>{
+        line + (better ? 1 : 0), true, trials.box(),
+        RectangleFound<Scalar, Dim>{along, found.edge_a, found.edge_b, box, measure(box), better}});
   });
 }
 
@@ -48,16 +49,15 @@ void shrink_by_rectangles(ObbTrials<Scalar, 3, Observer>& trials, const std::vec
     count_box<3>(points.size(), observe);
     RectangleFrame<3> found = watched_rectangle_along(box.col(turn), points, observe);
     for (Index* i : {&found.edge_a, &found.edge_b})
-      if (*i != kNoIndex) *i = indices[static_cast<std::size_t>(*i)];
+      if (*i != kNoIndex) *i = indices[*i];
     attempt_rectangle(trials, found, line, observe);
     turn = trials.least() < before * (1 - tolerance::kSameBox) ? 0 : turn + 1;
   }
 }
 
-/// The PCA box, shrunk by rectangles of least area across its axes until it no longer shrinks. In 2-D one such rectangle,
-/// which is the smallest box.
-/// points: n >= 1 finite points, scene units. Expected O(n log n) time, and as much in the hull's vertices for each
-/// rectangle.
+/// The PCA box, shrunk by rectangles of least area across its axes until it no longer shrinks. In 2-D one such
+/// rectangle, which is the smallest box. points: n >= 1 finite points, scene units. Expected O(n log n) time, and as
+/// much in the hull's vertices for each rectangle.
 template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
 Fit<Obb<Scalar, Dim>> obb_pca_rectangle(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   using Watcher = std::remove_reference_t<Observer>;

@@ -1,5 +1,5 @@
-// Source: I. D. Romanick, "Data Structures & Algorithms for Geometry", 2007: the bounding sphere gives an estimate of the
-// longest axis. Here the circle around what the points cast along that axis gives the second in the same way.
+// Source: I. D. Romanick, "Data Structures & Algorithms for Geometry", 2007: the bounding sphere gives an estimate of
+// the longest axis. Here the circle around what the points cast along that axis gives the second in the same way.
 #pragma once
 
 #include <array>
@@ -15,12 +15,9 @@
 namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 6> kObbSphereAxisPseudocode{
-    "ball ← smallest ball around the points",
-    "u ← along the farthest two that hold it",
-    "circle ← the same of what they cast along u",
-    "v ← along the farthest two that hold it",
-    "extents ← along u, v and across both",
-    "return box",
+    "ball ← smallest ball around the points",      "u ← along the farthest two that hold it",
+    "circle ← the same of what they cast along u", "v ← along the farthest two that hold it",
+    "extents ← along u, v and across both",        "return box",
 };
 
 /// The smallest ball around a few points' worth of coordinates, and of the points that hold it the two farthest apart.
@@ -46,8 +43,8 @@ struct LongestChord {
   }
 };
 
-/// The box whose first axis is the longest chord of the smallest ball, and the second that of the smallest circle across it.
-/// points: n >= 1 finite points, scene units. Expected O(n) time, O(n) memory.
+/// The box whose first axis is the longest chord of the smallest ball, and the second that of the smallest circle
+/// across it. points: n >= 1 finite points, scene units. Expected O(n) time, O(n) memory.
 template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
 Fit<Obb<Scalar, Dim>> obb_sphere_axis(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   using Step = ObbStep<Scalar, Dim>;

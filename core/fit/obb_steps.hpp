@@ -11,7 +11,8 @@
 
 namespace snug::fit {
 
-/// The points that reach farthest to either side along each of the box's axes; lengths: from one to the other, scene units.
+/// The points that reach farthest to either side along each of the box's axes; lengths: from one to the other, scene
+/// units.
 template <class Scalar, int Dim>
 struct ExtentsFound {
   static constexpr std::string_view kName = "extents_found";
@@ -46,7 +47,8 @@ struct SurfaceFound {
   void fields(auto&& see) const { see("area", area), see("centroid", centroid); }
 };
 
-/// The points of the set that a step is about: extreme along fixed directions, a base triangle, apexes, ends of an edge.
+/// The points of the set that a step is about: extreme along fixed directions, a base triangle, apexes, ends of an
+/// edge.
 struct PointsChosen {
   static constexpr std::string_view kName = "points_chosen";
   std::vector<Index> points;

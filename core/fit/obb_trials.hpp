@@ -78,7 +78,7 @@ template <int Dim>
   const Vector<double, Dim> lengths = box.greatest - box.least;
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return lengths[a] < lengths[b]; });
   Matrix<double, Dim> axes;
-  for (int i = 0; i < Dim; ++i) axes.col(i) = box.axes.col(order[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < Dim; ++i) axes.col(i) = box.axes.col(order[i]);
   return right_handed<double, Dim>(axes);
 }
 
@@ -101,8 +101,8 @@ class ObbTrials {
   ObbTrials(const Points& points, Observer& observe)
       : local_(points), floor_(tolerance::kFlatBox * local_.size), observe_(observe) {}
 
-  /// Tries the box on these axes, and tells of it. on: the points that gave the axes; anything that a vector of Index can
-  /// be made of. Returns whether it is the best so far.
+  /// Tries the box on these axes, and tells of it. on: the points that gave the axes; anything that a vector of Index
+  /// can be made of. Returns whether it is the best so far.
   template <class Indices>
   bool attempt(const Matrix<double, Dim>& axes, const Indices& on, int line) {
     return attempt_and_tell(axes, [&](const Obb<Scalar, Dim>& box, bool better) {
@@ -133,8 +133,10 @@ class ObbTrials {
 
   [[nodiscard]] const Matrix<double, Dim>& axes() const { return axes_; }
   [[nodiscard]] Matrix<Scalar, Dim> scalar_axes() const { return axes_.template cast<Scalar>(); }
-  [[nodiscard]] const Obb<Scalar, Dim>& box() const { return best_box_; }  // for steps: kept only where they are watched
-  [[nodiscard]] double least() const { return least_; }                    // padded_measure, local
+  [[nodiscard]] const Obb<Scalar, Dim>& box() const {
+    return best_box_;
+  }                                                      // for steps: kept only where they are watched
+  [[nodiscard]] double least() const { return least_; }  // padded_measure, local
   [[nodiscard]] double floor() const { return floor_; }
   [[nodiscard]] const LocalPoints<Dim>& local() const { return local_; }
 

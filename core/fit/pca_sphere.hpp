@@ -1,4 +1,5 @@
-// Source: X. Wu, "A linear-time simple bounding volume algorithm", Graphics Gems III, 1992; the growing pass is Ritter's.
+// Source: X. Wu, "A linear-time simple bounding volume algorithm", Graphics Gems III, 1992; the growing pass is
+// Ritter's.
 #pragma once
 
 #include <array>

@@ -4,8 +4,8 @@
 
 namespace snug::fit {
 
-// Eigen's iterative solver uses only the four operations and square roots: the same bits everywhere (its direct solver does
-// not).
+// Eigen's iterative solver uses only the four operations and square roots: the same bits everywhere (its direct solver
+// does not).
 template <class Scalar, int Dim>
 AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread) {
   using Plain = Eigen::Matrix<Scalar, Dim, Dim>;

@@ -65,7 +65,8 @@ AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread
   for (const auto& p : points) largest = std::max(largest, Vector<Scalar, Dim>(p - spread.mean).cwiseAbs().maxCoeff());
   observe.count(Operation::kPointsTouched, points.size());
   if (largest == 0) return principal_axes(spread);
-  const Scalar scale = std::ldexp(Scalar{1}, std::min(-std::ilogb(largest), std::numeric_limits<Scalar>::max_exponent - 1));
+  const Scalar scale =
+      std::ldexp(Scalar{1}, std::min(-std::ilogb(largest), std::numeric_limits<Scalar>::max_exponent - 1));
   CovarianceFound<Scalar, Dim> magnified{spread.mean, sum_of_products(spread.mean, scale, points, observe)};
   AxesFound<Scalar, Dim> found = principal_axes(magnified);
   found.variances = (found.variances / static_cast<Scalar>(points.size()) / scale / scale).eval();

@@ -42,7 +42,7 @@ template <class StepType, class Scalar, int Dim, class Observer>
   for (const auto& p : points) largest = std::max(largest, Vector<Scalar, Dim>(p - mean.mean).cwiseAbs().maxCoeff());
   constexpr int kMostExponent = std::numeric_limits<Scalar>::max_exponent - 1;
   if (largest > 0) frame.scale = std::ldexp(Scalar{1}, std::min(-std::ilogb(largest), kMostExponent));
-  frame.local.reserve(static_cast<std::size_t>(points.size()));
+  frame.local.reserve(points.size());
   for (const auto& p : points)
     frame.local.push_back(turned_back<Scalar, Dim>(found.axes, (p - mean.mean) * frame.scale));
   observe.count(Operation::kPointsTouched, 2 * std::int64_t{points.size()});

@@ -20,10 +20,8 @@ inline constexpr std::span<const std::string_view> kQuickhullPseudocode<2> = kQu
 /// vertex, in 2-D 4 bytes a point.
 template <class Scalar, int Dim, StepObserver<HullStep<Scalar, Dim>> Observer = Ignore>
 Fit<ConvexHull<Scalar, Dim>> quickhull(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
-  if constexpr (Dim == 2)
-    return quickhull_2d<Scalar>(points, observe);
-  else
-    return quickhull_3d<Scalar>(points, observe);
+  if constexpr (Dim == 2) return quickhull_2d<Scalar>(points, observe);
+  else return quickhull_3d<Scalar>(points, observe);
 }
 
 }  // namespace snug::fit

@@ -41,10 +41,8 @@ class Quickhull2 {
     while (!open_.empty()) {
       const Edge edge = open_.back();
       open_.pop_back();
-      if (edge.begin == edge.end)
-        ring.push_back(edge.a);
-      else
-        split(edge);
+      if (edge.begin == edge.end) ring.push_back(edge.a);
+      else split(edge);
     }
     return ring;
   }
@@ -74,7 +72,7 @@ class Quickhull2 {
     }
     observe_.count(Operation::kPointsTouched, n_);
     observe_.count(Operation::kComparisons, 2 * std::int64_t{n_});
-    list_.resize(static_cast<std::size_t>(n_));
+    list_.resize(n_);
     std::iota(list_.begin(), list_.end(), Index{0});
     if (a == b) return open_.push_back({0, a, a, list_.begin(), list_.begin()});
     if constexpr (kWatched<Observer>) observe_(Step{0, false, {}, SimplexChosen{{a, b}, {a, b, b, a}}});
@@ -102,7 +100,9 @@ class Quickhull2 {
     observe_.count(Operation::kPointsTouched, edge.count());
     observe_.count(Operation::kOrientationTests, 2 * std::int64_t{edge.count()} - first.count());
     if constexpr (kWatched<Observer>)
-      observe_(Step{line, false, {},
+      observe_(Step{line,
+                    false,
+                    {},
                     PointsAssigned{{first_id, second_id},
                                    {first.count(), second.count()},
                                    edge.count() - first.count() - second.count()}});
@@ -160,7 +160,7 @@ ConvexHull<Scalar, 2> polygon_on(const Points& points, std::vector<Index> ring) 
   ConvexHull<Scalar, 2> hull;
   const auto n = static_cast<Index>(ring.size());
   hull.affine_dim = std::min(n - 1, Index{2});
-  for (const Index i : ring) hull.vertices.push_back(points[static_cast<std::size_t>(i)]);
+  for (const Index i : ring) hull.vertices.push_back(points[i]);
   for (Index i = 0; i < n && n > 2; ++i) hull.facets.push_back({i, (i + 1) % n});
   hull.indices = std::move(ring);
   return hull;
@@ -169,9 +169,7 @@ ConvexHull<Scalar, 2> polygon_on(const Points& points, std::vector<Index> ring) 
 /// The hull of any finite points in the plane, of which at least one: for those who have no PointSet, as projections.
 template <class Scalar, class Count>
 ConvexHull<Scalar, 2> quickhull_2d(std::span<const Vector<Scalar, 2>> points, Count& count) {
-  const auto at = [points](Index i) -> Vector<double, 2> {
-    return points[static_cast<std::size_t>(i)].template cast<double>();
-  };
+  const auto at = [points](Index i) -> Vector<double, 2> { return points[i].template cast<double>(); };
   return polygon_on<Scalar>(points, hull_ring<Scalar>(static_cast<Index>(points.size()), at, count));
 }
 

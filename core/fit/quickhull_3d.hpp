@@ -94,9 +94,7 @@ class Quickhull3 {
     tell(line, std::move(assigned));
   }
 
-  [[nodiscard]] static const Facet& facet(const HullSurface<Scalar>& surface, Index f) {
-    return surface.facets()[static_cast<std::size_t>(f)];
-  }
+  [[nodiscard]] static const Facet& facet(const HullSurface<Scalar>& surface, Index f) { return surface.facets()[f]; }
 
   /// The farthest point with its distance from the facet's plane.
   [[nodiscard]] EyeChosen eye_of(const Facet& from, Index f) const {

@@ -24,9 +24,9 @@ class FaceMerger {
  private:
   enum class Edge : unsigned char { kSharp, kFlat, kWalked };
 
-  [[nodiscard]] const Facet& facet(Index f) const { return surface_.facets()[static_cast<std::size_t>(f)]; }
-  [[nodiscard]] Edge& edge(Index f, std::size_t e) { return edges_[static_cast<std::size_t>(f)][e]; }
-  [[nodiscard]] Index& place(Index point) { return place_[static_cast<std::size_t>(point)]; }
+  [[nodiscard]] const Facet& facet(Index f) const { return surface_.facets()[f]; }
+  [[nodiscard]] Edge& edge(Index f, std::size_t e) { return edges_[f][e]; }
+  [[nodiscard]] Index& place(Index point) { return place_[point]; }
 
   /// On the way a point's place is the number of its sharp edges.
   void judge_edges() {
@@ -83,8 +83,8 @@ class FaceMerger {
   const HullSurface<Scalar>& surface_;
   PointSpan<Scalar, 3> points_;
   std::vector<std::array<Edge, 3>> edges_;
-  std::vector<Index> place_;     // of a point among the hull's vertices
-  std::vector<Index> corners_;   // of the face at hand
+  std::vector<Index> place_;    // of a point among the hull's vertices
+  std::vector<Index> corners_;  // of the face at hand
   MergedFaces<Scalar> result_;
 };
 

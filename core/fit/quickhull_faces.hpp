@@ -10,9 +10,9 @@ namespace snug::fit {
 
 template <class Scalar>
 struct MergedFaces {
-  ConvexHull<Scalar, 3> hull;   // vertices by rising index
-  Index faces = 0;              // how many there are of more than one facet
-  std::vector<Index> dropped;   // points on the surface that lie inside a face or an edge
+  ConvexHull<Scalar, 3> hull;  // vertices by rising index
+  Index faces = 0;             // how many there are of more than one facet
+  std::vector<Index> dropped;  // points on the surface that lie inside a face or an edge
 };
 
 /// Each face is cut into a fan of triangles around one of its corners: as no three corners of a convex polygon lie on a

@@ -20,9 +20,8 @@ class SimplexSearch {
     const Index a = ends[0], b = ends[1];
     if (points_[a] == points_[b]) return {0};
     const Point origin = at(a), along = from(origin, b) / from(origin, b).norm();
-    const Index c = most(
-        [&](Index i) { return across(along, from(origin, i)).squaredNorm(); },
-        [&](Index i) { return !collinear(at(a), at(b), at(i)); });
+    const Index c = most([&](Index i) { return across(along, from(origin, i)).squaredNorm(); },
+                         [&](Index i) { return !collinear(at(a), at(b), at(i)); });
     if (c == kNoIndex) return {a, b};
     const Point normal = across(along, from(origin, c));
     const Index d = most([&](Index i) { return std::abs(normal.dot(from(origin, i))); },
@@ -43,8 +42,8 @@ class SimplexSearch {
     std::array<Index, 3> least{}, greatest{};
     for (Index i = 1; i < points_.size(); ++i)
       for (int axis = 0; axis < 3; ++axis) {
-        auto& low = least[static_cast<std::size_t>(axis)];
-        auto& high = greatest[static_cast<std::size_t>(axis)];
+        auto& low = least[axis];
+        auto& high = greatest[axis];
         if (points_[i][axis] < points_[low][axis]) low = i;
         if (points_[i][axis] > points_[high][axis]) high = i;
       }

@@ -33,7 +33,7 @@ HullSurface<Scalar>::HullSurface(PointSpan<Scalar, 3> points) : points_(points) 
     // Of a reach below 2^-1000 too little is left to be scaled exactly; such a cloud is small beside the doubt.
     scale[axis] = reach == 0 ? 1 : std::ldexp(1.0, std::min(1000, -std::ilogb(reach) - 1));
   }
-  sites_.resize(static_cast<std::size_t>(points.size()));
+  sites_.resize(points.size());
   for (Index i = 0; i < points.size(); ++i)
     site(i).position = (points[i].template cast<double>() - middle).cwiseProduct(scale);
 }
@@ -69,9 +69,9 @@ int HullSurface<Scalar>::side_exact(const Facet& facet, Index point) const {
 
 template <class Scalar>
 bool HullSurface<Scalar>::flat(Index f, int edge) const {
-  const Index g = facet(f).across[static_cast<std::size_t>(edge)];
+  const Index g = facet(f).across[edge];
   const auto& corners = facet(g).vertices;
-  const Index from = facet(f).vertices[static_cast<std::size_t>(edge)];
+  const Index from = facet(f).vertices[edge];
   const std::size_t at = corners[0] == from ? 0 : corners[1] == from ? 1 : 2;
   const Index apex = corners[(at + 1) % 3];  // g has the edge the other way round, and ends it at from
   return height(facet(f), apex) >= -facet(f).doubt && side_exact(facet(f), apex) == 0;
@@ -184,7 +184,7 @@ void HullSurface<Scalar>::order_border() {
   border_scratch_.clear();
   Index at = 0;
   do {
-    border_scratch_.push_back(border_[static_cast<std::size_t>(at)]);
+    border_scratch_.push_back(border_[at]);
     at = site(border_scratch_.back().to).border;
   } while (at != 0);
   border_.swap(border_scratch_);
@@ -222,7 +222,7 @@ Index HullSurface<Scalar>::raise_cone() {
   for (const BorderEdge& edge : border_) {
     const Index f = add_facet({edge.from, edge.to, eye_});
     facet(f).across[0] = edge.beyond;
-    facet(edge.beyond).across[static_cast<std::size_t>(edge.edge)] = f;
+    facet(edge.beyond).across[edge.edge] = f;
     added_.push_back(f);
   }
   const std::size_t n = added_.size();

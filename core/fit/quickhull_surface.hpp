@@ -72,10 +72,10 @@ class HullSurface {
     int edge;        // of beyond
   };
 
-  [[nodiscard]] Site& site(Index point) { return sites_[static_cast<std::size_t>(point)]; }
-  [[nodiscard]] const Site& site(Index point) const { return sites_[static_cast<std::size_t>(point)]; }
-  [[nodiscard]] Facet& facet(Index f) { return facets_[static_cast<std::size_t>(f)]; }
-  [[nodiscard]] const Facet& facet(Index f) const { return facets_[static_cast<std::size_t>(f)]; }
+  [[nodiscard]] Site& site(Index point) { return sites_[point]; }
+  [[nodiscard]] const Site& site(Index point) const { return sites_[point]; }
+  [[nodiscard]] Facet& facet(Index f) { return facets_[f]; }
+  [[nodiscard]] const Facet& facet(Index f) const { return facets_[f]; }
 
   [[nodiscard]] double height(const Facet& facet, Index point) const;
   [[nodiscard]] bool sees(const Facet& facet, double height, Index point) const;

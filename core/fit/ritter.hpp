@@ -10,12 +10,8 @@
 namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 6> kRitterPseudocode{
-    "find the extreme points along each axis",
-    "ball ← farthest pair as diameter",
-    "for each point p",
-    "  if p outside: grow the ball to p",
-    "hold every point, exactly",
-    "return ball",
+    "find the extreme points along each axis", "ball ← farthest pair as diameter", "for each point p",
+    "  if p outside: grow the ball to p",      "hold every point, exactly",        "return ball",
 };
 
 /// The ball with two points as its diameter.
@@ -31,8 +27,8 @@ PairChosen farthest_pair(const ExtremesFound<Scalar, Dim>& extremes, PointSpan<S
   PairChosen chosen;
   Scalar most = -1;
   for (int axis = 0; axis < Dim; ++axis) {
-    const Index a = extremes.least[static_cast<std::size_t>(axis)];
-    const Index b = extremes.greatest[static_cast<std::size_t>(axis)];
+    const Index a = extremes.least[axis];
+    const Index b = extremes.greatest[axis];
     const Scalar square = (points[b] - points[a]).squaredNorm();
     if (square > most) {
       most = square;
@@ -47,8 +43,8 @@ PairChosen farthest_pair(const ExtremesFound<Scalar, Dim>& extremes, PointSpan<S
 /// The growing pass over all points in their order, from a first ball. line: of the pseudocode's loop; growing, the
 /// check and the end are the three lines below it.
 template <class Scalar, int Dim, class Observer>
-Fit<Sphere<Scalar, Dim>> grow_over_all(Sphere<Scalar, Dim> ball, Support support, PointSpan<Scalar, Dim> points, int line,
-                                       Observer& observe) {
+Fit<Sphere<Scalar, Dim>> grow_over_all(Sphere<Scalar, Dim> ball, Support support, PointSpan<Scalar, Dim> points,
+                                       int line, Observer& observe) {
   for (Index i = 0; i < points.size(); ++i)
     if (grow_to_hold(ball, points[i], i, line, observe)) support = {i};
   return finish_grown(ball, support, points, line + 2, observe);

@@ -27,7 +27,8 @@ inline constexpr int kRitterPasses = 8;
 /// Ritter's sphere, shrunk and grown again over the points in random orders; the smallest is kept.
 /// points: n >= 1 finite points, scene units. O(n) time, with a larger constant; 4 n bytes.
 template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer = Ignore>
-Fit<Sphere<Scalar, Dim>> ritter_iterative(PointSpan<Scalar, Dim> points, const Options& options, Observer&& observe = {}) {
+Fit<Sphere<Scalar, Dim>> ritter_iterative(PointSpan<Scalar, Dim> points, const Options& options,
+                                          Observer&& observe = {}) {
   using Step = SphereStep<Scalar, Dim>;
   Ignore unwatched;  // the first ball is the result of an algorithm that has a name of its own
   Fit<Sphere<Scalar, Dim>> best = ritter(points, unwatched);

@@ -120,15 +120,16 @@ struct CandidateTried {
   Verdict verdict = Verdict::kKept;
   Index outside = kNoIndex;  // the first point found outside
   void fields(auto&& see) const {
-    see("points", points), see("candidate", candidate), see("verdict", static_cast<int>(verdict)), see("outside", outside);
+    see("points", points), see("candidate", candidate), see("verdict", static_cast<int>(verdict)),
+        see("outside", outside);
   }
 };
 
 template <class Scalar, int Dim>
 using SphereStep =
     Step<Sphere<Scalar, Dim>, ExtremesFound<Scalar, Dim>, MidpointFound<Scalar, Dim>, PairChosen, FarthestFound,
-         PointExamined, BallGrown<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>, AxesFound<Scalar, Dim>,
-         BallShrunk<Scalar, Dim>, PassJudged<Scalar, Dim>, BoundaryForced, MovedToFront, AllChecked, RadiusChecked,
-         SupportReplaced, CandidateTried<Scalar, Dim>, Finished>;
+         PointExamined, BallGrown<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>,
+         AxesFound<Scalar, Dim>, BallShrunk<Scalar, Dim>, PassJudged<Scalar, Dim>, BoundaryForced, MovedToFront,
+         AllChecked, RadiusChecked, SupportReplaced, CandidateTried<Scalar, Dim>, Finished>;
 
 }  // namespace snug::fit

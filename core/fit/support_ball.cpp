@@ -19,18 +19,15 @@ using Wide = DoubleDouble;
 template <int N>
 bool solve(std::array<std::array<Wide, N>, N>& gram, std::array<Wide, N>& right, int n) {
   std::array<int, N> order{};
-  for (int i = 0; i < n; ++i) order[static_cast<std::size_t>(i)] = i;
-  const auto at = [&](int row, int column) -> Wide& {
-    return gram[static_cast<std::size_t>(order[static_cast<std::size_t>(row)])]
-               [static_cast<std::size_t>(order[static_cast<std::size_t>(column)])];
-  };
-  const auto b = [&](int row) -> Wide& { return right[static_cast<std::size_t>(order[static_cast<std::size_t>(row)])]; };
+  for (int i = 0; i < n; ++i) order[i] = i;
+  const auto at = [&](int row, int column) -> Wide& { return gram[order[row]][order[column]]; };
+  const auto b = [&](int row) -> Wide& { return right[order[row]]; };
 
   for (int k = 0; k < n; ++k) {
     int largest = k;
     for (int i = k + 1; i < n; ++i)
       if (at(largest, largest) < at(i, i)) largest = i;
-    std::swap(order[static_cast<std::size_t>(k)], order[static_cast<std::size_t>(largest)]);
+    std::swap(order[k], order[largest]);
     if (!(at(k, k).high > tolerance::kDependentPivot)) return false;
     at(k, k) = Wide(1) / at(k, k);  // a division takes as long as many products
     for (int i = k + 1; i < n; ++i) {
@@ -76,13 +73,13 @@ struct Edges {
       const Vector<double, Dim> p = points[support[k]].template cast<double>();
       for (int i = 0; i < Dim; ++i) {
         const Wide difference = Wide::sum(p[i], -base[i]);
-        edge[static_cast<std::size_t>(k - 1)][static_cast<std::size_t>(i)] = difference;
+        edge[k - 1][i] = difference;
         largest = std::max(largest, std::abs(difference.high));
       }
     }
     exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
     for (int k = 1; k < support.size(); ++k)
-      for (Wide& coordinate : edge[static_cast<std::size_t>(k - 1)]) coordinate = scaled(coordinate, -exponent);
+      for (Wide& coordinate : edge[k - 1]) coordinate = scaled(coordinate, -exponent);
   }
 };
 
@@ -100,17 +97,17 @@ template <class Scalar, int Dim>
 std::optional<SupportBall<Dim>> ball_through(PointSpan<Scalar, Dim> points, const Support& support) {
   const int n = support.size() - 1;
   const Edges<Scalar, Dim> edges(points, support);
-  const auto edge = [&](int i) -> const WideVector<Dim>& { return edges.edge[static_cast<std::size_t>(i)]; };
+  const auto edge = [&](int i) -> const WideVector<Dim>& { return edges.edge[i]; };
 
   std::array<std::array<Wide, Dim>, Dim> gram{};
   std::array<Wide, Dim> weight{};
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j <= i; ++j) {
       const Wide entry = dot<Dim>(edge(i), edge(j));
-      gram[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = entry;
-      gram[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] = entry;
+      gram[i][j] = entry;
+      gram[j][i] = entry;
     }
-    weight[static_cast<std::size_t>(i)] = scaled(gram[static_cast<std::size_t>(i)][static_cast<std::size_t>(i)], -1);
+    weight[i] = scaled(gram[i][i], -1);
   }
   if (!solve<Dim>(gram, weight, n)) return std::nullopt;
 
@@ -118,9 +115,9 @@ std::optional<SupportBall<Dim>> ball_through(PointSpan<Scalar, Dim> points, cons
   Wide first = 1.0;
   SupportBall<Dim> ball{.support = support};
   for (int i = 0; i < n; ++i) {
-    const Wide w = weight[static_cast<std::size_t>(i)];
+    const Wide w = weight[i];
     first -= w;
-    ball.weights[static_cast<std::size_t>(i + 1)] = w.value();
+    ball.weights[i + 1] = w.value();
     for (std::size_t axis = 0; axis < Dim; ++axis) to_center[axis] += w * edge(i)[axis];
   }
   ball.weights[0] = first.value();
@@ -129,7 +126,7 @@ std::optional<SupportBall<Dim>> ball_through(PointSpan<Scalar, Dim> points, cons
   ball.radius = std::ldexp(std::sqrt(ball.scaled_square.value()), edges.exponent);
   const Vector<double, Dim> base = points[support[0]].template cast<double>();
   for (int axis = 0; axis < Dim; ++axis)
-    ball.center[axis] = (scaled(to_center[static_cast<std::size_t>(axis)], edges.exponent) + Wide(base[axis])).value();
+    ball.center[axis] = (scaled(to_center[axis], edges.exponent) + Wide(base[axis])).value();
   return ball;
 }
 
@@ -139,7 +136,7 @@ namespace {
 template <class Scalar, int Dim>
 bool surely_smallest(PointSpan<Scalar, Dim> points, const SupportBall<Dim>& ball, const Support& others) {
   for (int i = 0; i < ball.support.size(); ++i)
-    if (!(ball.weights[static_cast<std::size_t>(i)] > tolerance::kBeyondDoubt)) return false;
+    if (!(ball.weights[i] > tolerance::kBeyondDoubt)) return false;
   return std::all_of(others.begin(), others.end(), [&](Index i) {
     if (ball.support.contains(i)) return true;
     const double distance = scaled_norm<double, Dim>(points[i].template cast<double>() - ball.center);
@@ -170,8 +167,8 @@ SupportBall<Dim> smallest_ball_with(PointSpan<Scalar, Dim> points, Index on_boun
 template bool smaller(const SupportBall<2>&, const SupportBall<2>&);
 template bool smaller(const SupportBall<3>&, const SupportBall<3>&);
 
-#define SNUG_INSTANTIATE(Scalar, Dim)                                                                             \
-  template std::optional<SupportBall<Dim>> ball_through(PointSpan<Scalar, Dim>, const Support&);                  \
+#define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
+  template std::optional<SupportBall<Dim>> ball_through(PointSpan<Scalar, Dim>, const Support&);                       \
   template SupportBall<Dim> smallest_ball_with(PointSpan<Scalar, Dim>, Index, const Support&);
 SNUG_INSTANTIATE(float, 2)
 SNUG_INSTANTIATE(float, 3)

@@ -14,8 +14,9 @@ namespace snug::fit {
 /// A ball whose centre is the weighted sum of its support points.
 template <int Dim>
 struct SupportBall {
-  Support support;                        // affinely independent
-  std::array<double, Dim + 1> weights{};  // barycentric coordinates of the centre, in the support's order; they sum to 1
+  Support support;  // affinely independent
+  std::array<double, Dim + 1>
+      weights{};  // barycentric coordinates of the centre, in the support's order; they sum to 1
   Vector<double, Dim> center = Vector<double, Dim>::Zero();
   double radius = 0;
   DoubleDouble scaled_square;  // the squared radius is scaled_square * 4^exponent
@@ -24,7 +25,7 @@ struct SupportBall {
   /// Whether the centre lies in the support's convex hull: then no smaller ball holds the support.
   [[nodiscard]] bool center_in_hull() const {
     for (int i = 0; i < support.size(); ++i)
-      if (!(weights[static_cast<std::size_t>(i)] >= 0)) return false;
+      if (!(weights[i] >= 0)) return false;
     return true;
   }
 };
@@ -44,6 +45,7 @@ template <class Scalar, int Dim>
 /// Source: B. Gärtner, "Fast and robust smallest enclosing balls", 1999, and the basis computation of
 /// J. Matoušek, M. Sharir, E. Welzl, "A subexponential bound for linear programming", 1996.
 template <class Scalar, int Dim>
-[[nodiscard]] SupportBall<Dim> smallest_ball_with(PointSpan<Scalar, Dim> points, Index on_boundary, const Support& others);
+[[nodiscard]] SupportBall<Dim> smallest_ball_with(PointSpan<Scalar, Dim> points, Index on_boundary,
+                                                  const Support& others);
 
 }  // namespace snug::fit

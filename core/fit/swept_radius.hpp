@@ -108,7 +108,7 @@ template <class VolumeType, class Scalar, int Dim>
 SweptRadius hold_all(VolumeType& volume, PointSpan<Scalar, Dim> points) {
   const SweptCore<Dim> core(volume);
   std::vector<double> distances;
-  distances.reserve(static_cast<std::size_t>(points.size()));
+  distances.reserve(points.size());
   for (const auto& p : points) distances.push_back(core.distance(p.template cast<double>()));
   const auto most = std::max_element(distances.begin(), distances.end());
   SweptRadius result{static_cast<Index>(most - distances.begin()), false};
@@ -118,7 +118,7 @@ SweptRadius hold_all(VolumeType& volume, PointSpan<Scalar, Dim> points) {
   volume.radius = static_cast<Scalar>(*most);
   std::vector<Index> candidates;
   for (Index i = 0; i < points.size(); ++i)
-    if (distances[static_cast<std::size_t>(i)] + doubt >= static_cast<double>(volume.radius)) candidates.push_back(i);
+    if (distances[i] + doubt >= static_cast<double>(volume.radius)) candidates.push_back(i);
   if (candidates.size() > kSweptCandidates) {
     const Scalar bound = static_cast<Scalar>(*most + doubt);
     volume.radius = std::nextafter(bound, std::numeric_limits<Scalar>::max());

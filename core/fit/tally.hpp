@@ -16,9 +16,7 @@ struct Tally {
 
   template <class Step>
   constexpr void operator()(const Step&) const noexcept {}
-  void count(Operation operation, std::int64_t n) noexcept {
-    counts[static_cast<std::size_t>(operation)] += n;
-  }
+  void count(Operation operation, std::int64_t n) noexcept { counts[static_cast<std::size_t>(operation)] += n; }
 };
 
 /// What counts such a part for an observer: nothing where that ignores.

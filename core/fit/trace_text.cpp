@@ -76,15 +76,19 @@ class Json {
     std::snprintf(buffer.data(), buffer.size(), "%.17g", value);
     text += buffer.data();
   }
-  void put(const Support& support) { put_list(support.size(), [&](int i) { put(support[i]); }); }
+  void put(const Support& support) {
+    put_list(support.size(), [&](int i) { put(support[i]); });
+  }
   template <class Item>
   void put(const std::vector<Item>& items) {
-    put_list(static_cast<int>(items.size()), [&](int i) { put(items[static_cast<std::size_t>(i)]); });
+    put_list(static_cast<int>(items.size()), [&](int i) { put(items[i]); });
   }
   void put(const std::array<Index, 3>& indices) {
-    put_list(dim_, [&](int i) { put(indices[static_cast<std::size_t>(i)]); });
+    put_list(dim_, [&](int i) { put(indices[i]); });
   }
-  void put(const Vector<double, 3>& v) { put_list(dim_, [&](int i) { put(v[i]); }); }
+  void put(const Vector<double, 3>& v) {
+    put_list(dim_, [&](int i) { put(v[i]); });
+  }
   void put(const Matrix<double, 3>& m) {
     put_list(dim_, [&](int row) { put_list(dim_, [&](int column) { put(m(row, column)); }); });
   }
@@ -150,10 +154,8 @@ std::uint64_t hash_of(std::span<const Recorder<Step3>::Entry> steps) {
 
 std::string json_of(const Step3& step, int dim) {
   Json json = json_of_step(name_of(step), step.line, step.has_volume ? &step.volume : nullptr, dim);
-  if (const auto* axes = std::get_if<AxesFound<double, 3>>(&step.fact))
-    put_axes(json, *axes, dim);
-  else
-    std::visit([&](const auto& fact) { fact.fields(json); }, step.fact);
+  if (const auto* axes = std::get_if<AxesFound<double, 3>>(&step.fact)) put_axes(json, *axes, dim);
+  else std::visit([&](const auto& fact) { fact.fields(json); }, step.fact);
   return json.text + '}';
 }
 

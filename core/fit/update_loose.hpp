@@ -33,7 +33,7 @@ LooseReach<Scalar> loose_reach(PointSpan<Scalar, Dim> points, Observer&& observe
   observe.count(Operation::kPointsTouched, points.size());
   observe.count(Operation::kDistanceTests, points.size());
   constexpr Scalar kLeast = std::numeric_limits<Scalar>::denorm_min();
-  const LooseReach<Scalar> found{distance * (1 + tolerance::kLooseReach<Scalar>) + 4 * kLeast, far.overall.point};
+  const LooseReach<Scalar> found{distance * (1 + tolerance::kLooseReach<Scalar>)+4 * kLeast, far.overall.point};
   observe(UpdateStep<Aabb<Scalar, Dim>>{0, false, {}, ReachFound{found.farthest, static_cast<double>(found.reach)}});
   return found;
 }

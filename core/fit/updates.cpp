@@ -71,13 +71,15 @@ class Body {
     hull_ = quickhull(span).volume;
     neighbors_ = hull_neighbors(hull_);
     const bool all = hull_.vertices.size() == static_cast<std::size_t>(span.size());
-    climb_.emplace(std::span<const Vector<Scalar, Dim>>(hull_.vertices), neighbors_, strategy.k > 0 ? strategy.k : 2 * Dim, all);
+    climb_.emplace(std::span<const Vector<Scalar, Dim>>(hull_.vertices), neighbors_,
+                   strategy.k > 0 ? strategy.k : 2 * Dim, all);
   }
   Body(const Body&) = delete;  // climb_ walks over hull_
   Body& operator=(const Body&) = delete;
 
   [[nodiscard]] static Pose<Scalar, Dim> own(const Pose<double, 3>& lifted) {
-    return {lifted.rotation.template topLeftCorner<Dim, Dim>().template cast<Scalar>(), lifted.translation.head<Dim>().template cast<Scalar>()};
+    return {lifted.rotation.template topLeftCorner<Dim, Dim>().template cast<Scalar>(),
+            lifted.translation.head<Dim>().template cast<Scalar>()};
   }
 
   UpdatedFrame to(const Pose<double, 3>& lifted, const SeeUpdateStep& see) {
@@ -117,19 +119,27 @@ class Body {
         const Obb<Scalar, Dim> box = update_obb(oriented_, pose, ignore).volume;
         return box.center.sum() + box.axes.sum() + box.half_extents.sum();
       });
-    if (strategy_.volume == "kdop") return through([&](const auto& pose) { return update_kdop_climb(*climb_, strategy_.k, pose, ignore).volume.min[0]; });
-    if (strategy_.name == "rebuild") return boxes([&](const auto& pose) { return update_rebuild(points_, pose, ignore).volume; });
-    if (strategy_.name == "hill_climb") return boxes([&](const auto& pose) { return update_hill_climb(*climb_, pose, ignore).volume; });
-    if (strategy_.name == "rotated_box") return boxes([&](const auto& pose) { return update_rotated_box(box_, pose, ignore).volume; });
+    if (strategy_.volume == "kdop")
+      return through(
+          [&](const auto& pose) { return update_kdop_climb(*climb_, strategy_.k, pose, ignore).volume.min[0]; });
+    if (strategy_.name == "rebuild")
+      return boxes([&](const auto& pose) { return update_rebuild(points_, pose, ignore).volume; });
+    if (strategy_.name == "hill_climb")
+      return boxes([&](const auto& pose) { return update_hill_climb(*climb_, pose, ignore).volume; });
+    if (strategy_.name == "rotated_box")
+      return boxes([&](const auto& pose) { return update_rotated_box(box_, pose, ignore).volume; });
     if (!reach_) reach_ = loose_reach(points_, ignore);
     return boxes([&](const auto& pose) { return update_loose(*reach_, pose, ignore).volume; });
   }
 
  private:
   UpdatedFrame moved(const Pose<Scalar, Dim>& pose, auto& watch) {
-    if (strategy_.volume == "sphere") return frame_of(update_sphere(ball_, pose, watch).volume, pose, measure_of(lift(ball_), Dim));
-    if (strategy_.volume == "obb") return frame_of(update_obb(oriented_, pose, watch).volume, pose, measure_of(lift(oriented_), Dim));
-    if (strategy_.volume == "kdop") return frame_of(update_kdop_climb(*climb_, strategy_.k, pose, watch).volume, pose, tightest_kdop(pose));
+    if (strategy_.volume == "sphere")
+      return frame_of(update_sphere(ball_, pose, watch).volume, pose, measure_of(lift(ball_), Dim));
+    if (strategy_.volume == "obb")
+      return frame_of(update_obb(oriented_, pose, watch).volume, pose, measure_of(lift(oriented_), Dim));
+    if (strategy_.volume == "kdop")
+      return frame_of(update_kdop_climb(*climb_, strategy_.k, pose, watch).volume, pose, tightest_kdop(pose));
     return frame_of(box_at(pose, watch), pose, measure_of(lift(update_rebuild(points_, pose).volume), Dim));
   }
 
@@ -145,12 +155,14 @@ class Body {
     std::vector<Vector<Scalar, Dim>> world;
     for (const auto& p : points_) world.push_back(placed(pose, p));
     const auto set = PointSet<Scalar, Dim>::make(std::move(world));
-    return set ? measure_of(lift(kdop_fit(set->span(), strategy_.k).volume), Dim) : 0;  // none: beyond the largest coordinate
+    return set ? measure_of(lift(kdop_fit(set->span(), strategy_.k).volume), Dim)
+               : 0;  // none: beyond the largest coordinate
   }
 
   template <class VolumeType>
   UpdatedFrame frame_of(const VolumeType& volume, const Pose<Scalar, Dim>& pose, double tightest) const {
-    const bool contains = std::all_of(points_.begin(), points_.end(), [&](const auto& p) { return query::contains(volume, placed(pose, p)); });
+    const bool contains = std::all_of(points_.begin(), points_.end(),
+                                      [&](const auto& p) { return query::contains(volume, placed(pose, p)); });
     const Volume3 lifted = lift(volume);
     return {.volume = lifted, .measure = measure_of(lifted, Dim), .tightest = tightest, .contains = contains};
   }
@@ -184,7 +196,8 @@ UpdateBody start_updates(const UpdateStrategy& strategy, const AnyPointSet& poin
   });
 }
 
-std::function<UpdatedFrame(const Pose<double, 3>& pose)> start_unwatched_updates(const UpdateStrategy& strategy, const AnyPointSet& points) {
+std::function<UpdatedFrame(const Pose<double, 3>& pose)> start_unwatched_updates(const UpdateStrategy& strategy,
+                                                                                 const AnyPointSet& points) {
   using Moved = std::function<UpdatedFrame(const Pose<double, 3>& pose)>;
   return with_span<Moved>(points, [&]<class Scalar, int Dim>(PointSpan<Scalar, Dim> span) -> Moved {
     auto body = std::make_shared<Body<Scalar, Dim>>(strategy, span);
@@ -194,12 +207,13 @@ std::function<UpdatedFrame(const Pose<double, 3>& pose)> start_unwatched_updates
 
 std::function<double()> start_bare_updates(const UpdateStrategy& strategy, const AnyPointSet& points,
                                            std::span<const Pose<double, 3>> poses) {
-  return with_span<std::function<double()>>(points, [&]<class Scalar, int Dim>(PointSpan<Scalar, Dim> span) -> std::function<double()> {
-    auto body = std::make_shared<Body<Scalar, Dim>>(strategy, span);
-    std::vector<Pose<Scalar, Dim>> own;
-    for (const auto& pose : poses) own.push_back(body->own(pose));
-    return [body, own = std::move(own)] { return body->bare(own); };
-  });
+  return with_span<std::function<double()>>(
+      points, [&]<class Scalar, int Dim>(PointSpan<Scalar, Dim> span) -> std::function<double()> {
+        auto body = std::make_shared<Body<Scalar, Dim>>(strategy, span);
+        std::vector<Pose<Scalar, Dim>> own;
+        for (const auto& pose : poses) own.push_back(body->own(pose));
+        return [body, own = std::move(own)] { return body->bare(own); };
+      });
 }
 
 }  // namespace snug::fit

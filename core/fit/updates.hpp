@@ -21,7 +21,7 @@ struct UpdateStrategy {
   std::string_view title;   // as people say it
   std::string_view source;  // author, title, year
   std::span<const std::string_view> pseudocode;
-  int k = 0;                // of a k-DOP
+  int k = 0;  // of a k-DOP
   bool plane = true, space = true;
 };
 
@@ -53,7 +53,8 @@ struct UpdatedFrame {
   std::int64_t steps = 0;
 };
 
-/// Takes the body to a pose. see: none where only the figures are wanted. The first frame may cost more than those after.
+/// Takes the body to a pose. see: none where only the figures are wanted. The first frame may cost more than those
+/// after.
 using UpdateBody = std::function<UpdatedFrame(const Pose<double, 3>& pose, const SeeUpdateStep& see)>;
 
 /// A body about to move, with the volume in its own frame that the strategy starts from: the AABB of its points, their
@@ -62,11 +63,11 @@ using UpdateBody = std::function<UpdatedFrame(const Pose<double, 3>& pose, const
 [[nodiscard]] UpdateBody start_updates(const UpdateStrategy& strategy, const AnyPointSet& points);
 
 /// The same without anybody watching: neither counts nor steps.
-[[nodiscard]] std::function<UpdatedFrame(const Pose<double, 3>& pose)> start_unwatched_updates(const UpdateStrategy& strategy,
-                                                                                               const AnyPointSet& points);
+[[nodiscard]] std::function<UpdatedFrame(const Pose<double, 3>& pose)>
+start_unwatched_updates(const UpdateStrategy& strategy, const AnyPointSet& points);
 
-/// The same body taken through the poses by the updates alone, unwatched and unchecked: what is timed. Each call goes through
-/// all of them; what it returns says nothing, and keeps the work from being left out.
+/// The same body taken through the poses by the updates alone, unwatched and unchecked: what is timed. Each call goes
+/// through all of them; what it returns says nothing, and keeps the work from being left out.
 [[nodiscard]] std::function<double()> start_bare_updates(const UpdateStrategy& strategy, const AnyPointSet& points,
                                                          std::span<const Pose<double, 3>> poses);
 

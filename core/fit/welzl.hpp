@@ -28,8 +28,8 @@ inline constexpr std::array<std::string_view, 10> kWelzlPseudocode{
     "  return ball",
 };
 
-/// Lists up to this length are solved by the recursion whole; of longer ones a random sample is, and the rest let in. A larger
-/// sample costs more balls than it saves passes over the points.
+/// Lists up to this length are solved by the recursion whole; of longer ones a random sample is, and the rest let in. A
+/// larger sample costs more balls than it saves passes over the points.
 inline constexpr Index kWelzlList = 256, kWelzlSample = 8;
 
 /// The state of one run: Welzl's recursion with a stack of Dim + 2 frames, however many points there are.
@@ -55,7 +55,7 @@ class Welzl {
 
   void sample(std::uint64_t seed) {
     const bool whole = points_.size() <= kWelzlList;
-    list_.resize(static_cast<std::size_t>(whole ? points_.size() : kWelzlSample));
+    list_.resize(whole ? points_.size() : kWelzlSample);
     std::iota(list_.begin(), list_.end(), Index{0});
     if (whole) return;
     Random random(seed);
@@ -92,11 +92,11 @@ class Welzl {
     frames[0] = {list_.size(), 0};
     int depth = 0;
     for (;;) {
-      Frame& frame = frames[static_cast<std::size_t>(depth)];
+      Frame& frame = frames[depth];
       if (frame.next == frame.end || depth == Dim + 1) {
         if (depth == 0) return;
         --depth;
-        move_to_front(frames[static_cast<std::size_t>(depth)].next++, depth);
+        move_to_front(frames[depth].next++, depth);
         continue;
       }
       const Index point = list_[frame.next];
@@ -104,9 +104,9 @@ class Welzl {
         ++frame.next;
         continue;
       }
-      boundary[static_cast<std::size_t>(depth)] = point;
+      boundary[depth] = point;
       Support support;
-      for (int i = 0; i <= depth; ++i) support.add(boundary[static_cast<std::size_t>(i)]);
+      for (int i = 0; i <= depth; ++i) support.add(boundary[i]);
       const auto through = ball_through(points_, support);
       if (!through) {  // only rounding can leave a dependent point outside; the last check takes care of it
         ++frame.next;
@@ -116,7 +116,7 @@ class Welzl {
       has_ball_ = true;
       observe_(Step{4, true, current_, BoundaryForced{support, depth + 1}});
       ++depth;
-      frames[static_cast<std::size_t>(depth)] = {frame.next, 0};
+      frames[depth] = {frame.next, 0};
     }
   }
 

@@ -11,7 +11,7 @@ using Digits = std::vector<std::uint32_t>;
 /// The digit that weighs 2^(32 place), of digits that begin at begin.
 std::uint64_t digit_at(const Digits& digits, int begin, int place) {
   const int i = place - begin;
-  return i < 0 || i >= static_cast<int>(digits.size()) ? 0 : digits[static_cast<std::size_t>(i)];
+  return i < 0 || i >= static_cast<int>(digits.size()) ? 0 : digits[i];
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ Dyadic::Leading Dyadic::leading() const noexcept {
   Leading leading;
   double weight = 1;
   for (int i = n - 1; i >= std::max(0, n - 4); --i, weight *= 0x1p-32)
-    leading.mantissa += weight * static_cast<double>(digits_[static_cast<std::size_t>(i)]);
+    leading.mantissa += weight * static_cast<double>(digits_[i]);
   leading.exponent = 32 * (n - 1 + place_);
   if (negative_) leading.mantissa = -leading.mantissa;
   return leading;
@@ -62,7 +62,8 @@ Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, bool b_negative) {
   if (b.digits_.empty()) return a;
   Dyadic result;
   result.place_ = a.digits_.empty() ? b.place_ : std::min(a.place_, b.place_);
-  const int end = std::max(a.place_ + static_cast<int>(a.digits_.size()), b.place_ + static_cast<int>(b.digits_.size()));
+  const int end =
+      std::max(a.place_ + static_cast<int>(a.digits_.size()), b.place_ + static_cast<int>(b.digits_.size()));
   const bool same = a.negative_ == b_negative;
   std::int64_t carry = 0;  // of |a| + |b|, or of |a| - |b|
   for (int place = result.place_; place <= end; ++place) {

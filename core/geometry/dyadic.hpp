@@ -1,5 +1,5 @@
-// Numbers that never round: integers times a power of two, closed under +, - and *. For decisions that must not be wrong,
-// asked where a filter in double could not tell.
+// Numbers that never round: integers times a power of two, closed under +, - and *. For decisions that must not be
+// wrong, asked where a filter in double could not tell.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@ class Dyadic {
   /// The nearest double or one of its neighbours; infinite where the value is beyond them all.
   [[nodiscard]] double approximate() const noexcept;
 
-  /// a / b within 4u of its size, or the rounding of what is subnormal; infinite where it is beyond all doubles. b: not 0.
-  /// Neither a nor b need be within the range of double.
+  /// a / b within 4u of its size, or the rounding of what is subnormal; infinite where it is beyond all doubles. b: not
+  /// 0. Neither a nor b need be within the range of double.
   friend double quotient(const Dyadic& a, const Dyadic& b) noexcept;
 
   friend Dyadic operator-(Dyadic a) {

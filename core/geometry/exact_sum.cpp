@@ -16,7 +16,8 @@ Parts parts(double value) noexcept {
   const auto field = static_cast<int>((bits >> 52) & 0x7ff);
   const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
   const bool subnormal = field == 0;
-  return {subnormal ? fraction : fraction | (std::uint64_t{1} << 52), (subnormal ? 1 : field) - 1075, (bits >> 63) != 0};
+  return {subnormal ? fraction : fraction | (std::uint64_t{1} << 52), (subnormal ? 1 : field) - 1075,
+          (bits >> 63) != 0};
 }
 
 constexpr std::uint64_t kLow = 0xffffffffu;

@@ -49,7 +49,7 @@ tl::unexpected<InputError> refused(std::string what) { return tl::unexpected(Inp
 template <class Scalar, int Dim>
 Frustum<Scalar, Dim>::Frustum() {
   for (int plane = 0; plane < kFrustumPlanes<Dim>; ++plane) {
-    auto& [normal, d] = planes_[static_cast<std::size_t>(plane)];
+    auto& [normal, d] = planes_[plane];
     normal[plane / 2] = plane % 2 == 0 ? Scalar(-1) : Scalar(1);
     d = -1;
   }
@@ -79,9 +79,10 @@ tl::expected<Frustum<Scalar, Dim>, InputError> frustum_of_camera(const FrustumCa
   };
   for (int axis = 0; axis < Dim - 1; ++axis)
     for (const int side : {0, 1}) {
-      const Vector<Scalar, Dim> across = side == 0 ? Vector<Scalar, Dim>(-camera.axes.col(axis)) : camera.axes.col(axis);
+      const Vector<Scalar, Dim> across =
+          side == 0 ? Vector<Scalar, Dim>(-camera.axes.col(axis)) : camera.axes.col(axis);
       const Vector<Scalar, Dim> normal = across + camera.half_tangents[axis] * back;
-      planes[static_cast<std::size_t>(2 * axis + side)] = {normal, -distance_of(normal)};
+      planes[2 * axis + side] = {normal, -distance_of(normal)};
     }
   const Scalar at = distance_of(back);
   planes[2 * Dim - 2] = {back, camera.near - at};
@@ -91,7 +92,8 @@ tl::expected<Frustum<Scalar, Dim>, InputError> frustum_of_camera(const FrustumCa
 
 template <class Scalar>
 tl::expected<Frustum<Scalar, 3>, InputError> frustum_of_matrix(std::span<const Scalar> column_major) {
-  if (column_major.size() != 16) return refused("the matrix has " + std::to_string(column_major.size()) + " numbers where 16 belong");
+  if (column_major.size() != 16)
+    return refused("the matrix has " + std::to_string(column_major.size()) + " numbers where 16 belong");
   for (const Scalar entry : column_major)
     if (!std::isfinite(entry)) return refused("the matrix is not finite");
   typename Frustum<Scalar, 3>::Planes planes;
@@ -104,7 +106,8 @@ tl::expected<Frustum<Scalar, 3>, InputError> frustum_of_matrix(std::span<const S
       };
       plane = {{entry(0), entry(1), entry(2)}, entry(3)};
       if (plane.normal.isZero(0))
-        return refused("the matrix gives " + plane_said<Scalar, 3>(2 * row + side) + " no normal, as where that is at infinity");
+        return refused("the matrix gives " + plane_said<Scalar, 3>(2 * row + side) +
+                       " no normal, as where that is at infinity");
     }
   if (is_singular(column_major)) return refused("the matrix is singular");
   return Frustum<Scalar, 3>::make(planes);
@@ -121,8 +124,8 @@ Frustum<Scalar, Dim> Frustum<Scalar, Dim>::normalized() const {
   return Frustum(planes);
 }
 
-#define SNUG_INSTANTIATE(Scalar, Dim) \
-  template class Frustum<Scalar, Dim>; \
+#define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
+  template class Frustum<Scalar, Dim>;                                                                                 \
   template tl::expected<Frustum<Scalar, Dim>, InputError> frustum_of_camera(const FrustumCamera<Scalar, Dim>&);
 SNUG_INSTANTIATE(float, 2)
 SNUG_INSTANTIATE(float, 3)

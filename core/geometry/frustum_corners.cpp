@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <optional>
-#include <vector>
 #include <string>
+#include <vector>
 
 namespace snug {
 namespace {
@@ -20,7 +20,7 @@ struct ExactPlane {
   template <class Scalar>
   explicit ExactPlane(const Plane<Scalar, Dim>& plane) {
     const Dyadic scale = std::ldexp(1.0, -std::ilogb(plane.normal.cwiseAbs().maxCoeff()));
-    for (int i = 0; i < Dim; ++i) normal[static_cast<std::size_t>(i)] = scale * static_cast<double>(plane.normal[i]);
+    for (int i = 0; i < Dim; ++i) normal[i] = scale * static_cast<double>(plane.normal[i]);
     d = scale * static_cast<double>(plane.d);
   }
 
@@ -52,9 +52,9 @@ class Corners {
     for (const auto& plane : frustum.planes()) planes_.emplace_back(plane);
   }
 
-  /// Why all corners inside of all planes, opposite planes that do not face the same way, and no other place inside of all
-  /// where planes meet are enough: on an edge that is not bounded, both of the opposite planes that end it would face the
-  /// same way and meet it in the same corner, and be parallel, since else others would meet there too.
+  /// Why all corners inside of all planes, opposite planes that do not face the same way, and no other place inside of
+  /// all where planes meet are enough: on an edge that is not bounded, both of the opposite planes that end it would
+  /// face the same way and meet it in the same corner, and be parallel, since else others would meet there too.
   [[nodiscard]] tl::expected<All, InputError> find() const {
     All corners;
     for (std::size_t c = 0; c < corners.size(); ++c) {
@@ -74,7 +74,9 @@ class Corners {
  private:
   using Normals = Numbers<Dim>;
 
-  static tl::unexpected<InputError> refused(std::string what) { return tl::unexpected(InputError{.what = std::move(what)}); }
+  static tl::unexpected<InputError> refused(std::string what) {
+    return tl::unexpected(InputError{.what = std::move(what)});
+  }
   static std::string said(std::size_t plane) { return std::string(kFrustumPlaneNames<Dim>[plane]); }
   static std::string said(const Meeting<Dim>& planes) {
     std::string names = said(planes[0]);
@@ -98,10 +100,8 @@ class Corners {
       right[row] = -planes_[at[row]].d;
     }
     const auto of_columns = [&] {
-      if constexpr (Dim == 2)
-        return determinant(columns[0], columns[1]);
-      else
-        return determinant(columns[0], columns[1], columns[2]);
+      if constexpr (Dim == 2) return determinant(columns[0], columns[1]);
+      else return determinant(columns[0], columns[1], columns[2]);
     };
     point.weight = of_columns();
     const int sign = point.weight.sign();
@@ -150,7 +150,8 @@ class Corners {
 }  // namespace
 
 template <class Scalar, int Dim>
-tl::expected<std::array<ExactPoint<Dim>, kFrustumCorners<Dim>>, InputError> exact_corners_of(const Frustum<Scalar, Dim>& frustum) {
+tl::expected<std::array<ExactPoint<Dim>, kFrustumCorners<Dim>>, InputError>
+exact_corners_of(const Frustum<Scalar, Dim>& frustum) {
   return Corners<Scalar, Dim>(frustum).find();
 }
 
@@ -161,15 +162,16 @@ tl::expected<FrustumCorners<Scalar, Dim>, InputError> corners_of(const Frustum<S
   FrustumCorners<Scalar, Dim> corners;
   for (std::size_t c = 0; c < corners.size(); ++c) {
     for (int i = 0; i < Dim; ++i)
-      corners[c][i] = static_cast<Scalar>(quotient((*exact)[c].coordinates[static_cast<std::size_t>(i)], (*exact)[c].weight));
-    if (!corners[c].allFinite()) return tl::unexpected(InputError{.what = "a corner is farther away than this program can say"});
+      corners[c][i] = static_cast<Scalar>(quotient((*exact)[c].coordinates[i], (*exact)[c].weight));
+    if (!corners[c].allFinite())
+      return tl::unexpected(InputError{.what = "a corner is farther away than this program can say"});
   }
   return corners;
 }
 
-#define SNUG_INSTANTIATE(Scalar, Dim)                                                                       \
-  template tl::expected<std::array<ExactPoint<Dim>, kFrustumCorners<Dim>>, InputError> exact_corners_of(    \
-      const Frustum<Scalar, Dim>&);                                                                         \
+#define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
+  template tl::expected<std::array<ExactPoint<Dim>, kFrustumCorners<Dim>>, InputError> exact_corners_of(               \
+      const Frustum<Scalar, Dim>&);                                                                                    \
   template tl::expected<FrustumCorners<Scalar, Dim>, InputError> corners_of(const Frustum<Scalar, Dim>&);
 SNUG_INSTANTIATE(float, 2)
 SNUG_INSTANTIATE(float, 3)

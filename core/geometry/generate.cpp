@@ -66,7 +66,8 @@ Point lattice(Random&, int index, int n, int dim) {
 
 Point on_line(Random& random, int, int, int dim) { return random.between(-1, 1) * tilted(dim); }
 
-constexpr std::array<std::string_view, 8> kKinds{"cube", "ball", "sphere", "gaussian", "stick", "clusters", "lattice", "line"};
+constexpr std::array<std::string_view, 8> kKinds{"cube",  "ball",     "sphere",  "gaussian",
+                                                 "stick", "clusters", "lattice", "line"};
 constexpr std::array<Make, 8> kMakers{in_cube, in_ball, on_sphere, gaussian, stick, clusters, lattice, on_line};
 
 }  // namespace
@@ -84,7 +85,7 @@ std::optional<std::vector<Point>> generate(std::string_view kind, int n, int dim
   const auto next = generate_stream(kind, n, dim, seed);
   if (!next) return std::nullopt;
   std::vector<Point> points;
-  points.reserve(static_cast<std::size_t>(n));
+  points.reserve(n);
   for (int i = 0; i < n; ++i) points.push_back((*next)());
   return points;
 }

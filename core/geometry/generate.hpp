@@ -17,8 +17,8 @@ namespace snug {
 
 /// n points of a kind, of about unit size around the origin; in 2-D z is 0. Nothing where the kind is unknown or n < 1.
 /// cube: uniform in [-1, 1]^dim. ball: uniform in the unit ball. sphere: on its surface. gaussian: variance 1/4 in each
-/// coordinate. stick: gaussian, ten times longer along a tilted axis. clusters: a large and two small far ones. lattice:
-/// of integer coordinates, scaled. line: on a tilted line.
+/// coordinate. stick: gaussian, ten times longer along a tilted axis. clusters: a large and two small far ones.
+/// lattice: of integer coordinates, scaled. line: on a tilted line.
 [[nodiscard]] std::optional<std::vector<Vector<double, 3>>> generate(std::string_view kind, int n, int dim,
                                                                      std::uint64_t seed);
 

@@ -27,7 +27,7 @@ double measure_of(const Corners<3>& facet) {
 template <class Scalar, int Dim, class Visit>
 void for_facets(const ConvexHull<Scalar, Dim>& hull, Visit&& visit) {
   const auto at = [&](Index i) -> Vector<double, Dim> {
-    const auto& vertex = hull.vertices[static_cast<std::size_t>(i)];
+    const auto& vertex = hull.vertices[i];
     return vertex.template cast<double>() - hull.vertices[0].template cast<double>();
   };
   const auto both_sides = [&](Corners<Dim> corners) {
@@ -74,9 +74,9 @@ double surface_measure(const ConvexHull<Scalar, Dim>& hull) {
   return sum;
 }
 
-#define SNUG_INSTANTIATE(Scalar, Dim)                                                       \
-  template double measure(const ConvexHull<Scalar, Dim>&);                                  \
-  template std::vector<SurfacePiece<Dim>> surface_pieces(const ConvexHull<Scalar, Dim>&);   \
+#define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
+  template double measure(const ConvexHull<Scalar, Dim>&);                                                             \
+  template std::vector<SurfacePiece<Dim>> surface_pieces(const ConvexHull<Scalar, Dim>&);                              \
   template double surface_measure(const ConvexHull<Scalar, Dim>&);
 SNUG_INSTANTIATE(float, 2)
 SNUG_INSTANTIATE(float, 3)

@@ -17,7 +17,7 @@ struct HullNeighbors {
   std::vector<Index> facets;
 
   [[nodiscard]] std::span<const Index> of(Index vertex) const {
-    const auto from = static_cast<std::size_t>(begin[static_cast<std::size_t>(vertex)]);
+    const auto from = static_cast<std::size_t>(begin[vertex]);
     const auto to = static_cast<std::size_t>(begin[static_cast<std::size_t>(vertex) + 1]);
     return {ends.data() + from, to - from};
   }

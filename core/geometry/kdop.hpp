@@ -22,9 +22,9 @@ template <int Dim>
 /// All p with min_i <= p . axis_i <= max_i for each of the k/2 axes.
 template <class Scalar, int Dim>
 struct Kdop {
-  int k = 2 * Dim;                               // 2-D: 4, 6, 8; 3-D: 6, 14, 18, 26
-  std::array<Scalar, kMostSlabs<Dim>> min{};     // the first k/2 count
-  std::array<Scalar, kMostSlabs<Dim>> max{};     // >= min
+  int k = 2 * Dim;                            // 2-D: 4, 6, 8; 3-D: 6, 14, 18, 26
+  std::array<Scalar, kMostSlabs<Dim>> min{};  // the first k/2 count
+  std::array<Scalar, kMostSlabs<Dim>> max{};  // >= min
 };
 
 }  // namespace snug

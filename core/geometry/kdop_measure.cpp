@@ -108,7 +108,7 @@ template <class Scalar, int Dim>
 double measure(const Kdop<Scalar, Dim>& kdop) {
   std::vector<Plane<double, Dim>> planes = half_spaces(kdop);
   double size = 0;
-  for (int i = 0; i < 2 * Dim; ++i) size = std::max(size, std::abs(planes[static_cast<std::size_t>(i)].d));
+  for (int i = 0; i < 2 * Dim; ++i) size = std::max(size, std::abs(planes[i].d));
   if (size == 0) return 0;
   const int exponent = std::ilogb(size);
   for (auto& plane : planes) plane.d = std::ldexp(plane.d, -exponent);

@@ -15,18 +15,16 @@ using KdopAxis = std::array<int, static_cast<std::size_t>(Dim)>;
 template <class Scalar, int Dim>
 [[nodiscard]] Scalar project(const KdopAxis<Dim>& axis, const Vector<Scalar, Dim>& p) {
   Scalar sum = 0;
-  for (int i = 0; i < Dim; ++i) sum += static_cast<Scalar>(axis[static_cast<std::size_t>(i)]) * p[i];
+  for (int i = 0; i < Dim; ++i) sum += static_cast<Scalar>(axis[i]) * p[i];
   return sum;
 }
 
 /// The least Scalar that is not below p . axis. p: finite, and small enough that the sum of its coordinates is.
 template <class Scalar, int Dim>
 [[nodiscard]] Scalar project_up(const KdopAxis<Dim>& axis, const Vector<Scalar, Dim>& p) {
-  const auto term = [&](int i) { return static_cast<Scalar>(axis[static_cast<std::size_t>(i)]) * p[i]; };
-  if constexpr (Dim == 2)
-    return sum_up<Scalar>(term(0), term(1));
-  else
-    return sum_up<Scalar>(term(0), term(1), term(2));
+  const auto term = [&](int i) { return static_cast<Scalar>(axis[i]) * p[i]; };
+  if constexpr (Dim == 2) return sum_up<Scalar>(term(0), term(1));
+  else return sum_up<Scalar>(term(0), term(1), term(2));
 }
 
 /// The greatest Scalar that is not above p . axis. p: as above.

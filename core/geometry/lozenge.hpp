@@ -15,7 +15,7 @@ template <class Scalar, int Dim>
 struct Lozenge {
   Vector<Scalar, Dim> origin = Vector<Scalar, Dim>::Zero();
   std::array<Vector<Scalar, Dim>, 2> edges{Vector<Scalar, Dim>::Zero(), Vector<Scalar, Dim>::Zero()};  // perpendicular
-  Scalar radius = 0;  // >= 0
+  Scalar radius = 0;                                                                                   // >= 0
 };
 
 /// Area (2-D) or volume (3-D).

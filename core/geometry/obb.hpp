@@ -9,7 +9,7 @@ namespace snug {
 template <class Scalar, int Dim>
 struct Obb {
   Vector<Scalar, Dim> center = Vector<Scalar, Dim>::Zero();
-  Matrix<Scalar, Dim> axes = Matrix<Scalar, Dim>::Identity();  // one a column: unit, perpendicular, right-handed
+  Matrix<Scalar, Dim> axes = Matrix<Scalar, Dim>::Identity();      // one a column: unit, perpendicular, right-handed
   Vector<Scalar, Dim> half_extents = Vector<Scalar, Dim>::Zero();  // >= 0, scene units
 };
 

@@ -31,8 +31,7 @@ ObbSlabs<Scalar, Dim> slabs_of(const Obb<Scalar, Dim>& box) {
     for (int j = 0; j < Dim; ++j)
       middle += Dyadic(static_cast<double>(box.center[j])) * Dyadic(static_cast<double>(box.axes(j, i)));
     const Dyadic half_extent(static_cast<double>(box.half_extents[i]));
-    slabs[static_cast<std::size_t>(i)] = {box.axes.col(i), -rounded_up<Scalar>(half_extent - middle),
-                                          rounded_up<Scalar>(middle + half_extent)};
+    slabs[i] = {box.axes.col(i), -rounded_up<Scalar>(half_extent - middle), rounded_up<Scalar>(middle + half_extent)};
   }
   return slabs;
 }

@@ -47,7 +47,7 @@ bool to_integers(const std::array<const Vector<double, Dim>*, kCount>& points, s
   const double scale = std::ldexp(1.0, half), rest = std::ldexp(1.0, -low - half);
   for (std::size_t i = 0; i < kCount; ++i)
     for (int axis = 0; axis < Dim; ++axis)
-      whole[i][static_cast<std::size_t>(axis)] = static_cast<std::int64_t>((*points[i])[axis] * scale * rest);
+      whole[i][axis] = static_cast<std::int64_t>((*points[i])[axis] * scale * rest);
   return true;
 }
 

@@ -25,7 +25,7 @@ class PointSpan {
   using Point = Vector<Scalar, Dim>;
 
   [[nodiscard]] Index size() const { return static_cast<Index>(points_.size()); }
-  [[nodiscard]] const Point& operator[](Index i) const { return points_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Point& operator[](Index i) const { return points_[i]; }
   [[nodiscard]] const Point* begin() const { return points_.data(); }
   [[nodiscard]] const Point* end() const { return points_.data() + points_.size(); }
 
@@ -55,12 +55,12 @@ class PointSet {
 
   [[nodiscard]] PointSpan<Scalar, Dim> span() const { return PointSpan<Scalar, Dim>(points_); }
   [[nodiscard]] Index size() const { return static_cast<Index>(points_.size()); }
-  [[nodiscard]] const Point& operator[](Index i) const { return points_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Point& operator[](Index i) const { return points_[i]; }
 
   /// Moves point i. Errors: as of make; the set is then unchanged. i: in range.
   tl::expected<void, InputError> move(Index i, const Point& to) {
     if (auto error = refuse(to, i)) return tl::unexpected(std::move(*error));
-    points_[static_cast<std::size_t>(i)] = to;
+    points_[i] = to;
     return {};
   }
 
@@ -71,7 +71,7 @@ class PointSet {
     constexpr const char* kTooLarge = sizeof(Scalar) == 8 ? " is larger than this program can take (8.3e152)"
                                                           : " is larger than this program can take (1.1e18)";
     for (int axis = 0; axis < Dim; ++axis) {
-      const char* wrong = !std::isfinite(point[axis])             ? " is not finite"
+      const char* wrong = !std::isfinite(point[axis])        ? " is not finite"
                           : std::abs(point[axis]) > kLargest ? kTooLarge
                                                              : nullptr;
       if (wrong != nullptr)

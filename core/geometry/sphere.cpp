@@ -21,9 +21,12 @@ bool square_is_sound(Scalar square) {
   return square > kSmall && square < kLarge;
 }
 
-bool wide_is_sound(double square) { return square > tolerance::kSoundWideSquare && square < 1 / tolerance::kSoundWideSquare; }
+bool wide_is_sound(double square) {
+  return square > tolerance::kSoundWideSquare && square < 1 / tolerance::kSoundWideSquare;
+}
 
-/// What twice a double's digits say of the side: nothing where that is in doubt. What each step rounds away is summed apart.
+/// What twice a double's digits say of the side: nothing where that is in doubt. What each step rounds away is summed
+/// apart.
 inline int side_in_double_double(const double* point, const double* center, double radius, int dim) noexcept {
   const DoubleDouble square = DoubleDouble::product(radius, radius);
   double sum = -square.high, rest = -square.low;
@@ -92,7 +95,7 @@ int side_of_sphere(const double* point, const double* center, double radius, int
 template <class Scalar, int Dim>
 FarthestPoints<Scalar> farthest_points(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim> points) {
   FarthestPoints<Scalar> result{.block = block_of(points.size())};
-  result.of_block.reserve(static_cast<std::size_t>(points.size() / result.block + 1));
+  result.of_block.reserve(points.size() / result.block + 1);
   for (Index begin = 0; begin < points.size(); begin += result.block) {
     const Index end = begin + std::min(points.size() - begin, result.block);
     typename FarthestPoints<Scalar>::Far most{-1, begin};
@@ -133,8 +136,8 @@ Scalar enclosing_radius(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim
   return sphere.radius;
 }
 
-#define SNUG_INSTANTIATE(Scalar, Dim)                                                                       \
-  template FarthestPoints<Scalar> farthest_points(const Vector<Scalar, Dim>&, PointSpan<Scalar, Dim>);      \
+#define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
+  template FarthestPoints<Scalar> farthest_points(const Vector<Scalar, Dim>&, PointSpan<Scalar, Dim>);                 \
   template Scalar enclosing_radius(const Vector<Scalar, Dim>&, PointSpan<Scalar, Dim>, const FarthestPoints<Scalar>&);
 SNUG_INSTANTIATE(float, 2)
 SNUG_INSTANTIATE(float, 3)

@@ -41,9 +41,9 @@ double polynomial(const std::array<double, kTerms>& coefficients, double x) {
 constexpr double factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
 
 // The first term left out is below 2^-60 of the result at pi / 4.
-constexpr std::array<double, 8> kSine{-1 / factorial(3), 1 / factorial(5),   -1 / factorial(7),  1 / factorial(9),
+constexpr std::array<double, 8> kSine{-1 / factorial(3),  1 / factorial(5),  -1 / factorial(7),  1 / factorial(9),
                                       -1 / factorial(11), 1 / factorial(13), -1 / factorial(15), 1 / factorial(17)};
-constexpr std::array<double, 8> kCosine{1 / factorial(4),   -1 / factorial(6),  1 / factorial(8),   -1 / factorial(10),
+constexpr std::array<double, 8> kCosine{1 / factorial(4),  -1 / factorial(6),  1 / factorial(8),  -1 / factorial(10),
                                         1 / factorial(12), -1 / factorial(14), 1 / factorial(16), -1 / factorial(18)};
 
 double sine_near_zero(DoubleDouble x) {

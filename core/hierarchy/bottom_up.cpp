@@ -22,7 +22,9 @@ struct Nearness {
   Size size;
   Index bodies;
 
-  friend bool operator<(const Nearness& a, const Nearness& b) { return a.size < b.size || (a.size == b.size && a.bodies < b.bodies); }
+  friend bool operator<(const Nearness& a, const Nearness& b) {
+    return a.size < b.size || (a.size == b.size && a.bodies < b.bodies);
+  }
 };
 
 class BottomUp {
@@ -37,7 +39,7 @@ class BottomUp {
     std::iota(place_.begin(), place_.end(), 0);
     Index oldest = 0, next = static_cast<Index>(groups_.size());
     while (groups_.size() > 1) {
-      while (place_[static_cast<std::size_t>(oldest)] == kNoIndex) ++oldest;
+      while (place_[oldest] == kNoIndex) ++oldest;
       if (chain.empty()) chain.push_back(oldest);
       const Index last = chain.back(), before = chain.size() > 1 ? chain[chain.size() - 2] : kNoIndex;
       const Index nearest = nearest_to(last, before);
@@ -52,7 +54,7 @@ class BottomUp {
   }
 
  private:
-  [[nodiscard]] const Group& group(Index id) const { return groups_[static_cast<std::size_t>(place_[static_cast<std::size_t>(id)])]; }
+  [[nodiscard]] const Group& group(Index id) const { return groups_[place_[id]]; }
 
   /// Of equals the one before in the chain, so that the chain ends; then the first by id.
   [[nodiscard]] Index nearest_to(Index id, Index before) const {
@@ -75,15 +77,15 @@ class BottomUp {
     const Group merged{united(group(left).box, group(right).box), group(left).bodies + group(right).bodies, id};
     merges_.push_back({left, right, size_of(merged.box, layout_.dim)});
     remove(left), remove(right);
-    place_[static_cast<std::size_t>(id)] = static_cast<Index>(groups_.size());
+    place_[id] = static_cast<Index>(groups_.size());
     groups_.push_back(merged);
   }
 
   void remove(Index id) {
-    const Index place = place_[static_cast<std::size_t>(id)];
-    groups_[static_cast<std::size_t>(place)] = groups_.back();
-    place_[static_cast<std::size_t>(groups_.back().id)] = place;
-    place_[static_cast<std::size_t>(id)] = kNoIndex;
+    const Index place = place_[id];
+    groups_[place] = groups_.back();
+    place_[groups_.back().id] = place;
+    place_[id] = kNoIndex;
     groups_.pop_back();
   }
 
@@ -97,14 +99,12 @@ class BottomUp {
 void sort_by_size(std::vector<Merge>& merges, Index bodies) {
   std::vector<Index> order(merges.size()), name(merges.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return merges[static_cast<std::size_t>(a)].size < merges[static_cast<std::size_t>(b)].size;
-  });
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return merges[a].size < merges[b].size; });
   std::vector<Merge> sorted;
-  const auto renamed = [&](Index id) { return id < bodies ? id : name[static_cast<std::size_t>(id - bodies)]; };
+  const auto renamed = [&](Index id) { return id < bodies ? id : name[id - bodies]; };
   for (const Index i : order) {
-    name[static_cast<std::size_t>(i)] = bodies + static_cast<Index>(sorted.size());
-    const Merge& merge = merges[static_cast<std::size_t>(i)];
+    name[i] = bodies + static_cast<Index>(sorted.size());
+    const Merge& merge = merges[i];
     sorted.push_back({renamed(merge.left), renamed(merge.right), merge.size});
   }
   merges = std::move(sorted);

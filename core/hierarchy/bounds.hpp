@@ -1,5 +1,5 @@
-// Axis-aligned boxes around the bodies, by which trees are laid out: a guide, rounded as it comes. What nodes hold is made of
-// the volumes themselves.
+// Axis-aligned boxes around the bodies, by which trees are laid out: a guide, rounded as it comes. What nodes hold is
+// made of the volumes themselves.
 #pragma once
 
 #include <algorithm>
@@ -31,12 +31,14 @@ template <class Scalar, int Dim>
 template <class Scalar, int Dim>
 [[nodiscard]] Aabb<double, Dim> bounds_of(const Capsule<Scalar, Dim>& capsule) {
   const Vector<double, Dim> reach = Vector<double, Dim>::Constant(static_cast<double>(capsule.radius));
-  return {capsule.a.cwiseMin(capsule.b).template cast<double>() - reach, capsule.a.cwiseMax(capsule.b).template cast<double>() + reach};
+  return {capsule.a.cwiseMin(capsule.b).template cast<double>() - reach,
+          capsule.a.cwiseMax(capsule.b).template cast<double>() + reach};
 }
 template <class Scalar, int Dim>
 [[nodiscard]] Aabb<double, Dim> bounds_of(const Lozenge<Scalar, Dim>& lozenge) {
   const Vector<double, Dim> reach = Vector<double, Dim>::Constant(static_cast<double>(lozenge.radius));
-  Aabb<double, Dim> bounds{lozenge.origin.template cast<double>() - reach, lozenge.origin.template cast<double>() + reach};
+  Aabb<double, Dim> bounds{lozenge.origin.template cast<double>() - reach,
+                           lozenge.origin.template cast<double>() + reach};
   for (const auto& edge : lozenge.edges) {
     bounds.min += edge.template cast<double>().cwiseMin(0.0);
     bounds.max += edge.template cast<double>().cwiseMax(0.0);
@@ -65,13 +67,16 @@ struct Box {
   std::array<double, 3> low{}, high{};
 };
 
-/// Half of the surface, and the edges' lengths summed; in the plane the area is 0. Of things of no area the length decides.
+/// Half of the surface, and the edges' lengths summed; in the plane the area is 0. Of things of no area the length
+/// decides.
 struct Size {
   double area = 0, length = 0;
 
   friend Size operator+(const Size& a, const Size& b) { return {a.area + b.area, a.length + b.length}; }
   friend Size operator-(const Size& a, const Size& b) { return {a.area - b.area, a.length - b.length}; }
-  friend bool operator<(const Size& a, const Size& b) { return a.area < b.area || (a.area == b.area && a.length < b.length); }
+  friend bool operator<(const Size& a, const Size& b) {
+    return a.area < b.area || (a.area == b.area && a.length < b.length);
+  }
   friend bool operator==(const Size& a, const Size& b) = default;
 };
 
@@ -87,7 +92,8 @@ struct Size {
 
 [[nodiscard]] inline Box united(const Box& a, const Box& b) {
   Box box;
-  for (std::size_t i = 0; i < 3; ++i) box.low[i] = std::min(a.low[i], b.low[i]), box.high[i] = std::max(a.high[i], b.high[i]);
+  for (std::size_t i = 0; i < 3; ++i)
+    box.low[i] = std::min(a.low[i], b.low[i]), box.high[i] = std::max(a.high[i], b.high[i]);
   return box;
 }
 
@@ -98,7 +104,7 @@ struct Layout {
   double unit = 1;  // a length of 1 in scene units, a power of two
   int dim = 3;
 
-  [[nodiscard]] double position(int axis, double local) const { return origin[static_cast<std::size_t>(axis)] + local * unit; }
+  [[nodiscard]] double position(int axis, double local) const { return origin[axis] + local * unit; }
   /// Half a surface, or in the plane half an outline, in scene units.
   [[nodiscard]] double area(const Size& size) const { return dim == 2 ? size.length * unit : size.area * unit * unit; }
 };
@@ -112,8 +118,8 @@ template <template <class, int> class VolumeType, class Scalar, int Dim>
   for (std::size_t body = 0; body < volumes.size(); ++body) {
     const Aabb<double, Dim> bounds = bounds_of(volumes[body]);
     for (int i = 0; i < Dim; ++i) {
-      layout.boxes[body].low[static_cast<std::size_t>(i)] = bounds.min[i];
-      layout.boxes[body].high[static_cast<std::size_t>(i)] = bounds.max[i];
+      layout.boxes[body].low[i] = bounds.min[i];
+      layout.boxes[body].high[i] = bounds.max[i];
     }
   }
   normalize(layout);

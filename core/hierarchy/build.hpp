@@ -29,14 +29,12 @@ inline constexpr std::array<std::string_view, 2> kRefitPseudocode{
 template <class VolumeType>
 using Volumes = std::type_identity_t<std::span<const VolumeType>>;
 
-/// Gives every node its volume anew, after the bodies' volumes changed: the tree's shape stays, so that it may get worse but
-/// never wrong. A node's volume holds those of its bodies exactly, for merging does (fit/merge.hpp). O(n) merges.
-/// volumes: as many as the tree was built of. line: of the pseudocode that is being followed.
+/// Gives every node its volume anew, after the bodies' volumes changed: the tree's shape stays, so that it may get
+/// worse but never wrong. A node's volume holds those of its bodies exactly, for merging does (fit/merge.hpp). O(n)
+/// merges. volumes: as many as the tree was built of. line: of the pseudocode that is being followed.
 template <class VolumeType, StepObserver<Step> Observer = Ignore>
 void refit(Tree<VolumeType>& tree, Volumes<VolumeType> volumes, Observer&& observe = {}, int line = 1) {
-  const auto body = [&](Index i) -> const VolumeType& {
-    return volumes[static_cast<std::size_t>(tree.bodies[static_cast<std::size_t>(i)])];
-  };
+  const auto body = [&](Index i) -> const VolumeType& { return volumes[tree.bodies[i]]; };
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
     Node<VolumeType>& node = tree.nodes[i];
     if (node.is_leaf()) {
@@ -69,23 +67,24 @@ template <class VolumeType, class Observer>
                                               std::array<int, 2> line_of, Observer& observe) {
   TopDownFacts facts;
   Shape shape = lay_out_top_down(layout_of(volumes), rule, options.most_in_leaf, kWatched<Observer> ? &facts : nullptr);
-  for (const auto& fact : facts)
-    std::visit([&](const auto& f) { observe(Step{line_of[fact.index()], f}); }, fact);
+  for (const auto& fact : facts) std::visit([&](const auto& f) { observe(Step{line_of[fact.index()], f}); }, fact);
   return fill<VolumeType>(std::move(shape), volumes, 5, observe);
 }
 
 /// Halves at the median of the centres, along the axis where they spread most: the shallowest tree. O(n log n) time.
-/// volumes: any number, none too; a hull has a vertex. As for all the builders: nodes hold their bodies exactly, ties are
-/// broken by index, and the same volumes make the same tree, bit for bit.
+/// volumes: any number, none too; a hull has a vertex. As for all the builders: nodes hold their bodies exactly, ties
+/// are broken by index, and the same volumes make the same tree, bit for bit.
 template <class VolumeType, StepObserver<Step> Observer = Ignore>
-[[nodiscard]] Tree<VolumeType> build_median(Volumes<VolumeType> volumes, const Options& options = {}, Observer&& observe = {}) {
+[[nodiscard]] Tree<VolumeType> build_median(Volumes<VolumeType> volumes, const Options& options = {},
+                                            Observer&& observe = {}) {
   return build_top_down<VolumeType>(volumes, SplitRule::kMedian, options, {3, 1}, observe);
 }
 
-/// Splits where a traversal is expected to be cheapest: where the children's surfaces, each times its bodies, are least.
-/// O(n log n) time.
+/// Splits where a traversal is expected to be cheapest: where the children's surfaces, each times its bodies, are
+/// least. O(n log n) time.
 template <class VolumeType, StepObserver<Step> Observer = Ignore>
-[[nodiscard]] Tree<VolumeType> build_surface_area(Volumes<VolumeType> volumes, const Options& options = {}, Observer&& observe = {}) {
+[[nodiscard]] Tree<VolumeType> build_surface_area(Volumes<VolumeType> volumes, const Options& options = {},
+                                                  Observer&& observe = {}) {
   return build_top_down<VolumeType>(volumes, SplitRule::kSurfaceArea, options, {4, 1}, observe);
 }
 
@@ -103,32 +102,32 @@ template <class VolumeType, StepObserver<Step> Observer = Ignore>
 [[nodiscard]] Tree<VolumeType> build_by_insertion(Volumes<VolumeType> volumes, Observer&& observe = {}) {
   InsertionFacts facts;
   Shape shape = lay_out_by_insertion(layout_of(volumes), kWatched<Observer> ? &facts : nullptr);
-  for (const auto& fact : facts)
-    std::visit([&](const auto& f) { observe(Step{fact.index() == 0 ? 4 : 5, f}); }, fact);
+  for (const auto& fact : facts) std::visit([&](const auto& f) { observe(Step{fact.index() == 0 ? 4 : 5, f}); }, fact);
   return fill<VolumeType>(std::move(shape), volumes, 6, observe);
 }
 
 /// Of boxes and spheres, watched by a Recorder or by none, all of it is compiled once (build.cpp).
-#define SNUG_TREES(extern_or_not, VolumeType, Observer)                                                                      \
-  extern_or_not template void refit(Tree<VolumeType>&, Volumes<VolumeType>, Observer, int);                                  \
-  extern_or_not template Tree<VolumeType> build_median<VolumeType>(Volumes<VolumeType>, const Options&, Observer);           \
-  extern_or_not template Tree<VolumeType> build_surface_area<VolumeType>(Volumes<VolumeType>, const Options&, Observer);     \
-  extern_or_not template Tree<VolumeType> build_bottom_up<VolumeType>(Volumes<VolumeType>, Observer);                        \
+#define SNUG_TREES(extern_or_not, VolumeType, Observer)                                                                \
+  extern_or_not template void refit(Tree<VolumeType>&, Volumes<VolumeType>, Observer, int);                            \
+  extern_or_not template Tree<VolumeType> build_median<VolumeType>(Volumes<VolumeType>, const Options&, Observer);     \
+  extern_or_not template Tree<VolumeType> build_surface_area<VolumeType>(Volumes<VolumeType>, const Options&,          \
+                                                                         Observer);                                    \
+  extern_or_not template Tree<VolumeType> build_bottom_up<VolumeType>(Volumes<VolumeType>, Observer);                  \
   extern_or_not template Tree<VolumeType> build_by_insertion<VolumeType>(Volumes<VolumeType>, Observer);
-#define SNUG_TREES_OF(extern_or_not, Kind, Scalar, Dim)                   \
-  namespace instances {                                                   \
-  using Kind##Scalar##Dim = Kind<Scalar, Dim>;                            \
-  }                                                                       \
-  SNUG_TREES(extern_or_not, instances::Kind##Scalar##Dim, Ignore&&)       \
+#define SNUG_TREES_OF(extern_or_not, Kind, Scalar, Dim)                                                                \
+  namespace instances {                                                                                                \
+  using Kind##Scalar##Dim = Kind<Scalar, Dim>;                                                                         \
+  }                                                                                                                    \
+  SNUG_TREES(extern_or_not, instances::Kind##Scalar##Dim, Ignore&&)                                                    \
   SNUG_TREES(extern_or_not, instances::Kind##Scalar##Dim, Recorder<Step>&)
-#define SNUG_ALL_TREES(extern_or_not)            \
-  SNUG_TREES_OF(extern_or_not, Aabb, float, 2)   \
-  SNUG_TREES_OF(extern_or_not, Aabb, float, 3)   \
-  SNUG_TREES_OF(extern_or_not, Aabb, double, 2)  \
-  SNUG_TREES_OF(extern_or_not, Aabb, double, 3)  \
-  SNUG_TREES_OF(extern_or_not, Sphere, float, 2) \
-  SNUG_TREES_OF(extern_or_not, Sphere, float, 3) \
-  SNUG_TREES_OF(extern_or_not, Sphere, double, 2) \
+#define SNUG_ALL_TREES(extern_or_not)                                                                                  \
+  SNUG_TREES_OF(extern_or_not, Aabb, float, 2)                                                                         \
+  SNUG_TREES_OF(extern_or_not, Aabb, float, 3)                                                                         \
+  SNUG_TREES_OF(extern_or_not, Aabb, double, 2)                                                                        \
+  SNUG_TREES_OF(extern_or_not, Aabb, double, 3)                                                                        \
+  SNUG_TREES_OF(extern_or_not, Sphere, float, 2)                                                                       \
+  SNUG_TREES_OF(extern_or_not, Sphere, float, 3)                                                                       \
+  SNUG_TREES_OF(extern_or_not, Sphere, double, 2)                                                                      \
   SNUG_TREES_OF(extern_or_not, Sphere, double, 3)
 
 SNUG_ALL_TREES(extern)

@@ -16,7 +16,8 @@ struct Group {
 
 class Insertion {
  public:
-  Insertion(const Layout& layout, InsertionFacts* facts) : layout_(layout), facts_(facts), groups_(layout.boxes.size()) {
+  Insertion(const Layout& layout, InsertionFacts* facts)
+      : layout_(layout), facts_(facts), groups_(layout.boxes.size()) {
     groups_.reserve(2 * groups_.size());
     for (std::size_t i = 0; i < layout.boxes.size(); ++i) {
       groups_[i].box = layout.boxes[i];
@@ -28,12 +29,13 @@ class Insertion {
     const auto bodies = static_cast<Index>(groups_.size());
     for (Index body = 0; body < bodies; ++body) insert(body);
     std::vector<std::array<Index, 2>> pairs;
-    for (std::size_t i = static_cast<std::size_t>(bodies); i < groups_.size(); ++i) pairs.push_back(groups_[i].children);
+    for (std::size_t i = static_cast<std::size_t>(bodies); i < groups_.size(); ++i)
+      pairs.push_back(groups_[i].children);
     return shape_of(pairs, bodies, root_);
   }
 
  private:
-  [[nodiscard]] Group& at(Index i) { return groups_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] Group& at(Index i) { return groups_[i]; }
   [[nodiscard]] bool is_body(Index i) { return at(i).children[0] == kNoIndex; }
   [[nodiscard]] Size size_with(Index i, const Box& box) { return size_of(united(at(i).box, box), layout_.dim); }
 
@@ -53,8 +55,8 @@ class Insertion {
     }
   }
 
-  /// Down from the root, as long as the child's growth, and the pair that is made below it at least as large as the body,
-  /// is less than a pair made here. growth: of what is above, and that pair.
+  /// Down from the root, as long as the child's growth, and the pair that is made below it at least as large as the
+  /// body, is less than a pair made here. growth: of what is above, and that pair.
   Index best_place(Index body, Size& growth) {
     const Box& box = at(body).box;
     Index group = root_;
@@ -65,7 +67,8 @@ class Insertion {
       std::array<Size, 2> below;
       for (std::size_t side = 0; side < 2; ++side) {
         const Index child = at(group).children[side];
-        below[side] = passed + (is_body(child) ? size_with(child, box) : size_with(child, box) - at(child).size + at(body).size);
+        below[side] =
+            passed + (is_body(child) ? size_with(child, box) : size_with(child, box) - at(child).size + at(body).size);
       }
       const auto [first, second] = at(group).children;
       const bool fewer_first = at(first).bodies <= at(second).bodies;
@@ -97,7 +100,8 @@ class Insertion {
     group.bodies = left.bodies + right.bodies;
   }
 
-  /// Of the four swaps of a child with a grandchild below the other, the one that makes that other the smallest, if smaller.
+  /// Of the four swaps of a child with a grandchild below the other, the one that makes that other the smallest, if
+  /// smaller.
   void rotate(Index i) {
     struct Swap {
       std::size_t down, up;
@@ -113,7 +117,8 @@ class Insertion {
       }
     }
     if (!best) return;
-    const Index down = at(i).children[best->down], middle = at(i).children[1 - best->down], up = at(middle).children[best->up];
+    const Index down = at(i).children[best->down], middle = at(i).children[1 - best->down],
+                up = at(middle).children[best->up];
     at(i).children[best->down] = up, at(up).parent = i;
     at(middle).children[best->up] = down, at(down).parent = middle;
     update(middle);

@@ -1,7 +1,6 @@
-// Trees body by body: each is put where all surfaces together grow least, and what it passed is rotated where that makes a
-// node smaller.
-// Source: J. Goldsmith, J. Salmon, "Automatic creation of object hierarchies for ray tracing", 1987; A. Kensler, "Tree
-// rotations for improving bounding volume hierarchies", 2008.
+// Trees body by body: each is put where all surfaces together grow least, and what it passed is rotated where that
+// makes a node smaller. Source: J. Goldsmith, J. Salmon, "Automatic creation of object hierarchies for ray tracing",
+// 1987; A. Kensler, "Tree rotations for improving bounding volume hierarchies", 2008.
 #pragma once
 
 #include <array>
@@ -30,8 +29,9 @@ inline constexpr int kDeepestInsertion = 256;
 
 using InsertionFacts = std::vector<std::variant<BodyInserted, Rotated>>;
 
-/// In the order of the bodies. Of children that grow alike the one of fewer bodies is taken, then the first. facts: null, or
-/// what is told is added to it. O(n log n) time where the tree comes out balanced, as it does of spread-out scenes; O(n) insertions of at most kDeepestInsertion steps in any.
+/// In the order of the bodies. Of children that grow alike the one of fewer bodies is taken, then the first. facts:
+/// null, or what is told is added to it. O(n log n) time where the tree comes out balanced, as it does of spread-out
+/// scenes; O(n) insertions of at most kDeepestInsertion steps in any.
 [[nodiscard]] Shape lay_out_by_insertion(const Layout& layout, InsertionFacts* facts = nullptr);
 
 }  // namespace snug::hierarchy

@@ -20,8 +20,8 @@ struct Shape {
   std::vector<Index> bodies;
 };
 
-/// The shape of groups that have two groups below them, down to single bodies: group i is body i where i < n, else it has
-/// the children pairs[i - n]. root: a group; kNoIndex: there are no bodies.
+/// The shape of groups that have two groups below them, down to single bodies: group i is body i where i < n, else it
+/// has the children pairs[i - n]. root: a group; kNoIndex: there are no bodies.
 [[nodiscard]] Shape shape_of(const std::vector<std::array<Index, 2>>& pairs, Index bodies, Index root);
 
 }  // namespace snug::hierarchy

@@ -8,9 +8,9 @@
 
 namespace snug::hierarchy {
 
-/// A node's bodies were divided: left and right are how many went to either side. axis: kNoIndex where all centres are in
-/// one place, and they were divided by index. position: that of the first centre on the right (median, exact sweep) or of
-/// the border of bins, scene units. cost: by the surface-area heuristic, in tests of a body; of the median 0.
+/// A node's bodies were divided: left and right are how many went to either side. axis: kNoIndex where all centres are
+/// in one place, and they were divided by index. position: that of the first centre on the right (median, exact sweep)
+/// or of the border of bins, scene units. cost: by the surface-area heuristic, in tests of a body; of the median 0.
 struct SplitChosen {
   static constexpr std::string_view kName = "split_chosen";
   Index node = 0;
@@ -19,7 +19,8 @@ struct SplitChosen {
   Index left = 0, right = 0;
   double cost = 0;
   void fields(auto&& see) const {
-    see("node", node), see("axis", axis), see("position", position), see("left", left), see("right", right), see("cost", cost);
+    see("node", node), see("axis", axis), see("position", position), see("left", left), see("right", right),
+        see("cost", cost);
   }
 };
 
@@ -31,8 +32,9 @@ struct LeafMade {
   void fields(auto&& see) const { see("node", node), see("bodies", bodies); }
 };
 
-/// Two groups became one. Group i is body i alone where i is below the number n of bodies; groups made later are counted from
-/// n on. area: half of the surface (in the plane: of the outline) of the axis-aligned box around both, scene units.
+/// Two groups became one. Group i is body i alone where i is below the number n of bodies; groups made later are
+/// counted from n on. area: half of the surface (in the plane: of the outline) of the axis-aligned box around both,
+/// scene units.
 struct NodesMerged {
   static constexpr std::string_view kName = "nodes_merged";
   Index merged = 0;
@@ -105,8 +107,8 @@ struct Done {
 };
 
 struct Step {
-  using Fact = std::variant<SplitChosen, LeafMade, NodesMerged, BodyInserted, Rotated, VolumeMade, NodeVisited, BodyTested,
-                            PairTested, Done>;
+  using Fact = std::variant<SplitChosen, LeafMade, NodesMerged, BodyInserted, Rotated, VolumeMade, NodeVisited,
+                            BodyTested, PairTested, Done>;
   int line = 0;  // of the algorithm's pseudocode, counted from 0
   Fact fact;
 };

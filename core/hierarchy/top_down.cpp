@@ -35,7 +35,9 @@ constexpr float kTooSmall = 0x1p-8f;
 struct Body {
   Lanes low, high;
 
-  [[nodiscard]] SNUG_INLINE Index index() const { return static_cast<Index>(low[3]) + (static_cast<Index>(high[3]) << 16); }
+  [[nodiscard]] SNUG_INLINE Index index() const {
+    return static_cast<Index>(low[3]) + (static_cast<Index>(high[3]) << 16);
+  }
   /// Twice the centre.
   [[nodiscard]] SNUG_INLINE Lanes center() const { return low + high; }
 };
@@ -84,7 +86,7 @@ class TopDown {
     if (n == 0) return {};
     bodies_.resize(layout_.boxes.size());
     if (rule_ == SplitRule::kSurfaceArea) copies_.resize(layout_.boxes.size());
-    for (Index i = 0; i < n; ++i) place(bodies_[static_cast<std::size_t>(i)], i, {});
+    for (Index i = 0; i < n; ++i) place(bodies_[i], i, {});
     shape_.nodes.reserve(layout_.boxes.size());
     shape_.nodes.emplace_back();
     Work root{0, 0, n, 0, {}, Bounds::none(), Bounds::none()};
@@ -104,7 +106,7 @@ class TopDown {
 
  private:
   SNUG_INLINE void place(Body& body, Index index, const Frame& frame) const {
-    const Box& box = layout_.boxes[static_cast<std::size_t>(index)];
+    const Box& box = layout_.boxes[index];
     for (std::size_t i = 0; i < 3; ++i) {
       body.low[i] = static_cast<float>((box.low[i] - frame.origin[i]) * frame.scale);
       body.high[i] = static_cast<float>((box.high[i] - frame.origin[i]) * frame.scale);
@@ -116,7 +118,7 @@ class TopDown {
   SNUG_INLINE void measure(Work& work) const {
     Bounds bounds = Bounds::none(), centers = bounds;
     for (Index i = work.begin; i < work.end; ++i) {
-      const Body& body = bodies_[static_cast<std::size_t>(i)];
+      const Body& body = bodies_[i];
       bounds.take(body.low, body.high);
       centers.take(body.center(), body.center());
     }
@@ -128,8 +130,8 @@ class TopDown {
   /// A frame of the node's own, where it is too small for that which it is in.
   void look_closer(Work& work) {
     if (largest(work.bounds.extent()) >= kTooSmall) return;
-    Box box = layout_.boxes[static_cast<std::size_t>(at(work.begin).index())];
-    for (Index i = work.begin; i < work.end; ++i) box = united(box, layout_.boxes[static_cast<std::size_t>(at(i).index())]);
+    Box box = layout_.boxes[at(work.begin).index()];
+    for (Index i = work.begin; i < work.end; ++i) box = united(box, layout_.boxes[at(i).index()]);
     double extent = 0;
     for (std::size_t i = 0; i < 3; ++i) extent = std::max(extent, box.high[i] - box.low[i]);
     const double scale = extent > 0 ? std::ldexp(1.0, -std::max(std::ilogb(extent), -1000)) : work.frame.scale;
@@ -148,7 +150,8 @@ class TopDown {
   /// Makes a leaf, or two halves.
   bool split(Work& work) {
     const Index count = work.end - work.begin;
-    if (count <= (rule_ == SplitRule::kMedian ? most_in_leaf_ : std::min<Index>(most_in_leaf_, 2))) return make_leaf(work);
+    if (count <= (rule_ == SplitRule::kMedian ? most_in_leaf_ : std::min<Index>(most_in_leaf_, 2)))
+      return make_leaf(work);
     look_closer(work);
     Choice choice;
     are_measured_ = false;
@@ -170,14 +173,14 @@ class TopDown {
   }
 
   bool make_leaf(const Work& work) {
-    shape_.nodes[static_cast<std::size_t>(work.node)] = {work.begin, work.end - work.begin};
+    shape_.nodes[work.node] = {work.begin, work.end - work.begin};
     if (facts_ != nullptr) facts_->push_back(LeafMade{work.node, work.end - work.begin});
     return false;
   }
 
   void make_halves(const Work& work, const Choice& choice) {
     const auto left = static_cast<Index>(shape_.nodes.size());
-    shape_.nodes[static_cast<std::size_t>(work.node)] = {left, 0};
+    shape_.nodes[work.node] = {left, 0};
     shape_.nodes.resize(shape_.nodes.size() + 2);
     const Index middle = work.begin + choice.left;
     halves_[0] = Work{left, work.begin, middle, work.depth + 1, work.frame, halves_[0].bounds, halves_[0].centers};
@@ -188,9 +191,10 @@ class TopDown {
     double position = 0;
     if (choice.axis != kNoIndex) {
       const double local = static_cast<double>(choice.position) / 2 / work.frame.scale;
-      position = layout_.position(choice.axis, work.frame.origin[static_cast<std::size_t>(choice.axis)] + local);
+      position = layout_.position(choice.axis, work.frame.origin[choice.axis] + local);
     }
-    facts_->push_back(SplitChosen{work.node, choice.axis, position, choice.left, work.end - middle, static_cast<double>(choice.cost)});
+    facts_->push_back(SplitChosen{work.node, choice.axis, position, choice.left, work.end - middle,
+                                  static_cast<double>(choice.cost)});
   }
 
   /// At the median along the axis where centres spread most, equal ones by index: always to be had.
@@ -211,20 +215,22 @@ class TopDown {
     return {spread[axis] > 0 ? axis : kNoIndex, left, at(work.begin + left).center()[axis], 0};
   }
 
-  // -- Few bodies: every border between two ---------------------------------------------------------------------------------
+  // -- Few bodies: every border between two
+  // ---------------------------------------------------------------------------------
 
   using Order = std::array<std::int32_t, kSweptExactly>;
 
-  /// The bodies by rising centre along an axis, equal ones as they are: by how many come before each, for branches that are
-  /// guessed wrong cost more than comparisons.
-  SNUG_INLINE void sort_along(int axis, const Body* bodies, Index count, Order& order, std::array<float, kSweptExactly>& keys) const {
+  /// The bodies by rising centre along an axis, equal ones as they are: by how many come before each, for branches that
+  /// are guessed wrong cost more than comparisons.
+  SNUG_INLINE void sort_along(int axis, const Body* bodies, Index count, Order& order,
+                              std::array<float, kSweptExactly>& keys) const {
     std::array<float, kSweptExactly> centers;
-    for (Index i = 0; i < count; ++i) centers[static_cast<std::size_t>(i)] = bodies[i].center()[axis];
+    for (Index i = 0; i < count; ++i) centers[i] = bodies[i].center()[axis];
     for (Index i = 0; i < count; ++i) {
-      const float own = centers[static_cast<std::size_t>(i)];
+      const float own = centers[i];
       std::size_t rank = 0;
-      for (Index j = 0; j < i; ++j) rank += centers[static_cast<std::size_t>(j)] <= own ? 1 : 0;
-      for (Index j = i + 1; j < count; ++j) rank += centers[static_cast<std::size_t>(j)] < own ? 1 : 0;
+      for (Index j = 0; j < i; ++j) rank += centers[j] <= own ? 1 : 0;
+      for (Index j = i + 1; j < count; ++j) rank += centers[j] < own ? 1 : 0;
       order[rank] = i, keys[rank] = own;
     }
   }
@@ -240,17 +246,17 @@ class TopDown {
       sort_along(axis, bodies, count, order, keys);
       Bounds bounds = Bounds::none();
       for (Index i = count - 1; i > 0; --i) {
-        const Body& body = bodies[order[static_cast<std::size_t>(i)]];
+        const Body& body = bodies[order[i]];
         bounds.take(body.low, body.high);
-        right[static_cast<std::size_t>(i)] = size(bounds, by_length) * static_cast<float>(count - i);
+        right[i] = size(bounds, by_length) * static_cast<float>(count - i);
       }
       bounds = Bounds::none();
       const float before = best.cost;
       for (Index i = 1; i < count; ++i) {
-        const Body& body = bodies[order[static_cast<std::size_t>(i - 1)]];
+        const Body& body = bodies[order[i - 1]];
         bounds.take(body.low, body.high);
-        const float cost = size(bounds, by_length) * static_cast<float>(i) + right[static_cast<std::size_t>(i)];
-        if (cost < best.cost) best = {axis, i, keys[static_cast<std::size_t>(i)], cost};
+        const float cost = size(bounds, by_length) * static_cast<float>(i) + right[i];
+        if (cost < best.cost) best = {axis, i, keys[i], cost};
       }
       if (best.cost < before) best_order_ = order;
     }
@@ -260,19 +266,20 @@ class TopDown {
   void take_swept(const Work& work) {
     std::array<Body, kSweptExactly> sorted;
     const Index count = work.end - work.begin;
-    for (Index i = 0; i < count; ++i)
-      sorted[static_cast<std::size_t>(i)] = at(work.begin + best_order_[static_cast<std::size_t>(i)]);
+    for (Index i = 0; i < count; ++i) sorted[i] = at(work.begin + best_order_[i]);
     std::copy(sorted.begin(), sorted.begin() + count, bodies_.begin() + work.begin);
   }
 
-  // -- Many: bins -------------------------------------------------------------------------------------------------------------
+  // -- Many: bins
+  // -------------------------------------------------------------------------------------------------------------
 
   /// In which bin twice a centre falls, along each axis. An axis along which all centres are one has one bin.
   struct Binning {
     Lanes low, scale;
     int bins;
 
-    explicit Binning(const Work& work) : low(work.centers.low), bins(work.end - work.begin <= kFew ? kFewBins : kMostBins) {
+    explicit Binning(const Work& work)
+        : low(work.centers.low), bins(work.end - work.begin <= kFew ? kFewBins : kMostBins) {
       for (int i = 0; i < 4; ++i) {
         const float extent = i < 3 ? work.centers.high[i] - work.centers.low[i] : 0;
         // So that the last centre falls into the last bin, and none beyond for rounding.
@@ -305,8 +312,8 @@ class TopDown {
     Choice best;
     for (int axis = 0; axis < layout_.dim; ++axis) {
       if (binning.scale[axis] == 0) continue;
-      const Bins& of_axis = bins_[static_cast<std::size_t>(axis)];
-      const auto& count_of = counts[static_cast<std::size_t>(axis)];
+      const Bins& of_axis = bins_[axis];
+      const auto& count_of = counts[axis];
       std::array<float, kMostBins> right;
       Bounds bounds = Bounds::none();
       Index count = 0;
@@ -334,8 +341,8 @@ class TopDown {
     const Binning binning(work);
     const int axis = choice.axis, border = static_cast<int>(choice.position);
     choice.position = work.centers.low[axis] + choice.position / binning.scale[axis];
-    // By way of a copy, for branches that are guessed wrong cost more: bodies of the left fill it from the front, others from
-    // the back.
+    // By way of a copy, for branches that are guessed wrong cost more: bodies of the left fill it from the front,
+    // others from the back.
     const auto count = static_cast<std::size_t>(work.end - work.begin);
     std::size_t left = 0, right = count - 1;
     const float low = binning.low[axis], scale = binning.scale[axis];
@@ -375,7 +382,7 @@ class TopDown {
                 shape_.bodies.begin() + (node.count > 0 ? node.first + node.count : 0));
   }
 
-  [[nodiscard]] SNUG_INLINE Body& at(Index i) { return bodies_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] SNUG_INLINE Body& at(Index i) { return bodies_[i]; }
 
   const Layout& layout_;
   SplitRule rule_;

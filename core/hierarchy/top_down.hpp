@@ -37,10 +37,12 @@ enum class SplitRule : std::uint8_t { kMedian, kSurfaceArea };
 /// What the laying out tells, in order: splits and leaves.
 using TopDownFacts = std::vector<std::variant<SplitChosen, LeafMade>>;
 
-/// Bodies are told apart by their boxes' centres; among equal centres by index. Up to 8 bodies every border between two is
-/// tried, up to 64 fall into 8 bins an axis, more into 16, of more than 2048 a sample. Numbers are floats, about the node's own corner and in its own size once that is
-/// small: whatever the scene's size and place. From depth 40 on nodes are halved, so that no tree is much deeper.
-/// most_in_leaf: >= 1. facts: null, or what is told is added to it. O(n log n) time.
-[[nodiscard]] Shape lay_out_top_down(const Layout& layout, SplitRule rule, Index most_in_leaf, TopDownFacts* facts = nullptr);
+/// Bodies are told apart by their boxes' centres; among equal centres by index. Up to 8 bodies every border between two
+/// is tried, up to 64 fall into 8 bins an axis, more into 16, of more than 2048 a sample. Numbers are floats, about the
+/// node's own corner and in its own size once that is small: whatever the scene's size and place. From depth 40 on
+/// nodes are halved, so that no tree is much deeper. most_in_leaf: >= 1. facts: null, or what is told is added to it.
+/// O(n log n) time.
+[[nodiscard]] Shape lay_out_top_down(const Layout& layout, SplitRule rule, Index most_in_leaf,
+                                     TopDownFacts* facts = nullptr);
 
 }  // namespace snug::hierarchy

@@ -25,27 +25,28 @@ inline constexpr std::array<std::string_view, 6> kTraversePseudocode{
 
 /// Whose volume is tested.
 struct Place {
-  Index index = 0;       // of the node, or of the body
+  Index index = 0;  // of the node, or of the body
   bool is_body = false;
 };
 
-/// What a visitor says to a volume. It may change the state, a copy of its parent's, which then goes to what is below: a mask
-/// of the planes that are still in question, say. It may ask for the place too, to remember something there.
+/// What a visitor says to a volume. It may change the state, a copy of its parent's, which then goes to what is below:
+/// a mask of the planes that are still in question, say. It may ask for the place too, to remember something there.
 template <class Visit, class VolumeType, class State>
 [[nodiscard]] Answer ask(Visit& visit, const VolumeType& volume, State& state, Place place) {
   if constexpr (std::is_invocable_v<Visit&, const VolumeType&, State&, Place>) return visit(volume, state, place);
   else return visit(volume, state);
 }
 
-/// Reports every body that is not pruned, with what was answered of it: of what lies below an accepted node kAccept, untested.
-/// visit(volume, state [, place]) -> Answer: of a node kPrune only if it is right for all below, kAccept likewise; of a body
-/// kDescend is as good as anything but kPrune, and reported as such. A leaf of one body is not tested itself. report(body,
-/// answer). volumes: those that the tree fits. Bodies come in the order in which the tree has them.
+/// Reports every body that is not pruned, with what was answered of it: of what lies below an accepted node kAccept,
+/// untested. visit(volume, state [, place]) -> Answer: of a node kPrune only if it is right for all below, kAccept
+/// likewise; of a body kDescend is as good as anything but kPrune, and reported as such. A leaf of one body is not
+/// tested itself. report(body, answer). volumes: those that the tree fits. Bodies come in the order in which the tree
+/// has them.
 ///
 /// A frustum's culling is a visit that classifies: kPrune outside, kAccept inside, kDescend where it intersects.
 template <class VolumeType, class State, class Visit, class Report, StepObserver<Step> Observer = Ignore>
-Counts traverse(const Tree<VolumeType>& tree, std::type_identity_t<std::span<const VolumeType>> volumes, const State& root,
-                Visit&& visit, Report&& report, Observer&& observe = {}) {
+Counts traverse(const Tree<VolumeType>& tree, std::type_identity_t<std::span<const VolumeType>> volumes,
+                const State& root, Visit&& visit, Report&& report, Observer&& observe = {}) {
   struct Open {
     Index node;
     State state;
@@ -57,11 +58,15 @@ Counts traverse(const Tree<VolumeType>& tree, std::type_identity_t<std::span<con
     Open now = open.back();
     open.pop_back();
     ++counts.nodes_visited;
-    const Node<VolumeType>& node = tree.nodes[static_cast<std::size_t>(now.node)];
+    const Node<VolumeType>& node = tree.nodes[now.node];
     if (node.count != 1) {
       const Answer answer = ask(visit, node.volume, now.state, {now.node, false});
       ++counts.node_tests;
-      observe(Step{answer == Answer::kPrune ? 2 : answer == Answer::kAccept ? 3 : node.is_leaf() ? 4 : 5, NodeVisited{now.node, answer}});
+      observe(Step{answer == Answer::kPrune    ? 2
+                   : answer == Answer::kAccept ? 3
+                   : node.is_leaf()            ? 4
+                                               : 5,
+                   NodeVisited{now.node, answer}});
       if (answer == Answer::kPrune) continue;
       if (answer == Answer::kAccept) {
         for (const Index body : tree.bodies_below(now.node)) report(body, Answer::kAccept);
@@ -74,7 +79,7 @@ Counts traverse(const Tree<VolumeType>& tree, std::type_identity_t<std::span<con
     }
     for (const Index body : tree.bodies_below(now.node)) {
       State state = now.state;
-      const Answer answer = ask(visit, volumes[static_cast<std::size_t>(body)], state, {body, true});
+      const Answer answer = ask(visit, volumes[body], state, {body, true});
       ++counts.body_tests;
       observe(Step{4, BodyTested{body, answer}});
       if (answer != Answer::kPrune) report(body, answer);
@@ -84,7 +89,8 @@ Counts traverse(const Tree<VolumeType>& tree, std::type_identity_t<std::span<con
   return counts;
 }
 
-// -- A ray ----------------------------------------------------------------------------------------------------------------------
+// -- A ray
+// ----------------------------------------------------------------------------------------------------------------------
 
 inline constexpr std::array<std::string_view, 6> kFirstHitPseudocode{
     "open ← root; best ← none",
@@ -102,11 +108,11 @@ struct Hit {
   Counts counts;
 };
 
-/// The body that is hit first; of several at the same t that of the least index. hit(volume) -> std::optional<Scalar>: where
-/// it is hit, of a node no later than of anything in it (as query::ray_enters says of boxes).
+/// The body that is hit first; of several at the same t that of the least index. hit(volume) -> std::optional<Scalar>:
+/// where it is hit, of a node no later than of anything in it (as query::ray_enters says of boxes).
 template <class Scalar, class VolumeType, class HitTest, StepObserver<Step> Observer = Ignore>
-Hit<Scalar> first_hit(const Tree<VolumeType>& tree, std::type_identity_t<std::span<const VolumeType>> volumes, HitTest&& hit,
-                      Observer&& observe = {}) {
+Hit<Scalar> first_hit(const Tree<VolumeType>& tree, std::type_identity_t<std::span<const VolumeType>> volumes,
+                      HitTest&& hit, Observer&& observe = {}) {
   struct Open {
     Index node;
     Scalar t;
@@ -115,7 +121,7 @@ Hit<Scalar> first_hit(const Tree<VolumeType>& tree, std::type_identity_t<std::sp
   std::vector<Open> open;
   const auto is_beyond = [&](Scalar t) { return best.body != kNoIndex && t > best.t; };
   const auto test = [&](Index node) -> std::optional<Scalar> {
-    const std::optional<Scalar> t = hit(tree.nodes[static_cast<std::size_t>(node)].volume);
+    const std::optional<Scalar> t = hit(tree.nodes[node].volume);
     ++best.counts.node_tests;
     observe(Step{4, NodeVisited{node, t ? Answer::kDescend : Answer::kPrune}});
     return t;
@@ -127,7 +133,7 @@ Hit<Scalar> first_hit(const Tree<VolumeType>& tree, std::type_identity_t<std::sp
     open.pop_back();
     if (is_beyond(now.t)) continue;
     ++best.counts.nodes_visited;
-    const Node<VolumeType>& node = tree.nodes[static_cast<std::size_t>(now.node)];
+    const Node<VolumeType>& node = tree.nodes[now.node];
     if (!node.is_leaf()) {
       const auto left = test(node.first), right = test(node.first + 1);
       const bool right_first = left && right && *right < *left;
@@ -137,10 +143,11 @@ Hit<Scalar> first_hit(const Tree<VolumeType>& tree, std::type_identity_t<std::sp
       continue;
     }
     for (const Index body : tree.bodies_below(now.node)) {
-      const std::optional<Scalar> t = hit(volumes[static_cast<std::size_t>(body)]);
+      const std::optional<Scalar> t = hit(volumes[body]);
       ++best.counts.body_tests;
       observe(Step{3, BodyTested{body, t ? Answer::kAccept : Answer::kPrune}});
-      if (t && (best.body == kNoIndex || *t < best.t || (*t == best.t && body < best.body))) best.body = body, best.t = *t;
+      if (t && (best.body == kNoIndex || *t < best.t || (*t == best.t && body < best.body)))
+        best.body = body, best.t = *t;
     }
   }
   observe(Step{1, Done{best.counts.nodes_visited, best.counts.volume_tests()}});

@@ -24,11 +24,12 @@ inline constexpr std::array<std::string_view, 6> kOverlapPseudocode{
     "  else open all four pairs of children",
 };
 
-/// Reports every pair of bodies, one of each tree, whose volumes overlap, as query::overlaps has it. report(body of a, body
-/// of b). The trees may be of different kinds. volumes_a, volumes_b: those that the trees fit.
+/// Reports every pair of bodies, one of each tree, whose volumes overlap, as query::overlaps has it. report(body of a,
+/// body of b). The trees may be of different kinds. volumes_a, volumes_b: those that the trees fit.
 template <class VolumeA, class VolumeB, class Report, StepObserver<Step> Observer = Ignore>
-Counts overlapping_pairs(const Tree<VolumeA>& a, std::type_identity_t<std::span<const VolumeA>> volumes_a, const Tree<VolumeB>& b,
-                         std::type_identity_t<std::span<const VolumeB>> volumes_b, Report&& report, Observer&& observe = {}) {
+Counts overlapping_pairs(const Tree<VolumeA>& a, std::type_identity_t<std::span<const VolumeA>> volumes_a,
+                         const Tree<VolumeB>& b, std::type_identity_t<std::span<const VolumeB>> volumes_b,
+                         Report&& report, Observer&& observe = {}) {
   struct Pair {
     Index a, b;
   };
@@ -37,7 +38,7 @@ Counts overlapping_pairs(const Tree<VolumeA>& a, std::type_identity_t<std::span<
   const auto bodies_of = [&](const Pair& pair) {
     for (const Index i : a.bodies_below(pair.a))
       for (const Index j : b.bodies_below(pair.b)) {
-        const bool overlap = query::overlaps(volumes_a[static_cast<std::size_t>(i)], volumes_b[static_cast<std::size_t>(j)]);
+        const bool overlap = query::overlaps(volumes_a[i], volumes_b[j]);
         ++counts.body_tests;
         observe(Step{3, PairTested{i, j, true, overlap}});
         if (overlap) report(i, j);
@@ -48,8 +49,8 @@ Counts overlapping_pairs(const Tree<VolumeA>& a, std::type_identity_t<std::span<
     const Pair pair = open.back();
     open.pop_back();
     ++counts.nodes_visited;
-    const Node<VolumeA>& of_a = a.nodes[static_cast<std::size_t>(pair.a)];
-    const Node<VolumeB>& of_b = b.nodes[static_cast<std::size_t>(pair.b)];
+    const Node<VolumeA>& of_a = a.nodes[pair.a];
+    const Node<VolumeB>& of_b = b.nodes[pair.b];
     if (of_a.count != 1 || of_b.count != 1) {
       const bool overlap = query::overlaps(of_a.volume, of_b.volume);
       ++counts.node_tests;

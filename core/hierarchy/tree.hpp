@@ -1,6 +1,5 @@
-// The bounding-volume hierarchy: a binary tree whose leaves hold bodies and whose every node has a volume around all that is
-// below it.
-// Source: C. Ericson, "Real-Time Collision Detection", 2005, 6.
+// The bounding-volume hierarchy: a binary tree whose leaves hold bodies and whose every node has a volume around all
+// that is below it. Source: C. Ericson, "Real-Time Collision Detection", 2005, 6.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +11,8 @@
 
 namespace snug::hierarchy {
 
-/// first, count: of a leaf, its bodies' places in Tree::bodies, count >= 1. Of an inner node first is the left child's place
-/// in Tree::nodes, the right child comes next, and count is 0.
+/// first, count: of a leaf, its bodies' places in Tree::bodies, count >= 1. Of an inner node first is the left child's
+/// place in Tree::nodes, the right child comes next, and count is 0.
 template <class VolumeType>
 struct Node {
   VolumeType volume;
@@ -31,11 +30,12 @@ struct Tree {
 
   /// All bodies below a node. O(depth) time.
   [[nodiscard]] std::span<const Index> bodies_below(Index node) const {
-    const auto at = [&](Index i) -> const Node<VolumeType>& { return nodes[static_cast<std::size_t>(i)]; };
+    const auto at = [&](Index i) -> const Node<VolumeType>& { return nodes[i]; };
     Index first = node, last = node;
     while (!at(first).is_leaf()) first = at(first).first;
     while (!at(last).is_leaf()) last = at(last).first + 1;
-    const auto begin = static_cast<std::size_t>(at(first).first), end = static_cast<std::size_t>(at(last).first + at(last).count);
+    const auto begin = static_cast<std::size_t>(at(first).first),
+               end = static_cast<std::size_t>(at(last).first + at(last).count);
     return std::span(bodies).subspan(begin, end - begin);
   }
   /// The most nodes on a way from the root to a leaf.

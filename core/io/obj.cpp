@@ -92,7 +92,7 @@ class ObjReader {
     for (auto word = take_word(rest); !word.empty(); word = take_word(rest), ++count) {
       const auto index = index_of(word);
       if (!index) return index.error();
-      corners[static_cast<std::size_t>(std::min(count, 2))] = *index;
+      corners[std::min(count, 2)] = *index;
       if (count < 2) continue;
       file_.triangles.push_back(corners);
       corners[1] = corners[2];

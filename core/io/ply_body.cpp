@@ -12,10 +12,10 @@ std::int64_t as_signed(std::uint64_t bits) {
 
 std::int64_t integer_of(PlyType type, std::uint64_t bits) {
   switch (type) {
-  case PlyType::kInt8: return as_signed<std::int8_t>(bits);
-  case PlyType::kInt16: return as_signed<std::int16_t>(bits);
-  case PlyType::kInt32: return as_signed<std::int32_t>(bits);
-  default: return static_cast<std::int64_t>(bits);  // read from as many bytes as it has
+    case PlyType::kInt8: return as_signed<std::int8_t>(bits);
+    case PlyType::kInt16: return as_signed<std::int16_t>(bits);
+    case PlyType::kInt32: return as_signed<std::int32_t>(bits);
+    default: return static_cast<std::int64_t>(bits);  // read from as many bytes as it has
   }
 }
 
@@ -87,15 +87,12 @@ bool PlyText::fail(std::string what) {
 // ---- bytes -----------------------------------------------------------------------------------------------------
 
 PlyBytes::PlyBytes(const PlyHeader& header, std::string_view whole)
-    : bytes_(whole),
-      at_(whole.size() - header.body.size()),
-      value_(at_),
+    : bytes_(whole), at_(whole.size() - header.body.size()), value_(at_),
       big_endian_(header.form == PlyForm::kBigEndian) {}
 
 std::int64_t PlyBytes::smallest(const PlyElement& element) {
   std::size_t size = 0;
-  for (const PlyProperty& property : element.properties)
-    size += size_of(property.count_type.value_or(property.type));
+  for (const PlyProperty& property : element.properties) size += size_of(property.count_type.value_or(property.type));
   return static_cast<std::int64_t>(size);
 }
 

@@ -41,8 +41,8 @@ Format format_of_text(std::string_view text, std::string_view extension) {
   return rows;
 }
 
-/// Whether a file is of none of the formats by its name, and its first line is nothing that a person wrote: a picture, an
-/// archive. Latin-1 in a comment, or in a table that begins with a number, is let through.
+/// Whether a file is of none of the formats by its name, and its first line is nothing that a person wrote: a picture,
+/// an archive. Latin-1 in a comment, or in a table that begins with a number, is let through.
 bool is_something_else(std::string_view bytes, std::string_view extension) {
   constexpr std::array<std::string_view, 6> kOurs{"xyz", "txt", "csv", "obj", "ply", "stl"};
   if (std::find(kOurs.begin(), kOurs.end(), extension) != kOurs.end()) return false;
@@ -64,12 +64,12 @@ Format format_of(std::string_view bytes, std::string_view extension) {
 
 Read<PointFile> read_as(Format format, std::string_view bytes) {
   switch (format) {
-  case Format::kRows: return read_rows(bytes, false);
-  case Format::kCsv: return read_rows(bytes, true);
-  case Format::kObj: return read_obj(bytes);
-  case Format::kPly: return read_ply(bytes);
-  case Format::kStlText: return read_stl_text(bytes);
-  case Format::kStlBinary: break;
+    case Format::kRows: return read_rows(bytes, false);
+    case Format::kCsv: return read_rows(bytes, true);
+    case Format::kObj: return read_obj(bytes);
+    case Format::kPly: return read_ply(bytes);
+    case Format::kStlText: return read_stl_text(bytes);
+    case Format::kStlBinary: break;
   }
   return read_stl_binary(bytes);
 }
@@ -83,10 +83,8 @@ Read<std::string_view> without_mark(std::string_view bytes) {
 }
 
 Read<PointFile> read_any(std::string_view bytes, std::string_view name) {
-  if (const auto text = without_mark(bytes))
-    bytes = *text;
-  else
-    return tl::unexpected(text.error());
+  if (const auto text = without_mark(bytes)) bytes = *text;
+  else return tl::unexpected(text.error());
   const std::string extension = extension_of(name);
   const Format format = format_of(bytes, extension);
   const std::string_view start = bytes.substr(0, 5);

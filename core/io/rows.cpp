@@ -32,8 +32,7 @@ Fields fields_of(std::string_view line, bool csv) {
   Fields fields;
   const char separator = separator_of(line, csv);
   if (separator == '\0') {
-    for (auto word = take_word(line); !word.empty() && !fields.full(); word = take_word(line))
-      fields.add(word);
+    for (auto word = take_word(line); !word.empty() && !fields.full(); word = take_word(line)) fields.add(word);
     return fields;
   }
   for (bool more = true; more && !fields.full();) {

@@ -11,8 +11,7 @@ constexpr std::size_t kTriangle = 50;  // normal, three corners, two bytes of at
 
 std::uint32_t word_at(std::string_view bytes, std::size_t at) {
   std::uint32_t word = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    word |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << 8 * i;
+  for (std::size_t i = 0; i < 4; ++i) word |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << 8 * i;
   return word;
 }
 

@@ -53,8 +53,7 @@ std::string lower_case(std::string_view text) {
 std::string quoted(std::string_view text) {
   constexpr std::size_t kShown = 32;
   std::string result = "\"";
-  for (const char c : text.substr(0, kShown))
-    result += c >= ' ' && c <= '~' ? c : '?';
+  for (const char c : text.substr(0, kShown)) result += c >= ' ' && c <= '~' ? c : '?';
   return result + (text.size() > kShown ? "...\"" : "\"");
 }
 

@@ -23,8 +23,7 @@ tl::expected<AnyPointSet, InputError> make(const PointFile& file) {
   if (auto error = beyond_range<Scalar>(file.points)) return tl::unexpected(std::move(*error));
   std::vector<Vector<Scalar, Dim>> points;
   points.reserve(file.points.size());
-  for (const auto& point : file.points)
-    points.push_back(point.head<Dim>().template cast<Scalar>());
+  for (const auto& point : file.points) points.push_back(point.head<Dim>().template cast<Scalar>());
   return PointSet<Scalar, Dim>::make(std::move(points)).map([](PointSet<Scalar, Dim>&& set) {
     return AnyPointSet(std::move(set));
   });

@@ -4,8 +4,8 @@
 
 #include "geometry/tolerance.hpp"
 #include "lesson/box_tests.hpp"
-#include "lesson/frustum_tests.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/frustum_tests.hpp"
 #include "lesson/scene_figures.hpp"
 #include "lesson/scene_runs.hpp"
 #include "lesson/words.hpp"
@@ -53,7 +53,9 @@ struct Predicate {
   std::string operator()(const MovedToFront&) const { return "moves to the front"; }
   std::string operator()(const SupportReplaced&) const { return "enters the support set"; }
   std::string operator()(const RadiusChecked&) const { return "is the farthest from the centre"; }
-  std::string operator()(const BoundaryForced&) const { return "lies outside, so the next " + ball + " passes through it"; }
+  std::string operator()(const BoundaryForced&) const {
+    return "lies outside, so the next " + ball + " passes through it";
+  }
   std::string operator()(const CandidateTried<double, 3>& fact) const {
     return fact.outside != kNoIndex ? "lies outside" : plural ? "are tried" : "is tried";
   }
@@ -61,7 +63,9 @@ struct Predicate {
   std::string operator()(const BallFound<double, 3>&) const { return plural ? "hold the ball" : "holds the ball"; }
   std::string operator()(const HullFound&) const { return "are the corners of the hull"; }
   std::string operator()(const PointsChosen&) const { return plural ? "are chosen" : "is chosen"; }
-  std::string operator()(const RectangleFound<double, 3>&) const { return "are the ends of the edge that the rectangle lies on"; }
+  std::string operator()(const RectangleFound<double, 3>&) const {
+    return "are the ends of the edge that the rectangle lies on";
+  }
   std::string operator()(const EdgeSearched&) const { return "are the ends of the edge"; }
   std::string operator()(const BoxWidened&) const { return "widens the box"; }
   std::string operator()(const LineFound&) const { return plural ? "hold the line" : "holds the line"; }
@@ -69,13 +73,17 @@ struct Predicate {
   std::string operator()(const ThicknessFound&) const { return plural ? "set the radius" : "sets the radius"; }
   std::string operator()(const SidePulledIn&) const { return "touches the side"; }
   std::string operator()(const CornerMovedOut&) const { return "lies past the corner"; }
-  std::string operator()(const SlabFound&) const { return plural ? "reach farthest along the axis" : "reaches farthest along the axis"; }
+  std::string operator()(const SlabFound&) const {
+    return plural ? "reach farthest along the axis" : "reaches farthest along the axis";
+  }
   std::string operator()(const SimplexChosen&) const { return "are the first corners"; }
   std::string operator()(const FlatFound&) const { return plural ? "span all points" : "is where all points are"; }
   std::string operator()(const EyeChosen&) const { return "is farthest from the facet"; }
   std::string operator()(const EdgeSplit&) const { return "splits the edge"; }
   std::string operator()(const HorizonFound&) const { return "are on the horizon"; }
-  std::string operator()(const query::CornerTried& fact) const { return fact.inside ? "lies in the other box" : "is free"; }
+  std::string operator()(const query::CornerTried& fact) const {
+    return fact.inside ? "lies in the other box" : "is free";
+  }
   std::string operator()(const query::PlaneTested<double, 3>&) const { return "are the p- and the n-vertex"; }
   std::string operator()(const query::CornerTested<double, 3>&) const { return "is held against the frustum"; }
   std::string operator()(const query::AxisTested<double, 3>&) const {
@@ -94,7 +102,7 @@ Truth point_truth(const Asked& asked, const Step3& step) {
 }
 
 Truth axis_truth(const Asked& asked, const PairChosen& pair) {
-  const std::string& choice = asked.choices[static_cast<std::size_t>(pair.axis)];
+  const std::string& choice = asked.choices[pair.axis];
   const std::string sentence = names(asked, {pair.a, pair.b}) + ", " + choice + ", lie farthest apart.";
   return {{pair.axis}, {pair.a, pair.b}, choice, sentence};
 }
@@ -105,9 +113,7 @@ bool grew(double before, double after) {
 }
 
 Truth grows_truth(const Asked& asked, Trace trace) {
-  const auto size = [&](int steps) {
-    return steps == 0 ? 0.0 : fit::size_of(trace[static_cast<std::size_t>(steps - 1)].step.volume, asked.dim);
-  };
+  const auto size = [&](int steps) { return steps == 0 ? 0.0 : fit::size_of(trace[steps - 1].step.volume, asked.dim); };
   const double before = size(asked.step);
   const double after = size(asked.until);
   if (grew(before, after))
@@ -145,12 +151,16 @@ Truth holds_truth(const Asked& asked, const Finished& finished) {
   const auto n = static_cast<int>(finished.support.size());
   const std::string count = std::to_string(n);
   const std::vector<Index>& points = finished.support;
-  return {{n - 1}, points, count, names(asked, points) + (n == 1 ? " holds" : " hold") + " the " + ball_word(asked.dim) + "."};
+  return {{n - 1},
+          points,
+          count,
+          names(asked, points) + (n == 1 ? " holds" : " hold") + " the " + ball_word(asked.dim) + "."};
 }
 
 Truth separates_truth(const query::AxisTested<double, 3>& axis) {
   if (axis.skipped) return {{1}, {}, "no", "The edges are parallel: they have no axis of their own."};
-  if (axis.separates) return {{0}, {}, "yes", "There is a gap of " + number_text(axis.axis.gap) + ": this axis separates them."};
+  if (axis.separates)
+    return {{0}, {}, "yes", "There is a gap of " + number_text(axis.axis.gap) + ": this axis separates them."};
   return {{1}, {}, "no", "The projections overlap by " + number_text(std::max(0.0, -axis.axis.gap)) + "."};
 }
 
@@ -158,12 +168,13 @@ Truth separates_truth(const query::AxisTested<double, 3>& axis) {
 Truth which_axis_truth(const Asked& asked, Trace trace) {
   Truth truth;
   for (int i = 0; i <= asked.fact; ++i) {
-    const auto* axis = std::get_if<query::AxisTested<double, 3>>(&trace[static_cast<std::size_t>(i)].step.fact);
+    const auto* axis = std::get_if<query::AxisTested<double, 3>>(&trace[i].step.fact);
     if (axis == nullptr || !axis->separates) continue;
     truth.choices.push_back(axis_index(asked.dim, axis->axis));
-    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[static_cast<std::size_t>(truth.choices.back())];
+    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[truth.choices.back()];
   }
-  if (truth.choices.empty()) return {{static_cast<int>(asked.choices.size()) - 1}, {}, "none", "No axis separates them: they overlap."};
+  if (truth.choices.empty())
+    return {{static_cast<int>(asked.choices.size()) - 1}, {}, "none", "No axis separates them: they overlap."};
   truth.sentence = truth.choices.size() == 1 ? truth.happened + " is the one axis that separates them."
                                              : "These axes separate them: " + truth.happened + ".";
   return truth;
@@ -179,8 +190,9 @@ Truth vertex_truth(const Asked& asked, const query::PlaneTested<double, 3>& test
       truth.points.push_back(index_of(asked.dim, {Place::Kind::kCorner, 0, corner}));
     }
   truth.happened = names(asked, truth.points);
-  truth.sentence = std::string(along ? "Farthest along" : "Farthest against") + " the normal of the " + plane_name(asked.dim, tested.plane) +
-                   " plane " + (truth.points.size() > 1 ? "are " : "is ") + truth.happened + ".";
+  truth.sentence = std::string(along ? "Farthest along" : "Farthest against") + " the normal of the " +
+                   plane_name(asked.dim, tested.plane) + " plane " + (truth.points.size() > 1 ? "are " : "is ") +
+                   truth.happened + ".";
   return truth;
 }
 
@@ -192,8 +204,10 @@ Truth culling_truth(query::Culling culling, std::string sentence) {
 Truth plane_side_truth(const Asked& asked, const query::PlaneTested<double, 3>& tested) {
   const std::string of = " of the " + plane_name(asked.dim, tested.plane) + " plane";
   switch (tested.side) {
-    case query::Culling::kOutside: return culling_truth(tested.side, "Even the n-vertex is outside" + of + ": all of the box is.");
-    case query::Culling::kInside: return culling_truth(tested.side, "Even the p-vertex is inside" + of + ": all of the box is.");
+    case query::Culling::kOutside:
+      return culling_truth(tested.side, "Even the n-vertex is outside" + of + ": all of the box is.");
+    case query::Culling::kInside:
+      return culling_truth(tested.side, "Even the p-vertex is inside" + of + ": all of the box is.");
     case query::Culling::kIntersecting: break;
   }
   return culling_truth(tested.side, "The p-vertex is outside" + of + ", and the n-vertex is not: the box crosses it.");
@@ -201,10 +215,14 @@ Truth plane_side_truth(const Asked& asked, const query::PlaneTested<double, 3>& 
 
 Truth verdict_truth(const Asked& asked, const query::CullResult& result) {
   if (result.rejected_by >= 0)
-    return culling_truth(result.verdict, "All of the box is outside of the " + plane_name(asked.dim, result.rejected_by) + " plane.");
+    return culling_truth(result.verdict,
+                         "All of the box is outside of the " + plane_name(asked.dim, result.rejected_by) + " plane.");
   if (result.crossing != 0)
-    return culling_truth(result.verdict, "No plane has all of the box outside; it crosses " + plane_names(asked.dim, result.crossing) + ".");
-  return culling_truth(result.verdict, "This test says " + std::string(query::kCullingNames[static_cast<std::size_t>(result.verdict)]) + ".");
+    return culling_truth(result.verdict, "No plane has all of the box outside; it crosses " +
+                                             plane_names(asked.dim, result.crossing) + ".");
+  return culling_truth(result.verdict, "This test says " +
+                                           std::string(query::kCullingNames[static_cast<std::size_t>(result.verdict)]) +
+                                           ".");
 }
 
 /// The range that the figure lies in.
@@ -230,7 +248,8 @@ Truth truth_of(const Asked& asked, Trace trace) {
     case Asks::kWhichAxis: return which_axis_truth(asked, trace);
     case Asks::kPVertex:
     case Asks::kNVertex:
-      return vertex_truth(asked, *std::get_if<query::PlaneTested<double, 3>>(&step.fact), question.asks == Asks::kPVertex);
+      return vertex_truth(asked, *std::get_if<query::PlaneTested<double, 3>>(&step.fact),
+                          question.asks == Asks::kPVertex);
     case Asks::kPlaneSide: return plane_side_truth(asked, *std::get_if<query::PlaneTested<double, 3>>(&step.fact));
     case Asks::kVerdict: return verdict_truth(asked, std::get_if<query::Classified>(&step.fact)->result);
     case Asks::kFigure: return figure_truth(asked, *std::get_if<FrameTaken>(&step.fact));

@@ -30,14 +30,16 @@ std::vector<Axis> axes_seen(std::span<const Recorder<fit::Step3>::Entry> steps) 
 
 std::vector<Figure> box_figures(const RunView& run) {
   const std::span<const Recorder<fit::Step3>::Entry> steps(run.recording->steps);
-  const std::vector<Axis> axes = axes_seen(steps.first(static_cast<std::size_t>(run.step)));
+  const std::vector<Axis> axes = axes_seen(steps.first(run.step));
   const auto all = axes_seen(steps).size();
   if (all == 0) return {};
   const bool any = !axes.empty() && !axes.back().skipped;
   const Axis axis = any ? axes.back() : Axis{};
   const std::string text = std::to_string(axes.size()) + " of " + std::to_string(axis_names(run.boxes->dim).size());
-  return {length("Distance of the centres", "distance", axis.distance, any), length("Radius of A", "radius_a", axis.radius_a, any),
-          length("Radius of B", "radius_b", axis.radius_b, any), length(axis.axis.gap > 0 ? "Gap" : "Gap (overlap)", "gap", axis.axis.gap, any),
+  return {length("Distance of the centres", "distance", axis.distance, any),
+          length("Radius of A", "radius_a", axis.radius_a, any),
+          length("Radius of B", "radius_b", axis.radius_b, any),
+          length(axis.axis.gap > 0 ? "Gap" : "Gap (overlap)", "gap", axis.axis.gap, any),
           {"Axes tested", "tests", text, static_cast<double>(axes.size()), "axes"}};
 }
 
@@ -48,8 +50,11 @@ std::vector<Proof> box_proofs(const RunView& run) {
   const bool says = says_overlap(*run.algorithm, *run.boxes);
   const std::string said = says ? "it says: the boxes overlap" : "it says: the boxes are apart";
   if (verdict == nullptr || says != right)
-    return {{said, true, true}, {says == right ? "right here: the separating axes agree" : "wrong: the separating axes say otherwise", says == right, true}};
-  if (says) return {{"no axis of the " + std::to_string(axis_names(run.boxes->dim).size()) + " separates them", true, true}};
+    return {{said, true, true},
+            {says == right ? "right here: the separating axes agree" : "wrong: the separating axes say otherwise",
+             says == right, true}};
+  if (says)
+    return {{"no axis of the " + std::to_string(axis_names(run.boxes->dim).size()) + " separates them", true, true}};
   return {{"the gap is larger than all rounding", true, true}};
 }
 

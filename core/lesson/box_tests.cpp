@@ -27,8 +27,10 @@ struct Record {
 };
 
 constexpr fit::Algorithm row(std::string_view name, std::string_view title, std::string_view source,
-                             std::span<const std::string_view> pseudocode, std::span<const std::string_view> plane = {}) {
-  return {kBoxPair, name, title, false, true, true, std::numeric_limits<Index>::max(), source, pseudocode, plane, nullptr, nullptr};
+                             std::span<const std::string_view> pseudocode,
+                             std::span<const std::string_view> plane = {}) {
+  return {kBoxPair, name,       title, false,   true,   true, std::numeric_limits<Index>::max(),
+          source,   pseudocode, plane, nullptr, nullptr};
 }
 
 constexpr std::string_view kSource = "S. Gottschalk, M. C. Lin, D. Manocha, OBBTree, 1996";

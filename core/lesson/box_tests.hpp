@@ -22,7 +22,8 @@ inline constexpr std::string_view kBoxPair = "box_pair";
 /// Whether that test says that the boxes overlap.
 [[nodiscard]] bool says_overlap(const fit::Algorithm& test, const BoxPair& pair);
 
-/// One of the test's axes, in the order in which it goes through them: those of A's faces, of B's, then the edges' products.
+/// One of the test's axes, in the order in which it goes through them: those of A's faces, of B's, then the edges'
+/// products.
 struct AxisName {
   std::string text;  // "A x", "B y", "A x × B z"
   query::AxisKind kind = query::AxisKind::kNone;

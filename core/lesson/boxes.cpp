@@ -39,16 +39,19 @@ Box turned_to(const Box& box, int axis, const V3& hand) {
   const double length = way.norm();
   if (!(length > 0)) return box;
   Box turned = box;
-  turned.axes = orthonormal<double, 3>(turn_to(box.axes.col(axis), way / length, box.axes.col(axis == 0 ? 2 : 0)) * box.axes);
+  turned.axes =
+      orthonormal<double, 3>(turn_to(box.axes.col(axis), way / length, box.axes.col(axis == 0 ? 2 : 0)) * box.axes);
   return turned;
 }
 
 /// How wide B is at its near or far end, of its half extents: what tapers is its sides, not its depth.
-double share_at(const BoxPair& pair, int box, int axis, bool far) { return box == 1 && axis > 0 && !far ? pair.taper : 1; }
+double share_at(const BoxPair& pair, int box, int axis, bool far) {
+  return box == 1 && axis > 0 && !far ? pair.taper : 1;
+}
 
 /// The corner at the hand, the opposite one where it was. A corner pulled past it makes the box flat.
 Box stretched(const BoxPair& pair, int which, int bits, const V3& hand) {
-  const Box& box = pair.boxes[static_cast<std::size_t>(which)];
+  const Box& box = pair.boxes[which];
   Box stretched = box;
   const V3 opposite = corner_of(pair, which, ~bits & 7);
   const V3 across = box.axes.transpose() * (hand - opposite);
@@ -76,7 +79,9 @@ Place place_of(int dim, Index i) {
 }
 
 Index index_of(int dim, const Place& place) {
-  const int own = place.kind == Kind::kCenter ? 0 : place.kind == Kind::kTurn ? 1 + place.number : 1 + knobs(dim) + place.number;
+  const int own = place.kind == Kind::kCenter ? 0
+                  : place.kind == Kind::kTurn ? 1 + place.number
+                                              : 1 + knobs(dim) + place.number;
   return place.box * places_of_box(dim) + own;
 }
 
@@ -91,24 +96,25 @@ std::string place_name(int dim, Index i, bool frustum) {
 
 V3 corner_of(const Box& box, int bits) {
   V3 corner = box.center;
-  for (int axis = 0; axis < 3; ++axis) corner += box.axes.col(axis) * ((bits >> axis & 1) != 0 ? box.half_extents[axis] : -box.half_extents[axis]);
+  for (int axis = 0; axis < 3; ++axis)
+    corner += box.axes.col(axis) * ((bits >> axis & 1) != 0 ? box.half_extents[axis] : -box.half_extents[axis]);
   return corner;
 }
 
 V3 corner_of(const BoxPair& pair, int box, int bits) {
-  Box own = pair.boxes[static_cast<std::size_t>(box)];
+  Box own = pair.boxes[box];
   for (int axis = 1; axis < 3; ++axis) own.half_extents[axis] *= share_at(pair, box, axis, (bits & 1) != 0);
   return corner_of(own, bits);
 }
 
 V3 beyond_face(const BoxPair& pair, int box, int axis, double by) {
-  const Box& own = pair.boxes[static_cast<std::size_t>(box)];
+  const Box& own = pair.boxes[box];
   return own.center + own.axes.col(axis) * (own.half_extents[axis] * (1 + share_at(pair, box, axis, false)) / 2 + by);
 }
 
 V3 at_place(const BoxPair& pair, Index i) {
   const Place place = place_of(pair.dim, i);
-  const Box& box = pair.boxes[static_cast<std::size_t>(place.box)];
+  const Box& box = pair.boxes[place.box];
   if (place.kind == Kind::kCenter) return box.center;
   if (place.kind == Kind::kCorner) return corner_of(pair, place.box, place.number);
   return beyond_face(pair, place.box, place.number, pair.knob);
@@ -117,7 +123,8 @@ V3 at_place(const BoxPair& pair, Index i) {
 tl::expected<AnyPointSet, InputError> places(const BoxPair& pair) {
   if (has_frustum(pair)) {
     const auto wrong = [](auto frustum) { return frustum ? std::optional<InputError>() : std::move(frustum.error()); };
-    if (auto error = pair.dim == 2 ? wrong(frustum_of<2>(pair)) : wrong(frustum_of<3>(pair))) return tl::unexpected(*std::move(error));
+    if (auto error = pair.dim == 2 ? wrong(frustum_of<2>(pair)) : wrong(frustum_of<3>(pair)))
+      return tl::unexpected(*std::move(error));
   }
   const Index count = 2 * places_of_box(pair.dim);
   if (pair.dim == 2) {
@@ -136,7 +143,7 @@ tl::expected<BoxPair, InputError> moved(const BoxPair& pair, Index i, const V3& 
   if (auto fine = PointSet<double, 3>::make({to}); !fine) return tl::unexpected(std::move(fine.error()));
   BoxPair next = pair;
   const Place place = place_of(pair.dim, i);
-  Box& box = next.boxes[static_cast<std::size_t>(place.box)];
+  Box& box = next.boxes[place.box];
   switch (place.kind) {
     case Kind::kCenter: box.center = to; break;
     case Kind::kTurn: box = turned_to(box, place.number, to); break;
@@ -160,7 +167,8 @@ BoxPair scattered(const BoxPair& like, std::uint64_t seed) {
   for (const Box& box : like.boxes) reach = std::max(reach, box.half_extents.norm());
   for (Box& box : pair.boxes) {
     Quaternion spin{1, 0, 0, random.between(-1, 1)};
-    if (like.dim == 3) spin = {random.between(0.2, 1), random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+    if (like.dim == 3)
+      spin = {random.between(0.2, 1), random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
     box.axes = matrix_of(normalized(spin));
     for (int axis = 0; axis < like.dim; ++axis) box.center[axis] = random.between(-1.2, 1.2) * reach;
   }

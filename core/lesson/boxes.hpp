@@ -38,8 +38,8 @@ struct Place {
 /// Every place, as a set. Errors: as of PointSet::make; of a frustum, as of frustum_of.
 [[nodiscard]] tl::expected<AnyPointSet, InputError> places(const BoxPair& pair);
 
-/// The pair with a place moved: the centre takes its box along, a knob turns it, a corner leaves the opposite one where it
-/// is. Errors: a coordinate that is not finite or too large. A frustum may become flat, which places() refuses.
+/// The pair with a place moved: the centre takes its box along, a knob turns it, a corner leaves the opposite one where
+/// it is. Errors: a coordinate that is not finite or too large. A frustum may become flat, which places() refuses.
 [[nodiscard]] tl::expected<BoxPair, InputError> moved(const BoxPair& pair, Index place, const Vector<double, 3>& to);
 
 /// A box turned about one of the world's axes through its centre (in 2-D about z), counter-clockwise. axis: 0 … 2.

@@ -53,7 +53,8 @@ void check_boxes(const Lesson& lesson, const toml::table& toml, Complaints& comp
   if (!lesson.task) return;
   const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
   for (std::size_t i = 0; i < lesson.task->goals.size(); ++i) {
-    if (reaches(lesson.task->goals[i], *lesson.boxes)) complaints.add(task.line(), "the task is solved before the student begins");
+    if (reaches(lesson.task->goals[i], *lesson.boxes))
+      complaints.add(task.line(), "the task is solved before the student begins");
     if (!reaches(lesson.task->goals[i], lesson.task->models[i]))
       complaints.add(task.line_of("model"), "the model does not reach " + lesson.task->goals[i]);
   }
@@ -61,8 +62,8 @@ void check_boxes(const Lesson& lesson, const toml::table& toml, Complaints& comp
 
 /// A scene: every method is run on it, and the model does the task, which the beginning does not.
 void complain_of_points(const TomlTable& root, const fit::Algorithm& algorithm, Complaints& complaints) {
-  complaints.add(root.line_of("points"),
-                 "too many points for " + std::string(algorithm.title) + ": at most " + std::to_string(algorithm.max_points));
+  complaints.add(root.line_of("points"), "too many points for " + std::string(algorithm.title) + ": at most " +
+                                             std::to_string(algorithm.max_points));
 }
 
 void check_scene(const Lesson& lesson, const toml::table& toml, const AnyPointSet& points, Complaints& complaints) {
@@ -72,29 +73,37 @@ void check_scene(const Lesson& lesson, const toml::table& toml, const AnyPointSe
   const fit::Algorithm& first = *find_method(kScene, lesson.algorithms.front());
   if (fit::size_of(points) > first.max_points) return complain_of_points(root, first, complaints);
   for (const std::string& name : lesson.algorithms) {
-    if (const auto kept = check_pairs(*lesson.scene, name, points, lesson.seed); !kept) return complaints.add(static_cast<int>(kept.error().position), kept.error().what);
+    if (const auto kept = check_pairs(*lesson.scene, name, points, lesson.seed); !kept)
+      return complaints.add(static_cast<int>(kept.error().position), kept.error().what);
     const auto run = run_scene(*lesson.scene, name, points, lesson.seed);
-    if (!run) return complaints.add(run.error().position > 0 ? static_cast<int>(run.error().position) : root.line_of("scene"), run.error().what);
+    if (!run)
+      return complaints.add(run.error().position > 0 ? static_cast<int>(run.error().position) : root.line_of("scene"),
+                            run.error().what);
     check_questions(lesson, *find_method(kScene, name), run->recording, fit::dim_of(points), complaints);
   }
   if (!lesson.task) return;
   const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
   const auto graded = [&](const AnyPointSet& on) { return grade_scene(*lesson.task, *lesson.scene, on, lesson.seed); };
-  if (fit::size_of(points) < lesson.task->points) complaints.add(task.line(), "the task is for more points than the lesson has");
-  if (!offers(lesson, lesson.task->algorithm)) complaints.add(task.line(), "the lesson does not offer the algorithm " + lesson.task->algorithm);
-  if (graded(start_of_task(lesson, points)).done) complaints.add(task.line(), "the task is solved before the student begins");
+  if (fit::size_of(points) < lesson.task->points)
+    complaints.add(task.line(), "the task is for more points than the lesson has");
+  if (!offers(lesson, lesson.task->algorithm))
+    complaints.add(task.line(), "the lesson does not offer the algorithm " + lesson.task->algorithm);
+  if (graded(start_of_task(lesson, points)).done)
+    complaints.add(task.line(), "the task is solved before the student begins");
   const auto model = to_set(lesson.task->model, fit::dim_of(points));
   if (!model) return complaints.add(task.line_of("model"), model.error().what);
   if (lesson.scene->is_too_long(fit::size_of(*model))) return complaints.add(task.line_of("model"), too_long_text());
-  if (const auto kept = check_pairs(*lesson.scene, lesson.task->algorithm, *model, lesson.seed); !kept) return complaints.add(task.line_of("model"), kept.error().what);
-  if (const Grade grade = graded(*model); !grade.done) complaints.add(task.line_of("model"), "the model does not solve the task: " + grade.says);
+  if (const auto kept = check_pairs(*lesson.scene, lesson.task->algorithm, *model, lesson.seed); !kept)
+    return complaints.add(task.line_of("model"), kept.error().what);
+  if (const Grade grade = graded(*model); !grade.done)
+    complaints.add(task.line_of("model"), "the model does not solve the task: " + grade.says);
 }
 
 void check_task(const Lesson& lesson, const AnyPointSet& points, int line, int model_line, Complaints& complaints) {
   const Task& task = *lesson.task;
-  if (fit::size_of(points) < task.points)
-    complaints.add(line, "the task is for more points than the lesson has");
-  if (!offers(lesson, task.algorithm)) complaints.add(line, "the lesson does not offer the algorithm " + task.algorithm);
+  if (fit::size_of(points) < task.points) complaints.add(line, "the task is for more points than the lesson has");
+  if (!offers(lesson, task.algorithm))
+    complaints.add(line, "the lesson does not offer the algorithm " + task.algorithm);
   if (grade(task, start_of_task(lesson, points), lesson.seed).done)
     complaints.add(line, "the task is solved before the student begins");
   const auto model = to_set(task.model, fit::dim_of(points));
@@ -103,12 +112,13 @@ void check_task(const Lesson& lesson, const AnyPointSet& points, int line, int m
   if (!graded.done) complaints.add(model_line, "the model does not solve the task: " + graded.says);
 }
 
-/// The chart: on the model's points something is as much smaller as the task asks. What takes the least time to be so is
-/// for the student's machine to say.
+/// The chart: on the model's points something is as much smaller as the task asks. What takes the least time to be so
+/// is for the student's machine to say.
 void check_costs(const Lesson& lesson, const toml::table& toml, Complaints& complaints) {
   if (!lesson.task) return;
   const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
-  if (!offers(lesson, lesson.task->algorithm)) return complaints.add(task.line(), "the lesson does not offer the algorithm " + lesson.task->algorithm);
+  if (!offers(lesson, lesson.task->algorithm))
+    return complaints.add(task.line(), "the lesson does not offer the algorithm " + lesson.task->algorithm);
   const auto model = to_set(lesson.task->model, lesson.points.dim);
   if (!model) return complaints.add(task.line_of("model"), model.error().what);
   if (cheapest_of(*lesson.task, counted_costs(lesson, *model)).empty())
@@ -131,8 +141,9 @@ void check_lesson(const Lesson& lesson, const toml::table& toml, Complaints& com
   if (lesson.scene) return check_scene(lesson, toml, *points, complaints);
   for (const std::string& name : lesson.algorithms) {
     const fit::Algorithm& algorithm = *fit::find_algorithm(lesson.volume, name);
-    if (fit::size_of(*points) <= algorithm.max_points) 
-      check_questions(lesson, algorithm, algorithm.record(*points, {.seed = lesson.seed}), fit::dim_of(*points), complaints);
+    if (fit::size_of(*points) <= algorithm.max_points)
+      check_questions(lesson, algorithm, algorithm.record(*points, {.seed = lesson.seed}), fit::dim_of(*points),
+                      complaints);
     else if (&name == &lesson.algorithms.front() || name == lesson.compare)
       complain_of_points(root, algorithm, complaints);
   }

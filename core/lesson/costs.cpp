@@ -62,8 +62,8 @@ std::string names_of(const std::vector<std::string>& choices, int bits) {
 /// That a time was not taken of all points, but worked out; nothing where it was.
 std::string foretold(const cost::CostRow& row) {
   if (!row.whole_ns) return "";
-  return " It would keep the page waiting: it was timed on " + std::to_string(row.points) + " of the " + std::to_string(row.of) +
-         " points, and that is what follows from them.";
+  return " It would keep the page waiting: it was timed on " + std::to_string(row.points) + " of the " +
+         std::to_string(row.of) + " points, and that is what follows from them.";
 }
 
 struct Truth {
@@ -85,10 +85,10 @@ Truth time_truth(const Asked& asked, Costs rows) {
   const auto faster = [](const cost::CostRow& a, const cost::CostRow& b) { return whole_time(a) < whole_time(b); };
   const auto [least, most] = std::minmax_element(rows.begin(), rows.end(), faster);
   const double ratio = whole_time(*most) / whole_time(*least);
-  const std::string sentence = title_of(*most) + " takes " + (most->whole_ns ? "about " : "") + times_text(ratio) + " times as " +
-                               (is_counted(*most) ? "many operations as " : "long as ") + title_of(*least) + "." + foretold(*most);
-  if (asked.question->asks == Asks::kSlowest)
-    return {static_cast<int>(most - rows.begin()), title_of(*most), sentence};
+  const std::string sentence = title_of(*most) + " takes " + (most->whole_ns ? "about " : "") + times_text(ratio) +
+                               " times as " + (is_counted(*most) ? "many operations as " : "long as ") +
+                               title_of(*least) + "." + foretold(*most);
+  if (asked.question->asks == Asks::kSlowest) return {static_cast<int>(most - rows.begin()), title_of(*most), sentence};
   const auto range = std::lower_bound(kTimes.begin(), kTimes.end(), ratio) - kTimes.begin();
   return {static_cast<int>(range), times_text(ratio) + " times", sentence};
 }
@@ -103,7 +103,8 @@ Truth truth_of(const Asked& asked, Costs rows) {
 bool of_same_points(const cost::CostRow& a, const cost::CostRow& b) { return a.points == b.points; }
 
 const cost::CostRow* find_row(Costs rows, std::string_view algorithm) {
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const cost::CostRow& row) { return row.algorithm == algorithm; });
+  const auto found =
+      std::find_if(rows.begin(), rows.end(), [&](const cost::CostRow& row) { return row.algorithm == algorithm; });
   return found == rows.end() ? nullptr : &*found;
 }
 
@@ -126,12 +127,11 @@ std::vector<Asked> asked_of_costs(const Lesson& lesson) {
     asked.prompt = in_words_of(asked.dim, question.prompt);
     asked.step = asked.until = -1;
     asked.many = question.asks == Asks::kOnFront;
-    if (question.asks == Asks::kTimesSlower)
-      asked.choices.assign(kTimesChoices.begin(), kTimesChoices.end());
-    else if (question.asks == Asks::kChoice)
-      asked.choices = question.choices;
+    if (question.asks == Asks::kTimesSlower) asked.choices.assign(kTimesChoices.begin(), kTimesChoices.end());
+    else if (question.asks == Asks::kChoice) asked.choices = question.choices;
     else
-      for (const std::string& name : lesson.algorithms) asked.choices.emplace_back(find_method(lesson.volume, name)->title);
+      for (const std::string& name : lesson.algorithms)
+        asked.choices.emplace_back(find_method(lesson.volume, name)->title);
     asked.choice_points.assign(asked.choices.size(), kNoIndex);
     all.push_back(std::move(asked));
   }
@@ -152,7 +152,8 @@ Outcome predicted(const Asked& asked, const Answer& answer) {
   outcome.skipped = answer.kind == Kind::kSkipped;
   outcome.because = in_words_of(asked.dim, asked.question->because);
   if (!outcome.skipped)
-    outcome.predicted = asked.many ? names_of(asked.choices, answer.value) : asked.choices[static_cast<std::size_t>(answer.value)];
+    outcome.predicted =
+        asked.many ? names_of(asked.choices, answer.value) : asked.choices[static_cast<std::size_t>(answer.value)];
   outcome.says = outcome.skipped ? "You skipped this." : "You said “" + outcome.predicted + "”.";
   return outcome;
 }
@@ -204,13 +205,11 @@ Grade grade_costs(const Task& task, Costs rows, std::string_view chosen) {
   grade.excess = own->size / than->size - 1;
   grade.done = chosen == cheapest;
   grade.says = title_of(*own) + ": " + smaller_text(own->size, than->size) + " " + name + ", for " +
-               times_text(own->time.median / than->time.median) + " times its " + (is_counted(*own) ? "operations." : "time.");
-  if (grade.done)
-    grade.says += " Done.";
-  else if (own->size <= (1 - task.tighter_by) * than->size)
-    grade.says += " That is to be had for less.";
-  else
-    grade.says += " At least " + asked_for + " smaller is asked for.";
+               times_text(own->time.median / than->time.median) + " times its " +
+               (is_counted(*own) ? "operations." : "time.");
+  if (grade.done) grade.says += " Done.";
+  else if (own->size <= (1 - task.tighter_by) * than->size) grade.says += " That is to be had for less.";
+  else grade.says += " At least " + asked_for + " smaller is asked for.";
   return grade;
 }
 

@@ -1,5 +1,5 @@
-// What a lesson with the chart of costs asks and grades, by what was measured: core/measure's rows, one for each algorithm
-// of the lesson, in its order.
+// What a lesson with the chart of costs asks and grades, by what was measured: core/measure's rows, one for each
+// algorithm of the lesson, in its order.
 #pragma once
 
 #include <span>
@@ -32,8 +32,8 @@ void decide(const Asked& asked, Costs rows, Outcome& outcome);
 /// The least time that is smaller by as much as the task asks; empty where none is.
 [[nodiscard]] std::string_view cheapest_of(const Task& task, Costs rows);
 
-/// The rows with operations in the place of nanoseconds, and no repeats, for who has no clock: a check of the lesson. All on
-/// all points. What is decided and graded by them speaks of operations.
+/// The rows with operations in the place of nanoseconds, and no repeats, for who has no clock: a check of the lesson.
+/// All on all points. What is decided and graded by them speaks of operations.
 [[nodiscard]] std::vector<cost::CostRow> counted_costs(const Lesson& lesson, const AnyPointSet& points);
 
 }  // namespace snug::lesson

@@ -19,7 +19,7 @@ namespace {
 using namespace fit;
 
 constexpr std::array<std::string_view, kOperations> kOperationTitles{
-    "Points touched", "Distance tests", "Comparisons",       "Dot products",
+    "Points touched", "Distance tests", "Comparisons",      "Dot products",
     "Square roots",   "Ball solves",    "Orientation tests"};
 
 std::string count_text(std::int64_t n, std::string_view one, std::string_view many) {
@@ -30,9 +30,7 @@ std::string count_text(std::int64_t n, std::string_view one, std::string_view ma
 class Board {
  public:
   explicit Board(const RunView& run)
-      : run_(run),
-        trace_(run.recording->steps),
-        entry_(run.step > 0 ? &trace_[static_cast<std::size_t>(run.step - 1)] : nullptr) {}
+      : run_(run), trace_(run.recording->steps), entry_(run.step > 0 ? &trace_[run.step - 1] : nullptr) {}
 
   std::vector<Figure> figures() {
     volume();
@@ -51,7 +49,8 @@ class Board {
     add(name, std::move(key), number_text(value) + " units", value, "units");
   }
   void of_all(std::string_view name, std::string key, Index count) {
-    add(name, std::move(key), std::to_string(count) + " of " + std::to_string(fit::size_of(*run_.points)), count, "points");
+    add(name, std::move(key), std::to_string(count) + " of " + std::to_string(fit::size_of(*run_.points)), count,
+        "points");
   }
 
   void volume() {
@@ -62,7 +61,8 @@ class Board {
     if (const auto over = excess_of(own, run_.smallest)) excess(*over, outside == 0);
     of_all("Points outside", "outside", outside);
     const auto holding = static_cast<int>(support_after(trace_, run_.step).size());
-    add(run_.algorithm->exact ? "Support set" : "On the boundary", "support", count_text(holding, "point", "points"), holding, "points");
+    add(run_.algorithm->exact ? "Support set" : "On the boundary", "support", count_text(holding, "point", "points"),
+        holding, "points");
   }
 
   void size(double value) {
@@ -84,7 +84,7 @@ class Board {
     int seen = 0;
     bool passes = false;
     for (int i = run_.step; i-- > 0;) {
-      const auto& fact = trace_[static_cast<std::size_t>(i)].step.fact;
+      const auto& fact = trace_[i].step.fact;
       if (const auto* shrunk = std::get_if<BallShrunk<double, 3>>(&fact)) {
         add("Pass", "pass", std::to_string(shrunk->pass), shrunk->pass, "");
         break;
@@ -104,9 +104,10 @@ class Board {
     if (run_.step == static_cast<int>(trace_.size()) || entry_ == nullptr) return;
     int tried = 0;
     for (int i = run_.step; i-- > 0;) {
-      const auto& fact = trace_[static_cast<std::size_t>(i)].step.fact;
+      const auto& fact = trace_[i].step.fact;
       if (std::holds_alternative<CandidateTried<double, 3>>(fact)) ++tried;
-      if (const auto* pass = std::get_if<PassJudged<double, 3>>(&fact)) return length("Best so far", "best", pass->best.radius);
+      if (const auto* pass = std::get_if<PassJudged<double, 3>>(&fact))
+        return length("Best so far", "best", pass->best.radius);
     }
     const std::string one = ball_word(dim_of(*run_.points)), many = one + "s";
     if (tried > 0) add("Candidates tried", "candidates", count_text(tried, one, many), tried, many);
@@ -156,8 +157,7 @@ std::string power_of_ten(const std::string& printed) {
   const auto e = printed.find('e');
   std::string text = printed.substr(0, e) + " × 10";
   if (printed[e + 1] == '-') text += "⁻";
-  for (auto i = printed.find_first_not_of('0', e + 2); i < printed.size(); ++i)
-    text += kDigits[static_cast<std::size_t>(printed[i] - '0')];
+  for (auto i = printed.find_first_not_of('0', e + 2); i < printed.size(); ++i) text += kDigits[printed[i] - '0'];
   return text;
 }
 

@@ -1,5 +1,6 @@
-// A box and a frustum on the stage, held as a pair of boxes (boxes.hpp) whose second one tapers: its axis 0 is the way that
-// the camera looks, half_extents[0] half of the depth, the others half of the far face; the near face is taper times as wide.
+// A box and a frustum on the stage, held as a pair of boxes (boxes.hpp) whose second one tapers: its axis 0 is the way
+// that the camera looks, half_extents[0] half of the depth, the others half of the far face; the near face is taper
+// times as wide.
 #pragma once
 
 #include <string>
@@ -14,8 +15,9 @@ namespace snug::lesson {
 /// Whether the pair is a box and a frustum.
 [[nodiscard]] inline bool has_frustum(const BoxPair& pair) { return pair.taper < 1; }
 
-/// The camera that sees the frustum. In 2-D one looks at the plane from above: right is minus B's axis 1, and nothing is said
-/// of up. In 3-D axis 1 is up and axis 2 right. pair: with a frustum; of a flat one, the numbers need not be finite.
+/// The camera that sees the frustum. In 2-D one looks at the plane from above: right is minus B's axis 1, and nothing
+/// is said of up. In 3-D axis 1 is up and axis 2 right. pair: with a frustum; of a flat one, the numbers need not be
+/// finite.
 [[nodiscard]] FrustumCamera<double, 3> camera_of(const BoxPair& pair);
 
 /// Errors: a depth or a far face of 0, and what frustum_of_camera refuses.

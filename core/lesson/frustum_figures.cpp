@@ -17,7 +17,7 @@ std::string word(Culling culling) { return std::string(query::kCullingNames[stat
 class Board {
  public:
   explicit Board(const RunView& run) : run_(run), dim_(run.boxes->dim) {
-    for (int i = 0; i < run.step; ++i) std::visit(*this, run.recording->steps[static_cast<std::size_t>(i)].step.fact);
+    for (int i = 0; i < run.step; ++i) std::visit(*this, run.recording->steps[i].step.fact);
   }
 
   std::vector<Figure> figures() && {
@@ -28,12 +28,13 @@ class Board {
       add("Signs of its normal", "signs", any ? sign_name(dim_, tested_.signs) : "", tested_.signs, "");
       length("p-vertex" + name_of(tested_.p_vertex), "p_distance", tested_.p_distance, any);
       length("n-vertex" + name_of(tested_.n_vertex), "n_distance", tested_.n_distance, any);
-      add("Planes tested", "planes_tested", std::to_string(planes_) + " of " + std::to_string(planes_of_frustum(dim_)), planes_, "planes");
+      add("Planes tested", "planes_tested", std::to_string(planes_) + " of " + std::to_string(planes_of_frustum(dim_)),
+          planes_, "planes");
     } else {
       const bool any = plane_ >= 0;
       length(any ? "Corner" + name_of(corner_.corner) : "Corner", "distance", corner_.distance, any);
     }
-    const auto looked = run_.step > 0 ? run_.recording->steps[static_cast<std::size_t>(run_.step - 1)].counts[kTests] : 0;
+    const auto looked = run_.step > 0 ? run_.recording->steps[run_.step - 1].counts[kTests] : 0;
     add("Corner tests", "corners", std::to_string(looked), static_cast<double>(looked), "");
     add(done_ ? "Verdict" : "Verdict so far", "verdict", run_.step > 0 && (done_ || by_planes) ? word(verdict_) : "",
         static_cast<double>(verdict_), "");
@@ -69,7 +70,8 @@ class Board {
   }
   /// Signed, above 0 outside.
   void length(std::string name, std::string key, double value, bool known) {
-    add(std::move(name), std::move(key), known ? (value > 0 ? "+" : "") + number_text(value) + " units" : "", value, "units");
+    add(std::move(name), std::move(key), known ? (value > 0 ? "+" : "") + number_text(value) + " units" : "", value,
+        "units");
   }
 
   const RunView& run_;
@@ -96,14 +98,10 @@ std::vector<Proof> frustum_proofs(const RunView& run) {
   std::vector<Proof> proofs{{"it says: " + word(says), true, true}};
   if (says == Culling::kOutside && *shares)
     proofs.push_back({"wrong: box and frustum share points, as their separating axes show", false, true});
-  else if (says == Culling::kOutside)
-    proofs.push_back({"right: box and frustum share no point", true, true});
-  else if (says == Culling::kInside)
-    proofs.push_back({"right: no corner is outside of any plane", true, true});
-  else if (*shares)
-    proofs.push_back({"right: they share points, and a corner is outside", true, true});
-  else
-    proofs.push_back({"really outside, though no one plane shows it: drawn in vain, but never lost", false, false});
+  else if (says == Culling::kOutside) proofs.push_back({"right: box and frustum share no point", true, true});
+  else if (says == Culling::kInside) proofs.push_back({"right: no corner is outside of any plane", true, true});
+  else if (*shares) proofs.push_back({"right: they share points, and a corner is outside", true, true});
+  else proofs.push_back({"really outside, though no one plane shows it: drawn in vain, but never lost", false, false});
   proofs.push_back({"decided exactly, on the numbers as they are", true, true});
   return proofs;
 }

@@ -7,8 +7,8 @@
 
 namespace snug::lesson {
 
-/// Keys: plane signs p_distance n_distance planes_tested corners verdict. Of tests by corners, p_distance and n_distance are
-/// left out, and distance is the corner's. run: with a box and a frustum.
+/// Keys: plane signs p_distance n_distance planes_tested corners verdict. Of tests by corners, p_distance and
+/// n_distance are left out, and distance is the corner's. run: with a box and a frustum.
 [[nodiscard]] std::vector<Figure> frustum_figures(const RunView& run);
 
 /// In the end.

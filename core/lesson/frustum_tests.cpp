@@ -14,12 +14,14 @@ namespace {
 
 constexpr fit::Algorithm row(std::string_view name, std::string_view title, std::string_view source,
                              std::span<const std::string_view> pseudocode) {
-  return {kFrustumBox, name, title, false, true, true, std::numeric_limits<Index>::max(), source, pseudocode, {}, nullptr, nullptr};
+  return {kFrustumBox, name,       title, false,   true,   true, std::numeric_limits<Index>::max(),
+          source,      pseudocode, {},    nullptr, nullptr};
 }
 
 constexpr std::string_view kWrong = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007";
 constexpr std::array kTests{
-    row("p_n_vertex", "P- and n-vertex", "U. Assarsson, T. Möller, Optimized View Frustum Culling, 2000", query::kClassifyBoxPseudocode),
+    row("p_n_vertex", "P- and n-vertex", "U. Assarsson, T. Möller, Optimized View Frustum Culling, 2000",
+        query::kClassifyBoxPseudocode),
     row("corners_per_plane", "All corners, plane by plane", kWrong, query::kClassifyCornersPseudocode),
     row("corners_outside", "All corners outside (wrong)", kWrong, query::kCornersOutsidePseudocode),
 };
@@ -64,7 +66,8 @@ fit::Recording record_frustum(const fit::Algorithm& test, const BoxPair& pair) {
 
 query::Culling says_of_box(const fit::Algorithm& test, const BoxPair& pair) {
   const fit::Recording recording = record_frustum(test, pair);
-  const auto* end = recording.steps.empty() ? nullptr : std::get_if<query::Classified>(&recording.steps.back().step.fact);
+  const auto* end =
+      recording.steps.empty() ? nullptr : std::get_if<query::Classified>(&recording.steps.back().step.fact);
   return end != nullptr ? end->result.verdict : query::Culling::kIntersecting;
 }
 

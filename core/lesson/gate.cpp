@@ -15,7 +15,7 @@ namespace {
 using namespace fit;
 using Asks = Question::Asks;
 
-const Step3& step_at(Trace trace, int i) { return trace[static_cast<std::size_t>(i)].step; }
+const Step3& step_at(Trace trace, int i) { return trace[i].step; }
 
 std::size_t fact_index(std::string_view name) {
   const auto names = fact_names();
@@ -37,7 +37,8 @@ int find_fact(Trace trace, std::string_view name, int occurrence) {
   return i;
 }
 
-/// Just behind the last step of that name before a step, or the one that is counted; the step itself where there is none.
+/// Just behind the last step of that name before a step, or the one that is counted; the step itself where there is
+/// none.
 int place_after(Trace trace, const Gate& gate, int before) {
   if (gate.after == Gate::kStart) return 0;
   if (gate.after_nth > 0) return std::min(find_fact(trace, gate.after, gate.after_nth) + 1, before);
@@ -92,9 +93,11 @@ const char* add_support(Asked& asked, Trace trace) {
 }
 
 const char* add_tested_axes(Asked& asked, Trace trace, int dim) {
-  if (!std::holds_alternative<query::Verdict<double, 3>>(step_at(trace, asked.fact).fact)) return "\"which_axis\" asks of verdict";
+  if (!std::holds_alternative<query::Verdict<double, 3>>(step_at(trace, asked.fact).fact))
+    return "\"which_axis\" asks of verdict";
   std::size_t tested = 0;
-  for (int i = 0; i < asked.fact; ++i) tested += std::holds_alternative<query::AxisTested<double, 3>>(step_at(trace, i).fact);
+  for (int i = 0; i < asked.fact; ++i)
+    tested += std::holds_alternative<query::AxisTested<double, 3>>(step_at(trace, i).fact);
   if (tested != axis_names(dim).size()) return "\"which_axis\" asks of a test that goes through all axes";
   for (const AxisName& axis : axis_names(dim)) add_choice(asked, axis.text);
   add_choice(asked, "none");
@@ -128,7 +131,8 @@ const char* add_ranges(Asked& asked, const Step3& step) {
     return tenths == std::string::npos ? words : words.erase(tenths, 2);
   };
   for (std::size_t i = 0; i < question.bounds.size(); ++i)
-    add_choice(asked, (i == 0 ? "at most " : "more than " + text(question.bounds[i - 1]) + ", at most ") + text(question.bounds[i]));
+    add_choice(asked, (i == 0 ? "at most " : "more than " + text(question.bounds[i - 1]) + ", at most ") +
+                          text(question.bounds[i]));
   add_choice(asked, "more than " + text(question.bounds.back()));
   return nullptr;
 }
@@ -139,11 +143,13 @@ const char* add_choices(Asked& asked, Trace trace, int dim) {
   switch (asked.question->asks) {
     case Asks::kPoint:
       asked.on_stage = true;
-      return points_named(step_at(trace, asked.fact), dim).empty() ? "\"point\" asks of a step that names no point" : nullptr;
+      return points_named(step_at(trace, asked.fact), dim).empty() ? "\"point\" asks of a step that names no point"
+                                                                   : nullptr;
     case Asks::kAxis: return add_axes(asked, trace, dim);
     case Asks::kLeaves: return add_support(asked, trace);
     case Asks::kBetter:
-      if (!std::holds_alternative<PassJudged<double, 3>>(fact) && !std::holds_alternative<CandidateTried<double, 3>>(fact))
+      if (!std::holds_alternative<PassJudged<double, 3>>(fact) &&
+          !std::holds_alternative<CandidateTried<double, 3>>(fact))
         return "\"better\" asks of pass_judged or candidate_tried";
       [[fallthrough]];
     case Asks::kGrows: add_choice(asked, "yes"), add_choice(asked, "no"); return nullptr;
@@ -155,8 +161,10 @@ const char* add_choices(Asked& asked, Trace trace, int dim) {
     case Asks::kPVertex:
     case Asks::kNVertex: return add_corners(asked, step_at(trace, asked.fact), dim);
     case Asks::kPlaneSide:
-      return add_cullings(asked, std::holds_alternative<query::PlaneTested<double, 3>>(fact), "\"plane_side\" asks of plane_tested");
-    case Asks::kVerdict: return add_cullings(asked, std::holds_alternative<query::Classified>(fact), "\"verdict\" asks of classified");
+      return add_cullings(asked, std::holds_alternative<query::PlaneTested<double, 3>>(fact),
+                          "\"plane_side\" asks of plane_tested");
+    case Asks::kVerdict:
+      return add_cullings(asked, std::holds_alternative<query::Classified>(fact), "\"verdict\" asks of classified");
     case Asks::kFigure: return add_ranges(asked, step_at(trace, asked.fact));
     case Asks::kHolds:
       if (!std::holds_alternative<Finished>(fact)) return "\"holds\" asks of finished";
@@ -174,7 +182,8 @@ const char* add_choices(Asked& asked, Trace trace, int dim) {
 
 }  // namespace
 
-std::optional<Asked> resolve(const Question& question, std::string_view volume, Trace trace, int dim, std::string& why) {
+std::optional<Asked> resolve(const Question& question, std::string_view volume, Trace trace, int dim,
+                             std::string& why) {
   const Gate& gate = question.gate;
   Asked asked;
   asked.question = &question;

@@ -32,12 +32,14 @@ std::string excess_sentence(const Task& task, const fit::Algorithm& algorithm, d
   const std::string asked_for = plain_percent(task.excess_at_least);
   std::string reached = plain_percent(excess);
   if (!done && reached == asked_for) reached = closer_percent(excess);
-  reached = std::string(algorithm.title) + ": its " + std::string(volume_word(algorithm.volume, dim)) + " is " + reached + " larger than the smallest";
+  reached = std::string(algorithm.title) + ": its " + std::string(volume_word(algorithm.volume, dim)) + " is " +
+            reached + " larger than the smallest";
   return done ? reached + "." : reached + "; at least " + asked_for + " is asked for.";
 }
 
 std::string support_sentence(const Task& task, int support, int dim) {
-  const std::string held = points_text(support) + (support == 1 ? " holds" : " hold") + " the smallest " + ball_word(dim);
+  const std::string held =
+      points_text(support) + (support == 1 ? " holds" : " hold") + " the smallest " + ball_word(dim);
   if (support == task.support_size) return held + ".";
   return held + "; it must be " + std::to_string(task.support_size) + ".";
 }

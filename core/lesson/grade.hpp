@@ -11,10 +11,10 @@ namespace snug::lesson {
 
 struct Grade {
   bool done = false;
-  int points = 0;          // how many there are
-  double excess = 0;       // its size / the smallest - 1, as fit::size_of has sizes
-  int support = 0;         // how many points hold the smallest volume
-  std::string says;        // what is reached and what is not, in a sentence or two
+  int points = 0;     // how many there are
+  double excess = 0;  // its size / the smallest - 1, as fit::size_of has sizes
+  int support = 0;    // how many points hold the smallest volume
+  std::string says;   // what is reached and what is not, in a sentence or two
 };
 
 /// seed: of the algorithm's random order. The task's algorithm is one of the catalogue.

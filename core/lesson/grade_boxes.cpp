@@ -23,7 +23,8 @@ std::string verdict(bool overlap) { return overlap ? "overlap" : "are apart"; }
 
 /// The wrong test calls the box outside, and it is not.
 bool loses_box(const BoxPair& pair) {
-  return says_of_box(*find_method(kFrustumBox, "corners_outside"), pair) == query::Culling::kOutside && share_a_point(pair).value_or(false);
+  return says_of_box(*find_method(kFrustumBox, "corners_outside"), pair) == query::Culling::kOutside &&
+         share_a_point(pair).value_or(false);
 }
 
 std::string frustum_sentence(const BoxPair& pair, bool now, bool found) {
@@ -38,10 +39,12 @@ std::string sentence(std::string_view goal, const BoxPair& pair, bool now, bool 
   if (has_frustum(pair)) return frustum_sentence(pair, now, found);
   if (goal == "only_edges") {
     if (now) return "Only edges separate these boxes.";
-    return found ? "Boxes that only edges separate: found." : "Still to find: boxes that only an axis of two edges separates.";
+    return found ? "Boxes that only edges separate: found."
+                 : "Still to find: boxes that only an axis of two edges separates.";
   }
   const fit::Algorithm& test = *find_method(kBoxPair, goal);
-  const std::string title = "“" + std::string(test.title.substr(0, test.title.find(" ("))) + "”";  // that it is wrong is to be said
+  const std::string title =
+      "“" + std::string(test.title.substr(0, test.title.find(" ("))) + "”";  // that it is wrong is to be said
   if (now) return title + " is wrong here: it says that the boxes " + verdict(says_overlap(test, pair)) + ".";
   return found ? title + ": found." : "Still to find: a place where " + title + " is wrong.";
 }

@@ -16,7 +16,8 @@ constexpr std::string_view title_of(std::string_view figure) {
 }
 
 std::string asked_for(const Task::Requirement& due) {
-  const std::string least = scene_figure_text(due.figure, due.at_least), most = scene_figure_text(due.figure, due.at_most);
+  const std::string least = scene_figure_text(due.figure, due.at_least),
+                    most = scene_figure_text(due.figure, due.at_most);
   if (due.at_least == due.at_most) return "it must be " + least;
   if (due.at_most == Task::Requirement::kNoMost) return "it must be at least " + least;
   return due.at_least == 0 ? "it must be at most " + most : "it must be between " + least + " and " + most;
@@ -30,13 +31,16 @@ Grade grade_scene(const Task& task, const SceneSet& scene, const AnyPointSet& po
   const auto run = run_scene(scene, task.algorithm, points, seed);
   if (!run) return grade.says = run.error().what, grade;
   grade.done = grade.points == task.points;
-  if (!grade.done) grade.says = "There are " + std::to_string(grade.points) + (scene.at_points() ? " bodies" : " points") + "; the task is for " + std::to_string(task.points) + ". ";
+  if (!grade.done)
+    grade.says = "There are " + std::to_string(grade.points) + (scene.at_points() ? " bodies" : " points") +
+                 "; the task is for " + std::to_string(task.points) + ". ";
   const auto& last = *std::get_if<fit::FrameTaken>(&run->recording.steps.back().step.fact);
   for (const Task::Requirement& due : task.requirements) {
     const double value = figure_of(last, due.figure);
     const bool met = value >= due.at_least && value <= due.at_most;
     grade.done = grade.done && met;
-    grade.says += std::string(title_of(due.figure)) + ": " + scene_figure_text(due.figure, value) + (met ? ". " : "; " + asked_for(due) + ". ");
+    grade.says += std::string(title_of(due.figure)) + ": " + scene_figure_text(due.figure, value) +
+                  (met ? ". " : "; " + asked_for(due) + ". ");
   }
   if (grade.done) grade.says += "Done.";
   else grade.says.pop_back();

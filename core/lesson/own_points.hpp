@@ -12,8 +12,8 @@ namespace snug::lesson {
 /// In double. dim: 2 (z is dropped) or 3. Errors: as of PointSet::make.
 [[nodiscard]] tl::expected<AnyPointSet, InputError> to_set(const std::vector<Vector<double, 3>>& points, int dim);
 
-/// The lesson's own points at a seed; of a mesh, the file's; of boxes, their places. Errors: as of PointSet::make and of
-/// places; a mesh that is missing.
+/// The lesson's own points at a seed; of a mesh, the file's; of boxes, their places. Errors: as of PointSet::make and
+/// of places; a mesh that is missing.
 [[nodiscard]] tl::expected<AnyPointSet, InputError> own_points(const Lesson& lesson, std::uint64_t seed,
                                                                const std::optional<io::PointFile>& mesh);
 

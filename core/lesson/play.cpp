@@ -26,7 +26,9 @@ tl::expected<Played::Algorithm, InputError> play_algorithm(Session& session, con
   session.first();
   // Every turn answers a question or takes a step, so that more turns than both are one too many.
   std::size_t turns = session.questions().size() + static_cast<std::size_t>(session.steps());
-  const auto asks = [&] { return session.asked() != nullptr && !session.lesson().measures; };  // the chart's are asked apart
+  const auto asks = [&] {
+    return session.asked() != nullptr && !session.lesson().measures;
+  };  // the chart's are asked apart
   while (session.step() < session.steps() || asks())
     if (turns-- == 0 || !advance(session, played.outcomes))
       return tl::unexpected(
@@ -53,8 +55,7 @@ void find_not_asked(const Lesson& lesson, Played& played) {
   for (const Question& question : lesson.questions) {
     bool asked = false;
     for (const auto& algorithm : played.algorithms)
-      for (const Outcome& outcome : algorithm.outcomes)
-        asked = asked || outcome.question == question.id;
+      for (const Outcome& outcome : algorithm.outcomes) asked = asked || outcome.question == question.id;
     if (!asked) played.not_asked.push_back(question.id);
   }
 }
@@ -64,7 +65,8 @@ void find_not_asked(const Lesson& lesson, Played& played) {
 std::vector<std::string> playable(const Session& session) {
   std::vector<std::string> names;
   for (const std::string& name : session.lesson().algorithms)
-    if (const fit::Algorithm* known = find_method(session.lesson().volume, name); known && session.size() <= known->max_points)
+    if (const fit::Algorithm* known = find_method(session.lesson().volume, name);
+        known && session.size() <= known->max_points)
       names.push_back(name);
   return names;
 }

@@ -26,9 +26,9 @@ struct Played {
 };
 
 /// Plays each algorithm that is playable from the first step to the last, gives each question its model answer,
-/// and has the task's model answer graded. The session is left with those points. There is no clock: a lesson with the chart of
-/// costs is played by counted operations, and what is said of it speaks of them.
-/// Errors: of choose and load; a player that does not move on.
+/// and has the task's model answer graded. The session is left with those points. There is no clock: a lesson with the
+/// chart of costs is played by counted operations, and what is said of it speaks of them. Errors: of choose and load; a
+/// player that does not move on.
 [[nodiscard]] tl::expected<Played, InputError> play(Session& session);
 
 }  // namespace snug::lesson

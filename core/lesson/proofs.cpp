@@ -40,8 +40,9 @@ std::vector<Proof> of_result(const RunView& run) {
 std::vector<Proof> on_the_way(const RunView& run, const Step3& step) {
   const Index n = size_of(*run.points);
   const Index outside = count_outside(*run.points, step.volume);
-  const std::string held =
-      outside == 0 ? "holds " + all(n) : "holds " + std::to_string(n - outside) + " of " + std::to_string(n) + " points";
+  const std::string held = outside == 0
+                               ? "holds " + all(n)
+                               : "holds " + std::to_string(n - outside) + " of " + std::to_string(n) + " points";
   std::vector<Proof> proofs{{held, outside == 0, false}};
   const Sphere3* ball = ball_of(step);
   const std::vector<Index> support = support_after(run.recording->steps, run.step);
@@ -49,7 +50,8 @@ std::vector<Proof> on_the_way(const RunView& run, const Step3& step) {
   const StepCertificate certificate = certify_step(*run.points, *ball, support);
   proofs.push_back(boundary(*run.algorithm, certificate.on_boundary));
   if (run.algorithm->exact)
-    proofs.push_back({none_smaller(*run.algorithm, dim_of(*run.points)) + " holds the support", certificate.smallest, false});
+    proofs.push_back(
+        {none_smaller(*run.algorithm, dim_of(*run.points)) + " holds the support", certificate.smallest, false});
   return proofs;
 }
 
@@ -60,8 +62,8 @@ std::vector<Proof> proofs_of(const RunView& run) {
   if (run.boxes != nullptr) return has_frustum(*run.boxes) ? frustum_proofs(run) : box_proofs(run);
   const auto& steps = run.recording->steps;
   if (run.step == static_cast<int>(steps.size())) return of_result(run);
-  if (run.step == 0 || !steps[static_cast<std::size_t>(run.step - 1)].step.has_volume) return {};
-  return on_the_way(run, steps[static_cast<std::size_t>(run.step - 1)].step);
+  if (run.step == 0 || !steps[run.step - 1].step.has_volume) return {};
+  return on_the_way(run, steps[run.step - 1].step);
 }
 
 }  // namespace snug::lesson

@@ -21,22 +21,22 @@ using Asks = Question::Asks;
 constexpr std::int64_t kVersion = 1;
 
 constexpr std::array<std::pair<std::string_view, Asks>, 17> kAsks{{{"point", Asks::kPoint},
-                                                                  {"axis", Asks::kAxis},
-                                                                  {"grows", Asks::kGrows},
-                                                                  {"leaves", Asks::kLeaves},
-                                                                  {"choice", Asks::kChoice},
-                                                                  {"better", Asks::kBetter},
-                                                                  {"holds", Asks::kHolds},
-                                                                  {"separates", Asks::kSeparates},
-                                                                  {"which_axis", Asks::kWhichAxis},
-                                                                  {"p_vertex", Asks::kPVertex},
-                                                                  {"n_vertex", Asks::kNVertex},
-                                                                  {"plane_side", Asks::kPlaneSide},
-                                                                  {"verdict", Asks::kVerdict},
-                                                                  {"figure", Asks::kFigure},
-                                                                  {"on_front", Asks::kOnFront},
-                                                                  {"slowest", Asks::kSlowest},
-                                                                  {"times_slower", Asks::kTimesSlower}}};
+                                                                   {"axis", Asks::kAxis},
+                                                                   {"grows", Asks::kGrows},
+                                                                   {"leaves", Asks::kLeaves},
+                                                                   {"choice", Asks::kChoice},
+                                                                   {"better", Asks::kBetter},
+                                                                   {"holds", Asks::kHolds},
+                                                                   {"separates", Asks::kSeparates},
+                                                                   {"which_axis", Asks::kWhichAxis},
+                                                                   {"p_vertex", Asks::kPVertex},
+                                                                   {"n_vertex", Asks::kNVertex},
+                                                                   {"plane_side", Asks::kPlaneSide},
+                                                                   {"verdict", Asks::kVerdict},
+                                                                   {"figure", Asks::kFigure},
+                                                                   {"on_front", Asks::kOnFront},
+                                                                   {"slowest", Asks::kSlowest},
+                                                                   {"times_slower", Asks::kTimesSlower}}};
 constexpr std::array kOfCharts{Asks::kChoice, Asks::kOnFront, Asks::kSlowest, Asks::kTimesSlower};
 
 /// "bunny, teapot or dragon"
@@ -49,7 +49,9 @@ std::string one_of(const auto& names) {
   return text;
 }
 
-bool among(const auto& names, std::string_view name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+bool among(const auto& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 void check_name(TomlTable& table, std::string_view key, std::string_view name, const auto& names) {
   if (!name.empty() && !among(names, name)) table.wrong(key, "is none of " + one_of(names) + ": " + std::string(name));
@@ -135,7 +137,8 @@ Gate read_gate(TomlTable& table, std::string_view volume) {
   gate.after = table.text_or("after", "");
   if (gate.after != Gate::kStart) check_name(table, "after", gate.after, fit::fact_names());
   gate.after_nth = static_cast<int>(table.integer_or("after_nth", 1, 100'000, 0));
-  if (gate.after_nth > 0 && (gate.after.empty() || gate.after == Gate::kStart)) table.wrong("after_nth", "counts the steps that \"after\" names");
+  if (gate.after_nth > 0 && (gate.after.empty() || gate.after == Gate::kStart))
+    table.wrong("after_nth", "counts the steps that \"after\" names");
   return gate;
 }
 
@@ -148,8 +151,12 @@ Question read_question(const toml::table& toml, const Lesson& lesson, Complaints
   const std::string asks = table.text("asks");
   const auto* kind = std::find_if(kAsks.begin(), kAsks.end(), [&](const auto& row) { return row.first == asks; });
   if (kind != kAsks.end()) question.asks = kind->second;
-  if (kind == kAsks.end()) table.wrong("asks", "is none of point, axis, grows, leaves, choice, better, holds, separates, which_axis, p_vertex, n_vertex, plane_side, verdict, figure, on_front, slowest or times_slower: " + asks);
-  else if (lesson.measures && std::find(kOfCharts.begin(), kOfCharts.end(), question.asks) == kOfCharts.end()) table.wrong("asks", "is of a step, and this lesson's questions are of its chart: " + asks);
+  if (kind == kAsks.end())
+    table.wrong("asks", "is none of point, axis, grows, leaves, choice, better, holds, separates, which_axis, "
+                        "p_vertex, n_vertex, plane_side, verdict, figure, on_front, slowest or times_slower: " +
+                            asks);
+  else if (lesson.measures && std::find(kOfCharts.begin(), kOfCharts.end(), question.asks) == kOfCharts.end())
+    table.wrong("asks", "is of a step, and this lesson's questions are of its chart: " + asks);
   question.prompt = table.text("prompt");
   if (question.asks == Asks::kChoice) read_choices(table, question);
   if (question.asks == Asks::kFigure) read_ranges(table, question);
@@ -179,7 +186,8 @@ BoxPair read_pair(TomlTable& table, int dim, double taper) {
     largest = std::max(largest, halves[i].maxCoeff());
   }
   pair.knob = 0.4 * largest;
-  if (has_frustum(pair) && !(halves[1].head(dim).minCoeff() > 0)) table.wrong("half_extents", "of a frustum must be above 0");
+  if (has_frustum(pair) && !(halves[1].head(dim).minCoeff() > 0))
+    table.wrong("half_extents", "of a frustum must be above 0");
   if (auto set = places(pair); !set) table.wrong("center", set.error().what);
   table.refuse_others();
   return pair;
@@ -204,7 +212,8 @@ Task read_box_task(const toml::table& toml, const Lesson& lesson, Complaints& co
     TomlTable own(*model, "[[task.model]]", complaints);
     task.models.push_back(read_pair(own, lesson.boxes->dim, lesson.boxes->taper));
   }
-  if (task.models.size() != task.goals.size()) complaints.add(table.line(), "[task] needs a [[task.model]] for each of its goals");
+  if (task.models.size() != task.goals.size())
+    complaints.add(table.line(), "[task] needs a [[task.model]] for each of its goals");
   table.refuse_others();
   return task;
 }
@@ -278,7 +287,8 @@ void read_head(TomlTable& table, Lesson& lesson) {
   const std::string chart = table.text_or("chart", "");
   check_name(table, "chart", chart, std::array<std::string_view, 1>{"cost"});
   lesson.measures = !chart.empty();
-  if (lesson.measures && fit::exact_algorithm(lesson.volume) == nullptr) table.wrong("chart", "is of volumes that points are fitted with, of which one is the smallest");
+  if (lesson.measures && fit::exact_algorithm(lesson.volume) == nullptr)
+    table.wrong("chart", "is of volumes that points are fitted with, of which one is the smallest");
   lesson.algorithms = read_names(table, "algorithms", 1, algorithm_names(lesson.volume));
   if (table.has("compare")) lesson.compare = read_algorithm(table, "compare", lesson.volume);
   lesson.meshes = read_names(table, "meshes", 0, mesh_names());
@@ -310,16 +320,18 @@ Lesson read(const toml::table& toml, Complaints& complaints) {
   TomlTable table(toml, "the lesson", complaints);
   Lesson lesson;
   read_head(table, lesson);
-  for (const toml::table* section : table.tables("section")) lesson.sections.push_back(read_section(*section, complaints));
+  for (const toml::table* section : table.tables("section"))
+    lesson.sections.push_back(read_section(*section, complaints));
   if (lesson.sections.empty()) complaints.add(1, "the lesson has no [[section]]");
   read_subject(table, lesson, complaints);
   if (const toml::table* words = table.table("pseudocode")) read_pseudocode(*words, complaints, lesson);
-  for (const toml::table* question : table.tables("question")) lesson.questions.push_back(read_question(*question, lesson, complaints));
+  for (const toml::table* question : table.tables("question"))
+    lesson.questions.push_back(read_question(*question, lesson, complaints));
   if (const toml::table* task = table.table("task"))
-    lesson.task = lesson.boxes ? read_box_task(*task, lesson, complaints)
+    lesson.task = lesson.boxes      ? read_box_task(*task, lesson, complaints)
                   : lesson.measures ? read_cost_task(*task, lesson, complaints)
-                  : lesson.scene ? read_scene_task(*task, lesson.algorithms, complaints)
-                               : read_task(*task, lesson.volume, lesson.points.dim, complaints);
+                  : lesson.scene    ? read_scene_task(*task, lesson.algorithms, complaints)
+                                    : read_task(*task, lesson.volume, lesson.points.dim, complaints);
   table.refuse_others();
   return lesson;
 }

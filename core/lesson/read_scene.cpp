@@ -28,14 +28,16 @@ double length(TomlTable& table, std::string_view key) { return table.number(key,
 V3 half_extents(TomlTable& table) {
   const V3 half = vector_or(table, "half_extents", V3::Constant(0.5));
   for (int axis = 0; axis < 3; ++axis)
-    if (!(half[axis] > 0 && half[axis] <= kMostLength)) table.wrong("half_extents", "must be above 0 and at most 1000000000");
+    if (!(half[axis] > 0 && half[axis] <= kMostLength))
+      table.wrong("half_extents", "must be above 0 and at most 1000000000");
   return half;
 }
 
 /// Degrees about x, then y, then z.
 Quaternion turned_by(const V3& degrees) {
   Quaternion turn;
-  for (int axis = 0; axis < 3; ++axis) turn = quaternion_about(V3::Unit(axis), degrees[axis] * std::numbers::pi / 180) * turn;
+  for (int axis = 0; axis < 3; ++axis)
+    turn = quaternion_about(V3::Unit(axis), degrees[axis] * std::numbers::pi / 180) * turn;
   return turn;
 }
 
@@ -82,7 +84,8 @@ scene::Setting read_setting(TomlTable& table, const std::string& key, const toml
   if (node.is_string()) return {key, {}, table.text(key)};
   if (key != "places") return {key, table.numbers(key), {}};
   scene::Setting places{key, {}, {}};
-  for (const V3& place : table.points(key, 3)) places.numbers.insert(places.numbers.end(), {place[0], place[1], place[2]});
+  for (const V3& place : table.points(key, 3))
+    places.numbers.insert(places.numbers.end(), {place[0], place[1], place[2]});
   return places;
 }
 
@@ -100,7 +103,8 @@ scene::EffectCall read_effect(const toml::table& toml, Complaints& complaints) {
 
 void check_figure(TomlTable& table, const std::string& figure) {
   const auto names = scene_figure_names();
-  if (!figure.empty() && std::find(names.begin(), names.end(), figure) == names.end()) table.wrong("figure", "is no figure of a scene: " + figure);
+  if (!figure.empty() && std::find(names.begin(), names.end(), figure) == names.end())
+    table.wrong("figure", "is no figure of a scene: " + figure);
 }
 
 }  // namespace
@@ -127,7 +131,9 @@ void read_ranges(TomlTable& table, Question& question) {
   check_figure(table, question.figure);
   question.bounds = table.numbers("bounds");
   double last = -std::numeric_limits<double>::infinity();
-  const auto rises = [&](double bound) { return bound > std::exchange(last, bound) && std::isfinite(bound); };  // no NaN does
+  const auto rises = [&](double bound) {
+    return bound > std::exchange(last, bound) && std::isfinite(bound);
+  };  // no NaN does
   if (question.bounds.empty() || !std::all_of(question.bounds.begin(), question.bounds.end(), rises))
     table.wrong("bounds", "must be numbers that rise"), question.bounds = {0};
 }

@@ -16,6 +16,7 @@ namespace snug::lesson {
 void read_ranges(TomlTable& table, Question& question);
 
 /// [task] of a scene. algorithms: those of the lesson.
-[[nodiscard]] Task read_scene_task(const toml::table& toml, const std::vector<std::string>& algorithms, Complaints& complaints);
+[[nodiscard]] Task read_scene_task(const toml::table& toml, const std::vector<std::string>& algorithms,
+                                   Complaints& complaints);
 
 }  // namespace snug::lesson

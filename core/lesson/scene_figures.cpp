@@ -37,7 +37,7 @@ std::string effect_time_text(const scene::Tally& tally, double clock_step) {
 
 std::vector<Figure> scene_figures(const RunView& run) {
   if (run.step == 0) return {};
-  const auto* frame = std::get_if<fit::FrameTaken>(&run.recording->steps[static_cast<std::size_t>(run.step - 1)].step.fact);
+  const auto* frame = std::get_if<fit::FrameTaken>(&run.recording->steps[run.step - 1].step.fact);
   if (frame == nullptr) return {};
   std::vector<Figure> figures{{"Frame", "frame", std::to_string(frame->frame), static_cast<double>(frame->frame), ""}};
   const auto add = [&](const char* name, std::string_view key, const char* unit) {

@@ -12,11 +12,13 @@ namespace {
 constexpr Index kMostBodies = 4000;
 constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
 
-constexpr fit::Algorithm row(std::string_view name, std::string_view title, std::span<const std::string_view> pseudocode) {
+constexpr fit::Algorithm row(std::string_view name, std::string_view title,
+                             std::span<const std::string_view> pseudocode) {
   return {kScene, name, title, false, false, true, kMostBodies, kEricson, pseudocode, {}, nullptr, nullptr};
 }
 
-constexpr std::array<std::string_view, 8> kFigures{"all_pairs", "compared", "after_broad", "after_loose", "touching", "slack", "cost", "energy"};
+constexpr std::array<std::string_view, 8> kFigures{"all_pairs", "compared", "after_broad", "after_loose",
+                                                   "touching",  "slack",    "cost",        "energy"};
 
 /// Lessons' names of updates: with the volume where it is no AABB.
 std::string name_of(const fit::UpdateStrategy& strategy) {
@@ -51,8 +53,10 @@ void switch_off(scene::Scene& scene, std::span<const SwitchedOff> off, int after
 
 SceneFrame seen(const scene::Scene& scene) {
   const scene::State& state = scene.world().state;
-  return {state.bodies, state.volumes, state.contacts, state.pairs, state.near, state.shadows, state.trails, state.rays,
-          {scene.tallies().begin(), scene.tallies().end()}, state.funnel.axis};
+  return {state.bodies,     state.volumes, state.contacts,
+          state.pairs,      state.near,    state.shadows,
+          state.trails,     state.rays,    {scene.tallies().begin(), scene.tallies().end()},
+          state.funnel.axis};
 }
 
 }  // namespace
@@ -83,22 +87,26 @@ scene::Declaration declaration_of(const SceneSet& set, const AnyPointSet& points
   return declaration;
 }
 
-tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet& scene_set, std::string_view method, const AnyPointSet& points,
-                                                              std::uint64_t seed) {
+tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet& scene_set, std::string_view method,
+                                                              const AnyPointSet& points, std::uint64_t seed) {
   scene::Declaration declaration = declaration_of(scene_set, points, seed);
-  const bool search = std::find(scene::kPairSearchNames.begin(), scene::kPairSearchNames.end(), method) != scene::kPairSearchNames.end();
+  const bool search = std::find(scene::kPairSearchNames.begin(), scene::kPairSearchNames.end(), method) !=
+                      scene::kPairSearchNames.end();
   const std::string_view effect = search ? "broad_phase" : "refit";
-  const auto call = std::find_if(declaration.effects.begin(), declaration.effects.end(), [&](const scene::EffectCall& one) { return one.name == effect; });
+  const auto call = std::find_if(declaration.effects.begin(), declaration.effects.end(),
+                                 [&](const scene::EffectCall& one) { return one.name == effect; });
   if (call == declaration.effects.end())
-    return tl::unexpected(InputError{.what = "the scene does not call for " + std::string(effect) + ", which " + std::string(method) + " is about"});
+    return tl::unexpected(InputError{.what = "the scene does not call for " + std::string(effect) + ", which " +
+                                             std::string(method) + " is about"});
   if (search) set(*call, "search", method);
   for (const fit::UpdateStrategy& strategy : fit::update_strategies())
-    if (!search && name_of(strategy) == method) set(*call, "volume", strategy.volume), set(*call, "strategy", strategy.name);
+    if (!search && name_of(strategy) == method)
+      set(*call, "volume", strategy.volume), set(*call, "strategy", strategy.name);
   return declaration;
 }
 
-tl::expected<void, InputError> check_scene_opens(const SceneSet& set, std::span<const std::string> methods, const AnyPointSet& points,
-                                                 std::uint64_t seed) {
+tl::expected<void, InputError> check_scene_opens(const SceneSet& set, std::span<const std::string> methods,
+                                                 const AnyPointSet& points, std::uint64_t seed) {
   if (set.is_too_long(fit::size_of(points))) return tl::unexpected(InputError{.what = too_long_text()});
   for (const std::string& method : methods) {
     const auto scene = declaration_with(set, method, points, seed).and_then([](const scene::Declaration& declaration) {
@@ -109,7 +117,8 @@ tl::expected<void, InputError> check_scene_opens(const SceneSet& set, std::span<
   return {};
 }
 
-tl::expected<void, InputError> check_pairs(const SceneSet& set, std::string_view method, const AnyPointSet& points, std::uint64_t seed) {
+tl::expected<void, InputError> check_pairs(const SceneSet& set, std::string_view method, const AnyPointSet& points,
+                                           std::uint64_t seed) {
   const auto declaration = declaration_with(set, method, points, seed);
   if (!declaration) return {};
   const auto bodies = static_cast<std::int64_t>(declaration->bodies.size());
@@ -122,8 +131,9 @@ tl::expected<void, InputError> check_pairs(const SceneSet& set, std::string_view
     scene->step();
     kept += scene->world().state.pairs.size();
     if (kept > static_cast<std::size_t>(kMostPairs))
-      return tl::unexpected(scene::error_at(search->line, "too many pairs: those of all frames together may be at most " + std::to_string(kMostPairs) +
-                                                              ", which are reached at frame " + std::to_string(frame)));
+      return tl::unexpected(scene::error_at(
+          search->line, "too many pairs: those of all frames together may be at most " + std::to_string(kMostPairs) +
+                            ", which are reached at frame " + std::to_string(frame)));
   }
   return {};
 }
@@ -131,7 +141,8 @@ tl::expected<void, InputError> check_pairs(const SceneSet& set, std::string_view
 fit::FrameTaken frame_of(const scene::Scene& scene) {
   const scene::State& state = scene.world().state;
   const std::uint64_t hash = scene.world().hash();
-  const bool pairs = std::any_of(scene.tallies().begin(), scene.tallies().end(), [](const scene::Tally& tally) { return tally.effect == "broad_phase"; });
+  const bool pairs = std::any_of(scene.tallies().begin(), scene.tallies().end(),
+                                 [](const scene::Tally& tally) { return tally.effect == "broad_phase"; });
   return {.frame = state.frame,
           .all_pairs = pairs ? static_cast<double>(state.funnel.all) : 0,
           .compared = static_cast<double>(state.funnel.compared),
@@ -147,18 +158,20 @@ fit::FrameTaken frame_of(const scene::Scene& scene) {
 }
 
 double figure_of(const fit::FrameTaken& frame, std::string_view figure) {
-  const double values[] = {frame.all_pairs, frame.compared, frame.after_broad, frame.after_loose, frame.touching, 100 * frame.slack, frame.cost, frame.energy};
+  const double values[] = {frame.all_pairs, frame.compared,    frame.after_broad, frame.after_loose,
+                           frame.touching,  100 * frame.slack, frame.cost,        frame.energy};
   const auto found = std::find(kFigures.begin(), kFigures.end(), figure);
   return found == kFigures.end() ? 0 : values[found - kFigures.begin()];
 }
 
-tl::expected<SceneRun, InputError> run_scene(const SceneSet& set, std::string_view method, const AnyPointSet& points, std::uint64_t seed,
-                                             scene::Clock clock, std::span<const SwitchedOff> off) {
+tl::expected<SceneRun, InputError> run_scene(const SceneSet& set, std::string_view method, const AnyPointSet& points,
+                                             std::uint64_t seed, scene::Clock clock, std::span<const SwitchedOff> off) {
   auto declaration = declaration_with(set, method, points, seed);
   if (!declaration) return tl::unexpected(std::move(declaration.error()));
   auto scene = scene::Scene::open(*declaration, clock);
   if (!scene) return tl::unexpected(std::move(scene.error()));
-  const auto known = std::find_if(scene_methods().begin(), scene_methods().end(), [&](const fit::Algorithm& one) { return one.name == method; });
+  const auto known = std::find_if(scene_methods().begin(), scene_methods().end(),
+                                  [&](const fit::Algorithm& one) { return one.name == method; });
   const int line = static_cast<int>(known->pseudocode.size()) - 1;
   const bool measured = scene->world().members.front().shape.cloud != nullptr;
   SceneRun run;

@@ -10,8 +10,8 @@
 
 namespace snug::lesson {
 
-/// The searches for pairs, which broad_phase then makes, and the updates of volumes, which refit then makes. They have no fit
-/// and watch of points.
+/// The searches for pairs, which broad_phase then makes, and the updates of volumes, which refit then makes. They have
+/// no fit and watch of points.
 [[nodiscard]] std::span<const fit::Algorithm> scene_methods();
 
 /// What of a frame is drawn.
@@ -38,23 +38,26 @@ struct SwitchedOff {
   int after = 0;
 };
 
-/// method: of scene_methods(). Errors: of scene::Scene::open, with lines of the lesson's file; an effect that the method is
-/// about and the scene does not call for.
-[[nodiscard]] tl::expected<SceneRun, InputError> run_scene(const SceneSet& set, std::string_view method, const AnyPointSet& points,
-                                                           std::uint64_t seed, scene::Clock clock = nullptr, std::span<const SwitchedOff> off = {});
+/// method: of scene_methods(). Errors: of scene::Scene::open, with lines of the lesson's file; an effect that the
+/// method is about and the scene does not call for.
+[[nodiscard]] tl::expected<SceneRun, InputError> run_scene(const SceneSet& set, std::string_view method,
+                                                           const AnyPointSet& points, std::uint64_t seed,
+                                                           scene::Clock clock = nullptr,
+                                                           std::span<const SwitchedOff> off = {});
 
 /// Whether the scene can be run by each of the methods. Errors: as of run_scene; too many frames of too many bodies.
-[[nodiscard]] tl::expected<void, InputError> check_scene_opens(const SceneSet& set, std::span<const std::string> methods,
+[[nodiscard]] tl::expected<void, InputError> check_scene_opens(const SceneSet& set,
+                                                               std::span<const std::string> methods,
                                                                const AnyPointSet& points, std::uint64_t seed);
 
-/// Whether all pairs of all frames can be kept. Frames are taken one by one, where they could be too many, and none is kept.
-/// Errors: too many pairs, with the line of what looks for them.
-[[nodiscard]] tl::expected<void, InputError> check_pairs(const SceneSet& set, std::string_view method, const AnyPointSet& points,
-                                                         std::uint64_t seed);
+/// Whether all pairs of all frames can be kept. Frames are taken one by one, where they could be too many, and none is
+/// kept. Errors: too many pairs, with the line of what looks for them.
+[[nodiscard]] tl::expected<void, InputError> check_pairs(const SceneSet& set, std::string_view method,
+                                                         const AnyPointSet& points, std::uint64_t seed);
 
 /// The scene as the method has it: what run_scene opens.
-[[nodiscard]] tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet& set, std::string_view method,
-                                                                            const AnyPointSet& points, std::uint64_t seed);
+[[nodiscard]] tl::expected<scene::Declaration, InputError>
+declaration_with(const SceneSet& set, std::string_view method, const AnyPointSet& points, std::uint64_t seed);
 
 /// The figures of a scene as it stands: what a frame's step says.
 [[nodiscard]] fit::FrameTaken frame_of(const scene::Scene& scene);

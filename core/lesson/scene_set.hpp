@@ -19,15 +19,15 @@ inline constexpr std::string_view kScene = "scene";
 
 struct SceneBody {
   scene::Body body;
-  bool of_points = false;   // its shape is all of the lesson's points, which may be a mesh's
-  bool at_points = false;   // there is one such body at each of the points
+  bool of_points = false;  // its shape is all of the lesson's points, which may be a mesh's
+  bool at_points = false;  // there is one such body at each of the points
 };
 
 struct SceneSet {
   std::vector<SceneBody> bodies;
   std::vector<scene::EffectCall> effects;
-  double step = 1.0 / 60;   // seconds a frame
-  int frames = 120;         // how many are shown
+  double step = 1.0 / 60;  // seconds a frame
+  int frames = 120;        // how many are shown
 
   /// Whether there are too many frames of too many bodies (kMostBodyFrames).
   [[nodiscard]] bool is_too_long(std::int64_t points) const;
@@ -37,9 +37,9 @@ struct SceneSet {
   }
 };
 
-/// How many bodies times frames a lesson's scene may have. All frames are kept for the timeline: a body takes 300 bytes in each
-/// and a microsecond; in a crowd of 2,000, whose pairs are kept as well, 1.6 KB and 25 us. So a scene ends at 0.4 GB and 6 s.
-/// Held by "a scene with too many frames of too many bodies is refused before it is run".
+/// How many bodies times frames a lesson's scene may have. All frames are kept for the timeline: a body takes 300 bytes
+/// in each and a microsecond; in a crowd of 2,000, whose pairs are kept as well, 1.6 KB and 25 us. So a scene ends at
+/// 0.4 GB and 6 s. Held by "a scene with too many frames of too many bodies is refused before it is run".
 inline constexpr std::int64_t kMostBodyFrames = 250'000;
 
 /// How many places of trails take as much as a body.
@@ -65,8 +65,8 @@ inline bool SceneSet::is_too_long(std::int64_t points) const {
 }
 
 [[nodiscard]] inline std::string too_long_text() {
-  return "too many frames of too many bodies: one times the other may be at most " + std::to_string(kMostBodyFrames) + ", and " + std::to_string(kPlacesOfBody) +
-         " places of a trail count as a body";
+  return "too many frames of too many bodies: one times the other may be at most " + std::to_string(kMostBodyFrames) +
+         ", and " + std::to_string(kPlacesOfBody) + " places of a trail count as a body";
 }
 
 /// The scene with the points as they stand.

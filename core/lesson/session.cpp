@@ -33,7 +33,8 @@ tl::expected<Session, InputError> Session::open(Lesson lesson, std::optional<io:
     own.triangles = std::make_shared<const Triangles>(std::move(mesh->triangles));
   }
   Session session(std::move(lesson), std::move(own));
-  if (session.lesson_.scene && clock != nullptr) session.clock_ = clock, session.clock_step_ = cost::resolution_of(clock);
+  if (session.lesson_.scene && clock != nullptr)
+    session.clock_ = clock, session.clock_step_ = cost::resolution_of(clock);
   if (auto made = session.make_room_for(session.size()); !made) return tl::unexpected(std::move(made.error()));
   const Lesson& opened = session.lesson_;
   if (opened.scene && !opened.points.mesh.empty())  // any other was run when it was read
@@ -58,7 +59,7 @@ Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
 
 void Session::use(int slot, const fit::Algorithm* algorithm) {
-  Slot& own = slots_[static_cast<std::size_t>(slot)];
+  Slot& own = slots_[slot];
   own = {algorithm, {}, {}, {}, {}};
   if (algorithm == nullptr) return;
   const auto pseudocode = fit::pseudocode_of(*algorithm, dim());
@@ -68,7 +69,7 @@ void Session::use(int slot, const fit::Algorithm* algorithm) {
 }
 
 const std::vector<SceneFrame>* Session::frames(int slot) const {
-  return lesson_.scene ? &slots_[static_cast<std::size_t>(slot)].frames : nullptr;
+  return lesson_.scene ? &slots_[slot].frames : nullptr;
 }
 
 const SceneFrame* Session::frame() const {
@@ -81,9 +82,7 @@ const SwitchedOff* Session::switched_off(std::string_view effect) const {
   return off == off_.end() ? nullptr : &*off;
 }
 
-bool Session::is_on(std::string_view effect) const {
-  return switched_off(effect) == nullptr;
-}
+bool Session::is_on(std::string_view effect) const { return switched_off(effect) == nullptr; }
 
 int Session::off_since(std::string_view effect) const {
   const SwitchedOff* off = switched_off(effect);
@@ -93,7 +92,9 @@ int Session::off_since(std::string_view effect) const {
 bool Session::turn(std::string_view effect, bool on) {
   const SceneFrame* now = frame();
   if (now == nullptr || (step_ == 0 && !on)) return false;
-  if (std::none_of(now->tallies.begin(), now->tallies.end(), [&](const scene::Tally& tally) { return tally.effect == effect; })) return false;
+  if (std::none_of(now->tallies.begin(), now->tallies.end(),
+                   [&](const scene::Tally& tally) { return tally.effect == effect; }))
+    return false;
   if (is_on(effect) == on) return true;
   if (on) std::erase_if(off_, [&](const SwitchedOff& one) { return one.effect == effect; });
   else off_.push_back({std::string(effect), step_});
@@ -111,14 +112,13 @@ std::string Session::time_of(std::string_view effect) const {
   return {};
 }
 
-std::span<const std::string_view> Session::pseudocode(int slot) const {
-  return slots_[static_cast<std::size_t>(slot)].pseudocode;
-}
+std::span<const std::string_view> Session::pseudocode(int slot) const { return slots_[slot].pseudocode; }
 
 tl::expected<void, InputError> Session::choose(int slot, std::string_view name) {
   const bool clear = name.empty() && slot == 1;
   const fit::Algorithm* algorithm = clear ? nullptr : find_method(lesson_.volume, name);
-  if (algorithm == nullptr && !clear) return tl::unexpected(InputError{.what = "there is no algorithm " + std::string(name)});
+  if (algorithm == nullptr && !clear)
+    return tl::unexpected(InputError{.what = "there is no algorithm " + std::string(name)});
   if (algorithm != nullptr && size() > algorithm->max_points) return tl::unexpected(too_many(*algorithm));
   if (algorithm == this->algorithm(slot)) return {};
   const bool at_end = step_ == steps();
@@ -149,11 +149,12 @@ tl::expected<void, InputError> Session::make_room_for(Index points) {
 }
 
 void Session::run(int slot) {
-  Slot& own = slots_[static_cast<std::size_t>(slot)];
+  Slot& own = slots_[slot];
   if (own.algorithm == nullptr) return;
   if (lesson_.scene) {
     auto run = run_scene(*lesson_.scene, own.algorithm->name, points(), seed(), clock_, off_);
-    own.recording = run ? std::move(run->recording) : fit::Recording();  // the lesson's own scene was opened when it was read
+    own.recording =
+        run ? std::move(run->recording) : fit::Recording();  // the lesson's own scene was opened when it was read
     own.frames = run ? std::move(run->frames) : std::vector<SceneFrame>();
     own.members = run ? std::move(run->members) : std::vector<scene::Member>();
     return;
@@ -171,7 +172,8 @@ void Session::points_changed() {
   ++revision_;
 }
 
-/// Null where there is none, or where it does not take so many points. A chart is to tell what the smallest is, and costs.
+/// Null where there is none, or where it does not take so many points. A chart is to tell what the smallest is, and
+/// costs.
 const fit::Algorithm* Session::exact() const {
   const fit::Algorithm* exact = lesson_.measures ? nullptr : fit::exact_algorithm(lesson_.volume);
   return exact != nullptr && size() <= exact->max_points ? exact : nullptr;
@@ -220,10 +222,12 @@ std::optional<Grade> Session::grade() const {
   if (!worked_.grade && lesson_.measures) worked_.grade = grade_of_costs();
   if (!worked_.grade && lesson_.scene) worked_.grade = grade_scene(*lesson_.task, *lesson_.scene, points(), seed());
   if (!worked_.grade)
-    worked_.grade = now_.boxes ? grade_boxes(*lesson_.task, *now_.boxes, found_) : lesson::grade(*lesson_.task, points(), seed());
+    worked_.grade =
+        now_.boxes ? grade_boxes(*lesson_.task, *now_.boxes, found_) : lesson::grade(*lesson_.task, points(), seed());
   std::optional<Grade> now = worked_.grade;
   if (lesson_.scene && step_ > 0 && !now->done)
-    now->says += lesson_.scene->at_points() ? " Bodies are placed at the first step." : " Points are moved at the first step.";
+    now->says +=
+        lesson_.scene->at_points() ? " Bodies are placed at the first step." : " Points are moved at the first step.";
   return now;
 }
 
@@ -233,7 +237,7 @@ std::uint64_t Session::trace_hash() const {
 }
 
 RunView Session::view(int slot) const {
-  const Slot& own = slots_[static_cast<std::size_t>(slot)];
+  const Slot& own = slots_[slot];
   return {&now_.points, own.algorithm, &own.recording, step_of(slot), smallest_size(), boxes()};
 }
 
@@ -245,7 +249,8 @@ std::string_view Session::asked_figure() const {
 
 bool Session::is_hidden(std::string_view figure) const {
   if (figure == asked_figure()) return true;
-  const auto first = std::find_if(asked_.begin(), asked_.end(), [&](const Asked& asked) { return asked.question->figure == figure; });
+  const auto first =
+      std::find_if(asked_.begin(), asked_.end(), [&](const Asked& asked) { return asked.question->figure == figure; });
   return first != asked_.end() && step() < first->until && open_question(*first);
 }
 

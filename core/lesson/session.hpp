@@ -37,9 +37,10 @@ struct Mark {
 
 class Session {
  public:
-  /// mesh: what lesson.points.mesh names, where it names one. clock: by which a scene's effects are timed. Errors: points
-  /// that no set can be made of; a scene whose effects cannot take the mesh, by its line.
-  [[nodiscard]] static tl::expected<Session, InputError> open(Lesson lesson, std::optional<io::PointFile> mesh = {}, scene::Clock clock = nullptr);
+  /// mesh: what lesson.points.mesh names, where it names one. clock: by which a scene's effects are timed. Errors:
+  /// points that no set can be made of; a scene whose effects cannot take the mesh, by its line.
+  [[nodiscard]] static tl::expected<Session, InputError> open(Lesson lesson, std::optional<io::PointFile> mesh = {},
+                                                              scene::Clock clock = nullptr);
   // Asked points into the lesson, which a move leaves in place and a copy would not.
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -87,7 +88,8 @@ class Session {
   /// An algorithm that does not take so many points gives way to the first of the lesson's that does. Errors: as of
   /// io::to_point_set; no algorithm of the lesson takes so many.
   tl::expected<void, InputError> load(const io::PointFile& file, std::string_view name);
-  /// The first points of the lesson's own, as many as the task asks for, the task's algorithm in slot 0, and its result.
+  /// The first points of the lesson's own, as many as the task asks for, the task's algorithm in slot 0, and its
+  /// result.
   void start_task();
   void begin_drag();
   void end_drag();
@@ -100,24 +102,25 @@ class Session {
 
   // ---- the algorithms ---------------------------------------------------------------------------------------
   /// slot 0 is the main one, which the timeline, sentence and pseudocode speak of; slot 1 stands beside it.
-  [[nodiscard]] const fit::Algorithm* algorithm(int slot) const { return slots_[static_cast<std::size_t>(slot)].algorithm; }
+  [[nodiscard]] const fit::Algorithm* algorithm(int slot) const { return slots_[slot].algorithm; }
   /// The slot's frames, of a lesson that has a scene; null otherwise. Frame step_of(slot) is the one that stands.
   [[nodiscard]] const std::vector<SceneFrame>* frames(int slot) const;
   /// The frame of slot 0 that stands, and its bodies' shapes; null where there is none.
   [[nodiscard]] const SceneFrame* frame() const;
   [[nodiscard]] std::span<const scene::Member> members() const { return slots_[0].members; }
-  /// Switches an effect of the scene off from the frame that stands, or on again for all frames. false: there is none of that
-  /// name, or none has run yet (at the beginning there is nothing that what reads it could go on with). Grades know no switches.
+  /// Switches an effect of the scene off from the frame that stands, or on again for all frames. false: there is none
+  /// of that name, or none has run yet (at the beginning there is nothing that what reads it could go on with). Grades
+  /// know no switches.
   bool turn(std::string_view effect, bool on);
   [[nodiscard]] bool is_on(std::string_view effect) const;
   /// The step after which it was switched off; -1 where it is on, or was in the step that stands.
   [[nodiscard]] int off_since(std::string_view effect) const;
-  /// What one run of an effect takes here, as effect_time_text has it, of all runs in slot 0's frames. Of no step, figure or
-  /// hash: they are the same everywhere.
+  /// What one run of an effect takes here, as effect_time_text has it, of all runs in slot 0's frames. Of no step,
+  /// figure or hash: they are the same everywhere.
   [[nodiscard]] std::string time_of(std::string_view effect) const;
   /// An empty name clears slot 1; slot 0 must have one. Errors: too many points for it; unknown name.
   tl::expected<void, InputError> choose(int slot, std::string_view name);
-  [[nodiscard]] const fit::Recording& recording(int slot) const { return slots_[static_cast<std::size_t>(slot)].recording; }
+  [[nodiscard]] const fit::Recording& recording(int slot) const { return slots_[slot].recording; }
   /// The lesson's own pseudocode of that slot's algorithm, or the catalogue's.
   [[nodiscard]] std::span<const std::string_view> pseudocode(int slot) const;
   /// The smallest volume of the points, watched: run when first asked for after an edit. Null where there are too many
@@ -152,8 +155,8 @@ class Session {
   void back() { go(step_ - 1); }
   void last() { go(steps()); }
   /// Whether the result is shown before the player was used: a lesson that starts at its end. Edits keep it so. No
-  /// question was passed then: to step forward (or play) shows step 1, to scrub back stops at the first gate. A question
-  /// that stands before step 1 stops both.
+  /// question was passed then: to step forward (or play) shows step 1, to scrub back stops at the first gate. A
+  /// question that stands before step 1 stops both.
   [[nodiscard]] bool previewing() const { return previewing_; }
   [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }
   /// The next or previous mark from here, or the end or start.
@@ -189,7 +192,8 @@ class Session {
   [[nodiscard]] std::vector<Figure> figures(int slot = 0) const;
   /// The key of the figure that is asked for, which is not told beside the question; empty for none.
   [[nodiscard]] std::string_view asked_figure() const;
-  /// Whether a figure is not told: it is asked for, or the first question about it is still open, ahead of where one stands.
+  /// Whether a figure is not told: it is asked for, or the first question about it is still open, ahead of where one
+  /// stands.
   [[nodiscard]] bool is_hidden(std::string_view figure) const;
   /// What is proven of the ball as it stands ("Proof, so far"), and in the end the result's certificate.
   [[nodiscard]] std::vector<Proof> proofs(int slot = 0) const;
@@ -275,7 +279,7 @@ class Session {
   std::vector<Asked> asked_;
   std::vector<Outcome> outcomes_;
   mutable std::vector<bool> found_;  // of a task's goals, since it was begun
-  int shown_outcome_ = -1;  // of outcomes_, at step shown_at_
+  int shown_outcome_ = -1;           // of outcomes_, at step shown_at_
   int shown_at_ = -1;
   std::uint64_t revision_ = 1;
 };

@@ -25,13 +25,16 @@ std::optional<Mark::Kind> mark_of(const Step3& step, bool first_ball) {
     return Mark::Kind::kBest;
   if (const auto* axis = std::get_if<query::AxisTested<double, 3>>(&step.fact); axis != nullptr && axis->separates)
     return Mark::Kind::kBest;
-  if (const auto* plane = std::get_if<query::PlaneTested<double, 3>>(&step.fact); plane != nullptr && plane->side == query::Culling::kOutside)
+  if (const auto* plane = std::get_if<query::PlaneTested<double, 3>>(&step.fact);
+      plane != nullptr && plane->side == query::Culling::kOutside)
     return Mark::Kind::kBest;
-  if (std::holds_alternative<query::Verdict<double, 3>>(step.fact) || std::holds_alternative<query::Claimed>(step.fact) ||
-      std::holds_alternative<query::Classified>(step.fact))
+  if (std::holds_alternative<query::Verdict<double, 3>>(step.fact) ||
+      std::holds_alternative<query::Claimed>(step.fact) || std::holds_alternative<query::Classified>(step.fact))
     return Mark::Kind::kReplaced;
-  if (const auto* tried = std::get_if<BoxTried<double, 3>>(&step.fact); tried != nullptr && tried->better) return Mark::Kind::kBest;
-  if (const auto* found = std::get_if<RectangleFound<double, 3>>(&step.fact); found != nullptr && found->better) return Mark::Kind::kBest;
+  if (const auto* tried = std::get_if<BoxTried<double, 3>>(&step.fact); tried != nullptr && tried->better)
+    return Mark::Kind::kBest;
+  if (const auto* found = std::get_if<RectangleFound<double, 3>>(&step.fact); found != nullptr && found->better)
+    return Mark::Kind::kBest;
   if (first_ball || std::holds_alternative<BallGrown<double, 3>>(step.fact)) return Mark::Kind::kGrew;
   return std::nullopt;
 }
@@ -41,7 +44,7 @@ std::vector<Mark> marks_of(Trace trace, const std::vector<Asked>& questions) {
   for (const Asked& asked : questions) marks.push_back({asked.step, Mark::Kind::kQuestion});
   bool has_ball = false;
   for (int i = 0; i < static_cast<int>(trace.size()); ++i) {
-    const Step3& step = trace[static_cast<std::size_t>(i)].step;
+    const Step3& step = trace[i].step;
     if (const auto kind = mark_of(step, step.has_volume && !has_ball)) marks.push_back({i + 1, *kind});
     has_ball = step.has_volume;
   }
@@ -56,7 +59,8 @@ void Session::trace_changed(bool at_end) {
   asked_.clear();
   if (lesson_.measures && has_own_points()) asked_ = asked_of_costs(lesson_);
   if (!lesson_.measures)
-    asked_ = asked_on(lesson_, algorithm(0)->name, recording(0).steps, dim(), !edited() && seed() == lesson_.seed && off_.empty());
+    asked_ = asked_on(lesson_, algorithm(0)->name, recording(0).steps, dim(),
+                      !edited() && seed() == lesson_.seed && off_.empty());
   marks_ = marks_of(recording(0).steps, lesson_.measures ? std::vector<Asked>() : asked_);
   step_ = at_end ? steps() : std::min(step_, steps());
   worked_.hash.reset();
@@ -65,7 +69,7 @@ void Session::trace_changed(bool at_end) {
 
 const Recorder<Step3>::Entry* Session::current(int slot) const {
   const int step = step_of(slot);
-  return step > 0 ? &recording(slot).steps[static_cast<std::size_t>(step - 1)] : nullptr;
+  return step > 0 ? &recording(slot).steps[step - 1] : nullptr;
 }
 
 int Session::step_of(int slot) const {

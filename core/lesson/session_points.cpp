@@ -13,7 +13,7 @@ constexpr std::size_t kMostUndo = 200;  // of a bunny, 10 MB
 
 std::vector<Vector<double, 3>> all_points(const AnyPointSet& points) {
   std::vector<Vector<double, 3>> all;
-  all.reserve(static_cast<std::size_t>(fit::size_of(points)));
+  all.reserve(fit::size_of(points));
   for (Index i = 0; i < fit::size_of(points); ++i) all.push_back(fit::point_of(points, i));
   return all;
 }
@@ -45,7 +45,9 @@ const std::vector<std::array<Index, 3>>& Session::triangles() const {
   return now_.triangles ? *now_.triangles : none;
 }
 
-std::string Session::name_of(Index i) const { return now_.boxes ? place_name(dim(), i, has_frustum(*now_.boxes)) : point_name(i); }
+std::string Session::name_of(Index i) const {
+  return now_.boxes ? place_name(dim(), i, has_frustum(*now_.boxes)) : point_name(i);
+}
 
 /// The snapshot with other boxes.
 tl::expected<Session::Snapshot, InputError> Session::placed(Snapshot snapshot, BoxPair pair) {
@@ -94,8 +96,8 @@ tl::expected<void, InputError> Session::add(const Vector<double, 3>& at) {
   if (now_.boxes) return fixed_boxes();
   const fit::Algorithm& main = *slots_[0].algorithm;
   if (size() >= main.max_points)
-    return tl::unexpected(InputError{.what = std::string(main.title) + " takes at most " + std::to_string(main.max_points) +
-                                             " points"});
+    return tl::unexpected(
+        InputError{.what = std::string(main.title) + " takes at most " + std::to_string(main.max_points) + " points"});
   std::vector<Vector<double, 3>> all = all_points(points());
   all.push_back(at);
   auto set = to_set(all, dim());
@@ -139,12 +141,9 @@ void Session::scatter(std::uint64_t seed) {
   }
   const Recipe own = recipe();
   const Recipe now{now_.source, now_.generated, dim()};
-  if (now_.generated > 0 && now != own)
-    static_cast<void>(become(generated(now.kind, now.count, now.dim, seed, true)));
-  else if (seed == lesson_.seed)
-    reset();
-  else
-    static_cast<void>(become(generated(own.kind, own.count, own.dim, seed, false)));
+  if (now_.generated > 0 && now != own) static_cast<void>(become(generated(now.kind, now.count, now.dim, seed, true)));
+  else if (seed == lesson_.seed) reset();
+  else static_cast<void>(become(generated(own.kind, own.count, own.dim, seed, false)));
 }
 
 tl::expected<void, InputError> Session::set_generator(std::string_view kind, int count, int dim, std::uint64_t seed) {
@@ -167,17 +166,20 @@ tl::expected<void, InputError> Session::load(const io::PointFile& file, std::str
   auto set = io::to_point_set(file, name, 0, false);
   if (!set) return tl::unexpected(std::move(set.error()));
   const bool own = name == lesson_.points.mesh;
-  return become({*std::move(set), std::make_shared<const Triangles>(file.triangles), seed(), std::string(name), 0, !own});
+  return become(
+      {*std::move(set), std::make_shared<const Triangles>(file.triangles), seed(), std::string(name), 0, !own});
 }
 
 void Session::start_task() {
   if (!lesson_.task) return;
   found_.clear();
   if (lesson_.measures) {
-    const std::string_view kind = lesson_.generators.empty() ? "gaussian" : std::string_view(lesson_.generators.front());
+    const std::string_view kind =
+        lesson_.generators.empty() ? "gaussian" : std::string_view(lesson_.generators.front());
     static_cast<void>(become(generated(kind, lesson_.task->points, dim(), lesson_.seed, true)));
   } else {
-    static_cast<void>(become(now_.boxes ? own_ : Snapshot{start_of_task(lesson_, own_.points), nullptr, own_.seed, "task", 0, true}));
+    static_cast<void>(
+        become(now_.boxes ? own_ : Snapshot{start_of_task(lesson_, own_.points), nullptr, own_.seed, "task", 0, true}));
   }
   static_cast<void>(choose(0, lesson_.task->algorithm));
   // Who builds an example looks at results, and was asked nothing yet. Bodies are placed where they begin.

@@ -48,10 +48,12 @@ bool Session::answer(const Answer& answer) {
 
 const Outcome* Session::outcome() const {
   if (lesson_.measures || shown_outcome_ < 0 || previewing_ || step_ != shown_at_) return nullptr;
-  return &outcomes_[static_cast<std::size_t>(shown_outcome_)];
+  return &outcomes_[shown_outcome_];
 }
 
-bool Session::has_own_points() const { return !edited() && seed() == lesson_.seed && now_.source == own_.source && now_.generated == own_.generated; }
+bool Session::has_own_points() const {
+  return !edited() && seed() == lesson_.seed && now_.source == own_.source && now_.generated == own_.generated;
+}
 
 void Session::measured(std::vector<cost::CostRow> rows) {
   worked_.costs = std::move(rows);

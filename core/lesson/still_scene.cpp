@@ -14,8 +14,7 @@ SceneBody still_body() {
 SceneBody corners_of(const BoxPair& pair, int box) {
   SceneBody still = still_body();
   scene::Cloud corners;
-  for (int bits = 0; bits < 1 << pair.dim; ++bits)
-    corners.push_back(corner_of(pair, box, bits));
+  for (int bits = 0; bits < 1 << pair.dim; ++bits) corners.push_back(corner_of(pair, box, bits));
   still.body.shape = std::move(corners);
   return still;
 }

@@ -1,5 +1,5 @@
-// toml++. It reads and writes numbers by <charconv> where the standard library can, and else by streams, whose locales are a
-// twentieth of the page. Emscripten's library can for whole numbers alone; what it lacks for others stands here.
+// toml++. It reads and writes numbers by <charconv> where the standard library can, and else by streams, whose locales
+// are a twentieth of the page. Emscripten's library can for whole numbers alone; what it lacks for others stands here.
 #pragma once
 
 #include <charconv>
@@ -21,7 +21,9 @@ inline to_chars_result to_chars(char* first, char* last, double value) {
   const int written = snprintf(first, static_cast<size_t>(last - first), "%.17g", value);
   return {first + written, errc{}};
 }
-inline to_chars_result to_chars(char* first, char* last, double value, chars_format, int = 0) { return to_chars(first, last, value); }
+inline to_chars_result to_chars(char* first, char* last, double value, chars_format, int = 0) {
+  return to_chars(first, last, value);
+}
 
 }  // namespace std
 

@@ -71,7 +71,8 @@ std::int64_t TomlTable::integer(std::string_view key, std::int64_t least, std::i
   return value->get();
 }
 
-std::int64_t TomlTable::integer_or(std::string_view key, std::int64_t least, std::int64_t most, std::int64_t otherwise) {
+std::int64_t TomlTable::integer_or(std::string_view key, std::int64_t least, std::int64_t most,
+                                   std::int64_t otherwise) {
   asked_.emplace_back(key);
   return has(key) ? integer(key, least, most) : otherwise;
 }
@@ -131,7 +132,8 @@ std::vector<double> TomlTable::numbers(std::string_view key) {
     return value.has_value();
   };
   const toml::array* list = node->as_array();
-  if (list != nullptr ? !std::all_of(list->begin(), list->end(), add) : !add(*node)) wrong(key, "must be a number or numbers");
+  if (list != nullptr ? !std::all_of(list->begin(), list->end(), add) : !add(*node))
+    wrong(key, "must be a number or numbers");
   return all;
 }
 

@@ -8,8 +8,7 @@ namespace snug::lesson {
 namespace {
 
 std::uint64_t fold(std::uint64_t hash, std::uint64_t bits) {
-  for (int byte = 0; byte < 8; ++byte, bits >>= 8)
-    hash = (hash ^ (bits & 0xff)) * 0x100000001b3u;
+  for (int byte = 0; byte < 8; ++byte, bits >>= 8) hash = (hash ^ (bits & 0xff)) * 0x100000001b3u;
   return hash;
 }
 
@@ -27,15 +26,14 @@ tl::expected<TraceHash, InputError> trace_hash(Session& session) {
 
 std::string hex_of(std::uint64_t hash) {
   std::string digits;
-  for (int shift = 60; shift >= 0; shift -= 4)
-    digits += "0123456789abcdef"[hash >> shift & 0xf];
+  for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[hash >> shift & 0xf];
   return digits;
 }
 
-std::string line_of(const TraceHash& hash) { return hash.lesson + ' ' + std::to_string(hash.steps) + ' ' + hex_of(hash.hash); }
-
-bool comes_before(const Lesson& a, const Lesson& b) {
-  return std::tie(a.order, a.id) < std::tie(b.order, b.id);
+std::string line_of(const TraceHash& hash) {
+  return hash.lesson + ' ' + std::to_string(hash.steps) + ' ' + hex_of(hash.hash);
 }
+
+bool comes_before(const Lesson& a, const Lesson& b) { return std::tie(a.order, a.id) < std::tie(b.order, b.id); }
 
 }  // namespace snug::lesson

@@ -39,7 +39,9 @@ struct Named {
     for (int bits = 0; bits < 8; ++bits)
       if ((fact.near_b >> bits & 1) != 0) add(index_of(dim, {Place::Kind::kCorner, 1, bits}));
   }
-  void operator()(const query::CornerTested<double, 3>& fact) { add(index_of(dim, {Place::Kind::kCorner, 0, fact.corner})); }
+  void operator()(const query::CornerTested<double, 3>& fact) {
+    add(index_of(dim, {Place::Kind::kCorner, 0, fact.corner}));
+  }
   void operator()(const query::PlaneTested<double, 3>& fact) {
     for (const int corner : {fact.p_vertex, fact.n_vertex})
       if (!fact.skipped) add(index_of(dim, {Place::Kind::kCorner, 0, corner}));
@@ -102,7 +104,7 @@ std::vector<Index> points_named(const Step3& step, int dim) {
 
 std::vector<Index> support_after(Trace trace, int steps) {
   for (int i = steps; i-- > 0;)
-    if (auto support = std::visit(Stated{}, trace[static_cast<std::size_t>(i)].step.fact)) return *std::move(support);
+    if (auto support = std::visit(Stated{}, trace[i].step.fact)) return *std::move(support);
   return {};
 }
 

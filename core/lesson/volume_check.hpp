@@ -13,6 +13,7 @@ struct StepCertificate {
   bool on_boundary = false;  // every support point, within rounding
   bool smallest = false;     // no smaller ball holds the support, within rounding
 };
-[[nodiscard]] StepCertificate certify_step(const AnyPointSet& points, const fit::Sphere3& ball, const std::vector<Index>& support);
+[[nodiscard]] StepCertificate certify_step(const AnyPointSet& points, const fit::Sphere3& ball,
+                                           const std::vector<Index>& support);
 
 }  // namespace snug::lesson

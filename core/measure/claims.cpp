@@ -71,8 +71,7 @@ std::vector<GrowthRow> growth_of(std::string_view volume, std::string_view algor
   const auto points = std::make_shared<PointStock>("sphere", 3, false, context.seed);
   GrowthRun run({workload_of(row_of(volume, algorithm), 3, most, points, options)},
                 {.repeats = 3, .batch = 1e6, .enough = context.longest}, context.longest, context.clock);
-  while (!run.done())
-    run.step();
+  while (!run.done()) run.step();
   return run.rows();
 }
 
@@ -169,10 +168,8 @@ void tighter(const ClaimContext& context, ClaimRow& row) {
 AnyPointSet crowded_diagonal(std::uint64_t seed) {
   Random random(seed);
   std::vector<Vector<double, 3>> points;
-  for (int corner = 0; corner < 8; ++corner)
-    points.emplace_back(corner & 1, corner >> 1 & 1, corner >> 2);
-  for (int i = 0; i < 400; ++i)
-    points.push_back(Vector<double, 3>::Constant(random.unit()));
+  for (int corner = 0; corner < 8; ++corner) points.emplace_back(corner & 1, corner >> 1 & 1, corner >> 2);
+  for (int i = 0; i < 400; ++i) points.push_back(Vector<double, 3>::Constant(random.unit()));
   return *PointSet<double, 3>::make(std::move(points));
 }
 

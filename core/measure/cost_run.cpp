@@ -27,8 +27,7 @@ fit::Result hull_of(const AnyPointSet& points, const fit::Options&) {
       []<class Scalar, int Dim>([[maybe_unused]] const PointSet<Scalar, Dim>& set) -> fit::Result {
         if constexpr (SNUG_ALL_ROWS || std::is_same_v<Scalar, double>)
           return {fit::lift(fit::quickhull(set.span()).volume), {}};
-        else
-          return {};
+        else return {};
       },
       points);
 }
@@ -107,7 +106,8 @@ const fit::Volume3& CostRun::fitted(const fit::Algorithm& algorithm) {
   return place->second;
 }
 
-/// On a busy machine, or from one run alone, times seem to grow far too steeply: no more than theory's bound is foreseen.
+/// On a busy machine, or from one run alone, times seem to grow far too steeply: no more than theory's bound is
+/// foreseen.
 double CostRun::whole_time(const Ladder& ladder) const {
   const double foreseen = ladder.foreseen_at(row_.of);
   const Theory* const theory = find_theory(row_.volume, row_.algorithm);
@@ -155,7 +155,8 @@ bool CostRun::count() {
 bool CostRun::compare_with_hull() {
   Ladder& ladder = ladder_of(hull_row());
   if (!step_up(ladder)) return false;
-  if (ladder.reached() >= row_.points) row_.over_hull = rounding_.ratio(row_.measure, fit::measure_of(fitted(hull_row()), dim_), dim_);
+  if (ladder.reached() >= row_.points)
+    row_.over_hull = rounding_.ratio(row_.measure, fit::measure_of(fitted(hull_row()), dim_), dim_);
   return true;
 }
 
@@ -166,7 +167,8 @@ bool CostRun::compare_with_smallest() {
   if (exact == nullptr) return true;
   Ladder& ladder = ladder_of(*exact);
   if (!step_up(ladder)) return false;
-  if (ladder.reached() >= row_.points) row_.tightness = rounding_.ratio(row_.size, fit::size_of(fitted(*exact), dim_), lengths);
+  if (ladder.reached() >= row_.points)
+    row_.tightness = rounding_.ratio(row_.size, fit::size_of(fitted(*exact), dim_), lengths);
   return true;
 }
 
@@ -209,21 +211,17 @@ std::vector<std::size_t> pareto_front(std::span<const CostRow> rows) {
 }
 
 void mark_front(std::span<CostRow> rows) {
-  for (CostRow& row : rows)
-    row.on_front = false;
-  for (const std::size_t i : pareto_front(std::span<const CostRow>(rows)))
-    rows[i].on_front = true;
+  for (CostRow& row : rows) row.on_front = false;
+  for (const std::size_t i : pareto_front(std::span<const CostRow>(rows))) rows[i].on_front = true;
 }
 
 std::vector<Pose<double, 3>> full_turn(int dim, int poses) {
   std::vector<Pose<double, 3>> turned(static_cast<std::size_t>(poses));
   for (int i = 0; i < poses; ++i) {
     const double radians = 2 * std::numbers::pi * i / poses;
-    Pose<double, 3>& pose = turned[static_cast<std::size_t>(i)];
-    if (dim == 2)
-      pose.rotation.topLeftCorner<2, 2>() = turn(radians);
-    else
-      pose.rotation = turn(Vector<double, 3>(1, 2, 3), radians);
+    Pose<double, 3>& pose = turned[i];
+    if (dim == 2) pose.rotation.topLeftCorner<2, 2>() = turn(radians);
+    else pose.rotation = turn(Vector<double, 3>(1, 2, 3), radians);
   }
   return turned;
 }

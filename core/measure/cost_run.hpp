@@ -79,7 +79,7 @@ class CostRun {
   Clock clock_;
   int dim_;
   bool single_;
-  std::size_t at_ = 0;    // of algorithms_
+  std::size_t at_ = 0;     // of algorithms_
   std::size_t piece_ = 0;  // of the row
   CostRow row_;
   Rounding rounding_;  // of the row's points

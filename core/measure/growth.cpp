@@ -24,8 +24,9 @@ std::string why_stopped(Index points, double time) {
   return text.data();
 }
 
-/// The times that count: of the last decade and a half of numbers; of the last three where those are fewer. Of each number
-/// the least, which was disturbed the least: a machine that does other things as well bends the line of the medians.
+/// The times that count: of the last decade and a half of numbers; of the last three where those are fewer. Of each
+/// number the least, which was disturbed the least: a machine that does other things as well bends the line of the
+/// medians.
 std::vector<SizedTime> tail_of(std::span<GrowthRow> rows) {
   std::vector<SizedTime> tail;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -94,10 +95,8 @@ double GrowthRun::progress() const {
 
 void GrowthRun::step() {
   if (done()) return;
-  if (stopped_)
-    step_back();
-  else
-    step_up();
+  if (stopped_) step_back();
+  else step_up();
 }
 
 void GrowthRun::step_up() {
@@ -124,8 +123,7 @@ void GrowthRun::step_up() {
 
 void GrowthRun::turn(std::string stopped) {
   stopped_ = std::move(stopped);
-  for (Stopwatch& watch : watches_)
-    watch.pause_after(timing_.repeats);
+  for (Stopwatch& watch : watches_) watch.pause_after(timing_.repeats);
 }
 
 void GrowthRun::step_back() {
@@ -141,8 +139,7 @@ void GrowthRun::finish() {
   const auto power = power_of(tail);
   std::optional<double> theory;
   if (power && load.work != nullptr) {
-    for (SizedTime& at : tail)
-      at.time = load.work(at.points);
+    for (SizedTime& at : tail) at.time = load.work(at.points);
     theory = power_of(tail);
   }
   for (GrowthRow& row : own_rows()) {

@@ -17,8 +17,8 @@ namespace snug::cost {
 /// Something that can be done to so many points.
 struct Workload {
   std::string volume, algorithm;
-  Index most = 0;                     // points that it takes
-  std::string theory;                 // as it is said; empty where there is none
+  Index most = 0;                      // points that it takes
+  std::string theory;                  // as it is said; empty where there is none
   double (*work)(double n) = nullptr;  // theory's, up to a factor; null where points alone do not say
   bool tight = false;
   /// A piece of what comes before; whether all of it is done. None where nothing does.
@@ -76,9 +76,9 @@ class GrowthRun {
   Clock clock_;
   std::size_t at_ = 0;  // of workloads_
   std::vector<Index> sizes_;
-  std::size_t size_ = 0;  // of sizes_: on the way up the one to come, on the way back the one that was left last
+  std::size_t size_ = 0;   // of sizes_: on the way up the one to come, on the way back the one that was left last
   std::size_t first_ = 0;  // of rows_, that is the workload's
-  std::vector<Stopwatch> watches_;  // of sizes_
+  std::vector<Stopwatch> watches_;      // of sizes_
   std::optional<std::string> stopped_;  // why there are no more points; none on the way up
   std::vector<GrowthRow> rows_;
 };

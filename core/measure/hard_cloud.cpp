@@ -30,7 +30,10 @@ double excess_on(const fit::Algorithm& algorithm, const AnyPointSet& points, std
   const fit::Options options{.seed = seed};
   const double least = fit::size_of(fit::exact_algorithm(algorithm.volume)->fit(points, options).volume, dim);
   const int lengths = lengths_of_size(algorithm.volume, dim);
-  return rounding_of(points).ratio(fit::size_of(algorithm.fit(points, options).volume, dim), least, lengths).value_or(1) - 1;
+  return rounding_of(points)
+             .ratio(fit::size_of(algorithm.fit(points, options).volume, dim), least, lengths)
+             .value_or(1) -
+         1;
 }
 
 Excess excess_of(const fit::Algorithm& algorithm, std::uint64_t seed) {
@@ -50,8 +53,7 @@ Excess excess_of(const fit::Algorithm& algorithm, std::uint64_t seed) {
     Cloud cloud = hardest;
     const double move = kMoves[random.below(kMoves.size())];
     auto& point = cloud[random.below(kHardPoints)];
-    for (int axis = 0; axis < 3; ++axis)
-      point[axis] = std::clamp(point[axis] + random.between(-move, move), -1.0, 1.0);
+    for (int axis = 0; axis < 3; ++axis) point[axis] = std::clamp(point[axis] + random.between(-move, move), -1.0, 1.0);
     const double here = excess_on(algorithm, set_of(cloud), seed);
     if (here >= excess.found) excess.found = here, hardest = std::move(cloud);
   }

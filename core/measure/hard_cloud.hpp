@@ -12,7 +12,7 @@ struct Excess {
   double median = 0, most = 0;  // size over the smallest, less 1, over clouds of every kind
   int clouds = 0;
   double found = 0;  // the most that was found by moving points of a small cloud
-  int tried = 0;    // such clouds
+  int tried = 0;     // such clouds
 };
 
 /// In 3-D. algorithm: of a volume with an exact algorithm.

@@ -13,8 +13,8 @@ constexpr double kBold = 4;
 constexpr int kTriesBeforeStop = 2;
 constexpr double kLeastPower = 1, kMostPower = 4;
 /// The first run of a kind finds the caches empty, and in a browser code that is not yet compiled, which can take ten
-/// times as long: it counts only where it is longer than this. Else others do, for a browser's clock goes on by 0.1 ms, so
-/// many that they are not short. Of two such times the shorter counts where there is time for two. In ns.
+/// times as long: it counts only where it is longer than this. Else others do, for a browser's clock goes on by 0.1 ms,
+/// so many that they are not short. Of two such times the shorter counts where there is time for two. In ns.
 constexpr double kLong = 1e7, kShort = 5e5, kTwice = 2e6;
 constexpr int kMostAgain = 1000;
 
@@ -63,10 +63,8 @@ void Ladder::choose(const Limits& limits) {
     return;
   }
   // One run that something else held up is no reason to stop: the least of a few times counts.
-  if (again_++ < kTriesBeforeStop)
-    next_ = reached_;
-  else
-    done_ = true;
+  if (again_++ < kTriesBeforeStop) next_ = reached_;
+  else done_ = true;
 }
 
 void Ladder::step(const Clock& clock, const PointsOfSize& points, const fit::Options& options, const Limits& limits) {

@@ -15,7 +15,7 @@ using PointsOfSize = std::function<const AnyPointSet&(Index n)>;
 
 /// How long one run may take, ns.
 struct Limits {
-  double longest = 1e9;          // unwatched
+  double longest = 1e9;           // unwatched
   double longest_watched = 1e10;  // watched, and its result proven
 };
 
@@ -52,7 +52,7 @@ class Ladder {
   Index reached_ = 0;
   Index next_;
   bool timed_ = false;  // whether the unwatched run of next_ is done, and the watched one is to come
-  int again_ = 0;  // how often the last size was taken once more, before the next is too long
+  int again_ = 0;       // how often the last size was taken once more, before the next is too long
   bool done_ = false;
   Rung before_, last_, now_;
 };

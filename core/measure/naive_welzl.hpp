@@ -7,7 +7,7 @@
 namespace snug::cost {
 
 struct RecursionDepth {
-  Index deepest = 0;         // calls within calls
+  Index deepest = 0;          // calls within calls
   double bytes_per_call = 0;  // of the stack, as this build has it
 };
 

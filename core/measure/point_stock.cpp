@@ -37,7 +37,7 @@ void PointStock::begin(Index n) {
   making_ = n;
   next_ = open_(n);
   made_ = none_;
-  std::visit([&](auto& points) { points.reserve(static_cast<std::size_t>(n)); }, made_);
+  std::visit([&](auto& points) { points.reserve(n); }, made_);
 }
 
 bool PointStock::make(Index n) {
@@ -48,7 +48,8 @@ bool PointStock::make(Index n) {
         for (Index i = 0; i < kPiece && static_cast<Index>(points.size()) < n; ++i)
           points.push_back(next_().template head<Dim>().template cast<Scalar>());
         if (static_cast<Index>(points.size()) < n) return false;
-        kept_.emplace(n, *PointSet<Scalar, Dim>::make(std::move(points)));  // of unit size, or from a set: none is refused
+        kept_.emplace(n,
+                      *PointSet<Scalar, Dim>::make(std::move(points)));  // of unit size, or from a set: none is refused
         making_ = 0;
         return true;
       },
@@ -56,7 +57,8 @@ bool PointStock::make(Index n) {
 }
 
 const AnyPointSet& PointStock::of(Index n) {
-  while (!make(n)) {}
+  while (!make(n)) {
+  }
   return *find(n);
 }
 

@@ -12,8 +12,8 @@
 
 namespace snug::cost {
 
-/// Each number of points is made once and kept. A million of them take longer than a page may keep a frame waiting: they are
-/// made piece by piece.
+/// Each number of points is made once and kept. A million of them take longer than a page may keep a frame waiting:
+/// they are made piece by piece.
 class PointStock {
  public:
   /// Points of a kind (geometry/generate.hpp). kind: a known one.

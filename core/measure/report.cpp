@@ -18,8 +18,8 @@ constexpr std::string_view kFirstLine = "# snug table: ";
 
 // ---- a row as names and values: the code below is the same for every row, and the page has it once
 
-using Value = std::variant<double*, int*, std::int64_t*, bool*, std::string*, std::optional<double>*, std::optional<bool>*,
-                           std::optional<std::string>*>;
+using Value = std::variant<double*, int*, std::int64_t*, bool*, std::string*, std::optional<double>*,
+                           std::optional<bool>*, std::optional<std::string>*>;
 struct Field {
   std::string name;
   Value value;
@@ -77,7 +77,9 @@ std::string text_of(const std::optional<Held>& value) {
 }
 
 std::string csv_value(const auto& value) { return text_of(value); }
-std::string csv_value(double value) { return std::isfinite(value) ? text_of(value) : std::isnan(value) ? "nan" : "inf"; }
+std::string csv_value(double value) {
+  return std::isfinite(value) ? text_of(value) : std::isnan(value) ? "nan" : "inf";
+}
 std::string csv_value(const std::string& value);
 std::string csv_value(const std::optional<std::string>& value) { return value ? csv_value(*value) : std::string(); }
 std::string csv_value(const std::string& value) {
@@ -185,18 +187,12 @@ std::optional<std::vector<std::string>> fields_of_line(std::string_view line) {
   bool quoted = false, closed = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
-    if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"')
-      fields.back() += line[++i];
-    else if (quoted && c == '"')
-      quoted = false, closed = true;
-    else if (!quoted && c == ',')
-      fields.emplace_back(), closed = false;
-    else if (closed)
-      return std::nullopt;
-    else if (c == '"' && fields.back().empty() && !quoted)
-      quoted = true;
-    else
-      fields.back() += c;
+    if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"') fields.back() += line[++i];
+    else if (quoted && c == '"') quoted = false, closed = true;
+    else if (!quoted && c == ',') fields.emplace_back(), closed = false;
+    else if (closed) return std::nullopt;
+    else if (c == '"' && fields.back().empty() && !quoted) quoted = true;
+    else fields.back() += c;
   }
   if (quoted) return std::nullopt;
   return fields;
@@ -207,7 +203,8 @@ tl::unexpected<InputError> at(std::string_view name, std::int64_t line, std::str
 }
 
 /// Sets the fields from texts by name, none of which may be missing. What was not timed has no repeats, and stays none.
-std::optional<std::string> set_fields(const Fields& fields, const std::function<const std::string*(std::string_view)>& text_by_name) {
+std::optional<std::string> set_fields(const Fields& fields,
+                                      const std::function<const std::string*(std::string_view)>& text_by_name) {
   for (const Field& field : fields) {
     const std::string* text = text_by_name(field.name);
     if (text == nullptr) return "there is no " + io::quoted(field.name);
@@ -270,7 +267,8 @@ Wrong read_lines(std::string_view text, std::string_view name, std::string_view 
       return at(name, lines.number(),
                 "there are " + io::counted(static_cast<std::int64_t>(fields->size()), "field") + ", and " +
                     io::counted(static_cast<std::int64_t>(columns->size()), "column"));
-    if (const auto wrong = set_fields(add_row(), [&](std::string_view key) { return find_text(*columns, *fields, key); }))
+    if (const auto wrong =
+            set_fields(add_row(), [&](std::string_view key) { return find_text(*columns, *fields, key); }))
       return at(name, lines.number(), *wrong);
   }
   return std::nullopt;
@@ -288,7 +286,8 @@ std::string csv_of(const Provenance& provenance, std::span<const Row> rows) {
 
 template <class Row>
 std::string json_of(const Provenance& provenance, std::span<const Row> rows) {
-  std::string text = "{\"table\":\"" + std::string(Row::kTable) + "\",\"provenance\":" + object_of(fields_of(provenance)) + ",\"rows\":[";
+  std::string text = "{\"table\":\"" + std::string(Row::kTable) +
+                     "\",\"provenance\":" + object_of(fields_of(provenance)) + ",\"rows\":[";
   for (const Row& row : rows) text += (&row == rows.data() ? "" : ",") + object_of(fields_of(row));
   return text + "]}\n";
 }

@@ -2,8 +2,8 @@
 //
 // CSV: the table's name and the provenance in lines that begin with "# ", the columns' names, a line a row. What there
 // is none of is an empty field; numbers read back to the same bits. JSON:
-// {"table":"costs","provenance":{...},"rows":[...]}; what there is none of is null, and of what was not timed that is all
-// of "update_ns".
+// {"table":"costs","provenance":{...},"rows":[...]}; what there is none of is null, and of what was not timed that is
+// all of "update_ns".
 #pragma once
 
 #include <span>

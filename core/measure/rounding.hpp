@@ -17,8 +17,9 @@ struct Rounding {
   [[nodiscard]] double of(int lengths) const;
   /// Below it such a product is nothing but rounding, of points that are flat, or nearly so.
   [[nodiscard]] double noise(int lengths) const;
-  /// value over least, of which least is claimed to be the smallest. None where that is nothing but rounding. A value that is
-  /// below it, but by no more than least may be off, is as small: 1. What is smaller still undercuts it, and is told.
+  /// value over least, of which least is claimed to be the smallest. None where that is nothing but rounding. A value
+  /// that is below it, but by no more than least may be off, is as small: 1. What is smaller still undercuts it, and is
+  /// told.
   [[nodiscard]] std::optional<double> ratio(double value, double least, int lengths) const;
 };
 

@@ -15,8 +15,8 @@ namespace snug::cost {
 
 /// What is needed to compare two results. All of it is passed in by who measures.
 struct Provenance {
-  std::string version;  // of the program
-  std::string build;    // compiler and kind of build
+  std::string version;   // of the program
+  std::string build;     // compiler and kind of build
   std::string platform;  // "native" or "WebAssembly"
   std::string processor;
   std::string points;  // what was measured on: a file's name, "cube:1000"
@@ -42,26 +42,27 @@ void timing_fields(std::string_view prefix, auto& timing, auto&& see) {
 struct CostRow {
   static constexpr std::string_view kTable = "costs";
   std::string volume, algorithm;
-  Index points = 0;               // that it was measured on
-  Index of = 0;                   // that there are: more, where one run on all of them would take too long
+  Index points = 0;                // that it was measured on
+  Index of = 0;                    // that there are: more, where one run on all of them would take too long
   std::optional<double> whole_ns;  // what such a run would take, by its growth; none where points == of
-  Timing time;                    // of one fit
-  OperationCounts operations{};   // of one watched run
+  Timing time;                     // of one fit
+  OperationCounts operations{};    // of one watched run
   std::int64_t steps = 0;
-  double size = 0;                 // a ball's radius; of others the measure
-  double measure = 0;              // volume (3-D) or area (2-D), scene units cubed or squared
-  std::optional<double> tightness;  // size over that of the smallest of its kind; none where nobody can tell, or it is flat
+  double size = 0;     // a ball's radius; of others the measure
+  double measure = 0;  // volume (3-D) or area (2-D), scene units cubed or squared
+  std::optional<double>
+      tightness;  // size over that of the smallest of its kind; none where nobody can tell, or it is flat
   std::optional<double> over_hull;  // measure over that of the convex hull; none where that is flat or took too long
   double noise = 0;  // a measure that is no larger is nothing but rounding; of a run alone, no column of a table
   [[nodiscard]] bool is_flat() const { return measure <= noise; }
   std::int64_t bytes = 0;
   int overlap_pairs = 0, overlapping = 0;
-  Timing overlap;     // of one test with a copy
+  Timing overlap;                     // of one test with a copy
   std::optional<std::string> update;  // which update was timed; none where the volume has none
   Timing updated;                     // of one update after a turn; nothing timed where there is none
   bool contains = false, on_boundary = false;
   std::optional<bool> optimal;  // none where the algorithm claims nothing
-  bool on_front = false;       // whether no other row undercuts it in time and measure (mark_front)
+  bool on_front = false;        // whether no other row undercuts it in time and measure (mark_front)
   static void fields(auto& own, auto&& see) {
     see("volume", own.volume), see("algorithm", own.algorithm), see("points", own.points), see("of", own.of);
     see("whole_ns", own.whole_ns);
@@ -85,12 +86,12 @@ struct GrowthRow {
   std::string volume, algorithm;
   Index points = 0;
   Timing time;
-  bool in_fit = false;            // whether the exponent is fitted through it
-  std::optional<double> exponent;  // of time as a power of points; none where there are too few times
-  std::string theory;             // "O(n log n)"
+  bool in_fit = false;                    // whether the exponent is fitted through it
+  std::optional<double> exponent;         // of time as a power of points; none where there are too few times
+  std::string theory;                     // "O(n log n)"
   std::optional<double> theory_exponent;  // of the theory's figures; none where points alone don't say
-  bool tight = false;  // whether the theory is no mere upper bound
-  std::string stopped;  // why there are no more points; empty where there are
+  bool tight = false;                     // whether the theory is no mere upper bound
+  std::string stopped;                    // why there are no more points; empty where there are
   static void fields(auto& own, auto&& see) {
     see("volume", own.volume), see("algorithm", own.algorithm), see("points", own.points);
     timing_fields("time_ns", own.time, see);
@@ -121,9 +122,9 @@ struct ClaimRow {
   static constexpr std::string_view kTable = "claims";
   std::string claim;  // its name: "ritter_ten_per_cent"
   std::string lecture, slide;
-  std::string says;     // in our words
-  std::string measured;  // in words, with the figures of this run
-  double figure = 0;    // the one that decides
+  std::string says;                 // in our words
+  std::string measured;             // in words, with the figures of this run
+  double figure = 0;                // the one that decides
   std::string verdict = "unknown";  // or "holds", "typical" (but no bound), "false"
   static void fields(auto& own, auto&& see) {
     see("claim", own.claim), see("lecture", own.lecture), see("slide", own.slide), see("says", own.says);

@@ -23,7 +23,7 @@ AnyPointSet sample(const AnyPointSet& points, Index n, std::uint64_t seed) {
         if (n >= set.size()) return set;
         Random random(seed);
         std::vector<Vector<Scalar, Dim>> chosen;
-        chosen.reserve(static_cast<std::size_t>(n));
+        chosen.reserve(n);
         for (Index i = 0; i < n; ++i) chosen.push_back(set[place_in(i, n, set.size(), random)]);
         return std::move(*PointSet<Scalar, Dim>::make(std::move(chosen)));  // finite, for the set was
       },

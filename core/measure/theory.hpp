@@ -7,9 +7,9 @@ namespace snug::cost {
 
 struct Theory {
   std::string_view volume, algorithm;
-  std::string_view bound;   // "O(n log n)"; of n points, h of them on the hull
+  std::string_view bound;    // "O(n log n)"; of n points, h of them on the hull
   double (*work)(double n);  // up to a factor, where as many are on the hull as can be; for its slope
-  bool tight;               // whether times grow so on any points; false: an upper bound
+  bool tight;                // whether times grow so on any points; false: an upper bound
   std::string_view source;
   std::string_view plane_bound = {};  // in 2-D, where that is another
   double (*plane_work)(double n) = nullptr;

@@ -61,8 +61,7 @@ Timing timing_of(std::vector<double> times, int batch) {
 
 void Stopwatch::step(const Clock& clock) {
   const double start = clock();
-  for (int i = 0; i < batch_; ++i)
-    run_();
+  for (int i = 0; i < batch_; ++i) run_();
   const double time = clock() - start;
   if (!warm_) {
     warm_ = time >= options_.batch || batch_ >= kLargestBatch;
@@ -89,8 +88,7 @@ Timing Stopwatch::timing() const { return times_.empty() ? Timing{} : timing_of(
 
 Timing time_of(const Clock& clock, std::function<void()> run, const TimingOptions& options) {
   Stopwatch watch(std::move(run), options);
-  while (!watch.done())
-    watch.step(clock);
+  while (!watch.done()) watch.step(clock);
   return watch.timing();
 }
 

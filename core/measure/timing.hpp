@@ -41,7 +41,7 @@ inline constexpr double kMostSpread = 1.0 / 3;
 [[nodiscard]] Timing timing_of(std::vector<double> times, int batch);
 
 struct TimingOptions {
-  int repeats = 9;    // at least 1
+  int repeats = 9;     // at least 1
   double batch = 1e6;  // ns that a batch fills at least
   /// Three repeats are enough when so much time has gone into them, ns.
   double enough = std::numeric_limits<double>::infinity();
@@ -66,7 +66,7 @@ class Stopwatch {
   TimingOptions options_;
   int batch_ = 1;
   bool warm_ = false;  // whether the batch is long enough
-  double spent_ = 0;  // ns, by the batches that count
+  double spent_ = 0;   // ns, by the batches that count
   std::vector<double> times_;
 };
 

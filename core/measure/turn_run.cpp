@@ -30,24 +30,22 @@ double TurnRun::progress() const {
 
 void TurnRun::step() {
   if (done()) return;
-  if (!body_)
-    body_ = fit::start_unwatched_updates(*strategies_[at_], points_);
-  else if (frame_ < poses_.size())
-    add_frame();
-  else
-    take_time();
+  if (!body_) body_ = fit::start_unwatched_updates(*strategies_[at_], points_);
+  else if (frame_ < poses_.size()) add_frame();
+  else take_time();
 }
 
 void TurnRun::add_frame() {
   const fit::UpdateStrategy& strategy = *strategies_[at_];
   const fit::UpdatedFrame frame = body_(poses_[frame_]);
-  rows_.push_back({.volume = std::string(strategy.volume),
-                   .strategy = std::string(strategy.name),
-                   .points = fit::size_of(points_),
-                   .degrees = 360.0 * static_cast<double>(frame_) / static_cast<double>(poses_.size()),
-                   .slack = frame.tightest > noise_ ? std::optional(fit::slack(frame.measure, frame.tightest)) : std::nullopt,
-                   .measure = frame.measure,
-                   .contains = frame.contains});
+  rows_.push_back(
+      {.volume = std::string(strategy.volume),
+       .strategy = std::string(strategy.name),
+       .points = fit::size_of(points_),
+       .degrees = 360.0 * static_cast<double>(frame_) / static_cast<double>(poses_.size()),
+       .slack = frame.tightest > noise_ ? std::optional(fit::slack(frame.measure, frame.tightest)) : std::nullopt,
+       .measure = frame.measure,
+       .contains = frame.contains});
   ++frame_;
 }
 
@@ -61,8 +59,7 @@ void TurnRun::take_time() {
   Timing timing = watch_->timing();
   timing.median /= static_cast<double>(poses_.size());
   timing.min /= static_cast<double>(poses_.size());
-  for (std::size_t i = rows_.size() - poses_.size(); i < rows_.size(); ++i)
-    rows_[i].updated = timing;
+  for (std::size_t i = rows_.size() - poses_.size(); i < rows_.size(); ++i) rows_[i].updated = timing;
   watch_.reset();
   body_ = nullptr;
   frame_ = 0;

@@ -42,8 +42,8 @@ class TurnRun {
   std::vector<Pose<double, 3>> poses_;
   TimingOptions timing_;
   Clock clock_;
-  double noise_ = 0;      // a measure that is no larger is nothing but rounding
-  std::size_t at_ = 0;    // of strategies_
+  double noise_ = 0;       // a measure that is no larger is nothing but rounding
+  std::size_t at_ = 0;     // of strategies_
   std::size_t frame_ = 0;  // of poses_
   std::function<fit::UpdatedFrame(const Pose<double, 3>& pose)> body_;
   std::optional<Stopwatch> watch_;

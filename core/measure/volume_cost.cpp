@@ -73,10 +73,8 @@ template <class Scalar, int Dim>
 ConvexHull<Scalar, Dim> copied(ConvexHull<Scalar, Dim> v, const Pose<Scalar, Dim>& pose) {
   Vector<Scalar, Dim> middle = Vector<Scalar, Dim>::Zero();
   v.indices.clear(), v.facets.clear();  // the tests look at the vertices alone
-  for (const auto& vertex : v.vertices)
-    middle += vertex / static_cast<Scalar>(v.vertices.size());
-  for (auto& vertex : v.vertices)
-    vertex = middle + pose.rotation * (vertex - middle) + pose.translation;
+  for (const auto& vertex : v.vertices) middle += vertex / static_cast<Scalar>(v.vertices.size());
+  for (auto& vertex : v.vertices) vertex = middle + pose.rotation * (vertex - middle) + pose.translation;
   return v;
 }
 
@@ -84,8 +82,7 @@ template <class Scalar, int Dim>
 Pose<Scalar, Dim> random_turn(Random& random) {
   const double radians = random.between(0, 6.25);
   Pose<Scalar, Dim> pose;
-  if constexpr (Dim == 2)
-    pose.rotation = turn(radians).template cast<Scalar>();
+  if constexpr (Dim == 2) pose.rotation = turn(radians).template cast<Scalar>();
   else
     // In braces they are drawn one after the other, whatever the compiler.
     pose.rotation =
@@ -97,8 +94,7 @@ template <class Scalar, int Dim>
 Vector<Scalar, Dim> random_direction(Random& random) {
   for (;;) {
     Vector<double, Dim> v;
-    for (int i = 0; i < Dim; ++i)
-      v[i] = random.between(-1, 1);
+    for (int i = 0; i < Dim; ++i) v[i] = random.between(-1, 1);
     if (v.squaredNorm() > 0.01 && v.squaredNorm() < 1) return v.normalized().template cast<Scalar>();
   }
 }
@@ -138,14 +134,12 @@ double reach_of(const fit::Volume3& volume, int dim) {
     }
     double operator()(const Kdop<double, 3>& v) const {  // the first slabs are those of its box
       double sum = 0;
-      for (std::size_t i = 0; i < static_cast<std::size_t>(dim); ++i)
-        sum += v.max[i] - v.min[i];
+      for (std::size_t i = 0; i < static_cast<std::size_t>(dim); ++i) sum += v.max[i] - v.min[i];
       return sum;
     }
     double operator()(const ConvexHull<double, 3>& v) const {
       double most = 0;
-      for (const auto& vertex : v.vertices)
-        most = std::max(most, (vertex - v.vertices[0]).norm());
+      for (const auto& vertex : v.vertices) most = std::max(most, (vertex - v.vertices[0]).norm());
       return 2 * most;
     }
   };
@@ -165,8 +159,7 @@ OverlapWork work_of(const fit::Volume3& lifted, std::uint64_t seed) {
               std::make_shared<std::vector<VolumeType>>(copies_of<Scalar, Dim>(volume, reach_of(lifted, Dim), random));
           return {[volume, copies] {
                     int overlapping = 0;
-                    for (const VolumeType& copy : *copies)
-                      overlapping += query::overlaps(volume, copy) ? 1 : 0;
+                    for (const VolumeType& copy : *copies) overlapping += query::overlaps(volume, copy) ? 1 : 0;
                     return overlapping;
                   },
                   kPairsOf<VolumeType>};

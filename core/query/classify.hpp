@@ -1,11 +1,12 @@
 // Is a volume inside a frustum, outside, or does it cross its border? Plane by plane.
-// Source: U. Assarsson, T. Möller, "Optimized View Frustum Culling Algorithms for Bounding Boxes", 2000: p- and n-vertex,
-// plane masking, temporal coherence.
+// Source: U. Assarsson, T. Möller, "Optimized View Frustum Culling Algorithms for Bounding Boxes", 2000: p- and
+// n-vertex, plane masking, temporal coherence.
 //
 // All answers are those of exact arithmetic on the numbers as they are, in float as in double: a volume is outside just
-// where all of it is on the outer side of one plane, and inside where none of it is on the outer side of any. So nothing
-// that touches the frustum is ever called outside, and nothing that sticks out inside. But what is outside without being
-// so of one plane (near the frustum's edges and corners) is called intersecting: frustum_sat.hpp tells how often.
+// where all of it is on the outer side of one plane, and inside where none of it is on the outer side of any. So
+// nothing that touches the frustum is ever called outside, and nothing that sticks out inside. But what is outside
+// without being so of one plane (near the frustum's edges and corners) is called intersecting: frustum_sat.hpp tells
+// how often.
 #pragma once
 
 #include <type_traits>
@@ -23,8 +24,8 @@ enum class CullExtent : std::uint8_t { kFirst, kAll };
 
 /// What is known before.
 struct CullPlan {
-  PlaneSet planes = ~PlaneSet{0};        // to be tested: the crossing planes of a volume that holds this one (masking)
-  int first = -1;                        // tested first: what rejected this volume last time (temporal coherence)
+  PlaneSet planes = ~PlaneSet{0};  // to be tested: the crossing planes of a volume that holds this one (masking)
+  int first = -1;                  // tested first: what rejected this volume last time (temporal coherence)
   CullExtent extent = CullExtent::kFirst;
 };
 
@@ -40,14 +41,16 @@ class Classify {
     bool ended = has_first && test(plan_.first);
     for (int plane = 0; plane < kFrustumPlanes<Dim> && !ended; ++plane)
       if (!has_first || plane != plan_.first) ended = test(plane);
-    observe_(Step{result_.verdict == Culling::kOutside ? ClassifyLine::kOutside : ClassifyLine::kVerdict, Classified{result_}});
+    observe_(Step{result_.verdict == Culling::kOutside ? ClassifyLine::kOutside : ClassifyLine::kVerdict,
+                  Classified{result_}});
     return result_;
   }
 
  private:
   using Step = ClassifyStep<Scalar, Dim>;
   /// A vertex on either side has to be looked at; of a point or a sphere the centre alone.
-  static constexpr bool kOneVertex = std::is_same_v<Shape, Vector<Scalar, Dim>> || std::is_same_v<Shape, Sphere<Scalar, Dim>>;
+  static constexpr bool kOneVertex =
+      std::is_same_v<Shape, Vector<Scalar, Dim>> || std::is_same_v<Shape, Sphere<Scalar, Dim>>;
 
   struct Sided {
     Culling side;
@@ -57,7 +60,8 @@ class Classify {
   /// Whether the test ends here.
   bool test(int at) {
     if ((plan_.planes >> at & 1) == 0) {
-      if constexpr (kWatched<Observer>) report({.plane = at, .skipped = true, .so_far = result_.verdict}, ClassifyLine::kSkip);
+      if constexpr (kWatched<Observer>)
+        report({.plane = at, .skipped = true, .so_far = result_.verdict}, ClassifyLine::kSkip);
       return false;
     }
     const Plane<Scalar, Dim>& plane = frustum_[at];
@@ -103,37 +107,38 @@ class Classify {
   CullResult result_;
 };
 
-/// volume: a point (Vector), a Sphere, an Aabb, an AabbCenterExtents, an Obb, a Capsule, a Lozenge, a Kdop or a ConvexHull;
-/// not empty; coordinates finite, no larger than PointSet takes. As exact arithmetic has them, an OBB is all
-/// center + sum s_i h_i u_i with |s_i| <= 1 and a lozenge what is near its parallelogram, whether or not their axes and
-/// edges are quite perpendicular. Observers count an orientation test for each vertex that is held against a plane.
+/// volume: a point (Vector), a Sphere, an Aabb, an AabbCenterExtents, an Obb, a Capsule, a Lozenge, a Kdop or a
+/// ConvexHull; not empty; coordinates finite, no larger than PointSet takes. As exact arithmetic has them, an OBB is
+/// all center + sum s_i h_i u_i with |s_i| <= 1 and a lozenge what is near its parallelogram, whether or not their axes
+/// and edges are quite perpendicular. Observers count an orientation test for each vertex that is held against a plane.
 template <class Scalar, int Dim, class Shape, StepObserver<ClassifyStep<Scalar, Dim>> Observer = Ignore>
-CullResult classify(const Frustum<Scalar, Dim>& frustum, const Shape& volume, const CullPlan& plan = {}, Observer&& observe = {}) {
+CullResult classify(const Frustum<Scalar, Dim>& frustum, const Shape& volume, const CullPlan& plan = {},
+                    Observer&& observe = {}) {
   return Classify<Scalar, Dim, Shape, std::remove_reference_t<Observer>>(frustum, volume, plan, observe).run();
 }
 
 /// The same of a volume of which only the running program knows what it is.
 template <class Scalar, int Dim, StepObserver<ClassifyStep<Scalar, Dim>> Observer = Ignore>
-CullResult classify_volume(const Frustum<Scalar, Dim>& frustum, const Volume<Scalar, Dim>& volume, const CullPlan& plan = {},
-                           Observer&& observe = {}) {
+CullResult classify_volume(const Frustum<Scalar, Dim>& frustum, const Volume<Scalar, Dim>& volume,
+                           const CullPlan& plan = {}, Observer&& observe = {}) {
   return std::visit([&](const auto& shape) { return classify(frustum, shape, plan, observe); }, volume);
 }
 
 // Compiled once, in classify.cpp: with nobody watching, and with every step kept.
 template <class Scalar, int Dim>
 using ClassifyRecorder = Recorder<ClassifyStep<Scalar, Dim>>;
-#define SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Shape)                 \
-  EXTERN template class Classify<Scalar, Dim, Shape<Scalar, Dim>, Ignore>; \
+#define SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Shape)                                                                \
+  EXTERN template class Classify<Scalar, Dim, Shape<Scalar, Dim>, Ignore>;                                             \
   EXTERN template class Classify<Scalar, Dim, Shape<Scalar, Dim>, ClassifyRecorder<Scalar, Dim>>;
-#define SNUG_CLASSIFY(EXTERN, Scalar, Dim)                    \
-  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Vector)            \
-  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Sphere)            \
-  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Aabb)              \
-  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, AabbCenterExtents) \
-  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Obb)               \
-  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Capsule)           \
-  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Lozenge)           \
-  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Kdop)              \
+#define SNUG_CLASSIFY(EXTERN, Scalar, Dim)                                                                             \
+  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Vector)                                                                     \
+  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Sphere)                                                                     \
+  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Aabb)                                                                       \
+  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, AabbCenterExtents)                                                          \
+  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Obb)                                                                        \
+  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Capsule)                                                                    \
+  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Lozenge)                                                                    \
+  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Kdop)                                                                       \
   SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, ConvexHull)
 SNUG_CLASSIFY(extern, float, 2)
 SNUG_CLASSIFY(extern, float, 3)

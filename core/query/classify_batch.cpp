@@ -49,14 +49,17 @@ struct UnitPlanes {
     }
   }
 
-  /// Within what the values of the true planes, divided by their normals' lengths, are known where no coordinate is larger.
+  /// Within what the values of the true planes, divided by their normals' lengths, are known where no coordinate is
+  /// larger.
   [[nodiscard]] SNUG_INLINE Scalar doubt(Scalar reach) const {
     return tolerance::kUnitPlaneReach<Scalar> * (2 * reach + largest_d) + std::numeric_limits<Scalar>::min();
   }
 };
 
 template <class Vec>
-SNUG_INLINE Vec larger(const Vec& a, const Vec& b) { return a > b ? a : b; }
+SNUG_INLINE Vec larger(const Vec& a, const Vec& b) {
+  return a > b ? a : b;
+}
 
 template <class Vec, class Scalar>
 SNUG_INLINE Vec load(const Scalar* from) {
@@ -66,17 +69,22 @@ SNUG_INLINE Vec load(const Scalar* from) {
 }
 
 template <class Vec>
-SNUG_INLINE Vec smaller(const Vec& a, const Vec& b) { return a < b ? a : b; }
+SNUG_INLINE Vec smaller(const Vec& a, const Vec& b) {
+  return a < b ? a : b;
+}
 /// Without the sign.
 template <class Vec>
-SNUG_INLINE Vec size_of_each(const Vec& v) { return larger(v, -v); }
+SNUG_INLINE Vec size_of_each(const Vec& v) {
+  return larger(v, -v);
+}
 
 /// One block, in as many groups of lanes as it takes: each plane's numbers are read once for all of them.
 template <class Scalar, std::size_t kBytes>
 struct Blocks {
   using Vec = typename Lanes<Scalar, kBytes>::Vector;
   using Mask = typename Lanes<Scalar, kBytes>::Mask;
-  static constexpr std::size_t kLanes = Lanes<Scalar, kBytes>::kCount, kBlock = 64 / sizeof(Scalar), kGroups = kBlock / kLanes;
+  static constexpr std::size_t kLanes = Lanes<Scalar, kBytes>::kCount, kBlock = 64 / sizeof(Scalar),
+                               kGroups = kBlock / kLanes;
   using Groups = Vec[kGroups];
   typedef std::uint8_t Bytes __attribute__((vector_size(kLanes)));
   using Verdicts = std::array<Culling, kBlock>;
@@ -86,7 +94,8 @@ struct Blocks {
   SNUG_INLINE static void farthest(const UnitPlanes<Scalar>& all, const Block& block, Fields fields, Groups& most) {
     for (std::size_t p = 0; p < 6; ++p) {
       const auto& plane = all.planes[p];
-      const Scalar *x = block.fields[fields(plane, 0)], *y = block.fields[fields(plane, 1)], *z = block.fields[fields(plane, 2)];
+      const Scalar *x = block.fields[fields(plane, 0)], *y = block.fields[fields(plane, 1)],
+                   *z = block.fields[fields(plane, 2)];
       for (std::size_t g = 0; g < kGroups; ++g) {
         const std::size_t at = g * kLanes;
         const Vec value = plane.normal[0] * load<Vec>(x + at) + plane.normal[1] * load<Vec>(y + at) +
@@ -97,23 +106,28 @@ struct Blocks {
   }
 
   /// Of boxes: most need no more than their n-vertices.
-  SNUG_INLINE static bool judge(const UnitPlanes<Scalar>& planes, const typename AabbArray<Scalar>::Block& block, Scalar doubt, Verdicts& verdicts) {
+  SNUG_INLINE static bool judge(const UnitPlanes<Scalar>& planes, const typename AabbArray<Scalar>::Block& block,
+                                Scalar doubt, Verdicts& verdicts) {
     Groups low, high;
-    farthest(planes, block, [](const auto& plane, std::size_t i) { return plane.n_vertex[i]; }, low);
+    farthest(
+        planes, block, [](const auto& plane, std::size_t i) { return plane.n_vertex[i]; }, low);
     Vec least = low[0];
     for (std::size_t g = 1; g < kGroups; ++g) least = smaller(least, low[g]);
     if (all_above(least, doubt)) {
       verdicts.fill(Culling::kOutside);
       return true;
     }
-    farthest(planes, block, [](const auto& plane, std::size_t i) { return plane.p_vertex[i]; }, high);
+    farthest(
+        planes, block, [](const auto& plane, std::size_t i) { return plane.p_vertex[i]; }, high);
     return settle(low, high, doubt, verdicts);
   }
 
   /// Of spheres: the plane that the centre is farthest outside of decides.
-  SNUG_INLINE static bool judge(const UnitPlanes<Scalar>& planes, const typename SphereArray<Scalar>::Block& block, Scalar doubt, Verdicts& verdicts) {
+  SNUG_INLINE static bool judge(const UnitPlanes<Scalar>& planes, const typename SphereArray<Scalar>::Block& block,
+                                Scalar doubt, Verdicts& verdicts) {
     Groups low, high;
-    farthest(planes, block, [](const auto&, std::size_t i) { return i; }, high);
+    farthest(
+        planes, block, [](const auto&, std::size_t i) { return i; }, high);
     for (std::size_t g = 0; g < kGroups; ++g) {
       const Vec radius = load<Vec>(block.fields[3] + g * kLanes);
       low[g] = high[g] - radius;
@@ -158,20 +172,20 @@ SNUG_INLINE void classify_in(const Frustum<Scalar, 3>& frustum, const Array& arr
       for (std::size_t i = 0; i < count; ++i) own[i] = classify(frustum, array[begin + i]).verdict;
     if (count == Own::kBlock) [[likely]]
       std::memcpy(verdicts.data() + begin, own.data(), Own::kBlock);
-    else
-      std::copy_n(own.data(), count, verdicts.data() + begin);
+    else std::copy_n(own.data(), count, verdicts.data() + begin);
   }
 }
 
 #if defined(__x86_64__)
 // Lane by lane the same operations, so the same bits: this target has no fused multiply-add.
 template <class Scalar, class Array>
-[[gnu::target("avx2")]] void classify_in_32_bytes(const Frustum<Scalar, 3>& frustum, const Array& array, std::span<Culling> verdicts) {
+[[gnu::target("avx2")]] void classify_in_32_bytes(const Frustum<Scalar, 3>& frustum, const Array& array,
+                                                  std::span<Culling> verdicts) {
   classify_in<Scalar, 32>(frustum, array, verdicts);
 }
 template <class Scalar, class Array>
-[[gnu::target("avx512f,avx512bw,avx512dq,avx512vl,prefer-vector-width=512")]] void classify_in_64_bytes(
-    const Frustum<Scalar, 3>& frustum, const Array& array, std::span<Culling> verdicts) {
+[[gnu::target("avx512f,avx512bw,avx512dq,avx512vl,prefer-vector-width=512")]] void
+classify_in_64_bytes(const Frustum<Scalar, 3>& frustum, const Array& array, std::span<Culling> verdicts) {
   classify_in<Scalar, 64>(frustum, array, verdicts);
 }
 #endif
@@ -221,10 +235,10 @@ void classify_all(const Frustum<Scalar, 3>& frustum, const SphereArray<Scalar>& 
   classify_array(frustum, spheres, verdicts);
 }
 
-#define SNUG_INSTANTIATE(Scalar)                                                                        \
-  template class AabbArray<Scalar>;                                                                     \
-  template class SphereArray<Scalar>;                                                                   \
-  template void classify_all(const Frustum<Scalar, 3>&, const AabbArray<Scalar>&, std::span<Culling>);  \
+#define SNUG_INSTANTIATE(Scalar)                                                                                       \
+  template class AabbArray<Scalar>;                                                                                    \
+  template class SphereArray<Scalar>;                                                                                  \
+  template void classify_all(const Frustum<Scalar, 3>&, const AabbArray<Scalar>&, std::span<Culling>);                 \
   template void classify_all(const Frustum<Scalar, 3>&, const SphereArray<Scalar>&, std::span<Culling>);
 SNUG_INSTANTIATE(float)
 SNUG_INSTANTIATE(double)

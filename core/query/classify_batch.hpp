@@ -35,7 +35,9 @@ class FieldArray {
   [[nodiscard]] std::span<const Scalar> reach() const { return reach_; }
 
  protected:
-  [[nodiscard]] const Scalar& at(std::size_t i, std::size_t field) const { return blocks_[i / kBlock].fields[field][i % kBlock]; }
+  [[nodiscard]] const Scalar& at(std::size_t i, std::size_t field) const {
+    return blocks_[i / kBlock].fields[field][i % kBlock];
+  }
   [[nodiscard]] Scalar& at(std::size_t i, std::size_t field) { return blocks_[i / kBlock].fields[field][i % kBlock]; }
   void reaches(std::size_t i, Scalar coordinate) { reach_[i / kBlock] = std::max(reach_[i / kBlock], coordinate); }
 

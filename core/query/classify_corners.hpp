@@ -12,12 +12,8 @@
 namespace snug::query {
 
 inline constexpr std::array<std::string_view, 6> kClassifyCornersPseudocode{
-    "for each plane n, d of the frustum",
-    "  for each corner of the box",
-    "    is n · corner + d > 0?",
-    "  outside if that is so of all",
-    "  intersects ← yes if it is of some",
-    "intersecting if so, else inside",
+    "for each plane n, d of the frustum", "  for each corner of the box",        "    is n · corner + d > 0?",
+    "  outside if that is so of all",     "  intersects ← yes if it is of some", "intersecting if so, else inside",
 };
 
 /// normal . corner + d, rounded or not. bits: 1 for +x, 2 for +y, 4 for +z.
@@ -47,11 +43,13 @@ template <class Scalar, int Dim, class Box>
 
 /// The fact that a corner was held against a plane.
 template <class Scalar, int Dim, class Box>
-[[nodiscard]] CornerTested<Scalar, Dim> corner_tested(const Plane<Scalar, Dim>& plane, int at, const Box& box, int bits, bool outside) {
+[[nodiscard]] CornerTested<Scalar, Dim> corner_tested(const Plane<Scalar, Dim>& plane, int at, const Box& box, int bits,
+                                                      bool outside) {
   return {bits, at, corner_of(box, bits), value_at_corner<Scalar>(plane, box, bits) / length_of(plane), outside};
 }
 
-/// box: an Aabb or an Obb, as of classify, whose verdict it gives. It ends at the first plane that the box is outside of.
+/// box: an Aabb or an Obb, as of classify, whose verdict it gives. It ends at the first plane that the box is outside
+/// of.
 template <class Scalar, int Dim, class Box, StepObserver<ClassifyStep<Scalar, Dim>> Observer = Ignore>
 CullResult classify_corners(const Frustum<Scalar, Dim>& frustum, const Box& box, Observer&& observe = {}) {
   using Step = ClassifyStep<Scalar, Dim>;

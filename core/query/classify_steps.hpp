@@ -11,8 +11,8 @@
 
 namespace snug::query {
 
-/// Where a volume is: of a frustum, or of one of its planes. What touches from outside is intersecting, what touches from
-/// inside is inside.
+/// Where a volume is: of a frustum, or of one of its planes. What touches from outside is intersecting, what touches
+/// from inside is inside.
 enum class Culling : std::uint8_t { kInside, kIntersecting, kOutside };
 inline constexpr std::array<std::string_view, 3> kCullingNames{"inside", "intersecting", "outside"};
 
@@ -52,22 +52,22 @@ inline constexpr std::array<std::string_view, 7> kClassifySupportPseudocode{
 template <class Scalar, int Dim>
 struct PlaneTested {
   static constexpr std::string_view kName = "plane_tested";
-  int plane = 0;                                                     // its place in the frustum
-  bool skipped = false;                                              // masked out: nothing below was looked at
-  Vector<Scalar, Dim> normal = Vector<Scalar, Dim>::Zero();          // in the box's own frame; as given for other volumes
-  int signs = 0;                                                     // of that normal: bit i where coordinate i is >= 0
-  int p_vertex = -1;                                                 // a box's corner farthest along the normal: bit 1 for +x,
-  int n_vertex = -1;                                                 // 2 for +y, 4 for +z; and against it. -1 of other volumes
-  int p_corners = 0;                                                 // all corners that are as far, within rounding: bit c
-  int n_corners = 0;                                                 // for the corner c. 0 of other volumes
-  Vector<Scalar, Dim> p_point = Vector<Scalar, Dim>::Zero();         // where they are, or any volume's farthest points, in
-  Vector<Scalar, Dim> n_point = Vector<Scalar, Dim>::Zero();         // the scene, within rounding
-  Scalar p_distance = 0;                                             // signed, scene units, positive outside
+  int plane = 0;                                              // its place in the frustum
+  bool skipped = false;                                       // masked out: nothing below was looked at
+  Vector<Scalar, Dim> normal = Vector<Scalar, Dim>::Zero();   // in the box's own frame; as given for other volumes
+  int signs = 0;                                              // of that normal: bit i where coordinate i is >= 0
+  int p_vertex = -1;                                          // a box's corner farthest along the normal: bit 1 for +x,
+  int n_vertex = -1;                                          // 2 for +y, 4 for +z; and against it. -1 of other volumes
+  int p_corners = 0;                                          // all corners that are as far, within rounding: bit c
+  int n_corners = 0;                                          // for the corner c. 0 of other volumes
+  Vector<Scalar, Dim> p_point = Vector<Scalar, Dim>::Zero();  // where they are, or any volume's farthest points, in
+  Vector<Scalar, Dim> n_point = Vector<Scalar, Dim>::Zero();  // the scene, within rounding
+  Scalar p_distance = 0;                                      // signed, scene units, positive outside
   Scalar n_distance = 0;
-  Scalar doubt = 0;                                                  // both are known within it
-  bool looked_closer = false;                                        // a sign within that doubt was decided exactly
-  Culling side = Culling::kInside;                                   // of this plane
-  Culling so_far = Culling::kInside;                                 // of the planes up to this one
+  Scalar doubt = 0;                   // both are known within it
+  bool looked_closer = false;         // a sign within that doubt was decided exactly
+  Culling side = Culling::kInside;    // of this plane
+  Culling so_far = Culling::kInside;  // of the planes up to this one
   void fields(auto&& see) const {
     see("plane", plane), see("skipped", skipped), see("normal", normal), see("signs", signs), see("p_vertex", p_vertex);
     see("n_vertex", n_vertex), see("p_corners", p_corners), see("n_corners", n_corners), see("p_point", p_point);
@@ -82,9 +82,9 @@ template <class Scalar, int Dim>
 struct CornerTested {
   static constexpr std::string_view kName = "corner_tested";
   int corner = 0;
-  int plane = -1;                                            // -1: inside of all, where all were asked
-  Vector<Scalar, Dim> point = Vector<Scalar, Dim>::Zero();   // within rounding
-  Scalar distance = 0;                                       // to the plane: signed, scene units, positive outside
+  int plane = -1;                                           // -1: inside of all, where all were asked
+  Vector<Scalar, Dim> point = Vector<Scalar, Dim>::Zero();  // within rounding
+  Scalar distance = 0;                                      // to the plane: signed, scene units, positive outside
   bool outside = false;
   void fields(auto&& see) const {
     see("corner", corner), see("plane", plane), see("point", point), see("distance", distance), see("outside", outside);
@@ -94,10 +94,10 @@ struct CornerTested {
 /// The answer, and what the next one may use.
 struct CullResult {
   Culling verdict = Culling::kInside;
-  int planes_tested = 0;       // without those skipped
-  int rejected_by = -1;        // the plane that the volume is outside of; the first one met
-  PlaneSet crossing = 0;       // the planes that the volume crosses: all that its children need be tested against. Whole
-                               // only where the volume is not outside
+  int planes_tested = 0;  // without those skipped
+  int rejected_by = -1;   // the plane that the volume is outside of; the first one met
+  PlaneSet crossing = 0;  // the planes that the volume crosses: all that its children need be tested against. Whole
+                          // only where the volume is not outside
 };
 
 /// The end.

@@ -42,18 +42,19 @@ int side_of_bound(const Vector<double, Dim>& point, const std::array<int, Dim>& 
   double projection = 0;
   double size = std::abs(bound);
   for (int i = 0; i < Dim; ++i) {
-    projection += axis[static_cast<std::size_t>(i)] * point[i];
+    projection += axis[i] * point[i];
     size += std::abs(point[i]);
   }
   const double beyond = projection - bound;
   if (std::abs(beyond) > tolerance::kProjection * size) return beyond > 0 ? 1 : -1;
   ExactSum sum;
-  for (int i = 0; i < Dim; ++i) sum.add_product(axis[static_cast<std::size_t>(i)], point[i]);
+  for (int i = 0; i < Dim; ++i) sum.add_product(axis[i], point[i]);
   sum.add_product(-bound, 1);
   return sum.sign();
 }
 
-// -- What is within a distance of a parallelogram or a segment -----------------------------------------------------------
+// -- What is within a distance of a parallelogram or a segment
+// -----------------------------------------------------------
 
 /// The point from a corner of the parallelogram, its two edges (a segment's second is zero) and the radius. Scaled by a
 /// power of two so that the largest number is between 1 and 2: no square of it over- or underflows to any effect.
@@ -75,8 +76,8 @@ struct Swept {
   }
 };
 
-/// From the nearest place on the parallelogram to the point. Each edge's share in turn: with perpendicular edges the first
-/// turn already is right, and the second sees that nothing changes.
+/// From the nearest place on the parallelogram to the point. Each edge's share in turn: with perpendicular edges the
+/// first turn already is right, and the second sees that nothing changes.
 template <int Dim>
 Vector<double, Dim> from_nearest(const Swept<Dim>& swept) {
   constexpr int kMostTurns = 64;
@@ -100,8 +101,8 @@ template <int Dim>
 std::optional<bool> within_by_double(const Swept<Dim>& swept) {
   const Vector<double, Dim> direction = from_nearest(swept);
   const double distance = direction.norm();
-  const double doubt = tolerance::kSweptDistance *
-                       (swept.point.norm() + swept.edge.norm() + swept.other_edge.norm() + swept.radius);
+  const double doubt =
+      tolerance::kSweptDistance * (swept.point.norm() + swept.edge.norm() + swept.other_edge.norm() + swept.radius);
   if (distance + doubt < swept.radius) return true;
   const double least = direction.dot(swept.point) - std::max(0.0, direction.dot(swept.edge)) -
                        std::max(0.0, direction.dot(swept.other_edge));
@@ -115,7 +116,7 @@ using Exact = std::array<Dyadic, static_cast<std::size_t>(Dim)>;
 template <int Dim>
 Exact<Dim> exactly(const Vector<double, Dim>& v) {
   Exact<Dim> exact;
-  for (int i = 0; i < Dim; ++i) exact[static_cast<std::size_t>(i)] = v[i];
+  for (int i = 0; i < Dim; ++i) exact[i] = v[i];
   return exact;
 }
 
@@ -135,7 +136,8 @@ Dyadic dot(const std::array<Dyadic, Dim>& a, const std::array<Dyadic, Dim>& b) {
 
 /// point: from the segment's one end; edge: to its other.
 template <std::size_t Dim>
-bool within_of_segment(const std::array<Dyadic, Dim>& point, const std::array<Dyadic, Dim>& edge, const Dyadic& square) {
+bool within_of_segment(const std::array<Dyadic, Dim>& point, const std::array<Dyadic, Dim>& edge,
+                       const Dyadic& square) {
   const Dyadic along = dot(point, edge);
   if (along.sign() <= 0) return dot(point, point) <= square;
   const Dyadic length = dot(edge, edge);
@@ -229,7 +231,8 @@ int side_of_slab(const Vector<Scalar, Dim>& point, const Vector<Scalar, Dim>& ce
   }
   const double beyond = std::abs(projection) - h;
   // What a product loses by underflow is nothing beside this size.
-  if (size > tolerance::kSoundProjection && std::abs(beyond) > tolerance::kProjection * size) return beyond > 0 ? 1 : -1;
+  if (size > tolerance::kSoundProjection && std::abs(beyond) > tolerance::kProjection * size)
+    return beyond > 0 ? 1 : -1;
   return side_of_slab_exactly<Dim>(p, c, u, h);
 }
 
@@ -316,7 +319,7 @@ double outside_by(const Kdop<Scalar, Dim>& kdop, const Point<Scalar, Dim>& point
   double most = 0;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     Vector<double, Dim> axis;
-    for (int j = 0; j < Dim; ++j) axis[j] = axes[i][static_cast<std::size_t>(j)];
+    for (int j = 0; j < Dim; ++j) axis[j] = axes[i][j];
     const double projection = axis.dot(p), length = axis.norm();
     const auto min = static_cast<double>(kdop.min[i]), max = static_cast<double>(kdop.max[i]);
     if (side_of_bound<Dim>(p, axes[i], min) < 0)
@@ -327,17 +330,17 @@ double outside_by(const Kdop<Scalar, Dim>& kdop, const Point<Scalar, Dim>& point
   return most;
 }
 
-#define SNUG_INSTANTIATE_VOLUME(Volume, Scalar, Dim)                                      \
-  template bool contains(const Volume<Scalar, Dim>&, const Point<Scalar, Dim>&);          \
+#define SNUG_INSTANTIATE_VOLUME(Volume, Scalar, Dim)                                                                   \
+  template bool contains(const Volume<Scalar, Dim>&, const Point<Scalar, Dim>&);                                       \
   template double outside_by(const Volume<Scalar, Dim>&, const Point<Scalar, Dim>&);
-#define SNUG_INSTANTIATE(Scalar, Dim)                                                                           \
-  template int side_of_slab(const Vector<Scalar, Dim>&, const Vector<Scalar, Dim>&, const Vector<Scalar, Dim>&, \
-                            std::type_identity_t<Scalar>) noexcept;                                             \
-  SNUG_INSTANTIATE_VOLUME(Sphere, Scalar, Dim)                                                                  \
-  SNUG_INSTANTIATE_VOLUME(Aabb, Scalar, Dim)                                                                    \
-  SNUG_INSTANTIATE_VOLUME(Obb, Scalar, Dim)                                                                     \
-  SNUG_INSTANTIATE_VOLUME(Capsule, Scalar, Dim)                                                                 \
-  SNUG_INSTANTIATE_VOLUME(Lozenge, Scalar, Dim)                                                                 \
+#define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
+  template int side_of_slab(const Vector<Scalar, Dim>&, const Vector<Scalar, Dim>&, const Vector<Scalar, Dim>&,        \
+                            std::type_identity_t<Scalar>) noexcept;                                                    \
+  SNUG_INSTANTIATE_VOLUME(Sphere, Scalar, Dim)                                                                         \
+  SNUG_INSTANTIATE_VOLUME(Aabb, Scalar, Dim)                                                                           \
+  SNUG_INSTANTIATE_VOLUME(Obb, Scalar, Dim)                                                                            \
+  SNUG_INSTANTIATE_VOLUME(Capsule, Scalar, Dim)                                                                        \
+  SNUG_INSTANTIATE_VOLUME(Lozenge, Scalar, Dim)                                                                        \
   SNUG_INSTANTIATE_VOLUME(Kdop, Scalar, Dim)
 SNUG_INSTANTIATE(float, 2)
 SNUG_INSTANTIATE(float, 3)

@@ -19,9 +19,9 @@ template <class Scalar, int Dim>
 [[nodiscard]] int side_of_slab(const Vector<Scalar, Dim>& point, const Vector<Scalar, Dim>& center,
                                const Vector<Scalar, Dim>& axis, std::type_identity_t<Scalar> half_extent) noexcept;
 
-/// Whether the volume holds the point; the boundary belongs to it. An OBB is the meeting of its slabs, a lozenge what is
-/// near its parallelogram, whether or not its edges are quite perpendicular.
-/// All coordinates finite, and small enough that their differences are.
+/// Whether the volume holds the point; the boundary belongs to it. An OBB is the meeting of its slabs, a lozenge what
+/// is near its parallelogram, whether or not its edges are quite perpendicular. All coordinates finite, and small
+/// enough that their differences are.
 template <class Scalar, int Dim>
 [[nodiscard]] bool contains(const Sphere<Scalar, Dim>&, const std::type_identity_t<Vector<Scalar, Dim>>& point);
 template <class Scalar, int Dim>

@@ -11,9 +11,7 @@ namespace {
 
 template <class Scalar, int Dim>
 auto corners_of(const ConvexHull<Scalar, Dim>& hull) {
-  return [&hull](Index i) -> Vector<double, Dim> {
-    return hull.vertices[static_cast<std::size_t>(i)].template cast<double>();
-  };
+  return [&hull](Index i) -> Vector<double, Dim> { return hull.vertices[i].template cast<double>(); };
 }
 
 // -- Contained or not, by affine dimension ----------------------------------------------------------------------------
@@ -21,10 +19,8 @@ auto corners_of(const ConvexHull<Scalar, Dim>& hull) {
 template <int Dim>
 bool on_segment(const Vector<double, Dim>& a, const Vector<double, Dim>& b, const Vector<double, Dim>& p) {
   const bool on_line = [&] {
-    if constexpr (Dim == 2)
-      return orient2d(a, b, p) == 0;
-    else
-      return collinear(a, b, p);
+    if constexpr (Dim == 2) return orient2d(a, b, p) == 0;
+    else return collinear(a, b, p);
   }();
   return on_line && dot_sign<Dim>(a, b, a, p) >= 0 && dot_sign<Dim>(a, b, p, b) >= 0;
 }
@@ -37,7 +33,8 @@ bool in_flat_polygon(const ConvexHull<Scalar, 3>& hull, const Vector<double, 3>&
   if (orient3d(at(0), at(1), at(2), p) != 0) return false;
   const int axis = shadow_axis(at(0), at(1), at(2));
   const bool turned = orient2d(shadow(at(0), axis), shadow(at(1), axis), shadow(at(2), axis)) < 0;
-  return polygon_contains(n, [&](Index i) { return shadow(at(turned ? n - 1 - i : i), axis); }, shadow(p, axis));
+  return polygon_contains(
+      n, [&](Index i) { return shadow(at(turned ? n - 1 - i : i), axis); }, shadow(p, axis));
 }
 
 template <class Scalar>
@@ -111,10 +108,8 @@ bool contains(const ConvexHull<Scalar, Dim>& hull, const std::type_identity_t<Ve
   const auto at = corners_of(hull);
   if (hull.affine_dim == 0) return at(0) == p;
   if (hull.affine_dim == 1) return on_segment<Dim>(at(0), at(1), p);
-  if constexpr (Dim == 2)
-    return polygon_contains(static_cast<Index>(hull.vertices.size()), at, p);
-  else
-    return hull.affine_dim == 2 ? in_flat_polygon(hull, p) : below_every_facet(hull, p);
+  if constexpr (Dim == 2) return polygon_contains(static_cast<Index>(hull.vertices.size()), at, p);
+  else return hull.affine_dim == 2 ? in_flat_polygon(hull, p) : below_every_facet(hull, p);
 }
 
 template <class Scalar, int Dim>
@@ -136,8 +131,8 @@ double outside_by(const ConvexHull<Scalar, Dim>& hull, const std::type_identity_
   return std::max(most, digit);
 }
 
-#define SNUG_INSTANTIATE(Scalar, Dim)                                                                          \
-  template bool contains(const ConvexHull<Scalar, Dim>&, const std::type_identity_t<Vector<Scalar, Dim>>&);    \
+#define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
+  template bool contains(const ConvexHull<Scalar, Dim>&, const std::type_identity_t<Vector<Scalar, Dim>>&);            \
   template double outside_by(const ConvexHull<Scalar, Dim>&, const std::type_identity_t<Vector<Scalar, Dim>>&);
 SNUG_INSTANTIATE(float, 2)
 SNUG_INSTANTIATE(float, 3)

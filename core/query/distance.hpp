@@ -84,7 +84,7 @@ template <class Scalar>
 [[nodiscard]] ClosestPoints<Scalar> closest_points(const Vector<Scalar, 3>& p, const Rectangle<Scalar>& rectangle) {
   Vector<Scalar, 3> on = rectangle.center;
   for (int i = 0; i < 2; ++i) {
-    const Scalar half = rectangle.half_extents[static_cast<std::size_t>(i)];
+    const Scalar half = rectangle.half_extents[i];
     on += rectangle.axes.col(i) * std::clamp((p - rectangle.center).dot(rectangle.axes.col(i)), -half, half);
   }
   return pair_of<Scalar>(p, on);
@@ -92,7 +92,8 @@ template <class Scalar>
 
 /// The rectangle of corner + s edges[0] + t edges[1], 0 <= s, t <= 1. edges: perpendicular, either or both may be zero.
 template <class Scalar>
-[[nodiscard]] Rectangle<Scalar> rectangle_of(const Vector<Scalar, 3>& corner, const std::array<Vector<Scalar, 3>, 2>& edges) {
+[[nodiscard]] Rectangle<Scalar> rectangle_of(const Vector<Scalar, 3>& corner,
+                                             const std::array<Vector<Scalar, 3>, 2>& edges) {
   const std::array squares{edges[0].squaredNorm(), edges[1].squaredNorm()};
   Rectangle<Scalar> rectangle{corner + (edges[0] + edges[1]) / 2, Matrix<Scalar, 3>::Identity(), {0, 0}};
   Matrix<Scalar, 3>& axes = rectangle.axes;
@@ -104,7 +105,7 @@ template <class Scalar>
   }
   if (vanishes(squares[0]) && vanishes(squares[1])) return rectangle;
   for (int i = 0; i < 2; ++i) {  // a zero edge takes any direction across the other
-    if (!vanishes(squares[static_cast<std::size_t>(i)])) continue;
+    if (!vanishes(squares[i])) continue;
     int least = 0;
     axes.col(1 - i).cwiseAbs().minCoeff(&least);
     axes.col(i) = axes.col(1 - i).cross(Vector<Scalar, 3>::Unit(least)).normalized();

@@ -20,8 +20,7 @@ struct RectangleSeen {
   /// The gaps between both along the own frame's three axes, 0 where they overlap.
   [[nodiscard]] Vector<Scalar, 3> gaps() const {
     Vector<Scalar, 3> gap;
-    for (int i = 0; i < 3; ++i)
-      gap[i] = std::max(Scalar(0), std::abs(center[i]) - reach(i) - (i < 2 ? own[static_cast<std::size_t>(i)] : 0));
+    for (int i = 0; i < 3; ++i) gap[i] = std::max(Scalar(0), std::abs(center[i]) - reach(i) - (i < 2 ? own[i] : 0));
     return gap;
   }
 
@@ -115,20 +114,20 @@ class RectanglePair {
   }
 
   [[nodiscard]] static bool reaches_beyond(const Seen& seen, int axis, int side) {
-    return Scalar(side) * seen.center[axis] + seen.reach(axis) >= seen.own[static_cast<std::size_t>(axis)];
+    return Scalar(side) * seen.center[axis] + seen.reach(axis) >= seen.own[axis];
   }
 
   /// The first's edge along its axis i, on that side, against the second's along its axis j: as of two segments
   /// (query/distance.hpp), seen along axis i.
   void edge_pair(int i, int side_a, int j, int side_b) {
     const int k = 1 - i;
-    const Scalar a_half = from_a_.own[static_cast<std::size_t>(i)];
-    const Scalar b_half = from_a_.other[static_cast<std::size_t>(j)];
+    const Scalar a_half = from_a_.own[i];
+    const Scalar b_half = from_a_.other[j];
     const Vector<Scalar, 3> direction = from_a_.axes.col(j);
     Vector<Scalar, 3> middle = from_a_.center;
-    middle += Scalar(side_b) * from_a_.other[static_cast<std::size_t>(1 - j)] * from_a_.axes.col(1 - j);
+    middle += Scalar(side_b) * from_a_.other[1 - j] * from_a_.axes.col(1 - j);
     Vector<Scalar, 3> on_a = Vector<Scalar, 3>::Zero();
-    on_a[k] = Scalar(side_a) * from_a_.own[static_cast<std::size_t>(k)];
+    on_a[k] = Scalar(side_a) * from_a_.own[k];
 
     const Scalar off = middle[k] - on_a[k];
     const Scalar across = direction[k] * direction[k] + direction[2] * direction[2];

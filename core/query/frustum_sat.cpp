@@ -17,7 +17,7 @@ using Numbers = std::array<Number, static_cast<std::size_t>(Dim)>;
 template <class Number, class Scalar, int Dim>
 Numbers<Number, Dim> numbers(const Vector<Scalar, Dim>& v) {
   Numbers<Number, Dim> result;
-  for (int i = 0; i < Dim; ++i) result[static_cast<std::size_t>(i)] = Number(static_cast<double>(v[i]));
+  for (int i = 0; i < Dim; ++i) result[i] = Number(static_cast<double>(v[i]));
   return result;
 }
 
@@ -49,8 +49,7 @@ struct Box {
   template <class Scalar>
   explicit Box(const Obb<Scalar, Dim>& box)
       : center(numbers<Number, Scalar, Dim>(box.center)), half(numbers<Number, Scalar, Dim>(box.half_extents)) {
-    for (int k = 0; k < Dim; ++k)
-      axes[static_cast<std::size_t>(k)] = numbers<Number, Scalar, Dim>(Vector<Scalar, Dim>(box.axes.col(k)));
+    for (int k = 0; k < Dim; ++k) axes[k] = numbers<Number, Scalar, Dim>(Vector<Scalar, Dim>(box.axes.col(k)));
   }
   template <class Scalar>
   explicit Box(const Aabb<Scalar, Dim>& box) {
@@ -68,10 +67,8 @@ struct Box {
     return {middle - radius, middle + radius};
   }
   [[nodiscard]] Numbers<Number, Dim> normal(std::size_t face) const {
-    if constexpr (Dim == 2)
-      return {Number(0.0) - axes[1 - face][1], axes[1 - face][0]};
-    else
-      return cross(axes[(face + 1) % 3], axes[(face + 2) % 3]);
+    if constexpr (Dim == 2) return {Number(0.0) - axes[1 - face][1], axes[1 - face][0]};
+    else return cross(axes[(face + 1) % 3], axes[(face + 2) % 3]);
   }
 };
 
@@ -96,8 +93,8 @@ std::array<std::size_t, 2> planes_of_edge(std::size_t edge) {
   return {2 * i + (edge & 1), 2 * j + (edge >> 1 & 1)};
 }
 
-/// The axis at a place: the frustum's normals, the box's, crosses of the box's edges and the frustum's. normal(i): of plane
-/// i, of any length.
+/// The axis at a place: the frustum's normals, the box's, crosses of the box's edges and the frustum's. normal(i): of
+/// plane i, of any length.
 template <class Number, int Dim>
 Axis<Number, Dim> axis_at(const auto& normal, const Box<Number, Dim>& box, int place) {
   Axis<Number, Dim> axis;
@@ -157,9 +154,9 @@ FrustumSat<Scalar, Dim>::FrustumSat(const Frustum<Scalar, Dim>& frustum, ExactCo
     normals_[i] = normal * std::ldexp(1.0, -std::clamp(std::ilogb(normal.cwiseAbs().maxCoeff()), -1022, 1022));
   }
   for (std::size_t c = 0; c < exact_.size(); ++c) {
-    for (int i = 0; i < Dim; ++i)
-      corners_[c][i] = quotient(exact_[c].coordinates[static_cast<std::size_t>(i)], exact_[c].weight);
-    size_ = corners_[c].allFinite() ? std::max(size_, corners_[c].cwiseAbs().maxCoeff()) : std::numeric_limits<double>::infinity();
+    for (int i = 0; i < Dim; ++i) corners_[c][i] = quotient(exact_[c].coordinates[i], exact_[c].weight);
+    size_ = corners_[c].allFinite() ? std::max(size_, corners_[c].cwiseAbs().maxCoeff())
+                                    : std::numeric_limits<double>::infinity();
   }
 }
 
@@ -176,7 +173,7 @@ bool FrustumSat<Scalar, Dim>::overlaps_any(const auto& given) const {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const auto& corner : corners_) {
       double value = 0;
-      for (int i = 0; i < Dim; ++i) value += corner[i] * axis.direction[static_cast<std::size_t>(i)];
+      for (int i = 0; i < Dim; ++i) value += corner[i] * axis.direction[i];
       low = std::min(low, value);
       high = std::max(high, value);
     }
@@ -195,12 +192,17 @@ bool FrustumSat<Scalar, Dim>::overlaps_any(const auto& given) const {
 }
 
 template <class Scalar, int Dim>
-bool FrustumSat<Scalar, Dim>::overlaps(const Obb<Scalar, Dim>& box) const { return overlaps_any(box); }
+bool FrustumSat<Scalar, Dim>::overlaps(const Obb<Scalar, Dim>& box) const {
+  return overlaps_any(box);
+}
 template <class Scalar, int Dim>
-bool FrustumSat<Scalar, Dim>::overlaps(const Aabb<Scalar, Dim>& box) const { return overlaps_any(box); }
+bool FrustumSat<Scalar, Dim>::overlaps(const Aabb<Scalar, Dim>& box) const {
+  return overlaps_any(box);
+}
 
 template <class Scalar, int Dim>
-tl::expected<CullTally, InputError> tally(const Frustum<Scalar, Dim>& frustum, std::span<const Obb<Scalar, Dim>> boxes) {
+tl::expected<CullTally, InputError> tally(const Frustum<Scalar, Dim>& frustum,
+                                          std::span<const Obb<Scalar, Dim>> boxes) {
   const auto exact = FrustumSat<Scalar, Dim>::make(frustum);
   if (!exact) return tl::unexpected(exact.error());
   CullTally tally;
@@ -212,8 +214,8 @@ tl::expected<CullTally, InputError> tally(const Frustum<Scalar, Dim>& frustum, s
   return tally;
 }
 
-#define SNUG_INSTANTIATE(Scalar, Dim)  \
-  template class FrustumSat<Scalar, Dim>; \
+#define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
+  template class FrustumSat<Scalar, Dim>;                                                                              \
   template tl::expected<CullTally, InputError> tally(const Frustum<Scalar, Dim>&, std::span<const Obb<Scalar, Dim>>);
 SNUG_INSTANTIATE(float, 2)
 SNUG_INSTANTIATE(float, 3)

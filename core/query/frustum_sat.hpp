@@ -1,7 +1,7 @@
-// Does a box share a point with a frustum? By separating axes of both, decided exactly: what the plane test (classify.hpp)
-// is measured against, for it calls some boxes near the frustum's edges and corners intersecting that are outside.
-// Source: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A hierarchical structure for rapid interference detection", 1996,
-// for the axes: normals of both, and crosses of their edges.
+// Does a box share a point with a frustum? By separating axes of both, decided exactly: what the plane test
+// (classify.hpp) is measured against, for it calls some boxes near the frustum's edges and corners intersecting that
+// are outside. Source: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A hierarchical structure for rapid interference
+// detection", 1996, for the axes: normals of both, and crosses of their edges.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ class FrustumSat {
   /// Errors: as of corners_of.
   static tl::expected<FrustumSat, InputError> make(const Frustum<Scalar, Dim>& frustum);
 
-  /// Whether they share a point; touching ones do. Exact on the numbers as they are, flat boxes too; of an OBB as classify
-  /// has it. Its axes must be linearly independent.
+  /// Whether they share a point; touching ones do. Exact on the numbers as they are, flat boxes too; of an OBB as
+  /// classify has it. Its axes must be linearly independent.
   [[nodiscard]] bool overlaps(const Obb<Scalar, Dim>& box) const;
   [[nodiscard]] bool overlaps(const Aabb<Scalar, Dim>& box) const;
 
@@ -48,6 +48,7 @@ struct CullTally {
 
 /// Errors: as of corners_of. boxes: as of classify.
 template <class Scalar, int Dim>
-[[nodiscard]] tl::expected<CullTally, InputError> tally(const Frustum<Scalar, Dim>& frustum, std::span<const Obb<Scalar, Dim>> boxes);
+[[nodiscard]] tl::expected<CullTally, InputError> tally(const Frustum<Scalar, Dim>& frustum,
+                                                        std::span<const Obb<Scalar, Dim>> boxes);
 
 }  // namespace snug::query

@@ -20,14 +20,10 @@
 namespace snug::query {
 
 inline constexpr std::array<std::string_view, 9> kGjkPseudocode{
-    "simplex ← a corner of a - a corner of b",
-    "repeat",
-    "  v ← point of the simplex nearest to 0",
-    "  keep the corners that hold v",
-    "  if |v| is only rounding: they overlap",
-    "  w ← corner of a - b least far along v",
-    "  if w · v / |v| = |v|: distance found",
-    "  add w to the simplex",
+    "simplex ← a corner of a - a corner of b", "repeat",
+    "  v ← point of the simplex nearest to 0", "  keep the corners that hold v",
+    "  if |v| is only rounding: they overlap", "  w ← corner of a - b least far along v",
+    "  if w · v / |v| = |v|: distance found",  "  add w to the simplex",
     "if v came no nearer: twice the digits",
 };
 
@@ -86,7 +82,7 @@ class Gjk {
   double most = 0;    // these two are that near
   Point on_a = Point::Zero(), on_b = Point::Zero();
   Point direction = Point::Zero();  // unit, from a to b: the one that proves least
-  int turns = 0;  // simplices looked at
+  int turns = 0;                    // simplices looked at
 
   /// Until the bounds meet or, where that is enough, until both are on one side of a threshold.
   void run(std::optional<double> threshold) {
@@ -98,7 +94,8 @@ class Gjk {
       if constexpr (kWatched<Observer>) observe_(GjkStep{8, DigitsDoubled{least * scene_, most * scene_}});
       descend<DoubleDouble>();
     }
-    if constexpr (kWatched<Observer>) observe_(GjkStep{most > kRounding ? 6 : 4, DistanceFound{least * scene_, most * scene_}});
+    if constexpr (kWatched<Observer>)
+      observe_(GjkStep{most > kRounding ? 6 : 4, DistanceFound{least * scene_, most * scene_}});
   }
 
  private:
@@ -124,16 +121,15 @@ class Gjk {
   template <class Real>
   void descend() {
     Simplex<Real> simplex;
-    for (; simplex.size < size_; ++simplex.size)
-      simplex.corners[static_cast<std::size_t>(simplex.size)] = corner<Real>(pairs_[static_cast<std::size_t>(simplex.size)]);
+    for (; simplex.size < size_; ++simplex.size) simplex.corners[simplex.size] = corner<Real>(pairs_[simplex.size]);
     std::optional<Real> before;
     for (int turn = 0; turn < kMostTurns; ++turn) {
       const Nearest<Real> nearest = simplex.nearest_to_origin();
       if (before && !(nearest.square < *before)) return;
       before = nearest.square;
       keep(simplex, nearest);
-      // Four corners around the origin: v is 0 but for rounding, which is more than counts where they are a sliver. There is
-      // no room for a fifth. Held by "k-DOPs about to touch are told apart".
+      // Four corners around the origin: v is 0 but for rounding, which is more than counts where they are a sliver.
+      // There is no room for a fifth. Held by "k-DOPs about to touch are told apart".
       if (decided() || size_ == 4) return;
       const Pair added = support();
       if (decided() || std::find(pairs_.begin(), pairs_.begin() + size_, added) != pairs_.begin() + size_) return;
@@ -198,17 +194,18 @@ class Gjk {
 
 extern template class Gjk<Ignore>;
 
-/// How far apart two volumes are. Both bounds agree within a few roundings of the volumes' extents about a common point,
-/// wherever that is and whatever their size; where facets are slivers, of less than 1e-8 of that, within some thousands.
+/// How far apart two volumes are. Both bounds agree within a few roundings of the volumes' extents about a common
+/// point, wherever that is and whatever their size; where facets are slivers, of less than 1e-8 of that, within some
+/// thousands.
 template <class Scalar, int Dim>
 struct Separation {
-  bool overlap = false;          // they are no more than kTouching apart
-  Scalar distance = 0;           // 0 where they overlap, scene units
-  Scalar gap = 0;                // a lower bound of it, proven by direction
+  bool overlap = false;                                         // they are no more than kTouching apart
+  Scalar distance = 0;                                          // 0 where they overlap, scene units
+  Scalar gap = 0;                                               // a lower bound of it, proven by direction
   Vector<Scalar, Dim> direction = Vector<Scalar, Dim>::Zero();  // unit, from a to b; zero where they overlap
   Vector<Scalar, Dim> on_a = Vector<Scalar, Dim>::Zero();       // the nearest points, where apart
   Vector<Scalar, Dim> on_b = Vector<Scalar, Dim>::Zero();
-  int turns = 0;                 // simplices looked at
+  int turns = 0;  // simplices looked at
 };
 
 /// A volume as GJK sees it: the convex hull of corners in space, relative to some origin, grown by a radius.
@@ -254,15 +251,16 @@ std::optional<Separation<Scalar, Dim>> separation_of(GrownCore a, GrownCore b, c
 }
 
 #define SNUG_GJK(Scalar, Dim)                                                                                          \
-  template std::optional<Separation<Scalar, Dim>> separation_of(GrownCore, GrownCore, const Vector<Scalar, Dim>&, bool, \
-                                                                Ignore&);
+  template std::optional<Separation<Scalar, Dim>> separation_of(GrownCore, GrownCore, const Vector<Scalar, Dim>&,      \
+                                                                bool, Ignore&);
 extern SNUG_GJK(float, 2) extern SNUG_GJK(float, 3) extern SNUG_GJK(double, 2) extern SNUG_GJK(double, 3)
 
-/// The distance of two volumes. Nothing where one is empty. only_whether: the answer's overlap is wanted, and no more.
-template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim,
-          StepObserver<GjkStep> Observer = Ignore>
-[[nodiscard]] std::optional<Separation<Scalar, Dim>> gjk(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b,
-                                                         bool only_whether = false, Observer&& observe = {}) {
+    /// The distance of two volumes. Nothing where one is empty. only_whether: the answer's overlap is wanted, and no
+    /// more.
+    template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim,
+              StepObserver<GjkStep> Observer = Ignore>
+    [[nodiscard]] std::optional<Separation<Scalar, Dim>> gjk(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b,
+                                                             bool only_whether = false, Observer&& observe = {}) {
   const Vector<Scalar, Dim> origin = anchor(a) / 2 + anchor(b) / 2;  // the same whichever is first
   return separation_of<Scalar, Dim>(grown_core(a, origin), grown_core(b, origin), origin, only_whether, observe);
 }

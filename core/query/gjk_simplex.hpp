@@ -34,7 +34,7 @@ struct Nearest {
   std::array<int, 4> corners{};   // the first size: places in the simplex
   std::array<Real, 4> weights{};  // > 0, of sum 1
   Triple<Real> point;
-  Real square{};                  // its squared distance from the origin
+  Real square{};  // its squared distance from the origin
 };
 
 template <class Real>
@@ -53,7 +53,7 @@ class Simplex {
   }
 
  private:
-  [[nodiscard]] const Triple<Real>& at(int i) const { return corners[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Triple<Real>& at(int i) const { return corners[i]; }
 
   template <std::size_t n>
   [[nodiscard]] Nearest<Real> mean(const std::array<int, n>& places, const std::array<Real, n>& weights) const {
@@ -103,7 +103,7 @@ class Simplex {
       for (Real& volume : volumes) volume = -volume;
     Nearest<Real> best;
     for (int i = 0; i < 4; ++i) {
-      if (volumes[static_cast<std::size_t>(i)] > Real(0)) continue;
+      if (volumes[i] > Real(0)) continue;
       take_nearer(best, on_triangle({(i + 1) % 4, (i + 2) % 4, (i + 3) % 4}));
     }
     return best.size > 0 ? best : mean<4>({0, 1, 2, 3}, volumes);

@@ -1,6 +1,6 @@
-// Each edge is the line where two boundary planes meet (in 2-D each boundary line by itself), clipped by all other slabs;
-// the corners are the edges' ends.
-// Source of the clipping: M. Cyrus, J. Beck, "Generalized two- and three-dimensional clipping", 1978.
+// Each edge is the line where two boundary planes meet (in 2-D each boundary line by itself), clipped by all other
+// slabs; the corners are the edges' ends. Source of the clipping: M. Cyrus, J. Beck, "Generalized two- and
+// three-dimensional clipping", 1978.
 #include "query/kdop_vertices.hpp"
 
 #include <Eigen/Geometry>
@@ -67,8 +67,8 @@ class Corners {
   }
 
  private:
-  [[nodiscard]] const Axis<Dim>& axis(int plane) const { return axes_[static_cast<std::size_t>(plane / 2)]; }
-  [[nodiscard]] double bound(int plane) const { return bounds_[static_cast<std::size_t>(plane)]; }
+  [[nodiscard]] const Axis<Dim>& axis(int plane) const { return axes_[plane / 2]; }
+  [[nodiscard]] double bound(int plane) const { return bounds_[plane]; }
 
   /// The point of the planes that is nearest to the origin, and the direction in which they go on.
   [[nodiscard]] Line<Dim> line_of(const Planes<Dim>& planes) const {

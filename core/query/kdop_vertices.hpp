@@ -13,7 +13,7 @@ namespace snug::query {
 /// miss having one by more than the rounding of their bounds. Each lies in all slabs within kKdopCorner. kdop.k: one of
 /// the known.
 template <class Scalar, int Dim>
-[[nodiscard]] std::vector<Vector<double, Dim>> kdop_vertices(const Kdop<Scalar, Dim>& kdop,
-                                                             const Vector<Scalar, Dim>& origin = Vector<Scalar, Dim>::Zero());
+[[nodiscard]] std::vector<Vector<double, Dim>>
+kdop_vertices(const Kdop<Scalar, Dim>& kdop, const Vector<Scalar, Dim>& origin = Vector<Scalar, Dim>::Zero());
 
 }  // namespace snug::query

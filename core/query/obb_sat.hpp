@@ -1,5 +1,5 @@
-// Source: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A hierarchical structure for rapid interference detection", 1996;
-// the table of axes as in C. Ericson, Real-Time Collision Detection, 2005, 4.4.1.
+// Source: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A hierarchical structure for rapid interference detection",
+// 1996; the table of axes as in C. Ericson, Real-Time Collision Detection, 2005, 4.4.1.
 #pragma once
 
 #include <algorithm>
@@ -22,24 +22,14 @@
 namespace snug::query {
 
 inline constexpr std::array<std::string_view, 7> kSatPseudocode2{
-    "R, t ← B as seen from A's frame",
-    "for each face axis of A",
-    "  apart if distance > r_A + r_B",
-    "for each face axis of B",
-    "  apart if distance > r_A + r_B",
-    "what rounding hides: exactly",
+    "R, t ← B as seen from A's frame", "for each face axis of A",         "  apart if distance > r_A + r_B",
+    "for each face axis of B",         "  apart if distance > r_A + r_B", "what rounding hides: exactly",
     "overlap if no axis separates",
 };
 inline constexpr std::array<std::string_view, 10> kSatPseudocode3{
-    "R, t ← B as seen from A's frame",
-    "for each face axis of A",
-    "  apart if distance > r_A + r_B",
-    "for each face axis of B",
-    "  apart if distance > r_A + r_B",
-    "for each edge of A × edge of B",
-    "  no axis if they are parallel",
-    "  apart if distance > r_A + r_B",
-    "what rounding hides: exactly",
+    "R, t ← B as seen from A's frame", "for each face axis of A",         "  apart if distance > r_A + r_B",
+    "for each face axis of B",         "  apart if distance > r_A + r_B", "for each edge of A × edge of B",
+    "  no axis if they are parallel",  "  apart if distance > r_A + r_B", "what rounding hides: exactly",
     "overlap if no axis separates",
 };
 
@@ -60,8 +50,8 @@ class ObbFrames {
   }
 
   /// Calls visit(place, offset, radius_a, radius_b) for each axis in the table's order until one call returns true;
-  /// whether one did. offset: of the centres along the axis; all times the axis's length. Unrolled, so that every index is
-  /// a constant.
+  /// whether one did. offset: of the centres along the axis; all times the axis's length. Unrolled, so that every index
+  /// is a constant.
   template <class Visit>
   [[gnu::always_inline]] bool any_axis(Visit&& visit) {
     return any_axis(std::make_integer_sequence<int, kSatAxes<Dim>>{}, visit);
@@ -76,7 +66,9 @@ class ObbFrames {
   }
 
   /// Of a face's normal 1; of two edges the sine of the angle between them.
-  [[nodiscard]] Scalar length(int place) const { return axis_at<Dim>(place).kind == AxisKind::kEdgeEdge ? cross(place).norm() : 1; }
+  [[nodiscard]] Scalar length(int place) const {
+    return axis_at<Dim>(place).kind == AxisKind::kEdgeEdge ? cross(place).norm() : 1;
+  }
   [[nodiscard]] bool parallel(int place) const { return length(place) <= tolerance::kParallelAxes<Scalar>; }
 
   /// gap: times the axis's length.
@@ -95,9 +87,9 @@ class ObbFrames {
   [[nodiscard]] int corners_of_a(const Vector<Scalar, Dim>& way) const { return corners_towards(a_, way); }
   [[nodiscard]] int corners_of_b(const Vector<Scalar, Dim>& way) const { return corners_towards(b_, way); }
 
-  /// Whether one of the axes that are in doubt separates the boxes, and which. The others were found not to, by more than
-  /// the axes of parallel edges could change. So those alone are no matter; but beside others in doubt they are looked at,
-  /// for they may be parallel within rounding only.
+  /// Whether one of the axes that are in doubt separates the boxes, and which. The others were found not to, by more
+  /// than the axes of parallel edges could change. So those alone are no matter; but beside others in doubt they are
+  /// looked at, for they may be parallel within rounding only.
   [[nodiscard]] std::optional<SatAxis<Scalar, Dim>> settle(AxisSet in_doubt) const {
     for (int place = 0; place < kSatAxes<Dim>; ++place)
       if ((in_doubt >> place & 1) != 0 && !parallel(place)) return separating_exactly(a_, b_, in_doubt);
@@ -215,7 +207,9 @@ class ObbSat {
   [[nodiscard]] int line_of_verdict() const {
     if (result_.overlap) return Line::kVerdict;
     if (!apart_) return Line::kExactly;
-    return result_.axis.kind == AxisKind::kFaceA ? Line::kFaceA : result_.axis.kind == AxisKind::kFaceB ? Line::kFaceB : Line::kEdges;
+    return result_.axis.kind == AxisKind::kFaceA   ? Line::kFaceA
+           : result_.axis.kind == AxisKind::kFaceB ? Line::kFaceB
+                                                   : Line::kEdges;
   }
 
   /// By the gap that is certain: of the axis of nearly parallel edges little is.
@@ -247,7 +241,10 @@ class ObbSat {
       fact.near_a = frames_.corners_of_a(fact.axis.direction);
       fact.near_b = frames_.corners_of_b(-fact.axis.direction);
     }
-    const int line = place < Dim ? Line::kFaceA : place < 2 * Dim ? Line::kFaceB : fact.skipped ? Line::kParallel : Line::kEdges;
+    const int line = place < Dim       ? Line::kFaceA
+                     : place < 2 * Dim ? Line::kFaceB
+                     : fact.skipped    ? Line::kParallel
+                                       : Line::kEdges;
     observe_(Step{line, fact});
   }
 
@@ -263,12 +260,12 @@ class ObbSat {
 /// Whether two oriented boxes share a point; touching boxes do. The verdict is exact on the numbers as they are, a box
 /// being all center + sum s_i h_i u_i with |s_i| <= 1, flat boxes, segments and points too: the lecture's test decides
 /// where its own error bound allows, exact arithmetic the rest.
-/// a, b: axes unit and perpendicular within tolerance::kObbAxes; coordinates finite, and small enough that their sums are.
-/// extent: kFirst ends at the first axis that separates, and overlapping boxes get no axis. kAll goes through all of them:
-/// boxes that are apart get the axis of the widest gap, overlapping ones that of the least penetration.
+/// a, b: axes unit and perpendicular within tolerance::kObbAxes; coordinates finite, and small enough that their sums
+/// are. extent: kFirst ends at the first axis that separates, and overlapping boxes get no axis. kAll goes through all
+/// of them: boxes that are apart get the axis of the widest gap, overlapping ones that of the least penetration.
 template <class Scalar, int Dim, StepObserver<SatStep<Scalar, Dim>> Observer = Ignore>
-SatResult<Scalar, Dim> obb_sat(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, SatExtent extent = SatExtent::kFirst,
-                               Observer&& observe = {}) {
+SatResult<Scalar, Dim> obb_sat(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
+                               SatExtent extent = SatExtent::kFirst, Observer&& observe = {}) {
   return ObbSat<Scalar, Dim, std::remove_reference_t<Observer>>(a, b, extent, observe).run();
 }
 
@@ -280,7 +277,8 @@ template <class Scalar, int Dim>
   AxisSet in_doubt = 0;
   const bool apart = frames.any_axis([&](int place, Scalar offset, Scalar radius_a, Scalar radius_b) {
     const Scalar reach = radius_a + radius_b;
-    if (std::abs(offset) - reach < least) [[likely]] return false;
+    if (std::abs(offset) - reach < least) [[likely]]
+      return false;
     if (reach - std::abs(offset) < least) return true;
     in_doubt |= AxisSet{1} << place;
     return false;
@@ -291,10 +289,11 @@ template <class Scalar, int Dim>
 // Compiled once, in obb_sat.cpp: with nobody watching, and with every step kept.
 template <class Scalar, int Dim>
 using SatRecorder = Recorder<SatStep<Scalar, Dim>>;
-#define SNUG_OBB_SAT(EXTERN, Scalar, Dim)                                                                                \
-  EXTERN template SatResult<Scalar, Dim> obb_sat(const Obb<Scalar, Dim>&, const Obb<Scalar, Dim>&, SatExtent, Ignore&&); \
-  EXTERN template SatResult<Scalar, Dim> obb_sat<Scalar, Dim, SatRecorder<Scalar, Dim>&>(                                \
-      const Obb<Scalar, Dim>&, const Obb<Scalar, Dim>&, SatExtent, SatRecorder<Scalar, Dim>&);                           \
+#define SNUG_OBB_SAT(EXTERN, Scalar, Dim)                                                                              \
+  EXTERN template SatResult<Scalar, Dim> obb_sat(const Obb<Scalar, Dim>&, const Obb<Scalar, Dim>&, SatExtent,          \
+                                                 Ignore&&);                                                            \
+  EXTERN template SatResult<Scalar, Dim> obb_sat<Scalar, Dim, SatRecorder<Scalar, Dim>&>(                              \
+      const Obb<Scalar, Dim>&, const Obb<Scalar, Dim>&, SatExtent, SatRecorder<Scalar, Dim>&);                         \
   EXTERN template bool obbs_overlap(const Obb<Scalar, Dim>&, const Obb<Scalar, Dim>&);
 SNUG_OBB_SAT(extern, float, 2)
 SNUG_OBB_SAT(extern, float, 3)

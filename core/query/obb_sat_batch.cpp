@@ -46,7 +46,8 @@ class Group {
     }
     doubt_ = size * tolerance::kSatGap<Scalar> + std::numeric_limits<Scalar>::min();
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec x = load(a, kAxes + 3 * i, first), y = load(a, kAxes + 3 * i + 1, first), z = load(a, kAxes + 3 * i + 2, first);
+      const Vec x = load(a, kAxes + 3 * i, first), y = load(a, kAxes + 3 * i + 1, first),
+                z = load(a, kAxes + 3 * i + 2, first);
       translation_[i] = x * offset_[0] + y * offset_[1] + z * offset_[2];
       for (std::size_t j = 0; j < 3; ++j) {
         rotation_[i][j] = x * load(b, kAxes + 3 * j, first) + y * load(b, kAxes + 3 * j + 1, first) +
@@ -61,9 +62,10 @@ class Group {
     Vec widest = gap(translation_[0], half_a_[0], radius_b(0));
     for (std::size_t i = 1; i < 3; ++i) widest = larger(widest, gap(translation_[i], half_a_[i], radius_b(i)));
     for (std::size_t j = 0; j < 3; ++j)
-      widest = larger(widest, gap(translation_[0] * rotation_[0][j] + translation_[1] * rotation_[1][j] +
-                                      translation_[2] * rotation_[2][j],
-                                  half_a_[0] * size_[0][j] + half_a_[1] * size_[1][j] + half_a_[2] * size_[2][j], half_b_[j]));
+      widest = larger(
+          widest,
+          gap(translation_[0] * rotation_[0][j] + translation_[1] * rotation_[1][j] + translation_[2] * rotation_[2][j],
+              half_a_[0] * size_[0][j] + half_a_[1] * size_[1][j] + half_a_[2] * size_[2][j], half_b_[j]));
     return widest;
   }
 
@@ -74,7 +76,8 @@ class Group {
     return widest;
   }
 
-  /// The same without the axes of parallel edges, which are all that hides the verdict of most boxes with axes in common.
+  /// The same without the axes of parallel edges, which are all that hides the verdict of most boxes with axes in
+  /// common.
   [[nodiscard]] SNUG_INLINE Vec edges_but_parallel(Vec widest) const {
     constexpr Scalar kSquare = tolerance::kParallelInFrame<Scalar> * tolerance::kParallelInFrame<Scalar>;
     for (std::size_t i = 0; i < 3; ++i)
@@ -157,7 +160,8 @@ SNUG_INLINE void decide(const ObbArray<Scalar>& a, const ObbArray<Scalar>& b, st
       decide<Scalar, kBytes>(a.blocks()[block], b.blocks()[block], first, known.data() + first);
     const std::size_t begin = block * kBlock, count = std::min(kBlock, overlap.size() - begin);
     for (std::size_t i = 0; i < count; ++i)
-      overlap[begin + i] = known[i] == Known::kOpen ? obbs_overlap(a[begin + i], b[begin + i]) : known[i] == Known::kOverlap;
+      overlap[begin + i] =
+          known[i] == Known::kOpen ? obbs_overlap(a[begin + i], b[begin + i]) : known[i] == Known::kOverlap;
   }
 }
 

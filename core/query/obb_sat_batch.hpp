@@ -10,8 +10,8 @@
 
 namespace snug::query {
 
-/// Boxes in 3-D as structures of arrays: in blocks, each with an array of every coordinate, so that neighbours lie side by
-/// side and all that belongs to them in a few successive lines of the cache.
+/// Boxes in 3-D as structures of arrays: in blocks, each with an array of every coordinate, so that neighbours lie side
+/// by side and all that belongs to them in a few successive lines of the cache.
 template <class Scalar>
 class ObbArray {
  public:
@@ -23,7 +23,8 @@ class ObbArray {
     Scalar fields[kFields][kBlock]{};
   };
 
-  explicit ObbArray(std::span<const Obb<Scalar, 3>> boxes) : size_(boxes.size()), blocks_((size_ + kBlock - 1) / kBlock) {
+  explicit ObbArray(std::span<const Obb<Scalar, 3>> boxes)
+      : size_(boxes.size()), blocks_((size_ + kBlock - 1) / kBlock) {
     for (std::size_t i = 0; i < size_; ++i) set(i, boxes[i]);
   }
 

@@ -62,7 +62,7 @@ class Pair {
         const auto at = static_cast<std::size_t>(k);
         center[at] = static_cast<double>(box.center[k]);
         half[at] = static_cast<double>(box.half_extents[k]);
-        for (int row = 0; row < Dim; ++row) axes[at][static_cast<std::size_t>(row)] = static_cast<double>(box.axes(row, k));
+        for (int row = 0; row < Dim; ++row) axes[at][row] = static_cast<double>(box.axes(row, k));
       }
     }
     [[nodiscard]] Number radius(const Numbers<Number, Dim>& axis) const {
@@ -71,10 +71,8 @@ class Pair {
       return sum;
     }
     [[nodiscard]] Numbers<Number, Dim> normal(std::size_t face) const {
-      if constexpr (Dim == 2)
-        return {Number(0) - axes[1 - face][1], axes[1 - face][0]};
-      else
-        return cross(axes[(face + 1) % 3], axes[(face + 2) % 3]);
+      if constexpr (Dim == 2) return {Number(0) - axes[1 - face][1], axes[1 - face][0]};
+      else return cross(axes[(face + 1) % 3], axes[(face + 2) % 3]);
     }
   };
 
@@ -92,7 +90,7 @@ class Pair {
 template <int Dim>
 Vector<double, Dim> approximate(const Numbers<Dyadic, Dim>& v) {
   Vector<double, Dim> result;
-  for (int i = 0; i < Dim; ++i) result[i] = v[static_cast<std::size_t>(i)].approximate();
+  for (int i = 0; i < Dim; ++i) result[i] = v[i].approximate();
   return result;
 }
 
@@ -137,7 +135,8 @@ AxisSet still_open(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, AxisSet
 }  // namespace
 
 template <class Scalar, int Dim>
-std::optional<SatAxis<Scalar, Dim>> separating_exactly(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, AxisSet axes) {
+std::optional<SatAxis<Scalar, Dim>> separating_exactly(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
+                                                       AxisSet axes) {
   std::optional<SatAxis<Scalar, Dim>> best;
   const AxisSet open = still_open(a, b, axes);
   if (open == 0) return best;
@@ -151,8 +150,9 @@ std::optional<SatAxis<Scalar, Dim>> separating_exactly(const Obb<Scalar, Dim>& a
   return best;
 }
 
-#define SNUG_INSTANTIATE(Scalar, Dim)                                                                                 \
-  template std::optional<SatAxis<Scalar, Dim>> separating_exactly(const Obb<Scalar, Dim>&, const Obb<Scalar, Dim>&, AxisSet);
+#define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
+  template std::optional<SatAxis<Scalar, Dim>> separating_exactly(const Obb<Scalar, Dim>&, const Obb<Scalar, Dim>&,    \
+                                                                  AxisSet);
 SNUG_INSTANTIATE(float, 2)
 SNUG_INSTANTIATE(float, 3)
 SNUG_INSTANTIATE(double, 2)

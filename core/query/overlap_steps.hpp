@@ -1,4 +1,5 @@
-// The steps of the tests of pairs that compare intervals or distances; those of oriented boxes and of GJK have their own.
+// The steps of the tests of pairs that compare intervals or distances; those of oriented boxes and of GJK have their
+// own.
 #pragma once
 
 #include <array>
@@ -34,8 +35,8 @@ struct SlabTested {
   }
 };
 
-/// The nearest points of two cores (a centre, a segment, a rectangle, a box), within rounding, and their distance against
-/// the radii around both; scene units.
+/// The nearest points of two cores (a centre, a segment, a rectangle, a box), within rounding, and their distance
+/// against the radii around both; scene units.
 struct CoresCompared {
   static constexpr std::string_view kName = "cores_compared";
   Vector<double, 3> on_a = Vector<double, 3>::Zero(), on_b = Vector<double, 3>::Zero();

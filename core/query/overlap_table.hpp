@@ -28,13 +28,13 @@ namespace pair_table {
 using enum PairTest;
 inline constexpr std::array<std::array<PairTest, 7>, 7> kTests{{
     //  sphere         aabb             obb              capsule        lozenge        kdop           hull
-    {kSpheres,      kSphereBox,      kSphereBox,      kSweptSpheres, kSweptSpheres, kGjk,          kGjk},  // sphere
-    {kSphereBox,    kSlabs,          kSeparatingAxes, kGjk,          kGjk,          kSlabsThenGjk, kGjk},  // aabb
-    {kSphereBox,    kSeparatingAxes, kSeparatingAxes, kGjk,          kGjk,          kGjk,          kGjk},  // obb
-    {kSweptSpheres, kGjk,            kGjk,            kSweptSpheres, kSweptSpheres, kGjk,          kGjk},  // capsule
-    {kSweptSpheres, kGjk,            kGjk,            kSweptSpheres, kSweptSpheres, kGjk,          kGjk},  // lozenge
-    {kGjk,          kSlabsThenGjk,   kGjk,            kGjk,          kGjk,          kSlabsThenGjk, kGjk},  // kdop
-    {kGjk,          kGjk,            kGjk,            kGjk,          kGjk,          kGjk,          kGjk},  // hull
+    {kSpheres, kSphereBox, kSphereBox, kSweptSpheres, kSweptSpheres, kGjk, kGjk},  // sphere
+    {kSphereBox, kSlabs, kSeparatingAxes, kGjk, kGjk, kSlabsThenGjk, kGjk},        // aabb
+    {kSphereBox, kSeparatingAxes, kSeparatingAxes, kGjk, kGjk, kGjk, kGjk},        // obb
+    {kSweptSpheres, kGjk, kGjk, kSweptSpheres, kSweptSpheres, kGjk, kGjk},         // capsule
+    {kSweptSpheres, kGjk, kGjk, kSweptSpheres, kSweptSpheres, kGjk, kGjk},         // lozenge
+    {kGjk, kSlabsThenGjk, kGjk, kGjk, kGjk, kSlabsThenGjk, kGjk},                  // kdop
+    {kGjk, kGjk, kGjk, kGjk, kGjk, kGjk, kGjk},                                    // hull
 }};
 }  // namespace pair_table
 

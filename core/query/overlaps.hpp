@@ -69,8 +69,8 @@ template <class A, class B>
   }
 }
 
-/// Whether the test takes b first: later kinds after earlier ones, and of one kind by a number of theirs, so that a pair
-/// has the same answer whichever way it is given. (Two of a kind with the same anchor overlap whichever is first.)
+/// Whether the test takes b first: later kinds after earlier ones, and of one kind by a number of theirs, so that a
+/// pair has the same answer whichever way it is given. (Two of a kind with the same anchor overlap whichever is first.)
 template <class A, class B>
 [[nodiscard]] bool turned(const A& a, const B& b) {
   if constexpr (!std::is_same_v<A, B>) return VolumeKind<A>::kIndex > VolumeKind<B>::kIndex;
@@ -79,13 +79,15 @@ template <class A, class B>
   return std::lexicographical_compare(q.data(), q.data() + q.size(), p.data(), p.data() + p.size());
 }
 
-/// Whether they overlap, how far they are apart and along which axis, as far as the pair's test finds it. Errs by no more
-/// than kTouching of both volumes' extents about a common point, wherever that is: within them, they count as
+/// Whether they overlap, how far they are apart and along which axis, as far as the pair's test finds it. Errs by no
+/// more than kTouching of both volumes' extents about a common point, wherever that is: within them, they count as
 /// touching. All numbers finite, coordinates at most PointSet's kLargest. The volumes are as their headers say: axes
-/// unit and perpendicular within rounding, radii and extents not negative, each min at most its max. The observer is told
-/// OverlapStep, SatStep or GjkStep, by the pair's test; they speak of b as the first volume where the pair is turned.
+/// unit and perpendicular within rounding, radii and extents not negative, each min at most its max. The observer is
+/// told OverlapStep, SatStep or GjkStep, by the pair's test; they speak of b as the first volume where the pair is
+/// turned.
 template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim, class Observer = Ignore>
-[[nodiscard]] OverlapResult<Scalar, Dim> test_overlap(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b, Observer&& observe = {}) {
+[[nodiscard]] OverlapResult<Scalar, Dim> test_overlap(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b,
+                                                      Observer&& observe = {}) {
   constexpr bool kLater = VolumeKind<A<Scalar, Dim>>::kIndex > VolumeKind<B<Scalar, Dim>>::kIndex;
   if constexpr (kLater) return flipped(test_in_order(b, a, observe));
   else if constexpr (!std::is_same_v<A<Scalar, Dim>, B<Scalar, Dim>>) return test_in_order(a, b, observe);

@@ -16,17 +16,20 @@ template <class Scalar, int Dim>
 
 /// Exact; the axis is the first that separates.
 template <class Scalar, int Dim, StepObserver<SatStep<Scalar, Dim>> Observer = Ignore>
-[[nodiscard]] OverlapResult<Scalar, Dim> test_boxes(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer&& observe = {}) {
+[[nodiscard]] OverlapResult<Scalar, Dim> test_boxes(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
+                                                    Observer&& observe = {}) {
   const SatResult<Scalar, Dim> sat = obb_sat(a, b, SatExtent::kFirst, observe);
   OverlapResult<Scalar, Dim> result{.overlap = sat.overlap, .tests = sat.tests};
   if (!sat.overlap)
-    result.separating_axis = {kAxisKindNames[static_cast<std::size_t>(sat.axis.kind)], sat.axis.direction, sat.axis.gap};
+    result.separating_axis = {kAxisKindNames[static_cast<std::size_t>(sat.axis.kind)], sat.axis.direction,
+                              sat.axis.gap};
   return result;
 }
 
 /// Exact but for the rounding of the axis-aligned box's centre and extents.
 template <class Scalar, int Dim, StepObserver<SatStep<Scalar, Dim>> Observer = Ignore>
-[[nodiscard]] OverlapResult<Scalar, Dim> test_boxes(const Aabb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer&& observe = {}) {
+[[nodiscard]] OverlapResult<Scalar, Dim> test_boxes(const Aabb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
+                                                    Observer&& observe = {}) {
   return test_boxes(obb_of(a), b, observe);
 }
 

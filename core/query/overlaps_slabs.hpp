@@ -1,6 +1,6 @@
 // Boxes and k-DOPs by their intervals along the axes that they share.
-// Source: J. Klosowski, M. Held, J. Mitchell, H. Sowizral, K. Zikan, "Efficient collision detection using bounding volume
-// hierarchies of k-DOPs", 1998.
+// Source: J. Klosowski, M. Held, J. Mitchell, H. Sowizral, K. Zikan, "Efficient collision detection using bounding
+// volume hierarchies of k-DOPs", 1998.
 #pragma once
 
 #include <span>
@@ -17,8 +17,8 @@ namespace snug::query {
 template <int Dim>
 using KdopAxis = std::array<int, static_cast<std::size_t>(Dim)>;
 
-/// The extent of a volume along one of the k-DOP axes (whose entries are -1, 0 and 1), with twice the digits: of an AABB
-/// or a slab of the k-DOP itself that is exact.
+/// The extent of a volume along one of the k-DOP axes (whose entries are -1, 0 and 1), with twice the digits: of an
+/// AABB or a slab of the k-DOP itself that is exact.
 struct Interval {
   DoubleDouble min, max;
 };
@@ -55,7 +55,8 @@ template <int Dim>
 
 /// Whether the intervals along one axis are apart; if so, that is the separating axis.
 template <class Scalar, int Dim, class Observer>
-bool apart_along(const KdopAxis<Dim>& axis, const Interval& a, const Interval& b, OverlapResult<Scalar, Dim>& result, Observer& observe) {
+bool apart_along(const KdopAxis<Dim>& axis, const Interval& a, const Interval& b, OverlapResult<Scalar, Dim>& result,
+                 Observer& observe) {
   ++result.tests;
   const bool before = a.max < b.min;
   observe.count(Operation::kComparisons, before ? 1 : 2);
@@ -73,10 +74,12 @@ bool apart_along(const KdopAxis<Dim>& axis, const Interval& a, const Interval& b
 
 /// Exact.
 template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
-[[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Aabb<Scalar, Dim>& a, const Aabb<Scalar, Dim>& b, Observer&& observe = {}) {
+[[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Aabb<Scalar, Dim>& a, const Aabb<Scalar, Dim>& b,
+                                                    Observer&& observe = {}) {
   OverlapResult<Scalar, Dim> result{.overlap = true};
   for (const auto& axis : kdop_axes<Dim>(2 * Dim))
-    if (apart_along<Scalar, Dim>(axis, interval_along<Scalar, Dim>(a, axis), interval_along<Scalar, Dim>(b, axis), result, observe))
+    if (apart_along<Scalar, Dim>(axis, interval_along<Scalar, Dim>(a, axis), interval_along<Scalar, Dim>(b, axis),
+                                 result, observe))
       break;
   return result;
 }
@@ -84,17 +87,21 @@ template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
 /// All slabs of the k-DOP. No more than a first test where k is larger than a box's: an edge of one may pass an edge of
 /// the other, apart along none of these axes.
 template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
-[[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Aabb<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b, Observer&& observe = {}) {
+[[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Aabb<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b,
+                                                    Observer&& observe = {}) {
   OverlapResult<Scalar, Dim> result{.overlap = true};
   const auto axes = kdop_axes<Dim>(b.k);
   for (std::size_t i = 0; i < axes.size(); ++i)
-    if (apart_along<Scalar, Dim>(axes[i], interval_along<Scalar, Dim>(a, axes[i]), interval_along(b, i), result, observe)) break;
+    if (apart_along<Scalar, Dim>(axes[i], interval_along<Scalar, Dim>(a, axes[i]), interval_along(b, i), result,
+                                 observe))
+      break;
   return result;
 }
 
 /// Of equal k all slabs, else those of the coordinate axes, which every k begins with. The same holds of it.
 template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
-[[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Kdop<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b, Observer&& observe = {}) {
+[[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Kdop<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b,
+                                                    Observer&& observe = {}) {
   OverlapResult<Scalar, Dim> result{.overlap = true};
   const auto axes = kdop_axes<Dim>(a.k == b.k ? a.k : 2 * Dim);
   for (std::size_t i = 0; i < axes.size(); ++i)

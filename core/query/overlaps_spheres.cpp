@@ -12,7 +12,7 @@ bool apart_exactly(const double* a, double radius_a, const double* b, double rad
   const double radii = radius_a + radius_b;
   const double larger = std::max(square, radii * radii);
   // The sum of the radii is rounded once, and so counts 2u more once squared.
-  const double doubt = (tolerance::kSquaredDistance<double> + 4 * tolerance::kRoundoff<double>) * larger;
+  const double doubt = (tolerance::kSquaredDistance<double> + 4 * tolerance::kRoundoff<double>)*larger;
   if (larger > 0x1p-900 && larger < 0x1p1000 && std::abs(square - radii * radii) > doubt) return square > radii * radii;
   ExactSum sum;
   for (int i = 0; i < dim; ++i) {

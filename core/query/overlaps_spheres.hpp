@@ -17,7 +17,8 @@ namespace snug::query {
 [[nodiscard]] bool apart_exactly(const double* a, double radius_a, const double* b, double radius_b, int dim) noexcept;
 
 template <class Scalar, int Dim>
-[[nodiscard]] bool apart_exactly(const Vector<Scalar, Dim>& a, Scalar radius_a, const Vector<Scalar, Dim>& b, Scalar radius_b) {
+[[nodiscard]] bool apart_exactly(const Vector<Scalar, Dim>& a, Scalar radius_a, const Vector<Scalar, Dim>& b,
+                                 Scalar radius_b) {
   const Vector<double, Dim> p = a.template cast<double>();
   const Vector<double, Dim> q = b.template cast<double>();
   return apart_exactly(p.data(), static_cast<double>(radius_a), q.data(), static_cast<double>(radius_b), Dim);
@@ -27,7 +28,8 @@ template <class Scalar, int Dim>
 /// exact arithmetic alone sees the gap, it is the least that the scalar can say. between: from on_a to the other point.
 template <class Scalar, int Dim, class Observer>
 [[nodiscard]] OverlapResult<Scalar, Dim> by_distance(bool apart, std::string_view kind, const Vector<Scalar, Dim>& on_a,
-                                                     const Vector<Scalar, Dim>& between, Scalar radii, Observer& observe) {
+                                                     const Vector<Scalar, Dim>& between, Scalar radii,
+                                                     Observer& observe) {
   OverlapResult<Scalar, Dim> result{.overlap = !apart, .distance = Scalar(0), .tests = 1};
   observe.count(Operation::kDistanceTests, 1);
   if constexpr (kWatched<Observer>) {
@@ -45,18 +47,20 @@ template <class Scalar, int Dim, class Observer>
 
 /// Exact.
 template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
-[[nodiscard]] OverlapResult<Scalar, Dim> test_spheres(const Sphere<Scalar, Dim>& a, const Sphere<Scalar, Dim>& b, Observer&& observe = {}) {
+[[nodiscard]] OverlapResult<Scalar, Dim> test_spheres(const Sphere<Scalar, Dim>& a, const Sphere<Scalar, Dim>& b,
+                                                      Observer&& observe = {}) {
   const bool apart = apart_exactly<Scalar, Dim>(a.center, a.radius, b.center, b.radius);
   return by_distance<Scalar, Dim>(apart, "centers", a.center, b.center - a.center, a.radius + b.radius, observe);
 }
 
 /// Exact: the point of the box nearest to the centre has coordinates of either.
 template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
-[[nodiscard]] OverlapResult<Scalar, Dim> test_sphere_box(const Sphere<Scalar, Dim>& sphere, const Aabb<Scalar, Dim>& box,
-                                                         Observer&& observe = {}) {
+[[nodiscard]] OverlapResult<Scalar, Dim> test_sphere_box(const Sphere<Scalar, Dim>& sphere,
+                                                         const Aabb<Scalar, Dim>& box, Observer&& observe = {}) {
   const Vector<Scalar, Dim> nearest = sphere.center.cwiseMax(box.min).cwiseMin(box.max);
   const bool apart = apart_exactly<Scalar, Dim>(sphere.center, sphere.radius, nearest, 0);
-  return by_distance<Scalar, Dim>(apart, "closest_points", sphere.center, nearest - sphere.center, sphere.radius, observe);
+  return by_distance<Scalar, Dim>(apart, "closest_points", sphere.center, nearest - sphere.center, sphere.radius,
+                                  observe);
 }
 
 /// In the box's frame; within rounding of the box's and the sphere's extents about each other.
@@ -68,7 +72,8 @@ template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
   const Scalar size = std::max({center.cwiseAbs().maxCoeff(), box.half_extents.maxCoeff(), sphere.radius});
   const Scalar touching = tolerance::kTouching<Scalar> * size;
   const bool apart = scaled_norm<Scalar, Dim>(nearest - center) > sphere.radius + touching;
-  return by_distance<Scalar, Dim>(apart, "closest_points", sphere.center, box.axes * (nearest - center), sphere.radius, observe);
+  return by_distance<Scalar, Dim>(apart, "closest_points", sphere.center, box.axes * (nearest - center), sphere.radius,
+                                  observe);
 }
 
 }  // namespace snug::query

@@ -101,11 +101,12 @@ class SweptPair {
     return result;
   }
 
-  /// Most pairs are known without a rectangle's axes: by the spheres around both cores, by how near two places come that
-  /// each lie nearest to the other in turn, or by the plane across the way between them. Nothing where that does not tell
-  /// by more than any distance may be off.
+  /// Most pairs are known without a rectangle's axes: by the spheres around both cores, by how near two places come
+  /// that each lie nearest to the other in turn, or by the plane across the way between them. Nothing where that does
+  /// not tell by more than any distance may be off.
   [[nodiscard]] std::optional<bool> at_a_glance() const {
-    const Space middle = between_ + ((b_edges_[0] + b_edges_[1]) - (a_edges_[0] + a_edges_[1])) / 2;  // of b's core, from a's
+    const Space middle =
+        between_ + ((b_edges_[0] + b_edges_[1]) - (a_edges_[0] + a_edges_[1])) / 2;  // of b's core, from a's
     const Scalar beyond = touching() + 2 * kTouching;
     const Scalar reach = diagonal(a_edges_) / 2 + diagonal(b_edges_) / 2 + beyond;
     if (middle.squaredNorm() > reach * reach) return true;
@@ -131,7 +132,8 @@ class SweptPair {
   }
 
   /// The place of a core around the origin that lies nearest to p, but for edges that are not quite perpendicular.
-  [[nodiscard]] static Space nearest(const Space& p, const std::array<Space, 2>& edges, const std::array<Scalar, 2>& shares) {
+  [[nodiscard]] static Space nearest(const Space& p, const std::array<Space, 2>& edges,
+                                     const std::array<Scalar, 2>& shares) {
     const auto part = [&](std::size_t i) { return std::clamp(p.dot(edges[i]) * shares[i], Scalar(-0.5), Scalar(0.5)); };
     return part(0) * edges[0] + part(1) * edges[1];
   }
@@ -140,7 +142,6 @@ class SweptPair {
   [[nodiscard]] static Scalar span(const std::array<Space, 2>& edges, const Space& way) {
     return std::abs(edges[0].dot(way)) + std::abs(edges[1].dot(way));
   }
-
 
   /// The longer one's length.
   [[nodiscard]] static Scalar diagonal(const std::array<Space, 2>& edges) {
@@ -155,7 +156,9 @@ class SweptPair {
   }
 
   [[nodiscard]] Scalar touching() const { return radii_ + kTouching; }
-  [[nodiscard]] bool apart(const ClosestPoints<Scalar>& points) const { return points.square > touching() * touching(); }
+  [[nodiscard]] bool apart(const ClosestPoints<Scalar>& points) const {
+    return points.square > touching() * touching();
+  }
 
   [[nodiscard]] Rectangle<Scalar> rectangle_a() const { return rectangle_of<Scalar>(Space::Zero(), a_edges_); }
   [[nodiscard]] Rectangle<Scalar> rectangle_b() const { return rectangle_of<Scalar>(between_, b_edges_); }
@@ -176,7 +179,8 @@ class SweptPair {
 };
 
 template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim>
-[[nodiscard]] SweptPair<A<Scalar, Dim>, B<Scalar, Dim>, Scalar, Dim> swept_pair(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) {
+[[nodiscard]] SweptPair<A<Scalar, Dim>, B<Scalar, Dim>, Scalar, Dim> swept_pair(const A<Scalar, Dim>& a,
+                                                                                const B<Scalar, Dim>& b) {
   return {a, b};
 }
 

@@ -29,10 +29,8 @@ struct Span {
 /// A coordinate as another kind of number, never rounded.
 template <class Number, class Scalar>
 [[nodiscard]] Number exactly(Scalar x) {
-  if constexpr (std::is_same_v<Number, Scalar>)
-    return x;
-  else
-    return Number(static_cast<double>(x));
+  if constexpr (std::is_same_v<Number, Scalar>) return x;
+  else return Number(static_cast<double>(x));
 }
 
 /// a . b, summed from the first coordinate to the last.
@@ -48,7 +46,8 @@ template <class Number, class Scalar, int Dim>
 }
 
 template <class Number, class Scalar, int Dim>
-[[nodiscard]] Span<Number> around(const Plane<Scalar, Dim>& plane, const Vector<Scalar, Dim>& center, const Number& radius) {
+[[nodiscard]] Span<Number> around(const Plane<Scalar, Dim>& plane, const Vector<Scalar, Dim>& center,
+                                  const Number& radius) {
   const Number middle = value_at<Number>(plane, center);
   return {middle - radius, middle + radius};
 }
@@ -65,7 +64,8 @@ template <class Number, class Scalar, int Dim>
   return core_span<Number>(plane, sphere.center);
 }
 
-/// Each coordinate of the normal chooses from min and max by its sign: that is the n-vertex, and the other the p-vertex.
+/// Each coordinate of the normal chooses from min and max by its sign: that is the n-vertex, and the other the
+/// p-vertex.
 template <class Number, class Scalar, int Dim>
 [[nodiscard]] Span<Number> core_span(const Plane<Scalar, Dim>& plane, const Aabb<Scalar, Dim>& box) {
   Vector<Scalar, Dim> n_vertex, p_vertex;
@@ -132,13 +132,21 @@ template <class Number, class Scalar, int Dim>
 // ---- the radius on top
 
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar radius_of(const Sphere<Scalar, Dim>& sphere) { return sphere.radius; }
+[[nodiscard]] Scalar radius_of(const Sphere<Scalar, Dim>& sphere) {
+  return sphere.radius;
+}
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar radius_of(const Capsule<Scalar, Dim>& capsule) { return capsule.radius; }
+[[nodiscard]] Scalar radius_of(const Capsule<Scalar, Dim>& capsule) {
+  return capsule.radius;
+}
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar radius_of(const Lozenge<Scalar, Dim>& lozenge) { return lozenge.radius; }
+[[nodiscard]] Scalar radius_of(const Lozenge<Scalar, Dim>& lozenge) {
+  return lozenge.radius;
+}
 template <class Shape>
-inline constexpr bool kHasRadius = requires(const Shape& shape) { radius_of(shape); };
+inline constexpr bool kHasRadius = requires(const Shape& shape) {
+  radius_of(shape);
+};
 
 // ---- a volume's size: no less than any coordinate that enters its span, in the sum of their weights
 
@@ -149,9 +157,13 @@ template <class Scalar, int Dim>
   return most;
 }
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar size_of(const Vector<Scalar, Dim>& point) { return largest<Scalar, Dim>(point); }
+[[nodiscard]] Scalar size_of(const Vector<Scalar, Dim>& point) {
+  return largest<Scalar, Dim>(point);
+}
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar size_of(const Sphere<Scalar, Dim>& sphere) { return largest<Scalar, Dim>(sphere.center) + sphere.radius; }
+[[nodiscard]] Scalar size_of(const Sphere<Scalar, Dim>& sphere) {
+  return largest<Scalar, Dim>(sphere.center) + sphere.radius;
+}
 template <class Scalar, int Dim>
 [[nodiscard]] Scalar size_of(const Aabb<Scalar, Dim>& box) {
   return std::max(largest<Scalar, Dim>(box.min), largest<Scalar, Dim>(box.max));
@@ -161,15 +173,17 @@ template <class Scalar, int Dim>
   return largest<Scalar, Dim>(box.center) + largest<Scalar, Dim>(box.half_extents);
 }
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar size_of(const Obb<Scalar, Dim>& box) { return largest<Scalar, Dim>(box.center) + box.half_extents.sum(); }
+[[nodiscard]] Scalar size_of(const Obb<Scalar, Dim>& box) {
+  return largest<Scalar, Dim>(box.center) + box.half_extents.sum();
+}
 template <class Scalar, int Dim>
 [[nodiscard]] Scalar size_of(const Capsule<Scalar, Dim>& capsule) {
   return std::max(largest<Scalar, Dim>(capsule.a), largest<Scalar, Dim>(capsule.b)) + capsule.radius;
 }
 template <class Scalar, int Dim>
 [[nodiscard]] Scalar size_of(const Lozenge<Scalar, Dim>& lozenge) {
-  return largest<Scalar, Dim>(lozenge.origin) + largest<Scalar, Dim>(lozenge.edges[0]) + largest<Scalar, Dim>(lozenge.edges[1]) +
-         lozenge.radius;
+  return largest<Scalar, Dim>(lozenge.origin) + largest<Scalar, Dim>(lozenge.edges[0]) +
+         largest<Scalar, Dim>(lozenge.edges[1]) + lozenge.radius;
 }
 template <class Scalar, int Dim>
 [[nodiscard]] Scalar size_of(const ConvexHull<Scalar, Dim>& hull) {

@@ -17,26 +17,30 @@ struct NormalAsAxes {
 };
 
 template <class Number, class Scalar>
-[[nodiscard]] NormalAsAxes<Number, 2> as_axes(const Vector<Scalar, 2>& n, const std::array<std::array<int, 2>, 2>& axes) {
+[[nodiscard]] NormalAsAxes<Number, 2> as_axes(const Vector<Scalar, 2>& n,
+                                              const std::array<std::array<int, 2>, 2>& axes) {
   const auto [a, b] = axes;
   const int determinant = a[0] * b[1] - a[1] * b[0], sign = determinant < 0 ? -1 : 1;
   const auto weight = [&](int x, int y) {
-    return exactly<Number>(n[0]) * exactly<Number>(Scalar(sign * x)) + exactly<Number>(n[1]) * exactly<Number>(Scalar(sign * y));
+    return exactly<Number>(n[0]) * exactly<Number>(Scalar(sign * x)) +
+           exactly<Number>(n[1]) * exactly<Number>(Scalar(sign * y));
   };
   return {{weight(b[1], -b[0]), weight(-a[1], a[0])}, sign * determinant};
 }
 
 template <class Number, class Scalar>
-[[nodiscard]] NormalAsAxes<Number, 3> as_axes(const Vector<Scalar, 3>& n, const std::array<std::array<int, 3>, 3>& axes) {
+[[nodiscard]] NormalAsAxes<Number, 3> as_axes(const Vector<Scalar, 3>& n,
+                                              const std::array<std::array<int, 3>, 3>& axes) {
   const auto cross = [&](std::size_t i, std::size_t j) {
     const auto &a = axes[i], &b = axes[j];
     return std::array<int, 3>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   };
   const auto first = cross(1, 2);
-  const int determinant = axes[0][0] * first[0] + axes[0][1] * first[1] + axes[0][2] * first[2], sign = determinant < 0 ? -1 : 1;
+  const int determinant = axes[0][0] * first[0] + axes[0][1] * first[1] + axes[0][2] * first[2],
+            sign = determinant < 0 ? -1 : 1;
   const auto weight = [&](const std::array<int, 3>& across) {
     Number sum = exactly<Number>(n[0]) * exactly<Number>(Scalar(sign * across[0]));
-    for (int i = 1; i < 3; ++i) sum += exactly<Number>(n[i]) * exactly<Number>(Scalar(sign * across[static_cast<std::size_t>(i)]));
+    for (int i = 1; i < 3; ++i) sum += exactly<Number>(n[i]) * exactly<Number>(Scalar(sign * across[i]));
     return sum;
   };
   return {{weight(first), weight(cross(2, 0)), weight(cross(0, 1))}, sign * determinant};
@@ -44,13 +48,15 @@ template <class Number, class Scalar>
 
 /// x / n: exact numbers stay whole, and are compared over a common denominator instead.
 template <class Scalar>
-[[nodiscard]] Scalar over(Scalar x, int n) { return x / static_cast<Scalar>(n); }
+[[nodiscard]] Scalar over(Scalar x, int n) {
+  return x / static_cast<Scalar>(n);
+}
 /// Determinants of axes are 1, 2, 3 or 4: over 12, all are whole.
 inline constexpr int kCommonDenominator = 12;
 [[nodiscard]] inline Dyadic over(const Dyadic& x, int n) { return x * Dyadic(kCommonDenominator / n); }
 
-/// The greatest of n . p over the k-DOP is the least, over all Dim independent axes, of what their bounds alone allow: the
-/// normal is a sum of them, and each weight's sign chooses between max and min. (The dual program's corners.) Exact
+/// The greatest of n . p over the k-DOP is the least, over all Dim independent axes, of what their bounds alone allow:
+/// the normal is a sum of them, and each weight's sign chooses between max and min. (The dual program's corners.) Exact
 /// numbers come out times 12, which changes no sign.
 template <class Number, class Scalar, int Dim>
 [[nodiscard]] Span<Number> core_span(const Plane<Scalar, Dim>& plane, const Kdop<Scalar, Dim>& kdop) {
@@ -75,8 +81,7 @@ template <class Number, class Scalar, int Dim>
   };
   for (std::size_t i = 0; i < axes.size(); ++i)
     for (std::size_t j = i + 1; j < axes.size(); ++j) {
-      if constexpr (Dim == 2)
-        meet({i, j});
+      if constexpr (Dim == 2) meet({i, j});
       else
         for (std::size_t k = j + 1; k < axes.size(); ++k) meet({i, j, k});
     }

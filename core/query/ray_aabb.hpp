@@ -1,6 +1,6 @@
 // Where a ray enters an axis-aligned box, slab by slab.
-// Source: T. L. Kay, J. T. Kajiya, "Ray tracing complex scenes", 1986; T. Ize, "Robust BVH ray traversal", 2013, for the last
-// slab that the ray leaves being held open a little.
+// Source: T. L. Kay, J. T. Kajiya, "Ray tracing complex scenes", 1986; T. Ize, "Robust BVH ray traversal", 2013, for
+// the last slab that the ray leaves being held open a little.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,10 @@
 
 namespace snug::query {
 
-/// The t at which the ray is first in the box, 0 where it begins there, within kRaySlab of t; none where it misses. It never
-/// misses a box that the ray touches, and takes for a hit what passes it by no more than kRaySlab of t. Of two boxes, one in
-/// the other, whatever hits the inner one hits the outer, and no later: rounding never changes an order. Coordinates finite,
-/// their differences too; t may be infinite where it is more than any Scalar.
+/// The t at which the ray is first in the box, 0 where it begins there, within kRaySlab of t; none where it misses. It
+/// never misses a box that the ray touches, and takes for a hit what passes it by no more than kRaySlab of t. Of two
+/// boxes, one in the other, whatever hits the inner one hits the outer, and no later: rounding never changes an order.
+/// Coordinates finite, their differences too; t may be infinite where it is more than any Scalar.
 template <class Scalar, int Dim>
 [[nodiscard]] std::optional<Scalar> ray_enters(const Aabb<Scalar, Dim>& box, const Ray<Scalar, Dim>& ray) {
   Scalar enter = 0, leave = std::numeric_limits<Scalar>::infinity();

@@ -22,10 +22,10 @@ inline constexpr int kSatAxes = Dim == 2 ? 4 : 15;
 template <class Scalar, int Dim>
 struct SatAxis {
   AxisKind kind = AxisKind::kNone;
-  int i = -1;                                                    // A's face or edge; -1 where B's face is meant
-  int j = -1;                                                    // B's face or edge; -1 where A's face is meant
-  Vector<Scalar, Dim> direction = Vector<Scalar, Dim>::Zero();   // unit, in the world, from A towards B
-  Scalar gap = 0;                                                // scene units; where the projections overlap, <= 0
+  int i = -1;                                                   // A's face or edge; -1 where B's face is meant
+  int j = -1;                                                   // B's face or edge; -1 where A's face is meant
+  Vector<Scalar, Dim> direction = Vector<Scalar, Dim>::Zero();  // unit, in the world, from A towards B
+  Scalar gap = 0;                                               // scene units; where the projections overlap, <= 0
   void fields(auto&& see) const {
     see("kind", static_cast<int>(kind)), see("i", i), see("j", j), see("direction", direction), see("gap", gap);
   }
@@ -34,12 +34,12 @@ struct SatAxis {
 template <class Scalar, int Dim>
 struct SatResult {
   bool overlap = false;
-  int tests = 0;                 // axes looked at, those that parallel edges leave out included
-  SatAxis<Scalar, Dim> axis;     // apart: one that separates. Overlapping: the one of least penetration, or kNone
+  int tests = 0;              // axes looked at, those that parallel edges leave out included
+  SatAxis<Scalar, Dim> axis;  // apart: one that separates. Overlapping: the one of least penetration, or kNone
 };
 
-/// B as it is seen from A's frame: its axes as columns, its centre, and within what the gaps are known for all rounding,
-/// scene units.
+/// B as it is seen from A's frame: its axes as columns, its centre, and within what the gaps are known for all
+/// rounding, scene units.
 template <class Scalar, int Dim>
 struct FramesRelated {
   static constexpr std::string_view kName = "frames_related";
@@ -49,20 +49,21 @@ struct FramesRelated {
   void fields(auto&& see) const { see("rotation", rotation), see("translation", translation), see("doubt", doubt); }
 };
 
-/// Both boxes were projected onto an axis. All in scene units along the unit direction; the lecture's table has them times
-/// length, the sine of the angle between the edges (1 for a face). gap = distance - radius_a - radius_b.
+/// Both boxes were projected onto an axis. All in scene units along the unit direction; the lecture's table has them
+/// times length, the sine of the angle between the edges (1 for a face). gap = distance - radius_a - radius_b.
 template <class Scalar, int Dim>
 struct AxisTested {
   static constexpr std::string_view kName = "axis_tested";
   SatAxis<Scalar, Dim> axis;  // its direction is zero where skipped
   Scalar length = 0;
-  Scalar distance = 0;        // between the projected centres
+  Scalar distance = 0;  // between the projected centres
   Scalar radius_a = 0;
   Scalar radius_b = 0;
-  Scalar doubt = 0;           // the gap is known within it
-  bool separates = false;     // gap > doubt
-  bool skipped = false;       // the edges are parallel: there is no such axis, and none is needed
-  /// The corners that face each other along the axis: bit c for the corner with the bits c, 1 for +x, 2 for +y, 4 for +z.
+  Scalar doubt = 0;        // the gap is known within it
+  bool separates = false;  // gap > doubt
+  bool skipped = false;    // the edges are parallel: there is no such axis, and none is needed
+  /// The corners that face each other along the axis: bit c for the corner with the bits c, 1 for +x, 2 for +y, 4 for
+  /// +z.
   int near_a = 0;
   int near_b = 0;
   void fields(auto&& see) const {
@@ -85,9 +86,7 @@ template <class Scalar, int Dim>
 struct Verdict {
   static constexpr std::string_view kName = "verdict";
   SatResult<Scalar, Dim> result;
-  void fields(auto&& see) const {
-    see("overlap", result.overlap), see("tests", result.tests), result.axis.fields(see);
-  }
+  void fields(auto&& see) const { see("overlap", result.overlap), see("tests", result.tests), result.axis.fields(see); }
 };
 
 template <class Scalar, int Dim>

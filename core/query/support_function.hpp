@@ -13,19 +13,29 @@ namespace snug::query {
 
 /// Some point of the volume around which coordinates are to be taken, so that far volumes lose no digits.
 template <class Scalar, int Dim>
-[[nodiscard]] Vector<Scalar, Dim> anchor(const Sphere<Scalar, Dim>& sphere) { return sphere.center; }
+[[nodiscard]] Vector<Scalar, Dim> anchor(const Sphere<Scalar, Dim>& sphere) {
+  return sphere.center;
+}
 template <class Scalar, int Dim>
-[[nodiscard]] Vector<Scalar, Dim> anchor(const Aabb<Scalar, Dim>& box) { return box.min; }
+[[nodiscard]] Vector<Scalar, Dim> anchor(const Aabb<Scalar, Dim>& box) {
+  return box.min;
+}
 template <class Scalar, int Dim>
-[[nodiscard]] Vector<Scalar, Dim> anchor(const Obb<Scalar, Dim>& box) { return box.center; }
+[[nodiscard]] Vector<Scalar, Dim> anchor(const Obb<Scalar, Dim>& box) {
+  return box.center;
+}
 template <class Scalar, int Dim>
-[[nodiscard]] Vector<Scalar, Dim> anchor(const Capsule<Scalar, Dim>& capsule) { return capsule.a; }
+[[nodiscard]] Vector<Scalar, Dim> anchor(const Capsule<Scalar, Dim>& capsule) {
+  return capsule.a;
+}
 template <class Scalar, int Dim>
-[[nodiscard]] Vector<Scalar, Dim> anchor(const Lozenge<Scalar, Dim>& lozenge) { return lozenge.origin; }
+[[nodiscard]] Vector<Scalar, Dim> anchor(const Lozenge<Scalar, Dim>& lozenge) {
+  return lozenge.origin;
+}
 template <class Scalar, int Dim>
 [[nodiscard]] Vector<Scalar, Dim> anchor(const Kdop<Scalar, Dim>& kdop) {
   Vector<Scalar, Dim> least;  // the first axes are those of the coordinates
-  for (int i = 0; i < Dim; ++i) least[i] = kdop.min[static_cast<std::size_t>(i)];
+  for (int i = 0; i < Dim; ++i) least[i] = kdop.min[i];
   return least;
 }
 template <class Scalar, int Dim>
@@ -35,19 +45,33 @@ template <class Scalar, int Dim>
 
 /// The radius around the core: 0 of all that have corners of their own.
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar core_radius(const Sphere<Scalar, Dim>& sphere) { return sphere.radius; }
+[[nodiscard]] Scalar core_radius(const Sphere<Scalar, Dim>& sphere) {
+  return sphere.radius;
+}
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar core_radius(const Capsule<Scalar, Dim>& capsule) { return capsule.radius; }
+[[nodiscard]] Scalar core_radius(const Capsule<Scalar, Dim>& capsule) {
+  return capsule.radius;
+}
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar core_radius(const Lozenge<Scalar, Dim>& lozenge) { return lozenge.radius; }
+[[nodiscard]] Scalar core_radius(const Lozenge<Scalar, Dim>& lozenge) {
+  return lozenge.radius;
+}
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar core_radius(const Aabb<Scalar, Dim>&) { return 0; }
+[[nodiscard]] Scalar core_radius(const Aabb<Scalar, Dim>&) {
+  return 0;
+}
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar core_radius(const Obb<Scalar, Dim>&) { return 0; }
+[[nodiscard]] Scalar core_radius(const Obb<Scalar, Dim>&) {
+  return 0;
+}
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar core_radius(const Kdop<Scalar, Dim>&) { return 0; }
+[[nodiscard]] Scalar core_radius(const Kdop<Scalar, Dim>&) {
+  return 0;
+}
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar core_radius(const ConvexHull<Scalar, Dim>&) { return 0; }
+[[nodiscard]] Scalar core_radius(const ConvexHull<Scalar, Dim>&) {
+  return 0;
+}
 
 template <int Dim>
 using Corners = std::vector<Vector<double, Dim>>;
@@ -132,7 +156,8 @@ template <template <class, int> class Volume, class Scalar, int Dim>
                                           const std::type_identity_t<Vector<Scalar, Dim>>& direction) {
   const Vector<Scalar, Dim> origin = anchor(volume);
   const Corners<Dim> corners = core_corners(volume, origin);
-  const Vector<double, Dim> towards = direction.template cast<double>() / direction.template cast<double>().cwiseAbs().maxCoeff();
+  const Vector<double, Dim> towards =
+      direction.template cast<double>() / direction.template cast<double>().cwiseAbs().maxCoeff();
   const Vector<double, Dim> point = corners[farthest_corner<Dim>(corners, towards)] +
                                     static_cast<double>(core_radius(volume)) / towards.norm() * towards;
   return (origin.template cast<double>() + point).template cast<Scalar>();

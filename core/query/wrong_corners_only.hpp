@@ -44,7 +44,8 @@ bool corners_only(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer
 /// A pair that overlaps with every corner free; none in that many tries.
 template <class Scalar, int Dim>
 [[nodiscard]] std::optional<CounterExample<Scalar, Dim>> against_corners_only(std::uint64_t seed, int tries) {
-  return find_boxes<Scalar, Dim>(seed, tries, [](const auto& a, const auto& b, bool overlap) { return overlap && !corners_only(a, b); });
+  return find_boxes<Scalar, Dim>(
+      seed, tries, [](const auto& a, const auto& b, bool overlap) { return overlap && !corners_only(a, b); });
 }
 
 }  // namespace snug::query

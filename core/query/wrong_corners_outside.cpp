@@ -5,7 +5,8 @@
 namespace snug::query {
 
 template <class Scalar, int Dim>
-std::optional<LostBox<Scalar, Dim>> against_corners_outside(const Frustum<Scalar, Dim>& frustum, std::uint64_t seed, int tries) {
+std::optional<LostBox<Scalar, Dim>> against_corners_outside(const Frustum<Scalar, Dim>& frustum, std::uint64_t seed,
+                                                            int tries) {
   const auto exact = FrustumSat<Scalar, Dim>::make(frustum);
   const auto corners = corners_of(frustum);
   if (!exact || !corners) return std::nullopt;
@@ -18,7 +19,8 @@ std::optional<LostBox<Scalar, Dim>> against_corners_outside(const Frustum<Scalar
     Obb<Scalar, Dim> box = random_box<Scalar, Dim>(random);
     box.center = middle + box.center * size;
     box.half_extents *= size;
-    if (corners_outside(frustum, box).verdict == Culling::kOutside && exact->overlaps(box)) return LostBox<Scalar, Dim>{box, i};
+    if (corners_outside(frustum, box).verdict == Culling::kOutside && exact->overlaps(box))
+      return LostBox<Scalar, Dim>{box, i};
   }
   return std::nullopt;
 }

@@ -1,6 +1,6 @@
 // A test that is wrong, kept for those who would invent it: a box is outside of a frustum where all of its corners are.
-// It never keeps a box that the right test rejects, but it loses boxes that cross the frustum with every corner free, such
-// as large ones that hold all of it.
+// It never keeps a box that the right test rejects, but it loses boxes that cross the frustum with every corner free,
+// such as large ones that hold all of it.
 #pragma once
 
 #include <array>
@@ -36,10 +36,8 @@ CullResult corners_outside(const Frustum<Scalar, Dim>& frustum, const Box& box, 
     }
     inside += rejected_by < 0 ? 1 : 0;
     if constexpr (kWatched<Observer>) {
-      if (rejected_by >= 0)
-        observe(Step{1, corner_tested(frustum[rejected_by], rejected_by, box, bits, true)});
-      else
-        observe(Step{1, CornerTested<Scalar, Dim>{.corner = bits, .point = corner_of(box, bits)}});
+      if (rejected_by >= 0) observe(Step{1, corner_tested(frustum[rejected_by], rejected_by, box, bits, true)});
+      else observe(Step{1, CornerTested<Scalar, Dim>{.corner = bits, .point = corner_of(box, bits)}});
     }
   }
   result.planes_tested = kFrustumPlanes<Dim>;
@@ -55,9 +53,11 @@ struct LostBox {
   int tries = 0;  // how many boxes were tried before
 };
 
-/// The lecture's counter-example: a box that crosses the frustum with every corner outside of it. Boxes are tried about the
-/// frustum's middle, of up to its size, turned at random; none in that many tries, or where the frustum has no corners.
+/// The lecture's counter-example: a box that crosses the frustum with every corner outside of it. Boxes are tried about
+/// the frustum's middle, of up to its size, turned at random; none in that many tries, or where the frustum has no
+/// corners.
 template <class Scalar, int Dim>
-[[nodiscard]] std::optional<LostBox<Scalar, Dim>> against_corners_outside(const Frustum<Scalar, Dim>& frustum, std::uint64_t seed, int tries);
+[[nodiscard]] std::optional<LostBox<Scalar, Dim>> against_corners_outside(const Frustum<Scalar, Dim>& frustum,
+                                                                          std::uint64_t seed, int tries);
 
 }  // namespace snug::query

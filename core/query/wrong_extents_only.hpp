@@ -41,7 +41,8 @@ bool extents_only(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer
 /// A pair that is apart though the outlines meet; none in that many tries.
 template <class Scalar, int Dim>
 [[nodiscard]] std::optional<CounterExample<Scalar, Dim>> against_extents_only(std::uint64_t seed, int tries) {
-  return find_boxes<Scalar, Dim>(seed, tries, [](const auto& a, const auto& b, bool overlap) { return !overlap && extents_only(a, b); });
+  return find_boxes<Scalar, Dim>(
+      seed, tries, [](const auto& a, const auto& b, bool overlap) { return !overlap && extents_only(a, b); });
 }
 
 }  // namespace snug::query

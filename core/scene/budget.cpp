@@ -23,7 +23,8 @@ Budgets::Budgets(World& world, Islands& islands, const Surface& surface, const s
   if (bounces) before_ = world.state.bodies, unsolved_ = rows;
 }
 
-/// What is driven pushes with all its might, and far. How much of that goes into no fixed body: one may have no contact yet.
+/// What is driven pushes with all its might, and far. How much of that goes into no fixed body: one may have no contact
+/// yet.
 double Budgets::part_before_walls(const Shift& shift) const {
   const Motion& motion = world_.state.bodies[shift.body];
   const Shape& shape = world_.members[shift.body].shape;
@@ -31,7 +32,8 @@ double Budgets::part_before_walls(const Shift& shift) const {
   for (std::size_t j = 0; j < world_.size(); ++j) {
     if (!world_.members[j].fixed) continue;
     const auto separation = [&](double at) {
-      return separation_of(shape, {motion.rotation, motion.position + at * shift.by}, world_.members[j].shape, pose_of(world_.state.bodies[j]));
+      return separation_of(shape, {motion.rotation, motion.position + at * shift.by}, world_.members[j].shape,
+                           pose_of(world_.state.bodies[j]));
     };
     const double start = separation(0);
     part = part_above(std::min(0.0, start), start, separation, shift.by.norm(), shape.thinnest / 4, part);
@@ -54,7 +56,9 @@ void Budgets::push_apart(const Shift& shift) {
 
 void Budgets::settle() {
   sum_up();
-  if (std::any_of(budgets_.begin(), budgets_.end(), [](const Budget& budget) { return budget.bounces && budget.is_exceeded(); })) bounce_less();
+  if (std::any_of(budgets_.begin(), budgets_.end(),
+                  [](const Budget& budget) { return budget.bounces && budget.is_exceeded(); }))
+    bounce_less();
   take_back();
   remember();
 }
@@ -69,19 +73,21 @@ void Budgets::sum_up() {
   }
 }
 
-/// What each point of a contact gives back of its own speed can come to more than all brought. With velocities v1, which
-/// bounce, and v0, which do not and never gain, an island goes out with v0 + s (v1 - v0): the greatest s for which it
-/// spends no more than it may. What keeps bodies apart is linear, so that it holds between the two.
+/// What each point of a contact gives back of its own speed can come to more than all brought. With velocities v1,
+/// which bounce, and v0, which do not and never gain, an island goes out with v0 + s (v1 - v0): the greatest s for
+/// which it spends no more than it may. What keeps bodies apart is linear, so that it holds between the two.
 void Budgets::bounce_less() {
   const std::vector<Budget> with = budgets_;
   std::vector<Motion> bouncing = world_.state.bodies;
   const std::vector<Impulse> impulses = world_.state.impulses;
   std::vector<Motion>& bodies = world_.state.bodies;
-  for (std::size_t i = 0; i < world_.size(); ++i) bodies[i].velocity = before_[i].velocity, bodies[i].turning = before_[i].turning;
+  for (std::size_t i = 0; i < world_.size(); ++i)
+    bodies[i].velocity = before_[i].velocity, bodies[i].turning = before_[i].turning;
   stop_bouncing(world_, unsolved_);
   solve(world_, unsolved_, surface_);
   sum_up();
-  for (std::size_t i = 0; i < world_.size(); ++i) bouncing[i].velocity -= bodies[i].velocity, bouncing[i].turning -= bodies[i].turning;
+  for (std::size_t i = 0; i < world_.size(); ++i)
+    bouncing[i].velocity -= bodies[i].velocity, bouncing[i].turning -= bodies[i].turning;
   const std::vector<double> parts = parts_of_bounce(with, bouncing);
   for (std::size_t i = 0; i < world_.size(); ++i) {
     const double part = parts[islands_.of(i)];
@@ -97,7 +103,8 @@ void Budgets::bounce_less() {
   sum_up();
 }
 
-/// The s of each island: 1, or the greater root of gained s^2 + linear s = what v0 left, where gained is the energy of v1 - v0.
+/// The s of each island: 1, or the greater root of gained s^2 + linear s = what v0 left, where gained is the energy of
+/// v1 - v0.
 std::vector<double> Budgets::parts_of_bounce(const std::vector<Budget>& with, const std::vector<Motion>& bouncing) {
   std::vector<double> gained(world_.size()), parts(world_.size(), 1);
   for (std::size_t i = 0; i < world_.size(); ++i)
@@ -107,7 +114,8 @@ std::vector<double> Budgets::parts_of_bounce(const std::vector<Budget>& with, co
     const double spent = budgets_[i].kinetic - budgets_[i].falls, left = budgets_[i].left() - spent;
     const double linear = (with[i].kinetic - with[i].falls) - spent - gained[i];
     const bool none = left <= 0 || gained[i] <= 0;
-    parts[i] = none ? 0 : std::clamp((std::sqrt(linear * linear + 4 * gained[i] * left) - linear) / (2 * gained[i]), 0.0, 1.0);
+    parts[i] =
+        none ? 0 : std::clamp((std::sqrt(linear * linear + 4 * gained[i] * left) - linear) / (2 * gained[i]), 0.0, 1.0);
   }
   return parts;
 }

@@ -14,12 +14,13 @@ class Budgets {
   Budgets(World& world, Islands& islands, const Surface& surface, const std::vector<ContactRow>& rows);
   /// Out of a wall all of the way, where what an impact takes away pays for it; else a part of it, or none.
   void push_apart(const Shift& shift);
-  /// After the rows are solved: what was spent too much is taken back, and what slowing down for a bounce took is remembered.
+  /// After the rows are solved: what was spent too much is taken back, and what slowing down for a bounce took is
+  /// remembered.
   void settle();
 
  private:
-  /// The kinetic energy with which an island came in, before gravity added to it; and where it bounces, what slowing down
-  /// for that took from it before.
+  /// The kinetic energy with which an island came in, before gravity added to it; and where it bounces, what slowing
+  /// down for that took from it before.
   struct Budget {
     double before = 0, owed = 0;
     double kinetic = 0, falls = 0;  // as it goes out, and what its motion then takes from the field of gravity
@@ -31,7 +32,8 @@ class Budgets {
   };
   void sum_up();
   void bounce_less();
-  [[nodiscard]] std::vector<double> parts_of_bounce(const std::vector<Budget>& with, const std::vector<Motion>& bouncing);
+  [[nodiscard]] std::vector<double> parts_of_bounce(const std::vector<Budget>& with,
+                                                    const std::vector<Motion>& bouncing);
   void take_back();
   [[nodiscard]] double part_before_walls(const Shift& shift) const;
   void remember();
@@ -39,8 +41,8 @@ class Budgets {
   World& world_;
   Islands& islands_;
   const Surface& surface_;
-  std::vector<Budget> budgets_;     // by the body that an island goes by
-  std::vector<Motion> before_;      // these two only where some island bounces: it may have to be solved once more
+  std::vector<Budget> budgets_;  // by the body that an island goes by
+  std::vector<Motion> before_;   // these two only where some island bounces: it may have to be solved once more
   std::vector<ContactRow> unsolved_;
 };
 

@@ -13,17 +13,21 @@ constexpr EffectKind kKinds[] = {
     {"orbit", "leads a body around a centre", slots(kTime), 0, 0, slots(kPoses), "", true, make_orbit, kPlace},
     {"path", "leads a body from place to place", slots(kTime), 0, 0, slots(kPoses), "", true, make_path, kPlace},
     {"fall", "gravity, by semi-implicit Euler", slots(kTime), 0, 0, slots(kVelocities), "move", false, make_fall},
-    {"drag", "pulls a body to a point", slots(kTime), slots(kPoses), 0, slots(kVelocities), "move", false, make_drag, kWholePose},
-    {"bounce", "impulses where bodies touch", 0, slots(kContacts), slots(kVelocities), slots(kPoses), "move", false, make_bounce},
-    {"move", "bodies go where their velocities take them", slots(kTime, kVelocities), 0, 0, slots(kPoses), "", false, make_move},
+    {"drag", "pulls a body to a point", slots(kTime), slots(kPoses), 0, slots(kVelocities), "move", false, make_drag,
+     kWholePose},
+    {"bounce", "impulses where bodies touch", 0, slots(kContacts), slots(kVelocities), slots(kPoses), "move", false,
+     make_bounce},
+    {"move", "bodies go where their velocities take them", slots(kTime, kVelocities), 0, 0, slots(kPoses), "", false,
+     make_move},
     {"refit", "updates volumes to poses", slots(kPoses), 0, 0, slots(kVolumes), "", false, make_refit},
     {"broad_phase", "pairs whose boxes overlap", slots(kVolumes), 0, 0, slots(kPairs), "", false, make_broad_phase},
-    {"narrow_phase", "loose volumes, then the exact test, on what is left", slots(kPairs, kPoses), 0, 0, slots(kContacts), "", false,
-     make_narrow_phase},
+    {"narrow_phase", "loose volumes, then the exact test, on what is left", slots(kPairs, kPoses), 0, 0,
+     slots(kContacts), "", false, make_narrow_phase},
     {"cull", "volumes held against a view frustum", slots(kVolumes), 0, 0, slots(kVisibility), "", false, make_cull},
     {"shadow", "shadows on the ground", slots(kPoses), 0, 0, slots(kShadows), "", false, make_shadow},
     {"trail", "where bodies have been", slots(kPoses), 0, 0, slots(kTrails), "", false, make_trail},
-    {"projection_rays", "from bodies to their feet on the ground", slots(kPoses), 0, 0, slots(kRays), "", false, make_projection_rays},
+    {"projection_rays", "from bodies to their feet on the ground", slots(kPoses), 0, 0, slots(kRays), "", false,
+     make_projection_rays},
 };
 
 std::string quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
@@ -33,7 +37,8 @@ std::string quoted(std::string_view text) { return "\"" + std::string(text) + "\
 std::span<const EffectKind> catalogue() { return kKinds; }
 
 const EffectKind* find_effect(std::span<const EffectKind> kinds, std::string_view name) {
-  const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const EffectKind& kind) { return kind.name == name; });
+  const auto found =
+      std::find_if(kinds.begin(), kinds.end(), [&](const EffectKind& kind) { return kind.name == name; });
   return found == kinds.end() ? nullptr : &*found;
 }
 
@@ -105,7 +110,8 @@ std::size_t Settings::body() {
 
 std::optional<InputError> Settings::fault() {
   for (const Setting& setting : call_.settings)
-    if (std::find(known_.begin(), known_.end(), &setting) == known_.end()) refuse("knows nothing of " + quoted(setting.key));
+    if (std::find(known_.begin(), known_.end(), &setting) == known_.end())
+      refuse("knows nothing of " + quoted(setting.key));
   return wrong_;
 }
 

@@ -17,13 +17,20 @@ constexpr double kSmallest = 1e-12, kShortestStep = 1e-9;
 
 bool is_sound(double number) { return std::abs(number) <= kLargest; }  // not of a NaN
 bool is_sound(const V3& v) { return is_sound(v[0]) && is_sound(v[1]) && is_sound(v[2]); }
-bool is_sound(const Sphere<double, 3>& ball) { return is_sound(ball.center) && is_sound(ball.radius) && ball.radius >= 0; }
-bool is_sound(const Aabb<double, 3>& box) { return is_sound(box.min) && is_sound(box.max) && (box.max - box.min).minCoeff() >= 0; }
+bool is_sound(const Sphere<double, 3>& ball) {
+  return is_sound(ball.center) && is_sound(ball.radius) && ball.radius >= 0;
+}
+bool is_sound(const Aabb<double, 3>& box) {
+  return is_sound(box.min) && is_sound(box.max) && (box.max - box.min).minCoeff() >= 0;
+}
 bool is_sound(const Obb<double, 3>& box) {
   return is_sound(box.center) && is_sound(box.half_extents) && box.half_extents.minCoeff() >= 0 &&
-         (box.axes.transpose() * box.axes - Matrix<double, 3>::Identity()).cwiseAbs().maxCoeff() <= tolerance::kAxesAsGiven;
+         (box.axes.transpose() * box.axes - Matrix<double, 3>::Identity()).cwiseAbs().maxCoeff() <=
+             tolerance::kAxesAsGiven;
 }
-bool is_sound(const Capsule<double, 3>& c) { return is_sound(c.a) && is_sound(c.b) && is_sound(c.radius) && c.radius >= 0; }
+bool is_sound(const Capsule<double, 3>& c) {
+  return is_sound(c.a) && is_sound(c.b) && is_sound(c.radius) && c.radius >= 0;
+}
 bool is_sound(const Lozenge<double, 3>& l) {
   return is_sound(l.origin) && is_sound(l.edges[0]) && is_sound(l.edges[1]) && is_sound(l.radius) && l.radius >= 0;
 }
@@ -97,7 +104,8 @@ tl::expected<void, InputError> check_drivers(const std::vector<EffectCall>& effe
     for (auto first = effects.begin(); first != later; ++first) {
       const auto whom = common_body(*first, *later);
       if (whom && (driven_by(*first) & driven_by(*later)) != 0)
-        return tl::unexpected(error_at(later->line, first->name + " and " + later->name + " would both drive " + *whom + ": one undoes the other"));
+        return tl::unexpected(error_at(later->line, first->name + " and " + later->name + " would both drive " + *whom +
+                                                        ": one undoes the other"));
     }
   return {};
 }
@@ -105,7 +113,8 @@ tl::expected<void, InputError> check_drivers(const std::vector<EffectCall>& effe
 }  // namespace
 
 InputError error_at(int line, std::string what) {
-  return {.what = std::move(what), .unit = line > 0 ? InputError::Unit::kLine : InputError::Unit::kNone, .position = line};
+  return {
+      .what = std::move(what), .unit = line > 0 ? InputError::Unit::kLine : InputError::Unit::kNone, .position = line};
 }
 
 tl::expected<void, InputError> check(const Declaration& declaration) {
@@ -119,7 +128,8 @@ tl::expected<void, InputError> check(const Declaration& declaration) {
     const Body& body = declaration.bodies[i];
     if (const char* fault = fault_of(body)) return refuse(body.line, name_of(declaration, i) + ": " + fault);
     for (std::size_t j = 0; j < i && !body.name.empty(); ++j)
-      if (declaration.bodies[j].name == body.name) return refuse(body.line, "there is another body called " + body.name);
+      if (declaration.bodies[j].name == body.name)
+        return refuse(body.line, "there is another body called " + body.name);
   }
   return check_drivers(declaration.effects);
 }

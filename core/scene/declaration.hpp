@@ -1,5 +1,5 @@
-// What a scene is made of, as its author declares it: bodies, and the effects that it calls for. Nothing else is ever built
-// or run.
+// What a scene is made of, as its author declares it: bodies, and the effects that it calls for. Nothing else is ever
+// built or run.
 #pragma once
 
 #include <cstdint>
@@ -24,15 +24,15 @@ using Cloud = std::vector<V3>;
 
 /// Lengths in scene units, metres where gravity is to look right; kilograms and seconds.
 struct Body {
-  std::string name;                       // effects name it by this; none need have one
-  std::variant<Volume3, Cloud> shape;     // in its own frame
-  Quaternion orientation;                 // of any length but 0
-  V3 position = V3::Zero();               // of its frame's origin
-  double mass = 1;                        // finite and > 0, where fixed as well, though nothing comes of it there
-  bool fixed = false;                     // nothing moves it
+  std::string name;                    // effects name it by this; none need have one
+  std::variant<Volume3, Cloud> shape;  // in its own frame
+  Quaternion orientation;              // of any length but 0
+  V3 position = V3::Zero();            // of its frame's origin
+  double mass = 1;                     // finite and > 0, where fixed as well, though nothing comes of it there
+  bool fixed = false;                  // nothing moves it
   V3 velocity = V3::Zero();
-  V3 turning = V3::Zero();                // angular velocity, radians a second about the world's axes
-  int line = 0;                           // of the file that declares it, for errors; 0: none
+  V3 turning = V3::Zero();  // angular velocity, radians a second about the world's axes
+  int line = 0;             // of the file that declares it, for errors; 0: none
 };
 
 /// A setting of an effect: numbers or a word.
@@ -56,9 +56,10 @@ struct Declaration {
   double step = 1.0 / 60;  // seconds a frame, > 0 and at most 1
 };
 
-/// The declaration, where each of its numbers makes sense. Errors, each with the body's or effect's name and line: no body;
-/// a name twice; a mass that is 0, negative, infinite or no number; a pose, velocity, shape or step that is no number, too
-/// large or too small; an empty shape; two effects that drive the pose of one body, where the later would undo the other.
+/// The declaration, where each of its numbers makes sense. Errors, each with the body's or effect's name and line: no
+/// body; a name twice; a mass that is 0, negative, infinite or no number; a pose, velocity, shape or step that is no
+/// number, too large or too small; an empty shape; two effects that drive the pose of one body, where the later would
+/// undo the other.
 [[nodiscard]] tl::expected<void, InputError> check(const Declaration& declaration);
 
 /// An error about what stands in a line of the file; 0: none.

@@ -32,15 +32,15 @@ inline constexpr PosePart kPlace = 1, kTurn = 2, kWholePose = kPlace | kTurn;
 /// A row of the catalogue.
 struct EffectKind {
   std::string_view name;
-  std::string_view says;       // what it does, in half a sentence
-  SlotSet reads = 0;           // as they are in this frame: it runs after all that write or revise them
-  SlotSet reads_last = 0;      // as the last frame left them
-  SlotSet revises = 0;         // changes what others wrote: it runs after those, and before all that read
+  std::string_view says;   // what it does, in half a sentence
+  SlotSet reads = 0;       // as they are in this frame: it runs after all that write or revise them
+  SlotSet reads_last = 0;  // as the last frame left them
+  SlotSet revises = 0;     // changes what others wrote: it runs after those, and before all that read
   SlotSet writes = 0;
   std::string_view calls_for;  // another effect that comes along with it; empty for none
   bool many = false;           // whether a scene may call for it more than once, for several bodies
   tl::expected<std::unique_ptr<Effect>, InputError> (*make)(const EffectCall& call, World& world) = nullptr;
-  PosePart drives = 0;         // of the bodies that it is about; two effects drive no common part of one body
+  PosePart drives = 0;  // of the bodies that it is about; two effects drive no common part of one body
 };
 
 /// Every effect that there is. A new one is its file in effects/ and its row here.

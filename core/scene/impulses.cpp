@@ -11,8 +11,8 @@
 namespace snug::scene {
 namespace {
 
-const Motion& motion_of(const World& world, Index i) { return world.state.bodies[static_cast<std::size_t>(i)]; }
-const Member& member_of(const World& world, Index i) { return world.members[static_cast<std::size_t>(i)]; }
+const Motion& motion_of(const World& world, Index i) { return world.state.bodies[i]; }
+const Member& member_of(const World& world, Index i) { return world.members[i]; }
 double inverse_mass(const World& world, Index i) {
   const Member& member = member_of(world, i);
   return member.moves() ? 1 / member.mass : 0;
@@ -44,7 +44,7 @@ double mass_along(const World& world, const ContactRow& row, const V3& way) {
 void push(World& world, Index i, const V3& arm, const V3& impulse) {
   const Member& member = member_of(world, i);
   if (!member.moves()) return;
-  Motion& motion = world.state.bodies[static_cast<std::size_t>(i)];
+  Motion& motion = world.state.bodies[i];
   motion.velocity += impulse / member.mass;
   motion.turning += by_inverse_inertia(member, motion, arm.cross(impulse));
 }
@@ -63,11 +63,14 @@ std::vector<Impulse> held_by(const State& state, const Pair& pair) {
   return {from, to};
 }
 
-/// Of what is held the point that lies nearest on one body or the other, and so near that it is the same; null where none
-/// does. It is taken once.
+/// Of what is held the point that lies nearest on one body or the other, and so near that it is the same; null where
+/// none does. It is taken once.
 std::optional<Impulse> take_nearest(std::vector<Impulse>& held, const Impulse& point, double most) {
-  const auto apart = [&](const Impulse& one) { return std::min((one.on_a - point.on_a).norm(), (one.on_b - point.on_b).norm()); };
-  const auto nearest = std::min_element(held.begin(), held.end(), [&](const Impulse& x, const Impulse& y) { return apart(x) < apart(y); });
+  const auto apart = [&](const Impulse& one) {
+    return std::min((one.on_a - point.on_a).norm(), (one.on_b - point.on_b).norm());
+  };
+  const auto nearest = std::min_element(held.begin(), held.end(),
+                                        [&](const Impulse& x, const Impulse& y) { return apart(x) < apart(y); });
   if (nearest == held.end() || apart(*nearest) > most) return std::nullopt;
   const Impulse found = *nearest;
   held.erase(nearest);
@@ -84,7 +87,8 @@ void span_plane(ContactRow& row) {
 }
 
 ContactRow row_of(const World& world, const Pair& pair, const V3& normal, const ManifoldPoint& point) {
-  ContactRow row{.pair = pair, .normal = normal, .separation = point.separation, .slop = world.slop(pair), .impulse = {pair}};
+  ContactRow row{
+      .pair = pair, .normal = normal, .separation = point.separation, .slop = world.slop(pair), .impulse = {pair}};
   row.against_wall = !member_of(world, pair.a).moves() || !member_of(world, pair.b).moves();
   span_plane(row);
   row.arm_a = point.position - motion_of(world, pair.a).position;
@@ -98,16 +102,20 @@ ContactRow row_of(const World& world, const Pair& pair, const V3& normal, const 
 
 /// What gravity gave the pair along the normal in this frame.
 double fallen(const World& world, const ContactRow& row) {
-  const double share = (member_of(world, row.pair.b).moves() ? 1.0 : 0.0) - (member_of(world, row.pair.a).moves() ? 1.0 : 0.0);
+  const double share =
+      (member_of(world, row.pair.b).moves() ? 1.0 : 0.0) - (member_of(world, row.pair.a).moves() ? 1.0 : 0.0);
   return share * world.round() * world.gravity.dot(row.normal);
 }
 
 /// They may close what is between them, and no more.
-double still_target(const World& world, const ContactRow& row) { return row.separation > 0 ? -row.separation / world.round() : 0; }
+double still_target(const World& world, const ContactRow& row) {
+  return row.separation > 0 ? -row.separation / world.round() : 0;
+}
 
-/// How fast the bodies may still come together there; or, once they touch, how fast they go apart again. The speed at which
-/// they came is remembered for the round in which they get there: what keeps them from passing through slows them down before. It is the speed with
-/// which they meet, on the way: not with all that gravity adds by the end of the round, or a ball would bounce too high.
+/// How fast the bodies may still come together there; or, once they touch, how fast they go apart again. The speed at
+/// which they came is remembered for the round in which they get there: what keeps them from passing through slows them
+/// down before. It is the speed with which they meet, on the way: not with all that gravity adds by the end of the
+/// round, or a ball would bounce too high.
 void aim(const World& world, ContactRow& row, const Surface& surface, double approach_before) {
   const double seconds = world.round(), speed = -approach_velocity(world, row).dot(row.normal);
   const double part = speed > 0 ? std::clamp(row.separation / (speed * seconds), 0.0, 1.0) : 1;
@@ -119,7 +127,8 @@ void aim(const World& world, ContactRow& row, const Surface& surface, double app
     return;
   }
   // Gravity has a round of its work done before the body goes up: so it comes as high as it fell, and no higher.
-  row.target = quick(coming) ? std::max(0.0, surface.restitution * coming + std::min(0.0, fallen(world, row))) : still_target(world, row);
+  row.target = quick(coming) ? std::max(0.0, surface.restitution * coming + std::min(0.0, fallen(world, row)))
+                             : still_target(world, row);
 }
 
 }  // namespace
@@ -129,11 +138,13 @@ std::vector<ContactRow> rows_of(const World& world, const Surface& surface) {
   for (const Contact& contact : world.state.contacts) {
     const auto a = static_cast<std::size_t>(contact.pair.a), b = static_cast<std::size_t>(contact.pair.b);
     if (!world.awake(a) && !world.awake(b)) continue;
-    const Manifold manifold = manifold_of(world.members[a].shape, pose_of(world.state.bodies[a]), world.members[b].shape,
-                                          pose_of(world.state.bodies[b]), world.margin(a) + world.margin(b));
+    const Manifold manifold =
+        manifold_of(world.members[a].shape, pose_of(world.state.bodies[a]), world.members[b].shape,
+                    pose_of(world.state.bodies[b]), world.margin(a) + world.margin(b));
     std::vector<Impulse> held = held_by(world.state, contact.pair);
     const bool lone = held.size() == 1 && manifold.count == 1;  // a ball rolls on
-    const double most = lone ? std::numeric_limits<double>::infinity() : limits::kSamePoint * world.thinner(contact.pair);
+    const double most =
+        lone ? std::numeric_limits<double>::infinity() : limits::kSamePoint * world.thinner(contact.pair);
     double approach = 0;
     for (const Impulse& one : held) approach = std::max(approach, one.approach);
     for (const ManifoldPoint& point : manifold.all()) {
@@ -149,8 +160,8 @@ std::vector<ContactRow> rows_of(const World& world, const Surface& surface) {
 
 namespace {
 
-/// The more, the more heavier one body is than another that it may lean on; and most where nothing was held yet, as at the
-/// start: a stack that sinks then has nothing that would pay for lifting it again.
+/// The more, the more heavier one body is than another that it may lean on; and most where nothing was held yet, as at
+/// the start: a stack that sinks then has nothing that would pay for lifting it again.
 int most_sweeps(const World& world, const std::vector<ContactRow>& rows) {
   if (world.state.impulses.empty()) return limits::kMostSweeps;
   double ratio = 1;
@@ -166,7 +177,8 @@ int most_sweeps(const World& world, const std::vector<ContactRow>& rows) {
 double settle(World& world, ContactRow& row, const Surface& surface) {
   const double most = surface.friction * row.impulse.normal;
   const V3 sliding = approach_velocity(world, row);
-  double first = row.impulse.first - row.mass_first * sliding.dot(row.first), second = row.impulse.second - row.mass_second * sliding.dot(row.second);
+  double first = row.impulse.first - row.mass_first * sliding.dot(row.first),
+         second = row.impulse.second - row.mass_second * sliding.dot(row.second);
   const double length = std::sqrt(first * first + second * second);  // hypot has other bits elsewhere
   const double part = length > most ? most / length : 1;
   first *= part, second *= part;
@@ -207,22 +219,26 @@ namespace {
 std::vector<std::vector<const ContactRow*>> walls_of(const World& world, const std::vector<ContactRow>& rows) {
   std::vector<std::vector<const ContactRow*>> walls(world.size());
   for (const ContactRow& row : rows)
-    if (row.against_wall) walls[static_cast<std::size_t>(member_of(world, row.pair.a).moves() ? row.pair.a : row.pair.b)].push_back(&row);
+    if (row.against_wall) walls[member_of(world, row.pair.a).moves() ? row.pair.a : row.pair.b].push_back(&row);
   return walls;
 }
 
-/// Of two that push a body the one that yields less moves it: what moves yields to what is driven, and that to what is fixed.
+/// Of two that push a body the one that yields less moves it: what moves yields to what is driven, and that to what is
+/// fixed.
 int firmness(const Member& member) { return member.moves() ? 0 : member.fixed ? 2 : 1; }
 
-/// What is left of a unit way on which the pusher would shift a body so far: nothing into what is firmer and so near. Of
-/// little, where the pusher moves as well, all: what does not move pushes back in the same round, and stacks share the work.
-V3 free_way(const World& world, std::span<const ContactRow* const> walls, Index body, Index pusher, V3 way, double far) {
+/// What is left of a unit way on which the pusher would shift a body so far: nothing into what is firmer and so near.
+/// Of little, where the pusher moves as well, all: what does not move pushes back in the same round, and stacks share
+/// the work.
+V3 free_way(const World& world, std::span<const ContactRow* const> walls, Index body, Index pusher, V3 way,
+            double far) {
   if (member_of(world, pusher).moves() && far < limits::kShared * member_of(world, body).shape.thinnest) return way;
   for (const ContactRow* row : walls) {
     const bool first = row->pair.a == body;
     const Member& wall = member_of(world, first ? row->pair.b : row->pair.a);
     const V3 into = first ? row->normal : V3(-row->normal);
-    if (row->separation < far && firmness(wall) > firmness(member_of(world, pusher))) way -= std::max(0.0, way.dot(into)) * into;
+    if (row->separation < far && firmness(wall) > firmness(member_of(world, pusher)))
+      way -= std::max(0.0, way.dot(into)) * into;
   }
   if (way.squaredNorm() < limits::kLeastFree) way = V3::Zero();
   return way;
@@ -241,15 +257,19 @@ std::vector<Shift> shifts_apart(const World& world, const std::vector<ContactRow
     const double depth = -deepest->separation - deepest->slop;
     if (depth <= 0) continue;
     const auto free = [&](Index body, Index pusher, const V3& way) {
-      return V3(free_way(world, walls[static_cast<std::size_t>(body)], body, pusher, way, depth));
+      return V3(free_way(world, walls[body], body, pusher, way, depth));
     };
     const V3 way_a = free(pair.a, pair.b, -deepest->normal), way_b = free(pair.b, pair.a, deepest->normal);
     const double of_a = inverse_mass(world, pair.a), of_b = inverse_mass(world, pair.b);
     const double yields_a = of_a * way_a.squaredNorm(), yields_b = of_b * way_b.squaredNorm();
     if (yields_a + yields_b == 0) continue;
     const double share = depth / (yields_a + yields_b);
-    if (yields_a > 0) shifts.push_back({static_cast<std::size_t>(pair.a), way_a * (share * of_a), yields_b == 0, member_of(world, pair.b).driven});
-    if (yields_b > 0) shifts.push_back({static_cast<std::size_t>(pair.b), way_b * (share * of_b), yields_a == 0, member_of(world, pair.a).driven});
+    if (yields_a > 0)
+      shifts.push_back(
+          {static_cast<std::size_t>(pair.a), way_a * (share * of_a), yields_b == 0, member_of(world, pair.b).driven});
+    if (yields_b > 0)
+      shifts.push_back(
+          {static_cast<std::size_t>(pair.b), way_b * (share * of_b), yields_a == 0, member_of(world, pair.a).driven});
   }
   return shifts;
 }

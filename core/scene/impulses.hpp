@@ -1,5 +1,6 @@
-// The impulses that keep bodies out of each other: one point after the other, over and over, each from what it held last.
-// Source: E. Catto, "Iterative dynamics with temporal coherence", 2005; "Continuous collision", 2013, for points not yet touching.
+// The impulses that keep bodies out of each other: one point after the other, over and over, each from what it held
+// last. Source: E. Catto, "Iterative dynamics with temporal coherence", 2005; "Continuous collision", 2013, for points
+// not yet touching.
 #pragma once
 
 #include <vector>
@@ -17,13 +18,14 @@ struct Surface {
 /// A point of a contact while impulses are found.
 struct ContactRow {
   Pair pair;
-  V3 normal, first, second;                       // the last two across the first
-  V3 arm_a, arm_b;                                // from the centres of mass
+  V3 normal, first, second;  // the last two across the first
+  V3 arm_a, arm_b;           // from the centres of mass
   double separation = 0, slop = 0;
-  bool against_wall = false;                      // one of the two does not move
-  double mass = 0, mass_first = 0, mass_second = 0;  // along each: what one unit of impulse changes a unit of velocity of
-  double target = 0;                              // the velocity along the normal must not be below it
-  Impulse impulse;                                // the sums so far
+  bool against_wall = false;  // one of the two does not move
+  double mass = 0, mass_first = 0,
+         mass_second = 0;  // along each: what one unit of impulse changes a unit of velocity of
+  double target = 0;       // the velocity along the normal must not be below it
+  Impulse impulse;         // the sums so far
 };
 
 /// The points of all contacts in which a body is awake, warm from the last frame's impulses.

@@ -13,7 +13,9 @@ namespace snug::scene {
 /// Source: R. Tarjan, "Efficiency of a good but not linear set union algorithm", 1975.
 class Islands {
  public:
-  explicit Islands(std::size_t bodies) : parents_(bodies) { std::iota(parents_.begin(), parents_.end(), std::size_t{0}); }
+  explicit Islands(std::size_t bodies) : parents_(bodies) {
+    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
+  }
   [[nodiscard]] std::size_t of(std::size_t i) {
     while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
     return i;

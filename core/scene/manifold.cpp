@@ -54,7 +54,8 @@ Manifold of_box_and_sphere(const Shape& box, const PoseAt& at, const V3& center,
 
 // ---- two boxes
 
-/// The axis along which they overlap least, or are farthest apart. code: 0 … 2 a face of a, 3 … 5 of b, from 6 on edges.
+/// The axis along which they overlap least, or are farthest apart. code: 0 … 2 a face of a, 3 … 5 of b, from 6 on
+/// edges.
 struct Widest {
   double separation = -std::numeric_limits<double>::infinity();
   V3 normal = V3::Zero();  // from a to b
@@ -65,7 +66,8 @@ double reach_along(const Shape& box, const PoseAt& at, const V3& axis) {
   return turned_back<double, 3>(at.rotation, axis).cwiseAbs().dot(box.half_extents);
 }
 
-void consider(Widest& widest, const Shape& a, const PoseAt& at_a, const Shape& b, const PoseAt& at_b, const V3& axis, int code, double handicap) {
+void consider(Widest& widest, const Shape& a, const PoseAt& at_a, const Shape& b, const PoseAt& at_b, const V3& axis,
+              int code, double handicap) {
   const double offset = axis.dot(at_b.translation - at_a.translation);
   const double separation = std::abs(offset) - reach_along(a, at_a, axis) - reach_along(b, at_b, axis);
   if (separation - handicap > widest.separation) widest = {separation, offset < 0 ? V3(-axis) : axis, code};
@@ -83,7 +85,8 @@ Widest widest_axis(const Shape& a, const PoseAt& at_a, const Shape& b, const Pos
     for (int j = 0; j < 3; ++j) {
       const V3 axis = at_a.rotation.col(i).cross(at_b.rotation.col(j));
       const double length = axis.norm();
-      if (length > limits::kParallelEdges) consider(best, a, at_a, b, at_b, axis / length, 6 + 3 * i + j, best.code < 6 ? handicap : 0);
+      if (length > limits::kParallelEdges)
+        consider(best, a, at_a, b, at_b, axis / length, 6 + 3 * i + j, best.code < 6 ? handicap : 0);
     }
   return best;
 }
@@ -93,7 +96,7 @@ struct Polygon {
   std::array<V3, 8> corners;
   int count = 0;
   void add(const V3& corner) {
-    if (count < 8) corners[static_cast<std::size_t>(count++)] = corner;
+    if (count < 8) corners[count++] = corner;
   }
 };
 
@@ -101,11 +104,12 @@ struct Polygon {
 Polygon clipped(const Polygon& polygon, const V3& normal, double offset) {
   Polygon result;
   for (int i = 0; i < polygon.count; ++i) {
-    const V3& from = polygon.corners[static_cast<std::size_t>(i)];
-    const V3& to = polygon.corners[static_cast<std::size_t>((i + 1) % polygon.count)];
+    const V3& from = polygon.corners[i];
+    const V3& to = polygon.corners[(i + 1) % polygon.count];
     const double before = normal.dot(from) - offset, after = normal.dot(to) - offset;
     if (before <= 0) result.add(from);
-    if ((before < 0 && after > 0) || (before > 0 && after < 0)) result.add(from + (to - from) * (before / (before - after)));
+    if ((before < 0 && after > 0) || (before > 0 && after < 0))
+      result.add(from + (to - from) * (before / (before - after)));
   }
   return result;
 }
@@ -129,7 +133,8 @@ Polygon face_against(const Shape& box, const PoseAt& at, const V3& way) {
 }
 
 /// normal: of the reference box's face, which is across its axis, towards the other.
-Manifold of_faces(const Shape& reference, const PoseAt& at, int axis, const V3& normal, const Shape& other, const PoseAt& at_other, double margin) {
+Manifold of_faces(const Shape& reference, const PoseAt& at, int axis, const V3& normal, const Shape& other,
+                  const PoseAt& at_other, double margin) {
   Polygon face = face_against(other, at_other, normal);
   for (int k = 1; k < 3; ++k) {
     const int side = (axis + k) % 3;
@@ -141,10 +146,10 @@ Manifold of_faces(const Shape& reference, const PoseAt& at, int axis, const V3& 
   const double surface = normal.dot(at.translation) + reference.half_extents[axis];
   Manifold manifold{.normal = normal};
   for (int i = 0; i < face.count; ++i) {
-    const V3& corner = face.corners[static_cast<std::size_t>(i)];
+    const V3& corner = face.corners[i];
     const double separation = normal.dot(corner) - surface;
     if (separation > margin) continue;
-    manifold.points[static_cast<std::size_t>(manifold.count++)] = {corner - normal * (separation / 2), separation};
+    manifold.points[manifold.count++] = {corner - normal * (separation / 2), separation};
   }
   return manifold;
 }
@@ -163,8 +168,10 @@ Manifold of_edges(const Shape& a, const PoseAt& at_a, const Shape& b, const Pose
   const V3 p = edge_middle(a, at_a, i, widest.normal), q = edge_middle(b, at_b, j, -widest.normal);
   const V3 between = q - p;
   const double cosine = u.dot(v), square = 1 - cosine * cosine;
-  const double s = (between.dot(u) - cosine * between.dot(v)) / square, t = (cosine * between.dot(u) - between.dot(v)) / square;
-  const V3 on_a = p + std::clamp(s, -a.half_extents[i], a.half_extents[i]) * u, on_b = q + std::clamp(t, -b.half_extents[j], b.half_extents[j]) * v;
+  const double s = (between.dot(u) - cosine * between.dot(v)) / square,
+               t = (cosine * between.dot(u) - between.dot(v)) / square;
+  const V3 on_a = p + std::clamp(s, -a.half_extents[i], a.half_extents[i]) * u,
+           on_b = q + std::clamp(t, -b.half_extents[j], b.half_extents[j]) * v;
   Manifold manifold{.normal = widest.normal};
   manifold.points[0] = {(on_a + on_b) / 2, widest.separation};
   manifold.count = 1;
@@ -182,9 +189,12 @@ Manifold of_boxes(const Shape& a, const PoseAt& at_a, const Shape& b, const Pose
 }  // namespace
 
 Manifold manifold_of(const Shape& a, const PoseAt& at_a, const Shape& b, const PoseAt& at_b, double margin) {
-  if (a.kind == Kind::kSphere && b.kind == Kind::kSphere) return of_spheres(at_a.translation, a.radius, at_b.translation, b.radius, margin);
-  if (a.kind == Kind::kBox && b.kind == Kind::kSphere) return of_box_and_sphere(a, at_a, at_b.translation, b.radius, margin);
-  if (a.kind == Kind::kSphere && b.kind == Kind::kBox) return flipped(of_box_and_sphere(b, at_b, at_a.translation, a.radius, margin));
+  if (a.kind == Kind::kSphere && b.kind == Kind::kSphere)
+    return of_spheres(at_a.translation, a.radius, at_b.translation, b.radius, margin);
+  if (a.kind == Kind::kBox && b.kind == Kind::kSphere)
+    return of_box_and_sphere(a, at_a, at_b.translation, b.radius, margin);
+  if (a.kind == Kind::kSphere && b.kind == Kind::kBox)
+    return flipped(of_box_and_sphere(b, at_b, at_a.translation, a.radius, margin));
   return of_boxes(a, at_a, b, at_b, margin);
 }
 

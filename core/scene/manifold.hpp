@@ -14,21 +14,24 @@ struct ManifoldPoint {
 };
 
 struct Manifold {
-  V3 normal = V3::Zero();    // unit, from a to b
+  V3 normal = V3::Zero();  // unit, from a to b
   std::array<ManifoldPoint, 8> points;
   int count = 0;
 
-  [[nodiscard]] std::span<const ManifoldPoint> all() const { return std::span(points).first(static_cast<std::size_t>(count)); }
+  [[nodiscard]] std::span<const ManifoldPoint> all() const { return std::span(points).first(count); }
 };
 
 /// Empty where they are farther apart than margin. Spheres and boxes only (has_manifolds); of boxes the axis of least
 /// overlap by the separating-axis test, and there the faces clipped against each other.
-/// Source: C. Ericson, "Real-Time Collision Detection", 2005, 4.4.1 and 8.3.4; D. Gregorius, "The Separating Axis Test", 2013.
-[[nodiscard]] Manifold manifold_of(const Shape& a, const Pose<double, 3>& at_a, const Shape& b, const Pose<double, 3>& at_b, double margin);
+/// Source: C. Ericson, "Real-Time Collision Detection", 2005, 4.4.1 and 8.3.4; D. Gregorius, "The Separating Axis
+/// Test", 2013.
+[[nodiscard]] Manifold manifold_of(const Shape& a, const Pose<double, 3>& at_a, const Shape& b,
+                                   const Pose<double, 3>& at_b, double margin);
 
-/// How far they are apart, or less; where they share a point, minus how far one has to be moved at least to be apart. As
-/// manifold_of has it. When no point of either moves farther than a length, it changes by no more.
-[[nodiscard]] double separation_of(const Shape& a, const Pose<double, 3>& at_a, const Shape& b, const Pose<double, 3>& at_b);
+/// How far they are apart, or less; where they share a point, minus how far one has to be moved at least to be apart.
+/// As manifold_of has it. When no point of either moves farther than a length, it changes by no more.
+[[nodiscard]] double separation_of(const Shape& a, const Pose<double, 3>& at_a, const Shape& b,
+                                   const Pose<double, 3>& at_b);
 
 [[nodiscard]] inline bool has_manifolds(const Shape& shape) { return shape.kind != Shape::Kind::kOther; }
 

@@ -45,9 +45,11 @@ PairsFound sweep_and_prune(std::span<const Box> boxes) {
     return a.box.min[axis] != b.box.min[axis] ? a.box.min[axis] < b.box.min[axis] : a.body < b.body;
   });
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  // All four comparisons at once: which of them fails is a toss of a coin, and a branch on each would be guessed wrongly.
+  // All four comparisons at once: which of them fails is a toss of a coin, and a branch on each would be guessed
+  // wrongly.
   const auto overlap = [u, v](const Box& a, const Box& b) {
-    return int{a.min[u] > b.max[u]} + int{b.min[u] > a.max[u]} + int{a.min[v] > b.max[v]} + int{b.min[v] > a.max[v]} == 0;
+    return int{a.min[u] > b.max[u]} + int{b.min[u] > a.max[u]} + int{a.min[v] > b.max[v]} + int{b.min[v] > a.max[v]} ==
+           0;
   };
   for (std::size_t i = 0; i < order.size(); ++i) {
     std::size_t j = i + 1;
@@ -72,7 +74,8 @@ PairsFound all_pairs(std::span<const Box> boxes) {
   PairsFound found;
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (std::size_t j = i + 1; j < boxes.size(); ++j)
-      if (query::aabbs_overlap(boxes[i], boxes[j])) found.pairs.push_back({static_cast<Index>(i), static_cast<Index>(j)});
+      if (query::aabbs_overlap(boxes[i], boxes[j]))
+        found.pairs.push_back({static_cast<Index>(i), static_cast<Index>(j)});
   const auto n = static_cast<std::int64_t>(boxes.size());
   found.compared = n * (n - 1) / 2;
   return found;
@@ -81,7 +84,9 @@ PairsFound all_pairs(std::span<const Box> boxes) {
 }  // namespace
 
 PairsFound overlapping_pairs(std::span<const Box> boxes, PairSearch search) {
-  PairsFound found = search == PairSearch::kTree ? by_tree(boxes) : search == PairSearch::kAllPairs ? all_pairs(boxes) : sweep_and_prune(boxes);
+  PairsFound found = search == PairSearch::kTree       ? by_tree(boxes)
+                     : search == PairSearch::kAllPairs ? all_pairs(boxes)
+                                                       : sweep_and_prune(boxes);
   std::sort(found.pairs.begin(), found.pairs.end());
   return found;
 }

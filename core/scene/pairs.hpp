@@ -12,19 +12,17 @@
 namespace snug::scene {
 
 enum class PairSearch : std::uint8_t {
-  kSweepAndPrune,  // along the axis on which the boxes spread most: only those that overlap there are tested on the others
+  kSweepAndPrune,  // along the axis on which the boxes spread most: only those that overlap there are tested on the
+                   // others
   kTree,           // a tree of boxes against itself
   kAllPairs,       // each against each
 };
 inline constexpr std::array<std::string_view, 3> kPairSearchNames{"sweep_and_prune", "tree", "all_pairs"};
 
 inline constexpr std::array<std::string_view, 6> kSweepAndPrunePseudocode{
-    "axis ← where the boxes spread most",
-    "sort the boxes by where they begin on it",
-    "for each box a, in this order",
-    "  for each b after it that begins before a ends",
-    "    a pair, if they overlap on all axes",
-    "loose spheres, then the exact test, on each pair",
+    "axis ← where the boxes spread most",      "sort the boxes by where they begin on it",
+    "for each box a, in this order",           "  for each b after it that begins before a ends",
+    "    a pair, if they overlap on all axes", "loose spheres, then the exact test, on each pair",
 };
 inline constexpr std::array<std::string_view, 6> kTreePairsPseudocode{
     "build a tree of boxes",
@@ -42,9 +40,9 @@ inline constexpr std::array<std::string_view, 4> kAllPairsPseudocode{
 };
 
 struct PairsFound {
-  std::vector<Pair> pairs;     // by rising a, then b; the same whichever way they are found
-  std::int64_t compared = 0;   // pairs of boxes that were compared, of the tree's nodes as well
-  int axis = -1;               // along which boxes were sorted; -1: along none
+  std::vector<Pair> pairs;    // by rising a, then b; the same whichever way they are found
+  std::int64_t compared = 0;  // pairs of boxes that were compared, of the tree's nodes as well
+  int axis = -1;              // along which boxes were sorted; -1: along none
 };
 
 /// Touching boxes overlap.

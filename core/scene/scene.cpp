@@ -12,8 +12,8 @@ constexpr SlotSet kLoop = slots(Slot::kVelocities, Slot::kVolumes, Slot::kPairs,
 
 SlotSet made_by(const EffectKind& kind) { return kind.writes | kind.revises; }
 
-/// Whether it runs in that round of a frame: what velocities and contacts come from in each, what leads bodies by time alone
-/// in the first, and what only looks at them in the last.
+/// Whether it runs in that round of a frame: what velocities and contacts come from in each, what leads bodies by time
+/// alone in the first, and what only looks at them in the last.
 bool is_of_round(const EffectKind& kind, int round, int rounds) {
   const SlotSet made = made_by(kind);
   if ((made & kLoop) != 0 || has(kind.reads, Slot::kVelocities)) return true;
@@ -22,7 +22,8 @@ bool is_of_round(const EffectKind& kind, int round, int rounds) {
 
 }  // namespace
 
-tl::expected<Scene, InputError> Scene::open(const Declaration& declaration, Clock clock, std::span<const EffectKind> kinds) {
+tl::expected<Scene, InputError> Scene::open(const Declaration& declaration, Clock clock,
+                                            std::span<const EffectKind> kinds) {
   if (auto sound = check(declaration); !sound) return tl::unexpected(std::move(sound.error()));
   auto planned = plan(declaration.effects, kinds);
   if (!planned) return tl::unexpected(std::move(planned.error()));
@@ -33,7 +34,8 @@ tl::expected<Scene, InputError> Scene::open(const Declaration& declaration, Cloc
     auto effect = one.kind->make(one.call, scene.world_);
     if (!effect) return tl::unexpected(std::move(effect.error()));
     scene.runners_.push_back({one.kind, *std::move(effect)});
-    scene.tallies_.push_back({.effect = one.call.name + (one.call.body.empty() ? "" : " " + one.call.body), .constructed = 1});
+    scene.tallies_.push_back(
+        {.effect = one.call.name + (one.call.body.empty() ? "" : " " + one.call.body), .constructed = 1});
   }
   scene.keep_snapshot();
   return scene;
@@ -66,7 +68,8 @@ void Scene::step() {
   std::vector<bool> ran(runners_.size(), false);
   for (int round = 0; round < world_.rounds; ++round)
     for (std::size_t i = 0; i < runners_.size(); ++i)
-      if (tallies_[i].on && is_of_round(*runners_[i].kind, round, world_.rounds) && has_something_new(runners_[i])) run(i), ran[i] = true;
+      if (tallies_[i].on && is_of_round(*runners_[i].kind, round, world_.rounds) && has_something_new(runners_[i]))
+        run(i), ran[i] = true;
   for (std::size_t i = 0; i < runners_.size(); ++i)
     if (tallies_[i].on) ++(ran[i] ? tallies_[i].run : tallies_[i].skipped);
   resting_ = std::find(ran.begin(), ran.end(), true) == ran.end();
@@ -84,7 +87,9 @@ void Scene::take_snapshot() {
 void Scene::set_anew() {
   ++set_;
   resting_ = false;
-  std::erase_if(snapshots_, [&](const Snapshot& one) { return one.state.frame >= world_.state.frame || one.state.frame % every_ != 0; });
+  std::erase_if(snapshots_, [&](const Snapshot& one) {
+    return one.state.frame >= world_.state.frame || one.state.frame % every_ != 0;
+  });
   take_snapshot();
 }
 

@@ -15,25 +15,25 @@ using Clock = double (*)();
 
 /// What one effect did, since the scene was opened; going back does not take it back.
 struct Tally {
-  std::string effect;             // its name, and the body's where it is about one
+  std::string effect;  // its name, and the body's where it is about one
   int constructed = 0;
   std::int64_t run = 0;
-  std::int64_t skipped = 0;       // its inputs had not changed
-  double nanoseconds = 0;         // 0 without a clock
+  std::int64_t skipped = 0;  // its inputs had not changed
+  double nanoseconds = 0;    // 0 without a clock
   bool on = true;
 };
 
 class Scene {
  public:
-  /// Errors: of check, of plan, and what an effect refuses of its settings, each by name and line. kinds: catalogue(), but
-  /// for tests.
+  /// Errors: of check, of plan, and what an effect refuses of its settings, each by name and line. kinds: catalogue(),
+  /// but for tests.
   [[nodiscard]] static tl::expected<Scene, InputError> open(const Declaration& declaration, Clock clock = nullptr,
                                                             std::span<const EffectKind> kinds = catalogue());
 
   /// The next frame.
   void step();
-  /// To a frame, 0 for the beginning. Back goes by the nearest snapshot before it, from which frames are taken again, to the
-  /// same bits.
+  /// To a frame, 0 for the beginning. Back goes by the nearest snapshot before it, from which frames are taken again,
+  /// to the same bits.
   void go(int frame);
   [[nodiscard]] int frame() const { return world_.state.frame; }
   [[nodiscard]] const World& world() const { return world_; }
@@ -59,7 +59,7 @@ class Scene {
     std::vector<std::array<std::uint64_t, kSlots>> seen;
     std::vector<bool> ran;
     bool resting = false;
-    int set = 0;                     // what was set from outside when it was taken, by number
+    int set = 0;  // what was set from outside when it was taken, by number
   };
   Scene() = default;
   [[nodiscard]] bool has_something_new(const Runner& runner) const;

@@ -12,17 +12,20 @@ bool calls(std::span<const Planned> planned, std::string_view name) {
   return std::any_of(planned.begin(), planned.end(), [&](const Planned& one) { return one.kind->name == name; });
 }
 
-tl::expected<std::vector<Planned>, InputError> called(std::span<const EffectCall> all, std::span<const EffectKind> kinds) {
+tl::expected<std::vector<Planned>, InputError> called(std::span<const EffectCall> all,
+                                                      std::span<const EffectKind> kinds) {
   std::vector<Planned> planned;
   for (const EffectCall& call : all) {
     const EffectKind* kind = find_effect(kinds, call.name);
     if (kind == nullptr) return tl::unexpected(error_at(call.line, "there is no effect called \"" + call.name + "\""));
-    if (!kind->many && calls(planned, call.name)) return tl::unexpected(error_at(call.line, call.name + " is called for twice"));
+    if (!kind->many && calls(planned, call.name))
+      return tl::unexpected(error_at(call.line, call.name + " is called for twice"));
     planned.push_back({kind, call});
   }
   for (std::size_t i = 0; i < planned.size(); ++i) {
     const std::string name(planned[i].kind->calls_for);
-    if (!name.empty() && !calls(planned, name)) planned.push_back({find_effect(kinds, name), {.name = name, .line = planned[i].call.line}});
+    if (!name.empty() && !calls(planned, name))
+      planned.push_back({find_effect(kinds, name), {.name = name, .line = planned[i].call.line}});
   }
   std::stable_sort(planned.begin(), planned.end(), [](const Planned& a, const Planned& b) { return a.kind < b.kind; });
   return planned;
@@ -46,23 +49,27 @@ bool comes_before(const EffectKind& a, const EffectKind& b) {
 
 }  // namespace
 
-tl::expected<std::vector<Planned>, InputError> plan(std::span<const EffectCall> all, std::span<const EffectKind> kinds) {
+tl::expected<std::vector<Planned>, InputError> plan(std::span<const EffectCall> all,
+                                                    std::span<const EffectKind> kinds) {
   auto planned = called(all, kinds);
   if (!planned) return planned;
   SlotSet made = kGiven;
   for (const Planned& one : *planned) made |= one.kind->writes;
   for (const Planned& one : *planned)
     if (const SlotSet missing = (one.kind->reads | one.kind->reads_last | one.kind->revises) & ~made)
-      return tl::unexpected(error_at(one.call.line, one.call.name + " reads " + names_of(missing) + ", which no effect of the scene makes"));
+      return tl::unexpected(error_at(one.call.line, one.call.name + " reads " + names_of(missing) +
+                                                        ", which no effect of the scene makes"));
 
   std::vector<Planned> order;
   while (!planned->empty()) {
     const auto is_next = [&](const Planned& one) {
-      return std::none_of(planned->begin(), planned->end(), [&](const Planned& other) { return comes_before(*other.kind, *one.kind); });
+      return std::none_of(planned->begin(), planned->end(),
+                          [&](const Planned& other) { return comes_before(*other.kind, *one.kind); });
     };
     const auto next = std::find_if(planned->begin(), planned->end(), is_next);
     if (next == planned->end())
-      return tl::unexpected(error_at(planned->front().call.line, planned->front().call.name + " waits for an effect that waits for it"));
+      return tl::unexpected(
+          error_at(planned->front().call.line, planned->front().call.name + " waits for an effect that waits for it"));
     order.push_back(std::move(*next));
     planned->erase(next);
   }

@@ -12,7 +12,8 @@ namespace {
 Centered box(const V3& center, const Matrix<double, 3>& axes, const V3& half) {
   Centered result{{.kind = Shape::Kind::kBox, .half_extents = half}, center, axes};
   for (int bits = 0; bits < 8; ++bits)
-    result.shape.corners.push_back({bits & 1 ? half[0] : -half[0], bits & 2 ? half[1] : -half[1], bits & 4 ? half[2] : -half[2]});
+    result.shape.corners.push_back(
+        {bits & 1 ? half[0] : -half[0], bits & 2 ? half[1] : -half[1], bits & 4 ? half[2] : -half[2]});
   return result;
 }
 
@@ -44,7 +45,9 @@ struct Center {
   Centered operator()(const Cloud& points) const { return core(points, 0); }
 };
 
-Obb<double, 3> obb_at(const Shape& shape, const Pose<double, 3>& pose) { return {pose.translation, pose.rotation, shape.half_extents}; }
+Obb<double, 3> obb_at(const Shape& shape, const Pose<double, 3>& pose) {
+  return {pose.translation, pose.rotation, shape.half_extents};
+}
 
 bool sphere_touches(const Shape& ball, const V3& center, const Shape& other, const Pose<double, 3>& at) {
   if (other.kind == Shape::Kind::kSphere)
@@ -55,7 +58,8 @@ bool sphere_touches(const Shape& ball, const V3& center, const Shape& other, con
 query::GrownCore core_at(const Shape& shape, const Pose<double, 3>& pose, const V3& origin) {
   query::GrownCore core{{}, shape.radius};
   core.corners.reserve(shape.corners.size());
-  for (const V3& corner : shape.corners) core.corners.push_back(turned<double, 3>(pose.rotation, corner) + (pose.translation - origin));
+  for (const V3& corner : shape.corners)
+    core.corners.push_back(turned<double, 3>(pose.rotation, corner) + (pose.translation - origin));
   return core;
 }
 
@@ -70,7 +74,8 @@ Centered centered(const std::variant<Volume3, Cloud>& declared) {
   shape.reach = (shape.reach + shape.radius) * (1 + tolerance::kLooseReach<double>);
   shape.thinnest = shape.kind == Shape::Kind::kSphere ? shape.radius : shape.half_extents.minCoeff();
   if (!std::holds_alternative<Cloud>(declared)) return result;
-  if (auto set = PointSet<double, 3>::make(shape.corners)) shape.cloud = std::make_shared<const AnyPointSet>(*std::move(set));
+  if (auto set = PointSet<double, 3>::make(shape.corners))
+    shape.cloud = std::make_shared<const AnyPointSet>(*std::move(set));
   return result;
 }
 
@@ -87,7 +92,8 @@ bool touch(const Shape& a, const Pose<double, 3>& at_a, const Shape& b, const Po
   if (a.kind == Kind::kBox && b.kind == Kind::kBox) return query::obb_sat(obb_at(a, at_a), obb_at(b, at_b)).overlap;
   const V3 origin = at_a.translation / 2 + at_b.translation / 2;
   Ignore ignore;
-  const auto separation = query::separation_of<double, 3>(core_at(a, at_a, origin), core_at(b, at_b, origin), origin, true, ignore);
+  const auto separation =
+      query::separation_of<double, 3>(core_at(a, at_a, origin), core_at(b, at_b, origin), origin, true, ignore);
   return separation && separation->overlap;
 }
 

@@ -1,5 +1,5 @@
-// A body's shape as the scene works with it: the convex hull of corners grown by a radius, of which spheres and boxes are
-// known as such.
+// A body's shape as the scene works with it: the convex hull of corners grown by a radius, of which spheres and boxes
+// are known as such.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ namespace snug::scene {
 
 struct Shape {
   enum class Kind : std::uint8_t { kSphere, kBox, kOther } kind = Kind::kSphere;
-  V3 half_extents = V3::Zero();          // of a box
-  double radius = 0;                     // around the corners; of a sphere its own
-  std::vector<V3> corners;               // about the body's centre
-  double reach = 0;                      // no point of the shape is farther from the centre
-  double thinnest = 0;                   // half of its least thickness, or less
+  V3 half_extents = V3::Zero();              // of a box
+  double radius = 0;                         // around the corners; of a sphere its own
+  std::vector<V3> corners;                   // about the body's centre
+  double reach = 0;                          // no point of the shape is farther from the centre
+  double thinnest = 0;                       // half of its least thickness, or less
   std::shared_ptr<const AnyPointSet> cloud;  // where it was declared as points
 };
 

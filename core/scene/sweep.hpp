@@ -8,11 +8,12 @@
 namespace snug::scene {
 
 /// The last part of a way up to which a separation stays at or above the deepest that is allowed, at most so much.
-/// start: the separation at part 0. separation(part): changes by no more than length from part 0 to 1. Each look is as far on from the one before as that
-/// is above the deepest, or a stride: so what lasts for a stride is not missed.
+/// start: the separation at part 0. separation(part): changes by no more than length from part 0 to 1. Each look is as
+/// far on from the one before as that is above the deepest, or a stride: so what lasts for a stride is not missed.
 /// Source: B. Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996, 2.3.
 template <class Separation>
-[[nodiscard]] double part_above(double deepest, double start, const Separation& separation, double length, double stride, double most) {
+[[nodiscard]] double part_above(double deepest, double start, const Separation& separation, double length,
+                                double stride, double most) {
   stride = std::max(stride, length / limits::kMostSteps);
   double free = 0, now = start;
   while (free < most) {

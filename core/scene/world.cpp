@@ -45,7 +45,7 @@ void World::place(std::size_t i, const V3& position, const Quaternion& orientati
 double World::pace() const { return (gravity == V3::Zero() ? limits::kUsualGravity : gravity.norm()) * round(); }
 
 double World::thinner(const Pair& pair) const {
-  const Member &a = members[static_cast<std::size_t>(pair.a)], &b = members[static_cast<std::size_t>(pair.b)];
+  const Member &a = members[pair.a], &b = members[pair.b];
   if (a.moves() != b.moves()) return (a.moves() ? a : b).shape.thinnest;
   return std::min(a.shape.thinnest, b.shape.thinnest);
 }
@@ -61,7 +61,8 @@ double World::margin(std::size_t i) const {
 double World::energy() const {
   double sum = 0;
   for (std::size_t i = 0; i < size(); ++i)
-    if (members[i].moves()) sum += kinetic_energy(members[i], state.bodies[i]) - members[i].mass * gravity.dot(state.bodies[i].position);
+    if (members[i].moves())
+      sum += kinetic_energy(members[i], state.bodies[i]) - members[i].mass * gravity.dot(state.bodies[i].position);
   return sum;
 }
 
@@ -77,7 +78,8 @@ std::uint64_t World::hash() const {
   }
   for (const Impulse& impulse : state.impulses) {
     hash.add(impulse.on_a), hash.add(impulse.on_b);
-    hash.add(impulse.normal), hash.add(impulse.first), hash.add(impulse.second), hash.add(impulse.approach), hash.add(impulse.owed);
+    hash.add(impulse.normal), hash.add(impulse.first), hash.add(impulse.second), hash.add(impulse.approach),
+        hash.add(impulse.owed);
   }
   return hash.value;
 }
@@ -87,11 +89,13 @@ World world_of(const Declaration& declaration) {
   for (const Body& body : declaration.bodies) {
     Centered own = centered(body.shape);
     const Quaternion declared = normalized(body.orientation);
-    Member member{.name = body.name, .shape = std::move(own.shape), .fixed = body.fixed, .mass = body.fixed ? 0 : body.mass};
+    Member member{
+        .name = body.name, .shape = std::move(own.shape), .fixed = body.fixed, .mass = body.fixed ? 0 : body.mass};
     const V3 inertia = member.mass * inertia_of(member.shape);
     for (int i = 0; i < 3; ++i) member.inverse_inertia[i] = inertia[i] > 0 ? 1 / inertia[i] : 0;
     world.members.push_back(std::move(member));
-    world.state.bodies.push_back({.velocity = body.fixed ? V3(V3::Zero()) : body.velocity, .turning = body.fixed ? V3(V3::Zero()) : body.turning});
+    world.state.bodies.push_back({.velocity = body.fixed ? V3(V3::Zero()) : body.velocity,
+                                  .turning = body.fixed ? V3(V3::Zero()) : body.turning});
     const V3 position = body.position + turned<double, 3>(matrix_of(declared), own.center);
     world.place(world.size() - 1, position, normalized(declared * quaternion_of(own.axes)));
   }

@@ -1,4 +1,5 @@
-// What effects read and write: the bodies as they stand, and what was made of them, in slots that know when they changed.
+// What effects read and write: the bodies as they stand, and what was made of them, in slots that know when they
+// changed.
 #pragma once
 
 #include <array>
@@ -13,10 +14,21 @@
 namespace snug::scene {
 
 /// What effects hand to each other. time changes with every frame.
-enum class Slot : std::uint8_t { kTime, kPoses, kVelocities, kVolumes, kPairs, kContacts, kVisibility, kShadows, kTrails, kRays };
+enum class Slot : std::uint8_t {
+  kTime,
+  kPoses,
+  kVelocities,
+  kVolumes,
+  kPairs,
+  kContacts,
+  kVisibility,
+  kShadows,
+  kTrails,
+  kRays
+};
 inline constexpr std::size_t kSlots = 10;
-inline constexpr std::array<std::string_view, kSlots> kSlotNames{"time",     "poses",      "velocities", "volumes", "pairs",
-                                                                 "contacts", "visibility", "shadows",    "trails",  "rays"};
+inline constexpr std::array<std::string_view, kSlots> kSlotNames{
+    "time", "poses", "velocities", "volumes", "pairs", "contacts", "visibility", "shadows", "trails", "rays"};
 
 /// A set of slots, a bit for each.
 using SlotSet = std::uint32_t;
@@ -30,11 +42,11 @@ template <class... Slots>
 /// What of a body stays as it is.
 struct Member {
   std::string name;
-  Shape shape;                        // about its centre of mass
+  Shape shape;  // about its centre of mass
   bool fixed = false;
-  bool driven = false;                // an effect says where it is: neither velocities nor impulses move it
-  double mass = 0;                    // 0: nothing pushes it
-  V3 inverse_inertia = V3::Zero();    // about its own axes
+  bool driven = false;              // an effect says where it is: neither velocities nor impulses move it
+  double mass = 0;                  // 0: nothing pushes it
+  V3 inverse_inertia = V3::Zero();  // about its own axes
   [[nodiscard]] bool moves() const { return mass > 0 && !driven; }
 };
 
@@ -45,10 +57,10 @@ struct Motion {
   Matrix<double, 3> rotation = Matrix<double, 3>::Identity();  // of the orientation
   V3 velocity = V3::Zero();
   V3 turning = V3::Zero();
-  int still = 0;                      // for how many rounds it hardly moved
+  int still = 0;                                          // for how many rounds it hardly moved
   V3 drifted = V3::Zero(), drifted_turning = V3::Zero();  // the sums of its velocities in the last of these
   bool asleep = false;
-  std::uint64_t moved = 0;            // the revision of poses with which it moved last, or fell asleep
+  std::uint64_t moved = 0;  // the revision of poses with which it moved last, or fell asleep
 
   void wake() { asleep = false, still = 0, drifted = drifted_turning = V3::Zero(); }
 };
@@ -71,13 +83,14 @@ struct Contact {
 /// What a contact's point held in the last frame, by which the next one begins.
 struct Impulse {
   Pair pair;
-  V3 on_a = V3::Zero(), on_b = V3::Zero();  // where, in each body's own frame
+  V3 on_a = V3::Zero(), on_b = V3::Zero();   // where, in each body's own frame
   double normal = 0, first = 0, second = 0;  // kg scene units / s
-  double approach = 0;                // at which speed the bodies came, where they have yet to bounce
-  double owed = 0;                    // the energy that slowing down for that took
+  double approach = 0;                       // at which speed the bodies came, where they have yet to bounce
+  double owed = 0;                           // the energy that slowing down for that took
 };
 
-/// How many pairs each stage left, how many the first one had to compare for it, and along which axis it sorted (-1: none).
+/// How many pairs each stage left, how many the first one had to compare for it, and along which axis it sorted (-1:
+/// none).
 struct Funnel {
   std::int64_t all = 0, compared = 0, after_broad = 0, after_loose = 0, touching = 0;
   int axis = -1;
@@ -85,9 +98,9 @@ struct Funnel {
 
 /// What the volumes came to when they were last updated.
 struct Refitted {
-  double slack = 0;                   // of all measured together, over the tightest
-  double cost = 0;                    // points looked at
-  Volume3 first;                      // the first body's volume, in the world
+  double slack = 0;  // of all measured together, over the tightest
+  double cost = 0;   // points looked at
+  Volume3 first;     // the first body's volume, in the world
 };
 
 /// A projection: from a body's centre to its foot on the ground.
@@ -102,29 +115,29 @@ struct State {
   std::vector<Motion> bodies;
   std::vector<Aabb<double, 3>> volumes;
   Refitted refitted;
-  std::vector<Pair> pairs;                       // whose boxes overlap
-  std::vector<Pair> near;                        // of those, whose loose spheres do
+  std::vector<Pair> pairs;  // whose boxes overlap
+  std::vector<Pair> near;   // of those, whose loose spheres do
   std::vector<Contact> contacts;
   std::vector<Impulse> impulses;
   Funnel funnel;
-  std::vector<std::uint8_t> visibility;          // query::Culling, by body
-  std::vector<std::vector<V3>> shadows;          // by body, a convex polygon on the ground
-  std::vector<std::vector<V3>> trails;           // by body, the oldest place first
-  std::vector<Ray> rays;                         // by body
+  std::vector<std::uint8_t> visibility;  // query::Culling, by body
+  std::vector<std::vector<V3>> shadows;  // by body, a convex polygon on the ground
+  std::vector<std::vector<V3>> trails;   // by body, the oldest place first
+  std::vector<Ray> rays;                 // by body
 
-  void changed(Slot slot) { ++revisions[static_cast<std::size_t>(slot)]; }
-  [[nodiscard]] std::uint64_t revision(Slot slot) const { return revisions[static_cast<std::size_t>(slot)]; }
+  void changed(Slot slot) { ++revisions[slot]; }
+  [[nodiscard]] std::uint64_t revision(Slot slot) const { return revisions[slot]; }
 };
 
 /// What stays, and what changes.
 struct World {
   std::vector<Member> members;
-  double step = 0;                    // seconds a frame
-  int rounds = 1;                     // in how many equal parts of it what moves by velocities goes: set by bounce
+  double step = 0;  // seconds a frame
+  int rounds = 1;   // in how many equal parts of it what moves by velocities goes: set by bounce
   std::uint64_t seed = 1;
-  V3 gravity = V3::Zero();            // scene units / s^2: set by fall
-  bool solid = false;                 // bodies do not pass through each other: set by bounce
-  V3 pulled_to = V3::Zero();          // where drag pulls
+  V3 gravity = V3::Zero();    // scene units / s^2: set by fall
+  bool solid = false;         // bodies do not pass through each other: set by bounce
+  V3 pulled_to = V3::Zero();  // where drag pulls
   State state;
 
   [[nodiscard]] std::size_t size() const { return members.size(); }
@@ -136,7 +149,8 @@ struct World {
   [[nodiscard]] double round() const { return step / rounds; }  // seconds
   /// What gravity adds to a speed in a round, or would where there is none: speeds are held against it.
   [[nodiscard]] double pace() const;
-  /// The half thickness of the thinner one, or where one alone moves, of that, scene units: a floor may be as thin as paper.
+  /// The half thickness of the thinner one, or where one alone moves, of that, scene units: a floor may be as thin as
+  /// paper.
   [[nodiscard]] double thinner(const Pair& pair) const;
   /// How deep the two may lie in each other, scene units.
   [[nodiscard]] double slop(const Pair& pair) const;

@@ -11,10 +11,10 @@ namespace snug {
 
 /// What an algorithm spends, by kind. Counting is asked of the observer, so that an unwatched run pays nothing.
 enum class Operation : std::uint8_t {
-  kPointsTouched,     // points read in a pass
-  kDistanceTests,     // squared distances compared with a squared radius or with each other
-  kComparisons,       // comparisons of coordinates or projections
-  kDotProducts,       // projections onto an axis, entries of a covariance
+  kPointsTouched,  // points read in a pass
+  kDistanceTests,  // squared distances compared with a squared radius or with each other
+  kComparisons,    // comparisons of coordinates or projections
+  kDotProducts,    // projections onto an axis, entries of a covariance
   kSquareRoots,
   kBallSolves,        // balls computed through a set of support points
   kOrientationTests,  // on which side of a line or a plane a point lies
@@ -25,8 +25,8 @@ inline constexpr int kOperations = 7;
 using OperationCounts = std::array<std::int64_t, kOperations>;
 
 inline constexpr std::array<std::string_view, kOperations> kOperationNames{
-    "points_touched", "distance_tests", "comparisons", "dot_products", "square_roots", "ball_solves",
-    "orientation_tests"};
+    "points_touched", "distance_tests", "comparisons",      "dot_products",
+    "square_roots",   "ball_solves",    "orientation_tests"};
 
 /// Something that can be told an algorithm's steps and what it spends.
 template <class Observer, class Step>
@@ -55,9 +55,7 @@ struct Counter {
   void operator()(const Step&) noexcept {
     ++steps;
   }
-  void count(Operation operation, std::int64_t n) noexcept {
-    counts[static_cast<std::size_t>(operation)] += n;
-  }
+  void count(Operation operation, std::int64_t n) noexcept { counts[static_cast<std::size_t>(operation)] += n; }
 };
 
 /// Keeps every step with the counts as they stood when it happened.
@@ -71,9 +69,7 @@ struct Recorder {
   OperationCounts counts{};
 
   void operator()(Step step) { entries.push_back({std::move(step), counts}); }
-  void count(Operation operation, std::int64_t n) noexcept {
-    counts[static_cast<std::size_t>(operation)] += n;
-  }
+  void count(Operation operation, std::int64_t n) noexcept { counts[static_cast<std::size_t>(operation)] += n; }
 };
 
 }  // namespace snug

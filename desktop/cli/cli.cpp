@@ -36,8 +36,7 @@ int print(const Printed& printed) {
 int run_chosen(const Commands& commands) {
   const CommandResult result = commands.chosen();
   if (result) return print(*result);
-  for (const InputError& error : result.error())
-    complain(error.message());
+  for (const InputError& error : result.error()) complain(error.message());
   return 2;
 }
 
@@ -47,7 +46,8 @@ int run(int argc, const char* const* argv, int (*open_window)(const WindowOption
   app.set_version_flag("--version", SNUG_VERSION);
   app.require_subcommand(0, 1);
   Commands commands{app, open_window, {}};
-  for (const auto add : {add_window, add_fit, add_algorithms, add_update, add_overlap, add_cull, add_cost, add_chart, add_scene, add_lesson, add_trace_hash, add_render})
+  for (const auto add : {add_window, add_fit, add_algorithms, add_update, add_overlap, add_cull, add_cost, add_chart,
+                         add_scene, add_lesson, add_trace_hash, add_render})
     add(commands);
   try {
     app.parse(argc, argv);

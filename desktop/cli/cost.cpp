@@ -56,8 +56,7 @@ Wrong wrong(std::string what) { return Wrong(InputError{.what = std::move(what)}
 
 std::string kinds() {
   std::string list;
-  for (const std::string_view kind : generator_kinds())
-    list.append(list.empty() ? "" : ", ").append(kind);
+  for (const std::string_view kind : generator_kinds()) list.append(list.empty() ? "" : ", ").append(kind);
   return list;
 }
 
@@ -121,8 +120,7 @@ void finish(Run& run) {
   Progress bar("measuring", kParts);
   for (int shown = 0; !run.done();) {
     run.step();
-    for (; shown < static_cast<int>(kParts * run.progress()); ++shown)
-      bar.advance();
+    for (; shown < static_cast<int>(kParts * run.progress()); ++shown) bar.advance();
   }
 }
 
@@ -182,8 +180,7 @@ tl::expected<Measured, InputError> costs(const CostOptions& options, const Subje
   std::vector<cost::CostRow> rows = run.rows();
   cost::mark_front(rows);
   Measured measured{printed_costs(options, provenance_of(options, subject), rows, then ? &*then : nullptr)};
-  for (const cost::CostRow& row : rows)
-    measured.all_hold = measured.all_hold && row.contains;
+  for (const cost::CostRow& row : rows) measured.all_hold = measured.all_hold && row.contains;
   return measured;
 }
 
@@ -213,8 +210,7 @@ Measured full_turn(const CostOptions& options, const Subject& subject) {
   cost::TurnRun run(points, strategies, kFrames, timing_of(options), native_clock());
   finish(run);
   Measured measured{printed(options, provenance_of(options, subject), run.rows())};
-  for (const cost::TurnRow& row : run.rows())
-    measured.all_hold = measured.all_hold && row.contains;
+  for (const cost::TurnRow& row : run.rows()) measured.all_hold = measured.all_hold && row.contains;
   return measured;
 }
 

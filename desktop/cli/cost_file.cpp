@@ -53,8 +53,7 @@ std::string set_fields(Row& row, const Json& json, const std::string& where) {
   Row::fields(row, [&](std::string_view name, auto& value) {
     if (!wrong.empty() || is_none(json, name)) return;
     const Json* const found = find(json, name);
-    if (found == nullptr)
-      wrong = where + std::string(name) + " is missing";
+    if (found == nullptr) wrong = where + std::string(name) + " is missing";
     else if (!read(*found, value))
       wrong = where + std::string(name) + " is " + found->dump(-1, ' ', false, Json::error_handler_t::replace);
   });
@@ -95,7 +94,8 @@ template tl::expected<cost::Table<cost::TurnRow>, InputError> read_table(const s
 std::string table_name(std::string_view text) {
   constexpr std::string_view kCsv = "# snug table: ", kJson = "{\"table\":\"";
   for (const std::string_view first : {kCsv, kJson})
-    if (text.starts_with(first)) return std::string(text.substr(first.size(), text.find_first_of("\r\n\"", first.size()) - first.size()));
+    if (text.starts_with(first))
+      return std::string(text.substr(first.size(), text.find_first_of("\r\n\"", first.size()) - first.size()));
   return {};
 }
 

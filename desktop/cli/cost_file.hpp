@@ -10,8 +10,8 @@
 
 namespace snug::desktop {
 
-/// A table as CSV or JSON, told apart by the first character. Row: CostRow, GrowthRow or TurnRow. Errors: of reading; in
-/// CSV with the line, in JSON with the field.
+/// A table as CSV or JSON, told apart by the first character. Row: CostRow, GrowthRow or TurnRow. Errors: of reading;
+/// in CSV with the line, in JSON with the field.
 template <class Row>
 [[nodiscard]] tl::expected<cost::Table<Row>, InputError> read_table(const std::string& path);
 

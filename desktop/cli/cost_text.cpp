@@ -50,8 +50,7 @@ class Columns {
   [[nodiscard]] std::string text() const {
     std::vector<std::size_t> widths(lines_[0].size());
     for (const auto& line : lines_)
-      for (std::size_t i = 0; i < line.size(); ++i)
-        widths[i] = std::max(widths[i], line[i].size());
+      for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
     std::string text;
     for (const auto& line : lines_) {
       std::string row;
@@ -77,8 +76,8 @@ std::string head_of(const cost::Provenance& p) {
          said("; the clock's step is %s\n\n", time_text(p.clock_resolution_ns).c_str());
 }
 
-constexpr const char* kDoubt =
-    "? the times spread over more than a third of their median, or there is only one: that could not be measured well\n";
+constexpr const char* kDoubt = "? the times spread over more than a third of their median, or there is only one: that "
+                               "could not be measured well\n";
 
 std::string note_of(const cost::CostRow& row) {
   std::string note = row.on_front ? "* front" : "";
@@ -103,8 +102,7 @@ std::vector<std::span<const Row>> groups_of(std::span<const Row> rows, Same same
   std::vector<std::span<const Row>> groups;
   for (std::size_t first = 0; first < rows.size();) {
     std::size_t end = first;
-    while (end < rows.size() && same(rows[end], rows[first]))
-      ++end;
+    while (end < rows.size() && same(rows[end], rows[first])) ++end;
     groups.push_back(rows.subspan(first, end - first));
     first = end;
   }
@@ -156,12 +154,12 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Gr
     columns.add({last.volume, last.algorithm, said("%d", static_cast<int>(last.points)), time_text(last.time),
                  ratio_text(last.exponent, "%.2f"), theirs, last.theory,
                  last.stopped.empty() ? "" : "stopped: " + last.stopped});
-    for (const cost::GrowthRow& row : group)
-      doubt = doubt || !row.time.trusted;
+    for (const cost::GrowthRow& row : group) doubt = doubt || !row.time.trusted;
   }
-  std::string text = head_of(provenance) + columns.text() +
-                     "\nThe power of the number of points by which the least times of the last decade and a half of numbers grow;\n"
-                     "--csv has every time. <= is an upper bound of the operations; memory may add to the time.\n";
+  std::string text =
+      head_of(provenance) + columns.text() +
+      "\nThe power of the number of points by which the least times of the last decade and a half of numbers grow;\n"
+      "--csv has every time. <= is an upper bound of the operations; memory may add to the time.\n";
   return doubt ? text + kDoubt : text;
 }
 
@@ -173,9 +171,12 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Tu
   for (const auto group : groups_of(rows, same)) {
     const auto range = cost::slack_range(group);
     const bool holds = std::all_of(group.begin(), group.end(), [](const cost::TurnRow& row) { return row.contains; });
-    const auto per_cent = [&](double cost::SlackRange::*slack) { return range ? said("%.1f %%", 100 * (*range).*slack) : "-"; };
+    const auto per_cent = [&](double cost::SlackRange::*slack) {
+      return range ? said("%.1f %%", 100 * (*range).*slack) : "-";
+    };
     columns.add({group[0].volume, group[0].strategy, time_text(group[0].updated), per_cent(&cost::SlackRange::least),
-                 per_cent(&cost::SlackRange::mean), per_cent(&cost::SlackRange::most), holds ? "" : "does not hold every point"});
+                 per_cent(&cost::SlackRange::mean), per_cent(&cost::SlackRange::most),
+                 holds ? "" : "does not hold every point"});
   }
   return head_of(provenance) + columns.text() +
          "\nBy how much the volume is larger than the tightest of its kind, over one full turn of the body; of an "
@@ -186,7 +187,9 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Tu
 std::string text_of(const cost::Provenance& provenance, std::span<const cost::ClaimRow> rows) {
   std::string text = head_of(provenance);
   for (const cost::ClaimRow& row : rows) {
-    const std::string verdict = row.verdict == "typical" ? "typical, not a bound" : row.verdict == "false" ? "false here" : row.verdict;
+    const std::string verdict = row.verdict == "typical" ? "typical, not a bound"
+                                : row.verdict == "false" ? "false here"
+                                                         : row.verdict;
     text += row.says + "\n  " + row.lecture + ": " + row.slide + "\n  " + verdict + ": " + row.measured + "\n\n";
   }
   return text;

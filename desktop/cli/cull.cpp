@@ -30,7 +30,8 @@ using Rows = std::vector<std::vector<double>>;
 tl::unexpected<std::string> wrong(std::string what) { return tl::unexpected(std::move(what)); }
 
 /// That an object has these fields and no others.
-tl::expected<void, std::string> has_just(const Json& json, const std::string& self, const std::vector<std::string>& fields) {
+tl::expected<void, std::string> has_just(const Json& json, const std::string& self,
+                                         const std::vector<std::string>& fields) {
   std::string listed;
   for (const std::string& field : fields) listed += (listed.empty() ? "" : ", ") + field;
   if (!json.is_object()) return wrong(self + " is not an object with " + listed);
@@ -41,7 +42,8 @@ tl::expected<void, std::string> has_just(const Json& json, const std::string& se
 }
 
 /// So many numbers that are all within what the scalar takes.
-tl::expected<std::vector<double>, std::string> numbers_of(const Json& json, const std::string& self, std::size_t count, bool as_float) {
+tl::expected<std::vector<double>, std::string> numbers_of(const Json& json, const std::string& self, std::size_t count,
+                                                          bool as_float) {
   if (!json.is_array()) return wrong(self + " is not a list of numbers");
   if (json.size() != count)
     return wrong(self + " has " + std::to_string(json.size()) + " numbers where " + std::to_string(count) + " belong");
@@ -60,21 +62,26 @@ tl::expected<std::vector<double>, std::string> numbers_of(const Json& json, cons
 /// Planes in rows: 6 of 4 numbers, or in 2-D 4 of 3; or one row of a matrix's 16.
 tl::expected<Rows, std::string> rows_of(const Json& frustum, const CullOptions& options) {
   const bool as_float = options.scalar == "float";
-  if (const auto fields = has_just(frustum, "frustum", {"planes", "view_projection"}); !fields) return wrong(fields.error());
+  if (const auto fields = has_just(frustum, "frustum", {"planes", "view_projection"}); !fields)
+    return wrong(fields.error());
   if (frustum.size() != 1) return wrong("frustum has not just one of the fields planes, view_projection");
   if (frustum.contains("view_projection")) {
     if (options.dim == 2) return wrong("frustum.view_projection is of 3-D, and --dim is 2");
-    return numbers_of(frustum["view_projection"], "frustum.view_projection", 16, as_float).map([](auto row) { return Rows{row}; });
+    return numbers_of(frustum["view_projection"], "frustum.view_projection", 16, as_float).map([](auto row) {
+      return Rows{row};
+    });
   }
   const Json& planes = frustum["planes"];
   if (!planes.is_array()) return wrong("frustum.planes is not a list of planes");
   if (planes.size() != 6 && planes.size() != 4)
     return wrong("frustum.planes has " + std::to_string(planes.size()) + " rows where 6, in 2-D 4, belong");
   if (options.dim != 0 && static_cast<int>(planes.size()) != 2 * options.dim)
-    return wrong("frustum.planes has " + std::to_string(planes.size()) + " rows where " + std::to_string(2 * options.dim) + " belong");
+    return wrong("frustum.planes has " + std::to_string(planes.size()) + " rows where " +
+                 std::to_string(2 * options.dim) + " belong");
   Rows rows;
   for (const Json& plane : planes) {
-    auto row = numbers_of(plane, "frustum.planes[" + std::to_string(rows.size()) + "]", planes.size() / 2 + 1, as_float);
+    auto row =
+        numbers_of(plane, "frustum.planes[" + std::to_string(rows.size()) + "]", planes.size() / 2 + 1, as_float);
     if (!row) return wrong(row.error());
     rows.push_back(std::move(*row));
   }
@@ -90,7 +97,7 @@ tl::expected<Frustum<Scalar, Dim>, InputError> frustum_of(const Rows& rows) {
     }
   typename Frustum<Scalar, Dim>::Planes planes;
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    for (int k = 0; k < Dim; ++k) planes[i].normal[k] = static_cast<Scalar>(rows[i][static_cast<std::size_t>(k)]);
+    for (int k = 0; k < Dim; ++k) planes[i].normal[k] = static_cast<Scalar>(rows[i][k]);
     planes[i].d = static_cast<Scalar>(rows[i][Dim]);
   }
   return Frustum<Scalar, Dim>::make(planes);
@@ -132,9 +139,11 @@ Json plane_json(const query::PlaneTested<Scalar, Dim>& fact) {
 /// By the box's corners, as --test says. Errors: it is no box.
 template <class Scalar, int Dim>
 tl::expected<query::CullResult, std::string> by_corners(const std::string& test, const Frustum<Scalar, Dim>& frustum,
-                                                        const Volume<Scalar, Dim>& volume, query::ClassifyRecorder<Scalar, Dim>& steps) {
+                                                        const Volume<Scalar, Dim>& volume,
+                                                        query::ClassifyRecorder<Scalar, Dim>& steps) {
   const auto test_box = [&](const auto& box) {
-    return test == "corners" ? query::classify_corners(frustum, box, steps) : query::corners_outside(frustum, box, steps);
+    return test == "corners" ? query::classify_corners(frustum, box, steps)
+                             : query::corners_outside(frustum, box, steps);
   };
   if (const auto* box = std::get_if<Aabb<Scalar, Dim>>(&volume)) return test_box(*box);
   if (const auto* box = std::get_if<Obb<Scalar, Dim>>(&volume)) return test_box(*box);
@@ -166,14 +175,16 @@ tl::expected<Json, std::string> answer(const Rows& rows, const Volume<Scalar, Di
 
   Json planes = Json::array();
   for (const auto& entry : of_planes.entries)
-    if (const auto* fact = std::get_if<query::PlaneTested<Scalar, Dim>>(&entry.step.fact)) planes.push_back(plane_json(*fact));
+    if (const auto* fact = std::get_if<query::PlaneTested<Scalar, Dim>>(&entry.step.fact))
+      planes.push_back(plane_json(*fact));
   return Json{{"class", query::kCullingNames[static_cast<std::size_t>(verdict)]},
               {"planes", planes},
               {"exact", exact_class(*frustum, volume, result.verdict)}};
 }
 
 template <int Dim>
-tl::expected<Json, std::string> answer(const Rows& rows, const Volume<double, Dim>& volume, bool as_float, const Asked& asked) {
+tl::expected<Json, std::string> answer(const Rows& rows, const Volume<double, Dim>& volume, bool as_float,
+                                       const Asked& asked) {
   return as_float ? answer<float, Dim>(rows, in_float<Dim>(volume), asked) : answer<double, Dim>(rows, volume, asked);
 }
 
@@ -227,11 +238,13 @@ tl::expected<std::vector<CullLine>, std::vector<InputError>> scene_of(const Cull
   const auto read = answer_lines(options.file, [&](const Json& json) -> tl::expected<Json, std::string> {
     auto line = line_from(json, options);
     if (!line) return wrong(line.error());
-    if (!scene.empty() && scene[0].frustum != line->frustum) return wrong("frustum is another than the first line's; a tree is held against one");
+    if (!scene.empty() && scene[0].frustum != line->frustum)
+      return wrong("frustum is another than the first line's; a tree is held against one");
     if (!scene.empty() && kind_of(scene[0].volume) != kind_of(line->volume))
       return wrong("volume is of another kind than the first line's; those of a tree are all of one");
     if (scene.empty())
-      if (const auto taken = takes_frustum(*line, options.scalar == "float"); !taken) return wrong("frustum: " + taken.error().what);
+      if (const auto taken = takes_frustum(*line, options.scalar == "float"); !taken)
+        return wrong("frustum: " + taken.error().what);
     scene.push_back(std::move(*line));
     return Json();
   });
@@ -239,7 +252,9 @@ tl::expected<std::vector<CullLine>, std::vector<InputError>> scene_of(const Cull
   return scene;
 }
 
-Json json_of(const CullCost& cost) { return {{"volume_tests", cost.volume_tests}, {"planes_tested", cost.planes_tested}}; }
+Json json_of(const CullCost& cost) {
+  return {{"volume_tests", cost.volume_tests}, {"planes_tested", cost.planes_tested}};
+}
 
 template <class Scalar, int Dim>
 CommandResult cull_scene(const std::vector<CullLine>& scene, const std::string& rule, TraceFile& trace) {
@@ -270,8 +285,10 @@ CommandResult run_tree(const CullOptions& options, TraceFile& trace) {
   if (scene->empty()) return Printed{};
   const bool as_float = options.scalar == "float";
   if ((*scene)[0].dim == 2)
-    return as_float ? cull_scene<float, 2>(*scene, options.tree, trace) : cull_scene<double, 2>(*scene, options.tree, trace);
-  return as_float ? cull_scene<float, 3>(*scene, options.tree, trace) : cull_scene<double, 3>(*scene, options.tree, trace);
+    return as_float ? cull_scene<float, 2>(*scene, options.tree, trace)
+                    : cull_scene<double, 2>(*scene, options.tree, trace);
+  return as_float ? cull_scene<float, 3>(*scene, options.tree, trace)
+                  : cull_scene<double, 3>(*scene, options.tree, trace);
 }
 
 CommandResult run_cull(const CullOptions& options) {
@@ -285,7 +302,8 @@ CommandResult run_cull(const CullOptions& options) {
   return with_trace(std::move(answers), *trace);
 }
 
-constexpr const char* kCullFooter = R"(Reads JSON Lines, {"frustum":F,"volume":V} on each, and prints one object for each; empty lines are passed over.
+constexpr const char* kCullFooter =
+    R"(Reads JSON Lines, {"frustum":F,"volume":V} on each, and prints one object for each; empty lines are passed over.
   F                {"planes":[[nx,ny,nz,d], ..]}: left, right, bottom, top, near, far; normals point out and may be of any
                    length; inside of a plane is n . p + d <= 0. In 2-D four lines [nx,ny,d]: left, right, near, far.
                    {"view_projection":[16 numbers]}: column-major, world to OpenGL's clip space; 3-D
@@ -322,8 +340,11 @@ void add_cull(Commands& commands) {
   command.add_option("--scalar", options->scalar, "Arithmetic: double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
-  command.add_option("--dim", options->dim, "2 or 3; each line's own where none is given")->transform(whole_number(2, 3));
-  command.add_option("--test", options->test, "What says the class: planes; of boxes also corners, or corners_outside, which is wrong")
+  command.add_option("--dim", options->dim, "2 or 3; each line's own where none is given")
+      ->transform(whole_number(2, 3));
+  command
+      .add_option("--test", options->test,
+                  "What says the class: planes; of boxes also corners, or corners_outside, which is wrong")
       ->check(CLI::IsMember({"planes", "corners", "corners_outside"}))
       ->capture_default_str();
   command.add_option("--tree", options->tree, "Cull by a tree built by median, surface_area, bottom_up or insertion")

@@ -23,18 +23,23 @@ void write(TraceFile& trace, std::string_view doing, const Recorder<Step>& steps
 }
 
 template <class Scalar, int Dim, class Kind>
-CulledByTree cull_kind(const std::string& rule, const Frustum<Scalar, Dim>& frustum, const std::vector<Kind>& volumes, TraceFile& trace) {
+CulledByTree cull_kind(const std::string& rule, const Frustum<Scalar, Dim>& frustum, const std::vector<Kind>& volumes,
+                       TraceFile& trace) {
   Recorder<Step> building, going;
   const std::span<const Kind> all(volumes);
   const hierarchy::Tree<Kind> tree = build<Kind>(rule, all, building);
-  CulledByTree result{.classes = std::vector(volumes.size(), query::Culling::kOutside), .nodes = static_cast<std::int64_t>(tree.nodes.size())};
-  const auto take = [&](Index body, query::Culling culling) { result.classes[static_cast<std::size_t>(body)] = culling; };
-  const auto cost_of = [](const hierarchy::Culled& culled) { return CullCost{culled.counts.volume_tests(), culled.planes_tested}; };
+  CulledByTree result{.classes = std::vector(volumes.size(), query::Culling::kOutside),
+                      .nodes = static_cast<std::int64_t>(tree.nodes.size())};
+  const auto take = [&](Index body, query::Culling culling) { result.classes[body] = culling; };
+  const auto cost_of = [](const hierarchy::Culled& culled) {
+    return CullCost{culled.counts.volume_tests(), culled.planes_tested};
+  };
 
   const hierarchy::Culled culled = hierarchy::cull(tree, all, frustum, nullptr, take, {}, going);
   result.nodes_visited = culled.counts.nodes_visited;
   result.by_tree = cost_of(culled);
-  result.without_masks = cost_of(hierarchy::cull(tree, all, frustum, nullptr, [](Index, query::Culling) {}, {.masking = false}));
+  result.without_masks =
+      cost_of(hierarchy::cull(tree, all, frustum, nullptr, [](Index, query::Culling) {}, {.masking = false}));
   for (const Kind& volume : volumes) {
     ++result.one_by_one.volume_tests;
     result.one_by_one.planes_tested += query::classify(frustum, volume).planes_tested;
@@ -46,8 +51,8 @@ CulledByTree cull_kind(const std::string& rule, const Frustum<Scalar, Dim>& frus
 }  // namespace
 
 template <class Scalar, int Dim>
-CulledByTree cull_by_tree(const std::string& rule, const Frustum<Scalar, Dim>& frustum, std::span<const Volume<Scalar, Dim>> volumes,
-                          TraceFile& trace) {
+CulledByTree cull_by_tree(const std::string& rule, const Frustum<Scalar, Dim>& frustum,
+                          std::span<const Volume<Scalar, Dim>> volumes, TraceFile& trace) {
   if (volumes.empty()) return {};
   return std::visit(
       [&]<class Kind>(const Kind&) {
@@ -58,9 +63,13 @@ CulledByTree cull_by_tree(const std::string& rule, const Frustum<Scalar, Dim>& f
       volumes.front());
 }
 
-template CulledByTree cull_by_tree(const std::string&, const Frustum<float, 2>&, std::span<const Volume<float, 2>>, TraceFile&);
-template CulledByTree cull_by_tree(const std::string&, const Frustum<float, 3>&, std::span<const Volume<float, 3>>, TraceFile&);
-template CulledByTree cull_by_tree(const std::string&, const Frustum<double, 2>&, std::span<const Volume<double, 2>>, TraceFile&);
-template CulledByTree cull_by_tree(const std::string&, const Frustum<double, 3>&, std::span<const Volume<double, 3>>, TraceFile&);
+template CulledByTree cull_by_tree(const std::string&, const Frustum<float, 2>&, std::span<const Volume<float, 2>>,
+                                   TraceFile&);
+template CulledByTree cull_by_tree(const std::string&, const Frustum<float, 3>&, std::span<const Volume<float, 3>>,
+                                   TraceFile&);
+template CulledByTree cull_by_tree(const std::string&, const Frustum<double, 2>&, std::span<const Volume<double, 2>>,
+                                   TraceFile&);
+template CulledByTree cull_by_tree(const std::string&, const Frustum<double, 3>&, std::span<const Volume<double, 3>>,
+                                   TraceFile&);
 
 }  // namespace snug::desktop

@@ -15,7 +15,8 @@ template <class Fact>
 void add_fields(Json& json, const Fact& fact, int dim) {
   const auto list_of = [dim](const auto& vector) {
     Json list = Json::array();
-    for (int i = 0; i < std::min(dim, static_cast<int>(vector.size())); ++i) list.push_back(static_cast<double>(vector[i]));
+    for (int i = 0; i < std::min(dim, static_cast<int>(vector.size())); ++i)
+      list.push_back(static_cast<double>(vector[i]));
     return list;
   };
   fact.fields([&](std::string_view name, const auto& value) {
@@ -27,12 +28,14 @@ void add_fields(Json& json, const Fact& fact, int dim) {
       field = list_of(value);
     } else {
       field = Json::array();
-      for (int row = 0; row < std::min(dim, static_cast<int>(value.rows())); ++row) field.push_back(list_of(value.row(row)));
+      for (int row = 0; row < std::min(dim, static_cast<int>(value.rows())); ++row)
+        field.push_back(list_of(value.row(row)));
     }
   });
 }
 
-/// A step as one line of a trace with its line feed. about: what it is a step of, said first. Step: has a line and a fact.
+/// A step as one line of a trace with its line feed. about: what it is a step of, said first. Step: has a line and a
+/// fact.
 template <class Step>
 [[nodiscard]] std::string trace_line(Json about, const Step& step, int dim) {
   std::visit(

@@ -67,8 +67,9 @@ tl::expected<fit::Watched, InputError> watch(const FitOptions& options, const fi
   if (!trace) return tl::unexpected(trace.error());
   if (!*trace) return algorithm.watch(points, chosen, {});
   const int dim = fit::dim_of(points);
-  const fit::Watched watched = algorithm.watch(
-      points, chosen, [&](fit::Step3&& step, const OperationCounts&) { (*trace)->write(fit::json_of(step, dim) + '\n'); });
+  const fit::Watched watched = algorithm.watch(points, chosen, [&](fit::Step3&& step, const OperationCounts&) {
+    (*trace)->write(fit::json_of(step, dim) + '\n');
+  });
   return (*trace)->put_in_place().map([&] { return watched; });
 }
 
@@ -80,8 +81,7 @@ Json result_of(const fit::Algorithm& algorithm, const AnyPointSet& points, const
   json[std::string(algorithm.volume)] = json_of(watched.result.volume, dim);
   json["points"] = fit::size_of(points);
   json["support"] = Json::array();
-  for (const Index i : watched.result.support)
-    json["support"].push_back(i);
+  for (const Index i : watched.result.support) json["support"].push_back(i);
   json["measure"] = fit::measure_of(watched.result.volume, dim);
   json["max_outside"] = proof.max_outside;
   json["certificate"] = {{"contains", proof.contains},
@@ -132,8 +132,11 @@ void add_fit(Commands& commands) {
   command.add_option("--scalar", options->scalar, "Arithmetic: double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
-  command.add_option("--dim", options->dim, "2 or 3; the file's own where none is given")->transform(whole_number(2, 3));
-  command.add_option("--seed", options->seed, "Seed of the random order")->transform(whole_number())->capture_default_str();
+  command.add_option("--dim", options->dim, "2 or 3; the file's own where none is given")
+      ->transform(whole_number(2, 3));
+  command.add_option("--seed", options->seed, "Seed of the random order")
+      ->transform(whole_number())
+      ->capture_default_str();
   command.add_option("--repeat", options->repeat, "How many times to take the time")
       ->transform(whole_number(1, 1'000'000))
       ->capture_default_str();

@@ -21,8 +21,7 @@ using Json = nlohmann::ordered_json;
 /// The first dim coordinates.
 [[nodiscard]] inline Json json_of(const Vector<double, 3>& v, int dim) {
   Json list = Json::array();
-  for (int axis = 0; axis < dim; ++axis)
-    list.push_back(v[axis]);
+  for (int axis = 0; axis < dim; ++axis) list.push_back(v[axis]);
   return list;
 }
 

@@ -11,13 +11,15 @@ namespace {
 
 /// One line's JSON. Errors: what is wrong with it as JSON, a key that is there twice included.
 tl::expected<Json, std::string> json_line(const std::string& line) {
-  if (line.find('\0') != std::string::npos) return tl::unexpected(std::string("not JSON: it has a NUL byte"));  // to the library, an end
+  if (line.find('\0') != std::string::npos)
+    return tl::unexpected(std::string("not JSON: it has a NUL byte"));  // to the library, an end
   std::vector<std::set<std::string>> open;
   std::string twice;
   const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
     if (event == Json::parse_event_t::object_start) open.emplace_back();
     if (event == Json::parse_event_t::object_end) open.pop_back();
-    if (event == Json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second) twice = parsed.dump();
+    if (event == Json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second)
+      twice = parsed.dump();
     return true;
   };
   try {
@@ -33,7 +35,8 @@ tl::expected<Json, std::string> json_line(const std::string& line) {
 
 }  // namespace
 
-CommandResult answer_lines(const std::string& file, const std::function<tl::expected<Json, std::string>(const Json&)>& answer) {
+CommandResult answer_lines(const std::string& file,
+                           const std::function<tl::expected<Json, std::string>(const Json&)>& answer) {
   const auto bytes = read_file(file);
   if (!bytes) return bad_input(bytes.error());
   Printed printed;

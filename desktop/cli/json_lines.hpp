@@ -10,8 +10,8 @@
 
 namespace snug::desktop {
 
-/// Answers every line of a file ("-" is standard input) but empty ones. Errors: of reading it; a line that is not JSON or
-/// has a key twice; what answer says is wrong with one. The first ends it, with the line's number.
+/// Answers every line of a file ("-" is standard input) but empty ones. Errors: of reading it; a line that is not JSON
+/// or has a key twice; what answer says is wrong with one. The first ends it, with the line's number.
 [[nodiscard]] CommandResult answer_lines(const std::string& file,
                                          const std::function<tl::expected<Json, std::string>(const Json&)>& answer);
 

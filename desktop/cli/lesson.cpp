@@ -68,10 +68,8 @@ CommandResult run_check(const LessonOptions& options) {
   Printed printed;
   std::vector<InputError> errors;
   for (const std::string& path : options.files) {
-    if (const auto checked = check(path))
-      printed.text += line_of(*checked);
-    else
-      errors.push_back(checked.error());
+    if (const auto checked = check(path)) printed.text += line_of(*checked);
+    else errors.push_back(checked.error());
   }
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   return printed;
@@ -95,8 +93,7 @@ CommandResult run_play(const LessonOptions& options) {
   const auto played = play(*file);
   if (!played) return bad_input(played.error());
   Printed printed{"", played->sound() ? 0 : 1};
-  for (const auto& algorithm : played->algorithms)
-    printed.text += line_of(json_of(algorithm));
+  for (const auto& algorithm : played->algorithms) printed.text += line_of(json_of(algorithm));
   Json task;
   if (played->grade)
     task = {{"done", played->grade->done}, {"excess", played->grade->excess}, {"says", played->grade->says}};
@@ -140,7 +137,8 @@ void add_lesson(Commands& commands) {
       "each, then\n"
       "{\"lesson\",\"not_asked\",\"task\",\"sound\"}. Exit status 1 where an answer is wrong or was never asked for.\n"
       "A lesson with the chart of costs is played without a clock: which algorithm is fastest, and for how much, is\n"
-      "decided by counted operations, and the last line has \"decided_by\":\"operations\". In the window and on the page\n"
+      "decided by counted operations, and the last line has \"decided_by\":\"operations\". In the window and on the "
+      "page\n"
       "it is decided by times.");
   const auto played = add_command<LessonOptions>(commands, play, run_play);
   add_folder(play, *played);

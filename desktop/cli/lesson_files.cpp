@@ -59,7 +59,7 @@ tl::expected<std::vector<LessonFile>, InputError> read_lessons(const std::string
 }
 
 tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, const std::string& id,
-                                               lesson::Checked checked) {
+                                                 lesson::Checked checked) {
   const auto paths = toml_files(folder_or_own(folder));
   if (!paths) return tl::unexpected(paths.error());
   for (const std::string& path : *paths)

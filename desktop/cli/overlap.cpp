@@ -43,8 +43,10 @@ tl::expected<VolumePair, std::string> pair_of(const Json& json, const OverlapOpt
   auto second = read(second_name, may_have_either_dim(json[second_name]) ? dim_of(*first) : options.dim);
   if (!second) return tl::unexpected(second.error());
   if (dim_of(*first) != dim_of(*second))
-    return tl::unexpected("a is " + std::to_string(dim_of(*first)) + "-D and b is " + std::to_string(dim_of(*second)) + "-D");
-  return b_first ? VolumePair{std::move(*second), std::move(*first)} : VolumePair{std::move(*first), std::move(*second)};
+    return tl::unexpected("a is " + std::to_string(dim_of(*first)) + "-D and b is " + std::to_string(dim_of(*second)) +
+                          "-D");
+  return b_first ? VolumePair{std::move(*second), std::move(*first)}
+                 : VolumePair{std::move(*first), std::move(*second)};
 }
 
 // ---- the answer
@@ -67,10 +69,14 @@ class Trace {
  public:
   Trace(NewFile& file, std::int64_t pair, int dim) : file_(file), pair_(pair), dim_(dim) {}
 
-  void operator()(const query::OverlapStep& step) { write(std::holds_alternative<query::SlabTested>(step.fact) ? "slabs" : "distance", step); }
+  void operator()(const query::OverlapStep& step) {
+    write(std::holds_alternative<query::SlabTested>(step.fact) ? "slabs" : "distance", step);
+  }
   void operator()(const query::GjkStep& step) { write("gjk", step); }
   template <class Scalar, int Dim>
-  void operator()(const query::SatStep<Scalar, Dim>& step) { write("separating_axes", step); }
+  void operator()(const query::SatStep<Scalar, Dim>& step) {
+    write("separating_axes", step);
+  }
   void count(Operation, std::int64_t) {}
 
   bool turned = false;  // whether the steps' first volume is the pair's second
@@ -119,7 +125,8 @@ CommandResult run_overlap(const OverlapOptions& options) {
   return with_trace(std::move(answers), *file);
 }
 
-constexpr const char* kOverlapFooter = R"(Reads JSON Lines, {"a":V,"b":V} on each, and prints one object for each; empty lines are passed over.
+constexpr const char* kOverlapFooter =
+    R"(Reads JSON Lines, {"a":V,"b":V} on each, and prints one object for each; empty lines are passed over.
 )";
 constexpr const char* kOverlapFooterEnd = R"(A 6-DOP, which both have, is of the other volume's
                    dimension, or of --dim, or 3-D.
@@ -144,7 +151,8 @@ void add_overlap(Commands& commands) {
   command.add_option("--scalar", options->scalar, "Arithmetic: double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
-  command.add_option("--dim", options->dim, "2 or 3; each line's own where none is given")->transform(whole_number(2, 3));
+  command.add_option("--dim", options->dim, "2 or 3; each line's own where none is given")
+      ->transform(whole_number(2, 3));
   command.add_option("--steps", options->steps, "File for the trace of all tests, one JSON object a line");
   command.add_option("FILE", options->file, "File of JSON Lines; - is standard input")->capture_default_str();
 }

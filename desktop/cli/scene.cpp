@@ -23,7 +23,8 @@ struct SceneOptions {
 Json json_of_frame(const scene::Scene& scene) {
   const fit::FrameTaken frame = lesson::frame_of(scene);
   Json json{{"frame", frame.frame}};
-  for (const std::string_view figure : lesson::scene_figure_names()) json[std::string(figure)] = lesson::figure_of(frame, figure);
+  for (const std::string_view figure : lesson::scene_figure_names())
+    json[std::string(figure)] = lesson::figure_of(frame, figure);
   json["resting"] = frame.resting;
   return json;
 }
@@ -33,12 +34,13 @@ tl::expected<scene::Scene, InputError> open(const SceneOptions& options, const L
   const std::string algorithm = options.algorithm.empty() ? own.algorithms.front() : options.algorithm;
   if (std::find(own.algorithms.begin(), own.algorithms.end(), algorithm) == own.algorithms.end())
     return tl::unexpected(InputError{.what = own.id + " does not offer \"" + algorithm + "\""});
-  auto scene = points_of(file)
-      .and_then([&](const AnyPointSet& points) -> tl::expected<scene::Declaration, InputError> {
-        if (!own.scene) return lesson::declaration_of(lesson::still_scene(own), points, own.seed);
-        return lesson::declaration_with(*own.scene, algorithm, points, own.seed);
-      })
-      .and_then([](const scene::Declaration& declaration) { return scene::Scene::open(declaration, native_now); });
+  auto scene =
+      points_of(file)
+          .and_then([&](const AnyPointSet& points) -> tl::expected<scene::Declaration, InputError> {
+            if (!own.scene) return lesson::declaration_of(lesson::still_scene(own), points, own.seed);
+            return lesson::declaration_with(*own.scene, algorithm, points, own.seed);
+          })
+          .and_then([](const scene::Declaration& declaration) { return scene::Scene::open(declaration, native_now); });
   if (!scene && scene.error().file.empty()) scene.error().file = file.path;
   return scene;
 }
@@ -88,7 +90,9 @@ void add_scene(Commands& commands) {
   command.footer(kSceneFooter);
   const auto options = add_command<SceneOptions>(commands, command, run_scene);
   command.add_option("LESSON", options->id, "The lesson's id")->required();
-  command.add_option("--frames", options->frames, "How many frames")->transform(whole_number(1, 10'000'000))->capture_default_str();
+  command.add_option("--frames", options->frames, "How many frames")
+      ->transform(whole_number(1, 10'000'000))
+      ->capture_default_str();
   command.add_option("--algorithm", options->algorithm, "One that the lesson offers; its first where none is given");
   command.add_flag("--every", options->every, "Print every frame's figures");
   command.add_option("--lessons", options->folder, "Folder of the lesson files; the one beside the program if none");

@@ -44,7 +44,8 @@ tl::expected<const fit::UpdateStrategy*, InputError> strategy_of(const UpdateOpt
   const std::string known = names(options.volume);
   if (options.volume.empty() || known.empty())
     return tl::unexpected(InputError{.what = "there is no update of \"" + options.volume + "\"; known: " + names("")});
-  return tl::unexpected(InputError{.what = "there is no update \"" + options.strategy + "\" of " + options.volume + "; known: " + known});
+  return tl::unexpected(
+      InputError{.what = "there is no update \"" + options.strategy + "\" of " + options.volume + "; known: " + known});
 }
 
 tl::expected<AnyPointSet, InputError> points_of(const UpdateOptions& options, const fit::UpdateStrategy& strategy) {
@@ -71,8 +72,10 @@ Pose<double, 3> pose_at(const UpdateOptions& options, int dim, double share) {
 std::optional<std::string> wrong_with(const UpdateOptions& options, int dim) {
   const auto size = static_cast<std::size_t>(dim);
   if (options.axis.size() != 3) return "--axis takes three numbers";
-  if (options.axis[0] == 0 && options.axis[1] == 0 && options.axis[2] == 0) return "--axis has no direction: all three numbers are 0";
-  if (!options.move.empty() && options.move.size() != size) return "--move takes " + std::to_string(dim) + " numbers for these points";
+  if (options.axis[0] == 0 && options.axis[1] == 0 && options.axis[2] == 0)
+    return "--axis has no direction: all three numbers are 0";
+  if (!options.move.empty() && options.move.size() != size)
+    return "--move takes " + std::to_string(dim) + " numbers for these points";
   for (const auto* list : {&options.axis, &options.move})
     for (const double number : *list)
       if (!(std::abs(number) <= 1e18)) return "--axis and --move take numbers up to 1e18";
@@ -81,14 +84,16 @@ std::optional<std::string> wrong_with(const UpdateOptions& options, int dim) {
 }
 
 /// noise: a measure that is no larger is nothing but rounding.
-Json json_of_frame(const fit::UpdateStrategy& strategy, const fit::UpdatedFrame& frame, int number, double degrees, int dim, double noise) {
+Json json_of_frame(const fit::UpdateStrategy& strategy, const fit::UpdatedFrame& frame, int number, double degrees,
+                   int dim, double noise) {
   Json json{{"frame", number}, {"degrees", degrees}};
   json[std::string(strategy.volume)] = json_of(frame.volume, dim);
   json["measure"] = frame.measure;
   json["slack"] = frame.tightest > noise ? Json(fit::slack(frame.measure, frame.tightest)) : Json();
   json["contains"] = frame.contains;
   json["steps"] = frame.steps;
-  for (std::size_t i = 0; i < kOperationNames.size(); ++i) json["operations"][std::string(kOperationNames[i])] = frame.counts[i];
+  for (std::size_t i = 0; i < kOperationNames.size(); ++i)
+    json["operations"][std::string(kOperationNames[i])] = frame.counts[i];
   return json;
 }
 
@@ -115,7 +120,8 @@ CommandResult run_update(const UpdateOptions& options) {
   return with_trace(std::move(printed), *file);
 }
 
-constexpr const char* kUpdateFooter = R"(Turns the points about the origin, moves them, and brings their volume along, frame by frame, from the volume that
+constexpr const char* kUpdateFooter =
+    R"(Turns the points about the origin, moves them, and brings their volume along, frame by frame, from the volume that
 holds them where they are. Prints one JSON object for each frame:
   frame, degrees    its number, and how far the body has turned
   the volume        in the world, as `snug fit` has it
@@ -134,17 +140,24 @@ void add_update(Commands& commands) {
   command.footer(kUpdateFooter);
   const auto options = add_command<UpdateOptions>(commands, command, run_update);
   command.add_option("--volume", options->volume, "Kind of volume: " + names(""))->required();
-  command.add_option("--strategy", options->strategy,
-                     "sphere: " + names("sphere") + "; aabb: " + names("aabb") + "; obb: " + names("obb") + "; kdop: " + names("kdop"))
+  command
+      .add_option("--strategy", options->strategy,
+                  "sphere: " + names("sphere") + "; aabb: " + names("aabb") + "; obb: " + names("obb") +
+                      "; kdop: " + names("kdop"))
       ->required();
   command.add_option("--scalar", options->scalar, "Arithmetic: double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
-  command.add_option("--dim", options->dim, "2 or 3; the file's own where none is given")->transform(whole_number(2, 3));
-  command.add_option("--axis", options->axis, "What a body in space turns about: x,y,z")->delimiter(',')->capture_default_str();
+  command.add_option("--dim", options->dim, "2 or 3; the file's own where none is given")
+      ->transform(whole_number(2, 3));
+  command.add_option("--axis", options->axis, "What a body in space turns about: x,y,z")
+      ->delimiter(',')
+      ->capture_default_str();
   command.add_option("--degrees", options->degrees, "How far it turns in all frames together")->capture_default_str();
   command.add_option("--move", options->move, "How far it moves meanwhile: x,y,z or x,y")->delimiter(',');
-  command.add_option("--frames", options->frames, "How many frames")->transform(whole_number(1, 1'000'000))->capture_default_str();
+  command.add_option("--frames", options->frames, "How many frames")
+      ->transform(whole_number(1, 1'000'000))
+      ->capture_default_str();
   command.add_option("--steps", options->steps, "File for the trace of all frames, one JSON object a line");
   command.add_option("FILE", options->file, "Point file, as of snug fit; - is xyz on standard input")->required();
 }

@@ -22,14 +22,11 @@ using Names = std::span<const std::string_view>;
 
 std::string listed(Names names) {
   std::string list;
-  for (const std::string_view name : names)
-    list.append(list.empty() ? "" : ", ").append(name);
+  for (const std::string_view name : names) list.append(list.empty() ? "" : ", ").append(name);
   return list;
 }
 
-std::string counted(std::size_t n, const char* what) {
-  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-}
+std::string counted(std::size_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 
 std::string place(std::size_t i) { return "[" + std::to_string(i) + "]"; }
 
@@ -70,7 +67,8 @@ class Fields {
     if (!error_.empty()) return;
     for (const auto& item : object_->items())
       if (std::find(names.begin(), names.end(), item.key()) == names.end())
-        fail(path_ + " has an unknown field " + Json(item.key()).dump() + "; it takes " + listed(Names(names.begin(), names.size())));
+        fail(path_ + " has an unknown field " + Json(item.key()).dump() + "; it takes " +
+             listed(Names(names.begin(), names.size())));
     for (const std::string_view name : names)
       if (!object_->contains(std::string(name))) fail(field(name) + " is missing");
   }
@@ -121,7 +119,9 @@ class Fields {
     const int k = value > 0 && value < 100 && std::floor(value) == value ? static_cast<int>(value) : 0;
     if (dim_ == 0) dim_ = kdop_axes<3>(k).empty() && !kdop_axes<2>(k).empty() ? 2 : 3;
     const bool known = dim_ == 2 ? !kdop_axes<2>(k).empty() : !kdop_axes<3>(k).empty();
-    const char* all = wanted_.dim == 2 ? "in 2-D 4, 6, 8" : wanted_.dim == 3 ? "in 3-D 6, 14, 18, 26" : "6, 14, 18, 26, in 2-D 4, 6, 8";
+    const char* all = wanted_.dim == 2   ? "in 2-D 4, 6, 8"
+                      : wanted_.dim == 3 ? "in 3-D 6, 14, 18, 26"
+                                         : "6, 14, 18, 26, in 2-D 4, 6, 8";
     if (!known) fail(field("k") + " is none that there is: " + all);
     return k;
   }
@@ -130,7 +130,8 @@ class Fields {
   double number_of(const Json& json, const std::string& where) {
     if (!json.is_number()) fail(where + " is not a number");
     const double value = json.is_number() ? json.get<double>() : 0;
-    if (!(std::abs(value) <= wanted_.largest)) fail(where + " is larger than this program can take (" + wanted_.largest_said + ")");
+    if (!(std::abs(value) <= wanted_.largest))
+      fail(where + " is larger than this program can take (" + wanted_.largest_said + ")");
     return value;
   }
 
@@ -140,7 +141,8 @@ class Fields {
     if (!json.is_array()) fail(where + " is not a list of numbers");
     if (dim_ == 0 && (size == 2 || size == 3)) dim_ = static_cast<int>(size);
     if (dim_ == 0 || size != static_cast<std::size_t>(dim_))
-      fail(where + " has " + counted(size, "number") + " where " + (dim_ == 0 ? "2 or 3" : std::to_string(dim_)) + " belong");
+      fail(where + " has " + counted(size, "number") + " where " + (dim_ == 0 ? "2 or 3" : std::to_string(dim_)) +
+           " belong");
     for (std::size_t i = 0; i < size && error_.empty(); ++i)
       point[static_cast<int>(i)] = number_of(json[i], where + place(i));
     return point;
@@ -175,7 +177,8 @@ Aabb<double, 3> aabb_of(Fields& fields) {
   box.max = fields.point("max");
   for (int i = 0; i < 3; ++i)
     if (box.min[i] > box.max[i])
-      fields.fail(fields.field("min") + place(static_cast<std::size_t>(i)) + " is above max" + place(static_cast<std::size_t>(i)));
+      fields.fail(fields.field("min") + place(static_cast<std::size_t>(i)) + " is above max" +
+                  place(static_cast<std::size_t>(i)));
   return box;
 }
 
@@ -184,7 +187,8 @@ Matrix<double, 3> axes_of(Fields& fields) {
   const std::vector<Point> rows = fields.points("axes");
   const auto dim = static_cast<std::size_t>(fields.dim());
   const std::string name = fields.field("axes");
-  if (rows.size() != dim) fields.fail(name + " has " + counted(rows.size(), "row") + " where " + std::to_string(dim) + " belong");
+  if (rows.size() != dim)
+    fields.fail(name + " has " + counted(rows.size(), "row") + " where " + std::to_string(dim) + " belong");
   Matrix<double, 3> axes = Matrix<double, 3>::Identity();
   if (!fields.error().empty()) return axes;
   double most_off = 0;
@@ -193,7 +197,8 @@ Matrix<double, 3> axes_of(Fields& fields) {
     for (std::size_t j = 0; j <= i; ++j) {
       const double off = std::abs(rows[i].dot(rows[j]) - (i == j ? 1 : 0));
       if (off > tolerance::kAxesAsGiven)
-        fields.fail(i == j ? name + place(i) + " is not of unit length" : name + place(j) + " and " + place(i) + " are not perpendicular");
+        fields.fail(i == j ? name + place(i) + " is not of unit length"
+                           : name + place(j) + " and " + place(i) + " are not perpendicular");
       most_off = std::max(most_off, off);
     }
   }
@@ -221,7 +226,8 @@ Lozenge<double, 3> lozenge_of(Fields& fields) {
   Lozenge<double, 3> lozenge{fields.point("origin")};
   const std::vector<Point> edges = fields.points("edges");
   lozenge.radius = fields.not_negative("radius");
-  if (edges.size() != 2) fields.fail(fields.field("edges") + " has " + counted(edges.size(), "row") + " where 2 belong");
+  if (edges.size() != 2)
+    fields.fail(fields.field("edges") + " has " + counted(edges.size(), "row") + " where 2 belong");
   if (!fields.error().empty()) return lozenge;
   lozenge.edges = {edges[0], edges[1]};
   const double length = scaled_norm<double, 3>(edges[0]);
@@ -242,8 +248,8 @@ Kdop<double, 3> kdop_of(Fields& fields) {
   const std::vector<double> max = fields.numbers("max");
   for (const auto& [name, bounds] : {std::pair("min", &min), std::pair("max", &max)})
     if (bounds->size() != slabs)
-      fields.fail(fields.field(name) + " has " + counted(bounds->size(), "number") + ", and a " + std::to_string(kdop.k) +
-                  "-DOP has " + counted(slabs, "slab"));
+      fields.fail(fields.field(name) + " has " + counted(bounds->size(), "number") + ", and a " +
+                  std::to_string(kdop.k) + "-DOP has " + counted(slabs, "slab"));
   if (!fields.error().empty()) return kdop;
   std::copy(min.begin(), min.end(), kdop.min.begin());
   std::copy(max.begin(), max.end(), kdop.max.begin());
@@ -267,12 +273,16 @@ struct Lower {
 
   static Own own(const Point& p) { return p.head<Dim>(); }
 
-  Volume<double, Dim> operator()(const Sphere<double, 3>& v) const { return Sphere<double, Dim>{own(v.center), v.radius}; }
+  Volume<double, Dim> operator()(const Sphere<double, 3>& v) const {
+    return Sphere<double, Dim>{own(v.center), v.radius};
+  }
   Volume<double, Dim> operator()(const Aabb<double, 3>& v) const { return Aabb<double, Dim>{own(v.min), own(v.max)}; }
   Volume<double, Dim> operator()(const Obb<double, 3>& v) const {
     return Obb<double, Dim>{own(v.center), v.axes.topLeftCorner<Dim, Dim>(), own(v.half_extents)};
   }
-  Volume<double, Dim> operator()(const Capsule<double, 3>& v) const { return Capsule<double, Dim>{own(v.a), own(v.b), v.radius}; }
+  Volume<double, Dim> operator()(const Capsule<double, 3>& v) const {
+    return Capsule<double, Dim>{own(v.a), own(v.b), v.radius};
+  }
   Volume<double, Dim> operator()(const Lozenge<double, 3>& v) const {
     return Lozenge<double, Dim>{own(v.origin), {own(v.edges[0]), own(v.edges[1])}, v.radius};
   }
@@ -280,13 +290,13 @@ struct Lower {
     Kdop<double, Dim> kdop{.k = v.k};
     std::copy_n(v.min.begin(), kdop.min.size(), kdop.min.begin());
     std::copy_n(v.max.begin(), kdop.max.size(), kdop.max.begin());
-    if (query::kdop_vertices(kdop).empty()) fields.fail(fields.field("min") + " and max leave no point that is in all slabs");
+    if (query::kdop_vertices(kdop).empty())
+      fields.fail(fields.field("min") + " and max leave no point that is in all slabs");
     return kdop;
   }
   Volume<double, Dim> operator()(const ConvexHull<double, 3>& v) const {
     std::vector<Own> points;
-    for (const Point& p : v.vertices)
-      points.push_back(own(p));
+    for (const Point& p : v.vertices) points.push_back(own(p));
     const auto set = PointSet<double, Dim>::make(std::move(points));
     if (set) return fit::quickhull(set->span()).volume;
     fields.fail(fields.field("points") + ": " + set.error().what);

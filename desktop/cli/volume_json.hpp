@@ -28,8 +28,8 @@ struct VolumeWanted {
 /// scalar: "double" or "float", which takes less.
 [[nodiscard]] VolumeWanted volume_wanted(std::string name, int dim, const std::string& scalar);
 
-/// A volume: {"sphere":{"center":[x,y,z],"radius":r}} and so on, an AABB in any of its three forms (it never shrinks), a
-/// hull by its points, of which the vertices stay. Axes and a lozenge's edges may be as rough as float makes them
+/// A volume: {"sphere":{"center":[x,y,z],"radius":r}} and so on, an AABB in any of its three forms (it never shrinks),
+/// a hull by its points, of which the vertices stay. Axes and a lozenge's edges may be as rough as float makes them
 /// (kAxesAsGiven), and are then made unit and perpendicular within rounding.
 /// Errors: one sentence fragment that names the field: unknown, missing and superfluous ones, what is no number or too
 /// large, the wrong number of numbers, negative radii and extents, min above max, axes that are not unit, perpendicular

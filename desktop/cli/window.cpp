@@ -39,7 +39,8 @@ void add_size(CLI::App& command, WindowOptions& options) {
 }
 
 void add_common(CLI::App& command, WindowOptions& options) {
-  command.add_option("--step", options.step, "The step that is shown")->transform(whole_number(0, std::numeric_limits<int>::max()));
+  command.add_option("--step", options.step, "The step that is shown")
+      ->transform(whole_number(0, std::numeric_limits<int>::max()));
   command.add_option("--seed", options.seed, "Seed of the points; the lesson's own if none")->transform(whole_number());
   add_size(command, options);
   command.add_option("--points", options.points_file, "Point file to show instead of the lesson's points");
@@ -68,10 +69,11 @@ void add_render(Commands& commands) {
 
 void add_chart(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("chart", "Draw a result of snug cost into a picture");
-  command.footer("RESULT: costs, growth or a turn as snug cost --csv or --json writes them. SNUG_THEME is dark, contrast or\n"
-                 "projector for another look. Needs a display; xvfb-run serves.");
-  const auto options =
-      add_command<WindowOptions>(commands, command, [open_window = commands.open_window](const WindowOptions& chosen) -> CommandResult {
+  command.footer(
+      "RESULT: costs, growth or a turn as snug cost --csv or --json writes them. SNUG_THEME is dark, contrast or\n"
+      "projector for another look. Needs a display; xvfb-run serves.");
+  const auto options = add_command<WindowOptions>(
+      commands, command, [open_window = commands.open_window](const WindowOptions& chosen) -> CommandResult {
         return Printed{"", open_window(chosen)};
       });
   command.add_option("RESULT", options->chart, "What is drawn")->required();

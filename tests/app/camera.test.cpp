@@ -113,7 +113,8 @@ TEST_CASE("one point, and points all on one spot, can be framed") {
 }
 
 TEST_CASE("picking: the nearest within reach, of equals the one in front, never one that is hidden") {
-  const std::vector<ScreenPoint> points{{100, 100, 2, true}, {100, 100, 1, true}, {108, 100, 0, true}, {50, 50, 0, false}};
+  const std::vector<ScreenPoint> points{
+      {100, 100, 2, true}, {100, 100, 1, true}, {108, 100, 0, true}, {50, 50, 0, false}};
   CHECK(pick(points, 101, 100, kMouseReach) == 1);
   CHECK(pick(points, 107, 101, kMouseReach) == 2);
   CHECK(pick(points, 50, 50, kMouseReach) == kNoIndex);

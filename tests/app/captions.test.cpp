@@ -23,7 +23,9 @@ fit::Step3 with_ball(double radius, fit::Step3::Fact fact) {
   return {0, true, fit::Sphere3{Vector<double, 3>::Zero(), radius}, std::move(fact)};
 }
 
-std::string alone(const fit::Step3& step, const AnyPointSet& points) { return app::caption_of(step, nullptr, points, true); }
+std::string alone(const fit::Step3& step, const AnyPointSet& points) {
+  return app::caption_of(step, nullptr, points, true);
+}
 
 const AnyPointSet kThree = set_of({{1, 0, 0}, {0, 2.58, 0}, {0, 0, 0}}, 2);
 
@@ -100,7 +102,9 @@ std::vector<lesson::Session> scene_sessions() {
       lesson.scene->bodies[0].body.shape = scene::Volume3(Sphere<double, 3>{Vector<double, 3>::Zero(), 0.3});
       (pairs ? lesson.scene->bodies[0].at_points : lesson.scene->bodies[0].of_points) = true;
       lesson.scene->effects = {{.name = "spin", .settings = {{"degrees", {degrees}, ""}}}, {.name = "refit"}};
-      if (pairs) lesson.scene->effects.push_back({.name = "broad_phase"}), lesson.scene->effects.push_back({.name = "narrow_phase"});
+      if (pairs)
+        lesson.scene->effects.push_back({.name = "broad_phase"}),
+            lesson.scene->effects.push_back({.name = "narrow_phase"});
       lesson.algorithms = {pairs ? "tree" : "hill_climb"};
       auto session = lesson::Session::open(std::move(lesson));
       REQUIRE(session.has_value());
@@ -136,9 +140,12 @@ TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no numbe
     const AnyPointSet flat = set_of({{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, 3);
     check(flat, algorithm.record(flat, {}), algorithm);
   }
-  for (const lesson::Session& session : box_sessions()) check(session.points(), session.recording(0), *session.algorithm(0));
-  for (const lesson::Session& session : frustum_sessions()) check(session.points(), session.recording(0), *session.algorithm(0));
-  for (const lesson::Session& session : scene_sessions()) check(session.points(), session.recording(0), *session.algorithm(0));
+  for (const lesson::Session& session : box_sessions())
+    check(session.points(), session.recording(0), *session.algorithm(0));
+  for (const lesson::Session& session : frustum_sessions())
+    check(session.points(), session.recording(0), *session.algorithm(0));
+  for (const lesson::Session& session : scene_sessions())
+    check(session.points(), session.recording(0), *session.algorithm(0));
   // support_replaced, which these runs never reach, has a case of its own below.
   for (const std::string_view fact : fit::fact_names())
     if (fact != "support_replaced") CHECK_MESSAGE(seen.count(fact) == 1, fact);

@@ -14,8 +14,7 @@ namespace {
 
 std::vector<std::string> labels(const ChartAxis& axis, double from, double to, int most) {
   std::vector<std::string> list;
-  for (const ChartTick& tick : chart_ticks(axis, from, to, most))
-    list.push_back(tick.label);
+  for (const ChartTick& tick : chart_ticks(axis, from, to, most)) list.push_back(tick.label);
   return list;
 }
 
@@ -137,8 +136,10 @@ TEST_CASE("updates that are always tight share a line, and an earlier result add
   const auto at = [](const char* volume, const char* strategy, double degrees, double slack) {
     return cost::TurnRow{.volume = volume, .strategy = strategy, .degrees = degrees, .slack = slack};
   };
-  const cost::Table<cost::TurnRow> turn{{}, {at("aabb", "rebuild", 0, 0), at("aabb", "rebuild", 5, 1e-12), at("aabb", "loose", 0, 0),
-                                             at("aabb", "loose", 5, 0.6), at("kdop", "k6_hill_climb", 0, 0)}};
+  const cost::Table<cost::TurnRow> turn{{},
+                                        {at("aabb", "rebuild", 0, 0), at("aabb", "rebuild", 5, 1e-12),
+                                         at("aabb", "loose", 0, 0), at("aabb", "loose", 5, 0.6),
+                                         at("kdop", "k6_hill_climb", 0, 0)}};
   const Chart chart = turn_chart(turn, &turn);
   REQUIRE(chart.series.size() == 4);
   CHECK(chart.series[0].row == -1);

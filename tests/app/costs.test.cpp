@@ -34,7 +34,9 @@ prompt = "Which one?"
 because = "So."
 )";
 
-double now() { return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double now() {
+  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 lesson::Session opened(Costs& costs) {
   auto lesson = lesson::read_lesson(kLesson, "chart.toml");
@@ -52,7 +54,8 @@ void finish(Costs& costs, lesson::Session& session) {
 
 io::PointFile cloud(std::size_t n) {
   io::PointFile file{.dim = 2, .points = {}, .triangles = {}};
-  for (std::size_t i = 0; i < n; ++i) file.points.emplace_back(static_cast<double>(i % 97), static_cast<double>(i % 89), 0);
+  for (std::size_t i = 0; i < n; ++i)
+    file.points.emplace_back(static_cast<double>(i % 97), static_cast<double>(i % 89), 0);
   return file;
 }
 
@@ -118,7 +121,8 @@ TEST_CASE("a large file is measured whole and shown in part; above two million p
   CHECK(costs.table().provenance.points == "large.xyz");
   const auto refused = costs.load(session, cloud(2'000'001), "huge.xyz");
   REQUIRE_FALSE(refused.has_value());
-  CHECK(refused.error().message().find("2,000,001 points, and costs are measured on at most 2,000,000") != std::string::npos);
+  CHECK(refused.error().message().find("2,000,001 points, and costs are measured on at most 2,000,000") !=
+        std::string::npos);
   CHECK(costs.size(session) == 6000);
   session.reset();
   CHECK(costs.size(session) == 5);

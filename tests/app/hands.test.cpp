@@ -88,7 +88,9 @@ class Bench {
     release();
   }
   [[nodiscard]] lesson::Session& session() { return *app.session(); }
-  [[nodiscard]] std::string key(std::string_view name) const { return std::string(app.command_of_key(name, false, false)); }
+  [[nodiscard]] std::string key(std::string_view name) const {
+    return std::string(app.command_of_key(name, false, false));
+  }
   void wait(double seconds) {
     now_ += seconds;
     frames(1);
@@ -106,7 +108,8 @@ class Bench {
 lesson::Lesson flat() {
   lesson::Lesson lesson;
   lesson.id = "test";
-  lesson.points.list = {{-2, 0, 0}, {2, 0, 0}, {0, 1.6, 0}, {0, -1.6, 0}, {1.5, 1.5, 0}, {-1.55, 1.55, 0}, {0.2, 0.1, 0}};
+  lesson.points.list = {{-2, 0, 0},    {2, 0, 0},        {0, 1.6, 0},  {0, -1.6, 0},
+                        {1.5, 1.5, 0}, {-1.55, 1.55, 0}, {0.2, 0.1, 0}};
   lesson.algorithms = {"ritter", "welzl"};
   return lesson;
 }
@@ -268,7 +271,9 @@ TEST_CASE("in dense space a drag turns the view; the selected point and one hit 
   // Right beside a point, in the middle of none.
   const auto handles = bench.app.handles();
   const auto beside = std::find_if(handles.begin(), handles.end(), [&](const Handle& one) {
-    return std::all_of(handles.begin(), handles.end(), [&](const Handle& other) { return std::hypot(other.x - one.x - 3, other.y - one.y - 3) > 2.5f; });
+    return std::all_of(handles.begin(), handles.end(), [&](const Handle& other) {
+      return std::hypot(other.x - one.x - 3, other.y - one.y - 3) > 2.5f;
+    });
   });
   REQUIRE(beside != handles.end());
   Handle at = *beside;

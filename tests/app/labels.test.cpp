@@ -28,7 +28,8 @@ TEST_CASE("no two labels overlap, and none leaves the stage, however crowded it 
     for (int i = 0; i < 30; ++i) {
       // A third of them in one small heap.
       const double spread = i % 3 == 0 ? 20 : 280;
-      const float x = static_cast<float>(400 + random.between(-spread, spread)), y = static_cast<float>(300 + random.between(-spread, spread));
+      const float x = static_cast<float>(400 + random.between(-spread, spread)),
+                  y = static_cast<float>(300 + random.between(-spread, spread));
       requests.push_back({x, y, 8, 34, 16, x - 400, y - 300, i > 6});
       obstacles.discs.push_back({x, y, 6});
     }

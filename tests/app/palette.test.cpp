@@ -34,12 +34,15 @@ TEST_CASE("every theme: words 4.5 to 1, marks 3 to 1") {
     const Palette& p = palette_of(theme);
     CAPTURE(static_cast<int>(theme));
     for (const Color ground : {p.ground, p.panel})
-      for (const Color words : {p.ink, p.muted, p.current_text, p.previous_text, p.support_text, p.examined_text, p.optimum_text, p.wrong_text})
+      for (const Color words : {p.ink, p.muted, p.current_text, p.previous_text, p.support_text, p.examined_text,
+                                p.optimum_text, p.wrong_text})
         CHECK(contrast(words, ground) >= 4.5);
-    for (const Color words : {p.ink, p.muted, p.current_text, p.optimum_text, p.wrong_text}) CHECK(contrast(words, p.raised) >= 4.5);
+    for (const Color words : {p.ink, p.muted, p.current_text, p.optimum_text, p.wrong_text})
+      CHECK(contrast(words, p.raised) >= 4.5);
     CHECK(contrast(p.ink, p.lit) >= 4.5);
     CHECK(contrast(p.on_current, p.current) >= 4.5);
-    for (const Color mark : {p.current, p.previous, p.support, p.examined, p.optimum, p.wrong, p.point}) CHECK(contrast(mark, p.ground) >= 3);
+    for (const Color mark : {p.current, p.previous, p.support, p.examined, p.optimum, p.wrong, p.point})
+      CHECK(contrast(mark, p.ground) >= 3);
   }
 }
 

@@ -154,7 +154,8 @@ TEST_CASE("a question about a plane shows that plane, and its vertices only when
 }
 
 TEST_CASE("corners are marked as they are tested: of one plane at a time, or of all") {
-  lesson::Session per_plane = frustum_session("corners_per_plane", false), all = frustum_session("corners_outside", false);
+  lesson::Session per_plane = frustum_session("corners_per_plane", false),
+                  all = frustum_session("corners_outside", false);
   for (int step = 1; step < per_plane.steps(); ++step) {
     per_plane.jump(step);
     const Shown shown = shown_at(per_plane, false);

@@ -33,7 +33,8 @@ TEST_CASE("marks with room: all questions, the others apart from each other and 
 
 TEST_CASE("a best is never left out for want of room: what stands too near gives way") {
   using Kind = lesson::Mark::Kind;
-  const std::vector<lesson::Mark> marks{{10, Kind::kGrew}, {12, Kind::kBest}, {14, Kind::kBest}, {16, Kind::kGrew}, {60, Kind::kGrew}};
+  const std::vector<lesson::Mark> marks{
+      {10, Kind::kGrew}, {12, Kind::kBest}, {14, Kind::kBest}, {16, Kind::kGrew}, {60, Kind::kGrew}};
   const auto kept = marks_with_room(marks, {0, 500, 1000}, 13);
   REQUIRE(kept.size() == 3);
   CHECK(kept[0].step == 12);
@@ -56,7 +57,8 @@ TEST_CASE("marks beyond the first question without an answer would tell it: they
   REQUIRE(session.questions().size() == 1);
   const int gate = session.questions()[0].step;
   const auto hidden = [&] { return session.marks().size() - marks_to_show(session).size(); };
-  REQUIRE(std::any_of(session.marks().begin(), session.marks().end(), [&](const auto& mark) { return mark.step > gate; }));
+  REQUIRE(
+      std::any_of(session.marks().begin(), session.marks().end(), [&](const auto& mark) { return mark.step > gate; }));
   CHECK(hidden() > 0);
   for (const auto& mark : marks_to_show(session)) CHECK(mark.step <= gate);
   session.go(gate);

@@ -1,5 +1,5 @@
-// A million boxes and spheres against a frustum: at once, against a plain summing pass over the same arrays and against one
-// by one. Prints the tables that RESULTS.md keeps.
+// A million boxes and spheres against a frustum: at once, against a plain summing pass over the same arrays and against
+// one by one. Prints the tables that RESULTS.md keeps.
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t kCount = 1'000'000;
 constexpr int kRounds = 41;
 
-/// The unit of measure: every number of the arrays once, each lane of a line into a sum of its own, so that no sum waits
-/// for the one before.
+/// The unit of measure: every number of the arrays once, each lane of a line into a sum of its own, so that no sum
+/// waits for the one before.
 template <class Array>
 double sum_of(const Array& array) {
   using Scalar = std::remove_cvref_t<decltype(array.reach()[0])>;
@@ -37,8 +37,9 @@ template <class Scalar>
 Frustum<Scalar, 3> some_frustum() {
   FrustumCamera<double, 3> camera{.position = {3, -4, 5}, .half_tangents = {0.8, 0.5}, .near = 0.5, .far = 80};
   camera.axes = turn(Vector<double, 3>(1, 2, -1), 0.7);
-  FrustumCamera<Scalar, 3> own{camera.position.cast<Scalar>(), camera.axes.cast<Scalar>(), camera.half_tangents.cast<Scalar>(),
-                               static_cast<Scalar>(camera.near), static_cast<Scalar>(camera.far)};
+  FrustumCamera<Scalar, 3> own{camera.position.cast<Scalar>(), camera.axes.cast<Scalar>(),
+                               camera.half_tangents.cast<Scalar>(), static_cast<Scalar>(camera.near),
+                               static_cast<Scalar>(camera.far)};
   return *frustum_of_camera(own);
 }
 
@@ -97,14 +98,16 @@ void measure_all() {
     const auto boxes = some_boxes<Scalar>(spread);
     const auto spheres = some_spheres<Scalar>(spread);
     measure<Scalar>(spread > 50 ? "boxes, spread out" : "boxes, near", boxes, query::AabbArray<Scalar>(boxes));
-    measure<Scalar>(spread > 50 ? "spheres, spread out" : "spheres, near", spheres, query::SphereArray<Scalar>(spheres));
+    measure<Scalar>(spread > 50 ? "spheres, spread out" : "spheres, near", spheres,
+                    query::SphereArray<Scalar>(spheres));
   }
 }
 
 }  // namespace
 
 int main() {
-  std::printf("| scalar | a million | inside / intersecting / outside | summing pass | at once / summing pass | at once, times as fast as one by one |\n");
+  std::printf("| scalar | a million | inside / intersecting / outside | summing pass | at once / summing pass | at "
+              "once, times as fast as one by one |\n");
   std::printf("|---|---|---|---:|---|---|\n");
   measure_all<float>();
   measure_all<double>();

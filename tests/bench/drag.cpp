@@ -32,7 +32,8 @@ Lesson cloud(int count, int dim, const char* first, const char* second) {
 double look(const Session& session) {
   double seen = static_cast<double>(session.rivals().size() + session.marks().size());
   for (int slot = 0; slot < 2; ++slot)
-    seen += static_cast<double>(session.figures(slot).size() + session.proofs(slot).size() + session.support(slot).size());
+    seen +=
+        static_cast<double>(session.figures(slot).size() + session.proofs(slot).size() + session.support(slot).size());
   return seen;
 }
 
@@ -53,8 +54,8 @@ void one(int count, int dim, const char* first, const char* second) {
   session->end_drag();
   std::sort(move.begin(), move.end());
   std::sort(all.begin(), all.end());
-  std::printf("| %d | %d-D | %s%s%s | %d | %.2f | %.2f | %.2f |\n", count, dim, first, *second != 0 ? " + " : "", second,
-              session->steps(), move[kFrames / 2], all[kFrames / 2], all[kFrames * 95 / 100]);
+  std::printf("| %d | %d-D | %s%s%s | %d | %.2f | %.2f | %.2f |\n", count, dim, first, *second != 0 ? " + " : "",
+              second, session->steps(), move[kFrames / 2], all[kFrames / 2], all[kFrames * 95 / 100]);
 }
 
 }  // namespace

@@ -32,7 +32,9 @@ Boxes<Scalar> boxes(Scene scene, std::uint64_t seed) {
   Boxes<Scalar> all;
   Vector<double, 3> cluster = Vector<double, 3>::Zero();
   for (std::size_t i = 0; i < kBodies; ++i) {
-    const auto any = [&](double size) { return Vector<double, 3>(random.between(0, size), random.between(0, size), random.between(0, size)); };
+    const auto any = [&](double size) {
+      return Vector<double, 3>(random.between(0, size), random.between(0, size), random.between(0, size));
+    };
     if (i % 500 == 0) cluster = any(100);
     const Vector<double, 3> low = scene == Scene::kClusters ? Vector<double, 3>(cluster + any(3)) : any(100);
     double size = 1;
@@ -60,9 +62,9 @@ void building(Scene scene) {
   const auto print = [&](const char* name, int rounds, auto&& build) {
     const auto tree = build();
     const auto ratio = bench::ratio([&] { bench::keep(build()); }, sort, rounds);
-    std::printf("| %s | %s | %s | %.2f (%.2f to %.2f) | %.1f ms | %zu | %d |\n", sizeof(Scalar) == 4 ? "float" : "double",
-                kNames[static_cast<int>(scene)], name, ratio.median, ratio.low, ratio.high, ratio.median * ratio.base * 1e3,
-                tree.nodes.size(), tree.depth());
+    std::printf("| %s | %s | %s | %.2f (%.2f to %.2f) | %.1f ms | %zu | %d |\n",
+                sizeof(Scalar) == 4 ? "float" : "double", kNames[static_cast<int>(scene)], name, ratio.median,
+                ratio.low, ratio.high, ratio.median * ratio.base * 1e3, tree.nodes.size(), tree.depth());
   };
   print("surface area", kRounds, [&] { return hierarchy::build_surface_area<Box>(bodies); });
   print("median", kRounds, [&] { return hierarchy::build_median<Box>(bodies); });
@@ -88,17 +90,21 @@ void counting(Scene scene) {
       const Box window{corner, corner + Vector<double, 3>::Constant(10)};
       const auto visit = [&](const Box& box, int) {
         if (!query::aabbs_overlap(box, window)) return hierarchy::Answer::kPrune;
-        const bool inside = (box.min.array() >= window.min.array()).all() && (box.max.array() <= window.max.array()).all();
+        const bool inside =
+            (box.min.array() >= window.min.array()).all() && (box.max.array() <= window.max.array()).all();
         return inside ? hierarchy::Answer::kAccept : hierarchy::Answer::kDescend;
       };
-      culling += hierarchy::traverse(tree, bodies, 0, visit, [&](Index, hierarchy::Answer) { ++culled_to; }).volume_tests();
+      culling +=
+          hierarchy::traverse(tree, bodies, 0, visit, [&](Index, hierarchy::Answer) { ++culled_to; }).volume_tests();
       const Ray<double, 3> ray{corner, Vector<double, 3>(random.normal(), random.normal(), random.normal())};
-      rays += hierarchy::first_hit<double>(tree, bodies, [&](const Box& box) { return query::ray_enters(box, ray); }).counts.volume_tests();
+      rays += hierarchy::first_hit<double>(tree, bodies, [&](const Box& box) {
+                return query::ray_enters(box, ray);
+              }).counts.volume_tests();
     }
     std::int64_t pairs = 0;
     const auto counts = hierarchy::overlapping_pairs(tree, bodies, other, others, [&](Index, Index) { ++pairs; });
-    std::printf("| %s | %s | %.0f (%.0f found) | %.0f | %.1f million (%lld found) |\n", kNames[static_cast<int>(scene)], name,
-                double(culling) / kQueries, double(culled_to) / kQueries, double(rays) / kQueries,
+    std::printf("| %s | %s | %.0f (%.0f found) | %.0f | %.1f million (%lld found) |\n", kNames[static_cast<int>(scene)],
+                name, double(culling) / kQueries, double(culled_to) / kQueries, double(rays) / kQueries,
                 double(counts.volume_tests()) / 1e6, static_cast<long long>(pairs));
   };
   line("surface area", hierarchy::build_surface_area<Box>(bodies), hierarchy::build_surface_area<Box>(others));
@@ -109,8 +115,11 @@ void counting(Scene scene) {
 }  // namespace
 
 int main() {
-  std::printf("| scalar | boxes | built by | in sorts of 100,000 keys | | nodes | depth |\n|---|---|---|---|---:|---:|---:|\n");
-  for (const Scene scene : {Scene::kSpread, Scene::kClusters, Scene::kSizes}) building<float>(scene), building<double>(scene);
-  std::printf("\n| boxes | built by | tests to cull by a box | tests for a ray | tests for two trees |\n|---|---|---:|---:|---:|\n");
+  std::printf(
+      "| scalar | boxes | built by | in sorts of 100,000 keys | | nodes | depth |\n|---|---|---|---|---:|---:|---:|\n");
+  for (const Scene scene : {Scene::kSpread, Scene::kClusters, Scene::kSizes})
+    building<float>(scene), building<double>(scene);
+  std::printf("\n| boxes | built by | tests to cull by a box | tests for a ray | tests for two trees "
+              "|\n|---|---|---:|---:|---:|\n");
   for (const Scene scene : {Scene::kSpread, Scene::kClusters, Scene::kSizes}) counting(scene);
 }

@@ -1,5 +1,5 @@
-// Convex hulls beside Qhull's and Bullet's, in one run: how long ours takes in units of their time, and how many vertices each keeps.
-// Prints the table that RESULTS.md keeps. Needs Debian's libqhull-dev and libbullet-dev.
+// Convex hulls beside Qhull's and Bullet's, in one run: how long ours takes in units of their time, and how many
+// vertices each keeps. Prints the table that RESULTS.md keeps. Needs Debian's libqhull-dev and libbullet-dev.
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -22,15 +22,17 @@ void one_set(const std::string& name, const Set& set, int rounds) {
   const auto work = [&] { ours = fit::quickhull(set.span()).volume.vertices.size(); };
   for (const char* options : {"", "Qt"}) {
     int theirs = 0;
-    const auto r = bench::ratio(work, [&] { theirs = bench::qhull_vertices(set.span(), options); }, rounds);
+    const auto r = bench::ratio(
+        work, [&] { theirs = bench::qhull_vertices(set.span(), options); }, rounds);
     std::printf("| %s | %d | qhull %s | %d | %zu | %.2f | %.2f to %.2f | %.0f |\n", name.c_str(), set.size(), options,
                 theirs, ours, r.median, r.low, r.high, 1e3 * r.base);
     std::fflush(stdout);
   }
   int theirs = 0;
-  const auto r = bench::ratio(work, [&] { theirs = bench::bullet_vertices(set.span()); }, rounds);
-  std::printf("| %s | %d | bullet | %d | %zu | %.2f | %.2f to %.2f | %.0f |\n", name.c_str(), set.size(), theirs, ours, r.median,
-              r.low, r.high, 1e3 * r.base);
+  const auto r = bench::ratio(
+      work, [&] { theirs = bench::bullet_vertices(set.span()); }, rounds);
+  std::printf("| %s | %d | bullet | %d | %zu | %.2f | %.2f to %.2f | %.0f |\n", name.c_str(), set.size(), theirs, ours,
+              r.median, r.low, r.high, 1e3 * r.base);
   std::fflush(stdout);
 }
 

@@ -66,9 +66,12 @@ void in_passes(const char* kind) {
                 r.median <= most ? "yes" : "NO");
     std::fflush(stdout);
   };
-  one("dito", [](auto points) { return fit::obb_dito(points); }, 6);
-  one("aabb", [](auto points) { return fit::obb_aabb(points); }, 3);
-  one("pca", [](auto points) { return fit::obb_pca(points); }, 6);
+  one(
+      "dito", [](auto points) { return fit::obb_dito(points); }, 6);
+  one(
+      "aabb", [](auto points) { return fit::obb_aabb(points); }, 3);
+  one(
+      "pca", [](auto points) { return fit::obb_pca(points); }, 6);
 }
 
 /// Volume in units of the smallest, and milliseconds, of every fitter.

@@ -22,7 +22,9 @@ std::vector<Lozenge3> lozenges(double spread, bool parallel) {
   for (int i = 0; i < 2 * kPairs; ++i) {
     Lozenge3 lozenge = std::get<Lozenge3>(make.make(4, test::Make::kSolid));
     lozenge.origin = make.any(spread);
-    if (parallel) lozenge.edges = {Vector<double, 3>(lozenge.edges[0].norm(), 0, 0), Vector<double, 3>(0, lozenge.edges[1].norm(), 0)};
+    if (parallel)
+      lozenge.edges = {Vector<double, 3>(lozenge.edges[0].norm(), 0, 0),
+                       Vector<double, 3>(0, lozenge.edges[1].norm(), 0)};
     result.push_back(lozenge);
   }
   return result;

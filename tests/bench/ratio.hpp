@@ -22,7 +22,7 @@ double seconds(Work&& work) {
 
 struct Ratio {
   double median = 0;
-  double low = 0;   // quartiles
+  double low = 0;  // quartiles
   double high = 0;
   double base = 0;  // seconds of one base run, median
 };

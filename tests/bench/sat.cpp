@@ -119,8 +119,8 @@ void one_scene(const char* name, double spread, bool upright) {
   const auto book = bench::ratio(one_by_one, by_book, kRounds);
   const auto batch = bench::ratio(at_once, one_by_one, kRounds);
   std::printf("| %s | %s | %d %% | %.0f ns | %.2f (%.2f to %.2f) | %.1f (%.1f to %.1f) |\n",
-              sizeof(Scalar) == 4 ? "float" : "double", name, 100 * overlapping / kPairs, book.base / kPairs * 1e9, book.median,
-              book.low, book.high, 1 / batch.median, 1 / batch.high, 1 / batch.low);
+              sizeof(Scalar) == 4 ? "float" : "double", name, 100 * overlapping / kPairs, book.base / kPairs * 1e9,
+              book.median, book.low, book.high, 1 / batch.median, 1 / batch.high, 1 / batch.low);
 }
 
 template <class Scalar>

@@ -77,8 +77,8 @@ void beside_cgal(const char* name, const Set& set, int rounds) {
   double ours = 0, theirs = 0;
   const auto r = bench::ratio([&] { ours = fit::ball_of(welzl.fit(any, {})).radius; },
                               [&] { theirs = bench::cgal_ball_radius(set.span()); }, rounds);
-  std::printf("| %s | %d | %.2f | %.2f to %.2f | %.2f | %.0e | %s |\n", name, set.size(), r.median, r.low, r.high, 1e3 * r.base,
-              theirs / ours - 1, r.median <= 1 ? "yes" : "NO");
+  std::printf("| %s | %d | %.2f | %.2f to %.2f | %.2f | %.0e | %s |\n", name, set.size(), r.median, r.low, r.high,
+              1e3 * r.base, theirs / ours - 1, r.median <= 1 ? "yes" : "NO");
 }
 
 void observer() {
@@ -95,7 +95,8 @@ void observer() {
 int main() {
   std::printf("| points | algorithm | passes | quartiles | at most | met |\n|---|---|---|---|---|---|\n");
   for (const char* kind : {"cube", "sphere", "gaussian"}) one_cloud(kind);
-  std::printf("\n| points | n | welzl / CGAL | quartiles | CGAL, ms | CGAL's radius larger by | met |\n|---|---:|---:|---|---:|---:|---|\n");
+  std::printf("\n| points | n | welzl / CGAL | quartiles | CGAL, ms | CGAL's radius larger by | met "
+              "|\n|---|---:|---:|---|---:|---:|---|\n");
   for (const char* kind : {"cube", "sphere", "gaussian"}) {
     beside_cgal(kind, *Set::make(*generate(kind, 1000, 3, 1)), 101);
     beside_cgal(kind, *Set::make(*generate(kind, kPoints, 3, 1)), 15);

@@ -25,7 +25,7 @@ template <class Scalar, int Dim>
 Rational squared_distance(const Vector<Scalar, Dim>& a, const std::vector<Rational>& b) {
   Rational sum = 0;
   for (int i = 0; i < Dim; ++i) {
-    const Rational d = Rational(static_cast<double>(a[i])) - b[static_cast<std::size_t>(i)];
+    const Rational d = Rational(static_cast<double>(a[i])) - b[i];
     sum += d * d;
   }
   return sum;

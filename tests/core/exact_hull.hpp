@@ -13,7 +13,9 @@ template <class Point>
 bool in_simplex(const Point& p, const std::vector<Point>& chosen) {
   constexpr std::size_t kDim = Point::RowsAtCompileTime;
   const std::size_t unknowns = chosen.size() - 1;
-  const auto at = [](const Point& q, std::size_t axis) { return Rational(static_cast<double>(q[static_cast<int>(axis)])); };
+  const auto at = [](const Point& q, std::size_t axis) {
+    return Rational(static_cast<double>(q[static_cast<int>(axis)]));
+  };
   // One equation an axis: the sum of weight_i (chosen_i - chosen_0) is p - chosen_0.
   std::vector<std::vector<Rational>> rows(kDim, std::vector<Rational>(unknowns + 1));
   for (std::size_t axis = 0; axis < kDim; ++axis) {

@@ -48,7 +48,9 @@ std::vector<NamedCloud<Scalar, Dim>> degenerate_clouds(std::uint64_t seed, int m
     for (int i = 0; i < Dim; ++i) p[i] = coordinate();
     return p;
   };
-  const auto small = [&](int most) { return static_cast<Scalar>(static_cast<int>(random.below(2u * unsigned(most) + 1)) - most); };
+  const auto small = [&](int most) {
+    return static_cast<Scalar>(static_cast<int>(random.below(2u * unsigned(most) + 1)) - most);
+  };
   std::vector<NamedCloud<Scalar, Dim>> clouds;
   const auto make = [&](const char* name, auto&& point) {
     Cloud<Scalar, Dim> cloud;
@@ -118,7 +120,8 @@ std::vector<NamedCloud<Scalar, Dim>> degenerate_clouds(std::uint64_t seed, int m
   make("huge", [&]() -> Point { return any() * huge; });
   make("sizes from 1e-12 to 1", [&] {
     Point p;
-    for (int i = 0; i < Dim; ++i) p[i] = coordinate() * static_cast<Scalar>(std::pow(10.0, -static_cast<int>(random.below(13))));
+    for (int i = 0; i < Dim; ++i)
+      p[i] = coordinate() * static_cast<Scalar>(std::pow(10.0, -static_cast<int>(random.below(13))));
     return p;
   });
   return clouds;

@@ -30,9 +30,7 @@ void check(const io::PointFile& file, std::size_t size) {
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const std::string_view name = kNames[size % kNames.size()];
-  if (const auto file = io::read_points(bytes, name))
-    check(*file, size);
-  else
-    require(file.error().file == name && !file.error().what.empty());
+  if (const auto file = io::read_points(bytes, name)) check(*file, size);
+  else require(file.error().file == name && !file.error().what.empty());
   return 0;
 }

@@ -1,4 +1,5 @@
 // A program without lessons of two boxes, or of a box and a frustum: see snug_program() in CMakeLists.txt.
+#include "web/boxes.hpp"
 #include "app/axis_table.hpp"
 #include "app/stage_brush.hpp"
 #include "lesson/box_figures.hpp"
@@ -6,7 +7,6 @@
 #include "lesson/frustum_figures.hpp"
 #include "lesson/frustum_tests.hpp"
 #include "lesson/grade.hpp"
-#include "web/boxes.hpp"
 
 namespace snug::lesson {
 

@@ -38,6 +38,8 @@ namespace snug::web {
 cost::Provenance web_provenance(const std::string&) { return {}; }
 emscripten::val costs_object(app::App&) { return emscripten::val::null(); }
 std::string costs_file(app::App&, const std::string&) { return {}; }
-std::string lay_over(app::App&, const std::string&, const std::string&) { return "this lesson has no chart to lay it over"; }
+std::string lay_over(app::App&, const std::string&, const std::string&) {
+  return "this lesson has no chart to lay it over";
+}
 
 }  // namespace snug::web

@@ -17,17 +17,21 @@ tl::unexpected<InputError> no_scenes() {
 
 std::span<const fit::Algorithm> scene_methods() { return {}; }
 std::span<const std::string_view> scene_figure_names() { return {}; }
-tl::expected<SceneRun, InputError> run_scene(const SceneSet&, std::string_view, const AnyPointSet&, std::uint64_t, scene::Clock,
-                                            std::span<const SwitchedOff>) {
+tl::expected<SceneRun, InputError> run_scene(const SceneSet&, std::string_view, const AnyPointSet&, std::uint64_t,
+                                             scene::Clock, std::span<const SwitchedOff>) {
   return no_scenes();
 }
-tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet&, std::string_view, const AnyPointSet&, std::uint64_t) {
+tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet&, std::string_view, const AnyPointSet&,
+                                                              std::uint64_t) {
   return no_scenes();
 }
-tl::expected<void, InputError> check_scene_opens(const SceneSet&, std::span<const std::string>, const AnyPointSet&, std::uint64_t) {
+tl::expected<void, InputError> check_scene_opens(const SceneSet&, std::span<const std::string>, const AnyPointSet&,
+                                                 std::uint64_t) {
   return no_scenes();
 }
-tl::expected<void, InputError> check_pairs(const SceneSet&, std::string_view, const AnyPointSet&, std::uint64_t) { return no_scenes(); }
+tl::expected<void, InputError> check_pairs(const SceneSet&, std::string_view, const AnyPointSet&, std::uint64_t) {
+  return no_scenes();
+}
 fit::FrameTaken frame_of(const scene::Scene&) { return {}; }
 double figure_of(const fit::FrameTaken&, std::string_view) { return 0; }
 SceneSet read_scene_of(TomlTable&, int, Complaints&) { return {}; }  // to run it is the error

@@ -1,5 +1,5 @@
-// Bodies push each other: impulses with restitution and friction where they touch. Bodies that lean on each other are an
-// island; one of which every body has been still for a while sleeps, and wakes as a whole.
+// Bodies push each other: impulses with restitution and friction where they touch. Bodies that lean on each other are
+// an island; one of which every body has been still for a while sleeps, and wakes as a whole.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -37,19 +37,24 @@ class Bounce final : public Effect {
     // What is driven against a sleeper wakes it, where it moved since that fell asleep.
     for (const Contact& contact : world.state.contacts)
       for (const Index i : {contact.pair.a, contact.pair.b}) {
-        const auto one = static_cast<std::size_t>(i), other = static_cast<std::size_t>(contact.pair.a + contact.pair.b - i);
-        if (world.members[one].driven && world.state.bodies[one].moved > world.state.bodies[other].moved) awake[islands.of(other)] = true;
+        const auto one = static_cast<std::size_t>(i),
+                   other = static_cast<std::size_t>(contact.pair.a + contact.pair.b - i);
+        if (world.members[one].driven && world.state.bodies[one].moved > world.state.bodies[other].moved)
+          awake[islands.of(other)] = true;
       }
     for (std::size_t i = 0; i < world.size(); ++i)
-      if (world.members[i].moves() && world.state.bodies[i].asleep && awake[islands.of(i)]) world.state.bodies[i].wake();
+      if (world.members[i].moves() && world.state.bodies[i].asleep && awake[islands.of(i)])
+        world.state.bodies[i].wake();
   }
 
-  /// Counts the rounds in which a body hardly moved. Those in which it moved little by little, to one side, do not count.
+  /// Counts the rounds in which a body hardly moved. Those in which it moved little by little, to one side, do not
+  /// count.
   static void watch(const World& world, std::size_t i, Motion& motion) {
     const double reach = world.members[i].shape.reach;
     motion.drifted += motion.velocity, motion.drifted_turning += motion.turning;
     const bool slow = std::max(motion.velocity.norm(), motion.turning.norm() * reach) < limits::kStill * world.pace();
-    const bool drifts = std::max(motion.drifted.norm(), motion.drifted_turning.norm() * reach) > limits::kDrifts * world.pace() * limits::kStillRounds;
+    const bool drifts = std::max(motion.drifted.norm(), motion.drifted_turning.norm() * reach) >
+                        limits::kDrifts * world.pace() * limits::kStillRounds;
     motion.still = slow && !drifts ? motion.still + 1 : 0;
     if (motion.still % limits::kStillRounds == 0) motion.drifted = motion.drifted_turning = V3::Zero();
   }
@@ -61,7 +66,7 @@ class Bounce final : public Effect {
   static void rest(World& world, Islands& islands, const std::vector<ContactRow>& rows) {
     std::vector<bool> held(world.size(), false), wakeful(world.size(), false);
     for (const ContactRow& row : rows)
-      if (row.impulse.normal > 0) held[static_cast<std::size_t>(row.pair.a)] = held[static_cast<std::size_t>(row.pair.b)] = true;
+      if (row.impulse.normal > 0) held[row.pair.a] = held[row.pair.b] = true;
     for (std::size_t i = 0; i < world.size(); ++i) {
       if (!world.awake(i)) continue;
       Motion& motion = world.state.bodies[i];
@@ -96,7 +101,8 @@ const Member* too_fast(const World& world) {
     const Member& member = world.members[i];
     const Motion& motion = world.state.bodies[i];
     const double turning = member.shape.kind == Shape::Kind::kSphere ? 0 : motion.turning.norm() * member.shape.reach;
-    const bool fast = (motion.velocity.norm() + turning) * world.step > limits::kMostCrossed * 2 * member.shape.thinnest;
+    const bool fast =
+        (motion.velocity.norm() + turning) * world.step > limits::kMostCrossed * 2 * member.shape.thinnest;
     if (member.moves() && fast) return &member;
   }
   return nullptr;
@@ -105,16 +111,20 @@ const Member* too_fast(const World& world) {
 /// As separation_of has it; of bodies that are surely apart a bound.
 double separation_at_start(const World& world, std::size_t i, std::size_t j) {
   const double between = (world.state.bodies[j].position - world.state.bodies[i].position).norm();
-  if (const double bound = between - world.members[i].shape.reach - world.members[j].shape.reach; bound > 0) return bound;
-  return separation_of(world.members[i].shape, pose_of(world.state.bodies[i]), world.members[j].shape, pose_of(world.state.bodies[j]));
+  if (const double bound = between - world.members[i].shape.reach - world.members[j].shape.reach; bound > 0)
+    return bound;
+  return separation_of(world.members[i].shape, pose_of(world.state.bodies[i]), world.members[j].shape,
+                       pose_of(world.state.bodies[j]));
 }
 
-/// The first that starts deep in what is fixed, and in what; nulls where none does. Nothing would pay for lifting it out.
+/// The first that starts deep in what is fixed, and in what; nulls where none does. Nothing would pay for lifting it
+/// out.
 std::pair<const Member*, const Member*> first_inside(const World& world) {
   for (std::size_t j = 0; j < world.size(); ++j)
     for (std::size_t i = 0; world.members[j].fixed && i < world.size(); ++i) {
       const Member &body = world.members[i], &wall = world.members[j];
-      if (body.moves() && separation_at_start(world, i, j) < -limits::kDeepestStart * body.shape.thinnest) return {&body, &wall};
+      if (body.moves() && separation_at_start(world, i, j) < -limits::kDeepestStart * body.shape.thinnest)
+        return {&body, &wall};
     }
   return {nullptr, nullptr};
 }
@@ -149,24 +159,29 @@ MadeEffect make_bounce(const EffectCall& call, World& world) {
   surface.friction = settings.number("friction", surface.friction, 0, 100);
   constexpr std::string_view kSleeps[] = {"yes", "no"};
   const bool sleeps = settings.word("sleep", kSleeps) == 0;
-  const auto name = [](const Member& member, const char* otherwise) { return member.name.empty() ? otherwise : member.name; };
-  const auto shapeless = std::find_if(world.members.begin(), world.members.end(), [](const Member& member) { return !has_manifolds(member.shape); });
+  const auto name = [](const Member& member, const char* otherwise) {
+    return member.name.empty() ? otherwise : member.name;
+  };
+  const auto shapeless = std::find_if(world.members.begin(), world.members.end(),
+                                      [](const Member& member) { return !has_manifolds(member.shape); });
   if (shapeless != world.members.end()) {
-    settings.refuse("has impulses for spheres and boxes alone; give " + name(*shapeless, "each body") + " such a shape");
+    settings.refuse("has impulses for spheres and boxes alone; give " + name(*shapeless, "each body") +
+                    " such a shape");
     return settings.make<Bounce>(surface, sleeps);
   }
   const Member* const thinnest = thinnest_of(world);
   const double rounds = rounds_for(world, thinnest);
   if (!(rounds <= limits::kMostRounds))
-    settings.refuse("would need more than " + std::to_string(limits::kMostRounds) + " rounds a frame: " + name(*thinnest, "a body") +
-                    " is too thin for so long a step");
+    settings.refuse("would need more than " + std::to_string(limits::kMostRounds) +
+                    " rounds a frame: " + name(*thinnest, "a body") + " is too thin for so long a step");
   else world.rounds = static_cast<int>(std::max(1.0, rounds));
   if (const Member* const fast = too_fast(world))
-    settings.refuse(name(*fast, "a body") + " is too fast: it would cross more than " + std::to_string(static_cast<int>(limits::kMostCrossed)) +
-                    " times its own thickness in a frame");
+    settings.refuse(name(*fast, "a body") + " is too fast: it would cross more than " +
+                    std::to_string(static_cast<int>(limits::kMostCrossed)) + " times its own thickness in a frame");
   const auto [inside, wall] = first_inside(world);
   if (inside != nullptr)
-    settings.refuse(name(*inside, "a body") + " starts inside " + name(*wall, "a fixed one") + ": move it out, or call it fixed too");
+    settings.refuse(name(*inside, "a body") + " starts inside " + name(*wall, "a fixed one") +
+                    ": move it out, or call it fixed too");
   world.solid = true;
   world.state.contacts = contacts_at_start(world);
   return settings.make<Bounce>(surface, sleeps);

@@ -16,7 +16,8 @@ class BroadPhase final : public Effect {
     std::vector<Aabb<double, 3>> boxes = world.state.volumes;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       // What rounding may have put outside of the box, and where the body may be before the next look.
-      const double room = world.margin(i) + tolerance::kPlaced<double> * (boxes[i].min.cwiseAbs().maxCoeff() + boxes[i].max.cwiseAbs().maxCoeff());
+      const double room = world.margin(i) + tolerance::kPlaced<double> * (boxes[i].min.cwiseAbs().maxCoeff() +
+                                                                          boxes[i].max.cwiseAbs().maxCoeff());
       boxes[i].min -= V3::Constant(room), boxes[i].max += V3::Constant(room);
     }
     PairsFound found = overlapping_pairs(boxes, search_);

@@ -12,7 +12,8 @@ class Cull final : public Effect {
   void run(World& world) override {
     State& state = world.state;
     std::vector<std::uint8_t> seen;
-    for (const auto& box : state.volumes) seen.push_back(static_cast<std::uint8_t>(query::classify(frustum_, box).verdict));
+    for (const auto& box : state.volumes)
+      seen.push_back(static_cast<std::uint8_t>(query::classify(frustum_, box).verdict));
     if (seen == state.visibility) return;
     state.visibility = std::move(seen);
     state.changed(Slot::kVisibility);

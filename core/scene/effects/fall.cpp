@@ -1,5 +1,5 @@
-// Gravity: velocities first, places after (move.cpp), which is semi-implicit Euler. Of a body in free fall a step so loses
-// m (g step)^2 / 2 of its energy, and never gains.
+// Gravity: velocities first, places after (move.cpp), which is semi-implicit Euler. Of a body in free fall a step so
+// loses m (g step)^2 / 2 of its energy, and never gains.
 #include <algorithm>
 
 #include "scene/effect.hpp"
@@ -14,7 +14,9 @@ class Fall final : public Effect {
       if (world.awake(i)) world.state.bodies[i].velocity += world.gravity * world.round();
     world.state.changed(Slot::kVelocities);
   }
-  [[nodiscard]] bool idle(const World& world) const override { return world.gravity == V3::Zero() || !world.any_awake(); }
+  [[nodiscard]] bool idle(const World& world) const override {
+    return world.gravity == V3::Zero() || !world.any_awake();
+  }
 };
 
 }  // namespace
@@ -23,7 +25,8 @@ MadeEffect make_fall(const EffectCall& call, World& world) {
   Settings settings(call, world);
   world.gravity = settings.vector("gravity", V3(0, -9.81, 0));
   const auto is = [&](auto has) { return std::any_of(world.members.begin(), world.members.end(), has); };
-  if (!is([](const Member& member) { return member.moves(); }) && is([](const Member& member) { return member.driven; }))
+  if (!is([](const Member& member) { return member.moves(); }) &&
+      is([](const Member& member) { return member.driven; }))
     settings.refuse("nothing falls: other effects drive every body that is not fixed");
   return settings.make<Fall>();
 }

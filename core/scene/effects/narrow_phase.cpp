@@ -16,9 +16,11 @@ class NarrowPhase final : public Effect {
       const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
       if (!near(world, a, b)) continue;
       state.near.push_back(pair);
-      const bool touching = touch(world.members[a].shape, pose_of(state.bodies[a]), world.members[b].shape, pose_of(state.bodies[b]));
+      const bool touching =
+          touch(world.members[a].shape, pose_of(state.bodies[a]), world.members[b].shape, pose_of(state.bodies[b]));
       state.funnel.touching += touching ? 1 : 0;
-      if (touching || (world.solid && (world.members[a].moves() || world.members[b].moves()))) state.contacts.push_back({pair, touching});
+      if (touching || (world.solid && (world.members[a].moves() || world.members[b].moves())))
+        state.contacts.push_back({pair, touching});
     }
     state.funnel.after_loose = static_cast<std::int64_t>(state.near.size());
     state.changed(Slot::kContacts);
@@ -26,7 +28,8 @@ class NarrowPhase final : public Effect {
 
  private:
   static bool near(const World& world, std::size_t a, std::size_t b) {
-    const double reach = world.members[a].shape.reach + world.members[b].shape.reach + world.margin(a) + world.margin(b);
+    const double reach =
+        world.members[a].shape.reach + world.members[b].shape.reach + world.margin(a) + world.margin(b);
     const V3 between = world.state.bodies[b].position - world.state.bodies[a].position;
     return between.squaredNorm() <= reach * reach * (1 + tolerance::kSquaredDistance<double>);
   }
@@ -34,8 +37,6 @@ class NarrowPhase final : public Effect {
 
 }  // namespace
 
-MadeEffect make_narrow_phase(const EffectCall& call, World& world) {
-  return Settings(call, world).make<NarrowPhase>();
-}
+MadeEffect make_narrow_phase(const EffectCall& call, World& world) { return Settings(call, world).make<NarrowPhase>(); }
 
 }  // namespace snug::scene

@@ -10,9 +10,9 @@ namespace {
 
 struct Course {
   std::size_t body;
-  V3 arm;       // from the centre at the start
+  V3 arm;  // from the centre at the start
   V3 axis;
-  double turns; // a second
+  double turns;  // a second
 };
 
 class Orbit final : public Effect {
@@ -25,7 +25,8 @@ class Orbit final : public Effect {
     const double seconds = world.step * world.state.frame;
     for (const Course& course : courses_) {
       const Matrix<double, 3> rotation = turn(course.axis, 2 * std::numbers::pi * course.turns * seconds);
-      world.place(course.body, center_ + turned<double, 3>(rotation, course.arm), world.state.bodies[course.body].orientation);
+      world.place(course.body, center_ + turned<double, 3>(rotation, course.arm),
+                  world.state.bodies[course.body].orientation);
     }
     world.state.changed(Slot::kPoses);
   }

@@ -13,7 +13,8 @@ class Path final : public Effect {
     world.members[body].driven = true;
     if (round_) places_.push_back(places_.front());
     ends_.push_back(0);
-    for (std::size_t i = 1; i < places_.size(); ++i) ends_.push_back(ends_.back() + (places_[i] - places_[i - 1]).norm());
+    for (std::size_t i = 1; i < places_.size(); ++i)
+      ends_.push_back(ends_.back() + (places_[i] - places_[i - 1]).norm());
   }
 
   void run(World& world) override {
@@ -21,14 +22,16 @@ class Path final : public Effect {
     world.state.changed(Slot::kPoses);
   }
   [[nodiscard]] bool idle(const World& world) const override {
-    return ends_.back() == 0 || speed_ == 0 || (!round_ && speed_ * world.step * (world.state.frame - 1) >= ends_.back());
+    return ends_.back() == 0 || speed_ == 0 ||
+           (!round_ && speed_ * world.step * (world.state.frame - 1) >= ends_.back());
   }
 
  private:
   [[nodiscard]] V3 at(double way) const {
     if (round_ && ends_.back() > 0) way = std::fmod(way, ends_.back());
     for (std::size_t i = 1; i < places_.size(); ++i)
-      if (way < ends_[i]) return places_[i - 1] + (places_[i] - places_[i - 1]) * ((way - ends_[i - 1]) / (ends_[i] - ends_[i - 1]));
+      if (way < ends_[i])
+        return places_[i - 1] + (places_[i] - places_[i - 1]) * ((way - ends_[i - 1]) / (ends_[i] - ends_[i - 1]));
     return places_.back();
   }
 

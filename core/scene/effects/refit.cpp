@@ -1,10 +1,10 @@
-// Volumes follow the bodies: each body's box in the world, by one of the updates of fit/. Of bodies that were declared as
-// points any update serves, and what it costs and how loose it is are figures of the scene.
+// Volumes follow the bodies: each body's box in the world, by one of the updates of fit/. Of bodies that were declared
+// as points any update serves, and what it costs and how loose it is are figures of the scene.
 #include <algorithm>
 
-#include "fit/updates.hpp"
 #include "fit/update_rotated_box.hpp"
 #include "fit/update_sphere.hpp"
+#include "fit/updates.hpp"
 #include "hierarchy/bounds.hpp"
 #include "scene/effect.hpp"
 
@@ -22,7 +22,8 @@ Aabb<double, 3> plain_box(const Shape& shape, const Pose<double, 3>& pose, bool 
 
 class Refit final : public Effect {
  public:
-  Refit(const World& world, const fit::UpdateStrategy& strategy) : loose_(strategy.name == "loose"), updates_(world.size()) {
+  Refit(const World& world, const fit::UpdateStrategy& strategy)
+      : loose_(strategy.name == "loose"), updates_(world.size()) {
     for (std::size_t i = 0; i < world.size(); ++i)
       if (const auto& cloud = world.members[i].shape.cloud) {
         updates_[i] = fit::start_updates(strategy, *cloud);

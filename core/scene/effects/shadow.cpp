@@ -1,5 +1,5 @@
-// Shadows on the ground: what of each body the light does not let through, as a convex polygon. Corners are exact; around a
-// radius stand so many points of the outline.
+// Shadows on the ground: what of each body the light does not let through, as a convex polygon. Corners are exact;
+// around a radius stand so many points of the outline.
 #include <numbers>
 
 #include "fit/quickhull.hpp"
@@ -18,13 +18,14 @@ std::vector<V3> hull_on_ground(const std::vector<V3>& points) {
   const auto set = PointSet<double, 2>::make(std::move(from_above));
   std::vector<V3> hull;
   if (!set) return hull;
-  for (const Index i : fit::quickhull<double, 2>(set->span()).volume.indices) hull.push_back(points[static_cast<std::size_t>(i)]);
+  for (const Index i : fit::quickhull<double, 2>(set->span()).volume.indices) hull.push_back(points[i]);
   return hull;
 }
 
 class Shadow final : public Effect {
  public:
-  Shadow(std::vector<std::size_t> bodies, const V3& light, double ground) : bodies_(std::move(bodies)), light_(light), ground_(ground) {
+  Shadow(std::vector<std::size_t> bodies, const V3& light, double ground)
+      : bodies_(std::move(bodies)), light_(light), ground_(ground) {
     across_ = light_.cross(V3::Unit(std::abs(light_[0]) < std::abs(light_[1]) ? 0 : 1));
     across_ /= across_.norm();
   }
@@ -47,7 +48,8 @@ class Shadow final : public Effect {
     for (const V3& corner : shape.corners) {
       const V3 at = motion.position + turned<double, 3>(motion.rotation, corner);
       for (int k = 0; k < (shape.radius > 0 ? kOutline : 1); ++k)
-        points.push_back(on_ground(at + shape.radius * turned<double, 3>(turn(light_, 2 * std::numbers::pi * k / kOutline), across_)));
+        points.push_back(on_ground(
+            at + shape.radius * turned<double, 3>(turn(light_, 2 * std::numbers::pi * k / kOutline), across_)));
     }
     return hull_on_ground(points);
   }

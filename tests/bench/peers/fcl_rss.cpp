@@ -12,7 +12,7 @@ FclRss::FclRss(const std::vector<Lozenge<double, 3>>& lozenges) : all_(std::make
   for (const auto& lozenge : lozenges) {
     fcl::RSSd& rss = all_->rss.emplace_back();
     for (int i = 0; i < 2; ++i) {
-      const auto& edge = lozenge.edges[static_cast<std::size_t>(i)];
+      const auto& edge = lozenge.edges[i];
       rss.l[i] = edge.norm();
       rss.axis.col(i) = edge / rss.l[i];
     }

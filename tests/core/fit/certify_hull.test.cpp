@@ -58,7 +58,7 @@ TEST_CASE("a hull of fewer points leaves some outside, and the proof says how ma
   CHECK(proof.max_outside < 1);
   CHECK_FALSE(proof.holds());
   Index outside = 0;  // by the planes, one by one
-  const auto at = [&](Index i) { return given.hull.vertices[static_cast<std::size_t>(i)]; };
+  const auto at = [&](Index i) { return given.hull.vertices[i]; };
   for (const auto& p : cloud)
     outside += std::any_of(given.hull.facets.begin(), given.hull.facets.end(),
                            [&](const auto& f) { return orient3d(at(f[0]), at(f[1]), at(f[2]), p) > 0; });
@@ -118,8 +118,8 @@ TEST_CASE("surfaces that are open, turned inside out, dented or there twice are 
 TEST_CASE("a surface that bends outward everywhere but winds twice is refused") {
   // A five-pointed star of a rim with one apex above and one below: every edge bends outward, and it goes around twice.
   // Corners in a ring by twos: the rim 0 2 4 1 3 of a regular pentagon in whole numbers.
-  const test::Cloud<double, 3> cloud{{95, 31, 0}, {0, 100, 0}, {-95, 31, 0}, {-59, -81, 0}, {59, -81, 0},
-                                     {0, 0, 50}, {0, 0, -50}};
+  const test::Cloud<double, 3> cloud{{95, 31, 0},  {0, 100, 0}, {-95, 31, 0}, {-59, -81, 0},
+                                     {59, -81, 0}, {0, 0, 50},  {0, 0, -50}};
   Given<3> star(cloud);
   REQUIRE(star.proof().holds());
   star.hull.facets.clear();
@@ -154,7 +154,7 @@ TEST_CASE("vertices that are not extreme, or not the points they say, are refuse
   CHECK_FALSE(more.proof().extreme);  // no facet has it
   std::vector<std::array<Index, 3>> facets;
   for (const auto& f : given.hull.facets) {
-    const auto at = [&](std::size_t i) { return given.hull.vertices[static_cast<std::size_t>(f[i])]; };
+    const auto at = [&](std::size_t i) { return given.hull.vertices[f[i]]; };
     if (at(0)[0] != 0 || at(1)[0] != 0 || at(2)[0] != 0) {
       facets.push_back(f);
       continue;
@@ -215,14 +215,16 @@ TEST_CASE("flat hulls: points off the plane or line, rings that are not convex")
   std::swap(crossed.hull.indices[0], crossed.hull.indices[1]);
   CHECK_FALSE(crossed.proof().convex);
   Given<3> with_edge = given;  // (4, 2, 1) lies inside an edge
-  const auto at = std::find(with_edge.hull.indices.begin(), with_edge.hull.indices.end(), 1) - with_edge.hull.indices.begin();
-  with_edge.hull.indices[static_cast<std::size_t>(at)] = 5;
-  with_edge.hull.vertices[static_cast<std::size_t>(at)] = square[5];
+  const auto at =
+      std::find(with_edge.hull.indices.begin(), with_edge.hull.indices.end(), 1) - with_edge.hull.indices.begin();
+  with_edge.hull.indices[at] = 5;
+  with_edge.hull.vertices[at] = square[5];
   CHECK(with_edge.proof().outside == 1);
 
   Given<3> segment({{0, 0, 0}, {1, 2, 3}, {2, 4, 6}});
   CHECK(segment.proof().holds());
-  CHECK(fit::prove_hull(segment.hull, test::set_of<double, 3>({{0, 0, 0}, {1, 2, 3}, {2, 4, 6}, {1, 2, 4}}).span()).outside == 1);
+  CHECK(fit::prove_hull(segment.hull, test::set_of<double, 3>({{0, 0, 0}, {1, 2, 3}, {2, 4, 6}, {1, 2, 4}}).span())
+            .outside == 1);
   Given<2> place({{1, 1}, {1, 1}});
   CHECK(place.proof().holds());
   CHECK(fit::prove_hull(place.hull, test::set_of<double, 2>({{1, 1}, {1, 2}}).span()).outside == 1);

@@ -58,7 +58,8 @@ bool within(const Rational& square, const Rational& radius) { return radius >= 0
 
 template <int Dim>
 bool holds_one(const Sphere<double, Dim>& outer, const Sphere<double, Dim>& inner) {
-  return within(exact::squared_distance<double, Dim>(outer.center, inner.center), Rational(outer.radius) - Rational(inner.radius));
+  return within(exact::squared_distance<double, Dim>(outer.center, inner.center),
+                Rational(outer.radius) - Rational(inner.radius));
 }
 
 template <int Dim>
@@ -107,7 +108,7 @@ bool holds_one(const Obb<double, Dim>& outer, const Obb<double, Dim>& inner) {
     const auto shares = solve<Dim>(rows, of_edges);
     for (int i = 0; i < Dim; ++i) {
       const Rational half = outer.half_extents[i], reach = dot(of_slabs, exactly<Dim>(outer.axes.col(i)));
-      if (abs(reach) > half || abs(shares[static_cast<std::size_t>(i)]) > half) return false;
+      if (abs(reach) > half || abs(shares[i]) > half) return false;
     }
   }
   return true;
@@ -126,8 +127,11 @@ bool holds_one(const Lozenge<double, Dim>& outer, const Lozenge<double, Dim>& in
   const Rational left = Rational(outer.radius) - Rational(inner.radius);
   for (const int s : {0, 1})
     for (const int t : {0, 1}) {
-      const auto corner = plus(plus(exactly<Dim>(inner.origin), exactly<Dim>(inner.edges[0]), s), exactly<Dim>(inner.edges[1]), t);
-      if (!within(squared_distance(corner, exactly<Dim>(outer.origin), exactly<Dim>(outer.edges[0]), exactly<Dim>(outer.edges[1])), left))
+      const auto corner =
+          plus(plus(exactly<Dim>(inner.origin), exactly<Dim>(inner.edges[0]), s), exactly<Dim>(inner.edges[1]), t);
+      if (!within(squared_distance(corner, exactly<Dim>(outer.origin), exactly<Dim>(outer.edges[0]),
+                                   exactly<Dim>(outer.edges[1])),
+                  left))
         return false;
     }
   return true;
@@ -147,7 +151,8 @@ bool holds_one(const Kdop<double, Dim>& outer, const Kdop<double, Dim>& inner) {
 
 template <int Dim>
 bool holds_one(const ConvexHull<double, Dim>& outer, const ConvexHull<double, Dim>& inner) {
-  return std::all_of(inner.vertices.begin(), inner.vertices.end(), [&](const auto& v) { return in_hull(v, outer.vertices); });
+  return std::all_of(inner.vertices.begin(), inner.vertices.end(),
+                     [&](const auto& v) { return in_hull(v, outer.vertices); });
 }
 
 template <class Scalar, int Dim>
@@ -160,7 +165,8 @@ Volume<double, Dim> wider(const Aabb<Scalar, Dim>& v) {
 }
 template <class Scalar, int Dim>
 Volume<double, Dim> wider(const Obb<Scalar, Dim>& v) {
-  return Obb<double, Dim>{v.center.template cast<double>(), v.axes.template cast<double>(), v.half_extents.template cast<double>()};
+  return Obb<double, Dim>{v.center.template cast<double>(), v.axes.template cast<double>(),
+                          v.half_extents.template cast<double>()};
 }
 template <class Scalar, int Dim>
 Volume<double, Dim> wider(const Capsule<Scalar, Dim>& v) {

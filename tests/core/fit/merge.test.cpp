@@ -1,5 +1,5 @@
-// What merging promises: the result holds both, exactly; is as small as is known to be possible; is the same whichever comes
-// first; and is one of the two where that holds the other.
+// What merging promises: the result holds both, exactly; is as small as is known to be possible; is the same whichever
+// comes first; and is one of the two where that holds the other.
 #include "fit/merge.hpp"
 
 #include <doctest/doctest.h>
@@ -117,9 +117,12 @@ void check_nested(std::size_t kind) {
     CAPTURE(kind);
     // Solid volumes of a maker reach 0.2 around their middle in every direction.
     const Volume<Scalar, Dim> outer = proper(maker.make(kind, Make::kSolid));
-    const Vector<double, Dim> middle = kind < kKdopKind ? middle_of(outer) : Vector<double, Dim>(Vector<double, Dim>::Zero());
-    Volume<Scalar, Dim> inner = test::scaled<Scalar, Dim>(maker.make(kind, i % 2 == 0 ? Make::kSolid : Make::kPoint), Scalar(0x1p-6));
-    if (const auto* kdop = std::get_if<Kdop<Scalar, Dim>>(&outer)) inner = maker.kdop_of(kdop->k, {maker.any(0.01), maker.any(0.01)});
+    const Vector<double, Dim> middle =
+        kind < kKdopKind ? middle_of(outer) : Vector<double, Dim>(Vector<double, Dim>::Zero());
+    Volume<Scalar, Dim> inner =
+        test::scaled<Scalar, Dim>(maker.make(kind, i % 2 == 0 ? Make::kSolid : Make::kPoint), Scalar(0x1p-6));
+    if (const auto* kdop = std::get_if<Kdop<Scalar, Dim>>(&outer))
+      inner = maker.kdop_of(kdop->k, {maker.any(0.01), maker.any(0.01)});
     inner = proper(test::moved<Scalar, Dim>(inner, middle));
     CHECK(same(merged(outer, inner), outer));
     CHECK(same(merged(inner, outer), outer));
@@ -191,13 +194,15 @@ TEST_CASE("k-DOPs of different k keep the slabs that both have") {
   for (const int k : {6, 14, 18, 26})
     for (const int other : {6, 14, 18, 26}) {
       const int common = k == other ? k : k == 26 ? other : other == 26 ? k : 6;
-      CHECK(fit::order_of(fit::merge(maker.kdop_of(k, cloud), maker.kdop_of(other, cloud)), maker.kdop_of(common, cloud)) == 0);
+      CHECK(fit::order_of(fit::merge(maker.kdop_of(k, cloud), maker.kdop_of(other, cloud)),
+                          maker.kdop_of(common, cloud)) == 0);
     }
   test::VolumeMaker<double, 2> flat(9);
   const std::vector<Vector<double, 2>> few{flat.any(), flat.any(), flat.any()};
   for (const int k : {4, 6, 8})
     for (const int other : {4, 6, 8})
-      CHECK(fit::order_of(fit::merge(flat.kdop_of(k, few), flat.kdop_of(other, few)), flat.kdop_of(std::min(k, other), few)) == 0);
+      CHECK(fit::order_of(fit::merge(flat.kdop_of(k, few), flat.kdop_of(other, few)),
+                          flat.kdop_of(std::min(k, other), few)) == 0);
 }
 
 TEST_CASE("boxes, capsules and lozenges end to end merge into what they make up") {
@@ -224,8 +229,10 @@ TEST_CASE("boxes, capsules and lozenges end to end merge into what they make up"
   const Capsule<double, 3> ball{box.center, box.center, 1}, other{box.center + 4 * y, box.center + 4 * y, 1};
   CHECK(measure(fit::merge(ball, other)) == size(Capsule<double, 3>{box.center, other.a, 1}));
 
-  const Lozenge<double, 3> lozenge{box.center, {Point(2 * x), y}, 0.25}, beside{box.center + y, {Point(2 * x), Point(3 * y)}, 0.25};
-  CHECK(measure(fit::merge(lozenge, beside)) == size(Lozenge<double, 3>{box.center, {Point(2 * x), Point(4 * y)}, 0.25}));
+  const Lozenge<double, 3> lozenge{box.center, {Point(2 * x), y}, 0.25},
+      beside{box.center + y, {Point(2 * x), Point(3 * y)}, 0.25};
+  CHECK(measure(fit::merge(lozenge, beside)) ==
+        size(Lozenge<double, 3>{box.center, {Point(2 * x), Point(4 * y)}, 0.25}));
 }
 
 TEST_CASE("an empty hull adds nothing") {

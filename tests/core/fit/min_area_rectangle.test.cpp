@@ -21,9 +21,7 @@ ConvexHull<Scalar, 2> hull_of(const test::Cloud<Scalar, 2>& cloud) {
 /// The least area of a rectangle on an edge of the hull, by every edge against every vertex.
 template <class Scalar>
 Rational least_area(const ConvexHull<Scalar, 2>& hull) {
-  const auto at = [&](Index i, int axis) {
-    return Rational(static_cast<double>(hull.vertices[static_cast<std::size_t>(i)][axis]));
-  };
+  const auto at = [&](Index i, int axis) { return Rational(static_cast<double>(hull.vertices[i][axis])); };
   std::optional<Rational> least;
   for (const auto& [a, b] : hull.facets) {
     const Rational x = at(b, 0) - at(a, 0), y = at(b, 1) - at(a, 1);

@@ -24,7 +24,8 @@ Vector<double, 3> direction(Random& random) {
 }
 
 /// The corners of a box, and points inside it.
-test::Cloud<double, 3> in_box(const Matrix<double, 3>& turned, const Vector<double, 3>& half, int inside, Random& random) {
+test::Cloud<double, 3> in_box(const Matrix<double, 3>& turned, const Vector<double, 3>& half, int inside,
+                              Random& random) {
   test::Cloud<double, 3> cloud;
   for (int corner = 0; corner < 8; ++corner)
     cloud.push_back(turned * Vector<double, 3>((corner & 1 ? 1 : -1) * half[0], (corner & 2 ? 1 : -1) * half[1],
@@ -62,8 +63,8 @@ TEST_CASE("a turned box of 1 x 2 x 3 has volume 6, wherever it stands and whatev
 TEST_CASE("on a regular tetrahedron the best box with a face on a face is twice the smallest, which is a cube") {
   Random random(2);
   for (int turned = 0; turned < 20; ++turned) {
-    const Matrix<double, 3> pose = turned == 0 ? Matrix<double, 3>(Matrix<double, 3>::Identity())
-                                               : turn(direction(random), random.between(-3, 3));
+    const Matrix<double, 3> pose =
+        turned == 0 ? Matrix<double, 3>(Matrix<double, 3>::Identity()) : turn(direction(random), random.between(-3, 3));
     test::Cloud<double, 3> cloud;
     for (const Vector<double, 3>& p : test::Cloud<double, 3>{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}})
       cloud.push_back(pose * p);
@@ -71,7 +72,8 @@ TEST_CASE("on a regular tetrahedron the best box with a face on a face is twice 
     CHECK(volume_of("face_aligned", cloud) == doctest::Approx(16).epsilon(1e-14));
     const fit::Watched run = fit::find_algorithm("obb", "exact")->watch(set, {}, {});
     const auto& smallest = *std::get_if<Obb<double, 3>>(&run.result.volume);
-    // On each curve of boxes the search ends as soon as none is smaller by more than kBoxProof of the size in each length.
+    // On each curve of boxes the search ends as soon as none is smaller by more than kBoxProof of the size in each
+    // length.
     CHECK(measure(smallest) == doctest::Approx(8).epsilon(1e-13));
     CHECK(smallest.half_extents.minCoeff() == doctest::Approx(1).epsilon(1e-13));
     CHECK(run.certificate.optimal == true);
@@ -93,8 +95,8 @@ TEST_CASE("rectangles that shrink a box by less and less come to an end") {
 }
 
 TEST_CASE("PCA of a solid cube's points can be more than four times too large, and that of its surface is not") {
-  // All covariances of a cube are the same in all directions, so that a few points inside choose the axes: here those whose
-  // every coordinate is 1/3 or 2/3, along each of which the cube's length is 5/3.
+  // All covariances of a cube are the same in all directions, so that a few points inside choose the axes: here those
+  // whose every coordinate is 1/3 or 2/3, along each of which the cube's length is 5/3.
   Matrix<double, 3> worst;
   worst << 2, -1, 2, 2, 2, -1, -1, 2, 2;
   worst /= 3;

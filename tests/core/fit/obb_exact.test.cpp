@@ -57,7 +57,8 @@ void check_smallest(const std::string& name, const Cloud& cloud, int starts, Ran
   const double rival = smallest_by_search(cloud, starts, random);
   CHECK(measure(found.volume) <= rival * (1 + 1e-12));
   CHECK(certificate.lower_bound <= rival * (1 + 1e-13));
-  if (fit::quickhull(set.span()).volume.affine_dim == 3) CHECK(fit::on_edges<3>(fit::contacts(found.volume, set.span())));
+  if (fit::quickhull(set.span()).volume.affine_dim == 3)
+    CHECK(fit::on_edges<3>(fit::contacts(found.volume, set.span())));
 }
 
 /// A prism over a regular polygon, twisted if wanted.
@@ -164,8 +165,8 @@ TEST_CASE("in the plane the smallest box is that of rational arithmetic") {
     if (hull.affine_dim < 2) continue;
     std::optional<Rational> best;
     for (const auto& facet : hull.facets) {
-      const auto& a = hull.vertices[static_cast<std::size_t>(facet[0])];
-      const auto& b = hull.vertices[static_cast<std::size_t>(facet[1])];
+      const auto& a = hull.vertices[facet[0]];
+      const auto& b = hull.vertices[facet[1]];
       const Rational ex = Rational(b[0]) - Rational(a[0]), ey = Rational(b[1]) - Rational(a[1]);
       std::vector<Rational> along, across;
       for (const auto& p : cloud) {
@@ -187,8 +188,8 @@ TEST_CASE("in the plane the smallest box is that of rational arithmetic") {
 }
 
 TEST_CASE("the best box on a face is that of rational arithmetic") {
-  // With a normal n, an edge e, v = n x e and u = v x n, whose length is |v| |n|, the volume is the product of the spreads of
-  // n . p, u . p and v . p, over |n|^2 |v|^2: rational too.
+  // With a normal n, an edge e, v = n x e and u = v x n, whose length is |v| |n|, the volume is the product of the
+  // spreads of n . p, u . p and v . p, over |n|^2 |v|^2: rational too.
   using exact::Rational;
   using Three = std::array<Rational, 3>;
   const auto dot = [](const Three& a, const Three& b) -> Rational { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
@@ -215,9 +216,7 @@ TEST_CASE("the best box on a face is that of rational arithmetic") {
     const auto set = test::set_of<double, 3>(cloud);
     const auto hull = fit::quickhull(set.span()).volume;
     for (const auto& facet : hull.facets) {
-      const auto index = [&](std::size_t k) {
-        return static_cast<std::size_t>(hull.indices[static_cast<std::size_t>(facet[k])]);
-      };
+      const auto index = [&](std::size_t k) { return static_cast<std::size_t>(hull.indices[facet[k]]); };
       const Three n = cross(minus(index(1), index(0)), minus(index(2), index(0)));
       for (std::size_t a = 0; a < at.size(); ++a)
         for (std::size_t b = a + 1; b < at.size(); ++b) {
@@ -227,7 +226,8 @@ TEST_CASE("the best box on a face is that of rational arithmetic") {
           if (!best || volume < *best) best = volume;
         }
     }
-    CHECK(measure(fit::obb_face_aligned(set.span()).volume) == doctest::Approx(best->convert_to<double>()).epsilon(1e-13));
+    CHECK(measure(fit::obb_face_aligned(set.span()).volume) ==
+          doctest::Approx(best->convert_to<double>()).epsilon(1e-13));
   }
 }
 
@@ -288,7 +288,8 @@ TEST_CASE("boxes count what is spent within: on balls, on each face's rectangle,
   Counter axis, ball;
   const auto on_axis = fit::obb_sphere_axis(set.span(), axis);
   static_cast<void>(fit::welzl(set.span(), fit::Options{}, ball));
-  CHECK(at(axis.counts, Operation::kBallSolves) > at(ball.counts, Operation::kBallSolves));  // the ball's, and a circle's
+  CHECK(at(axis.counts, Operation::kBallSolves) >
+        at(ball.counts, Operation::kBallSolves));  // the ball's, and a circle's
   CHECK(at(axis.counts, Operation::kDistanceTests) > at(ball.counts, Operation::kDistanceTests) + n);
   CHECK(at(axis.counts, Operation::kPointsTouched) > at(ball.counts, Operation::kPointsTouched) + 3 * n);
   CHECK(fit::obb_sphere_axis(set.span()).volume.half_extents == on_axis.volume.half_extents);
@@ -327,9 +328,8 @@ TEST_CASE("the normals of thin triangles keep their digits") {
       std::array<std::array<Rational, 3>, 2> edge;
       for (std::size_t k = 0; k < 2; ++k)
         for (int axis = 0; axis < 3; ++axis)
-          edge[k][static_cast<std::size_t>(axis)] =
-              Rational(hull.vertices[static_cast<std::size_t>(hull.facets[f][k + 1])][axis]) -
-              Rational(hull.vertices[static_cast<std::size_t>(hull.facets[f][0])][axis]);
+          edge[k][axis] =
+              Rational(hull.vertices[hull.facets[f][k + 1]][axis]) - Rational(hull.vertices[hull.facets[f][0]][axis]);
       Vector<double, 3> normal;
       Rational largest = 0;
       std::array<Rational, 3> exact_normal;

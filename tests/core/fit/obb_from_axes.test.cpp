@@ -20,10 +20,8 @@ Vector<double, 3> direction(Random& random) {
 
 template <int Dim>
 Matrix<double, Dim> any_axes(Random& random) {
-  if constexpr (Dim == 2)
-    return fit::frame(Vector<double, 2>(random.between(-1, 1), random.between(-1, 1)));
-  else
-    return fit::frame(direction(random), direction(random));
+  if constexpr (Dim == 2) return fit::frame(Vector<double, 2>(random.between(-1, 1), random.between(-1, 1)));
+  else return fit::frame(direction(random), direction(random));
 }
 
 template <class Scalar, int Dim>
@@ -40,8 +38,8 @@ Judged<Scalar, Dim> judge(const Obb<Scalar, Dim>& box, PointSpan<Scalar, Dim> po
     const Scalar half = box.half_extents[axis];
     bool needed = half == 0;
     for (const auto& p : points)
-      needed = needed || query::side_of_slab<Scalar, Dim>(p, box.center, box.axes.col(axis),
-                                                          std::nextafter(half, Scalar(0))) > 0;
+      needed = needed ||
+               query::side_of_slab<Scalar, Dim>(p, box.center, box.axes.col(axis), std::nextafter(half, Scalar(0))) > 0;
     judged.tight = judged.tight && needed;
   }
   return judged;
@@ -63,9 +61,10 @@ void check(const std::string& name, const test::Cloud<Scalar, Dim>& cloud, std::
     double size = 0;
     for (const auto& p : cloud) size = std::max(size, static_cast<double>(scaled_norm<Scalar, Dim>(p)));
     for (int axis = 0; axis < Dim; ++axis)
-      for (const Index i : {found.least[static_cast<std::size_t>(axis)], found.greatest[static_cast<std::size_t>(axis)]}) {
-        const Vector<double, Dim> from = cloud[static_cast<std::size_t>(i)].template cast<double>() - found.box.center.template cast<double>();
-        const double gap = std::abs(from.dot(found.box.axes.col(axis).template cast<double>())) - static_cast<double>(found.box.half_extents[axis]);
+      for (const Index i : {found.least[axis], found.greatest[axis]}) {
+        const Vector<double, Dim> from = cloud[i].template cast<double>() - found.box.center.template cast<double>();
+        const double gap = std::abs(from.dot(found.box.axes.col(axis).template cast<double>())) -
+                           static_cast<double>(found.box.half_extents[axis]);
         CHECK(std::abs(gap) <= 16 * tolerance::roundoff<Scalar>(size));
       }
   }
@@ -119,7 +118,8 @@ TEST_CASE("where very many points lie on a face, a half extent is at most one st
 TEST_CASE("a half extent is 0 just where the points are flat exactly") {
   test::Cloud<double, 3> cloud{{0, 0, 0.1}, {1, 0, 0.1}, {0, 1, 0.1}, {3, 2, 0.1}};
   const auto half = [&] {
-    return fit::obb_from_axes<double, 3>(Matrix<double, 3>::Identity(), test::set_of<double, 3>(cloud).span()).box.half_extents[2];
+    return fit::obb_from_axes<double, 3>(Matrix<double, 3>::Identity(), test::set_of<double, 3>(cloud).span())
+        .box.half_extents[2];
   };
   CHECK(half() == 0);
   cloud[1][2] = std::nextafter(0.1, 1.0);
@@ -141,7 +141,8 @@ TEST_CASE("axes from any two directions are unit, perpendicular and right-handed
     }
     if (turn % 37 == 0) first.setZero();
     const Matrix<double, 3> axes = fit::frame(first, second);
-    CHECK((axes.transpose() * axes - Matrix<double, 3>::Identity()).cwiseAbs().maxCoeff() <= 8 * tolerance::kRoundoff<double>);
+    CHECK((axes.transpose() * axes - Matrix<double, 3>::Identity()).cwiseAbs().maxCoeff() <=
+          8 * tolerance::kRoundoff<double>);
     CHECK(axes.determinant() > 0.999);
     if (first.isZero(0)) continue;
     const Vector<double, 3> unit = fit::unit<3>(first);

@@ -1,5 +1,6 @@
-// What every fitter of the catalogue promises on a cloud: it holds all points exactly, its support lies on its boundary, the
-// smallest is proven so where it is claimed, the trace ends with a last step of the result, and being watched changes nothing.
+// What every fitter of the catalogue promises on a cloud: it holds all points exactly, its support lies on its
+// boundary, the smallest is proven so where it is claimed, the trace ends with a last step of the result, and being
+// watched changes nothing.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -25,13 +26,18 @@ inline std::uint64_t hash_of(const fit::Volume3& volume) {
 /// No volume is held by more points than fix it, where that is known.
 inline std::size_t most_support(std::string_view volume, int dim) {
   const auto d = static_cast<std::size_t>(dim);
-  return volume == "sphere" ? d + 1 : volume == "aabb" ? 2 * d : volume == "capsule" ? d + 2 : std::numeric_limits<std::size_t>::max();
+  return volume == "sphere"    ? d + 1
+         : volume == "aabb"    ? 2 * d
+         : volume == "capsule" ? d + 2
+                               : std::numeric_limits<std::size_t>::max();
 }
 
 /// The edges are perpendicular, but for the rounding of the numbers that they were computed in.
 inline void check_lozenge(const Lozenge<double, 3>& lozenge, bool is_float) {
   const double roundoff = is_float ? static_cast<double>(tolerance::kRoundoff<float>) : tolerance::kRoundoff<double>;
-  const double sound = (is_float ? static_cast<double>(std::numeric_limits<float>::min()) : std::numeric_limits<double>::min()) / roundoff;
+  const double sound =
+      (is_float ? static_cast<double>(std::numeric_limits<float>::min()) : std::numeric_limits<double>::min()) /
+      roundoff;
   const double first = scaled_norm<double, 3>(lozenge.edges[0]), second = scaled_norm<double, 3>(lozenge.edges[1]);
   if (first > sound && second > sound)
     CHECK(std::abs((lozenge.edges[0] / first).dot(lozenge.edges[1] / second)) <= 16 * roundoff);
@@ -74,13 +80,15 @@ inline void check_promises(const fit::Algorithm& algorithm, const AnyPointSet& s
     if (algorithm.volume == "aabb") CHECK(entry.step.has_volume);
   }
   if (const auto* lozenge = std::get_if<Lozenge<double, 3>>(&run.result.volume))
-    check_lozenge(*lozenge, std::holds_alternative<PointSet<float, 2>>(set) || std::holds_alternative<PointSet<float, 3>>(set));
+    check_lozenge(*lozenge,
+                  std::holds_alternative<PointSet<float, 2>>(set) || std::holds_alternative<PointSet<float, 3>>(set));
   if (algorithm.volume == "kdop") check_slabs(run, fit::dim_of(set));
 }
 
 /// algorithms: those that take so many points in that dimension are held to it.
 template <class Scalar, int Dim>
-void check_promises(std::span<const fit::Algorithm> algorithms, const std::string& name, const Cloud<Scalar, Dim>& points) {
+void check_promises(std::span<const fit::Algorithm> algorithms, const std::string& name,
+                    const Cloud<Scalar, Dim>& points) {
   const AnyPointSet set = set_of<Scalar, Dim>(points);
   INFO(name << ", " << points.size() << " points, dim " << Dim << ", " << sizeof(Scalar) << " bytes");
   for (const fit::Algorithm& algorithm : algorithms)

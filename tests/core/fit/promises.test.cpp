@@ -63,7 +63,8 @@ TEST_CASE("every fitter keeps its promises on far, tiny and huge clouds") {
       for (const char* kind : {"cube", "sphere", "gaussian", "lattice", "line"}) {
         check_promises<double, 2>(fit::algorithms(), kind, test::generated<double, 2>(kind, 30, 3, scale, offset));
         check_promises<double, 3>(others, kind, test::generated<double, 3>(kind, 30, 4, scale, offset));
-        check_promises<double, 3>(fit::algorithms_of("sphere"), kind, test::generated<double, 3>(kind, 300, 4, scale, offset));
+        check_promises<double, 3>(fit::algorithms_of("sphere"), kind,
+                                  test::generated<double, 3>(kind, 300, 4, scale, offset));
       }
     }
 }
@@ -97,15 +98,16 @@ TEST_CASE("one point is a volume of no size, for every algorithm") {
 
 TEST_CASE("every kind of step happens, and reads as JSON with its own name") {
   // What only tests of boxes and scenes tell of happens in tests/app/captions.test.cpp.
-  std::set<std::string_view> seen{"frames_related", "axis_tested", "looked_closer", "verdict", "outlines_compared", "corner_tried", "claimed",
-                                  "plane_tested", "corner_tested", "classified", "frame_taken"};
+  std::set<std::string_view> seen{"frames_related",    "axis_tested",  "looked_closer", "verdict",
+                                  "outlines_compared", "corner_tried", "claimed",       "plane_tested",
+                                  "corner_tested",     "classified",   "frame_taken"};
   for (const fit::Algorithm& algorithm : fit::algorithms())
     for (const char* kind : {"gaussian", "lattice", "clusters", "ball", "stick"})
       for (const int n : {12, 300}) {
         if (n > algorithm.max_points) continue;
         const std::array<AnyPointSet, 3> sets{test::set_of<double, 2>(test::generated<double, 2>(kind, n, 9)),
-                                      test::set_of<double, 3>(test::generated<double, 3>(kind, n, 9)),
-                                      test::set_of<double, 3>({{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}})};
+                                              test::set_of<double, 3>(test::generated<double, 3>(kind, n, 9)),
+                                              test::set_of<double, 3>({{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}})};
         for (const AnyPointSet& set : sets) {
           if (!fit::takes(algorithm, fit::dim_of(set))) continue;
           for (const auto& entry : algorithm.record(set, {}).steps) {

@@ -114,8 +114,7 @@ TEST_CASE("of points in one place the first is the vertex") {
       std::swap(cloud[i], cloud[random.below(static_cast<std::uint32_t>(i + 1))]);
     const auto fit = hull_of<double, 3>(cloud);
     CHECK(fit.support.size() == 20);
-    for (const Index i : fit.support)
-      CHECK(std::find(cloud.begin(), cloud.end(), cloud[static_cast<std::size_t>(i)]) - cloud.begin() == i);
+    for (const Index i : fit.support) CHECK(std::find(cloud.begin(), cloud.end(), cloud[i]) - cloud.begin() == i);
   }
 }
 
@@ -173,8 +172,10 @@ TEST_CASE_TEMPLATE("degenerate clouds keep just the points that are in no hull o
 TEST_CASE_TEMPLATE("larger degenerate clouds are proven", Scalar, float, double) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed)
     for (const int n : {20, 60, 400}) {
-      for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, n)) check_proof<Scalar, 2>(name, points);
-      for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, n)) check_proof<Scalar, 3>(name, points);
+      for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, n))
+        check_proof<Scalar, 2>(name, points);
+      for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, n))
+        check_proof<Scalar, 3>(name, points);
     }
 }
 
@@ -189,7 +190,8 @@ TEST_CASE("clouds of any size and any place are proven") {
       check_proof<double, 2>(name, test::generated<double, 2>(name.c_str(), 300, 4, 1, offset));
       check_proof<double, 3>(name, test::generated<double, 3>(name.c_str(), 300, 4, 1, offset));
     }
-    for (const double scale : {1e-15, 1e15}) check_proof<float, 3>(name, test::generated<float, 3>(name.c_str(), 300, 5, scale));
+    for (const double scale : {1e-15, 1e15})
+      check_proof<float, 3>(name, test::generated<float, 3>(name.c_str(), 300, 5, scale));
     check_proof<float, 3>(name, test::generated<float, 3>(name.c_str(), 300, 6, 1, 1e4));
     check_proof<float, 3>(name, test::generated<float, 3>(name.c_str(), 300, 6, 1, 1e6));
   }
@@ -234,7 +236,8 @@ TEST_CASE("of 1,000 points on a sphere that stands a million away none is lost")
   const auto far = test::generated<double, 3>("sphere", 1000, 1, 1, 1e6);
   CHECK(hull_of<double, 3>(far).support.size() == 1000);
   check_proof<double, 3>("far sphere", far);
-  // So far out that coordinates are a few whole numbers apart, many points are inside or on faces: those are no vertices.
+  // So far out that coordinates are a few whole numbers apart, many points are inside or on faces: those are no
+  // vertices.
   for (const double offset : {1e10, 1e13, 1e14, 1e15, 1e16}) {
     const auto rounded = test::generated<double, 3>("sphere", 1000, 1, 10, offset);
     check_proof<double, 3>("sphere of whole numbers", rounded);

@@ -18,7 +18,8 @@ std::uint64_t hash_of_all() {
       for (const auto& cloud : test::degenerate_clouds<Scalar, Dim>(seed, n)) {
         const AnyPointSet set = test::set_of<Scalar, Dim>(cloud.points);
         for (const fit::Algorithm& algorithm : fit::algorithms())
-          if (fit::takes(algorithm, Dim) && fit::size_of(set) <= algorithm.max_points && (algorithm.volume == "sphere" || n * static_cast<int>(seed) <= 20))
+          if (fit::takes(algorithm, Dim) && fit::size_of(set) <= algorithm.max_points &&
+              (algorithm.volume == "sphere" || n * static_cast<int>(seed) <= 20))
             all = all * 0x100000001b3u ^ fit::hash_of(algorithm.record(set, {}).steps);
       }
   return all;

@@ -25,7 +25,8 @@ void check_smallest(const std::string& name, const test::Cloud<Scalar, Dim>& poi
     const Rational radius(ball_of(fit).radius);
     CHECK(radius * radius >= exact);
     double size = ball_of(fit).radius;
-    for (const auto& p : points) size = std::max(size, static_cast<double>(p.cwiseAbs().maxCoeff()) + ball_of(fit).radius);
+    for (const auto& p : points)
+      size = std::max(size, static_cast<double>(p.cwiseAbs().maxCoeff()) + ball_of(fit).radius);
     const Rational slack(tolerance::kOptimalityRoundoffs * static_cast<double>(tolerance::kRoundoff<Scalar>) * size);
     const Rational lower = radius - slack;
     CHECK((lower <= 0 || lower * lower <= exact));
@@ -36,8 +37,10 @@ void check_smallest(const std::string& name, const test::Cloud<Scalar, Dim>& poi
 
 TEST_CASE_TEMPLATE("the smallest ball is as small as the exact one on degenerate clouds", Scalar, float, double) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, 7)) check_smallest<Scalar, 2>(name, points);
-    for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, 6)) check_smallest<Scalar, 3>(name, points);
+    for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, 7))
+      check_smallest<Scalar, 2>(name, points);
+    for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, 6))
+      check_smallest<Scalar, 3>(name, points);
   }
 }
 

@@ -25,7 +25,8 @@ TEST_CASE_TEMPLATE("subnormal points have a smallest ball too", Scalar, float, d
   }
 }
 
-TEST_CASE_TEMPLATE("a covariance holds as many points as there are, as far out as they may lie", Scalar, float, double) {
+TEST_CASE_TEMPLATE("a covariance holds as many points as there are, as far out as they may lie", Scalar, float,
+                   double) {
   constexpr Scalar kFar = PointSet<Scalar, 2>::kLargest;
   test::Cloud<Scalar, 2> points;
   for (int i = 0; i < 1000; ++i) points.push_back({i % 2 == 0 ? kFar : -kFar, i % 2 == 0 ? kFar : -kFar});
@@ -52,10 +53,12 @@ TEST_CASE("the order of its points changes the smallest ball by no more than rou
 
 TEST_CASE("Welzl holds no more points on the boundary than Dim + 1, however many there are") {
   for (const int n : {10, 100, 1000, 20000}) {
-    const auto run = fit::find_algorithm("sphere", "welzl")->record(test::set_of<double, 3>(test::generated<double, 3>("ball", n, 2)), {});
+    const auto run = fit::find_algorithm("sphere", "welzl")
+                         ->record(test::set_of<double, 3>(test::generated<double, 3>("ball", n, 2)), {});
     int deepest = 0;
     for (const auto& entry : run.steps)
-      if (const auto* forced = std::get_if<fit::BoundaryForced>(&entry.step.fact)) deepest = std::max(deepest, forced->depth);
+      if (const auto* forced = std::get_if<fit::BoundaryForced>(&entry.step.fact))
+        deepest = std::max(deepest, forced->depth);
     CHECK(deepest >= 2);
     CHECK(deepest <= 4);
   }

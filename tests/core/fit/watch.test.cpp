@@ -15,9 +15,10 @@ TEST_CASE("a run has the same result, steps and counts whether it is recorded, w
     const fit::Options options{.seed = 5};
     const fit::Recording recording = algorithm.record(points, options);
     std::vector<Recorder<fit::Step3>::Entry> seen;
-    const fit::Watched watched = algorithm.watch(points, options, [&](fit::Step3&& step, const OperationCounts& counts) {
-      seen.push_back({std::move(step), counts});
-    });
+    const fit::Watched watched =
+        algorithm.watch(points, options, [&](fit::Step3&& step, const OperationCounts& counts) {
+          seen.push_back({std::move(step), counts});
+        });
     const fit::Watched counted = algorithm.watch(points, options, {});
     const fit::Result ignored = algorithm.fit(points, options);
 

@@ -80,7 +80,8 @@ TEST_CASE("a chain of double-double operations keeps about thirty digits") {
   for (int round = 0; round < 500; ++round) {
     const double a = random.between(1, 2), b = random.between(1, 2), c = random.between(1, 2);
     const DoubleDouble result = (DoubleDouble(a) * b + DoubleDouble(c)) / (DoubleDouble(a) + b) - DoubleDouble(c) / a;
-    const Rational expected = (Rational(a) * Rational(b) + Rational(c)) / (Rational(a) + Rational(b)) - Rational(c) / Rational(a);
+    const Rational expected =
+        (Rational(a) * Rational(b) + Rational(c)) / (Rational(a) + Rational(b)) - Rational(c) / Rational(a);
     const Rational error = abs(Rational(result.high) + Rational(result.low) - expected);
     CHECK(error < Rational(1) / (Rational(1ull << 50) * Rational(1ull << 48)));
   }

@@ -13,7 +13,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNan = std::numeric_limits<double>::quiet_NaN();
 
 template <class Scalar, int Dim>
-void check_signed(const Frustum<Scalar, Dim>& frustum, const Vector<Scalar, Dim>& p, std::initializer_list<double> expected) {
+void check_signed(const Frustum<Scalar, Dim>& frustum, const Vector<Scalar, Dim>& p,
+                  std::initializer_list<double> expected) {
   int plane = 0;
   for (const double value : expected) CHECK(signed_distance(frustum[plane++], p) == doctest::Approx(value));
 }
@@ -24,7 +25,7 @@ FrustumCamera<double, 3> camera() { return {.position = {1, 2, 3}, .half_tangent
 template <int Dim>
 std::string refused(int plane, const Plane<double, Dim>& changed) {
   auto planes = Frustum<double, Dim>().planes();
-  planes[static_cast<std::size_t>(plane)] = changed;
+  planes[plane] = changed;
   const auto made = Frustum<double, Dim>::make(planes);
   return made ? "" : made.error().what;
 }
@@ -50,13 +51,13 @@ void check_corners() {
         for (int i = 0; i < Dim; ++i) {
           const auto& plane = scene.frustum[2 * i + static_cast<int>(c >> i & 1)];
           Dyadic value = Dyadic(static_cast<double>(plane.d)) * exact[c].weight;
-          for (int k = 0; k < Dim; ++k) value += Dyadic(static_cast<double>(plane.normal[k])) * exact[c].coordinates[static_cast<std::size_t>(k)];
+          for (int k = 0; k < Dim; ++k) value += Dyadic(static_cast<double>(plane.normal[k])) * exact[c].coordinates[k];
           CHECK(value.sign() == 0);
         }
         // And the rounded one is near it.
         for (int k = 0; k < Dim; ++k) {
           const double rounded = static_cast<double>((*corners)[c][k]);
-          const Dyadic off = Dyadic(rounded) * exact[c].weight - exact[c].coordinates[static_cast<std::size_t>(k)];
+          const Dyadic off = Dyadic(rounded) * exact[c].weight - exact[c].coordinates[k];
           const double bound = 8 * static_cast<double>(std::numeric_limits<Scalar>::epsilon()) / 2 * std::abs(rounded);
           CHECK(std::abs(off.approximate()) <= bound * exact[c].weight.approximate());
         }
@@ -109,7 +110,8 @@ TEST_CASE("a camera that cannot see is refused") {
     changed = camera(), changed.half_tangents[1] = tangent;
     CHECK(said(changed) == "the camera's half tangents are not all finite and above 0");
   }
-  for (const auto& [near, far] : {std::pair{0.0, 1.0}, {2.0, 2.0}, {3.0, 2.0}, {kNan, 2.0}, {1.0, kInfinity}, {-1.0, 1.0}}) {
+  for (const auto& [near, far] :
+       {std::pair{0.0, 1.0}, {2.0, 2.0}, {3.0, 2.0}, {kNan, 2.0}, {1.0, kInfinity}, {-1.0, 1.0}}) {
     changed = camera(), changed.near = near, changed.far = far;
     CHECK(said(changed) == "the camera's near and far are not finite with 0 < near < far");
   }
@@ -153,14 +155,16 @@ TEST_CASE("any point is in a matrix's planes just where its clip coordinates are
     const auto frustum = frustum_of_matrix<double>(m);
     if (!frustum) continue;
     for (int i = 0; i < 20; ++i) {
-      const double p[4]{static_cast<double>(random.below(9)) - 4, static_cast<double>(random.below(9)) - 4, static_cast<double>(random.below(9)) - 4, 4};
+      const double p[4]{static_cast<double>(random.below(9)) - 4, static_cast<double>(random.below(9)) - 4,
+                        static_cast<double>(random.below(9)) - 4, 4};
       double clip[4]{};
       for (std::size_t row = 0; row < 4; ++row)
         for (std::size_t column = 0; column < 4; ++column) clip[row] += m[4 * column + row] * p[column];
       bool in_cube = true, in_planes = true;
       for (int k = 0; k < 3; ++k) in_cube = in_cube && -clip[3] <= clip[k] && clip[k] <= clip[3];
       for (const auto& plane : frustum->planes())
-        in_planes = in_planes && plane.normal[0] * p[0] + plane.normal[1] * p[1] + plane.normal[2] * p[2] + 4 * plane.d <= 0;
+        in_planes =
+            in_planes && plane.normal[0] * p[0] + plane.normal[1] * p[1] + plane.normal[2] * p[2] + 4 * plane.d <= 0;
       CHECK(in_cube == in_planes);
       inside += in_cube;
     }
@@ -197,16 +201,16 @@ TEST_CASE("corners solve their planes' equations, and are rounded by no more tha
 TEST_CASE("planes that bound no frustum have no corners") {
   const auto said = [](int plane, const Plane<double, 3>& changed) {
     auto planes = Frustum<double, 3>().planes();
-    planes[static_cast<std::size_t>(plane)] = changed;
+    planes[plane] = changed;
     const auto corners = corners_of(*Frustum<double, 3>::make(planes));
     return corners ? "" : corners.error().what;
   };
   CHECK(said(1, {{1, 0, 0}, -1}).empty());
-  CHECK(said(1, {{0, 1, 0}, -1}) == "right, bottom and near do not meet in a corner");                              // parallel
-  CHECK(said(1, {{1, 0, 0}, 2}) == "the corner of left, bottom and near lies outside of right");                    // empty
-  CHECK(said(1, {{-1, 0, 0}, -1}) == "left and right face the same way, and nothing bounds the other");             // unbounded
+  CHECK(said(1, {{0, 1, 0}, -1}) == "right, bottom and near do not meet in a corner");                   // parallel
+  CHECK(said(1, {{1, 0, 0}, 2}) == "the corner of left, bottom and near lies outside of right");         // empty
+  CHECK(said(1, {{-1, 0, 0}, -1}) == "left and right face the same way, and nothing bounds the other");  // unbounded
   CHECK(said(1, {{-1, 0, 0}, -2}) == "the corner of right, bottom and near lies outside of left");
-  CHECK(said(1, {{1, 1, 0}, 0.5}) == "the corner of left, top and near lies outside of right");                     // fewer corners
+  CHECK(said(1, {{1, 1, 0}, 0.5}) == "the corner of left, top and near lies outside of right");  // fewer corners
   CHECK(said(1, {{1, 1, 0}, -0.5}).empty());
   CHECK(said(5, {{0x1p-400, 0, 1}, -0x1p500}).empty());
   CHECK(said(1, {{0x1p-500, 0x1p-500, 0x1p-500}, -4}).empty());
@@ -227,10 +231,12 @@ TEST_CASE("normalizing moves a plane by no more than it says") {
     const auto scene = test::any_scene<float, 3>(round % test::kFrustumKinds, random);
     const auto unit = scene.frustum.normalized();
     for (int plane = 0; plane < 6; ++plane) {
-      const Vector<double, 3> exact = scene.frustum[plane].normal.cast<double>(), own = unit[plane].normal.cast<double>();
+      const Vector<double, 3> exact = scene.frustum[plane].normal.cast<double>(),
+                              own = unit[plane].normal.cast<double>();
       const double length = exact.norm(), u = std::numeric_limits<float>::epsilon() / 2;
       CHECK((own - exact / length).norm() <= 4 * u);
-      CHECK(std::abs(static_cast<double>(unit[plane].d) - static_cast<double>(scene.frustum[plane].d) / length) <= 4 * u * std::abs(static_cast<double>(unit[plane].d)));
+      CHECK(std::abs(static_cast<double>(unit[plane].d) - static_cast<double>(scene.frustum[plane].d) / length) <=
+            4 * u * std::abs(static_cast<double>(unit[plane].d)));
     }
   }
 }

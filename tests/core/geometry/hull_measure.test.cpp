@@ -72,10 +72,10 @@ TEST_CASE("neighbours go both ways, and know the facet on their left") {
     CHECK(std::is_sorted(neighbors.of(v).begin(), neighbors.of(v).end()));
     for (const Index w : neighbors.of(v)) {
       CHECK(neighbors.edge(w, v) != kNoIndex);
-      const auto& facet = hull.facets[static_cast<std::size_t>(neighbors.facets[static_cast<std::size_t>(neighbors.edge(v, w))])];
+      const auto& facet = hull.facets[neighbors.facets[neighbors.edge(v, w)]];
       const auto at = std::find(facet.begin(), facet.end(), v) - facet.begin();
       REQUIRE(at < 3);
-      CHECK(facet[static_cast<std::size_t>((at + 1) % 3)] == w);
+      CHECK(facet[(at + 1) % 3] == w);
     }
     CHECK(neighbors.edge(v, v) == kNoIndex);
   }
@@ -103,7 +103,7 @@ TEST_CASE("climbing over the neighbours ends at the farthest vertex") {
     for (int turn = 0; turn < 200; ++turn) {
       Point direction;
       for (int i = 0; i < Point::RowsAtCompileTime; ++i) direction[i] = random.between(-1, 1);
-      const auto reach = [&](Index v) { return direction.dot(hull.vertices[static_cast<std::size_t>(v)]); };
+      const auto reach = [&](Index v) { return direction.dot(hull.vertices[v]); };
       Index at = 0;
       for (bool climbs = true; climbs;) {
         climbs = false;

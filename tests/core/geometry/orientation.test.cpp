@@ -20,7 +20,7 @@ namespace {
 template <int Dim>
 std::array<Rational, Dim> minus(const Vector<double, Dim>& a, const Vector<double, Dim>& b) {
   std::array<Rational, Dim> d;
-  for (int i = 0; i < Dim; ++i) d[static_cast<std::size_t>(i)] = Rational(a[i]) - Rational(b[i]);
+  for (int i = 0; i < Dim; ++i) d[i] = Rational(a[i]) - Rational(b[i]);
   return d;
 }
 
@@ -48,7 +48,7 @@ int true_dot_sign(const Vector<double, Dim>& a, const Vector<double, Dim>& b, co
 /// How often each sign came.
 struct Seen {
   std::array<int, 3> of{};
-  void operator()(int sign) { ++of[static_cast<std::size_t>(sign + 1)]; }
+  void operator()(int sign) { ++of[sign + 1]; }
 };
 
 double any_finite(Random& random) {

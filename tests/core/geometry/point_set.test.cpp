@@ -20,10 +20,12 @@ TEST_CASE("a coordinate that is not finite is refused by point and axis") {
   const float infinity = std::numeric_limits<float>::infinity();
   CHECK(Set::make({{0, 0}, {1, nan}}).error().message() == "coordinate y of point 1 is not finite");
   CHECK(Set::make({{-infinity, 0}}).error().message() == "coordinate x of point 0 is not finite");
-  CHECK(Set::make({{0, 1e30f}}).error().message() == "coordinate y of point 0 is larger than this program can take (1.1e18)");
+  CHECK(Set::make({{0, 1e30f}}).error().message() ==
+        "coordinate y of point 0 is larger than this program can take (1.1e18)");
   CHECK(Set::make({{1.1e18f, 1.1e18f}}).has_value());
   using Double = PointSet<double, 3>;
-  CHECK(Double::make({{0, 0, 1e300}}).error().message() == "coordinate z of point 0 is larger than this program can take (8.3e152)");
+  CHECK(Double::make({{0, 0, 1e300}}).error().message() ==
+        "coordinate z of point 0 is larger than this program can take (8.3e152)");
   CHECK(Double::make({{8.3e152, 0, 0}}).has_value());
 }
 

@@ -36,7 +36,9 @@ TEST_CASE_TEMPLATE("the side of a sphere is what rational arithmetic says, howev
 
 TEST_CASE("the side of a sphere is what rational arithmetic says, in the last of 106 bits") {
   const auto expected = [](const Vector<double, 3>& point, const Sphere<double, 3>& sphere) {
-    return (exact::squared_distance<double, 3>(point, sphere.center) - Rational(sphere.radius) * Rational(sphere.radius)).sign();
+    return (exact::squared_distance<double, 3>(point, sphere.center) -
+            Rational(sphere.radius) * Rational(sphere.radius))
+        .sign();
   };
   Random random(11);
   std::array<int, 3> seen{};
@@ -64,7 +66,7 @@ TEST_CASE("the side of a sphere is what rational arithmetic says, in the last of
     if (round % 4 == 3) sphere.radius = std::nextafter(sphere.radius, round % 8 == 3 ? 0.0 : 1e300);
     const int side = expected(point, sphere);
     REQUIRE(side_of_sphere(point, sphere) == side);
-    ++seen[static_cast<std::size_t>(side + 1)];
+    ++seen[side + 1];
   }
   for (const int count : seen) CHECK(count > 800);
 }
@@ -86,7 +88,8 @@ TEST_CASE_TEMPLATE("a computed squared distance stays within its bound", Scalar,
   CHECK(worst > Rational(static_cast<double>(tolerance::kRoundoff<Scalar>)));  // the bound is not idle
 }
 
-TEST_CASE_TEMPLATE("an enclosing radius holds every point exactly and is at most a few ulps too large", Scalar, float, double) {
+TEST_CASE_TEMPLATE("an enclosing radius holds every point exactly and is at most a few ulps too large", Scalar, float,
+                   double) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     for (const auto& cloud : test::degenerate_clouds<Scalar, 3>(seed, 40)) {
       CAPTURE(cloud.name);

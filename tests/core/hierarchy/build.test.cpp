@@ -62,7 +62,8 @@ TEST_CASE("trees over the other volumes hold them exactly") {
       const auto how = i % 5 == 4 ? test::Make::kFlat : i % 7 == 6 ? test::Make::kPoint : test::Make::kSolid;
       auto volume = test::moved<double, 3>(maker.make(kind, how), 10 * maker.direction());
       volumes.push_back(*std::get_if<Kind>(&volume));
-      if constexpr (std::is_same_v<Kind, Kdop<double, 3>>) volumes.back() = maker.kdop_of(14, {maker.any(9), maker.any(9)});
+      if constexpr (std::is_same_v<Kind, Kdop<double, 3>>)
+        volumes.back() = maker.kdop_of(14, {maker.any(9), maker.any(9)});
     }
     check_all(name, volumes, false);
   };
@@ -83,8 +84,7 @@ TEST_CASE("a tree of hulls holds every vertex exactly") {
   }
   const auto tree = hierarchy::build_surface_area<ConvexHull<double, 3>>(hulls, {1});
   test::check_shape(tree, hulls.size(), 1);
-  for (const auto& hull : hulls)
-    CHECK(exact::holds(Volume<double, 3>(tree.nodes[0].volume), Volume<double, 3>(hull)));
+  for (const auto& hull : hulls) CHECK(exact::holds(Volume<double, 3>(tree.nodes[0].volume), Volume<double, 3>(hull)));
 }
 
 TEST_CASE_TEMPLATE("a refitted tree holds its bodies exactly after they moved", Scalar, float, double) {
@@ -122,9 +122,11 @@ TEST_CASE_TEMPLATE("trees stay shallow", Scalar, float, double) {
       INFO(scene.name << ", dim " << Dim);
       CHECK(hierarchy::build_median<Aabb<Scalar, Dim>>(scene.boxes, {1}).depth() <= 11);
       // Half of a thousand sizes in a row fall to one side: deeper, but never without end.
-      CHECK(hierarchy::build_surface_area<Aabb<Scalar, Dim>>(scene.boxes, {1}).depth() <= (scene.name == "each twice as far as the last" ? 51 : 40));
+      CHECK(hierarchy::build_surface_area<Aabb<Scalar, Dim>>(scene.boxes, {1}).depth() <=
+            (scene.name == "each twice as far as the last" ? 51 : 40));
     }
-    for (const char* name : {"all equal", "all one point", "points on an axis", "boxes on a line, in order", "boxes on a line, backwards", "spread"})
+    for (const char* name : {"all equal", "all one point", "points on an axis", "boxes on a line, in order",
+                             "boxes on a line, backwards", "spread"})
       for (const auto& scene : test::hard_scenes<Scalar, Dim>(1000))
         if (scene.name == name) {
           CAPTURE(name);
@@ -138,7 +140,8 @@ TEST_CASE_TEMPLATE("trees stay shallow", Scalar, float, double) {
 
 TEST_CASE("bodies one inside of another are not put ever deeper: the next is beside what is no deeper than a limit") {
   std::vector<Aabb<double, 3>> nested;
-  for (int i = 0; i < 2000; ++i) nested.push_back({Vector<double, 3>::Constant(i - 2000.), Vector<double, 3>::Constant(2000. - i)});
+  for (int i = 0; i < 2000; ++i)
+    nested.push_back({Vector<double, 3>::Constant(i - 2000.), Vector<double, 3>::Constant(2000. - i)});
   const auto tree = hierarchy::build_by_insertion<Aabb<double, 3>>(nested);
   test::check_volumes(tree, nested, true);
   // The last one, innermost, hangs where it was put, and not below all others.
@@ -147,7 +150,7 @@ TEST_CASE("bodies one inside of another are not put ever deeper: the next is bes
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const auto& node = tree.nodes[i];
     if (node.is_leaf()) {
-      if (tree.bodies[static_cast<std::size_t>(node.first)] == 1999) of_last = depth[i];
+      if (tree.bodies[node.first] == 1999) of_last = depth[i];
       continue;
     }
     const auto left = static_cast<std::size_t>(node.first);
@@ -197,7 +200,8 @@ TEST_CASE("trees from the leaves up and by insertion come near those from the ro
   auto boxes = test::spread<float, 3>(1500, 6, 50);
   for (const bool in_order : {false, true}) {
     CAPTURE(in_order);
-    if (in_order) std::sort(boxes.begin(), boxes.end(), [](const auto& a, const auto& b) { return a.min[0] < b.min[0]; });
+    if (in_order)
+      std::sort(boxes.begin(), boxes.end(), [](const auto& a, const auto& b) { return a.min[0] < b.min[0]; });
     const double median = expected_cost(hierarchy::build_median<Aabb<float, 3>>(boxes, {1}));
     CHECK(expected_cost(hierarchy::build_bottom_up<Aabb<float, 3>>(boxes)) < 1.15 * median);
     CHECK(expected_cost(hierarchy::build_by_insertion<Aabb<float, 3>>(boxes)) < 1.15 * median);
@@ -239,7 +243,8 @@ TEST_CASE("the nearest pairs are merged first: of any two groups left, the merge
 TEST_CASE("each step of building names a line of its pseudocode, and being watched changes nothing") {
   const auto boxes = test::spread<double, 3>(200, 11, 10);
   using Box = Aabb<double, 3>;
-  const auto check = [&](const auto& watched, const auto& unwatched, const Recorder<hierarchy::Step>& recorder, std::size_t lines) {
+  const auto check = [&](const auto& watched, const auto& unwatched, const Recorder<hierarchy::Step>& recorder,
+                         std::size_t lines) {
     CHECK(same(watched, unwatched));
     REQUIRE(!recorder.entries.empty());
     for (const auto& entry : recorder.entries) CHECK(static_cast<std::size_t>(entry.step.line) < lines);
@@ -248,10 +253,14 @@ TEST_CASE("each step of building names a line of its pseudocode, and being watch
     CHECK(done->nodes == static_cast<std::int64_t>(watched.nodes.size()));
   };
   Recorder<hierarchy::Step> median, area, merging, insertion;
-  check(hierarchy::build_median<Box>(boxes, {}, median), hierarchy::build_median<Box>(boxes), median, hierarchy::kMedianPseudocode.size());
-  check(hierarchy::build_surface_area<Box>(boxes, {}, area), hierarchy::build_surface_area<Box>(boxes), area, hierarchy::kSurfaceAreaPseudocode.size());
-  check(hierarchy::build_bottom_up<Box>(boxes, merging), hierarchy::build_bottom_up<Box>(boxes), merging, hierarchy::kBottomUpPseudocode.size());
-  check(hierarchy::build_by_insertion<Box>(boxes, insertion), hierarchy::build_by_insertion<Box>(boxes), insertion, hierarchy::kInsertionPseudocode.size());
+  check(hierarchy::build_median<Box>(boxes, {}, median), hierarchy::build_median<Box>(boxes), median,
+        hierarchy::kMedianPseudocode.size());
+  check(hierarchy::build_surface_area<Box>(boxes, {}, area), hierarchy::build_surface_area<Box>(boxes), area,
+        hierarchy::kSurfaceAreaPseudocode.size());
+  check(hierarchy::build_bottom_up<Box>(boxes, merging), hierarchy::build_bottom_up<Box>(boxes), merging,
+        hierarchy::kBottomUpPseudocode.size());
+  check(hierarchy::build_by_insertion<Box>(boxes, insertion), hierarchy::build_by_insertion<Box>(boxes), insertion,
+        hierarchy::kInsertionPseudocode.size());
 
   // A split's facts are the tree's: how many on either side, and where the border is.
   const auto tree = hierarchy::build_surface_area<Box>(boxes);
@@ -259,11 +268,11 @@ TEST_CASE("each step of building names a line of its pseudocode, and being watch
   for (const auto& entry : area.entries)
     if (const auto* split = std::get_if<hierarchy::SplitChosen>(&entry.step.fact)) {
       ++splits;
-      const Index left = tree.nodes[static_cast<std::size_t>(split->node)].first;
+      const Index left = tree.nodes[split->node].first;
       CHECK(tree.bodies_below(left).size() == static_cast<std::size_t>(split->left));
       CHECK(tree.bodies_below(left + 1).size() == static_cast<std::size_t>(split->right));
       REQUIRE(split->axis >= 0);
-      const auto center = [&](Index body) { return (boxes[static_cast<std::size_t>(body)].min + boxes[static_cast<std::size_t>(body)].max)[split->axis] / 2; };
+      const auto center = [&](Index body) { return (boxes[body].min + boxes[body].max)[split->axis] / 2; };
       for (const Index body : tree.bodies_below(left)) CHECK(center(body) <= split->position + 1e-5);
       for (const Index body : tree.bodies_below(left + 1)) CHECK(center(body) >= split->position - 1e-5);
     }
@@ -272,7 +281,8 @@ TEST_CASE("each step of building names a line of its pseudocode, and being watch
 
 TEST_CASE("a hundred thousand bodies") {
   const auto boxes = test::spread<float, 3>(100'000, 12, 100);
-  for (const auto& tree : {hierarchy::build_median<Aabb<float, 3>>(boxes), hierarchy::build_surface_area<Aabb<float, 3>>(boxes)}) {
+  for (const auto& tree :
+       {hierarchy::build_median<Aabb<float, 3>>(boxes), hierarchy::build_surface_area<Aabb<float, 3>>(boxes)}) {
     test::check_shape(tree, boxes.size(), 4);
     test::check_volumes(tree, boxes, false);
     CHECK(tree.depth() <= 25);

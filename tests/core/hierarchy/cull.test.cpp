@@ -40,10 +40,12 @@ std::vector<Culling> one_by_one(const std::vector<Box>& boxes, const Frustum<dou
   return verdicts;
 }
 
-std::vector<Culling> by_tree(const hierarchy::Tree<Box>& tree, const std::vector<Box>& boxes, const Frustum<double, 3>& frustum,
-                             hierarchy::LastRejected* last, hierarchy::Culled& culled, const hierarchy::CullSavings& savings = {}) {
+std::vector<Culling> by_tree(const hierarchy::Tree<Box>& tree, const std::vector<Box>& boxes,
+                             const Frustum<double, 3>& frustum, hierarchy::LastRejected* last,
+                             hierarchy::Culled& culled, const hierarchy::CullSavings& savings = {}) {
   std::vector<Culling> verdicts(boxes.size(), Culling::kOutside);
-  culled = hierarchy::cull(tree, boxes, frustum, last, [&](Index body, Culling verdict) { verdicts[static_cast<std::size_t>(body)] = verdict; }, savings);
+  culled = hierarchy::cull(
+      tree, boxes, frustum, last, [&](Index body, Culling verdict) { verdicts[body] = verdict; }, savings);
   return verdicts;
 }
 
@@ -51,7 +53,8 @@ std::vector<Culling> by_tree(const hierarchy::Tree<Box>& tree, const std::vector
 
 TEST_CASE("a tree's culling says of every body what testing it alone says") {
   const std::vector<Box> boxes = bodies(3000, 1);
-  for (const auto& tree : {hierarchy::build_median<Box>(boxes), hierarchy::build_surface_area<Box>(boxes), hierarchy::build_by_insertion<Box>(boxes)}) {
+  for (const auto& tree : {hierarchy::build_median<Box>(boxes), hierarchy::build_surface_area<Box>(boxes),
+                           hierarchy::build_by_insertion<Box>(boxes)}) {
     hierarchy::LastRejected last;
     for (const double sideways : {0.0, 0.5, -3.0, 40.0}) {
       hierarchy::Culled culled;
@@ -65,7 +68,8 @@ TEST_CASE("a tree's culling says of every body what testing it alone says") {
   }
 }
 
-TEST_CASE("culling 20,000 bodies by a tree makes far fewer tests than there are bodies, and each saving spares planes") {
+TEST_CASE(
+    "culling 20,000 bodies by a tree makes far fewer tests than there are bodies, and each saving spares planes") {
   const std::vector<Box> boxes = bodies(20'000, 2);
   const auto tree = hierarchy::build_surface_area<Box>(boxes);
   const auto planes = [&](const hierarchy::CullSavings& savings, hierarchy::LastRejected* last) {

@@ -78,8 +78,10 @@ std::vector<Scene<Scalar, Dim>> hard_scenes(int n) {
   });
   const bool is_double = sizeof(Scalar) == 8;
   make("far", [&](int) { return at(any_in<Dim>(random, 0, 10) + Point::Constant(is_double ? 1e12 : 1e5), 1); });
-  make("huge", [&](int) { return at(any_in<Dim>(random, -1, 1) * (is_double ? 1e152 : 1e17), is_double ? 1e150 : 1e15); });
-  make("tiny", [&](int) { return at(any_in<Dim>(random, -1, 1) * (is_double ? 1e-310 : 1e-42), is_double ? 1e-312 : 1e-44); });
+  make("huge",
+       [&](int) { return at(any_in<Dim>(random, -1, 1) * (is_double ? 1e152 : 1e17), is_double ? 1e150 : 1e15); });
+  make("tiny",
+       [&](int) { return at(any_in<Dim>(random, -1, 1) * (is_double ? 1e-310 : 1e-42), is_double ? 1e-312 : 1e-44); });
   make("one far away, the rest together", [&](int i) {
     return at(any_in<Dim>(random, 0, 1) * 1e-3 + Point::Constant(i == 7 ? (is_double ? 1e12 : 1e5) : 0), 1e-5);
   });
@@ -91,7 +93,8 @@ std::vector<Scene<Scalar, Dim>> hard_scenes(int n) {
   return scenes;
 }
 
-/// Every body once; children after their parents, side by side; leaves by rising index; bodies below a node side by side.
+/// Every body once; children after their parents, side by side; leaves by rising index; bodies below a node side by
+/// side.
 template <class VolumeType>
 void check_shape(const hierarchy::Tree<VolumeType>& tree, std::size_t bodies, Index most_in_leaf) {
   REQUIRE(tree.bodies.size() == bodies);
@@ -99,7 +102,7 @@ void check_shape(const hierarchy::Tree<VolumeType>& tree, std::size_t bodies, In
   for (const Index body : tree.bodies) {
     REQUIRE(body >= 0);
     REQUIRE(static_cast<std::size_t>(body) < bodies);
-    ++seen[static_cast<std::size_t>(body)];
+    ++seen[body];
   }
   REQUIRE(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; }));
   REQUIRE(tree.nodes.empty() == (bodies == 0));
@@ -140,10 +143,12 @@ bool holds_body(const Kind<Scalar, Dim>& outer, const Kind<Scalar, Dim>& inner) 
   return exact::holds(Volume<Scalar, Dim>(outer), Volume<Scalar, Dim>(inner));
 }
 
-/// Each node's volume holds, exactly, those of all bodies below it; or where that takes long, of its children and bodies.
+/// Each node's volume holds, exactly, those of all bodies below it; or where that takes long, of its children and
+/// bodies.
 template <class VolumeType>
-void check_volumes(const hierarchy::Tree<VolumeType>& tree, std::type_identity_t<std::span<const VolumeType>> volumes, bool all_below) {
-  const auto volume = [&](Index body) -> const VolumeType& { return volumes[static_cast<std::size_t>(body)]; };
+void check_volumes(const hierarchy::Tree<VolumeType>& tree, std::type_identity_t<std::span<const VolumeType>> volumes,
+                   bool all_below) {
+  const auto volume = [&](Index body) -> const VolumeType& { return volumes[body]; };
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const auto& node = tree.nodes[i];
     if (all_below || node.is_leaf()) {

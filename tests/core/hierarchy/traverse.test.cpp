@@ -25,7 +25,8 @@ struct HalfSpaces {
       if ((mask >> i & 1) == 0) continue;
       double near = planes[i].d, far = planes[i].d;
       for (int k = 0; k < Dim; ++k) {
-        const double low = planes[i].normal[k] * static_cast<double>(box.min[k]), high = planes[i].normal[k] * static_cast<double>(box.max[k]);
+        const double low = planes[i].normal[k] * static_cast<double>(box.min[k]),
+                     high = planes[i].normal[k] * static_cast<double>(box.max[k]);
         near += std::min(low, high), far += std::max(low, high);
       }
       if (near > 0) return Answer::kPrune;
@@ -61,7 +62,7 @@ void check_classifier(const std::vector<Aabb<Scalar, Dim>>& boxes, double width)
       const auto report = [&](Index body, Answer answer) {
         found.push_back(body);
         unsigned mask = spaces.all();
-        CHECK(spaces.classify(boxes[static_cast<std::size_t>(body)], mask) == answer);
+        CHECK(spaces.classify(boxes[body], mask) == answer);
       };
       const auto counts = hierarchy::traverse(named.tree, boxes, spaces.all(), visit, report);
       for (std::size_t body = 0; body < boxes.size(); ++body) {
@@ -82,7 +83,8 @@ void check_rays(const std::vector<Aabb<Scalar, Dim>>& boxes, double low, double 
   for (const auto& named : test::all_trees(boxes)) {
     CAPTURE(named.name);
     for (int i = 0; i < 50; ++i) {
-      Ray<Scalar, Dim> ray{test::any_in<Dim>(random, low, high).template cast<Scalar>(), test::any_in<Dim>(random, -1, 1).template cast<Scalar>()};
+      Ray<Scalar, Dim> ray{test::any_in<Dim>(random, low, high).template cast<Scalar>(),
+                           test::any_in<Dim>(random, -1, 1).template cast<Scalar>()};
       if (i % 5 == 0) ray.direction[i % Dim] = 0;
       if (i % 7 == 0 && !boxes.empty()) ray.origin = boxes[static_cast<std::size_t>(i) % boxes.size()].min;
       const auto hit = [&](const Aabb<Scalar, Dim>& box) { return query::ray_enters(box, ray); };
@@ -98,7 +100,9 @@ void check_rays(const std::vector<Aabb<Scalar, Dim>>& boxes, double low, double 
       CHECK(first.body == expected);
       CHECK(first.t == t);
       hits += first.body == kNoIndex ? 0 : 1;
-      const auto visit = [&](const Aabb<Scalar, Dim>& box, int) { return hit(box) ? Answer::kDescend : Answer::kPrune; };
+      const auto visit = [&](const Aabb<Scalar, Dim>& box, int) {
+        return hit(box) ? Answer::kDescend : Answer::kPrune;
+      };
       hierarchy::traverse(named.tree, boxes, 0, visit, [&](Index body, Answer) { found.push_back(body); });
       std::sort(found.begin(), found.end());
       CHECK(found == all);
@@ -118,7 +122,8 @@ void check_pairs(const std::vector<VolumeA>& a, const std::vector<VolumeB>& b, b
       if (few && of_a.name != of_b.name) continue;
       INFO(of_a.name << " and " << of_b.name);
       std::vector<std::pair<Index, Index>> found;
-      const auto counts = hierarchy::overlapping_pairs(of_a.tree, a, of_b.tree, b, [&](Index i, Index j) { found.emplace_back(i, j); });
+      const auto counts =
+          hierarchy::overlapping_pairs(of_a.tree, a, of_b.tree, b, [&](Index i, Index j) { found.emplace_back(i, j); });
       std::sort(found.begin(), found.end());
       CHECK(found == expected);
       CHECK(counts.volume_tests() <= 4 * static_cast<std::int64_t>(a.size() * b.size()) + 1);
@@ -142,7 +147,10 @@ TEST_CASE_TEMPLATE("a ray finds what testing all finds", Scalar, float, double) 
   for (const auto& scene : test::hard_scenes<Scalar, 3>(50)) {
     INFO(scene.name);
     for (const double far : {0.0, sizeof(Scalar) == 8 ? 1e12 : 1e5})
-      check_rays<Scalar, 3>({scene.boxes.begin(), scene.boxes.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(scene.boxes.size(), 50))}, far - 2, far + 12);
+      check_rays<Scalar, 3>(
+          {scene.boxes.begin(),
+           scene.boxes.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(scene.boxes.size(), 50))},
+          far - 2, far + 12);
   }
 }
 
@@ -165,7 +173,8 @@ TEST_CASE("trees over oriented boxes and k-DOPs find the pairs that testing all 
   std::vector<Kdop<double, 3>> kdops;
   for (int i = 0; i < 60; ++i) {
     const auto middle = test::any_in<3>(random, 0, 6);
-    Matrix<double, 3> axes = Eigen::AngleAxisd(random.between(0, 6), test::any_in<3>(random, -1, 1).normalized()).toRotationMatrix();
+    Matrix<double, 3> axes =
+        Eigen::AngleAxisd(random.between(0, 6), test::any_in<3>(random, -1, 1).normalized()).toRotationMatrix();
     boxes.push_back({middle, axes, test::any_in<3>(random, 0.1, 0.6)});
     Kdop<double, 3> kdop{.k = 14};
     const auto list = kdop_axes<3>(14);
@@ -189,14 +198,19 @@ TEST_CASE("in a spread-out scene far fewer tests are made than there are bodies"
     for (int i = 0; i < 50; ++i) {
       const auto corner = test::any_in<3>(random, 0, 90);
       const Box window{corner, corner + Vector<double, 3>::Constant(10)};
-      const auto visit = [&](const Box& box, int) { return query::aabbs_overlap(box, window) ? Answer::kDescend : Answer::kPrune; };
+      const auto visit = [&](const Box& box, int) {
+        return query::aabbs_overlap(box, window) ? Answer::kDescend : Answer::kPrune;
+      };
       culling += hierarchy::traverse(tree, boxes, 0, visit, [](Index, Answer) {}).volume_tests();
       const Ray<double, 3> ray{corner, test::any_in<3>(random, -1, 1)};
-      rays += hierarchy::first_hit<double>(tree, boxes, [&](const Box& box) { return query::ray_enters(box, ray); }).counts.volume_tests();
+      rays += hierarchy::first_hit<double>(tree, boxes, [&](const Box& box) {
+                return query::ray_enters(box, ray);
+              }).counts.volume_tests();
     }
     CHECK(culling / 50 < 400);  // of 20,000
     CHECK(rays / 50 < 500);
-    CHECK(hierarchy::overlapping_pairs(tree, boxes, other, others, [](Index, Index) {}).volume_tests() < 1'000'000);  // of 400 million
+    CHECK(hierarchy::overlapping_pairs(tree, boxes, other, others, [](Index, Index) {}).volume_tests() <
+          1'000'000);  // of 400 million
   };
   check("median", hierarchy::build_median<Box>(boxes), hierarchy::build_median<Box>(others));
   check("surface area", hierarchy::build_surface_area<Box>(boxes), hierarchy::build_surface_area<Box>(others));
@@ -216,12 +230,12 @@ TEST_CASE("what is accepted is not tested, and the state of a node goes to what 
   std::vector<int> depths(tree.nodes.size(), 1);
   for (std::size_t i = 0; i < tree.nodes.size(); ++i)
     if (!tree.nodes[i].is_leaf())
-      for (const Index child : {tree.nodes[i].first, tree.nodes[i].first + 1}) depths[static_cast<std::size_t>(child)] = depths[i] + 1;
+      for (const Index child : {tree.nodes[i].first, tree.nodes[i].first + 1}) depths[child] = depths[i] + 1;
   int nodes = 0;
   const auto deeper = [&](const Aabb<double, 3>&, int& depth, hierarchy::Place place) {
     ++depth;
     if (!place.is_body) {
-      CHECK(depth == depths[static_cast<std::size_t>(place.index)]);
+      CHECK(depth == depths[place.index]);
       ++nodes;
     }
     return Answer::kDescend;
@@ -238,7 +252,8 @@ TEST_CASE("each step of a traversal names a line, and the last has the counts") 
     for (const auto& entry : recorder.entries) {
       CHECK(static_cast<std::size_t>(entry.step.line) < lines);
       const auto& fact = entry.step.fact;
-      tests += std::holds_alternative<hierarchy::NodeVisited>(fact) || std::holds_alternative<hierarchy::BodyTested>(fact) ||
+      tests += std::holds_alternative<hierarchy::NodeVisited>(fact) ||
+               std::holds_alternative<hierarchy::BodyTested>(fact) ||
                std::holds_alternative<hierarchy::PairTested>(fact);
     }
     CHECK(tests == counts.volume_tests());
@@ -249,10 +264,18 @@ TEST_CASE("each step of a traversal names a line, and the last has the counts") 
   };
   Recorder<hierarchy::Step> culled, shot, paired;
   const Aabb<float, 3> window{{0, 0, 0}, {2, 2, 2}};
-  const auto visit = [&](const Aabb<float, 3>& box, int) { return query::aabbs_overlap(box, window) ? Answer::kDescend : Answer::kPrune; };
-  check(culled, hierarchy::traverse(tree, boxes, 0, visit, [](Index, Answer) {}, culled), hierarchy::kTraversePseudocode.size());
+  const auto visit = [&](const Aabb<float, 3>& box, int) {
+    return query::aabbs_overlap(box, window) ? Answer::kDescend : Answer::kPrune;
+  };
+  check(culled,
+        hierarchy::traverse(
+            tree, boxes, 0, visit, [](Index, Answer) {}, culled),
+        hierarchy::kTraversePseudocode.size());
   const Ray<float, 3> ray{{0, 0, 0}, {1, 1, 1}};
   const auto hit = [&](const Aabb<float, 3>& box) { return query::ray_enters(box, ray); };
   check(shot, hierarchy::first_hit<float>(tree, boxes, hit, shot).counts, hierarchy::kFirstHitPseudocode.size());
-  check(paired, hierarchy::overlapping_pairs(tree, boxes, tree, boxes, [](Index, Index) {}, paired), hierarchy::kOverlapPseudocode.size());
+  check(paired,
+        hierarchy::overlapping_pairs(
+            tree, boxes, tree, boxes, [](Index, Index) {}, paired),
+        hierarchy::kOverlapPseudocode.size());
 }

@@ -63,10 +63,10 @@ TEST_CASE("files with bytes changed, doubled or lost are refused or read as some
       for (std::uint32_t change = 0; change <= random.below(3); ++change) {
         const std::size_t at = random.below(static_cast<std::uint32_t>(bytes.size()));
         switch (random.below(4)) {
-        case 0: bytes[at] = static_cast<char>(random.below(256)); break;
-        case 1: bytes[at] = "0123456789 -.e\n#/"[random.below(17)]; break;
-        case 2: bytes.erase(at, 1 + random.below(20)); break;
-        default: bytes.insert(at, bytes.substr(at, 1 + random.below(20)));
+          case 0: bytes[at] = static_cast<char>(random.below(256)); break;
+          case 1: bytes[at] = "0123456789 -.e\n#/"[random.below(17)]; break;
+          case 2: bytes.erase(at, 1 + random.below(20)); break;
+          default: bytes.insert(at, bytes.substr(at, 1 + random.below(20)));
         }
         if (bytes.empty()) bytes = "\n";
       }

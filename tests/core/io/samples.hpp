@@ -49,8 +49,7 @@ inline const std::vector<std::array<Index, 3>> kTriangles{{0, 1, 2}, {0, 3, 1}, 
 inline std::string rows(const std::string& separator, const std::string& end = "\n") {
   std::string text;
   for (const std::string row : {"0.5,-.25,1", "1.5,0,0.125", "-1,2,0.75", "0,+5e-1,-3."}) {
-    for (const char c : row)
-      text += c == ',' ? separator : std::string(1, c);
+    for (const char c : row) text += c == ',' ? separator : std::string(1, c);
     text += end;
   }
   return text;
@@ -80,8 +79,7 @@ inline std::string ply_binary(bool big_endian) {
   bytes.u16(2).f64(0).f64(1).u16(0);
   for (const auto& p : kTetra)
     bytes.f32(static_cast<float>(p[2])).u8(200).f64(p[0]).f32(static_cast<float>(p[1])).u8(1).u8(7);
-  for (const auto& t : kTriangles)
-    bytes.u32(~0u).u8(3).u16(t[0]).u16(t[1]).u16(t[2]);
+  for (const auto& t : kTriangles) bytes.u32(~0u).u8(3).u16(t[0]).u16(t[1]).u16(t[2]);
   return bytes.take();
 }
 
@@ -90,7 +88,7 @@ inline std::string stl_text() {
   for (const auto& t : kTriangles) {
     text += "  facet normal nan 0 0\n    outer loop\n";
     for (const Index i : t) {
-      const auto& p = kTetra[static_cast<std::size_t>(i)];
+      const auto& p = kTetra[i];
       text += "      vertex " + std::to_string(p[0]) + ' ' + std::to_string(p[1]) + ' ' + std::to_string(p[2]) + '\n';
     }
     text += "    endloop\n  endfacet\n";
@@ -106,8 +104,7 @@ inline std::string stl_binary(std::string header) {
   for (const auto& t : kTriangles) {
     bytes.f32(0).f32(0).f32(0);
     for (const Index i : t)
-      for (const double x : kTetra[static_cast<std::size_t>(i)])
-        bytes.f32(static_cast<float>(x));
+      for (const double x : kTetra[i]) bytes.f32(static_cast<float>(x));
     bytes.u16(0);
   }
   return bytes.take();

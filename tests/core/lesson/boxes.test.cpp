@@ -26,7 +26,7 @@ Session session_of(const std::string& id) {
   return *std::move(session);
 }
 
-const Obb<double, 3>& box(const Session& session, int i) { return session.boxes()->boxes[static_cast<std::size_t>(i)]; }
+const Obb<double, 3>& box(const Session& session, int i) { return session.boxes()->boxes[i]; }
 
 /// How far its axes are from unit and perpendicular.
 double skew(const Obb<double, 3>& box) {
@@ -156,7 +156,8 @@ TEST_CASE("an axis named by its question is one of the table, and the traces of 
   REQUIRE(axis_names(3).size() == 15);
   int seen = 0;
   for (const auto& entry : session.recording(0).steps)
-    if (const auto* axis = std::get_if<query::AxisTested<double, 3>>(&entry.step.fact)) CHECK(axis_index(3, axis->axis) == seen++);
+    if (const auto* axis = std::get_if<query::AxisTested<double, 3>>(&entry.step.fact))
+      CHECK(axis_index(3, axis->axis) == seen++);
   CHECK(seen == 6);
   const std::uint64_t first = session.trace_hash();
   REQUIRE(session.choose(0, "sat_all").has_value());

@@ -99,7 +99,8 @@ TEST_CASE("what is decided by counted operations speaks of them, and what is mea
   CHECK(played->grade->says.find(" times its operations. Done.") != std::string::npos);
   CHECK(played->grade->says.find("time.") == std::string::npos);
   const std::vector<cost::CostRow> counted = counted_costs(session.lesson(), session.points());
-  CHECK(grade_costs(*session.lesson().task, counted, "aabb").says.find("for the fewest operations.") != std::string::npos);
+  CHECK(grade_costs(*session.lesson().task, counted, "aabb").says.find("for the fewest operations.") !=
+        std::string::npos);
   CHECK(grade_costs(*session.lesson().task, rows(), "aabb").says.find("for the least time.") != std::string::npos);
   CHECK(grade_costs(*session.lesson().task, rows(), "exact").says.find(" times its time.") != std::string::npos);
 }
@@ -112,11 +113,13 @@ TEST_CASE("what such a lesson gets wrong is said with its line") {
   };
   CHECK(line(with("asks = \"slowest\"", "asks = \"point\"")).find("chart.toml:26: ") == 0);
   CHECK(line(with("chart = \"cost\"", "chart = \"pie\"")).find("chart.toml:7: ") == 0);
-  CHECK(line(with("tighter_by = 0.05", "tighter_by = 0.9")).find("no algorithm is as much smaller") != std::string::npos);
+  CHECK(line(with("tighter_by = 0.05", "tighter_by = 0.9")).find("no algorithm is as much smaller") !=
+        std::string::npos);
   CHECK(line(with("chart = \"cost\"\n", "")).find("chart.toml:") == 0);
 }
 
-TEST_CASE("predictions stand until all is measured, wherever the player is, and then what happened stands beside them") {
+TEST_CASE(
+    "predictions stand until all is measured, wherever the player is, and then what happened stands beside them") {
   Session session = opened();
   REQUIRE(session.asked() != nullptr);
   CHECK(session.asked()->many);
@@ -188,7 +191,7 @@ TEST_CASE("the task: a shape of one's own, measured, and the cheapest that is ti
   auto flat = cheaper;
   for (cost::CostRow& one : flat) one.noise = 20;
   CHECK(cheapest_of(task, flat).empty());  // sizes that are nothing but rounding are not compared
-  cheaper[0].points = 2;  // of other points nothing can be said
+  cheaper[0].points = 2;                   // of other points nothing can be said
   CHECK(cheapest_of(task, cheaper) == "exact");
   CHECK(grade_costs(task, cheaper, "pca").says.find("fewer points") != std::string::npos);
   REQUIRE(session.move(0, {9, 9, 0}).has_value());

@@ -83,7 +83,8 @@ TEST_CASE("operations: those that the algorithm spends, the same rows at every s
       session.jump(step);
       std::vector<std::string> now;
       for (const Figure& f : session.figures())
-        if (std::find(kOperationNames.begin(), kOperationNames.end(), f.key) != kOperationNames.end()) now.push_back(f.key);
+        if (std::find(kOperationNames.begin(), kOperationNames.end(), f.key) != kOperationNames.end())
+          now.push_back(f.key);
       if (step == 0) keys = now;
       CHECK(now == keys);
       CHECK(figure(session, "distance_tests").value >= before);

@@ -71,7 +71,8 @@ Answer corner(int dim, int bits) { return {Answer::Kind::kPoint, index_of(dim, {
 
 }  // namespace
 
-TEST_CASE("the lessons on the frustum play to their end; three questions and more of the first test, one of them on the stage") {
+TEST_CASE("the lessons on the frustum play to their end; three questions and more of the first test, one of them on "
+          "the stage") {
   for (const char* id : {"frustum-2d", "frustum-3d"}) {
     CAPTURE(id);
     Session session = session_of(id);
@@ -101,7 +102,8 @@ TEST_CASE("the frustum is what its places show: its corners are those of the pai
     for (int bits = 0; bits < 1 << pair.dim; ++bits) {
       const V3 own = corner_of(pair, 1, bits);
       CHECK(own == at_place(pair, index_of(pair.dim, {Kind::kCorner, 1, bits})));
-      const double nearest = pair.dim == 2 ? near_corner(own, *corners_of(*frustum_of<2>(pair))) : near_corner(own, *corners_of(*frustum_of<3>(pair)));
+      const double nearest = pair.dim == 2 ? near_corner(own, *corners_of(*frustum_of<2>(pair)))
+                                           : near_corner(own, *corners_of(*frustum_of<3>(pair)));
       CHECK(nearest < 1e-14);
     }
     // Each face lies on its plane.
@@ -142,7 +144,8 @@ TEST_CASE("a corner of the frustum is dragged: it follows the hand, and the oppo
     for (int bits = 0; bits <= all; ++bits) {
       const BoxPair before = *session.boxes();
       const V3 opposite = corner_of(before, 1, ~bits & all);
-      const V3 to = corner_of(before, 1, bits) + (corner_of(before, 1, bits) - opposite) * 0.11 + before.boxes[1].axes.col(1) * 0.03;
+      const V3 to = corner_of(before, 1, bits) + (corner_of(before, 1, bits) - opposite) * 0.11 +
+                    before.boxes[1].axes.col(1) * 0.03;
       REQUIRE(session.move(index_of(dim, {Kind::kCorner, 1, bits}), to).has_value());
       const BoxPair& after = *session.boxes();
       CHECK((corner_of(after, 1, ~bits & all) - opposite).norm() < 1e-14);
@@ -188,7 +191,8 @@ TEST_CASE("the three tests: inside, intersecting, outside, and the box that the 
     CAPTURE(dim);
     const V3 small(0.2, 0.2, dim == 3 ? 0.2 : 0.0);
     CHECK(says(plain(dim, {2.5, 0, 0}, small)) == std::array{Culling::kInside, Culling::kInside, Culling::kInside});
-    CHECK(says(plain(dim, {1, 0, 0}, small)) == std::array{Culling::kIntersecting, Culling::kIntersecting, Culling::kIntersecting});
+    CHECK(says(plain(dim, {1, 0, 0}, small)) ==
+          std::array{Culling::kIntersecting, Culling::kIntersecting, Culling::kIntersecting});
     CHECK(says(plain(dim, {-2, 0, 0}, small)) == std::array{Culling::kOutside, Culling::kOutside, Culling::kOutside});
     const BoxPair lost = plain(dim, {2, 0, 0}, {0.2, 5, dim == 3 ? 5.0 : 0.0});
     CHECK(says(lost) == std::array{Culling::kIntersecting, Culling::kIntersecting, Culling::kOutside});
@@ -222,8 +226,8 @@ TEST_CASE("p- and n-vertex are answered on the stage, by a corner of the box and
 }
 
 TEST_CASE("corners that tie are right, each of them, and no other") {
-  // The near plane's normal is -x: a whole side of an upright box lies farthest along it. Turned by as much, box and frustum
-  // tie within rounding.
+  // The near plane's normal is -x: a whole side of an upright box lies farthest along it. Turned by as much, box and
+  // frustum tie within rounding.
   for (const double turn : {0.0, 0.7}) {
     BoxPair pair = plain(2, {1, 0, 0}, {0.3, 0.2, 0});
     for (auto& box : pair.boxes) box = turned_by(box, 2, turn);
@@ -244,7 +248,8 @@ TEST_CASE("the side of a plane and the verdict are chosen among the three") {
   Question verdict;
   verdict.gate.fact = "classified";
   verdict.asks = Question::Asks::kVerdict;
-  Session session = asking(plain(2, {1, 0, 0}, {0.3, 0.2, 0}), {about_plane(Question::Asks::kPlaneSide, 1), about_plane(Question::Asks::kPlaneSide, 3), verdict});
+  Session session = asking(plain(2, {1, 0, 0}, {0.3, 0.2, 0}), {about_plane(Question::Asks::kPlaneSide, 1),
+                                                                about_plane(Question::Asks::kPlaneSide, 3), verdict});
   CHECK(session.asked()->choices == std::vector<std::string>{"inside", "intersecting", "outside"});
   REQUIRE(session.answer({Answer::Kind::kChoice, 0}));
   CHECK(session.outcome()->right);
@@ -255,7 +260,8 @@ TEST_CASE("the side of a plane and the verdict are chosen among the three") {
   session.go(session.steps());
   REQUIRE(session.answer({Answer::Kind::kChoice, 1}));
   CHECK(session.outcome()->right);
-  CHECK(session.outcome()->says == "You said intersecting. No plane has all of the box outside; it crosses the near plane.");
+  CHECK(session.outcome()->says ==
+        "You said intersecting. No plane has all of the box outside; it crosses the near plane.");
 }
 
 TEST_CASE("figures and proof: the plane, the distances, the verdict, and whether the test is right") {
@@ -328,7 +334,8 @@ TEST_CASE("each mistake about a frustum is told with its line") {
     const auto lesson = read_lesson(text, "x.toml");
     REQUIRE_FALSE(lesson.has_value());
     CHECK_MESSAGE(lesson.error().message().find(broken.says) != std::string::npos, lesson.error().message());
-    const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find(broken.marker)), '\n') + 1;
+    const auto line =
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find(broken.marker)), '\n') + 1;
     CHECK_MESSAGE(lesson.error().message().find("x.toml:" + std::to_string(line)) == 0, lesson.error().message());
   }
 }

@@ -198,7 +198,9 @@ TEST_CASE("the example that lessons/README.md gives is a sound lesson") {
 TEST_CASE("lessons/README.md names every step, algorithm and kind of points") {
   std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/README.md", std::ios::binary);
   const std::string readme{std::istreambuf_iterator<char>(file), {}};
-  const auto says = [&](std::string_view name) { return readme.find('`' + std::string(name) + '`') != std::string::npos; };
+  const auto says = [&](std::string_view name) {
+    return readme.find('`' + std::string(name) + '`') != std::string::npos;
+  };
   for (const std::string_view fact : fit::fact_names()) CHECK_MESSAGE(says(fact), fact);
   for (const auto& algorithm : fit::algorithms()) CHECK_MESSAGE(says(algorithm.name), algorithm.name);
   for (const std::string_view kind : generator_kinds()) CHECK_MESSAGE(says(kind), kind);

@@ -11,7 +11,8 @@ namespace {
 
 /// The small lesson with one question, on an algorithm of its own.
 Session ask(const std::string& algorithm, const std::string& rest) {
-  const std::string own = "[[question]]\nid = \"own\"\nprompt = \"?\"\nbecause = \"So.\"\nalgorithm = \"" + algorithm + "\"\n";
+  const std::string own =
+      "[[question]]\nid = \"own\"\nprompt = \"?\"\nbecause = \"So.\"\nalgorithm = \"" + algorithm + "\"\n";
   Session session = test::open(small_lesson_with("[task]", own + rest + "\n[task]"));
   REQUIRE(session.choose(0, algorithm).has_value());
   session.last();
@@ -63,13 +64,15 @@ TEST_CASE("axis: a point of two pairs means the right one") {
 }
 
 TEST_CASE("of points in space, questions and what is said of them speak of spheres") {
-  std::string text = small_lesson_with("Which point?", "Circles: which point does the circle, not the semicircle, take in?");
+  std::string text =
+      small_lesson_with("Which point?", "Circles: which point does the circle, not the semicircle, take in?");
   text.replace(text.find("It lies outside."), 16, "The circle leaves it out.");
   Session session = test::open(text);
   session.jump(2);
   CHECK(session.asked()->prompt == "Circles: which point does the circle, not the semicircle, take in?");
   io::PointFile cloud{3, {}, {}};
-  for (Index i = 0; i < session.size(); ++i) cloud.points.push_back(session.point(i) + Vector<double, 3>(0, 0, i == 5 ? 0.25 : 0));
+  for (Index i = 0; i < session.size(); ++i)
+    cloud.points.push_back(session.point(i) + Vector<double, 3>(0, 0, i == 5 ? 0.25 : 0));
   REQUIRE(session.load(cloud, "cloud.xyz").has_value());
   session.first();
   session.last();
@@ -154,7 +157,8 @@ TEST_CASE("better: whether a candidate becomes the best") {
 }
 
 TEST_CASE("a question stays out where another one is not decided yet") {
-  const auto lesson = read_lesson(small_lesson_with("before = \"radius_checked\"", "before = \"point_examined\"\nnth = 3"), "x.toml");
+  const auto lesson =
+      read_lesson(small_lesson_with("before = \"radius_checked\"", "before = \"point_examined\"\nnth = 3"), "x.toml");
   REQUIRE_FALSE(lesson.has_value());
   CHECK(lesson.error().what == "the question stands where another one is not decided yet");
 }

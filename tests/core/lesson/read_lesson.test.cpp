@@ -34,7 +34,8 @@ constexpr Broken kBroken[] = {
     {"covers = [\"A lecture: a slide\"]", "covers = [3]", "covers", "list of texts"},
     {"[\"ritter\", \"welzl\", \"brute_force\"]", "[]", "algorithms", "at least 1"},
     {"[\"ritter\", \"welzl\", \"brute_force\"]", "[\"ritter\", \"wezl\"]", "algorithms", "wezl"},
-    {"[\"ritter\", \"welzl\", \"brute_force\"]", "[\"ritter\", \"welzl\", \"ritter\"]", "algorithms", "names ritter twice"},
+    {"[\"ritter\", \"welzl\", \"brute_force\"]", "[\"ritter\", \"welzl\", \"ritter\"]", "algorithms",
+     "names ritter twice"},
     {"\"cube\", \"gaussian\"", "\"cube\", \"cube\"", "generators", "names cube twice"},
     {"meshes = [\"bunny\"]", "meshes = [\"cow\"]", "meshes", "bunny, teapot or dragon"},
     {"\"cube\", \"gaussian\"", "\"blob\"", "generators", "blob"},
@@ -117,14 +118,16 @@ TEST_CASE("each mistake in a lesson file is told with its line") {
     CHECK(lesson.error().unit == InputError::Unit::kLine);
     CHECK_MESSAGE(lesson.error().what.find(broken.says) != std::string::npos, lesson.error().what);
     const int line = line_of(text, broken.marker);
-    const bool in_table = broken.marker.substr(0, 4) == "id =";  // a question is named by its [[question]], the line above
+    const bool in_table =
+        broken.marker.substr(0, 4) == "id =";  // a question is named by its [[question]], the line above
     CHECK_MESSAGE(lesson.error().position == line - (in_table ? 1 : 0), lesson.error().message());
   }
 }
 
 TEST_CASE("no bytes make the reader fail otherwise than by an error") {
-  for (const std::string_view text : {std::string_view(""), std::string_view("\0\0", 2), std::string_view("\xff\xfe"),
-                                      std::string_view("[["), std::string_view("a = 1"), std::string_view("version = 1")}) {
+  for (const std::string_view text :
+       {std::string_view(""), std::string_view("\0\0", 2), std::string_view("\xff\xfe"), std::string_view("[["),
+        std::string_view("a = 1"), std::string_view("version = 1")}) {
     const auto lesson = read_lesson(text, "x.toml");
     REQUIRE_FALSE(lesson.has_value());
     CHECK(lesson.error().position >= 1);
@@ -144,8 +147,8 @@ TEST_CASE("no bytes make the reader fail otherwise than by an error") {
 }
 
 TEST_CASE("a lesson's own pseudocode stands in for the catalogue's, line for line") {
-  auto session = test::open(small_lesson_with(
-      "[task]", "[pseudocode.ritter]\nlines = [\"a\", \"b\", \"c\", \"d\", \"e\", \"f\"]\n[task]"));
+  auto session = test::open(
+      small_lesson_with("[task]", "[pseudocode.ritter]\nlines = [\"a\", \"b\", \"c\", \"d\", \"e\", \"f\"]\n[task]"));
   REQUIRE(session.pseudocode(0).size() == 6);
   CHECK(session.pseudocode(0)[2] == "c");
   REQUIRE(session.choose(0, "welzl").has_value());

@@ -7,9 +7,9 @@
 #include <memory>
 #include <utility>
 
+#include "lesson/own_points.hpp"
 #include "lesson/play.hpp"
 #include "lesson/scene_figures.hpp"
-#include "lesson/own_points.hpp"
 #include "lesson/scene_runs.hpp"
 #include "lesson/session.hpp"
 #include "lesson/still_scene.hpp"
@@ -41,13 +41,16 @@ lesson::Session opened(const std::string& id, scene::Clock clock = nullptr) {
   return *std::move(session);
 }
 
-const fit::FrameTaken& frame(const lesson::Session& session) { return *std::get_if<fit::FrameTaken>(&session.current(0)->step.fact); }
+const fit::FrameTaken& frame(const lesson::Session& session) {
+  return *std::get_if<fit::FrameTaken>(&session.current(0)->step.fact);
+}
 
 /// What effects did by frame n: effect, constructed, run, skipped.
 std::vector<std::string> counts(const lesson::Session& session, std::size_t n) {
   std::vector<std::string> lines;
   for (const scene::Tally& tally : (*session.frames(0))[n].tallies)
-    lines.push_back(tally.effect + " " + std::to_string(tally.constructed) + " " + std::to_string(tally.run) + " " + std::to_string(tally.skipped));
+    lines.push_back(tally.effect + " " + std::to_string(tally.constructed) + " " + std::to_string(tally.run) + " " +
+                    std::to_string(tally.skipped));
   return lines;
 }
 
@@ -59,7 +62,8 @@ double coarse() { return 1e5 * std::floor(fine() / 1e5); }
 }  // namespace
 
 TEST_CASE("effects are timed by the clock that is passed in, and no trace knows of it") {
-  const lesson::Session untimed = opened("scene-updates"), timed = opened("scene-updates", fine), barely = opened("scene-updates", coarse);
+  const lesson::Session untimed = opened("scene-updates"), timed = opened("scene-updates", fine),
+                        barely = opened("scene-updates", coarse);
   CHECK(untimed.time_of("refit").empty());
   CHECK(timed.time_of("refit") == "3.0");
   CHECK(timed.time_of("spin body") == "3.0");
@@ -75,7 +79,8 @@ TEST_CASE("effects are timed by the clock that is passed in, and no trace knows 
 
 TEST_CASE("an effect's time is told as finely as its clock can tell it") {
   const auto told = [](double microseconds, std::int64_t runs, double step) {
-    return lesson::effect_time_text({.run = runs, .nanoseconds = 1000 * microseconds * static_cast<double>(runs)}, step);
+    return lesson::effect_time_text({.run = runs, .nanoseconds = 1000 * microseconds * static_cast<double>(runs)},
+                                    step);
   };
   CHECK(told(12.34, 100, 30) == "12");
   CHECK(told(1.26, 100, 30) == "1.3");
@@ -105,8 +110,8 @@ TEST_CASE("a scene's frames are the steps of its lesson, with their figures") {
 }
 
 TEST_CASE("each lesson's effects run as often as their inputs change") {
-  CHECK(counts(opened("scene-broad"), 120) ==
-        std::vector<std::string>{"spin 1 120 0", "orbit 1 120 0", "refit 1 120 0", "broad_phase 1 120 0", "narrow_phase 1 120 0"});
+  CHECK(counts(opened("scene-broad"), 120) == std::vector<std::string>{"spin 1 120 0", "orbit 1 120 0", "refit 1 120 0",
+                                                                       "broad_phase 1 120 0", "narrow_phase 1 120 0"});
   CHECK(counts(opened("scene-updates"), 120) == std::vector<std::string>{"spin body 1 120 0", "refit 1 120 0"});
 }
 
@@ -141,7 +146,8 @@ TEST_CASE("a lesson that declares no scene constructs no effect and draws one fr
   for (const std::string id : {"sphere-ritter", "obb-axes", "obb-sat", "frustum-2d", "frustum-3d"}) {
     CAPTURE(id);
     const lesson::Lesson own = read(id);
-    auto scene = scene::Scene::open(lesson::declaration_of(lesson::still_scene(own), *lesson::own_points(own, own.seed, {}), own.seed));
+    auto scene = scene::Scene::open(
+        lesson::declaration_of(lesson::still_scene(own), *lesson::own_points(own, own.seed, {}), own.seed));
     REQUIRE(scene.has_value());
     CHECK(scene->tallies().empty());
     CHECK(scene->world().size() == (own.boxes ? 2u : 1u));
@@ -247,7 +253,8 @@ tl::expected<lesson::Session, InputError> opened_with_mesh(const std::string& mo
   auto lesson = lesson::read_lesson(with_mesh(more), "meshy.toml");
   REQUIRE(lesson.has_value());
   const std::vector<Vector<double, 3>> corners{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}, {0, 0, 1}};
-  return lesson::Session::open(*std::move(lesson), io::PointFile{3, corners, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
+  return lesson::Session::open(*std::move(lesson),
+                               io::PointFile{3, corners, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
 }
 
 std::string effect_called(const std::string& name) { return "\n[[scene.effect]]\neffect = \"" + name + "\"\n"; }
@@ -271,7 +278,8 @@ TEST_CASE("a mesh is a body for every effect but impulses, which refuse it with 
   REQUIRE_FALSE(refused.has_value());
   CHECK(refused.error().what == "bounce: has impulses for spheres and boxes alone; give body such a shape");
   const std::string text = with_mesh(solid), before = text.substr(0, text.find("\"bounce\""));
-  CHECK(refused.error().position == std::count(before.begin(), before.end(), '\n'));  // of the table's head, the line above
+  CHECK(refused.error().position ==
+        std::count(before.begin(), before.end(), '\n'));  // of the table's head, the line above
 
   const auto nameless = lesson::read_lesson(with_mesh("", "generate = \"stick\"\ncount = 80"), "nameless.toml");
   REQUIRE_FALSE(nameless.has_value());

@@ -108,8 +108,7 @@ inline void play_to_end(lesson::Session& session) {
     REQUIRE(turns < 10000);
     if (const auto* asked = session.asked())
       REQUIRE(session.answer(lesson::model_answer(*asked, session.recording(0).steps)));
-    else
-      session.forward();
+    else session.forward();
   }
 }
 

@@ -114,7 +114,8 @@ TEST_CASE("over a full turn each update has the slack that it has frame by frame
 
 TEST_CASE("of a flat body the slack of its boxes is not known") {
   const AnyPointSet points = test::set_of<double, 3>({{0, 0, 0}, {0.1, 0.2, 0.3}, {0.2, 0.4, 0.6}, {0.7, 1.4, 2.1}});
-  cost::TurnRun run(points, {fit::find_update("obb", "transform"), fit::find_update("aabb", "loose")}, 5, {.repeats = 3, .batch = 1000}, true_clock());
+  cost::TurnRun run(points, {fit::find_update("obb", "transform"), fit::find_update("aabb", "loose")}, 5,
+                    {.repeats = 3, .batch = 1000}, true_clock());
   while (!run.done()) run.step();
   const std::span<const cost::TurnRow> rows(run.rows());
   for (const cost::TurnRow& row : rows.first(5)) CHECK_FALSE(row.slack);

@@ -3,8 +3,8 @@
 
 #include <doctest/doctest.h>
 
-#include <ctime>
 #include <cmath>
+#include <ctime>
 
 #include "core/measure/false_clock.hpp"
 #include "core/point_clouds.hpp"
@@ -34,8 +34,7 @@ cost::CostRun run_of(const AnyPointSet& points, std::vector<const fit::Algorithm
 }
 
 void finish(cost::CostRun& run) {
-  while (!run.done())
-    run.step();
+  while (!run.done()) run.step();
 }
 
 /// Every row's figures are those that the catalogue gives.
@@ -124,7 +123,9 @@ TEST_CASE("no volume is told to be smaller than the smallest, and what is flat i
   Random random(3);
   for (const double away : {0.0, 1.0, 1e6}) {
     for (int round = 0; round < 2; ++round) {
-      const auto direction = [&] { return Vector<double, 3>(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)); };
+      const auto direction = [&] {
+        return Vector<double, 3>(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+      };
       const Vector<double, 3> from = away * direction(), u = direction(), v = direction();
       test::Cloud<double, 3> line, plane, solid;
       for (int i = 0; i < 24; ++i) {
@@ -139,7 +140,8 @@ TEST_CASE("no volume is told to be smaller than the smallest, and what is flat i
           CHECK_FALSE(row.over_hull);
           if (row.volume == "obb") CHECK_FALSE(row.tightness);
           if (row.volume == "sphere" || row.volume == "aabb") CHECK(row.tightness.value() >= 1);
-          if (row.on_front && row.volume == "obb" && row.measure <= row.noise) CHECK(fastest.value_or(row.time.median) == row.time.median);
+          if (row.on_front && row.volume == "obb" && row.measure <= row.noise)
+            CHECK(fastest.value_or(row.time.median) == row.time.median);
           if (row.on_front && row.volume == "obb" && row.measure <= row.noise) fastest = row.time.median;
         }
       }
@@ -166,7 +168,8 @@ TEST_CASE("a size below the smallest is that but for rounding, and else is told"
   CHECK_FALSE(rounding.ratio(1, rounding.noise(3), 3));
   CHECK_FALSE(rounding.ratio(1, 0, 3));
   CHECK(rounding.ratio(1, 1e-9, 3).has_value());  // thin, but by far thicker than rounding
-  CHECK(cost::rounding_of(test::set_of<float, 3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})).of(1) > 1e8 * rounding.of(1));
+  CHECK(cost::rounding_of(test::set_of<float, 3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})).of(1) >
+        1e8 * rounding.of(1));
 }
 
 TEST_CASE("in slices the rows are those of one go") {
@@ -235,8 +238,7 @@ TEST_CASE("what would take longer than a slice is measured on fewer points, and 
 TEST_CASE("stopped, the rows that are ready stay") {
   const AnyPointSet points = test::set_of<double, 3>(test::generated<double, 3>("cube", 100, 3));
   auto run = run_of(points, all_for(3), true_clock());
-  while (run.rows().size() < 3)
-    run.step();
+  while (run.rows().size() < 3) run.step();
   run.stop();
   CHECK(run.done());
   run.step();
@@ -246,13 +248,12 @@ TEST_CASE("stopped, the rows that are ready stay") {
 TEST_CASE("time is foreseen by its growth") {
   CHECK(cost::foreseen(100, 10, 200, 40, 400) == doctest::Approx(160));
   CHECK(cost::foreseen(100, 10, 200, 10, 400) == doctest::Approx(20));  // never less than in proportion
-  CHECK(cost::foreseen(0, 0, 10, 5, 20) == doctest::Approx(80));       // from one time alone: the worst
+  CHECK(cost::foreseen(0, 0, 10, 5, 20) == doctest::Approx(80));        // from one time alone: the worst
 }
 
 TEST_CASE("a sample has each part of the set once") {
   test::Cloud<double, 2> cloud;
-  for (int i = 0; i < 1000; ++i)
-    cloud.emplace_back(i, 0);
+  for (int i = 0; i < 1000; ++i) cloud.emplace_back(i, 0);
   const AnyPointSet points = test::set_of<double, 2>(cloud);
   const AnyPointSet fewer = cost::sample(points, 37, 5);
   REQUIRE(fit::size_of(fewer) == 37);

@@ -27,8 +27,7 @@ cost::Workload work_that_takes(double fixed, double coefficient, double power, I
 
 std::vector<cost::GrowthRow> run_whole(std::vector<cost::Workload> loads, double longest = 1e9) {
   cost::GrowthRun run(std::move(loads), {.repeats = 3, .batch = 1e4}, longest, test::false_clock());
-  while (!run.done())
-    run.step();
+  while (!run.done()) run.step();
   return run.rows();
 }
 
@@ -50,8 +49,7 @@ TEST_CASE("what does not grow is left behind: the power is that of the tail") {
   CHECK(rows.back().points == 1'000'000);
   CHECK(rows.back().exponent.value() == doctest::Approx(1).epsilon(0.02));
   int fitted = 0;
-  for (const auto& row : rows)
-    fitted += row.in_fit ? 1 : 0;
+  for (const auto& row : rows) fitted += row.in_fit ? 1 : 0;
   CHECK(fitted == 4);  // 31,623 and more
 }
 
@@ -127,8 +125,7 @@ TEST_CASE("in slices growth has the rows that it has in one go; stopped, those t
   }
 
   cost::GrowthRun stopped(loads(), {.repeats = 3, .batch = 1e4}, 1e9, test::false_clock());
-  while (stopped.rows().size() < 4)
-    stopped.step();
+  while (stopped.rows().size() < 4) stopped.step();
   stopped.stop();
   CHECK(stopped.done());
   CHECK(stopped.rows().size() == 4);

@@ -23,20 +23,17 @@ TEST_CASE("the front is those that none undercuts") {
   for (int round = 0; round < 500; ++round) {
     std::vector<cost::Offer> offers;
     const int n = static_cast<int>(random.below(12));
-    for (int i = 0; i < n; ++i)
-      offers.push_back({double(random.below(6)), double(random.below(6))});  // many are equal
+    for (int i = 0; i < n; ++i) offers.push_back({double(random.below(6)), double(random.below(6))});  // many are equal
     std::set<std::size_t> expected;
     for (std::size_t i = 0; i < offers.size(); ++i) {
       bool free = true;
-      for (const cost::Offer& other : offers)
-        free = free && !undercuts(other, offers[i]);
+      for (const cost::Offer& other : offers) free = free && !undercuts(other, offers[i]);
       if (free) expected.insert(i);
     }
     const auto front = cost::pareto_front(offers);
     CHECK(std::set<std::size_t>(front.begin(), front.end()) == expected);
     CHECK(front.size() == expected.size());
-    for (std::size_t i = 1; i < front.size(); ++i)
-      CHECK(offers[front[i - 1]].time <= offers[front[i]].time);
+    for (std::size_t i = 1; i < front.size(); ++i) CHECK(offers[front[i - 1]].time <= offers[front[i]].time);
   }
 }
 

@@ -128,7 +128,8 @@ TEST_CASE("what was not timed is null, and empty fields") {
   CHECK(text.find(",0,0,,,,,,,,,,,,,,false,false,") != std::string::npos);
   CHECK(cost::read_csv<cost::CostRow>(text, "")->rows[0].updated.repeats == 0);
   // Programs before this one wrote noughts there.
-  CHECK(cost::read_csv<cost::CostRow>(replaced(text, ",0,0,,,,,,,,,,,,,,false", ",0,0,0,0,0,0,0,false,,0,0,0,0,0,false,false"), ""));
+  CHECK(cost::read_csv<cost::CostRow>(
+      replaced(text, ",0,0,,,,,,,,,,,,,,false", ",0,0,0,0,0,0,0,false,,0,0,0,0,0,false,false"), ""));
   // A median of so many repeats has to be there.
   CHECK_FALSE(cost::read_csv<cost::CostRow>(replaced(text, ",0,0,,,,,,,", ",0,0,,,,9,1,true,"), ""));
 }
@@ -166,7 +167,8 @@ TEST_CASE("JSON has levels, numbers that are numbers, and null for what there is
   CHECK(text.find("\"volume\":\"a\\u0009b\"") != std::string::npos);
   CHECK(text.find("\"size\":null") != std::string::npos);
   strange.volume = "obb";
-  const auto back = cost::read_csv<cost::CostRow>(cost::csv_of(provenance(), std::span<const cost::CostRow>(&strange, 1)), "");
+  const auto back =
+      cost::read_csv<cost::CostRow>(cost::csv_of(provenance(), std::span<const cost::CostRow>(&strange, 1)), "");
   REQUIRE(back);
   CHECK(back->rows[0].size == strange.size);
 }

@@ -39,9 +39,9 @@ TEST_CASE("one batch has no spread, and is not trusted") {
 
 TEST_CASE("a spread over a third is not trusted") {
   CHECK(cost::timing_of({90, 95, 100, 105, 110}, 1).trusted);
-  CHECK(cost::timing_of({83, 84, 100, 116, 117}, 1).trusted);       // 32 %
+  CHECK(cost::timing_of({83, 84, 100, 116, 117}, 1).trusted);        // 32 %
   CHECK_FALSE(cost::timing_of({82, 83, 100, 117, 118}, 1).trusted);  // 34 %
-  CHECK_FALSE(cost::timing_of({0, 0, 0}, 1).trusted);               // too short for the clock
+  CHECK_FALSE(cost::timing_of({0, 0, 0}, 1).trusted);                // too short for the clock
 }
 
 TEST_CASE("the clock's step is seen, and a clock that stands still has none") {
@@ -58,7 +58,8 @@ TEST_CASE("a batch is as long as the clock needs, and each run's time comes out"
   int runs = 0;
   const cost::Timing timing =
       cost::time_of(test::false_clock(), [&] { ++runs, test::pass(300); }, {.repeats = 4, .batch = 10'000});
-  CHECK(timing.batch == 37);  // 34 fill it, and a tenth more surely does: not twice the time, which would keep a frame waiting
+  CHECK(timing.batch ==
+        37);  // 34 fill it, and a tenth more surely does: not twice the time, which would keep a frame waiting
   CHECK(timing.median == doctest::Approx(300));
   CHECK(timing.spread.value() == doctest::Approx(0).epsilon(1e-9));
   CHECK(timing.repeats == 4);

@@ -7,7 +7,8 @@ namespace snug::test {
 
 namespace {
 
-/// Moves b so that a place on its surface lies beside one on a's, outwards from it by gap: faces, edges and corners meet.
+/// Moves b so that a place on its surface lies beside one on a's, outwards from it by gap: faces, edges and corners
+/// meet.
 template <class Scalar, int Dim>
 void bring_together(BoxPair<Scalar, Dim>& pair, double gap, Random& random) {
   const auto place = [&](const Obb<Scalar, Dim>& box, int face, double side) {
@@ -24,7 +25,8 @@ void bring_together(BoxPair<Scalar, Dim>& pair, double gap, Random& random) {
   const Vector<double, Dim> outwards = side * pair.a.axes.col(face).template cast<double>();
   Vector<double, Dim> on_b = place(pair.b, static_cast<int>(random.below(Dim)), random.below(2) == 0 ? -1 : 1);
   if (on_b.dot(outwards) > 0) on_b = -on_b;
-  pair.b.center = (pair.a.center.template cast<double>() + place(pair.a, face, side) + gap * outwards - on_b).template cast<Scalar>();
+  pair.b.center = (pair.a.center.template cast<double>() + place(pair.a, face, side) + gap * outwards - on_b)
+                      .template cast<Scalar>();
 }
 
 template <class Scalar, int Dim>
@@ -34,23 +36,24 @@ void orient(BoxPair<Scalar, Dim>& pair, Orientation how, Random& random) {
   Turn other = any_turn<Dim>(random);
   pair.a.axes = base.template cast<Scalar>();
   if (how == Orientation::kSharedAxis) {
-    if constexpr (Dim == 3) other = base * turn(Vector<double, 3>::Unit(static_cast<int>(random.below(3))), random.between(-3, 3));
+    if constexpr (Dim == 3)
+      other = base * turn(Vector<double, 3>::Unit(static_cast<int>(random.below(3))), random.between(-3, 3));
   } else if (how == Orientation::kTilted) {
     const double tilt = std::pow(10.0, -2 - static_cast<int>(random.below(7)));
-    if constexpr (Dim == 2)
-      other = turn(tilt) * base;
-    else
-      other = turn(any_vector<3>(random), tilt) * base;
+    if constexpr (Dim == 2) other = turn(tilt) * base;
+    else other = turn(any_vector<3>(random), tilt) * base;
   }
   pair.b.axes = other.template cast<Scalar>();
   if (how == Orientation::kSame || how == Orientation::kPermuted) pair.b.axes = pair.a.axes;
   if (how == Orientation::kPermuted)
-    for (int i = 0; i < Dim; ++i) pair.b.axes.col(i) = pair.a.axes.col((i + 1) % Dim) * Scalar(random.below(2) == 0 ? 1 : -1);
+    for (int i = 0; i < Dim; ++i)
+      pair.b.axes.col(i) = pair.a.axes.col((i + 1) % Dim) * Scalar(random.below(2) == 0 ? 1 : -1);
   if (how == Orientation::kCrooked)  // as far from unit and perpendicular as a box may be
     for (int i = 0; i < Dim; ++i)
       for (int j = 0; j < Dim; ++j)
         for (auto* box : {&pair.a, &pair.b})
-          box->axes(i, j) *= 1 + static_cast<Scalar>(random.between(-8, 8)) * std::numeric_limits<Scalar>::epsilon() / 2;
+          box->axes(i, j) *=
+              1 + static_cast<Scalar>(random.between(-8, 8)) * std::numeric_limits<Scalar>::epsilon() / 2;
 }
 
 template <class Scalar, int Dim>
@@ -60,7 +63,8 @@ void size_up(Obb<Scalar, Dim>& box, Extents how, Random& random) {
   switch (how) {
     case Extents::kAny: break;
     case Extents::kMixed:
-      for (int i = 0; i < Dim; ++i) box.half_extents[i] *= static_cast<Scalar>(std::pow(10.0, static_cast<int>(random.below(8)) - 4));
+      for (int i = 0; i < Dim; ++i)
+        box.half_extents[i] *= static_cast<Scalar>(std::pow(10.0, static_cast<int>(random.below(8)) - 4));
       break;
     case Extents::kSlivers: box.half_extents[odd] *= Scalar(1e-6); break;
     case Extents::kFlats: box.half_extents[odd] = 0; break;

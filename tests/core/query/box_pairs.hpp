@@ -1,7 +1,6 @@
 // Pairs of oriented boxes that tests share, in families named by what is hard about them.
 #pragma once
 
-
 #include "geometry/obb.hpp"
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
@@ -22,10 +21,8 @@ Vector<double, Dim> any_vector(Random& random, double size = 1) {
 
 template <int Dim>
 Matrix<double, Dim> any_turn(Random& random, double most = 3.2) {
-  if constexpr (Dim == 2)
-    return turn(random.between(-most, most));
-  else
-    return turn(any_vector<3>(random), random.between(-most, most));
+  if constexpr (Dim == 2) return turn(random.between(-most, most));
+  else return turn(any_vector<3>(random), random.between(-most, most));
 }
 
 template <class Scalar, int Dim>

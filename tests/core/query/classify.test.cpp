@@ -12,7 +12,9 @@ using query::Culling;
 namespace {
 
 /// A size of any magnitude beside the scene's.
-double any_size(double scene, Random& random) { return scene * std::ldexp(random.between(0.5, 1), 2 - static_cast<int>(random.below(16))); }
+double any_size(double scene, Random& random) {
+  return scene * std::ldexp(random.between(0.5, 1), 2 - static_cast<int>(random.below(16)));
+}
 
 template <class Scalar, int Dim>
 Vector<Scalar, Dim> place(const test::Scene<Scalar, Dim>& scene, Random& random) {
@@ -20,7 +22,9 @@ Vector<Scalar, Dim> place(const test::Scene<Scalar, Dim>& scene, Random& random)
 }
 
 template <class Scalar, int Dim>
-void fill(Vector<Scalar, Dim>& point, const test::Scene<Scalar, Dim>& scene, Random& random) { point = place(scene, random); }
+void fill(Vector<Scalar, Dim>& point, const test::Scene<Scalar, Dim>& scene, Random& random) {
+  point = place(scene, random);
+}
 template <class Scalar, int Dim>
 void fill(Sphere<Scalar, Dim>& sphere, const test::Scene<Scalar, Dim>& scene, Random& random) {
   sphere = {place(scene, random), static_cast<Scalar>(any_size(scene.size, random))};
@@ -28,7 +32,8 @@ void fill(Sphere<Scalar, Dim>& sphere, const test::Scene<Scalar, Dim>& scene, Ra
 template <class Scalar, int Dim>
 void fill(AabbCenterExtents<Scalar, Dim>& box, const test::Scene<Scalar, Dim>& scene, Random& random) {
   box.center = place(scene, random);
-  for (int i = 0; i < Dim; ++i) box.half_extents[i] = random.below(12) == 0 ? Scalar(0) : static_cast<Scalar>(any_size(scene.size, random));
+  for (int i = 0; i < Dim; ++i)
+    box.half_extents[i] = random.below(12) == 0 ? Scalar(0) : static_cast<Scalar>(any_size(scene.size, random));
 }
 template <class Scalar, int Dim>
 void fill(Aabb<Scalar, Dim>& box, const test::Scene<Scalar, Dim>& scene, Random& random) {
@@ -100,7 +105,15 @@ void check_grazing_boxes() {
 
 }  // namespace
 
-TEST_CASE("a million grazing boxes and spheres are classified as exact arithmetic does: spheres, float") { check_grazing_spheres<float>(); }
-TEST_CASE("a million grazing boxes and spheres are classified as exact arithmetic does: spheres, double") { check_grazing_spheres<double>(); }
-TEST_CASE("a million grazing boxes and spheres are classified as exact arithmetic does: boxes, float") { check_grazing_boxes<float>(); }
-TEST_CASE("a million grazing boxes and spheres are classified as exact arithmetic does: boxes, double") { check_grazing_boxes<double>(); }
+TEST_CASE("a million grazing boxes and spheres are classified as exact arithmetic does: spheres, float") {
+  check_grazing_spheres<float>();
+}
+TEST_CASE("a million grazing boxes and spheres are classified as exact arithmetic does: spheres, double") {
+  check_grazing_spheres<double>();
+}
+TEST_CASE("a million grazing boxes and spheres are classified as exact arithmetic does: boxes, float") {
+  check_grazing_boxes<float>();
+}
+TEST_CASE("a million grazing boxes and spheres are classified as exact arithmetic does: boxes, double") {
+  check_grazing_boxes<double>();
+}

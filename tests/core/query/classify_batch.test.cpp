@@ -21,7 +21,7 @@ std::array<int, 3> check_same(const Frustum<Scalar, 3>& frustum, const std::vect
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Culling right = query::classify(frustum, shapes[i]).verdict;
     wrong += verdicts[i] != right;
-    ++counts[static_cast<std::size_t>(right)];
+    ++counts[right];
   }
   CHECK(wrong == 0);
   CHECK(verdicts.back() == static_cast<Culling>(7));  // nothing is written behind the last
@@ -32,7 +32,8 @@ template <class Scalar>
 std::vector<Aabb<Scalar, 3>> boxes_about(const test::Scene<Scalar, 3>& scene, int n, bool grazing, Random& random) {
   std::vector<Aabb<Scalar, 3>> boxes;
   for (int i = 0; i < n; ++i) {
-    const Vector<double, 3> half = scene.size * (Vector<double, 3>(0.51, 0.51, 0.51) + test::any_vector<3>(random, 0.5));
+    const Vector<double, 3> half =
+        scene.size * (Vector<double, 3>(0.51, 0.51, 0.51) + test::any_vector<3>(random, 0.5));
     const Vector<double, 3> center = scene.middle + test::any_vector<3>(random, 1.5 * scene.size);
     boxes.push_back({(center - half).template cast<Scalar>(), (center + half).template cast<Scalar>()});
     if (grazing && i % 3 == 0) test::graze(scene.frustum[static_cast<int>(random.below(6))], boxes.back(), random);
@@ -59,7 +60,8 @@ TEST_CASE_TEMPLATE("boxes and spheres at once have the verdicts that they have o
     const auto scene = test::any_scene<Scalar, 3>(round % test::kFrustumKinds, random);
     const bool grazing = round % 2 == 0;
     const auto of_boxes = check_same<query::AabbArray<Scalar>>(scene.frustum, boxes_about(scene, 500, grazing, random));
-    const auto of_spheres = check_same<query::SphereArray<Scalar>>(scene.frustum, spheres_about(scene, 500, grazing, random));
+    const auto of_spheres =
+        check_same<query::SphereArray<Scalar>>(scene.frustum, spheres_about(scene, 500, grazing, random));
     for (std::size_t i = 0; i < 3; ++i) boxes[i] += of_boxes[i], spheres[i] += of_spheres[i];
   }
   for (const int count : boxes) CHECK(count > 200);

@@ -37,7 +37,9 @@ void check_same_as_vertices() {
       CHECK(corners.rejected_by == vertices.rejected_by);
       CHECK(corners.planes_tested == vertices.planes_tested);
       CHECK(corners.crossing == vertices.crossing);
-      const auto tests = [](const Counter& counter) { return counter.counts[static_cast<std::size_t>(Operation::kOrientationTests)]; };
+      const auto tests = [](const Counter& counter) {
+        return counter.counts[static_cast<std::size_t>(Operation::kOrientationTests)];
+      };
       CHECK(tests(slow) == (1 << Dim) * corners.planes_tested);
       CHECK(tests(quick) == 2 * vertices.planes_tested - (vertices.verdict == Culling::kOutside ? 1 : 0));
       // The wrong test never keeps what the right one rejects.
@@ -52,7 +54,8 @@ void check_same_as_vertices() {
 
 template <class Scalar, int Dim>
 void check_counter_example() {
-  const auto frustum = *frustum_of_camera(FrustumCamera<Scalar, Dim>{.position = Vector<Scalar, Dim>::Ones(), .near = 1, .far = 5});
+  const auto frustum =
+      *frustum_of_camera(FrustumCamera<Scalar, Dim>{.position = Vector<Scalar, Dim>::Ones(), .near = 1, .far = 5});
   const auto lost = query::against_corners_outside(frustum, 1, 1000);
   REQUIRE(lost.has_value());
   CHECK(query::corners_outside(frustum, lost->box).verdict == Culling::kOutside);
@@ -159,7 +162,8 @@ TEST_CASE("a frustum's edges and corners touch a box's, and a step away do not")
 }
 
 TEST_CASE("the exact test of frustum and box takes normals of any length, and corners among the subnormal numbers") {
-  const auto check = []<int Dim>(std::integral_constant<int, Dim>, const typename Frustum<double, Dim>::Planes& planes, const Aabb<double, Dim>& box) {
+  const auto check = []<int Dim>(std::integral_constant<int, Dim>, const typename Frustum<double, Dim>::Planes& planes,
+                                 const Aabb<double, Dim>& box) {
     const auto frustum = Frustum<double, Dim>::make(planes);
     REQUIRE(frustum.has_value());
     const Obb<double, Dim> turned{(box.min + box.max) / 2, Matrix<double, Dim>::Identity(), (box.max - box.min) / 2};
@@ -171,19 +175,26 @@ TEST_CASE("the exact test of frustum and box takes normals of any length, and co
     const auto plane = [&](double x, double y, double z, double d) {
       return Plane<double, 3>{Vector<double, 3>(x, y, z) * length, d * length};
     };
-    const Frustum<double, 3>::Planes planes{plane(-5, 3, -1, 0), plane(3, -5, -1, 0), plane(-5, -5, 7, 0),
-                                            plane(3, 3, -9, 0), plane(-1, -1, -1, 3), plane(1, 1, 1, -3e9)};
+    const Frustum<double, 3>::Planes planes{plane(-5, 3, -1, 0), plane(3, -5, -1, 0),  plane(-5, -5, 7, 0),
+                                            plane(3, 3, -9, 0),  plane(-1, -1, -1, 3), plane(1, 1, 1, -3e9)};
     for (int i = -6; i <= 6; ++i) check(in_space, planes, Aabb<double, 3>{{8, 6. + i, 6}, {14, 12. + i, 12}});
   }
   // A slab about x = 0 whose sides are tilted by less than a normal number.
-  const Frustum<double, 2>::Planes tilted{Plane<double, 2>{{-1.75, 0}, -0x1p-600}, {{1.75, 0}, -0x1p-600},
-                                          {{-1.5, -0x1p-1072}, -0x1p-601}, {{1.5, 0x1p-1072}, -0x1p-601}};
+  const Frustum<double, 2>::Planes tilted{Plane<double, 2>{{-1.75, 0}, -0x1p-600},
+                                          {{1.75, 0}, -0x1p-600},
+                                          {{-1.5, -0x1p-1072}, -0x1p-601},
+                                          {{1.5, 0x1p-1072}, -0x1p-601}};
   for (int i = -4; i <= 4; ++i)
-    check(in_plane, tilted, Aabb<double, 2>{{-0x1p-600, std::ldexp(1.0, 470 + i)}, {0x1p-600, std::ldexp(1.5, 470 + i)}});
+    check(in_plane, tilted,
+          Aabb<double, 2>{{-0x1p-600, std::ldexp(1.0, 470 + i)}, {0x1p-600, std::ldexp(1.5, 470 + i)}});
   constexpr double kLeast = 0x1p-1074;
-  const Frustum<double, 2>::Planes tiny{Plane<double, 2>{{-4.7e108, 1.2e108}, -2.3e-215}, {{1, 0}, -3 * kLeast}, {{0, -0.625}, -2 * kLeast}, {{0, 1}, -kLeast}};
+  const Frustum<double, 2>::Planes tiny{Plane<double, 2>{{-4.7e108, 1.2e108}, -2.3e-215},
+                                        {{1, 0}, -3 * kLeast},
+                                        {{0, -0.625}, -2 * kLeast},
+                                        {{0, 1}, -kLeast}};
   for (int x = -4; x <= 4; ++x)
-    for (int y = -4; y <= 4; ++y) check(in_plane, tiny, Aabb<double, 2>{{x * kLeast, y * kLeast}, {(x + 2) * kLeast, (y + 2) * kLeast}});
+    for (int y = -4; y <= 4; ++y)
+      check(in_plane, tiny, Aabb<double, 2>{{x * kLeast, y * kLeast}, {(x + 2) * kLeast, (y + 2) * kLeast}});
 }
 
 TEST_CASE("what the planes do not tell is counted") {
@@ -195,6 +206,9 @@ TEST_CASE("what the planes do not tell is counted") {
   CHECK(tally.inside + tally.intersecting + tally.outside == 3000);
   CHECK(tally.really_outside > 20);
   CHECK(tally.really_outside < tally.intersecting / 2);
-  const auto endless = Frustum<float, 3>::make({{{{1, 0, 0}, 0}, {{1, 0, 0}, 0}, {{1, 0, 0}, 0}, {{1, 0, 0}, 0}, {{1, 0, 0}, 0}, {{1, 0, 0}, 0}}}).value();
+  const auto endless =
+      Frustum<float, 3>::make(
+          {{{{1, 0, 0}, 0}, {{1, 0, 0}, 0}, {{1, 0, 0}, 0}, {{1, 0, 0}, 0}, {{1, 0, 0}, 0}, {{1, 0, 0}, 0}}})
+          .value();
   CHECK_FALSE(query::tally<float, 3>(endless, boxes).has_value());
 }

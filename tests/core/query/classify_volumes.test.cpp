@@ -10,7 +10,9 @@ using query::Culling;
 
 namespace {
 
-std::int64_t tests(const OperationCounts& counts) { return counts[static_cast<std::size_t>(Operation::kOrientationTests)]; }
+std::int64_t tests(const OperationCounts& counts) {
+  return counts[static_cast<std::size_t>(Operation::kOrientationTests)];
+}
 
 /// A point about the scene, on a coarse grid where it is upright, so that it meets planes exactly.
 template <class Scalar, int Dim>
@@ -31,7 +33,8 @@ Kdop<Scalar, Dim> kdop_of(int k, const std::vector<Vector<Scalar, Dim>>& points)
       return sum;
     };
     kdop.min[a] = kdop.max[a] = along(points[0]);
-    for (const auto& p : points) kdop.min[a] = std::min(kdop.min[a], along(p)), kdop.max[a] = std::max(kdop.max[a], along(p));
+    for (const auto& p : points)
+      kdop.min[a] = std::min(kdop.min[a], along(p)), kdop.max[a] = std::max(kdop.max[a], along(p));
   }
   return kdop;
 }
@@ -69,7 +72,8 @@ void check_all_kinds() {
     const auto axes = test::any_turn<Dim>(random);
     Lozenge<Scalar, Dim> lozenge{somewhere(scene, random)};
     for (std::size_t i = 0; i < 2; ++i)
-      lozenge.edges[i] = (axes.col(static_cast<int>(i)) * scene.size * random.between(-0.5, 0.5)).template cast<Scalar>();
+      lozenge.edges[i] =
+          (axes.col(static_cast<int>(i)) * scene.size * random.between(-0.5, 0.5)).template cast<Scalar>();
     lozenge.radius = radius;
     if (grazing) test::graze(scene.frustum[plane], lozenge, random);
     check_kind(scene, lozenge, exact::classify(scene.frustum, exact::sum_of(lozenge), true), lozenges);
@@ -86,7 +90,7 @@ void check_all_kinds() {
     check_kind(scene, hull, exact::classify(scene.frustum, points), hulls);
 
     if (round % 12 > 1) continue;
-    const auto kdop = kdop_of<Scalar, Dim>(ks[static_cast<std::size_t>(round % 36 == 0 ? 2 : round % 2)], points);
+    const auto kdop = kdop_of<Scalar, Dim>(ks[round % 36 == 0 ? 2 : round % 2], points);
     check_kind(scene, kdop, exact::classify(scene.frustum, kdop), kdops);
   }
   capsules.check(3), lozenges.check(3), hulls.check(3), kdops.check(1);
@@ -123,7 +127,8 @@ void check_doubts() {
     check_doubt(plane, Aabb<Scalar, 3>{box.center, box.center + box.half_extents}, 1, boxes);
     if (round % 10 != 0) continue;
     std::vector<Vector<Scalar, 3>> points;
-    for (int i = 0; i < 8; ++i) points.push_back(box.center + (test::any_vector<3>(random) * scene.size).template cast<Scalar>());
+    for (int i = 0; i < 8; ++i)
+      points.push_back(box.center + (test::any_vector<3>(random) * scene.size).template cast<Scalar>());
     check_doubt(plane, kdop_of<Scalar, 3>(26, points), 12, kdops);
   }
   // Not so wide that everything would be looked at exactly.
@@ -239,7 +244,9 @@ TEST_CASE("masking: a child skips the planes that its parent is inside of, and h
     const auto above = query::classify(scene.frustum, parent);
     if (above.verdict == Culling::kOutside) continue;
     // A child with its parent's axes, well inside it.
-    Obb<double, 3> child{parent.center + parent.axes * parent.half_extents.cwiseProduct(test::any_vector<3>(random, 0.7)), parent.axes, parent.half_extents / 4};
+    Obb<double, 3> child{parent.center +
+                             parent.axes * parent.half_extents.cwiseProduct(test::any_vector<3>(random, 0.7)),
+                         parent.axes, parent.half_extents / 4};
     Recorder<query::ClassifyStep<double, 3>> masked;
     Counter all;
     const auto result = query::classify(scene.frustum, child, {.planes = above.crossing}, masked);

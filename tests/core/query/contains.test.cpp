@@ -19,7 +19,7 @@ using Rationals = std::array<Rational, static_cast<std::size_t>(Dim)>;
 template <class Scalar, int Dim>
 Rationals<Scalar, Dim> rational(const Vector<Scalar, Dim>& v) {
   Rationals<Scalar, Dim> exact;
-  for (int i = 0; i < Dim; ++i) exact[static_cast<std::size_t>(i)] = Rational(static_cast<double>(v[i]));
+  for (int i = 0; i < Dim; ++i) exact[i] = Rational(static_cast<double>(v[i]));
   return exact;
 }
 
@@ -32,7 +32,8 @@ Rational dot(const std::array<Rational, Dim>& a, const std::array<Rational, Dim>
 
 /// a + factor b
 template <std::size_t Dim>
-std::array<Rational, Dim> plus(std::array<Rational, Dim> a, const Rational& factor, const std::array<Rational, Dim>& b) {
+std::array<Rational, Dim> plus(std::array<Rational, Dim> a, const Rational& factor,
+                               const std::array<Rational, Dim>& b) {
   for (std::size_t i = 0; i < Dim; ++i) a[i] += factor * b[i];
   return a;
 }
@@ -86,7 +87,8 @@ void check_side(const Volume& volume, const Point& point, int side) {
 template <class Scalar, int Dim>
 Vector<Scalar, Dim> lattice_point(Random& random, int most, Scalar scale) {
   Vector<Scalar, Dim> p;
-  for (int i = 0; i < Dim; ++i) p[i] = scale * static_cast<Scalar>(static_cast<int>(random.below(2u * unsigned(most) + 1)) - most);
+  for (int i = 0; i < Dim; ++i)
+    p[i] = scale * static_cast<Scalar>(static_cast<int>(random.below(2u * unsigned(most) + 1)) - most);
   return p;
 }
 
@@ -109,8 +111,9 @@ int side_of(const Rational& square, Scalar radius) {
 }
 
 template <class Scalar>
-constexpr std::array<Scalar, 3> kScales = sizeof(Scalar) == 8 ? std::array<Scalar, 3>{Scalar(1), Scalar(0x1p-490), Scalar(0x1p490)}
-                                                              : std::array<Scalar, 3>{Scalar(1), Scalar(0x1p-50), Scalar(0x1p50)};
+constexpr std::array<Scalar, 3> kScales = sizeof(Scalar) == 8
+                                              ? std::array<Scalar, 3>{Scalar(1), Scalar(0x1p-490), Scalar(0x1p490)}
+                                              : std::array<Scalar, 3>{Scalar(1), Scalar(0x1p-50), Scalar(0x1p50)};
 
 }  // namespace
 
@@ -151,9 +154,9 @@ TEST_CASE("distances outside are those of a drawing") {
 
 TEST_CASE_TEMPLATE("a lozenge with skewed edges is the neighbourhood of its parallelogram", Scalar, float, double) {
   const Lozenge<Scalar, 3> lozenge{{0, 0, 0}, {Vector<Scalar, 3>{4, 0, 0}, {3, 3, 0}}, 1};
-  CHECK(query::contains(lozenge, {5, 2, 1}));                                      // above its inside
+  CHECK(query::contains(lozenge, {5, 2, 1}));  // above its inside
   CHECK(!query::contains(lozenge, {5, 2, std::nextafter(Scalar(1), Scalar(2))}));
-  CHECK(!query::contains(lozenge, {0, 2, 0}));                                     // beside the slanting edge
+  CHECK(!query::contains(lozenge, {0, 2, 0}));  // beside the slanting edge
   CHECK(query::outside_by(lozenge, {0, 2, 0}) == doctest::Approx(std::sqrt(2.0) - 1));
 }
 
@@ -222,7 +225,8 @@ TEST_CASE_TEMPLATE("a capsule and a lozenge hold a point just where rational ari
     for (int round = 0; round < 250; ++round) {
       const auto place = [&] { return lattice_point<Scalar, 3>(random, round % 2 == 0 ? 2 : 5, scale); };
       const auto radius_near = [&](const Rational& square) { return nudged(root<Scalar>(square), random.below(4)); };
-      const Vector<Scalar, 3> far = round % 5 == 0 ? lattice_point<Scalar, 3>(random, 100000, scale) : Vector<Scalar, 3>::Zero();
+      const Vector<Scalar, 3> far =
+          round % 5 == 0 ? lattice_point<Scalar, 3>(random, 100000, scale) : Vector<Scalar, 3>::Zero();
       const Vector<Scalar, 3> p = place() + far;
 
       Capsule<Scalar, 3> capsule{place() + far, place() + far, 0};
@@ -234,7 +238,8 @@ TEST_CASE_TEMPLATE("a capsule and a lozenge hold a point just where rational ari
 
       Lozenge<Scalar, 3> lozenge{place() + far, {place(), place()}, 0};
       const auto from_origin = plus(rational(p), -1, rational(lozenge.origin));
-      const Rational nearest = square_to_parallelogram(from_origin, rational(lozenge.edges[0]), rational(lozenge.edges[1]));
+      const Rational nearest =
+          square_to_parallelogram(from_origin, rational(lozenge.edges[0]), rational(lozenge.edges[1]));
       lozenge.radius = radius_near(nearest);
       lozenges.note(side_of(nearest, lozenge.radius));
       check_side(lozenge, p, side_of(nearest, lozenge.radius));
@@ -242,8 +247,8 @@ TEST_CASE_TEMPLATE("a capsule and a lozenge hold a point just where rational ari
       const auto flat = [](const Vector<Scalar, 3>& v) { return Vector<Scalar, 2>(v[0], v[1]); };
       Lozenge<Scalar, 2> disc{flat(lozenge.origin), {flat(lozenge.edges[0]), flat(lozenge.edges[1])}, 0};
       const Vector<Scalar, 2> q = flat(p);
-      const Rational least = square_to_parallelogram(plus(rational(q), -1, rational(disc.origin)), rational(disc.edges[0]),
-                                                     rational(disc.edges[1]));
+      const Rational least = square_to_parallelogram(plus(rational(q), -1, rational(disc.origin)),
+                                                     rational(disc.edges[0]), rational(disc.edges[1]));
       disc.radius = radius_near(least);
       discs.note(side_of(least, disc.radius));
       check_side(disc, q, side_of(least, disc.radius));
@@ -254,12 +259,14 @@ TEST_CASE_TEMPLATE("a capsule and a lozenge hold a point just where rational ari
   discs.check(30);
 }
 
-TEST_CASE_TEMPLATE("long thin capsules and lozenges at odd angles are judged as rational arithmetic does", Scalar, float, double) {
+TEST_CASE_TEMPLATE("long thin capsules and lozenges at odd angles are judged as rational arithmetic does", Scalar,
+                   float, double) {
   Random random(4);
   int in = 0, out = 0;
   for (int round = 0; round < 300; ++round) {
     const auto any = [&](double size) {
-      return Vector<Scalar, 3>(static_cast<Scalar>(size * random.between(-1, 1)), static_cast<Scalar>(size * random.between(-1, 1)),
+      return Vector<Scalar, 3>(static_cast<Scalar>(size * random.between(-1, 1)),
+                               static_cast<Scalar>(size * random.between(-1, 1)),
                                static_cast<Scalar>(size * random.between(-1, 1)));
     };
     const double thin = std::pow(10.0, -static_cast<int>(random.below(12)));

@@ -32,7 +32,8 @@ test::Cloud<Scalar, Dim> questions(const test::Cloud<Scalar, Dim>& cloud, Random
   for (std::size_t i = 0; i < 24; ++i) {
     Vector<Scalar, Dim> p = asked[i];
     const int axis = static_cast<int>(random.below(Dim));
-    p[axis] = std::nextafter(p[axis], random.below(2) == 0 ? -std::numeric_limits<Scalar>::max() : std::numeric_limits<Scalar>::max());
+    p[axis] = std::nextafter(p[axis], random.below(2) == 0 ? -std::numeric_limits<Scalar>::max()
+                                                           : std::numeric_limits<Scalar>::max());
     asked.push_back(p);
   }
   return asked;
@@ -51,7 +52,8 @@ void check(const std::string& name, const test::Cloud<Scalar, Dim>& cloud, Rando
     CHECK((outside == 0) == held);
     // No farther than the nearest vertex, but for rounding.
     double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& v : hull.vertices) nearest = std::min(nearest, scaled_norm<double, Dim>(p.template cast<double>() - v.template cast<double>()));
+    for (const auto& v : hull.vertices)
+      nearest = std::min(nearest, scaled_norm<double, Dim>(p.template cast<double>() - v.template cast<double>()));
     CHECK(outside <= nearest + 0x1p-48 * (largest + nearest) + 8 * std::numeric_limits<double>::denorm_min());
     (held ? seen.inside : seen.outside) += 1;
     seen.flat += hull.affine_dim < Dim && held;
@@ -60,14 +62,17 @@ void check(const std::string& name, const test::Cloud<Scalar, Dim>& cloud, Rando
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("a hull holds a point just where it is a convex combination of the vertices", Scalar, float, double) {
+TEST_CASE_TEMPLATE("a hull holds a point just where it is a convex combination of the vertices", Scalar, float,
+                   double) {
   Random random(11);
   Seen seen;
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     for (const int n : {2, 6, 12})
-      for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, n)) check<Scalar, 2>(name, points, random, seen);
+      for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, n))
+        check<Scalar, 2>(name, points, random, seen);
     for (const int n : {2, 7})
-      for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, n)) check<Scalar, 3>(name, points, random, seen);
+      for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, n))
+        check<Scalar, 3>(name, points, random, seen);
   }
   CHECK(seen.inside > 300);
   CHECK(seen.outside > 300);
@@ -104,7 +109,7 @@ TEST_CASE("a polygon of many corners holds its points, found by halving") {
   const auto hull = fit::quickhull(test::set_of<double, 2>(parabola).span()).volume;
   REQUIRE(hull.vertices.size() == 1001);
   for (int i = -500; i < 500; ++i) {
-    CHECK(query::contains(hull, parabola[static_cast<std::size_t>(i + 500)]));
+    CHECK(query::contains(hull, parabola[i + 500]));
     const double middle = i + 0.5, chord = (double(i) * i + double(i + 1) * (i + 1)) / 2;
     CHECK(query::contains(hull, {middle, chord}));
     CHECK_FALSE(query::contains(hull, {middle, std::nextafter(chord, -1.0)}));

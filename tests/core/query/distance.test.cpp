@@ -49,7 +49,9 @@ class Maker {
     return {between(-s, s), between(-s, s), between(-s, s)};
   }
   /// 1 to 10^-most.
-  Scalar small(int most) { return static_cast<Scalar>(std::pow(10.0, -static_cast<int>(random.below(unsigned(most) + 1)))); }
+  Scalar small(int most) {
+    return static_cast<Scalar>(std::pow(10.0, -static_cast<int>(random.below(unsigned(most) + 1))));
+  }
   Point<Scalar> across(const Point<Scalar>& v) {
     const Point<double> w = v.template cast<double>();
     const Point<double> side = w.cross(any().template cast<double>());
@@ -84,24 +86,29 @@ std::vector<Family<Scalar>> rectangle_families() {
     return Result{a, b};
   };
   return {
-      {"any", [](Make make) { return Result{make.rectangle(), make.rectangle()}; }},
-      {"touching or nearly", [=](Make make) {
-         return put(make, make.rectangle(), make.rectangle(), make.any(make.small(digits)));
+      {"any",
+       [](Make make) {
+         return Result{make.rectangle(), make.rectangle()};
        }},
-      {"parallel planes", [=](Make make) {
+      {"touching or nearly",
+       [=](Make make) { return put(make, make.rectangle(), make.rectangle(), make.any(make.small(digits))); }},
+      {"parallel planes",
+       [=](Make make) {
          const Patch<Scalar> a = make.rectangle();
          Patch<Scalar> b = make.rectangle();
          b.edges = {Point<Scalar>(a.edges[0] * make.between(0.1, 1)), Point<Scalar>(a.edges[1] * make.between(-1, 1))};
          return put(make, a, b, make.any(make.small(digits)));
        }},
-      {"almost parallel", [=](Make make) {
+      {"almost parallel",
+       [=](Make make) {
          const Patch<Scalar> a = make.rectangle();
          Patch<Scalar> b = a;
          b.edges[0] += make.any(make.small(digits));
          b.edges[1] -= b.edges[0] * (b.edges[1].dot(b.edges[0]) / b.edges[0].squaredNorm());
          return put(make, a, b, make.any(make.small(digits)));
        }},
-      {"in one plane", [=](Make make) {
+      {"in one plane",
+       [=](Make make) {
          Patch<Scalar> a = make.rectangle(), b = make.rectangle();
          for (Patch<Scalar>* patch : {&a, &b}) {
            patch->corner[2] = patch->edges[0][2] = 0;
@@ -109,20 +116,24 @@ std::vector<Family<Scalar>> rectangle_families() {
          }
          return Result{a, b};
        }},
-      {"zero edges", [=](Make make) {
+      {"zero edges",
+       [=](Make make) {
          Patch<Scalar> a = make.rectangle(), b = make.rectangle();
          for (Patch<Scalar>* patch : {&a, &b})
            for (auto& edge : patch->edges)
              if (make.random.below(2) == 0) edge.setZero();
          return put(make, a, b, make.any(make.small(digits)));
        }},
-      {"tiny and long edges", [=](Make make) {
+      {"tiny and long edges",
+       [=](Make make) {
          Patch<Scalar> a = make.rectangle(), b = make.rectangle();
          for (Patch<Scalar>* patch : {&a, &b})
-           for (auto& edge : patch->edges) edge *= make.random.below(20) == 0 ? std::numeric_limits<Scalar>::min() : make.small(2 * digits);
+           for (auto& edge : patch->edges)
+             edge *= make.random.below(20) == 0 ? std::numeric_limits<Scalar>::min() : make.small(2 * digits);
          return put(make, a, b, make.any(make.small(digits)));
        }},
-      {"whole numbers", [](Make make) {
+      {"whole numbers",
+       [](Make make) {
          const auto whole = [&] { return static_cast<Scalar>(static_cast<int>(make.random.below(5)) - 2) / 8; };
          const auto rectangle = [&] {
            const int axis = static_cast<int>(make.random.below(3));
@@ -139,21 +150,24 @@ std::vector<Family<Scalar>> rectangle_families() {
 template <class Scalar>
 void check(const query::ClosestPoints<Scalar>& found, const Patch<Scalar>& a, const Patch<Scalar>& b) {
   const auto exact = static_cast<double>(test::distance(a.big(), b.big()));
-  CHECK(std::abs(std::sqrt(static_cast<double>(found.square)) - exact) <= static_cast<double>(tolerance::kTouching<Scalar>));
-  CHECK(std::abs(static_cast<double>((found.b - found.a).norm()) - exact) <= static_cast<double>(tolerance::kTouching<Scalar>));
+  CHECK(std::abs(std::sqrt(static_cast<double>(found.square)) - exact) <=
+        static_cast<double>(tolerance::kTouching<Scalar>));
+  CHECK(std::abs(static_cast<double>((found.b - found.a).norm()) - exact) <=
+        static_cast<double>(tolerance::kTouching<Scalar>));
   CHECK((found.between - (found.b - found.a)).norm() <= tolerance::kTouching<Scalar>);
 }
 
 /// The same with fewer edges: of rectangles segments, and points.
 template <class Scalar>
 Patch<Scalar> with_edges(Patch<Scalar> patch, int edges) {
-  for (int i = edges; i < 2; ++i) patch.edges[static_cast<std::size_t>(i)].setZero();
+  for (int i = edges; i < 2; ++i) patch.edges[i].setZero();
   return patch;
 }
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("points, segments and rectangles have the exact distance, whatever their position", Scalar, float, double) {
+TEST_CASE_TEMPLATE("points, segments and rectangles have the exact distance, whatever their position", Scalar, float,
+                   double) {
   Maker<Scalar> make(1);
   for (const auto& family : rectangle_families<Scalar>()) {
     CAPTURE(family.name);

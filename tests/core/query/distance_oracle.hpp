@@ -10,8 +10,9 @@
 
 namespace snug::test {
 
-using Big = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<300, boost::multiprecision::digit_base_2>,
-                                          boost::multiprecision::et_off>;
+using Big =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<300, boost::multiprecision::digit_base_2>,
+                                  boost::multiprecision::et_off>;
 
 struct BigVector {
   Big x, y, z;

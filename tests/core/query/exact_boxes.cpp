@@ -11,7 +11,6 @@ namespace snug::exact {
 
 namespace {
 
-
 using Integer = boost::multiprecision::cpp_int;
 template <int Dim>
 using IntegerVector = std::array<Integer, static_cast<std::size_t>(Dim)>;
@@ -54,8 +53,8 @@ struct WholeBox {
       center[at] = scaled(box.center[k], 2 * shift);
       const Integer half = scaled(box.half_extents[k], shift);
       for (int row = 0; row < Dim; ++row) {
-        directions[at][static_cast<std::size_t>(row)] = scaled(box.axes(row, k), shift);
-        half_edges[at][static_cast<std::size_t>(row)] = half * directions[at][static_cast<std::size_t>(row)];
+        directions[at][row] = scaled(box.axes(row, k), shift);
+        half_edges[at][row] = half * directions[at][row];
       }
     }
   }
@@ -115,8 +114,8 @@ bool overlap_by_corners(const Obb<double, Dim>& a, const Obb<double, Dim>& b) {
   return true;
 }
 
-// The first phase of the simplex method with Bland's rule on sum_k x_k g_k = target, x_k + y_k = 2, all at least 0, where
-// x = s + 1.
+// The first phase of the simplex method with Bland's rule on sum_k x_k g_k = target, x_k + y_k = 2, all at least 0,
+// where x = s + 1.
 template <int Dim>
 bool overlap_by_simplex(const Obb<double, Dim>& a, const Obb<double, Dim>& b) {
   constexpr std::size_t kDim = Dim, kEdges = 2 * kDim, kRows = kDim + kEdges, kColumns = 2 * kEdges;
@@ -127,7 +126,7 @@ bool overlap_by_simplex(const Obb<double, Dim>& a, const Obb<double, Dim>& b) {
     const int r = static_cast<int>(row);
     Rational target = exact(b.center[r]) - exact(a.center[r]);
     for (int k = 0; k < Dim; ++k) {
-      table[row][static_cast<std::size_t>(k)] = exact(a.half_extents[k]) * exact(a.axes(r, k));
+      table[row][k] = exact(a.half_extents[k]) * exact(a.axes(r, k));
       table[row][kDim + static_cast<std::size_t>(k)] = exact(b.half_extents[k]) * exact(b.axes(r, k));
     }
     for (std::size_t k = 0; k < kEdges; ++k) target += table[row][k];

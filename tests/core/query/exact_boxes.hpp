@@ -15,11 +15,16 @@ bool overlap_by_simplex(const Obb<double, Dim>& a, const Obb<double, Dim>& b);
 
 template <int Dim>
 Obb<double, Dim> in_double(const Obb<float, Dim>& box) {
-  return {box.center.template cast<double>(), box.axes.template cast<double>(), box.half_extents.template cast<double>()};
+  return {box.center.template cast<double>(), box.axes.template cast<double>(),
+          box.half_extents.template cast<double>()};
 }
 template <int Dim>
-bool overlap_by_corners(const Obb<float, Dim>& a, const Obb<float, Dim>& b) { return overlap_by_corners(in_double(a), in_double(b)); }
+bool overlap_by_corners(const Obb<float, Dim>& a, const Obb<float, Dim>& b) {
+  return overlap_by_corners(in_double(a), in_double(b));
+}
 template <int Dim>
-bool overlap_by_simplex(const Obb<float, Dim>& a, const Obb<float, Dim>& b) { return overlap_by_simplex(in_double(a), in_double(b)); }
+bool overlap_by_simplex(const Obb<float, Dim>& a, const Obb<float, Dim>& b) {
+  return overlap_by_simplex(in_double(a), in_double(b));
+}
 
 }  // namespace snug::exact

@@ -59,7 +59,8 @@ double size_of(const PlaneInDouble& plane, const SumOfSegments& volume) {
   };
   double size = dot(volume.center) + std::abs(plane.d);
   for (int s = 0; s < volume.count; ++s)
-    size += dot(volume.segments[s].direction) * std::max(std::abs(volume.segments[s].least), std::abs(volume.segments[s].most));
+    size += dot(volume.segments[s].direction) *
+            std::max(std::abs(volume.segments[s].least), std::abs(volume.segments[s].most));
   const double normal = std::abs(plane.normal[0]) + std::abs(plane.normal[1]) + std::abs(plane.normal[2]);
   return size + normal * volume.radius;
 }
@@ -95,8 +96,9 @@ std::optional<Culling> side(int least, int most) {
 std::optional<Culling> in_double(const PlaneInDouble& plane, const SumOfSegments& volume, double size) {
   const double doubt = 0x1p-46 * size;
   const auto ends = ends_of<double>(plane, volume);
-  const double radius = volume.radius * std::sqrt(plane.normal[0] * plane.normal[0] + plane.normal[1] * plane.normal[1] +
-                                                  plane.normal[2] * plane.normal[2]);
+  const double radius =
+      volume.radius * std::sqrt(plane.normal[0] * plane.normal[0] + plane.normal[1] * plane.normal[1] +
+                                plane.normal[2] * plane.normal[2]);
   const auto certain = [&](double value) { return value > doubt ? 1 : value < -doubt ? -1 : 2; };
   return side(certain(ends.least - radius), certain(ends.most + radius));
 }
@@ -235,7 +237,9 @@ template <class Scalar, int Dim>
 std::vector<Rationals> vertices_of(const Kdop<Scalar, Dim>& kdop) {
   const auto axes = kdop_axes<Dim>(kdop.k);
   std::vector<Rationals> vertices;
-  const auto bound = [&](std::size_t at, bool max) { return Rational(static_cast<double>(max ? kdop.max[at] : kdop.min[at])); };
+  const auto bound = [&](std::size_t at, bool max) {
+    return Rational(static_cast<double>(max ? kdop.max[at] : kdop.min[at]));
+  };
   const auto holds = [&](const Rationals& point) {
     for (std::size_t a = 0; a < axes.size(); ++a) {
       Rational along = 0;
@@ -287,7 +291,7 @@ bool overlap(const Frustum<Scalar, Dim>& frustum, const Obb<Scalar, Dim>& box) {
   for (int k = 0; k < Dim; ++k)
     for (const int sign : {-1, 1}) {
       Rationals row(Dim + 1, 0);
-      row[static_cast<std::size_t>(k)] = sign;
+      row[k] = sign;
       row[Dim] = static_cast<double>(box.half_extents[k]);
       rows.push_back(row);
     }
@@ -297,8 +301,7 @@ bool overlap(const Frustum<Scalar, Dim>& frustum, const Obb<Scalar, Dim>& box) {
     row[Dim] = -Rational(plane.d);
     for (int i = 0; i < Dim; ++i) {
       row[Dim] -= Rational(plane.normal[i]) * Rational(static_cast<double>(box.center[i]));
-      for (int k = 0; k < Dim; ++k)
-        row[static_cast<std::size_t>(k)] += Rational(plane.normal[i]) * Rational(static_cast<double>(box.axes(i, k)));
+      for (int k = 0; k < Dim; ++k) row[k] += Rational(plane.normal[i]) * Rational(static_cast<double>(box.axes(i, k)));
     }
     rows.push_back(row);
   }
@@ -320,17 +323,17 @@ bool overlap(const Frustum<Scalar, Dim>& frustum, const Obb<Scalar, Dim>& box) {
 }
 
 #define SNUG_SUM(Scalar, Dim, Shape) template SumOfSegments sum_of(const Shape<Scalar, Dim>&);
-#define SNUG_INSTANTIATE(Scalar, Dim)                                                                       \
-  SNUG_SUM(Scalar, Dim, Vector)                                                                             \
-  SNUG_SUM(Scalar, Dim, Sphere)                                                                             \
-  SNUG_SUM(Scalar, Dim, Aabb)                                                                               \
-  SNUG_SUM(Scalar, Dim, AabbCenterExtents)                                                                  \
-  SNUG_SUM(Scalar, Dim, Obb)                                                                                \
-  SNUG_SUM(Scalar, Dim, Lozenge)                                                                            \
-  template Culling classify(const Frustum<Scalar, Dim>&, const SumOfSegments&, bool);                       \
-  template Culling classify(const Frustum<Scalar, Dim>&, const Capsule<Scalar, Dim>&);                      \
-  template Culling classify(const Frustum<Scalar, Dim>&, const std::vector<Vector<Scalar, Dim>>&);          \
-  template Culling classify(const Frustum<Scalar, Dim>&, const Kdop<Scalar, Dim>&);                         \
+#define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
+  SNUG_SUM(Scalar, Dim, Vector)                                                                                        \
+  SNUG_SUM(Scalar, Dim, Sphere)                                                                                        \
+  SNUG_SUM(Scalar, Dim, Aabb)                                                                                          \
+  SNUG_SUM(Scalar, Dim, AabbCenterExtents)                                                                             \
+  SNUG_SUM(Scalar, Dim, Obb)                                                                                           \
+  SNUG_SUM(Scalar, Dim, Lozenge)                                                                                       \
+  template Culling classify(const Frustum<Scalar, Dim>&, const SumOfSegments&, bool);                                  \
+  template Culling classify(const Frustum<Scalar, Dim>&, const Capsule<Scalar, Dim>&);                                 \
+  template Culling classify(const Frustum<Scalar, Dim>&, const std::vector<Vector<Scalar, Dim>>&);                     \
+  template Culling classify(const Frustum<Scalar, Dim>&, const Kdop<Scalar, Dim>&);                                    \
   template bool overlap(const Frustum<Scalar, Dim>&, const Obb<Scalar, Dim>&);
 SNUG_INSTANTIATE(float, 2)
 SNUG_INSTANTIATE(float, 3)

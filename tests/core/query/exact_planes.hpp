@@ -1,5 +1,5 @@
-// Where a volume is of a frustum, in arithmetic that does not round, by means that share no line with the code under test:
-// in double where that is certain by far, in about 106 bits where that is, else in rationals.
+// Where a volume is of a frustum, in arithmetic that does not round, by means that share no line with the code under
+// test: in double where that is certain by far, in about 106 bits where that is, else in rationals.
 #pragma once
 
 #include "geometry/aabb_forms.hpp"
@@ -14,8 +14,8 @@
 
 namespace snug::exact {
 
-/// A volume in double and in space, as a sum of what each coordinate may be: center + sum of segments, of radius. Points
-/// of the plane have z = 0.
+/// A volume in double and in space, as a sum of what each coordinate may be: center + sum of segments, of radius.
+/// Points of the plane have z = 0.
 struct SumOfSegments {
   struct Segment {
     double direction[3];

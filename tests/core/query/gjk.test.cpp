@@ -47,7 +47,8 @@ void offer_triangle(Least& least, const Whole& a, const Whole& b, const Whole& c
 }
 
 bool holds_origin(const Whole& a, const Whole& b, const Whole& c, const Whole& d) {
-  const std::array<std::int64_t, 4> volumes{dot(b, cross(c, d)), -dot(a, cross(c, d)), dot(d, cross(a, b)), -dot(c, cross(a, b))};
+  const std::array<std::int64_t, 4> volumes{dot(b, cross(c, d)), -dot(a, cross(c, d)), dot(d, cross(a, b)),
+                                            -dot(c, cross(a, b))};
   std::int64_t sum = 0;
   for (const std::int64_t volume : volumes) sum += volume;
   if (sum == 0) return false;  // flat: its triangles tell
@@ -79,7 +80,7 @@ ConvexHull<double, Dim> hull_of(const std::vector<Whole>& points, double scale) 
   ConvexHull<double, Dim> hull;
   for (const Whole& p : points) {
     auto& vertex = hull.vertices.emplace_back();
-    for (int i = 0; i < Dim; ++i) vertex[i] = static_cast<double>(p[static_cast<std::size_t>(i)]) * scale;
+    for (int i = 0; i < Dim; ++i) vertex[i] = static_cast<double>(p[i]) * scale;
   }
   return hull;
 }
@@ -158,8 +159,8 @@ TEST_CASE("the hulls of one point, two and three in every order") {
 }
 
 TEST_CASE("gaps from a whole to a rounding are found between faces, edges and slivers") {
-  // Two prisms over the same triangle, one above the other: rounding makes each simplex's own direction far too rough for
-  // the small gaps, and a sliver's rougher still.
+  // Two prisms over the same triangle, one above the other: rounding makes each simplex's own direction far too rough
+  // for the small gaps, and a sliver's rougher still.
   Random random(3);
   int doubled = 0, slivers_undecided = 0, others_undecided = 0;
   for (int round = 0; round < 400; ++round) {
@@ -213,7 +214,8 @@ TEST_CASE("the run ends in a step that says what was found, and each simplex is 
   int apart = 0;
   for (int round = 0; round < 50; ++round) {
     const auto a = std::get<ConvexHull<double, 3>>(make.make(6, test::Make::kSolid));
-    const auto b = std::get<ConvexHull<double, 3>>(test::moved<double, 3>(make.make(6, test::Make::kSolid), make.direction() * 1.5));
+    const auto b = std::get<ConvexHull<double, 3>>(
+        test::moved<double, 3>(make.make(6, test::Make::kSolid), make.direction() * 1.5));
     Watch watch;
     const Separation<double, 3> found = *query::gjk(a, b, false, watch);
     REQUIRE(std::holds_alternative<query::DistanceFound>(watch.last.fact));
@@ -237,15 +239,17 @@ TEST_CASE("k-DOPs about to touch are told apart") {
   test::VolumeMaker<double, 3> maker(5);
   for (int round = 0; round < 60; ++round) {
     std::vector<Vector<double, 3>> cloud;
-    for (int i = 0; i < 300; ++i) cloud.emplace_back(maker.random.normal(), maker.random.normal(), maker.random.normal());
-    const int k = std::array{14, 18, 26}[static_cast<std::size_t>(round % 3)];
+    for (int i = 0; i < 300; ++i)
+      cloud.emplace_back(maker.random.normal(), maker.random.normal(), maker.random.normal());
+    const int k = std::array{14, 18, 26}[round % 3];
     const Kdop<double, 3> fixed = maker.kdop_of(k, cloud);
     const Vector<double, 3> direction = maker.direction();
     const auto moved = [&](double distance) {
       Kdop<double, 3> copy = fixed;
       const auto axes = kdop_axes<3>(k);
       for (std::size_t i = 0; i < axes.size(); ++i) {
-        const double by = distance * (axes[i][0] * direction[0] + axes[i][1] * direction[1] + axes[i][2] * direction[2]);
+        const double by =
+            distance * (axes[i][0] * direction[0] + axes[i][1] * direction[1] + axes[i][2] * direction[2]);
         copy.min[i] += by, copy.max[i] += by;
       }
       return copy;

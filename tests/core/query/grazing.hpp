@@ -26,22 +26,36 @@ Scene<Scalar, Dim> any_scene(int kind, Random& random);
 
 /// Where the numbers are that a volume is moved by.
 template <class Scalar, int Dim>
-std::vector<Scalar*> coordinates(Vector<Scalar, Dim>& point, int j) { return {&point[j]}; }
+std::vector<Scalar*> coordinates(Vector<Scalar, Dim>& point, int j) {
+  return {&point[j]};
+}
 template <class Scalar, int Dim>
-std::vector<Scalar*> coordinates(Sphere<Scalar, Dim>& sphere, int j) { return {&sphere.center[j]}; }
+std::vector<Scalar*> coordinates(Sphere<Scalar, Dim>& sphere, int j) {
+  return {&sphere.center[j]};
+}
 template <class Scalar, int Dim>
-std::vector<Scalar*> coordinates(Aabb<Scalar, Dim>& box, int j) { return {&box.min[j], &box.max[j]}; }
+std::vector<Scalar*> coordinates(Aabb<Scalar, Dim>& box, int j) {
+  return {&box.min[j], &box.max[j]};
+}
 template <class Scalar, int Dim>
-std::vector<Scalar*> coordinates(AabbCenterExtents<Scalar, Dim>& box, int j) { return {&box.center[j]}; }
+std::vector<Scalar*> coordinates(AabbCenterExtents<Scalar, Dim>& box, int j) {
+  return {&box.center[j]};
+}
 template <class Scalar, int Dim>
-std::vector<Scalar*> coordinates(Obb<Scalar, Dim>& box, int j) { return {&box.center[j]}; }
+std::vector<Scalar*> coordinates(Obb<Scalar, Dim>& box, int j) {
+  return {&box.center[j]};
+}
 template <class Scalar, int Dim>
-std::vector<Scalar*> coordinates(Capsule<Scalar, Dim>& capsule, int j) { return {&capsule.a[j], &capsule.b[j]}; }
+std::vector<Scalar*> coordinates(Capsule<Scalar, Dim>& capsule, int j) {
+  return {&capsule.a[j], &capsule.b[j]};
+}
 template <class Scalar, int Dim>
-std::vector<Scalar*> coordinates(Lozenge<Scalar, Dim>& lozenge, int j) { return {&lozenge.origin[j]}; }
+std::vector<Scalar*> coordinates(Lozenge<Scalar, Dim>& lozenge, int j) {
+  return {&lozenge.origin[j]};
+}
 
-/// Moves the volume along a coordinate until it touches a plane, from inside or outside, but for up to three steps of that
-/// coordinate.
+/// Moves the volume along a coordinate until it touches a plane, from inside or outside, but for up to three steps of
+/// that coordinate.
 template <class Scalar, int Dim, class Shape>
 void graze(const Plane<Scalar, Dim>& plane, Shape& volume, Random& random) {
   int j = static_cast<int>(random.below(Dim));

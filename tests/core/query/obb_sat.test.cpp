@@ -38,7 +38,8 @@ void check_pair(const test::BoxPair<Scalar, Dim>& pair, bool right, Tally& tally
   (right ? tally.overlapping : tally.apart)++;
   if (!right && first.axis.kind == AxisKind::kEdgeEdge) ++tally.edge_edge;
   for (const auto& entry : steps.entries) {
-    if (const auto* axis = std::get_if<query::AxisTested<Scalar, Dim>>(&entry.step.fact)) tally.parallel += axis->skipped;
+    if (const auto* axis = std::get_if<query::AxisTested<Scalar, Dim>>(&entry.step.fact))
+      tally.parallel += axis->skipped;
     tally.exact += std::holds_alternative<query::LookedCloser>(entry.step.fact);
   }
 }
@@ -55,7 +56,8 @@ void check_families(int rounds, const auto& oracle, Tally& tally, auto&& wanted)
             const auto extents = static_cast<test::Extents>(e);
             const auto pair = test::pair_of<Scalar, Dim>(orientation, extents, gap, offset, random);
             if (!wanted(pair)) continue;
-            INFO("orientation " << o << ", extents " << e << ", gap " << gap << ", offset " << offset << ", round " << round);
+            INFO("orientation " << o << ", extents " << e << ", gap " << gap << ", offset " << offset << ", round "
+                                << round);
             check_pair(pair, oracle(pair.a, pair.b), tally);
           }
 }
@@ -65,21 +67,20 @@ bool is_flat(const Obb<Scalar, Dim>& box) {
   return box.half_extents.minCoeff() == 0;
 }
 
-/// The gap along the normal of two edges, in rationals and times the normal's length: what the test computes, but of the
-/// true normals.
+/// The gap along the normal of two edges, in rationals and times the normal's length: what the test computes, but of
+/// the true normals.
 template <class Scalar, int Dim>
-exact::Rational true_gap(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, const query::SatAxis<Scalar, Dim>& axis) {
+exact::Rational true_gap(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
+                         const query::SatAxis<Scalar, Dim>& axis) {
   using Exact = std::array<exact::Rational, static_cast<std::size_t>(Dim)>;
   const auto column = [](const Obb<Scalar, Dim>& box, int k) {
     Exact v;
-    for (int i = 0; i < Dim; ++i) v[static_cast<std::size_t>(i)] = exact::Rational(static_cast<double>(box.axes(i, k)));
+    for (int i = 0; i < Dim; ++i) v[i] = exact::Rational(static_cast<double>(box.axes(i, k)));
     return v;
   };
   const auto normal = [](const Exact& u, const Exact& v) -> Exact {
-    if constexpr (Dim == 2)
-      return {-u[1], u[0]};
-    else
-      return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    if constexpr (Dim == 2) return {-u[1], u[0]};
+    else return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
   };
   const auto face = [&](const Obb<Scalar, Dim>& box, int k) {
     return normal(column(box, (k + 1) % Dim), column(box, (k + 2) % Dim));
@@ -94,11 +95,11 @@ exact::Rational true_gap(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, c
   };
   Exact offset;
   for (int i = 0; i < Dim; ++i)
-    offset[static_cast<std::size_t>(i)] =
-        exact::Rational(static_cast<double>(b.center[i])) - exact::Rational(static_cast<double>(a.center[i]));
+    offset[i] = exact::Rational(static_cast<double>(b.center[i])) - exact::Rational(static_cast<double>(a.center[i]));
   exact::Rational gap = abs(along(offset));
   for (const auto* box : {&a, &b})
-    for (int k = 0; k < Dim; ++k) gap -= exact::Rational(static_cast<double>(box->half_extents[k])) * abs(along(column(*box, k)));
+    for (int k = 0; k < Dim; ++k)
+      gap -= exact::Rational(static_cast<double>(box->half_extents[k])) * abs(along(column(*box, k)));
   return gap;
 }
 
@@ -189,11 +190,13 @@ TEST_CASE_TEMPLATE("the verdict is that of exact arithmetic, for full boxes", Ki
   if (kDim == 3) CHECK(tally.parallel > 300);
 }
 
-TEST_CASE_TEMPLATE("the verdict is that of exact arithmetic, for flat boxes, segments and points", Kind, SNUG_EVERY_SPACE) {
+TEST_CASE_TEMPLATE("the verdict is that of exact arithmetic, for flat boxes, segments and points", Kind,
+                   SNUG_EVERY_SPACE) {
   using Scalar = typename Kind::Scalar;
   Tally tally;
   const auto oracle = [](const auto& a, const auto& b) { return exact::overlap_by_simplex(a, b); };
-  check_families<Scalar, Kind::kDim>(1, oracle, tally, [](const auto& pair) { return is_flat(pair.a) || is_flat(pair.b); });
+  check_families<Scalar, Kind::kDim>(1, oracle, tally,
+                                     [](const auto& pair) { return is_flat(pair.a) || is_flat(pair.b); });
   CHECK(tally.overlapping > 50);
   CHECK(tally.apart > 100);
   CHECK(tally.exact > 30);
@@ -260,10 +263,10 @@ TEST_CASE_TEMPLATE("every gap is known within its doubt", Kind, SNUG_EVERY_SPACE
       const auto* tested = std::get_if<query::AxisTested<Scalar, kDim>>(&entry.step.fact);
       if (tested == nullptr || tested->skipped) continue;
       const auto doubt = static_cast<double>(tested->doubt * tested->length);
-      const double error =
-          exact::Rational(true_gap(pair.a, pair.b, tested->axis) -
-                          exact::Rational(static_cast<double>(tested->axis.gap)) * exact::Rational(static_cast<double>(tested->length)))
-              .template convert_to<double>();
+      const double error = exact::Rational(true_gap(pair.a, pair.b, tested->axis) -
+                                           exact::Rational(static_cast<double>(tested->axis.gap)) *
+                                               exact::Rational(static_cast<double>(tested->length)))
+                               .template convert_to<double>();
       CHECK(std::abs(error) <= doubt);
       worst = std::max(worst, std::abs(error) / doubt);
     }
@@ -271,13 +274,15 @@ TEST_CASE_TEMPLATE("every gap is known within its doubt", Kind, SNUG_EVERY_SPACE
   CHECK(worst > 1e-3);  // and the doubt is not out of all proportion
 }
 
-TEST_CASE_TEMPLATE("overlapping boxes come apart when moved by the least penetration, and by less they do not", Kind, SNUG_EVERY_SPACE) {
+TEST_CASE_TEMPLATE("overlapping boxes come apart when moved by the least penetration, and by less they do not", Kind,
+                   SNUG_EVERY_SPACE) {
   using Scalar = typename Kind::Scalar;
   constexpr int kDim = Kind::kDim;
   Random random(6);
   int edges = 0;
   for (int round = 0; round < 300; ++round) {
-    auto pair = test::BoxPair<Scalar, kDim>{test::any_box<Scalar, kDim>(random, 0.6), test::any_box<Scalar, kDim>(random, 0.6)};
+    auto pair =
+        test::BoxPair<Scalar, kDim>{test::any_box<Scalar, kDim>(random, 0.6), test::any_box<Scalar, kDim>(random, 0.6)};
     const auto result = query::obb_sat(pair.a, pair.b, SatExtent::kAll);
     if (!result.overlap) continue;
     edges += result.axis.kind == AxisKind::kEdgeEdge;
@@ -299,7 +304,8 @@ TEST_CASE_TEMPLATE("the steps are those of the lecture's table, in its order", K
   int early = 0, late = 0;
   for (int round = 0; round < 200; ++round) {
     const auto orientation = static_cast<test::Orientation>(round % test::kOrientations);
-    const auto pair = test::pair_of<Scalar, kDim>(orientation, test::Extents::kAny, random.between(-0.5, 0.5), 0, random);
+    const auto pair =
+        test::pair_of<Scalar, kDim>(orientation, test::Extents::kAny, random.between(-0.5, 0.5), 0, random);
     for (const SatExtent extent : {SatExtent::kFirst, SatExtent::kAll}) {
       Recorded<Scalar, kDim> steps;
       const auto result = query::obb_sat(pair.a, pair.b, extent, steps);
@@ -316,7 +322,8 @@ TEST_CASE_TEMPLATE("the steps are those of the lecture's table, in its order", K
       const Vector<Scalar, kDim> back = pair.a.axes * frames.translation + pair.a.center;
       CHECK((back - pair.b.center).norm() <= 1e-5 * (1 + pair.b.center.norm()));
       CHECK((pair.a.axes * frames.rotation - pair.b.axes).norm() < 1e-5);
-      const bool settled = std::holds_alternative<query::LookedCloser>(steps.entries[steps.entries.size() - 2].step.fact);
+      const bool settled =
+          std::holds_alternative<query::LookedCloser>(steps.entries[steps.entries.size() - 2].step.fact);
       for (int k = 0; k < result.tests; ++k) {
         const auto& step = steps.entries[static_cast<std::size_t>(k) + 1].step;
         const auto& tested = std::get<Tested>(step.fact);
@@ -328,11 +335,16 @@ TEST_CASE_TEMPLATE("the steps are those of the lecture's table, in its order", K
         if (tested.skipped) continue;
         CHECK(tested.axis.direction.dot(pair.b.center - pair.a.center) >= -1e-5 * tested.distance);
         CHECK(tested.axis.gap == doctest::Approx(tested.distance - tested.radius_a - tested.radius_b).epsilon(1e-4));
-        if (extent == SatExtent::kFirst) CHECK(tested.separates == (k + 1 == result.tests && !result.overlap && !settled));
+        if (extent == SatExtent::kFirst)
+          CHECK(tested.separates == (k + 1 == result.tests && !result.overlap && !settled));
       }
       const auto& verdict = std::get<query::Verdict<Scalar, kDim>>(steps.entries.back().step.fact);
       using Line = query::SatLine<kDim>;
-      const int said_by = result.overlap ? Line::kVerdict : settled ? Line::kExactly : result.axis.j < 0 ? Line::kFaceA : result.axis.i < 0 ? Line::kFaceB : Line::kEdges;
+      const int said_by = result.overlap      ? Line::kVerdict
+                          : settled           ? Line::kExactly
+                          : result.axis.j < 0 ? Line::kFaceA
+                          : result.axis.i < 0 ? Line::kFaceB
+                                              : Line::kEdges;
       CHECK(steps.entries.back().step.line == said_by);
       CHECK(verdict.result.overlap == result.overlap);
       if (extent == SatExtent::kAll) CHECK(result.tests == query::kSatAxes<kDim>);

@@ -64,7 +64,8 @@ TEST_CASE_TEMPLATE("many boxes at once have the verdicts of the hard families", 
       for (int e = 0; e < test::kExtents; ++e)
         for (const double gap : {0.0, 1e-5, -1e-5, 1e-3, -1e-3, 0.3, -0.3})
           for (const double offset : {0.0, 1e5}) {
-            const auto pair = test::pair_of<Scalar, 3>(static_cast<test::Orientation>(o), static_cast<test::Extents>(e), gap, offset, random);
+            const auto pair = test::pair_of<Scalar, 3>(static_cast<test::Orientation>(o), static_cast<test::Extents>(e),
+                                                       gap, offset, random);
             a.push_back(pair.a);
             b.push_back(pair.b);
           }
@@ -73,7 +74,8 @@ TEST_CASE_TEMPLATE("many boxes at once have the verdicts of the hard families", 
   CHECK(overlapping < static_cast<int>(a.size()) * 4 / 5);
 }
 
-TEST_CASE_TEMPLATE("a wall of cubes that share their axes: each touches its neighbours, and no others", Scalar, float, double) {
+TEST_CASE_TEMPLATE("a wall of cubes that share their axes: each touches its neighbours, and no others", Scalar, float,
+                   double) {
   Boxes<Scalar> a, b;
   for (int x = -2; x <= 2; ++x)
     for (int y = -2; y <= 2; ++y)

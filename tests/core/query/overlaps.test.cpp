@@ -44,7 +44,8 @@ OverlapResult<Scalar, Dim> consistent(const Volume<Scalar, Dim>& a, const Volume
 
 /// That the axis separates by its gap, within roundings of the size.
 template <class Scalar, int Dim>
-void check_axis(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b, const OverlapResult<Scalar, Dim>& result, double size) {
+void check_axis(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b, const OverlapResult<Scalar, Dim>& result,
+                double size) {
   const Vector<double, Dim> n = result.separating_axis->direction.template cast<double>();
   const double gap = n.dot(test::support_of<Scalar, Dim>(b, -n)) - n.dot(test::support_of<Scalar, Dim>(a, n));
   CHECK(std::abs(gap - static_cast<double>(result.separating_axis->gap)) <= 32 * kUnit<Scalar> * size);
@@ -175,7 +176,8 @@ TEST_CASE_TEMPLATE("spheres and axis-aligned boxes are decided exactly", Scalar,
   const auto nudged = [&](int whole) {
     Scalar value = static_cast<Scalar>(whole);
     for (unsigned i = random.below(3); i > 0; --i)
-      value = std::nextafter(value, std::numeric_limits<Scalar>::max() * static_cast<Scalar>(random.below(2) == 0 ? -1 : 1));
+      value = std::nextafter(value,
+                             std::numeric_limits<Scalar>::max() * static_cast<Scalar>(random.below(2) == 0 ? -1 : 1));
     return value;
   };
   const auto any = [&](int most) { return nudged(static_cast<int>(random.below(unsigned(2 * most + 1))) - most); };
@@ -315,7 +317,8 @@ TEST_CASE_TEMPLATE("a k-DOP's corners lie in all of its slabs", Scalar, float, d
     VolumeMaker<Scalar, Dim> make(13);
     for (int round = 0; round < 100; ++round) {
       const double offset = round % 2 == 0 ? 0 : 1e6;
-      const auto volume = test::moved<Scalar, Dim>(make.make(5, round % 4 < 2 ? Make::kLoose : Make::kFlat), make.direction() * offset);
+      const auto volume =
+          test::moved<Scalar, Dim>(make.make(5, round % 4 < 2 ? Make::kLoose : Make::kFlat), make.direction() * offset);
       const auto& kdop = std::get<Kdop<Scalar, Dim>>(volume);
       const Vector<Scalar, Dim> origin = query::anchor(kdop);
       const auto corners = query::kdop_vertices(kdop, origin);
@@ -358,7 +361,8 @@ TEST_CASE("what is empty overlaps nothing") {
   const Kdop<double, 2> nowhere{8, {0, 0, 3, -1}, {1, 1, 4, 1}};
   const ConvexHull<double, 2> none;
   const Sphere<double, 2> sphere{{0.5, 0.5}, 5};
-  for (const auto& result : {query::test_overlap(nowhere, sphere), query::test_overlap(sphere, none), query::test_overlap(none, nowhere)}) {
+  for (const auto& result :
+       {query::test_overlap(nowhere, sphere), query::test_overlap(sphere, none), query::test_overlap(none, nowhere)}) {
     CHECK_FALSE(result.overlap);
     CHECK_FALSE(result.distance.has_value());
     CHECK_FALSE(result.separating_axis.has_value());

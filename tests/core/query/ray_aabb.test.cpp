@@ -15,7 +15,8 @@ namespace {
 
 /// Where the ray truly enters; none where it misses. widened: by how much of t the last slab is held open.
 template <class Scalar, int Dim>
-std::optional<Rational> enters_exactly(const Aabb<Scalar, Dim>& box, const Ray<Scalar, Dim>& ray, const Rational& widened = 0) {
+std::optional<Rational> enters_exactly(const Aabb<Scalar, Dim>& box, const Ray<Scalar, Dim>& ray,
+                                       const Rational& widened = 0) {
   const auto exactly = [](Scalar value) { return Rational(static_cast<double>(value)); };
   Rational enter = 0;
   std::optional<Rational> leave;
@@ -105,7 +106,10 @@ TEST_CASE_TEMPLATE("a box in another is entered no sooner", Scalar, float, doubl
   Random random(9);
   int hits = 0;
   for (int i = 0; i < 100'000; ++i) {
-    const auto any = [&] { return Vector<Scalar, 3>(static_cast<Scalar>(random.normal()), static_cast<Scalar>(random.normal()), static_cast<Scalar>(random.normal())); };
+    const auto any = [&] {
+      return Vector<Scalar, 3>(static_cast<Scalar>(random.normal()), static_cast<Scalar>(random.normal()),
+                               static_cast<Scalar>(random.normal()));
+    };
     const Vector<Scalar, 3> a = any(), b = any(), c = any();
     const Aabb<Scalar, 3> inner{a.cwiseMin(b), a.cwiseMax(b)}, outer{inner.min.cwiseMin(c), inner.max.cwiseMax(c)};
     const Ray<Scalar, 3> ray{any() * Scalar(3), any()};

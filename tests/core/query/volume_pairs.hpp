@@ -85,11 +85,13 @@ class VolumeMaker {
   }
   Capsule<Scalar, Dim> capsule(Make how) {
     const Point a = any();
-    return {a, how == Make::kPoint ? a : any(), how == Make::kFlat || how == Make::kPoint ? Scalar(0) : between(0.2, 1)};
+    return {a, how == Make::kPoint ? a : any(),
+            how == Make::kFlat || how == Make::kPoint ? Scalar(0) : between(0.2, 1)};
   }
   Lozenge<Scalar, Dim> lozenge(Make how) {
     const Matrix<Scalar, Dim> turned = axes();
-    return {any(), {Point(turned.col(0) * extent(how, 0)), Point(turned.col(1) * extent(how, 1))},
+    return {any(),
+            {Point(turned.col(0) * extent(how, 0)), Point(turned.col(1) * extent(how, 1))},
             how == Make::kFlat || how == Make::kPoint ? Scalar(0) : between(0.2, 1)};
   }
   std::vector<Point> points(Make how) {
@@ -188,7 +190,8 @@ double reach(const Volume<Scalar, Dim>& volume) {
 /// supporting points attain it. Where the gap is negative, a supporting point of b lies as deep inside a, on the way to
 /// its middle.
 template <class Scalar, int Dim>
-Volume<Scalar, Dim> put_at(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b, const Vector<double, Dim>& n, double gap) {
+Volume<Scalar, Dim> put_at(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b, const Vector<double, Dim>& n,
+                           double gap) {
   const Vector<double, Dim> on_a = support_of<Scalar, Dim>(a, n);
   const Vector<double, Dim> on_b = support_of<Scalar, Dim>(b, -n);
   if (gap >= 0) return moved<Scalar, Dim>(b, on_a + gap * n - on_b);

@@ -44,7 +44,8 @@ TEST_CASE("extents only and corners only are wrong, each to one side") {
 }
 
 TEST_CASE("upright squares: outlines are right, and a plus sign has every corner free") {
-  const Obb<double, 2> wide{{0, 0}, Matrix<double, 2>::Identity(), {2, 0.5}}, tall{{0, 0}, Matrix<double, 2>::Identity(), {0.5, 2}};
+  const Obb<double, 2> wide{{0, 0}, Matrix<double, 2>::Identity(), {2, 0.5}},
+      tall{{0, 0}, Matrix<double, 2>::Identity(), {0.5, 2}};
   CHECK(query::extents_only(wide, tall));
   CHECK_FALSE(query::corners_only(wide, tall));
   const Obb<double, 2> aside{{4, 0}, Matrix<double, 2>::Identity(), {0.5, 2}};

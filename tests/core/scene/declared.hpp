@@ -42,9 +42,10 @@ inline EffectCall call(std::string name, std::vector<scene::Setting> settings = 
 }
 /// Gravity, and bodies that push each other.
 inline std::vector<EffectCall> solid(double restitution, bool sleep = true, double friction = 0.5) {
-  return {call("fall"),        call("refit"),
-          call("broad_phase"), call("narrow_phase"),
-          call("bounce", {{"restitution", {restitution}, ""}, {"friction", {friction}, ""}, {"sleep", {}, sleep ? "yes" : "no"}})};
+  return {
+      call("fall"), call("refit"), call("broad_phase"), call("narrow_phase"),
+      call("bounce",
+           {{"restitution", {restitution}, ""}, {"friction", {friction}, ""}, {"sleep", {}, sleep ? "yes" : "no"}})};
 }
 
 inline Scene opened(const Declaration& declaration, scene::Clock clock = nullptr) {

@@ -26,8 +26,9 @@ std::vector<Aabb<double, 3>> boxes(int count, double size, std::uint64_t seed, b
 }
 
 Declaration crowd(int count, const char* search) {
-  Declaration declaration{.effects = {call("orbit", {{"vary", {0.8}, ""}}), call("spin", {{"axis", {1, 2, 3}, ""}}), call("refit"),
-                                      call("broad_phase", {{"search", {}, search}}), call("narrow_phase")}};
+  Declaration declaration{.effects = {call("orbit", {{"vary", {0.8}, ""}}), call("spin", {{"axis", {1, 2, 3}, ""}}),
+                                      call("refit"), call("broad_phase", {{"search", {}, search}}),
+                                      call("narrow_phase")}};
   Random random(11);
   const double side = std::cbrt(count);
   for (int i = 0; i < count; ++i) {
@@ -83,8 +84,11 @@ TEST_CASE("each stage of the funnel leaves fewer pairs and loses none that touch
       std::int64_t touching = 0;
       for (std::size_t i = 0; i < 150; ++i)
         for (std::size_t j = i + 1; j < 150; ++j) {
-          const auto pose = [&](std::size_t k) { return Pose<double, 3>{state.bodies[k].rotation, state.bodies[k].position}; };
-          touching += scene::touch(scene.world().members[i].shape, pose(i), scene.world().members[j].shape, pose(j)) ? 1 : 0;
+          const auto pose = [&](std::size_t k) {
+            return Pose<double, 3>{state.bodies[k].rotation, state.bodies[k].position};
+          };
+          touching +=
+              scene::touch(scene.world().members[i].shape, pose(i), scene.world().members[j].shape, pose(j)) ? 1 : 0;
         }
       CHECK(funnel.touching == touching);
       CHECK(funnel.touching > 0);
@@ -98,7 +102,8 @@ TEST_CASE("two thousand moving bodies take much less than a frame") {
   scene.go(5);
   const auto start = std::chrono::steady_clock::now();
   scene.go(35);
-  const double milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() / 30;
+  const double milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() / 30;
   INFO(milliseconds << " ms a frame");
   CHECK(scene.world().state.funnel.all == 1999000);
   CHECK(milliseconds < 160);  // 3 as compiled for use; ten times that with sanitizers, and the machine may be busy

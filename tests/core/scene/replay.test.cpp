@@ -11,7 +11,8 @@ Declaration crowd(int count, std::uint64_t seed) {
   Declaration declaration{.bodies = {floor()}, .effects = solid(0.4), .seed = seed};
   Random random(seed);
   for (int i = 0; i < count; ++i) {
-    const V3 at{random.between(-1, 1), 0.6 + 0.5 * i, random.between(-1, 1)};  // in braces and one by one: in that order, whatever the compiler
+    const V3 at{random.between(-1, 1), 0.6 + 0.5 * i,
+                random.between(-1, 1)};  // in braces and one by one: in that order, whatever the compiler
     Body body = i % 2 == 0 ? ball(0.25, at) : box({0.25, 0.2, 0.3}, at);
     const V3 velocity{random.normal(), 0, random.normal()};
     const V3 turning{random.normal(), random.normal(), random.normal()};
@@ -39,7 +40,7 @@ TEST_CASE("going back and on again has the bits of going on, from every frame") 
   for (const int frame : {399, 64, 63, 65, 0, 1, 128, 127, 200, 400, 3}) {
     scrubbed.go(frame);
     CHECK(scrubbed.frame() == frame);
-    CHECK(scrubbed.world().hash() == hashes[static_cast<std::size_t>(frame)]);
+    CHECK(scrubbed.world().hash() == hashes[frame]);
   }
   scrubbed.go(250), straight.go(250);
   CHECK(scrubbed.world().state.trails == straight.world().state.trails);
@@ -49,7 +50,8 @@ TEST_CASE("going back and on again has the bits of going on, from every frame") 
 }
 
 TEST_CASE("a long run keeps a bounded number of snapshots and still goes back to the same bits") {
-  Declaration declaration{.bodies = {named("a", box({1, 2, 3}, {2, 0, 0}))}, .effects = {call("spin", {{"turns_per_second", {0.37}, ""}}), call("orbit"), call("refit")}};
+  Declaration declaration{.bodies = {named("a", box({1, 2, 3}, {2, 0, 0}))},
+                          .effects = {call("spin", {{"turns_per_second", {0.37}, ""}}), call("orbit"), call("refit")}};
   Scene scene = opened(declaration);
   scene.go(5000);
   const auto there = scene.world().hash();
@@ -59,21 +61,23 @@ TEST_CASE("a long run keeps a bounded number of snapshots and still goes back to
 }
 
 TEST_CASE("what was set from outside has the same bits when gone back to") {
-  Declaration declaration{.bodies = {floor(), named("a", ball(0.3, {3, 0.3, 0})), box({0.2, 0.2, 0.2}, {8, 6, 0})}, .effects = solid(0.3)};
+  Declaration declaration{.bodies = {floor(), named("a", ball(0.3, {3, 0.3, 0})), box({0.2, 0.2, 0.2}, {8, 6, 0})},
+                          .effects = solid(0.3)};
   declaration.effects.push_back(call("drag", {{"to", {0, 0.3, 0}, ""}}, "a"));
   for (const bool pulls : {true, false})
     for (const int at : {0, 30, 64, 70, 256, 300}) {
       Scene scene = opened(declaration);
       scene.go(at);
       if (pulls) scene.pull_to({5, 0.3, 0});
-      else for (std::size_t i = 0; i < scene.tallies().size(); ++i) scene.turn(i, scene.tallies()[i].effect != "drag a");
+      else
+        for (std::size_t i = 0; i < scene.tallies().size(); ++i) scene.turn(i, scene.tallies()[i].effect != "drag a");
       std::vector<std::uint64_t> hashes;
       while (scene.frame() < at + 150) scene.step(), hashes.push_back(scene.world().hash());
       INFO("set at frame " << at << ", pulls " << pulls);
       for (const int frame : {at + 100, at + 1, at + 60, at + 149}) {
         scene.go(at);
         scene.go(frame);
-        CHECK(scene.world().hash() == hashes[static_cast<std::size_t>(frame - at - 1)]);
+        CHECK(scene.world().hash() == hashes[frame - at - 1]);
       }
       scene.go(at / 2);  // from before it, all is taken anew, and that has its own bits
       scene.go(at + 150);

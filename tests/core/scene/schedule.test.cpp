@@ -27,7 +27,9 @@ class Nothing final : public scene::Effect {
   Nothing() { ++constructed; }
   void run(scene::World&) override {}
 };
-scene::MadeEffect make_nothing(const EffectCall&, scene::World&) { return std::unique_ptr<scene::Effect>(std::make_unique<Nothing>()); }
+scene::MadeEffect make_nothing(const EffectCall&, scene::World&) {
+  return std::unique_ptr<scene::Effect>(std::make_unique<Nothing>());
+}
 
 double ticks = 0;
 double ticking() { return ticks += 5; }
@@ -35,10 +37,14 @@ double ticking() { return ticks += 5; }
 }  // namespace
 
 TEST_CASE("the order of effects follows from what they read and write, not from how they were declared") {
-  const std::vector<std::string> wanted{"fall", "bounce", "move", "refit", "broad_phase", "narrow_phase", "cull", "trail"};
-  CHECK(order_of({call("trail"), call("cull"), call("bounce"), call("narrow_phase"), call("broad_phase"), call("refit"), call("fall")}) == wanted);
-  CHECK(order_of({call("fall"), call("refit"), call("broad_phase"), call("narrow_phase"), call("bounce"), call("cull"), call("trail")}) == wanted);
-  CHECK(order_of({call("shadow"), call("spin", {}, "a"), call("spin", {}, "b")}) == std::vector<std::string>{"spin", "spin", "shadow"});
+  const std::vector<std::string> wanted{"fall",        "bounce",       "move", "refit",
+                                        "broad_phase", "narrow_phase", "cull", "trail"};
+  CHECK(order_of({call("trail"), call("cull"), call("bounce"), call("narrow_phase"), call("broad_phase"), call("refit"),
+                  call("fall")}) == wanted);
+  CHECK(order_of({call("fall"), call("refit"), call("broad_phase"), call("narrow_phase"), call("bounce"), call("cull"),
+                  call("trail")}) == wanted);
+  CHECK(order_of({call("shadow"), call("spin", {}, "a"), call("spin", {}, "b")}) ==
+        std::vector<std::string>{"spin", "spin", "shadow"});
   CHECK(order_of({call("drag", {}, "a")}) == std::vector<std::string>{"drag", "move"});
 }
 
@@ -49,8 +55,10 @@ TEST_CASE("an effect whose inputs nobody makes is refused, with its line") {
     return planned ? "" : planned.error().message();
   };
   CHECK(message({call("broad_phase")}) == "line 12: broad_phase reads volumes, which no effect of the scene makes");
-  CHECK(message({call("refit"), call("narrow_phase")}) == "line 12: narrow_phase reads pairs, which no effect of the scene makes");
-  CHECK(message({call("refit"), call("broad_phase"), call("bounce")}) == "line 12: bounce reads contacts, which no effect of the scene makes");
+  CHECK(message({call("refit"), call("narrow_phase")}) ==
+        "line 12: narrow_phase reads pairs, which no effect of the scene makes");
+  CHECK(message({call("refit"), call("broad_phase"), call("bounce")}) ==
+        "line 12: bounce reads contacts, which no effect of the scene makes");
   CHECK(message({call("cull")}) == "line 12: cull reads volumes, which no effect of the scene makes");
   CHECK(message({call("explode")}) == "line 12: there is no effect called \"explode\"");
   CHECK(message({call("fall"), call("fall")}) == "line 12: fall is called for twice");
@@ -95,7 +103,8 @@ TEST_CASE("masses, poses, steps and shapes that make no sense are refused by nam
   CHECK(with(ball(1, V3::Zero(), kNaN)) == "bob: its mass is not a number");
   CHECK(with(fixed(ball(1, V3::Zero()))) == "");
   CHECK(with(fixed(ball(1, V3::Zero(), 0))) == "bob: its mass is 0 or infinite: a body that is fixed needs none");
-  CHECK(with(fixed(ball(1, V3::Zero(), kInfinity))) == "bob: its mass is 0 or infinite: a body that is fixed needs none");
+  CHECK(with(fixed(ball(1, V3::Zero(), kInfinity))) ==
+        "bob: its mass is 0 or infinite: a body that is fixed needs none");
   CHECK(with(fixed(ball(1, V3::Zero(), -3))) == "bob: its mass is negative");
   CHECK(with(fixed(ball(1, V3::Zero(), kNaN))) == "bob: its mass is not a number");
   CHECK(with(ball(1, {0, kNaN, 0})) == "bob: its position is not finite, or too large");
@@ -122,7 +131,8 @@ TEST_CASE("masses, poses, steps and shapes that make no sense are refused by nam
 
 TEST_CASE("of two effects that drive one body neither undoes the other") {
   const auto with = [](std::vector<EffectCall> effects) {
-    return refusal({.bodies = {named("a", ball(1, V3::Zero())), named("b", ball(1, {5, 0, 0}))}, .effects = std::move(effects)});
+    return refusal(
+        {.bodies = {named("a", ball(1, V3::Zero())), named("b", ball(1, {5, 0, 0}))}, .effects = std::move(effects)});
   };
   const auto path = [](const char* body) { return call("path", {{"places", {0, 0, 0, 1, 0, 0}, ""}}, body); };
   CHECK(with({call("spin"), call("orbit")}) == "");  // one turns it, the other moves it
@@ -135,15 +145,18 @@ TEST_CASE("of two effects that drive one body neither undoes the other") {
   CHECK(with({call("spin", {}, "a"), call("fall")}) == "");
   CHECK(with({path("a"), path("a")}) == "path and path would both drive a: one undoes the other");
   CHECK(with({call("orbit"), path("a")}) == "orbit and path would both drive a: one undoes the other");
-  CHECK(with({call("orbit", {}, "a"), call("orbit", {}, "a")}) == "orbit and orbit would both drive a: one undoes the other");
+  CHECK(with({call("orbit", {}, "a"), call("orbit", {}, "a")}) ==
+        "orbit and orbit would both drive a: one undoes the other");
   CHECK(with({call("drag", {}, "a"), path("a")}) == "drag and path would both drive a: one undoes the other");
-  CHECK(with({call("drag", {}, "a"), call("spin", {}, "a")}) == "drag and spin would both drive a: one undoes the other");
+  CHECK(with({call("drag", {}, "a"), call("spin", {}, "a")}) ==
+        "drag and spin would both drive a: one undoes the other");
 }
 
 TEST_CASE("settings that an effect does not know, or cannot use, are refused by name") {
   const auto with = [](EffectCall effect) {
     Declaration declaration{.bodies = {named("a", ball(1, V3::Zero())), named("floor", floor())}, .effects = {effect}};
-    if (effect.name == "bounce") declaration.effects = {call("refit"), call("broad_phase"), call("narrow_phase"), effect};
+    if (effect.name == "bounce")
+      declaration.effects = {call("refit"), call("broad_phase"), call("narrow_phase"), effect};
     return refusal(declaration);
   };
   CHECK(with(call("spin", {{"speed", {1}, ""}})) == "spin: knows nothing of \"speed\"");
@@ -154,20 +167,23 @@ TEST_CASE("settings that an effect does not know, or cannot use, are refused by 
   CHECK(with(call("spin", {{"turns_per_second", {kNaN}, ""}})) == "spin: \"turns_per_second\" is out of range");
   CHECK(with(call("path", {}, "a")) == "path: \"places\" must be a list of places");
   CHECK(with(call("drag")) == "drag: needs a \"body\"");
-  CHECK(with(call("refit", {{"strategy", {}, "guess"}})) == "refit: \"strategy\" is none of rotated_box, loose, rebuild, hill_climb");
+  CHECK(with(call("refit", {{"strategy", {}, "guess"}})) ==
+        "refit: \"strategy\" is none of rotated_box, loose, rebuild, hill_climb");
   CHECK(with(call("shadow", {{"light", {0, 1, 0}, ""}})) == "shadow: the light does not come from above");
   CHECK(with(call("shadow", {{"light", {0, -1e-200, 0}, ""}})) == "shadow: the light does not come from above");
   CHECK(with(call("trail", {{"length", {2.5}, ""}})) == "trail: \"length\" must be a whole number");
   CHECK(with(call("bounce", {{"restitution", {1.5}, ""}})) == "bounce: \"restitution\" is out of range");
   Body capsule{.name = "c", .shape = scene::Volume3(Capsule<double, 3>{V3::Zero(), V3::UnitX(), 1})};
-  CHECK(refusal({.bodies = {capsule}, .effects = {call("refit"), call("broad_phase"), call("narrow_phase"), call("bounce")}}) ==
+  CHECK(refusal({.bodies = {capsule},
+                 .effects = {call("refit"), call("broad_phase"), call("narrow_phase"), call("bounce")}}) ==
         "bounce: has impulses for spheres and boxes alone; give c such a shape");
 }
 
 TEST_CASE("an effect runs when its inputs changed, and is skipped when not") {
   Declaration declaration{.bodies = {named("a", ball(1, V3::Zero())), named("b", ball(1, {5, 0, 0}))},
-                          .effects = {call("path", {{"places", {0, 0, 0, 1, 0, 0}, ""}, {"speed", {6}, ""}}, "a"), call("refit"),
-                                      call("broad_phase"), call("narrow_phase"), call("projection_rays")}};
+                          .effects = {call("path", {{"places", {0, 0, 0, 1, 0, 0}, ""}, {"speed", {6}, ""}}, "a"),
+                                      call("refit"), call("broad_phase"), call("narrow_phase"),
+                                      call("projection_rays")}};
   Scene scene = opened(declaration);
   scene.go(100);  // it arrives after ten frames; the last run finds it there
   const std::int64_t runs = tally(scene, "path a").run;
@@ -183,7 +199,8 @@ TEST_CASE("an effect runs when its inputs changed, and is skipped when not") {
 }
 
 TEST_CASE("an effect that is off changes nothing but its own row and what reads it") {
-  Declaration declaration{.bodies = {named("a", ball(1, V3::Zero()))}, .effects = {call("spin"), call("refit"), call("trail"), call("shadow")}};
+  Declaration declaration{.bodies = {named("a", ball(1, V3::Zero()))},
+                          .effects = {call("spin"), call("refit"), call("trail"), call("shadow")}};
   Scene scene = opened(declaration), without = opened(declaration);
   without.turn(1, false);
   scene.go(30), without.go(30);

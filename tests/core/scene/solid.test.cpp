@@ -16,7 +16,8 @@ constexpr int kTenMinutes = 10 * 60 * 60;
 
 Declaration stack(bool sleep) {
   Declaration declaration{.bodies = {floor()}, .effects = solid(0, sleep)};
-  for (int i = 0; i < 10; ++i) declaration.bodies.push_back(box({0.5, 0.5, 0.5}, {0.02 * (i % 3 - 1), 0.51 + 1.01 * i, 0.02 * (i % 2)}));
+  for (int i = 0; i < 10; ++i)
+    declaration.bodies.push_back(box({0.5, 0.5, 0.5}, {0.02 * (i % 3 - 1), 0.51 + 1.01 * i, 0.02 * (i % 2)}));
   return declaration;
 }
 
@@ -66,7 +67,8 @@ Declaration cubes(double half) {
 Declaration falling(const V3& half, double about_x, double about_z) {
   const auto radians = [](double degrees) { return degrees * std::numbers::pi / 180; };
   Body body = box(half, {0, 3, 0});
-  body.orientation = normalized(quaternion_about(V3::UnitX(), radians(about_x)) * quaternion_about(V3::UnitZ(), radians(about_z)));
+  body.orientation =
+      normalized(quaternion_about(V3::UnitX(), radians(about_x)) * quaternion_about(V3::UnitZ(), radians(about_z)));
   return {.bodies = {floor(), body}, .effects = solid(0)};
 }
 
@@ -164,7 +166,8 @@ TEST_CASE("a body too fast for its thickness is refused by name") {
   CHECK(with(moving(ball(0.1, {0, 3, 0}), {2000, 0, 0})) == "");
   CHECK(with(moving(box({0.1, 0.05, 0.2}, {0, 3, 0}), {2000, 0, 0})) == "");
   CHECK(with(moving(ball(0.1, {0, 3, 0}), {0, 0, 0}, {1e9, 0, 0})) == "");  // a ball crosses nothing by turning
-  const std::string fault = "bounce: dart is too fast: it would cross more than 1000 times its own thickness in a frame";
+  const std::string fault =
+      "bounce: dart is too fast: it would cross more than 1000 times its own thickness in a frame";
   CHECK(with(moving(ball(0.1, {0, 3, 0}), {1e9, 0, 0})) == fault);
   CHECK(with(moving(box({0.05, 0.002, 0.05}, {0, 3, 0}), {0, 0, 0}, {1e9, 0, 0})) == fault);
 }
@@ -174,7 +177,11 @@ TEST_CASE("slender bodies fall over in their own time") {
     V3 half;
     double tilt, roll;
   };
-  for (const Case& one : {Case{{2, 0.1, 0.1}, 0, 30}, {{2, 0.1, 2}, 5, 9}, {{1.5, 0.03, 0.1}, 3, 15}, {{2, 0.001, 2}, 5, 9}, {{3, 0.2, 0.2}, 0, 20}}) {
+  for (const Case& one : {Case{{2, 0.1, 0.1}, 0, 30},
+                          {{2, 0.1, 2}, 5, 9},
+                          {{1.5, 0.03, 0.1}, 3, 15},
+                          {{2, 0.001, 2}, 5, 9},
+                          {{3, 0.2, 0.2}, 0, 20}}) {
     Scene scene = opened(falling(one.half, one.tilt, one.roll));
     int frame = 0;
     while (!scene.resting() && frame < 400) scene.go(++frame);
@@ -191,15 +198,19 @@ TEST_CASE("a heavy body does not push a light one through a wall, nor into it") 
       for (const double gap : {0.0, 0.05})
         for (const double thickness : {0.04, 1.0})
           for (const bool balls : {false, true}) {
-            const auto body = [&](double x, double weight) { return balls ? ball(0.2, {x, 0, 0}, weight) : box({0.2, 0.2, 0.2}, {x, 0.01, 0.01}, weight); };
-            Declaration declaration{.bodies = {fixed(box({thickness / 2, 50, 50}, {5, 0, 0})), body(4.8 - thickness / 2 - gap, 1),
+            const auto body = [&](double x, double weight) {
+              return balls ? ball(0.2, {x, 0, 0}, weight) : box({0.2, 0.2, 0.2}, {x, 0.01, 0.01}, weight);
+            };
+            Declaration declaration{.bodies = {fixed(box({thickness / 2, 50, 50}, {5, 0, 0})),
+                                               body(4.8 - thickness / 2 - gap, 1),
                                                moving(body(2, mass), {speed, 0, 0})},
                                     .effects = solid(0)};
             declaration.effects.erase(declaration.effects.begin());  // no gravity
             Scene scene = opened(declaration);
             for (int frame = 0; frame < 90; ++frame) {
               scene.step();
-              INFO("mass " << mass << ", speed " << speed << ", gap " << gap << ", thickness " << thickness << ", balls " << balls << ", frame " << frame);
+              INFO("mass " << mass << ", speed " << speed << ", gap " << gap << ", thickness " << thickness
+                           << ", balls " << balls << ", frame " << frame);
               REQUIRE(motion(scene, 1).position[0] < 5 - thickness / 2);
               REQUIRE(motion(scene, 2).position[0] < 5 - thickness / 2);
             }
@@ -211,20 +222,23 @@ TEST_CASE("what pushes a body does not push it into what is fixed") {
     for (const double speed : {50.0, 200.0, 2000.0})
       for (const double thickness : {0.001, 1.0})
         for (const double gap : {0.0, 0.05}) {
-          const Declaration declaration{.bodies = {fixed(box({20, thickness / 2, 20}, {0, -thickness / 2, 0})), box({0.2, 0.2, 0.2}, {0, 0.2 + gap, 0}),
+          const Declaration declaration{.bodies = {fixed(box({20, thickness / 2, 20}, {0, -thickness / 2, 0})),
+                                                   box({0.2, 0.2, 0.2}, {0, 0.2 + gap, 0}),
                                                    moving(box({0.5, 0.5, 0.5}, {0.05, 3, 0.02}, mass), {0, -speed, 0})},
                                         .effects = solid(0)};
           Scene scene = opened(declaration);
           for (int frame = 0; frame < 100; ++frame) {
             scene.step();
-            INFO("mass " << mass << ", speed " << speed << ", thickness " << thickness << ", gap " << gap << ", frame " << frame);
+            INFO("mass " << mass << ", speed " << speed << ", thickness " << thickness << ", gap " << gap << ", frame "
+                         << frame);
             REQUIRE(motion(scene, 1).position[1] > 0.1);
             REQUIRE(motion(scene, 2).position[1] > 0.4);
           }
         }
   for (const double thickness : {0.01, 1.0})
     for (const bool is_ball : {true, false}) {
-      Declaration declaration{.bodies = {floor(), is_ball ? ball(0.5, {0, 0.5, 0}) : box({0.5, 0.5, 0.5}, {0, 0.5, 0}), named("pusher", box({0.3, 0.4, 0.4}, {-5, 0.5, 0})),
+      Declaration declaration{.bodies = {floor(), is_ball ? ball(0.5, {0, 0.5, 0}) : box({0.5, 0.5, 0.5}, {0, 0.5, 0}),
+                                         named("pusher", box({0.3, 0.4, 0.4}, {-5, 0.5, 0})),
                                          fixed(box({thickness / 2, 5, 5}, {1 + thickness / 2, 5, 0}))},
                               .effects = solid(0)};
       declaration.effects.push_back(call("path", {{"places", {-5, 0.5, 0, 10, 0.5, 0}, ""}}, "pusher"));
@@ -254,7 +268,8 @@ TEST_CASE("with restitution there is never more energy than there was") {
   const auto spinning = [](double tilt, double turning, double restitution) {
     Body body = box({0.5, 0.1, 0.5}, {0, 1.5, 0});
     body.orientation = quaternion_about(V3::UnitZ(), tilt * std::numbers::pi / 180);
-    return Declaration{.bodies = {floor(), moving(body, {0, -1, 0}, {0, 0, turning})}, .effects = solid(restitution, true, 0)};
+    return Declaration{.bodies = {floor(), moving(body, {0, -1, 0}, {0, 0, turning})},
+                       .effects = solid(restitution, true, 0)};
   };
   std::vector<Declaration> all{tumble(0.6, false), tumble(0.9, true), tumble(1, false)};
   for (const double restitution : {0.5, 0.6, 0.7, 0.9, 1.0})
@@ -266,7 +281,8 @@ TEST_CASE("with restitution there is never more energy than there was") {
       if (!gravity) own.effects.erase(own.effects.begin());
       Scene scene = opened(own);
       const double start = scene.world().energy();
-      INFO("restitution " << own.effects.back().settings[0].numbers[0] << ", gravity " << gravity << ", bodies " << own.bodies.size());
+      INFO("restitution " << own.effects.back().settings[0].numbers[0] << ", gravity " << gravity << ", bodies "
+                          << own.bodies.size());
       for (int frame = 0; frame < 90; ++frame) {
         scene.step();
         REQUIRE(scene.world().energy() <= start + 1e-9 * std::abs(start));
@@ -314,23 +330,30 @@ TEST_CASE("a slender body flung into the corner of two walls stays before both")
           declaration.bodies.push_back(fixed(box({0.25, 60, 60}, way * 0.25)));
           declaration.bodies.back().orientation = quaternion_about(V3::UnitZ(), std::atan2(way[1], way[0]));
         }
-        const auto any = [&](double most) { return V3(random.between(-most, most), random.between(-most, most), random.between(-most, most)); };
+        const auto any = [&](double most) {
+          return V3(random.between(-most, most), random.between(-most, most), random.between(-most, most));
+        };
         Body rod = box({1, half, half}, open * (1.3 / std::sin(angle / 2) + 0.5));
-        rod.orientation = normalized({random.between(-1, 1), random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)});
+        rod.orientation =
+            normalized({random.between(-1, 1), random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)});
         declaration.bodies.push_back(moving(rod, (any(0.3) - open).normalized() * 200, any(i % 2 == 0 ? 0 : 30)));
         Scene scene = opened(declaration);
         for (int frame = 0; frame < 60; ++frame) {
           scene.step();
           INFO("half thickness " << half << ", corner of " << degrees << ", rod " << i << ", frame " << frame);
           const scene::Motion& at = motion(scene, 2);
-          for (const V3& way : into) REQUIRE(way.dot(at.position) + (at.rotation.transpose() * way).cwiseAbs().dot(V3(1, half, half)) < half);
+          for (const V3& way : into)
+            REQUIRE(way.dot(at.position) + (at.rotation.transpose() * way).cwiseAbs().dot(V3(1, half, half)) < half);
         }
       }
     }
 }
 
 TEST_CASE("a body that starts deep in what is fixed is refused by name") {
-  const auto with = [](double height) { return refusal({.bodies = {named("ground", floor()), named("crate", box({0.5, 0.2, 0.5}, {0, height, 0}))}, .effects = solid(0)}); };
+  const auto with = [](double height) {
+    return refusal({.bodies = {named("ground", floor()), named("crate", box({0.5, 0.2, 0.5}, {0, height, 0}))},
+                    .effects = solid(0)});
+  };
   CHECK(with(0.2) == "");
   CHECK(with(0.197) == "");
   CHECK(with(0.19) == "bounce: crate starts inside ground: move it out, or call it fixed too");
@@ -338,7 +361,9 @@ TEST_CASE("a body that starts deep in what is fixed is refused by name") {
 }
 
 TEST_CASE("two fast bodies meet head on") {
-  Declaration declaration{.bodies = {moving(ball(0.1, {-9, 0, 0}), {200, 0, 0}), moving(ball(0.1, {9.1, 0, 0}), {-200, 0, 0})}, .effects = solid(1)};
+  Declaration declaration{
+      .bodies = {moving(ball(0.1, {-9, 0, 0}), {200, 0, 0}), moving(ball(0.1, {9.1, 0, 0}), {-200, 0, 0})},
+      .effects = solid(1)};
   declaration.effects.erase(declaration.effects.begin());
   Scene scene = opened(declaration);
   scene.go(20);
@@ -355,9 +380,11 @@ TEST_CASE("a pile comes to rest with no two bodies deep in each other") {
   for (const auto& contact : scene.world().state.contacts) {
     const auto a = static_cast<std::size_t>(contact.pair.a), b = static_cast<std::size_t>(contact.pair.b);
     const auto& members = scene.world().members;
-    if (members[a].shape.kind != scene::Shape::Kind::kBox || members[b].shape.kind != scene::Shape::Kind::kBox) continue;
+    if (members[a].shape.kind != scene::Shape::Kind::kBox || members[b].shape.kind != scene::Shape::Kind::kBox)
+      continue;
     const auto obb = [&](std::size_t k) {
-      return Obb<double, 3>{motion(scene, k).position, motion(scene, k).rotation, members[k].shape.half_extents - V3::Constant(0.006)};
+      return Obb<double, 3>{motion(scene, k).position, motion(scene, k).rotation,
+                            members[k].shape.half_extents - V3::Constant(0.006)};
     };
     CHECK_FALSE(query::obb_sat(obb(a), obb(b)).overlap);
   }
@@ -367,7 +394,8 @@ TEST_CASE("friction holds a box on a slope that is not too steep") {
   for (const double friction : {0.1, 0.8}) {
     Body slope = fixed(box({10, 0.5, 10}, {0, 0, 0}));
     slope.orientation = quaternion_about(V3::UnitZ(), 0.35);  // its tangent is 0.365
-    Body body = box({0.3, 0.3, 0.3}, quaternion_about(V3::UnitZ(), 0.35).w * V3::Zero() + V3(-0.8 * std::sin(0.35), 0.8 * std::cos(0.35), 0));
+    Body body = box({0.3, 0.3, 0.3}, quaternion_about(V3::UnitZ(), 0.35).w * V3::Zero() +
+                                         V3(-0.8 * std::sin(0.35), 0.8 * std::cos(0.35), 0));
     body.orientation = slope.orientation;
     Scene scene = opened({.bodies = {slope, body}, .effects = solid(0, true, friction)});
     const double start = motion(scene, 1).position[0];
@@ -382,7 +410,8 @@ TEST_CASE("friction is the same in every direction") {
     const double angle = degrees * std::numbers::pi / 180;
     const V3 way(std::cos(angle), 0, std::sin(angle));
     INFO("at " << degrees << " degrees");
-    Scene sliding = opened({.bodies = {floor(), moving(box({0.3, 0.3, 0.3}, {0, 0.3, 0}), way * 4)}, .effects = solid(0, true, 0.4)});
+    Scene sliding = opened(
+        {.bodies = {floor(), moving(box({0.3, 0.3, 0.3}, {0, 0.3, 0}), way * 4)}, .effects = solid(0, true, 0.4)});
     sliding.go(120);
     CHECK(motion(sliding, 1).position.dot(way) == doctest::Approx(16 / (2 * 0.4 * 9.81)).epsilon(0.02));
     CHECK(std::abs(motion(sliding, 1).position.dot(way.cross(V3::UnitY()))) < 1e-3);
@@ -402,7 +431,9 @@ TEST_CASE("friction is the same in every direction") {
 }
 
 TEST_CASE("what is driven does not knock a body into a floor that is still out of reach") {
-  Declaration declaration{.bodies = {floor(), ball(0.156, {0.0324, 0.3126, -0.3343}, 0.115), named("bar", box({1.5, 0.1, 0.2}, {0, 0.3, 0}))}, .effects = solid(0)};
+  Declaration declaration{.bodies = {floor(), ball(0.156, {0.0324, 0.3126, -0.3343}, 0.115),
+                                     named("bar", box({1.5, 0.1, 0.2}, {0, 0.3, 0}))},
+                          .effects = solid(0)};
   declaration.effects.push_back(call("spin", {{"axis", {0, 1, 0}, ""}, {"turns_per_second", {5}, ""}}, "bar"));
   Scene scene = opened(declaration);
   for (int frame = 0; frame < 120; ++frame) {
@@ -413,7 +444,8 @@ TEST_CASE("what is driven does not knock a body into a floor that is still out o
 }
 
 TEST_CASE("a sleeper wakes when what drives its support is switched on again far away") {
-  Declaration declaration{.bodies = {named("lift", box({1, 0.1, 1}, {0, 0, 0})), box({0.3, 0.3, 0.3}, {0, 0.4, 0})}, .effects = solid(0)};
+  Declaration declaration{.bodies = {named("lift", box({1, 0.1, 1}, {0, 0, 0})), box({0.3, 0.3, 0.3}, {0, 0.4, 0})},
+                          .effects = solid(0)};
   declaration.effects.push_back(call("path", {{"places", {0, 0, 0, 0, -50, 0}, ""}, {"speed", {5}, ""}}, "lift"));
   Scene scene = opened(declaration);
   const auto path = [&] {
@@ -440,7 +472,8 @@ TEST_CASE("a stack stands on a floor as thin as paper") {
     scene.go(600);
     INFO("half thickness " << half);
     CHECK(scene.resting());
-    for (std::size_t i = 1; i <= 10; ++i) CHECK((motion(scene, i).position - V3(0, 0.25 + 0.5 * (static_cast<double>(i) - 1), 0)).norm() < 0.01);
+    for (std::size_t i = 1; i <= 10; ++i)
+      CHECK((motion(scene, i).position - V3(0, 0.25 + 0.5 * (static_cast<double>(i) - 1), 0)).norm() < 0.01);
   }
 }
 
@@ -455,7 +488,8 @@ TEST_CASE("a smooth slope does not brake, however flat") {
       Scene scene = opened({.bodies = {slope, body}, .effects = solid(0, true, 0)});
       scene.go(300);
       INFO("a slope of " << degrees << " degrees, half thickness " << half);
-      CHECK((motion(scene, 1).position - body.position).norm() == doctest::Approx(0.5 * 9.81 * std::sin(angle) * 25).epsilon(0.01));
+      CHECK((motion(scene, 1).position - body.position).norm() ==
+            doctest::Approx(0.5 * 9.81 * std::sin(angle) * 25).epsilon(0.01));
     }
 }
 
@@ -465,14 +499,16 @@ TEST_CASE("what stands at the start stands as it is") {
     for (int frame = 0; frame < 60; ++frame) {
       scene.step();
       INFO("half " << half << ", frame " << frame);
-      for (std::size_t i = 1; i <= 10; ++i) REQUIRE(std::abs(motion(scene, i).position[1] / half - (2 * static_cast<double>(i) - 1)) < 1e-3);
+      for (std::size_t i = 1; i <= 10; ++i)
+        REQUIRE(std::abs(motion(scene, i).position[1] / half - (2 * static_cast<double>(i) - 1)) < 1e-3);
     }
     CHECK(scene.resting());
   }
 }
 
 TEST_CASE("a free body keeps its momentum, and tumbling makes no energy") {
-  Declaration declaration{.bodies = {moving(box({0.5, 0.2, 0.1}, {0, 0, 0}), {1, 0, 0}, {0.1, 5, 0.1})}, .effects = {call("move")}};
+  Declaration declaration{.bodies = {moving(box({0.5, 0.2, 0.1}, {0, 0, 0}), {1, 0, 0}, {0.1, 5, 0.1})},
+                          .effects = {call("move")}};
   Scene scene = opened(declaration);
   CHECK(most_gained(scene, 2000, scene.world().energy()) < 1e-12);
   CHECK(scene.world().energy() > 0.5);
@@ -480,7 +516,9 @@ TEST_CASE("a free body keeps its momentum, and tumbling makes no energy") {
 }
 
 TEST_CASE("a sleeper wakes when another body comes") {
-  Declaration declaration{.bodies = {floor(), box({0.5, 0.5, 0.5}, {0, 0.5, 0}), moving(ball(0.2, {-30, 0.5, 0}), {0, 0, 0})}, .effects = solid(0)};
+  Declaration declaration{
+      .bodies = {floor(), box({0.5, 0.5, 0.5}, {0, 0.5, 0}), moving(ball(0.2, {-30, 0.5, 0}), {0, 0, 0})},
+      .effects = solid(0)};
   declaration.bodies[2] = ball(0.2, {0, 40, 0}, 3);
   Scene scene = opened(declaration);
   scene.go(120);
@@ -494,12 +532,14 @@ TEST_CASE("a sleeper wakes when another body comes") {
 
 TEST_CASE("what is driven against a sleeper wakes it, whatever else is driven") {
   for (const bool first : {true, false}) {
-    Declaration declaration{.bodies = {floor(), box({0.5, 0.5, 0.5}, {0, 0.5, 0}), named("pusher", box({0.3, 0.4, 0.4}, {-8, 0.5, 0})),
+    Declaration declaration{.bodies = {floor(), box({0.5, 0.5, 0.5}, {0, 0.5, 0}),
+                                       named("pusher", box({0.3, 0.4, 0.4}, {-8, 0.5, 0})),
                                        named("other", ball(0.1, {0, 30, 0}))},
                             .effects = solid(0)};
     const EffectCall push = call("path", {{"places", {-8, 0.5, 0, 4, 0.5, 0}, ""}, {"speed", {4}, ""}}, "pusher");
     const EffectCall fly = call("path", {{"places", {0, 30, 0, 500, 30, 0}, ""}, {"speed", {0.3}, ""}}, "other");
-    for (const EffectCall& one : first ? std::vector{push, fly} : std::vector{fly, push}) declaration.effects.push_back(one);
+    for (const EffectCall& one : first ? std::vector{push, fly} : std::vector{fly, push})
+      declaration.effects.push_back(one);
     Scene scene = opened(declaration);
     scene.go(80);
     CHECK(motion(scene, 1).asleep);
@@ -519,21 +559,26 @@ TEST_CASE("what has no support, or is about to move, does not sleep") {
     return scene.world().state.bodies.back();
   };
   for (const double speed : {0.04, 0.001})
-    CHECK(after({.bodies = {moving(ball(0.5, {0, 0, 0}), {speed, 0, 0})}, .effects = solid(0)}, false, 600).position[0] == doctest::Approx(10 * speed));
+    CHECK(
+        after({.bodies = {moving(ball(0.5, {0, 0, 0}), {speed, 0, 0})}, .effects = solid(0)}, false, 600).position[0] ==
+        doctest::Approx(10 * speed));
   for (const double degrees : {0.3, 0.5}) {
     const double slope = degrees * std::numbers::pi / 180;
     for (const bool is_ball : {true, false}) {
-      Body plane = fixed(box({50, 0.5, 50}, {0, 0, 0})), body = is_ball ? ball(0.3, {0, 0, 0}) : box({0.3, 0.3, 0.3}, {0, 0, 0});
+      Body plane = fixed(box({50, 0.5, 50}, {0, 0, 0})),
+           body = is_ball ? ball(0.3, {0, 0, 0}) : box({0.3, 0.3, 0.3}, {0, 0, 0});
       plane.orientation = body.orientation = quaternion_about(V3::UnitZ(), slope);
       body.position = V3(-std::sin(slope), std::cos(slope), 0) * 0.8;
       const V3 at = after({.bodies = {plane, body}, .effects = solid(0, true, is_ball ? 0.5 : 0)}, true, 600).position;
       INFO(degrees << " degrees, ball " << is_ball);
-      CHECK((at - body.position).norm() == doctest::Approx(50 * 9.81 * std::sin(slope) * (is_ball ? 5.0 / 7 : 1)).epsilon(0.1));
+      CHECK((at - body.position).norm() ==
+            doctest::Approx(50 * 9.81 * std::sin(slope) * (is_ball ? 5.0 / 7 : 1)).epsilon(0.1));
     }
   }
   for (const double half : {0.01, 0.002, 0.0005})
     for (const double degrees : {0.3, 1.0, 2.0}) {
-      const double lean = degrees * std::numbers::pi / 180 + std::atan(half / 2);  // past where it would stand on its edge
+      const double lean =
+          degrees * std::numbers::pi / 180 + std::atan(half / 2);  // past where it would stand on its edge
       Body plate = box({half, 2, 2}, {0, 2 * std::cos(lean) + half * std::sin(lean), 0});
       plate.orientation = quaternion_about(V3::UnitZ(), lean);
       const scene::Motion fallen = after({.bodies = {floor(), plate}, .effects = solid(0)}, true, 600);
