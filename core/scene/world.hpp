@@ -125,8 +125,8 @@ struct State {
   std::vector<std::vector<V3>> trails;   // by body, the oldest place first
   std::vector<Ray> rays;                 // by body
 
-  void changed(Slot slot) { ++revisions[slot]; }
-  [[nodiscard]] std::uint64_t revision(Slot slot) const { return revisions[slot]; }
+  void changed(Slot slot) { ++revisions[static_cast<std::size_t>(slot)]; }
+  [[nodiscard]] std::uint64_t revision(Slot slot) const { return revisions[static_cast<std::size_t>(slot)]; }
 };
 
 /// What stays, and what changes.
