@@ -1,7 +1,6 @@
 """describe_site.py SITE LESSON.toml...: writes what the page must know of its own files, which a static host does not tell.
 
-lessons/index.json: each lesson's id, group, title, summary and order, in the order of the menu, and the program that runs it
-(CMakeLists.txt makes them).
+lessons/index.json: each lesson's id, group, title, summary and order, in the order of the menu.
 sizes.json: how many bytes each file has, for a loading bar that is true when the transfer is packed.
 """
 
@@ -13,15 +12,9 @@ import tomllib
 SHOWN = ("group", "title", "summary", "order")
 
 
-def program_of(lesson: dict) -> str:
-    if "scene" in lesson or "chart" in lesson:
-        return "scenes" if "scene" in lesson else "costs"
-    return "boxes" if lesson.get("volume") in ("box_pair", "frustum_box") else "points"
-
-
 def lesson_entry(path: pathlib.Path) -> dict:
     lesson = tomllib.loads(path.read_text(encoding="utf-8"))
-    return {"id": path.stem, "program": program_of(lesson)} | {key: lesson[key] for key in SHOWN if key in lesson}
+    return {"id": path.stem} | {key: lesson[key] for key in SHOWN if key in lesson}
 
 
 def main(site: pathlib.Path, lesson_files: list[pathlib.Path]) -> None:

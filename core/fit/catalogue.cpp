@@ -15,9 +15,11 @@ std::vector<Algorithm> all_rows() {
   std::vector<Algorithm> all;
   const auto add = [&](std::span<const Algorithm> rows) { all.insert(all.end(), rows.begin(), rows.end()); };
   add(sphere_rows());
-  if constexpr (kAllRows) add(aabb_rows());
+  add(aabb_rows());
   add(obb_rows());
-  if constexpr (kAllRows) add(swept_rows()), add(kdop_rows()), add(hull_rows());
+  add(swept_rows());
+  add(kdop_rows());
+  add(hull_rows());
   return all;
 }
 

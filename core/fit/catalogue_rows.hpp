@@ -31,23 +31,10 @@ std::vector<Index> indices_of(const Held& support) {
   return {support.begin(), support.end()};
 }
 
-/// The page is served without what no lesson there uses, for every byte is waited for: rows in single precision
-/// (nothing on it makes such points, and the rows would give back nothing for them) and rows of volumes that no lesson
-/// fits. Its tests have them all (tests/CMakeLists.txt).
-inline constexpr bool kAllRows = SNUG_ALL_ROWS;
-
-template <class Scalar>
-inline constexpr bool kTaken = std::is_same_v<Scalar, double> || kAllRows;
-
-/// Calls with the set's span, where its scalar is taken.
+/// Calls with the set's span.
 template <class Returned, class Call>
 Returned with_span(const AnyPointSet& points, Call call) {
-  return std::visit(
-      [&]<class Scalar, int Dim>([[maybe_unused]] const PointSet<Scalar, Dim>& set) -> Returned {
-        if constexpr (kTaken<Scalar>) return call(set.span());
-        else return {};
-      },
-      points);
+  return std::visit([&](const auto& set) -> Returned { return call(set.span()); }, points);
 }
 
 template <auto kFitter>

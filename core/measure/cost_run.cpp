@@ -22,26 +22,8 @@ namespace {
 /// In a full turn: each update follows one a few degrees before it, as from frame to frame.
 constexpr int kPoses = 64;
 
-fit::Result hull_of(const AnyPointSet& points, const fit::Options&) {
-  return std::visit(
-      []<class Scalar, int Dim>([[maybe_unused]] const PointSet<Scalar, Dim>& set) -> fit::Result {
-        if constexpr (SNUG_ALL_ROWS || std::is_same_v<Scalar, double>)
-          return {fit::lift(fit::quickhull(set.span()).volume), {}};
-        else return {};
-      },
-      points);
-}
-
-/// What every volume is compared with, though the page's catalogue has no row of it.
-const fit::Algorithm& hull_row() {
-  static const fit::Algorithm row{
-      .volume = "hull", .name = "quickhull", .max_points = std::numeric_limits<Index>::max(), .fit = &hull_of};
-  return row;
-}
-
 /// The tight update of a fitted volume; null where there is none.
 const fit::UpdateStrategy* update_of(const fit::Algorithm& algorithm) {
-  if constexpr (!SNUG_ALL_ROWS) return nullptr;  // the page's budget
   if (algorithm.volume == "aabb") return fit::find_update("aabb", "hill_climb");
   if (algorithm.volume == "kdop") return fit::find_update("kdop", std::string(algorithm.name) + "_hill_climb");
   return fit::find_update(algorithm.volume, "transform");
@@ -153,10 +135,11 @@ bool CostRun::count() {
 }
 
 bool CostRun::compare_with_hull() {
-  Ladder& ladder = ladder_of(hull_row());
+  Ladder& ladder = ladder_of(*fit::find_algorithm("hull", "quickhull"));
   if (!step_up(ladder)) return false;
   if (ladder.reached() >= row_.points)
-    row_.over_hull = rounding_.ratio(row_.measure, fit::measure_of(fitted(hull_row()), dim_), dim_);
+    row_.over_hull =
+        rounding_.ratio(row_.measure, fit::measure_of(fitted(*fit::find_algorithm("hull", "quickhull")), dim_), dim_);
   return true;
 }
 
@@ -190,7 +173,8 @@ bool CostRun::take_update() {
   if (!watch_) {
     const fit::UpdateStrategy* const strategy = update_of(algorithm());
     // To begin, all have their body's hull made, and an oriented box.
-    if (strategy == nullptr || ladder_of(hull_row()).reached() < row_.points) return true;
+    if (strategy == nullptr || ladder_of(*fit::find_algorithm("hull", "quickhull")).reached() < row_.points)
+      return true;
     row_.update = strategy->name;
     const auto poses = full_turn(dim_, kPoses);
     watch_.emplace([turn = fit::start_bare_updates(*strategy, points_of(row_.points), poses)] { (void)turn(); },

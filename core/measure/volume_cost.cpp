@@ -151,21 +151,16 @@ OverlapWork work_of(const fit::Volume3& lifted, std::uint64_t seed) {
   return std::visit(
       [&](const auto& kind) -> OverlapWork {
         using VolumeType = decltype(fit::Lower<Scalar, Dim>{}(kind));
-        if constexpr (SNUG_ALL_ROWS || std::is_same_v<VolumeType, Sphere<Scalar, Dim>> ||
-                      std::is_same_v<VolumeType, Obb<Scalar, Dim>>) {
-          Random random(seed);
-          const VolumeType volume = fit::Lower<Scalar, Dim>{}(kind);
-          auto copies =
-              std::make_shared<std::vector<VolumeType>>(copies_of<Scalar, Dim>(volume, reach_of(lifted, Dim), random));
-          return {[volume, copies] {
-                    int overlapping = 0;
-                    for (const VolumeType& copy : *copies) overlapping += query::overlaps(volume, copy) ? 1 : 0;
-                    return overlapping;
-                  },
-                  kPairsOf<VolumeType>};
-        } else {
-          return {};
-        }
+        Random random(seed);
+        const VolumeType volume = fit::Lower<Scalar, Dim>{}(kind);
+        auto copies =
+            std::make_shared<std::vector<VolumeType>>(copies_of<Scalar, Dim>(volume, reach_of(lifted, Dim), random));
+        return {[volume, copies] {
+                  int overlapping = 0;
+                  for (const VolumeType& copy : *copies) overlapping += query::overlaps(volume, copy) ? 1 : 0;
+                  return overlapping;
+                },
+                kPairsOf<VolumeType>};
       },
       lifted);
 }
@@ -173,8 +168,7 @@ OverlapWork work_of(const fit::Volume3& lifted, std::uint64_t seed) {
 }  // namespace
 
 OverlapWork overlap_work(const fit::Volume3& volume, int dim, bool single, std::uint64_t seed) {
-  if constexpr (SNUG_ALL_ROWS)
-    if (single) return dim == 2 ? work_of<float, 2>(volume, seed) : work_of<float, 3>(volume, seed);
+  if (single) return dim == 2 ? work_of<float, 2>(volume, seed) : work_of<float, 3>(volume, seed);
   return dim == 2 ? work_of<double, 2>(volume, seed) : work_of<double, 3>(volume, seed);
 }
 

@@ -1,4 +1,4 @@
-// Brings a program (programs/points.wasm …) and the fonts that it draws with.
+// Brings the program and the fonts that it draws with.
 
 const kFonts = {
   "Inter-Regular": "fonts/Inter-Regular.otf",
@@ -7,12 +7,12 @@ const kFonts = {
   "JetBrainsMono-Bold": "fonts/JetBrainsMono-Bold.ttf",
 };
 
-/** The functions of web/main.cpp. name: the program's. attempt: counted up by each retry, for a browser remembers a module that failed. */
-export async function open_door(downloads, name, attempt) {
+/** The functions of web/main.cpp. attempt: counted up by each retry, for a browser remembers a module that failed. */
+export async function open_door(downloads, attempt) {
   const fonts = Object.entries(kFonts).map(async ([font, path]) => [font, await downloads.bytes(path)]);
   const [program, glue, ...loaded] = await Promise.all([
-    downloads.answer(`programs/${name}.wasm`, "application/wasm"),
-    import(`./programs/${name}.mjs${attempt ? `?attempt=${attempt}` : ""}`),
+    downloads.answer("snug.wasm", "application/wasm"),
+    import(`./snug.mjs${attempt ? `?attempt=${attempt}` : ""}`),
     ...fonts,
   ]);
   const door = await new Promise((resolve, reject) => {

@@ -24,14 +24,10 @@ const kPanelsDelay = 250; // milliseconds: so often the HTML follows a drag, who
 const stage_of = ({ measures, boxes, frustum, scene, bodies }) => (measures ? "the chart of costs, or the points" : frustum ? "a box and a view frustum" : boxes ? "two boxes"
   : bodies ? "bodies that move, and their volumes" : scene ? "a body that moves, and the volume around it" : "the points and the volume around them");
 
-/** What runs a lesson, and what the first where there is no such lesson. */
-const program_of = (lessons, id) => (lessons.find((lesson) => lesson.id === id) ?? lessons[0])?.program ?? "points";
-
 class Page {
   #door;
   #downloads;
   #lessons;
-  #program; // the name of what runs here: lessons of another need the page anew
   #stage;
   #settings;
   #menu;
@@ -42,11 +38,10 @@ class Page {
   #address_timer = 0;
   #panels_timer = 0;
 
-  constructor(door, downloads, lessons, program, embed) {
+  constructor(door, downloads, lessons, embed) {
     this.#door = door;
     this.#downloads = downloads;
     this.#lessons = lessons;
-    this.#program = program;
     this.#embed = embed;
     const act = (what) => this.act(what);
     const question = new QuestionCard(door, act);
@@ -96,7 +91,6 @@ class Page {
   #go_to(id) {
     this.#write_address();
     const address = `?lesson=${encodeURIComponent(id)}${this.#embed ? "&embed=1" : ""}`;
-    if (program_of(this.#lessons, id) !== this.#program) return location.assign(address);
     history.pushState(null, "", address);
     this.open(read_address(location.search));
   }
@@ -236,8 +230,7 @@ async function begin(attempt) {
   try {
     const downloads = new Downloads((share) => veil.progress(share));
     const lessons = JSON.parse(await downloads.text("lessons/index.json"));
-    const program = program_of(lessons, asked.lesson);
-    page = new Page(await open_door(downloads, program, attempt), downloads, lessons, program, asked.embed);
+    page = new Page(await open_door(downloads, attempt), downloads, lessons, asked.embed);
   } catch (error) {
     console.warn(error);
     return veil.failed("Snug did not arrive whole. Check the connection, then try again.", () => begin(attempt + 1));
