@@ -21,7 +21,7 @@ std::array<int, 3> check_same(const Frustum<Scalar, 3>& frustum, const std::vect
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Culling right = query::classify(frustum, shapes[i]).verdict;
     wrong += verdicts[i] != right;
-    ++counts[right];
+    ++counts[static_cast<std::size_t>(right)];
   }
   CHECK(wrong == 0);
   CHECK(verdicts.back() == static_cast<Culling>(7));  // nothing is written behind the last
