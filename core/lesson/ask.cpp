@@ -299,7 +299,7 @@ Outcome judge(const Asked& asked, const Answer& answer, Trace trace) {
   outcome.skipped = answer.kind == Kind::kSkipped;
   outcome.from_step = asked.step;
   outcome.step = asked.until;
-  outcome.because = in_words_of(asked.dim, asked.question->because);
+  outcome.because = asked.because;
   if (answer.kind == Kind::kPoint) {
     outcome.predicted = said_by_point(asked, truth, answer.value);
     outcome.right = contains(truth.points, answer.value);

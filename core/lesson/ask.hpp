@@ -22,6 +22,7 @@ struct Answer {
 struct Asked {
   const Question* question = nullptr;
   std::string prompt;  // in the words of the points' dimension: a circle in space is a sphere
+  std::string because;
   int dim = 2;
   bool boxes = false;  // whether the points are places of two boxes, or of a box and a frustum
   bool frustum = false;
@@ -55,15 +56,18 @@ struct Outcome {
 /// "P9": how a point is called, everywhere.
 [[nodiscard]] std::string point_name(Index i);
 
-/// The questions of that algorithm that this trace has the gates of, in the timeline's order. One that stands where
-/// another is still open is left out. own_points: whether the points are the lesson's own.
-[[nodiscard]] std::vector<Asked> asked_on(const Lesson& lesson, std::string_view algorithm, Trace trace, int dim,
-                                          bool own_points);
+/// The question's prompt and reason; own_run: those that hold on the lesson's own run alone, where it has such.
+void put_words(Asked& asked, bool own_run);
 
-/// volume: the lesson's. Where one question stands on a trace; nothing where the trace does not have its step, or the
-/// step cannot be asked that: why says it in one fragment then. Of boundary_forced and moved_to_front only the
-/// outermost count, at which a point lies outside the smallest ball of all before it; "leaves" and "grows" of it are
-/// decided when that point is in.
+/// The questions of that algorithm that this trace has the gates of, in the timeline's order. One that stands where
+/// another is still open is left out. own_run: whether the trace is of the lesson's own points, boxes or scene.
+[[nodiscard]] std::vector<Asked> asked_on(const Lesson& lesson, std::string_view algorithm, Trace trace, int dim,
+                                          bool own_run);
+
+/// volume: the lesson's; the words are the general ones. Where one question stands on a trace; nothing where the trace
+/// does not have its step, or the step cannot be asked that: why says it in one fragment then. Of boundary_forced and
+/// moved_to_front only the outermost count, at which a point lies outside the smallest ball of all before it; "leaves"
+/// and "grows" of it are decided when that point is in.
 [[nodiscard]] std::optional<Asked> resolve(const Question& question, std::string_view volume, Trace trace, int dim,
                                            std::string& why);
 

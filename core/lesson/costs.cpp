@@ -124,7 +124,7 @@ std::vector<Asked> asked_of_costs(const Lesson& lesson) {
     Asked asked;
     asked.question = &question;
     asked.dim = lesson.points.dim;
-    asked.prompt = in_words_of(asked.dim, question.prompt);
+    put_words(asked, true);  // they are of the lesson's own points
     asked.step = asked.until = -1;
     asked.many = question.asks == Asks::kOnFront;
     if (question.asks == Asks::kTimesSlower) asked.choices.assign(kTimesChoices.begin(), kTimesChoices.end());
@@ -150,7 +150,7 @@ Outcome predicted(const Asked& asked, const Answer& answer) {
   outcome.from_step = outcome.step = -1;
   outcome.pending = true;
   outcome.skipped = answer.kind == Kind::kSkipped;
-  outcome.because = in_words_of(asked.dim, asked.question->because);
+  outcome.because = asked.because;
   if (!outcome.skipped)
     outcome.predicted =
         asked.many ? names_of(asked.choices, answer.value) : asked.choices[static_cast<std::size_t>(answer.value)];

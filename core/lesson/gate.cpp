@@ -187,8 +187,8 @@ std::optional<Asked> resolve(const Question& question, std::string_view volume, 
   const Gate& gate = question.gate;
   Asked asked;
   asked.question = &question;
-  asked.prompt = in_words_of(dim, question.prompt);
   asked.dim = dim;
+  put_words(asked, false);
   asked.boxes = has_boxes(volume);
   asked.frustum = volume == kFrustumBox;
   asked.fact = find_fact(trace, gate.fact, gate.occurrence);
@@ -206,12 +206,24 @@ std::optional<Asked> resolve(const Question& question, std::string_view volume, 
   return asked;
 }
 
-std::vector<Asked> asked_on(const Lesson& lesson, std::string_view algorithm, Trace trace, int dim, bool own_points) {
+void put_words(Asked& asked, bool own_run) {
+  const Question& question = *asked.question;
+  const auto words = [&](const std::string& here, const std::string& anywhere) {
+    return in_words_of(asked.dim, own_run && !here.empty() ? here : anywhere);
+  };
+  asked.prompt = words(question.prompt_here, question.prompt);
+  asked.because = words(question.because_here, question.because);
+}
+
+std::vector<Asked> asked_on(const Lesson& lesson, std::string_view algorithm, Trace trace, int dim, bool own_run) {
   std::vector<Asked> all;
   std::string why;
   for (const Question& question : lesson.questions) {
-    if (question.gate.algorithm != algorithm || (question.own_points && !own_points)) continue;
-    if (auto asked = resolve(question, lesson.volume, trace, dim, why)) all.push_back(*std::move(asked));
+    if (question.gate.algorithm != algorithm || (question.own_points && !own_run)) continue;
+    auto asked = resolve(question, lesson.volume, trace, dim, why);
+    if (!asked) continue;
+    put_words(*asked, own_run);
+    all.push_back(*std::move(asked));
   }
   std::stable_sort(all.begin(), all.end(), [](const Asked& a, const Asked& b) { return a.step < b.step; });
   std::vector<Asked> apart;

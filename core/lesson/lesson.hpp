@@ -83,6 +83,8 @@ struct Question {
   std::vector<double> bounds;        // of kFigure, rising: up to the first, up to the second … and more
   bool own_points = false;           // asked only on the lesson's own points: the answer is true of those alone
   std::string because;               // shown with what happened, right or wrong
+  std::string prompt_here;           // in the prompt's place while the run is the lesson's own; empty for none
+  std::string because_here;          // the same of because
   int line = 0;                      // of the file, for errors
 };
 

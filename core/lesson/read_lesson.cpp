@@ -162,6 +162,8 @@ Question read_question(const toml::table& toml, const Lesson& lesson, Complaints
   if (question.asks == Asks::kFigure) read_ranges(table, question);
   question.own_points = table.flag_or("own_points", false);
   question.because = table.text("because");
+  question.prompt_here = table.text_or("prompt_here", "");
+  question.because_here = table.text_or("because_here", "");
   table.refuse_others();
   return question;
 }

@@ -164,7 +164,8 @@ class Session {
   [[nodiscard]] int previous_mark() const;
 
   // ---- the chart of costs, of a lesson that measures --------------------------------------------------------
-  /// Whether the points are the lesson's own, of which its questions are.
+  /// Whether the points (boxes, bodies) and the seed are the lesson's own: what a lesson says of its own run is true
+  /// then, unless an effect is off. Of a chart all questions are of these.
   [[nodiscard]] bool has_own_points() const;
   /// Takes over what was measured on the points as they stand, a row an algorithm: it decides what was predicted.
   void measured(std::vector<cost::CostRow> rows);

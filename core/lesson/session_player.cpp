@@ -59,8 +59,7 @@ void Session::trace_changed(bool at_end) {
   asked_.clear();
   if (lesson_.measures && has_own_points()) asked_ = asked_of_costs(lesson_);
   if (!lesson_.measures)
-    asked_ = asked_on(lesson_, algorithm(0)->name, recording(0).steps, dim(),
-                      !edited() && seed() == lesson_.seed && off_.empty());
+    asked_ = asked_on(lesson_, algorithm(0)->name, recording(0).steps, dim(), has_own_points() && off_.empty());
   marks_ = marks_of(recording(0).steps, lesson_.measures ? std::vector<Asked>() : asked_);
   step_ = at_end ? steps() : std::min(step_, steps());
   worked_.hash.reset();

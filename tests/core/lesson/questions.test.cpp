@@ -180,3 +180,72 @@ TEST_CASE("points_named is empty just for the facts that name no point") {
   CHECK(named > 50);
   CHECK(unnamed > 10);
 }
+
+namespace {
+
+/// The first question with words of its own for the lesson's own run.
+std::string lesson_with_words_here(const std::string& text) {
+  std::string own = text;
+  const std::string_view because = "because = \"It is farther apart.\"\n";
+  return own.insert(own.find(because) + because.size(), R"(prompt_here = "Which pair of the cross?"
+because_here = "The cross's arm along x is the longer circle's diameter."
+)");
+}
+
+/// Whether the first question speaks of the lesson's own run, in its prompt and in its reason.
+bool speaks_of_here(Session& session) {
+  session.forget_answers();
+  session.first();
+  session.last();
+  REQUIRE(session.asked() != nullptr);
+  REQUIRE(session.asked()->question->id == "pair");
+  const bool here = session.asked()->prompt == "Which pair of the cross?";
+  if (!here) CHECK(session.asked()->prompt == "Which pair?");
+  REQUIRE(session.answer(choice(0)));
+  CHECK(session.outcome()->because ==
+        (here ? "The cross's arm along x is the longer circle's diameter." : "It is farther apart."));
+  return here;
+}
+
+}  // namespace
+
+TEST_CASE("words that hold on the lesson's own points stand there alone") {
+  Session session = test::open(lesson_with_words_here(std::string(test::kSmallLesson)));
+  CHECK(speaks_of_here(session));
+  REQUIRE(session.move(2, {0.1, 1, 0}).has_value());
+  CHECK_FALSE(speaks_of_here(session));
+  session.undo();
+  CHECK(speaks_of_here(session));
+  session.scatter(6);
+  CHECK_FALSE(speaks_of_here(session));
+  session.reset();
+  CHECK(speaks_of_here(session));
+  REQUIRE(session.set_generator("cube", 12, 2, session.seed()).has_value());
+  CHECK_FALSE(speaks_of_here(session));
+  REQUIRE(session.load({2, {{0, 0, 0}, {3, 0, 0}, {1, 1, 0}, {1, -1, 0}, {1, 2.5, 0}}, {}}, "five.xyz").has_value());
+  CHECK_FALSE(speaks_of_here(session));
+  session.scatter(session.lesson().seed);
+  CHECK(speaks_of_here(session));
+}
+
+TEST_CASE("a mesh's own words stand on that mesh alone") {
+  std::string text = lesson_with_words_here(std::string(test::kSmallLesson));
+  const auto points = text.find("dim = 2\nlist"), end = text.find("[[section]]");
+  text.replace(points, end - points, "mesh = \"bunny\"\n\n");
+  text.erase(text.find("[task]"));
+  auto lesson = read_lesson(text, "mesh.toml");
+  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+  const io::PointFile own{3, {{-2, 0, 0}, {2, 0, 0}, {0, 1, 0.5}, {0, 2.5, 0}}, {}};
+  auto session = Session::open(*std::move(lesson), own);
+  REQUIRE(session.has_value());
+  const auto prompt = [&] {
+    session->last();
+    REQUIRE(session->asked() != nullptr);
+    return session->asked()->prompt;
+  };
+  CHECK(prompt() == "Which pair of the cross?");
+  REQUIRE(session->load({3, {{0, 0, 0}, {3, 0, 0}, {1, 1, 1}}, {}}, "teapot").has_value());
+  CHECK(prompt() == "Which pair?");
+  REQUIRE(session->load(own, "bunny").has_value());
+  CHECK(prompt() == "Which pair of the cross?");
+}

@@ -63,6 +63,8 @@ constexpr Broken kBroken[] = {
     {"answer = \"three\"", "answer = \"two\"", "answer = \"two\"", "none of the choices: two"},
     {"choices = [\"one\", \"three\"]", "choices = [\"three\"]", "choices", "at least 2"},
     {"own_points = true", "own_points = 1", "own_points", "true or false"},
+    {"own_points = true", "because_here = 3", "because_here", "a text in quotes"},
+    {"own_points = true", "prompt_here = \"\"", "prompt_here", "is empty"},
     {"because = \"All are inside.\"\n", "", "id = \"again\"", "lacks the key \"because\""},
     {"excess_at_least = 0.05\n", "", "[task]", "\"excess_at_least\" or \"support_size\""},
     {"excess_at_least = 0.05", "excess_at_least = 0.5", "model", "does not solve"},
