@@ -14,7 +14,7 @@ namespace {
 
 using Axis = query::AxisTested<double, 3>;
 
-constexpr float kSize = 12, kRow = 24;
+constexpr float kCell = 12, kRow = 24;
 constexpr std::array<const char*, 4> kHeads{"distance", "r_A", "r_B", "gap"};
 
 std::string short_number(double value) { return lesson::number_text(value, 3); }
@@ -40,17 +40,17 @@ struct Table {
   }
 
   void row(float y, const lesson::AxisName& name, const Axis* axis, bool lit) const {
-    const float middle = middle_of(y + look.px(kRow) / 2, look.px(kSize));
+    const float middle = middle_of(y + look.px(kRow) / 2, look.px(kCell));
     if (lit) list->AddRectFilled({x - 6, y}, {x + width + 6, y + look.px(kRow)}, with_alpha(look->current, 0.14f), 4);
     const bool separates = axis != nullptr && axis->separates;
     const Color ink = separates ? look->wrong_text : axis != nullptr ? look->ink : look->muted;
-    text(list, look, lit ? Face::kMonoBold : Face::kMono, kSize, {x, middle}, ink, name.text);
+    text(list, look, lit ? Face::kMonoBold : Face::kMono, kCell, {x, middle}, ink, name.text);
     if (axis == nullptr) return;
     if (axis->skipped)
       return text_right(list, look, Face::kRegular, 11, {x + width, middle}, look->muted, "parallel: none");
     const std::array<double, 4> figures{axis->distance, axis->radius_a, axis->radius_b, axis->axis.gap};
     for (int i = 0; i < 4; ++i)
-      text_right(list, look, i == 3 ? Face::kMonoBold : Face::kMono, kSize, {right(i), middle},
+      text_right(list, look, i == 3 ? Face::kMonoBold : Face::kMono, kCell, {right(i), middle},
                  i == 3 ? ink : look->ink, short_number(figures[i]));
   }
 };

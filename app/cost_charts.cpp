@@ -17,7 +17,7 @@ namespace {
 /// A volume that is larger by less is the tightest, for all that is seen.
 constexpr double kRounding = 1e-6;
 
-std::string said(const char* format, double value) {
+std::string one_number(const char* format, double value) {
   std::array<char, 48> text{};
   std::snprintf(text.data(), text.size(), format, value);
   return text.data();
@@ -139,7 +139,7 @@ void add_growth(Chart& chart, const std::vector<cost::GrowthRow>& rows, bool the
     }
     if (!then) {
       series.name = one ? algorithm_title(first.volume, first.algorithm) : first.volume + " " + first.algorithm;
-      if (first.exponent) series.figure = said("n^%.2f", *first.exponent);
+      if (first.exponent) series.figure = one_number("n^%.2f", *first.exponent);
       series.beside = theory_words(first);
       series.slope = first.theory_exponent;
     }
@@ -198,7 +198,7 @@ std::string update_title(std::string_view volume, std::string_view strategy) {
 
 std::string theory_words(const cost::GrowthRow& row) {
   if (!row.theory_exponent) return {};
-  return said(row.tight ? "theory %.2f" : "theory at most %.2f", *row.theory_exponent);
+  return one_number(row.tight ? "theory %.2f" : "theory at most %.2f", *row.theory_exponent);
 }
 
 Chart cost_chart(const cost::Table<cost::CostRow>& now, const cost::Table<cost::CostRow>* then) {

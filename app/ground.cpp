@@ -57,9 +57,9 @@ void flat(const GlScene& scene, int width, int height, float scale, Strips& stri
 }
 
 /// The plane seen in perspective.
-class Plane {
+class GroundPlane {
  public:
-  Plane(const GlScene& scene, int width, int height)
+  GroundPlane(const GlScene& scene, int width, int height)
       : scene_(scene), half_width_(0.5f * static_cast<float>(width)), half_height_(0.5f * static_cast<float>(height)) {}
 
   struct Seen {
@@ -115,7 +115,7 @@ class Plane {
 };
 
 void perspective(const GlScene& scene, int width, int height, Strips& strips) {
-  const Plane plane(scene, width, height);
+  const GroundPlane plane(scene, width, height);
   const float reach = scene.plane_reach, step = scene.plane_step;
   if (!(step > 0) || reach / step > kMostLines) return;
   const int lines = static_cast<int>(reach / step);

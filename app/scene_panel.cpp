@@ -13,7 +13,7 @@
 namespace snug::app {
 namespace {
 
-constexpr float kSize = 14, kSmall = 13, kTiny = 12;
+constexpr float kText = 14, kSmall = 13, kTiny = 12;
 constexpr double kLeastSlack = 0.01;  // that the scale ends at: less is mostly rounding
 constexpr float kEffectRow = 26, kLeading = 16, kIndent = 20, kPlot = 84;
 
@@ -56,7 +56,7 @@ class Panel {
       if (stroke == Stroke::kSolid) diamond(list_, {x + 13, middle}, 5, color, look_->panel);
       x += 36;
     }
-    text(list_, look_, Face::kRegular, kSize, {x, middle_of(middle, look_.px(kSize))}, look_->ink, name);
+    text(list_, look_, Face::kRegular, kText, {x, middle_of(middle, look_.px(kText))}, look_->ink, name);
     text_right(list_, look_, Face::kMonoBold, kSmall, {x_ + width_, middle_of(middle, look_.px(kSmall))}, look_->ink,
                hidden ? "—" : std::to_string(static_cast<std::int64_t>(left)));
     const float top = y_ + look_.px(22), thick = 8;
@@ -70,7 +70,7 @@ class Panel {
   /// What is no stage: the work that the first one takes.
   void figure(const char* name, const std::string& value) {
     const float middle = y_ + look_.px(9);
-    text(list_, look_, Face::kRegular, kSize, {x_, middle_of(middle, look_.px(kSize))}, look_->muted, name);
+    text(list_, look_, Face::kRegular, kText, {x_, middle_of(middle, look_.px(kText))}, look_->muted, name);
     text_right(list_, look_, Face::kMono, kSmall, {x_ + width_, middle_of(middle, look_.px(kSmall))}, look_->ink,
                value);
     y_ += look_.px(28);

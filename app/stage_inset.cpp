@@ -11,7 +11,7 @@
 namespace snug::app {
 namespace {
 
-constexpr double kMargin = 0.45;  // of half the image, on every side
+constexpr double kAround = 0.45;  // of half the image, on every side
 constexpr ImVec2 kNowhere{-1e6f, -1e6f};
 
 /// The camera's eye: a point's place sideways and upwards over its depth is its place in the image, from -1 to 1.
@@ -66,7 +66,7 @@ struct Picture {
   int dim;
 
   [[nodiscard]] ImVec2 at(const Point3& seen) const {
-    const double far = 100 * (1 + kMargin);
+    const double far = 100 * (1 + kAround);
     const auto place = [&](int axis) { return static_cast<float>(std::clamp(seen[axis] / seen[2], -far, far)); };
     return {middle.x + half.x * place(0), dim == 2 ? middle.y : middle.y - half.y * place(1)};
   }
@@ -102,7 +102,7 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
   const Look& look = brush.look;
   const Eye eye{lesson::camera_of(*pair)};
   const bool flat = pair->dim == 2, small = brush.rect.width < 560;
-  const float head = look.px(20), pad = 8, outer = 1 + static_cast<float>(kMargin);
+  const float head = look.px(20), pad = 8, outer = 1 + static_cast<float>(kAround);
   const float width = small ? 112.0f : look.px(brush.rect.width < 900 ? 168 : 224);
   const double aspect = eye.camera.half_tangents[1] / eye.camera.half_tangents[0];
   const float half_x = (width - 2 * pad) / (2 * outer);

@@ -9,13 +9,13 @@ namespace {
 
 constexpr auto kMinMax = [](auto p, const Options&, auto& o) { return aabb_min_max(p, o); };
 
-constexpr std::array kRows{
+constexpr std::array kAabbRows{
     row<kMinMax, true>({"aabb", "min_max", "Least and greatest", "C. Ericson, Real-Time Collision Detection, 2005",
                         kAabbMinMaxPseudocode}),
 };
 
 }  // namespace
 
-std::span<const Algorithm> aabb_rows() { return kRows; }
+std::span<const Algorithm> aabb_rows() { return kAabbRows; }
 
 }  // namespace snug::fit

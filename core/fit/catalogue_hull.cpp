@@ -9,7 +9,7 @@ namespace {
 
 constexpr auto kQuickhull = [](auto p, const Options&, auto& o) { return quickhull(p, o); };
 
-constexpr std::array kRows{
+constexpr std::array kHullRows{
     row<kQuickhull, true>({"hull", "quickhull", "Quickhull",
                            "C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The Quickhull algorithm for convex hulls, 1996",
                            kQuickhull3Pseudocode, kQuickhull2Pseudocode}),
@@ -17,6 +17,6 @@ constexpr std::array kRows{
 
 }  // namespace
 
-std::span<const Algorithm> hull_rows() { return kRows; }
+std::span<const Algorithm> hull_rows() { return kHullRows; }
 
 }  // namespace snug::fit

@@ -25,7 +25,7 @@ constexpr Algorithm kdop_row(std::string_view name, std::string_view title, bool
        .space = space});
 }
 
-constexpr std::array kRows{
+constexpr std::array kKdopRows{
     kdop_row<4>("k4", "4-DOP", true, false),    kdop_row<6>("k6", "6-DOP", true, true),
     kdop_row<8>("k8", "8-DOP", true, false),    kdop_row<14>("k14", "14-DOP", false, true),
     kdop_row<18>("k18", "18-DOP", false, true), kdop_row<26>("k26", "26-DOP", false, true),
@@ -33,6 +33,6 @@ constexpr std::array kRows{
 
 }  // namespace
 
-std::span<const Algorithm> kdop_rows() { return kRows; }
+std::span<const Algorithm> kdop_rows() { return kKdopRows; }
 
 }  // namespace snug::fit

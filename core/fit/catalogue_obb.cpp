@@ -28,7 +28,7 @@ constexpr auto kExact = [](auto p, const Options&, auto& o) { return obb_exact(p
 constexpr std::string_view kRomanick = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007";
 constexpr std::string_view kGottschalk = "S. Gottschalk, Collision queries using oriented bounding boxes, 2000";
 
-constexpr std::array kRows{
+constexpr std::array kObbRows{
     row<kAabb>({"obb", "aabb", "Upright box", "C. Ericson, Real-Time Collision Detection, 2005", kObbAabbPseudocode}),
     row<kSphereAxis>({"obb", "sphere_axis", "Axis of the sphere", kRomanick, kObbSphereAxisPseudocode}),
     row<kPca>({"obb", "pca", "PCA of the points", kGottschalk, kObbPcaPseudocode}),
@@ -45,6 +45,6 @@ constexpr std::array kRows{
 
 }  // namespace
 
-std::span<const Algorithm> obb_rows() { return kRows; }
+std::span<const Algorithm> obb_rows() { return kObbRows; }
 
 }  // namespace snug::fit

@@ -16,18 +16,18 @@ constexpr auto kRitter = [](auto p, const Options&, auto& o) { return ritter(p, 
 constexpr auto kRitterIterative = [](auto p, const Options& options, auto& o) {
   return ritter_iterative(p, options, o);
 };
-constexpr auto kPca = [](auto p, const Options&, auto& o) { return pca_sphere(p, o); };
+constexpr auto kPcaSphere = [](auto p, const Options&, auto& o) { return pca_sphere(p, o); };
 constexpr auto kWelzl = [](auto p, const Options& options, auto& o) { return welzl(p, options, o); };
 constexpr auto kBruteForce = [](auto p, const Options&, auto& o) { return brute_force(p, o); };
 
 constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
 
-constexpr std::array kRows{
+constexpr std::array kSphereRows{
     row<kAabbCenter>({"sphere", "aabb_center", "Box midpoint", kEricson, kAabbCenterPseudocode}),
     row<kRitter>({"sphere", "ritter", "Ritter", "J. Ritter, An efficient bounding sphere, 1990", kRitterPseudocode}),
     row<kRitterIterative>({"sphere", "ritter_iterative", "Iterative Ritter", kEricson, kRitterIterativePseudocode}),
-    row<kPca>({"sphere", "pca", "PCA (Wu)", "X. Wu, A linear-time simple bounding volume algorithm, 1992",
-               kPcaSpherePseudocode}),
+    row<kPcaSphere>({"sphere", "pca", "PCA (Wu)", "X. Wu, A linear-time simple bounding volume algorithm, 1992",
+                     kPcaSpherePseudocode}),
     row<kWelzl, true>({"sphere", "welzl", "Welzl", "E. Welzl, Smallest enclosing disks (balls and ellipsoids), 1991",
                        kWelzlPseudocode}),
     row<kBruteForce, true>({.volume = "sphere",
@@ -40,6 +40,6 @@ constexpr std::array kRows{
 
 }  // namespace
 
-std::span<const Algorithm> sphere_rows() { return kRows; }
+std::span<const Algorithm> sphere_rows() { return kSphereRows; }
 
 }  // namespace snug::fit

@@ -11,7 +11,7 @@ namespace {
 constexpr auto kCapsule = [](auto p, const Options& options, auto& o) { return capsule_pca(p, options, o); };
 constexpr auto kLozenge = [](auto p, const Options&, auto& o) { return lozenge_pca(p, o); };
 
-constexpr std::array kRows{
+constexpr std::array kSweptRows{
     row<kCapsule>({"capsule", "pca", "PCA", "D. Eberly, 3D Game Engine Design, 2000", kCapsulePcaPseudocode}),
     row<kLozenge>(
         {"lozenge", "pca", "PCA",
@@ -21,6 +21,6 @@ constexpr std::array kRows{
 
 }  // namespace
 
-std::span<const Algorithm> swept_rows() { return kRows; }
+std::span<const Algorithm> swept_rows() { return kSweptRows; }
 
 }  // namespace snug::fit

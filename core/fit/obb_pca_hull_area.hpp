@@ -24,7 +24,7 @@ inline constexpr std::array<std::string_view, 6> kObbPcaHullAreaPseudocode{
 /// The hull's surface as simplices: its facets; of a flat hull in space the triangles of a fan, of a segment itself, of
 /// a point itself. Each a list of places in the vertices.
 template <class Scalar, int Dim>
-[[nodiscard]] std::vector<std::vector<Index>> surface_pieces(const ConvexHull<Scalar, Dim>& hull) {
+[[nodiscard]] std::vector<std::vector<Index>> facet_corners(const ConvexHull<Scalar, Dim>& hull) {
   std::vector<std::vector<Index>> pieces;
   const auto n = static_cast<Index>(hull.vertices.size());
   for (const auto& facet : hull.facets) pieces.emplace_back(facet.begin(), facet.end());
@@ -53,7 +53,7 @@ Fit<Obb<Scalar, Dim>> obb_pca_hull_area(PointSpan<Scalar, Dim> points, Observer&
   using Point = Vector<double, Dim>;
   const ConvexHull<Scalar, Dim> hull = watched_hull(points, 0, observe);
   const LocalPoints<Dim> local(hull.vertices);
-  const auto pieces = surface_pieces(hull);
+  const auto pieces = facet_corners(hull);
   const auto at = [&](Index i) -> const Point& { return local.at[i]; };
   const auto middle = [&](const std::vector<Index>& piece) {
     Point sum = Point::Zero();

@@ -24,19 +24,19 @@
 namespace snug::fit {
 namespace {
 
-constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
+constexpr std::string_view kEricsonBook = "C. Ericson, Real-Time Collision Detection, 2005";
 
 constexpr UpdateStrategy of_kdop(std::string_view name, std::string_view title, int k, bool plane, bool space) {
-  return {"kdop", name, title, kEricson, kUpdateKdopClimbPseudocode, k, plane, space};
+  return {"kdop", name, title, kEricsonBook, kUpdateKdopClimbPseudocode, k, plane, space};
 }
 
 constexpr std::array kStrategies{
-    UpdateStrategy{"sphere", "transform", "Centre transformed", kEricson, kUpdateSpherePseudocode},
-    UpdateStrategy{"aabb", "loose", "Loose for every orientation", kEricson, kUpdateLoosePseudocode},
-    UpdateStrategy{"aabb", "rebuild", "Rebuilt from all points", kEricson, kUpdateRebuildPseudocode},
-    UpdateStrategy{"aabb", "hill_climb", "Hill climbing", kEricson, kUpdateHillClimbPseudocode},
-    UpdateStrategy{"aabb", "rotated_box", "Box of the rotated box", kEricson, kUpdateRotatedBoxPseudocode},
-    UpdateStrategy{"obb", "transform", "Centre and axes transformed", kEricson, kUpdateObbPseudocode},
+    UpdateStrategy{"sphere", "transform", "Centre transformed", kEricsonBook, kUpdateSpherePseudocode},
+    UpdateStrategy{"aabb", "loose", "Loose for every orientation", kEricsonBook, kUpdateLoosePseudocode},
+    UpdateStrategy{"aabb", "rebuild", "Rebuilt from all points", kEricsonBook, kUpdateRebuildPseudocode},
+    UpdateStrategy{"aabb", "hill_climb", "Hill climbing", kEricsonBook, kUpdateHillClimbPseudocode},
+    UpdateStrategy{"aabb", "rotated_box", "Box of the rotated box", kEricsonBook, kUpdateRotatedBoxPseudocode},
+    UpdateStrategy{"obb", "transform", "Centre and axes transformed", kEricsonBook, kUpdateObbPseudocode},
     of_kdop("k4_hill_climb", "4-DOP by hill climbing", 4, true, false),
     of_kdop("k6_hill_climb", "6-DOP by hill climbing", 6, true, true),
     of_kdop("k8_hill_climb", "8-DOP by hill climbing", 8, true, false),

@@ -43,12 +43,12 @@ using Meeting = std::array<std::size_t, static_cast<std::size_t>(Dim)>;
 
 /// All planes of a frustum without rounding.
 template <class Scalar, int Dim>
-class Corners {
+class CornerSearch {
  public:
   using Point = ExactPoint<Dim>;
   using All = std::array<Point, kFrustumCorners<Dim>>;
 
-  explicit Corners(const Frustum<Scalar, Dim>& frustum) {
+  explicit CornerSearch(const Frustum<Scalar, Dim>& frustum) {
     for (const auto& plane : frustum.planes()) planes_.emplace_back(plane);
   }
 
@@ -152,7 +152,7 @@ class Corners {
 template <class Scalar, int Dim>
 tl::expected<std::array<ExactPoint<Dim>, kFrustumCorners<Dim>>, InputError>
 exact_corners_of(const Frustum<Scalar, Dim>& frustum) {
-  return Corners<Scalar, Dim>(frustum).find();
+  return CornerSearch<Scalar, Dim>(frustum).find();
 }
 
 template <class Scalar, int Dim>

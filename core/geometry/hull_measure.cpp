@@ -8,18 +8,20 @@ namespace snug {
 namespace {
 
 template <int Dim>
-using Corners = std::array<Vector<double, Dim>, Dim>;
+using FacetCorners = std::array<Vector<double, Dim>, Dim>;
 
 Vector<double, 3> cross(const Vector<double, 3>& p, const Vector<double, 3>& q) {
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
 /// Of the simplex on a facet and the origin.
-double measure_to_origin(const Corners<2>& edge) { return (edge[0][0] * edge[1][1] - edge[0][1] * edge[1][0]) / 2; }
-double measure_to_origin(const Corners<3>& facet) { return facet[0].dot(cross(facet[1], facet[2])) / 6; }
+double measure_to_origin(const FacetCorners<2>& edge) {
+  return (edge[0][0] * edge[1][1] - edge[0][1] * edge[1][0]) / 2;
+}
+double measure_to_origin(const FacetCorners<3>& facet) { return facet[0].dot(cross(facet[1], facet[2])) / 6; }
 
-double measure_of(const Corners<2>& edge) { return scaled_norm<double, 2>(edge[1] - edge[0]); }
-double measure_of(const Corners<3>& facet) {
+double measure_of(const FacetCorners<2>& edge) { return scaled_norm<double, 2>(edge[1] - edge[0]); }
+double measure_of(const FacetCorners<3>& facet) {
   return scaled_norm<double, 3>(cross(facet[1] - facet[0], facet[2] - facet[0])) / 2;
 }
 
@@ -30,7 +32,7 @@ void for_facets(const ConvexHull<Scalar, Dim>& hull, Visit&& visit) {
     const auto& vertex = hull.vertices[i];
     return vertex.template cast<double>() - hull.vertices[0].template cast<double>();
   };
-  const auto both_sides = [&](Corners<Dim> corners) {
+  const auto both_sides = [&](FacetCorners<Dim> corners) {
     visit(corners);
     std::swap(corners[0], corners[1]);
     visit(corners);
@@ -41,7 +43,7 @@ void for_facets(const ConvexHull<Scalar, Dim>& hull, Visit&& visit) {
     if (hull.affine_dim == 2)
       for (Index i = 1; i + 1 < static_cast<Index>(hull.vertices.size()); ++i) both_sides({at(0), at(i), at(i + 1)});
   for (const auto& facet : hull.facets) {
-    Corners<Dim> corners;
+    FacetCorners<Dim> corners;
     for (std::size_t i = 0; i < Dim; ++i) corners[i] = at(facet[i]);
     visit(corners);
   }
@@ -52,14 +54,15 @@ void for_facets(const ConvexHull<Scalar, Dim>& hull, Visit&& visit) {
 template <class Scalar, int Dim>
 double measure(const ConvexHull<Scalar, Dim>& hull) {
   double sum = 0;
-  if (hull.affine_dim == Dim) for_facets(hull, [&](const Corners<Dim>& facet) { sum += measure_to_origin(facet); });
+  if (hull.affine_dim == Dim)
+    for_facets(hull, [&](const FacetCorners<Dim>& facet) { sum += measure_to_origin(facet); });
   return sum;
 }
 
 template <class Scalar, int Dim>
 std::vector<SurfacePiece<Dim>> surface_pieces(const ConvexHull<Scalar, Dim>& hull) {
   std::vector<SurfacePiece<Dim>> pieces;
-  for_facets(hull, [&](const Corners<Dim>& facet) {
+  for_facets(hull, [&](const FacetCorners<Dim>& facet) {
     Vector<double, Dim> centroid = hull.vertices[0].template cast<double>();
     for (const auto& corner : facet) centroid += corner / Dim;
     pieces.push_back({measure_of(facet), centroid});
@@ -70,7 +73,7 @@ std::vector<SurfacePiece<Dim>> surface_pieces(const ConvexHull<Scalar, Dim>& hul
 template <class Scalar, int Dim>
 double surface_measure(const ConvexHull<Scalar, Dim>& hull) {
   double sum = 0;
-  for_facets(hull, [&](const Corners<Dim>& facet) { sum += measure_of(facet); });
+  for_facets(hull, [&](const FacetCorners<Dim>& facet) { sum += measure_of(facet); });
   return sum;
 }
 

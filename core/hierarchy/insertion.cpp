@@ -6,7 +6,7 @@
 namespace snug::hierarchy {
 namespace {
 
-struct Group {
+struct Branch {
   Box box;
   Size size;
   Index parent = kNoIndex;
@@ -35,7 +35,7 @@ class Insertion {
   }
 
  private:
-  [[nodiscard]] Group& at(Index i) { return groups_[i]; }
+  [[nodiscard]] Branch& at(Index i) { return groups_[i]; }
   [[nodiscard]] bool is_body(Index i) { return at(i).children[0] == kNoIndex; }
   [[nodiscard]] Size size_with(Index i, const Box& box) { return size_of(united(at(i).box, box), layout_.dim); }
 
@@ -93,8 +93,8 @@ class Insertion {
   }
 
   void update(Index i) {
-    Group& group = at(i);
-    const Group &left = at(group.children[0]), &right = at(group.children[1]);
+    Branch& group = at(i);
+    const Branch &left = at(group.children[0]), &right = at(group.children[1]);
     group.box = united(left.box, right.box);
     group.size = size_of(group.box, layout_.dim);
     group.bodies = left.bodies + right.bodies;
@@ -109,7 +109,7 @@ class Insertion {
     };
     std::optional<Swap> best;
     for (const std::size_t down : {0u, 1u}) {
-      const Group& other = at(at(i).children[1 - down]);
+      const Branch& other = at(at(i).children[1 - down]);
       if (other.children[0] == kNoIndex) continue;
       for (const std::size_t up : {0u, 1u}) {
         const Size gain = other.size - size_with(at(i).children[down], at(other.children[1 - up]).box);
@@ -127,7 +127,7 @@ class Insertion {
 
   const Layout& layout_;
   InsertionFacts* facts_;
-  std::vector<Group> groups_;  // bodies first, then groups as they are made
+  std::vector<Branch> groups_;  // bodies first, then groups as they are made
   Index root_ = kNoIndex;
 };
 

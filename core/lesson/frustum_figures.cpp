@@ -14,9 +14,9 @@ using Corner = query::CornerTested<double, 3>;
 std::string word(Culling culling) { return std::string(query::kCullingNames[static_cast<std::size_t>(culling)]); }
 
 /// Collects the figures of one place in a run.
-class Board {
+class FrustumBoard {
  public:
-  explicit Board(const RunView& run) : run_(run), dim_(run.boxes->dim) {
+  explicit FrustumBoard(const RunView& run) : run_(run), dim_(run.boxes->dim) {
     for (int i = 0; i < run.step; ++i) std::visit(*this, run.recording->steps[i].step.fact);
   }
 
@@ -86,7 +86,7 @@ class Board {
 
 }  // namespace
 
-std::vector<Figure> frustum_figures(const RunView& run) { return Board(run).figures(); }
+std::vector<Figure> frustum_figures(const RunView& run) { return FrustumBoard(run).figures(); }
 
 std::vector<Proof> frustum_proofs(const RunView& run) {
   const auto& steps = run.recording->steps;

@@ -12,18 +12,18 @@
 namespace snug::lesson {
 namespace {
 
-constexpr fit::Algorithm row(std::string_view name, std::string_view title, std::string_view source,
-                             std::span<const std::string_view> pseudocode) {
+constexpr fit::Algorithm frustum_row(std::string_view name, std::string_view title, std::string_view source,
+                                     std::span<const std::string_view> pseudocode) {
   return {kFrustumBox, name,       title, false,   true,   true, std::numeric_limits<Index>::max(),
           source,      pseudocode, {},    nullptr, nullptr};
 }
 
-constexpr std::string_view kWrong = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007";
-constexpr std::array kTests{
-    row("p_n_vertex", "P- and n-vertex", "U. Assarsson, T. Möller, Optimized View Frustum Culling, 2000",
-        query::kClassifyBoxPseudocode),
-    row("corners_per_plane", "All corners, plane by plane", kWrong, query::kClassifyCornersPseudocode),
-    row("corners_outside", "All corners outside (wrong)", kWrong, query::kCornersOutsidePseudocode),
+constexpr std::string_view kWrongCorners = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007";
+constexpr std::array kFrustumTests{
+    frustum_row("p_n_vertex", "P- and n-vertex", "U. Assarsson, T. Möller, Optimized View Frustum Culling, 2000",
+                query::kClassifyBoxPseudocode),
+    frustum_row("corners_per_plane", "All corners, plane by plane", kWrongCorners, query::kClassifyCornersPseudocode),
+    frustum_row("corners_outside", "All corners outside (wrong)", kWrongCorners, query::kCornersOutsidePseudocode),
 };
 
 template <int Dim>
@@ -58,7 +58,7 @@ std::optional<bool> share_in(const BoxPair& pair) {
 
 }  // namespace
 
-std::span<const fit::Algorithm> frustum_tests() { return kTests; }
+std::span<const fit::Algorithm> frustum_tests() { return kFrustumTests; }
 
 fit::Recording record_frustum(const fit::Algorithm& test, const BoxPair& pair) {
   return pair.dim == 2 ? record_in<2>(test.name, pair) : record_in<3>(test.name, pair);

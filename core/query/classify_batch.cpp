@@ -6,6 +6,7 @@
 
 #include "geometry/tolerance.hpp"
 #include "query/classify.hpp"
+#include "query/lanes.hpp"
 
 // Nothing here passes a vector between functions that are not inlined, so no calling convention for it matters.
 #if defined(__GNUC__) && !defined(__clang__)
@@ -16,14 +17,6 @@
 
 namespace snug::query {
 namespace {
-
-/// As many scalars as kBytes hold, and what comparisons of them give: all ones or all zeros in each lane.
-template <class Scalar, std::size_t kBytes>
-struct Lanes {
-  typedef Scalar Vector __attribute__((vector_size(kBytes)));
-  using Mask = decltype(Vector{} < Vector{});
-  static constexpr std::size_t kCount = kBytes / sizeof(Scalar);
-};
 
 /// The planes with unit normals.
 template <class Scalar>

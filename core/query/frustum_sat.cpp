@@ -7,30 +7,16 @@
 #include "geometry/dyadic.hpp"
 #include "geometry/tolerance.hpp"
 #include "query/classify.hpp"
+#include "query/numbers.hpp"
 
 namespace snug::query {
 namespace {
-
-template <class Number, int Dim>
-using Numbers = std::array<Number, static_cast<std::size_t>(Dim)>;
 
 template <class Number, class Scalar, int Dim>
 Numbers<Number, Dim> numbers(const Vector<Scalar, Dim>& v) {
   Numbers<Number, Dim> result;
   for (int i = 0; i < Dim; ++i) result[i] = Number(static_cast<double>(v[i]));
   return result;
-}
-
-template <class Number, std::size_t Dim>
-Number dot(const std::array<Number, Dim>& a, const std::array<Number, Dim>& b) {
-  Number sum = a[0] * b[0];
-  for (std::size_t i = 1; i < Dim; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-template <class Number>
-std::array<Number, 3> cross(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 template <std::size_t Dim>
@@ -96,7 +82,7 @@ std::array<std::size_t, 2> planes_of_edge(std::size_t edge) {
 /// The axis at a place: the frustum's normals, the box's, crosses of the box's edges and the frustum's. normal(i): of
 /// plane i, of any length.
 template <class Number, int Dim>
-Axis<Number, Dim> axis_at(const auto& normal, const Box<Number, Dim>& box, int place) {
+Axis<Number, Dim> cross_axis_at(const auto& normal, const Box<Number, Dim>& box, int place) {
   Axis<Number, Dim> axis;
   [[maybe_unused]] const auto sized = [&](double size) {
     if constexpr (std::is_same_v<Number, double>) axis.size = size;
@@ -168,7 +154,7 @@ bool FrustumSat<Scalar, Dim>::overlaps_any(const auto& given) const {
   std::array<int, kAxes<Dim>> open;
   std::size_t count = 0;
   for (int place = 0; place < kAxes<Dim>; ++place) {
-    const auto axis = axis_at<double, Dim>(rounded, box, place);
+    const auto axis = cross_axis_at<double, Dim>(rounded, box, place);
     const Span<double> span = box.along(axis.direction);
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const auto& corner : corners_) {
@@ -187,7 +173,7 @@ bool FrustumSat<Scalar, Dim>::overlaps_any(const auto& given) const {
   const Box<Dyadic, Dim> exact(given);
   const auto whole = [&](std::size_t plane) { return numbers<Dyadic, Scalar, Dim>(frustum_.planes()[plane].normal); };
   return std::none_of(open.begin(), open.begin() + count, [&](int place) {
-    return separates_exactly<Dim>(axis_at<Dyadic, Dim>(whole, exact, place).direction, exact, exact_);
+    return separates_exactly<Dim>(cross_axis_at<Dyadic, Dim>(whole, exact, place).direction, exact, exact_);
   });
 }
 

@@ -17,17 +17,17 @@ namespace snug::query {
 namespace {
 
 template <int Dim>
-using Axis = std::array<int, Dim>;
+using SlabAxis = std::array<int, Dim>;
 
 template <int Dim>
-double along(const Axis<Dim>& axis, const Vector<double, Dim>& v) {
+double along(const SlabAxis<Dim>& axis, const Vector<double, Dim>& v) {
   double sum = 0;
   for (std::size_t i = 0; i < Dim; ++i) sum += axis[i] * v[static_cast<int>(i)];
   return sum;
 }
 
 template <int Dim>
-Vector<double, Dim> vector_of(const Axis<Dim>& axis) {
+Vector<double, Dim> vector_of(const SlabAxis<Dim>& axis) {
   Vector<double, Dim> v;
   for (std::size_t i = 0; i < Dim; ++i) v[static_cast<int>(i)] = axis[i];
   return v;
@@ -67,7 +67,7 @@ class Corners {
   }
 
  private:
-  [[nodiscard]] const Axis<Dim>& axis(int plane) const { return axes_[plane / 2]; }
+  [[nodiscard]] const SlabAxis<Dim>& axis(int plane) const { return axes_[plane / 2]; }
   [[nodiscard]] double bound(int plane) const { return bounds_[plane]; }
 
   /// The point of the planes that is nearest to the origin, and the direction in which they go on.
@@ -125,7 +125,7 @@ class Corners {
     corners_.push_back(corner);
   }
 
-  std::span<const Axis<Dim>> axes_;
+  std::span<const SlabAxis<Dim>> axes_;
   std::array<double, 2 * kMostSlabs<Dim>> bounds_{};
   double size_ = 0, given_size_ = 0;  // the largest bound, moved and as given
   double slack_ = 0;                  // what may be rounding

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "geometry/tolerance.hpp"
+#include "query/lanes.hpp"
 #include "query/obb_sat.hpp"
 
 // Nothing here passes a vector between functions that are not inlined, so no calling convention for it matters.
@@ -18,14 +19,6 @@
 
 namespace snug::query {
 namespace {
-
-/// As many scalars as kBytes hold, and what comparisons of them give: all ones or all zeros in each lane.
-template <class Scalar, std::size_t kBytes>
-struct Lanes {
-  typedef Scalar Vector __attribute__((vector_size(kBytes)));
-  using Mask = decltype(Vector{} < Vector{});
-  static constexpr std::size_t kCount = kBytes / sizeof(Scalar);
-};
 
 /// The test of kCount pairs, lane by lane that of ObbFrames (obb_sat.hpp).
 template <class Scalar, std::size_t kBytes>

@@ -8,24 +8,10 @@
 #include "geometry/dyadic.hpp"
 #include "geometry/sphere.hpp"
 #include "geometry/tolerance.hpp"
+#include "query/numbers.hpp"
 
 namespace snug::query {
 namespace {
-
-template <class Number, int Dim>
-using Numbers = std::array<Number, static_cast<std::size_t>(Dim)>;
-
-template <class Number, std::size_t Dim>
-Number dot(const std::array<Number, Dim>& a, const std::array<Number, Dim>& b) {
-  Number sum = a[0] * b[0];
-  for (std::size_t i = 1; i < Dim; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-template <class Number>
-std::array<Number, 3> cross(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 double magnitude(double x) { return std::abs(x); }
 Dyadic magnitude(const Dyadic& x) { return x.sign() < 0 ? -x : x; }

@@ -27,34 +27,34 @@ struct CullOptions {
 
 using Rows = std::vector<std::vector<double>>;
 
-tl::unexpected<std::string> wrong(std::string what) { return tl::unexpected(std::move(what)); }
+tl::unexpected<std::string> fault(std::string what) { return tl::unexpected(std::move(what)); }
 
 /// That an object has these fields and no others.
 tl::expected<void, std::string> has_just(const Json& json, const std::string& self,
                                          const std::vector<std::string>& fields) {
   std::string listed;
   for (const std::string& field : fields) listed += (listed.empty() ? "" : ", ") + field;
-  if (!json.is_object()) return wrong(self + " is not an object with " + listed);
+  if (!json.is_object()) return fault(self + " is not an object with " + listed);
   for (const auto& item : json.items())
     if (std::find(fields.begin(), fields.end(), item.key()) == fields.end())
-      return wrong(self + " has an unknown field " + Json(item.key()).dump() + "; it takes " + listed);
+      return fault(self + " has an unknown field " + Json(item.key()).dump() + "; it takes " + listed);
   return {};
 }
 
 /// So many numbers that are all within what the scalar takes.
 tl::expected<std::vector<double>, std::string> numbers_of(const Json& json, const std::string& self, std::size_t count,
                                                           bool as_float) {
-  if (!json.is_array()) return wrong(self + " is not a list of numbers");
+  if (!json.is_array()) return fault(self + " is not a list of numbers");
   if (json.size() != count)
-    return wrong(self + " has " + std::to_string(json.size()) + " numbers where " + std::to_string(count) + " belong");
+    return fault(self + " has " + std::to_string(json.size()) + " numbers where " + std::to_string(count) + " belong");
   constexpr double kFloat = Frustum<float, 3>::kLargest, kDouble = Frustum<double, 3>::kLargest;
   const double largest = as_float ? 4 * kFloat * kFloat : 4 * kDouble * kDouble;
   std::vector<double> numbers;
   for (const Json& item : json) {
     const std::string place = self + "[" + std::to_string(numbers.size()) + "]";
-    if (!item.is_number()) return wrong(place + " is not a number");
+    if (!item.is_number()) return fault(place + " is not a number");
     numbers.push_back(item.get<double>());
-    if (!(std::abs(numbers.back()) <= largest)) return wrong(place + " is larger than this program can take");
+    if (!(std::abs(numbers.back()) <= largest)) return fault(place + " is larger than this program can take");
   }
   return numbers;
 }
@@ -63,26 +63,26 @@ tl::expected<std::vector<double>, std::string> numbers_of(const Json& json, cons
 tl::expected<Rows, std::string> rows_of(const Json& frustum, const CullOptions& options) {
   const bool as_float = options.scalar == "float";
   if (const auto fields = has_just(frustum, "frustum", {"planes", "view_projection"}); !fields)
-    return wrong(fields.error());
-  if (frustum.size() != 1) return wrong("frustum has not just one of the fields planes, view_projection");
+    return fault(fields.error());
+  if (frustum.size() != 1) return fault("frustum has not just one of the fields planes, view_projection");
   if (frustum.contains("view_projection")) {
-    if (options.dim == 2) return wrong("frustum.view_projection is of 3-D, and --dim is 2");
+    if (options.dim == 2) return fault("frustum.view_projection is of 3-D, and --dim is 2");
     return numbers_of(frustum["view_projection"], "frustum.view_projection", 16, as_float).map([](auto row) {
       return Rows{row};
     });
   }
   const Json& planes = frustum["planes"];
-  if (!planes.is_array()) return wrong("frustum.planes is not a list of planes");
+  if (!planes.is_array()) return fault("frustum.planes is not a list of planes");
   if (planes.size() != 6 && planes.size() != 4)
-    return wrong("frustum.planes has " + std::to_string(planes.size()) + " rows where 6, in 2-D 4, belong");
+    return fault("frustum.planes has " + std::to_string(planes.size()) + " rows where 6, in 2-D 4, belong");
   if (options.dim != 0 && static_cast<int>(planes.size()) != 2 * options.dim)
-    return wrong("frustum.planes has " + std::to_string(planes.size()) + " rows where " +
+    return fault("frustum.planes has " + std::to_string(planes.size()) + " rows where " +
                  std::to_string(2 * options.dim) + " belong");
   Rows rows;
   for (const Json& plane : planes) {
     auto row =
         numbers_of(plane, "frustum.planes[" + std::to_string(rows.size()) + "]", planes.size() / 2 + 1, as_float);
-    if (!row) return wrong(row.error());
+    if (!row) return fault(row.error());
     rows.push_back(std::move(*row));
   }
   return rows;
@@ -147,7 +147,7 @@ tl::expected<query::CullResult, std::string> by_corners(const std::string& test,
   };
   if (const auto* box = std::get_if<Aabb<Scalar, Dim>>(&volume)) return test_box(*box);
   if (const auto* box = std::get_if<Obb<Scalar, Dim>>(&volume)) return test_box(*box);
-  return wrong("volume is neither aabb nor obb, as --test " + test + " wants it");
+  return fault("volume is neither aabb nor obb, as --test " + test + " wants it");
 }
 
 /// What one line is asked by.
@@ -160,13 +160,13 @@ struct Asked {
 template <class Scalar, int Dim>
 tl::expected<Json, std::string> answer(const Rows& rows, const Volume<Scalar, Dim>& volume, const Asked& asked) {
   const auto frustum = frustum_of<Scalar, Dim>(rows);
-  if (!frustum) return wrong("frustum: " + frustum.error().what);
+  if (!frustum) return fault("frustum: " + frustum.error().what);
   query::ClassifyRecorder<Scalar, Dim> of_planes, of_corners;
   const auto result = query::classify_volume(*frustum, volume, {.extent = query::CullExtent::kAll}, of_planes);
   query::Culling verdict = result.verdict;
   if (asked.test != "planes") {
     const auto chosen = by_corners(asked.test, *frustum, volume, of_corners);
-    if (!chosen) return wrong(chosen.error());
+    if (!chosen) return fault(chosen.error());
     verdict = chosen->verdict;
   }
   if (asked.trace != nullptr)
@@ -195,20 +195,20 @@ struct CullLine {
 };
 
 tl::expected<CullLine, std::string> line_from(const Json& line, const CullOptions& options) {
-  if (const auto fields = has_just(line, "the line", {"frustum", "volume"}); !fields) return wrong(fields.error());
+  if (const auto fields = has_just(line, "the line", {"frustum", "volume"}); !fields) return fault(fields.error());
   for (const char* name : {"frustum", "volume"})
-    if (!line.contains(name)) return wrong(std::string(name) + " is missing");
+    if (!line.contains(name)) return fault(std::string(name) + " is missing");
   auto rows = rows_of(line["frustum"], options);
-  if (!rows) return wrong(rows.error());
+  if (!rows) return fault(rows.error());
   const int dim = rows->size() == 4 ? 2 : 3;
   auto volume = read_volume(line["volume"], volume_wanted("volume", dim, options.scalar));
-  if (!volume) return wrong(volume.error());
+  if (!volume) return fault(volume.error());
   return CullLine{std::move(*rows), dim, std::move(*volume)};
 }
 
 tl::expected<Json, std::string> answer_line(const Json& json, const CullOptions& options, const Asked& asked) {
   const auto line = line_from(json, options);
-  if (!line) return wrong(line.error());
+  if (!line) return fault(line.error());
   const bool as_float = options.scalar == "float";
   return line->dim == 2 ? answer<2>(line->frustum, std::get<0>(line->volume), as_float, asked)
                         : answer<3>(line->frustum, std::get<1>(line->volume), as_float, asked);
@@ -237,14 +237,14 @@ tl::expected<std::vector<CullLine>, std::vector<InputError>> scene_of(const Cull
   std::vector<CullLine> scene;
   const auto read = answer_lines(options.file, [&](const Json& json) -> tl::expected<Json, std::string> {
     auto line = line_from(json, options);
-    if (!line) return wrong(line.error());
+    if (!line) return fault(line.error());
     if (!scene.empty() && scene[0].frustum != line->frustum)
-      return wrong("frustum is another than the first line's; a tree is held against one");
+      return fault("frustum is another than the first line's; a tree is held against one");
     if (!scene.empty() && kind_of(scene[0].volume) != kind_of(line->volume))
-      return wrong("volume is of another kind than the first line's; those of a tree are all of one");
+      return fault("volume is of another kind than the first line's; those of a tree are all of one");
     if (scene.empty())
       if (const auto taken = takes_frustum(*line, options.scalar == "float"); !taken)
-        return wrong("frustum: " + taken.error().what);
+        return fault("frustum: " + taken.error().what);
     scene.push_back(std::move(*line));
     return Json();
   });

@@ -27,7 +27,7 @@ struct UpdateOptions {
   std::string file;
 };
 
-std::string names(std::string_view volume) {
+std::string strategy_names(std::string_view volume) {
   std::string list;
   std::string_view last;
   for (const fit::UpdateStrategy& strategy : fit::update_strategies()) {
@@ -41,9 +41,10 @@ std::string names(std::string_view volume) {
 
 tl::expected<const fit::UpdateStrategy*, InputError> strategy_of(const UpdateOptions& options) {
   if (const auto* strategy = fit::find_update(options.volume, options.strategy)) return strategy;
-  const std::string known = names(options.volume);
+  const std::string known = strategy_names(options.volume);
   if (options.volume.empty() || known.empty())
-    return tl::unexpected(InputError{.what = "there is no update of \"" + options.volume + "\"; known: " + names("")});
+    return tl::unexpected(
+        InputError{.what = "there is no update of \"" + options.volume + "\"; known: " + strategy_names("")});
   return tl::unexpected(
       InputError{.what = "there is no update \"" + options.strategy + "\" of " + options.volume + "; known: " + known});
 }
@@ -139,11 +140,11 @@ void add_update(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("update", "Turn a body and update its volume, frame by frame");
   command.footer(kUpdateFooter);
   const auto options = add_command<UpdateOptions>(commands, command, run_update);
-  command.add_option("--volume", options->volume, "Kind of volume: " + names(""))->required();
+  command.add_option("--volume", options->volume, "Kind of volume: " + strategy_names(""))->required();
   command
       .add_option("--strategy", options->strategy,
-                  "sphere: " + names("sphere") + "; aabb: " + names("aabb") + "; obb: " + names("obb") +
-                      "; kdop: " + names("kdop"))
+                  "sphere: " + strategy_names("sphere") + "; aabb: " + strategy_names("aabb") +
+                      "; obb: " + strategy_names("obb") + "; kdop: " + strategy_names("kdop"))
       ->required();
   command.add_option("--scalar", options->scalar, "Arithmetic: double or float")
       ->check(CLI::IsMember({"double", "float"}))

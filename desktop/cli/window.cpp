@@ -7,7 +7,7 @@ namespace snug::desktop {
 namespace {
 
 /// What can be seen to be wrong before there is a window is said without one.
-CommandResult open(const WindowOptions& options, int (*open_window)(const WindowOptions&)) {
+CommandResult open_on(const WindowOptions& options, int (*open_window)(const WindowOptions&)) {
   if (!options.lesson.empty())
     if (const auto file = find_lesson("", options.lesson); !file) return bad_input(file.error());
   if (!options.points_file.empty())
@@ -52,7 +52,7 @@ void add_window(Commands& commands) {
   auto options = std::make_shared<WindowOptions>();
   commands.app.add_option("--lesson", options->lesson, "Id of the lesson that the window opens; the first if none");
   add_common(commands.app, *options);
-  commands.chosen = [options, open_window = commands.open_window] { return open(*options, open_window); };
+  commands.chosen = [options, open_window = commands.open_window] { return open_on(*options, open_window); };
 }
 
 void add_render(Commands& commands) {
@@ -60,7 +60,7 @@ void add_render(Commands& commands) {
   command.footer("Needs a display; xvfb-run serves.");
   const auto options =
       add_command<WindowOptions>(commands, command, [open_window = commands.open_window](const WindowOptions& chosen) {
-        return open(chosen, open_window);
+        return open_on(chosen, open_window);
       });
   command.add_option("LESSON", options->lesson, "The lesson's id")->required();
   add_common(command, *options);

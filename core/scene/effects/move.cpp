@@ -13,7 +13,7 @@ namespace {
 
 /// Turned as it would turn in that time. A body that tumbles keeps its angular momentum, not its axis; what Euler's
 /// step would add to its energy on the way is taken back.
-void turn(World& world, std::size_t i, double seconds) {
+void turn_body(World& world, std::size_t i, double seconds) {
   const Member& member = world.members[i];
   Motion& motion = world.state.bodies[i];
   if (motion.turning == V3::Zero()) return;
@@ -48,7 +48,7 @@ class Move final : public Effect {
       const double seconds = world.round(), part = world.solid ? free_part(world, i) : 1;
       world.place(i, motion.position + motion.velocity * (seconds * part), motion.orientation);
       if (part < 1) give_back(world, motion, seconds * (1 - part));
-      turn(world, i, seconds * part);
+      turn_body(world, i, seconds * part);
     }
     if (moved) world.state.changed(Slot::kPoses);
   }

@@ -16,7 +16,7 @@ using namespace snug;
 namespace {
 
 template <class Scalar, int Dim>
-Capsule<Scalar, Dim> check_promises(const std::string& name, const test::Cloud<Scalar, Dim>& points) {
+Capsule<Scalar, Dim> checked_capsule(const std::string& name, const test::Cloud<Scalar, Dim>& points) {
   INFO(name << ", " << points.size() << " points, dim " << Dim << ", " << sizeof(Scalar) << " bytes");
   const auto set = test::set_of<Scalar, Dim>(points);
   Recorder<fit::CapsuleStep<Scalar, Dim>> recorder;
@@ -61,17 +61,17 @@ test::Cloud<double, 3> on_capsule(const Capsule<double, 3>& capsule, int n, std:
 }  // namespace
 
 TEST_CASE("one point is a capsule of radius zero, and points on an upright line have none either") {
-  const auto point = check_promises<double, 3>("one point", {{1, 2, 3}});
+  const auto point = checked_capsule<double, 3>("one point", {{1, 2, 3}});
   CHECK(point.a == Vector<double, 3>(1, 2, 3));
   CHECK(point.a == point.b);
   CHECK(point.radius == 0);
-  const auto line = check_promises<double, 3>("a line", {{1, 2, 3}, {1, 2, 8}, {1, 2, 4}, {1, 2, 5}});
+  const auto line = checked_capsule<double, 3>("a line", {{1, 2, 3}, {1, 2, 8}, {1, 2, 4}, {1, 2, 5}});
   CHECK(line.radius == 0);
   CHECK(std::abs(line.b[2] - line.a[2]) == 5);
 }
 
 TEST_CASE("points on a tilted line have a radius of no more than rounding") {
-  const auto capsule = check_promises<double, 3>("tilted", test::generated<double, 3>("line", 200, 3));
+  const auto capsule = checked_capsule<double, 3>("tilted", test::generated<double, 3>("line", 200, 3));
   CHECK(capsule.radius < 1e-15);
   CHECK((capsule.b - capsule.a).norm() > 1.9);
 }
@@ -81,7 +81,7 @@ TEST_CASE("a capsule is found again from points on its surface") {
     Random random(seed);
     const Matrix<double, 3> turned = turn({random.between(-1, 1), random.between(-1, 1), 1}, random.between(-3, 3));
     const Capsule<double, 3> right{turned * Vector<double, 3>(-3, 0, 0), turned * Vector<double, 3>(3, 0, 0), 1};
-    const auto found = check_promises<double, 3>("on a capsule", on_capsule(right, 5000, seed));
+    const auto found = checked_capsule<double, 3>("on a capsule", on_capsule(right, 5000, seed));
     // Its axis is the sample's, not the capsule's: a few parts in a hundred.
     CHECK(measure(found) == doctest::Approx(measure(right)).epsilon(0.1));
     CHECK(measure(found) > measure(right) * 0.98);
@@ -99,7 +99,7 @@ TEST_CASE("along the true axis the capsule is the smallest: a symmetric sample g
     }
   points.push_back({4, 0, 0});
   points.push_back({-4, 0, 0});
-  const auto found = check_promises<double, 3>("symmetric", points);
+  const auto found = checked_capsule<double, 3>("symmetric", points);
   CHECK(found.radius == doctest::Approx(1).epsilon(1e-15));
   CHECK((found.b - found.a).norm() == doctest::Approx(6).epsilon(1e-15));
 }

@@ -17,7 +17,7 @@ using namespace snug;
 namespace {
 
 template <class Scalar, int Dim>
-Lozenge<Scalar, Dim> check_promises(const std::string& name, const test::Cloud<Scalar, Dim>& points) {
+Lozenge<Scalar, Dim> checked_lozenge(const std::string& name, const test::Cloud<Scalar, Dim>& points) {
   INFO(name << ", " << points.size() << " points, dim " << Dim << ", " << sizeof(Scalar) << " bytes");
   const auto set = test::set_of<Scalar, Dim>(points);
   Recorder<fit::LozengeStep<Scalar, Dim>> recorder;
@@ -64,12 +64,12 @@ test::Cloud<double, 3> box_corners(const Vector<double, 3>& half_extents, const 
 }  // namespace
 
 TEST_CASE("one point is a lozenge of nothing, and an upright flat rectangle has no radius") {
-  const auto point = check_promises<double, 3>("one point", {{1, 2, 3}});
+  const auto point = checked_lozenge<double, 3>("one point", {{1, 2, 3}});
   CHECK(point.origin == Vector<double, 3>(1, 2, 3));
   CHECK(point.edges[0].isZero(0));
   CHECK(point.edges[1].isZero(0));
   CHECK(point.radius == 0);
-  const auto flat = check_promises<double, 3>("flat", {{-2, -1, 5}, {2, -1, 5}, {-2, 1, 5}, {2, 1, 5}, {0, 0, 5}});
+  const auto flat = checked_lozenge<double, 3>("flat", {{-2, -1, 5}, {2, -1, 5}, {-2, 1, 5}, {2, 1, 5}, {0, 0, 5}});
   CHECK(flat.radius == 0);
   CHECK(flat.edges[0].norm() == 4);
   CHECK(flat.edges[1].norm() == 2);
@@ -79,7 +79,7 @@ TEST_CASE("around a box's corners the lozenge is the box's two long sides swept 
   Random random(1);
   for (int round = 0; round < 20; ++round) {
     const Vector<double, 3> axis(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
-    const auto found = check_promises<double, 3>("a box", box_corners({5, 2, 0.5}, turn(axis, random.between(-3, 3))));
+    const auto found = checked_lozenge<double, 3>("a box", box_corners({5, 2, 0.5}, turn(axis, random.between(-3, 3))));
     CHECK(found.radius == doctest::Approx(0.5).epsilon(1e-13));
     // The corners are as high as the radius: they have no reach but the square root of rounding's.
     CHECK(found.edges[0].norm() == doctest::Approx(10).epsilon(1e-7));
@@ -91,7 +91,7 @@ TEST_CASE("in the plane the radius is the largest that cuts no point off") {
   // Of an octagon: each corner of the box loses a right triangle of legs 1, in which a circle of radius r that touches
   // both sides passes through (1, 0) from the corner: r = 1 + 0 + sqrt(0).
   const auto octagon =
-      check_promises<double, 2>("octagon", {{-3, -1}, {-3, 1}, {-2, 2}, {2, 2}, {3, 1}, {3, -1}, {2, -2}, {-2, -2}});
+      checked_lozenge<double, 2>("octagon", {{-3, -1}, {-3, 1}, {-2, 2}, {2, 2}, {3, 1}, {3, -1}, {2, -2}, {-2, -2}});
   CHECK(octagon.radius == doctest::Approx(1).epsilon(1e-14));
   CHECK(measure(octagon) == doctest::Approx(24 - (4 - std::numbers::pi)));
   // Of a stadium's outline the whole stadium.
@@ -101,11 +101,11 @@ TEST_CASE("in the plane the radius is the largest that cuts no point off") {
     outline.push_back({2 + cosine, sine});
     outline.push_back({-2 - cosine, -sine});
   }
-  const auto stadium = check_promises<double, 2>("stadium", outline);
+  const auto stadium = checked_lozenge<double, 2>("stadium", outline);
   CHECK(stadium.radius == doctest::Approx(1).epsilon(1e-12));
   CHECK(measure(stadium) == doctest::Approx(std::numbers::pi + 8).epsilon(1e-9));
   // Of a square's corners nothing can be rounded.
-  CHECK(check_promises<double, 2>("square", {{0, 0}, {1, 0}, {0, 1}, {1, 1}}).radius < 1e-14);
+  CHECK(checked_lozenge<double, 2>("square", {{0, 0}, {1, 0}, {0, 1}, {1, 1}}).radius < 1e-14);
 }
 
 TEST_CASE("a lozenge in the plane moves no corner") {

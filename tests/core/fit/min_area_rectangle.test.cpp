@@ -14,7 +14,7 @@ using exact::Rational;
 namespace {
 
 template <class Scalar>
-ConvexHull<Scalar, 2> hull_of(const test::Cloud<Scalar, 2>& cloud) {
+ConvexHull<Scalar, 2> polygon_of(const test::Cloud<Scalar, 2>& cloud) {
   return fit::quickhull(test::set_of<Scalar, 2>(cloud).span()).volume;
 }
 
@@ -42,7 +42,7 @@ Rational least_area(const ConvexHull<Scalar, 2>& hull) {
 template <class Scalar>
 void check_rectangle(const std::string& name, const test::Cloud<Scalar, 2>& cloud) {
   INFO(name << ", " << cloud.size() << " points, " << sizeof(Scalar) << " bytes");
-  const auto hull = hull_of(cloud);
+  const auto hull = polygon_of(cloud);
   const auto box = fit::min_area_rectangle(hull);
   for (const auto& p : cloud) CHECK(query::contains(box, p));
   if (hull.affine_dim == 0) CHECK(box.half_extents.isZero(0));
@@ -104,24 +104,24 @@ TEST_CASE("a turned rectangle is found as it was made") {
     const double w = 1 + random.below(50), h = 1 + random.below(50);
     test::Cloud<double, 2> cloud{{0, 0}, w * u, w * u + h * v, h * v};
     for (int i = 0; i < 20; ++i) cloud.push_back(random.below(64) / 64.0 * w * u + random.below(64) / 64.0 * h * v);
-    const auto box = fit::min_area_rectangle(hull_of<double>(cloud));
+    const auto box = fit::min_area_rectangle(polygon_of<double>(cloud));
     CHECK(measure(box) == doctest::Approx(w * h * u.squaredNorm()).epsilon(1e-14));
     CHECK(box.axes(0, 0) * box.axes(1, 1) - box.axes(0, 1) * box.axes(1, 0) == doctest::Approx(1).epsilon(1e-15));
   }
 }
 
 TEST_CASE("points on a line give a flat box along it, and points in one place a box without extent") {
-  const auto line = fit::min_area_rectangle(hull_of<double>({{0, 0}, {3, 4}, {6, 8}, {1.5, 2}}));
+  const auto line = fit::min_area_rectangle(polygon_of<double>({{0, 0}, {3, 4}, {6, 8}, {1.5, 2}}));
   CHECK(line.half_extents[0] == doctest::Approx(5).epsilon(1e-15));
   CHECK(line.half_extents[1] < 1e-15);
-  const auto place = fit::min_area_rectangle(hull_of<double>({{7, 8}, {7, 8}}));
+  const auto place = fit::min_area_rectangle(polygon_of<double>({{7, 8}, {7, 8}}));
   CHECK(place.center == Vector<double, 2>(7, 8));
   CHECK(place.half_extents.isZero(0));
 }
 
 TEST_CASE("its steps try every edge once, and end with the result") {
   using Step = fit::ObbStep<double, 2>;
-  const auto hull = hull_of<double>(test::generated<double, 2>("gaussian", 200, 4));
+  const auto hull = polygon_of<double>(test::generated<double, 2>("gaussian", 200, 4));
   Recorder<Step> recorder;
   const auto box = fit::min_area_rectangle(hull, recorder);
   CHECK(recorder.entries.size() == hull.vertices.size() + 1);

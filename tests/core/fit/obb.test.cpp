@@ -1,6 +1,7 @@
 // What each box fitter is known to be worth. What all promise is in promises.test.cpp.
 #include <doctest/doctest.h>
 
+#include "core/at_random.hpp"
 #include "core/point_clouds.hpp"
 #include "fit/catalogue.hpp"
 #include "fit/certify_obb.hpp"
@@ -19,10 +20,6 @@ double volume_of(std::string_view name, const test::Cloud<double, 3>& points) {
   return fit::measure_of(fit_box(name, points).volume, 3);
 }
 
-Vector<double, 3> direction(Random& random) {
-  return {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
-}
-
 /// The corners of a box, and points inside it.
 test::Cloud<double, 3> in_box(const Matrix<double, 3>& turned, const Vector<double, 3>& half, int inside,
                               Random& random) {
@@ -30,7 +27,7 @@ test::Cloud<double, 3> in_box(const Matrix<double, 3>& turned, const Vector<doub
   for (int corner = 0; corner < 8; ++corner)
     cloud.push_back(turned * Vector<double, 3>((corner & 1 ? 1 : -1) * half[0], (corner & 2 ? 1 : -1) * half[1],
                                                (corner & 4 ? 1 : -1) * half[2]));
-  for (int i = 0; i < inside; ++i) cloud.push_back(turned * direction(random).cwiseProduct(half));
+  for (int i = 0; i < inside; ++i) cloud.push_back(turned * test::any_direction(random).cwiseProduct(half));
   return cloud;
 }
 
@@ -44,7 +41,8 @@ test::Cloud<double, 3> scaled(test::Cloud<double, 3> cloud, double scale, double
 TEST_CASE("a turned box of 1 x 2 x 3 has volume 6, wherever it stands and whatever its size") {
   Random random(1);
   for (int turned = 0; turned < 20; ++turned) {
-    const auto cloud = in_box(turn(direction(random), random.between(-3, 3)), {0.5, 1, 1.5}, turned % 3 * 10, random);
+    const auto cloud =
+        in_box(turn(test::any_direction(random), random.between(-3, 3)), {0.5, 1, 1.5}, turned % 3 * 10, random);
     for (const std::string name : {"pca_hull", "pca_hull_area", "pca_rectangle", "face_aligned", "exact"}) {
       if (name == "pca_hull" && turned % 3 == 1) continue;  // points inside that rounding leaves on a face skew it
       CAPTURE(name);
@@ -63,8 +61,8 @@ TEST_CASE("a turned box of 1 x 2 x 3 has volume 6, wherever it stands and whatev
 TEST_CASE("on a regular tetrahedron the best box with a face on a face is twice the smallest, which is a cube") {
   Random random(2);
   for (int turned = 0; turned < 20; ++turned) {
-    const Matrix<double, 3> pose =
-        turned == 0 ? Matrix<double, 3>(Matrix<double, 3>::Identity()) : turn(direction(random), random.between(-3, 3));
+    const Matrix<double, 3> pose = turned == 0 ? Matrix<double, 3>(Matrix<double, 3>::Identity())
+                                               : turn(test::any_direction(random), random.between(-3, 3));
     test::Cloud<double, 3> cloud;
     for (const Vector<double, 3>& p : test::Cloud<double, 3>{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}})
       cloud.push_back(pose * p);
@@ -86,7 +84,7 @@ TEST_CASE("rectangles that shrink a box by less and less come to an end") {
   // Around a tetrahedron each gains on the one before by a part that falls with the square of their number.
   Random random(2);
   for (int turned = 0; turned < 20; ++turned) {
-    const Matrix<double, 3> pose = turn(direction(random), random.between(-3, 3));
+    const Matrix<double, 3> pose = turn(test::any_direction(random), random.between(-3, 3));
     test::Cloud<double, 3> cloud;
     for (const Vector<double, 3>& p : test::Cloud<double, 3>{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}})
       cloud.push_back(pose * p);
@@ -169,7 +167,7 @@ TEST_CASE("rectangles shrink a box until none of them does") {
 TEST_CASE("DiTO's box is never larger than the AABB, and near the smallest on turned boxes") {
   Random random(9);
   for (int turned = 0; turned < 50; ++turned) {
-    const auto cloud = in_box(turn(direction(random), random.between(-3, 3)), {0.3, 1, 2}, 200, random);
+    const auto cloud = in_box(turn(test::any_direction(random), random.between(-3, 3)), {0.3, 1, 2}, 200, random);
     const double dito = volume_of("dito", cloud);
     CHECK(dito <= volume_of("aabb", cloud) * (1 + 1e-14));
     CHECK(dito < 8 * 0.6 * 1.3);

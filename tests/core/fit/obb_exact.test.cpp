@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "core/at_random.hpp"
 #include "core/exact.hpp"
 #include "core/point_clouds.hpp"
 #include "fit/certify_obb.hpp"
@@ -15,10 +16,6 @@ namespace {
 
 using Cloud = test::Cloud<double, 3>;
 
-Vector<double, 3> direction(Random& random) {
-  return {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
-}
-
 double measure_on(const Matrix<double, 3>& axes, const Cloud& cloud) {
   const fit::LocalBox<3> box(axes, cloud);
   return (box.greatest - box.least).prod();
@@ -28,7 +25,7 @@ double measure_on(const Matrix<double, 3>& axes, const Cloud& cloud) {
 double smallest_by_search(const Cloud& cloud, int starts, Random& random) {
   double best = std::numeric_limits<double>::infinity();
   for (int start = 0; start < starts; ++start) {
-    Matrix<double, 3> axes = fit::frame(direction(random), direction(random));
+    Matrix<double, 3> axes = fit::frame(test::any_direction(random), test::any_direction(random));
     double here = measure_on(axes, cloud);
     for (double step = 0.5; step > 1e-9; step /= 1.5)
       for (bool better = true; better;) {
@@ -79,7 +76,7 @@ TEST_CASE("the smallest box is proven so, and no search finds a smaller one") {
   for (int n = 4; n <= 12; ++n)
     for (int turned = 0; turned < 6; ++turned) {
       Cloud cloud;
-      for (int i = 0; i < n; ++i) cloud.push_back(direction(random));
+      for (int i = 0; i < n; ++i) cloud.push_back(test::any_direction(random));
       check_smallest("at random", cloud, 25, random);
       for (auto& p : cloud) p[2] *= 0.01;
       check_smallest("thin", cloud, 10, random);
@@ -95,7 +92,7 @@ TEST_CASE("the smallest box of shapes with many smallest ones") {
   for (int sides = 3; sides <= 9; ++sides)
     for (const double twist : {0.0, 0.1, 3.141592653589793 / sides})
       for (const double height : {0.3, 1.4}) {
-        const Matrix<double, 3> pose = turn(direction(random), random.between(-3, 3));
+        const Matrix<double, 3> pose = turn(test::any_direction(random), random.between(-3, 3));
         Cloud cloud = prism(sides, height, twist);
         check_smallest("prism", cloud, 12, random);
         for (auto& p : cloud) p = pose * p;
@@ -125,12 +122,12 @@ TEST_CASE("known smallest boxes") {
   for (int turned = 0; turned < 40; ++turned) {
     // Whatever lies in a box and has its corners has no smaller one.
     const Vector<double, 3> half(random.between(0.01, 1), random.between(0.1, 1), 1);
-    const Matrix<double, 3> pose = turn(direction(random), random.between(-3, 3));
+    const Matrix<double, 3> pose = turn(test::any_direction(random), random.between(-3, 3));
     Cloud cloud;
     for (int corner = 0; corner < 8; ++corner)
       cloud.push_back(pose * Vector<double, 3>((corner & 1 ? 1 : -1) * half[0], (corner & 2 ? 1 : -1) * half[1],
                                                (corner & 4 ? 1 : -1) * half[2]));
-    for (int i = 0; i < 20; ++i) cloud.push_back(pose * direction(random).cwiseProduct(half));
+    for (int i = 0; i < 20; ++i) cloud.push_back(pose * test::any_direction(random).cwiseProduct(half));
     const auto set = test::set_of<double, 3>(cloud);
     CHECK(measure(fit::obb_exact(set.span()).volume) == doctest::Approx(8 * half.prod()).epsilon(1e-13));
   }
@@ -201,7 +198,7 @@ TEST_CASE("the best box on a face is that of rational arithmetic") {
     Cloud cloud;
     std::vector<Three> at;
     for (int i = 0; i < 7; ++i) {
-      cloud.push_back(direction(random));
+      cloud.push_back(test::any_direction(random));
       at.push_back({Rational(cloud.back()[0]), Rational(cloud.back()[1]), Rational(cloud.back()[2])});
     }
     const auto minus = [&](std::size_t b, std::size_t a) {
@@ -239,7 +236,7 @@ TEST_CASE("an outline is that of all points") {
     const fit::HullSolid solid(fit::quickhull(set.span()).volume);
     for (int turned = 0; turned < 100; ++turned) {
       // At random, along a face and along an edge.
-      Vector<double, 3> along = fit::unit<3>(direction(random));
+      Vector<double, 3> along = fit::unit<3>(test::any_direction(random));
       const auto facet = random.below(static_cast<std::uint32_t>(solid.normals().size()));
       const auto& edge = solid.edges()[random.below(static_cast<std::uint32_t>(solid.edges().size()))];
       if (turned % 3 == 1) along = fit::unit<3>(solid.normals()[facet].cross(along));
@@ -247,7 +244,7 @@ TEST_CASE("an outline is that of all points") {
       const std::vector<Index> outline = solid.outline(along);
       small += 2 * outline.size() < solid.vertices().size();
       for (int k = 0; k < 20; ++k) {
-        const Vector<double, 3> across = fit::unit<3>(along.cross(direction(random)));
+        const Vector<double, 3> across = fit::unit<3>(along.cross(test::any_direction(random)));
         const auto reach = [&](Index i) { return across.dot(solid.at(i)); };
         double on_outline = -2, of_all = -2;
         for (const Index i : outline) on_outline = std::max(on_outline, reach(i));

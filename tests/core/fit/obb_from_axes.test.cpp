@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "core/at_random.hpp"
 #include "core/point_clouds.hpp"
 #include "fit/obb_frame.hpp"
 #include "fit/obb_trials.hpp"
@@ -14,14 +15,10 @@ using namespace snug;
 
 namespace {
 
-Vector<double, 3> direction(Random& random) {
-  return {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
-}
-
 template <int Dim>
 Matrix<double, Dim> any_axes(Random& random) {
   if constexpr (Dim == 2) return fit::frame(Vector<double, 2>(random.between(-1, 1), random.between(-1, 1)));
-  else return fit::frame(direction(random), direction(random));
+  else return fit::frame(test::any_direction(random), test::any_direction(random));
 }
 
 template <class Scalar, int Dim>
@@ -130,7 +127,7 @@ TEST_CASE("axes from any two directions are unit, perpendicular and right-handed
   Random random(7);
   int parallel = 0;
   for (int turn = 0; turn < 3000; ++turn) {
-    Vector<double, 3> first = direction(random), second = direction(random);
+    Vector<double, 3> first = test::any_direction(random), second = test::any_direction(random);
     switch (turn % 6) {
       case 0: first *= 1e-300; break;
       case 1: second *= 1e300; break;

@@ -15,7 +15,7 @@ const fit::Algorithm& welzl() { return *fit::find_algorithm("sphere", "welzl"); 
 
 /// Whether radius is at least the exact one, and at most it plus what certificates allow.
 template <class Scalar, int Dim>
-void check_smallest(const std::string& name, const test::Cloud<Scalar, Dim>& points) {
+void check_against_brute_force(const std::string& name, const test::Cloud<Scalar, Dim>& points) {
   INFO(name << ", " << points.size() << " points, dim " << Dim << ", " << sizeof(Scalar) << " bytes");
   const Rational exact = exact::smallest_square(points);
   const auto set = test::set_of<Scalar, Dim>(points);
@@ -38,17 +38,17 @@ void check_smallest(const std::string& name, const test::Cloud<Scalar, Dim>& poi
 TEST_CASE_TEMPLATE("the smallest ball is as small as the exact one on degenerate clouds", Scalar, float, double) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, 7))
-      check_smallest<Scalar, 2>(name, points);
+      check_against_brute_force<Scalar, 2>(name, points);
     for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, 6))
-      check_smallest<Scalar, 3>(name, points);
+      check_against_brute_force<Scalar, 3>(name, points);
   }
 }
 
 TEST_CASE("the smallest ball is as small as the exact one on random clouds") {
   for (std::uint64_t seed = 1; seed <= 8; ++seed)
     for (const char* kind : {"cube", "gaussian", "sphere", "stick"}) {
-      check_smallest<double, 2>(kind, test::generated<double, 2>(kind, 9, seed));
-      check_smallest<double, 3>(kind, test::generated<double, 3>(kind, 7, seed));
+      check_against_brute_force<double, 2>(kind, test::generated<double, 2>(kind, 9, seed));
+      check_against_brute_force<double, 3>(kind, test::generated<double, 3>(kind, 7, seed));
     }
 }
 

@@ -35,7 +35,7 @@ Vector<double, Dim> any_point(Random& random, int kind) {
 }
 
 template <int Dim>
-void check_all() {
+void check_all_supports() {
   Random random(5);
   for (int round = 0; round < 6000; ++round) {
     test::Cloud<double, Dim> points;
@@ -54,8 +54,8 @@ void check_all() {
 }  // namespace
 
 TEST_CASE("the first sure ball of a few points is the largest of all subsets'") {
-  check_all<2>();
-  check_all<3>();
+  check_all_supports<2>();
+  check_all_supports<3>();
 }
 
 }  // namespace snug::fit

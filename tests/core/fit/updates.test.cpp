@@ -13,7 +13,7 @@ using namespace snug;
 
 namespace {
 
-Pose<double, 3> pose_at(int dim, double radians) {
+Pose<double, 3> turned_by(int dim, double radians) {
   Pose<double, 3> pose{.translation = {3, -2, dim == 3 ? 1e3 : 0}};
   if (dim == 2) pose.rotation.topLeftCorner<2, 2>() = turn(radians);
   else pose.rotation = turn(Vector<double, 3>(1, -2, 0.5), radians);
@@ -21,7 +21,7 @@ Pose<double, 3> pose_at(int dim, double radians) {
 }
 
 /// Every strategy that takes the points, through three poses.
-void check_all(const AnyPointSet& points, std::set<std::string>& seen) {
+void check_all_updates(const AnyPointSet& points, std::set<std::string>& seen) {
   const int dim = fit::dim_of(points);
   for (const fit::UpdateStrategy& strategy : fit::update_strategies()) {
     if (!(dim == 2 ? strategy.plane : strategy.space)) continue;
@@ -29,7 +29,7 @@ void check_all(const AnyPointSet& points, std::set<std::string>& seen) {
     const fit::UpdateBody update = fit::start_updates(strategy, points);
     for (const double radians : {0.0, 0.4, 2.0}) {
       std::vector<fit::UpdateStep3> steps;
-      const auto frame = update(pose_at(dim, radians), [&](const fit::UpdateStep3& step) {
+      const auto frame = update(turned_by(dim, radians), [&](const fit::UpdateStep3& step) {
         steps.push_back(step);
         seen.insert(fit::json_of(step, dim).substr(0, 20));
       });
@@ -41,7 +41,7 @@ void check_all(const AnyPointSet& points, std::set<std::string>& seen) {
       REQUIRE(frame.steps == static_cast<std::int64_t>(steps.size()));
       CHECK(std::holds_alternative<fit::Finished>(steps.back().fact));
       for (const auto& step : steps) CHECK(static_cast<std::size_t>(step.line) < strategy.pseudocode.size());
-      CHECK(update(pose_at(dim, radians), {}).measure == frame.measure);
+      CHECK(update(turned_by(dim, radians), {}).measure == frame.measure);
     }
   }
 }
@@ -50,10 +50,10 @@ void check_all(const AnyPointSet& points, std::set<std::string>& seen) {
 
 TEST_CASE("every update by name holds its body and tells its steps") {
   std::set<std::string> seen;
-  check_all(test::set_of<double, 2>(test::generated<double, 2>("cube", 40, 3)), seen);
-  check_all(test::set_of<double, 3>(test::generated<double, 3>("sphere", 60, 3)), seen);
-  check_all(test::set_of<float, 2>(test::generated<float, 2>("gaussian", 40, 3)), seen);
-  check_all(test::set_of<float, 3>(test::generated<float, 3>("cube", 40, 3)), seen);
+  check_all_updates(test::set_of<double, 2>(test::generated<double, 2>("cube", 40, 3)), seen);
+  check_all_updates(test::set_of<double, 3>(test::generated<double, 3>("sphere", 60, 3)), seen);
+  check_all_updates(test::set_of<float, 2>(test::generated<float, 2>("gaussian", 40, 3)), seen);
+  check_all_updates(test::set_of<float, 3>(test::generated<float, 3>("cube", 40, 3)), seen);
   CHECK(seen.size() == 7);  // every kind of step that there is
 }
 

@@ -12,14 +12,10 @@
 #include "geometry/random.hpp"
 
 using namespace snug;
+using exact::exactly;
 using exact::Rational;
 
 namespace {
-
-template <class Scalar>
-Rational exactly(Scalar value) {
-  return Rational(static_cast<double>(value));
-}
 
 /// Any finite Scalar: every exponent alike, or near others of its kind, or one of the special.
 template <class Scalar>

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "core/at_random.hpp"
 #include "core/exact.hpp"
 #include "geometry/bits.hpp"
 #include "geometry/double_double.hpp"
@@ -14,13 +15,6 @@ using snug::exact::Rational;
 
 namespace {
 
-double any_finite(Random& random) {
-  for (;;) {
-    const auto value = snug::double_of(random.bits());
-    if (std::isfinite(value)) return value;
-  }
-}
-
 int sign(const Rational& r) { return r.sign(); }
 
 }  // namespace
@@ -32,8 +26,8 @@ TEST_CASE("an exact sum has the sign that rational arithmetic gives it") {
     ExactSum sum;
     Rational expected = 0;
     for (int i = 0; i < 6; ++i) {
-      const double a = any_finite(random);
-      const double b = any_finite(random);
+      const double a = snug::test::any_finite(random);
+      const double b = snug::test::any_finite(random);
       sum.add_product(a, b);
       expected += Rational(a) * Rational(b);
     }

@@ -14,14 +14,10 @@
 #include "geometry/volume_bytes.hpp"
 
 using namespace snug;
+using exact::exactly;
 using exact::Rational;
 
 namespace {
-
-template <class Scalar>
-Rational exactly(Scalar value) {
-  return Rational(static_cast<double>(value));
-}
 
 template <class Scalar, int Dim>
 Rational dot(const Vector<Scalar, Dim>& a, const Vector<Scalar, Dim>& b) {

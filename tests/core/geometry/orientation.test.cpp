@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "core/at_random.hpp"
 #include "core/exact.hpp"
 #include "geometry/bits.hpp"
 #include "geometry/random.hpp"
@@ -50,13 +51,6 @@ struct Seen {
   std::array<int, 3> of{};
   void operator()(int sign) { ++of[sign + 1]; }
 };
-
-double any_finite(Random& random) {
-  for (;;) {
-    const double value = double_of(random.bits());
-    if (std::isfinite(value)) return value;
-  }
-}
 
 /// A few ulps to and fro.
 double shaken(Random& random, double value) {
@@ -133,8 +127,8 @@ TEST_CASE("signs are right for coordinates of any exponents at once") {
   for (int turn = 0; turn < 400; ++turn) {
     std::array<P2, 4> p;
     std::array<P3, 4> q;
-    for (auto& point : p) point = {any_finite(random), any_finite(random)};
-    for (auto& point : q) point = {any_finite(random), any_finite(random), any_finite(random)};
+    for (auto& point : p) point = {test::any_finite(random), test::any_finite(random)};
+    for (auto& point : q) point = {test::any_finite(random), test::any_finite(random), test::any_finite(random)};
     flat(cross_sign(p[0], p[1], p[2], p[3]));
     CHECK(cross_sign(p[0], p[1], p[2], p[3]) == true_cross_sign(p[0], p[1], p[2], p[3]));
     CHECK(dot_sign<2>(p[0], p[1], p[2], p[3]) == true_dot_sign<2>(p[0], p[1], p[2], p[3]));

@@ -17,7 +17,7 @@ namespace {
 
 /// It goes a hundred times too slow: on no machine does a run take too long by it.
 /// Of this process alone: others on the machine do not make it go faster.
-cost::Clock true_clock() {
+cost::Clock slow_clock() {
   return [] { return static_cast<double>(std::clock()) * (1e9 / CLOCKS_PER_SEC) / 100; };
 }
 
@@ -41,7 +41,7 @@ void finish(cost::CostRun& run) {
 void check_rows(const AnyPointSet& points) {
   const int dim = fit::dim_of(points);
   const auto algorithms = all_for(dim);
-  auto run = run_of(points, algorithms, true_clock());
+  auto run = run_of(points, algorithms, slow_clock());
   finish(run);
   REQUIRE(run.rows().size() == algorithms.size());
   const double hull = fit::measure_of(fit::find_algorithm("hull", "quickhull")->fit(points, {}).volume, dim);
@@ -90,7 +90,7 @@ TEST_CASE("a volume's bytes are those of its numbers in its own scalar") {
   auto run = run_of(
       in_float,
       {fit::find_algorithm("sphere", "welzl"), fit::find_algorithm("obb", "pca"), fit::find_algorithm("kdop", "k14")},
-      true_clock());
+      slow_clock());
   finish(run);
   CHECK(run.rows()[0].bytes == 16);
   CHECK(run.rows()[1].bytes == 60);
@@ -101,7 +101,7 @@ TEST_CASE("flat and single points have rows; what has no size is not divided by"
   for (const auto& cloud :
        {test::Cloud<double, 3>{{1, 2, 3}}, test::Cloud<double, 3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 3, 0}}}) {
     const AnyPointSet points = test::set_of<double, 3>(cloud);
-    auto run = run_of(points, all_for(3), true_clock());
+    auto run = run_of(points, all_for(3), slow_clock());
     finish(run);
     CHECK(run.rows().size() == all_for(3).size());
     for (const cost::CostRow& row : run.rows()) {
@@ -114,7 +114,7 @@ TEST_CASE("flat and single points have rows; what has no size is not divided by"
 
 TEST_CASE("no volume is told to be smaller than the smallest, and what is flat is compared with nothing") {
   const auto rows_of = [](const AnyPointSet& points, int dim) {
-    auto run = run_of(points, all_for(dim), true_clock());
+    auto run = run_of(points, all_for(dim), slow_clock());
     finish(run);
     std::vector<cost::CostRow> rows = run.rows();
     cost::mark_front(rows);
@@ -237,7 +237,7 @@ TEST_CASE("what would take longer than a slice is measured on fewer points, and 
 
 TEST_CASE("stopped, the rows that are ready stay") {
   const AnyPointSet points = test::set_of<double, 3>(test::generated<double, 3>("cube", 100, 3));
-  auto run = run_of(points, all_for(3), true_clock());
+  auto run = run_of(points, all_for(3), slow_clock());
   while (run.rows().size() < 3) run.step();
   run.stop();
   CHECK(run.done());

@@ -56,7 +56,7 @@ std::string complaint(const std::string& text) {
   return table ? "" : table.error().message();
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
+std::string with_replaced(std::string text, const std::string& what, const std::string& by) {
   const std::size_t at = text.find(what);
   REQUIRE(at != std::string::npos);
   return text.replace(at, what.size(), by);
@@ -111,9 +111,9 @@ TEST_CASE("the other tables are read back as well") {
 
 TEST_CASE("columns may stand in another order, and more of them") {
   std::string text = csv();
-  text = replaced(text, "volume,algorithm,", "new,algorithm,volume,");
-  text = replaced(text, "\nobb,pca,", "\n7,pca,obb,");
-  text = replaced(text, "\nhull,quickhull,", "\n8,quickhull,hull,");
+  text = with_replaced(text, "volume,algorithm,", "new,algorithm,volume,");
+  text = with_replaced(text, "\nobb,pca,", "\n7,pca,obb,");
+  text = with_replaced(text, "\nhull,quickhull,", "\n8,quickhull,hull,");
   const auto table = cost::read_csv<cost::CostRow>(text, "");
   REQUIRE(table);
   CHECK(table->rows[0].volume == "obb");
@@ -129,24 +129,24 @@ TEST_CASE("what was not timed is null, and empty fields") {
   CHECK(cost::read_csv<cost::CostRow>(text, "")->rows[0].updated.repeats == 0);
   // Programs before this one wrote noughts there.
   CHECK(cost::read_csv<cost::CostRow>(
-      replaced(text, ",0,0,,,,,,,,,,,,,,false", ",0,0,0,0,0,0,0,false,,0,0,0,0,0,false,false"), ""));
+      with_replaced(text, ",0,0,,,,,,,,,,,,,,false", ",0,0,0,0,0,0,0,false,,0,0,0,0,0,false,false"), ""));
   // A median of so many repeats has to be there.
-  CHECK_FALSE(cost::read_csv<cost::CostRow>(replaced(text, ",0,0,,,,,,,", ",0,0,,,,9,1,true,"), ""));
+  CHECK_FALSE(cost::read_csv<cost::CostRow>(with_replaced(text, ",0,0,,,,,,,", ",0,0,,,,9,1,true,"), ""));
 }
 
 TEST_CASE("damaged CSV is refused with its line") {
   CHECK(complaint("") == "costs.csv:1: the first line of such a table is \"# snug table: costs\"");
-  CHECK(complaint(replaced(csv(), "table: costs", "table: growth")).starts_with("costs.csv:1: "));
-  CHECK(complaint(replaced(csv(), "# seed: 42\n", "")) == "costs.csv:10: there is no \"seed\"");
-  CHECK(complaint(replaced(csv(), "seed: 42", "seed: many")) == "costs.csv:11: \"many\" is no value of \"seed\"");
-  CHECK(complaint(replaced(csv(), "# seed: 42", "# seed 42")) == "costs.csv:9: is no line of a provenance");
-  CHECK(complaint(replaced(csv(), "time_ns.median", "time_ns.middle")) ==
+  CHECK(complaint(with_replaced(csv(), "table: costs", "table: growth")).starts_with("costs.csv:1: "));
+  CHECK(complaint(with_replaced(csv(), "# seed: 42\n", "")) == "costs.csv:10: there is no \"seed\"");
+  CHECK(complaint(with_replaced(csv(), "seed: 42", "seed: many")) == "costs.csv:11: \"many\" is no value of \"seed\"");
+  CHECK(complaint(with_replaced(csv(), "# seed: 42", "# seed 42")) == "costs.csv:9: is no line of a provenance");
+  CHECK(complaint(with_replaced(csv(), "time_ns.median", "time_ns.middle")) ==
         "costs.csv:11: there is no \"time_ns.median\"");
-  CHECK(complaint(replaced(csv(), "\nobb,pca,100", "\nobb,pca,a hundred")) ==
+  CHECK(complaint(with_replaced(csv(), "\nobb,pca,100", "\nobb,pca,a hundred")) ==
         "costs.csv:12: \"a hundred\" is no value of \"points\"");
-  CHECK(complaint(replaced(csv(), "\nobb,pca,100", "\nobb,pca,1e2")).starts_with("costs.csv:12: "));
-  CHECK(complaint(replaced(csv(), "\nobb,pca", "\nobb,\"pca")) == "costs.csv:12: a quotation mark is not closed");
-  CHECK(complaint(replaced(csv(), "\nhull,", "\nhull,too,many,")).starts_with("costs.csv:13: there are "));
+  CHECK(complaint(with_replaced(csv(), "\nobb,pca,100", "\nobb,pca,1e2")).starts_with("costs.csv:12: "));
+  CHECK(complaint(with_replaced(csv(), "\nobb,pca", "\nobb,\"pca")) == "costs.csv:12: a quotation mark is not closed");
+  CHECK(complaint(with_replaced(csv(), "\nhull,", "\nhull,too,many,")).starts_with("costs.csv:13: there are "));
   CHECK(complaint(csv().substr(0, csv().size() / 2)).find("costs.csv:1") == 0);
 }
 

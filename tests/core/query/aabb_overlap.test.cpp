@@ -55,7 +55,7 @@ Rational gap(const Aabb<Scalar, Dim>& a, const Aabb<Scalar, Dim>& b) {
 }
 
 template <class Scalar>
-Scalar nudged(Scalar value, int steps) {
+Scalar stepped(Scalar value, int steps) {
   constexpr Scalar kFar = std::numeric_limits<Scalar>::max();
   for (int k = 0; k < std::abs(steps); ++k) value = std::nextafter(value, steps > 0 ? kFar : -kFar);
   return value;
@@ -63,16 +63,16 @@ Scalar nudged(Scalar value, int steps) {
 
 /// Two boxes whose faces are a few units in the last place from touching, at some scale and place.
 template <class Scalar, int Dim>
-struct Pair {
+struct GrazingBoxes {
   AabbCenterExtents<Scalar, Dim> a, b;
 };
 
 template <class Scalar, int Dim>
-Pair<Scalar, Dim> grazing(Random& random) {
+GrazingBoxes<Scalar, Dim> grazing(Random& random) {
   const bool is_double = sizeof(Scalar) == 8;
   const double scale = std::pow(10.0, random.between(is_double ? -300 : -40, is_double ? 300 : 30));
   const double offset = random.below(2) == 0 ? 0 : scale * random.between(-1e4, 1e4);
-  Pair<Scalar, Dim> pair;
+  GrazingBoxes<Scalar, Dim> pair;
   for (int i = 0; i < Dim; ++i) {
     pair.a.center[i] = static_cast<Scalar>(scale * random.between(-1, 1) + offset);
     pair.a.half_extents[i] = static_cast<Scalar>(scale * random.unit());
@@ -80,7 +80,7 @@ Pair<Scalar, Dim> grazing(Random& random) {
     pair.b.half_extents[i] = static_cast<Scalar>(scale * share);
     const Scalar reach = pair.a.half_extents[i] + pair.b.half_extents[i];
     const Scalar touching = pair.a.center[i] + (random.below(2) == 0 ? reach : -reach);
-    pair.b.center[i] = nudged(touching, static_cast<int>(random.below(7)) - 3);
+    pair.b.center[i] = stepped(touching, static_cast<int>(random.below(7)) - 3);
   }
   return pair;
 }

@@ -48,14 +48,14 @@ void fill(Obb<Scalar, Dim>& box, const test::Scene<Scalar, Dim>& scene, Random& 
   box = {form.center, test::any_turn<Dim>(random).template cast<Scalar>(), form.half_extents};
 }
 
-struct Seen {
+struct Verdicts {
   int cases = 0, wrong = 0, wrong_outside = 0, wrong_inside = 0, closer = 0;
   int verdicts[3]{};
 };
 
 /// Volumes that graze a plane, or do not, against the oracle; each thousandth of them in rationals alone.
 template <class Shape, class Scalar, int Dim>
-void check_family(int rounds, Seen& seen) {
+void check_family(int rounds, Verdicts& seen) {
   Random random(5);
   for (int round = 0; round < rounds; ++round) {
     const auto scene = test::any_scene<Scalar, Dim>(round % test::kFrustumKinds, random);
@@ -76,7 +76,7 @@ void check_family(int rounds, Seen& seen) {
   }
 }
 
-void check(const Seen& seen, int at_least) {
+void check_all_seen(const Verdicts& seen, int at_least) {
   CHECK(seen.wrong_outside == 0);
   CHECK(seen.wrong_inside == 0);
   CHECK(seen.wrong == 0);
@@ -86,21 +86,21 @@ void check(const Seen& seen, int at_least) {
 
 template <class Scalar>
 void check_grazing_spheres() {
-  Seen seen;
+  Verdicts seen;
   check_family<Vector<Scalar, 3>, Scalar, 3>(500, seen);
   check_family<Sphere<Scalar, 3>, Scalar, 3>(3000, seen);
   check_family<Sphere<Scalar, 2>, Scalar, 2>(500, seen);
-  check(seen, 200'000);
+  check_all_seen(seen, 200'000);
 }
 template <class Scalar>
 void check_grazing_boxes() {
-  Seen seen;
+  Verdicts seen;
   check_family<Aabb<Scalar, 3>, Scalar, 3>(3000, seen);
   check_family<Aabb<Scalar, 2>, Scalar, 2>(500, seen);
   check_family<AabbCenterExtents<Scalar, 3>, Scalar, 3>(500, seen);
   check_family<Obb<Scalar, 3>, Scalar, 3>(1700, seen);
   check_family<Obb<Scalar, 2>, Scalar, 2>(300, seen);
-  check(seen, 300'000);
+  check_all_seen(seen, 300'000);
 }
 
 }  // namespace

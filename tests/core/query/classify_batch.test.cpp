@@ -13,7 +13,7 @@ using query::Culling;
 namespace {
 
 template <class Array, class Scalar, class Shape>
-std::array<int, 3> check_same(const Frustum<Scalar, 3>& frustum, const std::vector<Shape>& shapes) {
+std::array<int, 3> check_batch(const Frustum<Scalar, 3>& frustum, const std::vector<Shape>& shapes) {
   std::vector<Culling> verdicts(shapes.size() + 1, static_cast<Culling>(7));
   query::classify_all<Scalar>(frustum, Array(shapes), std::span(verdicts).first(shapes.size()));
   std::array<int, 3> counts{};
@@ -59,9 +59,10 @@ TEST_CASE_TEMPLATE("boxes and spheres at once have the verdicts that they have o
   for (int round = 0; round < 60; ++round) {
     const auto scene = test::any_scene<Scalar, 3>(round % test::kFrustumKinds, random);
     const bool grazing = round % 2 == 0;
-    const auto of_boxes = check_same<query::AabbArray<Scalar>>(scene.frustum, boxes_about(scene, 500, grazing, random));
+    const auto of_boxes =
+        check_batch<query::AabbArray<Scalar>>(scene.frustum, boxes_about(scene, 500, grazing, random));
     const auto of_spheres =
-        check_same<query::SphereArray<Scalar>>(scene.frustum, spheres_about(scene, 500, grazing, random));
+        check_batch<query::SphereArray<Scalar>>(scene.frustum, spheres_about(scene, 500, grazing, random));
     for (std::size_t i = 0; i < 3; ++i) boxes[i] += of_boxes[i], spheres[i] += of_spheres[i];
   }
   for (const int count : boxes) CHECK(count > 200);
@@ -72,8 +73,8 @@ TEST_CASE_TEMPLATE("none, one, and any number up to more than a block", Scalar, 
   Random random(2);
   const auto scene = test::any_scene<Scalar, 3>(1, random);
   for (int n = 0; n < 40; ++n) {
-    check_same<query::AabbArray<Scalar>>(scene.frustum, boxes_about(scene, n, false, random));
-    check_same<query::SphereArray<Scalar>>(scene.frustum, spheres_about(scene, n, false, random));
+    check_batch<query::AabbArray<Scalar>>(scene.frustum, boxes_about(scene, n, false, random));
+    check_batch<query::SphereArray<Scalar>>(scene.frustum, spheres_about(scene, n, false, random));
   }
 }
 
@@ -106,8 +107,8 @@ TEST_CASE_TEMPLATE("a wall of cubes around the frustum touches it exactly", Scal
         cubes.push_back({center - half, center + half});
         balls.push_back({center, Scalar(1)});
       }
-  const auto of_cubes = check_same<query::AabbArray<Scalar>>(Frustum<Scalar, 3>(), cubes);
+  const auto of_cubes = check_batch<query::AabbArray<Scalar>>(Frustum<Scalar, 3>(), cubes);
   CHECK(of_cubes == std::array<int, 3>{1, 26, 343 - 27});
-  const auto of_balls = check_same<query::SphereArray<Scalar>>(Frustum<Scalar, 3>(), balls);
+  const auto of_balls = check_batch<query::SphereArray<Scalar>>(Frustum<Scalar, 3>(), balls);
   CHECK(of_balls == std::array<int, 3>{1, 124, 343 - 125});
 }

@@ -39,7 +39,7 @@ Kdop<Scalar, Dim> kdop_of(int k, const std::vector<Vector<Scalar, Dim>>& points)
   return kdop;
 }
 
-struct Tally {
+struct KindTally {
   int verdicts[3]{};
   void check(int least) const {
     for (const int count : verdicts) CHECK(count >= least);
@@ -47,7 +47,7 @@ struct Tally {
 };
 
 template <class Scalar, int Dim>
-void check_kind(const test::Scene<Scalar, Dim>& scene, const auto& volume, Culling right, Tally& tally) {
+void check_kind(const test::Scene<Scalar, Dim>& scene, const auto& volume, Culling right, KindTally& tally) {
   CHECK(query::classify(scene.frustum, volume).verdict == right);
   CHECK(query::classify_volume(scene.frustum, Volume<Scalar, Dim>(volume)).verdict == right);
   ++tally.verdicts[static_cast<int>(right)];
@@ -56,7 +56,7 @@ void check_kind(const test::Scene<Scalar, Dim>& scene, const auto& volume, Culli
 template <class Scalar, int Dim>
 void check_all_kinds() {
   Random random(4);
-  Tally capsules, lozenges, hulls, kdops;
+  KindTally capsules, lozenges, hulls, kdops;
   const std::vector<int> ks = Dim == 2 ? std::vector{4, 6, 8} : std::vector{6, 14, 18};
   for (int round = 0; round < 144; ++round) {
     const auto scene = test::any_scene<Scalar, Dim>(round % test::kFrustumKinds, random);

@@ -14,11 +14,11 @@ using exact::Rational;
 namespace {
 
 template <class Scalar, int Dim>
-using Rationals = std::array<Rational, static_cast<std::size_t>(Dim)>;
+using RationalPoint = std::array<Rational, static_cast<std::size_t>(Dim)>;
 
 template <class Scalar, int Dim>
-Rationals<Scalar, Dim> rational(const Vector<Scalar, Dim>& v) {
-  Rationals<Scalar, Dim> exact;
+RationalPoint<Scalar, Dim> rational(const Vector<Scalar, Dim>& v) {
+  RationalPoint<Scalar, Dim> exact;
   for (int i = 0; i < Dim; ++i) exact[i] = Rational(static_cast<double>(v[i]));
   return exact;
 }
@@ -66,7 +66,7 @@ Rational square_to_parallelogram(const std::array<Rational, Dim>& point, const s
   return std::min(best, dot(apart, apart));
 }
 
-struct Tally {
+struct ContainsTally {
   int in = 0, on = 0, out = 0;
   void note(int side) { (side < 0 ? in : side > 0 ? out : on)++; }
   void check(int least) const {
@@ -162,7 +162,7 @@ TEST_CASE_TEMPLATE("a lozenge with skewed edges is the neighbourhood of its para
 
 TEST_CASE_TEMPLATE("a box holds a point just where its slabs do in rational arithmetic", Scalar, float, double) {
   Random random(1);
-  Tally tally;
+  ContainsTally tally;
   for (const Scalar scale : kScales<Scalar>) {
     for (int round = 0; round < 1000; ++round) {
       const bool far = round % 3 == 0;
@@ -192,7 +192,7 @@ TEST_CASE_TEMPLATE("a box holds a point just where its slabs do in rational arit
 
 TEST_CASE_TEMPLATE("a k-DOP holds a point just where its slabs do in rational arithmetic", Scalar, float, double) {
   Random random(2);
-  Tally tally;
+  ContainsTally tally;
   for (const int k : {6, 14, 18, 26}) {
     for (int round = 0; round < 300; ++round) {
       Vector<Scalar, 3> p;
@@ -201,7 +201,8 @@ TEST_CASE_TEMPLATE("a k-DOP holds a point just where its slabs do in rational ar
       int side = -1;
       const auto axes = kdop_axes<3>(k);
       for (std::size_t i = 0; i < axes.size(); ++i) {
-        const auto projection = Rational(dot(rational(p), Rationals<Scalar, 3>{axes[i][0], axes[i][1], axes[i][2]}));
+        const auto projection =
+            Rational(dot(rational(p), RationalPoint<Scalar, 3>{axes[i][0], axes[i][1], axes[i][2]}));
         const bool above = random.below(2) == 0;
         const unsigned way = round % 3 == 0 ? 2 : random.below(40);  // 2: outwards, 1: inwards
         auto near = projection.convert_to<Scalar>();
@@ -220,7 +221,7 @@ TEST_CASE_TEMPLATE("a k-DOP holds a point just where its slabs do in rational ar
 
 TEST_CASE_TEMPLATE("a capsule and a lozenge hold a point just where rational arithmetic says", Scalar, float, double) {
   Random random(3);
-  Tally capsules, lozenges, discs;
+  ContainsTally capsules, lozenges, discs;
   for (const Scalar scale : kScales<Scalar>) {
     for (int round = 0; round < 250; ++round) {
       const auto place = [&] { return lattice_point<Scalar, 3>(random, round % 2 == 0 ? 2 : 5, scale); };

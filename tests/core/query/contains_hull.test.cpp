@@ -13,7 +13,7 @@ using namespace snug;
 
 namespace {
 
-struct Seen {
+struct HullSeen {
   int inside = 0, outside = 0, flat = 0;
 };
 
@@ -40,7 +40,7 @@ test::Cloud<Scalar, Dim> questions(const test::Cloud<Scalar, Dim>& cloud, Random
 }
 
 template <class Scalar, int Dim>
-void check(const std::string& name, const test::Cloud<Scalar, Dim>& cloud, Random& random, Seen& seen) {
+void check_hull(const std::string& name, const test::Cloud<Scalar, Dim>& cloud, Random& random, HullSeen& seen) {
   INFO(name << ", " << cloud.size() << " points, dim " << Dim << ", " << sizeof(Scalar) << " bytes");
   const auto hull = fit::quickhull(test::set_of<Scalar, Dim>(cloud).span()).volume;
   double largest = 0;
@@ -65,14 +65,14 @@ void check(const std::string& name, const test::Cloud<Scalar, Dim>& cloud, Rando
 TEST_CASE_TEMPLATE("a hull holds a point just where it is a convex combination of the vertices", Scalar, float,
                    double) {
   Random random(11);
-  Seen seen;
+  HullSeen seen;
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     for (const int n : {2, 6, 12})
       for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, n))
-        check<Scalar, 2>(name, points, random, seen);
+        check_hull<Scalar, 2>(name, points, random, seen);
     for (const int n : {2, 7})
       for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, n))
-        check<Scalar, 3>(name, points, random, seen);
+        check_hull<Scalar, 3>(name, points, random, seen);
   }
   CHECK(seen.inside > 300);
   CHECK(seen.outside > 300);

@@ -64,20 +64,20 @@ class Maker {
 };
 
 template <class Scalar>
-struct Pair {
+struct PatchPair {
   Patch<Scalar> a, b;
 };
 
 template <class Scalar>
 struct Family {
   std::string name;
-  std::function<Pair<Scalar>(Maker<Scalar>&)> make;
+  std::function<PatchPair<Scalar>(Maker<Scalar>&)> make;
 };
 
 template <class Scalar>
 std::vector<Family<Scalar>> rectangle_families() {
   using Make = Maker<Scalar>&;
-  using Result = Pair<Scalar>;
+  using Result = PatchPair<Scalar>;
   const int digits = sizeof(Scalar) == 8 ? 17 : 8;
   /// The second, moved so that a point of it is at that place of the first, and from there a way off it.
   const auto put = [](Make make, const Patch<Scalar>& a, Patch<Scalar> b, const Point<Scalar>& off) {
@@ -148,7 +148,7 @@ std::vector<Family<Scalar>> rectangle_families() {
 
 /// That the squared distance is right, and that of the points named too.
 template <class Scalar>
-void check(const query::ClosestPoints<Scalar>& found, const Patch<Scalar>& a, const Patch<Scalar>& b) {
+void check_closest(const query::ClosestPoints<Scalar>& found, const Patch<Scalar>& a, const Patch<Scalar>& b) {
   const auto exact = static_cast<double>(test::distance(a.big(), b.big()));
   CHECK(std::abs(std::sqrt(static_cast<double>(found.square)) - exact) <=
         static_cast<double>(tolerance::kTouching<Scalar>));
@@ -176,15 +176,15 @@ TEST_CASE_TEMPLATE("points, segments and rectangles have the exact distance, wha
       CAPTURE(round);
       const auto [a, b] = family.make(make);
       const auto found = query::closest_points(a.rectangle(), b.rectangle());
-      check(found, a, b);
+      check_closest(found, a, b);
       near += found.square < Scalar(1e-6) ? 1 : 0;
 
       const Patch<Scalar> s = with_edges(a, 1), t = with_edges(b, 1), p = with_edges(a, 0);
-      check(query::closest_points(p.corner, t.segment()), p, t);
-      check(query::closest_points(s.segment(), t.segment()), s, t);
-      check(query::closest_points(t.segment(), s.segment()), t, s);
-      check(query::closest_points(p.corner, b.rectangle()), p, b);
-      check(query::closest_points(s.segment(), b.rectangle()), s, b);
+      check_closest(query::closest_points(p.corner, t.segment()), p, t);
+      check_closest(query::closest_points(s.segment(), t.segment()), s, t);
+      check_closest(query::closest_points(t.segment(), s.segment()), t, s);
+      check_closest(query::closest_points(p.corner, b.rectangle()), p, b);
+      check_closest(query::closest_points(s.segment(), b.rectangle()), s, b);
     }
     CHECK(near >= (family.name == "any" || family.name == "whole numbers" ? 1 : 10));
   }

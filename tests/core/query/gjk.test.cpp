@@ -20,7 +20,7 @@ using Whole = std::array<std::int64_t, 3>;
 using Hull = ConvexHull<double, 3>;
 
 Whole minus(const Whole& a, const Whole& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-std::int64_t dot(const Whole& a, const Whole& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+std::int64_t dot_of(const Whole& a, const Whole& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Whole cross(const Whole& a, const Whole& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -35,20 +35,20 @@ struct Least {
 
 void offer_edge(Least& least, const Whole& a, const Whole& b) {
   const Whole e = minus(b, a);
-  const std::int64_t along = -dot(a, e), square = dot(e, e);
-  if (along >= 0 && along <= square && square > 0) least.offer(dot(a, a) * square - along * along, square);
+  const std::int64_t along = -dot_of(a, e), square = dot_of(e, e);
+  if (along >= 0 && along <= square && square > 0) least.offer(dot_of(a, a) * square - along * along, square);
 }
 
 void offer_triangle(Least& least, const Whole& a, const Whole& b, const Whole& c) {
   const Whole n = cross(minus(b, a), minus(c, a));
-  const std::int64_t square = dot(n, n), height = dot(a, n);
-  if (square == 0 || dot(n, cross(a, b)) < 0 || dot(n, cross(b, c)) < 0 || dot(n, cross(c, a)) < 0) return;
+  const std::int64_t square = dot_of(n, n), height = dot_of(a, n);
+  if (square == 0 || dot_of(n, cross(a, b)) < 0 || dot_of(n, cross(b, c)) < 0 || dot_of(n, cross(c, a)) < 0) return;
   least.offer(height * height, square);
 }
 
 bool holds_origin(const Whole& a, const Whole& b, const Whole& c, const Whole& d) {
-  const std::array<std::int64_t, 4> volumes{dot(b, cross(c, d)), -dot(a, cross(c, d)), dot(d, cross(a, b)),
-                                            -dot(c, cross(a, b))};
+  const std::array<std::int64_t, 4> volumes{dot_of(b, cross(c, d)), -dot_of(a, cross(c, d)), dot_of(d, cross(a, b)),
+                                            -dot_of(c, cross(a, b))};
   std::int64_t sum = 0;
   for (const std::int64_t volume : volumes) sum += volume;
   if (sum == 0) return false;  // flat: its triangles tell
@@ -62,7 +62,7 @@ Least exact_square(const std::vector<Whole>& a, const std::vector<Whole>& b) {
     for (const Whole& q : b) w.push_back(minus(p, q));
   Least least;
   for (std::size_t i = 0; i < w.size(); ++i) {
-    least.offer(dot(w[i], w[i]), 1);
+    least.offer(dot_of(w[i], w[i]), 1);
     for (std::size_t j = i + 1; j < w.size(); ++j) {
       offer_edge(least, w[i], w[j]);
       for (std::size_t k = j + 1; k < w.size(); ++k) {

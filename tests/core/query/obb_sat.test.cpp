@@ -17,13 +17,13 @@ namespace {
 template <class Scalar, int Dim>
 using Recorded = Recorder<query::SatStep<Scalar, Dim>>;
 
-struct Tally {
+struct SatTally {
   int overlapping = 0, apart = 0, parallel = 0, exact = 0, edge_edge = 0;
 };
 
 /// All forms of the test say what the oracle says, and an axis that separates does.
 template <class Scalar, int Dim>
-void check_pair(const test::BoxPair<Scalar, Dim>& pair, bool right, Tally& tally) {
+void check_pair(const test::BoxPair<Scalar, Dim>& pair, bool right, SatTally& tally) {
   Recorded<Scalar, Dim> steps;
   const auto first = query::obb_sat(pair.a, pair.b, SatExtent::kFirst, steps);
   const auto all = query::obb_sat(pair.a, pair.b, SatExtent::kAll);
@@ -45,7 +45,7 @@ void check_pair(const test::BoxPair<Scalar, Dim>& pair, bool right, Tally& tally
 }
 
 template <class Scalar, int Dim>
-void check_families(int rounds, const auto& oracle, Tally& tally, auto&& wanted) {
+void check_families(int rounds, const auto& oracle, SatTally& tally, auto&& wanted) {
   Random random(1);
   for (int o = 0; o < test::kOrientations; ++o)
     for (int e = 0; e < test::kExtents; ++e)
@@ -104,19 +104,19 @@ exact::Rational true_gap(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
 }
 
 template <class Number>
-struct Space {
+struct InSpace {
   using Scalar = Number;
   static constexpr int kDim = 3;
 };
 template <class Number>
-struct Plane {
+struct InPlane {
   using Scalar = Number;
   static constexpr int kDim = 2;
 };
 
 }  // namespace
 
-#define SNUG_EVERY_SPACE Space<float>, Space<double>, Plane<float>, Plane<double>
+#define SNUG_EVERY_SPACE InSpace<float>, InSpace<double>, InPlane<float>, InPlane<double>
 
 TEST_CASE_TEMPLATE("points, segments and squares on top of each other", Scalar, float, double) {
   using Box = Obb<Scalar, 2>;
@@ -180,7 +180,7 @@ TEST_CASE("two crossed edges are apart along their common normal alone") {
 TEST_CASE_TEMPLATE("the verdict is that of exact arithmetic, for full boxes", Kind, SNUG_EVERY_SPACE) {
   using Scalar = typename Kind::Scalar;
   constexpr int kDim = Kind::kDim;
-  Tally tally;
+  SatTally tally;
   const auto oracle = [](const auto& a, const auto& b) { return exact::overlap_by_corners(a, b); };
   check_families<Scalar, kDim>(4, oracle, tally, [](const auto& pair) { return !is_flat(pair.a) && !is_flat(pair.b); });
   CHECK(tally.overlapping > 200);
@@ -193,7 +193,7 @@ TEST_CASE_TEMPLATE("the verdict is that of exact arithmetic, for full boxes", Ki
 TEST_CASE_TEMPLATE("the verdict is that of exact arithmetic, for flat boxes, segments and points", Kind,
                    SNUG_EVERY_SPACE) {
   using Scalar = typename Kind::Scalar;
-  Tally tally;
+  SatTally tally;
   const auto oracle = [](const auto& a, const auto& b) { return exact::overlap_by_simplex(a, b); };
   check_families<Scalar, Kind::kDim>(1, oracle, tally,
                                      [](const auto& pair) { return is_flat(pair.a) || is_flat(pair.b); });
@@ -206,7 +206,7 @@ TEST_CASE_TEMPLATE("boxes moved to touch along their last axis are judged to the
   using Scalar = typename Kind::Scalar;
   constexpr int kDim = Kind::kDim;
   Random random(3);
-  Tally tally;
+  SatTally tally;
   for (int round = 0; round < 400; ++round) {
     test::BoxPair<Scalar, kDim> pair{test::any_box<Scalar, kDim>(random, 1), test::any_box<Scalar, kDim>(random, 1)};
     for (int turn = 0; turn < 3; ++turn) {

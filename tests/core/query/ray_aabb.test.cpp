@@ -37,7 +37,7 @@ std::optional<Rational> enters_exactly(const Aabb<Scalar, Dim>& box, const Ray<S
 }
 
 template <class Scalar, int Dim>
-void check(const Aabb<Scalar, Dim>& box, const Ray<Scalar, Dim>& ray, int& hits, int& misses) {
+void check_ray(const Aabb<Scalar, Dim>& box, const Ray<Scalar, Dim>& ray, int& hits, int& misses) {
   const auto exactly = enters_exactly(box, ray);
   const auto found = query::ray_enters(box, ray);
   if (exactly) {
@@ -66,17 +66,17 @@ void check_random() {
     Ray<Scalar, Dim> ray{any(2), any(1)};
     if (i % 3 == 0) ray.direction[i % Dim] = 0;
     if (i % 4 == 0) ray.origin[i % Dim] = box.min[i % Dim];
-    check(box, ray, hits, misses);
+    check_ray(box, ray, hits, misses);
     // Towards a corner, an edge or a face's border, and an ulp beside it.
     Vector<Scalar, Dim> corner = box.min;
     for (int k = 0; k < Dim; ++k)
       if (random.below(2) == 1) corner[k] = box.max[k];
     ray.direction = corner - ray.origin;
     if (ray.direction.isZero(0)) continue;
-    check(box, ray, hits, grazing_misses);
+    check_ray(box, ray, hits, grazing_misses);
     const int axis = static_cast<int>(random.below(Dim));
     ray.direction[axis] = std::nextafter(ray.direction[axis], static_cast<Scalar>(random.between(-9, 9)));
-    check(box, ray, hits, grazing_misses);
+    check_ray(box, ray, hits, grazing_misses);
   }
   CHECK(hits > 1000);
   CHECK(misses > 1000);

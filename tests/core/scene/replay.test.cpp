@@ -7,7 +7,7 @@ using namespace snug::test;
 
 namespace {
 
-Declaration crowd(int count, std::uint64_t seed) {
+Declaration bouncing(int count, std::uint64_t seed) {
   Declaration declaration{.bodies = {floor()}, .effects = solid(0.4), .seed = seed};
   Random random(seed);
   for (int i = 0; i < count; ++i) {
@@ -26,14 +26,14 @@ Declaration crowd(int count, std::uint64_t seed) {
 }  // namespace
 
 TEST_CASE("the same declaration has the same bits, and another seed others") {
-  Scene first = opened(crowd(20, 3)), second = opened(crowd(20, 3)), other = opened(crowd(20, 4));
+  Scene first = opened(bouncing(20, 3)), second = opened(bouncing(20, 3)), other = opened(bouncing(20, 4));
   first.go(300), second.go(300), other.go(300);
   CHECK(first.world().hash() == second.world().hash());
   CHECK(first.world().hash() != other.world().hash());
 }
 
 TEST_CASE("going back and on again has the bits of going on, from every frame") {
-  Scene straight = opened(crowd(12, 5)), scrubbed = opened(crowd(12, 5));
+  Scene straight = opened(bouncing(12, 5)), scrubbed = opened(bouncing(12, 5));
   std::vector<std::uint64_t> hashes{straight.world().hash()};
   for (int frame = 1; frame <= 400; ++frame) straight.step(), hashes.push_back(straight.world().hash());
   scrubbed.go(400);
@@ -90,7 +90,7 @@ TEST_CASE("what was set from outside has the same bits when gone back to") {
 
 TEST_CASE("the bits are those of every other compiler") {
   // Held natively and as WebAssembly: whatever moves a bit of physics moves these.
-  Scene scene = opened(crowd(20, 3));
+  Scene scene = opened(bouncing(20, 3));
   scene.go(300);
   CHECK(scene.world().hash() == 16917254601120376295u);
 }

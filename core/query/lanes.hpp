@@ -1,0 +1,16 @@
+// Several scalars at once, in the compilers' vector types.
+#pragma once
+
+#include <cstddef>
+
+namespace snug::query {
+
+/// As many scalars as kBytes hold, and what comparisons of them give: all ones or all zeros in each lane.
+template <class Scalar, std::size_t kBytes>
+struct Lanes {
+  typedef Scalar Vector __attribute__((vector_size(kBytes)));
+  using Mask = decltype(Vector{} < Vector{});
+  static constexpr std::size_t kCount = kBytes / sizeof(Scalar);
+};
+
+}  // namespace snug::query
