@@ -62,7 +62,7 @@ std::string normal_words(int dim, int signs) {
   return words + ")";
 }
 
-ImVec2 shifted(ImVec2 at, ImVec2 by, float length) { return {at.x + by.x * length, at.y + by.y * length}; }
+ImVec2 displaced(ImVec2 at, ImVec2 by, float length) { return {at.x + by.x * length, at.y + by.y * length}; }
 
 ImVec2 way_between(ImVec2 from, ImVec2 to) {
   const float length = std::hypot(to.x - from.x, to.y - from.y);
@@ -147,11 +147,12 @@ void Stage::draw_plane(Brush& brush, const lesson::BoxPair& pair, int plane) con
   if (pair.dim == 2) {
     const ImVec2 along = way_between(outline[0], outline[1]), out = way_between(middle, tip);
     const float reach = brush.rect.width + brush.rect.height, step = 14;
-    line(brush.list, shifted(middle, along, -reach), shifted(middle, along, reach), Stroke::kSolid,
+    line(brush.list, displaced(middle, along, -reach), displaced(middle, along, reach), Stroke::kSolid,
          with_alpha(p.examined, 0.5f), brush.stroke(0.5f));
     for (float t = -reach; t < reach; t += step) {
-      const ImVec2 at = shifted(middle, along, t);
-      line(brush.list, at, shifted(shifted(at, out, 7), along, 4), Stroke::kSolid, with_alpha(p.examined, 0.45f), 1);
+      const ImVec2 at = displaced(middle, along, t);
+      line(brush.list, at, displaced(displaced(at, out, 7), along, 4), Stroke::kSolid, with_alpha(p.examined, 0.45f),
+           1);
     }
     brush.canvas.obstacles.segments.push_back({outline[0].x, outline[0].y, outline[1].x, outline[1].y});
   } else {
@@ -193,7 +194,7 @@ void Stage::draw_distances(Brush& brush, const lesson::BoxPair& pair) const {
     const ImVec2 way = way_between(from, foot), aside{-way.y, way.x};
     const Color color = distance > 0 ? p.examined : p.current;
     line(brush.list, from, foot, Stroke::kDashed, color, brush.stroke(0.9f));
-    line(brush.list, shifted(foot, aside, -6), shifted(foot, aside, 6), Stroke::kSolid, color, brush.stroke());
+    line(brush.list, displaced(foot, aside, -6), displaced(foot, aside, 6), Stroke::kSolid, color, brush.stroke());
     brush.canvas.obstacles.segments.push_back({from.x, from.y, foot.x, foot.y});
     brush.label({(from.x + foot.x) / 2, (from.y + foot.y) / 2}, 5, aside.x >= 0 ? aside : ImVec2{-aside.x, -aside.y},
                 signed_words(distance), distance > 0 ? p.examined_text : p.current_text, Face::kMonoBold, 13);
@@ -208,7 +209,7 @@ void Stage::draw_corners(Brush& brush) const {
     const bool last = &corner == &shown_.corners.back() && !shown_.finished;
     if (corner.outside) ring(brush.list, at, (last ? 13 : 10) * p.mark, p.examined, brush.stroke(last ? 1.2f : 0.8f));
     else
-      tick(brush.list, shifted(at, {0.7f, -0.7f}, 14 * p.mark), 5 * p.mark, p.optimum,
+      tick(brush.list, displaced(at, {0.7f, -0.7f}, 14 * p.mark), 5 * p.mark, p.optimum,
            brush.stroke(last ? 1.2f : 0.8f));
     brush.canvas.obstacles.discs.push_back({at.x, at.y, 14 * p.mark});
     if (!last) continue;

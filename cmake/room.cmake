@@ -16,6 +16,7 @@ function(snug_room name)
   snug_door(${name} ${CMAKE_CURRENT_SOURCE_DIR} door)
   target_include_directories(snug_${name} PUBLIC ${door})
   target_link_libraries(snug_${name} PUBLIC ${room_LINKS} PRIVATE snug_options snug_lean)
+  snug_batches(snug_${name} 8)
   # On the page every byte is waited for. Emscripten has Clang inline nothing where size counts, which makes each of Eigen's small
   # functions a call: twice the code, and thirty times as slow.
   if(EMSCRIPTEN)

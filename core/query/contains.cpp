@@ -9,6 +9,7 @@
 #include "geometry/dyadic.hpp"
 #include "geometry/exact_sum.hpp"
 #include "geometry/tolerance.hpp"
+#include "query/numbers.hpp"
 
 namespace snug::query {
 namespace {
@@ -125,13 +126,6 @@ std::array<Dyadic, Dim> operator-(const std::array<Dyadic, Dim>& a, const std::a
   std::array<Dyadic, Dim> difference;
   for (std::size_t i = 0; i < Dim; ++i) difference[i] = a[i] - b[i];
   return difference;
-}
-
-template <std::size_t Dim>
-Dyadic dot(const std::array<Dyadic, Dim>& a, const std::array<Dyadic, Dim>& b) {
-  Dyadic sum;
-  for (std::size_t i = 0; i < Dim; ++i) sum += a[i] * b[i];
-  return sum;
 }
 
 /// point: from the segment's one end; edge: to its other.

@@ -44,9 +44,9 @@ struct Line {
 };
 
 template <class Scalar, int Dim>
-class Corners {
+class CornerSearch {
  public:
-  Corners(const Kdop<Scalar, Dim>& kdop, const Vector<Scalar, Dim>& origin) : axes_(kdop_axes<Dim>(kdop.k)) {
+  CornerSearch(const Kdop<Scalar, Dim>& kdop, const Vector<Scalar, Dim>& origin) : axes_(kdop_axes<Dim>(kdop.k)) {
     for (std::size_t i = 0; i < axes_.size(); ++i) {
       DoubleDouble moved;
       for (std::size_t j = 0; j < Dim; ++j) moved += axes_[i][j] * static_cast<double>(origin[static_cast<int>(j)]);
@@ -136,7 +136,7 @@ class Corners {
 
 template <class Scalar, int Dim>
 std::vector<Vector<double, Dim>> kdop_vertices(const Kdop<Scalar, Dim>& kdop, const Vector<Scalar, Dim>& origin) {
-  return Corners<Scalar, Dim>(kdop, origin).find();
+  return CornerSearch<Scalar, Dim>(kdop, origin).find();
 }
 
 template std::vector<Vector<double, 2>> kdop_vertices(const Kdop<float, 2>&, const Vector<float, 2>&);

@@ -120,7 +120,7 @@ Json exact_class(const Frustum<Scalar, Dim>& frustum, const Volume<Scalar, Dim>&
 }
 
 template <class Scalar, int Dim>
-Json json_of(const Vector<Scalar, Dim>& point) {
+Json json_of_point(const Vector<Scalar, Dim>& point) {
   Json list = Json::array();
   for (int i = 0; i < Dim; ++i) list.push_back(static_cast<double>(point[i]));
   return list;
@@ -129,8 +129,8 @@ Json json_of(const Vector<Scalar, Dim>& point) {
 template <class Scalar, int Dim>
 Json plane_json(const query::PlaneTested<Scalar, Dim>& fact) {
   return {{"plane", fact.plane},
-          {"p_vertex", json_of<Scalar, Dim>(fact.p_point)},
-          {"n_vertex", json_of<Scalar, Dim>(fact.n_point)},
+          {"p_vertex", json_of_point<Scalar, Dim>(fact.p_point)},
+          {"n_vertex", json_of_point<Scalar, Dim>(fact.n_point)},
           {"side", query::kCullingNames[static_cast<std::size_t>(fact.side)]},
           {"p_distance", static_cast<double>(fact.p_distance)},
           {"n_distance", static_cast<double>(fact.n_distance)}};
@@ -252,7 +252,7 @@ tl::expected<std::vector<CullLine>, std::vector<InputError>> scene_of(const Cull
   return scene;
 }
 
-Json json_of(const CullCost& cost) {
+Json json_of_cost(const CullCost& cost) {
   return {{"volume_tests", cost.volume_tests}, {"planes_tested", cost.planes_tested}};
 }
 
@@ -272,9 +272,9 @@ CommandResult cull_scene(const std::vector<CullLine>& scene, const std::string& 
   printed.text += line_of({{"tree", rule},
                            {"nodes", culled.nodes},
                            {"nodes_visited", culled.nodes_visited},
-                           {"by_tree", json_of(culled.by_tree)},
-                           {"without_masks", json_of(culled.without_masks)},
-                           {"one_by_one", json_of(culled.one_by_one)}});
+                           {"by_tree", json_of_cost(culled.by_tree)},
+                           {"without_masks", json_of_cost(culled.without_masks)},
+                           {"one_by_one", json_of_cost(culled.one_by_one)}});
   return printed;
 }
 

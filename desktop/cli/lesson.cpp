@@ -77,7 +77,7 @@ CommandResult run_check(const LessonOptions& options) {
 
 // ---- play ------------------------------------------------------------------------------------------------------
 
-Json json_of(const lesson::Played::Algorithm& algorithm) {
+Json json_of_played(const lesson::Played::Algorithm& algorithm) {
   Json questions = Json::array();
   for (const lesson::Outcome& outcome : algorithm.outcomes)
     questions.push_back({{"question", outcome.question},
@@ -93,7 +93,7 @@ CommandResult run_play(const LessonOptions& options) {
   const auto played = play(*file);
   if (!played) return bad_input(played.error());
   Printed printed{"", played->sound() ? 0 : 1};
-  for (const auto& algorithm : played->algorithms) printed.text += line_of(json_of(algorithm));
+  for (const auto& algorithm : played->algorithms) printed.text += line_of(json_of_played(algorithm));
   Json task;
   if (played->grade)
     task = {{"done", played->grade->done}, {"excess", played->grade->excess}, {"says", played->grade->says}};

@@ -52,7 +52,7 @@ tl::expected<VolumePair, std::string> pair_of(const Json& json, const OverlapOpt
 // ---- the answer
 
 template <class Scalar, int Dim>
-Json json_of(const query::OverlapResult<Scalar, Dim>& result) {
+Json json_of_result(const query::OverlapResult<Scalar, Dim>& result) {
   Json json{{"overlap", result.overlap}, {"distance", nullptr}, {"separating_axis", nullptr}, {"tests", result.tests}};
   if (result.distance) json["distance"] = static_cast<double>(*result.distance);
   if (!result.separating_axis) return json;
@@ -94,11 +94,11 @@ class Trace {
 
 template <class Scalar, int Dim>
 Json answer(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b, Trace* trace) {
-  if (trace == nullptr) return json_of(query::test_overlap<Scalar, Dim>(a, b));
+  if (trace == nullptr) return json_of_result(query::test_overlap<Scalar, Dim>(a, b));
   return std::visit(
       [&](const auto& x, const auto& y) {
         trace->turned = query::turned(x, y);
-        return json_of(query::test_overlap(x, y, *trace));
+        return json_of_result(query::test_overlap(x, y, *trace));
       },
       a, b);
 }

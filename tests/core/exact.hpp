@@ -11,11 +11,6 @@ namespace snug::exact {
 
 using Rational = boost::multiprecision::cpp_rational;
 
-template <class Scalar>
-Rational exactly(Scalar value) {
-  return Rational(static_cast<double>(value));
-}
-
 template <class Scalar, int Dim>
 Rational squared_distance(const Vector<Scalar, Dim>& a, const Vector<Scalar, Dim>& b) {
   Rational sum = 0;

@@ -7,7 +7,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "core/exact.hpp"
+#include "core/exactly.hpp"
 #include "geometry/bits.hpp"
 #include "geometry/random.hpp"
 

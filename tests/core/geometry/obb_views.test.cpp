@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/exact.hpp"
+#include "core/exactly.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/random.hpp"
 #include "geometry/tolerance.hpp"

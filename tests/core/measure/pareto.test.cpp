@@ -40,5 +40,5 @@ TEST_CASE("the front is those that none undercuts") {
 TEST_CASE("offers that are no numbers are on no front") {
   constexpr double kInf = std::numeric_limits<double>::infinity(), kNan = std::numeric_limits<double>::quiet_NaN();
   CHECK(cost::pareto_front(std::vector<cost::Offer>{{kInf, 1}, {1, kNan}, {2, 2}}) == std::vector<std::size_t>{2});
-  CHECK(cost::pareto_front({}).empty());
+  CHECK(cost::pareto_front(std::vector<cost::Offer>{}).empty());
 }

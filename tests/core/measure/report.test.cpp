@@ -22,7 +22,7 @@ cost::Provenance provenance() {
           .clock_resolution_ns = 1.0 / 3};
 }
 
-std::vector<cost::CostRow> rows() {
+std::vector<cost::CostRow> two_rows() {
   cost::CostRow full{.volume = "obb",
                      .algorithm = "pca",
                      .points = 100,
@@ -47,7 +47,7 @@ std::vector<cost::CostRow> rows() {
 }
 
 std::string csv() {
-  return cost::csv_of(provenance(), std::span<const cost::CostRow>(std::array{rows()[0], rows()[1]}));
+  return cost::csv_of(provenance(), std::span<const cost::CostRow>(std::array{two_rows()[0], two_rows()[1]}));
 }
 
 /// What is wrong with a text, with its line.
@@ -71,7 +71,7 @@ TEST_CASE("what is written as CSV is read back to the same bits") {
   CHECK(table->provenance.seed == 42);
   CHECK(table->provenance.clock_resolution_ns == 1.0 / 3);
   REQUIRE(table->rows.size() == 2);
-  const cost::CostRow &read = table->rows[0], written = rows()[0];
+  const cost::CostRow &read = table->rows[0], written = two_rows()[0];
   CHECK(read.whole_ns == written.whole_ns);
   CHECK(read.time.median == 0.1);
   CHECK(read.time.spread == 1.0 / 3);
@@ -120,7 +120,7 @@ TEST_CASE("columns may stand in another order, and more of them") {
 }
 
 TEST_CASE("what was not timed is null, and empty fields") {
-  const std::vector<cost::CostRow> all{rows()[1]};
+  const std::vector<cost::CostRow> all{two_rows()[1]};
   const std::string json = cost::json_of(provenance(), std::span<const cost::CostRow>(all));
   CHECK(json.find("\"overlapping\":0,\"overlap_ns\":null,\"update\":null,\"update_ns\":null,\"certificate\":{") !=
         std::string::npos);
@@ -151,7 +151,7 @@ TEST_CASE("damaged CSV is refused with its line") {
 }
 
 TEST_CASE("JSON has levels, numbers that are numbers, and null for what there is none of") {
-  const std::vector<cost::CostRow> all = rows();
+  const std::vector<cost::CostRow> all = two_rows();
   const std::string json = cost::json_of(provenance(), std::span<const cost::CostRow>(all));
   CHECK(json.starts_with("{\"table\":\"costs\",\"provenance\":{\"version\":\"1.2.3\","));
   CHECK(json.find("\"processor\":\"A \\\"fast\\\" one, #2\"") != std::string::npos);

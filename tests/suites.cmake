@@ -1,0 +1,64 @@
+# What CTest runs: `ctest -j2 --test-dir build/release`, or one of them with -R core.fit, those of a label with -L desktop.
+# Labels: native, wasm or sanitize, and command, desktop, browser.
+if(EMSCRIPTEN)
+  set(kind wasm)
+elseif(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  set(kind sanitize)
+else()
+  set(kind native)
+endif()
+get_filename_component(preset ${PROJECT_BINARY_DIR} NAME)
+
+# snug_suite(NAME COMMAND words... [LABELS label...] [BOTH_CORES]): its log is build/logs/PRESET-NAME.log. One that hangs
+# is ended after twenty minutes and fails alone; one that times itself or draws has both cores.
+function(snug_suite name)
+  cmake_parse_arguments(PARSE_ARGV 1 suite "BOTH_CORES" "" "COMMAND;LABELS")
+  add_test(NAME ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+    COMMAND ${PROJECT_SOURCE_DIR}/tests/suite.sh ${preset}-${name} ${suite_COMMAND})
+  set_tests_properties(${name} PROPERTIES LABELS "${kind};${suite_LABELS}" TIMEOUT 1200)
+  if(suite_BOTH_CORES)
+    set_tests_properties(${name} PROPERTIES PROCESSORS 2)
+  endif()
+endfunction()
+
+# snug_suites(PREFIX LABEL files... LAUNCHER words...): each file is a suite, run by what launches it.
+function(snug_suites prefix label)
+  cmake_parse_arguments(PARSE_ARGV 2 suites "" "" "FILES;LAUNCHER")
+  foreach(file IN LISTS suites_FILES)
+    get_filename_component(name ${file} NAME_WE)
+    snug_suite(${prefix}.${name} BOTH_CORES LABELS ${label} COMMAND ${suites_LAUNCHER} ${file})
+  endforeach()
+endfunction()
+
+# The core's, room by room.
+if(EMSCRIPTEN) # Emscripten 3.1.6 mistakes Node for a browser when it finds fetch
+  set(core ${SNUG_NODE} --no-experimental-fetch $<TARGET_FILE:snug_tests>)
+else()
+  set(core $<TARGET_FILE:snug_tests>)
+endif()
+file(GLOB rooms RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/core ${CMAKE_CURRENT_SOURCE_DIR}/core/*/)
+foreach(room IN LISTS rooms)
+  if(IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/core/${room})
+    snug_suite(core.${room} COMMAND ${core} --no-colors=1 --source-file=*core/${room}/*)
+  endif()
+endforeach()
+
+# Its settings stay when no window is left, and there is room for a window at two pixels to one.
+set(screen xvfb-run -a -s "-screen 0 2560x1600x24 -noreset")
+set(node_test ${SNUG_NODE} --test --test-reporter=tap)
+if(kind STREQUAL native)
+  snug_suite(app COMMAND $<TARGET_FILE:snug_app_tests> --no-colors=1)
+  snug_suite(format COMMAND tests/format.sh)
+  file(GLOB files CONFIGURE_DEPENDS command/*.test.mjs)
+  snug_suites(command command FILES ${files} LAUNCHER ${node_test})
+  file(GLOB files CONFIGURE_DEPENDS desktop/*.test.sh)
+  snug_suites(desktop desktop FILES ${files} LAUNCHER ${screen} bash)
+elseif(kind STREQUAL wasm)
+  snug_suite(trace_hash COMMAND tests/trace_hash.sh)
+  snug_suite(transfer COMMAND ${SNUG_PYTHON} web/size_report.py ${PROJECT_BINARY_DIR}/site)
+  file(GLOB files CONFIGURE_DEPENDS browser/*.test.mjs)
+  snug_suites(browser browser FILES ${files} LAUNCHER ${node_test})
+  # Neither Firefox nor WebKit draws the stage without a screen.
+  file(GLOB files CONFIGURE_DEPENDS browser/engines/*.test.mjs)
+  snug_suites(engines browser FILES ${files} LAUNCHER dbus-run-session -- ${screen} ${node_test})
+endif()
