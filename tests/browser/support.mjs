@@ -16,15 +16,18 @@ const kPacked = new Set([".png"]);
 const kFlags = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
   "--disable-background-networking", "--disable-component-update", "--disable-sync", "--no-first-run"];
 
-/** A plain static host: no type for .wasm, no listing, gzip where asked for. refuse: paths that answer 503. */
+/** A plain static host: no type for .wasm, no listing, gzip where asked for. refuse: paths that answer 503; add: texts by
+ *  the paths that they stand at, in place of files. */
 export async function serve_site() {
   const refuse = new Set();
+  const add = new Map();
   const sent = new Map();
   const server = createServer((request, answer) => {
     const path = decodeURIComponent(new URL(request.url, "http://localhost").pathname);
     const name = path.startsWith(kSubPath) ? normalize(path.slice(kSubPath.length) || "index.html") : "..";
     const file = join(kSite, name);
     if (refuse.has(name)) return answer.writeHead(503).end();
+    if (add.has(name)) return answer.writeHead(200, { "Content-Type": kTypes[extname(file)] }).end(add.get(name));
     if (name.startsWith("..") || !existsSync(file) || !statSync(file).isFile()) return answer.writeHead(404).end();
     const headers = { "Content-Type": kTypes[extname(file)] ?? "application/octet-stream" };
     if (kPacked.has(extname(file)) || !/gzip/.test(request.headers["accept-encoding"] ?? "")) {
@@ -37,7 +40,7 @@ export async function serve_site() {
   });
   await new Promise((listening) => server.listen(0, "127.0.0.1", listening));
   const url = `http://127.0.0.1:${server.address().port}${kSubPath}`;
-  return { url, refuse, sent, close: () => server.close() };
+  return { url, refuse, add, sent, close: () => server.close() };
 }
 
 let browser;

@@ -1,0 +1,203 @@
+// Every lesson in Firefox and in WebKit: the trace of the native program, a stage that is drawn, steps, a handle that is
+// dragged, a question that is answered. All else about the page is tested in Chromium. Needs a screen and a session bus.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { after, before, describe, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { serve_site } from "../support.mjs";
+import * as firefox from "./firefox.mjs";
+import { colors_of, difference, read_png } from "./picture.mjs";
+import * as webkit from "./webkit.mjs";
+
+const kEngines = { Firefox: firefox, WebKit: webkit };
+const kSize = [1280, 800];
+const kPatience = 25_000; // milliseconds
+const kKeys = { "Arrow right": "\uE014", "Page down": "\uE00F", Control: "\uE009" };
+const kLeastDrawn = 2000; // pixels that are not the ground's
+const kMostWaits = 200; // presses until a lesson asks
+const kRoot = fileURLToPath(new URL("../../../", import.meta.url));
+
+// From the first moment on, whatever the page complains of is kept. The drivers cannot give both engines such a script: it
+// is of the site.
+const kListen = `window.complaints = [];
+addEventListener("error", (event) => complaints.push(event.message ?? "a file did not arrive: " + (event.target.src ?? event.target.href)), true);
+addEventListener("unhandledrejection", ({ reason }) => complaints.push(String(reason)));
+addEventListener("securitypolicyviolation", (event) => complaints.push(event.violatedDirective + " forbids " + (event.blockedURI || event.sample)));
+for (const error = console.error; console.error === error;) console.error = (...said) => (complaints.push(said.join(" ")), error(...said));`;
+
+const site = await serve_site();
+after(() => site.close());
+site.add.set("listen.js", kListen);
+site.add.set("index.html", (await (await fetch(site.url)).text()).replace("<head>", '<head><script src="listen.js"></script>'));
+const lessons = await (await fetch(`${site.url}lessons/index.json`)).json();
+// "LESSON STEPS HASH" a line: of all runs that a lesson offers.
+const native = new Map(execFileSync(process.env.SNUG ?? `${kRoot}build/release/snug`, ["trace-hash"], { encoding: "utf8" })
+  .trim().split("\n").map((line) => [line.split(" ")[0], line]));
+
+/** One page of an engine, as a hand, an eye and a script have it. */
+class Page {
+  #engine;
+  constructor(engine) {
+    this.#engine = engine;
+  }
+  /** Opens an address of the site and waits until the lesson is drawn. */
+  async open(query) {
+    await this.#engine.open(site.url + query);
+    await this.until("window.snug?.state()?.framesDrawn > 0", "the lesson is drawn");
+    await this.#engine.evaluate("snug.ready");
+    await this.still();
+  }
+  ask(expression) {
+    return this.#engine.evaluate(expression);
+  }
+  state() {
+    return this.ask("snug.state()");
+  }
+  /** Until an expression holds in the page. */
+  async until(expression, what) {
+    const held = await this.ask(`new Promise((resolve) => {
+      const late = performance.now() + ${kPatience};
+      const look = () => ((${expression}) ? resolve(true) : performance.now() > late ? resolve(false) : setTimeout(look, 20));
+      look();
+    })`);
+    if (!held) assert.fail(`waited in vain until ${what}; the page complains: ${JSON.stringify(await this.ask("window.complaints"))}`);
+  }
+  /** Until the browser has come round several times, and no frame was drawn. */
+  async still() {
+    await this.ask(`new Promise((resolve, reject) => {
+      const late = performance.now() + ${kPatience};
+      let rounds = 0, drawn = -1;
+      const look = () => {
+        const { framesDrawn } = snug.state();
+        rounds = framesDrawn === drawn ? rounds + 1 : 0;
+        drawn = framesDrawn;
+        if (rounds > 8) resolve();
+        else if (performance.now() > late) reject(new Error("frames are drawn on end"));
+        else requestAnimationFrame(look);
+      };
+      requestAnimationFrame(look);
+    })`);
+  }
+  async press(key, ...held) {
+    const ids = [...held, key].map((name) => kKeys[name] ?? name);
+    const actions = [...ids.map((value) => ({ type: "keyDown", value })), ...ids.reverse().map((value) => ({ type: "keyUp", value }))];
+    await this.#engine.perform([{ type: "key", id: "keyboard", actions }]);
+  }
+  /** Presses at the first place, goes on over the others, and lets go. */
+  async hand(...places) {
+    const move = ([x, y]) => ({ type: "pointerMove", origin: "viewport", x: Math.round(x), y: Math.round(y), duration: 20 });
+    const pause = { type: "pause", duration: 40 }; // a frame in which the stage sees where the pointer is
+    await this.#engine.perform([{ type: "pointer", id: "mouse", parameters: { pointerType: "mouse" }, actions: [move(places[0]), pause,
+      { type: "pointerDown", button: 0 }, pause, ...places.slice(1).flatMap((place) => [move(place), pause]), { type: "pointerUp", button: 0 }] }]);
+    await this.still();
+  }
+  async picture() {
+    return read_png(await this.#engine.screenshot());
+  }
+  /** Where an element is seen: {x, y, width, height}. */
+  place(selector) {
+    return this.ask(`(({ x, y, width, height }) => ({ x, y, width, height }))(document.querySelector(${JSON.stringify(selector)}).getBoundingClientRect())`);
+  }
+  async click(selector) {
+    await this.ask(`document.querySelector(${JSON.stringify(selector)}).scrollIntoView({ block: "center" })`);
+    const { x, y, width, height } = await this.place(selector);
+    await this.hand([x + width / 2, y + height / 2]);
+  }
+}
+
+/** The line of a lesson that is open as `snug trace-hash` prints it: every algorithm is chosen, and its run's hash folded in (FNV-1a). */
+async function line_of(page, id) {
+  const runs = await page.ask(`(() => {
+    const select = document.getElementById("algorithm");
+    const choose = (name) => {
+      select.value = name;
+      select.dispatchEvent(new Event("change"));
+      return snug.state();
+    };
+    const names = [...select.options].map(({ value }) => value);
+    const runs = names.map((name) => [name, choose(name)]).filter(([name, now]) => now.algorithm === name);
+    choose(names[0]);
+    return runs.map(([, { steps, trace }]) => ({ steps, trace }));
+  })()`);
+  let hash = 0xcbf29ce484222325n;
+  for (const { trace } of runs)
+    for (let bits = BigInt(`0x${trace}`), byte = 0; byte < 8; ++byte, bits >>= 8n) hash = BigInt.asUintN(64, (hash ^ (bits & 0xffn)) * 0x100000001b3n);
+  return `${id} ${runs.reduce((sum, { steps }) => sum + steps, 0)} ${hash.toString(16).padStart(16, "0")}`;
+}
+
+const given = (now) => now.outcomes.filter((outcome) => !outcome.skipped);
+
+/** Drags the first handle, and takes it back. picture: as the page looks before. */
+async function drags(page, picture) {
+  const before = await page.state();
+  const handles = await page.ask("snug.handles()");
+  if (before.costs && handles.length === 0) return; // its points come with the chart's other side
+  assert.ok(handles.length > 0, "there is nothing to drag");
+  const { x, y } = handles[0];
+  await page.hand([x, y], [x + 12, y + 8], [x + 24, y + 15], [x + 33, y + 21]);
+  await page.until(`snug.state().canUndo && snug.state().trace !== "${before.trace}"`, "what was dragged has changed the run");
+  assert.ok(difference(picture, await page.picture(), await page.place("#stage")) > 200, "and the stage shows it");
+  await page.press("z", "Control");
+  await page.until(`snug.state().trace === "${before.trace}"`, "it is as before the drag");
+}
+
+/** Steps on until something is asked; lessons that ask at once are not stepped. */
+async function steps_to_a_question(page) {
+  for (let presses = 0; presses < kMostWaits; ++presses) {
+    const { step, steps, asked } = await page.state();
+    if (asked) return asked;
+    assert.ok(step < steps, "the lesson asks nothing");
+    await page.press(presses % 2 === 0 ? "Arrow right" : "Page down");
+    await page.until(`snug.state().step > ${step} || snug.state().asked`, `step ${step} is left`);
+  }
+  throw new Error(`${kMostWaits} presses, and nothing is asked`);
+}
+
+/** Answers with the mouse: chooses, and taps what is chosen once more. */
+async function answers(page, asked) {
+  const answered = `snug.state().outcomes.some((each) => each.question === ${JSON.stringify(asked.id)})`;
+  const tap = asked.choices.length > 0 ? () => page.click(".predict .choices .button") : await tap_on_stage(page, asked);
+  await tap();
+  if (asked.many) await page.click(".predict .button.primary");
+  else if (!(await page.ask(answered))) await page.ask("new Promise((later) => setTimeout(later, 400))").then(tap); // two taps, no double click
+  await page.until(answered, "the answer is taken");
+}
+
+async function tap_on_stage(page, asked) {
+  const handles = await page.ask("snug.handles()");
+  const names = asked.targets ?? asked.stagePoints.map((i) => `P${i}`);
+  const { x, y } = handles.find(({ id }) => names.length === 0 || names.includes(id));
+  return () => page.hand([x, y]);
+}
+
+for (const [name, driver] of Object.entries(kEngines)) {
+  describe(name, () => {
+    let engine;
+    before(async () => (engine = await driver.launch(...kSize)), { timeout: 120_000 });
+    after(() => engine?.close());
+
+    for (const { id } of lessons) {
+      test(`${name}: ${id} runs as it does natively, is drawn, dragged, stepped and answered`, { timeout: 180_000 }, async () => {
+        const page = new Page(engine);
+        await page.open(`?lesson=${id}&step=0`);
+        const stage = await page.place("#stage");
+        const picture = await page.picture();
+        const [ground, ...drawn] = colors_of(picture, stage);
+        const painted = drawn.reduce((sum, [, count]) => sum + count, 0);
+        assert.ok(painted > kLeastDrawn && drawn.length > 8, `of ${ground[1] + painted} pixels ${painted} are drawn on, in ${drawn.length} colours`);
+
+        await drags(page, picture);
+        const { step, framesDrawn } = await page.state();
+        const asked = await steps_to_a_question(page);
+        await answers(page, asked);
+        const now = await page.state();
+        assert.equal(given(now).length, 1);
+        assert.ok(now.framesDrawn > framesDrawn && now.step >= step);
+        assert.equal(await line_of(page, id), native.get(id), "every run is the native program's");
+        assert.deepEqual(await page.ask("complaints"), []);
+        const foreign = await page.ask(`performance.getEntriesByType("resource").map((each) => each.name).filter((each) => !each.startsWith(${JSON.stringify(site.url)}) && !/^(data|blob):/.test(each))`);
+        assert.deepEqual(foreign, []);
+      });
+    }
+  });
+}
