@@ -117,6 +117,50 @@ test("points are added, deleted, scattered and reset", async (t) => {
   assert.equal((await until(page, (now, s) => now.seed === s, seed)).trace, trace);
 });
 
+const set_shown = (page) => page.getByLabel("Set").evaluate((select) => select.selectedOptions[0].textContent);
+
+test("Scatter has other points every time, and the box says which set they are of", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter");
+  await to_points(page);
+  const first = await state(page);
+  assert.equal(await set_shown(page), "Gaussian");
+  const scatter = page.getByRole("button", { name: "Scatter" });
+  await scatter.click();
+  const second = await until(page, (now, trace) => now.trace !== trace, first.trace);
+  await scatter.click();
+  await until(page, (now, traces) => !traces.includes(now.trace), [first.trace, second.trace]);
+  await page.getByLabel("Set").selectOption({ label: "Bunny" });
+  await until(page, (now) => now.source === "bunny" && now.size === 1839);
+  assert.equal(await set_shown(page), "Bunny");
+  await scatter.click();
+  await until(page, (now) => now.source === "gaussian" && now.size === 14);
+  assert.equal(await set_shown(page), "Gaussian");
+  await drop(page, "mine.xyz", "0 0\n1 0\n0 1\n");
+  await until(page, (now) => now.source === "mine.xyz");
+  assert.equal(await set_shown(page), "mine.xyz");
+  await page.getByLabel("Set").selectOption({ label: "Gaussian" });
+  await until(page, (now, trace) => now.trace === trace, first.trace);
+});
+
+test("a coordinate has as many digits as its field shows, and what was not touched keeps all of them", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter");
+  await to_points(page);
+  await page.getByLabel("Selected point").first().fill("3");
+  await page.keyboard.press("Enter");
+  const { coordinates } = await until(page, (now) => now.selected === 3);
+  assert.ok(String(coordinates[1]).length > 12, "it has more digits than a field");
+  const field = (axis) => page.getByLabel(`${axis} of the selected point`);
+  for (const axis of ["x", "y"]) {
+    assert.ok((await field(axis).inputValue()).length <= 9);
+    const [wide, room] = await field(axis).evaluate((input) => [input.scrollWidth, input.clientWidth]);
+    assert.ok(wide <= room, `${axis}: ${wide} of ${room} px`);
+  }
+  await field("x").fill("0.25");
+  await field("x").blur();
+  const moved = await until(page, (now) => now.coordinates[0] === 0.25);
+  assert.equal(moved.coordinates[1], coordinates[1]);
+});
+
 const drop = (page, name, text) => page.evaluate(([file_name, content]) => {
   const data = new DataTransfer();
   data.items.add(new File([content], file_name));

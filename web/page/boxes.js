@@ -1,5 +1,5 @@
 // The tools of two boxes, or of a box and a frustum: where each is, how large, how turned, in numbers; scatter and reset.
-import { by_id, button, element, when_changed } from "./dom.js";
+import { by_id, button, element, other_seed, when_changed } from "./dom.js";
 import { clear_notices, notice } from "./messages.js";
 
 const kAxes = ["x", "y", "z"];
@@ -99,7 +99,7 @@ export class BoxTools {
     this.#fields = [0, 1].map((box) => new BoxFields(door, act, box));
     const scatter = (event) => {
       event.preventDefault();
-      act(() => door.scatter(Number(this.#seed.value)));
+      act(() => door.scatter(other_seed(this.#seed, this.#seed_now)));
     };
     this.#section = element("div", { class: "boxes", hidden: true }, this.#title, ...this.#fields.map((field) => field.element),
       element("form", { class: "fields", onsubmit: scatter }, element("label", {}, element("span", {}, "Seed"), this.#seed),
@@ -113,7 +113,8 @@ export class BoxTools {
     for (const field of this.#fields) field.open(lesson);
   }
 
-  #show_seed = when_changed((seed) => (this.#seed.value = seed));
+  #seed_now = 0;
+  #show_seed = when_changed((seed) => (this.#seed.value = this.#seed_now = seed));
 
   update(view) {
     if (!view.boxes) return;

@@ -41,3 +41,9 @@ export function when_changed(make) {
     make(...from);
   };
 }
+
+/** To scatter is to have something else: by the seed that was typed, or by the next one. */
+export function other_seed(field, now) {
+  const typed = Number(field.value);
+  return typed !== now ? typed : typed < Number.MAX_SAFE_INTEGER ? typed + 1 : 0;
+}

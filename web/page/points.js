@@ -1,5 +1,5 @@
 // The points' tools: which set, add, delete, scatter, reset, a file, and a point's place in numbers.
-import { by_id, button, element, set_text, when_changed } from "./dom.js";
+import { by_id, button, element, other_seed, set_text, when_changed } from "./dom.js";
 import { result_as_csv } from "./costs.js";
 import { clear_notices, notice } from "./messages.js";
 
@@ -9,6 +9,8 @@ const kMostBytes = 64e6;
 const kMostMeasured = 256e6; // bytes: two million points, written out
 
 const label = (words, field) => element("label", {}, element("span", {}, words), field);
+/** A coordinate with as many digits as its field has room for. */
+const short = (value) => Number(value.toPrecision(6));
 const capital = (word) => word[0].toUpperCase() + word.slice(1);
 
 export class PointTools {
@@ -16,6 +18,7 @@ export class PointTools {
   #act;
   #bring_mesh;
   #view = null;
+  #own = "own"; // the source of the lesson's own points
   #names = kNames[0];
   #section;
   #title = element("h2", {});
@@ -37,7 +40,7 @@ export class PointTools {
     this.#bring_mesh = bring_mesh;
     const scatter = (event) => {
       event.preventDefault();
-      this.#scatter();
+      this.#scatter(other_seed(this.#seed, this.#view.seed));
     };
     this.#section = element("div", {},
       this.#title, this.#says,
@@ -67,8 +70,8 @@ export class PointTools {
     this.#set.replaceChildren(element("option", { value: "" }, own), ...others(lesson.generators, "generate", lesson.generate),
       ...others(lesson.meshes, "mesh", lesson.mesh));
     this.#count.value = lesson.count || 26;
-    this.#axes[2].parentElement.hidden = lesson.dim !== 3;
     this.#count_label.hidden = true;
+    this.#own = lesson.mesh || lesson.generate || "own";
     this.#seed.value = lesson.seed;
   }
 
@@ -80,18 +83,30 @@ export class PointTools {
     const [kind, name] = this.#set.value.split(":");
     this.#count_label.hidden = kind !== "generate";
     if (kind === "mesh") return this.#load_mesh(name);
-    if (kind === "generate") return this.#scatter();
-    this.#command("reset_points");
+    if (kind === "generate") return this.#scatter(Number(this.#seed.value));
+    if (kind === "") this.#command("reset_points");
   }
 
-  #scatter() {
+  #scatter(seed) {
     const [kind, name] = this.#set.value.split(":");
-    const seed = Number(this.#seed.value);
     this.#act(() => {
       const error = kind === "generate" ? this.#door.set_generator(name, Number(this.#count.value), seed) : this.#door.scatter(seed);
       if (error) notice(`${capital(error)}.`);
       else clear_notices();
     });
+  }
+
+  /** Which option the points are of, wherever they came from. A file of the student's own gets one of its own. */
+  #show_source = when_changed((source, size) => {
+    const value = source === this.#own ? "" : (["generate", "mesh"].map((kind) => `${kind}:${source}`).find((kind) => this.#option(kind)) ?? `other:${source}`);
+    this.#set.querySelector("option[value^='other:']")?.remove();
+    if (!this.#option(value)) this.#set.append(element("option", { value }, source === "task" ? "The task’s" : source));
+    this.#set.value = value;
+    this.#count_label.hidden = !value.startsWith("generate:");
+    if (!this.#count_label.hidden) this.#count.value = size;
+  });
+  #option(value) {
+    return [...this.#set.options].find((option) => option.value === value);
   }
 
   async #load_mesh(name) {
@@ -141,7 +156,11 @@ export class PointTools {
     const fields = this.#axes.slice(0, this.#view.coordinates.length);
     // A field that was emptied says no number: the point stays, and its place is shown again.
     if (fields.some((field) => !Number.isFinite(field.valueAsNumber))) return this.#show_place(this.#view.selected, this.#view.coordinates);
-    const to = this.#axes.map((field) => (field.value === "" ? 0 : field.valueAsNumber));
+    // What was not touched keeps the digits that its field has no room for.
+    const to = this.#axes.map((field, i) => {
+      const at = this.#view.coordinates[i] ?? 0;
+      return i < fields.length && field.valueAsNumber !== short(at) ? field.valueAsNumber : at;
+    });
     this.#act(() => {
       const error = this.#door.move_point(this.#view.selected, ...to);
       if (error) notice(/too large/.test(error) ? "That number is too large for a place on the stage." : `${capital(error)}.`);
@@ -172,8 +191,9 @@ export class PointTools {
     this.#point.value = none ? "" : selected;
     this.#axes.forEach((field, i) => {
       field.disabled = none || i >= coordinates.length;
-      field.value = field.disabled ? "" : coordinates[i];
+      field.value = field.disabled ? "" : short(coordinates[i]);
     });
+    this.#axes[2].parentElement.hidden = this.#view?.dim !== 3;
     this.#delete.disabled = none;
   }
 
@@ -185,6 +205,7 @@ export class PointTools {
     set_text(this.#says, `${view.size} ${this.#names[view.size === 1 ? 0 : 1]}${view.edited ? ", changed" : ""}`);
     this.#point.max = view.size - 1;
     this.#show_seed(view.seed);
+    this.#show_source(view.source, view.size, view.lesson);
     this.#show_selected(view.selected, view.coordinates);
     by_id("undo").disabled = !view.canUndo;
     by_id("redo").disabled = !view.canRedo;
