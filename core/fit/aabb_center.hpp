@@ -11,9 +11,9 @@ namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 4> kAabbCenterPseudocode{
     "box ← least and greatest coordinates",
-    "center ← midpoint of the box",
-    "radius ← distance to the farthest point",
-    "return ball",
+    "c ← centre of the box",
+    "r ← distance from c to the farthest point",
+    "return c and r",
 };
 
 /// The sphere around the midpoint of the points' axis-aligned bounding box.

@@ -12,7 +12,7 @@ namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 6> kBruteForcePseudocode{
     "for each pair, triple (and in 3-D quadruple) of points",
-    "  candidate ← smallest ball through them",
+    "  candidate ← smallest through them",
     "  if candidate is smaller than best",
     "    if no point lies outside candidate",
     "      best ← candidate",
@@ -90,7 +90,7 @@ class BruteForce {
   bool has_ball_ = false;
 };
 
-/// The smallest enclosing ball, by trying every ball that two, three (or in 3-D four) points hold.
+/// The smallest enclosing ball, by trying every ball that two, three (or in 3-D four) points support.
 /// points: 1 <= n <= kBruteForceLimit finite points, scene units. O(n^(Dim + 2)) time.
 template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer = Ignore>
 Fit<Sphere<Scalar, Dim>> brute_force(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {

@@ -1,5 +1,5 @@
-// Source: D. Eberly, "3D Game Engine Design", 2000, for the axis and the caps; the line through the centre of the
-// smallest circle in place of the mean is E. Welzl's, "Smallest enclosing disks (balls and ellipsoids)", 1991.
+// Source: D. Eberly, "3D Game Engine Design", 2000, for the axis and the caps. The line goes through the centre of the
+// smallest circle in place of the mean: B. Gärtner, "Fast and robust smallest enclosing balls", 1999.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "fit/capsule_steps.hpp"
+#include "fit/pivot.hpp"
 #include "fit/principal_frame.hpp"
 #include "fit/swept_radius.hpp"
-#include "fit/welzl.hpp"
 
 namespace snug::fit {
 
@@ -41,9 +41,9 @@ template <class Scalar, class Observer>
   for (const auto& q : local) flat.push_back(q.template head<2>());
   const auto set = *PointSet<Scalar, 2>::make(std::move(flat));  // of unit size, so never refused
   const auto circle = [&] {
-    if constexpr (!kWatched<Observer>) return welzl(set.span(), options);
+    if constexpr (!kWatched<Observer>) return pivot(set.span(), options);
     Counter counter;  // its steps are another algorithm's
-    auto fit = welzl(set.span(), options, counter);
+    auto fit = pivot(set.span(), options, counter);
     for (int i = 0; i < kOperations; ++i) observe.count(static_cast<Operation>(i), counter.counts[i]);
     return fit;
   }();

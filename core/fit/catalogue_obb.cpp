@@ -40,7 +40,10 @@ constexpr std::array kObbRows{
                 "T. Larsson, L. Källberg, Fast computation of tight-fitting oriented bounding boxes, 2011",
                 kObbDitoPseudocode}),
     row<kExact, true>(
-        {"obb", "exact", "Exact minimum", "J. O'Rourke, Finding minimal enclosing boxes, 1985", kObbExactPseudocode}),
+        {"obb", "exact", "Exact minimum",
+         "branch and bound on the theorem of J. O'Rourke, Finding minimal enclosing boxes, 1985; in 2-D each edge of "
+         "the hull: H. Freeman, R. Shapira, Determining the minimum-area encasing rectangle, 1975",
+         kObbExactPseudocode}),
 };
 
 }  // namespace

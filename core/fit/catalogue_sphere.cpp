@@ -4,6 +4,7 @@
 #include "fit/brute_force.hpp"
 #include "fit/catalogue_rows.hpp"
 #include "fit/pca_sphere.hpp"
+#include "fit/pivot.hpp"
 #include "fit/ritter.hpp"
 #include "fit/ritter_iterative.hpp"
 #include "fit/welzl.hpp"
@@ -18,18 +19,24 @@ constexpr auto kRitterIterative = [](auto p, const Options& options, auto& o) {
 };
 constexpr auto kPcaSphere = [](auto p, const Options&, auto& o) { return pca_sphere(p, o); };
 constexpr auto kWelzl = [](auto p, const Options& options, auto& o) { return welzl(p, options, o); };
+constexpr auto kPivot = [](auto p, const Options& options, auto& o) { return pivot(p, options, o); };
 constexpr auto kBruteForce = [](auto p, const Options&, auto& o) { return brute_force(p, o); };
 
 constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
 
 constexpr std::array kSphereRows{
-    row<kAabbCenter>({"sphere", "aabb_center", "Box midpoint", kEricson, kAabbCenterPseudocode}),
+    row<kAabbCenter>({"sphere", "aabb_center", "AABB centre", kEricson, kAabbCenterPseudocode}),
     row<kRitter>({"sphere", "ritter", "Ritter", "J. Ritter, An efficient bounding sphere, 1990", kRitterPseudocode}),
     row<kRitterIterative>({"sphere", "ritter_iterative", "Iterative Ritter", kEricson, kRitterIterativePseudocode}),
     row<kPcaSphere>({"sphere", "pca", "PCA (Wu)", "X. Wu, A linear-time simple bounding volume algorithm, 1992",
                      kPcaSpherePseudocode}),
     row<kWelzl, true>({"sphere", "welzl", "Welzl", "E. Welzl, Smallest enclosing disks (balls and ellipsoids), 1991",
                        kWelzlPseudocode}),
+    row<kPivot, true>({.volume = "sphere",
+                       .name = "pivot",
+                       .title = "Farthest-point pivoting",
+                       .source = "B. Gärtner, Fast and robust smallest enclosing balls, 1999",
+                       .pseudocode = kPivotPseudocode}),
     row<kBruteForce, true>({.volume = "sphere",
                             .name = "brute_force",
                             .title = "Brute force",

@@ -1,6 +1,6 @@
-// Source: J. O'Rourke, "Finding minimal enclosing boxes", 1985: two adjacent faces of the smallest box lie on edges of
-// the hull. In 2-D H. Freeman, R. Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed
-// curve", 1975.
+// Source: J. O'Rourke, "Finding minimal enclosing boxes", 1985, for the theorem: two adjacent faces of the smallest box
+// lie on edges of the hull. His algorithm is another; this one is a branch and bound over the pairs of edges. In 2-D H.
+// Freeman, R. Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed curve", 1975.
 #pragma once
 
 #include <array>

@@ -10,7 +10,7 @@
 #include "fit/obb_frame.hpp"
 #include "fit/obb_from_axes.hpp"
 #include "fit/obb_trials.hpp"
-#include "fit/welzl.hpp"
+#include "fit/pivot.hpp"
 
 namespace snug::fit {
 
@@ -31,7 +31,7 @@ struct LongestChord {
   template <class Count>
   LongestChord(std::vector<Vector<double, Dim>> points, Count& count) {
     const auto set = *PointSet<double, Dim>::make(std::move(points));  // finite and small: nothing is refused
-    ball = welzl(set.span(), Options{}, count);
+    ball = pivot(set.span(), Options{}, count);
     count.count(Operation::kDistanceTests, ball.support.size() * (ball.support.size() - 1) / 2);
     pair = {ball.support[0], ball.support[0], kNoIndex, 0};
     for (const Index a : ball.support)

@@ -15,15 +15,15 @@ inline constexpr std::array<std::string_view, 9> kPcaSpherePseudocode{
     "C ← covariance about m",
     "v ← eigenvector of largest eigenvalue",
     "find the extreme points along v",
-    "ball ← those two as diameter",
+    "S ← those two as diameter",
     "for each point p",
-    "  if p outside: grow the ball to p",
-    "hold every point, exactly",
-    "return ball",
+    "  if p lies outside S: grow S to p",
+    "test all points, exactly",
+    "return S",
 };
 
 /// Ritter's sphere with its first ball along the direction of greatest spread.
-/// points: n >= 1 finite points, scene units. O(n) time: five passes.
+/// points: n >= 1 finite points, scene units. O(n) time: four passes, and one that tests the result exactly.
 template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer = Ignore>
 Fit<Sphere<Scalar, Dim>> pca_sphere(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   using Step = SphereStep<Scalar, Dim>;

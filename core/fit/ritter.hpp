@@ -10,8 +10,8 @@
 namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 6> kRitterPseudocode{
-    "find the extreme points along each axis", "ball ← farthest pair as diameter", "for each point p",
-    "  if p outside: grow the ball to p",      "hold every point, exactly",        "return ball",
+    "find the extreme points along each axis", "S ← farthest pair as diameter", "for each point p",
+    "  if p lies outside S: grow S to p",      "test all points, exactly",      "return S",
 };
 
 /// The ball with two points as its diameter.
@@ -51,8 +51,8 @@ Fit<Sphere<Scalar, Dim>> grow_over_all(Sphere<Scalar, Dim> ball, Support support
 }
 
 /// Ritter's sphere: six extremes, the pair farthest apart, one growing pass.
-/// points: n >= 1 finite points, scene units. O(n) time: three passes. Often within 10 per cent of the smallest,
-/// but no bound says so.
+/// points: n >= 1 finite points, scene units. O(n) time: his two passes, and one that tests the result exactly. Often
+/// within 10 per cent of the smallest, but no bound says so.
 template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer = Ignore>
 Fit<Sphere<Scalar, Dim>> ritter(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   using Step = SphereStep<Scalar, Dim>;

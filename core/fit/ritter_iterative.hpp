@@ -12,13 +12,13 @@
 namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 8> kRitterIterativePseudocode{
-    "best ← Ritter's ball",
+    "best ← S ← Ritter's result",
     "repeat 8 times",
-    "  shrink the ball by 5 %, shuffle the points",
+    "  shrink S by 5 %, shuffle the points",
     "  for each point p",
-    "    if p outside: grow the ball to p",
-    "  if the ball is smaller than best: best ← ball",
-    "hold every point, exactly",
+    "    if p lies outside S: grow S to p",
+    "  if S is smaller than best: best ← S",
+    "test all points, exactly",
     "return best",
 };
 

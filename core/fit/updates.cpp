@@ -10,6 +10,7 @@
 #include "fit/lift.hpp"
 #include "fit/obb_pca.hpp"
 #include "fit/obb_pca_rectangle.hpp"
+#include "fit/pivot.hpp"
 #include "fit/quickhull.hpp"
 #include "fit/update_hill_climb.hpp"
 #include "fit/update_kdop_climb.hpp"
@@ -18,7 +19,6 @@
 #include "fit/update_rebuild.hpp"
 #include "fit/update_rotated_box.hpp"
 #include "fit/update_sphere.hpp"
-#include "fit/welzl.hpp"
 #include "query/contains.hpp"
 
 namespace snug::fit {
@@ -62,7 +62,7 @@ class Body {
  public:
   Body(const UpdateStrategy& strategy, PointSpan<Scalar, Dim> span)
       : strategy_(strategy), points_(span), box_(aabb_min_max(span).volume) {
-    if (strategy.volume == "sphere") ball_ = welzl(span, Options{}).volume;
+    if (strategy.volume == "sphere") ball_ = pivot(span, Options{}).volume;
     if (strategy.volume == "obb") {
       if constexpr (Dim == 2) oriented_ = obb_pca(span).volume;
       else oriented_ = obb_pca_rectangle(span).volume;

@@ -108,7 +108,7 @@ void stack(const ClaimContext& context, ClaimRow& row) {
   row.verdict = depth.deepest >= kPoints ? kHolds : kFalse;
   row.measured = said("the printed recursion goes %d calls deep on %d points, %.0f bytes each: a stack of 8 MiB ends "
                       "at about %.0f points. "
-                      "The loop that this program runs keeps five frames, however many points there are",
+                      "The loop that this program runs has five calls at a time at most, however many points there are",
                       static_cast<int>(depth.deepest), kPoints, depth.bytes_per_call, kUsual / depth.bytes_per_call);
 }
 

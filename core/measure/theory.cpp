@@ -15,6 +15,8 @@ double fifth(double n) { return fourth(n) * n; }
 constexpr std::string_view kPasses = "so many passes over the points, by the code";
 constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
 constexpr std::string_view kWelzl = "E. Welzl, Smallest enclosing disks (balls and ellipsoids), 1991";
+constexpr std::string_view kGaertner =
+    "no bound on the passes is proven; B. Gärtner, Fast and robust smallest enclosing balls, 1999";
 constexpr std::string_view kQuickhull =
     "C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The Quickhull algorithm for convex hulls, 1996";
 constexpr std::string_view kRomanick = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007";
@@ -31,10 +33,11 @@ constexpr std::array kTheories{
     Theory{"sphere", "ritter_iterative", "O(n)", linear, false, kPasses},
     Theory{"sphere", "pca", "O(n)", linear, true, kPasses},
     Theory{"sphere", "welzl", "O(n) expected", linear, false, kWelzl},  // and a first share that has no n in it
+    Theory{"sphere", "pivot", "O(n) a pass, few passes", linear, false, kGaertner},
     Theory{"sphere", "brute_force", "O(n^5)", fifth, false, kRomanick, "O(n^4)", fourth},
     Theory{"aabb", "min_max", "O(n)", linear, true, kEricson},
     Theory{"obb", "aabb", "O(n)", linear, true, kPasses},
-    Theory{"obb", "sphere_axis", "O(n) expected", linear, false, kWelzl},
+    Theory{"obb", "sphere_axis", "O(n) a pass, few passes", linear, false, kGaertner},
     Theory{"obb", "pca", "O(n)", linear, true, kPasses},
     Theory{"obb", "pca_hull", "O(n log n) expected", sorting, false, kQuickhull},
     Theory{"obb", "pca_hull_area", "O(n log n) expected", sorting, false, kQuickhull},
@@ -43,7 +46,7 @@ constexpr std::array kTheories{
            "each face with each vertex of the hull, by the code", "O(n log n)", sorting},
     Theory{"obb", "dito", "O(n)", linear, true, kDito},
     Theory{"obb", "exact", "O(n log n + h^2)", square, false, kEdges, "O(n log n)", sorting},
-    Theory{"capsule", "pca", "O(n) expected", linear, false, kWelzl},
+    Theory{"capsule", "pca", "O(n) a pass, few passes", linear, false, kGaertner},
     Theory{"lozenge", "pca", "O(n)", linear, true, kPasses},
     Theory{"kdop", "k4", "O(k n)", linear, true, kKlosowski},
     Theory{"kdop", "k6", "O(k n)", linear, true, kKlosowski},

@@ -70,7 +70,7 @@ void row(const char* name, const AnyPointSet& points, const fit::Algorithm& algo
 
 /// As bench_spheres takes their time.
 void spheres(const char* name, const AnyPointSet& points) {
-  for (const char* algorithm : {"aabb_center", "ritter", "pca", "welzl"}) {
+  for (const char* algorithm : {"aabb_center", "ritter", "pca", "welzl", "pivot"}) {
     const fit::Algorithm& row_of = *fit::find_algorithm("sphere", algorithm);
     row(name, points, row_of, [&] { bench::keep(row_of.fit(points, {})); });
   }

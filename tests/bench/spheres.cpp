@@ -56,7 +56,7 @@ struct Limit {
   const char* algorithm;
   double passes;
 };
-constexpr Limit kLimits[] = {{"aabb_center", 3}, {"ritter", 5}, {"pca", 8}, {"welzl", 16}};
+constexpr Limit kLimits[] = {{"aabb_center", 3}, {"ritter", 5}, {"pca", 8}, {"pivot", 16}};
 
 void one_cloud(const char* kind) {
   const Set set = *Set::make(*generate(kind, kPoints, 3, 1));
@@ -73,9 +73,9 @@ void one_cloud(const char* kind) {
 
 void beside_cgal(const char* name, const Set& set, int rounds) {
   const AnyPointSet any = set;
-  const fit::Algorithm& welzl = *fit::find_algorithm("sphere", "welzl");
+  const fit::Algorithm& pivot = *fit::find_algorithm("sphere", "pivot");
   double ours = 0, theirs = 0;
-  const auto r = bench::ratio([&] { ours = fit::ball_of(welzl.fit(any, {})).radius; },
+  const auto r = bench::ratio([&] { ours = fit::ball_of(pivot.fit(any, {})).radius; },
                               [&] { theirs = bench::cgal_ball_radius(set.span()); }, rounds);
   std::printf("| %s | %d | %.2f | %.2f to %.2f | %.2f | %.0e | %s |\n", name, set.size(), r.median, r.low, r.high,
               1e3 * r.base, theirs / ours - 1, r.median <= 1 ? "yes" : "NO");
@@ -95,7 +95,7 @@ void observer() {
 int main() {
   std::printf("| points | algorithm | passes | quartiles | at most | met |\n|---|---|---|---|---|---|\n");
   for (const char* kind : {"cube", "sphere", "gaussian"}) one_cloud(kind);
-  std::printf("\n| points | n | welzl / CGAL | quartiles | CGAL, ms | CGAL's radius larger by | met "
+  std::printf("\n| points | n | pivot / CGAL | quartiles | CGAL, ms | CGAL's radius larger by | met "
               "|\n|---|---:|---:|---|---:|---:|---|\n");
   for (const char* kind : {"cube", "sphere", "gaussian"}) {
     beside_cgal(kind, *Set::make(*generate(kind, 1000, 3, 1)), 101);

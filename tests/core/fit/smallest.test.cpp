@@ -19,7 +19,7 @@ void check_against_brute_force(const std::string& name, const test::Cloud<Scalar
   INFO(name << ", " << points.size() << " points, dim " << Dim << ", " << sizeof(Scalar) << " bytes");
   const Rational exact = exact::smallest_square(points);
   const auto set = test::set_of<Scalar, Dim>(points);
-  for (const char* algorithm : {"welzl", "brute_force"}) {
+  for (const char* algorithm : {"welzl", "pivot", "brute_force"}) {
     CAPTURE(algorithm);
     const auto fit = fit::find_algorithm("sphere", algorithm)->fit(set, {});
     const Rational radius(ball_of(fit).radius);
@@ -50,6 +50,34 @@ TEST_CASE("the smallest ball is as small as the exact one on random clouds") {
       check_against_brute_force<double, 2>(kind, test::generated<double, 2>(kind, 9, seed));
       check_against_brute_force<double, 3>(kind, test::generated<double, 3>(kind, 7, seed));
     }
+}
+
+TEST_CASE("Welzl's recursion and pivoting end with the same ball, and prove it, however many points there are") {
+  for (const char* kind : {"gaussian", "cube", "ball", "sphere", "lattice", "clusters", "line"})
+    for (const int n : {1, 2, 14, 256, 257, 3000}) {
+      const auto set = test::set_of<double, 3>(test::generated<double, 3>(kind, n, 5));
+      const auto pivot = fit::find_algorithm("sphere", "pivot")->watch(set, {}, {});
+      const double radius = ball_of(pivot.result).radius;
+      CHECK(pivot.certificate.optimal == true);
+      for (const std::uint64_t seed : {1, 2, 3}) {
+        CAPTURE(kind);
+        CAPTURE(n);
+        CAPTURE(seed);
+        const auto run = welzl().watch(set, {seed}, {});
+        CHECK(run.certificate.contains);
+        CHECK(run.certificate.optimal == true);
+        CHECK(std::abs(ball_of(run.result).radius - radius) <= 1e-14 * radius);
+      }
+    }
+}
+
+TEST_CASE("the optimum is worked out by pivoting; in the catalogue it stands between Welzl and brute force") {
+  CHECK(fit::exact_algorithm("sphere")->name == "pivot");
+  const auto rows = fit::algorithms_of("sphere");
+  REQUIRE(rows.size() == 7);
+  CHECK(rows[4].name == "welzl");
+  CHECK(rows[5].name == "pivot");
+  CHECK(rows[6].name == "brute_force");
 }
 
 TEST_CASE("a regular tetrahedron's smallest ball has its four corners as support") {

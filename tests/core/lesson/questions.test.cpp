@@ -9,11 +9,12 @@ using test::small_lesson_with;
 
 namespace {
 
-/// The small lesson with one question, on an algorithm of its own.
+/// The small lesson with one question, on an algorithm of its own. Its seed puts Welzl's list in the order P1, P0, P4.
 Session ask(const std::string& algorithm, const std::string& rest) {
   const std::string own =
       "[[question]]\nid = \"own\"\nprompt = \"?\"\nbecause = \"So.\"\nalgorithm = \"" + algorithm + "\"\n";
-  Session session = test::open(small_lesson_with("[task]", own + rest + "\n[task]"));
+  std::string text = small_lesson_with("[task]", own + rest + "\n[task]");
+  Session session = test::open(text.replace(text.find("seed = 5"), 8, "seed = 2"));
   REQUIRE(session.choose(0, algorithm).has_value());
   session.last();
   REQUIRE(session.asked() != nullptr);
@@ -121,7 +122,7 @@ TEST_CASE("choice: by the file's answer, and only on the lesson's own points") {
 TEST_CASE("leaves: which point leaves the support when Welzl's recursion is through") {
   // P4 comes when P0 and P1 hold the circle: both stay. So nothing leaves.
   Session none = ask("welzl", "before = \"boundary_forced\"\nnth = 3\nasks = \"leaves\"");
-  CHECK(none.asked()->choices == std::vector<std::string>{"none", "P1", "P0"});
+  CHECK(none.asked()->choices == std::vector<std::string>{"none", "P0", "P1"});
   CHECK_FALSE(none.answer(point(4)));  // it does not hold the circle yet, so it cannot leave
   REQUIRE(none.answer(choice(0)));
   CHECK(none.outcome()->right);
@@ -146,7 +147,7 @@ TEST_CASE("holds: how many points hold the ball, asked before anything is shown"
   REQUIRE(session.answer(choice(1)));
   CHECK(session.step() == session.steps());
   CHECK_FALSE(session.outcome()->right);
-  CHECK(session.outcome()->says == "You said 2. P0, P1 and P4 hold the circle.");
+  CHECK(session.outcome()->says == "You said 2. P0, P1 and P4 support the circle.");
 }
 
 TEST_CASE("better: whether a candidate becomes the best") {

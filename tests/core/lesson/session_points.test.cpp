@@ -199,11 +199,11 @@ TEST_CASE("rivals and the optimum follow the points") {
   Session session = open_small();
   REQUIRE(session.rivals().size() == 3);
   CHECK(session.rivals()[0].excess == doctest::Approx(2.25 / 2.05 - 1));
-  CHECK(session.rivals()[1].excess == 0);
+  CHECK(std::abs(*session.rivals()[1].excess) < 1e-12);
   CHECK(ball_of(session.optimum()->result).radius == doctest::Approx(2.05));
   REQUIRE(session.move(4, V(0, 0, 0)).has_value());
-  CHECK(session.rivals()[0].excess == 0);
+  CHECK(std::abs(*session.rivals()[0].excess) < 1e-12);
   CHECK(ball_of(session.optimum()->result).radius == doctest::Approx(2));
-  REQUIRE(session.choose(0, "welzl").has_value());
+  REQUIRE(session.choose(0, "pivot").has_value());
   CHECK(session.optimum() == &session.recording(0));
 }
