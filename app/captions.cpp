@@ -11,6 +11,7 @@
 #include "lesson/box_tests.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/frustum_box.hpp"
+#include "lesson/passes.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::app {
@@ -40,6 +41,7 @@ struct Sayer {
   const Step3* next;
   const AnyPointSet& points;
   bool exact;
+  std::optional<double> best_before;
   std::string ball;  // "circle", "sphere"
 
   /// Of the ball that the step has; 0 where it has none.
@@ -68,16 +70,16 @@ struct Sayer {
     const Point widths = fact.greatest - fact.least;
     std::string size = number_text(widths[0]) + " × " + number_text(widths[1]);
     if (dim() == 3) size += " × " + number_text(widths[2]);
-    return "The box around all points is " + size + "; its midpoint becomes the centre.";
+    return "The AABB of all points is " + size + "; its centre becomes the centre of the " + ball + ".";
   }
 
   std::string operator()(const fit::PairChosen& fact) const {
     const std::string pair = point_name(fact.a) + " and " + point_name(fact.b);
-    if (!step.has_volume) return pair + " reach farthest to either side along the main axis.";
-    const std::string why =
-        fact.axis == kNoIndex ? ", the ends along the main axis, become"
-                              : ", the extremes along " + direction_name(fact.axis) + ", are farthest apart and become";
-    return pair + why + " the first diameter: " + number_text(fact.distance) + ".";
+    if (!step.has_volume) return pair + " lie farthest out along the main axis, one on each side.";
+    const std::string why = fact.axis == kNoIndex ? ", the extremes along the main axis, are"
+                                                  : ", the extremes along " + direction_name(fact.axis) +
+                                                        ", are the pair farthest apart. They are";
+    return pair + why + " the ends of the first diameter, " + number_text(fact.distance) + " long.";
   }
 
   std::string operator()(const fit::FarthestFound& fact) const {
@@ -87,13 +89,13 @@ struct Sayer {
 
   std::string operator()(const fit::PointExamined& fact) const {
     const std::string point = point_name(fact.point);
-    if (!step.has_volume) return point + " is the first point: there is no " + ball + " yet to hold it.";
+    if (!step.has_volume) return point + " is the first point: there is no " + ball + " yet to contain it.";
     const double gap = fact.distance - radius();
     const bool forced = next != nullptr && std::holds_alternative<fit::BoundaryForced>(next->fact);
     if (!fact.outside)
       return point + " lies inside" + (gap < 0 ? " by " + short_figure(-gap) : "") + ": nothing changes.";
     return point + " lies outside by " + short_figure(gap) +
-           (forced ? ", so it is on the boundary of the next " + ball + "." : ".");
+           (forced ? ", so it must be on the boundary of the next " + ball + "." : ".");
   }
 
   std::string operator()(const fit::BallGrown<double, 3>& fact) const {
@@ -109,50 +111,54 @@ struct Sayer {
   }
 
   std::string operator()(const fit::CovarianceFound<double, 3>&) const {
-    return std::string("The covariance says how the points spread about the mean; drawn as ") +
-           (dim() == 2 ? "an ellipse" : "an ellipsoid") + " at one and two standard deviations.";
+    return std::string("The covariance matrix says how the points spread about the mean. The ") +
+           (dim() == 2 ? "ellipses are" : "ellipsoids are") + " drawn at one and two standard deviations.";
   }
 
   std::string operator()(const fit::AxesFound<double, 3>& fact) const {
     const double most = std::sqrt(std::max(fact.variances[2], 0.0));
-    return std::string("The eigenvectors are the ") + (dim() == 2 ? "ellipse" : "ellipsoid") +
-           "'s axes: the points spread most along the longest, with σ = " + number_text(most) + ".";
+    return std::string("The eigenvectors are the axes of the ") + (dim() == 2 ? "ellipse" : "ellipsoid") +
+           ". The points spread most along the longest, with σ = " + number_text(most) + ".";
   }
 
   std::string operator()(const fit::BallShrunk<double, 3>& fact) const {
-    return "Pass " + std::to_string(fact.pass) + ": the " + ball + " shrinks by 5 % to " + number_text(radius()) +
+    return "Pass " + std::to_string(fact.pass) + ": the radius shrinks by 5 % to " + number_text(radius()) +
            ", and the points are shuffled.";
   }
 
   std::string operator()(const fit::PassJudged<double, 3>& fact) const {
     const std::string pass = "Pass " + std::to_string(fact.pass) + " ends at ";
+    if (fact.better && best_before) {
+      const auto [own, before] = lesson::number_texts_apart(radius(), *best_before);
+      if (own != before) return pass + own + ", smaller than the best so far, " + before + ": it is kept.";
+    }
     if (fact.better) return pass + number_text(radius()) + ", the smallest so far: it is kept.";
     const auto [own, best] = lesson::number_texts_apart(radius(), fact.best.radius);
-    if (own == best) return pass + own + ", as large as the best: it is dropped.";
-    return pass + own + ", larger than the best, " + best + ": it is dropped.";
+    if (own == best) return pass + own + ", as large as the best so far: it is dropped.";
+    return pass + own + ", larger than the best so far, " + best + ": it is dropped.";
   }
 
   std::string operator()(const fit::BoundaryForced& fact) const {
     const std::string names = name_of_points(span_of(fact.boundary));
-    if (fact.boundary.size() == 1)
-      return names + " must be on the boundary: the " + ball + " starts again as that point alone.";
-    return names + " must be on the boundary: the smallest " + ball + " through them has radius " +
-           number_text(radius()) + ".";
+    const std::string call = "solve is called with " + names + " on the boundary: ";
+    if (fact.boundary.size() == 1) return call + "the " + ball + " begins as that point alone.";
+    return call + "the smallest " + ball + " through them has radius " + number_text(radius()) + ".";
   }
 
   std::string operator()(const fit::MovedToFront& fact) const {
-    return point_name(fact.point) + " moves to the front of the list: it will be tested first from now on.";
+    return point_name(fact.point) + " moves to the front of the list, and the call that waited for it goes on.";
   }
 
   std::string operator()(const fit::AllChecked& fact) const {
-    if (fact.outside == 0) return "Every point is held against the " + ball + ": none lies outside.";
-    return "All points are held against the " + ball + ": " + counted(fact.outside, "candidate") +
+    if (fact.outside == 0) return "All points are tested against the " + ball + ": none lies outside.";
+    return "All points are tested against the " + ball + ": " + counted(fact.outside, "candidate") +
            (fact.outside == 1 ? " lies outside." : " lie outside.");
   }
 
   std::string operator()(const fit::RadiusChecked& fact) const {
     return "The last check, in exact arithmetic: " + point_name(fact.farthest) + " is farthest out, " +
-           (fact.widened ? "and the radius widens by its last digit to hold it." : "and the " + ball + " holds it.");
+           (fact.widened ? "and the radius grows in its last digit to contain it."
+                         : "and the " + ball + " contains it.");
   }
 
   std::string operator()(const fit::SupportReplaced& fact) const {
@@ -162,8 +168,8 @@ struct Sayer {
     const std::string left =
         gone.size() == 0 ? "" : name_of_points(span_of(gone)) + (gone.size() == 1 ? " leaves" : " leave");
     if (fact.entered == kNoIndex)
-      return (left.empty() ? "The support set is solved again" : left + " the support set") + ": the rest hold the " +
-             ball + " alone.";
+      return (left.empty() ? "The support set is solved again" : left + " the support set") +
+             ": the other points support the " + ball + " alone.";
     return point_name(fact.entered) + " joins the support set" +
            (left.empty() ? ", and none leaves it." : ", and " + left + " it.");
   }
@@ -174,13 +180,14 @@ struct Sayer {
     const std::string tried = "The " + ball + " of " + names;
     switch (fact.verdict) {
       case Verdict::kKept:
-        return tried + " holds every point and is the smallest so far, " + number_text(fact.candidate.radius) +
-               ": kept.";
-      case Verdict::kNotSmaller: return tried + " is no smaller than the best: dropped unseen.";
-      case Verdict::kLeavesPointOutside: return tried + " leaves " + point_name(fact.outside) + " outside: dropped.";
+        return tried + " contains all points and is the smallest so far, " + number_text(fact.candidate.radius) +
+               ": it is kept.";
+      case Verdict::kNotSmaller: return tried + " is no smaller than the best: no point needs testing.";
+      case Verdict::kLeavesPointOutside:
+        return tried + " leaves " + point_name(fact.outside) + " outside: it is dropped.";
       case Verdict::kNoBall: break;
     }
-    return names + " have no " + ball + " of their own: they are in line, or on one spot.";
+    return "The smallest " + ball + " around " + names + " is supported by fewer of them: it is no new candidate.";
   }
 
   std::string operator()(const fit::ExtentsFound<double, 3>& fact) const {
@@ -191,7 +198,7 @@ struct Sayer {
 
   std::string operator()(const fit::BallFound<double, 3>& fact) const {
     return "The smallest " + ball + " around the points has radius " + number_text(fact.ball.radius) +
-           "; it is held by " + name_of_points(span_of(fact.support)) + ".";
+           "; it is supported by " + name_of_points(span_of(fact.support)) + ".";
   }
 
   std::string operator()(const fit::HullFound& fact) const {
@@ -397,9 +404,9 @@ struct Sayer {
 
   std::string operator()(const fit::Finished& fact) const {
     // The iterative method starts from Ritter's result: the same fact, but not the end.
-    if (next != nullptr) return "Ritter's " + ball + " is where it starts, with radius " + number_text(radius()) + ".";
+    if (next != nullptr) return "It starts from Ritter's " + ball + ", with radius " + number_text(radius()) + ".";
     const std::string done = "Done: " + size(), names = name_of_points(span_of(fact.support));
-    return exact ? done + ", held by " + names + "." : done + "; it touches " + names + ".";
+    return exact ? done + ", supported by " + names + "." : done + "; it touches " + names + ".";
   }
 };
 
@@ -415,8 +422,9 @@ std::string name_of_points(std::span<const Index> points) {
   return text;
 }
 
-std::string caption_of(const Step3& step, const Step3* next, const AnyPointSet& points, bool exact) {
-  return std::visit(Sayer{step, next, points, exact, lesson::ball_word(fit::dim_of(points))}, step.fact);
+std::string caption_of(const Step3& step, const Step3* next, const AnyPointSet& points, bool exact,
+                       std::optional<double> best_before) {
+  return std::visit(Sayer{step, next, points, exact, best_before, lesson::ball_word(fit::dim_of(points))}, step.fact);
 }
 
 std::string caption_at_start(const fit::Algorithm& algorithm, Index points) {
@@ -438,7 +446,7 @@ std::string caption_at(const lesson::Session& session) {
   const auto& steps = session.recording(0).steps;
   const auto next = static_cast<std::size_t>(session.step());
   return caption_of(entry->step, next < steps.size() ? &steps[next].step : nullptr, session.points(),
-                    session.algorithm(0)->exact);
+                    session.algorithm(0)->exact, lesson::best_before(steps, session.step()));
 }
 
 }  // namespace snug::app

@@ -1,6 +1,7 @@
 // What a step says, in a student's words: one sentence for each fact.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -14,9 +15,9 @@ namespace snug::app {
 
 /// One sentence on a step. next: the step after it, null where it is the last; it says what follows from this one.
 /// points: those that the trace was made of. exact: whether the algorithm claims the smallest volume; the points of any
-/// other's result touch it, but do not hold it in place.
+/// other's result touch it, but do not support it. best_before: of a pass that is judged, the best radius until then.
 [[nodiscard]] std::string caption_of(const fit::Step3& step, const fit::Step3* next, const AnyPointSet& points,
-                                     bool exact);
+                                     bool exact, std::optional<double> best_before = {});
 
 /// The sentence before the first step.
 [[nodiscard]] std::string caption_at_start(const fit::Algorithm& algorithm, Index points);

@@ -6,10 +6,12 @@
 #include <string>
 
 #include "app/axis_table.hpp"
+#include "app/call_panel.hpp"
 #include "app/marks.hpp"
 #include "app/scene_panel.hpp"
 #include "app/widgets.hpp"
 #include "lesson/box_figures.hpp"
+#include "lesson/passes.hpp"
 
 namespace snug::app {
 namespace {
@@ -42,10 +44,11 @@ class Column {
     rule(list_, x_, y_ - 1, width_, look_->line);
   }
 
-  void rival(const lesson::Session::Rival& rival, double widest, bool chosen, bool beside) {
+  void rival(const lesson::Session::Rival& rival, double widest, bool chosen, bool beside, bool hidden) {
     const float size = 14, small = 13;
-    const std::string value =
-        chosen || !rival.excess ? lesson::number_text(rival.size) : lesson::percent_text(*rival.excess);
+    const std::string value = hidden                    ? "—"
+                              : chosen || !rival.excess ? lesson::number_text(rival.size)
+                                                        : lesson::percent_text(*rival.excess);
     const Color bar = chosen ? look_->current : look_->previous;
     text_right(list_, look_, chosen ? Face::kMonoBold : Face::kMono, small, {x_ + width_, y_ + look_.px(4)},
                chosen ? look_->current_text : look_->muted, value);
@@ -55,7 +58,7 @@ class Column {
     const float top = y_ + look_.px(24), height = 6;
     const float share = widest > 0 ? static_cast<float>(rival.size / widest) : 1.0f;
     list_->AddRectFilled({x_, top}, {x_ + width_, top + height}, look_->track, height / 2);
-    list_->AddRectFilled({x_, top}, {x_ + width_ * share, top + height}, bar, height / 2);
+    if (!hidden) list_->AddRectFilled({x_, top}, {x_ + width_ * share, top + height}, bar, height / 2);
     y_ += look_.px(40);
   }
 
@@ -78,6 +81,10 @@ class Column {
     if (lesson::axes_seen(session.recording(0).steps).empty()) return;
     heading("The axes");
     y_ += draw_axis_table(look_, session, {x_, y_}, width_) + look_.px(28);
+  }
+
+  void calls(const lesson::Session& session) {
+    if (const float height = draw_call_panel(look_, session, {x_, y_}, width_); height > 0) y_ += height + look_.px(28);
   }
 
   void scene(lesson::Session& session) {
@@ -128,6 +135,7 @@ void draw_inspector(const Look& look, lesson::Session& session, const Rect& rect
     column.gap(look.px(28));
   }
 
+  column.calls(session);
   if (session.boxes() != nullptr) column.axes(session);
   column.scene(session);
 
@@ -141,9 +149,11 @@ void draw_inspector(const Look& look, lesson::Session& session, const Rect& rect
     column.heading("In the end, beside the others");
     double widest = 0;
     for (const auto& rival : session.rivals()) widest = std::max(widest, rival.size);
-    for (const auto& rival : session.rivals())
-      column.rival(rival, widest * 1.08, rival.algorithm == session.algorithm(0),
-                   rival.algorithm == session.algorithm(1));
+    for (const auto& rival : session.rivals()) {
+      const bool chosen = rival.algorithm == session.algorithm(0);
+      column.rival(rival, widest * 1.08, chosen, rival.algorithm == session.algorithm(1),
+                   chosen && lesson::hides_result(session));
+    }
     column.gap(look.px(20));
   }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "lesson/methods.hpp"
+#include "lesson/passes.hpp"
 #include "lesson/trace_hash.hpp"
 #include "web/boxes.hpp"
 #include "web/costs.hpp"
@@ -106,12 +107,13 @@ void set_algorithms(val& object, const lesson::Session& session) {
   object.set("code", array_of(session.pseudocode(0), text));
   const auto* entry = session.current(0);
   object.set("line", entry != nullptr ? entry->step.line : -1);
-  object.set("rivals", array_of(session.rivals(), [](const lesson::Session::Rival& rival) {
+  object.set("rivals", array_of(session.rivals(), [&](const lesson::Session::Rival& rival) {
                val row = val::object();
                row.set("name", text(rival.algorithm->name));
                row.set("title", text(rival.algorithm->title));
-               row.set("size", rival.size);
-               row.set("excess", rival.excess ? val(*rival.excess) : val::null());
+               const bool hidden = rival.algorithm == session.algorithm(0) && lesson::hides_result(session);
+               row.set("size", hidden ? val::null() : val(rival.size));
+               row.set("excess", rival.excess && !hidden ? val(*rival.excess) : val::null());
                return row;
              }));
 }

@@ -6,6 +6,7 @@
 #include "lesson/box_tests.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/frustum_tests.hpp"
+#include "lesson/passes.hpp"
 #include "lesson/scene_figures.hpp"
 #include "lesson/scene_runs.hpp"
 #include "lesson/words.hpp"
@@ -48,7 +49,7 @@ struct Predicate {
   std::string operator()(const ExtremesFound<double, 3>&) const { return "reach farthest along the axes"; }
   std::string operator()(const PairChosen&) const { return plural ? "are chosen" : "is chosen"; }
   std::string operator()(const FarthestFound&) const { return "is the farthest"; }
-  std::string operator()(const PointExamined&) const { return "is held against the " + ball; }
+  std::string operator()(const PointExamined&) const { return "is tested against the " + ball; }
   std::string operator()(const BallGrown<double, 3>&) const { return "lies outside, and the " + ball + " grows to it"; }
   std::string operator()(const MovedToFront&) const { return "moves to the front"; }
   std::string operator()(const SupportReplaced&) const { return "enters the support set"; }
@@ -60,7 +61,9 @@ struct Predicate {
     return fact.outside != kNoIndex ? "lies outside" : plural ? "are tried" : "is tried";
   }
   std::string operator()(const ExtentsFound<double, 3>&) const { return "reach farthest along the box's axes"; }
-  std::string operator()(const BallFound<double, 3>&) const { return plural ? "hold the ball" : "holds the ball"; }
+  std::string operator()(const BallFound<double, 3>&) const {
+    return (plural ? "support the " : "supports the ") + ball;
+  }
   std::string operator()(const HullFound&) const { return "are the corners of the hull"; }
   std::string operator()(const PointsChosen&) const { return plural ? "are chosen" : "is chosen"; }
   std::string operator()(const RectangleFound<double, 3>&) const {
@@ -85,11 +88,11 @@ struct Predicate {
     return fact.inside ? "lies in the other box" : "is free";
   }
   std::string operator()(const query::PlaneTested<double, 3>&) const { return "are the p- and the n-vertex"; }
-  std::string operator()(const query::CornerTested<double, 3>&) const { return "is held against the frustum"; }
+  std::string operator()(const query::CornerTested<double, 3>&) const { return "is tested against the frustum"; }
   std::string operator()(const query::AxisTested<double, 3>&) const {
     return std::string(plural ? "come" : "comes") + " nearest to A along this axis";
   }
-  std::string operator()(const auto&) const { return (plural ? "hold the " : "holds the ") + ball; }
+  std::string operator()(const auto&) const { return (plural ? "support the " : "supports the ") + ball; }
 };
 
 Truth point_truth(const Asked& asked, const Step3& step) {
@@ -137,10 +140,21 @@ Truth leaves_truth(const Asked& asked, Trace trace) {
   return truth;
 }
 
-Truth better_truth(const Step3& step) {
+/// "It ends at 0.99182, smaller than the best before, 0.99196."
+std::string pass_sentence(double radius, double best, bool better) {
+  const auto [own, before] = number_texts_apart(radius, best);
+  if (own == before) return "It ends at " + own + ", as large as the best before, but for rounding.";
+  return "It ends at " + own + (better ? ", smaller" : ", larger") + " than the best before, " + before + ".";
+}
+
+Truth better_truth(const Asked& asked, Trace trace) {
+  const Step3& step = trace[asked.fact].step;
   const auto* pass = std::get_if<PassJudged<double, 3>>(&step.fact);
   const auto* tried = std::get_if<CandidateTried<double, 3>>(&step.fact);
   const bool better = pass != nullptr ? pass->better : tried->verdict == CandidateTried<double, 3>::Verdict::kKept;
+  const std::string happened = better ? "yes" : "no";
+  if (const auto best = best_before(trace, asked.fact + 1))
+    return {{better ? 0 : 1}, {}, happened, pass_sentence(fit::size_of(step.volume, asked.dim), *best, better)};
   if (better) return {{0}, {}, "yes", "It is the smallest so far, and is kept."};
   if (tried != nullptr && tried->outside != kNoIndex)
     return {{1}, {}, "no", point_name(tried->outside) + " lies outside, so it is not kept."};
@@ -154,7 +168,7 @@ Truth holds_truth(const Asked& asked, const Finished& finished) {
   return {{n - 1},
           points,
           count,
-          names(asked, points) + (n == 1 ? " holds" : " hold") + " the " + ball_word(asked.dim) + "."};
+          names(asked, points) + (n == 1 ? " supports" : " support") + " the " + ball_word(asked.dim) + "."};
 }
 
 Truth separates_truth(const query::AxisTested<double, 3>& axis) {
@@ -242,7 +256,7 @@ Truth truth_of(const Asked& asked, Trace trace) {
     case Asks::kAxis: return axis_truth(asked, *std::get_if<PairChosen>(&step.fact));
     case Asks::kGrows: return grows_truth(asked, trace);
     case Asks::kLeaves: return leaves_truth(asked, trace);
-    case Asks::kBetter: return better_truth(step);
+    case Asks::kBetter: return better_truth(asked, trace);
     case Asks::kHolds: return holds_truth(asked, *std::get_if<Finished>(&step.fact));
     case Asks::kSeparates: return separates_truth(*std::get_if<query::AxisTested<double, 3>>(&step.fact));
     case Asks::kWhichAxis: return which_axis_truth(asked, trace);

@@ -8,6 +8,7 @@
 #include "lesson/box_figures.hpp"
 #include "lesson/frustum_box.hpp"
 #include "lesson/frustum_figures.hpp"
+#include "lesson/passes.hpp"
 #include "lesson/scene_figures.hpp"
 #include "lesson/scene_set.hpp"
 #include "lesson/volume_check.hpp"
@@ -19,11 +20,19 @@ namespace {
 using namespace fit;
 
 constexpr std::array<std::string_view, kOperations> kOperationTitles{
-    "Points touched", "Distance tests", "Comparisons",      "Dot products",
-    "Square roots",   "Ball solves",    "Orientation tests"};
+    "Points touched", "Distance tests", "Comparisons", "Dot products", "Square roots", "", "Orientation tests"};
 
 std::string count_text(std::int64_t n, std::string_view one, std::string_view many) {
   return std::to_string(n) + " " + std::string(n == 1 ? one : many);
+}
+
+/// As many digits, four or more, as tell two numbers apart. Nine do not tell apart what differs by rounding alone: four
+/// then.
+int digits_apart(double a, double b) {
+  constexpr int kMostDigits = 9, kUsual = 4;
+  for (int digits = kUsual; digits <= kMostDigits; ++digits)
+    if (number_text(a, digits) != number_text(b, digits)) return digits;
+  return kUsual;
 }
 
 /// Collects the figures of one place in a run.
@@ -45,8 +54,8 @@ class Board {
   void add(std::string_view name, std::string key, std::string text, double value, std::string_view unit) {
     figures_.push_back({std::string(name), std::move(key), std::move(text), value, std::string(unit)});
   }
-  void length(std::string_view name, std::string key, double value) {
-    add(name, std::move(key), number_text(value) + " units", value, "units");
+  void length(std::string_view name, std::string key, double value, int digits = 4) {
+    add(name, std::move(key), number_text(value, digits) + " units", value, "units");
   }
   void of_all(std::string_view name, std::string key, Index count) {
     add(name, std::move(key), std::to_string(count) + " of " + std::to_string(fit::size_of(*run_.points)), count,
@@ -67,7 +76,7 @@ class Board {
 
   void size(double value) {
     const std::string so_far = run_.step == static_cast<int>(trace_.size()) ? "" : " so far";
-    if (ball_of(entry_->step) != nullptr) return length("Radius" + so_far, "radius", value);
+    if (ball_of(entry_->step) != nullptr) return length("Radius" + so_far, "radius", value, digits_beside_best(value));
     const bool plane = dim_of(*run_.points) == 2;
     const std::string unit = plane ? "units²" : "units³";
     add((plane ? "Area" : "Volume") + so_far, "measure", number_text(value) + " " + unit, value, unit);
@@ -100,15 +109,23 @@ class Board {
       length("Outside by", "outside_by", examined->distance - ball->radius);
   }
 
+  /// So many that a radius is told from what it is compared with.
+  [[nodiscard]] int digits_beside_best(double radius) const {
+    const auto before = best_before(trace_, run_.step), best = best_so_far(trace_, run_.step);
+    return before ? digits_apart(radius, *before) : best ? digits_apart(radius, *best) : 4;
+  }
+
   void best() {
     if (run_.step == static_cast<int>(trace_.size()) || entry_ == nullptr) return;
-    int tried = 0;
-    for (int i = run_.step; i-- > 0;) {
-      const auto& fact = trace_[i].step.fact;
-      if (std::holds_alternative<CandidateTried<double, 3>>(fact)) ++tried;
-      if (const auto* pass = std::get_if<PassJudged<double, 3>>(&fact))
-        return length("Best so far", "best", pass->best.radius);
+    if (const auto best = best_so_far(trace_, run_.step)) {
+      const int digits = digits_beside_best(fit::size_of(entry_->step.volume, dim_of(*run_.points)));
+      if (const auto before = best_before(trace_, run_.step))
+        length("Best before this pass", "best_before", *before, digits);
+      return length("Best so far", "best", *best, digits);
     }
+    int tried = 0;
+    for (int i = run_.step; i-- > 0;)
+      if (std::holds_alternative<CandidateTried<double, 3>>(trace_[i].step.fact)) ++tried;
     const std::string one = ball_word(dim_of(*run_.points)), many = one + "s";
     if (tried > 0) add("Candidates tried", "candidates", count_text(tried, one, many), tried, many);
   }
@@ -135,7 +152,10 @@ class Board {
     for (std::size_t i = 0; i < kOperations; ++i) {
       if (run_.recording->counts[i] == 0) continue;
       const std::int64_t n = entry_ != nullptr ? entry_->counts[i] : 0;
-      add(kOperationTitles[i], std::string(kOperationNames[i]), std::to_string(n), static_cast<double>(n), "");
+      const bool balls = i == static_cast<std::size_t>(Operation::kBallSolves);
+      const std::string balls_title = dim_of(*run_.points) == 2 ? "Circumcircles" : "Circumspheres";
+      add(balls ? balls_title : kOperationTitles[i], std::string(kOperationNames[i]), std::to_string(n),
+          static_cast<double>(n), "");
     }
   }
 
@@ -178,10 +198,7 @@ std::string number_text(double value, int digits) {
 }
 
 std::pair<std::string, std::string> number_texts_apart(double a, double b) {
-  constexpr int kMostDigits = 9;
-  int digits = 4;
-  while (digits < kMostDigits && number_text(a, digits) == number_text(b, digits)) ++digits;
-  if (number_text(a, digits) == number_text(b, digits)) digits = 4;
+  const int digits = digits_apart(a, b);
   return {number_text(a, digits), number_text(b, digits)};
 }
 

@@ -39,7 +39,7 @@ std::string excess_sentence(const Task& task, const fit::Algorithm& algorithm, d
 
 std::string support_sentence(const Task& task, int support, int dim) {
   const std::string held =
-      points_text(support) + (support == 1 ? " holds" : " hold") + " the smallest " + ball_word(dim);
+      points_text(support) + (support == 1 ? " supports" : " support") + " the smallest " + ball_word(dim);
   if (support == task.support_size) return held + ".";
   return held + "; it must be " + std::to_string(task.support_size) + ".";
 }

@@ -20,18 +20,18 @@ std::string none_smaller(const Algorithm& algorithm, int dim) {
 
 Proof smallest(const Certificate& certificate, const Algorithm& algorithm, int dim) {
   const std::string none = none_smaller(algorithm, dim);
-  if (!algorithm.exact) return {none + ": not claimed", false, false};
-  const char* why = algorithm.volume == "sphere" ? ": centre in the support's hull" : ": no orientation does better";
+  if (!algorithm.exact) return {none + ": not guaranteed", false, false};
+  const char* why = algorithm.volume == "sphere" ? ": centre in the hull of the support set" : ": no orientation does better";
   return {none + why, certificate.optimal.value_or(false), true};
 }
 
 Proof boundary(const Algorithm& algorithm, bool holds) {
-  return {algorithm.exact ? "support on the boundary" : "it touches the points it is said to touch", holds, true};
+  return {algorithm.exact ? "support set on the boundary" : "it touches the points that it names", holds, true};
 }
 
 std::vector<Proof> of_result(const RunView& run) {
   const Certificate& certificate = run.recording->certificate;
-  return {{"holds " + all(size_of(*run.points)) + ", exactly", certificate.contains, true},
+  return {{"contains " + all(size_of(*run.points)) + ", exactly", certificate.contains, true},
           boundary(*run.algorithm, certificate.on_boundary),
           smallest(certificate, *run.algorithm, dim_of(*run.points))};
 }
@@ -41,8 +41,8 @@ std::vector<Proof> on_the_way(const RunView& run, const Step3& step) {
   const Index n = size_of(*run.points);
   const Index outside = count_outside(*run.points, step.volume);
   const std::string held = outside == 0
-                               ? "holds " + all(n)
-                               : "holds " + std::to_string(n - outside) + " of " + std::to_string(n) + " points";
+                               ? "contains " + all(n)
+                               : "contains " + std::to_string(n - outside) + " of " + std::to_string(n) + " points";
   std::vector<Proof> proofs{{held, outside == 0, false}};
   const Sphere3* ball = ball_of(step);
   const std::vector<Index> support = support_after(run.recording->steps, run.step);
@@ -51,7 +51,7 @@ std::vector<Proof> on_the_way(const RunView& run, const Step3& step) {
   proofs.push_back(boundary(*run.algorithm, certificate.on_boundary));
   if (run.algorithm->exact)
     proofs.push_back(
-        {none_smaller(*run.algorithm, dim_of(*run.points)) + " holds the support", certificate.smallest, false});
+        {none_smaller(*run.algorithm, dim_of(*run.points)) + " contains the support set", certificate.smallest, false});
   return proofs;
 }
 

@@ -118,13 +118,13 @@ TEST_CASE("the proof: what is claimed, and whether it holds") {
   session.jump(2);
   auto proofs = session.proofs();
   REQUIRE(proofs.size() == 2);
-  CHECK(proofs[0].text == "holds 5 of 6 points");
+  CHECK(proofs[0].text == "contains 5 of 6 points");
   CHECK_FALSE(proofs[0].holds);
   CHECK(proofs[1].holds);
   session.jump(session.steps());
   proofs = session.proofs();
   REQUIRE(proofs.size() == 3);
-  CHECK(proofs[0].text == "holds all 6 points, exactly");
+  CHECK(proofs[0].text == "contains all 6 points, exactly");
   CHECK(proofs[0].holds);
   CHECK_FALSE(proofs[2].claimed);
 

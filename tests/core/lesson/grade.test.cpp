@@ -42,7 +42,7 @@ TEST_CASE("how many points hold the smallest ball can be asked for") {
   task.points = 6;
   task.support_size = 2;
   Session session = open_small();
-  CHECK(grade(task, session.points(), 1).says == "3 points hold the smallest circle; it must be 2.");
+  CHECK(grade(task, session.points(), 1).says == "3 points support the smallest circle; it must be 2.");
   task.support_size = 3;
   CHECK(grade(task, session.points(), 1).done);
 }

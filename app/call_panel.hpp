@@ -1,0 +1,19 @@
+// Welzl's list and the calls of his recursion, where they stand at the step: nothing of them has a place on the stage.
+#pragma once
+
+#include <vector>
+
+#include "app/look.hpp"
+#include "lesson/session.hpp"
+
+namespace snug::app {
+
+/// Of a list too long to be shown whole, the places that are: its front, and those around the one at hand, in order. A
+/// gap between two is kListGap. at: the place at hand. most: how many cells there is room for, 8 or more.
+inline constexpr int kListGap = -1;
+[[nodiscard]] std::vector<int> shown_places(int size, int at, int most);
+
+/// Draws at a place and returns how high it is: 0 where the trace has no list at this step.
+float draw_call_panel(const Look& look, const lesson::Session& session, ImVec2 at, float width);
+
+}  // namespace snug::app
