@@ -140,8 +140,8 @@ struct Sayer {
 
   std::string operator()(const fit::BoundaryForced& fact) const {
     const std::string names = name_of_points(span_of(fact.boundary));
-    const std::string call = "solve is called with " + names + " on the boundary: ";
-    if (fact.boundary.size() == 1) return call + "the " + ball + " begins as that point alone.";
+    const std::string call = "A call begins with " + names + " on the boundary: ";
+    if (fact.boundary.size() == 1) return call + "the " + ball + " is that point alone.";
     return call + "the smallest " + ball + " through them has radius " + number_text(radius()) + ".";
   }
 

@@ -140,7 +140,7 @@ Truth leaves_truth(const Asked& asked, Trace trace) {
   return truth;
 }
 
-/// "It ends at 0.99182, smaller than the best before, 0.99196."
+/// "It ends at 0.9918, smaller than the best before, 0.9920."
 std::string pass_sentence(double radius, double best, bool better) {
   const auto [own, before] = number_texts_apart(radius, best);
   if (own == before) return "It ends at " + own + ", as large as the best before, but for rounding.";

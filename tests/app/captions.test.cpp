@@ -189,7 +189,7 @@ TEST_CASE("a pass is judged with the digits that tell it from the best") {
   const fit::Step3 better =
       with_ball(0.99182, fit::PassJudged<double, 3>{6, true, {Vector<double, 3>::Zero(), 0.99182}});
   CHECK(app::caption_of(better, nullptr, kThree, false, 0.99196) ==
-        "Pass 6 ends at 0.99182, smaller than the best so far, 0.99196: it is kept.");
+        "Pass 6 ends at 0.9918, smaller than the best so far, 0.9920: it is kept.");
 }
 
 TEST_CASE("names in a row") {
