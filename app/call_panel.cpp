@@ -15,11 +15,8 @@ namespace {
 using lesson::WaitingCall;
 using lesson::WelzlState;
 
-constexpr float kHeading = 13, kSize = 12, kCell = 24, kRow = 26, kIndent = 12, kCorner = 4, kGap = 3;
-constexpr int kMostCells = 28;
-
 /// In one line, always, so that what stands below stays where it is.
-std::string note_of(const WelzlState& state) {
+std::string list_note(const WelzlState& state) {
   const auto place = [](int at) { return std::to_string(at + 1); };
   if (state.moved != kNoIndex && state.moved_from == 0) return lesson::point_name(state.moved) + " is at the front.";
   if (state.moved != kNoIndex)
@@ -31,11 +28,9 @@ std::string note_of(const WelzlState& state) {
   return lesson::point_name(state.calls.back().at) + " is tested, at place " + place(static_cast<int>(at)) + ".";
 }
 
-std::string counted(int n) { return std::to_string(n) + (n == 1 ? " point" : " points"); }
-
-class Panel {
+class CallPanel {
  public:
-  Panel(const Look& look, const lesson::Session& session, const WelzlState& state, ImVec2 at, float width)
+  CallPanel(const Look& look, const lesson::Session& session, const WelzlState& state, ImVec2 at, float width)
       : look_(look), session_(session), state_(state), list_(ImGui::GetWindowDrawList()), x_(at.x), width_(width),
         top_(at.y), y_(at.y), support_(session.support(0)) {}
 
@@ -85,6 +80,9 @@ class Panel {
   }
 
  private:
+  static constexpr float kHeading = 13, kSize = 12, kCell = 24, kRow = 26, kIndent = 12, kCorner = 4, kGap = 3;
+  static constexpr int kMostCells = 28;
+
   [[nodiscard]] std::string name(int place) const { return lesson::point_name(state_.list[place]); }
   [[nodiscard]] ImVec2 middle(const Rect& rect) const {
     return {rect.x + rect.width / 2, middle_of(rect.y + rect.height / 2, look_.px(kSize))};
@@ -118,8 +116,9 @@ class Panel {
     if (running) list_->AddRectFilled(low, high, look_->lit, kCorner);
     else list_->AddRect(low, high, look_->support, kCorner, 0, 1.5f * look_->mark);
     const float baseline = middle_of(rect.y + rect.height / 2, look_.px(kSize));
-    const std::string state =
-        running ? std::to_string(call.done) + " of " + counted(call.length) : "waits at " + lesson::point_name(call.at);
+    const std::string state = running ? std::to_string(call.done) + " of " +
+                                            (call.length == 1 ? "1 point" : std::to_string(call.length) + " points")
+                                      : "waits at " + lesson::point_name(call.at);
     const float room = rect.width - 16 - measure(look_, Face::kRegular, kSize, state).x - 8;
     text_right(list_, look_, Face::kRegular, kSize, {high.x - 8, baseline}, running ? look_->ink : look_->muted, state);
     std::string fixed;
@@ -162,10 +161,10 @@ std::vector<int> shown_places(int size, int at, int most) {
 float draw_call_panel(const Look& look, const lesson::Session& session, ImVec2 at, float width) {
   const WelzlState state = lesson::welzl_state(session.recording(0).steps, session.step());
   if (state.list.empty()) return 0;
-  Panel panel(look, session, state, at, width);
+  CallPanel panel(look, session, state, at, width);
   panel.heading("The list, front first");
   panel.cells();
-  panel.note(note_of(state));
+  panel.note(list_note(state));
   panel.heading("Calls, and what each has fixed");
   panel.calls();
   return panel.height();

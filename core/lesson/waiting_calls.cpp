@@ -21,7 +21,7 @@ std::vector<Index> shuffled_list(Trace trace) {
 }
 
 /// Follows the facts from the beginning on.
-struct Follower {
+struct CallFollower {
   WelzlState state;
 
   void operator()(const PointExamined& fact) {
@@ -59,7 +59,7 @@ struct Follower {
 }  // namespace
 
 WelzlState welzl_state(Trace trace, int steps) {
-  Follower follower{{.list = shuffled_list(trace)}};
+  CallFollower follower{{.list = shuffled_list(trace)}};
   WelzlState& state = follower.state;
   if (state.list.empty()) return {};
   state.calls = {{.length = static_cast<int>(state.list.size())}};

@@ -12,7 +12,7 @@ using namespace snug::lesson;
 
 namespace {
 
-fit::Recording run_of(const char* algorithm, int n, int dim, std::uint64_t seed) {
+fit::Recording welzl_run_of(const char* algorithm, int n, int dim, std::uint64_t seed) {
   const auto points = *generate("gaussian", n, dim, seed);
   const auto record = [&](const AnyPointSet& set) {
     return fit::find_algorithm("sphere", algorithm)->record(set, {.seed = seed});
@@ -24,7 +24,7 @@ fit::Recording run_of(const char* algorithm, int n, int dim, std::uint64_t seed)
 }
 
 /// What the facts say of a step holds of the state behind it.
-void check_step(const WelzlState& state, const fit::Step3& step) {
+void check_welzl_state(const WelzlState& state, const fit::Step3& step) {
   if (const auto* examined = std::get_if<fit::PointExamined>(&step.fact)) {
     const WaitingCall& call = state.calls.back();
     CHECK(static_cast<int>(state.calls.size()) == examined->depth + 1);
@@ -50,7 +50,7 @@ void check_step(const WelzlState& state, const fit::Step3& step) {
 TEST_CASE("the list always has every point once, and the calls are nested in it, never more than Dim + 2") {
   for (const int dim : {2, 3})
     for (const std::uint64_t seed : {1, 2, 590}) {
-      const fit::Recording run = run_of("welzl", 14, dim, seed);
+      const fit::Recording run = welzl_run_of("welzl", 14, dim, seed);
       std::size_t deepest = 0;
       for (int step = 0; step <= static_cast<int>(run.steps.size()); ++step) {
         const WelzlState state = welzl_state(run.steps, step);
@@ -63,7 +63,7 @@ TEST_CASE("the list always has every point once, and the calls are nested in it,
           CHECK(state.calls[i].length == state.calls[i - 1].done);
           CHECK(state.calls[i].boundary.size() == static_cast<int>(i));
         }
-        if (step > 0) check_step(state, run.steps[static_cast<std::size_t>(step) - 1].step);
+        if (step > 0) check_welzl_state(state, run.steps[static_cast<std::size_t>(step) - 1].step);
       }
       CHECK(deepest >= 3);
       CHECK(deepest <= static_cast<std::size_t>(dim) + 2);
@@ -71,7 +71,7 @@ TEST_CASE("the list always has every point once, and the calls are nested in it,
 }
 
 TEST_CASE("the points that the outermost call has been through lie in the circle when it goes on") {
-  const fit::Recording run = run_of("welzl", 40, 2, 7);
+  const fit::Recording run = welzl_run_of("welzl", 40, 2, 7);
   const auto points = *generate("gaussian", 40, 2, 7);
   for (int step = 1; step <= static_cast<int>(run.steps.size()); ++step) {
     const fit::Step3& now = run.steps[static_cast<std::size_t>(step) - 1].step;
@@ -84,7 +84,8 @@ TEST_CASE("the points that the outermost call has been through lie in the circle
 }
 
 TEST_CASE("the list begins in an order of the seed's, and no other method has one") {
-  CHECK(welzl_state(run_of("welzl", 14, 2, 1).steps, 0).list != welzl_state(run_of("welzl", 14, 2, 2).steps, 0).list);
+  CHECK(welzl_state(welzl_run_of("welzl", 14, 2, 1).steps, 0).list !=
+        welzl_state(welzl_run_of("welzl", 14, 2, 2).steps, 0).list);
   for (const char* algorithm : {"ritter", "pivot", "brute_force", "aabb_center"})
-    CHECK(welzl_state(run_of(algorithm, 9, 2, 1).steps, 3).list.empty());
+    CHECK(welzl_state(welzl_run_of(algorithm, 9, 2, 1).steps, 3).list.empty());
 }
