@@ -21,7 +21,8 @@ std::string none_smaller(const Algorithm& algorithm, int dim) {
 Proof smallest(const Certificate& certificate, const Algorithm& algorithm, int dim) {
   const std::string none = none_smaller(algorithm, dim);
   if (!algorithm.exact) return {none + ": not guaranteed", false, false};
-  const char* why = algorithm.volume == "sphere" ? ": centre in the hull of the support set" : ": no orientation does better";
+  const char* why =
+      algorithm.volume == "sphere" ? ": centre in the hull of the support set" : ": no orientation does better";
   return {none + why, certificate.optimal.value_or(false), true};
 }
 
