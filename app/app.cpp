@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <map>
 
 #include "app/captions.hpp"
 #include "app/commands.hpp"
@@ -54,6 +55,7 @@ struct App::State {
   std::array<std::string, 4> font_bytes;  // ImGui reads glyphs from them when it first needs them
   Look look;
   std::optional<lesson::Session> session;
+  std::map<std::string, std::vector<lesson::Outcome>> answers;  // of lessons that were left, by their ids
   Stage stage;
   StageGl gl;
   bool playing = false;
@@ -271,7 +273,9 @@ const std::string& App::graphics_error() const { return state_->gl.error(); }
 tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io::PointFile> mesh) {
   auto session = lesson::Session::open(std::move(lesson), std::move(mesh), state_->platform.clock);
   if (!session) return tl::unexpected(std::move(session.error()));
+  if (const auto& left = state_->session) state_->answers[left->lesson().id] = left->outcomes();
   state_->session.emplace(std::move(*session));
+  state_->session->take_up_answers(state_->answers[state_->session->lesson().id]);
   state_->stage.open(*state_->session);
   state_->costs->open();
   state_->playing = false;
@@ -360,6 +364,11 @@ void App::frame(const Layout& layout, double now) {
   s.drawn_settings = s.settings;
 }
 
+void App::advance(double now) {
+  state_->now = now;
+  if (state_->session) state_->play_on();
+}
+
 void App::draw_3d_behind(int framebuffer_width, int framebuffer_height, float scale) {
   if (state_->session && !state_->on_chart())
     state_->gl.draw(state_->stage.scene(), framebuffer_width, framebuffer_height, scale);
@@ -376,9 +385,10 @@ bool App::wants_frame(double now) const {
          s.costs->version() != s.drawn_costs;
 }
 
-double App::seconds_until_due(double now) const {
-  if (wants_frame(now)) return 0;
-  return state_->playing ? state_->next_step_at - now : std::numeric_limits<double>::infinity();
+double App::seconds_until_due(double now) const { return wants_frame(now) ? 0 : seconds_until_step(now); }
+
+double App::seconds_until_step(double now) const {
+  return state_->playing ? std::max(0.0, state_->next_step_at - now) : std::numeric_limits<double>::infinity();
 }
 
 long App::frames_drawn() const { return state_->frames; }

@@ -75,7 +75,8 @@ class App {
   void abandon_graphics();
   [[nodiscard]] const std::string& graphics_error() const;
 
-  /// Opens a lesson at its start. Errors: as of Session::open; what was open then stays.
+  /// Opens a lesson at its start, with the answers that were given when it was open before. Errors: as of
+  /// Session::open; what was open then stays.
   tl::expected<void, InputError> open(lesson::Lesson lesson, std::optional<io::PointFile> mesh = {});
   /// A file's points, in the open lesson. Errors: as of Session::load; of a lesson that measures, as of Costs::load.
   tl::expected<void, InputError> load(const io::PointFile& file, std::string_view name);
@@ -117,6 +118,10 @@ class App {
   /// Draws into the rectangles and answers ImGui's input; call between ImGui::NewFrame and ImGui::Render, then
   /// draw_3d_behind with the framebuffer bound, then ImGui's own drawing. now: seconds, rising.
   void frame(const Layout& layout, double now);
+  /// Takes the steps that are due while it plays: frame without drawing, for a door that has nothing to draw on.
+  void advance(double now);
+  /// Until the next playing step, in seconds; infinity where nothing plays.
+  [[nodiscard]] double seconds_until_step(double now) const;
   /// The GL part of the stage, beneath ImGui's; the door clears all before, in the panels' colour and with the
   /// depth. Framebuffer size in device pixels, scale: device pixels per page pixel.
   void draw_3d_behind(int framebuffer_width, int framebuffer_height, float scale);

@@ -57,6 +57,9 @@ fit::Volume3 between(const Obb<double, 3>& a, const Obb<double, 3>& b, double sh
 /// Volumes of one kind that can pass into each other; others jump.
 template <class Kind>
 constexpr bool kMoves = std::is_same_v<Kind, fit::Sphere3> || std::is_same_v<Kind, Obb<double, 3>>;
+bool moves(const fit::Volume3& volume) {
+  return std::visit([]<class Kind>(const Kind&) { return kMoves<Kind>; }, volume);
+}
 
 bool same(const fit::Volume3& a, const fit::Volume3& b) {
   return std::visit(
@@ -114,7 +117,7 @@ std::array<float, 16> matrix_of(const Camera& camera, const Frame& frame) {
 }  // namespace
 
 std::optional<fit::Volume3> Motion::at(const std::optional<fit::Volume3>& target, bool jump, double now) {
-  if (!target || !drawn_ || jump) {
+  if (!target || !drawn_ || jump || !moves(*target)) {
     moving_ = false;
     to_ = drawn_ = target;
     return drawn_;

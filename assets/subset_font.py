@@ -1,4 +1,4 @@
-"""subset_font.py FONT [--without-accents] OUT: keep the characters that Snug writes.
+"""subset_font.py FONT [--code] OUT: keep the characters that Snug writes.
 
 One file serves the page, which uses kerning and tabular figures, and Dear ImGui, whose rasterizer reads
 outlines alone: two would be fetched twice.
@@ -12,13 +12,16 @@ ACCENTED = (
     "".join(map(chr, [*range(0xC0, 0xD7), *range(0xD8, 0xF7), *range(0xF8, 0x100)]))
     + "ĀāČčĆćĐđĚěĞğİıŁłŃńŇňŐőŒœŘřŚśŞşŠšŤťŮůŰűŸŹźŻżŽž"
 )
-CHARACTERS = (
-    "".join(map(chr, [*range(0x20, 0x7F), *range(0xA0, 0xC0)])) + "×÷"  # Basic Latin, Latin-1 but for its letters
+# Code and figures, and what Inter lacks.
+CODE = (
+    "".join(map(chr, range(0x20, 0x7F))) + "\u00a0°±²³µ·¹×÷–—’“”…′″✓✔✕✗✘"
     + "ΓΔΘΛΞΠΣΦΨΩαβγδεζηθικλμνξπρσςτυφχψω"
-    + "‐‑‒–—―‘’‚“”„†‡•…‰′″‹›⁄ \u2009\u200a\u202f"
-    + "⁰⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ⁿ₀₁₂₃₄₅₆₇₈₉₊₋€™"
+    + "⁰⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ⁿ₀₁₂₃₄₅₆₇₈₉₊₋"
     + "←↑→↓↔↕↦⇒⇔∀∂∃∅∆∇∈∉∏∑−∓∙√∞∥∩∪∫≈≠≡≤≥⊂⊆⊕⊥⋅⌈⌉⌊⌋⟂⟨⟩‖"
-    + "■□▲△▶▷▼◀◁◆◇○●◦★✓✔✕✗✘⏎"
+)
+WORDS = (
+    CODE + ACCENTED + "".join(map(chr, range(0xA0, 0xC0)))
+    + "‐‑‒―‘‚„†‡•‰‹›⁄ \u2009\u200a\u202f€™■□▲△▶▷▼◀◁◆◇○●◦★⏎"
 )
 
 
@@ -33,7 +36,7 @@ def main(font_path: str, *flags: str) -> None:
     )
     font = subset.load_font(font_path, options)
     subsetter = subset.Subsetter(options)
-    subsetter.populate(text=CHARACTERS + ("" if "--without-accents" in flags else ACCENTED))
+    subsetter.populate(text=CODE if "--code" in flags else WORDS)
     subsetter.subset(font)
     subset.save_font(font, out_path, options)
 

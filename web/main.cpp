@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -116,10 +115,10 @@ void set_settings(val from) {
   for (int channel = 0; channel < 3; ++channel) door().ground[channel] = from["ground"][channel].as<float>();
 }
 
-/// Draws one frame, where there is something to draw on. now: in seconds.
+/// Draws one frame, where there is something to draw on, or plays on without. now: in seconds.
 void frame(double now) {
-  if (!door().graphics) return;
   Door& d = door();
+  if (!d.graphics) return d.app->advance(now);
   web::begin_frame(d.width, d.height, d.scale, static_cast<float>(now - d.last_frame));
   d.last_frame = now;
   d.app->frame(d.layout, now);
@@ -137,7 +136,7 @@ void frame(double now) {
 
 /// In seconds; infinity for none.
 double seconds_until_due(double now) {
-  if (!door().graphics) return std::numeric_limits<double>::infinity();
+  if (!door().graphics) return door().app->seconds_until_step(now);
   return web::input_pending() ? 0 : door().app->seconds_until_due(now);
 }
 

@@ -187,6 +187,8 @@ class Session {
   [[nodiscard]] std::optional<Grade> grade() const;
   /// All questions anew.
   void forget_answers();
+  /// The outcomes of an earlier session of this lesson; those of questions that it does not have are left out.
+  void take_up_answers(std::vector<Outcome> outcomes);
 
   // ---- figures ----------------------------------------------------------------------------------------------
   using Figure = lesson::Figure;

@@ -1,4 +1,6 @@
 // The questions of a session and the answers given.
+#include <algorithm>
+
 #include "lesson/costs.hpp"
 #include "lesson/session.hpp"
 
@@ -77,6 +79,16 @@ Grade Session::grade_of_costs() const {
   else if (costs() == nullptr) grade.says = "Measure this shape.";
   else return grade_costs(*lesson_.task, *costs(), algorithm(0)->name);
   return grade;
+}
+
+void Session::take_up_answers(std::vector<Outcome> outcomes) {
+  std::erase_if(outcomes, [&](const Outcome& outcome) {
+    return std::none_of(lesson_.questions.begin(), lesson_.questions.end(),
+                        [&](const Question& question) { return question.id == outcome.question; });
+  });
+  outcomes_ = std::move(outcomes);
+  shown_outcome_ = -1;
+  ++revision_;
 }
 
 void Session::forget_answers() {

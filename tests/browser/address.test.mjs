@@ -34,7 +34,7 @@ test("the address follows steps, algorithms and dragged points", async (t) => {
   await page.mouse.move(handle.x + 35, handle.y + 20, { steps: 5 });
   await page.mouse.up();
   await until(page, (now, trace) => now.trace !== trace, first.trace);
-  await page.getByLabel("Beside it").selectOption({ index: 1 });
+  await page.getByLabel("Compare with").selectOption({ index: 1 });
   await page.keyboard.press("Escape");
   const [before, after] = await again(page);
   assert.deepEqual(after, before);

@@ -1,7 +1,7 @@
 // The charts of costs: predicted, measured in slices while the page stays alive, loaded from, saved and laid over, refused.
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
-import { assert, handles, kPhone, start, state, still, stop, to_points, until, visit } from "./support.mjs";
+import { assert, handles, kPhone, start, state, still, stop, to_points, until, until_within, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -33,7 +33,7 @@ async function measure_chart(page, name, chart) {
 
 async function measure(page) {
   await button(page, "Measure").click();
-  await page.waitForFunction(`(${decided})(window.snug.state())`, null, { timeout: 120_000 });
+  await until_within(120_000, page, decided);
   await still(page);
   return state(page);
 }

@@ -182,7 +182,7 @@ test("a malformed file is refused with its line, and what was there stays", asyn
   await drop(page, "bad.xyz", "0 0\n1 1\n2 two\n");
   await page.getByText(/bad\.xyz:3/).waitFor();
   assert.equal((await state(page)).trace, before.trace);
-  await page.getByRole("button", { name: "Put this message away" }).click();
+  await page.getByRole("button", { name: "Dismiss" }).click();
   assert.equal(await page.getByText(/bad\.xyz:3/).count(), 0);
 });
 

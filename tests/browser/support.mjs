@@ -147,10 +147,27 @@ export async function lesson_with(test) {
 /** Shows the points' tools, which share their place with the lesson's text. */
 export const to_points = (page) => page.getByRole("tab", { name: "Points" }).click();
 
-/** Until `test`, a function of window.snug.state(), holds. */
+const kLook = 20; // milliseconds
+
+/** Until `test`, a function of window.snug.state(), holds; the state then. patience: in milliseconds. It is not given to
+ *  waitForFunction as text, which the page's policy would not let it evaluate. */
 export async function until(page, test, ...given) {
-  await page.waitForFunction(`(${test})(window.snug.state(), ...${JSON.stringify(given)})`);
-  return state(page);
+  return until_within(20_000, page, test, ...given);
+}
+
+export async function until_within(patience, page, test, ...given) {
+  for (const end = Date.now() + patience; Date.now() < end; await new Promise((go_on) => setTimeout(go_on, kLook))) {
+    const now = await state(page);
+    if (now && test(now, ...given)) return now;
+  }
+  throw new Error(`waited ${patience / 1000} seconds for ${test}`);
+}
+
+/** Adds a lesson to those of the site: its file's text, under an id of its own. Give the site back by site.add.clear(). */
+export async function add_lesson(id, toml) {
+  const list = (await lessons()).filter((lesson) => lesson.id !== id);
+  site.add.set(`lessons/${id}.toml`, toml);
+  site.add.set("lessons/index.json", JSON.stringify([...list, { id, group: "Tests", title: id, summary: "", order: 1000 }]));
 }
 
 export { assert };
@@ -159,7 +176,8 @@ export { assert };
 export async function pixels_of(page, clip) {
   const picture = await page.screenshot({ clip });
   const text = await page.evaluate(async (base64) => {
-    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
+    const png = Uint8Array.from(atob(base64), (byte) => byte.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([png], { type: "image/png" }));
     const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
     context.drawImage(image, 0, 0);
     const { data } = context.getImageData(0, 0, image.width, image.height);

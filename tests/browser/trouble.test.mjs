@@ -6,20 +6,6 @@ let site;
 before(async () => (site = await start()));
 after(stop);
 
-test("without WebGL 2 the page says so, and the lesson works all the same", async (t) => {
-  const page = await visit(t, "?step=0", { init: () => {
-    const get_context = HTMLCanvasElement.prototype.getContext;
-    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
-      return kind.startsWith("webgl") ? null : get_context.call(this, kind, ...rest);
-    };
-  } });
-  await page.locator("#stage-message").getByText("WebGL 2").waitFor();
-  const { step } = await state(page);
-  await page.keyboard.press("PageDown");
-  const now = await until(page, (it, at) => it.step > at || it.asked, step);
-  assert.equal(await page.locator("#caption").textContent(), now.caption);
-});
-
 test("a lost context is said and comes back", async (t) => {
   const page = await visit(t);
   await page.evaluate(() => {

@@ -114,11 +114,11 @@ export class BoxTools {
   }
 
   #seed_now = 0;
-  #show_seed = when_changed((seed) => (this.#seed.value = this.#seed_now = seed));
+  #show_seed = when_changed((_lesson, seed) => (this.#seed.value = this.#seed_now = seed));
 
   update(view) {
     if (!view.boxes) return;
-    this.#show_seed(view.seed);
+    this.#show_seed(view.lesson, view.seed);
     view.boxes.forEach((box, i) => this.#fields[i].update(box));
   }
 }

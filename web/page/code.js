@@ -17,15 +17,16 @@ export class Code {
       element("h2", { class: "unseen", id: "code-heading" }, "Pseudocode"),
       element("div", { class: "fields" },
         element("label", {}, element("span", {}, "Algorithm"), this.#main),
-        element("label", {}, element("span", {}, "Beside it"), this.#beside)),
+        element("label", {}, element("span", {}, "Compare with"), this.#beside)),
       this.#lines, this.#source);
   }
 
   open(lesson) {
     const options = lesson.algorithms.map(({ name, title }) => element("option", { value: name }, title));
     this.#main.replaceChildren(...options);
-    this.#beside.replaceChildren(element("option", { value: "" }, "none beside"), ...options.map((option) => option.cloneNode(true)));
+    this.#beside.replaceChildren(element("option", { value: "" }, "(none)"), ...options.map((option) => option.cloneNode(true)));
     this.#sources = new Map(lesson.algorithms.map(({ name, source }) => [name, source]));
+    this.#shown = {}; // another lesson's algorithm may have the same name, and other lines
   }
 
   #sources = new Map();
@@ -46,7 +47,9 @@ export class Code {
     if (this.#shown.algorithm !== view.algorithm) {
       this.#lines.replaceChildren(...view.code.map((line) => {
         const text = line.trimStart();
-        return element("li", { style: `--depth: ${(line.length - text.length) / 2}` }, element("code", {}, text));
+        const item = element("li", {}, element("code", {}, text));
+        item.style.setProperty("--depth", (line.length - text.length) / 2);
+        return item;
       }));
       set_text(this.#source, this.#sources.get(view.algorithm) ?? "");
       this.#shown = { algorithm: view.algorithm, line: -1 };

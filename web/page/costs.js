@@ -72,8 +72,8 @@ export class CostTools {
       element("fieldset", { class: "segments" }, element("legend", { class: "unseen" }, "Chart"), ...this.#choices.map(([, , label]) => label)),
       element("div", { class: "row" }, this.#measure, this.#stop, this.#view), this.#bar,
       element("div", { class: "row costs-says" }, this.#says, ...this.#files),
-      element("table", { class: "unseen" }, element("caption", {}, "What was measured"),
-        element("thead", {}, this.#head), this.#body));
+      element("div", { class: "unseen" }, element("table", {}, element("caption", {}, "What was measured"),
+        element("thead", {}, this.#head), this.#body)));
     by_id("ask").before(this.#section);
   }
 

@@ -6,6 +6,7 @@ export class Downloads {
   #expected = new Map();
   #arrived = new Map();
   #show;
+  #kept = new Map(); // promises by path: what has come once is not fetched again
 
   constructor(show) {
     this.#show = show;
@@ -38,11 +39,18 @@ export class Downloads {
     return new Response(answer.body.pipeThrough(count), { headers: { "Content-Type": type } });
   }
 
-  async bytes(path) {
-    return new Uint8Array(await (await this.answer(path, "application/octet-stream")).arrayBuffer());
+  bytes(path) {
+    return this.#once(path, async () => new Uint8Array(await (await this.answer(path, "application/octet-stream")).arrayBuffer()));
   }
 
-  async text(path) {
-    return (await this.answer(path, "text/plain; charset=utf-8")).text();
+  text(path) {
+    return this.#once(path, async () => (await this.answer(path, "text/plain; charset=utf-8")).text());
+  }
+
+  #once(path, bring) {
+    if (!this.#kept.has(path)) this.#kept.set(path, bring());
+    const coming = this.#kept.get(path);
+    coming.catch(() => this.#kept.delete(path)); // to be tried again
+    return coming;
   }
 }

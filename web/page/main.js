@@ -18,6 +18,7 @@ import { Stage } from "./stage.js";
 import { Tabs } from "./tabs.js";
 
 const kAddressDelay = 250; // milliseconds: browsers count how often the address is replaced
+const kFilesDelay = 400; // milliseconds: a lesson whose files take longer has the page say so
 const kPanelsDelay = 250; // milliseconds: so often the HTML follows a drag, whose every frame would lay the page out anew
 
 /** What stands on it, for those who cannot see it. */
@@ -35,6 +36,9 @@ class Page {
   #lesson = null;
   #view = null;
   #embed;
+  #opens = 0; // how many lessons have been asked for
+  #opening = true; // what stands on the page is not what the address asks for
+  #search = "";
   #address_timer = 0;
   #panels_timer = 0;
 
@@ -54,7 +58,9 @@ class Page {
     for (const command of ["undo", "redo"]) by_id(command).addEventListener("click", () => act(() => door.command(command)));
     by_id("timeline").addEventListener("click", () => this.#view?.asked && question.show()); // its locked "Answer"
     by_id("share").addEventListener("click", () => this.#share());
-    addEventListener("popstate", () => this.open(read_address(location.search)));
+    addEventListener("popstate", () => {
+      if (location.search !== this.#search) this.open(read_address(location.search)); // not for the #canvas of the link to the stage
+    });
   }
 
   /** On a phone the stage, where it is to be done, is far above the task. */
@@ -92,15 +98,23 @@ class Page {
     this.#write_address();
     const address = `?lesson=${encodeURIComponent(id)}${this.#embed ? "&embed=1" : ""}`;
     history.pushState(null, "", address);
+    scrollTo(0, 0);
     this.open(read_address(location.search));
   }
 
-  /** Opens what an address asks for, or says why it cannot. */
+  /** Opens what an address asks for, or says why it cannot. A later call overtakes one that waits for its files. */
   async open(asked) {
+    const turn = (this.#opens += 1);
+    this.#opening = true;
+    this.#search = location.search;
+    clearTimeout(this.#address_timer);
+    this.#address_timer = 0;
     const id = asked.lesson ?? this.#lessons[0]?.id;
     if (!this.#lessons.some((lesson) => lesson.id === id)) return this.#offer_lessons(asked.lesson);
-    const error = await this.#load(id).catch((failed) => (console.warn(failed), null)); // a file that did not come
-    if (error === null) return veil.failed("The lesson did not arrive. Check the connection, then try again.", () => this.open(asked));
+    const files = await this.#files(id).catch((failed) => (console.warn(failed), null));
+    if (turn !== this.#opens) return;
+    if (!files) return veil.failed("The lesson did not arrive. Check the connection, then try again.", () => this.open(asked));
+    const error = files.error ?? this.#door.open_lesson(...files);
     if (error) return veil.failed(`This lesson cannot be opened. ${error}.`, null);
     this.#lesson = this.#door.lesson();
     this.#menu.show(this.#lesson);
@@ -108,17 +122,24 @@ class Page {
     by_id("canvas").setAttribute("aria-label", `Stage: ${stage_of(this.#lesson)}`);
     for (const panel of this.#panels) panel.open?.(this.#lesson);
     await this.#restore(asked);
+    if (turn !== this.#opens) return;
+    this.#opening = false;
     clear_notices();
     notice_all(asked.problems);
     veil.lift();
     this.act(() => {});
   }
 
-  /** The program's error, or "". Throws where a file does not come. */
-  async #load(id) {
-    const toml = await this.#downloads.text(`lessons/${id}.toml`);
-    const { error, mesh } = this.#door.check_lesson(toml, `${id}.toml`);
-    return error ?? this.#door.open_lesson(toml, `${id}.toml`, mesh ? await this.#mesh(mesh) : "");
+  /** What open_lesson takes, or {error}. Throws where a file does not come. */
+  async #files(id) {
+    const slow = setTimeout(() => veil.loading(), kFilesDelay);
+    try {
+      const toml = await this.#downloads.text(`lessons/${id}.toml`);
+      const { error, mesh } = this.#door.check_lesson(toml, `${id}.toml`);
+      return error ? { error } : [toml, `${id}.toml`, mesh ? await this.#mesh(mesh) : ""];
+    } finally {
+      clearTimeout(slow);
+    }
   }
 
   #offer_lessons(id) {
@@ -190,9 +211,10 @@ class Page {
   #write_address() {
     clearTimeout(this.#address_timer);
     this.#address_timer = 0;
-    if (!this.#lesson) return;
+    if (this.#opening) return;
     const address = this.#address();
     if (address !== location.search) history.replaceState(null, "", address);
+    this.#search = location.search;
   }
 
   async #share() {

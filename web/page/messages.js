@@ -67,7 +67,7 @@ export function notice_all(problems) {
 export function notice(text, kind = "wrong") {
   const box = element("div", { class: `notice ${kind}` }, element("p", {}, text));
   const away = () => box.remove();
-  box.append(element("button", { type: "button", class: "away", "aria-label": "Put this message away", onclick: away }, "×"));
+  box.append(element("button", { type: "button", class: "away", "aria-label": "Dismiss", onclick: away }, "×"));
   const list = by_id("notices");
   for (const old of [...list.children]) if (old.firstChild.textContent === text) old.remove();
   for (const old of [...list.children].slice(0, 1 - kShownMost)) old.remove();

@@ -1,12 +1,13 @@
 // The timeline's buttons, and a scene's effects, once more as HTML: unseen until the keyboard comes to them, for those who
-// cannot see the canvas.
+// cannot see the canvas, and for everybody where there is none.
 import { by_id, element, set_text, when_changed } from "./dom.js";
 
-const kButtons = [["first", "First step"], ["back", "Step back"], ["step", "Step"], ["play", "Play"], ["last", "Last step"],
+const kButtons = [["first", "First step"], ["back", "Step back"], ["step", "Step"], ["next_mark", "Next mark"], ["play", "Play"], ["last", "Last step"],
   ["slower", "Slower"], ["faster", "Faster"], ["reset_view", "Show all points"]];
 
 export class Player {
   #slider;
+  #place = element("p", { class: "label" });
   #play;
   #effects = element("span", { class: "row" });
   #switches = [];
@@ -19,9 +20,9 @@ export class Player {
     this.#slider = element("input", { type: "range", min: 0, step: 1, "aria-label": "Step",
       oninput: () => act(() => door.go(Number(this.#slider.value))) });
     const buttons = kButtons.map(([command, words]) =>
-      element("button", { type: "button", class: "button", onclick: () => act(() => door.command(command)) }, words));
-    this.#play = buttons[3];
-    by_id("player").append(...buttons, this.#effects, this.#slider);
+      element("button", { type: "button", class: command === "reset_view" ? "button of-stage" : "button", onclick: () => act(() => door.command(command)) }, words));
+    this.#play = buttons[kButtons.findIndex(([command]) => command === "play")];
+    by_id("player").append(...buttons, this.#effects, this.#place, this.#slider);
   }
 
   #list_effects = when_changed((...names) => {
@@ -32,7 +33,9 @@ export class Player {
   #show_step = when_changed((step, steps) => {
     this.#slider.max = steps;
     this.#slider.value = step;
-    this.#slider.setAttribute("aria-valuetext", `step ${step} of ${steps}`);
+    const place = `step ${step} of ${steps}`;
+    this.#slider.setAttribute("aria-valuetext", place);
+    set_text(this.#place, place);
   });
 
   update(view) {

@@ -72,7 +72,6 @@ export class PointTools {
     this.#count.value = lesson.count || 26;
     this.#count_label.hidden = true;
     this.#own = lesson.mesh || lesson.generate || "own";
-    this.#seed.value = lesson.seed;
   }
 
   #command(name) {
@@ -197,16 +196,16 @@ export class PointTools {
     this.#delete.disabled = none;
   }
 
-  #show_seed = when_changed((seed) => (this.#seed.value = seed));
-  #show_selected = when_changed((selected, coordinates) => this.#show_place(selected, coordinates));
+  #show_seed = when_changed((_lesson, seed) => (this.#seed.value = seed));
+  #show_selected = when_changed((_lesson, selected, coordinates) => this.#show_place(selected, coordinates));
 
   update(view) {
     this.#view = view;
     set_text(this.#says, `${view.size} ${this.#names[view.size === 1 ? 0 : 1]}${view.edited ? ", changed" : ""}`);
     this.#point.max = view.size - 1;
-    this.#show_seed(view.seed);
+    this.#show_seed(view.lesson, view.seed);
     this.#show_source(view.source, view.size, view.lesson);
-    this.#show_selected(view.selected, view.coordinates);
+    this.#show_selected(view.lesson, view.selected, view.coordinates);
     by_id("undo").disabled = !view.canUndo;
     by_id("redo").disabled = !view.canRedo;
   }

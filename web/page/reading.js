@@ -30,10 +30,10 @@ export class Reading {
   }
 
   update(view) {
-    this.#show_grade(view.grade);
+    this.#show_grade(view.lesson, view.grade);
   }
 
-  #show_grade = when_changed((grade) => {
+  #show_grade = when_changed((_lesson, grade) => {
     if (!grade) return;
     const box = by_id("task");
     // On a phone it stands far below the stage where it was done. One that an address brings along done is no news.

@@ -41,7 +41,7 @@ export class Stage {
     this.#after_frame = after_frame;
     const error = door.start("#canvas", !drawn_by_processor(), `${navigator.hardwareConcurrency ?? "?"} cores`);
     if (error) this.#cannot_draw(error);
-    this.#listen();
+    else this.#listen();
     watch_layout(() => {
       this.#moved = true;
       this.request();

@@ -229,3 +229,23 @@ TEST_CASE("the revision moves with whatever a view shows, and with nothing else"
   session.undo();  // nothing to undo
   CHECK_FALSE(changed());
 }
+
+TEST_CASE("a lesson that is opened again takes up its answers") {
+  Session left = open_small();
+  left.last();
+  REQUIRE(left.answer(choice(0)));
+  REQUIRE(left.answer(point(4)));
+  std::vector<Outcome> outcomes = left.outcomes();
+  REQUIRE(outcomes.size() == 2);
+  outcomes.push_back(outcomes.back());
+  outcomes.back().question = "of another lesson";
+
+  Session back = open_small();
+  back.take_up_answers(outcomes);
+  REQUIRE(back.outcomes().size() == 2);
+  CHECK(back.outcomes()[1].says == left.outcomes()[1].says);
+  CHECK(back.step() == 0);
+  CHECK(back.outcome() == nullptr);  // none was given just now
+  back.last();
+  CHECK(back.asked()->question->id == "again");  // the two before it are open no more
+}

@@ -1,0 +1,204 @@
+// From lesson to lesson within one page: nothing is loaded but the lesson's own files, nothing of the last one stays, and
+// what is the page's or the student's does.
+import { after, before, test } from "node:test";
+import { assert, handles, lessons, start, state, still, stop, until, visit } from "./support.mjs";
+
+let site;
+before(async () => (site = await start()));
+after(stop);
+
+const text_of = async (id) => (await fetch(`${site.url}lessons/${id}.toml`)).text();
+const mesh_of = (toml) => /^mesh = "(\w+)"/m.exec(toml)?.[1];
+
+/** The paths that the page asks for from now on. Its icon the browser itself asks for, with each new address. */
+function watch_requests(page) {
+  const asked = [];
+  page.on("request", (request) => {
+    const path = request.url().slice(site.url.length);
+    if (path !== "icon.svg") asked.push(path);
+  });
+  return asked;
+}
+
+/** Chooses a lesson in the menu; the milliseconds until it has been drawn. */
+async function choose(page, id) {
+  await page.locator("#picker").click();
+  return page.evaluate((to) => new Promise((resolve) => {
+    const link = document.querySelector(`#lessons a[href="?lesson=${to}"]`);
+    const { framesDrawn } = window.snug.state();
+    const from = performance.now();
+    link.click();
+    const look = () => {
+      const now = window.snug.state();
+      if (now.lesson === to && now.framesDrawn > framesDrawn) resolve(performance.now() - from);
+      else requestAnimationFrame(look);
+    };
+    look();
+  }), id);
+}
+
+/** What is on the page, as far as it is the lesson's: words, fields, names, handles' places. */
+async function shown(page) {
+  await still(page);
+  await page.waitForTimeout(300); // the address follows
+  const places = (await handles(page)).map(({ id, x, y }) => `${id} ${Math.round(x)} ${Math.round(y)}`);
+  return { places, ...await page.evaluate(() => {
+    const seen = (selector) => [...document.querySelectorAll(selector)];
+    const { framesDrawn, ...now } = window.snug.state();
+    const effects = now.effects?.map(({ microseconds, ...effect }) => effect); // a time is another one each time
+    return {
+      now: { ...now, effects },
+      search: location.search,
+      title: document.title,
+      stage: document.getElementById("canvas").getAttribute("aria-label"),
+      words: seen("#picker, #read, #points, #ask, #code, #caption, #figures, #tabs, .costs, #selected-says, #notices").map((node) => `${node.id}${node.hidden}: ${node.textContent}`),
+      hidden: seen("#column [hidden], #stage [hidden]").length,
+      fields: seen("input:not([type=file]), select").map((node) => `${node.type} ${node.checked} ${node.value} ${node.disabled} ${node.max}`),
+      lines: seen(".lines li").map((line) => `${line.style.cssText} ${line.getAttribute("aria-current")}`),
+      scrolled: ["read", "points", "code", "column"].map((part) => document.getElementById(part).scrollTop),
+    };
+  }) };
+}
+
+/** Leaves traces of every kind in the lesson that is open. */
+async function use(page) {
+  await page.evaluate(() => document.activeElement.blur());
+  for (const key of ["Home", "PageDown", "PageDown", "PageDown", "]", "ArrowUp", "+", " "]) await page.keyboard.press(key);
+  await page.locator("#read").evaluate((node) => (node.scrollTop = 40));
+}
+
+test("every lesson opens in place of every other kind as it would by itself, for its own file alone", async (t) => {
+  const all = (await lessons()).map(({ id }) => id);
+  const alone = new Map();
+  for (const id of all) {
+    const page = await visit(t, `?lesson=${id}`);
+    alone.set(id, await shown(page));
+    await page.context().close();
+  }
+  const page = await visit(t, `?lesson=${all[0]}`);
+  await page.evaluate(() => {
+    window.mark = 1;
+    window.context = document.getElementById("canvas").getContext("webgl2");
+  });
+  const asked = watch_requests(page);
+  // There and back: each is come to from two sides, and the second time nothing is fetched.
+  for (const id of [...all.slice(1), ...all.slice(0, -1).reverse()]) {
+    await use(page);
+    const fresh = id !== all[0] && !asked.includes(`lessons/${id}.toml`);
+    const before = asked.length;
+    const took = await choose(page, id);
+    t.diagnostic(`${id}: ${took.toFixed(0)} ms${fresh ? "" : ", again"}`);
+    const mesh = mesh_of(await text_of(id));
+    const may = fresh ? [`lessons/${id}.toml`, ...(mesh ? [`meshes/${mesh}.ply`] : [])] : [];
+    assert.deepEqual(asked.slice(before).filter((path) => !may.includes(path)), [], `${id} fetches no more than it needs`);
+    if (!fresh) await page.evaluate(() => document.activeElement.blur());
+    const now = await shown(page);
+    const own = alone.get(id);
+    if (!fresh) now.now.outcomes = own.now.outcomes; // what was answered before stays
+    assert.deepEqual(now.now, own.now, id);
+    if (fresh) assert.deepEqual(now, own, id);
+  }
+  assert.ok(await page.evaluate(() => window.mark === 1 && window.context === document.getElementById("canvas").getContext("webgl2") && !window.context.isContextLost()));
+});
+
+test("Back and Forward lead through lessons and steps without loading anything", async (t) => {
+  const [a, b, c] = (await lessons()).map(({ id }) => id);
+  const page = await visit(t, `?lesson=${a}&step=1`);
+  await choose(page, b);
+  await page.keyboard.press("Escape");
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("Home");
+  await page.waitForTimeout(400);
+  await choose(page, c);
+  await page.waitForTimeout(400);
+  const asked = watch_requests(page);
+  const there = (id, step) => until(page, (now, lesson, at) => now.lesson === lesson && (at === null || now.step === at), id, step);
+  await page.goBack();
+  await there(b, 0);
+  await page.goBack();
+  await there(a, 1);
+  await page.goForward();
+  await there(b, 0);
+  await page.goForward();
+  await there(c, null);
+  assert.deepEqual(asked, []);
+  assert.equal(new URL(page.url()).searchParams.get("lesson"), c);
+});
+
+test("answers, theme and text size stay as one goes from lesson to lesson", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter&step=0");
+  await page.getByRole("button", { name: /^Theme/ }).click();
+  await page.getByRole("button", { name: /^Text size/ }).click();
+  await page.evaluate(() => document.activeElement.blur());
+  let now = await state(page);
+  for (let i = 0; i < 9 && !now.asked; ++i) {
+    await page.keyboard.press("ArrowRight");
+    now = await until(page, (it, step) => it.step > step || it.asked, now.step);
+  }
+  const { asked } = now;
+  await page.getByRole("button", { name: "Skip" }).click();
+  const given = (await until(page, (it) => it.outcomes.length === 1)).outcomes;
+  await choose(page, "obb-sat");
+  assert.deepEqual((await state(page)).outcomes, []);
+  await choose(page, "sphere-ritter");
+  const back = await state(page);
+  assert.deepEqual(back.outcomes, given);
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("Home");
+  await page.keyboard.press("End");
+  const on = await until(page, (it) => it.step > 0);
+  assert.notEqual(on.asked?.id, asked.id, "it is not asked again");
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+  assert.equal(await page.getByRole("button", { name: "Text size: 115 %" }).count(), 1);
+});
+
+test("a measurement that runs ends with its lesson", async (t) => {
+  const page = await visit(t, "?lesson=cost-chart");
+  for (let i = 0; i < 3; ++i) {
+    await page.getByRole("button", { name: "Skip" }).click();
+    await until(page, (now, before) => now.outcomes.length > before, i);
+  }
+  await page.getByRole("button", { name: "Measure", exact: true }).click();
+  await until(page, (now) => now.costs.running);
+  await choose(page, "sphere-ritter");
+  assert.equal((await state(page)).costs, null);
+  assert.equal(await page.getByRole("button", { name: "Measure", exact: true }).isVisible(), false);
+  await still(page);
+  await choose(page, "cost-chart");
+  const { costs } = await state(page);
+  assert.deepEqual([costs.running, costs.rows.length, costs.shown], [false, 0, false]);
+});
+
+test("of two lessons asked for at once the later one opens, however late the first one's file comes", async (t) => {
+  const [, slow, quick] = (await lessons()).map(({ id }) => id);
+  const page = await visit(t);
+  let let_go;
+  const waits = new Promise((resolve) => (let_go = resolve));
+  await page.route(`**/lessons/${slow}.toml`, async (route) => {
+    await waits;
+    await route.continue();
+  });
+  await page.locator("#picker").click();
+  await page.locator(`#lessons a[href="?lesson=${slow}"]`).click();
+  await page.locator("#veil").getByText("Loading").waitFor(); // it says so after a while
+  assert.equal(new URL(page.url()).search, `?lesson=${slow}`, "the address is not that of the lesson which still stands");
+  await page.goBack();
+  await page.locator("#veil").waitFor({ state: "hidden" });
+  await choose(page, quick);
+  let_go();
+  await page.waitForTimeout(500);
+  assert.equal((await state(page)).lesson, quick);
+  assert.match(page.url(), new RegExp(`lesson=${quick}&`));
+});
+
+test("the link to the stage keeps the lesson as it stands", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter&step=0");
+  await page.keyboard.press("ArrowRight");
+  const { step } = await until(page, (now) => now.step > 0 || now.asked);
+  const asked = watch_requests(page);
+  await page.locator(".skip").focus();
+  await page.keyboard.press("Enter");
+  await page.waitForTimeout(400);
+  assert.equal((await state(page)).step, step);
+  assert.deepEqual(asked, []);
+});

@@ -1,0 +1,85 @@
+// What `snug lesson check` accepts, the page opens: a small lesson of each volume, whatever the site's own lessons have.
+import { after, before, test } from "node:test";
+import { add_lesson, assert, pixels_of, ready, start, state, still, stop, until, visit } from "./support.mjs";
+
+let site;
+before(async () => (site = await start()));
+after(stop);
+
+const kVolumes = {
+  sphere: "welzl", aabb: "min_max", obb: "pca", capsule: "pca", lozenge: "pca", kdop: "k14", hull: "quickhull",
+};
+const kFlatVolumes = { sphere: "ritter", aabb: "min_max", obb: "exact", capsule: "pca", kdop: "k8", hull: "quickhull" };
+
+const small_lesson = (volume, algorithm, dim) => `version = 1
+group = "Tests"
+title = "${volume}"
+summary = "A volume around a few points."
+order = 1000
+volume = "${volume}"
+algorithms = ["${algorithm}"]
+
+[points]
+dim = ${dim}
+generate = "gaussian"
+count = 24
+
+[[section]]
+title = "A volume"
+text = "It is fitted around the points."
+`;
+
+/** How many pixels of the stage have the colour that the current volume is drawn in. */
+async function pixels_of_volume(page) {
+  const data = await pixels_of(page, await page.locator("#stage").boundingBox());
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4)
+    if (Math.abs(data[i] - 0x0A) < 12 && Math.abs(data[i + 1] - 0x5F) < 12 && Math.abs(data[i + 2] - 0xBF) < 12) ++count;
+  return count;
+}
+
+for (const [dim, volumes] of [[3, kVolumes], [2, kFlatVolumes]]) {
+  for (const [volume, algorithm] of Object.entries(volumes)) {
+    test(`a lesson of the volume ${volume} in ${dim}-D opens, steps to its end and shows it`, async (t) => {
+      const id = `test-${volume}-${dim}`;
+      await add_lesson(id, small_lesson(volume, algorithm, dim));
+      t.after(() => site.add.clear());
+      const page = await visit(t, `?lesson=${id}&step=0`);
+      const begin = await pixels_of_volume(page);
+      let now = await state(page);
+      assert.equal(now.lesson, id);
+      const { framesDrawn } = now;
+      for (let presses = 0; now.step < now.steps; ++presses) {
+        assert.ok(presses < 500);
+        await page.keyboard.press("PageDown");
+        now = await until(page, (it, step) => it.step > step, now.step);
+      }
+      await still(page);
+      now = await state(page);
+      assert.ok(now.framesDrawn > framesDrawn);
+      const sizes = Object.values(now.readout).filter((figure) => typeof figure === "number" && figure > 0);
+      assert.ok(sizes.length > 0, JSON.stringify(now.readout));
+      assert.ok(now.caption.length > 5);
+      const end = await pixels_of_volume(page);
+      t.diagnostic(`${begin} to ${end} pixels`);
+      assert.ok(end > begin + 150, `${begin} pixels of the volume's colour at the start, ${end} at the end`);
+    });
+  }
+}
+
+test("what cannot be read is said by its line, and the lessons stay within reach", async (t) => {
+  await add_lesson("test-broken", small_lesson("sphere", "welzl", 3).replace("count = 24", "count = 0"));
+  t.after(() => site.add.clear());
+  const page = await visit(t, "?lesson=sphere-ritter");
+  await choose_broken(page);
+  await page.locator("#veil").getByText(/test-broken\.toml:13/).waitFor();
+  await page.goBack();
+  await ready(page);
+  await page.locator("#veil").waitFor({ state: "hidden" });
+  assert.equal((await state(page)).lesson, "sphere-ritter");
+});
+
+async function choose_broken(page) {
+  await page.locator("#picker").click();
+  await page.locator('#lessons a[href="?lesson=test-broken"]').click();
+}
