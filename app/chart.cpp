@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "app/labels.hpp"
 #include "app/marks.hpp"
@@ -54,6 +56,18 @@ struct Scale {
   }
 };
 
+/// What the axis of an empty chart goes over.
+std::pair<double, double> usual_range(const ChartAxis& axis) {
+  switch (axis.unit) {
+    case ChartUnit::kTime: return {1e3, 1e9};
+    case ChartUnit::kCount: return {10, 1e6};
+    case ChartUnit::kPercent: return {0, 1};
+    case ChartUnit::kDegrees: return {0, 360};
+    case ChartUnit::kRatio: break;
+  }
+  return {1, 2};
+}
+
 /// With room at both ends, so that no mark lies on the frame.
 Scale scale_of(const Chart& chart, bool is_x) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -62,8 +76,9 @@ Scale scale_of(const Chart& chart, bool is_x) {
       least = std::min(least, is_x ? std::min(p.x, p.x_low) : p.y);
       most = std::max(most, is_x ? std::max(p.x, p.x_high) : p.y);
     }
-  Scale scale{.log = (is_x ? chart.x : chart.y).log};
-  if (!(least <= most)) least = 1, most = 10;
+  const ChartAxis& axis = is_x ? chart.x : chart.y;
+  Scale scale{.log = axis.log};
+  if (!(least <= most)) std::tie(least, most) = usual_range(axis);
   if (least == most) most = least + (least == 0 ? 1 : std::abs(least) * 0.1);
   if (scale.log) {
     const double pad = std::pow(most / least, kPadding);
@@ -89,9 +104,23 @@ Color word_color(const Look& look, ChartRole role) {
   }
 }
 
+void draw_rim(ImDrawList* list, const Look& look, ImVec2 at, ChartRim rim, Color color) {
+  const float r = 1.7f * kMark * look->mark, width = look->stroke * 0.7f;
+  if (rim == ChartRim::kRing) ring(list, at, r, color, width);
+  if (rim == ChartRim::kBar || rim == ChartRim::kBars)
+    list->AddLine({at.x - r, at.y + r}, {at.x + r, at.y + r}, color, width);
+  if (rim == ChartRim::kBars) list->AddLine({at.x - r, at.y - r}, {at.x + r, at.y - r}, color, width);
+}
+
+Stroke stroke_of(const ChartSeries& series) {
+  constexpr std::array kOfRim{Stroke::kSolid, Stroke::kDashed, Stroke::kLongDashed, Stroke::kDashed};
+  return series.role == ChartRole::kThen ? Stroke::kDotted : kOfRim[static_cast<std::size_t>(series.rim)];
+}
+
 void draw_mark(ImDrawList* list, const Look& look, ImVec2 at, const ChartSeries& series) {
   const float r = kMark * look->mark;
   const Color color = mark_color(look, series.role);
+  draw_rim(list, look, at, series.rim, color);
   const Color inside = series.hollow || series.role == ChartRole::kThen ? look->ground : color;
   const auto polygon = [&](std::initializer_list<ImVec2> corners) {
     list->AddConvexPolyFilled(corners.begin(), static_cast<int>(corners.size()), inside);
@@ -116,12 +145,18 @@ void draw_mark(ImDrawList* list, const Look& look, ImVec2 at, const ChartSeries&
   }
 }
 
-/// What the marks of lines mean, below the axes: there is no room for names beside lines that lie close.
+/// What the marks of lines mean, below the axes: there is no room for names beside lines that lie close, nor beside
+/// very many marks.
 class Legend {
  public:
   /// The whole names where they take few rows, else without what the figures are held against.
   Legend(const Look& look, const Chart& chart, float width) : look_(look), chart_(chart) {
-    if (std::none_of(chart.series.begin(), chart.series.end(), [](const ChartSeries& one) { return one.line; })) return;
+    const auto named = [](const ChartSeries& one) { return !one.name.empty(); };
+    const bool many = std::count_if(chart.series.begin(), chart.series.end(), named) > kMostBeside;
+    const auto is_line = [](const ChartSeries& one) { return one.line; };
+    if (!many && std::none_of(chart.series.begin(), chart.series.end(), is_line)) return;
+    rimmed_ = std::any_of(chart.series.begin(), chart.series.end(),
+                          [](const ChartSeries& one) { return one.rim != ChartRim::kNone; });
     place(width, true);
     if (rows_ > kMostRows) place(width, false);
   }
@@ -129,7 +164,7 @@ class Legend {
   void draw(ImDrawList* list, ImVec2 from) const {
     for (const Entry& entry : entries_) {
       const ImVec2 at{from.x + entry.x, from.y + static_cast<float>(entry.row) * row() + row() / 2};
-      draw_mark(list, look_, {at.x + kMark, at.y}, *entry.series);
+      draw_mark(list, look_, {at.x + 2 * kMark, at.y}, *entry.series);
       text(list, look_, Face::kRegular, kSize, {at.x + kIndent, middle_of(at.y, look_.px(kSize))}, look_->ink,
            entry.words);
     }
@@ -143,8 +178,9 @@ class Legend {
     int row;
   };
   static constexpr int kMostRows = 3;
-  static constexpr float kIndent = 18, kGap = 20;
-  [[nodiscard]] float row() const { return look_.px(18); }
+  static constexpr int kMostBeside = kChartShapes;
+  static constexpr float kIndent = 24, kGap = 20;
+  [[nodiscard]] float row() const { return look_.px(rimmed_ ? 24 : 18); }
 
   void place(float width, bool whole) {
     entries_.clear();
@@ -165,6 +201,7 @@ class Legend {
   const Chart& chart_;
   std::vector<Entry> entries_;
   int rows_ = 0;
+  bool rimmed_ = false;  // rims want room between the rows
 };
 
 /// The chart on its way to the screen.
@@ -213,8 +250,8 @@ struct Plot {
       const Color color = mark_color(look, one.role);
       std::vector<ImVec2> way;
       for (const ChartPoint& p : one.points) way.push_back(at(p));
-      const Stroke stroke = one.role == ChartRole::kThen ? Stroke::kDotted : Stroke::kSolid;
-      if (one.line && way.size() > 1) path(list, way, false, stroke, with_alpha(color, 0.7f), look->stroke * 0.7f);
+      if (one.line && way.size() > 1)
+        path(list, way, false, stroke_of(one), with_alpha(color, 0.7f), look->stroke * 0.7f);
       for (const ChartPoint& p : one.points)
         if (p.x_low < p.x_high) {
           const float left = x.at(p.x_low), right = x.at(p.x_high), height = at(p).y;

@@ -21,6 +21,11 @@ struct ChartAxis {
 
 enum class ChartShape : std::uint8_t { kDisc, kDiamond, kSquare, kTriangle, kTriangleDown, kPlus, kCross };
 inline constexpr int kChartShapes = 7;
+/// What is drawn round a shape, so that more series than there are shapes are told apart. Lines are dashed with it.
+enum class ChartRim : std::uint8_t { kNone, kRing, kBar, kBars };
+inline constexpr int kChartRims = 4;
+/// So many series have a look of their own.
+inline constexpr int kChartLooks = kChartShapes * kChartRims;
 
 /// What a series is, which says its colour and line.
 enum class ChartRole : std::uint8_t {
@@ -41,6 +46,7 @@ struct ChartSeries {
   std::optional<double>
       slope;  // of a line between log axes: what it is held against, drawn through its last point where it is looked at
   ChartShape shape = ChartShape::kDisc;
+  ChartRim rim = ChartRim::kNone;
   ChartRole role = ChartRole::kPlain;
   bool line = false;               // whether its points are joined, by rising x
   bool hollow = false;             // measured on fewer points than the others, or not to be trusted
@@ -48,10 +54,12 @@ struct ChartSeries {
   int row = -1;                    // of the present table, where it is one of its rows
 };
 
+/// Without a series it is its axes, over what stands for them until something is measured, and the note.
 struct Chart {
   std::string title, note;
   ChartAxis x, y;
   std::vector<ChartSeries> series;
+  int looks = 0;                  // different looks that the series want; more than kChartLooks repeat
   std::vector<ChartPoint> front;  // a staircase under which nothing lies, by rising x; empty for none
 };
 

@@ -7,6 +7,7 @@
 
 #include "app/chart.hpp"
 #include "app/cost_charts.hpp"
+#include "measure/growth.hpp"
 #include "measure/turn_run.hpp"
 
 namespace snug::app {
@@ -73,9 +74,9 @@ std::string accuracy_caption(const cost::Table<cost::CostRow>& table) {
       std::find_if(table.rows.begin(), table.rows.end(), [](const cost::CostRow& row) { return row.points < row.of; });
   const std::string left_out = slow == table.rows.end()
                                    ? ""
-                                   : phrase(" %s, too slow here for all points, is left out.",
+                                   : phrase(" %s was too slow here for all points, and is left out.",
                                             algorithm_title(slow->volume, slow->algorithm).c_str());
-  return phrase("%d of %d lie on the front.%s Choose a mark to load its box.", static_cast<int>(front),
+  return phrase("%d of %d lie on the front.%s Choose a mark to load its volume.", static_cast<int>(front),
                 static_cast<int>(table.rows.size()), left_out.c_str());
 }
 
@@ -83,12 +84,13 @@ std::string growth_caption(const cost::Table<cost::GrowthRow>& table, int line, 
   const auto own = lines_of(table.rows)[line];
   const cost::GrowthRow& row = own[std::min(point, own.size() - 1)];
   const bool last = point + 1 >= own.size() && !row.stopped.empty();
-  const std::string theory = theory_words(row);
+  const bool too_few = !row.exponent && is_fitted(own);
+  const std::string theory = too_few ? std::string(cost::kTooFewToTell) : theory_words(row);
   return phrase("%s: %s points, %s.%s%s%s%s%s%s", algorithm_title(row.volume, row.algorithm).c_str(),
                 figure(ChartUnit::kCount, static_cast<double>(row.points)).c_str(), time(row.time.median).c_str(),
                 theory.empty() ? "" : " ", theory.empty() ? "" : row.theory.c_str(), theory.empty() ? "" : ", ",
                 theory.c_str(), theory.empty() ? "" : ".",
-                last ? phrase(" It ends there: %s.", row.stopped.c_str()).c_str() : "");
+                last ? phrase(" The line ends there: %s.", row.stopped.c_str()).c_str() : "");
 }
 
 std::string growth_caption(const cost::Table<cost::GrowthRow>& table, double longest) {
@@ -99,9 +101,9 @@ std::string growth_caption(const cost::Table<cost::GrowthRow>& table, double lon
   };
   const int all = static_cast<int>(lines.size()), whole = ended("");
   const char* const why = ended("stopped") > 0 ? ", or where you stopped it."
-                          : longest < 1e9      ? ": the page must not wait longer."
+                          : longest < 1e9      ? ": a longer run would hold up the page."
                                                : ".";
-  if (whole == 0) return phrase("All end where one run would take over %s%s", time(longest).c_str(), why);
+  if (whole == 0) return phrase("All lines end where one run would take over %s%s", time(longest).c_str(), why);
   if (whole == all) return "All are measured to the end. A steeper line grows faster.";
   return phrase("%d of %d are measured to the end; the others end where one run would take over %s%s", whole, all,
                 time(longest).c_str(), why);
@@ -113,7 +115,7 @@ std::string turn_caption(const cost::Table<cost::TurnRow>& table, int line, std:
   const cost::TurnRow& row = row_at(own, point);
   if (const int tight = count_tight(lines); tight > 1 && always_tight(own)) return tight_caption(lines, tight);
   return phrase(
-      "%s, at %s: larger than the tightest by %s.%s", update_title(row.volume, row.strategy).c_str(),
+      "%s, at %s: %s larger than the tightest.%s", update_title(row.volume, row.strategy).c_str(),
       figure(ChartUnit::kDegrees, row.degrees).c_str(), figure(ChartUnit::kPercent, row.slack.value_or(0)).c_str(),
       row.updated.median > 0 ? phrase(" One update takes %s.", time(row.updated.median).c_str()).c_str() : "");
 }
@@ -122,7 +124,7 @@ std::string turn_caption(const cost::Table<cost::TurnRow>& table) {
   const auto lines = lines_of(table.rows);
   const auto loosest =
       *std::max_element(lines.begin(), lines.end(), [](auto a, auto b) { return most_slack(a) < most_slack(b); });
-  return phrase("%d of %d updates are always the tightest of their kind. The loosest is too large by up to %s: %s.",
+  return phrase("%d of %d updates are always the tightest of their kind. The loosest is up to %s larger: %s.",
                 count_tight(lines), static_cast<int>(lines.size()),
                 figure(ChartUnit::kPercent, most_slack(loosest)).c_str(),
                 update_title(loosest[0].volume, loosest[0].strategy).c_str());

@@ -10,6 +10,7 @@
 
 #include "fit/catalogue.hpp"
 #include "fit/updates.hpp"
+#include "measure/growth.hpp"
 
 namespace snug::app {
 namespace {
@@ -23,15 +24,27 @@ std::string one_number(const char* format, double value) {
   return text.data();
 }
 
-/// Shapes go round, in the order of the names: what is told apart by its shape keeps its colour for what it means.
-ChartShape shape_of(std::size_t i) { return static_cast<ChartShape>(i % kChartShapes); }
+/// Shapes go round, then rims: what is told apart by them keeps its colour for what it means.
+void set_look(Chart& chart, ChartSeries& series, std::size_t i) {
+  chart.looks = std::max(chart.looks, static_cast<int>(i) + 1);
+  series.shape = static_cast<ChartShape>(i % kChartShapes);
+  series.rim = static_cast<ChartRim>(i / kChartShapes % kChartRims);
+}
+
+/// The place of the first row of a series that is the same thing; those that only the earlier result has come after.
+template <class Series, class Same>
+std::size_t look_index(const Series& now, const typename Series::value_type& own, std::size_t i, Same same) {
+  const auto found = std::find_if(now.begin(), now.end(), [&](const auto& one) { return same(one, own); });
+  return found != now.end() ? static_cast<std::size_t>(found - now.begin()) : now.size() + i;
+}
 
 /// Without how many points there are, which the axis or the table says: "cube" of "cube:1000".
-std::string title_of(const char* what, const cost::Provenance& p) {
-  return what + p.points.substr(0, p.points.find(':'));
+std::string title_of(const std::string& what, const cost::Provenance& p) {
+  return p.points.empty() ? what : what + ", " + p.points.substr(0, p.points.find(':'));
 }
 
 std::string note_of(const cost::Provenance& p) {
+  if (p.platform.empty()) return "Nothing is measured yet.";
   return p.scalar + ", seed " + std::to_string(p.seed) + "; " + p.platform + ", " + p.build +
          (p.processor.empty() ? "" : ", " + p.processor);
 }
@@ -51,7 +64,7 @@ std::string heading_of(const std::string& volume) {
 
 /// Half of the spread to either side; where there is none, no bar.
 ChartPoint point_of(const cost::Timing& time, double y) {
-  if (!time.spread) return {time.median, y};
+  if (!time.spread) return {time.median, y, time.median, time.median};
   return {time.median, y, time.median * (1 - std::min(*time.spread, 1.8) / 2), time.median * (1 + *time.spread / 2)};
 }
 
@@ -85,16 +98,22 @@ CostLook look_of(const std::vector<cost::CostRow>& rows) {
   return look;
 }
 
-void add_costs(Chart& chart, const std::vector<cost::CostRow>& rows, const CostLook& look, bool then) {
+bool of_same_algorithm(const cost::CostRow& a, const cost::CostRow& b) {
+  return a.volume == b.volume && a.algorithm == b.algorithm;
+}
+
+/// then: whether the rows are an earlier result's; now: the present one's, whose looks they share.
+void add_costs(Chart& chart, const std::vector<cost::CostRow>& rows, const CostLook& look,
+               const std::vector<cost::CostRow>& now, bool then) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const cost::CostRow& row = rows[i];
     const auto y = look.y(row);
     if (!y || !(*y > 0) || !(row.time.median > 0)) continue;
     ChartSeries series{.name = then ? "" : look.name(row),
-                       .shape = shape_of(i),
                        .hollow = row.points < row.of || !row.time.trusted,
                        .points = {point_of(row.time, *y)},
                        .row = then ? -1 : static_cast<int>(i)};
+    set_look(chart, series, look_index(now, row, i, of_same_algorithm));
     if (then) series.role = ChartRole::kThen;
     else if (look.against == Against::kSmallest && *y <= 1) series.role = ChartRole::kExact;
     else if (row.on_front) series.role = ChartRole::kChosen;
@@ -119,19 +138,28 @@ std::vector<std::span<const Row>> cut(const std::vector<Row>& rows, Same same) {
   return lines;
 }
 
-ChartSeries line_series(std::size_t line, bool then) {
-  return {.shape = shape_of(line),
-          .role = then ? ChartRole::kThen : ChartRole::kChosen,
-          .line = true,
-          .row = then ? -1 : static_cast<int>(line)};
+/// look: which of the looks it has.
+ChartSeries line_series(Chart& chart, std::size_t line, std::size_t look, bool then) {
+  ChartSeries series{
+      .role = then ? ChartRole::kThen : ChartRole::kChosen, .line = true, .row = then ? -1 : static_cast<int>(line)};
+  set_look(chart, series, look);
+  return series;
 }
 
-void add_growth(Chart& chart, const std::vector<cost::GrowthRow>& rows, bool then) {
+using GrowthLine = std::span<const cost::GrowthRow>;
+using TurnLine = std::span<const cost::TurnRow>;
+bool of_same_growth(GrowthLine a, GrowthLine b) {
+  return a[0].volume == b[0].volume && a[0].algorithm == b[0].algorithm;
+}
+bool of_same_update(TurnLine a, TurnLine b) { return a[0].volume == b[0].volume && a[0].strategy == b[0].strategy; }
+
+void add_growth(Chart& chart, const std::vector<cost::GrowthRow>& rows, const std::vector<cost::GrowthRow>& now,
+                bool then) {
   const bool one =
       std::all_of(rows.begin(), rows.end(), [&](const cost::GrowthRow& row) { return row.volume == rows[0].volume; });
-  const auto lines = lines_of(rows);
+  const auto lines = lines_of(rows), present = lines_of(now);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    ChartSeries series = line_series(i, then);
+    ChartSeries series = line_series(chart, i, look_index(present, lines[i], i, of_same_growth), then);
     const cost::GrowthRow& first = lines[i][0];
     for (const cost::GrowthRow& row : lines[i]) {
       const auto n = static_cast<double>(row.points);
@@ -140,6 +168,7 @@ void add_growth(Chart& chart, const std::vector<cost::GrowthRow>& rows, bool the
     if (!then) {
       series.name = one ? algorithm_title(first.volume, first.algorithm) : first.volume + " " + first.algorithm;
       if (first.exponent) series.figure = one_number("n^%.2f", *first.exponent);
+      else if (is_fitted(lines[i])) series.figure = cost::kTooFewToTell;
       series.beside = theory_words(first);
       series.slope = first.theory_exponent;
     }
@@ -147,14 +176,14 @@ void add_growth(Chart& chart, const std::vector<cost::GrowthRow>& rows, bool the
   }
 }
 
-void add_turn(Chart& chart, const std::vector<cost::TurnRow>& rows, bool then) {
-  const auto lines = lines_of(rows);
+void add_turn(Chart& chart, const std::vector<cost::TurnRow>& rows, const std::vector<cost::TurnRow>& now, bool then) {
+  const auto lines = lines_of(rows), present = lines_of(now);
   const auto tight = std::count_if(lines.begin(), lines.end(), always_tight);
   bool tight_is_there = false;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const bool of_many = tight > 1 && always_tight(lines[i]);
     if (of_many && std::exchange(tight_is_there, true)) continue;
-    ChartSeries series = line_series(i, then);
+    ChartSeries series = line_series(chart, i, look_index(present, lines[i], i, of_same_update), then);
     if (!then)
       series.name = of_many ? std::to_string(tight) + " that are always tight"
                             : update_title(lines[i][0].volume, lines[i][0].strategy);
@@ -177,6 +206,8 @@ std::vector<std::span<const cost::TurnRow>> lines_of(const std::vector<cost::Tur
     return a.volume == b.volume && a.strategy == b.strategy;
   });
 }
+
+bool is_fitted(std::span<const cost::GrowthRow> line) { return line.back().in_fit; }
 
 bool always_tight(std::span<const cost::TurnRow> line) {
   return std::all_of(line.begin(), line.end(),
@@ -205,35 +236,35 @@ Chart cost_chart(const cost::Table<cost::CostRow>& now, const cost::Table<cost::
   const CostLook look = look_of(now.rows);
   constexpr std::array kAgainst{"times the smallest of its kind", "times the convex hull’s size",
                                 "times the smallest found here"};
-  Chart chart{.title = title_of(look.one && !now.rows.empty()
-                                    ? (heading_of(now.rows[0].volume) + ": accuracy against time, ").c_str()
-                                    : "Accuracy against time, ",
-                                now.provenance),
+  const bool one = look.one && !now.rows.empty();
+  Chart chart{.title =
+                  title_of(one ? heading_of(now.rows[0].volume) + ": accuracy against time" : "Accuracy against time",
+                           now.provenance),
               .note = note_of(now.provenance),
               .x = {"time of one fit", ChartUnit::kTime, true},
               .y = {kAgainst[static_cast<std::size_t>(look.against)], ChartUnit::kRatio, true}};
-  if (then != nullptr) add_costs(chart, then->rows, look, true);
-  add_costs(chart, now.rows, look, false);
+  if (then != nullptr) add_costs(chart, then->rows, look, now.rows, true);
+  add_costs(chart, now.rows, look, now.rows, false);
   return chart;
 }
 
 Chart growth_chart(const cost::Table<cost::GrowthRow>& now, const cost::Table<cost::GrowthRow>* then) {
-  Chart chart{.title = title_of("Time against points, ", now.provenance),
+  Chart chart{.title = title_of("Time against the number of points", now.provenance),
               .note = note_of(now.provenance),
               .x = {"points", ChartUnit::kCount, true},
               .y = {"time of one fit", ChartUnit::kTime, true}};
-  if (then != nullptr) add_growth(chart, then->rows, true);
-  add_growth(chart, now.rows, false);
+  if (then != nullptr) add_growth(chart, then->rows, now.rows, true);
+  add_growth(chart, now.rows, now.rows, false);
   return chart;
 }
 
 Chart turn_chart(const cost::Table<cost::TurnRow>& now, const cost::Table<cost::TurnRow>* then) {
-  Chart chart{.title = title_of("Slack over a full turn, ", now.provenance),
+  Chart chart{.title = title_of("Looseness over a full turn", now.provenance),
               .note = note_of(now.provenance),
               .x = {"turn of the body", ChartUnit::kDegrees},
               .y = {"larger than the tightest of its kind by", ChartUnit::kPercent}};
-  if (then != nullptr) add_turn(chart, then->rows, true);
-  add_turn(chart, now.rows, false);
+  if (then != nullptr) add_turn(chart, then->rows, now.rows, true);
+  add_turn(chart, now.rows, now.rows, false);
   return chart;
 }
 

@@ -26,6 +26,8 @@ namespace snug::app {
 /// The rows of one algorithm, or of one update, as they follow each other: a chart's line.
 [[nodiscard]] std::vector<std::span<const cost::GrowthRow>> lines_of(const std::vector<cost::GrowthRow>& rows);
 [[nodiscard]] std::vector<std::span<const cost::TurnRow>> lines_of(const std::vector<cost::TurnRow>& rows);
+/// Whether the line is measured to its end, and its power was looked for.
+[[nodiscard]] bool is_fitted(std::span<const cost::GrowthRow> line);
 /// Whether the update's volume is the tightest of its kind at every angle.
 [[nodiscard]] bool always_tight(std::span<const cost::TurnRow> line);
 

@@ -55,6 +55,12 @@ std::string generated_kind(const lesson::Session& session) {
   return std::find(kinds.begin(), kinds.end(), session.source()) != kinds.end() ? session.source() : std::string();
 }
 
+/// Whether there are predictions that wait for the measurement.
+bool awaits_measuring(const lesson::Session& session) {
+  const auto& outcomes = session.outcomes();
+  return std::any_of(outcomes.begin(), outcomes.end(), [](const lesson::Outcome& outcome) { return outcome.pending; });
+}
+
 std::optional<CostView> view_named(std::string_view name) {
   for (std::size_t i = 0; i < kCostViewNames.size(); ++i)
     if (kCostViewNames[i] == name) return static_cast<CostView>(i);
@@ -86,7 +92,7 @@ void Costs::open() {
   at_work_.reset();
   whole_.reset();
   view_ = CostView::kAccuracy;
-  show(false);  // the shape is what the predictions are of
+  show(true);  // empty: what the predictions are of
   take_rows();
 }
 
@@ -294,7 +300,7 @@ bool Costs::load_algorithm(lesson::Session& session) {
   if (row.whole_ns && row.points < session.size() && *row.whole_ns > kLongestLoaded) {
     refused_ = algorithm_title(row.volume, row.algorithm) + " would take about " +
                chart_figure(ChartUnit::kTime, *row.whole_ns) +
-               " on all points: it was measured on fewer, and is not loaded.";
+               " on all points. It was measured on fewer of them, and is not loaded.";
     return false;
   }
   if (!session.choose(0, row.algorithm)) return false;
@@ -303,16 +309,33 @@ bool Costs::load_algorithm(lesson::Session& session) {
   return true;
 }
 
+std::string Costs::status(const lesson::Session& session) const {
+  if (session.asked() != nullptr) return std::string(kPredictFirst);
+  const bool growth = view_ == CostView::kGrowth;
+  const std::string points = chart_figure(ChartUnit::kCount, size(session)) + " points";
+  const std::string on = sheet().about().points.substr(0, sheet().about().points.find(':'));
+  std::string says;
+  if (running() && *at_work_ == view_) says = "Measuring " + (growth ? on : points) + ".";
+  else if (sheet().rows() > 0) says = std::to_string(count()) + " measured, on " + on + ".";
+  else says = "Now press Measure: " + (growth ? "10 points and more." : points + ".");
+  if (const cost::Provenance* then = sheet().then()) says += " Hollow: " + then->points + ", an earlier result.";
+  return says;
+}
+
+int Costs::count() const {
+  const std::size_t n = view_ == CostView::kGrowth ? lines_of(growth().rows).size()
+                        : view_ == CostView::kTurn ? lines_of(turn().rows).size()
+                                                   : table().rows.size();
+  return static_cast<int>(n);
+}
+
 std::string Costs::caption(const lesson::Session& session) const {
   if (!refused_.empty()) return refused_;
-  if (running() && *at_work_ != view_) return "Another chart is being measured: this one waits.";
+  if (running() && *at_work_ != view_) return "Another chart is being measured: this one waits for it.";
   if (running()) {
-    const bool turn = view_ == CostView::kTurn;
-    const auto lines = turn                         ? lines_of(this->turn().rows).size()
-                       : view_ == CostView::kGrowth ? lines_of(growth().rows).size()
-                                                    : table().rows.size() + 1;
-    const auto all = turn ? 0 : session.lesson().algorithms.size();
-    return measuring_caption(static_cast<int>(lines > 0 ? lines - 1 : 0), static_cast<int>(all));
+    const int begun = count() + (view_ == CostView::kAccuracy ? 1 : 0);  // a line grows while it is measured
+    const auto all = view_ == CostView::kTurn ? 0 : session.lesson().algorithms.size();
+    return measuring_caption(std::max(0, begun - 1), static_cast<int>(all));
   }
   const bool any = sheet().rows() > 0;
   if (focus_row_ >= 0 && any) {
@@ -321,6 +344,8 @@ std::string Costs::caption(const lesson::Session& session) const {
     return accuracy_caption(table().rows[focus_row_]);
   }
   if (session.asked() != nullptr) return "Predict first, then measure.";
+  if (!any && view_ == CostView::kAccuracy && awaits_measuring(session))
+    return "Your predictions are in: now press Measure.";
   if (!any) return "Nothing is measured yet: press Measure.";
   if (view_ == CostView::kGrowth) return growth_caption(growth(), longest_growing_);
   return view_ == CostView::kTurn ? turn_caption(turn()) : accuracy_caption(table());
@@ -334,7 +359,7 @@ void Costs::draw(const Look& look, lesson::Session& session, const Rect& rect, b
   const Rect room{rect.x, rect.y + above, rect.width, rect.height - above - below};
   const Touch touch = touch_area("chart", room);
   places_.clear();
-  const auto hit = chart_.series.empty() ? std::nullopt : draw_chart(list, look, room, chart_, focused(), &places_);
+  const auto hit = draw_chart(list, look, room, chart_, focused(), &places_);
   Obstacles none;
   if (with_sentence) draw_sentence(list, look, none, rect, caption(session));
   if (!touch.clicked || !hit || chart_.series[hit->series].row < 0) return;

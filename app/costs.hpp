@@ -1,5 +1,5 @@
 // What accuracy costs on the session's points: measured in slices between the frames, shown as one of three charts on
-// the stage: accuracy against time, time against the number of points, slack over a turn.
+// the stage: accuracy against time, time against the number of points, looseness over a turn.
 #pragma once
 
 #include <array>
@@ -20,9 +20,10 @@ using TurnTable = cost::Table<cost::TurnRow>;
 
 /// The charts' names in commands ("show_growth") and as people say them, in CostView's order.
 inline constexpr std::array<std::string_view, kCostViews> kCostViewNames{"accuracy", "growth", "turn"};
-inline constexpr std::array<std::string_view, kCostViews> kCostViewTitles{"Accuracy", "Growth", "Slack in a turn"};
+inline constexpr std::array<std::string_view, kCostViews> kCostViewTitles{"Accuracy", "Growth", "Looseness in a turn"};
 /// Why the last two are not to be had before the predictions.
-inline constexpr std::string_view kPredictFirst = "The predictions come first: the other charts would give them away.";
+inline constexpr std::string_view kPredictFirst =
+    "Answer the questions first: the other charts would give the answers away.";
 
 class Costs {
  public:
@@ -70,6 +71,8 @@ class Costs {
   /// In the current pane.
   void draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence);
   [[nodiscard]] std::string caption(const lesson::Session& session) const;
+  /// What to do next, or what was measured: a line beside the buttons.
+  [[nodiscard]] std::string status(const lesson::Session& session) const;
   /// The marks by their algorithms' names; of lines the last of each.
   [[nodiscard]] std::vector<Handle> handles() const;
 
@@ -83,6 +86,8 @@ class Costs {
   void take_rows();
   bool look_at(const lesson::Session& session, CostView view);
   [[nodiscard]] bool load_algorithm(lesson::Session& session);
+  /// How many algorithms or updates the table that is shown has.
+  [[nodiscard]] int count() const;
   [[nodiscard]] std::vector<ChartHit> stops(bool to_line) const;
   void move_focus(int by, bool to_line);
   [[nodiscard]] std::optional<ChartHit> focused() const;

@@ -1,5 +1,9 @@
 #include "desktop/chart_file.hpp"
 
+#include <optional>
+#include <type_traits>
+#include <utility>
+
 #include "app/cost_charts.hpp"
 #include "desktop/cli/cost_file.hpp"
 #include "desktop/cli/files.hpp"
@@ -12,10 +16,22 @@ tl::expected<app::Chart, InputError> chart_of(const std::string& path, const std
                                               app::Chart (*draw)(const cost::Table<Row>&, const cost::Table<Row>*)) {
   const auto now = read_table<Row>(path);
   if (!now) return tl::unexpected(now.error());
-  if (then.empty()) return draw(*now, nullptr);
-  const auto before = read_table<Row>(then);
-  if (!before) return tl::unexpected(before.error());
-  return draw(*now, &*before);
+  std::optional<cost::Table<Row>> before;
+  if (!then.empty()) {
+    auto table = read_table<Row>(then);
+    if (!table) return tl::unexpected(table.error());
+    constexpr bool kAnyNumber = std::is_same_v<Row, cost::GrowthRow>;
+    if (auto other = of_other_points(now->provenance, table->provenance, then, kAnyNumber))
+      return tl::unexpected(std::move(*other));
+    before = std::move(*table);
+  }
+  app::Chart chart = draw(*now, before ? &*before : nullptr);
+  if (chart.looks > app::kChartLooks)
+    return tl::unexpected(InputError{.what = "has " + std::to_string(chart.looks) + " series, and a chart can tell " +
+                                             std::to_string(app::kChartLooks) +
+                                             " apart: choose with --volume or --algorithms of snug cost",
+                                     .file = path});
+  return chart;
 }
 
 }  // namespace

@@ -125,15 +125,20 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome* outcome) 
   if (outcome == nullptr) return;
   const app::Look& look = column.look();
   column.begin_card();
-  const app::Color color = outcome->right ? look->optimum_text : outcome->skipped ? look->muted : look->wrong_text;
+  const bool open = outcome->skipped || outcome->pending;  // neither right nor wrong
+  const app::Color color = outcome->right ? look->optimum_text : open ? look->muted : look->wrong_text;
   const float middle = column.y() + look.px(10);
   if (outcome->right) app::tick(column.list(), {column.x() + 6, middle}, 6, look->optimum, 2.25f);
-  else if (!outcome->skipped) app::cross(column.list(), {column.x() + 6, middle}, 5, look->wrong, 2.25f);
-  Column beside(look, column.x() + (outcome->skipped ? 0 : 22), column.y(), column.width());
-  beside.heading(outcome->right ? "As you said" : outcome->skipped ? "What happened" : "Otherwise", color);
+  else if (!open) app::cross(column.list(), {column.x() + 6, middle}, 5, look->wrong, 2.25f);
+  Column beside(look, column.x() + (open ? 0 : 22), column.y(), column.width());
+  beside.heading(outcome->pending   ? "Not decided"
+                 : outcome->right   ? "As you said"
+                 : outcome->skipped ? "What happened"
+                                    : "Otherwise",
+                 color);
   column.gap(look.px(24));
   column.words(outcome->says);
-  if (!outcome->because.empty()) {
+  if (!outcome->because.empty() && !outcome->pending) {
     column.gap(6);
     column.words(outcome->because, Face::kRegular, 14, look->muted);
   }
@@ -188,9 +193,13 @@ void draw_costs(Shell& shell, Column& column) {
                                  look->current, 2);
   }
   column.gap(12);
-  if (ready && !costs.running())
+  if (ready) {
+    column.words(costs.status(shell.session()), Face::kRegular, 13, look->muted);
+    column.gap(8);
+  }
+  if (ready && !costs.running() && shell.session().costs() != nullptr)
     for (const lesson::Outcome& outcome : shell.session().outcomes())
-      if (!outcome.pending) draw_outcome(shell, column, &outcome), column.gap(8);
+      draw_outcome(shell, column, &outcome), column.gap(8);
 }
 
 void draw_algorithms(Shell& shell, Column& column) {

@@ -191,6 +191,7 @@ int open_first(Shell& shell, const WindowOptions& options) {
   }
   // A window opens where its lesson starts; a picture is of the step that was asked for.
   if (options.step > 0 || !options.screenshot.empty()) shell.session().jump(options.step);
+  if (options.step > 0) shell.app().costs().show(false);  // a step is of the points
   return 0;
 }
 

@@ -99,6 +99,7 @@ val costs_object(app::App& app) {
   object.set("decided", session.costs() != nullptr);
   object.set("size", costs.size(session));
   object.set("of", costs.sheet().about().points);
+  object.set("says", costs.status(session));
   object.set("rows", shown_rows(costs));
   object.set("then", costs.sheet().then() != nullptr ? val(costs.sheet().then()->points) : val::null());
   return object;

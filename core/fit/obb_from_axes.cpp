@@ -3,7 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "fit/extremes.hpp"
 #include "geometry/double_double.hpp"
+#include "geometry/outward.hpp"
 #include "geometry/tolerance.hpp"
 #include "query/contains.hpp"
 
@@ -147,10 +149,33 @@ class Around {
   BoxOnAxes<Scalar, Dim> found_;
 };
 
+/// Coordinates are their own projections, so that the faces are known exactly, and no point needs a second look.
+template <class Scalar, int Dim>
+BoxOnAxes<Scalar, Dim> box_along_coordinates(const Matrix<Scalar, Dim>& axes, PointSpan<Scalar, Dim> points) {
+  Ignore ignore;
+  const ExtremesFound<Scalar, Dim> ends = extreme_points(points, ignore);
+  BoxOnAxes<Scalar, Dim> found;
+  found.box.axes = axes;
+  for (int axis = 0; axis < Dim; ++axis) {
+    int along = 0;
+    axes.col(axis).cwiseAbs().maxCoeff(&along);
+    Index least = ends.least[along], greatest = ends.greatest[along];
+    const Scalar low = points[least][along], high = points[greatest][along];
+    const auto middle = static_cast<Scalar>((static_cast<double>(low) + static_cast<double>(high)) / 2);
+    found.box.center[along] = middle;
+    found.box.half_extents[axis] = std::max(sum_up<Scalar>(high, -middle), sum_up<Scalar>(middle, -low));
+    if (axes(along, axis) < 0) std::swap(least, greatest);
+    found.least.push_back(least);
+    found.greatest.push_back(greatest);
+  }
+  return found;
+}
+
 }  // namespace
 
 template <class Scalar, int Dim>
 BoxOnAxes<Scalar, Dim> obb_from_axes(const Matrix<Scalar, Dim>& axes, PointSpan<Scalar, Dim> points) {
+  if (along_coordinates<Scalar, Dim>(axes)) return box_along_coordinates<Scalar, Dim>(axes, points);
   return Around<Scalar, Dim>(axes, points).box();
 }
 

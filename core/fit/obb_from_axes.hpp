@@ -17,11 +17,18 @@ struct BoxOnAxes {
   std::vector<Index> least, greatest;
 };
 
+/// Whether each axis runs along a coordinate, so that nothing has to be projected.
+template <class Scalar, int Dim>
+[[nodiscard]] bool along_coordinates(const Matrix<Scalar, Dim>& axes) {
+  const auto sizes = axes.cwiseAbs().array();
+  return (sizes == 0 || sizes == 1).all() && (sizes.colwise().sum() == 1).all();
+}
+
 /// The smallest box of these axes, but for rounding: its centre is the rounded middle, and each half extent is the
 /// least with which the slab around that centre holds all points in exact arithmetic (where more than a few thousand
 /// points lie on its faces, perhaps the one after). So a half extent is 0 only if the points are flat exactly. axes:
 /// unit, perpendicular and right-handed within rounding. One pass, and a second look at the blocks of points that reach
-/// a face.
+/// a face. Along the coordinates nothing is in doubt: least and greatest are exact, and one pass is all.
 template <class Scalar, int Dim>
 [[nodiscard]] BoxOnAxes<Scalar, Dim> obb_from_axes(const Matrix<Scalar, Dim>& axes, PointSpan<Scalar, Dim> points);
 
@@ -29,7 +36,8 @@ template <class Scalar, int Dim>
 template <class Scalar, int Dim, class Observer>
 void tell_extents(const BoxOnAxes<Scalar, Dim>& found, std::int64_t points, int line, Observer& observe) {
   observe.count(Operation::kPointsTouched, points);
-  observe.count(Operation::kDotProducts, Dim * points);
+  const bool projected = !along_coordinates<Scalar, Dim>(found.box.axes);
+  observe.count(Operation::kDotProducts, projected ? Dim * points : 0);
   observe.count(Operation::kComparisons, 2 * Dim * points);
   observe(ObbStep<Scalar, Dim>{
       line, true, found.box,

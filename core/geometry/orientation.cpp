@@ -8,6 +8,7 @@
 #include "geometry/bits.hpp"
 #include "geometry/dyadic.hpp"
 #include "geometry/exact_sum.hpp"
+#include "geometry/exact_tally.hpp"
 
 namespace snug {
 namespace {
@@ -114,6 +115,7 @@ int orient3d_scaled(detail::P3 a, detail::P3 b, detail::P3 c, detail::P3 d) {
 namespace detail {
 
 int cross_sign_exact(P2 a, P2 b, P2 c, P2 d) noexcept {
+  ++exact_decisions;
   std::array<Integers, 4> p{};
   if (to_integers<2, 4>({&a, &b, &c, &d}, p)) {
     const Integers e = difference(p[1], p[0]), f = difference(p[3], p[2]);
@@ -127,6 +129,7 @@ int cross_sign_exact(P2 a, P2 b, P2 c, P2 d) noexcept {
 }
 
 int orient3d_in_doubt(P3 a, P3 b, P3 c, P3 d) noexcept {
+  ++exact_decisions;
   std::array<Integers, 4> p{};
   if (to_integers<3, 4>({&a, &b, &c, &d}, p)) return orient3d_of_integers(p);
   const int sign = orient3d_scaled(a, b, c, d);
@@ -135,6 +138,7 @@ int orient3d_in_doubt(P3 a, P3 b, P3 c, P3 d) noexcept {
 
 template <int Dim>
 int dot_sign_exact(P<Dim> a, P<Dim> b, P<Dim> c, P<Dim> d) noexcept {
+  ++exact_decisions;
   ExactSum sum;
   for (int i = 0; i < Dim; ++i) {
     sum.add_product(b[i], d[i]), sum.add_product(-b[i], c[i]);

@@ -8,6 +8,7 @@
 
 #include "geometry/double_double.hpp"
 #include "geometry/exact_sum.hpp"
+#include "geometry/exact_tally.hpp"
 #include "geometry/tolerance.hpp"
 
 namespace snug {
@@ -82,6 +83,7 @@ int side_of_sphere(const double* point, const double* center, double radius, int
     if (wide_is_sound(square) && wide_is_sound(radius_square))
       if (const int side = side_in_double_double(point, center, radius, dim); side != 0) return side;
   }
+  ++exact_decisions;
   ExactSum sum;
   for (int i = 0; i < dim; ++i) {
     sum.add_product(point[i], point[i]);

@@ -62,9 +62,12 @@ std::string names_of(const std::vector<std::string>& choices, int bits) {
 /// That a time was not taken of all points, but worked out; nothing where it was.
 std::string foretold(const cost::CostRow& row) {
   if (!row.whole_ns) return "";
-  return " It would keep the page waiting: it was timed on " + std::to_string(row.points) + " of the " +
-         std::to_string(row.of) + " points, and that is what follows from them.";
+  return " A run on all points would have made you wait: it was timed on " + std::to_string(row.points) + " of the " +
+         std::to_string(row.of) + ", and the rest is extrapolated.";
 }
+
+/// Whether the machine was too busy to tell how long it takes: on the chart such a mark is hollow.
+bool measured_badly(const cost::CostRow& row) { return !is_counted(row) && !row.time.trusted; }
 
 struct Truth {
   int value = 0;
@@ -98,6 +101,15 @@ Truth truth_of(const Asked& asked, Costs rows) {
   if (asked.question->asks != Asks::kChoice) return time_truth(asked, rows);
   const std::string& right = asked.choices[static_cast<std::size_t>(asked.question->answer)];
   return {asked.question->answer, right, "The answer is “" + right + "”."};
+}
+
+/// A row that the answer rests on and that was measured badly; null where there is none. Whoever is slowest is so by
+/// far, but the front is decided by any two that are close.
+const cost::CostRow* doubtful_row(const Asked& asked, Costs rows) {
+  if (asked.question->asks != Asks::kOnFront) return nullptr;
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [](const cost::CostRow& row) { return row.points == row.of && measured_badly(row); });
+  return found == rows.end() ? nullptr : &*found;
 }
 
 bool of_same_points(const cost::CostRow& a, const cost::CostRow& b) { return a.points == b.points; }
@@ -159,8 +171,12 @@ Outcome predicted(const Asked& asked, const Answer& answer) {
 }
 
 void decide(const Asked& asked, Costs rows, Outcome& outcome) {
-  Truth truth = truth_of(asked, rows);
   outcome = predicted(asked, outcome.given);
+  if (const cost::CostRow* const row = doubtful_row(asked, rows)) {
+    outcome.says += " " + title_of(*row) + " was measured badly, so the front is not decided: measure again.";
+    return;
+  }
+  Truth truth = truth_of(asked, rows);
   outcome.pending = false;
   outcome.right = !outcome.skipped && outcome.given.value == truth.value;
   outcome.says += " " + truth.sentence;
@@ -194,12 +210,17 @@ Grade grade_costs(const Task& task, Costs rows, std::string_view chosen) {
     return grade;
   }
   if (own == than) {
-    grade.says = name + " stands on the stage. Load what is at least " + asked_for + " smaller, for the " +
+    grade.says = name + " stands on the stage. Load one that is at least " + asked_for + " smaller, for the " +
                  (is_counted(*own) ? "fewest operations." : "least time.");
     return grade;
   }
   if (!of_same_points(*own, *than)) {
-    grade.says = title_of(*own) + " was measured on fewer points: nobody can compare the two.";
+    grade.says = title_of(*own) + " was measured on fewer points: the two cannot be compared.";
+    return grade;
+  }
+  if (chosen != cheapest && (measured_badly(*own) || measured_badly(*find_row(rows, cheapest)))) {
+    grade.says = "The times of " + title_of(*own) + " and " + title_of(*find_row(rows, cheapest)) +
+                 " cannot be compared, for one of them was measured badly: measure again.";
     return grade;
   }
   grade.excess = own->size / than->size - 1;
@@ -208,8 +229,8 @@ Grade grade_costs(const Task& task, Costs rows, std::string_view chosen) {
                times_text(own->time.median / than->time.median) + " times its " +
                (is_counted(*own) ? "operations." : "time.");
   if (grade.done) grade.says += " Done.";
-  else if (own->size <= (1 - task.tighter_by) * than->size) grade.says += " That is to be had for less.";
-  else grade.says += " At least " + asked_for + " smaller is asked for.";
+  else if (own->size <= (1 - task.tighter_by) * than->size) grade.says += " Another does it for less.";
+  else grade.says += " It should be at least " + asked_for + " smaller.";
   return grade;
 }
 

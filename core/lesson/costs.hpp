@@ -22,6 +22,7 @@ using Costs = std::span<const cost::CostRow>;
 
 /// What was predicted, pending until it is decided.
 [[nodiscard]] Outcome predicted(const Asked& asked, const Answer& answer);
+/// Anew, whatever was decided before. No front is decided by a row that was measured badly: it stays pending.
 void decide(const Asked& asked, Costs rows, Outcome& outcome);
 
 /// An answer that is right.

@@ -64,18 +64,18 @@ void Session::measured(std::vector<cost::CostRow> rows) {
   ++revision_;
 }
 
-/// What was predicted of the lesson's own points.
+/// What was predicted of the lesson's own points. A later measurement decides it anew.
 void Session::decide_costs() {
   if (costs() == nullptr || costs()->size() != lesson_.algorithms.size()) return;
   for (const Asked& asked : asked_)
     for (Outcome& outcome : outcomes_)
-      if (outcome.question == asked.question->id && outcome.pending) decide(asked, *costs(), outcome);
+      if (outcome.question == asked.question->id) decide(asked, *costs(), outcome);
 }
 
 Grade Session::grade_of_costs() const {
   Grade grade;
   grade.points = static_cast<int>(size());
-  if (has_own_points()) grade.says = "This is the lesson's own shape: begin with another one, or open a file of yours.";
+  if (has_own_points()) grade.says = "This is the lesson's own shape: scatter another, or open a file of your own.";
   else if (costs() == nullptr) grade.says = "Measure this shape.";
   else return grade_costs(*lesson_.task, *costs(), algorithm(0)->name);
   return grade;

@@ -55,8 +55,8 @@ void within(const char* algorithm, double claimed, const ClaimContext& context, 
   row.figure = std::max({excess.most, excess.found, here});
   row.verdict = row.figure <= claimed ? kHolds : excess.median <= claimed ? kTypical : kFalse;
   row.measured = said(
-      "radius over the smallest: %.1f %% on these points; median %.1f %%, most %.1f %% on %d clouds of every kind; "
-      "%.1f %% on eight points that were moved %d times to make it worse",
+      "radius above the smallest: %.1f %% on these points; %.1f %% in the median and at most %.1f %% on %d clouds of "
+      "every kind; %.1f %% on eight points that were moved %d times to make it worse",
       100 * here, 100 * excess.median, 100 * excess.most, excess.clouds, 100 * excess.found, excess.tried);
 }
 void ritter(const ClaimContext& context, ClaimRow& row) { within("ritter", 0.10, context, row); }
@@ -81,7 +81,7 @@ void power(std::string_view volume, std::string_view algorithm, Index most, doub
   constexpr double kNoise = 0.15;
   const std::vector<GrowthRow> rows = growth_of(volume, algorithm, most, context);
   if (!rows.back().exponent) {
-    row.measured = "one run takes so long here that there are too few times: " + rows.back().stopped;
+    row.measured = std::string(kTooFewToTell) + (rows.back().stopped.empty() ? "" : ": " + rows.back().stopped);
     return;
   }
   row.figure = *rows.back().exponent;
@@ -91,10 +91,10 @@ void power(std::string_view volume, std::string_view algorithm, Index most, doub
 }
 void brute_force(const ClaimContext& context, ClaimRow& row) {
   power("sphere", "brute_force", 40, 5,
-        "a bound that is kept, for a ball that is no smaller is not held against the points", context, row);
+        "within the bound, for a candidate that is no smaller is never tested against the points", context, row);
 }
 void orourke(const ClaimContext& context, ClaimRow& row) {
-  power("obb", "exact", 10'000, 3, "a bound that is kept: most pairs of edges are ruled out at once", context, row);
+  power("obb", "exact", 10'000, 3, "within the bound, for most pairs of edges are ruled out at once", context, row);
 }
 
 // ---- Welzl's stack
@@ -106,9 +106,9 @@ void stack(const ClaimContext& context, ClaimRow& row) {
   const RecursionDepth depth = naive_welzl_depth(set->span());
   row.figure = depth.bytes_per_call;
   row.verdict = depth.deepest >= kPoints ? kHolds : kFalse;
-  row.measured = said("the printed recursion goes %d calls deep on %d points, %.0f bytes each: a stack of 8 MiB ends "
-                      "at about %.0f points. "
-                      "The loop that this program runs has five calls at a time at most, however many points there are",
+  row.measured = said("the printed recursion reaches a call depth of %d on %d points, at %.0f bytes a call: a stack of "
+                      "8 MiB is full at about %.0f points. The loop that this program runs has a call depth of five at "
+                      "most, however many points there are",
                       static_cast<int>(depth.deepest), kPoints, depth.bytes_per_call, kUsual / depth.bytes_per_call);
 }
 
@@ -118,8 +118,8 @@ double measure_by(std::string_view volume, std::string_view algorithm, const Any
   return fit::measure_of(row_of(volume, algorithm).fit(points, {.seed = seed}).volume, 3);
 }
 
-/// The corners of a cube, turned so that no axis of a 14-DOP lies along it.
-AnyPointSet turned_cube() {
+/// The vertices of a cube, rotated so that no axis of a 14-DOP lies along it.
+AnyPointSet rotated_cube() {
   const Matrix<double, 3> rotation = turn(Vector<double, 3>(1, 2, 3), 0.7);
   std::vector<Vector<double, 3>> corners;
   for (int corner = 0; corner < 8; ++corner)
@@ -136,13 +136,14 @@ double kdop_over_box(const AnyPointSet& points, std::uint64_t seed) {
 void storage(const ClaimContext& context, ClaimRow& row) {
   const auto bytes = [&](std::string_view volume, std::string_view algorithm) {
     return static_cast<int>(
-        bytes_of(row_of(volume, algorithm).fit(turned_cube(), {.seed = context.seed}).volume, 3, true));
+        bytes_of(row_of(volume, algorithm).fit(rotated_cube(), {.seed = context.seed}).volume, 3, true));
   };
   const int kdop = bytes("kdop", "k14"), box = bytes("obb", "exact");
   row.figure = static_cast<double>(kdop) / box;
   row.verdict = std::abs(row.figure - 1) <= 0.1 ? kHolds : kFalse;
   row.measured = said(
-      "%d bytes in float beside %d of a box by centre, axes and half extents; as a quaternion its axes take 20 fewer",
+      "%d bytes in float, against %d for a box by centre, axes and half extents; with a quaternion in place of the "
+      "axes the box takes 20 fewer",
       kdop, box);
 }
 
@@ -151,21 +152,21 @@ void tighter(const ClaimContext& context, ClaimRow& row) {
   for (const char* kind : {"cube", "ball", "gaussian", "stick", "clusters"})
     for (std::uint64_t i = 0; i < 4; ++i, ++clouds)
       tighter += kdop_over_box(generated(kind, 500, context.seed + i), context.seed) < 1 ? 1 : 0;
-  const double here = kdop_over_box(context.points, context.seed), cube = kdop_over_box(turned_cube(), context.seed);
+  const double here = kdop_over_box(context.points, context.seed), cube = kdop_over_box(rotated_cube(), context.seed);
   row.figure = here;
   row.verdict = tighter == clouds && cube < 1 && here < 1 ? kHolds
                 : 2 * tighter > clouds || here < 1        ? kTypical
                                                           : kFalse;
   row.measured = said("volume over the smallest box's: %.3f on these points; below 1 on %d of %d clouds; %.3f on a "
-                      "turned cube, where the box "
+                      "rotated cube, where the box "
                       "is the cube itself",
                       here, tighter, clouds, cube);
 }
 
 // ---- boxes
 
-/// A cube's corners, and a crowd along one of its diagonals, which draws the longest axis there.
-AnyPointSet crowded_diagonal(std::uint64_t seed) {
+/// A cube's vertices, and a cluster along one of its diagonals, which draws the longest axis there.
+AnyPointSet clustered_diagonal(std::uint64_t seed) {
   Random random(seed);
   std::vector<Vector<double, 3>> points;
   for (int corner = 0; corner < 8; ++corner) points.emplace_back(corner & 1, corner >> 1 & 1, corner >> 2);
@@ -176,15 +177,14 @@ AnyPointSet crowded_diagonal(std::uint64_t seed) {
 void pca_boxes(const ClaimContext& context, ClaimRow& row) {
   const fit::Algorithm& pca = row_of("obb", "pca");
   const double here = 1 + excess_on(pca, context.points, context.seed);
-  const double crowd = 1 + excess_on(pca, crowded_diagonal(context.seed), context.seed);
+  const double cluster = 1 + excess_on(pca, clustered_diagonal(context.seed), context.seed);
   const double hull = 1 + excess_on(row_of("obb", "pca_hull"), context.points, context.seed);
-  const double hull_crowd = 1 + excess_on(row_of("obb", "pca_hull"), crowded_diagonal(context.seed), context.seed);
-  row.figure = std::max(here, crowd);
+  const double hull_cluster = 1 + excess_on(row_of("obb", "pca_hull"), clustered_diagonal(context.seed), context.seed);
+  row.figure = std::max(here, cluster);
   row.verdict = row.figure > 1.01 ? kHolds : kFalse;
-  row.measured = said("volume over the smallest box's: %.3f on these points, %.2f on a cube with a crowd along its "
-                      "diagonal; of the hull's "
-                      "corners alone %.3f and %.2f",
-                      here, crowd, hull, hull_crowd);
+  row.measured = said("volume over the smallest box's: %.3f on these points, %.2f on a cube with a cluster along its "
+                      "diagonal; by PCA of the hull %.3f and %.2f",
+                      here, cluster, hull, hull_cluster);
 }
 
 void faces(const ClaimContext& context, ClaimRow& row) {
@@ -195,18 +195,20 @@ void faces(const ClaimContext& context, ClaimRow& row) {
   const std::vector<GrowthRow> rows = growth_of("obb", "face_aligned", 3000, context);
   row.figure = std::max(here, four);
   row.verdict = row.figure > 1 + 1e-9 ? kFalse : kHolds;
-  row.measured = said("the best box on a face over the smallest: %.4f on these points, %.2f on a regular tetrahedron. "
-                      "Time grows as n^%.2f up to "
-                      "%d points on a sphere",
-                      here, four, rows.back().exponent.value_or(0), static_cast<int>(rows.back().points));
+  row.measured = said("volume of the best box on a face over the smallest: %.4f on these points, %.2f on a regular "
+                      "tetrahedron",
+                      here, four);
+  if (const auto power = rows.back().exponent)
+    row.measured +=
+        said(". Time grows as n^%.2f up to %d points on a sphere", *power, static_cast<int>(rows.back().points));
 }
 
 constexpr std::array kClaims{
-    Claim{"ritter_ten_per_cent", kGeometry, "Ritter's Algorithm", "Ritter's ball comes within 10 % of the smallest",
+    Claim{"ritter_ten_per_cent", kGeometry, "Ritter's Algorithm", "Ritter's sphere comes within 10 % of the smallest",
           ritter},
-    Claim{"iterative_five_per_cent", kGeometry, "Sphere Creation", "An iterative ball comes within 5 % of the smallest",
-          iterative},
-    Claim{"brute_force_fifth_power", kGeometry, "Sphere Creation", "Trying all balls takes O(n^5)", brute_force},
+    Claim{"iterative_five_per_cent", kGeometry, "Sphere Creation",
+          "The iterated sphere comes within 5 % of the smallest", iterative},
+    Claim{"brute_force_fifth_power", kGeometry, "Sphere Creation", "Trying every sphere takes O(n^5)", brute_force},
     Claim{"welzl_stack", kGeometry, "Welzl's Algorithm (cont.)", "Welzl's first recursion easily overflows the stack",
           stack},
     Claim{"kdop_storage", kPhysics, "k-DOP pros and cons", "A 14-DOP takes about as much storage as an oriented box",
@@ -214,9 +216,9 @@ constexpr std::array kClaims{
     Claim{"kdop_tighter", kPhysics, "k-DOP pros and cons", "A 14-DOP is likely to be tighter than an oriented box",
           tighter},
     Claim{"pca_not_optimal", kGeometry, "PCA for OBB",
-          "Boxes by PCA are not the smallest, and the hull helps but does not cure", pca_boxes},
-    Claim{"box_on_a_face", kGeometry, "OBB Creation", "The smallest box has a side on a face of the hull: O(n^2 log n)",
-          faces},
+          "PCA boxes are not the smallest; using the hull improves them but does not make them optimal", pca_boxes},
+    Claim{"box_on_a_face", kGeometry, "OBB Creation",
+          "The smallest box has a side flush with a face of the hull: O(n^2 log n)", faces},
     Claim{"orourke_cube", kPhysics, "Computing an OBB", "O'Rourke's smallest box takes O(n^3)", orourke},
 };
 

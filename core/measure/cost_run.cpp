@@ -11,6 +11,7 @@
 #include "fit/lift.hpp"
 #include "fit/quickhull.hpp"
 #include "fit/updates.hpp"
+#include "geometry/tolerance.hpp"
 #include "geometry/turn.hpp"
 #include "measure/pareto.hpp"
 #include "measure/sample.hpp"
@@ -190,7 +191,7 @@ std::vector<std::size_t> pareto_front(std::span<const CostRow> rows) {
   std::vector<Offer> offers;
   for (const CostRow& row : rows)
     offers.push_back({row.points == row.of ? row.time.median : std::numeric_limits<double>::infinity(),
-                      row.is_flat() ? 0 : row.measure});
+                      row.is_flat() ? 0 : row.measure, row.noise / tolerance::kKnownSize});
   return pareto_front(offers);
 }
 

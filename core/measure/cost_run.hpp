@@ -93,7 +93,7 @@ class CostRun {
 };
 
 /// The places of the rows that no other row undercuts in time and measure, by time. Of all points alone: what was
-/// measured on fewer is no rival. Measures that are nothing but rounding are equal.
+/// measured on fewer is no rival. Measures that differ by rounding alone are equal.
 [[nodiscard]] std::vector<std::size_t> pareto_front(std::span<const CostRow> rows);
 
 void mark_front(std::span<CostRow> rows);

@@ -17,6 +17,11 @@ constexpr Index kFewest = 10;
 constexpr double kFewDecades = 32;
 constexpr int kFewSteps = 4;
 
+/// A power is told of so many times as many points, or more.
+constexpr double kLeastRange = 4;
+/// Every algorithm reads every point: where time seems to grow by less than this power, most of it does not grow yet.
+constexpr double kLeastTold = 0.5;
+
 std::string why_stopped(Index points, double time) {
   std::array<char, 96> text{};
   std::snprintf(text.data(), text.size(), "one run of %d points would take about %.2g s", static_cast<int>(points),
@@ -34,6 +39,13 @@ std::vector<SizedTime> tail_of(std::span<GrowthRow> rows) {
     if (rows[i].in_fit) tail.push_back({static_cast<double>(rows[i].points), rows[i].time.min});
   }
   return tail;
+}
+
+/// None where the numbers of points are too few, too close together or too small to tell how the time grows.
+std::optional<double> told_power(std::span<const SizedTime> tail) {
+  const auto power = power_of(tail);
+  const bool told = power && *power >= kLeastTold && tail.back().points >= kLeastRange * tail.front().points;
+  return told ? power : std::nullopt;
 }
 
 }  // namespace
@@ -136,7 +148,7 @@ void GrowthRun::step_back() {
 void GrowthRun::finish() {
   const Workload& load = workloads_[at_];
   std::vector<SizedTime> tail = tail_of(own_rows());
-  const auto power = power_of(tail);
+  const auto power = told_power(tail);
   std::optional<double> theory;
   if (power && load.work != nullptr) {
     for (SizedTime& at : tail) at.time = load.work(at.points);

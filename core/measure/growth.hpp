@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fit/catalogue.hpp"
@@ -40,6 +41,9 @@ struct SizedTime {
 /// The power: the slope of the line of least squares through the logarithms. None of fewer than three, or where a time
 /// is 0.
 [[nodiscard]] std::optional<double> power_of(std::span<const SizedTime> times);
+
+/// What is said in a power's place where none can be told: the points are too few, or their numbers too close together.
+inline constexpr std::string_view kTooFewToTell = "too few points to tell";
 
 /// So far below the largest number of points a time still counts for the power: what does not grow is felt below.
 inline constexpr double kTail = 32;

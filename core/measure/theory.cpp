@@ -12,7 +12,7 @@ double square(double n) { return n * n; }
 double fourth(double n) { return n * n * n * n; }
 double fifth(double n) { return fourth(n) * n; }
 
-constexpr std::string_view kPasses = "so many passes over the points, by the code";
+constexpr std::string_view kPasses = "a fixed number of passes over the points, as the code shows";
 constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
 constexpr std::string_view kWelzl = "E. Welzl, Smallest enclosing disks (balls and ellipsoids), 1991";
 constexpr std::string_view kGaertner =
@@ -24,26 +24,26 @@ constexpr std::string_view kKlosowski = "J. T. Klosowski and others, Efficient c
 constexpr std::string_view kDito =
     "T. Larsson, L. Kallberg, Fast computation of tight-fitting oriented bounding boxes, 2011";
 constexpr std::string_view kEdges =
-    "pairs of hull edges, by the code; J. O'Rourke, Finding minimal enclosing boxes, 1985, for O(h^3)";
+    "pairs of hull edges, as the code shows; J. O'Rourke, Finding minimal enclosing boxes, 1985, for O(h^3)";
 
 constexpr std::array kTheories{
     Theory{"sphere", "aabb_center", "O(n)", linear, true, kPasses},
     Theory{"sphere", "ritter", "O(n)", linear, true, kPasses},
-    // Its passes go over the points in random order: of so many that they don't fit the caches, each takes longer.
+    // Its passes go over the points in random order: once they no longer fit the caches, each access takes longer.
     Theory{"sphere", "ritter_iterative", "O(n)", linear, false, kPasses},
     Theory{"sphere", "pca", "O(n)", linear, true, kPasses},
-    Theory{"sphere", "welzl", "O(n) expected", linear, false, kWelzl},  // and a first share that has no n in it
+    Theory{"sphere", "welzl", "O(n) expected", linear, false, kWelzl},  // and a constant part at the start
     Theory{"sphere", "pivot", "O(n) a pass, few passes", linear, false, kGaertner},
     Theory{"sphere", "brute_force", "O(n^5)", fifth, false, kRomanick, "O(n^4)", fourth},
     Theory{"aabb", "min_max", "O(n)", linear, true, kEricson},
     Theory{"obb", "aabb", "O(n)", linear, true, kPasses},
     Theory{"obb", "sphere_axis", "O(n) a pass, few passes", linear, false, kGaertner},
     Theory{"obb", "pca", "O(n)", linear, true, kPasses},
-    Theory{"obb", "pca_hull", "O(n log n) expected", sorting, false, kQuickhull},
-    Theory{"obb", "pca_hull_area", "O(n log n) expected", sorting, false, kQuickhull},
-    Theory{"obb", "pca_rectangle", "O(n log n) expected", sorting, false, kQuickhull},
+    Theory{"obb", "pca_hull", "O(n log n) if balanced", sorting, false, kQuickhull},
+    Theory{"obb", "pca_hull_area", "O(n log n) if balanced", sorting, false, kQuickhull},
+    Theory{"obb", "pca_rectangle", "O(n log n) if balanced", sorting, false, kQuickhull},
     Theory{"obb", "face_aligned", "O(n log n + h^2)", square, false,
-           "each face with each vertex of the hull, by the code", "O(n log n)", sorting},
+           "each face with each vertex of the hull, as the code shows", "O(n log n)", sorting},
     Theory{"obb", "dito", "O(n)", linear, true, kDito},
     Theory{"obb", "exact", "O(n log n + h^2)", square, false, kEdges, "O(n log n)", sorting},
     Theory{"capsule", "pca", "O(n) a pass, few passes", linear, false, kGaertner},
@@ -54,7 +54,7 @@ constexpr std::array kTheories{
     Theory{"kdop", "k14", "O(k n)", linear, true, kKlosowski},
     Theory{"kdop", "k18", "O(k n)", linear, true, kKlosowski},
     Theory{"kdop", "k26", "O(k n)", linear, true, kKlosowski},
-    Theory{"hull", "quickhull", "O(n log n) expected", sorting, false, kQuickhull},
+    Theory{"hull", "quickhull", "O(n log n) if balanced", sorting, false, kQuickhull},
 };
 
 }  // namespace

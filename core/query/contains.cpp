@@ -8,6 +8,7 @@
 
 #include "geometry/dyadic.hpp"
 #include "geometry/exact_sum.hpp"
+#include "geometry/exact_tally.hpp"
 #include "geometry/tolerance.hpp"
 #include "query/numbers.hpp"
 
@@ -25,6 +26,7 @@ double at_least_a_digit(double excess, double size) {
 template <int Dim>
 int side_of_slab_exactly(const Vector<double, Dim>& point, const Vector<double, Dim>& center,
                          const Vector<double, Dim>& axis, double half_extent) {
+  ++exact_decisions;
   const auto beyond = [&](double sign) {
     ExactSum sum;
     for (int i = 0; i < Dim; ++i) {
@@ -48,6 +50,7 @@ int side_of_bound(const Vector<double, Dim>& point, const std::array<int, Dim>& 
   }
   const double beyond = projection - bound;
   if (std::abs(beyond) > tolerance::kProjection * size) return beyond > 0 ? 1 : -1;
+  ++exact_decisions;
   ExactSum sum;
   for (int i = 0; i < Dim; ++i) sum.add_product(axis[i], point[i]);
   sum.add_product(-bound, 1);
@@ -183,7 +186,9 @@ bool within_exactly(const Lozenge<double, Dim>& lozenge, const Vector<double, Di
 template <class Volume, int Dim>
 bool contains_swept(const Volume& volume, const Vector<double, Dim>& point) {
   const auto known = within_by_double(swept<Dim>(volume, point));
-  return known ? *known : within_exactly<Dim>(volume, point);
+  if (known) return *known;
+  ++exact_decisions;
+  return within_exactly<Dim>(volume, point);
 }
 
 template <class Volume, int Dim>

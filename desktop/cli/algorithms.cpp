@@ -24,10 +24,10 @@ CommandResult run_algorithms() {
 }  // namespace
 
 void add_algorithms(Commands& commands) {
-  CLI::App& command = *commands.app.add_subcommand("algorithms", "List every volume and algorithm that fit takes");
+  CLI::App& command = *commands.app.add_subcommand("algorithms", "List every volume and algorithm that fit knows");
   command.footer("JSON Lines: {\"volume\",\"algorithm\",\"dims\":[..],\"exact\":bool,\"source\",\"title\"}; exact says "
                  "whether the\n"
-                 "algorithm claims the smallest volume of its kind.");
+                 "algorithm guarantees the smallest volume of its kind.");
   command.callback([&commands] { commands.chosen = run_algorithms; });
 }
 

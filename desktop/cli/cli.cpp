@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include "desktop/cli/command.hpp"
 
@@ -13,12 +16,13 @@ namespace {
 
 constexpr const char* kDescription =
     "Snug teaches bounding volumes: how they are fitted, how tight they are, and what that costs.\n"
-    "With no subcommand it opens its window.";
+    "Without a subcommand it opens its window.";
 
 constexpr const char* kFooter =
-    "Data goes to stdout, messages to stderr. Exit status: 0 done, 1 an answer of \"no\" from a check,\n"
-    "2 bad input or usage: one line on stderr, \"snug: FILE:LINE: what is wrong\", and nothing on stdout.\n"
-    "`snug COMMAND --help` says all of a command.";
+    "Data goes to standard output, messages to standard error; - as a file name is standard input or output. A file\n"
+    "may have up to 512 MiB. Exit status: 0 done, 1 a check said no, 2 bad input or usage: one line on standard\n"
+    "error, \"snug: FILE:LINE: what is wrong\", and nothing on standard output.\n"
+    "`snug COMMAND --help` describes a command in full.";
 
 /// One line, whatever the message was.
 void complain(std::string what) {
@@ -40,6 +44,36 @@ int run_chosen(const Commands& commands) {
   return 2;
 }
 
+bool is_number(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0';
+}
+
+/// "--axis 0 0 1 FILE" as "--axis=0,0,1 FILE", last argument first as the parser takes them: by itself it would take
+/// FILE for one more number.
+std::vector<std::string> joined_numbers(int argc, const char* const* argv) {
+  std::vector<std::string> joined;
+  bool is_list = false;
+  for (int i = 1; i < argc; ++i) {
+    const std::string text = argv[i];
+    if (is_list && is_number(text)) {
+      joined.back() += (joined.back().back() == '=' ? "" : ",") + text;
+      continue;
+    }
+    is_list = (text == "--axis" || text == "--move") && i + 1 < argc && is_number(argv[i + 1]);
+    joined.push_back(is_list ? text + "=" : text);
+  }
+  std::reverse(joined.begin(), joined.end());
+  return joined;
+}
+
+/// "snug lesson check", as far as the subcommands were read.
+std::string command_line_of(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return app.get_name() + (chosen.empty() ? "" : " " + command_line_of(*chosen.front()));
+}
+
 int run(int argc, const char* const* argv, int (*open_window)(const WindowOptions&)) {
   CLI::App app(kDescription, "snug");
   app.footer(kFooter);
@@ -50,14 +84,14 @@ int run(int argc, const char* const* argv, int (*open_window)(const WindowOption
                          add_scene, add_lesson, add_trace_hash, add_render})
     add(commands);
   try {
-    app.parse(argc, argv);
+    app.parse(joined_numbers(argc, argv));
   } catch (const CLI::Success& success) {  // --help and --version
     const int status = app.exit(success);
     if (std::cout.flush()) return status;
     complain(std::string("standard output: ") + std::strerror(errno));
     return 2;
   } catch (const CLI::ParseError& error) {
-    complain(std::string(error.what()) + " (snug --help says what there is)");
+    complain(std::string(error.what()) + " (see `" + command_line_of(app) + " --help`)");
     return 2;
   }
   return run_chosen(commands);

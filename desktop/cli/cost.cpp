@@ -66,7 +66,7 @@ tl::expected<Subject, InputError> generated(const CostOptions& options) {
   const std::string count = colon == std::string::npos ? "" : options.generate.substr(colon + 1);
   const auto known = generator_kinds();
   if (std::find(known.begin(), known.end(), kind) == known.end())
-    return wrong("there is no kind \"" + kind + "\" of points; known: " + kinds());
+    return wrong("there is no kind of points \"" + kind + "\"; known: " + kinds());
   Index n = 0;
   const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), n);
   if (error != std::errc{} || end != count.data() + count.size() || n < 1 || n > kMostPoints)
@@ -76,7 +76,7 @@ tl::expected<Subject, InputError> generated(const CostOptions& options) {
 }
 
 tl::expected<Subject, InputError> subject_of(const CostOptions& options) {
-  if (options.generate.empty() == options.file.empty()) return wrong("one of --generate KIND:N and FILE is wanted");
+  if (options.generate.empty() == options.file.empty()) return wrong("give either --generate KIND:N or FILE");
   if (!options.generate.empty()) return generated(options);
   auto points = read_point_file(options.file).and_then([&](const io::PointFile& file) {
     return io::to_point_set(file, options.file, options.dim, options.scalar == "float");
@@ -109,7 +109,7 @@ tl::expected<std::vector<const fit::Algorithm*>, InputError> algorithms_of(const
   }
   for (std::size_t i = 0; i < met.size(); ++i)
     if (!met[i]) return wrong("there is no algorithm \"" + options.algorithms[i] + "\"; `snug algorithms` lists all");
-  if (chosen.empty()) return wrong("none of these algorithms takes points of " + std::to_string(dim) + " coordinates");
+  if (chosen.empty()) return wrong("none of these algorithms takes " + std::to_string(dim) + "-D points");
   return chosen;
 }
 
@@ -171,6 +171,13 @@ tl::expected<Measured, InputError> costs(const CostOptions& options, const Subje
   if (!options.against.empty()) {
     auto table = read_table<cost::CostRow>(options.against);
     if (!table) return Wrong(table.error());
+    if (auto other = of_other_points(provenance_of(options, subject), table->provenance, options.against))
+      return Wrong(std::move(*other));
+    for (const cost::CostRow& row : table->rows)
+      if (row.of != fit::size_of(subject.points))
+        return Wrong(InputError{.what = "was measured on " + std::to_string(row.of) + " points, and here there are " +
+                                        std::to_string(fit::size_of(subject.points)),
+                                .file = options.against});
     then = std::move(*table);
   }
   const double longest = options.longest * 1e6;
@@ -226,13 +233,13 @@ Measured claims(const CostOptions& options, const Subject& subject) {
 }
 
 std::optional<std::string> wrong_with(const CostOptions& options) {
-  if (options.growth + options.turn + options.claims > 1) return "one of --growth, --turn and --claims at a time";
-  if (options.json && options.csv) return "one of --json and --csv";
+  if (options.growth + options.turn + options.claims > 1) return "give only one of --growth, --turn and --claims";
+  if (options.json && options.csv) return "give only one of --json and --csv";
   const bool other = options.growth || options.turn || options.claims;
-  if (!options.against.empty() && other) return "--against lies over the table of costs alone";
-  if (!options.against.empty() && options.csv)
-    return "--against goes with --json or with neither: CSV has room for one table";
-  if ((options.turn || options.claims) && !options.algorithms.empty()) return "--algorithms is for costs and --growth";
+  if (!options.against.empty() && other) return "--against goes with the table of costs only";
+  if (!options.against.empty() && options.csv) return "--against cannot go into CSV, which has room for one table";
+  if ((options.turn || options.claims) && !options.algorithms.empty())
+    return "--algorithms goes with costs and --growth only";
   return std::nullopt;
 }
 
@@ -241,7 +248,7 @@ tl::expected<Measured, InputError> measured(const CostOptions& options) {
   const auto subject = subject_of(options);
   if (!subject) return Wrong(subject.error());
   const int dim = fit::dim_of(subject->points);
-  if (options.claims && dim == 2) return wrong("the claims are about space: points of 3 coordinates are wanted");
+  if (options.claims && dim == 2) return wrong("the claims are about 3-D: give 3-D points");
   if (options.claims) return claims(options, *subject);
   const auto algorithms = algorithms_of(options, dim);
   if (!algorithms) return Wrong(algorithms.error());
@@ -255,9 +262,26 @@ tl::expected<Measured, InputError> measured(const CostOptions& options) {
   return costs(options, *subject, *algorithms);
 }
 
-CommandResult run_cost(const CostOptions& options) {
+/// The format follows the file's ending; on standard output and in .txt it is what the flags say.
+tl::expected<CostOptions, InputError> with_format(CostOptions options) {
+  const std::string ending = is_standard_output(options.out) ? "" : ending_of(options.out);
+  if (ending != "csv" && ending != "json") {
+    if (ending.empty() || ending == "txt") return options;
+    return Wrong(
+        InputError{.what = "has none of the endings .csv, .json and .txt, which say the format", .file = options.out});
+  }
+  if (ending == "csv" ? options.json : options.csv)
+    return Wrong(InputError{.what = "ends in ." + ending + ", and another format was asked for", .file = options.out});
+  (ending == "csv" ? options.csv : options.json) = true;
+  return options;
+}
+
+CommandResult run_cost(const CostOptions& given) {
+  const auto formatted = with_format(given);
+  if (!formatted) return bad_input(formatted.error());
+  const CostOptions& options = *formatted;
   std::optional<NewFile> file;  // before what takes long: a file that cannot be is known at once
-  if (!options.out.empty()) {
+  if (!options.out.empty() && !is_standard_output(options.out)) {
     auto created = NewFile::create(options.out);
     if (!created) return bad_input(created.error());
     file.emplace(std::move(*created));
@@ -272,31 +296,36 @@ CommandResult run_cost(const CostOptions& options) {
 }
 
 constexpr const char* kCostFooter =
-    R"(Prints a table; --json has one object {"table","provenance","rows"}, --csv the same as columns, with every figure:
-  volume, algorithm         of `snug algorithms`
-  points, of, whole_ns      how many points it was measured on, how many there are, and where that is fewer, for one run
-                            on all would take longer than --longest, what that run would take
-  time_ns                   {median, min, spread, repeats, batch, trusted} of one fit without an observer; spread is between
-                            the quartiles, over the median, and times that spread over more than a third are not trusted;
-                            one batch alone has no spread, null, and is not trusted
+    R"(Prints a table. In JSON it is one object {"table","provenance","rows"}, in CSV the same as columns, with every figure:
+  volume, algorithm         as `snug algorithms` lists them
+  points, of, whole_ns      the number of points measured, and how many there are. Where one run on all of them would
+                            take longer than --longest, fewer are measured, and whole_ns is the estimate for all
+  time_ns                   {median, min, spread, repeats, batch, trusted} of one fit without an observer. spread is the
+                            distance between the quartiles over the median; above a third the time is not trusted: it
+                            was measured badly. A single batch has no spread, null, and is not trusted
   operations, steps         counts of a second, watched run
-  size, measure             a ball's radius, of others the measure; 3-D volume or 2-D area
-  tightness                 size over that of the smallest volume of its kind around the same points; null where no
-                            algorithm here claims the smallest, or that is flat: of a size that is nothing but rounding
-  over_hull                 measure over that of the convex hull; null where that is flat
-  bytes                     of the volume's numbers
+  size, measure             a sphere's radius, otherwise the measure; 3-D volume or 2-D area
+  tightness                 size over that of the smallest volume of its kind around the same points; null if no
+                            algorithm here guarantees the smallest, or if it is flat: no larger than rounding
+  over_hull                 measure over that of the convex hull; null if that is flat
+  bytes                     memory for the volume's numbers
   overlap_ns, overlap_pairs, overlapping
-                            of one overlap test with a copy; the copies are moved to just overlap, or to be just apart
-  update, update_ns         the tight update of the volume in a full turn of the body, and the time of one; null of
+                            one overlap test with a copy of the volume; half of the copies just overlap
+  update, update_ns         the volume's tight update over a full turn of the body, and the time of one; null for
                             volumes that have none
   certificate               {contains, on_boundary, optimal}
-  on_front                  whether no other is both faster and smaller
+  on_front                  whether no other algorithm is both faster and tighter; sizes that differ only by rounding
+                            are equal
 
---growth: the time against the number of points, from 10 to N, with the power that it grows by, beside theory's.
---turn: by how much each update's volume is larger than the tightest, over a full turn of the body; null where that is flat.
---claims: what two lectures say of time, storage and tightness, and what is measured of it here.
+--growth: time against the number of points, from 10 to N, with the power of n that it follows, beside the theory. Where
+          the points are too few to tell, there is no power.
+--turn: how much larger than the tightest each update's volume is, over a full turn of the body; null if that is flat.
+--claims: what two lectures say of time, storage and tightness, and what is measured here.
 
-Exit status: 0 done, 1 some volume does not hold every point, 2 bad input or usage.)";
+-o FILE: the ending says the format, .csv, .json or .txt (the table printed here). At most 2,000,000 points; a file may
+have up to 512 MiB.
+
+Exit status: 0 done, 1 some volume does not contain all points, 2 bad input or usage.)";
 
 }  // namespace
 
@@ -305,37 +334,37 @@ void add_cost(Commands& commands) {
       *commands.app.add_subcommand("cost", "Measure what accuracy costs: time, operations, tightness, memory");
   command.footer(kCostFooter);
   const auto options = add_command<CostOptions>(commands, command, run_cost);
-  command.add_option("--generate", options->generate, "Points of a kind, KIND:N; kinds: " + kinds());
+  command.add_option("--generate", options->generate, "N points of a kind, KIND:N; kinds: " + kinds());
   command.add_option("FILE", options->file, "Point file, as of snug fit; - is xyz on standard input");
-  command.add_option("--volume", options->volume, "Only volumes of this kind");
+  command.add_option("--volume", options->volume, "Only this kind of volume");
   command
       .add_option("--algorithms", options->algorithms,
-                  "Only these: pca, or obb:pca for that of one volume, with commas between")
+                  "Only these, separated by commas: pca, or obb:pca for that of one volume")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_option("--scalar", options->scalar, "Arithmetic: double or float")
+  command.add_option("--scalar", options->scalar, "Number type: double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
-  command.add_option("--dim", options->dim, "2 or 3; the file's own, or 3, where none is given")
-      ->transform(whole_number(2, 3));
-  command.add_option("--seed", options->seed, "Seed of points and random orders")
+  command.add_option("--dim", options->dim, "2 or 3; by default that of the file, or 3")->transform(whole_number(2, 3));
+  command.add_option("--seed", options->seed, "Seed of the points and of random orders")
       ->transform(whole_number(0, std::numeric_limits<std::int64_t>::max()))
       ->capture_default_str();
-  command.add_option("--repeat", options->repeat, "How many batches to time")
+  command.add_option("--repeat", options->repeat, "Number of timed batches")
       ->transform(whole_number(1, 1'000'000))
       ->capture_default_str();
   command
       .add_option("--longest", options->longest,
-                  "Milliseconds that one run may take; where it would take more, on fewer points")
+                  "Milliseconds that one run may take; where it would take longer, fewer points are measured")
       ->transform(whole_number(1, 1'000'000))
       ->capture_default_str();
-  command.add_flag("--growth", options->growth, "Time against the number of points instead");
-  command.add_flag("--turn", options->turn, "Slack over a full turn of the body instead");
-  command.add_flag("--claims", options->claims, "The lectures' claims, measured, instead");
-  command.add_option("--against", options->against, "An earlier result, CSV or JSON, to lie beside this one");
-  command.add_flag("--json", options->json, "As one JSON object");
-  command.add_flag("--csv", options->csv, "As CSV");
-  command.add_option("-o", options->out, "File to write to, instead of standard output");
+  command.add_flag("--growth", options->growth, "Instead: time against the number of points");
+  command.add_flag("--turn", options->turn, "Instead: looseness over a full turn of the body");
+  command.add_flag("--claims", options->claims, "Instead: the lectures' claims, measured");
+  command.add_option("--against", options->against,
+                     "Earlier result in CSV or JSON, on the same points, to compare with");
+  command.add_flag("--json", options->json, "Print one JSON object");
+  command.add_flag("--csv", options->csv, "Print CSV");
+  command.add_option("-o", options->out, "File to write, in the format of its ending; - is standard output");
 }
 
 }  // namespace snug::desktop

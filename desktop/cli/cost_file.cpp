@@ -91,6 +91,22 @@ template tl::expected<cost::Table<cost::CostRow>, InputError> read_table(const s
 template tl::expected<cost::Table<cost::GrowthRow>, InputError> read_table(const std::string&);
 template tl::expected<cost::Table<cost::TurnRow>, InputError> read_table(const std::string&);
 
+std::optional<InputError> of_other_points(const cost::Provenance& now, const cost::Provenance& then,
+                                          const std::string& path, bool any_number) {
+  const auto name = [&](const cost::Provenance& p) {
+    const std::string own = p.points.substr(p.points.find_last_of('/') + 1);
+    return any_number ? own.substr(0, own.find(':')) : own;
+  };
+  const auto words = [](const cost::Provenance& p) {
+    return p.points + " (" + std::to_string(p.dim) + "-D, seed " + std::to_string(p.seed) + ")";
+  };
+  const bool generated = now.points.find(':') != std::string::npos;
+  if (name(now) == name(then) && now.dim == then.dim && (!generated || now.seed == then.seed)) return std::nullopt;
+  return InputError{.what = "was measured on " + words(then) + ", and this on " + words(now) +
+                            ": only results on the same points can be compared",
+                    .file = path};
+}
+
 std::string table_name(std::string_view text) {
   constexpr std::string_view kCsv = "# snug table: ", kJson = "{\"table\":\"";
   for (const std::string_view first : {kCsv, kJson})

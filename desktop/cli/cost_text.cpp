@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "measure/growth.hpp"
 #include "measure/turn_run.hpp"
 
 namespace snug::desktop {
@@ -76,8 +77,8 @@ std::string head_of(const cost::Provenance& p) {
          said("; the clock's step is %s\n\n", time_text(p.clock_resolution_ns).c_str());
 }
 
-constexpr const char* kDoubt = "? the times spread over more than a third of their median, or there is only one: that "
-                               "could not be measured well\n";
+constexpr const char* kDoubt =
+    "? measured badly: the times spread over more than a third of their median, or there is only one\n";
 
 std::string note_of(const cost::CostRow& row) {
   std::string note = row.on_front ? "* front" : "";
@@ -85,7 +86,13 @@ std::string note_of(const cost::CostRow& row) {
     note +=
         said("%son %d of %d points%s", note.empty() ? "" : ", ", static_cast<int>(row.points), static_cast<int>(row.of),
              row.whole_ns ? (": all would take about " + time_text(*row.whole_ns)).c_str() : "");
-  if (!row.contains) note += note.empty() ? "does not hold every point" : ", does not hold every point";
+  if (!row.contains) note += note.empty() ? "does not contain all points" : ", does not contain all points";
+  return note;
+}
+
+std::string growth_note(const cost::GrowthRow& last) {
+  std::string note = last.exponent ? "" : std::string(cost::kTooFewToTell);
+  if (!last.stopped.empty()) note += (note.empty() ? "stopped: " : "; stopped: ") + last.stopped;
   return note;
 }
 
@@ -135,7 +142,7 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Co
     for (const cost::Timing* timing : {&row.time, &row.overlap, &row.updated})
       doubt = doubt || (timing->repeats > 0 && !timing->trusted);
   }
-  std::string text = head_of(provenance) + columns.text() + "\n* no other is both faster and smaller\n";
+  std::string text = head_of(provenance) + columns.text() + "\n* no other is both faster and tighter\n";
   if (doubt) text += kDoubt;
   if (then != nullptr) text += "then: " + head_of(then->provenance);
   return text;
@@ -152,19 +159,18 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Gr
     const std::string theirs =
         last.theory_exponent ? said(last.tight ? "%.2f" : "<= %.2f", *last.theory_exponent) : "-";
     columns.add({last.volume, last.algorithm, said("%d", static_cast<int>(last.points)), time_text(last.time),
-                 ratio_text(last.exponent, "%.2f"), theirs, last.theory,
-                 last.stopped.empty() ? "" : "stopped: " + last.stopped});
+                 ratio_text(last.exponent, "%.2f"), theirs, last.theory, growth_note(last)});
     for (const cost::GrowthRow& row : group) doubt = doubt || !row.time.trusted;
   }
-  std::string text =
-      head_of(provenance) + columns.text() +
-      "\nThe power of the number of points by which the least times of the last decade and a half of numbers grow;\n"
-      "--csv has every time. <= is an upper bound of the operations; memory may add to the time.\n";
+  std::string text = head_of(provenance) + columns.text() +
+                     "\nThe power is that of n by which the time grows, fitted to the last decade and a half of n; CSV "
+                     "has every time.\n"
+                     "<= marks an upper bound on the operations; memory access may add to the time.\n";
   return doubt ? text + kDoubt : text;
 }
 
 std::string text_of(const cost::Provenance& provenance, std::span<const cost::TurnRow> rows) {
-  Columns columns({"volume", "update", "time", "least slack", "mean", "most", ""});
+  Columns columns({"volume", "update", "time", "least looseness", "mean", "most", ""});
   const auto same = [](const cost::TurnRow& a, const cost::TurnRow& b) {
     return a.volume == b.volume && a.strategy == b.strategy;
   };
@@ -176,12 +182,12 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Tu
     };
     columns.add({group[0].volume, group[0].strategy, time_text(group[0].updated), per_cent(&cost::SlackRange::least),
                  per_cent(&cost::SlackRange::mean), per_cent(&cost::SlackRange::most),
-                 holds ? "" : "does not hold every point"});
+                 holds ? "" : "does not contain all points"});
   }
   return head_of(provenance) + columns.text() +
-         "\nBy how much the volume is larger than the tightest of its kind, over one full turn of the body; of an "
-         "oriented box, than\n"
-         "the box that turns with the body.\n";
+         "\nHow much larger the volume is than the tightest of its kind, over one full turn of the body; an oriented "
+         "box\n"
+         "is compared with the box that rotates with the body.\n";
 }
 
 std::string text_of(const cost::Provenance& provenance, std::span<const cost::ClaimRow> rows) {

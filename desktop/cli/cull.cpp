@@ -46,7 +46,7 @@ tl::expected<std::vector<double>, std::string> numbers_of(const Json& json, cons
                                                           bool as_float) {
   if (!json.is_array()) return fault(self + " is not a list of numbers");
   if (json.size() != count)
-    return fault(self + " has " + std::to_string(json.size()) + " numbers where " + std::to_string(count) + " belong");
+    return fault(self + " has " + std::to_string(json.size()) + " numbers instead of " + std::to_string(count));
   constexpr double kFloat = Frustum<float, 3>::kLargest, kDouble = Frustum<double, 3>::kLargest;
   const double largest = as_float ? 4 * kFloat * kFloat : 4 * kDouble * kDouble;
   std::vector<double> numbers;
@@ -64,9 +64,9 @@ tl::expected<Rows, std::string> rows_of(const Json& frustum, const CullOptions& 
   const bool as_float = options.scalar == "float";
   if (const auto fields = has_just(frustum, "frustum", {"planes", "view_projection"}); !fields)
     return fault(fields.error());
-  if (frustum.size() != 1) return fault("frustum has not just one of the fields planes, view_projection");
+  if (frustum.size() != 1) return fault("frustum must have exactly one of the fields planes, view_projection");
   if (frustum.contains("view_projection")) {
-    if (options.dim == 2) return fault("frustum.view_projection is of 3-D, and --dim is 2");
+    if (options.dim == 2) return fault("frustum.view_projection is 3-D, and --dim is 2");
     return numbers_of(frustum["view_projection"], "frustum.view_projection", 16, as_float).map([](auto row) {
       return Rows{row};
     });
@@ -74,10 +74,10 @@ tl::expected<Rows, std::string> rows_of(const Json& frustum, const CullOptions& 
   const Json& planes = frustum["planes"];
   if (!planes.is_array()) return fault("frustum.planes is not a list of planes");
   if (planes.size() != 6 && planes.size() != 4)
-    return fault("frustum.planes has " + std::to_string(planes.size()) + " rows where 6, in 2-D 4, belong");
+    return fault("frustum.planes has " + std::to_string(planes.size()) + " rows instead of 6 (in 2-D 4)");
   if (options.dim != 0 && static_cast<int>(planes.size()) != 2 * options.dim)
-    return fault("frustum.planes has " + std::to_string(planes.size()) + " rows where " +
-                 std::to_string(2 * options.dim) + " belong");
+    return fault("frustum.planes has " + std::to_string(planes.size()) + " rows instead of " +
+                 std::to_string(2 * options.dim));
   Rows rows;
   for (const Json& plane : planes) {
     auto row =
@@ -147,7 +147,7 @@ tl::expected<query::CullResult, std::string> by_corners(const std::string& test,
   };
   if (const auto* box = std::get_if<Aabb<Scalar, Dim>>(&volume)) return test_box(*box);
   if (const auto* box = std::get_if<Obb<Scalar, Dim>>(&volume)) return test_box(*box);
-  return fault("volume is neither aabb nor obb, as --test " + test + " wants it");
+  return fault("volume is neither aabb nor obb, which --test " + test + " needs");
 }
 
 /// What one line is asked by.
@@ -239,9 +239,9 @@ tl::expected<std::vector<CullLine>, std::vector<InputError>> scene_of(const Cull
     auto line = line_from(json, options);
     if (!line) return fault(line.error());
     if (!scene.empty() && scene[0].frustum != line->frustum)
-      return fault("frustum is another than the first line's; a tree is held against one");
+      return fault("frustum differs from the first line's; a tree is tested against one");
     if (!scene.empty() && kind_of(scene[0].volume) != kind_of(line->volume))
-      return fault("volume is of another kind than the first line's; those of a tree are all of one");
+      return fault("volume is of another kind than the first line's; a tree takes one kind");
     if (scene.empty())
       if (const auto taken = takes_frustum(*line, options.scalar == "float"); !taken)
         return fault("frustum: " + taken.error().what);
@@ -279,7 +279,7 @@ CommandResult cull_scene(const std::vector<CullLine>& scene, const std::string& 
 }
 
 CommandResult run_tree(const CullOptions& options, TraceFile& trace) {
-  if (options.test != "planes") return bad_input("--tree goes with --test planes");
+  if (options.test != "planes") return bad_input("--tree goes with --test planes only");
   const auto scene = scene_of(options);
   if (!scene) return tl::unexpected(scene.error());
   if (scene->empty()) return Printed{};
@@ -303,31 +303,34 @@ CommandResult run_cull(const CullOptions& options) {
 }
 
 constexpr const char* kCullFooter =
-    R"(Reads JSON Lines, {"frustum":F,"volume":V} on each, and prints one object for each; empty lines are passed over.
-  F                {"planes":[[nx,ny,nz,d], ..]}: left, right, bottom, top, near, far; normals point out and may be of any
-                   length; inside of a plane is n . p + d <= 0. In 2-D four lines [nx,ny,d]: left, right, near, far.
+    R"(Reads JSON Lines, {"frustum":F,"volume":V} on each, and prints one object for each; empty lines are skipped.
+  F                {"planes":[[nx,ny,nz,d], ..]}: left, right, bottom, top, near, far; normals point outward and may
+                   have any length; a point p is inside a plane if n . p + d <= 0. In 2-D four lines [nx,ny,d]: left,
+                   right, near, far.
                    {"view_projection":[16 numbers]}: column-major, world to OpenGL's clip space; 3-D
 )";
-constexpr const char* kCullFooterEnd = R"(It is of the frustum's dimension.
-  class            inside, intersecting or outside. Outside is what is all on the outer side of one plane, inside what
-                   is outside of none. What touches the frustum is never outside, what sticks out never inside, in float
-                   too. Some volumes outside near the frustum's edges are called intersecting
-  planes           for each: plane (its place), p_vertex and n_vertex (the volume's points farthest along the normal and
-                   against it), side (the class as of this plane), p_distance and n_distance (signed, positive outside)
-  exact            the class that is true; null where it is not found out: of what the planes call intersecting, it is
-                   found of aabb and obb, against planes that bound a frustum with eight corners (in 2-D four)
+constexpr const char* kCullFooterEnd = R"(It has the frustum's dimension.
+  class            inside, intersecting or outside. Outside: wholly in the positive half-space of one plane. Inside:
+                   wholly in the negative half-space of every plane. A volume that touches the frustum is never called
+                   outside, and one that sticks out is never called inside, in float too. Some volumes outside near the
+                   frustum's edges and corners are called intersecting: false positives
+  planes           for each: plane (its index), p_vertex and n_vertex (the volume's points farthest along the normal and
+                   against it), side (the class for this plane), p_distance and n_distance (signed, positive outside)
+  exact            the true class; null if it is not worked out. Of volumes that the planes call intersecting it is worked
+                   out for aabb and obb, against planes that bound a frustum with eight corners (in 2-D four)
 
---test corners says the class by the box's corners: outside where all are outside of one plane; corners_outside says so
-where all are outside of the frustum, which loses boxes that are wider than it: class then differs from exact.
---tree RULE builds a tree over all lines' volumes, which are of one kind and have one frustum, by median, surface_area,
-bottom_up or insertion, and culls by it. It prints {"class":..} for each, the same as without, and then one object more:
-  tree, nodes      the rule, and how many nodes it made; nodes_visited: how many the frustum had looked at
-  by_tree          volume_tests (nodes and bodies) and planes_tested; without_masks the same where children are tested
-                   against planes too that their parent is inside of; one_by_one without the tree
+--test corners classifies by the box's vertices: outside if all are outside one plane. corners_outside says outside if
+all are outside the frustum, which is wrong for boxes wider than the frustum: class then differs from exact.
+--tree RULE builds a tree over the volumes of all lines, which must be of one kind with one frustum, by median,
+surface_area, bottom_up or insertion, and culls with it. It prints {"class":..} for each, the same as without a tree, and
+then one more object:
+  tree, nodes      the rule, and the number of nodes; nodes_visited: how many the frustum was tested against
+  by_tree          volume_tests (nodes and bodies) and planes_tested; without_masks: the same if children are also
+                   tested against planes that their parent is inside; one_by_one: without the tree
 
---steps writes what the test did, a JSON object a line: volume (which line of the answers), test, step (its name), line
-(of the test's pseudocode, counted from 0) and the step's own fields. Of side, so_far and verdict 0 is inside, 1
-intersecting, 2 outside. Of a tree it is doing (build or cull) in volume's place.
+--steps writes what the test did, one JSON object a line: volume (which line of the answers), test, step (its name),
+line (of the test's pseudocode, counted from 0) and the step's own fields. In side, so_far and verdict 0 is inside, 1
+intersecting, 2 outside. For a tree there is doing (build or cull) instead of volume.
 
 Exit status: 0 done, 2 bad input or usage: one line on stderr that names the field, and nothing on stdout.)";
 
@@ -337,20 +340,19 @@ void add_cull(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("cull", "Classify volumes against view frusta");
   command.footer(std::string(kCullFooter) + kVolumesInJson + kCullFooterEnd);
   const auto options = add_command<CullOptions>(commands, command, run_cull);
-  command.add_option("--scalar", options->scalar, "Arithmetic: double or float")
+  command.add_option("--scalar", options->scalar, "Number type: double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
-  command.add_option("--dim", options->dim, "2 or 3; each line's own where none is given")
-      ->transform(whole_number(2, 3));
+  command.add_option("--dim", options->dim, "2 or 3; by default that of each line")->transform(whole_number(2, 3));
   command
       .add_option("--test", options->test,
-                  "What says the class: planes; of boxes also corners, or corners_outside, which is wrong")
+                  "What classifies: planes; for boxes also corners, or corners_outside, which is wrong")
       ->check(CLI::IsMember({"planes", "corners", "corners_outside"}))
       ->capture_default_str();
-  command.add_option("--tree", options->tree, "Cull by a tree built by median, surface_area, bottom_up or insertion")
+  command.add_option("--tree", options->tree, "Cull with a tree built by median, surface_area, bottom_up or insertion")
       ->check(CLI::IsMember(kTreeRules));
-  command.add_option("--steps", options->steps, "File for the trace of all tests, one JSON object a line");
-  command.add_option("FILE", options->file, "File of JSON Lines; - is standard input")->capture_default_str();
+  command.add_option("--steps", options->steps, "File to write the trace of all tests to, one JSON object a line");
+  command.add_option("FILE", options->file, "JSON Lines file; - is standard input")->capture_default_str();
 }
 
 }  // namespace snug::desktop

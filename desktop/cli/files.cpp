@@ -1,6 +1,7 @@
 #include "desktop/cli/files.hpp"
 
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <climits>
 #include <csignal>
@@ -54,7 +55,17 @@ void remove_when_told_to_end(const fs::path& part) {
 
 }  // namespace
 
-tl::expected<std::string, InputError> read_file(const std::string& path, std::size_t most) {
+tl::expected<std::string, InputError> read_file(const std::string& path) {
+  const InputError too_large{.what = "has more than 512 MiB, the most that is read", .file = path};
+  std::error_code no_size;
+  const auto size = path == "-" ? 0 : fs::file_size(path, no_size);
+  if (!no_size && size > kMostFileBytes) return tl::unexpected(too_large);
+  auto bytes = read_start(path, kMostFileBytes);
+  if (bytes && bytes->size() > kMostFileBytes) return tl::unexpected(too_large);
+  return bytes;
+}
+
+tl::expected<std::string, InputError> read_start(const std::string& path, std::size_t most) {
   if (path == "-") return read_all(stdin, path, most);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return tl::unexpected(InputError{.what = "is a directory", .file = path});
@@ -106,10 +117,22 @@ tl::expected<void, InputError> NewFile::put_in_place() {
 }
 
 tl::expected<void, InputError> write_file(const std::string& path, std::string_view bytes) {
+  if (is_standard_output(path)) {
+    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
+    if (!written || std::fflush(stdout) != 0) return cannot("standard output", "cannot be written", errno);
+    return {};
+  }
   return NewFile::create(path).and_then([&](NewFile&& file) {
     file.write(bytes);
     return file.put_in_place();
   });
+}
+
+std::string ending_of(const std::string& path) {
+  std::string ending = fs::path(path).extension().string();
+  ending.erase(0, 1);
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending;
 }
 
 fs::path program_folder() {

@@ -13,10 +13,21 @@
 
 namespace snug::desktop {
 
-/// A file's bytes; "-" is standard input. most: of a file that is longer, or has no end, only a little more is read.
-/// Errors: there is none, it is a directory, it cannot be read.
-[[nodiscard]] tl::expected<std::string, InputError> read_file(const std::string& path,
-                                                              std::size_t most = std::string::npos);
+/// More bytes are refused before they are in memory; the command line's help says so.
+inline constexpr std::size_t kMostFileBytes = std::size_t{512} << 20;
+
+/// A file's bytes; "-" is standard input. Errors: there is none, it is a directory, it cannot be read, it has more than
+/// kMostFileBytes, or no end.
+[[nodiscard]] tl::expected<std::string, InputError> read_file(const std::string& path);
+
+/// The same, but of a file that has more than so many bytes, a little more than these.
+[[nodiscard]] tl::expected<std::string, InputError> read_start(const std::string& path, std::size_t most);
+
+/// Whether the path means standard output: "-".
+[[nodiscard]] inline bool is_standard_output(std::string_view path) { return path == "-"; }
+
+/// Behind the last dot of the file's name, in small letters: "csv"; empty where there is none.
+[[nodiscard]] std::string ending_of(const std::string& path);
 
 /// The points of a file, as io::read_points reads them. Errors: of both.
 [[nodiscard]] tl::expected<io::PointFile, InputError> read_point_file(const std::string& path);
@@ -50,7 +61,7 @@ class NewFile {
   int error_ = 0;
 };
 
-/// A whole file at once. Errors: as of NewFile.
+/// A whole file at once; "-" is standard output. Errors: as of NewFile.
 [[nodiscard]] tl::expected<void, InputError> write_file(const std::string& path, std::string_view bytes);
 
 /// The folder that the program lies in: lessons/ and assets/ are beside it.

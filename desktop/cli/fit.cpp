@@ -34,7 +34,6 @@ std::string names(std::string_view volume) {
 
 tl::expected<const fit::Algorithm*, InputError> algorithm_of(const FitOptions& options) {
   if (const fit::Algorithm* algorithm = fit::find_algorithm(options.volume, options.algorithm)) return algorithm;
-  const std::string algorithms = names(options.volume);
   const std::string known = names(options.volume);
   return tl::unexpected(InputError{.what = options.volume.empty() || known.empty()
                                                ? "there is no volume \"" + options.volume + "\"; known: " + names("")
@@ -109,17 +108,18 @@ CommandResult run_fit(const FitOptions& options) {
 
 constexpr const char* kFitFooter = R"(Prints one JSON object:
   the volume                {"sphere":{"center":[x,y,z],"radius":r}}; in 2-D two numbers instead of three
-  points, support           how many there are, and the indices of those that hold the volume in place
+  points, support           how many points there are, and the indices of the support set
   measure                   its 3-D volume or 2-D area; null where that is more than a double can hold
-  max_outside               the farthest any point lies outside, 0 when all are in
-  certificate               {contains, on_boundary, optimal}; optimal is null where the algorithm claims none
-  steps, operations         how many steps, and named counts of what was done
-  time_ns                   {median, min, repeats} of the run without an observer
+  max_outside               the farthest any point lies outside; 0 if the volume contains all points
+  certificate               {contains, on_boundary, optimal}; optimal is null if the algorithm does not guarantee it
+  steps, operations         the number of steps, and counts by name of what was done
+  time_ns                   {median, min, repeats} of a run without an observer
 
-Point files, told apart by content and extension: .xyz .csv .txt (two or three numbers a line; # comments), .obj,
-.ply (ascii, binary little and big endian), .stl (ascii, binary); - is xyz on standard input.
+Point files, recognized by content and extension: .xyz .csv .txt (two or three numbers a line; # begins a comment),
+.obj, .ply (ascii, binary little and big endian), .stl (ascii, binary); - is xyz on standard input. A file may have up
+to 512 MiB.
 
-Exit status: 0 done, 1 the volume does not hold every point, 2 bad input or usage.)";
+Exit status: 0 done, 1 the volume does not contain all points, 2 bad input or usage.)";
 
 }  // namespace
 
@@ -129,18 +129,17 @@ void add_fit(Commands& commands) {
   const auto options = add_command<FitOptions>(commands, command, run_fit);
   command.add_option("--volume", options->volume, "Kind of volume: " + names(""))->required();
   command.add_option("--algorithm", options->algorithm, "Algorithm; `snug algorithms` lists all")->required();
-  command.add_option("--scalar", options->scalar, "Arithmetic: double or float")
+  command.add_option("--scalar", options->scalar, "Number type: double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
-  command.add_option("--dim", options->dim, "2 or 3; the file's own where none is given")
-      ->transform(whole_number(2, 3));
+  command.add_option("--dim", options->dim, "2 or 3; by default that of the file")->transform(whole_number(2, 3));
   command.add_option("--seed", options->seed, "Seed of the random order")
       ->transform(whole_number())
       ->capture_default_str();
-  command.add_option("--repeat", options->repeat, "How many times to take the time")
+  command.add_option("--repeat", options->repeat, "How many times to measure the time")
       ->transform(whole_number(1, 1'000'000))
       ->capture_default_str();
-  command.add_option("--steps", options->steps, "File for the trace, one JSON object a line");
+  command.add_option("--steps", options->steps, "File to write the trace to, one JSON object a line");
   command.add_option("FILE", options->file, "Point file")->required();
 }
 

@@ -24,7 +24,7 @@ tl::expected<Json, std::string> json_line(const std::string& line) {
   };
   try {
     Json json = Json::parse(line, watch);
-    if (!twice.empty()) return tl::unexpected("the key " + twice + " is there twice");
+    if (!twice.empty()) return tl::unexpected("the key " + twice + " appears twice");
     return json;
   } catch (const Json::exception& error) {
     const std::string what = error.what();

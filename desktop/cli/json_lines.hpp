@@ -25,6 +25,6 @@ inline constexpr const char* kVolumesInJson =
                    {"lozenge":{"origin":[..],"edges":[[..],[..]],"radius":r}}; the edges are perpendicular
                    {"kdop":{"k":14,"min":[..],"max":[..]}}; k is 6, 14, 18 or 26, in 2-D 4, 6 or 8
                    {"hull":{"points":[[..],..]}}
-                   In 2-D two numbers stand where 3-D has three. )";
+                   In 2-D there are two numbers instead of three. )";
 
 }  // namespace snug::desktop

@@ -107,7 +107,7 @@ CommandResult run_play(const LessonOptions& options) {
 }
 
 void add_folder(CLI::App& command, LessonOptions& options) {
-  command.add_option("--lessons", options.folder, "Folder of the lesson files; the one beside the program if none");
+  command.add_option("--lessons", options.folder, "Folder of the lesson files; by default the one beside the program");
 }
 
 }  // namespace
@@ -122,24 +122,26 @@ void add_lesson(Commands& commands) {
   add_folder(list, *add_command<LessonOptions>(commands, list, run_list));
 
   CLI::App& check = *group.add_subcommand("check", "Check lesson files");
-  check.footer("Reads each file, plays it with its model answers, and prints {\"lesson\",\"questions\",\"file\"} for "
-               "each where all\n"
-               "are sound; else one line on stderr for each that is not, with file and line, and exit status 2.\n"
-               "A lesson with the chart of costs is decided by counted operations, never by time, and has\n"
-               "\"decided_by\":\"operations\" as well.");
+  check.footer(
+      "Reads each file and plays it with its model answers. If all are sound, prints a line for each:\n"
+      "{\"lesson\",\"questions\",\"file\"}. Otherwise prints a line on standard error for each that is not, with\n"
+      "file and line, and exits with status 2.\n"
+      "A lesson with the cost chart is decided by counted operations, never by time; its line has\n"
+      "\"decided_by\":\"operations\" as well.");
   const auto checked = add_command<LessonOptions>(commands, check, run_check);
   check.add_option("FILE", checked->files, "Lesson files")->required();
 
   CLI::App& play = *group.add_subcommand("play", "Play a lesson to its end");
   play.footer(
-      "Plays each algorithm that the lesson offers to the last step and gives each exercise its model answer.\n"
+      "Plays each of the lesson's algorithms to the last step and gives every exercise its model answer.\n"
       "JSON Lines: {\"algorithm\",\"steps\",\"questions\":[{\"question\",\"answer\",\"happened\",\"right\"}]} for "
       "each, then\n"
-      "{\"lesson\",\"not_asked\",\"task\",\"sound\"}. Exit status 1 where an answer is wrong or was never asked for.\n"
-      "A lesson with the chart of costs is played without a clock: which algorithm is fastest, and for how much, is\n"
-      "decided by counted operations, and the last line has \"decided_by\":\"operations\". In the window and on the "
-      "page\n"
-      "it is decided by times.");
+      "{\"lesson\",\"not_asked\",\"task\",\"sound\"}. Exit status 1 if an answer is wrong or was never asked for.\n"
+      "A lesson with the cost chart is played without a clock: which algorithm is fastest, and by how much, is "
+      "decided\n"
+      "by counted operations, and the last line has \"decided_by\":\"operations\". In the window and on the page it "
+      "is\n"
+      "decided by time.");
   const auto played = add_command<LessonOptions>(commands, play, run_play);
   add_folder(play, *played);
   play.add_option("ID", played->id, "The lesson's id")->required();

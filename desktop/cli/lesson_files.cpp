@@ -22,7 +22,7 @@ tl::expected<std::vector<std::string>, InputError> toml_files(const fs::path& fo
     if (entry.path().extension() == ".toml") paths.push_back(entry.path().string());
   if (error)
     return tl::unexpected(
-        InputError{.what = "no lessons can be read there: " + error.message(), .file = folder.string()});
+        InputError{.what = "lessons cannot be read from there: " + error.message(), .file = folder.string()});
   std::sort(paths.begin(), paths.end());  // so that of several errors it is always the same that is told
   return paths;
 }
@@ -37,7 +37,7 @@ tl::expected<std::optional<io::PointFile>, InputError> mesh_of(const lesson::Les
 }  // namespace
 
 tl::expected<LessonFile, InputError> read_lesson_file(const std::string& path, lesson::Checked checked) {
-  return read_file(path, lesson::kMostLessonBytes)
+  return read_start(path, lesson::kMostLessonBytes)
       .and_then([&](const std::string& text) { return lesson::read_lesson(text, path, checked); })
       .map([&](lesson::Lesson&& lesson) {
         return LessonFile{path, std::move(lesson)};
@@ -64,8 +64,7 @@ tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, cons
   if (!paths) return tl::unexpected(paths.error());
   for (const std::string& path : *paths)
     if (fs::path(path).stem() == id) return read_lesson_file(path, checked);
-  return tl::unexpected(
-      InputError{.what = "there is no lesson \"" + id + "\": `snug lesson list` says which there are"});
+  return tl::unexpected(InputError{.what = "there is no lesson \"" + id + "\"; `snug lesson list` lists them"});
 }
 
 tl::expected<AnyPointSet, InputError> points_of(const LessonFile& file) {

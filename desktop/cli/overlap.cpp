@@ -126,17 +126,17 @@ CommandResult run_overlap(const OverlapOptions& options) {
 }
 
 constexpr const char* kOverlapFooter =
-    R"(Reads JSON Lines, {"a":V,"b":V} on each, and prints one object for each; empty lines are passed over.
+    R"(Reads JSON Lines, {"a":V,"b":V} on each, and prints one object for each; empty lines are skipped.
 )";
-constexpr const char* kOverlapFooterEnd = R"(A 6-DOP, which both have, is of the other volume's
-                   dimension, or of --dim, or 3-D.
+constexpr const char* kOverlapFooterEnd = R"(A 6-DOP exists in 2-D and 3-D: it takes the
+                   dimension of the other volume, or of --dim, or is 3-D.
   overlap          whether they share a point; touching volumes do
-  distance         0 where they overlap; null where the pair's test finds none (boxes and k-DOPs among themselves)
-  separating_axis  {kind, direction, gap}: a unit direction from a to b, and the gap along it; null where they overlap.
-                   kind: centers, closest_points, slab, face_a, face_b, edge_edge
-  tests            how many axes, pairs of features or simplices were looked at
+  distance         0 if they overlap; null if the test for this pair finds no distance (boxes and k-DOPs among themselves)
+  separating_axis  {kind, direction, gap}: a unit direction from a to b, and the separation along it; null if they
+                   overlap. kind: centers, closest_points, slab, face_a, face_b, edge_edge
+  tests            the number of axes, pairs of features or simplices tested
 
---steps writes what each test did, a JSON object a line: pair (which line of the answers), test (slabs, distance,
+--steps writes what each test did, one JSON object a line: pair (which line of the answers), test (slabs, distance,
 separating_axes, gjk), first (which of the two volumes the step calls a), step (its name), line (of the test's
 pseudocode, counted from 0) and the step's own fields. An axis' kind is 1 face_a, 2 face_b, 3 edge_edge.
 
@@ -148,13 +148,12 @@ void add_overlap(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("overlap", "Test pairs of volumes for overlap");
   command.footer(std::string(kOverlapFooter) + kVolumesInJson + kOverlapFooterEnd);
   const auto options = add_command<OverlapOptions>(commands, command, run_overlap);
-  command.add_option("--scalar", options->scalar, "Arithmetic: double or float")
+  command.add_option("--scalar", options->scalar, "Number type: double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
-  command.add_option("--dim", options->dim, "2 or 3; each line's own where none is given")
-      ->transform(whole_number(2, 3));
-  command.add_option("--steps", options->steps, "File for the trace of all tests, one JSON object a line");
-  command.add_option("FILE", options->file, "File of JSON Lines; - is standard input")->capture_default_str();
+  command.add_option("--dim", options->dim, "2 or 3; by default that of each line")->transform(whole_number(2, 3));
+  command.add_option("--steps", options->steps, "File to write the trace of all tests to, one JSON object a line");
+  command.add_option("FILE", options->file, "JSON Lines file; - is standard input")->capture_default_str();
 }
 
 }  // namespace snug::desktop

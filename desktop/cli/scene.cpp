@@ -74,13 +74,14 @@ CommandResult run_scene(const SceneOptions& options) {
 }
 
 constexpr const char* kSceneFooter = R"(Runs a lesson's scene and prints JSON Lines:
-  {"effect","constructed","run","skipped","microseconds"}   for each effect that the scene calls for, in the order in
-                    which a frame runs them; skipped counts frames in which nothing that it reads had changed
+  {"effect","constructed","run","skipped","microseconds"}   for each effect that the scene declares, in the order in
+                    which a frame runs them; skipped counts the frames in which nothing that the effect reads had changed
   {"frame","all_pairs","compared","after_broad","after_loose","touching","slack","cost","energy","resting","lesson",
-   "frames_drawn","frames_skipped","hash"}   the last frame: pairs whose boxes were compared, pairs that each stage left,
-                    slack of the volumes in per cent, points that their updates looked at; a frame is drawn where it
-                    changed something; the hash is of every bit of the bodies, the same natively and in WebAssembly
-A lesson that declares no scene stands still: it has no effects, and no frame after the first is drawn.
+   "frames_drawn","frames_skipped","hash"}   the last frame: pairs whose boxes were compared, pairs left by each phase,
+                    slack (looseness) of the volumes in per cent, points that their updates touched. A frame is drawn
+                    only if it changed something. The hash covers every bit of the bodies, and is the same natively and
+                    in WebAssembly
+A lesson that declares no scene stands still: it has no effects, and only its first frame is drawn.
 With --every, a line for each frame comes first.)";
 
 }  // namespace
@@ -90,12 +91,12 @@ void add_scene(Commands& commands) {
   command.footer(kSceneFooter);
   const auto options = add_command<SceneOptions>(commands, command, run_scene);
   command.add_option("LESSON", options->id, "The lesson's id")->required();
-  command.add_option("--frames", options->frames, "How many frames")
+  command.add_option("--frames", options->frames, "Number of frames")
       ->transform(whole_number(1, 10'000'000))
       ->capture_default_str();
-  command.add_option("--algorithm", options->algorithm, "One that the lesson offers; its first where none is given");
+  command.add_option("--algorithm", options->algorithm, "One of the lesson's algorithms; by default its first");
   command.add_flag("--every", options->every, "Print every frame's figures");
-  command.add_option("--lessons", options->folder, "Folder of the lesson files; the one beside the program if none");
+  command.add_option("--lessons", options->folder, "Folder of the lesson files; by default the one beside the program");
 }
 
 }  // namespace snug::desktop

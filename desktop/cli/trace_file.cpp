@@ -6,9 +6,11 @@ namespace snug::desktop {
 
 tl::expected<TraceFile, InputError> trace_file(const std::string& path) {
   if (path.empty()) return std::nullopt;
+  const tl::unexpected taken(InputError{.what = "is where the result goes", .file = path});
+  if (is_standard_output(path)) return taken;
   std::error_code none;
   if (std::filesystem::is_regular_file(path, none) && std::filesystem::equivalent(path, "/dev/stdout", none))
-    return tl::unexpected(InputError{.what = "is where the result goes", .file = path});
+    return taken;
   return NewFile::create(path).map([](NewFile&& file) { return TraceFile(std::move(file)); });
 }
 

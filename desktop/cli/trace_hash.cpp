@@ -27,10 +27,10 @@ CommandResult run_trace_hash(const TraceHashOptions& options) {
 void add_trace_hash(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("trace-hash", "Print a hash of each lesson's trace");
   command.footer(
-      "One line per lesson: its id, how many steps the algorithms that it offers take together, and a 64-bit hash of\n"
-      "those steps in hexadecimal. The WebAssembly build prints the same.");
+      "One line per lesson: its id, the number of steps that its algorithms take together, and a 64-bit hash of those\n"
+      "steps in hexadecimal. The WebAssembly build prints the same.");
   const auto options = add_command<TraceHashOptions>(commands, command, run_trace_hash);
-  command.add_option("--lessons", options->folder, "Folder of the lesson files; the one beside the program if none");
+  command.add_option("--lessons", options->folder, "Folder of the lesson files; by default the one beside the program");
 }
 
 }  // namespace snug::desktop

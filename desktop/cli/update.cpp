@@ -122,22 +122,22 @@ CommandResult run_update(const UpdateOptions& options) {
 }
 
 constexpr const char* kUpdateFooter =
-    R"(Turns the points about the origin, moves them, and brings their volume along, frame by frame, from the volume that
-holds them where they are. Prints one JSON object for each frame:
-  frame, degrees    its number, and how far the body has turned
-  the volume        in the world, as `snug fit` has it
+    R"(Rotates the points about the origin, moves them, and updates their volume frame by frame, beginning with the volume
+fitted to the points as they are. Prints one JSON object a frame:
+  frame, degrees    its number, and how far the body has rotated
+  the volume        in the world frame, as `snug fit` prints it
   measure           its 3-D volume or 2-D area
-  slack             by how much it is larger than the tightest of its kind: 0.5 is half as much again. Of an oriented
-                    box, than the box that turns with the body. null where the tightest is flat
-  contains          whether it holds every point where the body is now
-  steps, operations how many steps, and named counts of what was done
+  slack             how much larger it is than the tightest of its kind: 0.5 is half as large again. An oriented box is
+                    compared with the box that rotates with the body. null if the tightest is flat
+  contains          whether it contains all points where the body is now
+  steps, operations the number of steps, and counts by name of what was done
 
-Exit status: 0 done, 1 some frame's volume does not hold every point, 2 bad input or usage.)";
+Exit status: 0 done, 1 in some frame the volume does not contain all points, 2 bad input or usage.)";
 
 }  // namespace
 
 void add_update(Commands& commands) {
-  CLI::App& command = *commands.app.add_subcommand("update", "Turn a body and update its volume, frame by frame");
+  CLI::App& command = *commands.app.add_subcommand("update", "Rotate a body and update its volume, frame by frame");
   command.footer(kUpdateFooter);
   const auto options = add_command<UpdateOptions>(commands, command, run_update);
   command.add_option("--volume", options->volume, "Kind of volume: " + strategy_names(""))->required();
@@ -146,20 +146,22 @@ void add_update(Commands& commands) {
                   "sphere: " + strategy_names("sphere") + "; aabb: " + strategy_names("aabb") +
                       "; obb: " + strategy_names("obb") + "; kdop: " + strategy_names("kdop"))
       ->required();
-  command.add_option("--scalar", options->scalar, "Arithmetic: double or float")
+  command.add_option("--scalar", options->scalar, "Number type: double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
-  command.add_option("--dim", options->dim, "2 or 3; the file's own where none is given")
-      ->transform(whole_number(2, 3));
-  command.add_option("--axis", options->axis, "What a body in space turns about: x,y,z")
+  command.add_option("--dim", options->dim, "2 or 3; by default that of the file")->transform(whole_number(2, 3));
+  command.add_option("--axis", options->axis, "Axis that a 3-D body rotates about: x,y,z or x y z")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->capture_default_str();
-  command.add_option("--degrees", options->degrees, "How far it turns in all frames together")->capture_default_str();
-  command.add_option("--move", options->move, "How far it moves meanwhile: x,y,z or x,y")->delimiter(',');
-  command.add_option("--frames", options->frames, "How many frames")
+  command.add_option("--degrees", options->degrees, "How far it rotates over all frames")->capture_default_str();
+  command.add_option("--move", options->move, "How far it moves over all frames: x,y,z or x,y")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_option("--frames", options->frames, "Number of frames")
       ->transform(whole_number(1, 1'000'000))
       ->capture_default_str();
-  command.add_option("--steps", options->steps, "File for the trace of all frames, one JSON object a line");
+  command.add_option("--steps", options->steps, "File to write the trace of all frames to, one JSON object a line");
   command.add_option("FILE", options->file, "Point file, as of snug fit; - is xyz on standard input")->required();
 }
 

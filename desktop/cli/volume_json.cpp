@@ -53,7 +53,7 @@ class Fields {
     }
     const std::string& kind = json.begin().key();
     if (std::find(kVolumeNames.begin(), kVolumeNames.end(), kind) == kVolumeNames.end())
-      fail(self + " is of no known kind: " + Json(kind).dump() + "; known: " + listed(kVolumeNames));
+      fail(self + " is not a known kind: " + Json(kind).dump() + "; known: " + listed(kVolumeNames));
     path_ += (path_.empty() ? "" : ".") + kind;
     object_ = &json.begin().value();
     if (!object_->is_object()) fail(path_ + " is not an object");
@@ -119,10 +119,10 @@ class Fields {
     const int k = value > 0 && value < 100 && std::floor(value) == value ? static_cast<int>(value) : 0;
     if (dim_ == 0) dim_ = kdop_axes<3>(k).empty() && !kdop_axes<2>(k).empty() ? 2 : 3;
     const bool known = dim_ == 2 ? !kdop_axes<2>(k).empty() : !kdop_axes<3>(k).empty();
-    const char* all = wanted_.dim == 2   ? "in 2-D 4, 6, 8"
-                      : wanted_.dim == 3 ? "in 3-D 6, 14, 18, 26"
+    const char* all = wanted_.dim == 2   ? "4, 6, 8 in 2-D"
+                      : wanted_.dim == 3 ? "6, 14, 18, 26 in 3-D"
                                          : "6, 14, 18, 26, in 2-D 4, 6, 8";
-    if (!known) fail(field("k") + " is none that there is: " + all);
+    if (!known) fail(field("k") + " is not one of " + all);
     return k;
   }
 
@@ -141,8 +141,7 @@ class Fields {
     if (!json.is_array()) fail(where + " is not a list of numbers");
     if (dim_ == 0 && (size == 2 || size == 3)) dim_ = static_cast<int>(size);
     if (dim_ == 0 || size != static_cast<std::size_t>(dim_))
-      fail(where + " has " + counted(size, "number") + " where " + (dim_ == 0 ? "2 or 3" : std::to_string(dim_)) +
-           " belong");
+      fail(where + " has " + counted(size, "number") + " instead of " + (dim_ == 0 ? "2 or 3" : std::to_string(dim_)));
     for (std::size_t i = 0; i < size && error_.empty(); ++i)
       point[static_cast<int>(i)] = number_of(json[i], where + place(i));
     return point;
@@ -188,7 +187,7 @@ Matrix<double, 3> axes_of(Fields& fields) {
   const auto dim = static_cast<std::size_t>(fields.dim());
   const std::string name = fields.field("axes");
   if (rows.size() != dim)
-    fields.fail(name + " has " + counted(rows.size(), "row") + " where " + std::to_string(dim) + " belong");
+    fields.fail(name + " has " + counted(rows.size(), "row") + " instead of " + std::to_string(dim));
   Matrix<double, 3> axes = Matrix<double, 3>::Identity();
   if (!fields.error().empty()) return axes;
   double most_off = 0;
@@ -226,8 +225,7 @@ Lozenge<double, 3> lozenge_of(Fields& fields) {
   Lozenge<double, 3> lozenge{fields.point("origin")};
   const std::vector<Point> edges = fields.points("edges");
   lozenge.radius = fields.not_negative("radius");
-  if (edges.size() != 2)
-    fields.fail(fields.field("edges") + " has " + counted(edges.size(), "row") + " where 2 belong");
+  if (edges.size() != 2) fields.fail(fields.field("edges") + " has " + counted(edges.size(), "row") + " instead of 2");
   if (!fields.error().empty()) return lozenge;
   lozenge.edges = {edges[0], edges[1]};
   const double length = scaled_norm<double, 3>(edges[0]);

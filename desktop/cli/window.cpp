@@ -1,4 +1,6 @@
 // What opens the window: no subcommand, and render, which draws into a picture instead.
+#include <optional>
+
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/lesson_files.hpp"
@@ -13,6 +15,13 @@ CommandResult open_on(const WindowOptions& options, int (*open_window)(const Win
   if (!options.points_file.empty())
     if (const auto points = read_point_file(options.points_file); !points) return bad_input(points.error());
   return Printed{"", open_window(options)};
+}
+
+/// Nothing where a picture can be written there.
+std::optional<InputError> wrong_picture(const std::string& path) {
+  if (is_standard_output(path) || ending_of(path) == "png") return std::nullopt;
+  return InputError{.what = "pictures are written as PNG: the name must end in .png, or be - for standard output",
+                    .file = path};
 }
 
 /// "1280x800" as two numbers.
@@ -35,13 +44,14 @@ void add_size(CLI::App& command, WindowOptions& options) {
         if (const std::string wrong = parse_size(text, options); !wrong.empty())
           throw CLI::ValidationError("--size", wrong);
       },
-      "WxH in pixels; 1280x800 if none");
+      "WxH in pixels; 1280x800 by default");
 }
 
 void add_common(CLI::App& command, WindowOptions& options) {
-  command.add_option("--step", options.step, "The step that is shown")
+  command.add_option("--step", options.step, "The step to show")
       ->transform(whole_number(0, std::numeric_limits<int>::max()));
-  command.add_option("--seed", options.seed, "Seed of the points; the lesson's own if none")->transform(whole_number());
+  command.add_option("--seed", options.seed, "Seed of the points; by default the lesson's own")
+      ->transform(whole_number());
   add_size(command, options);
   command.add_option("--points", options.points_file, "Point file to show instead of the lesson's points");
 }
@@ -50,36 +60,41 @@ void add_common(CLI::App& command, WindowOptions& options) {
 
 void add_window(Commands& commands) {
   auto options = std::make_shared<WindowOptions>();
-  commands.app.add_option("--lesson", options->lesson, "Id of the lesson that the window opens; the first if none");
+  commands.app.add_option("--lesson", options->lesson, "Id of the lesson to open; by default the first");
   add_common(commands.app, *options);
   commands.chosen = [options, open_window = commands.open_window] { return open_on(*options, open_window); };
 }
 
 void add_render(Commands& commands) {
-  CLI::App& command = *commands.app.add_subcommand("render", "Draw one step of a lesson into a picture");
-  command.footer("Needs a display; xvfb-run serves.");
-  const auto options =
-      add_command<WindowOptions>(commands, command, [open_window = commands.open_window](const WindowOptions& chosen) {
+  CLI::App& command = *commands.app.add_subcommand("render", "Draw one step of a lesson as a picture");
+  command.footer("The picture is a PNG. Drawing needs a display; xvfb-run provides one.");
+  const auto options = add_command<WindowOptions>(
+      commands, command, [open_window = commands.open_window](const WindowOptions& chosen) -> CommandResult {
+        if (auto wrong = wrong_picture(chosen.screenshot)) return bad_input(std::move(*wrong));
         return open_on(chosen, open_window);
       });
   command.add_option("LESSON", options->lesson, "The lesson's id")->required();
   add_common(command, *options);
-  command.add_option("-o,--output", options->screenshot, "The PNG file that is written")->required();
+  command.add_option("-o,--output", options->screenshot, "PNG file to write; - is standard output")->required();
 }
 
 void add_chart(Commands& commands) {
-  CLI::App& command = *commands.app.add_subcommand("chart", "Draw a result of snug cost into a picture");
+  CLI::App& command = *commands.app.add_subcommand("chart", "Draw a result of snug cost as a picture");
   command.footer(
-      "RESULT: costs, growth or a turn as snug cost --csv or --json writes them. SNUG_THEME is dark, contrast or\n"
-      "projector for another look. Needs a display; xvfb-run serves.");
+      "RESULT is a table of costs, growth or a turn, as snug cost writes it in CSV or JSON. The picture is a PNG. For\n"
+      "another look set SNUG_THEME to dark, contrast or projector. A chart can tell 28 series apart; a table with "
+      "more\n"
+      "is refused. Drawing needs a display; xvfb-run provides one.");
   const auto options = add_command<WindowOptions>(
       commands, command, [open_window = commands.open_window](const WindowOptions& chosen) -> CommandResult {
+        if (auto wrong = wrong_picture(chosen.screenshot)) return bad_input(std::move(*wrong));
         return Printed{"", open_window(chosen)};
       });
-  command.add_option("RESULT", options->chart, "What is drawn")->required();
-  command.add_option("--against", options->chart_then, "An earlier result of the same kind to lie over it");
+  command.add_option("RESULT", options->chart, "Table to draw")->required();
+  command.add_option("--against", options->chart_then,
+                     "Earlier result of the same kind, on the same points, to draw beside it");
   add_size(command, *options);
-  command.add_option("-o,--output", options->screenshot, "The PNG file that is written")->required();
+  command.add_option("-o,--output", options->screenshot, "PNG file to write; - is standard output")->required();
 }
 
 }  // namespace snug::desktop

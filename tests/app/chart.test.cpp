@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "app/cost_charts.hpp"
 #include "geometry/random.hpp"
@@ -89,6 +91,9 @@ TEST_CASE("a table of costs has a mark an algorithm, its spread, and the front b
   CHECK(chart.front[0].x == 100);
   CHECK(chart.title.ends_with(", cube"));
   CHECK(cost_chart(table, &table).series.size() == 6);
+  cost::Table<cost::CostRow> once = table;
+  once.rows[0].time.spread.reset();  // of a single batch: no bar, and none that reaches down to 0
+  CHECK(cost_chart(once).series[0].points[0].x_low == 300);
 }
 
 TEST_CASE("volumes of several kinds are held against the hull, and what was sampled says so") {
@@ -123,13 +128,41 @@ TEST_CASE("growth and turns are a line each") {
   REQUIRE(lines.series.size() == 2);
   CHECK(full_name(lines.series[0]) == "sphere ritter: n^1.04, theory 1.00");
   CHECK(lines.series[0].slope == 1);
-  CHECK(full_name(lines.series[1]) == "obb pca");
+  CHECK(full_name(lines.series[1]) == "obb pca");  // not yet measured to its end
+  const cost::Table<cost::GrowthRow> few{
+      {}, {{.volume = "obb", .algorithm = "pca", .points = 10, .time = {.median = 7}, .in_fit = true}}};
+  CHECK(growth_chart(few).series.at(0).figure == "too few points to tell");
   CHECK(!lines.series[1].slope);
   CHECK(lines.series[0].points.size() == 2);
   const cost::Table<cost::TurnRow> turn{{},
                                         {{.volume = "aabb", .strategy = "loose", .degrees = 0, .slack = 0.5},
                                          {.volume = "aabb", .strategy = "loose", .degrees = 5, .slack = 0.6}}};
   CHECK(turn_chart(turn).series.at(0).points.at(1).y == 0.6);
+}
+
+TEST_CASE(
+    "as many looks as there can be series are all different, and an earlier result has those of the present one") {
+  cost::Table<cost::CostRow> table, then;
+  for (int i = 0; i < kChartLooks; ++i)
+    table.rows.push_back(row(("a" + std::to_string(i)).c_str(), 100 + i, 1.5, false));
+  then.rows = {table.rows[9], row("gone", 100, 1.2, false)};
+  const Chart chart = cost_chart(table);
+  std::set<std::pair<ChartShape, ChartRim>> looks;
+  for (const ChartSeries& series : chart.series) looks.emplace(series.shape, series.rim);
+  CHECK(looks.size() == kChartLooks);
+  CHECK(chart.looks == kChartLooks);
+  const Chart both = cost_chart(table, &then);
+  CHECK(both.series[0].shape == both.series[2 + 9].shape);
+  CHECK(both.series[0].rim == both.series[2 + 9].rim);
+  CHECK(both.looks > kChartLooks);  // what is gone would look like another
+}
+
+TEST_CASE("before anything is measured a chart is its axes") {
+  for (const Chart& chart : {cost_chart({}), growth_chart({}), turn_chart({})}) {
+    CHECK(chart.series.empty());
+    CHECK_FALSE(chart.title.ends_with(", "));
+    CHECK(chart.note == "Nothing is measured yet.");
+  }
 }
 
 TEST_CASE("updates that are always tight share a line, and an earlier result adds one that has no name") {

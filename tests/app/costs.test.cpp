@@ -62,10 +62,12 @@ io::PointFile cloud(std::size_t n) {
 TEST_CASE("first the prediction, then a run in slices, then what the session makes of it") {
   Costs costs({.clock = now, .here = {.version = "9"}});
   lesson::Session session = opened(costs);
-  CHECK_FALSE(costs.shown());  // the shape is what the predictions are of
+  CHECK(costs.shown());  // empty
   CHECK(costs.caption(session) == "Predict first, then measure.");
   CHECK_FALSE(costs.command(session, "measure"));
   REQUIRE(session.answer({lesson::Answer::Kind::kChoice, 1}));
+  CHECK(costs.caption(session) == "Your predictions are in: now press Measure.");
+  CHECK(costs.status(session) == "Now press Measure: 5 points.");
   REQUIRE(costs.command(session, "measure"));
   CHECK(costs.shown());
   costs.work(session, 0);

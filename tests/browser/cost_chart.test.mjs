@@ -44,6 +44,7 @@ test("predictions come first; then six algorithms are measured, and what happene
   assert.ok(asked.many);
   assert.equal(asked.choices.length, kAll);
   assert.ok(!costs.ready && await button(page, "Measure").isDisabled());
+  assert.ok(costs.shown && costs.rows.length === 0, "an empty chart stands there");
   for (const name of ["PCA of the points", "Exact minimum"]) await button(page, name).click();
   assert.equal(await button(page, "Exact minimum").getAttribute("aria-pressed"), "true");
   await button(page, "Answer").click();
@@ -52,6 +53,8 @@ test("predictions come first; then six algorithms are measured, and what happene
   await button(page, "Skip").click();
   const { outcomes: given } = await until(page, (now) => now.outcomes.length === 3);
   assert.ok(given.every(({ pending }) => pending));
+  await page.locator(".costs-says", { hasText: "Now press Measure: " }).waitFor();
+  assert.equal((await state(page)).caption, "Your predictions are in: now press Measure.");
   assert.equal(given[0].predicted, "PCA of the points and Exact minimum");
 
   // While it measures, the page goes on drawing: told, and held to no frame's time on a machine that others use.
@@ -77,9 +80,12 @@ test("predictions come first; then six algorithms are measured, and what happene
   assert.ok(gaps.length > 20, `${gaps.length} frames while measuring`);
   assert.equal(done.rows.length, kAll);
   t.diagnostic(done.rows.map(({ title, time, size, points, front }) => `${title}: ${time}, ${size}, ${points}${front ? " *" : ""}`).join("; "));
-  assert.ok(outcomes.every(({ pending }) => !pending));
+  const badly = done.rows.some(({ trusted, points, of }) => points === of && !trusted); // on a machine that others use
+  assert.deepEqual(outcomes.map(({ pending }) => pending), [badly, false, false]);
   const front = done.rows.filter((row) => row.front).map(({ title }) => title);
-  assert.ok(front.length > 0 && front.every((title) => outcomes[0].happened.includes(title)));
+  assert.ok(front.length > 0);
+  if (badly) assert.match(outcomes[0].says, /measured badly/);
+  else assert.ok(front.every((title) => outcomes[0].happened.includes(title)));
   assert.equal(await page.locator("#ask .outcome").count(), 3);
   assert.equal(await page.locator(".costs tbody tr").count(), kAll);
 });
@@ -176,9 +182,9 @@ test("five per cent tighter: the fastest that is so does the task, on the studen
 
 test("the other charts wait for the predictions; then the keyboard chooses them", async (t) => {
   const page = await visit(t, kLesson);
-  for (const name of ["Growth", "Slack in a turn"]) assert.ok(await choice(page, name).isDisabled());
+  for (const name of ["Growth", "Looseness in a turn"]) assert.ok(await choice(page, name).isDisabled());
   assert.ok(await choice(page, "Accuracy").isChecked());
-  await page.getByText("The predictions come first: the other charts would give them away.").waitFor();
+  await page.getByText("Answer the questions first: the other charts would give the answers away.").waitFor();
   await page.locator("#canvas").focus();
   await page.keyboard.press("v");
   assert.equal((await state(page)).costs.chart, "accuracy");
@@ -190,7 +196,7 @@ test("the other charts wait for the predictions; then the keyboard chooses them"
   await page.locator("#canvas").focus();
   await page.keyboard.press("v");
   await until(page, (now) => now.costs.chart === "turn");
-  assert.ok(await choice(page, "Slack in a turn").isChecked());
+  assert.ok(await choice(page, "Looseness in a turn").isChecked());
 });
 
 test("growth: from ten points on, stopped before a frame would have to wait, figures by key, saved and laid over", async (t) => {
@@ -202,7 +208,7 @@ test("growth: from ten points on, stopped before a frame would have to wait, fig
   assert.ok(!costs.decided && outcomes.every(({ pending }) => pending), "the questions are of the other chart");
   t.diagnostic(costs.rows.map(({ title, points, exponent, theory, stopped }) => `${title}: ${points}, ${exponent?.toFixed(2)} (${theory?.toFixed(2)}), ${stopped}`).join("; "));
   for (const row of costs.rows) assert.ok(row.points >= 10 && (row.points === 1_000_000 || /^one run of \d+ points would take about/.test(row.stopped)), row.stopped);
-  if (costs.rows.some(({ stopped }) => stopped)) assert.match(caption, /where one run would take over 12 ms: the page must not wait longer/);
+  if (costs.rows.some(({ stopped }) => stopped)) assert.match(caption, /where one run would take over 12 ms: a longer run would hold up the page/);
   assert.equal(await page.locator(".costs tbody tr").count(), kAll);
   assert.deepEqual(await page.locator(".costs thead th").allTextContents(), ["Algorithm", "Points at most", "Time of these", "Power of n", "In theory"]);
 
@@ -239,7 +245,7 @@ test("growth: from ten points on, stopped before a frame would have to wait, fig
 test("a turn: every update at 72 angles; stopped, what is ready stays; a saved turn waits for the predictions", async (t) => {
   const page = await visit(t, kLesson, kPhone);
   await skip_all(page);
-  const { costs, caption } = await measure_chart(page, "Slack in a turn", "turn");
+  const { costs, caption } = await measure_chart(page, "Looseness in a turn", "turn");
   t.diagnostic(costs.rows.map(({ title, most, time }) => `${title}: ${most}, ${time}`).join("; "));
   assert.equal(costs.rows.length, 10);
   assert.ok(costs.rows.every(({ angles, time }) => angles === 72 && time));
@@ -251,7 +257,7 @@ test("a turn: every update at 72 angles; stopped, what is ready stays; a saved t
   await still(page);
   const loose = (await handles(page)).find(({ id }) => /loose/.test(id));
   await page.touchscreen.tap(loose.x, loose.y);
-  await until(page, (now) => /at 355°: larger than the tightest by \d/.test(now.caption));
+  await until(page, (now) => /at 355°: [\d,.]+ % larger than the tightest/.test(now.caption));
 
   await button(page, "Measure").click();
   await until(page, (now) => now.costs.running && now.costs.rows.length > 1);
@@ -265,6 +271,6 @@ test("a turn: every update at 72 angles; stopped, what is ready stays; a saved t
   const fresh = await visit(t, kLesson);
   await to_points(fresh);
   await fresh.locator("#points input[type=file]").setInputFiles({ name: "turn.csv", mimeType: "text/plain", buffer });
-  await fresh.locator(".notice", { hasText: "The predictions come first" }).waitFor();
+  await fresh.locator(".notice", { hasText: "Answer the questions first" }).waitFor();
   assert.equal((await state(fresh)).costs.chart, "accuracy");
 });

@@ -213,6 +213,40 @@ test("bad usage is refused in one line", () => {
   assert.ok(!existsSync(join(folder, "x.png")));
 });
 
+test("usage errors name the help of the subcommand they are about", () => {
+  refused(["fti"], /\(see `snug --help`\)\n$/);
+  refused(["fit", "--volume"], /\(see `snug fit --help`\)\n$/);
+  refused(["cost", "--scalar", "half", tetra], /\(see `snug cost --help`\)\n$/);
+  refused(["lesson"], /\(see `snug lesson --help`\)\n$/);
+  refused(["lesson", "check"], /\(see `snug lesson check --help`\)\n$/);
+  refused(["render", "sphere-ritter"], /\(see `snug render --help`\)\n$/);
+});
+
+test("a picture is a PNG, whatever it is called", () => {
+  for (const name of ["x.jpg", "x", "x.png.txt"]) {
+    const line = `${name}: pictures are written as PNG: the name must end in .png, or be - for standard output`;
+    refused(["render", "sphere-ritter", "-o", name], line);
+    refused(["chart", write("some.csv", "# snug table: costs\n"), "-o", name], line);
+    assert.ok(!existsSync(join(folder, name)));
+  }
+});
+
+test("what has no end, or more than 512 MiB, is refused before it fills the memory", () => {
+  write("sparse.xyz", "1 2 3\n");
+  truncateSync(join(folder, "sparse.xyz"), 512 * 2 ** 20 + 1);
+  const line = (name) => `${name}: has more than 512 MiB, the most that is read`;
+  refused(fit_args("welzl", "sparse.xyz"), line("sparse.xyz"));
+  refused(["cost", "sparse.xyz"], line("sparse.xyz"));
+  refused(["overlap", "sparse.xyz"], line("sparse.xyz"));
+  refused(["--points", "sparse.xyz"], line("sparse.xyz"));
+  if (existsSync("/dev/zero")) refused(fit_args("welzl", "/dev/zero"), line("/dev/zero"));
+  for (const command of [["fit"], ["cost"], []]) assert.match(good([...command, "--help"]), /512\s+MiB/);
+});
+
+test("a trace does not go to standard output", () => {
+  refused(fit_args("welzl", "--steps", "-", tetra), "-: is where the result goes");
+});
+
 test("brute force says how many points it takes", () => {
   const many = write("many.xyz", Array.from({ length: 5000 }, (_, i) => `${i} ${i * i} 0`).join("\n"));
   refused(fit_args("brute_force", many), /^snug: many\.xyz: there are 5000 points, and brute_force takes at most \d+\n$/);

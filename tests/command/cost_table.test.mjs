@@ -169,6 +169,12 @@ test("growth has a power beside theory's", () => {
   assert.match(good(["cost", ...quick, "--growth", "--algorithms", "ritter", cloud]), /sphere +ritter +300 /);
 });
 
+test("of few points no power is told, and the table says so", () => {
+  const few = ["--growth", "--generate", "cube:20", "--algorithms", "ritter"];
+  assert.ok(costs(...few).rows.every(({ exponent, theory_exponent }) => exponent === null && theory_exponent === null));
+  assert.match(good(["cost", ...quick, ...few]), /\nsphere +ritter +20 .* - +- +O\(n\) +too few points to tell\n/);
+});
+
 test("a turn has slack for each update", () => {
   const { table, rows } = costs("--turn", cloud);
   assert.equal(table, "turn");
@@ -194,28 +200,28 @@ test("the claims have verdicts and figures", () => {
 });
 
 test("what is asked for wrongly is said in one line, and nothing is written", () => {
-  refused(["cost"], "one of --generate KIND:N and FILE is wanted");
-  refused(["cost", "--generate", "cube:10", cloud], "one of --generate KIND:N and FILE is wanted");
-  refused(["cost", "--generate", "donut:10"], /^snug: there is no kind "donut" of points; known: cube, ball/);
+  refused(["cost"], "give either --generate KIND:N or FILE");
+  refused(["cost", "--generate", "cube:10", cloud], "give either --generate KIND:N or FILE");
+  refused(["cost", "--generate", "donut:10"], /^snug: there is no kind of points "donut"; known: cube, ball/);
   for (const many of ["cube", "cube:", "cube:0", "cube:-1", "cube:2000001", "cube:1e3", "cube:10x"])
     refused(["cost", "--generate", many], "--generate takes KIND:N with a whole number N from 1 to 2000000");
   refused(["cost", "--volume", "cone", cloud], 'there is no volume "cone"');
   refused(["cost", "--algorithms", "ritter,guess", cloud], 'there is no algorithm "guess"; `snug algorithms` lists all');
-  refused(["cost", "--algorithms", "k14", square], "none of these algorithms takes points of 2 coordinates");
-  refused(["cost", "--growth", "--turn", cloud], "one of --growth, --turn and --claims at a time");
-  refused(["cost", "--json", "--csv", cloud], "one of --json and --csv");
-  refused(["cost", "--claims", square], "the claims are about space: points of 3 coordinates are wanted");
+  refused(["cost", "--algorithms", "k14", square], "none of these algorithms takes 2-D points");
+  refused(["cost", "--growth", "--turn", cloud], "give only one of --growth, --turn and --claims");
+  refused(["cost", "--json", "--csv", cloud], "give only one of --json and --csv");
+  refused(["cost", "--claims", square], "the claims are about 3-D: give 3-D points");
   refused(["cost", "--turn", "--volume", "hull", cloud], 'there is no update of "hull"; known: sphere, aabb, obb, kdop');
   refused(["cost", "--repeat", "0", cloud], /--repeat/);
   refused(["cost", "nowhere.xyz"], /^snug: nowhere\.xyz: /);
   refused(["cost", "-o", "no/such/file.csv", cloud], /^snug: no\/such\/file\.csv: /);
   write("old.csv", "# snug table: growth\n");
-  refused(["cost", "-o", "never.csv", "--against", "old.csv", cloud], 'old.csv:1: the first line of such a table is "# snug table: costs"');
+  refused(["cost", "-o", "never.txt", "--against", "old.csv", cloud], 'old.csv:1: the first line of such a table is "# snug table: costs"');
   refused(["cost", "--against", write("old.json", '{"table":"costs","provenance":{},"rows":[]}'), cloud], "old.json: provenance.version is missing");
   refused(["cost", "--against", write("not.json", "{"), cloud], "not.json: is not JSON");
-  refused(["cost", "--growth", "--against", "old.csv", cloud], "--against lies over the table of costs alone");
-  refused(["cost", "--csv", "--against", "old.csv", cloud], "--against goes with --json or with neither: CSV has room for one table");
-  assert.ok(!existsSync(join(folder, "never.csv")));
+  refused(["cost", "--growth", "--against", "old.csv", cloud], "--against goes with the table of costs only");
+  refused(["cost", "--csv", "--against", "old.csv", cloud], "--against cannot go into CSV, which has room for one table");
+  assert.ok(!existsSync(join(folder, "never.txt")));
   assert.ok(readdirSync(folder).every((name) => !name.endsWith(".part")));
 });
 
@@ -230,6 +236,48 @@ test("help says what the fields are", () => {
   const { out, status } = snug(["cost", "--help"]);
   assert.equal(status, 0);
   for (const word of ["tightness", "over_hull", "--growth", "--against", "trusted"]) assert.ok(out.includes(word), word);
+});
+
+test("the box along the coordinates is as cheap as it looks", () => {
+  // Many points on its faces: each was once decided exactly.
+  const grid = write("grid.xyz", Array.from({ length: 1000 }, (_, i) => `${i % 10} ${Math.floor(i / 10) % 10} ${Math.floor(i / 100)}`).join("\n"));
+  const [box, pca, aabb] = ["obb:aabb", "obb:pca", "aabb:min_max"].map((name) =>
+    JSON.parse(good(["cost", "--repeat", "9", "--json", "--algorithms", name, grid])).rows[0]);
+  assert.equal(box.operations.dot_products, 0);
+  assert.ok(Math.abs(box.measure - aabb.measure) < 1e-9 * aabb.measure);
+  assert.ok(box.time_ns.min < pca.time_ns.min, `${box.time_ns.min} ns, and PCA ${pca.time_ns.min}`);
+});
+
+test("sizes that differ by rounding alone are equal: of two such only the faster is on the front", () => {
+  const { rows } = costs("--generate", "gaussian:500", "--algorithms", "aabb:min_max,obb:aabb,k6");
+  const [least] = rows.map(({ time_ns }) => time_ns.median).sort((a, b) => a - b);
+  for (const row of rows) assert.equal(row.on_front, row.time_ns.median === least, row.algorithm);
+});
+
+test("an earlier result of other points is refused", () => {
+  const of = (...args) => ["cost", "--repeat", "1", "--volume", "aabb", ...args];
+  good(of("-o", "cube.json", "--generate", "cube:100"));
+  refused(of("--generate", "cube:200", "--against", "cube.json"),
+    "cube.json: was measured on cube:100 (3-D, seed 1), and this on cube:200 (3-D, seed 1): only results on the same points can be compared");
+  refused(of("--generate", "ball:100", "--against", "cube.json"), /^snug: cube\.json: was measured on cube:100/);
+  refused(of("--generate", "cube:100", "--seed", "2", "--against", "cube.json"), /^snug: cube\.json: was measured on cube:100 \(3-D, seed 1\)/);
+  refused(of("--generate", "cube:100", "--dim", "2", "--against", "cube.json"), /^snug: cube\.json: was measured/);
+  good(of("-o", "points.csv", write("points.xyz", "0 0 0\n1 2 3\n")));
+  refused(of("--against", "points.csv", write("points.xyz", "0 0 0\n1 2 3\n4 5 6\n")), "points.csv: was measured on 2 points, and here there are 3");
+});
+
+test("the format of a result follows the ending of its file, and - is standard output", () => {
+  const of = (...args) => ["cost", "--repeat", "1", "--volume", "aabb", ...args, cloud];
+  for (const [name, start] of [["as.csv", "# snug table: costs\n"], ["as.JSON", '{"table":"costs"'], ["as.txt", "cloud.xyz, 3-D"], ["as", "cloud.xyz, 3-D"]]) {
+    assert.equal(good(of("-o", name)), "");
+    assert.ok(read(name).startsWith(start), name);
+  }
+  good(of("--json", "-o", "flag.txt"));
+  assert.ok(read("flag.txt").startsWith('{"table"'));
+  refused(of("--json", "-o", "no.csv"), "no.csv: ends in .csv, and another format was asked for");
+  refused(of("-o", "no.xlsx"), "no.xlsx: has none of the endings .csv, .json and .txt, which say the format");
+  assert.ok(good(of("--csv", "-o", "-")).startsWith("# snug table: costs\n"));
+  assert.ok(!existsSync(join(folder, "-")) && !existsSync(join(folder, "no.csv")));
 });
 
 test("a result goes to a file whole", () => {

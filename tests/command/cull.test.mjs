@@ -105,7 +105,7 @@ test("the corners' tests: one that is right, and the one that loses a box wider 
   assert.deepEqual(classes("planes"), right);
   assert.deepEqual(classes("corners"), right);
   assert.deepEqual(classes("corners_outside"), [["outside", "intersecting"], ...right.slice(1)]);
-  refused({ frustum: cube, volume: sphere }, "volume is neither aabb nor obb, as --test corners wants it", 1, "--test", "corners");
+  refused({ frustum: cube, volume: sphere }, "volume is neither aabb nor obb, which --test corners needs", 1, "--test", "corners");
 });
 
 test("every kind of volume tells the steps of its test", () => {
@@ -166,12 +166,12 @@ test("a tree of what does not belong together is refused", () => {
   const other = { frustum: cube, volume: { aabb: { min: [0, 0, 0], max: [1, 1, 1] } } };
   const line = { frustum: cube, volume: sphere };
   const two = (a, b) => `${JSON.stringify(a)}\n${JSON.stringify(b)}`;
-  refused(two(line, other), "volume is of another kind than the first line's; those of a tree are all of one", 2, "--tree", "median");
-  refused(two(line, { ...line, frustum: perspective }), "frustum is another than the first line's; a tree is held against one", 2, "--tree", "median");
+  refused(two(line, other), "volume is of another kind than the first line's; a tree takes one kind", 2, "--tree", "median");
+  refused(two(line, { ...line, frustum: perspective }), "frustum differs from the first line's; a tree is tested against one", 2, "--tree", "median");
   const tiny = { ...line, frustum: { planes: cube.planes.map((row) => row.map((x) => x * 1e-60)) } };
   assert.equal(answers([tiny, tiny], "--tree", "median").length, 3);
   refused(two(tiny, tiny), "frustum: plane 0 (left) has no normal: it is zero", 1, "--tree", "median", "--scalar", "float");
-  refused_command(["cull", "--tree", "median", "--test", "corners"], "--tree goes with --test planes", JSON.stringify(line));
+  refused_command(["cull", "--tree", "median", "--test", "corners"], "--tree goes with --test planes only", JSON.stringify(line));
   assert.equal(good(["cull", "--tree", "median"], ""), "");
 });
 
@@ -207,12 +207,12 @@ test("a line that is wrong is refused by the name of its field", () => {
     [{ frustum: cube }, "volume is missing"],
     [{ frustum: cube, volume: sphere, more: 1 }, 'the line has an unknown field "more"; it takes frustum, volume'],
     [of(3), "frustum is not an object with planes, view_projection"],
-    [of({}), "frustum has not just one of the fields planes, view_projection"],
-    [of({ ...cube, ...perspective }), "frustum has not just one of the fields planes, view_projection"],
+    [of({}), "frustum must have exactly one of the fields planes, view_projection"],
+    [of({ ...cube, ...perspective }), "frustum must have exactly one of the fields planes, view_projection"],
     [of({ matrix: [] }), 'frustum has an unknown field "matrix"; it takes planes, view_projection'],
     [of({ planes: 3 }), "frustum.planes is not a list of planes"],
-    [of({ planes: cube.planes.slice(1) }), "frustum.planes has 5 rows where 6, in 2-D 4, belong"],
-    [planes((all) => all[2].pop()), "frustum.planes[2] has 3 numbers where 4 belong"],
+    [of({ planes: cube.planes.slice(1) }), "frustum.planes has 5 rows instead of 6 (in 2-D 4)"],
+    [planes((all) => all[2].pop()), "frustum.planes[2] has 3 numbers instead of 4"],
     [planes((all) => (all[2] = "up")), "frustum.planes[2] is not a list of numbers"],
     [planes((all) => (all[2][3] = null)), "frustum.planes[2][3] is not a number"],
     [planes((all) => (all[3] = [0, 0, 0, 1])), "frustum: plane 3 (top) has no normal: it is zero"],
@@ -220,18 +220,18 @@ test("a line that is wrong is refused by the name of its field", () => {
     [planes((all) => (all[3] = [0, 1e-200, 0, 0])), "frustum: plane 3 (top) has a normal shorter than this program can take"],
     [planes((all) => (all[3] = [0, 1, 0, 1e200])), "frustum: plane 3 (top) is farther away than this program can take"],
     [planes((all) => (all[3] = [0, 1, 0, 1e308])), "frustum.planes[3][3] is larger than this program can take"],
-    [of({ view_projection: perspective.view_projection.slice(1) }), "frustum.view_projection has 15 numbers where 16 belong"],
+    [of({ view_projection: perspective.view_projection.slice(1) }), "frustum.view_projection has 15 numbers instead of 16"],
     [of({ view_projection: perspective.view_projection.map((x, i) => (i === 3 ? "0" : x)) }), "frustum.view_projection[3] is not a number"],
     [of({ view_projection: [1, 2, 0, 0, 2, 4, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] }), "frustum: the matrix is singular"],
     [of({ view_projection: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -2, 0] }), "frustum: the matrix gives plane 5 (far) no normal, as where that is at infinity"],
-    [{ frustum: square, volume: sphere }, "volume.sphere.center has 3 numbers where 2 belong"],
+    [{ frustum: square, volume: sphere }, "volume.sphere.center has 3 numbers instead of 2"],
     [{ frustum: cube, volume: { sphere: { center: [0, 0, 0], radius: -1 } } }, "volume.sphere.radius is negative"],
     [{ frustum: cube, volume: {} }, "volume is not an object with one field that names its kind"],
   ])
     refused(line, what);
   const good = JSON.stringify(of(cube));
   refused(`${good}\n{"frustum":`, /^snug: -:2: not JSON: parse error/);
-  refused(good.replace('"radius":0.5', '"radius":1,"radius":2'), 'the key "radius" is there twice');
+  refused(good.replace('"radius":0.5', '"radius":1,"radius":2'), 'the key "radius" appears twice');
 });
 
 test("what float cannot take, and bad usage, is refused", () => {
@@ -241,8 +241,8 @@ test("what float cannot take, and bad usage, is refused", () => {
   refused({ frustum: long, volume: sphere }, "frustum.planes[0][3] is larger than this program can take", 1, "--scalar", "float");
   long.planes[0][3] = 1e22;
   refused({ frustum: long, volume: sphere }, "frustum: plane 0 (left) is farther away than this program can take", 1, "--scalar", "float");
-  refused({ frustum: cube, volume: sphere }, "frustum.planes has 6 rows where 4 belong", 1, "--dim", "2");
-  refused({ frustum: perspective, volume: sphere }, "frustum.view_projection is of 3-D, and --dim is 2", 1, "--dim", "2");
+  refused({ frustum: cube, volume: sphere }, "frustum.planes has 6 rows instead of 4", 1, "--dim", "2");
+  refused({ frustum: perspective, volume: sphere }, "frustum.view_projection is 3-D, and --dim is 2", 1, "--dim", "2");
   for (const args of [["--scalar", "half"], ["--dim", "4"], ["--test", "corner"], ["--tree", "best"], ["--steps", "no/where"], ["a", "b"], ["--json"]]) {
     const { out, err, status } = snug(["cull", ...args]);
     assert.equal(out, "");

@@ -71,6 +71,15 @@ test("the trace has every step of every frame", () => {
     }
 });
 
+test("lists of numbers may stand apart, and the file is still found", () => {
+  const [, wanted] = update("aabb", "rebuild", "--axis", "0,0,-1", "--frames", "2", "--move", "1,2,3", cube);
+  const given = (...rest) => update("aabb", "rebuild", ...rest)[1];
+  assert.deepEqual(given("--frames", "2", "--move", "1", "2", "3", "--axis", "0", "0", "-1", cube), wanted);
+  assert.deepEqual(given("--axis", "0", "0", "-1", cube, "--move", "1", "2", "3", "--frames", "2"), wanted);
+  assert.equal(update("aabb", "rebuild", "--move", "1", "-2", square, "--frames", "1").length, 1);
+  refused(args("aabb", "loose", "--axis", "1", "2", cube), "--axis takes three numbers");
+});
+
 test("what is asked for wrongly is said in one line", () => {
   refused(args("cone", "loose", cube), 'there is no update of "cone"; known: sphere, aabb, obb, kdop');
   refused(args("aabb", "guess", cube), 'there is no update "guess" of aabb; known: loose, rebuild, hill_climb, rotated_box');

@@ -26,6 +26,13 @@ done
 "$snug" chart "$work/costs.csv" --against "$work/costs.json" --size 1280x800 -o "$work/both.png"
 [[ $(compare -metric AE "$work/light.png" "$work/both.png" null: 2>&1) != 0 ]] || fail "an earlier result is not drawn"
 
+# All algorithms at once have looks of their own; more series than looks are refused.
+"$snug" cost --generate cube:200 --repeat 1 --longest 20 -o "$work/all.csv"
+"$snug" chart "$work/all.csv" --size 1280x800 -o "$work/all.png"
+drawn "$work/all.png" 1280x800
+"$snug" chart "$work/all.csv" --size 1280x800 -o - > "$work/stdout.png"
+cmp "$work/all.png" "$work/stdout.png" || fail "- is another picture"
+
 refused() { # words arguments...
     local said status=0
     said=$("$snug" "${@:2}" 2>&1) || status=$?
@@ -36,4 +43,8 @@ refused "nowhere.csv" chart "$work/nowhere.csv" -o "$work/no.png"
 refused "the first line of such a table" chart "$work/growth.csv" --against "$work/turn.csv" -o "$work/no.png"
 echo "# snug table: claims" > "$work/claims.csv"
 refused "the first line of such a table" chart "$work/claims.csv" -o "$work/no.png"
+{ cat "$work/all.csv"; grep '^sphere' "$work/all.csv" | sed 's/^sphere,/&more_/'; } > "$work/many.csv"
+refused "series, and a chart can tell 28 apart" chart "$work/many.csv" -o "$work/no.png"
+"$snug" cost --generate gaussian:200 --volume obb --repeat 1 -o "$work/other.csv"
+refused "only results on the same points can be compared" chart "$work/costs.csv" --against "$work/other.csv" -o "$work/no.png"
 [[ ! -e $work/no.png ]] || fail "it left half a picture"

@@ -21,10 +21,11 @@ until_state() { # expression
     fail "never came true: $1, the state is $(cut -c1-600 "$SNUG_STATE")"
 }
 
+# opened: what is true of the state once it is there, where that is not that something can be dragged.
 open_window() { # arguments of snug...
     "$snug" "$@" &
     pid=$!
-    until_state 's.handles.length > 0'
+    until_state "${opened:-s.handles.length > 0}"
     window=$(xdotool search --sync --onlyvisible --pid "$pid" | tail -n 1)
     xdotool windowfocus --sync "$window" 2>/dev/null || true
 }

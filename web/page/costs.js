@@ -4,9 +4,9 @@ import { by_id, button, element, set_hidden, set_text, when_changed } from "./do
 const kSlice = 4; // milliseconds: beside a frame's own work
 const kFormats = { csv: "text/csv", json: "application/json" };
 
-const kPredictFirst = "The predictions come first: the other charts would give them away.";
-const trusted = (row) => `${row.time}${row.trusted ? "" : ", spread widely"}`;
-const power = (number) => (number === null ? "not known" : number.toFixed(2));
+const trusted = (row) => `${row.time}${row.trusted ? "" : ", measured badly"}`;
+const power = (number) => (number === null ? "too few points to tell" : number.toFixed(2));
+const bound = ({ bound, tight, theory }) => (theory === null ? bound : `${bound}, ${tight ? "" : "at most "}${power(theory)}`);
 /** How the choice calls each chart, what its file is called, and its table: a column's heading, and its words for a row. */
 const kCharts = {
   accuracy: { title: "Accuracy", file: "costs", columns: [["Algorithm", (row) => row.title],
@@ -14,9 +14,9 @@ const kCharts = {
     ["Times the smallest", (row) => row.size || "not known"], ["On the front", (row) => (row.front ? "yes" : "no")]] },
   growth: { title: "Growth", file: "growth", columns: [["Algorithm", (row) => row.title],
     ["Points at most", (row) => `${row.points.toLocaleString("en")}${row.stopped ? `: ${row.stopped}` : ""}`], ["Time of these", trusted],
-    ["Power of n", (row) => power(row.exponent)], ["In theory", (row) => `${row.bound}, ${row.tight ? "" : "at most "}${power(row.theory)}`]] },
-  turn: { title: "Slack in a turn", file: "turn", columns: [["Update", (row) => row.title], ["Least slack", (row) => row.least],
-    ["Most slack", (row) => row.most], ["Time of one", (row) => row.time || "not measured"]] },
+    ["Power of n", (row) => power(row.exponent)], ["In theory", bound]] },
+  turn: { title: "Looseness in a turn", file: "turn", columns: [["Update", (row) => row.title], ["Least looseness", (row) => row.least],
+    ["Most looseness", (row) => row.most], ["Time of one", (row) => row.time || "not measured"]] },
 };
 
 const quoted = (text) => (/[,"#\r\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
@@ -117,12 +117,12 @@ export class CostTools {
     this.#show(costs);
   }
 
-  #show = when_changed(({ chart, shown, running, progress, ready, size, rows, of, then }) => {
+  #show = when_changed(({ chart, shown, running, progress, ready, rows, says }) => {
     this.#chart = chart;
     for (const [name, field, label] of this.#choices) {
       field.checked = name === chart;
       field.disabled = !ready && name !== "accuracy";
-      label.title = field.disabled ? kPredictFirst : "";
+      label.title = field.disabled ? says : "";
     }
     const [before, after] = running ? [this.#measure, this.#stop] : [this.#stop, this.#measure];
     const held = document.activeElement === before; // what is disabled loses the focus
@@ -133,11 +133,7 @@ export class CostTools {
     set_text(this.#view, shown ? "Shape" : "Chart");
     set_hidden(this.#bar, !running);
     this.#show_progress(progress);
-    const on = of.split(":")[0];
-    const there = `${size.toLocaleString("en")} points`;
-    const words = !ready ? kPredictFirst : running ? (chart === "growth" ? `Measuring ${on}.` : `Measuring ${there}.`)
-      : rows.length > 0 ? `${rows.length} measured, on ${on}.` : chart === "growth" ? "From 10 points to a million." : `${there} to measure.`;
-    set_text(this.#says, then ? `${words} Hollow: ${then}, an earlier result.` : words);
+    set_text(this.#says, says);
     const { columns } = kCharts[chart];
     this.#head.replaceChildren(...columns.map(([heading]) => element("th", { scope: "col" }, heading)));
     this.#body.replaceChildren(...rows.map((row) => element("tr", {}, ...columns.map(([, words], i) =>

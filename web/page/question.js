@@ -22,7 +22,7 @@ export class QuestionCard {
   update(view) {
     const { asked, outcome, outcomes, questions } = view;
     const pending = outcomes.some((each) => each.pending);
-    const ended = (view.costs ? outcomes.length > 0 && !pending : view.step === view.steps && !view.previewing) && !asked;
+    const ended = (view.costs ? outcomes.length > 0 && view.costs.decided : view.step === view.steps && !view.previewing) && !asked;
     const given = outcomes.filter((each) => !each.passed);
     const now = JSON.stringify([view.lesson, asked, outcome, questions, ended && given, pending]);
     if (now === this.#shown) return;
@@ -84,7 +84,8 @@ export class QuestionCard {
   }
 
   /** brief: one line, to unfold; the question that stands comes first. */
-  #outcome_card({ right, skipped, predicted, happened, because, fromStep, step }, brief) {
+  #outcome_card({ right, skipped, pending, predicted, happened, because, says, fromStep, step }, brief) {
+    if (pending) return element("div", { class: "card outcome skipped" }, element("h2", { class: "kicker" }, "Not decided"), element("p", {}, says));
     const word = skipped ? "Skipped" : right ? "✓ As you predicted" : "✕ Not as you predicted";
     const rows = skipped ? [["It was", happened]] : [["You predicted", predicted], ["It was", happened]];
     const told = [element("dl", {}, ...rows.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value)))),

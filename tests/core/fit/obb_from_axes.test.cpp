@@ -7,6 +7,7 @@
 #include "core/point_clouds.hpp"
 #include "fit/obb_frame.hpp"
 #include "fit/obb_trials.hpp"
+#include "geometry/exact_tally.hpp"
 #include "geometry/sphere.hpp"
 #include "geometry/turn.hpp"
 #include "query/contains.hpp"
@@ -110,6 +111,24 @@ TEST_CASE("where very many points lie on a face, a half extent is at most one st
   const Obb<double, 3> cube = fit::obb_from_axes<double, 3>(Matrix<double, 3>::Identity(), lattice.span()).box;
   CHECK(judge(cube, lattice.span()).outside == 0);
   CHECK(cube.half_extents.maxCoeff() <= std::nextafter(1.0, 2.0));
+}
+
+TEST_CASE_TEMPLATE("along the coordinates, whichever axis runs along which, nothing is decided exactly", Scalar, float,
+                   double) {
+  const auto set = test::set_of<Scalar, 3>(test::generated<Scalar, 3>("lattice", 1000, 1, 0.1, 3));
+  Matrix<Scalar, 3> axes;
+  axes << 0, -1, 0, 0, 0, -1, 1, 0, 0;
+  const std::int64_t before = exact_decisions;
+  const auto found = fit::obb_from_axes<Scalar, 3>(axes, set.span());
+  CHECK(exact_decisions == before);
+  CHECK(fit::along_coordinates<Scalar, 3>(axes));
+  const auto judged = judge(found.box, set.span());
+  CHECK(judged.outside == 0);
+  CHECK(judged.tight);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto along = [&](Index i) { return axes.col(axis).dot(set[i]); };
+    CHECK(along(found.least[axis]) < along(found.greatest[axis]));
+  }
 }
 
 TEST_CASE("a half extent is 0 just where the points are flat exactly") {

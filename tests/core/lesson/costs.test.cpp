@@ -71,7 +71,7 @@ std::string with(std::string_view old_words, std::string_view new_words) {
 cost::CostRow row(const char* algorithm, double time, double size, Index points = 4, Index of = 4) {
   cost::CostRow row;
   row.volume = "obb", row.algorithm = algorithm, row.time.median = time, row.points = points, row.of = of;
-  row.time.repeats = 9;
+  row.time.repeats = 9, row.time.trusted = true;
   row.size = row.measure = size;
   return row;
 }
@@ -148,6 +148,31 @@ TEST_CASE(
   CHECK(outcomes[1].happened == "Exact minimum");
   CHECK(outcomes[2].skipped);
   CHECK(outcomes[2].happened == "180 times");
+}
+
+TEST_CASE("a later measurement decides anew, and a front with a time that was measured badly is not decided") {
+  Session session = opened();
+  session.answer({Answer::Kind::kChoice, 0b110});
+  session.answer({Answer::Kind::kChoice, 2});
+  session.answer({Answer::Kind::kSkipped, 0});
+  session.measured(rows());
+  CHECK(session.outcomes()[0].right);
+  auto without = rows();  // Exact became too slow for all points
+  without[2] = row("exact", 20, 1, 2, 4);
+  without[2].whole_ns = 1e6;
+  session.measured(without);
+  CHECK(session.outcomes()[0].happened.find(" and ") == std::string::npos);
+  CHECK_FALSE(session.outcomes()[0].right);
+
+  auto badly = rows();
+  badly[0].time.trusted = false;
+  session.measured(badly);
+  CHECK(session.outcomes()[0].pending);
+  CHECK(session.outcomes()[0].happened.empty());
+  CHECK(session.outcomes()[0].says.find(" was measured badly") != std::string::npos);
+  CHECK_FALSE(session.outcomes()[1].pending);  // the slowest is so by far
+  session.measured(rows());
+  CHECK(session.outcomes()[0].right);
 }
 
 TEST_CASE("what was measured on fewer points is never on the front, and its time is that of all") {

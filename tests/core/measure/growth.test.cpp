@@ -34,7 +34,7 @@ std::vector<cost::GrowthRow> run_whole(std::vector<cost::Workload> loads, double
 }  // namespace
 
 TEST_CASE("the power that times follow comes out") {
-  for (const double power : {0.5, 1.0, 1.7, 2.0, 3.0}) {
+  for (const double power : {0.7, 1.0, 1.7, 2.0, 3.0}) {
     CAPTURE(power);
     const auto rows = run_whole({work_that_takes(0, 20, power, 10'000)}, 1e15);
     CHECK(rows.size() == 7);  // by half decades
@@ -97,6 +97,14 @@ TEST_CASE("a second in which the machine does other things does not bend the lin
     };
     CHECK(run_whole({load}).back().exponent.value() == doctest::Approx(1).epsilon(1e-6));
   }
+}
+
+TEST_CASE("no power is told of too few points, nor where most of the time does not grow yet") {
+  CHECK_FALSE(run_whole({work_that_takes(0, 20, 1, 30)}, 1e15).back().exponent);
+  const auto flat = run_whole({work_that_takes(1e6, 20, 1, 300)}, 1e15);
+  CHECK_FALSE(flat.back().exponent);
+  CHECK_FALSE(flat.back().theory_exponent);
+  CHECK(run_whole({work_that_takes(0, 20, 4, 40)}, 1e15).back().exponent.value() == doctest::Approx(4).epsilon(1e-6));
 }
 
 TEST_CASE("a power needs three times that are not 0") {

@@ -37,6 +37,14 @@ TEST_CASE("the front is those that none undercuts") {
   }
 }
 
+TEST_CASE("sizes that differ by rounding alone are equal: the faster undercuts") {
+  const double more = 1 + 1e-12;
+  CHECK(cost::pareto_front(std::vector<cost::Offer>{{1, more, 1e-9}, {2, 1, 1e-9}}) == std::vector<std::size_t>{0});
+  CHECK(cost::pareto_front(std::vector<cost::Offer>{{1, more}, {2, 1}}) == std::vector<std::size_t>{0, 1});
+  CHECK(cost::pareto_front(std::vector<cost::Offer>{{1, 1.1, 1e-9}, {2, 1, 1e-9}}) == std::vector<std::size_t>{0, 1});
+  CHECK(cost::pareto_front(std::vector<cost::Offer>{{1, more, 1e-9}, {1, 1, 1e-9}}).size() == 2);
+}
+
 TEST_CASE("offers that are no numbers are on no front") {
   constexpr double kInf = std::numeric_limits<double>::infinity(), kNan = std::numeric_limits<double>::quiet_NaN();
   CHECK(cost::pareto_front(std::vector<cost::Offer>{{kInf, 1}, {1, kNan}, {2, 2}}) == std::vector<std::size_t>{2});
