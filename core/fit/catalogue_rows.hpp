@@ -11,17 +11,20 @@
 #include "fit/catalogue.hpp"
 #include "fit/certify.hpp"
 #include "fit/lift.hpp"
+#include "fit/tally.hpp"
 
 namespace snug::fit {
 
 /// Counts, and hands each step on lifted where somebody wants to see it.
 struct LiftingObserver {
   const SeeStep& see;
-  Counter counter;
+  FullCounter counter{};
   template <class VolumeType, class... Facts>
   void operator()(const Step<VolumeType, Facts...>& step) {
     counter(step);
-    if (see) see(lift(step), counter.counts);
+    if (!see) return;
+    see(lift(step), counter.counts);
+    counter.pass();
   }
   void count(Operation operation, std::int64_t n) { counter.count(operation, n); }
 };
@@ -49,8 +52,9 @@ Result fit_any(const AnyPointSet& points, const Options& options) {
 template <auto kFitter, bool kExact>
 Watched watch_any(const AnyPointSet& points, const Options& options, const SeeStep& see) {
   return with_span<Watched>(points, [&](auto span) {
-    LiftingObserver observer{see, {}};
+    LiftingObserver observer{see};
     const auto fit = kFitter(span, options, observer);
+    observer.counter.take();
     return Watched{{lift(fit.volume), indices_of(fit.support)},
                    observer.counter.steps,
                    observer.counter.counts,

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "geometry/exact_tally.hpp"
 #include "trace/observer.hpp"
 
 namespace snug {
@@ -17,6 +18,25 @@ struct Tally {
   template <class Step>
   constexpr void operator()(const Step&) const noexcept {}
   void count(Operation operation, std::int64_t n) noexcept { counts[static_cast<std::size_t>(operation)] += n; }
+};
+
+/// Counts what an algorithm tells of, and the exact decisions that it causes below.
+struct FullCounter : Counter {
+  template <class Step>
+  void operator()(const Step& step) noexcept {
+    take();
+    Counter::operator()(step);
+  }
+  /// Up to now.
+  void take() noexcept {
+    counts[static_cast<std::size_t>(Operation::kExactDecisions)] += exact_decisions - taken_;
+    pass();
+  }
+  /// What was decided since was not the algorithm's.
+  void pass() noexcept { taken_ = exact_decisions; }
+
+ private:
+  std::int64_t taken_ = exact_decisions;
 };
 
 /// What counts such a part for an observer: nothing where that ignores.

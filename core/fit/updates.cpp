@@ -12,6 +12,7 @@
 #include "fit/obb_pca_rectangle.hpp"
 #include "fit/pivot.hpp"
 #include "fit/quickhull.hpp"
+#include "fit/tally.hpp"
 #include "fit/update_hill_climb.hpp"
 #include "fit/update_kdop_climb.hpp"
 #include "fit/update_loose.hpp"
@@ -47,11 +48,13 @@ constexpr std::array kStrategies{
 
 struct Watch {
   const SeeUpdateStep& see;
-  Counter counter;
+  FullCounter counter{};
   template <class VolumeType, class... Facts>
   void operator()(const Step<VolumeType, Facts...>& step) {
     counter(step);
-    if (see) see({step.line, step.has_volume, lift(step.volume), step.fact});
+    if (!see) return;
+    see({step.line, step.has_volume, lift(step.volume), step.fact});
+    counter.pass();
   }
   void count(Operation operation, std::int64_t n) { counter.count(operation, n); }
 };
@@ -83,7 +86,7 @@ class Body {
   }
 
   UpdatedFrame to(const Pose<double, 3>& lifted, const SeeUpdateStep& see) {
-    Watch watch{see, {}};
+    Watch watch{see};
     UpdatedFrame frame = moved(own(lifted), watch);
     frame.counts = watch.counter.counts;
     frame.steps = watch.counter.steps;

@@ -20,7 +20,8 @@ namespace {
 using namespace fit;
 
 constexpr std::array<std::string_view, kOperations> kOperationTitles{
-    "Points touched", "Distance tests", "Comparisons", "Dot products", "Square roots", "", "Orientation tests"};
+    "Points touched",    "Distance tests", "Comparisons", "Dot products", "Square roots", "",
+    "Orientation tests", "Exact decisions"};
 
 std::string count_text(std::int64_t n, std::string_view one, std::string_view many) {
   return std::to_string(n) + " " + std::string(n == 1 ? one : many);

@@ -17,6 +17,9 @@
 
 namespace snug::cost {
 
+/// A column that files of earlier versions do not have: read from them, it stays 0.
+inline constexpr std::string_view kNewColumn = "operations.exact_decisions";
+
 template <class Row>
 struct Table {
   Provenance provenance;

@@ -18,15 +18,16 @@ enum class Operation : std::uint8_t {
   kSquareRoots,
   kBallSolves,        // balls computed through a set of support points
   kOrientationTests,  // on which side of a line or a plane a point lies
+  kExactDecisions,    // comparisons that rounded arithmetic leaves open, decided without rounding
 };
-inline constexpr int kOperations = 7;
+inline constexpr int kOperations = 8;
 
 /// The counts of each Operation so far, in the order of the enumeration.
 using OperationCounts = std::array<std::int64_t, kOperations>;
 
 inline constexpr std::array<std::string_view, kOperations> kOperationNames{
-    "points_touched", "distance_tests", "comparisons",      "dot_products",
-    "square_roots",   "ball_solves",    "orientation_tests"};
+    "points_touched", "distance_tests", "comparisons",       "dot_products",
+    "square_roots",   "ball_solves",    "orientation_tests", "exact_decisions"};
 
 /// Something that can be told an algorithm's steps and what it spends.
 template <class Observer, class Step>

@@ -303,7 +303,8 @@ constexpr const char* kCostFooter =
   time_ns                   {median, min, spread, repeats, batch, trusted} of one fit without an observer. spread is the
                             distance between the quartiles over the median; above a third the time is not trusted: it
                             was measured badly. A single batch has no spread, null, and is not trusted
-  operations, steps         counts of a second, watched run
+  operations, steps         counts of a second, watched run; exact_decisions are comparisons that rounded arithmetic left
+                            open, each as expensive as hundreds of the others
   size, measure             a sphere's radius, otherwise the measure; 3-D volume or 2-D area
   tightness                 size over that of the smallest volume of its kind around the same points; null if no
                             algorithm here guarantees the smallest, or if it is flat: no larger than rounding

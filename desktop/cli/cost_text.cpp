@@ -122,7 +122,7 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Co
                     const cost::Table<cost::CostRow>* then) {
   std::vector<std::string> header{"volume", "algorithm", "time", "spread"};
   if (then != nullptr) header.insert(header.end(), {"then", "now/then"});
-  header.insert(header.end(), {"operations", "size/least", "volume/hull", "bytes", "overlap", "update", ""});
+  header.insert(header.end(), {"operations", "exact", "size/least", "volume/hull", "bytes", "overlap", "update", ""});
   if (provenance.dim == 2) *(header.end() - 5) = "area/hull";
   Columns columns(header);
   bool doubt = false;
@@ -134,10 +134,12 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Co
       line.push_back(old == nullptr || !(old->time.median > 0) ? "-"
                                                                : said("%.2f", row.time.median / old->time.median));
     }
-    const std::int64_t operations = std::accumulate(row.operations.begin(), row.operations.end(), std::int64_t{0});
-    line.insert(line.end(), {said("%lld", static_cast<long long>(operations)), ratio_text(row.tightness, "%.4f"),
-                             ratio_text(row.over_hull, "%.3f"), said("%lld", static_cast<long long>(row.bytes)),
-                             time_text(row.overlap), time_text(row.updated), note_of(row)});
+    const std::int64_t exact = row.operations[static_cast<std::size_t>(Operation::kExactDecisions)];
+    const std::int64_t others = std::accumulate(row.operations.begin(), row.operations.end(), -exact);
+    line.insert(line.end(), {said("%lld", static_cast<long long>(others)), said("%lld", static_cast<long long>(exact)),
+                             ratio_text(row.tightness, "%.4f"), ratio_text(row.over_hull, "%.3f"),
+                             said("%lld", static_cast<long long>(row.bytes)), time_text(row.overlap),
+                             time_text(row.updated), note_of(row)});
     columns.add(std::move(line));
     for (const cost::Timing* timing : {&row.time, &row.overlap, &row.updated})
       doubt = doubt || (timing->repeats > 0 && !timing->trusted);

@@ -128,7 +128,7 @@ test("the same points and seed have the same figures but for times", () => {
 test("the table for people says volume, time and who is on the front", () => {
   const text = good(["cost", ...quick, "--volume", "sphere", cloud]);
   assert.match(text, /^cloud\.xyz, 3-D, double, seed 1; native, /);
-  assert.match(text, /\nvolume +algorithm +time +spread +operations +size\/least +volume\/hull +bytes +overlap +update\n/);
+  assert.match(text, /\nvolume +algorithm +time +spread +operations +exact +size\/least +volume\/hull +bytes +overlap +update\n/);
   assert.match(text, /\nsphere +welzl +[\d.e+]+ (ns|us|ms)/);
   assert.match(text, /\* front/);
 });
@@ -238,20 +238,35 @@ test("help says what the fields are", () => {
   for (const word of ["tightness", "over_hull", "--growth", "--against", "trusted"]) assert.ok(out.includes(word), word);
 });
 
-test("the box along the coordinates is as cheap as it looks", () => {
+test("the box along the coordinates is as cheap as it looks, and what is decided exactly is counted", () => {
   // Many points on its faces: each was once decided exactly.
   const grid = write("grid.xyz", Array.from({ length: 1000 }, (_, i) => `${i % 10} ${Math.floor(i / 10) % 10} ${Math.floor(i / 100)}`).join("\n"));
   const [box, pca, aabb] = ["obb:aabb", "obb:pca", "aabb:min_max"].map((name) =>
     JSON.parse(good(["cost", "--repeat", "9", "--json", "--algorithms", name, grid])).rows[0]);
+  assert.equal(box.operations.exact_decisions, 0);
   assert.equal(box.operations.dot_products, 0);
   assert.ok(Math.abs(box.measure - aabb.measure) < 1e-9 * aabb.measure);
   assert.ok(box.time_ns.min < pca.time_ns.min, `${box.time_ns.min} ns, and PCA ${pca.time_ns.min}`);
+  const [hull] = costs("--algorithms", "quickhull", grid).rows; // four points in a plane, again and again
+  assert.ok(hull.operations.exact_decisions > 0);
 });
 
 test("sizes that differ by rounding alone are equal: of two such only the faster is on the front", () => {
   const { rows } = costs("--generate", "gaussian:500", "--algorithms", "aabb:min_max,obb:aabb,k6");
   const [least] = rows.map(({ time_ns }) => time_ns.median).sort((a, b) => a - b);
   for (const row of rows) assert.equal(row.on_front, row.time_ns.median === least, row.algorithm);
+});
+
+test("a result of earlier versions, without the count of exact decisions, can still be compared", () => {
+  const args = [...quick, "--volume", "aabb", cloud];
+  const old = JSON.parse(good(["cost", "--json", ...args]));
+  for (const row of old.rows) delete row.operations.exact_decisions;
+  assert.match(good(["cost", ...args, "--against", write("earlier.json", JSON.stringify(old))]), /now\/then/);
+  const lines = good(["cost", "--csv", ...args]).trimEnd().split("\n");
+  const at = lines.find((line) => line.startsWith("volume,")).split(",").indexOf("operations.exact_decisions");
+  assert.ok(at > 0);
+  const csv = lines.map((line) => (line.startsWith("#") ? line : line.split(",").filter((_, i) => i !== at).join(","))).join("\n");
+  assert.match(good(["cost", ...args, "--against", write("earlier.csv", `${csv}\n`)]), /now\/then/);
 });
 
 test("an earlier result of other points is refused", () => {

@@ -35,3 +35,14 @@ TEST_CASE("a run has the same result, steps and counts whether it is recorded, w
     CHECK(ball_of(ignored).radius == ball_of(recording.result).radius);
   }
 }
+
+TEST_CASE("what is decided exactly is counted, and the proof of a result is not") {
+  const auto exact = [](std::string_view volume, std::string_view name, const AnyPointSet& points) {
+    const fit::Watched run = fit::find_algorithm(volume, name)->watch(points, {}, {});
+    return run.counts[static_cast<std::size_t>(Operation::kExactDecisions)];
+  };
+  const AnyPointSet lattice = *PointSet<double, 3>::make(*generate("lattice", 125, 3, 1));
+  CHECK(exact("obb", "aabb", lattice) == 0);  // along the coordinates nothing is in doubt
+  CHECK(exact("aabb", "min_max", lattice) == 0);
+  CHECK(exact("hull", "quickhull", lattice) > 0);
+}

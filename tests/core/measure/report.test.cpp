@@ -29,7 +29,7 @@ std::vector<cost::CostRow> two_rows() {
                      .of = 400,
                      .whole_ns = 1e9 / 7,
                      .time = {0.1, 0.2, 1.0 / 3, 9, 64, true},
-                     .operations = {1, 2, 3, 4, 5, 6, std::int64_t{1} << 60},
+                     .operations = {1, 2, 3, 4, 5, 6, std::int64_t{1} << 60, 8},
                      .steps = 12,
                      .size = 1e-300,
                      .measure = 0x1.fffffffffffffp+1000,
@@ -157,7 +157,8 @@ TEST_CASE("JSON has levels, numbers that are numbers, and null for what there is
   CHECK(json.find("\"processor\":\"A \\\"fast\\\" one, #2\"") != std::string::npos);
   CHECK(json.find("\"whole_ns\":142857142.85714287,\"time_ns\":{\"median\":0.1,\"min\":0.2,") != std::string::npos);
   CHECK(json.find("\"trusted\":true},\"operations\":{\"points_touched\":1,") != std::string::npos);
-  CHECK(json.find("\"orientation_tests\":1152921504606846976},\"steps\":12") != std::string::npos);
+  CHECK(json.find("\"orientation_tests\":1152921504606846976,\"exact_decisions\":8},\"steps\":12") !=
+        std::string::npos);
   CHECK(json.find("\"certificate\":{\"contains\":true,\"on_boundary\":false,\"optimal\":false},\"on_front\":true}") !=
         std::string::npos);
   CHECK(json.find("\"tightness\":null") != std::string::npos);
