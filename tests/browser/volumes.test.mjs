@@ -72,7 +72,7 @@ test("what cannot be read is said by its line, and the lessons stay within reach
   t.after(() => site.add.clear());
   const page = await visit(t, "?lesson=sphere-ritter");
   await choose_broken(page);
-  await page.locator("#veil").getByText(/test-broken\.toml:13/).waitFor();
+  await page.locator("#veil").getByText(/test-broken\.toml:12/).waitFor();
   await page.goBack();
   await ready(page);
   await page.locator("#veil").waitFor({ state: "hidden" });
