@@ -29,7 +29,8 @@ void Stage::hands(lesson::Session& session, const Look& look, const Rect& rect) 
             grab(screen_, session.dim() == 3, selected_, io.MousePos.x, io.MousePos.y, look.fingers) != kNoIndex);
   if (pressed_ != kNoIndex) hovered_ = pressed_;
   if (ImGui::IsItemActivated()) press(session, look);
-  if (pressing_ && ImGui::IsItemActive()) drag(session);
+  // Also of the frame that it ends in: between two slow frames a whole drag finds room.
+  if (pressing_ && ImGui::IsMousePosValid()) drag(session);
   if (pressing_ && !ImGui::IsItemActive()) release(session);
   if (over) steer_camera();
   if (over && can_move(session) && hovered_ == kNoIndex && !travelled_ &&

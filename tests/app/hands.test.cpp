@@ -4,105 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <string>
 
-#include "app/app.hpp"
 #include "app/costs.hpp"
 #include "app/inspector.hpp"
 #include "app/shown.hpp"
+#include "bench.hpp"
 
 namespace snug::app {
 namespace {
-
-std::string font_bytes(std::string_view name) {
-  for (const char* extension : {".otf", ".ttf"}) {
-    std::ifstream file(std::string(SNUG_ASSETS_DIR "/fonts/") + std::string(name) + extension, std::ios::binary);
-    if (file) return {std::istreambuf_iterator<char>(file), {}};
-  }
-  return {};
-}
-
-/// A front end of 800 by 600 pixels.
-class Bench {
- public:
-  explicit Bench(lesson::Lesson lesson) : context_(ImGui::CreateContext()), app({.font = font_bytes}) {
-    ImGui::GetIO().DisplaySize = {800, 600};
-    ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
-    app.settings().reduced_motion = true;
-    REQUIRE(app.open(std::move(lesson)));
-    frames(3);
-  }
-  ~Bench() {
-    for (ImTextureData* texture : ImGui::GetPlatformIO().Textures) {
-      texture->SetTexID(ImTextureID_Invalid);
-      texture->SetStatus(ImTextureStatus_Destroyed);
-    }
-    ImGui::DestroyContext(context_);
-  }
-  Bench(const Bench&) = delete;
-  Bench& operator=(const Bench&) = delete;
-
-  void frames(int count) {
-    for (int i = 0; i < count; ++i) {
-      now_ += 0.02;
-      ImGui::GetIO().DeltaTime = 0.02f;
-      ImGui::NewFrame();
-      app.frame({.stage = {0, 0, 800, 440}, .timeline = {0, 440, 800, 160}}, now_);
-      ImGui::Render();
-      for (ImTextureData* texture : ImGui::GetPlatformIO().Textures) {
-        texture->SetTexID(1);
-        texture->SetStatus(ImTextureStatus_OK);
-      }
-    }
-  }
-  [[nodiscard]] Handle handle(const std::string& id) const {
-    for (const Handle& handle : app.handles())
-      if (handle.id == id) return handle;
-    FAIL("no handle ", id);
-    return {};
-  }
-  void press(float x, float y) {
-    ImGui::GetIO().AddMousePosEvent(x, y);
-    frames(2);
-    ImGui::GetIO().AddMouseButtonEvent(0, true);
-    frames(2);
-  }
-  void move(float x, float y) {
-    ImGui::GetIO().AddMousePosEvent(x, y);
-    frames(2);
-  }
-  void release() {
-    ImGui::GetIO().AddMouseButtonEvent(0, false);
-    frames(2);
-  }
-  void drag(float x, float y, float dx, float dy) {
-    press(x, y);
-    for (int i = 1; i <= 4; ++i) move(x + dx * static_cast<float>(i) / 4, y + dy * static_cast<float>(i) / 4);
-    release();
-  }
-  void click(const std::string& id) {
-    const Handle at = handle(id);
-    press(at.x, at.y);
-    release();
-  }
-  [[nodiscard]] lesson::Session& session() { return *app.session(); }
-  [[nodiscard]] std::string key(std::string_view name) const {
-    return std::string(app.command_of_key(name, false, false));
-  }
-  void wait(double seconds) {
-    now_ += seconds;
-    frames(1);
-  }
-
- private:
-  ImGuiContext* context_;
-  double now_ = 0;
-
- public:
-  App app;
-};
 
 /// Ritter's pair is P0 and P1 (along x); P4 and P5 lie outside its circle, P6 is in the middle.
 lesson::Lesson flat() {
@@ -307,6 +217,23 @@ TEST_CASE("among few points in space a press beside one drags it") {
   bench.drag(at.x + 3, at.y + 3, 60, 0);
   CHECK(bench.session().can_undo());
   CHECK(bench.session().trace_hash() != hash);
+}
+
+TEST_CASE("a drag that ends before the next frame is drawn has moved its point as far as any other") {
+  const auto dragged = [](bool quick) {
+    Bench bench(flat());
+    const Handle at = bench.handle("P4");
+    if (quick) {
+      bench.press(at.x, at.y);
+      for (const float share : {0.5f, 1.0f}) ImGui::GetIO().AddMousePosEvent(at.x + 24 * share, at.y + 12 * share);
+      bench.release();
+    } else {
+      bench.drag(at.x, at.y, 24, 12);
+    }
+    CHECK(bench.session().can_undo());
+    return bench.session().point(4);
+  };
+  CHECK(dragged(true) == dragged(false));
 }
 
 /// A body that turns for two seconds, and its box.
