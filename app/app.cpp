@@ -82,6 +82,7 @@ struct App::State {
   void play_on();
   [[nodiscard]] bool player(std::string_view name);
   [[nodiscard]] bool edit(std::string_view name);
+  [[nodiscard]] bool choose_target(int by);
   [[nodiscard]] bool select(std::string_view name);
   [[nodiscard]] bool view(std::string_view name);
   [[nodiscard]] bool move(std::string_view name);
@@ -183,6 +184,7 @@ bool App::State::player(std::string_view name) {
   else if (name == "next_mark") next_mark();
   else if (name == "previous_mark") session->go(session->previous_mark());
   else if (name == "skip_question") return session->answer({});
+  else if (name == "commit_answer") return session->commit();
   else return false;
   playing = false;
   play_until.reset();
@@ -202,7 +204,23 @@ bool App::State::edit(std::string_view name) {
   return false;
 }
 
+/// Goes on among what can be the answer to the question that stands; false where it is not answered on the stage.
+bool App::State::choose_target(int by) {
+  const std::vector<Index> targets = session->targets();
+  if (targets.empty()) return false;
+  const auto n = static_cast<std::ptrdiff_t>(targets.size());
+  const lesson::Answer* picked = session->picked();
+  const bool any = picked != nullptr && picked->kind == lesson::Answer::Kind::kPoint;
+  const std::ptrdiff_t at = any ? std::find(targets.begin(), targets.end(), picked->value) - targets.begin() : -1;
+  const std::ptrdiff_t next = at < 0 ? (by > 0 ? 0 : n - 1) : (at + by + n) % n;
+  if (next != at) static_cast<void>(session->pick({lesson::Answer::Kind::kPoint, targets[next]}));
+  return true;
+}
+
 bool App::State::select(std::string_view name) {
+  const bool next = name == "select_next";
+  if ((next || name == "select_previous") && choose_target(next ? 1 : -1)) return true;
+  if (name == "select_none" && session->picked() != nullptr) return session->unpick(), true;
   const Index n = session->size(), at = stage.selected();
   if (name == "select_next") stage.select(at == kNoIndex ? 0 : (at + 1) % n);
   else if (name == "select_previous") stage.select(at == kNoIndex ? n - 1 : (at + n - 1) % n);
@@ -312,6 +330,7 @@ bool App::command(std::string_view name) {
 }
 
 std::string_view App::command_of_key(std::string_view key, bool shift, bool control) const {
+  if (key == "Enter" && state_->session && state_->session->picked() != nullptr) return "commit_answer";
   if (const std::string_view chart = state_->has_chart() ? chart_command_for(key, state_->costs->shown()) : "";
       !chart.empty() && !control)
     return chart;
@@ -335,12 +354,12 @@ void App::pinch(float factor, float x, float y, float dx, float dy) {
 void App::frame(const Layout& layout, double now) {
   State& s = *state_;
   whiten(*ImGui::GetIO().Fonts);
-  s.now = now;
   s.settle = has_input(ImGui::GetIO()) ? kSettleFrames : std::max(0, s.settle - 1);
   s.refresh_look(layout.fingers);
+  s.look.tools = layout.tools;
   ++s.frames;
+  advance(now);
   if (!s.session) return;
-  s.play_on();
   const auto shows = [](const Rect& rect) { return rect.width >= 1 && rect.height >= 1; };
   // The timeline and the stage change the session; the inspector comes last and says the same frame's figures.
   if (shows(layout.timeline)) {

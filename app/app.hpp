@@ -25,6 +25,7 @@ struct Layout {
   Rect timeline;
   Rect inspector;
   bool fingers = false;  // large targets: 44 px
+  float tools = 0;       // how far the door's own buttons reach from the stage's left edge, in its top corner
 };
 
 enum class Theme { kLight, kDark, kHighContrast, kProjector };
@@ -93,6 +94,7 @@ class App {
 
   /// Does what a button or key says. Names: those of Costs::command, and first back step play last next_mark
   /// previous_mark faster slower undo redo add_point delete_point scatter reset_points reset_view skip_question
+  /// commit_answer
   /// select_next select_previous select_none move_left move_right move_up move_down move_nearer move_farther (the
   /// selected point; "_fine" behind it for a tenth), zoom_in zoom_out orbit_left orbit_right orbit_up orbit_down
   /// toggle_optimum watch_outcome; and turn:EFFECT, which switches an effect of the scene off, and on again.

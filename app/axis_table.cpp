@@ -15,7 +15,8 @@ namespace {
 using Axis = query::AxisTested<double, 3>;
 
 constexpr float kCell = 12, kRow = 24;
-constexpr std::array<const char*, 4> kHeads{"distance", "r_A", "r_B", "gap"};
+constexpr std::array<const char*, 4> kHeads{"distance", "r_A", "r_B", "separation"};
+constexpr std::array<float, 4> kRight{0.48f, 0.63f, 0.78f, 1.0f};  // where each column ends, of the width
 
 std::string short_number(double value) { return lesson::number_text(value, 3); }
 
@@ -32,7 +33,7 @@ struct Table {
   float x, width;
 
   /// The right end of a column of figures.
-  [[nodiscard]] float right(int column) const { return x + width - static_cast<float>(3 - column) * (width * 0.175f); }
+  [[nodiscard]] float right(int column) const { return x + width * kRight[column]; }
 
   void head(float y) const {
     for (int i = 0; i < 4; ++i)
@@ -57,11 +58,17 @@ struct Table {
 
 }  // namespace
 
+int lit_row(const lesson::Session& session) {
+  const auto axis = lesson::axis_at(std::span(session.recording(0).steps).first(session.step()));
+  return axis ? lesson::axis_index(session.dim(), axis->axis) : -1;
+}
+
 float draw_axis_table(const Look& look, lesson::Session& session, ImVec2 at, float width) {
   const int dim = session.dim();
   const auto steps = std::span(session.recording(0).steps).first(session.step());
   const std::vector<Axis> seen = lesson::axes_seen(steps);
   const auto rows = rows_of(seen, dim);
+  const int at_hand = lit_row(session);
   const auto names = lesson::axis_names(dim);
   const Table table{look, ImGui::GetWindowDrawList(), at.x, width};
   const lesson::Asked* asked = session.asked();
@@ -69,21 +76,23 @@ float draw_axis_table(const Look& look, lesson::Session& session, ImVec2 at, flo
   table.head(at.y);
   float y = at.y + look.px(kRow);
   for (std::size_t i = 0; i < names.size(); ++i, y += look.px(kRow)) {
-    const bool lit = !seen.empty() && rows[i] != nullptr && rows[i] == rows[lesson::axis_index(dim, seen.back().axis)];
+    const bool lit = static_cast<int>(i) == at_hand;
     bool hovered = false;
     if (choosing) {
       ImGui::SetCursorScreenPos({at.x - 6, y});
       ImGui::PushID(static_cast<int>(i));
       if (ImGui::InvisibleButton("axis", {width + 12, look.px(kRow)})) {
-        session.answer({lesson::Answer::Kind::kChoice, static_cast<int>(i)});
+        static_cast<void>(session.pick({lesson::Answer::Kind::kChoice, static_cast<int>(i)}));
         ImGui::PopID();
-        return y - at.y;  // the question is no more
+        return y - at.y;  // the question may be no more
       }
       hovered = ImGui::IsItemHovered();
       ImGui::PopID();
       if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+      const lesson::Answer* picked = session.picked();
+      const bool chosen = picked != nullptr && picked->value == static_cast<int>(i);
       table.list->AddRect({at.x - 6, y + 1}, {at.x + width + 6, y + look.px(kRow) - 1},
-                          with_alpha(look->current, hovered ? 0.9f : 0.35f), 4);
+                          with_alpha(look->current, chosen || hovered ? 0.9f : 0.35f), 4, 0, chosen ? 2.5f : 1.0f);
     }
     table.row(y, names[i], rows[i], lit);
   }

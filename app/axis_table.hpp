@@ -6,6 +6,9 @@
 
 namespace snug::app {
 
+/// The lit row, counted from 0: the axis that the step speaks of. -1 for none.
+[[nodiscard]] int lit_row(const lesson::Session& session);
+
 /// Draws at a place and returns how high it is. Where a question asks for an axis, a click on its row answers.
 float draw_axis_table(const Look& look, lesson::Session& session, ImVec2 at, float width);
 

@@ -42,7 +42,14 @@ struct Sayer {
   const AnyPointSet& points;
   bool exact;
   std::optional<double> best_before;
-  std::string ball;  // "circle", "sphere"
+  std::string ball;               // "circle", "sphere"
+  const Step3* before = nullptr;  // the step just before; null where it is the first, or not known
+
+  /// Whether the step before it found such a thing.
+  template <class Fact>
+  [[nodiscard]] bool follows() const {
+    return before != nullptr && std::holds_alternative<Fact>(before->fact);
+  }
 
   /// Of the ball that the step has; 0 where it has none.
   [[nodiscard]] double radius() const {
@@ -55,6 +62,7 @@ struct Sayer {
     return size_word() + number_text(fit::size_of(step.volume, dim()));
   }
   [[nodiscard]] std::string size_word() const { return dim() == 2 ? "area " : "volume "; }
+  [[nodiscard]] std::string outline_word() const { return dim() == 2 ? "outline" : "surface"; }
   [[nodiscard]] int dim() const { return fit::dim_of(points); }
   [[nodiscard]] Point at(Index i) const { return fit::point_of(points, i); }
 
@@ -107,7 +115,12 @@ struct Sayer {
   std::string operator()(const fit::MeanFound<double, 3>& fact) const {
     std::string where = number_text(fact.mean[0]) + ", " + number_text(fact.mean[1]);
     if (dim() == 3) where += ", " + number_text(fact.mean[2]);
-    return "The mean of all " + counted(fit::size_of(points), "point") + " is their balance point: (" + where + ").";
+    if (follows<fit::SurfaceFound<double, 3>>())
+      return "The centroid of the hull's " + outline_word() + " is (" + where + ").";
+    if (const auto* hull = before != nullptr ? std::get_if<fit::HullFound>(&before->fact) : nullptr)
+      return "The mean of the hull's " + std::to_string(hull->vertices.size()) + " vertices is (" + where +
+             "): no other point counts.";
+    return "The mean of all " + counted(fit::size_of(points), "point") + " is (" + where + "): their centre of mass.";
   }
 
   std::string operator()(const fit::CovarianceFound<double, 3>&) const {
@@ -193,7 +206,7 @@ struct Sayer {
   std::string operator()(const fit::ExtentsFound<double, 3>& fact) const {
     std::string lengths;
     for (int i = 0; i < dim(); ++i) lengths += (i > 0 ? " × " : "") + number_text(fact.lengths[i]);
-    return "The points that reach farthest along each axis set the box: " + lengths + ".";
+    return "The points that reach farthest along each axis set the box's extents: " + lengths + ".";
   }
 
   std::string operator()(const fit::BallFound<double, 3>& fact) const {
@@ -202,14 +215,16 @@ struct Sayer {
   }
 
   std::string operator()(const fit::HullFound& fact) const {
-    return "The convex hull has " + counted(static_cast<std::int64_t>(fact.vertices.size()), "corner") + " and " +
-           counted(fact.facets, dim() == 2 ? "edge" : "face") + ": no other point can touch a box.";
+    return "The convex hull has " +
+           (fact.vertices.size() == 1 ? "1 vertex" : std::to_string(fact.vertices.size()) + " vertices") + " and " +
+           counted(fact.facets, dim() == 2 ? "edge" : "face") + ": no point inside it can touch a box.";
   }
 
   std::string operator()(const fit::SurfaceFound<double, 3>& fact) const {
-    return std::string("The hull's ") + (dim() == 2 ? "outline is " : "surface is ") + number_text(fact.area) +
-           (dim() == 2 ? " units long" : " units²") +
-           ": each bit of it weighs the same, however many points lie on it.";
+    return "The hull's " + outline_word() + " measures " + number_text(fact.area) +
+           (dim() == 2 ? " units: every piece of it counts by its length,"
+                       : " units²: every piece of it counts by its area,") +
+           " however many points lie on it.";
   }
 
   std::string operator()(const fit::PointsChosen& fact) const {
@@ -227,17 +242,17 @@ struct Sayer {
     const std::string on = fact.edge_a == kNoIndex ? "The smallest rectangle"
                                                    : "The smallest rectangle lies on the hull's edge from " +
                                                          point_name(fact.edge_a) + " to " + point_name(fact.edge_b);
-    return on + (dim() == 2 ? ": " : ", seen along the axis; its box has ") + size_word() + number_text(fact.measure) +
-           (fact.better ? ", the smallest so far." : ": no better than before.");
+    return on + (dim() == 2 ? ": " : ", in the projection along the axis; its box has ") + size_word() +
+           number_text(fact.measure) + (fact.better ? ", the smallest so far." : ": no better than before.");
   }
 
   std::string operator()(const fit::EdgeSearched& fact) const {
     return "Every box with a face on the edge from " + point_name(fact.a) + " to " + point_name(fact.b) +
-           " is ruled out or tried, with " + counted(fact.pairs, "second edge") + ".";
+           " and an adjacent face on one of " + counted(fact.pairs, "other edge") + " is tried or ruled out.";
   }
 
   std::string operator()(const fit::BoxWidened& fact) const {
-    return point_name(fact.point) + " lies outside the box so far, which widens to it.";
+    return point_name(fact.point) + " lies outside the box so far: the box is widened to it.";
   }
 
   std::string operator()(const fit::LineFound& fact) const {
@@ -312,48 +327,52 @@ struct Sayer {
   }
 
   std::string operator()(const query::FramesRelated<double, 3>&) const {
-    return "B is written in A's own frame: from there A is a plain box, and its axes are x" +
+    return "B is expressed in A's frame, where A is axis-aligned and its face axes are x" +
            std::string(dim() == 2 ? " and y." : ", y and z.");
   }
 
   std::string operator()(const query::AxisTested<double, 3>& fact) const {
-    const std::string axis = lesson::axis_names(dim())[lesson::axis_index(dim(), fact.axis)].text;
-    if (fact.skipped) return axis + ": these edges are parallel, so they have no axis of their own.";
-    const std::string sum = number_text(fact.radius_a) + " + " + number_text(fact.radius_b);
-    if (fact.separates)
-      return "Along " + axis + " the centres are " + number_text(fact.distance) + " apart, more than " + sum +
-             ": there is a gap, so the boxes are apart.";
-    return "Along " + axis + " the centres are " + number_text(fact.distance) + " apart, no more than " + sum +
-           ": this axis does not separate them.";
+    const std::string axis = lesson::axis_text(dim(), fact.axis);
+    if (fact.skipped) return "Along " + axis + " there is nothing to test: the edges are parallel.";
+    const std::string sum = "r_A + r_B = " + number_text(fact.radius_a) + " + " + number_text(fact.radius_b);
+    return "Along " + axis + " the distance " + number_text(fact.distance) +
+           (fact.separates ? " is greater than " + sum + ": a gap, so the boxes are apart."
+                           : " is not greater than " + sum + ": no gap.");
   }
 
   std::string operator()(const query::LookedCloser& fact) const {
-    return "The numbers are too close to call: " + std::to_string(fact.axes) + (fact.axes == 1 ? " axis" : " axes") +
-           (fact.axes == 1 ? " is" : " are") + " looked at again in exact arithmetic.";
+    return "Too close to call for rounded numbers: " + std::to_string(fact.axes) +
+           (fact.axes == 1 ? " axis is" : " axes are") + " tested again in exact arithmetic.";
   }
 
   std::string operator()(const query::OutlinesCompared& fact) const {
-    return "Along " + direction_name(fact.axis) + " the upright outlines " + (fact.apart ? "do not meet." : "meet.");
+    return "Along " + direction_name(fact.axis) + " the extents of the two AABBs " +
+           (fact.apart ? "are disjoint." : "overlap.");
   }
 
   std::string operator()(const query::CornerTried& fact) const {
     const char* other = fact.box == 0 ? "B" : "A";
     const std::string corner =
         lesson::place_name(dim(), lesson::index_of(dim(), {lesson::Place::Kind::kCorner, fact.box, fact.corner}));
-    return "Corner " + corner + (fact.inside ? " lies in box " : " is not in box ") + other + ".";
+    return "Vertex " + corner + (fact.inside ? " lies inside " : " lies outside ") + other + ".";
   }
 
   std::string operator()(const query::Claimed& fact) const {
-    return std::string("This test says: the boxes ") + (fact.overlap ? "overlap." : "are apart.") +
-           " The proof beside it says whether that is so.";
+    return std::string("This test says that the boxes ") + (fact.overlap ? "overlap" : "are apart") +
+           "; the proof tells whether it is right.";
   }
 
   std::string operator()(const query::Verdict<double, 3>& fact) const {
-    const std::string after =
-        " after " + std::to_string(fact.result.tests) + (fact.result.tests == 1 ? " axis." : " axes.");
-    return (fact.result.overlap ? "Overlap: no axis separates the boxes,"
-                                : "Apart: one axis that separates them is enough,") +
-           after;
+    const auto& [overlap, tests, axis] = fact.result;
+    const std::string name = lesson::axis_text(dim(), axis);
+    const std::string all = std::to_string(lesson::axis_names(dim()).size());
+    if (overlap)
+      return "Overlap: none of the " + all + " axes separates the boxes" +
+             (name.empty()
+                  ? "."
+                  : "; penetration is least along " + name + ", " + number_text(std::max(0.0, -axis.gap)) + ".");
+    return "Apart: along " + name + " there is a gap" + (axis.gap > 0 ? " of " + number_text(axis.gap) : "") + "; " +
+           std::to_string(tests) + " of " + all + " axes were tested.";
   }
 
   /// "Left plane: …"
@@ -368,38 +387,38 @@ struct Sayer {
     const std::string p = "p-vertex " + lesson::sign_name(dim(), fact.p_vertex),
                       n = "n-vertex " + lesson::sign_name(dim(), fact.n_vertex);
     const std::string p_by = short_figure(std::abs(fact.p_distance)), n_by = short_figure(std::abs(fact.n_distance));
-    if (fact.skipped) return plane(fact.plane) + "it is skipped, for the box is known to be inside of it.";
+    if (fact.skipped) return plane(fact.plane) + "skipped, since the parent is inside it.";
     if (fact.looked_closer)
-      return plane(fact.plane) + "a vertex is too close to it for rounded numbers; exact ones say " +
+      return plane(fact.plane) + "a vertex is too close to it for rounded numbers; exact arithmetic says " +
              std::string(query::kCullingNames[static_cast<std::size_t>(fact.side)]) + ".";
     if (fact.side == Culling::kOutside)
-      return plane(fact.plane) + "even the " + n + " is outside, by " + n_by + ", so all of the box is.";
+      return plane(fact.plane) + "even the " + n + " is outside, by " + n_by + ", so the whole box is.";
     if (fact.side == Culling::kInside)
-      return plane(fact.plane) + "even the " + p + " is inside, by " + p_by + ", so all of the box is.";
-    return plane(fact.plane) + "the " + p + " is outside by " + p_by + ", the " + n + " inside by " + n_by +
-           ": the box crosses it.";
+      return plane(fact.plane) + "even the " + p + " is inside, by " + p_by + ", so the whole box is.";
+    return plane(fact.plane) + "the " + p + " is outside by " + p_by + " and the " + n + " inside by " + n_by +
+           ", so the box crosses it.";
   }
 
   std::string operator()(const query::CornerTested<double, 3>& fact) const {
-    const std::string corner = "Corner " + lesson::sign_name(dim(), fact.corner);
-    if (fact.plane < 0) return corner + " is outside of no plane: it can be seen.";
+    const std::string corner = "Vertex " + lesson::sign_name(dim(), fact.corner);
+    if (fact.plane < 0) return corner + " is inside every plane, so it lies in the frustum.";
     const std::string by = fact.distance == 0 ? "" : ", by " + short_figure(std::abs(fact.distance));
-    return corner + (fact.outside ? " is outside of the " : " is inside of the ") +
-           lesson::plane_name(dim(), fact.plane) + " plane" + by + ".";
+    return corner + (fact.outside ? " is outside the " : " is inside the ") + lesson::plane_name(dim(), fact.plane) +
+           " plane" + by + ".";
   }
 
   std::string operator()(const query::Classified& fact) const {
     using query::Culling;
     const query::CullResult& result = fact.result;
     if (result.rejected_by >= 0)
-      return "Outside: all of the box is beyond the " + lesson::plane_name(dim(), result.rejected_by) +
-             " plane, found after " + counted(result.planes_tested, "plane") + ".";
+      return "Outside: the whole box is beyond the " + lesson::plane_name(dim(), result.rejected_by) + " plane; " +
+             counted(result.planes_tested, "plane") + (result.planes_tested == 1 ? " was" : " were") + " tested.";
     if (result.verdict == Culling::kOutside)
-      return "No corner can be seen, so this test says outside. The proof beside it says whether that is so.";
-    if (result.verdict == Culling::kInside) return "Inside: every corner of the box is inside of every plane.";
-    if (result.crossing == 0) return "Intersecting: some corners can be seen, and some cannot.";
+      return "No vertex lies in the frustum, so this test says outside; the proof tells whether it is right.";
+    if (result.verdict == Culling::kInside) return "Inside: every vertex of the box is inside every plane.";
+    if (result.crossing == 0) return "Intersecting: some vertices lie in the frustum and some do not.";
     return "Intersecting: the box crosses " + lesson::plane_names(dim(), result.crossing) +
-           ", and no plane has all of it outside.";
+           " and is wholly outside none.";
   }
 
   std::string operator()(const fit::Finished& fact) const {
@@ -423,8 +442,9 @@ std::string name_of_points(std::span<const Index> points) {
 }
 
 std::string caption_of(const Step3& step, const Step3* next, const AnyPointSet& points, bool exact,
-                       std::optional<double> best_before) {
-  return std::visit(Sayer{step, next, points, exact, best_before, lesson::ball_word(fit::dim_of(points))}, step.fact);
+                       std::optional<double> best_before, const Step3* before) {
+  return std::visit(Sayer{step, next, points, exact, best_before, lesson::ball_word(fit::dim_of(points)), before},
+                    step.fact);
 }
 
 std::string caption_at_start(const fit::Algorithm& algorithm, Index points) {
@@ -438,15 +458,21 @@ std::string caption_at(const lesson::Session& session) {
     return std::string(session.algorithm(0)->title) +
            (lesson::has_frustum(*session.boxes()) ? " on the box and the frustum" : " on the boxes A and B") +
            ": nothing is known yet. Take the first step.";
-  if (entry == nullptr && session.lesson().scene && session.lesson().scene->at_points())
-    return std::string(session.algorithm(0)->title) + " on " + std::to_string(session.size()) +
-           (session.size() == 1 ? " body" : " bodies") + ": nothing has moved yet. Take the first step.";
+  if (entry == nullptr && session.lesson().scene) {
+    const bool bodies = session.lesson().scene->at_points();
+    return std::string(session.algorithm(0)->title) + ", " +
+           (bodies && session.size() != 1 ? std::to_string(session.size()) + " bodies"
+            : bodies                      ? "1 body"
+                                          : "a body of " + counted(session.size(), "point")) +
+           ": nothing has moved yet. Go to frame 1.";
+  }
   if (entry == nullptr) return caption_at_start(*session.algorithm(0), session.size());
   if (const auto* frame = std::get_if<fit::FrameTaken>(&entry->step.fact)) return frame_caption(*frame, &session);
   const auto& steps = session.recording(0).steps;
   const auto next = static_cast<std::size_t>(session.step());
   return caption_of(entry->step, next < steps.size() ? &steps[next].step : nullptr, session.points(),
-                    session.algorithm(0)->exact, lesson::best_before(steps, session.step()));
+                    session.algorithm(0)->exact, lesson::best_before(steps, session.step()),
+                    next > 1 ? &steps[next - 2].step : nullptr);
 }
 
 }  // namespace snug::app

@@ -29,6 +29,7 @@ constexpr std::array kAlways{Row{" ", "play"},
                              Row{"]", "select_next"},
                              Row{"o", "toggle_optimum"},
                              Row{"O", "toggle_optimum"},
+                             Row{"Enter", "commit_answer"},
                              Row{"s", "skip_question"},
                              Row{"S", "skip_question"}};
 constexpr std::array kWithControl{Row{"z", "undo"},

@@ -14,12 +14,12 @@ struct KeyHelp {
   std::string_view keys, does;
 };
 inline constexpr KeyHelp kKeyHelp[] = {
-    {"→  ←", "one step on, one step back"},
+    {"→  ←", "next, previous"},
     {"Space", "play or pause"},
     {"Home  End", "the beginning, the end"},
     {"PgDn  PgUp", "the next mark (past a question as well), the one before"},
     {"<  >", "slower, faster"},
-    {"[  ]", "select the point before, the next one"},
+    {"[  ]", "select the point before, the next one; of a question, what can be its answer"},
     {"↑ ↓ ← →", "move the selected point; with Shift by a tenth"},
     {",  .", "move it away, move it nearer (3-D)"},
     {"A", "add a point"},
@@ -28,10 +28,12 @@ inline constexpr KeyHelp kKeyHelp[] = {
     {"Ctrl Z  Ctrl Y", "undo, redo"},
     {"+  −  0", "nearer, farther, the whole view"},
     {"Ctrl + arrows", "orbit (3-D)"},
-    {"O", "show the smallest ball"},
-    {"1  2  3", "answer the question with its first, second, third choice"},
+    {"O", "show the smallest volume"},
+    {"1  2  3", "choose the question's first, second, third choice; once more answers"},
+    {"Enter", "answer with what is chosen"},
     {"S", "skip the question"},
     {"M  C  V", "in costs: measure, the chart or the shape, the next chart"},
+    {"Ctrl S", "in costs: save what was measured, as CSV"},
 };
 
 /// Of a lesson with the chart of costs, before any other. shown: whether it stands on the stage.

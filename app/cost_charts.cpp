@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdio>
 #include <limits>
 #include <string_view>
@@ -221,10 +220,7 @@ std::string algorithm_title(std::string_view volume, std::string_view algorithm)
 
 std::string update_title(std::string_view volume, std::string_view strategy) {
   const fit::UpdateStrategy* found = fit::find_update(volume, strategy);
-  std::string title(found != nullptr ? found->title : strategy);
-  if (volume == "kdop") return title;  // which says so itself
-  title[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(title[0])));
-  return heading_of(std::string(volume)) + ", " + title;
+  return std::string(found != nullptr ? found->title : strategy);
 }
 
 std::string theory_words(const cost::GrowthRow& row) {

@@ -12,6 +12,8 @@
 #include "app/widgets.hpp"
 #include "lesson/box_figures.hpp"
 #include "lesson/passes.hpp"
+#include "lesson/say.hpp"
+#include "lesson/scene_figures.hpp"
 
 namespace snug::app {
 namespace {
@@ -110,8 +112,8 @@ bool in_panel(const lesson::Session& session, const lesson::Figure& figure) {
 }
 
 /// What two methods are compared by.
-constexpr std::array<std::string_view, 8> kCompared{"radius",  "measure", "excess", "corners",
-                                                    "verdict", "slack",   "cost",   "compared"};
+constexpr std::array<std::string_view, 9> kCompared{"radius", "measure",   "excess", "corners", "verdict",
+                                                    "slack",  "over_hull", "cost",   "compared"};
 
 }  // namespace
 
@@ -119,7 +121,9 @@ std::vector<lesson::Figure> figures_beside(const lesson::Session& session) {
   if (session.algorithm(1) == nullptr) return {};
   const std::string step =
       std::to_string(session.step_of(1)) + " of " + std::to_string(session.recording(1).steps.size());
-  std::vector<lesson::Figure> figures{{"Step", "step", step, static_cast<double>(session.step_of(1)), ""}};
+  const bool scene = lesson::step_word(session.lesson().volume) == "frame";
+  std::vector<lesson::Figure> figures{
+      {scene ? "Frame" : "Step", "step", step, static_cast<double>(session.step_of(1)), ""}};
   for (lesson::Figure& figure : session.figures(1))
     if (std::find(kCompared.begin(), kCompared.end(), figure.key) != kCompared.end())
       figures.push_back(std::move(figure));
@@ -129,7 +133,7 @@ std::vector<lesson::Figure> figures_beside(const lesson::Session& session) {
 void draw_inspector(const Look& look, lesson::Session& session, const Rect& rect) {
   Column column(look, rect);
   if (const auto figures = session.figures(); !figures.empty()) {
-    column.heading(session.step() == session.steps() ? "In the end" : "Now");
+    column.heading(session.step() == session.steps() ? "Final result" : "Now");
     for (const lesson::Figure& figure : figures)
       if (!in_panel(session, figure)) column.figure(figure);
     column.gap(look.px(28));
@@ -140,13 +144,13 @@ void draw_inspector(const Look& look, lesson::Session& session, const Rect& rect
   column.scene(session);
 
   if (session.algorithm(1) != nullptr) {
-    column.heading("Beside it: " + std::string(session.algorithm(1)->title));
+    column.heading("Compared: " + std::string(session.algorithm(1)->title));
     for (const lesson::Figure& figure : figures_beside(session)) column.figure(figure);
     column.gap(look.px(28));
   }
 
   if (session.rivals().size() > 1) {
-    column.heading("In the end, beside the others");
+    column.heading(lesson::kComparedWord);
     double widest = 0;
     for (const auto& rival : session.rivals()) widest = std::max(widest, rival.size);
     for (const auto& rival : session.rivals()) {

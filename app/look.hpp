@@ -20,6 +20,7 @@ struct Look {
   float text_scale = 1;
   bool fingers = false;
   bool still = false;  // no motion
+  float tools = 0;     // as Layout has it
 
   [[nodiscard]] ImFont* font(Face face) const { return fonts[static_cast<std::size_t>(face)]; }
   /// A size of words in page pixels, from its size at scale 1.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,12 +29,6 @@ std::string words_of(std::string name) {
   return name;
 }
 
-/// "<20" stands clear of the column beside it, "< 20" may not.
-std::string without_spaces(std::string text) {
-  std::erase(text, ' ');
-  return text;
-}
-
 class Panel {
  public:
   Panel(const Look& look, ImVec2 at, float width)
@@ -48,7 +43,7 @@ class Panel {
 
   /// A stage of the funnel: its stroke as on the stage, its name, what it left, and a bar of that share of all pairs.
   /// hidden: it is still to be predicted.
-  void stage(const char* name, double left, double all, bool hidden, Stroke stroke, Color color, bool sampled) {
+  void stage(std::string_view name, double left, double all, bool hidden, Stroke stroke, Color color, bool sampled) {
     const float middle = y_ + look_.px(9);
     float x = x_;
     if (sampled) {
@@ -68,7 +63,7 @@ class Panel {
   }
 
   /// What is no stage: the work that the first one takes.
-  void figure(const char* name, const std::string& value) {
+  void figure(std::string_view name, const std::string& value) {
     const float middle = y_ + look_.px(9);
     text(list_, look_, Face::kRegular, kText, {x_, middle_of(middle, look_.px(kText))}, look_->muted, name);
     text_right(list_, look_, Face::kMono, kSmall, {x_ + width_, middle_of(middle, look_.px(kSmall))}, look_->ink,
@@ -77,26 +72,23 @@ class Panel {
   }
 
   void funnel(const lesson::Session& session, const fit::FrameTaken& frame) {
-    heading("The funnel: pairs that are left");
-    stage("All pairs", frame.all_pairs, frame.all_pairs, session.is_hidden("all_pairs"), Stroke::kSolid, look_->muted,
-          false);
-    constexpr std::array<const char*, 4> kCompared{"Boxes compared", "Boxes compared along x", "Boxes compared along y",
-                                                   "Boxes compared along z"};
-    const std::string compared =
-        session.is_hidden("compared") ? "—" : std::to_string(static_cast<std::int64_t>(frame.compared));
-    figure(kCompared[1 + session.frame()->swept_along], compared);
-    stage("Boxes overlap", frame.after_broad, frame.all_pairs, session.is_hidden("after_broad"), Stroke::kDotted,
-          look_->previous, true);
-    stage("Loose spheres overlap", frame.after_loose, frame.all_pairs, session.is_hidden("after_loose"),
-          Stroke::kDashed, look_->examined_text, true);
-    stage("Touching", frame.touching, frame.all_pairs, session.is_hidden("touching"), Stroke::kSolid,
-          look_->support_text, true);
+    heading("The funnel: how many pairs are left");
+    const auto part = [&](std::string_view key, double left, Stroke stroke, Color color, bool sampled) {
+      stage(lesson::scene_figure_title(key), left, frame.all_pairs, session.is_hidden(key), stroke, color, sampled);
+    };
+    part("all_pairs", frame.all_pairs, Stroke::kSolid, look_->muted, false);
+    std::string compared(lesson::scene_figure_title("compared"));
+    if (const int axis = session.frame()->swept_along; axis >= 0) compared += std::string(" along ") + "xyz"[axis];
+    figure(compared, session.is_hidden("compared") ? "—" : std::to_string(static_cast<std::int64_t>(frame.compared)));
+    part("after_broad", frame.after_broad, Stroke::kDotted, look_->previous, true);
+    part("after_loose", frame.after_loose, Stroke::kDashed, look_->examined_text, true);
+    part("touching", frame.touching, Stroke::kSolid, look_->support_text, true);
     y_ += look_.px(16);
   }
 
   /// The slack of each frame so far, against the whole run's length; slot 1's dashed.
   void slack(const lesson::Session& session) {
-    heading("Slack over time");
+    heading("Looseness, frame by frame");
     double most = kLeastSlack;
     for (const int slot : {0, 1})
       for (int step = 1; session.algorithm(slot) != nullptr && step <= session.step_of(slot); ++step)
@@ -128,11 +120,13 @@ class Panel {
   }
 
   void effects(lesson::Session& session, std::span<const scene::Tally> tallies) {
-    heading("What each effect did; µs a run");
-    constexpr std::array<const char*, 4> kHeads{"made", "run", "skipped", "µs"};
-    for (int i = 0; i < 4; ++i)
+    heading("What each effect did so far");
+    text(list_, look_, Face::kRegular, kTiny, {x_ + kIndent, y_}, look_->muted, "effect");
+    constexpr std::array<const char*, 3> kHeads{"run", "skipped", "time, µs"};
+    for (int i = 0; i < 3; ++i)
       text_right(list_, look_, Face::kRegular, kTiny, {right(i), y_}, look_->muted, kHeads[i]);
     y_ += look_.px(20);
+    rule(list_, x_, y_ - 1, width_, look_->muted);
     int row = 0;
     std::string turned;
     for (const scene::Tally& tally : tallies) {
@@ -149,13 +143,17 @@ class Panel {
       y_ += height;
       rule(list_, x_, y_ - 1, width_, look_->line);
     }
+    y_ += look_.px(8);
+    y_ += paragraph(list_, look_, Face::kRegular, kTiny, kLeading, {x_, y_}, width_, look_->muted,
+                    "In how many frames each effect ran, and in how many it was skipped because nothing that it reads "
+                    "had changed; the mean time of a run. Its box switches an effect off and on.");
     if (!turned.empty()) session.turn(turned, !session.is_on(turned));
   }
 
  private:
   /// The right end of a column of figures.
   [[nodiscard]] float right(int column) const {
-    constexpr std::array<float, 4> kShares{0.495f, 0.615f, 0.825f, 1};
+    constexpr std::array<float, 3> kShares{0.55f, 0.76f, 1};
     return x_ + width_ * kShares[column];
   }
 
@@ -170,9 +168,9 @@ class Panel {
       text(list_, look_, Face::kRegular, kSmall, {x_ + kIndent, y}, on ? look_->ink : look_->muted, line);
       y += look_.px(kLeading);
     }
-    const std::array<std::string, 4> figures{std::to_string(tally.constructed), std::to_string(tally.run),
-                                             std::to_string(tally.skipped), time.empty() ? "—" : without_spaces(time)};
-    for (int i = 0; i < 4; ++i)
+    const std::array<std::string, 3> figures{std::to_string(tally.run), std::to_string(tally.skipped),
+                                             time.empty() ? "—" : time};
+    for (int i = 0; i < 3; ++i)
       text_right(list_, look_, Face::kMono, kTiny, {right(i), middle_of(middle, look_.px(kTiny))}, look_->ink,
                  figures[i]);
   }
@@ -185,13 +183,28 @@ class Panel {
 /// Where an effect that makes the figures is off: which of them are still those of an earlier frame.
 std::string still_words(const lesson::Session& session, bool pairs) {
   const std::array<std::pair<const char*, const char*>, 3> makers{
-      {{"refit", pairs ? "the boxes are still those" : "the volume is still that"},
+      {{"refit", pairs ? "the AABBs are still those" : "the volume is still that"},
        {"broad_phase", "the pairs are still those"},
-       {"narrow_phase", "what touches is still that"}}};
+       {"narrow_phase", "the touching pairs are still those"}}};
   for (const auto& [effect, what] : makers)
     if (const int since = session.off_since(effect); since >= 0)
       return words_of(effect) + " is off, so " + what + " of frame " + std::to_string(since) + ".";
   return {};
+}
+
+/// "the update examines 80 points; the volume is 35.0 % larger than the tightest AABB, and 3.421 times the hull’s."
+std::string update_words(const fit::FrameTaken& fact, double over_hull, bool slack, bool cost) {
+  constexpr double kShown = 0.0005;  // what is less is 0.0 %
+  std::string words;
+  if (cost)
+    words += "the update examines " + (fact.cost == 0 ? "no point" : lesson::scene_figure_text("cost", fact.cost));
+  if (!slack) return words + ".";
+  if (cost) words += "; ";
+  if (!std::isfinite(over_hull)) return words + "all points lie in one plane, so the hull has no volume.";
+  words += "the volume is ";
+  if (fact.slack >= kShown)
+    words += lesson::scene_figure_text("slack", 100 * fact.slack) + " larger than the tightest of its kind, and ";
+  return words + lesson::scene_figure_text(lesson::kOverHull, over_hull) + " the hull’s.";
 }
 
 }  // namespace
@@ -202,22 +215,24 @@ std::string frame_caption(const fit::FrameTaken& fact, const lesson::Session* se
   const bool slack = !hidden("slack"), cost = !hidden("cost");
   // Beside a question the sentence would tell nearly what is asked of a later frame.
   const bool asked = session != nullptr && !session->asked_figure().empty();
-  if (asked || (fact.all_pairs == 0 && !slack && !cost)) return words + "what comes next is for you to say.";
+  if (asked || (fact.all_pairs == 0 && !slack && !cost)) return words + "predict what comes next.";
   if (const std::string still = session != nullptr ? still_words(*session, fact.all_pairs > 0) : ""; !still.empty())
     return words + still;
-  if (fact.resting) return words + "all bodies rest, and nothing is run.";
+  if (fact.resting) return words + "all bodies are at rest, so no effect runs.";
   const auto count = [](double n) { return std::to_string(static_cast<long long>(n)); };
   if (fact.all_pairs == 0) {
-    if (cost) words += "the update looks at " + lesson::scene_figure_text("cost", fact.cost) + (slack ? ", and " : ".");
-    return slack ? words + "its volume is " + lesson::scene_figure_text("slack", 100 * fact.slack) + " too large."
-                 : words;
+    const fit::Step3* step = session != nullptr ? &session->current(0)->step : nullptr;
+    return step == nullptr || !step->has_volume
+               ? words + "the bodies have moved."  // no volume is measured
+               : words + update_words(fact, lesson::over_hull(step->volume, session->points()), slack, cost);
   }
-  words += "of " + count(fact.all_pairs) + " pairs";
-  if (hidden("after_broad")) return words + " how many are left?";
-  words += " the boxes leave " + count(fact.after_broad);
+  words += "of " + count(fact.all_pairs) + (fact.all_pairs == 1 ? " pair" : " pairs");
+  if (hidden("after_broad")) return words + ", how many do the AABBs leave?";
+  words += ", the AABBs leave " + count(fact.after_broad);
   if (hidden("after_loose")) return words + ".";
-  words += ", the spheres " + count(fact.after_loose);
-  return hidden("touching") ? words + "." : words + "; " + count(fact.touching) + " touch.";
+  words += " and the bounding spheres " + count(fact.after_loose);
+  return words +
+         (hidden("touching") ? "." : "; " + count(fact.touching) + (fact.touching == 1 ? " touches." : " touch."));
 }
 
 float draw_scene_panel(const Look& look, lesson::Session& session, ImVec2 at, float width) {

@@ -6,6 +6,9 @@
 #include <span>
 #include <variant>
 
+#include "lesson/box_figures.hpp"
+#include "lesson/frustum_figures.hpp"
+
 namespace snug::app {
 namespace {
 
@@ -146,21 +149,12 @@ struct Filler {
   void operator()(const fit::FacetsReplaced& fact) const { shown.spoken_of = {fact.eye}; }
   void operator()(const fit::FacesMerged&) const {}
   void operator()(const query::FramesRelated<double, 3>&) const {}
-  void operator()(const query::AxisTested<double, 3>& fact) const { shown.axis = fact; }
+  void operator()(const query::AxisTested<double, 3>&) const {}  // lesson::axis_at has it
   void operator()(const query::LookedCloser&) const {}
   void operator()(const query::OutlinesCompared& fact) const { shown.outlines = fact; }
   void operator()(const query::CornerTried& fact) const { shown.corner = fact; }
   void operator()(const query::Claimed& fact) const { shown.overlap = fact.overlap; }
-  /// The axis that separates, or the last one looked at.
-  void operator()(const query::Verdict<double, 3>& fact) const {
-    shown.overlap = fact.result.overlap;
-    for (const Entry& entry : steps) {
-      const auto* axis = std::get_if<query::AxisTested<double, 3>>(&entry.step.fact);
-      const auto& own = fact.result.axis;
-      if (axis != nullptr && axis->axis.kind == own.kind && axis->axis.i == own.i && axis->axis.j == own.j)
-        shown.axis = *axis;
-    }
-  }
+  void operator()(const query::Verdict<double, 3>& fact) const { shown.overlap = fact.result.overlap; }
   void operator()(const query::PlaneTested<double, 3>& fact) const {
     shown.plane = fact;
     shown.verdict = fact.so_far;
@@ -168,9 +162,12 @@ struct Filler {
       shown.spoken_of.push_back(lesson::index_of(fit::dim_of(points), {lesson::Place::Kind::kCorner, 0, corner}));
   }
   void operator()(const query::CornerTested<double, 3>&) const { corners(steps); }
-  /// With the plane that all of the box is outside of.
+  /// With the plane that all of the box is outside of. Of all planes together, the corners tested against the last one
+  /// alone say nothing.
   void operator()(const query::Classified& fact) const {
     corners(steps.first(steps.size() - 1));
+    const std::size_t once = std::size_t{1} << fit::dim_of(points);
+    if (fact.result.rejected_by < 0 && steps.size() - 1 > once) shown.corners.clear();
     const auto* plane = last<query::PlaneTested<double, 3>>(steps);
     if (plane != nullptr && fact.result.rejected_by >= 0) (*this)(*plane);
     shown.verdict = fact.result.verdict;
@@ -220,15 +217,17 @@ std::vector<Index> points_of(const lesson::Asked& asked, const lesson::Answer& a
   return asked.choice_points[choice] == kNoIndex ? std::vector<Index>{} : std::vector{asked.choice_points[choice]};
 }
 
-/// A question about a plane shows which one it means, and leaves the corners to be found.
-void show_asked_plane(Shown& shown, const lesson::Session& session) {
+/// A question about an axis or a plane shows which one it means, and leaves the answer to be found.
+void show_asked(Shown& shown, const lesson::Session& session) {
   const lesson::Asked* asked = session.asked();
   if (asked == nullptr) return;
   if (asked->question->asks == lesson::Question::Asks::kVerdict) shown.verdict.reset();  // it is what is asked
-  const auto* plane = std::get_if<query::PlaneTested<double, 3>>(
-      &session.recording(0).steps[static_cast<std::size_t>(asked->fact)].step.fact);
+  const auto& fact = session.recording(0).steps[asked->fact].step.fact;
+  if (const auto* axis = std::get_if<query::AxisTested<double, 3>>(&fact)) shown.axis_asked = *axis;
+  const auto* plane = std::get_if<query::PlaneTested<double, 3>>(&fact);
   if (plane == nullptr) return;
   shown.plane = *plane;
+  shown.plane_at = plane->plane;
   shown.plane_asked = true;
   shown.spoken_of.clear();
 }
@@ -257,10 +256,12 @@ Shown shown_at(const lesson::Session& session, bool want_optimum) {
     const Steps steps = Steps(session.recording(0).steps).first(session.step());
     if (entry->step.has_volume) shown.volume = entry->step.volume;
     shown.support = session.support(0);
+    shown.axis = lesson::axis_at(steps);
+    shown.plane_at = lesson::plane_at(steps);
     std::visit(Filler{shown, entry->step, steps, session.points()}, entry->step.fact);
     shown.finished = session.step() == session.steps();
   }
-  show_asked_plane(shown, session);
+  show_asked(shown, session);
   show_outcome(shown, session);
   // An exact method's result is the optimum: no second run says it better.
   if (shown.finished && session.algorithm(0)->exact) shown.optimum = shown.volume;

@@ -50,13 +50,16 @@ struct Shown {
 
   /// Of box fitters: the hull's corners, and points that the step speaks of.
   std::vector<Index> hull, spoken_of;
-  /// Of a test of two boxes: the axis at hand, and what is known at last.
-  std::optional<query::AxisTested<double, 3>> axis;
+  /// Of a test of two boxes: the axis that the step speaks of (lesson::axis_at), the one that a question asks about,
+  /// and what is known at last.
+  std::optional<query::AxisTested<double, 3>> axis, axis_asked;
   std::optional<bool> overlap;
   std::optional<query::OutlinesCompared> outlines;  // of the wrong tests
   std::optional<query::CornerTried> corner;
-  /// Of a box and a frustum: the plane at hand, of which nothing else is shown yet where a question asks about it; the
-  /// corners that were held against it or against all planes, the last one at hand; and what is known by now.
+  /// Of a box and a frustum: the plane that the step speaks of (lesson::plane_at), -1 for none, with its vertices where
+  /// they are known, of which nothing is shown yet where a question asks about it; the corners that were tested against
+  /// it or against all planes, the last one at hand; and what is known by now.
+  int plane_at = -1;
   std::optional<query::PlaneTested<double, 3>> plane;
   bool plane_asked = false;
   std::vector<query::CornerTested<double, 3>> corners;

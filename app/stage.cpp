@@ -15,6 +15,7 @@ namespace {
 
 constexpr float kToolsHeight = 60;
 constexpr double kMotionSeconds = 0.18;
+constexpr double kRoomForAxis = 1.15;           // beside two boxes stands the axis with its bars
 constexpr double kRoomy = 0.55, kTight = 1.06;  // shares of the free room at which an automatic view is set anew
 
 double ease_out(double t) { return 1 - std::pow(1 - t, 3); }
@@ -33,8 +34,11 @@ fit::Sphere3 extent_of(const lesson::Session& session) {
   if (const lesson::BoxPair* pair = session.boxes(); pair != nullptr && lesson::has_frustum(*pair))
     return around(around({lesson::camera_of(*pair).position, 0}, ball_around(pair->boxes[1], session.dim())),
                   ball_around(pair->boxes[0], session.dim()));
-  if (const lesson::BoxPair* pair = session.boxes())
-    return around(ball_around(pair->boxes[0], session.dim()), ball_around(pair->boxes[1], session.dim()));
+  if (const lesson::BoxPair* pair = session.boxes()) {
+    const fit::Sphere3 both =
+        around(ball_around(pair->boxes[0], session.dim()), ball_around(pair->boxes[1], session.dim()));
+    return {both.center, kRoomForAxis * both.radius};
+  }
   const auto ball = [&](int slot) { return ball_around(session.recording(slot).result.volume, session.dim()); };
   return session.algorithm(1) == nullptr ? ball(0) : around(ball(0), ball(1));
 }
@@ -189,7 +193,6 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
   }
   keep_framed(session);
   if (selected_ >= session.size()) selected_ = kNoIndex;
-  if (const lesson::Asked* asked = session.asked(); asked == nullptr || !asked->on_stage) refused_ = kNoIndex;
 
   std::vector<Point3f> points;
   points.reserve(session.size());

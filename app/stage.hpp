@@ -78,6 +78,7 @@ class Stage {
 
  private:
   struct Brush;  // what drawing needs, for the length of a frame
+  struct Ruler;  // an axis of two boxes on the screen
 
   // stage.cpp
   void sync(const lesson::Session& session, const Settings& settings);
@@ -91,6 +92,8 @@ class Stage {
   void drag(lesson::Session& session);
   void release(lesson::Session& session);
   void tap(lesson::Session& session);
+  [[nodiscard]] static bool is_asked(const lesson::Session& session);  // whether a question is answered on the stage
+  [[nodiscard]] Index meant_at(const lesson::Session& session, float x, float y, float reach) const;
   void steer_camera();
   // stage_volumes.cpp
   void draw_volumes(Brush& brush) const;
@@ -108,7 +111,8 @@ class Stage {
   void draw_wrong_test(Brush& brush, const lesson::BoxPair& pair) const;
   void draw_knobs(Brush& brush, const lesson::BoxPair& pair, int box) const;
   void draw_projections(Brush& brush, const lesson::BoxPair& pair) const;
-  void draw_gap(Brush& brush, ImVec2 from, ImVec2 to, ImVec2 aside) const;
+  static void draw_gap(const Ruler& ruler, const query::AxisTested<double, 3>& axis);
+  void draw_asked_axis(Brush& brush, const lesson::BoxPair& pair) const;
   // stage_frustum.cpp
   void draw_frustum(Brush& brush, const lesson::BoxPair& pair) const;
   void draw_camera(Brush& brush, const lesson::BoxPair& pair) const;
@@ -129,7 +133,6 @@ class Stage {
   [[nodiscard]] Rect draw_inset(Brush& brush, float top) const;
   // stage_points.cpp
   void draw_points(Brush& brush) const;
-  [[nodiscard]] static bool inviting(const Brush& brush);
   void draw_invitation(Brush& brush) const;
   void draw_selected(Brush& brush) const;
   void draw_verdict(Brush& brush) const;
@@ -173,7 +176,6 @@ class Stage {
   bool arrows_ = false;       // whether arrow keys move the selected point
   Index pressed_ = kNoIndex;  // what a drag from the press moves
   Index tapped_ = kNoIndex;   // what the press means if it does not travel
-  Index refused_ = kNoIndex;  // the last tap: a point that is no answer to what is asked
   bool pressing_ = false;     // a button is down that went down on the stage
   bool panning_ = false;
   bool grabs_ = false;  // a press where the pointer is would grab a point

@@ -1,4 +1,4 @@
-// Two boxes and the axis at hand: their projections on it, the radii, the distance and the gap.
+// Two boxes and the axis at hand: the projected centres, their distance, both projected radii and the gap.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,9 @@ namespace {
 using Axis = query::AxisTested<double, 3>;
 using Box = Obb<double, 3>;
 
-constexpr float kLane = 6;  // pixels that each box's bar stands off the axis, to its own side
+// Pixels from the axis: towards the boxes the two projections, away from them the distance.
+constexpr float kLaneA = -6, kLaneB = -14, kLaneDistance = 14, kInner = -20;
+constexpr float kToAxis = 46;  // from the boxes to the axis: a row of words stands between
 
 ImVec2 shifted(ImVec2 at, ImVec2 by, float length) { return {at.x + by.x * length, at.y + by.y * length}; }
 
@@ -26,13 +28,12 @@ int first_of(int corners) {
 
 /// Where the axis is drawn: beside both boxes, so that its bars and words stand clear of them.
 struct Line {
-  Point3 base;  // what the centre of A is cast to
+  Point3 base;  // the projected centre of A
   Point3 direction;
-  double distance = 0;
   [[nodiscard]] Point3 at(double t) const { return base + direction * t; }
 };
 
-Line line_beside(const lesson::BoxPair& pair, const Axis& axis, const Camera& camera) {
+Line line_beside(const lesson::BoxPair& pair, const Axis& axis, const Camera& camera, float margin) {
   Point3 away = pair.dim == 2 ? Point3(axis.axis.direction[1], -axis.axis.direction[0], 0) : Point3(-camera.up());
   away -= axis.axis.direction * axis.axis.direction.dot(away);
   if (away.norm() < 1e-3) away = camera.right() - axis.axis.direction * axis.axis.direction.dot(camera.right());
@@ -42,8 +43,7 @@ Line line_beside(const lesson::BoxPair& pair, const Axis& axis, const Camera& ca
   for (const Box& box : pair.boxes)
     for (int bits = 0; bits < 8; ++bits)
       reach = std::max(reach, (lesson::corner_of(box, bits) - pair.boxes[0].center).dot(away));
-  const double margin = 26 / camera.scale_at(pair.boxes[0].center);
-  return {pair.boxes[0].center + away * (reach + margin), axis.axis.direction, axis.distance};
+  return {pair.boxes[0].center + away * (reach + margin / camera.scale_at(pair.boxes[0].center)), axis.axis.direction};
 }
 
 }  // namespace
@@ -63,10 +63,11 @@ void Stage::draw_boxes(Brush& brush) const {
     draw_knobs(brush, *pair, i);
   }
   if (shown_.axis && !shown_.axis->skipped) draw_projections(brush, *pair);
+  if (shown_.axis_asked) draw_asked_axis(brush, *pair);
   draw_wrong_test(brush, *pair);
 }
 
-/// What a wrong test looks at: the boxes' upright outlines, or a corner.
+/// What a wrong test looks at: the boxes' AABBs, or a vertex.
 void Stage::draw_wrong_test(Brush& brush, const lesson::BoxPair& pair) const {
   const Palette& p = brush.p;
   if (brush.session.algorithm(0)->name == "extents_only" && brush.session.step() > 0)
@@ -79,89 +80,136 @@ void Stage::draw_wrong_test(Brush& brush, const lesson::BoxPair& pair) const {
   if (!shown_.corner) return;
   const ImVec2 at = brush.at(lesson::corner_of(pair.boxes[shown_.corner->box], shown_.corner->corner));
   ring(brush.list, at, 12 * p.mark, p.examined, brush.stroke());
-  brush.label(at, 16, {0.6f, -1}, shown_.corner->inside ? "inside" : "free", p.examined_text);
+  brush.label(at, 16, {0.6f, -1},
+              std::string(shown_.corner->inside ? "inside " : "outside ") + (shown_.corner->box == 0 ? "B" : "A"),
+              p.examined_text);
 }
 
 /// A knob stands off its face on a stalk; an arc says that it turns.
 void Stage::draw_knobs(Brush& brush, const lesson::BoxPair& pair, int i) const {
   using Kind = lesson::Place::Kind;
   const Palette& p = brush.p;
+  const float dimmed = is_asked(brush.session) ? 0.35f : 1;  // what cannot be the answer stands back
   for (int axis = 0; axis < pair.dim - 1; ++axis) {
     const Point3 knob = lesson::at_place(pair, lesson::index_of(pair.dim, {Kind::kTurn, i, axis}));
     const ImVec2 from = brush.at(lesson::beyond_face(pair, i, axis, 0)), to = brush.at(knob);
-    line(brush.list, from, to, Stroke::kSolid, p.muted, brush.stroke(0.6f));
+    const Color stalk = with_alpha(p.muted, dimmed);
+    line(brush.list, from, to, Stroke::kSolid, stalk, brush.stroke(0.6f));
     disc(brush.list, to, 7 * p.mark, p.ground);
-    ring(brush.list, to, 7 * p.mark, p.current, brush.stroke(0.9f));
+    ring(brush.list, to, 7 * p.mark, with_alpha(p.current, dimmed), brush.stroke(0.9f));
     const float way = std::atan2(to.y - from.y, to.x - from.x);
     brush.list->PathArcTo(to, 12 * p.mark, way - 0.9f, way + 0.9f, 12);
-    brush.list->PathStroke(p.muted, 0, brush.stroke(0.7f));
+    brush.list->PathStroke(stalk, 0, brush.stroke(0.7f));
     brush.canvas.obstacles.discs.push_back({to.x, to.y, 13});
   }
 }
 
+/// The axis on the screen, and places beside it.
+struct Stage::Ruler {
+  Brush& brush;
+  const Camera& camera;
+  Line on;
+  ImVec2 aside;  // unit, away from the boxes
+
+  Ruler(Brush& b, const Camera& c, const lesson::BoxPair& pair, const Axis& axis)
+      : brush(b), camera(c), on(line_beside(pair, axis, c, kToAxis * b.p.mark)) {
+    const ImVec2 from = brush.at(on.at(0)), to = brush.at(on.at(axis.distance + axis.radius_a + axis.radius_b)),
+                 center = brush.at(pair.boxes[0].center);
+    const float length = std::max(1e-3f, std::hypot(to.x - from.x, to.y - from.y));
+    aside = {-(to.y - from.y) / length, (to.x - from.x) / length};
+    if (aside.x * (from.x - center.x) + aside.y * (from.y - center.y) < 0) aside = {-aside.x, -aside.y};
+  }
+  [[nodiscard]] ImVec2 at(double t, float lane) const {
+    return shifted(brush.at(on.at(t)), aside, lane * brush.p.mark);
+  }
+  /// From one place to another, with a stroke across each of its ends.
+  void bar(double from, double to, float lane, Color color, float width) const {
+    const ImVec2 a = at(from, lane), b = at(to, lane);
+    line(brush.list, a, b, Stroke::kSolid, color, brush.stroke(width));
+    for (const ImVec2 end : {a, b})
+      line(brush.list, shifted(end, aside, -4 * brush.p.mark), shifted(end, aside, 4 * brush.p.mark), Stroke::kSolid,
+           color, brush.stroke(0.8f));
+    brush.canvas.obstacles.segments.push_back({a.x, a.y, b.x, b.y});
+  }
+  /// Beside the middle between two places. outer: on the side away from the boxes.
+  void label(double from, double to, bool outer, std::string words, Color color) const {
+    const float side = outer ? 1.0f : -1.0f;
+    brush.label(at((from + to) / 2, outer ? kLaneDistance : kInner), 5, {aside.x * side, aside.y * side},
+                std::move(words), color, Face::kSemiBold, 13);
+  }
+  /// Where a place of the scene is projected to.
+  void drop(const Point3& from, double t, float share) const {
+    line(brush.list, brush.at(from), at(t, 0), Stroke::kDotted, brush.p.muted, brush.stroke(share));
+  }
+};
+
+/// Both projections on the axis: each centre with its projected radius to either side, solid towards the other box; and
+/// the distance of the centres, so that one sees whether it is greater than both radii together.
 void Stage::draw_projections(Brush& brush, const lesson::BoxPair& pair) const {
   const Palette& p = brush.p;
   const Axis& axis = *shown_.axis;
-  const Line on = line_beside(pair, axis, camera_);
+  const Ruler ruler(brush, camera_, pair, axis);
   const double first = std::min(-axis.radius_a, axis.distance - axis.radius_b),
-               last = std::max(axis.radius_a, axis.distance + axis.radius_b);
-  const double beyond = 0.08 * (last - first);
-  const Color color = axis.separates ? p.wrong : p.muted;
-  arrow(brush.list, brush.at(on.at(first - beyond)), brush.at(on.at(last + beyond)), color, brush.stroke(0.8f));
+               last = std::max(axis.radius_a, axis.distance + axis.radius_b), beyond = 0.08 * (last - first);
+  const ImVec2 tip = ruler.at(last + beyond, 0), tail = ruler.at(first - beyond, 0);
+  arrow(brush.list, tail, tip, axis.separates ? p.wrong : p.muted, brush.stroke(0.8f));
+  brush.canvas.obstacles.segments.push_back({tail.x, tail.y, tip.x, tip.y});
 
-  const ImVec2 a = brush.at(on.at(0)), b = brush.at(on.at(last));
-  const float length = std::max(1e-3f, std::hypot(b.x - a.x, b.y - a.y));
-  const ImVec2 aside{-(b.y - a.y) / length, (b.x - a.x) / length};
-  const auto foot = [&](const Point3& corner) {
-    return on.at((corner - pair.boxes[0].center).dot(axis.axis.direction));
-  };
-  const auto bar = [&](int i, double middle, double radius, int near, float side) {
+  const auto project = [&](int i, double middle, double radius, int near, float lane) {
     const Box& box = pair.boxes[i];
-    const int bits = first_of(near);
-    for (const int corner : {bits, ~bits & (pair.dim == 2 ? 3 : 7)}) {
-      const Point3 at = lesson::corner_of(box, corner);
-      line(brush.list, brush.at(at), brush.at(foot(at)), Stroke::kDotted, p.muted, brush.stroke(0.7f));
-    }
-    const ImVec2 from = shifted(brush.at(on.at(middle - radius)), aside, side * kLane),
-                 to = shifted(brush.at(on.at(middle + radius)), aside, side * kLane);
-    line(brush.list, from, to, Stroke::kSolid, p.current, brush.stroke(2.4f));
-    for (const ImVec2 end : {from, to})
-      line(brush.list, shifted(end, aside, -5), shifted(end, aside, 5), Stroke::kSolid, p.current, brush.stroke());
-    brush.canvas.obstacles.segments.push_back({from.x, from.y, to.x, to.y});
-    const ImVec2 label{(from.x + to.x) / 2, (from.y + to.y) / 2};
-    brush.label(label, 8, {aside.x * side, aside.y * side},
-                std::string(i == 0 ? "r_A = " : "r_B = ") + lesson::number_text(radius), p.current_text,
-                Face::kSemiBold, 13);
+    const double inwards = i == 0 ? radius : -radius;
+    const int all = pair.dim == 2 ? 3 : 7, bits = first_of(near);
+    ruler.drop(lesson::corner_of(box, bits), middle + inwards, 0.6f);
+    ruler.drop(lesson::corner_of(box, ~bits & all), middle - inwards, 0.6f);
+    ruler.drop(box.center, middle, 0.9f);
+    ruler.bar(middle - inwards, middle, lane, with_alpha(p.current, 0.45f), 1.2f);
+    ruler.bar(middle, middle + inwards, lane, p.current, 2.4f);
+    disc(brush.list, ruler.at(middle, 0), 4 * p.mark, p.current);
+    ruler.label(middle, middle + inwards, false,
+                std::string(i == 0 ? "r_A = " : "r_B = ") + lesson::number_text(radius), p.current_text);
   };
-  bar(0, 0, axis.radius_a, axis.near_a, -1);
-  bar(1, axis.distance, axis.radius_b, axis.near_b, 1);
-  draw_gap(brush, brush.at(on.at(axis.radius_a)), brush.at(on.at(axis.distance - axis.radius_b)), aside);
+  draw_gap(ruler, axis);
+  project(0, 0, axis.radius_a, axis.near_a, kLaneA);
+  project(1, axis.distance, axis.radius_b, axis.near_b, kLaneB);
+  const double from = axis.radius_a, to = axis.distance - axis.radius_b;
+  ruler.label(from, to, false,
+              (axis.separates ? "separation " : "penetration ") + lesson::number_text(std::abs(axis.axis.gap)),
+              axis.separates ? p.wrong_text : p.examined_text);
+  ruler.bar(0, axis.distance, kLaneDistance, p.ink, 1.2f);
+  ruler.label(0, axis.distance, true, "distance " + lesson::number_text(axis.distance), p.ink);
+  const ImVec2 along{tip.x - tail.x, tip.y - tail.y};
+  brush.label(tip, 6, along, lesson::axis_text(pair.dim, axis.axis), axis.separates ? p.wrong_text : p.ink);
 }
 
-/// Between the bars: hatched where the boxes are apart, a band where their projections overlap.
-void Stage::draw_gap(Brush& brush, ImVec2 from, ImVec2 to, ImVec2 aside) const {
-  const Palette& p = brush.p;
-  const Axis& axis = *shown_.axis;
-  const float reach = 2 * kLane;
-  const Color color = axis.separates ? p.wrong : p.examined;
-  const ImVec2 corners[4] = {shifted(from, aside, -reach), shifted(to, aside, -reach), shifted(to, aside, reach),
-                             shifted(from, aside, reach)};
-  brush.list->AddQuadFilled(corners[0], corners[1], corners[2], corners[3], with_alpha(color, 0.16f));
-  if (axis.separates) {
-    const float length = std::hypot(to.x - from.x, to.y - from.y);
-    const int lines = std::clamp(static_cast<int>(length / 7), 1, 200);
-    for (int i = 0; i <= lines; ++i) {
-      const float t = static_cast<float>(i) / static_cast<float>(lines);
-      const ImVec2 at{from.x + (to.x - from.x) * t, from.y + (to.y - from.y) * t};
-      line(brush.list, shifted(at, aside, -reach), shifted(at, aside, reach), Stroke::kSolid, with_alpha(color, 0.7f),
-           1);
-    }
+/// Between the ends of the radii: hatched where the boxes are apart, a band where their projections overlap.
+void Stage::draw_gap(const Ruler& ruler, const Axis& axis) {
+  const Brush& brush = ruler.brush;
+  const double ends[2] = {axis.radius_a, axis.distance - axis.radius_b};
+  const ImVec2 from = ruler.at(ends[0], 0), to = ruler.at(ends[1], 0), from_in = ruler.at(ends[0], kInner),
+               to_in = ruler.at(ends[1], kInner);
+  const Color color = axis.separates ? brush.p.wrong : brush.p.examined;
+  brush.list->AddQuadFilled(from, to, to_in, from_in, with_alpha(color, 0.18f));
+  if (!axis.separates) return;
+  const float length = std::hypot(to.x - from.x, to.y - from.y);
+  const int lines = std::clamp(static_cast<int>(length / 7), 1, 200);
+  for (int i = 0; i <= lines; ++i) {
+    const double t = ends[0] + (ends[1] - ends[0]) * i / lines;
+    line(brush.list, ruler.at(t, 0), ruler.at(t, kInner), Stroke::kSolid, with_alpha(color, 0.7f), 1);
   }
-  const ImVec2 middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
-  const std::string words = axis.separates ? "gap " + lesson::number_text(axis.axis.gap)
-                                           : "overlap " + lesson::number_text(std::max(0.0, -axis.axis.gap));
-  brush.label(middle, 2 * reach + 4, aside, words, axis.separates ? p.wrong_text : p.examined_text, Face::kSemiBold,
-              14);
+}
+
+/// The axis that is asked about, through A's centre: its direction, and nothing of what comes of it.
+void Stage::draw_asked_axis(Brush& brush, const lesson::BoxPair& pair) const {
+  const Axis& axis = *shown_.axis_asked;
+  if (axis.skipped) return;
+  const Point3& center = pair.boxes[0].center;
+  const double reach = std::max(axis.radius_a, axis.distance + axis.radius_b);
+  const ImVec2 from = brush.at(center - axis.axis.direction * (0.3 * reach)),
+               to = brush.at(center + axis.axis.direction * (1.1 * reach));
+  arrow(brush.list, from, to, brush.p.examined, brush.stroke(1.1f));
+  brush.canvas.obstacles.segments.push_back({from.x, from.y, to.x, to.y});
+  brush.label(to, 6, {to.x - from.x, to.y - from.y}, lesson::axis_text(pair.dim, axis.axis), brush.p.examined_text,
+              Face::kSemiBold, 15);
 }
 
 }  // namespace snug::app

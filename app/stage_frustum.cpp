@@ -105,9 +105,7 @@ void Stage::draw_frustum(Brush& brush, const lesson::BoxPair& pair) const {
                         : shown_.finished && shown_.verdict == Culling::kIntersecting ? p.examined_text
                                                                                       : p.current_text;
   brush.label(lowest_corner(brush.canvas, pair), 16, {0, 1}, verdict_words(shown_), verdict, Face::kSemiBold, 15);
-  if (shown_.plane) draw_plane(brush, pair, shown_.plane->plane);
-  else if (!shown_.finished && !shown_.corners.empty() && shown_.corners.back().plane >= 0)
-    draw_plane(brush, pair, shown_.corners.back().plane);
+  if (shown_.plane_at >= 0) draw_plane(brush, pair, shown_.plane_at);
   if (shown_.plane && !shown_.plane_asked) draw_distances(brush, pair);
   draw_corners(brush);
   const ImVec2 end = brush.at(lesson::corner_of(pair, 1, 0b011));  // far, and off the camera's way
@@ -178,7 +176,8 @@ void Stage::draw_box_axes(Brush& brush, const lesson::BoxPair& pair) const {
     const ImVec2 tip =
         brush.at(box.center + box.axes.col(axis) * (26 * static_cast<double>(p.mark) / camera_.scale_at(box.center)));
     arrow(brush.list, center, tip, p.muted, brush.stroke(0.7f));
-    brush.label(tip, 2, way_between(center, tip), std::string(1, "xyz"[axis]), p.muted, Face::kSemiBold, 12, true);
+    brush.canvas.obstacles.segments.push_back({center.x, center.y, tip.x, tip.y});
+    brush.label(tip, 2, way_between(center, tip), std::string(1, "xyz"[axis]), p.ink, Face::kSemiBold, 12, true);
   }
 }
 
@@ -215,7 +214,7 @@ void Stage::draw_corners(Brush& brush) const {
     if (!last) continue;
     const std::string of = corner.plane < 0 ? "every plane" : lesson::plane_name(camera_.dim(), corner.plane);
     const std::string by = corner.plane < 0 ? "" : " " + signed_words(corner.distance);
-    brush.label(at, 20 * p.mark, {0.5f, -1}, (corner.outside ? "outside of " : "inside of ") + of + by,
+    brush.label(at, 20 * p.mark, {0.5f, -1}, (corner.outside ? "outside " : "inside ") + of + by,
                 corner.outside ? p.examined_text : p.optimum_text);
   }
 }

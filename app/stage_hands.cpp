@@ -23,7 +23,7 @@ void Stage::hands(lesson::Session& session, const Look& look, const Rect& rect) 
                              ImGuiButtonFlags_MouseButtonMiddle);
   const bool over = ImGui::IsItemHovered();
   const float reach = look.fingers ? kFingerReach : kMouseReach;
-  hovered_ = over || dragging_ ? pick(screen_, io.MousePos.x, io.MousePos.y, reach) : kNoIndex;
+  hovered_ = over || dragging_ ? meant_at(session, io.MousePos.x, io.MousePos.y, reach) : kNoIndex;
   grabs_ = pressed_ != kNoIndex ||
            (over && can_move(session) &&
             grab(screen_, session.dim() == 3, selected_, io.MousePos.x, io.MousePos.y, look.fingers) != kNoIndex);
@@ -33,22 +33,38 @@ void Stage::hands(lesson::Session& session, const Look& look, const Rect& rect) 
   if (pressing_ && ImGui::IsMousePosValid()) drag(session);
   if (pressing_ && !ImGui::IsItemActive()) release(session);
   if (over) steer_camera();
-  if (over && can_move(session) && hovered_ == kNoIndex && !travelled_ &&
+  if (over && can_move(session) && !is_asked(session) && hovered_ == kNoIndex && !travelled_ &&
       ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     const Point3 at = camera_.unproject(io.MousePos.x, io.MousePos.y, camera_.view().target);
     if (session.add(at)) selected_ = session.size() - 1, arrows_ = false;
   }
 }
 
+bool Stage::is_asked(const lesson::Session& session) {
+  const lesson::Asked* asked = session.asked();
+  return asked != nullptr && asked->on_stage;
+}
+
+/// What a tap means there: while a question is answered on the stage, of what can be an answer alone.
+Index Stage::meant_at(const lesson::Session& session, float x, float y, float reach) const {
+  if (!is_asked(session) || session.asked()->stage_points.empty()) return pick(screen_, x, y, reach);
+  const std::vector<Index> targets = session.targets();
+  std::vector<ScreenPoint> places;
+  for (const Index i : targets) places.push_back(screen_[i]);
+  const Index found = pick(places, x, y, reach);
+  return found == kNoIndex ? kNoIndex : targets[found];
+}
+
 void Stage::press(lesson::Session& session, const Look& look) {
   const ImGuiIO& io = ImGui::GetIO();
   pressing_ = true;
   travelled_ = false;
-  refused_ = kNoIndex;
   press_x_ = io.MousePos.x, press_y_ = io.MousePos.y;
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
   const bool means_points = left && !io.KeyShift;
-  tapped_ = means_points ? pick(screen_, press_x_, press_y_, look.fingers ? kFingerReach : kMouseReach) : kNoIndex;
+  const float reach = look.fingers ? kFingerReach : kMouseReach;
+  tapped_ = means_points ? meant_at(session, press_x_, press_y_, reach) : kNoIndex;
+  if (means_points && tapped_ == kNoIndex) tapped_ = pick(screen_, press_x_, press_y_, reach);
   pressed_ = means_points && can_move(session)
                  ? grab(screen_, session.dim() == 3, selected_, press_x_, press_y_, look.fingers)
                  : kNoIndex;
@@ -93,17 +109,16 @@ void Stage::release(lesson::Session& session) {
   pressed_ = tapped_ = kNoIndex;
 }
 
-/// A press that moved nothing: an answer, where one is asked for on the stage, or a selection. Only where no question
-/// stands do the arrow keys go to the point: they step past the question else.
+/// A press that moved nothing: it chooses an answer, where one is asked for on the stage, or a point. Only where no
+/// question stands do the arrow keys go to the point: they step past the question else.
 void Stage::tap(lesson::Session& session) {
-  const lesson::Asked* asked = session.asked();
-  if (tapped_ != kNoIndex && asked != nullptr && asked->on_stage) {
-    if (!session.answer({lesson::Answer::Kind::kPoint, tapped_})) refused_ = tapped_;
-    else selected_ = kNoIndex;
+  if (is_asked(session)) {
+    if (tapped_ != kNoIndex) static_cast<void>(session.pick({lesson::Answer::Kind::kPoint, tapped_}));
+    selected_ = kNoIndex;
     return;
   }
   selected_ = tapped_;
-  arrows_ = tapped_ != kNoIndex && asked == nullptr && can_move(session);
+  arrows_ = tapped_ != kNoIndex && session.asked() == nullptr && can_move(session);
 }
 
 void Stage::steer_camera() {

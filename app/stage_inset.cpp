@@ -152,8 +152,8 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
   }
   list->AddRect({image.x, image.y}, {image.x + image.width, image.y + image.height}, p.previous, 0, 0,
                 brush.stroke(0.7f));
-  const int plane = shown_.plane ? shown_.plane->plane : !shown_.corners.empty() ? shown_.corners.back().plane : -1;
-  if (plane >= 0) path(list, side_of(image, pair->dim, plane), false, Stroke::kSolid, p.examined, brush.stroke(1.4f));
+  if (shown_.plane_at >= 0)
+    path(list, side_of(image, pair->dim, shown_.plane_at), false, Stroke::kSolid, p.examined, brush.stroke(1.4f));
   if (shown_.plane && !shown_.plane_asked)
     for (const bool along : {true, false}) {
       const Point3 seen = eye.seen(along ? shown_.plane->p_point : shown_.plane->n_point);
@@ -165,7 +165,7 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
   list->PopClipRect();
   if (ends.empty())
     text(list, look, Face::kRegular, 12, {panel.x + pad, high.y - look.px(18)}, p.muted,
-         depth[1] > 0 ? "Nearer than near." : "Behind the camera.");
+         depth[1] > 0 ? "Before the near plane." : "Behind the camera.");
   return panel;
 }
 

@@ -53,8 +53,8 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
   keep_free(brush.canvas.obstacles, fit);
 
   // The page's undo and redo stand in the other corner.
-  const float tools = settings.prose_in_canvas ? 0 : 2 * height + look.px(16);
-  if (tools > 0) keep_free(brush.canvas.obstacles, {brush.rect.x, brush.rect.y, tools + 12, height + 16});
+  const float tools = look.tools;
+  if (tools > 0) keep_free(brush.canvas.obstacles, {brush.rect.x, brush.rect.y, tools, height + 16});
 
   if (shown_.depth > 0 && shown_.forced.size() > 0) {
     const std::string words = "Forced onto the boundary: " +

@@ -10,8 +10,8 @@
 namespace snug::app {
 namespace {
 
-constexpr Index kNameAll = 30;     // so many points have room for all their names
-constexpr Index kInviteAll = 250;  // more rings than this hide the points
+constexpr Index kNameAll = 30;           // so many points have room for all their names
+constexpr std::size_t kInviteAll = 250;  // more rings than this hide the points
 constexpr float kTied = 14;  // a label so much farther out than it would stand has a line to what it names, pixels
 constexpr float kDiamond = 7.5f, kRing = 11, kVertex = 13;
 
@@ -60,21 +60,24 @@ void Stage::draw_points(Brush& brush) const {
   if (screen_.size() <= 1500 && scene_.triangles.empty())
     for (const ScreenPoint& point : screen_)
       if (point.visible)
-        brush.canvas.obstacles.discs.push_back({point.x, point.y, point_radius_ + (inviting(brush) ? 6 : 1)});
+        brush.canvas.obstacles.discs.push_back({point.x, point.y, point_radius_ + (is_asked(brush.session) ? 6 : 1)});
   draw_invitation(brush);
 
   const auto at = [&](Index i) { return brush.at(brush.point(i)); };
   std::vector<Index> touching = shown_.support;
   if (shown_.extremes && !shown_.volume) touching = {};
-  for (const Index i : touching) diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
+  const auto mark = [&](Index i) {
+    const ImVec2 place = at(i);
+    diamond(brush.list, place, kDiamond * p.mark, p.support, p.ground);
+    brush.canvas.obstacles.discs.push_back({place.x, place.y, kDiamond * p.mark});
+  };
+  for (const Index i : touching) mark(i);
   for (const Index i : shown_.forced) ring(brush.list, at(i), kRing * p.mark, p.support, brush.stroke(0.7f));
   if (shown_.extremes && !shown_.volume)
     for (int axis = 0; axis < camera_.dim(); ++axis)
-      for (const Index i : {shown_.extremes->least[axis], shown_.extremes->greatest[axis]})
-        diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
+      for (const Index i : {shown_.extremes->least[axis], shown_.extremes->greatest[axis]}) mark(i);
   if (shown_.pair && !shown_.volume)
-    for (const Index i : {shown_.pair->a, shown_.pair->b})
-      diamond(brush.list, at(i), kDiamond * p.mark, p.support, p.ground);
+    for (const Index i : {shown_.pair->a, shown_.pair->b}) mark(i);
   for (const Index& i : shown_.spoken_of) {
     const bool vertex = shown_.plane.has_value();  // the p-vertex, and then the n-vertex
     const ImVec2 place = at(i);
@@ -96,23 +99,22 @@ void Stage::draw_points(Brush& brush) const {
   name_points(brush);
 }
 
-bool Stage::inviting(const Brush& brush) {
-  const lesson::Asked* asked = brush.session.asked();
-  return asked != nullptr && asked->on_stage;
-}
-
-/// Rings that say "click me", while a question is answered on the stage.
+/// Rings that say "tap me", while a question is answered on the stage; a strong one round what is chosen.
 void Stage::draw_invitation(Brush& brush) const {
-  if (!inviting(brush)) return;
-  const lesson::Asked* asked = brush.session.asked();
-  const auto invite = [&](const ScreenPoint& point) {
-    if (point.visible)
-      ring(brush.list, {point.x, point.y}, point_radius_ + 5, with_alpha(brush.p.current, 0.75f), 1.5f);
-  };
-  if (!asked->stage_points.empty())
-    for (const Index i : asked->stage_points) invite(screen_[i]);
-  else if (screen_.size() <= static_cast<std::size_t>(kInviteAll))
-    for (const ScreenPoint& point : screen_) invite(point);
+  if (!is_asked(brush.session)) return;
+  const Palette& p = brush.p;
+  const std::vector<Index> targets = brush.session.targets();
+  const lesson::Answer* picked = brush.session.picked();
+  const bool is_point = picked != nullptr && picked->kind == lesson::Answer::Kind::kPoint;
+  for (const Index i : targets) {
+    const ScreenPoint& point = screen_[i];
+    const bool chosen = is_point && picked->value == i;
+    if (!point.visible || (!chosen && targets.size() > kInviteAll)) continue;
+    const ImVec2 at{point.x, point.y};
+    if (chosen) disc(brush.list, at, point_radius_ + 7, with_alpha(p.current, 0.3f));
+    ring(brush.list, at, point_radius_ + (chosen ? 7 : 5), chosen ? p.current : with_alpha(p.current, 0.75f),
+         chosen ? brush.stroke(1.4f) : 1.5f);
+  }
 }
 
 /// The point under the pointer, and the selected one with its ring and, while it is dragged, its coordinates.
@@ -123,10 +125,8 @@ void Stage::draw_selected(Brush& brush) const {
     const ImVec2 at = brush.at(brush.point(hovered_));
     if (special) diamond(brush.list, at, kDiamond * p.mark + 2, p.support, p.ground);
     else disc(brush.list, at, std::max(point_radius_, 3.0f) + 2, hovered_ == shown_.examined ? p.examined : p.ink);
-    if (grabs_ || brush.look.fingers || inviting(brush)) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (grabs_ || brush.look.fingers || is_asked(brush.session)) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
-  if (refused_ != kNoIndex && refused_ < brush.session.size())
-    brush.label(brush.at(brush.point(refused_)), 18, {0.5f, -1}, "Choose one of the ringed points", p.ink);
   if (selected_ == kNoIndex || selected_ >= brush.session.size()) return;
   const Point3 place = brush.point(selected_);
   const ImVec2 at = brush.at(place);
@@ -198,18 +198,29 @@ void Stage::name_points(Brush& brush) const {
       brush.label(at, 15 * p.mark, {at.x - box.x, at.y - box.y}, session.name_of(i), p.support_text, Face::kSemiBold,
                   15);
     }
-  for (const Index i : {selected_, hovered_})
+  const lesson::Answer* picked = session.picked();
+  const bool is_point = picked != nullptr && picked->kind == lesson::Answer::Kind::kPoint;
+  for (const Index i : {is_point ? static_cast<Index>(picked->value) : kNoIndex, selected_, hovered_})
     if (i != kNoIndex && i < session.size()) name(i, session.name_of(i), p.ink, Face::kSemiBold, 13);
   for (const Index i : shown_.spoken_of) plain(i);
   if (session.size() > kNameAll) return;
-  const bool asked_of_corners = session.boxes() != nullptr && inviting(brush);  // then each must have its name
+  const bool asked = is_asked(session);
+  std::vector<bool> must(static_cast<std::size_t>(session.size()), false);  // what an answer names bears its name
+  if (asked && session.boxes() != nullptr)
+    for (const Index i : session.targets()) must[i] = true;
   for (Index i = 0; i < session.size(); ++i) {
     // A centre bears its box's name, a knob its arc.
     const lesson::Place place = lesson::place_of(session.dim(), i);
     if (session.boxes() != nullptr && place.kind != lesson::Place::Kind::kCorner) continue;
     if (session.boxes() != nullptr && lesson::has_frustum(*session.boxes()) && place.box == 1)
-      continue;  // nobody speaks of its corners
-    name(i, session.name_of(i), p.muted, Face::kRegular, inviting(brush) ? 12 : 7, 12, !asked_of_corners);
+      continue;  // nobody speaks of its vertices
+    if (asked && session.boxes() != nullptr && !must[i]) continue;
+    const bool signs = is_of_signs(session.name_of(i));  // thin strokes on a volume's fill
+    name(i, session.name_of(i),
+         must[i] ? p.current_text
+         : signs ? p.ink
+                 : p.muted,
+         must[i] || signs ? Face::kSemiBold : Face::kRegular, asked ? 12 : 7, must[i] || signs ? 13 : 12, !must[i]);
   }
 }
 

@@ -103,7 +103,7 @@ void Stage::draw_rivals(Brush& brush) const {
                 {Stroke::kLongDashed, p.previous, brush.stroke(), scene_.three_d ? 0.03f : 0.0f});
     if (fit::size_of(*shown_.rival, dim) > 0)
       brush.label(brush.at(top_of(*shown_.rival, -0.5)), 6, {-0.6f, -1},
-                  std::string(brush.session.algorithm(1)->title) + " " + size(*shown_.rival), p.previous_text);
+                  std::string(brush.session.algorithm(1)->title) + ": " + size(*shown_.rival), p.previous_text);
   }
   if (!shown_.optimum) return;
   const double smallest = fit::size_of(*shown_.optimum, dim);

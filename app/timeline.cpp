@@ -8,6 +8,9 @@
 #include "app/marks.hpp"
 #include "app/timeline_map.hpp"
 #include "app/widgets.hpp"
+#include "lesson/say.hpp"
+#include "lesson/scene_figures.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::app {
 namespace {
@@ -68,11 +71,12 @@ void draw_legend(ImDrawList* list, const Look& look, const lesson::Session& sess
   constexpr float kSize = 13;
   const bool boxes = session.boxes() != nullptr;
   const std::array<std::pair<Kind, std::string>, 3> kinds{
-      {{Kind::kGrew, session.lesson().volume == "sphere" ? "the ball grew" : "the first volume"},
-       {Kind::kReplaced, boxes ? "the verdict" : "new support"},
+      {{Kind::kGrew,
+        session.lesson().volume == "sphere" ? lesson::ball_word(session.dim()) + std::string(" grew") : "first volume"},
+       {Kind::kReplaced, boxes ? "verdict" : "new support"},
        {Kind::kBest, !boxes                                  ? "best so far"
-                     : session.lesson().volume == "box_pair" ? "it separates"
-                                                             : "wholly outside"}}};
+                     : session.lesson().volume == "box_pair" ? "separating axis"
+                                                             : "entirely outside"}}};
   for (const auto& [kind, words] : kinds) {
     const auto& marks = session.marks();
     if (std::none_of(marks.begin(), marks.end(), [kind = kind](const lesson::Mark& m) { return m.kind == kind; }))
@@ -125,6 +129,8 @@ struct Controls {
 /// Whether there is no room for words between the track and the buttons (a phone on its side).
 bool is_low(const Look& look, const Rect& rect) { return rect.height < timeline_height(look) - 20; }
 
+float row_width(const Controls& c) { return 3 * c.small + 2 * c.wide + 4 * c.gap; }
+
 Controls sizes(const Look& look, float width, bool low) {
   const float gap = 6;
   if (!look.fingers && width >= look.px(324) + 4 * gap) return {look.px(36), look.px(44), look.px(96), gap};
@@ -136,9 +142,10 @@ Controls sizes(const Look& look, float width, bool low) {
 void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& session, const Rect& rect, float y,
                   const PlayerView& player, PlayerWish& wish) {
   const Controls c = sizes(look, rect.width - 2 * 8, is_low(look, rect));
-  const bool gate = session.asked() != nullptr, at_end = session.step() == session.steps() && !session.previewing();
+  const bool gate = session.asked() != nullptr, chosen = session.picked() != nullptr;
+  const bool at_end = session.step() == session.steps() && !session.previewing();
   const bool at_start = session.step() == 0;
-  float x = rect.x + (rect.width - 3 * c.small - 2 * c.wide - 4 * c.gap) / 2;
+  float x = rect.x + (rect.width - row_width(c)) / 2;
   const auto place = [&](float width) {
     const Rect at{x, y, width, c.height};
     x += width + c.gap;
@@ -151,11 +158,15 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
   press({.id = "back", .rect = place(c.small), .icon = Icon::kBack, .enabled = !at_start}, "back");
   press({.id = "step",
          .rect = place(c.wide),
-         .words = gate ? "Answer" : "Step",
-         .icon = gate ? Icon::kLock : Icon::kStep,
+         .words = gate                                                    ? lesson::kAnswerWord
+                  : lesson::step_word(session.lesson().volume) == "frame" ? "Next"
+                                                                          : "Step",
+         .icon = chosen ? Icon::kNone
+                 : gate ? Icon::kLock
+                        : Icon::kStep,
          .kind = ButtonKind::kPrimary,
-         .enabled = !gate && !at_end},
-        "step");
+         .enabled = chosen || (!gate && !at_end)},
+        gate ? "commit_answer" : "step");
   press({.id = "play",
          .rect = place(c.wide),
          .words = player.playing ? "Pause" : "Play",
@@ -184,19 +195,22 @@ PlayerWish draw_timeline(const Look& look, lesson::Session& session, const Rect&
 
   const std::string speed = speed_text(player.speed);
   const float speed_width = look.px(48), speed_height = look.fingers ? 40 : look.px(32), foot = low ? 8 : 14;
-  // On a phone the buttons take the whole row below: the speed stands beside the step. On its side there is no such
-  // row.
+  // Where the buttons leave no room in their row (a phone, a narrow window), the speed stands beside the step; on a
+  // phone's side there is no such line.
   const Rect buttons{rect.x, rect.y, low ? rect.width - speed_width - 4 : rect.width, rect.height};
-  const float row = sizes(look, buttons.width - 16, low).height;
+  const Controls controls = sizes(look, buttons.width - 16, low);
+  const bool above = !low && (rect.width + row_width(controls)) / 2 + 8 > margin + map.width - speed_width + 8;
+  const float row = controls.height;
   const float bottom = rect.y + rect.height - foot - row;
-  const float beside = look.fingers && !low ? words : bottom + row / 2;
+  const float beside = above ? words : bottom + row / 2;
   const Rect at{low ? rect.x + rect.width - speed_width - 8 : map.left + map.width - speed_width + 8,
                 beside - speed_height / 2, speed_width, speed_height};
   if (!low) {
-    const std::string step = "step " + std::to_string(session.step()) + " of " + std::to_string(session.steps());
+    const std::string step = std::string(lesson::step_word(session.lesson().volume)) + " " +
+                             std::to_string(session.step()) + " of " + std::to_string(session.steps());
     text(list, look, Face::kRegular, kSize, {map.left + 2, middle_of(words, look.px(kSize))}, p.muted, step);
     const float said = measure(look, Face::kRegular, kSize, step).x;
-    const float legend = look.fingers ? at.x - 8 : map.left + map.width;
+    const float legend = above ? at.x - 8 : map.left + map.width;
     draw_legend(list, look, session, legend, words, legend - map.left - said - 12);
   }
   draw_buttons(list, look, session, buttons, bottom, player, wish);

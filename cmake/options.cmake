@@ -20,6 +20,9 @@ find_program(CCACHE ccache)
 if(CCACHE)
   # Without sloppiness it keeps nothing of what uses a precompiled header.
   set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros)
+  if(EMSCRIPTEN)
+    list(APPEND launcher CCACHE_COMPILERTYPE=clang) # it does not know emcc by its name
+  endif()
   list(APPEND launcher ${CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
@@ -33,7 +36,8 @@ target_compile_options(snug_options INTERFACE
   -fno-tree-slp-vectorize
   -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
   -Wno-missing-field-initializers # designated initialisers leave the rest at their defaults
-  $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> # ccache wants it
+  $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> # ccache wants these two
+  "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>"
   # GCC 12 mistakes string's operator+ (its bug 105329), and variants in optionals that are moved.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow
     -Wno-stringop-overread>

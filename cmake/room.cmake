@@ -4,7 +4,8 @@
 # of the build tree that holds a single link, NAME, to this one: a room can name the headers of
 # the rooms it links ("geometry/sphere.hpp"), and those of no other.
 set(SNUG_SHARED_HEADER ${PROJECT_SOURCE_DIR}/cmake/shared.hpp)
-set(SNUG_PAGE_OPTIONS -Os -finline-functions)
+set(SNUG_ROOM_OPTIONS -Os -finline-functions)
+set(SNUG_PAGE_OPTIONS ${SNUG_ROOM_OPTIONS}) # a room may set others
 function(snug_room name)
   cmake_parse_arguments(PARSE_ARGV 1 room "" "" "LINKS")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
@@ -22,11 +23,10 @@ function(snug_room name)
   if(EMSCRIPTEN)
     target_compile_options(snug_${name} PRIVATE ${SNUG_PAGE_OPTIONS})
   endif()
-  # What every room's files read is read once: for all rooms, or for each where rooms are compiled for size or for speed.
-  # The dev preset does without, and shows that each file includes what it uses.
-  if(NOT room_LINKS)
-    return() # trace, which has no Eigen
-  elseif(EMSCRIPTEN OR name STREQUAL geometry)
+  # What every room's files read is read once for all rooms, but for one that is compiled in another way.
+  if(NOT room_LINKS OR (EMSCRIPTEN AND NOT SNUG_PAGE_OPTIONS STREQUAL SNUG_ROOM_OPTIONS))
+    return() # trace, which has no Eigen, and such
+  elseif(name STREQUAL geometry)
     target_precompile_headers(snug_${name} PRIVATE ${SNUG_SHARED_HEADER})
   else()
     target_precompile_headers(snug_${name} REUSE_FROM snug_geometry)

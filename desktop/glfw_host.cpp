@@ -8,7 +8,10 @@
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "desktop/window.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -91,7 +94,7 @@ struct GlfwHost::Callbacks {
   static void resize(GLFWwindow* window, int, int) { host(window); }
 };
 
-tl::expected<std::unique_ptr<GlfwHost>, std::string> GlfwHost::make(int width, int height, bool visible) {
+tl::expected<std::unique_ptr<GlfwHost>, std::string> GlfwHost::make(const Size& size, bool visible) {
   if (!glfwInit())
     return tl::unexpected(std::string("there is no display to open a window on; without a screen, xvfb-run serves"));
   std::unique_ptr<GlfwHost> host(new GlfwHost());
@@ -100,21 +103,40 @@ tl::expected<std::unique_ptr<GlfwHost>, std::string> GlfwHost::make(int width, i
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
-  for (const int samples : {4, 0}) {  // without it where the driver has none
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);  // not before it has its size
+  for (const int samples : {4, 0}) {         // without it where the driver has none
     glfwWindowHint(GLFW_SAMPLES, samples);
-    host->window_ = glfwCreateWindow(width, height, "Snug", nullptr, nullptr);
+    host->window_ = glfwCreateWindow(size.width, size.height, "Snug", nullptr, nullptr);
     if (host->window_ != nullptr) break;
   }
   if (host->window_ == nullptr)
     return tl::unexpected(std::string("the display has no OpenGL 3.3, which the window needs"));
   glfwMakeContextCurrent(host->window_);
   glfwSwapInterval(1);
-  host->install();
+  host->install(visible);
+  if (visible && !size.asked_for) host->fit_screen();
+  if (visible) glfwShowWindow(host->window_);
   return host;
 }
 
-void GlfwHost::install() {
+/// A window that is larger than what the screen has free beside its bars shrinks to that, its frame and title included.
+void GlfwHost::fit_screen() {
+  constexpr int kTitle = 40;  // of a frame that the system does not tell before the window is shown
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  if (monitor == nullptr) return;
+  int x = 0, y = 0, width = 0, height = 0, left = 0, top = 0, right = 0, bottom = 0, own_width = 0, own_height = 0;
+  glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+  glfwGetWindowFrameSize(window_, &left, &top, &right, &bottom);
+  glfwGetWindowSize(window_, &own_width, &own_height);
+  if (top == 0) top = kTitle;
+  const int room_across = width - left - right, room_down = height - top - bottom;
+  if (own_width <= room_across && own_height <= room_down) return;
+  glfwSetWindowSize(window_, std::max(kLeastWidth, std::min(own_width, room_across)),
+                    std::max(kLeastHeight, std::min(own_height, room_down)));
+  glfwSetWindowPos(window_, x + left, y + top);
+}
+
+void GlfwHost::install(bool visible) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
@@ -123,7 +145,7 @@ void GlfwHost::install() {
   ImGui_ImplOpenGL3_Init(kGlslVersion);
   imgui_ = true;
   glfwSetWindowUserPointer(window_, this);
-  glfwSetWindowSizeLimits(window_, 900, 600, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  if (visible) glfwSetWindowSizeLimits(window_, kLeastWidth, kLeastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwSetCursorPosCallback(window_, Callbacks::cursor);
   glfwSetCursorEnterCallback(window_, Callbacks::enter);
   glfwSetMouseButtonCallback(window_, Callbacks::button);

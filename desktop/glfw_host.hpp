@@ -20,8 +20,12 @@ struct Extent {
 
 class GlfwHost {
  public:
+  struct Size {
+    int width, height;
+    bool asked_for;  // else a window that is larger than what the screen has free shrinks to that
+  };
   /// Errors, as one sentence: no display, no OpenGL 3.3.
-  static tl::expected<std::unique_ptr<GlfwHost>, std::string> make(int width, int height, bool visible);
+  static tl::expected<std::unique_ptr<GlfwHost>, std::string> make(const Size& size, bool visible);
   ~GlfwHost();
   GlfwHost(const GlfwHost&) = delete;
   GlfwHost& operator=(const GlfwHost&) = delete;
@@ -46,7 +50,8 @@ class GlfwHost {
  private:
   struct Callbacks;
   GlfwHost() = default;
-  void install();
+  void install(bool visible);
+  void fit_screen();
 
   GLFWwindow* window_ = nullptr;
   bool imgui_ = false;

@@ -94,7 +94,9 @@ void draw_keys(Shell& shell, const app::Rect& window) {
   if (!shell.keys_shown) return;
   const app::Look& look = shell.app().look();
   constexpr std::size_t kRows = std::size(app::kKeyHelp);
-  const float row = look.px(28), width = std::min(look.px(560), window.width - 32), height = row * kRows + look.px(84);
+  const float width = std::min(look.px(620), window.width - 32);
+  const float row = std::min(look.px(28), (window.height - 16 - look.px(84)) / kRows);  // all of it, on a low window
+  const float height = row * kRows + look.px(84);
   const app::Rect card{window.x + (window.width - width) / 2, window.y + std::max(8.0f, (window.height - height) / 2),
                        width, height};
   const app::Pane pane("##keys", window, app::Pane::Kind::kOver);

@@ -9,6 +9,7 @@
 #include "app/stage.hpp"
 #include "desktop/column.hpp"
 #include "lesson/methods.hpp"
+#include "lesson/say.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -43,7 +44,7 @@ void draw_task(Shell& shell, Column& column) {
   if (!task || !grade) return;
   const app::Look& look = column.look();
   column.begin_card();
-  column.heading("Your turn", look->current_text);
+  column.heading(lesson::kTaskWord, look->current_text);
   column.words(task->prompt);
   column.gap(10);
   const float middle = column.y() + look.px(11);
@@ -52,12 +53,12 @@ void draw_task(Shell& shell, Column& column) {
   Column beside(look, column.x() + 22, column.y(), column.width() - 22);
   beside.words(grade->says, Face::kRegular, 14, grade->done ? look->optimum_text : look->muted);
   column.gap(beside.y() - column.y() + 8);
-  if (!task->hint.empty() && !grade->done) {
-    column.words(task->hint, Face::kRegular, 13, look->muted);
-    column.gap(8);
-  }
-  if (column.buttons("task", {"Start with " + std::to_string(task->points) + " points"}) == 0)
-    shell.session().start_task();
+  std::vector<std::string> buttons{lesson::start_task_text(shell.session().lesson())};
+  if (!task->hint.empty()) buttons.emplace_back(lesson::kHintWord);
+  const int clicked = column.buttons("task", buttons, shell.hint_shown ? 1 : -1);
+  if (clicked == 0) shell.session().start_task();
+  if (clicked == 1) shell.hint_shown = !shell.hint_shown;
+  if (shell.hint_shown) column.words(task->hint, Face::kRegular, 13, look->muted);
   column.end_card();
 }
 
@@ -77,21 +78,32 @@ void draw_lesson(Shell& shell, Column& column) {
   draw_task(shell, column);
 }
 
-std::string place_among(const lesson::Session& session, const lesson::Asked& asked) {
-  const auto& all = session.questions();
-  const auto at =
-      std::find_if(all.begin(), all.end(), [&](const lesson::Asked& a) { return &a == &asked; }) - all.begin() + 1;
-  return std::to_string(at) + " of " + std::to_string(all.size());
+/// The choices, those that are chosen and not given yet marked. Returns the one that was clicked, or -1.
+int draw_choices(Column& column, const lesson::Session& session, const lesson::Asked& asked) {
+  const lesson::Answer* picked = session.picked();
+  std::vector<std::string> words = asked.choices;
+  int chosen = -1;
+  for (std::size_t i = 0; i < words.size() && picked != nullptr; ++i) {
+    if (!is_picked(asked, *picked, static_cast<int>(i))) continue;
+    if (asked.many) words[i] = "✓ " + words[i];
+    else chosen = static_cast<int>(i);
+  }
+  return column.buttons("choice", words, chosen);
 }
 
-/// Buttons that stay pressed, and one that commits them: the answer then, else -1.
-int chosen_of_many(Shell& shell, Column& column, const lesson::Asked& asked) {
-  std::vector<std::string> words;
-  for (std::size_t i = 0; i < asked.choices.size(); ++i)
-    words.push_back((shell.ticked >> i & 1 ? "✓ " : "") + asked.choices[i]);
-  const int pressed = column.buttons("tick", words);
-  if (pressed >= 0) shell.ticked ^= 1 << pressed;
-  return column.buttons("commit", {"Answer"}) == 0 ? std::exchange(shell.ticked, 0) : -1;
+/// The way to name a handle without pointing at it: typed, and Enter.
+void draw_name_field(Shell& shell, Column& column) {
+  const app::Look& look = column.look();
+  ImGui::PushFont(look.font(Face::kRegular), app::font_size(look, Face::kRegular, 14));
+  ImGui::SetCursorScreenPos({column.x(), column.y()});
+  ImGui::SetNextItemWidth(look.px(140));
+  const bool entered = ImGui::InputTextWithHint("##name", "Name", shell.typed.data(), shell.typed.size(),
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  column.gap(ImGui::GetFrameHeight() + 8);
+  ImGui::PopFont();
+  if (!entered || shell.typed[0] == 0) return;
+  if (shell.session().pick(std::string_view(shell.typed.data()))) shell.session().commit();
+  shell.typed = {};
 }
 
 void draw_question(Shell& shell, Column& column) {
@@ -100,24 +112,30 @@ void draw_question(Shell& shell, Column& column) {
   if (asked == nullptr) return;
   const app::Look& look = column.look();
   column.begin_card();
-  column.heading("Predict", look->current_text);
+  column.heading(lesson::kPredictWord, look->current_text);
   column.words(asked->prompt);
   column.gap(10);
-  const int chosen = asked->many ? chosen_of_many(shell, column, *asked) : column.buttons("answer", asked->choices);
-  const std::string how = std::string(asked->on_stage ? "Click a point on the stage" : "Answer to go on") + " · " +
-                          place_among(session, *asked);
+  const int chosen = draw_choices(column, session, *asked);
+  if (asked->on_stage && asked->choices.empty()) draw_name_field(shell, column);
+  if (session.asked() != asked) return column.end_card();  // a name was typed that answered it
+  const std::string& says = session.answer_says();
+  column.words(says.empty() ? lesson::how_to_answer(*asked) : says, Face::kRegular, 13,
+               says.empty() ? look->muted : look->current_text);
+  column.gap(6);
+  const bool commits = session.picked() != nullptr && column.buttons("commit", {std::string(lesson::kAnswerWord)}) == 0;
   const float height = look.px(28), skip = look.px(56);
   app::text(column.list(), look, Face::kRegular, 13, {column.x(), app::middle_of(column.y() + height / 2, look.px(13))},
-            look->muted, app::shortened(look, Face::kRegular, 13, how, column.width() - skip));
+            look->muted, lesson::place_text(*asked, session.questions()));
   const bool skipped = app::button(column.list(), look,
                                    {.id = "skip",
                                     .rect = {column.x() + column.width() - skip + 10, column.y(), skip, height},
-                                    .words = "Skip",
+                                    .words = lesson::kSkipWord,
                                     .kind = app::ButtonKind::kQuiet,
                                     .size = 13});
   column.gap(height);
   column.end_card();
-  if (chosen >= 0) session.answer({lesson::Answer::Kind::kChoice, chosen});
+  if (chosen >= 0) static_cast<void>(session.pick({lesson::Answer::Kind::kChoice, chosen}));
+  else if (commits) session.commit();
   else if (skipped) session.answer({});
 }
 
@@ -131,12 +149,9 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome* outcome) 
   if (outcome->right) app::tick(column.list(), {column.x() + 6, middle}, 6, look->optimum, 2.25f);
   else if (!open) app::cross(column.list(), {column.x() + 6, middle}, 5, look->wrong, 2.25f);
   Column beside(look, column.x() + (open ? 0 : 22), column.y(), column.width());
-  beside.heading(outcome->pending   ? "Not decided"
-                 : outcome->right   ? "As you said"
-                 : outcome->skipped ? "What happened"
-                                    : "Otherwise",
-                 color);
+  beside.heading(lesson::verdict_text(*outcome), color);
   column.gap(look.px(24));
+  if (!open) column.words(std::string(lesson::kPredictionWord) + ": " + outcome->predicted, Face::kSemiBold, 14);
   column.words(outcome->says);
   if (!outcome->because.empty() && !outcome->pending) {
     column.gap(6);
@@ -144,12 +159,11 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome* outcome) 
   }
   if (outcome->step - outcome->from_step >= 2) {
     column.gap(8);
-    constexpr std::string_view kWords = "Watch how it came about";
-    const float width = app::measure(look, Face::kSemiBold, 13, kWords).x + 28, height = look.px(30);
+    const float width = app::measure(look, Face::kSemiBold, 13, lesson::kWatchWord).x + 28, height = look.px(30);
     const bool watch = app::button(column.list(), look,
                                    {.id = "watch",
                                     .rect = {column.x(), column.y(), width, height},
-                                    .words = kWords,
+                                    .words = lesson::kWatchWord,
                                     .kind = app::ButtonKind::kOutlined,
                                     .size = 13});
     column.gap(height);
@@ -202,9 +216,38 @@ void draw_costs(Shell& shell, Column& column) {
       draw_outcome(shell, column, &outcome), column.gap(8);
 }
 
+/// A choice with its label before it, on a row of its own: titles are long.
+int draw_labelled(Column& column, std::string_view label, const std::vector<std::string>& words, int chosen) {
+  const app::Look& look = column.look();
+  const float row = look.px(34);
+  const float before = std::max(app::measure(look, Face::kRegular, 13, lesson::kAlgorithmWord).x,
+                                app::measure(look, Face::kRegular, 13, lesson::kCompareWord).x) +
+                       12;
+  app::text(column.list(), look, Face::kRegular, 13, {column.x(), app::middle_of(column.y() + row / 2, look.px(13))},
+            look->muted, label);
+  const int clicked = column.chooser(std::string(label).c_str(), before, column.width() - before, words, chosen);
+  column.gap(row + 6);
+  return clicked;
+}
+
+/// How the predictions came out, once the run is through.
+void draw_score(Shell& shell, Column& column) {
+  const std::string score = shell.session().score();
+  if (score.empty()) return;
+  column.begin_card();
+  column.words(score, Face::kSemiBold, 14);
+  column.gap(8);
+  const bool again = column.buttons("again", {std::string(lesson::kPredictAgainWord)}) == 0;
+  column.end_card();
+  if (!again) return;
+  shell.session().forget_answers();
+  if (shell.session().lesson().measures) shell.app().costs().show(false);  // it would give the answers away
+  else shell.app().command("first");
+}
+
 void draw_algorithms(Shell& shell, Column& column) {
   lesson::Session& session = shell.session();
-  std::vector<std::string> titles, beside{"none"};
+  std::vector<std::string> titles, beside{std::string(lesson::kNoneWord)};
   std::vector<std::string> names, beside_names{""};
   int main = -1, second = 0;
   for (const std::string& name : session.lesson().algorithms) {
@@ -216,19 +259,11 @@ void draw_algorithms(Shell& shell, Column& column) {
     if (algorithm == session.algorithm(1)) second = static_cast<int>(beside.size());
     beside.emplace_back(algorithm->title), beside_names.push_back(name);
   }
-  const app::Look& look = column.look();
-  const float row = look.px(34), words = app::measure(look, Face::kRegular, 14, "beside").x + 16;
-  // The main one takes what its name needs, the other what is left.
-  const std::string_view name = main >= 0 ? std::string_view(titles[main]) : std::string_view();
-  const float room = column.width() - words;
-  const float first = std::clamp(app::measure(look, Face::kSemiBold, 14, name).x + 44, room * 0.5f, room * 0.65f);
-  app::text(column.list(), look, Face::kRegular, 14,
-            {column.x() + first + 8, app::middle_of(column.y() + row / 2, look.px(14))}, look->muted, "beside");
-  if (const int chosen = column.chooser("algorithm", 0, first, titles, main); chosen >= 0)
+  if (const int chosen = draw_labelled(column, lesson::kAlgorithmWord, titles, main); chosen >= 0)
     shell.tell(session.choose(0, names[chosen]));
-  if (const int chosen = column.chooser("beside", first + words, room - first, beside, second); chosen >= 0)
+  if (names.size() < 2) return;
+  if (const int chosen = draw_labelled(column, lesson::kCompareWord, beside, second); chosen >= 0)
     shell.tell(session.choose(1, beside_names[chosen]));
-  column.gap(row + 8);
 }
 
 /// The pseudocode, the line of the step lit. Lines too long for the column are broken, and set in.
@@ -264,6 +299,7 @@ void draw_pinned(Shell& shell, Column& column) {
   draw_costs(shell, column);
   draw_outcome(shell, column, shell.session().outcome());  // of the question before, so it stands above the next one
   draw_question(shell, column);
+  draw_score(shell, column);
   draw_algorithms(shell, column);
   column.gap(4);
   draw_pseudocode(shell, column);

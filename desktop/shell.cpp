@@ -13,6 +13,16 @@ std::string mesh_path(const std::string& name) {
   return (program_folder() / "assets" / "meshes" / (name + ".ply")).string();
 }
 
+/// stem.csv in that folder, or stem-2.csv, stem-3.csv …: the first that is not there, so that nothing is overwritten.
+std::filesystem::path new_name(const std::filesystem::path& folder, const std::string& stem,
+                               const std::string& extension) {
+  std::error_code ignored;
+  std::filesystem::path path = folder / (stem + extension);
+  for (int n = 2; std::filesystem::exists(path, ignored); ++n)
+    path = folder / (stem + "-" + std::to_string(n) + extension);
+  return path;
+}
+
 /// Which table of what was measured the file begins as; empty for none.
 std::string result_in(const std::string& path) {
   const auto text = read_file(path);
@@ -31,6 +41,7 @@ tl::expected<void, InputError> Shell::open(const std::string& id) {
       mesh = std::move(*read);
     }
     auto opened = app_.open(file.lesson, std::move(mesh));
+    hint_shown = false, typed = {};
     tell(opened);
     return opened;
   }
@@ -62,10 +73,20 @@ void Shell::use_file(const std::string& path) {
 
 void Shell::save_costs(const std::string& format) {
   const app::Costs& costs = app_.costs();
+  if (costs.sheet().rows() == 0) {
+    notice = "Not saved: nothing has been measured yet.";
+    return;
+  }
   const std::string name = costs.view() == app::CostView::kAccuracy
                                ? "costs"
                                : std::string(app::kCostViewNames[static_cast<std::size_t>(costs.view())]);
-  const std::string path = (std::filesystem::current_path() / ("snug-" + name + "." + format)).string();
+  std::error_code gone;
+  const std::filesystem::path folder = std::filesystem::current_path(gone);
+  if (gone || !std::filesystem::exists(folder, gone)) {
+    notice = "Not saved: the folder that Snug was started in is no longer there. Start Snug in another one.";
+    return;
+  }
+  const std::string path = new_name(folder, "snug-" + name, "." + format).string();
   const auto written = write_file(path, format == "csv" ? costs.sheet().csv() : costs.sheet().json());
   if (tell(written)) notice = "Saved as " + path + ".";
 }

@@ -1,6 +1,7 @@
 // What the desktop window holds besides the app: its lessons, its notices, and what its panels ask for.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -23,15 +24,15 @@ class Shell {
   void use_mesh(const std::string& name);
   void use_file(const std::string& path);
 
-  /// What was measured of the chart that is shown, as a file in the folder that the program was started in; the notice
-  /// says which. format: csv or json.
+  /// What was measured of the chart that is shown, as a new file in the folder that the program was started in; the
+  /// notice says which, or why not. format: csv or json.
   void save_costs(const std::string& format);
-
-  int ticked = 0;  // of a question with many answers, their bits
 
   /// One sentence that stands until it is clicked away; empty for none.
   std::string notice;
   bool keys_shown = false;
+  bool hint_shown = false;       // of the task
+  std::array<char, 32> typed{};  // of the name that answers a question
   bool points_tab = false;
   float pinned_height = 300;   // of the column's lower part, as measured in the last frame
   bool measured_anew = false;  // it was other than thought: one more frame is due

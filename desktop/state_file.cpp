@@ -11,7 +11,8 @@ StateFile::StateFile() {
   if (const char* path = std::getenv("SNUG_STATE")) path_ = path;
 }
 
-void StateFile::write(app::App& app, const Extent& extent) {
+void StateFile::write(Shell& shell, const Extent& extent) {
+  app::App& app = shell.app();
   const lesson::Session* session = app.session();
   if (path_.empty() || session == nullptr) return;
   nlohmann::ordered_json state;
@@ -23,6 +24,14 @@ void StateFile::write(app::App& app, const Extent& extent) {
   state["trace"] = lesson::hex_of(session->trace_hash());
   state["points"] = session->size();
   state["selected"] = app.selected();
+  state["asked"] = nullptr;
+  if (const lesson::Asked* asked = session->asked())
+    state["asked"] = {{"id", asked->question->id},
+                      {"choices", asked->choices},
+                      {"targets", session->target_names()},
+                      {"says", session->answer_says()}};
+  state["outcomes"] = session->outcomes().size();
+  state["notice"] = shell.notice;
   state["readout"] = nlohmann::ordered_json::object();
   for (const auto& figure : session->figures())
     if (figure.known) state["readout"][figure.key] = figure.value;

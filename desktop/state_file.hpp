@@ -4,15 +4,15 @@
 
 #include <string>
 
-#include "app/app.hpp"
 #include "desktop/glfw_host.hpp"
+#include "desktop/shell.hpp"
 
 namespace snug::desktop {
 
 class StateFile {
  public:
   StateFile();
-  void write(app::App& app, const Extent& extent);
+  void write(Shell& shell, const Extent& extent);
 
  private:
   std::string path_, written_;

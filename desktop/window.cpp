@@ -72,6 +72,7 @@ void draw(GlfwHost& host, Shell& shell, double now) {
   const Extent extent = host.extent();
   const Parts parts = parts_of(extent, shell.app().look());
   shell.measured_anew = false;
+  shell.app().advance(now);  // the panels show the step that the stage does
   // The panels first: what they change of the session, the stage shows in this same frame.
   draw_header(shell, parts.header);
   draw_prose_panel(shell, parts.column);
@@ -134,15 +135,13 @@ app::Theme theme_of_environment() {
                                 : app::Theme::kLight;
 }
 
-/// Whether a digit chose an answer of the question that stands; of many, one is ticked.
+/// Whether a digit chose an answer of the question that stands.
 bool choose(Shell& shell, const std::string& key) {
   const lesson::Asked* asked = shell.session().asked();
   if (asked == nullptr || key.size() != 1 || key[0] < '1' || key[0] > '9') return false;
   const int choice = key[0] - '1';
   if (choice >= static_cast<int>(asked->choices.size())) return false;
-  if (asked->many) shell.ticked ^= 1 << choice;
-  else shell.session().answer({lesson::Answer::Kind::kChoice, choice});
-  return true;
+  return shell.session().pick({lesson::Answer::Kind::kChoice, choice});
 }
 
 void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift, bool control) {
@@ -153,6 +152,7 @@ void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift
   if (key == "F11") return host.toggle_fullscreen();
   if (key == "Escape" && !shell.notice.empty()) return shell.notice.clear();
   if (!control && choose(shell, key)) return;
+  if (control && key == "s" && shell.session().lesson().measures) return shell.save_costs("csv");
   shell.app().command(shell.app().command_of_key(key, shift, control));
 }
 
@@ -169,7 +169,7 @@ void run(GlfwHost& host, Shell& shell) {
     if (due) {
       draw(host, shell, host.now());
       host.swap();
-      state.write(shell.app(), host.extent());
+      state.write(shell, host.extent());
     }
     if (const std::string next = shell.session().lesson().title + " – Snug"; next != title)
       host.set_title(title = next);
@@ -208,7 +208,8 @@ int run_window(const WindowOptions& options) {
   }
   if (font_bytes("Inter-Regular").empty())
     return stop((program_folder() / "assets" / "fonts").string() + " lacks the fonts: build the target snug_assets");
-  auto host = GlfwHost::make(options.width, options.height, options.screenshot.empty());
+  const GlfwHost::Size size{options.width, options.height, options.sized};
+  auto host = GlfwHost::make(size, options.screenshot.empty());
   if (!host) return stop(host.error());
   app::App app({.font = font_bytes,
                 .glsl_version = "#version 330 core",

@@ -15,7 +15,11 @@ struct WindowOptions {
   std::string screenshot;             // where to write one frame as PNG and leave; empty to stay open
   std::string chart, chart_then;      // a result of `snug cost` to draw in place of a lesson, and one that lies over it
   int width = 1280, height = 800;
+  bool sized = false;  // they were asked for: a window does not shrink to the screen then
 };
+
+/// A window's least size: below it panels would print over each other.
+inline constexpr int kLeastWidth = 900, kLeastHeight = 600;
 
 /// Returns the exit status of the program; what went wrong is said on stderr.
 int run_window(const WindowOptions& options);

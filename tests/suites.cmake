@@ -10,12 +10,12 @@ endif()
 get_filename_component(preset ${PROJECT_BINARY_DIR} NAME)
 
 # snug_suite(NAME COMMAND words... [LABELS label...] [BOTH_CORES]): its log is build/logs/PRESET-NAME.log. One that hangs
-# is ended after twenty minutes and fails alone; one that times itself or draws has both cores.
+# is ended after forty minutes and fails alone; one that times itself or draws has both cores.
 function(snug_suite name)
   cmake_parse_arguments(PARSE_ARGV 1 suite "BOTH_CORES" "" "COMMAND;LABELS")
   add_test(NAME ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
     COMMAND ${PROJECT_SOURCE_DIR}/tests/suite.sh ${preset}-${name} ${suite_COMMAND})
-  set_tests_properties(${name} PROPERTIES LABELS "${kind};${suite_LABELS}" TIMEOUT 1200)
+  set_tests_properties(${name} PROPERTIES LABELS "${kind};${suite_LABELS}" TIMEOUT 2400)
   if(suite_BOTH_CORES)
     set_tests_properties(${name} PROPERTIES PROCESSORS 2)
   endif()

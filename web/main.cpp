@@ -93,10 +93,10 @@ app::Rect rectangle(const val& from) {
   return {from["x"].as<float>(), from["y"].as<float>(), from["width"].as<float>(), from["height"].as<float>()};
 }
 
-/// {width, height, scale, fingers, stage, timeline, inspector: {x, y, width, height}}
+/// {width, height, scale, fingers, tools, stage, timeline, inspector: {x, y, width, height}}
 void set_layout(val from) {
   door().layout = {rectangle(from["stage"]), rectangle(from["timeline"]), rectangle(from["inspector"]),
-                   from["fingers"].as<bool>()};
+                   from["fingers"].as<bool>(), from["tools"].as<float>()};
   door().width = from["width"].as<float>();
   door().height = from["height"].as<float>();
   door().scale = from["scale"].as<float>();
@@ -204,14 +204,14 @@ std::string command_of_key(const std::string& key, bool shift, bool control) {
   return door().app ? std::string(door().app->command_of_key(key, shift, control)) : std::string();
 }
 
-/// kind: "point", "choice" or "skip". false: that is no answer to what is asked.
-bool answer(const std::string& kind, int value) {
-  using Kind = lesson::Answer::Kind;
-  return session() && session()->answer({kind == "point"    ? Kind::kPoint
-                                         : kind == "choice" ? Kind::kChoice
-                                                            : Kind::kSkipped,
-                                         value});
+/// Chooses an answer by its number; the same once more gives it.
+void pick_choice(int choice) {
+  if (session()) session()->pick({lesson::Answer::Kind::kChoice, choice});
 }
+/// A handle's name as it was typed. false: it cannot be the answer.
+bool pick_name(const std::string& name) { return session() && session()->pick(std::string_view(name)); }
+/// The names of the handles that can be the answer: of a mesh thousands, so they are no part of view().
+val targets() { return session() ? web::target_names(*session()) : val::array(); }
 
 /// Two fingers: factor > 1 as they part, around (x, y), which moved by (dx, dy).
 void pinch(float factor, float x, float y, float dx, float dy) { door().app->pinch(factor, x, y, dx, dy); }
@@ -338,7 +338,10 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("handles", &handles);
   function("command", &command);
   function("command_of_key", &command_of_key);
-  function("answer", &answer);
+  function("pick_choice", &pick_choice);
+  function("pick_name", &pick_name);
+  function("targets", &targets);
+  function("words", &web::words_object);
   function("go", &go);
   function("jump", &jump);
   function("forget_answers", &forget_answers);

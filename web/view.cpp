@@ -8,6 +8,8 @@
 
 #include "lesson/methods.hpp"
 #include "lesson/passes.hpp"
+#include "lesson/say.hpp"
+#include "lesson/scene_figures.hpp"
 #include "lesson/trace_hash.hpp"
 #include "web/boxes.hpp"
 #include "web/costs.hpp"
@@ -52,6 +54,19 @@ val algorithm_object(std::string_view volume, std::string_view name) {
   return object;
 }
 
+/// What is chosen and not given yet: of a handle its name, of choices their numbers.
+val picked_object(const lesson::Asked& asked, const lesson::Session& session) {
+  const lesson::Answer* picked = session.picked();
+  if (picked == nullptr) return val::null();
+  val object = val::object(), chosen = val::array();
+  for (std::size_t i = 0; i < asked.choices.size(); ++i)
+    if (lesson::is_picked(asked, *picked, static_cast<int>(i))) chosen.call<void>("push", static_cast<int>(i));
+  object.set("choices", chosen);
+  object.set("handle",
+             picked->kind == lesson::Answer::Kind::kPoint ? val(session.name_of(picked->value)) : val::null());
+  return object;
+}
+
 val asked_object(const lesson::Asked* asked, const lesson::Session& session) {
   if (asked == nullptr) return val::null();
   val object = val::object();
@@ -59,16 +74,12 @@ val asked_object(const lesson::Asked* asked, const lesson::Session& session) {
   object.set("prompt", asked->prompt);
   object.set("step", asked->step);
   object.set("choices", array_of(asked->choices, text));
-  object.set("choicePoints", array_of(asked->choice_points, [](Index point) { return val(point); }));
   object.set("many", asked->many);
   object.set("onStage", asked->on_stage);
-  object.set("stagePoints", array_of(asked->stage_points, [](Index point) { return val(point); }));
-  int number = 1;
-  for (const lesson::Asked& other : session.questions()) {
-    if (other.question == asked->question) break;
-    ++number;
-  }
-  object.set("number", number);
+  object.set("place", lesson::place_text(*asked, session.questions()));
+  object.set("how", lesson::how_to_answer(*asked));
+  object.set("picked", picked_object(*asked, session));
+  object.set("says", session.answer_says());
   return object;
 }
 
@@ -81,6 +92,7 @@ val outcome_object(const lesson::Outcome& outcome) {
   object.set("skipped", outcome.skipped);
   object.set("passed", outcome.passed);
   object.set("pending", outcome.pending);
+  object.set("verdict", text(lesson::verdict_text(outcome)));
   object.set("predicted", outcome.predicted);
   object.set("happened", outcome.happened);
   object.set("says", outcome.says);
@@ -167,6 +179,7 @@ val lesson_object(const lesson::Lesson& lesson) {
   object.set("boxes", lesson.boxes.has_value());
   object.set("frustum", lesson.boxes && lesson.boxes->taper < 1);
   object.set("scene", lesson.scene.has_value());
+  object.set("stepWord", text(lesson::step_word(lesson.volume)));
   object.set("bodies", lesson.scene && lesson.scene->at_points());
   object.set("measures", lesson.measures);
   object.set("dim", lesson.points.dim);
@@ -183,10 +196,26 @@ val lesson_object(const lesson::Lesson& lesson) {
     task.set("hint", lesson.task->hint);
     task.set("algorithm", lesson.task->algorithm);
     task.set("points", lesson.task->points);
+    task.set("start", lesson::start_task_text(lesson));
     object.set("task", task);
   } else {
     object.set("task", val::null());
   }
+  return object;
+}
+
+val target_names(const lesson::Session& session) { return array_of(session.target_names(), text); }
+
+val words_object() {
+  val object = val::object();
+  object.set("predict", text(lesson::kPredictWord));
+  object.set("answer", text(lesson::kAnswerWord));
+  object.set("skip", text(lesson::kSkipWord));
+  object.set("prediction", text(lesson::kPredictionWord));
+  object.set("watch", text(lesson::kWatchWord));
+  object.set("again", text(lesson::kPredictAgainWord));
+  object.set("task", text(lesson::kTaskWord));
+  object.set("hint", text(lesson::kHintWord));
   return object;
 }
 
@@ -204,6 +233,7 @@ val view_object(app::App& app, const lesson::Session& session) {
   object.set("questions", static_cast<int>(session.questions().size()));
   object.set("outcome", session.outcome() != nullptr ? outcome_object(*session.outcome()) : val::null());
   object.set("outcomes", array_of(session.outcomes(), outcome_object));
+  object.set("score", session.score());
   object.set("grade", grade_object(session.grade()));
   object.set("framesDrawn", static_cast<double>(app.frames_drawn()));
   object.set("costs", costs_object(app));

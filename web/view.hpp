@@ -15,6 +15,12 @@ emscripten::val lesson_object(const lesson::Lesson& lesson);
 /// What does: {step, steps, caption, asked, outcome, grade, algorithms, code, rivals, readout, selected …}.
 emscripten::val view_object(app::App& app, const lesson::Session& session);
 
+/// The names of the handles that can be the answer to what is asked.
+emscripten::val target_names(const lesson::Session& session);
+
+/// The headings and buttons that page and window share (lesson/say.hpp).
+emscripten::val words_object();
+
 /// [x, y] or [x, y, z].
 emscripten::val coordinates(const Vector<double, 3>& point, int dim);
 

@@ -29,12 +29,13 @@ constexpr std::string_view kRomanick = "I. D. Romanick, Data Structures & Algori
 constexpr std::string_view kGottschalk = "S. Gottschalk, Collision queries using oriented bounding boxes, 2000";
 
 constexpr std::array kObbRows{
-    row<kAabb>({"obb", "aabb", "Upright box", "C. Ericson, Real-Time Collision Detection, 2005", kObbAabbPseudocode}),
-    row<kSphereAxis>({"obb", "sphere_axis", "Axis of the sphere", kRomanick, kObbSphereAxisPseudocode}),
+    row<kAabb>(
+        {"obb", "aabb", "Axis-aligned box", "C. Ericson, Real-Time Collision Detection, 2005", kObbAabbPseudocode}),
+    row<kSphereAxis>({"obb", "sphere_axis", "Axis of the bounding sphere", kRomanick, kObbSphereAxisPseudocode}),
     row<kPca>({"obb", "pca", "PCA of the points", kGottschalk, kObbPcaPseudocode}),
     row<kPcaHull>({"obb", "pca_hull", "PCA of the hull", kGottschalk, kObbPcaHullPseudocode}),
-    row<kPcaHullArea>({"obb", "pca_hull_area", "PCA of the hull's area", kGottschalk, kObbPcaHullAreaPseudocode}),
-    row<kPcaRectangle>({"obb", "pca_rectangle", "PCA and rectangle", kRomanick, kObbPcaRectanglePseudocode}),
+    row<kPcaHullArea>({"obb", "pca_hull_area", "PCA of the hull's surface", kGottschalk, kObbPcaHullAreaPseudocode}),
+    row<kPcaRectangle>({"obb", "pca_rectangle", "PCA and smallest rectangle", kRomanick, kObbPcaRectanglePseudocode}),
     row<kFaceAligned>({"obb", "face_aligned", "Aligned with a face", kRomanick, kObbFaceAlignedPseudocode}),
     row<kDito>({"obb", "dito", "DiTO-14",
                 "T. Larsson, L. Källberg, Fast computation of tight-fitting oriented bounding boxes, 2011",

@@ -18,7 +18,7 @@ inline constexpr std::array<std::string_view, 9> kObbPcaRectanglePseudocode{
     "C ← their covariance about m",
     "box ← on the eigenvectors of C",
     "for each axis of the box, the least first",
-    "  rectangle ← smallest around the cast along it",
+    "  rectangle ← smallest, projected along it",
     "  if its box is smaller: keep it, start over",
     "extents ← least and greatest along each",
     "return box",

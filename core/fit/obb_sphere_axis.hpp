@@ -15,9 +15,9 @@
 namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 6> kObbSphereAxisPseudocode{
-    "ball ← smallest ball around the points",      "u ← along the farthest two that hold it",
-    "circle ← the same of what they cast along u", "v ← along the farthest two that hold it",
-    "extents ← along u, v and across both",        "return box",
+    "sphere ← smallest around the points",  "u ← along the farthest two of its support",
+    "circle ← smallest, projected along u", "v ← along the farthest two of its support",
+    "extents ← along u, v and across both", "return box",
 };
 
 /// The smallest ball around a few points' worth of coordinates, and of the points that hold it the two farthest apart.

@@ -33,6 +33,12 @@ struct Updated {
   return tightest > 0 ? updated / tightest - 1 : std::numeric_limits<double>::infinity();
 }
 
+/// How many times the volume of the body's convex hull the updated one has: the yardstick that is the same for every
+/// kind of volume. Infinite where the hull has no area or volume. measures: of each.
+[[nodiscard]] inline double over_hull(double updated, double hull) {
+  return hull > 0 ? updated / hull : std::numeric_limits<double>::infinity();
+}
+
 /// How far from what it turns about the body reaches, and with which point.
 struct ReachFound {
   static constexpr std::string_view kName = "reach_found";

@@ -11,8 +11,8 @@
 namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 3> kUpdateLoosePseudocode{
-    "once: reach ← farthest from the centre",
-    "box ← centre − reach to centre + reach",
+    "once: reach ← farthest point from the pivot",
+    "box ← pivot − reach to pivot + reach",
     "return box",
 };
 

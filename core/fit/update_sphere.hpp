@@ -14,7 +14,7 @@ namespace snug::fit {
 inline constexpr std::array<std::string_view, 3> kUpdateSpherePseudocode{
     "center ← placed center",
     "radius stays, but for rounding",
-    "return ball",
+    "return sphere",
 };
 
 /// What two placed points may be farther apart than before, by rounding: size: of what holds both; center: its, in the

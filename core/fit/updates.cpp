@@ -32,12 +32,12 @@ constexpr UpdateStrategy of_kdop(std::string_view name, std::string_view title, 
 }
 
 constexpr std::array kStrategies{
-    UpdateStrategy{"sphere", "transform", "Centre transformed", kEricsonBook, kUpdateSpherePseudocode},
-    UpdateStrategy{"aabb", "loose", "Loose for every orientation", kEricsonBook, kUpdateLoosePseudocode},
-    UpdateStrategy{"aabb", "rebuild", "Rebuilt from all points", kEricsonBook, kUpdateRebuildPseudocode},
-    UpdateStrategy{"aabb", "hill_climb", "Hill climbing", kEricsonBook, kUpdateHillClimbPseudocode},
-    UpdateStrategy{"aabb", "rotated_box", "Box of the rotated box", kEricsonBook, kUpdateRotatedBoxPseudocode},
-    UpdateStrategy{"obb", "transform", "Centre and axes transformed", kEricsonBook, kUpdateObbPseudocode},
+    UpdateStrategy{"sphere", "transform", "Transformed sphere", kEricsonBook, kUpdateSpherePseudocode},
+    UpdateStrategy{"aabb", "loose", "Loose AABB", kEricsonBook, kUpdateLoosePseudocode},
+    UpdateStrategy{"aabb", "rebuild", "Rebuilt AABB", kEricsonBook, kUpdateRebuildPseudocode},
+    UpdateStrategy{"aabb", "hill_climb", "AABB by hill climbing", kEricsonBook, kUpdateHillClimbPseudocode},
+    UpdateStrategy{"aabb", "rotated_box", "AABB of rotated AABB", kEricsonBook, kUpdateRotatedBoxPseudocode},
+    UpdateStrategy{"obb", "transform", "Transformed OBB", kEricsonBook, kUpdateObbPseudocode},
     of_kdop("k4_hill_climb", "4-DOP by hill climbing", 4, true, false),
     of_kdop("k6_hill_climb", "6-DOP by hill climbing", 6, true, true),
     of_kdop("k8_hill_climb", "8-DOP by hill climbing", 8, true, false),
@@ -88,6 +88,8 @@ class Body {
   UpdatedFrame to(const Pose<double, 3>& lifted, const SeeUpdateStep& see) {
     Watch watch{see};
     UpdatedFrame frame = moved(own(lifted), watch);
+    if (!hull_measure_) hull_measure_ = measure_of(lift(quickhull(points_).volume), Dim);
+    frame.hull = *hull_measure_;
     frame.counts = watch.counter.counts;
     frame.steps = watch.counter.steps;
     return frame;
@@ -177,6 +179,7 @@ class Body {
   Obb<Scalar, Dim> oriented_;
   std::optional<LooseReach<Scalar>> reach_;
   ConvexHull<Scalar, Dim> hull_;
+  std::optional<double> hull_measure_;  // worked out when first asked for
   HullNeighbors neighbors_;
   std::optional<HillClimb<Scalar, Dim>> climb_;
 };

@@ -48,6 +48,7 @@ struct UpdatedFrame {
   Volume3 volume;         // in the world
   double measure = 0;     // its area (2-D) or volume (3-D)
   double tightest = 0;    // that of the tightest of its kind; of an oriented box, of the box that turns with the body
+  double hull = 0;        // that of the points' convex hull, which is the same in every pose; where it is watched
   bool contains = false;  // every placed point, in exact arithmetic
   OperationCounts counts{};
   std::int64_t steps = 0;
@@ -62,7 +63,7 @@ using UpdateBody = std::function<UpdatedFrame(const Pose<double, 3>& pose, const
 /// points: in the local frame, about whose origin the body turns; they outlive the result.
 [[nodiscard]] UpdateBody start_updates(const UpdateStrategy& strategy, const AnyPointSet& points);
 
-/// The same without anybody watching: neither counts nor steps.
+/// The same without anybody watching: neither counts nor steps, nor the hull's measure.
 [[nodiscard]] std::function<UpdatedFrame(const Pose<double, 3>& pose)>
 start_unwatched_updates(const UpdateStrategy& strategy, const AnyPointSet& points);
 

@@ -53,7 +53,7 @@ class PlyReader {
       if (element.count > 0 && element.count > body_.left() / Body::smallest(element))
         return at_line(element.line, "the header claims " + std::to_string(element.count) + " of " +
                                          quoted(element.name) + ", and the file is too short for that");
-      if (is_vertices(element)) file_.points.reserve(element.count);
+      if (is_vertices(element)) file_.points.reserve(static_cast<std::size_t>(element.count));
       if (!read_element(element)) return tl::unexpected(body_.error());
     }
     if (!body_.finish()) return tl::unexpected(body_.error());
@@ -94,7 +94,7 @@ class PlyReader {
       if (index < 0 || index >= vertices_)
         return body_.fail("the face names vertex " + std::to_string(index) + ", counted from 0, and there " +
                           (vertices_ == 1 ? "is " : "are ") + std::to_string(vertices_));
-      corners[i < 2 ? i : 2] = static_cast<Index>(index);
+      corners[static_cast<std::size_t>(i < 2 ? i : 2)] = static_cast<Index>(index);
       if (i < 2) continue;
       file_.triangles.push_back(corners);
       corners[1] = corners[2];

@@ -64,7 +64,7 @@ struct Predicate {
   std::string operator()(const BallFound<double, 3>&) const {
     return (plural ? "support the " : "supports the ") + ball;
   }
-  std::string operator()(const HullFound&) const { return "are the corners of the hull"; }
+  std::string operator()(const HullFound&) const { return "are the vertices of the hull"; }
   std::string operator()(const PointsChosen&) const { return plural ? "are chosen" : "is chosen"; }
   std::string operator()(const RectangleFound<double, 3>&) const {
     return "are the ends of the edge that the rectangle lies on";
@@ -85,7 +85,7 @@ struct Predicate {
   std::string operator()(const EdgeSplit&) const { return "splits the edge"; }
   std::string operator()(const HorizonFound&) const { return "are on the horizon"; }
   std::string operator()(const query::CornerTried& fact) const {
-    return fact.inside ? "lies in the other box" : "is free";
+    return fact.inside ? "lies inside the other box" : "lies outside the other box";
   }
   std::string operator()(const query::PlaneTested<double, 3>&) const { return "are the p- and the n-vertex"; }
   std::string operator()(const query::CornerTested<double, 3>&) const { return "is tested against the frustum"; }
@@ -172,25 +172,29 @@ Truth holds_truth(const Asked& asked, const Finished& finished) {
 }
 
 Truth separates_truth(const query::AxisTested<double, 3>& axis) {
-  if (axis.skipped) return {{1}, {}, "no", "The edges are parallel: they have no axis of their own."};
+  if (axis.skipped) return {{1}, {}, "no", "The edges are parallel, so their cross product gives no axis."};
   if (axis.separates)
-    return {{0}, {}, "yes", "There is a gap of " + number_text(axis.axis.gap) + ": this axis separates them."};
-  return {{1}, {}, "no", "The projections overlap by " + number_text(std::max(0.0, -axis.axis.gap)) + "."};
+    return {{0}, {}, "yes", "There is a gap of " + number_text(axis.axis.gap) + ": this axis separates the boxes."};
+  if (!(axis.axis.gap < -axis.doubt)) return {{1}, {}, "no", "The projections touch, as far as rounded numbers tell."};
+  return {{1}, {}, "no", "The projections overlap by " + number_text(-axis.axis.gap) + "."};
 }
 
-/// Every axis that separates is a right answer, not just the first.
+/// Every axis that separates is a right answer, not just the first; so is one that only exact arithmetic found.
 Truth which_axis_truth(const Asked& asked, Trace trace) {
   Truth truth;
   for (int i = 0; i <= asked.fact; ++i) {
     const auto* axis = std::get_if<query::AxisTested<double, 3>>(&trace[i].step.fact);
-    if (axis == nullptr || !axis->separates) continue;
-    truth.choices.push_back(axis_index(asked.dim, axis->axis));
+    const auto* verdict = std::get_if<query::Verdict<double, 3>>(&trace[i].step.fact);
+    if (axis != nullptr && axis->separates) truth.choices.push_back(axis_index(asked.dim, axis->axis));
+    else if (verdict != nullptr && !verdict->result.overlap && truth.choices.empty())
+      truth.choices.push_back(axis_index(asked.dim, verdict->result.axis));
+    else continue;
     truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[truth.choices.back()];
   }
   if (truth.choices.empty())
-    return {{static_cast<int>(asked.choices.size()) - 1}, {}, "none", "No axis separates them: they overlap."};
-  truth.sentence = truth.choices.size() == 1 ? truth.happened + " is the one axis that separates them."
-                                             : "These axes separate them: " + truth.happened + ".";
+    return {{static_cast<int>(asked.choices.size()) - 1}, {}, "none", "No axis separates the boxes: they overlap."};
+  truth.sentence = truth.choices.size() == 1 ? truth.happened + " is the only axis that separates the boxes."
+                                             : "These axes separate the boxes: " + truth.happened + ".";
   return truth;
 }
 
@@ -204,9 +208,9 @@ Truth vertex_truth(const Asked& asked, const query::PlaneTested<double, 3>& test
       truth.points.push_back(index_of(asked.dim, {Place::Kind::kCorner, 0, corner}));
     }
   truth.happened = names(asked, truth.points);
-  truth.sentence = std::string(along ? "Farthest along" : "Farthest against") + " the normal of the " +
-                   plane_name(asked.dim, tested.plane) + " plane " + (truth.points.size() > 1 ? "are " : "is ") +
-                   truth.happened + ".";
+  truth.sentence = truth.happened + (truth.points.size() > 1 ? " lie" : " lies") + " farthest " +
+                   (along ? "along" : "against") + " the normal of the " + plane_name(asked.dim, tested.plane) +
+                   " plane.";
   return truth;
 }
 
@@ -216,24 +220,25 @@ Truth culling_truth(query::Culling culling, std::string sentence) {
 }
 
 Truth plane_side_truth(const Asked& asked, const query::PlaneTested<double, 3>& tested) {
-  const std::string of = " of the " + plane_name(asked.dim, tested.plane) + " plane";
+  const std::string plane = " the " + plane_name(asked.dim, tested.plane) + " plane";
   switch (tested.side) {
     case query::Culling::kOutside:
-      return culling_truth(tested.side, "Even the n-vertex is outside" + of + ": all of the box is.");
+      return culling_truth(tested.side, "Even the n-vertex is outside" + plane + ", so the whole box is.");
     case query::Culling::kInside:
-      return culling_truth(tested.side, "Even the p-vertex is inside" + of + ": all of the box is.");
+      return culling_truth(tested.side, "Even the p-vertex is inside" + plane + ", so the whole box is.");
     case query::Culling::kIntersecting: break;
   }
-  return culling_truth(tested.side, "The p-vertex is outside" + of + ", and the n-vertex is not: the box crosses it.");
+  return culling_truth(tested.side,
+                       "The p-vertex is outside" + plane + " and the n-vertex is not: the box crosses it.");
 }
 
 Truth verdict_truth(const Asked& asked, const query::CullResult& result) {
   if (result.rejected_by >= 0)
     return culling_truth(result.verdict,
-                         "All of the box is outside of the " + plane_name(asked.dim, result.rejected_by) + " plane.");
+                         "The whole box is outside the " + plane_name(asked.dim, result.rejected_by) + " plane.");
   if (result.crossing != 0)
-    return culling_truth(result.verdict, "No plane has all of the box outside; it crosses " +
-                                             plane_names(asked.dim, result.crossing) + ".");
+    return culling_truth(result.verdict,
+                         "The box crosses " + plane_names(asked.dim, result.crossing) + " and is wholly outside none.");
   return culling_truth(result.verdict, "This test says " +
                                            std::string(query::kCullingNames[static_cast<std::size_t>(result.verdict)]) +
                                            ".");
@@ -276,11 +281,6 @@ Truth truth_of(const Asked& asked, Trace trace) {
   return {{question.answer}, {}, right, "The answer is “" + right + "”."};
 }
 
-std::string what_was_said(const Outcome& outcome, bool quoted) {
-  if (outcome.skipped) return "You skipped this.";
-  return quoted ? "You said “" + outcome.predicted + "”." : "You said " + outcome.predicted + ".";
-}
-
 /// A tapped point in the words of the choices: "the y pair (P9)". One that is of two pairs means the right one.
 std::string said_by_point(const Asked& asked, const Truth& truth, Index point) {
   if (asked.question->asks != Asks::kAxis) return name(asked, point);
@@ -305,6 +305,19 @@ bool answers(const Asked& asked, const Answer& answer, Index points) {
   return false;
 }
 
+bool same_answer(const Asked& asked, const Answer& a, const Answer& b) {
+  if (a.kind == b.kind) return a.value == b.value;
+  if (a.kind == Kind::kSkipped || b.kind == Kind::kSkipped || asked.question->asks == Asks::kAxis) return false;
+  const Answer& choice = a.kind == Kind::kChoice ? a : b;
+  const auto at = static_cast<std::size_t>(choice.value);
+  return at < asked.choice_points.size() && asked.choice_points[at] == (a.kind == Kind::kChoice ? b : a).value;
+}
+
+bool is_picked(const Asked& asked, const Answer& picked, int choice) {
+  if (asked.many) return (picked.value >> choice & 1) != 0;
+  return same_answer(asked, picked, {Kind::kChoice, choice});
+}
+
 Outcome judge(const Asked& asked, const Answer& answer, Trace trace) {
   Truth truth = truth_of(asked, trace);
   Outcome outcome;
@@ -321,8 +334,7 @@ Outcome judge(const Asked& asked, const Answer& answer, Trace trace) {
     outcome.predicted = asked.choices[static_cast<std::size_t>(answer.value)];
     outcome.right = contains(truth.choices, answer.value);
   }
-  const bool choice = asked.question->asks == Asks::kChoice;
-  outcome.says = what_was_said(outcome, choice) + " " + (choice && outcome.right ? "That is right." : truth.sentence);
+  outcome.says = std::move(truth.sentence);
   outcome.happened = std::move(truth.happened);
   return outcome;
 }

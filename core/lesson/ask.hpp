@@ -32,7 +32,7 @@ struct Asked {
   bool on_stage = false;             // whether a click on a point answers
   bool many = false;                 // whether several choices together are an answer: its value's bits
   bool on_axes = false;              // whether the choices are the axes of the test, in their order, and then none
-  std::vector<Index> stage_points;   // the points that a click can mean; empty where it can mean any
+  std::vector<Index> stage_points;   // the handles that a tap can mean; empty where every point can be meant
   int fact = 0;                      // which step of the trace it speaks of, counted from 0
   int until = 0;                     // the player's place where it is decided: answering goes there
 };
@@ -49,7 +49,7 @@ struct Outcome {
   bool passed = false;    // skipped by a jump: it is asked when the player comes to it again
   std::string predicted;  // "P9", "yes", "the x pair", or "the x pair (P9)" where the point was tapped
   std::string happened;   // the same in fact: "P12", "the y pair"
-  std::string says;       // both in a sentence: "You said P9. P12 left the support set."
+  std::string says;       // that in a sentence: "P12 left the support set."
   std::string because;
 };
 
@@ -73,6 +73,11 @@ void put_words(Asked& asked, bool own_run);
 
 /// Whether that is an answer to it at all: a choice in range, a point that it can mean. points: how many there are.
 [[nodiscard]] bool answers(const Asked& asked, const Answer& answer, Index points);
+
+/// Whether both say the same: a choice that names a point says what a tap on it does.
+[[nodiscard]] bool same_answer(const Asked& asked, const Answer& a, const Answer& b);
+/// Whether a choice is (of many: is among) what was picked.
+[[nodiscard]] bool is_picked(const Asked& asked, const Answer& picked, int choice);
 
 /// The outcome of an answer, which answers it (or is skipped).
 [[nodiscard]] Outcome judge(const Asked& asked, const Answer& answer, Trace trace);

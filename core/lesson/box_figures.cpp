@@ -1,6 +1,9 @@
 // The figures and the proof of a test of two boxes.
 #include "lesson/box_figures.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "lesson/ask.hpp"
 #include "lesson/box_tests.hpp"
 #include "lesson/methods.hpp"
@@ -10,13 +13,21 @@ namespace {
 
 using Axis = query::AxisTested<double, 3>;
 
-Figure length(std::string name, std::string key, double value, bool known) {
-  return {std::move(name), std::move(key), known ? number_text(value) + " units" : "—", value, "units", known};
+/// shown: what stands there of the value, which may be without its sign.
+Figure length(std::string name, std::string key, double value, double shown, bool known) {
+  return {std::move(name), std::move(key), known ? number_text(shown) + " units" : "—", value, "units", known};
 }
 
 const query::Verdict<double, 3>* verdict_of(const RunView& run) {
   const auto& steps = run.recording->steps;
   return steps.empty() ? nullptr : std::get_if<query::Verdict<double, 3>>(&steps.back().step.fact);
+}
+
+/// Whether some axes were too close to call for rounded numbers.
+bool looked_closer(const RunView& run) {
+  const auto& steps = run.recording->steps;
+  return std::any_of(steps.begin(), steps.end(),
+                     [](const auto& entry) { return std::holds_alternative<query::LookedCloser>(entry.step.fact); });
 }
 
 }  // namespace
@@ -28,19 +39,39 @@ std::vector<Axis> axes_seen(std::span<const Recorder<fit::Step3>::Entry> steps) 
   return axes;
 }
 
+std::optional<Axis> axis_at(std::span<const Recorder<fit::Step3>::Entry> steps) {
+  if (steps.empty()) return std::nullopt;
+  const auto& fact = steps.back().step.fact;
+  if (const auto* tested = std::get_if<Axis>(&fact)) return *tested;
+  const auto* verdict = std::get_if<query::Verdict<double, 3>>(&fact);
+  if (verdict == nullptr) return std::nullopt;
+  const auto& own = verdict->result.axis;
+  for (Axis axis : axes_seen(steps)) {
+    if (axis.axis.kind != own.kind || axis.axis.i != own.i || axis.axis.j != own.j) continue;
+    axis.axis = own;
+    axis.separates = !verdict->result.overlap;
+    return axis;
+  }
+  return std::nullopt;
+}
+
 std::vector<Figure> box_figures(const RunView& run) {
   const std::span<const Recorder<fit::Step3>::Entry> steps(run.recording->steps);
-  const std::vector<Axis> axes = axes_seen(steps.first(run.step));
-  const auto all = axes_seen(steps).size();
-  if (all == 0) return {};
-  const bool any = !axes.empty() && !axes.back().skipped;
-  const Axis axis = any ? axes.back() : Axis{};
-  const std::string text = std::to_string(axes.size()) + " of " + std::to_string(axis_names(run.boxes->dim).size());
-  return {length("Distance of the centres", "distance", axis.distance, any),
-          length("Radius of A", "radius_a", axis.radius_a, any),
-          length("Radius of B", "radius_b", axis.radius_b, any),
-          length(axis.axis.gap > 0 ? "Gap" : "Gap (overlap)", "gap", axis.axis.gap, any),
-          {"Axes tested", "tests", text, static_cast<double>(axes.size()), "axes"}};
+  if (axes_seen(steps).empty()) return {};
+  const int dim = run.boxes->dim;
+  const auto tested = axes_seen(steps.first(run.step)).size();
+  const std::optional<Axis> at = axis_at(steps.first(run.step));
+  const bool any = at && !at->skipped;
+  const Axis axis = at.value_or(Axis{});
+  const bool apart = any && axis.axis.gap > 0;
+  return {{"Axis", "axis", at ? axis_text(dim, axis.axis) : "—", static_cast<double>(axis_index(dim, axis.axis)), "",
+           at.has_value()},
+          length("Distance along the axis", "distance", axis.distance, axis.distance, any),
+          length("Projected radius r_A", "radius_a", axis.radius_a, axis.radius_a, any),
+          length("Projected radius r_B", "radius_b", axis.radius_b, axis.radius_b, any),
+          length(!any || apart ? "Separation" : "Penetration", "gap", axis.axis.gap, std::abs(axis.axis.gap), any),
+          {"Axes tested", "tests", std::to_string(tested) + " of " + std::to_string(axis_names(dim).size()),
+           static_cast<double>(tested), "axes"}};
 }
 
 std::vector<Proof> box_proofs(const RunView& run) {
@@ -48,14 +79,19 @@ std::vector<Proof> box_proofs(const RunView& run) {
   if (run.step < static_cast<int>(run.recording->steps.size())) return {};
   const bool right = says_overlap(*find_method(kBoxPair, "sat"), *run.boxes);
   const bool says = says_overlap(*run.algorithm, *run.boxes);
-  const std::string said = says ? "it says: the boxes overlap" : "it says: the boxes are apart";
+  const std::string said = says ? "this test says: the boxes overlap" : "this test says: the boxes are apart";
   if (verdict == nullptr || says != right)
-    return {{said, true, true},
-            {says == right ? "right here: the separating axes agree" : "wrong: the separating axes say otherwise",
-             says == right, true}};
+    return {
+        {said, true, true},
+        {says == right ? "right here: the separating axes say the same" : "wrong: the separating axes say otherwise",
+         says == right, true}};
+  const bool exactly = looked_closer(run);
   if (says)
-    return {{"no axis of the " + std::to_string(axis_names(run.boxes->dim).size()) + " separates them", true, true}};
-  return {{"the gap is larger than all rounding", true, true}};
+    return {{"none of the " + std::to_string(axis_names(run.boxes->dim).size()) + " axes separates the boxes" +
+                 (exactly ? ", in exact arithmetic" : ""),
+             true, true}};
+  return {
+      {exactly ? "the gap is proved in exact arithmetic" : "the gap is larger than any rounding error", true, true}};
 }
 
 }  // namespace snug::lesson

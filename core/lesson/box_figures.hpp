@@ -1,6 +1,7 @@
 // The figures and the proof of a test of two boxes.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,7 +12,11 @@ namespace snug::lesson {
 /// The axes that a trace has tested, in its order.
 [[nodiscard]] std::vector<query::AxisTested<double, 3>> axes_seen(std::span<const Recorder<fit::Step3>::Entry> steps);
 
-/// Keys: distance radius_a radius_b gap tests. run: with boxes.
+/// The axis that the last of these steps speaks of: the one that was just tested, or the one that a verdict rests on,
+/// as the verdict has it. None where it speaks of none, as of boxes that overlap where the test ends at the first gap.
+[[nodiscard]] std::optional<query::AxisTested<double, 3>> axis_at(std::span<const Recorder<fit::Step3>::Entry> steps);
+
+/// Keys: axis distance radius_a radius_b gap tests. run: with boxes. All but tests are of axis_at.
 [[nodiscard]] std::vector<Figure> box_figures(const RunView& run);
 
 /// In the end.

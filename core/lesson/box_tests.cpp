@@ -38,8 +38,8 @@ constexpr std::string_view kWrong = "I. D. Romanick, Data Structures & Algorithm
 constexpr std::array kTests{
     row("sat", "Separating axes", kSource, query::kSatPseudocode3, query::kSatPseudocode2),
     row("sat_all", "All axes", kSource, query::kSatPseudocode3, query::kSatPseudocode2),
-    row("extents_only", "Extents only (wrong)", kWrong, query::kExtentsOnlyPseudocode),
-    row("corners_only", "Corners only (wrong)", kWrong, query::kCornersOnlyPseudocode),
+    row("extents_only", "AABBs only (wrong)", kWrong, query::kExtentsOnlyPseudocode),
+    row("corners_only", "Vertices only (wrong)", kWrong, query::kCornersOnlyPseudocode),
 };
 
 /// Calls with both boxes in their own dimension.
@@ -95,6 +95,11 @@ int axis_index(int dim, const query::SatAxis<double, 3>& axis) {
     return name.kind == axis.kind && name.i == axis.i && name.j == axis.j;
   });
   return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+}
+
+std::string axis_text(int dim, const query::SatAxis<double, 3>& axis) {
+  const int at = axis_index(dim, axis);
+  return at < 0 ? "" : axis_names(dim)[at].text;
 }
 
 }  // namespace snug::lesson

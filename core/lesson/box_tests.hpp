@@ -33,5 +33,7 @@ struct AxisName {
 [[nodiscard]] std::span<const AxisName> axis_names(int dim);
 /// Its place among axis_names(dim), -1 for none.
 [[nodiscard]] int axis_index(int dim, const query::SatAxis<double, 3>& axis);
+/// Its name there, empty for none.
+[[nodiscard]] std::string axis_text(int dim, const query::SatAxis<double, 3>& axis);
 
 }  // namespace snug::lesson

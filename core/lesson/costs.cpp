@@ -166,7 +166,6 @@ Outcome predicted(const Asked& asked, const Answer& answer) {
   if (!outcome.skipped)
     outcome.predicted =
         asked.many ? names_of(asked.choices, answer.value) : asked.choices[static_cast<std::size_t>(answer.value)];
-  outcome.says = outcome.skipped ? "You skipped this." : "You said “" + outcome.predicted + "”.";
   return outcome;
 }
 
@@ -179,7 +178,7 @@ void decide(const Asked& asked, Costs rows, Outcome& outcome) {
   Truth truth = truth_of(asked, rows);
   outcome.pending = false;
   outcome.right = !outcome.skipped && outcome.given.value == truth.value;
-  outcome.says += " " + truth.sentence;
+  outcome.says = std::move(truth.sentence);
   outcome.happened = std::move(truth.happened);
 }
 

@@ -22,20 +22,21 @@ class FrustumBoard {
 
   std::vector<Figure> figures() && {
     const bool by_planes = run_.algorithm->name == "p_n_vertex";
-    add("Plane", "plane", plane_ >= 0 ? plane_name(dim_, plane_) : "", plane_, "");
+    const int plane = plane_at(std::span(run_.recording->steps).first(run_.step));
+    const bool any = plane >= 0;
+    add("Plane", "plane", any ? plane_name(dim_, plane) : "", plane, "");
     if (by_planes) {
-      const bool any = plane_ >= 0;
-      add("Signs of its normal", "signs", any ? sign_name(dim_, tested_.signs) : "", tested_.signs, "");
-      length("p-vertex" + name_of(tested_.p_vertex), "p_distance", tested_.p_distance, any);
-      length("n-vertex" + name_of(tested_.n_vertex), "n_distance", tested_.n_distance, any);
+      add("Signs of the normal", "signs", any ? sign_name(dim_, tested_.signs) : "", tested_.signs, "");
+      length("p-vertex" + (any ? name_of(tested_.p_vertex) : ""), "p_distance", tested_.p_distance, any);
+      length("n-vertex" + (any ? name_of(tested_.n_vertex) : ""), "n_distance", tested_.n_distance, any);
       add("Planes tested", "planes_tested", std::to_string(planes_) + " of " + std::to_string(planes_of_frustum(dim_)),
           planes_, "planes");
     } else {
-      const bool any = plane_ >= 0;
-      length(any ? "Corner" + name_of(corner_.corner) : "Corner", "distance", corner_.distance, any);
+      const bool known = any && !done_;
+      length(known ? "Vertex" + name_of(corner_.corner) : "Vertex", "distance", corner_.distance, known);
     }
     const auto looked = run_.step > 0 ? run_.recording->steps[run_.step - 1].counts[kTests] : 0;
-    add("Corner tests", "corners", std::to_string(looked), static_cast<double>(looked), "");
+    add("Vertex tests", "corners", std::to_string(looked), static_cast<double>(looked), "");
     add(done_ ? "Verdict" : "Verdict so far", "verdict", run_.step > 0 && (done_ || by_planes) ? word(verdict_) : "",
         static_cast<double>(verdict_), "");
     return std::move(figures_);
@@ -43,25 +44,20 @@ class FrustumBoard {
 
   void operator()(const Plane& fact) {
     tested_ = fact;
-    plane_ = fact.plane;
     verdict_ = fact.so_far;
     ++planes_;
   }
-  void operator()(const Corner& fact) {
-    corner_ = fact;
-    plane_ = fact.plane;
-  }
+  void operator()(const Corner& fact) { corner_ = fact; }
   void operator()(const query::Classified& fact) {
     verdict_ = fact.result.verdict;
     done_ = true;
-    if (run_.algorithm->name != "p_n_vertex") plane_ = fact.result.rejected_by;  // else it rests on no one plane
   }
   void operator()(const auto&) {}
 
  private:
   static constexpr auto kTests = static_cast<std::size_t>(Operation::kOrientationTests);
 
-  [[nodiscard]] std::string name_of(int corner) const { return run_.step > 0 ? " " + sign_name(dim_, corner) : ""; }
+  [[nodiscard]] std::string name_of(int corner) const { return " " + sign_name(dim_, corner); }
 
   /// An empty text: there is no value yet.
   void add(std::string name, std::string key, std::string text, double value, std::string unit) {
@@ -78,13 +74,22 @@ class FrustumBoard {
   int dim_;
   Plane tested_;
   Corner corner_;
-  int plane_ = -1, planes_ = 0;
+  int planes_ = 0;
   Culling verdict_ = Culling::kInside;
   bool done_ = false;
   std::vector<Figure> figures_;
 };
 
 }  // namespace
+
+int plane_at(std::span<const Recorder<fit::Step3>::Entry> steps) {
+  if (steps.empty()) return -1;
+  const auto& fact = steps.back().step.fact;
+  if (const auto* tested = std::get_if<Plane>(&fact)) return tested->plane;
+  if (const auto* corner = std::get_if<Corner>(&fact)) return corner->plane;
+  const auto* end = std::get_if<query::Classified>(&fact);
+  return end != nullptr ? end->result.rejected_by : -1;
+}
 
 std::vector<Figure> frustum_figures(const RunView& run) { return FrustumBoard(run).figures(); }
 
@@ -95,14 +100,14 @@ std::vector<Proof> frustum_proofs(const RunView& run) {
   const auto shares = share_a_point(*run.boxes);
   if (end == nullptr || !shares) return {};
   const Culling says = end->result.verdict;
-  std::vector<Proof> proofs{{"it says: " + word(says), true, true}};
+  std::vector<Proof> proofs{{"this test says: " + word(says), true, true}};
   if (says == Culling::kOutside && *shares)
-    proofs.push_back({"wrong: box and frustum share points, as their separating axes show", false, true});
+    proofs.push_back({"wrong: box and frustum share points, for no axis separates them", false, true});
   else if (says == Culling::kOutside) proofs.push_back({"right: box and frustum share no point", true, true});
-  else if (says == Culling::kInside) proofs.push_back({"right: no corner is outside of any plane", true, true});
-  else if (*shares) proofs.push_back({"right: they share points, and a corner is outside", true, true});
-  else proofs.push_back({"really outside, though no one plane shows it: drawn in vain, but never lost", false, false});
-  proofs.push_back({"decided exactly, on the numbers as they are", true, true});
+  else if (says == Culling::kInside) proofs.push_back({"right: every vertex is inside every plane", true, true});
+  else if (*shares) proofs.push_back({"right: they share points, and a vertex is outside", true, true});
+  else proofs.push_back({"a false positive: the box is outside, though no single plane shows it", false, false});
+  proofs.push_back({"decided in exact arithmetic", true, true});
   return proofs;
 }
 

@@ -121,19 +121,23 @@ const char* add_cullings(Asked& asked, bool of_it, const char* refused) {
   return of_it ? nullptr : refused;
 }
 
-/// "at most 10 pairs", "more than 10 and at most 40 pairs", "more than 40 pairs"
 const char* add_ranges(Asked& asked, const Step3& step) {
   if (!std::holds_alternative<FrameTaken>(step.fact)) return "\"figure\" asks of frame_taken";
   const Question& question = *asked.question;
-  const auto text = [&](double bound) {
-    std::string words = scene_figure_text(question.figure, bound);
-    const std::size_t tenths = words.find(".0 ");  // a bound is exact
-    return tenths == std::string::npos ? words : words.erase(tenths, 2);
-  };
-  for (std::size_t i = 0; i < question.bounds.size(); ++i)
-    add_choice(asked, (i == 0 ? "at most " : "more than " + text(question.bounds[i - 1]) + ", at most ") +
-                          text(question.bounds[i]));
-  add_choice(asked, "more than " + text(question.bounds.back()));
+  for (std::string& range : scene_range_texts(question.figure, question.bounds)) add_choice(asked, std::move(range));
+  return nullptr;
+}
+
+/// Any point of a cloud; of boxes every vertex of those that the answer is of.
+const char* add_points(Asked& asked, const Step3& step, int dim) {
+  const std::vector<Index> named = points_named(step, dim);
+  if (named.empty()) return "\"point\" asks of a step that names no point";
+  asked.on_stage = true;
+  for (int box = 0; box < 2 && asked.boxes; ++box) {
+    if (std::none_of(named.begin(), named.end(), [&](Index i) { return place_of(dim, i).box == box; })) continue;
+    for (int corner = 0; corner < 1 << dim; ++corner)
+      asked.stage_points.push_back(index_of(dim, {Place::Kind::kCorner, box, corner}));
+  }
   return nullptr;
 }
 
@@ -141,10 +145,7 @@ const char* add_ranges(Asked& asked, const Step3& step) {
 const char* add_choices(Asked& asked, Trace trace, int dim) {
   const auto& fact = step_at(trace, asked.fact).fact;
   switch (asked.question->asks) {
-    case Asks::kPoint:
-      asked.on_stage = true;
-      return points_named(step_at(trace, asked.fact), dim).empty() ? "\"point\" asks of a step that names no point"
-                                                                   : nullptr;
+    case Asks::kPoint: return add_points(asked, step_at(trace, asked.fact), dim);
     case Asks::kAxis: return add_axes(asked, trace, dim);
     case Asks::kLeaves: return add_support(asked, trace);
     case Asks::kBetter:

@@ -7,17 +7,19 @@
 namespace snug::lesson {
 namespace {
 
-/// Apart along the product of two edges, and along no face's normal.
-bool only_edges(const BoxPair& pair) {
-  bool edges = false;
+/// Apart, and along no axis before that one in the test's order.
+bool only_from(const BoxPair& pair, int first) {
+  bool apart = false;
   for (const auto& entry : record(*find_method(kBoxPair, "sat_all"), pair).steps) {
     const auto* axis = std::get_if<query::AxisTested<double, 3>>(&entry.step.fact);
     if (axis == nullptr || !axis->separates) continue;
-    if (axis->axis.kind != query::AxisKind::kEdgeEdge) return false;
-    edges = true;
+    if (axis_index(pair.dim, axis->axis) < first) return false;
+    apart = true;
   }
-  return edges;
+  return apart;
 }
+
+constexpr int kFaceAxes = 6, kLastAxis = 14;
 
 std::string verdict(bool overlap) { return overlap ? "overlap" : "are apart"; }
 
@@ -28,19 +30,24 @@ bool loses_box(const BoxPair& pair) {
 }
 
 std::string frustum_sentence(const BoxPair& pair, bool now, bool found) {
-  if (now) return "This box is lost: “all corners outside” says outside, and it reaches into the frustum.";
+  if (now) return "This box is lost: the wrong test says outside, yet the box reaches into the frustum.";
   if (found) return "A box that is lost: found.";
   if (says_of_box(*find_method(kFrustumBox, "corners_outside"), pair) != query::Culling::kOutside)
-    return "The wrong test keeps this box: a corner of it is inside the frustum.";
-  return "The wrong test says outside, and is right here: the box does not touch the frustum.";
+    return "The wrong test keeps this box: a vertex of it lies in the frustum.";
+  return "The wrong test says outside, and it is right here: the box does not touch the frustum.";
 }
 
 std::string sentence(std::string_view goal, const BoxPair& pair, bool now, bool found) {
   if (has_frustum(pair)) return frustum_sentence(pair, now, found);
   if (goal == "only_edges") {
-    if (now) return "Only edges separate these boxes.";
-    return found ? "Boxes that only edges separate: found."
-                 : "Still to find: boxes that only an axis of two edges separates.";
+    if (now) return "No face axis separates these boxes, only an edge axis does.";
+    return found ? "Boxes that only an edge axis separates: found."
+                 : "Still to find: boxes that only an edge axis separates.";
+  }
+  if (goal == "last_axis") {
+    if (now) return "Only the last axis, A z × B z, separates these boxes.";
+    return found ? "Boxes that only the last axis separates: found."
+                 : "Still to find: boxes that only the last axis, A z × B z, separates.";
   }
   const fit::Algorithm& test = *find_method(kBoxPair, goal);
   const std::string title =
@@ -53,7 +60,8 @@ std::string sentence(std::string_view goal, const BoxPair& pair, bool now, bool 
 
 bool reaches(std::string_view goal, const BoxPair& pair) {
   if (has_frustum(pair)) return loses_box(pair);
-  if (goal == "only_edges") return only_edges(pair);
+  if (goal == "only_edges") return only_from(pair, kFaceAxes);
+  if (goal == "last_axis") return only_from(pair, kLastAxis);
   return says_overlap(*find_method(kBoxPair, goal), pair) != says_overlap(*find_method(kBoxPair, "sat"), pair);
 }
 

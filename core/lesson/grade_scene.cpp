@@ -6,15 +6,6 @@
 namespace snug::lesson {
 namespace {
 
-constexpr std::string_view title_of(std::string_view figure) {
-  if (figure == "all_pairs") return "All pairs";
-  if (figure == "compared") return "Boxes compared";
-  if (figure == "after_broad") return "Left by the boxes";
-  if (figure == "after_loose") return "Left by the spheres";
-  if (figure == "touching") return "Touching";
-  return figure == "slack" ? "Slack" : figure == "cost" ? "Points looked at" : "Energy";
-}
-
 std::string asked_for(const Task::Requirement& due) {
   const std::string least = scene_figure_text(due.figure, due.at_least),
                     most = scene_figure_text(due.figure, due.at_most);
@@ -39,7 +30,7 @@ Grade grade_scene(const Task& task, const SceneSet& scene, const AnyPointSet& po
     const double value = figure_of(last, due.figure);
     const bool met = value >= due.at_least && value <= due.at_most;
     grade.done = grade.done && met;
-    grade.says += std::string(title_of(due.figure)) + ": " + scene_figure_text(due.figure, value) +
+    grade.says += std::string(scene_figure_title(due.figure)) + ": " + scene_figure_text(due.figure, value) +
                   (met ? ". " : "; " + asked_for(due) + ". ");
   }
   if (grade.done) grade.says += "Done.";

@@ -100,9 +100,9 @@ struct Task {
   std::string hint;
   std::vector<Vector<double, 3>> model;  // a solution, which the checks play
 
-  /// Of two boxes: what is to be found, one after the other; "extents_only" and "corners_only": a place where that test
-  /// is wrong; "only_edges": where boxes are apart along the product of two edges, and along no face's normal. Of a box
-  /// and a frustum "corners_outside": where that test loses a box that shares a point with the frustum.
+  /// Of two boxes, one after the other: "extents_only", "corners_only": a place where that test is wrong; "only_edges",
+  /// "last_axis": where edge axes alone, or the last axis alone, separate the boxes. Of a box and a frustum
+  /// "corners_outside": where that test loses a box that shares a point with the frustum.
   std::vector<std::string> goals;
   std::vector<BoxPair> models;  // one a goal
 

@@ -196,7 +196,7 @@ BoxPair read_pair(TomlTable& table, int dim, double taper) {
 }
 
 std::span<const std::string_view> goals_of(std::string_view volume) {
-  static constexpr std::array<std::string_view, 3> kPair{"extents_only", "corners_only", "only_edges"};
+  static constexpr std::array<std::string_view, 4> kPair{"extents_only", "corners_only", "only_edges", "last_axis"};
   static constexpr std::array<std::string_view, 1> kFrustum{"corners_outside"};
   if (volume == kFrustumBox) return kFrustum;
   return kPair;

@@ -27,8 +27,8 @@ std::string name_of(const fit::UpdateStrategy& strategy) {
 }
 
 std::vector<fit::Algorithm> methods() {
-  std::vector<fit::Algorithm> all{row("sweep_and_prune", "Sweep and prune", scene::kSweepAndPrunePseudocode),
-                                  row("tree", "Tree of boxes", scene::kTreePairsPseudocode),
+  std::vector<fit::Algorithm> all{row("sweep_and_prune", "Sort and sweep", scene::kSweepAndPrunePseudocode),
+                                  row("tree", "Tree (BVH)", scene::kTreePairsPseudocode),
                                   row("all_pairs", "All pairs", scene::kAllPairsPseudocode)};
   static std::vector<std::string> names;  // the rows only point at them
   for (const fit::UpdateStrategy& strategy : fit::update_strategies()) names.push_back(name_of(strategy));

@@ -226,8 +226,8 @@ std::optional<Grade> Session::grade() const {
         now_.boxes ? grade_boxes(*lesson_.task, *now_.boxes, found_) : lesson::grade(*lesson_.task, points(), seed());
   std::optional<Grade> now = worked_.grade;
   if (lesson_.scene && step_ > 0 && !now->done)
-    now->says +=
-        lesson_.scene->at_points() ? " Bodies are placed at the first step." : " Points are moved at the first step.";
+    now->says += lesson_.scene->at_points() ? " Bodies can be moved before frame 1 only."
+                                            : " Points can be moved before frame 1 only.";
   return now;
 }
 

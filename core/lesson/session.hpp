@@ -180,9 +180,26 @@ class Session {
   /// Commits an answer and goes to where it is decided, so that what happened stands beside what was predicted.
   /// false: nothing is asked, or that is no answer to it (a point that is none of the choices); nothing changes then.
   bool answer(const Answer& answer);
+  /// Chooses an answer without giving it yet; chosen once more, it is given. Of a question that takes many choices, one
+  /// is chosen, or no longer. false: nothing is asked, or that is no answer to it: answer_says tells which are.
+  bool pick(const Answer& answer);
+  /// A handle by its name, as one types it ("B2", "p7").
+  bool pick(std::string_view name);
+  /// The answer that is chosen to the question that stands; null where none is.
+  [[nodiscard]] const Answer* picked() const;
+  void unpick();
+  /// Gives the answer that is chosen. false: none is.
+  bool commit();
+  /// What there is to say of the last pick: that it is chosen, or why it cannot be the answer. Empty for nothing.
+  [[nodiscard]] const std::string& answer_says() const { return answer_says_; }
+  /// The handles that can be the answer to what is asked, rising; none where it is not answered on the stage.
+  [[nodiscard]] std::vector<Index> targets() const;
+  [[nodiscard]] std::vector<std::string> target_names() const;
   /// The last outcome, as long as the player stands on the step it speaks of; null otherwise.
   [[nodiscard]] const Outcome* outcome() const;
   [[nodiscard]] const std::vector<Outcome>& outcomes() const { return outcomes_; }
+  /// How the predictions came out (score_text), once the run is through and nothing is open; else empty.
+  [[nodiscard]] std::string score() const;
   /// None where the lesson has no task.
   [[nodiscard]] std::optional<Grade> grade() const;
   /// All questions anew.
@@ -255,6 +272,7 @@ class Session {
   void points_changed();
   void trace_changed(bool at_end);
   void stand(int step);
+  bool refuse(std::string why);
   [[nodiscard]] bool open_question(const Asked& asked) const;
   Outcome& outcome_for(const std::string& id);
   [[nodiscard]] double size_of(const fit::Algorithm& algorithm) const;
@@ -282,7 +300,9 @@ class Session {
   std::vector<Asked> asked_;
   std::vector<Outcome> outcomes_;
   mutable std::vector<bool> found_;  // of a task's goals, since it was begun
-  int shown_outcome_ = -1;           // of outcomes_, at step shown_at_
+  std::optional<Answer> picked_;     // chosen and not given yet
+  std::string answer_says_;
+  int shown_outcome_ = -1;  // of outcomes_, at step shown_at_
   int shown_at_ = -1;
   std::uint64_t revision_ = 1;
 };

@@ -64,6 +64,7 @@ void Session::trace_changed(bool at_end) {
   step_ = at_end ? steps() : std::min(step_, steps());
   worked_.hash.reset();
   shown_outcome_ = -1;
+  unpick();
 }
 
 const Recorder<Step3>::Entry* Session::current(int slot) const {
@@ -84,6 +85,7 @@ void Session::stand(int step) {
   if (step == step_ && !previewing_) return;
   step_ = step;
   previewing_ = false;
+  unpick();
   ++revision_;
 }
 

@@ -1,10 +1,27 @@
 // The questions of a session and the answers given.
 #include <algorithm>
+#include <numeric>
 
 #include "lesson/costs.hpp"
+#include "lesson/say.hpp"
 #include "lesson/session.hpp"
 
 namespace snug::lesson {
+namespace {
+
+/// A name as it is compared with what was typed: without blanks, capitals alike, and a hyphen for a minus sign.
+std::string plain_name(std::string_view name) {
+  constexpr std::string_view kMinus = "−";
+  std::string plain;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (name.substr(i, kMinus.size()) == kMinus) plain += '-', i += kMinus.size() - 1;
+    else if (name[i] >= 'A' && name[i] <= 'Z') plain += static_cast<char>(name[i] - 'A' + 'a');
+    else if (name[i] != ' ') plain += name[i];
+  }
+  return plain;
+}
+
+}  // namespace
 
 bool Session::open_question(const Asked& asked) const {
   for (const Outcome& outcome : outcomes_)
@@ -30,11 +47,93 @@ Outcome& Session::outcome_for(const std::string& id) {
   return outcomes_.emplace_back();
 }
 
+void Session::unpick() {
+  picked_.reset();
+  answer_says_.clear();
+  ++revision_;
+}
+
+bool Session::refuse(std::string why) {
+  unpick();
+  answer_says_ = std::move(why);
+  return false;
+}
+
+const Answer* Session::picked() const { return picked_ && asked() != nullptr ? &*picked_ : nullptr; }
+
+bool Session::commit() {
+  if (picked() == nullptr) return false;
+  return answer(Answer(*picked_));
+}
+
+bool Session::pick(const Answer& chosen) {
+  const Asked* question = asked();
+  const bool of_chart = lesson_.measures;
+  if (question == nullptr || chosen.kind == Answer::Kind::kSkipped) return false;
+  if (question->many && chosen.kind == Answer::Kind::kChoice) {
+    if (chosen.value < 0 || chosen.value >= static_cast<int>(question->choices.size())) return false;
+    const int all = (picked_ ? picked_->value : 0) ^ 1 << chosen.value;
+    unpick();
+    if (all == 0) return true;
+    picked_ = Answer{Answer::Kind::kChoice, all};
+    answer_says_ = chosen_text(*question, *picked_, {});
+    return true;
+  }
+  const bool point = chosen.kind == Answer::Kind::kPoint && chosen.value >= 0 && chosen.value < size();
+  if (!(of_chart ? answers_of_costs(*question, chosen) : answers(*question, chosen, size())))
+    return point && question->on_stage ? refuse(no_target_text(name_of(chosen.value), target_names())) : false;
+  if (picked_ && same_answer(*question, *picked_, chosen)) return commit();
+  unpick();
+  picked_ = chosen;
+  answer_says_ = chosen_text(*question, chosen, point ? name_of(chosen.value) : std::string());
+  return true;
+}
+
+bool Session::pick(std::string_view name) {
+  const Asked* question = asked();
+  if (question == nullptr || !question->on_stage) return false;
+  const std::string typed = plain_name(name);
+  for (Index i = 0; i < size(); ++i) {
+    if (plain_name(name_of(i)) != typed) continue;
+    const Answer meant{Answer::Kind::kPoint, i};
+    return (picked_ && same_answer(*question, *picked_, meant)) || pick(meant);
+  }
+  return refuse(no_such_name_text(name, target_names()));
+}
+
+std::vector<Index> Session::targets() const {
+  const Asked* question = asked();
+  if (question == nullptr || !question->on_stage) return {};
+  std::vector<Index> all = question->stage_points;
+  if (all.empty()) {
+    all.resize(static_cast<std::size_t>(size()));
+    std::iota(all.begin(), all.end(), Index{0});
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+std::vector<std::string> Session::target_names() const {
+  std::vector<std::string> names;
+  for (const Index i : targets()) names.push_back(name_of(i));
+  return names;
+}
+
+std::string Session::score() const {
+  if (asked() != nullptr) return {};
+  const auto open = [](const Outcome& outcome) { return outcome.pending; };
+  const bool over =
+      lesson_.measures ? std::none_of(outcomes_.begin(), outcomes_.end(), open) : step_ == steps() && !previewing_;
+  return over ? score_text(outcomes_) : std::string();
+}
+
 bool Session::answer(const Answer& answer) {
   const Asked* question = asked();
   if (lesson_.measures) {
     if (question == nullptr || !answers_of_costs(*question, answer)) return false;
     outcome_for(question->question->id) = predicted(*question, answer);
+    unpick();
     decide_costs();
     ++revision_;
     return true;
@@ -44,6 +143,7 @@ bool Session::answer(const Answer& answer) {
   outcome = judge(*question, answer, recording(0).steps);
   shown_outcome_ = static_cast<int>(&outcome - outcomes_.data());
   shown_at_ = question->until;
+  unpick();
   stand(question->until);
   return true;
 }
@@ -93,6 +193,7 @@ void Session::take_up_answers(std::vector<Outcome> outcomes) {
 
 void Session::forget_answers() {
   outcomes_.clear();
+  unpick();
   shown_outcome_ = -1;
   ++revision_;
 }

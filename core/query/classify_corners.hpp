@@ -1,5 +1,5 @@
-// A box against a frustum by all of its corners: right, and slow. A box is outside where all corners are outside of one
-// plane. The p- and n-vertex (classify.hpp) say the same and look at two.
+// A box against a frustum by all of its corners: right, and expensive. A box is outside where all corners are outside
+// of one plane. The p- and n-vertex (classify.hpp) say the same and look at two.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 namespace snug::query {
 
 inline constexpr std::array<std::string_view, 6> kClassifyCornersPseudocode{
-    "for each plane n, d of the frustum", "  for each corner of the box",        "    is n · corner + d > 0?",
-    "  outside if that is so of all",     "  intersects ← yes if it is of some", "intersecting if so, else inside",
+    "for each plane n, d of the frustum", "  for each vertex of the box",      "    is n · vertex + d > 0?",
+    "  outside if it is for all of them", "  crosses ← yes if it is for some", "intersecting if crosses, else inside",
 };
 
 /// normal . corner + d, rounded or not. bits: 1 for +x, 2 for +y, 4 for +z.

@@ -14,10 +14,10 @@
 namespace snug::query {
 
 inline constexpr std::array<std::string_view, 4> kCornersOnlyPseudocode{
-    "for each corner of A and of B",
+    "for each vertex of A and of B",
     "  is it in the other box?",
-    "  then overlap",
-    "apart (wrong where boxes cross)",
+    "  if so: overlap",
+    "apart (wrong if the boxes cross)",
 };
 
 /// What the corners say. a, b: as of obb_sat.

@@ -15,10 +15,10 @@
 namespace snug::query {
 
 inline constexpr std::array<std::string_view, 4> kCornersOutsidePseudocode{
-    "for each corner of the box",
-    "  is it on the inner side of every plane?",
+    "for each vertex of the box",
+    "  is it inside every plane?",
     "inside if all are, intersecting if some are",
-    "outside if none is (wrong where the box is wide)",
+    "outside if none is (wrong if the box is wide)",
 };
 
 /// What the corners say. box: an Aabb or an Obb, as of classify. Each corner's step names the first plane that it is

@@ -1,4 +1,4 @@
-// A test that is wrong, kept for those who would invent it: boxes overlap where their upright outlines do.
+// A test that is wrong, kept for those who would invent it: boxes overlap where their axis-aligned bounding boxes do.
 // It never calls overlapping boxes apart, but it calls boxes overlapping that are apart.
 #pragma once
 
@@ -14,11 +14,11 @@ namespace snug::query {
 
 inline constexpr std::array<std::string_view, 3> kExtentsOnlyPseudocode{
     "for each coordinate axis",
-    "  apart if the outlines do not meet",
-    "overlap (wrong where corners are empty)",
+    "  apart if the AABBs' extents are disjoint",
+    "overlap (wrong if AABB corners are empty)",
 };
 
-/// What the outlines say. a, b: as of obb_sat.
+/// What the AABBs say. a, b: as of obb_sat.
 template <class Scalar, int Dim, StepObserver<WrongStep> Observer = Ignore>
 bool extents_only(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer&& observe = {}) {
   const Vector<Scalar, Dim> half_a = a.axes.cwiseAbs() * a.half_extents, half_b = b.axes.cwiseAbs() * b.half_extents;
@@ -38,7 +38,7 @@ bool extents_only(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer
   return true;
 }
 
-/// A pair that is apart though the outlines meet; none in that many tries.
+/// A pair that is apart though the AABBs overlap; none in that many tries.
 template <class Scalar, int Dim>
 [[nodiscard]] std::optional<CounterExample<Scalar, Dim>> against_extents_only(std::uint64_t seed, int tries) {
   return find_boxes<Scalar, Dim>(

@@ -20,23 +20,23 @@ enum class PairSearch : std::uint8_t {
 inline constexpr std::array<std::string_view, 3> kPairSearchNames{"sweep_and_prune", "tree", "all_pairs"};
 
 inline constexpr std::array<std::string_view, 6> kSweepAndPrunePseudocode{
-    "axis ← where the boxes spread most",      "sort the boxes by where they begin on it",
+    "axis ← where the AABBs spread most",      "sort the AABBs by where they begin on it",
     "for each box a, in this order",           "  for each b after it that begins before a ends",
-    "    a pair, if they overlap on all axes", "loose spheres, then the exact test, on each pair",
+    "    a pair, if they overlap on all axes", "spheres, then the exact test, on each pair",
 };
 inline constexpr std::array<std::string_view, 6> kTreePairsPseudocode{
-    "build a tree of boxes",
+    "build a BVH of the AABBs",
     "open ← its root with itself",
-    "while a pair of nodes is open: test its boxes",
+    "while a pair of nodes is open: test its AABBs",
     "  leaves: each body with each",
     "  else open their children's pairs",
-    "loose spheres, then the exact test, on each pair",
+    "spheres, then the exact test, on each pair",
 };
 inline constexpr std::array<std::string_view, 4> kAllPairsPseudocode{
     "for each body a",
     "  for each body b after it",
-    "    a pair, if their boxes overlap",
-    "loose spheres, then the exact test, on each pair",
+    "    a pair, if their AABBs overlap",
+    "spheres, then the exact test, on each pair",
 };
 
 struct PairsFound {

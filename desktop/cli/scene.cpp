@@ -5,6 +5,7 @@
 #include "desktop/cli/json.hpp"
 #include "desktop/cli/lesson_files.hpp"
 #include "desktop/cli/timing.hpp"
+#include "lesson/scene_figures.hpp"
 #include "lesson/scene_runs.hpp"
 #include "lesson/still_scene.hpp"
 #include "lesson/trace_hash.hpp"
@@ -25,6 +26,9 @@ Json json_of_frame(const scene::Scene& scene) {
   Json json{{"frame", frame.frame}};
   for (const std::string_view figure : lesson::scene_figure_names())
     json[std::string(figure)] = lesson::figure_of(frame, figure);
+  const scene::World& world = scene.world();
+  if (const auto& cloud = world.members.front().shape.cloud)
+    json[std::string(lesson::kOverHull)] = lesson::over_hull(world.state.refitted.first, *cloud);
   json["resting"] = frame.resting;
   return json;
 }
@@ -76,11 +80,13 @@ CommandResult run_scene(const SceneOptions& options) {
 constexpr const char* kSceneFooter = R"(Runs a lesson's scene and prints JSON Lines:
   {"effect","constructed","run","skipped","microseconds"}   for each effect that the scene declares, in the order in
                     which a frame runs them; skipped counts the frames in which nothing that the effect reads had changed
-  {"frame","all_pairs","compared","after_broad","after_loose","touching","slack","cost","energy","resting","lesson",
-   "frames_drawn","frames_skipped","hash"}   the last frame: pairs whose boxes were compared, pairs left by each phase,
-                    slack (looseness) of the volumes in per cent, points that their updates touched. A frame is drawn
-                    only if it changed something. The hash covers every bit of the bodies, and is the same natively and
-                    in WebAssembly
+  {"frame","all_pairs","compared","after_broad","after_loose","touching","slack","cost","energy","over_hull","resting",
+   "lesson","frames_drawn","frames_skipped","hash"}   the last frame: pairs whose boxes were compared, pairs left by each
+                    phase; slack: how much larger the volumes are than the tightest of their kind, in per cent; cost:
+                    points that their updates examined; over_hull, if the first body is made of points: its volume
+                    divided by that of its convex hull, the same yardstick for every kind (null if the hull is flat). A
+                    frame is drawn only if it changed something. The hash covers every bit of the bodies, and is the
+                    same natively and in WebAssembly
 A lesson that declares no scene stands still: it has no effects, and only its first frame is drawn.
 With --every, a line for each frame comes first.)";
 

@@ -91,6 +91,7 @@ Json json_of_frame(const fit::UpdateStrategy& strategy, const fit::UpdatedFrame&
   json[std::string(strategy.volume)] = json_of(frame.volume, dim);
   json["measure"] = frame.measure;
   json["slack"] = frame.tightest > noise ? Json(fit::slack(frame.measure, frame.tightest)) : Json();
+  json["over_hull"] = frame.hull > noise ? Json(fit::over_hull(frame.measure, frame.hull)) : Json();
   json["contains"] = frame.contains;
   json["steps"] = frame.steps;
   for (std::size_t i = 0; i < kOperationNames.size(); ++i)
@@ -129,6 +130,8 @@ fitted to the points as they are. Prints one JSON object a frame:
   measure           its 3-D volume or 2-D area
   slack             how much larger it is than the tightest of its kind: 0.5 is half as large again. An oriented box is
                     compared with the box that rotates with the body. null if the tightest is flat
+  over_hull         its measure divided by that of the points' convex hull: the same yardstick for every kind of volume.
+                    null if the hull is flat
   contains          whether it contains all points where the body is now
   steps, operations the number of steps, and counts by name of what was done
 

@@ -34,6 +34,7 @@ std::string parse_size(const std::string& text, WindowOptions& options) {
     return "\"" + text + "\" is not a size: WxH, each from 64 to 8192";
   options.width = width;
   options.height = height;
+  options.sized = true;
   return {};
 }
 
@@ -62,7 +63,12 @@ void add_window(Commands& commands) {
   auto options = std::make_shared<WindowOptions>();
   commands.app.add_option("--lesson", options->lesson, "Id of the lesson to open; by default the first");
   add_common(commands.app, *options);
-  commands.chosen = [options, open_window = commands.open_window] { return open_on(*options, open_window); };
+  commands.chosen = [options, open_window = commands.open_window]() -> CommandResult {
+    if (options->width < kLeastWidth || options->height < kLeastHeight)
+      return bad_input("--size: the window is at least " + std::to_string(kLeastWidth) + "x" +
+                       std::to_string(kLeastHeight) + "; snug render draws smaller pictures");
+    return open_on(*options, open_window);
+  };
 }
 
 void add_render(Commands& commands) {

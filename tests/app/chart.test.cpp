@@ -179,7 +179,7 @@ TEST_CASE("updates that are always tight share a line, and an earlier result add
   CHECK(chart.series[0].name.empty());
   CHECK(chart.series[2].name == "2 that are always tight");
   CHECK(chart.series[2].row == 0);
-  CHECK(chart.series[3].name == "AABB, loose for every orientation");
+  CHECK(chart.series[3].name == "Loose AABB");
   CHECK(chart.series[3].row == 1);
   CHECK(update_title("kdop", "k6_hill_climb") == "6-DOP by hill climbing");
 }

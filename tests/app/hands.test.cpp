@@ -98,13 +98,19 @@ TEST_CASE("arrow keys go to a point selected by a key, by its number, or by a cl
   CHECK(bench.key("ArrowLeft") == "move_left");
 }
 
-TEST_CASE("a click that answers selects nothing; a wrong guess is crossed and the right one ticked") {
+TEST_CASE("a second click answers and selects nothing; a wrong guess is crossed and the right one ticked") {
   Bench bench(asking_for_pair());
   REQUIRE(bench.app.command("step"));
   REQUIRE(bench.session().asked() != nullptr);
   bench.click("P6");  // none of the extremes: nothing is answered, and the arrow keys do not go to it
   CHECK(bench.session().asked() != nullptr);
   CHECK(bench.key("ArrowRight") == "step");
+  CHECK(bench.session().answer_says().starts_with("P6 cannot be the answer."));
+  CHECK(bench.session().outcomes().empty());
+  bench.click("P3");
+  CHECK(bench.session().outcomes().empty());
+  REQUIRE(bench.session().picked() != nullptr);
+  CHECK(bench.session().picked()->value == 3);
   bench.click("P3");
   REQUIRE(bench.session().outcome() != nullptr);
   CHECK_FALSE(bench.session().outcome()->right);
@@ -115,6 +121,40 @@ TEST_CASE("a click that answers selects nothing; a wrong guess is crossed and th
   CHECK(shown.right == std::vector<Index>{0, 1});
   REQUIRE(bench.app.command("step"));
   CHECK(shown_at(bench.session(), false).right.empty());
+}
+
+TEST_CASE("the bracket keys go through what can be the answer alone, and Enter gives it") {
+  Bench bench(asking_for_pair());
+  REQUIRE(bench.app.command("step"));
+  const std::vector<Index> targets = bench.session().targets();
+  REQUIRE(targets.size() < static_cast<std::size_t>(bench.session().size()));
+  CHECK_FALSE(bench.app.command("commit_answer"));
+  for (const Index wanted : targets) {
+    REQUIRE(bench.app.command(bench.key("]")));
+    REQUIRE(bench.session().picked() != nullptr);
+    CHECK(bench.session().picked()->value == wanted);
+  }
+  REQUIRE(bench.app.command(bench.key("]")));  // round to the first
+  CHECK(bench.session().picked()->value == targets.front());
+  REQUIRE(bench.app.command(bench.key("[")));
+  CHECK(bench.session().picked()->value == targets.back());
+  REQUIRE(bench.app.command(bench.key("Escape")));
+  CHECK(bench.session().picked() == nullptr);
+  REQUIRE(bench.app.command(bench.key("]")));
+  CHECK(bench.app.selected() == kNoIndex);
+  REQUIRE(bench.app.command(bench.key("Enter")));
+  CHECK(bench.session().outcomes().size() == 1);
+}
+
+TEST_CASE("a press on what can be the answer drags it once it travels, and answers nothing then") {
+  Bench bench(asking_for_pair());
+  REQUIRE(bench.app.command("step"));
+  const Handle at = bench.handle("P3");
+  const Point3 before = bench.session().point(3);
+  bench.drag(at.x, at.y, 40, 10);
+  CHECK(bench.session().point(3) != before);
+  CHECK(bench.session().outcomes().empty());
+  CHECK(bench.session().picked() == nullptr);
 }
 
 TEST_CASE("while a question stands, a click on a point takes no arrow keys") {

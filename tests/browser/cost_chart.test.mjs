@@ -1,7 +1,7 @@
 // The charts of costs: predicted, measured in slices while the page stays alive, loaded from, saved and laid over, refused.
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
-import { assert, handles, kPhone, start, state, still, stop, to_points, until, until_within, visit } from "./support.mjs";
+import { answer, assert, handles, kPhone, start, state, still, stop, to_points, until, until_within, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -49,7 +49,7 @@ test("predictions come first; then six algorithms are measured, and what happene
   assert.equal(await button(page, "Exact minimum").getAttribute("aria-pressed"), "true");
   await button(page, "Answer").click();
   await until(page, (now) => now.outcomes.length === 1);
-  await button(page, "Exact minimum").click();
+  await answer(page, "Exact minimum");
   await button(page, "Skip").click();
   const { outcomes: given } = await until(page, (now) => now.outcomes.length === 3);
   assert.ok(given.every(({ pending }) => pending));
@@ -255,7 +255,7 @@ test("a turn: every update at 72 angles; stopped, what is ready stays; a saved t
   assert.match(caption, /^8 of 10 updates are always the tightest of their kind/);
   await page.locator("#stage").scrollIntoViewIfNeeded();
   await still(page);
-  const loose = (await handles(page)).find(({ id }) => /loose/.test(id));
+  const loose = (await handles(page)).find(({ id }) => /^Loose/.test(id));
   await page.touchscreen.tap(loose.x, loose.y);
   await until(page, (now) => /at 355°: [\d,.]+ % larger than the tightest/.test(now.caption));
 

@@ -1,6 +1,6 @@
 // A box and a frustum: dragged, asked about on the stage, lost by the wrong test, shared by the address.
 import { after, before, test } from "node:test";
-import { assert, drag, drag_by_finger, handles, kPhone, ready, start, state, still, stop, until, visit } from "./support.mjs";
+import { answer, assert, drag, drag_by_finger, handles, kPhone, ready, start, state, still, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -51,8 +51,7 @@ for (const lesson of kLessons)
     assert.ok((await state(page)).asked);
     const corners = places.filter(({ id }) => /^[+−]+$/.test(id));
     assert.equal(corners.length, asked.choices.length);
-    await page.mouse.click(corners[0].x, corners[0].y);
-    const { outcome, step, readout } = await until(page, (now) => now.outcome);
+    const { outcome, step, readout } = await answer(page, corners[0].id);
     assert.equal(outcome.predicted, corners[0].id);
     assert.equal(outcome.right, outcome.predicted === outcome.happened);
     assert.equal(step, 1);
@@ -62,8 +61,7 @@ for (const lesson of kLessons)
 test("the corner's signs answer by keyboard as well", async (t) => {
   const page = await visit(t, "?lesson=frustum-2d");
   await until(page, (now) => now.asked);
-  await page.getByRole("button", { name: "−+", exact: true }).click();
-  const { outcome } = await until(page, (now) => now.outcome);
+  const { outcome } = await answer(page, "−+", "keyboard");
   assert.equal(outcome.predicted, "−+");
 });
 

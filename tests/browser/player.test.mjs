@@ -1,20 +1,9 @@
 // Lessons are stepped, asked and answered, without a pointer and with one.
 import { after, before, test } from "node:test";
-import { assert, handles, lessons, start, state, still, stop, until, visit } from "./support.mjs";
+import { answer, assert, handles, kPhone, lessons, start, state, still, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
-
-/** Answers what is asked as a hand on the keyboard would: by digit where there are choices, in the field where not. */
-async function answer_by_keyboard(page, asked) {
-  if (asked.choices.length > 0) return page.keyboard.press("1");
-  for (let i = 0; i < 60; ++i) {
-    if (await page.evaluate(() => document.activeElement.getAttribute("aria-label") === "Point number")) break;
-    await page.keyboard.press("Tab");
-  }
-  await page.keyboard.type(String(asked.stagePoints[0] ?? 0));
-  await page.keyboard.press("Enter");
-}
 
 test("every lesson is stepped to its end by keyboard alone, each prediction answered", async (t) => {
   const stepped = (await lessons()).filter(({ id }) => id !== "cost-chart"); // cost_chart.test.mjs has that one
@@ -28,7 +17,7 @@ test("every lesson is stepped to its end by keyboard alone, each prediction answ
       const place = [now.step, now.asked?.id ?? null];
       if (now.asked) {
         ++answered;
-        await answer_by_keyboard(page, now.asked);
+        await answer(page, now.asked.choices.length > 0 ? 0 : now.asked.targets[0], "keyboard");
       } else {
         await page.keyboard.press("ArrowRight");
       }
@@ -36,7 +25,7 @@ test("every lesson is stepped to its end by keyboard alone, each prediction answ
     }
     assert.ok(answered >= 3, `${id} asks ${answered} times`);
     assert.equal(now.outcomes.filter((outcome) => !outcome.skipped).length, answered, id);
-    await page.getByText(/The end: \d+ of \d+ predictions right/).waitFor();
+    await page.getByText(/\d+ of \d+ predictions correct\./).waitFor();
     await page.context().close();
   }
 });
@@ -57,17 +46,83 @@ async function to_stage_question(t) {
   throw new Error("no lesson asks on the stage");
 }
 
-test("a prediction is answered by clicking the point on the stage", async (t) => {
+test("a prediction is answered by tapping the point on the stage twice", async (t) => {
   const { page, asked } = await to_stage_question(t);
-  await still(page);
-  const wanted = asked.stagePoints.map((i) => `P${i}`);
-  const handle = (await handles(page)).find(({ id }) => wanted.length === 0 || wanted.includes(id));
-  await page.mouse.click(handle.x, handle.y);
-  const answered = await until(page, (it, id) => it.asked?.id !== id && it.outcome?.question === id, asked.id);
+  const [name] = asked.targets;
+  const answered = await answer(page, name);
   assert.equal(answered.outcome.skipped, false);
-  if (asked.choices.length === 0) assert.equal(answered.outcome.predicted, handle.id);
+  assert.ok(answered.outcome.predicted.includes(name));
   // In full, or in one line where the next question already stands.
-  await page.locator(".outcome").getByText(/It was/).first().waitFor();
+  await page.locator(".outcome").getByText(answered.outcome.verdict).first().waitFor();
+});
+
+test("only what can be the answer responds, by pointer, by name and by the bracket keys; anything else costs nothing", async (t) => {
+  const page = await visit(t, "?lesson=sphere-welzl&step=0");
+  let now = await state(page);
+  for (let i = 0; i < 400 && !(now.asked?.onStage && now.asked.targets.length < now.size); ++i) {
+    await page.keyboard.press(now.asked ? "s" : "PageDown");
+    await until(page, (it, step, id) => it.step !== step || it.asked?.id !== id, now.step, now.asked?.id);
+    now = await state(page);
+  }
+  const { asked, outcomes } = now;
+  await still(page);
+  const other = (await handles(page)).find(({ id }) => !asked.targets.includes(id));
+  await page.mouse.click(other.x, other.y);
+  await page.locator(".says", { hasText: `${other.id} cannot be the answer.` }).waitFor();
+  now = await state(page);
+  assert.deepEqual([now.asked.id, now.asked.picked, now.outcomes.length], [asked.id, null, outcomes.length]);
+  // A tap that slips is taken back, and the keys go through the targets alone.
+  await page.evaluate(() => document.activeElement.blur());
+  const seen = [];
+  for (let i = 0; i < asked.targets.length; ++i) {
+    await page.keyboard.press("]");
+    seen.push((await until(page, (it, before) => it.asked.picked && it.asked.picked.handle !== before, seen.at(-1) ?? null)).asked.picked.handle);
+    if (asked.targets.length === 1) break;
+  }
+  assert.deepEqual(seen.toSorted(), asked.targets.toSorted());
+  await page.keyboard.press("Escape");
+  await until(page, (it) => it.asked && !it.asked.picked);
+  await page.keyboard.press("]");
+  await until(page, (it) => it.asked?.picked);
+  await page.keyboard.press("Enter");
+  const { outcome } = await until(page, (it, id) => it.outcome?.question === id, asked.id);
+  assert.ok(outcome.predicted.includes(asked.targets[0]));
+});
+
+test("a typed name that there is not is told, and asks again", async (t) => {
+  for (const { id } of await lessons()) {
+    const page = await visit(t, `?lesson=${id}&step=0`);
+    for (let now = await state(page), i = 0; i < 60 && (now.step < now.steps || now.asked); now = await state(page), ++i) {
+      if (now.asked?.onStage && now.asked.choices.length === 0) {
+        await page.getByLabel("Name", { exact: true }).fill("Q7");
+        await page.keyboard.press("Enter");
+        await page.locator(".says", { hasText: "Nothing here is called “Q7”." }).waitFor();
+        assert.equal((await state(page)).asked.id, now.asked.id);
+        return;
+      }
+      await page.evaluate(() => document.activeElement.blur());
+      await page.keyboard.press(now.asked ? "s" : "PageDown");
+      await until(page, (it, step, question) => it.step !== step || it.asked?.id !== question, now.step, now.asked?.id);
+    }
+    await page.context().close();
+  }
+  assert.fail("no lesson asks for a name");
+});
+
+test("with a finger on a phone the first tap chooses, the second answers", async (t) => {
+  const page = await visit(t, "?lesson=frustum-2d", kPhone);
+  const { asked } = await until(page, (it) => it.asked);
+  await page.locator("#stage").scrollIntoViewIfNeeded();
+  await still(page);
+  const at = async () => (await handles(page)).find(({ id }) => id === asked.targets[0]);
+  let place = await at();
+  await page.touchscreen.tap(place.x, place.y);
+  await until(page, (it, name) => it.asked?.picked?.handle === name, asked.targets[0]);
+  await still(page);
+  place = await at();
+  await page.touchscreen.tap(place.x, place.y);
+  const { outcome } = await until(page, (it) => it.outcome);
+  assert.equal(outcome.predicted, asked.targets[0]);
 });
 
 test("playing waits for the answer", async (t) => {

@@ -1,6 +1,6 @@
 // Scenes that move: stepped by keyboard to their end, answered, reloaded, placed; and nothing is drawn while nothing moves.
 import { after, before, test } from "node:test";
-import { assert, drag, handles, kPhone, ready, start, state, still, stop, until, visit } from "./support.mjs";
+import { answer, assert, drag, handles, kPhone, ready, start, state, still, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -21,8 +21,7 @@ async function step_through(page) {
   for (let view = await state(page); view.step < view.steps; view = await state(page)) {
     if (view.asked) {
       asked.push(view.asked.id);
-      await page.keyboard.press("1");
-      await until(page, (now, id) => now.asked?.id !== id, view.asked.id);
+      await answer(page, 0, "keyboard");
       continue;
     }
     await page.keyboard.press("ArrowRight");
@@ -56,7 +55,31 @@ test("what an effect that is off made is told as that of its last frame", async 
   const later = await until(page, (now) => now.step === 4);
   assert.equal(later.caption, "Frame 4: broad phase is off, so the pairs are still those of frame 3.");
   await page.keyboard.press("ArrowLeft");
-  assert.match((await until(page, (now) => now.step === 3)).caption, /^Frame 3: of 780 pairs the boxes leave \d+\./);
+  assert.match((await until(page, (now) => now.step === 3)).caption, /^Frame 3: of 780 pairs, the AABBs leave \d+\./);
+});
+
+test("a scene's timeline counts frames, wherever it is named", async (t) => {
+  const page = await visit(t, "?lesson=scene-updates&step=0");
+  const player = page.getByRole("toolbar", { name: "Player" });
+  await page.getByRole("button", { name: "Next frame" }).focus();
+  for (const name of ["First frame", "Previous frame", "Next frame", "Last frame"]) assert.equal(await player.getByRole("button", { name, exact: true }).count(), 1, name);
+  assert.equal(await player.getByRole("button", { name: /step/i }).count(), 0);
+  const slider = player.getByRole("slider", { name: "Frame" });
+  assert.equal(await slider.getAttribute("aria-valuetext"), "frame 0 of 120");
+  assert.match((await state(page)).caption, /nothing has moved yet\. Go to frame 1\.$/);
+  const other = (await visit(t, "?lesson=sphere-ritter&step=0")).getByRole("toolbar", { name: "Player" });
+  assert.equal(await other.getByRole("button", { name: "Step", exact: true }).count(), 1);
+  assert.match(await other.getByRole("slider", { name: "Step" }).getAttribute("aria-valuetext"), /^step 0 of \d+$/);
+});
+
+test("every kind of volume is measured against the same hull", async (t) => {
+  const told = {};
+  for (const option of ["rotated_box", "rebuild", "loose", "sphere", "obb", "k14"])
+    told[option] = (await state(await visit(t, `?lesson=scene-updates&a=${option}&step=40`))).readout;
+  for (const [option, { over_hull }] of Object.entries(told)) assert.ok(over_hull > 1, option);
+  assert.ok(told.sphere.slack < 1e-6 && told.obb.slack < 1e-6); // each against its own kind: that tells them not apart,
+  assert.ok(told.obb.over_hull < told.sphere.over_hull / 2); // and the hull does: the stick is long and thin
+  assert.ok(told.loose.over_hull > told.rotated_box.over_hull && told.rotated_box.over_hull > told.rebuild.over_hull);
 });
 
 for (const { id, first, effects } of kScenes) {
@@ -83,8 +106,7 @@ for (const { id, first, effects } of kScenes) {
     const page = await visit(t, `?lesson=${id}`);
     await page.locator("#canvas").focus();
     for (let view = await state(page); !view.asked; view = await state(page)) await page.keyboard.press("ArrowRight");
-    await page.keyboard.press("1");
-    const told = await until(page, (now) => now.outcome !== null);
+    const told = await answer(page, 0, "keyboard");
     assert.equal(told.outcome.question, first);
     assert.ok(told.outcome.happened.length > 0 && told.outcome.because.length > 0);
     await page.keyboard.press("ArrowRight");

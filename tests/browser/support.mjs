@@ -187,3 +187,45 @@ export async function pixels_of(page, clip) {
   }, picture.toString("base64"));
   return new Uint8Array(Buffer.from(text, "base64"));
 }
+
+/** Gives an answer to what is asked, as a hand would: chooses it, sees it said, chooses it again.
+ *  what: a choice by its words or its number from 0, or a handle by its name (null: the first that can be the answer);
+ *  by: "pointer" (on the stage, or the choice's button) or "keyboard" (digits, or the name typed, and Enter).
+ *  Returns the state with its outcome. */
+export async function answer(page, what = null, by = "pointer") {
+  const { asked, outcomes } = await until(page, (now) => now.asked);
+  const choice = typeof what === "number" ? what : asked.choices.indexOf(what ?? asked.choices[0]);
+  if (by === "keyboard") {
+    await answer_by_keys(page, choice >= 0 ? choice : what ?? asked.targets[0], asked);
+  } else if (choice >= 0) {
+    const chosen = page.locator(".predict .choices .button").nth(choice);
+    await chosen.click();
+    await page.waitForFunction(() => window.snug.state().asked?.picked);
+    await (asked.many ? page.locator(".predict .commit .button") : chosen).click();
+  } else {
+    await still(page);
+    const places = await handles(page);
+    const at = places.find(({ id }) => id === (what ?? asked.targets.find((name) => places.some((place) => place.id === name))));
+    await page.mouse.click(at.x, at.y);
+    const { asked: now } = await until(page, (it) => it.asked?.picked);
+    assert.equal(now.picked.handle, at.id);
+    await page.waitForTimeout(400); // two taps, no double click
+    await page.mouse.click(at.x, at.y);
+  }
+  return until(page, (it, id, before) => it.asked?.id !== id && it.outcomes.length >= before, asked.id, outcomes.length);
+}
+
+async function answer_by_keys(page, what, asked) {
+  if (typeof what === "number") {
+    await page.keyboard.press(String(what + 1));
+    await page.waitForFunction(() => window.snug.state().asked?.picked);
+    return page.keyboard.press("Enter");
+  }
+  for (let i = 0; i < 60; ++i) {
+    if (await page.evaluate(() => document.activeElement.getAttribute("aria-label") === "Name")) break;
+    await page.keyboard.press("Tab");
+  }
+  assert.ok(asked.targets.includes(what), `${what} can be the answer`);
+  await page.keyboard.type(what);
+  await page.keyboard.press("Enter");
+}

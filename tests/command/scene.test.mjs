@@ -55,6 +55,21 @@ test("the updates differ in slack and cost as geometry says", () => {
   assert.ok(loose.slack > rotated.slack && loose.cost === 0);
 });
 
+test("looseness and the volume over the hull's are those of snug update", () => {
+  const points = [[1, 0.2, 0], [0.1, 2, 0.3], [0.3, 0, 3], [0.5, 0.5, -0.5]].flatMap((p) => [p, p.map((x) => -x)]); // about the origin, which the body rotates about
+  write("own.xyz", points.map((row) => row.join(" ")).join("\n"));
+  write("own.toml", lesson("scene-updates").replace('generate = "stick"\ncount = 80', `list = ${JSON.stringify(points)}`).replace(/\[\[question\]\][^]*/, ""));
+  const near = (a, b) => assert.ok(Math.abs(a - b) <= 1e-9 * Math.max(1, Math.abs(b)), `${a} is ${b}`);
+  for (const [algorithm, volume, strategy] of [["rotated_box", "aabb", "rotated_box"], ["rebuild", "aabb", "rebuild"], ["loose", "aabb", "loose"],
+    ["sphere", "sphere", "transform"], ["obb", "obb", "transform"], ["k14", "kdop", "k14_hill_climb"]]) {
+    const frame = scene("own", "--lessons", ".", "--algorithm", algorithm, "--every", "--frames", "40")[39];
+    const turned = json_lines(good(["update", "--volume", volume, "--strategy", strategy, "--axis=1,2,3", "--degrees", "360", "--frames", "120", "own.xyz"]))[40];
+    near(frame.slack, 100 * turned.slack);
+    near(frame.over_hull, turned.over_hull);
+    assert.ok(frame.over_hull > 1, algorithm);
+  }
+});
+
 test("a scene that comes to rest runs nothing more, and draws nothing", () => {
   const still = write("still.toml", lesson("scene-updates").replace("turns_per_second = 0.5", "turns_per_second = 0.5\ndegrees = 30").replace(/\[\[question\]\][^]*/, ""));
   assert.equal(snug(["lesson", "check", still]).err, "");
@@ -156,7 +171,7 @@ test("a scene with too many pairs is refused with the line of what looks for the
 test("more points than a method takes are refused with their line", () => {
   const text = lesson("scene-broad").replace(/\[\[question\]\][^]*/, "").replace("count = 40", "count = 4001").replace("frames = 120", "frames = 20");
   const line = text.slice(0, text.indexOf("[points]")).split("\n").length;
-  refused(["lesson", "check", write("crowd.toml", text)], `crowd.toml:${line}: too many points for Sweep and prune: at most 4000`);
+  refused(["lesson", "check", write("crowd.toml", text)], `crowd.toml:${line}: too many points for Sort and sweep: at most 4000`);
 });
 
 test("a mesh is a body: it is run, and impulses refuse it with file and line", () => {

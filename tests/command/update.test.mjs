@@ -20,11 +20,12 @@ test("every strategy holds the body in every frame, in both scalars", () => {
         const frames = update(volume, strategy, "--scalar", scalar, "--frames", "7", "--move", "3,0,1e4", cube);
         assert.equal(frames.length, 7);
         frames.forEach((frame, i) => {
-          assert.deepEqual(Object.keys(frame), ["frame", "degrees", volume, "measure", "slack", "contains", "steps", "operations"]);
+          assert.deepEqual(Object.keys(frame), ["frame", "degrees", volume, "measure", "slack", "over_hull", "contains", "steps", "operations"]);
           assert.equal(frame.frame, i);
           assert.ok(Math.abs(frame.degrees - 360 * i / 7) < 1e-9);
           assert.equal(frame.contains, true);
           assert.ok(frame.slack >= 0);
+          assert.ok(Math.abs(frame.over_hull - frame.measure) <= 1e-6 * frame.measure, "the cube is its own hull, of volume 1");
         });
       }
 });

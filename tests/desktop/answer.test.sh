@@ -1,4 +1,4 @@
-# A question is answered by the key of its number, as on the page; until then no step is taken.
+# A question is answered by the key of its number and Enter, as on the page; until then no step is taken.
 . tests/desktop/support.sh
 open_window --lesson scene-broad
 xdotool key Right
@@ -9,7 +9,10 @@ sleep 0.3
 xdotool key Right
 sleep 0.5
 [[ $(state 's.step') == 0 ]] || fail "a number without an answer answered"
-xdotool key 2 # which takes the step
+xdotool key 2 # chosen, and not given yet
+sleep 0.5
+[[ $(state 's.step') == 0 ]] || fail "one key gave the answer"
+xdotool key Return # which takes the step
 until_state 's.step === 1'
 xdotool key Right
 until_state 's.step === 2'

@@ -42,6 +42,13 @@ function measured() {
   return Object.fromEntries(kParts.map((id, i) => [id, rectangles[i]]));
 }
 
+/** How far the page's own buttons reach into the stage from its left edge. */
+function tools_reach() {
+  const reaches = [...document.querySelectorAll(".stage-tools > :not([hidden])")].map((tool) => tool.getBoundingClientRect());
+  const shown = reaches.filter(({ width }) => width > 0);
+  return shown.length > 0 ? Math.max(...shown.map(({ right }) => right)) - by_id("stage").getBoundingClientRect().left : 0;
+}
+
 /** Lays the canvas under its parts and says it as web/main.cpp's set_layout takes it. */
 export function arrange(canvas) {
   const parts = measured();
@@ -57,6 +64,7 @@ export function arrange(canvas) {
     height,
     scale: devicePixelRatio,
     fingers: has_fingers(),
+    tools: tools_reach(),
     stage: within(parts.stage),
     timeline: within(parts.timeline),
     inspector: within(parts.numbers),

@@ -49,7 +49,7 @@ class Page {
     this.#embed = embed;
     const act = (what) => this.act(what);
     const question = new QuestionCard(door, act);
-    this.#panels = [new Reading(() => this.#start_task()), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new CostTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs()];
+    this.#panels = [new Reading(door.words(), () => this.#start_task()), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new CostTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs()];
     this.#menu = new LessonMenu(lessons, (id) => this.#go_to(id));
     this.#stage = new Stage(door, () => this.#show());
     this.#settings = new Settings(() => this.#apply_settings());
@@ -120,6 +120,7 @@ class Page {
     this.#menu.show(this.#lesson);
     document.title = `${this.#lesson.title} · Snug`;
     by_id("canvas").setAttribute("aria-label", `Stage: ${stage_of(this.#lesson)}`);
+    set_text(by_id("figures").closest("table").caption, `Numbers at this ${this.#lesson.stepWord}`);
     for (const panel of this.#panels) panel.open?.(this.#lesson);
     await this.#restore(asked);
     if (turn !== this.#opens) return;
@@ -160,7 +161,7 @@ class Page {
     if (asked.b) tell(door.choose(1, asked.b === "none" ? "" : asked.b));
     if (asked.step !== null) {
       const { steps } = door.view();
-      if (asked.step > steps) asked.problems.push(`The address names step ${asked.step}; there are ${steps}.`);
+      if (asked.step > steps) asked.problems.push(`The address names ${this.#lesson.stepWord} ${asked.step}; there are ${steps}.`);
       door.jump(Math.min(asked.step, steps));
     }
   }
@@ -232,7 +233,9 @@ class Page {
   // ---- for scripts and tests ----------------------------------------------------------------------------------
 
   state() {
-    return this.#door.view();
+    const view = this.#door.view();
+    if (view?.asked) view.asked.targets = this.#door.targets();
+    return view;
   }
 
   handles() {

@@ -2,13 +2,19 @@
 // cannot see the canvas, and for everybody where there is none.
 import { by_id, element, set_text, when_changed } from "./dom.js";
 
-const kButtons = [["first", "First step"], ["back", "Step back"], ["step", "Step"], ["next_mark", "Next mark"], ["play", "Play"], ["last", "Last step"],
+const kButtons = [["first"], ["back"], ["step"], ["next_mark", "Next mark"], ["play", "Play"], ["last"],
   ["slower", "Slower"], ["faster", "Faster"], ["reset_view", "Show all points"]];
+
+/** What the player's buttons are called where the timeline counts steps, and where it counts frames. */
+const kWords = { step: { first: "First step", back: "Step back", step: "Step", last: "Last step" },
+  frame: { first: "First frame", back: "Previous frame", step: "Next frame", last: "Last frame" } };
 
 export class Player {
   #slider;
+  #buttons;
   #place = element("p", { class: "label" });
   #play;
+  #word = "step";
   #effects = element("span", { class: "row" });
   #switches = [];
   #door;
@@ -17,12 +23,18 @@ export class Player {
   constructor(door, act) {
     this.#door = door;
     this.#act = act;
-    this.#slider = element("input", { type: "range", min: 0, step: 1, "aria-label": "Step",
+    this.#slider = element("input", { type: "range", min: 0, step: 1,
       oninput: () => act(() => door.go(Number(this.#slider.value))) });
-    const buttons = kButtons.map(([command, words]) =>
+    this.#buttons = kButtons.map(([command, words]) =>
       element("button", { type: "button", class: command === "reset_view" ? "button of-stage" : "button", onclick: () => act(() => door.command(command)) }, words));
-    this.#play = buttons[kButtons.findIndex(([command]) => command === "play")];
-    by_id("player").append(...buttons, this.#effects, this.#place, this.#slider);
+    this.#play = this.#buttons[kButtons.findIndex(([command]) => command === "play")];
+    by_id("player").append(...this.#buttons, this.#effects, this.#place, this.#slider);
+  }
+
+  open({ stepWord: word }) {
+    this.#word = word;
+    for (const [i, [command]] of kButtons.entries()) if (kWords[word][command]) set_text(this.#buttons[i], kWords[word][command]);
+    this.#slider.setAttribute("aria-label", word === "frame" ? "Frame" : "Step");
   }
 
   #list_effects = when_changed((...names) => {
@@ -30,16 +42,16 @@ export class Player {
     this.#effects.replaceChildren(...names.map((name, i) => element("label", {}, this.#switches[i], ` ${name.replaceAll("_", " ")}`)));
   });
 
-  #show_step = when_changed((step, steps) => {
+  #show_step = when_changed((step, steps, word) => {
     this.#slider.max = steps;
     this.#slider.value = step;
-    const place = `step ${step} of ${steps}`;
+    const place = `${word} ${step} of ${steps}`;
     this.#slider.setAttribute("aria-valuetext", place);
     set_text(this.#place, place);
   });
 
   update(view) {
-    this.#show_step(view.step, view.steps);
+    this.#show_step(view.step, view.steps, this.#word);
     const effects = view.effects ?? [];
     this.#list_effects(...effects.map(({ effect }) => effect));
     for (const [i, { on }] of effects.entries()) this.#switches[i].checked = on;

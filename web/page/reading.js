@@ -6,12 +6,14 @@ const paragraph = (stretches) =>
   element("p", {}, ...stretches.map(({ text, strong }) => (strong ? element("strong", {}, text) : text)));
 
 export class Reading {
+  #words;
   #start_task;
   #grade_says = element("p", { class: "grade", role: "status" });
   #was_open = false; // the task, when it was last graded in this lesson
 
   /** start_task: lays out the points that the task begins with. */
-  constructor(start_task) {
+  constructor(words, start_task) {
+    this.#words = words;
     this.#start_task = start_task;
   }
 
@@ -24,9 +26,9 @@ export class Reading {
     const box = by_id("task");
     set_hidden(box, !lesson.task);
     if (!lesson.task) return box.replaceChildren();
-    box.replaceChildren(element("h2", { class: "kicker" }, "Your turn"), element("p", {}, lesson.task.prompt),
-      element("p", {}, button(lesson.task.points > 0 ? `Start with ${lesson.task.points} ${lesson.bodies ? "bodies" : "points"}` : "Start", this.#start_task)), this.#grade_says,
-      ...(lesson.task.hint ? [element("details", {}, element("summary", {}, "A hint"), element("p", {}, lesson.task.hint))] : []));
+    box.replaceChildren(element("h2", { class: "kicker" }, this.#words.task), element("p", {}, lesson.task.prompt),
+      element("p", {}, button(lesson.task.start, this.#start_task)), this.#grade_says,
+      ...(lesson.task.hint ? [element("details", {}, element("summary", {}, this.#words.hint), element("p", {}, lesson.task.hint))] : []));
   }
 
   update(view) {

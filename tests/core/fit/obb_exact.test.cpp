@@ -284,7 +284,7 @@ TEST_CASE("boxes count what is spent within: on balls, on each face's rectangle,
 
   Counter axis, ball;
   const auto on_axis = fit::obb_sphere_axis(set.span(), axis);
-  static_cast<void>(fit::welzl(set.span(), fit::Options{}, ball));
+  static_cast<void>(fit::pivot(set.span(), fit::Options{}, ball));
   CHECK(at(axis.counts, Operation::kBallSolves) >
         at(ball.counts, Operation::kBallSolves));  // the ball's, and a circle's
   CHECK(at(axis.counts, Operation::kDistanceTests) > at(ball.counts, Operation::kDistanceTests) + n);

@@ -6,7 +6,9 @@
 
 #include <fstream>
 
+#include "lesson/box_figures.hpp"
 #include "lesson/box_tests.hpp"
+#include "lesson/grade.hpp"
 #include "lesson/play.hpp"
 
 using namespace snug;
@@ -27,6 +29,12 @@ Session session_of(const std::string& id) {
 }
 
 const Obb<double, 3>& box(const Session& session, int i) { return session.boxes()->boxes[i]; }
+
+std::string text_of(const std::vector<Figure>& figures, std::string_view key) {
+  for (const Figure& figure : figures)
+    if (figure.key == key) return figure.text;
+  return "no such figure";
+}
 
 /// How far its axes are from unit and perpendicular.
 double skew(const Obb<double, 3>& box) {
@@ -158,9 +166,81 @@ TEST_CASE("an axis named by its question is one of the table, and the traces of 
   for (const auto& entry : session.recording(0).steps)
     if (const auto* axis = std::get_if<query::AxisTested<double, 3>>(&entry.step.fact))
       CHECK(axis_index(3, axis->axis) == seen++);
-  CHECK(seen == 6);
+  CHECK(seen == 12);
   const std::uint64_t first = session.trace_hash();
   REQUIRE(session.choose(0, "sat_all").has_value());
   CHECK(session.steps() == 17);
   CHECK(session.trace_hash() != first);
+}
+
+TEST_CASE(
+    "the lesson on fifteen axes opens on boxes that one edge axis alone separates, and the early-out test gets to "
+    "it") {
+  Session session = session_of("obb-axes");
+  CHECK(reaches("only_edges", *session.boxes()));
+  CHECK_FALSE(reaches("last_axis", *session.boxes()));
+  const auto tested = axes_seen(session.recording(0).steps);
+  REQUIRE(tested.size() == 12);
+  for (const auto& axis : tested) CHECK(axis.separates == (&axis == &tested.back()));
+  CHECK(tested.back().axis.kind == query::AxisKind::kEdgeEdge);
+  CHECK(tested.back().axis.gap > 0.2);  // wide enough to be seen
+  REQUIRE(session.choose(0, "sat_all").has_value());
+  int separating = 0;
+  for (const auto& axis : axes_seen(session.recording(0).steps)) {
+    separating += axis.separates ? 1 : 0;
+    if (!axis.separates) CHECK(axis.axis.gap < -0.2);  // and so are the overlaps
+  }
+  CHECK(separating == 1);
+}
+
+TEST_CASE("boxes that edges alone separate, and such as the last axis alone does, are told from others") {
+  Session session = session_of("obb-axes");
+  const BoxPair last = session.lesson().task->models[0];
+  CHECK(reaches("last_axis", last));
+  CHECK(reaches("only_edges", last));
+  BoxPair far = last, through = last;
+  far.boxes[1].center[0] = 4;      // face axes separate them as well
+  through.boxes[1].center[0] = 1;  // none does
+  for (const char* goal : {"last_axis", "only_edges"}) {
+    CHECK_FALSE(reaches(goal, far));
+    CHECK_FALSE(reaches(goal, through));
+  }
+  session.start_task();
+  CHECK(session.grade()->says == "Still to find: boxes that only the last axis, A z × B z, separates.");
+  REQUIRE(session.set_boxes(last).has_value());
+  CHECK(session.grade()->done);
+}
+
+TEST_CASE("an axis in the end is the one that the verdict rests on, with its figures, not the last one tested") {
+  Session session = session_of("obb-sat");
+  REQUIRE(session.choose(0, "sat_all").has_value());
+  session.jump(session.steps());
+  CHECK(text_of(session.figures(), "axis") == "B x");
+  CHECK(text_of(session.figures(), "gap") == "0.201 units");
+  CHECK(text_of(session.figures(), "tests") == "4 of 4");
+  session.jump(session.steps() - 1);
+  CHECK(text_of(session.figures(), "axis") == "B y");
+  // Where boxes overlap and the test ends without an axis, no figure is of one.
+  REQUIRE(session.choose(0, "sat").has_value());
+  BoxPair one = *session.boxes();
+  one.boxes[1].center = one.boxes[0].center;
+  REQUIRE(session.set_boxes(one).has_value());
+  session.jump(session.steps());
+  for (const char* key : {"axis", "distance", "radius_a", "radius_b", "gap"})
+    CHECK(text_of(session.figures(), key) == "—");
+}
+
+TEST_CASE("which axis separates boxes that are apart by less than rounding: the one that exact arithmetic found") {
+  Session session = session_of("obb-sat");
+  BoxPair pair = *session.boxes();
+  for (auto& box : pair.boxes) box.axes.setIdentity(), box.half_extents = {1, 1, 0};
+  pair.boxes[0].center = {0, 0, 0};
+  pair.boxes[1].center = {std::nextafter(2.0, 3.0), 0, 0};
+  REQUIRE(session.set_boxes(pair).has_value());
+  REQUIRE(session.choose(0, "sat_all").has_value());
+  session.first();
+  REQUIRE(session.asked() != nullptr);
+  REQUIRE(session.answer({Answer::Kind::kChoice, 0}));
+  CHECK(session.outcome()->right);
+  CHECK(session.outcome()->happened == "A x");
 }

@@ -143,7 +143,7 @@ TEST_CASE(
   const auto& outcomes = session.outcomes();
   CHECK_FALSE(outcomes[0].pending);
   CHECK(outcomes[0].right);
-  CHECK(outcomes[0].happened == "Upright box and Exact minimum");
+  CHECK(outcomes[0].happened == "Axis-aligned box and Exact minimum");
   CHECK_FALSE(outcomes[1].right);
   CHECK(outcomes[1].happened == "Exact minimum");
   CHECK(outcomes[2].skipped);
@@ -185,7 +185,7 @@ TEST_CASE("what was measured on fewer points is never on the front, and its time
   measured[2] = row("exact", 20, 1, 2, 4);
   measured[2].whole_ns = 1e6;
   session.measured(measured);
-  CHECK(session.outcomes()[0].happened == "Upright box");
+  CHECK(session.outcomes()[0].happened == "Axis-aligned box");
   CHECK(session.outcomes()[1].right);
   CHECK(session.outcomes()[2].right);
 }
@@ -201,10 +201,10 @@ TEST_CASE("the task: a shape of one's own, measured, and the cheapest that is ti
   CHECK(session.asked() == nullptr);  // the questions are of the lesson's own
   CHECK(session.grade()->says == "Measure this shape.");
   session.measured(rows());
-  CHECK(session.grade()->says.find("Upright box stands on the stage") == 0);
+  CHECK(session.grade()->says.find("Axis-aligned box stands on the stage") == 0);
   REQUIRE(session.choose(0, "exact").has_value());
   CHECK(session.grade()->done);
-  CHECK(session.grade()->says == "Exact minimum: 20.0 % smaller than Upright box, for 180 times its time. Done.");
+  CHECK(session.grade()->says == "Exact minimum: 20.0 % smaller than Axis-aligned box, for 180 times its time. Done.");
   REQUIRE(session.choose(0, "pca").has_value());
   CHECK_FALSE(session.grade()->done);
   CHECK(session.grade()->says.find("20.0 % larger") != std::string::npos);

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <fstream>
+#include <set>
 
 #include "geometry/frustum_corners.hpp"
 #include "lesson/frustum_tests.hpp"
@@ -217,7 +218,7 @@ TEST_CASE("p- and n-vertex are answered on the stage, by a corner of the box and
   CHECK_FALSE(session.answer({Answer::Kind::kPoint, index_of(2, {Kind::kCorner, 1, 2})}));
   REQUIRE(session.answer(corner(2, 2)));  // the left normal is (-1, 1): up and back
   CHECK(session.outcome()->right);
-  CHECK(session.outcome()->says == "You said −+. Farthest along the normal of the left plane is −+.");
+  CHECK(session.outcome()->says == "−+ lies farthest along the normal of the left plane.");
   REQUIRE(session.asked() != nullptr);
   REQUIRE(session.answer({Answer::Kind::kChoice, 0}));
   CHECK_FALSE(session.outcome()->right);
@@ -260,8 +261,7 @@ TEST_CASE("the side of a plane and the verdict are chosen among the three") {
   session.go(session.steps());
   REQUIRE(session.answer({Answer::Kind::kChoice, 1}));
   CHECK(session.outcome()->right);
-  CHECK(session.outcome()->says ==
-        "You said intersecting. No plane has all of the box outside; it crosses the near plane.");
+  CHECK(session.outcome()->says == "The box crosses the near plane and is wholly outside none.");
 }
 
 TEST_CASE("figures and proof: the plane, the distances, the verdict, and whether the test is right") {
@@ -294,6 +294,23 @@ TEST_CASE("figures and proof: the plane, the distances, the verdict, and whether
   CHECK(value("planes_tested") == 3);
   CHECK(value("corners") == 6);
   CHECK(value("verdict") == 1);
+  session.go(session.steps());  // the verdict is of all planes: no figure is of one
+  for (const char* key : {"plane", "signs", "p_distance", "n_distance"}) CHECK(value(key) == -99);
+  CHECK(value("planes_tested") == 4);
+}
+
+TEST_CASE(
+    "every line of the tests' pseudocode can be reached by one box: none is left for a parent that is not there") {
+  for (const fit::Algorithm& test : frustum_tests()) {
+    CAPTURE(test.name);
+    std::set<int> lit;
+    for (const double x : {2.5, 1.0, -2.0})
+      for (const auto& entry : record_frustum(test, plain(3, {x, 0, 0}, {0.2, 0.2, 0.2})).steps)
+        lit.insert(entry.step.line);
+    for (const int line : lit) CHECK(line < static_cast<int>(test.pseudocode.size()));
+    CHECK(*lit.rbegin() == static_cast<int>(test.pseudocode.size()) - 1);
+    for (const std::string_view line : test.pseudocode) CHECK(line.find("parent") == std::string_view::npos);
+  }
 }
 
 TEST_CASE("a wrong box is told from the task's by its verdict, and the sentence says which way") {

@@ -1,4 +1,5 @@
 #include "core/lesson/small_lesson.hpp"
+#include "lesson/say.hpp"
 
 using namespace snug;
 using namespace snug::lesson;
@@ -38,7 +39,7 @@ TEST_CASE("axis: by the pair's name or by one of its points") {
     CHECK_FALSE(session.outcome()->right);
     CHECK(session.outcome()->predicted == "the y pair");
     CHECK(session.outcome()->happened == "the x pair");
-    CHECK(session.outcome()->says == "You said the y pair. P0 and P1, the x pair, lie farthest apart.");
+    CHECK(session.outcome()->says == "P0 and P1, the x pair, lie farthest apart.");
     CHECK(session.outcome()->because == "It is farther apart.");
   }
   SUBCASE("right by point") {
@@ -51,7 +52,7 @@ TEST_CASE("axis: by the pair's name or by one of its points") {
     REQUIRE(session.answer(point(4)));
     CHECK_FALSE(session.outcome()->right);
     CHECK(session.outcome()->predicted == "the y pair (P4)");
-    CHECK(session.outcome()->says == "You said the y pair (P4). P0 and P1, the x pair, lie farthest apart.");
+    CHECK(session.outcome()->says == "P0 and P1, the x pair, lie farthest apart.");
   }
 }
 
@@ -81,7 +82,7 @@ TEST_CASE("of points in space, questions and what is said of them speak of spher
   REQUIRE(session.asked() != nullptr);
   CHECK(session.asked()->prompt == "Spheres: which point does the sphere, not the semicircle, take in?");
   REQUIRE(session.answer(point(4)));
-  CHECK(session.outcome()->says == "You said P4. P4 lies outside, and the sphere grows to it.");
+  CHECK(session.outcome()->says == "P4 lies outside, and the sphere grows to it.");
   CHECK(session.outcome()->because == "The sphere leaves it out.");
 }
 
@@ -93,7 +94,7 @@ TEST_CASE("point: any other point is wrong, and the sentence says what happened"
   CHECK_FALSE(session.answer(choice(0)));
   REQUIRE(session.answer(point(3)));
   CHECK_FALSE(session.outcome()->right);
-  CHECK(session.outcome()->says == "You said P3. P4 lies outside, and the circle grows to it.");
+  CHECK(session.outcome()->says == "P4 lies outside, and the circle grows to it.");
 }
 
 TEST_CASE("grows: no where all points are inside, yes where one is let in") {
@@ -101,12 +102,12 @@ TEST_CASE("grows: no where all points are inside, yes where one is let in") {
   session.jump(9);
   REQUIRE(session.answer(choice(0)));
   CHECK_FALSE(session.outcome()->right);
-  CHECK(session.outcome()->says == "You said yes. The radius stays 2.250.");
+  CHECK(session.outcome()->says == "The radius stays 2.250.");
 
   Session welzl = ask("welzl", "before = \"boundary_forced\"\nnth = 2\nasks = \"grows\"");
   REQUIRE(welzl.answer(choice(0)));
   CHECK(welzl.outcome()->right);
-  CHECK(welzl.outcome()->says == "You said yes. The radius grows from 0.000 to 2.000.");
+  CHECK(welzl.outcome()->says == "The radius grows from 0.000 to 2.000.");
 }
 
 TEST_CASE("choice: by the file's answer, and only on the lesson's own points") {
@@ -114,7 +115,7 @@ TEST_CASE("choice: by the file's answer, and only on the lesson's own points") {
   session.jump(10);
   REQUIRE(session.answer(choice(0)));
   CHECK_FALSE(session.outcome()->right);
-  CHECK(session.outcome()->says == "You said “one”. The answer is “three”.");
+  CHECK(session.outcome()->says == "The answer is “three”.");
   session.scatter(6);
   for (const Asked& asked : session.questions()) CHECK(asked.question->id != "number");
 }
@@ -126,7 +127,7 @@ TEST_CASE("leaves: which point leaves the support when Welzl's recursion is thro
   CHECK_FALSE(none.answer(point(4)));  // it does not hold the circle yet, so it cannot leave
   REQUIRE(none.answer(choice(0)));
   CHECK(none.outcome()->right);
-  CHECK(none.outcome()->says == "You said none. No point left the support set.");
+  CHECK(none.outcome()->says == "No point left the support set.");
   CHECK(none.support(0).size() == 3);
 
   // P4 far off: the circle is then held by it and the farther of P0 and P1.
@@ -137,7 +138,7 @@ TEST_CASE("leaves: which point leaves the support when Welzl's recursion is thro
   REQUIRE(session.answer(point(0)));
   CHECK(session.outcome()->right);
   CHECK(session.outcome()->happened == "P0");
-  CHECK(session.outcome()->says == "You said P0. P0 left the support set.");
+  CHECK(session.outcome()->says == "P0 left the support set.");
 }
 
 TEST_CASE("holds: how many points hold the ball, asked before anything is shown") {
@@ -147,14 +148,14 @@ TEST_CASE("holds: how many points hold the ball, asked before anything is shown"
   REQUIRE(session.answer(choice(1)));
   CHECK(session.step() == session.steps());
   CHECK_FALSE(session.outcome()->right);
-  CHECK(session.outcome()->says == "You said 2. P0, P1 and P4 support the circle.");
+  CHECK(session.outcome()->says == "P0, P1 and P4 support the circle.");
 }
 
 TEST_CASE("better: whether a candidate becomes the best") {
   Session session = ask("brute_force", "before = \"candidate_tried\"\nasks = \"better\"");
   REQUIRE(session.answer(choice(0)));  // P0 and P1 leave P4 outside
   CHECK_FALSE(session.outcome()->right);
-  CHECK(session.outcome()->says == "You said yes. P4 lies outside, so it is not kept.");
+  CHECK(session.outcome()->says == "P4 lies outside, so it is not kept.");
 }
 
 TEST_CASE("a question stays out where another one is not decided yet") {
@@ -249,4 +250,86 @@ TEST_CASE("a mesh's own words stand on that mesh alone") {
   CHECK(prompt() == "Which pair?");
   REQUIRE(session->load(own, "bunny").has_value());
   CHECK(prompt() == "Which pair of the cross?");
+}
+
+TEST_CASE("an answer is chosen first and given when it is chosen again, or by commit") {
+  Session session = open_small();
+  session.last();
+  CHECK(session.target_names() == std::vector<std::string>{"P0", "P1", "P3", "P4"});
+  CHECK_FALSE(session.commit());  // nothing is chosen
+  REQUIRE(session.pick(point(1)));
+  CHECK(session.outcomes().empty());
+  CHECK(session.answer_says() == "P1 chosen. Tap it again or press Enter to answer.");
+  REQUIRE(session.pick(choice(1)));  // another mind
+  CHECK(session.answer_says() == "“the y pair” chosen. Choose it again or press Enter to answer.");
+  session.unpick();
+  CHECK(session.picked() == nullptr);
+  CHECK(session.answer_says().empty());
+  SUBCASE("by a second pick") {
+    REQUIRE(session.pick(point(0)));
+    REQUIRE(session.pick(point(0)));
+  }
+  SUBCASE("by commit") {
+    REQUIRE(session.pick(point(0)));
+    REQUIRE(session.commit());
+  }
+  SUBCASE("by name") {
+    REQUIRE(session.pick(" p0"));
+    REQUIRE(session.pick("P0"));  // to type it again is no second tap
+    CHECK(session.outcomes().empty());
+    REQUIRE(session.commit());
+  }
+  REQUIRE(session.outcomes().size() == 1);
+  CHECK(session.outcomes().front().predicted == "the x pair (P0)");
+  CHECK(session.picked() == nullptr);
+}
+
+TEST_CASE("what cannot be the answer is told and costs nothing") {
+  Session session = open_small();
+  session.last();
+  CHECK_FALSE(session.pick(point(2)));
+  CHECK(session.answer_says() == "P2 cannot be the answer. Choose P0, P1, P3 or P4.");
+  CHECK_FALSE(session.pick("p5"));
+  CHECK(session.answer_says() == "P5 cannot be the answer. Choose P0, P1, P3 or P4.");
+  CHECK_FALSE(session.pick("2"));
+  CHECK(session.answer_says() == "Nothing here is called “2”. Type P0, P1, P3 or P4.");
+  CHECK(session.asked() != nullptr);
+  CHECK(session.outcomes().empty());
+  CHECK(session.picked() == nullptr);
+}
+
+TEST_CASE("a chosen answer is forgotten with the points it was of") {
+  Session session = open_small();
+  session.last();
+  REQUIRE(session.pick(point(1)));
+  REQUIRE(session.move(2, {0.1, 1, 0}).has_value());
+  CHECK(session.picked() == nullptr);
+  CHECK_FALSE(session.commit());
+}
+
+TEST_CASE("a choice that names a point and a tap on that point are the same answer") {
+  Session session = ask("welzl", "before = \"boundary_forced\"\nnth = 3\nasks = \"leaves\"");
+  const std::string name = session.asked()->choices[1];  // asked ends with the answer
+  REQUIRE(name.starts_with("P"));
+  REQUIRE(session.pick(point(std::stoi(name.substr(1)))));
+  REQUIRE(session.pick(choice(1)));
+  CHECK(session.outcomes().back().predicted == name);
+}
+
+TEST_CASE("skipped, wrong and right are counted apart") {
+  Session session = open_small();
+  session.last();
+  CHECK(session.score().empty());
+  REQUIRE(session.answer(choice(0)));
+  session.last();
+  REQUIRE(session.answer({}));
+  session.last();
+  REQUIRE(session.answer(choice(0)));  // it does not grow
+  session.last();
+  REQUIRE(session.answer(choice(1)));
+  REQUIRE(session.step() == session.steps());
+  CHECK(session.score() == "2 of 3 predictions correct, 1 skipped.");
+  CHECK(verdict_text(session.outcomes()[0]) == "Correct");
+  CHECK(verdict_text(session.outcomes()[1]) == "Skipped");
+  CHECK(verdict_text(session.outcomes()[2]) == "Not quite");
 }

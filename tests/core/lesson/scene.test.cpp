@@ -177,6 +177,40 @@ TEST_CASE("what the student chooses is what the scene runs") {
   CHECK(rebuilt.hash_low == loose.hash_low);  // the motion is the same
 }
 
+TEST_CASE("volumes of different kinds are compared by the hull, which is one yardstick for all of them") {
+  lesson::Session session = opened("scene-updates");
+  const auto at = [&](const char* method) {
+    REQUIRE(session.choose(0, method).has_value());
+    session.jump(40);
+    const auto figures = session.figures(0);
+    const auto found = std::find_if(figures.begin(), figures.end(),
+                                    [](const lesson::Figure& figure) { return figure.key == lesson::kOverHull; });
+    REQUIRE(found != figures.end());
+    CHECK(found->text == lesson::number_text(found->value) + " times");
+    const double own = fit::measure_of(session.current(0)->step.volume, 3);
+    const fit::Result hull = fit::find_algorithm("hull", "quickhull")->fit(session.points(), {});
+    CHECK(found->value == doctest::Approx(own / fit::measure_of(hull.volume, 3)).epsilon(1e-9));
+    return found->value;
+  };
+  const double ball = at("sphere"), oriented = at("obb"), tight = at("rebuild"), rotated = at("rotated_box"),
+               loose = at("loose");
+  CHECK(oriented > 1);
+  CHECK(oriented < tight);
+  CHECK(tight < rotated);
+  CHECK(rotated < loose);
+  CHECK(oriented < ball);
+}
+
+TEST_CASE("a figure's ranges are written as people write them") {
+  const auto texts = [](std::string_view figure, std::vector<double> bounds) {
+    return lesson::scene_range_texts(figure, bounds);
+  };
+  using Texts = std::vector<std::string>;
+  CHECK(texts("cost", {0, 8, 79}) == Texts{"none", "1 to 8 points", "9 to 79 points", "more than 79 points"});
+  CHECK(texts("touching", {0, 1, 60}) == Texts{"none", "1 pair", "2 to 60 pairs", "more than 60 pairs"});
+  CHECK(texts("slack", {10, 100}) == Texts{"at most 10 %", "10 % to 100 %", "more than 100 %"});
+}
+
 TEST_CASE("moving a body makes the scene anew, and undo brings the old one back") {
   lesson::Session session = opened("scene-broad");
   const std::uint64_t before = session.trace_hash();
@@ -202,6 +236,7 @@ TEST_CASE("questions on figures have the range that holds them as their answer")
   REQUIRE(asked != nullptr);
   REQUIRE(asked->choices.size() == 4);
   CHECK(asked->choices[0] == "at most 20 pairs");
+  CHECK(asked->choices[1] == "21 to 120 pairs");
   CHECK(asked->choices[3] == "more than 400 pairs");
   session.answer({lesson::Answer::Kind::kChoice, 3});
   REQUIRE(session.outcome() != nullptr);
@@ -292,7 +327,7 @@ TEST_CASE("a task on a scene is graded by its last frame") {
   REQUIRE(session.grade().has_value());
   CHECK_FALSE(session.grade()->done);
   CHECK(session.grade()->says.find("it must be at least 4 pairs") != std::string::npos);
-  CHECK(session.grade()->says.find("first step") == std::string::npos);
+  CHECK(session.grade()->says.find("frame 1") == std::string::npos);
   session.go(5);
-  CHECK(session.grade()->says.find(" Bodies are placed at the first step.") != std::string::npos);
+  CHECK(session.grade()->says.find(" Bodies can be moved before frame 1 only.") != std::string::npos);
 }

@@ -33,7 +33,7 @@ TEST_CASE("gates lock the player until their question is answered") {
 
   REQUIRE(session.answer(point(4)));
   CHECK(session.step() == 8);  // where P4 has made the circle grow
-  CHECK(session.outcome()->says == "You said P4. P4 lies outside, and the circle grows to it.");
+  CHECK(session.outcome()->says == "P4 lies outside, and the circle grows to it.");
   CHECK(session.outcome()->from_step == 2);  // from where its working can be watched again
   CHECK(session.outcome()->step == 8);
   session.first();
@@ -71,7 +71,7 @@ TEST_CASE("an explicit skip commits; a jump passes, and is asked when the player
   CHECK(session.asked()->question->id == "pair");
   REQUIRE(session.answer({}));
   CHECK(session.outcomes().size() == 2);
-  CHECK(session.outcome()->says == "You skipped this. P0 and P1, the x pair, lie farthest apart.");
+  CHECK(session.outcome()->says == "P0 and P1, the x pair, lie farthest apart.");
   session.first();
   session.last();
   CHECK(session.asked()->question->id == "growth");

@@ -1,0 +1,88 @@
+#include "lesson/say.hpp"
+
+#include <algorithm>
+
+namespace snug::lesson {
+namespace {
+
+constexpr std::size_t kMostNamed = 8;  // more names than these are no help
+
+/// "B0, B1, B2 or B3"; empty where there are too many.
+std::string choice_of(std::span<const std::string> names) {
+  if (names.size() > kMostNamed) return {};
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+    text += names[i];
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string_view verdict_text(const Outcome& outcome) {
+  if (outcome.skipped) return "Skipped";
+  if (outcome.pending) return "Not decided";
+  return outcome.right ? "Correct" : "Not quite";
+}
+
+std::string how_to_answer(const Asked& asked) {
+  if (asked.many) return "Choose as many as you like, then press Answer.";
+  if (asked.on_axes) return "Choose here or in the table of axes.";
+  if (!asked.on_stage) return "Choose your answer.";
+  const std::string tap = std::string("Tap one of the ringed ") + (asked.boxes ? "vertices" : "points");
+  return tap + (asked.choices.empty() ? ", or type its name." : ", or choose here.");
+}
+
+std::string chosen_text(const Asked& asked, const Answer& answer, const std::string& name) {
+  if (asked.many) {
+    const int count = __builtin_popcount(static_cast<unsigned>(answer.value));
+    return std::to_string(count) + " chosen. Press Answer when you have them all.";
+  }
+  if (answer.kind == Answer::Kind::kPoint) return name + " chosen. Tap it again or press Enter to answer.";
+  return "“" + asked.choices[static_cast<std::size_t>(answer.value)] +
+         "” chosen. Choose it again or press Enter to answer.";
+}
+
+std::string no_target_text(const std::string& name, std::span<const std::string> targets) {
+  const std::string others = choice_of(targets);
+  return name + " cannot be the answer. " +
+         (others.empty()
+              ? "One of the ringed ones is."
+              : (targets.size() == 1 ? "Only " : "Choose ") + others + (targets.size() == 1 ? " can." : "."));
+}
+
+std::string no_such_name_text(std::string_view typed, std::span<const std::string> targets) {
+  const std::string others = choice_of(targets);
+  const std::string like = targets.empty() ? "" : " Type a name such as " + targets.front() + ".";
+  return "Nothing here is called “" + std::string(typed) + "”." +
+         (others.empty() || targets.size() == 1 ? like : " Type " + others + ".");
+}
+
+std::string score_text(std::span<const Outcome> outcomes) {
+  int right = 0, answered = 0, skipped = 0;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.passed) continue;
+    skipped += outcome.skipped;
+    answered += !outcome.skipped;
+    right += outcome.right;
+  }
+  const auto predictions = [](int n) { return std::to_string(n) + (n == 1 ? " prediction" : " predictions"); };
+  if (answered == 0) return skipped == 0 ? std::string() : predictions(skipped) + " skipped.";
+  return std::to_string(right) + " of " + predictions(answered) + " correct" +
+         (skipped > 0 ? ", " + std::to_string(skipped) + " skipped." : ".");
+}
+
+std::string place_text(const Asked& asked, std::span<const Asked> all) {
+  const auto it = [&](const Asked& other) { return other.question == asked.question; };
+  const auto at = std::find_if(all.begin(), all.end(), it) - all.begin() + 1;
+  return std::to_string(at) + " of " + std::to_string(all.size());
+}
+
+std::string start_task_text(const Lesson& lesson) {
+  if (!lesson.task || lesson.task->points == 0) return "Start";
+  const bool bodies = lesson.scene && lesson.scene->at_points();
+  return "Start with " + std::to_string(lesson.task->points) + (bodies ? " bodies" : " points");
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,39 @@
+// What a student reads of questions, answers and tasks. The page and the window print these words and write none of
+// their own, so that the same outcome is worded alike in both.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "lesson/ask.hpp"
+
+namespace snug::lesson {
+
+// Headings and buttons.
+inline constexpr std::string_view kPredictWord = "Predict", kAnswerWord = "Answer", kSkipWord = "Skip",
+                                  kPredictionWord = "Your prediction", kWatchWord = "Watch how",
+                                  kPredictAgainWord = "Predict again", kTaskWord = "Your turn", kHintWord = "Hint",
+                                  kDismissWord = "Dismiss", kAlgorithmWord = "Algorithm", kCompareWord = "Compare with",
+                                  kNoneWord = "(none)", kComparedWord = "Final result, compared";
+
+/// "Correct", "Not quite", "Skipped", or "Not decided" before the chart is measured.
+[[nodiscard]] std::string_view verdict_text(const Outcome& outcome);
+/// "Tap one of the ringed points, or type its name."
+[[nodiscard]] std::string how_to_answer(const Asked& asked);
+/// That an answer is chosen and not given yet: "B2 chosen. Tap it again or press Enter to answer." name: of the handle
+/// that is chosen, empty where a choice is.
+[[nodiscard]] std::string chosen_text(const Asked& asked, const Answer& answer, const std::string& name);
+/// That a handle cannot be the answer, and which can. targets: their names.
+[[nodiscard]] std::string no_target_text(const std::string& name, std::span<const std::string> targets);
+/// That nothing is called so. targets: as above.
+[[nodiscard]] std::string no_such_name_text(std::string_view typed, std::span<const std::string> targets);
+/// "2 of 3 predictions correct, 1 skipped."; empty where none was given or skipped. Those that a jump passed do not
+/// count.
+[[nodiscard]] std::string score_text(std::span<const Outcome> outcomes);
+/// "3 of 5": which of the lesson's questions on this run it is.
+[[nodiscard]] std::string place_text(const Asked& asked, std::span<const Asked> all);
+/// The button that lays out what the task begins with: "Start with 4 points"; of two boxes "Start".
+[[nodiscard]] std::string start_task_text(const Lesson& lesson);
+
+}  // namespace snug::lesson

@@ -1,0 +1,25 @@
+# A window shrinks to the screen, and is never smaller than its panels need.
+. tests/desktop/support.sh
+
+if [[ ${1:-} == small ]]; then # it calls itself on a small screen
+    open_window
+    X=0 Y=0 WIDTH=0 HEIGHT=0
+    eval "$(xdotool getwindowgeometry --shell "$window" | grep -E '^(X|Y|WIDTH|HEIGHT)=')"
+    ((X >= 0 && Y >= 0 && X + WIDTH <= 1366 && Y + HEIGHT <= 768)) || fail "$WIDTH x $HEIGHT at $X, $Y on a screen of 1366 x 768"
+    ((WIDTH == 1280 && HEIGHT >= 700)) || fail "it shrank to $WIDTH x $HEIGHT"
+    exit
+fi
+
+status=0
+said=$("$snug" --size 640x480 2>&1) || status=$?
+((status == 2)) || fail "--size 640x480 ended with $status"
+[[ $said == "snug: --size: the window is at least 900x600"* && $(wc -l <<<"$said") == 1 ]] || fail "it said: $said"
+"$snug" render sphere-pca --size 640x480 -o "$work/small.png" # a picture may be
+[[ $(identify -format '%wx%h' "$work/small.png") == 640x480 ]] || fail "a small picture has another size"
+
+open_window --size 960x1000
+[[ $(xdotool getwindowgeometry "$window" | grep -oP 'Geometry: \K\S+') == 960x1000 ]] || fail "a size that was asked for is not kept"
+kill "$pid"; wait "$pid" 2>/dev/null || true
+rm -f "$SNUG_STATE"
+
+xvfb-run -a -s "-screen 0 1366x768x24" bash "${BASH_SOURCE[0]}" small
