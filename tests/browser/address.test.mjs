@@ -1,6 +1,6 @@
 // The address is the state: copied or loaded again it leads to the same place, and a wrong one harms nothing.
 import { after, before, test } from "node:test";
-import { assert, handles, lesson_with, lessons, ready, start, state, stop, until, visit } from "./support.mjs";
+import { assert, handles, lesson_with, lessons, load, ready, start, state, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -68,7 +68,7 @@ test("the menu leads to another lesson, and Back returns", async (t) => {
 });
 
 test("an unknown lesson gets the list of those that there are", async (t) => {
-  const page = await visit(t, "?lesson=no-such", { wait: false });
+  const page = await load(t, "?lesson=no-such", { wait: false });
   await page.getByText("There is no lesson “no-such”").waitFor();
   const all = await lessons();
   assert.equal(await page.locator("#veil").getByRole("link").count(), all.length);
@@ -91,7 +91,7 @@ for (const [query, says] of kWrong) {
 }
 
 test("embed leaves out everything but the lesson, and stays", async (t) => {
-  const page = await visit(t, "?embed=1");
+  const page = await load(t, "?embed=1");
   assert.equal(await page.locator("#bar").isVisible(), false);
   assert.ok(await page.locator("#title").isVisible());
   await page.keyboard.press("Home");

@@ -1,7 +1,7 @@
 // What the page costs: bytes on the wire, and the program's time for a frame while dragging and while 2,000 bodies move (told,
 // and held to no time).
 import { after, before, test } from "node:test";
-import { assert, handles, lesson_with, pixels_of, start, state, still, stop, until, visit } from "./support.mjs";
+import { assert, handles, lesson_with, load, pixels_of, start, state, still, stop, until } from "./support.mjs";
 
 let site;
 before(async () => (site = await start()));
@@ -9,7 +9,7 @@ after(stop);
 
 test("a first view is at most 1.06 MB on the wire", async (t) => {
   site.sent.clear();
-  await visit(t);
+  await load(t);
   const total = [...site.sent.values()].reduce((sum, size) => sum + size, 0);
   t.diagnostic(`${total} bytes in ${site.sent.size} files; the program ${site.sent.get("snug.wasm")}`);
   assert.ok(site.sent.size > 10 && total > 100_000, "it was counted");
@@ -17,7 +17,7 @@ test("a first view is at most 1.06 MB on the wire", async (t) => {
 });
 
 test("no layer nearly as large as the canvas is drawn over it", async (t) => {
-  const page = await visit(t);
+  const page = await load(t);
   const inspector = await page.context().newCDPSession(page);
   let layers = [];
   inspector.on("LayerTree.layerTreeDidChange", (event) => (layers = event.layers ?? layers));
@@ -79,7 +79,7 @@ async function drag_around(t, page) {
 test("dragging among 1,000 points of the plane draws frames and follows", async (t) => {
   const id = await lesson_with((text) => /generate = /.test(text) && /"welzl"/.test(text) && !/dim = 3/.test(text));
   const points = Array.from({ length: 1000 }, (_, i) => `${Math.cos(i * 2.399963) * Math.sqrt(i / 1000)} ${Math.sin(i * 2.399963) * Math.sqrt(i / 1000)}`);
-  const page = await visit(t, `?lesson=${id}`);
+  const page = await load(t, `?lesson=${id}`);
   await page.locator("#points input[type=file]").setInputFiles({ name: "thousand.xyz", mimeType: "text/plain", buffer: Buffer.from(points.join("\n")) });
   await until(page, (now) => now.size === 1000);
   await drag_around(t, page);
@@ -87,7 +87,7 @@ test("dragging among 1,000 points of the plane draws frames and follows", async 
 
 test("dragging a vertex of the bunny draws frames and follows", async (t) => {
   const id = await lesson_with((text) => /bunny/.test(text));
-  const page = await visit(t, `?lesson=${id}&from=bunny`);
+  const page = await load(t, `?lesson=${id}&from=bunny`);
   assert.equal((await state(page)).size, 1839);
   await drag_around(t, page);
 });
@@ -115,7 +115,7 @@ const twice_as_many = `(${smaller_bodies})("[0.008, 0.004, 0.006]");
   };`;
 
 test("of 8,000 bodies each is drawn where it is", async (t) => {
-  const page = await visit(t, "?lesson=scene-broad&step=0&from=cube:4000", { init: twice_as_many });
+  const page = await load(t, "?lesson=scene-broad&step=0&from=cube:4000", { init: twice_as_many });
   await still(page);
   const places = await handles(page);
   const stage = await page.locator("#stage").boundingBox();
@@ -133,7 +133,7 @@ test("of 8,000 bodies each is drawn where it is", async (t) => {
 });
 
 test("2,000 moving bodies, by broad and then narrow phase, are simulated and drawn", async (t) => {
-  const page = await visit(t, "?lesson=scene-broad&step=1&from=cube:2000", { init: smaller_bodies });
+  const page = await load(t, "?lesson=scene-broad&step=1&from=cube:2000", { init: smaller_bodies });
   const { effects, readout, size } = await state(page);
   assert.equal(size, 2000);
   assert.equal(readout.all_pairs, 1_999_000);

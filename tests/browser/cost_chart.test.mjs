@@ -1,7 +1,7 @@
 // The charts of costs: predicted, measured in slices while the page stays alive, loaded from, saved and laid over, refused.
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
-import { answer, assert, handles, kPhone, start, state, still, stop, to_points, until, until_within, visit } from "./support.mjs";
+import { answer, assert, cut_off, handles, kPhone, start, state, still, stop, to_points, until, until_within, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -43,6 +43,7 @@ test("predictions come first; then six algorithms are measured, and what happene
   const { asked, costs } = await until(page, (now) => now.asked);
   assert.ok(asked.many);
   assert.equal(asked.choices.length, kAll);
+  assert.deepEqual(await cut_off(page), [], "all choices are in sight");
   assert.ok(!costs.ready && await button(page, "Measure").isDisabled());
   assert.ok(costs.shown && costs.rows.length === 0, "an empty chart stands there");
   for (const name of ["PCA of the points", "Exact minimum"]) await button(page, name).click();

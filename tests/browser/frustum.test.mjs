@@ -81,7 +81,7 @@ test("a long box across the frustum: the wrong test loses it, the right ones do 
 test("the tools speak of a box and a frustum, and take numbers for both but no frustum without depth", async (t) => {
   const page = await visit(t, "?lesson=frustum-2d");
   await page.getByRole("tab", { name: "Boxes" }).click();
-  await page.getByRole("heading", { name: "Box and frustum" }).waitFor();
+  await page.getByRole("heading", { name: "Box and frustum", exact: true }).waitFor();
   await page.getByLabel("Turn of the frustum in degrees").fill("20");
   await page.keyboard.press("Enter");
   await until(page, (now) => Math.abs(now.boxes[1].degrees - 20) < 1e-9);

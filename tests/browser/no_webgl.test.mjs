@@ -1,6 +1,6 @@
 // Without WebGL 2 the lesson is all there: what the canvas would show of the player and the numbers is HTML.
 import { after, before, test } from "node:test";
-import { assert, kPhone, kWide, start, state, stop, until, visit } from "./support.mjs";
+import { assert, kPhone, kWide, load, start, state, stop, until } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -19,7 +19,7 @@ const table = (page) => page.locator("#figures tr").evaluateAll((rows) => rows.m
 
 for (const [name, size] of [["laptop", kWide], ["phone", kPhone]]) {
   test(`on a ${name} without WebGL 2 numbers and step buttons stand on the page`, async (t) => {
-    const page = await visit(t, "?lesson=sphere-ritter&step=0", { ...size, init: no_webgl });
+    const page = await load(t, "?lesson=sphere-ritter&step=0", { ...size, init: no_webgl });
     const message = page.locator("#stage-message");
     await message.getByText("WebGL 2").waitFor();
     for (const button of ["First step", "Step back", "Step", "Next mark", "Play", "Last step"])
@@ -50,7 +50,7 @@ for (const [name, size] of [["laptop", kWide], ["phone", kPhone]]) {
 }
 
 test("without WebGL 2 a lesson plays by itself, and is stepped to its end", async (t) => {
-  const page = await visit(t, "?lesson=sphere-iterative&step=14", { init: no_webgl });
+  const page = await load(t, "?lesson=sphere-iterative&step=14", { init: no_webgl });
   const { step, asked } = await state(page);
   assert.equal(asked, null);
   await press(page, "Play");
@@ -65,7 +65,7 @@ test("without WebGL 2 a lesson plays by itself, and is stepped to its end", asyn
 });
 
 test("what is for screen readers is unseen where there is a stage", async (t) => {
-  const page = await visit(t, "?lesson=sphere-ritter&step=0");
+  const page = await load(t, "?lesson=sphere-ritter&step=0");
   const box = await page.locator(".figures").boundingBox();
   assert.ok(box.width <= 1 && box.height <= 1);
   // A caption is not clipped with its table in every engine: what hides it is a block around both.

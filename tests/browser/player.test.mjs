@@ -1,6 +1,6 @@
 // Lessons are stepped, asked and answered, without a pointer and with one.
 import { after, before, test } from "node:test";
-import { answer, assert, handles, kPhone, lessons, start, state, still, stop, until, visit } from "./support.mjs";
+import { answer, assert, cut_off, handles, kPhone, lessons, start, state, still, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -15,6 +15,7 @@ test("every lesson is stepped to its end by keyboard alone, each prediction answ
     for (let presses = 0; now.step < now.steps || now.asked; ++presses) {
       assert.ok(presses < 3 * now.steps + 50, `${id} goes on`);
       const place = [now.step, now.asked?.id ?? null];
+      if (now.asked || now.outcome) assert.deepEqual(await cut_off(page), [], `${id}, step ${now.step}`);
       if (now.asked) {
         ++answered;
         await answer(page, now.asked.choices.length > 0 ? 0 : now.asked.targets[0], "keyboard");
@@ -26,7 +27,6 @@ test("every lesson is stepped to its end by keyboard alone, each prediction answ
     assert.ok(answered >= 3, `${id} asks ${answered} times`);
     assert.equal(now.outcomes.filter((outcome) => !outcome.skipped).length, answered, id);
     await page.getByText(/\d+ of \d+ predictions correct\./).waitFor();
-    await page.context().close();
   }
 });
 
@@ -41,7 +41,6 @@ async function to_stage_question(t) {
       else await page.keyboard.press("PageDown");
       await until(page, (it, step, question) => it.step !== step || it.asked?.id !== question, now.step, now.asked?.id);
     }
-    await page.context().close();
   }
   throw new Error("no lesson asks on the stage");
 }
@@ -104,7 +103,6 @@ test("a typed name that there is not is told, and asks again", async (t) => {
       await page.keyboard.press(now.asked ? "s" : "PageDown");
       await until(page, (it, step, question) => it.step !== step || it.asked?.id !== question, now.step, now.asked?.id);
     }
-    await page.context().close();
   }
   assert.fail("no lesson asks for a name");
 });

@@ -22,6 +22,7 @@ export async function serve_site() {
   const refuse = new Set();
   const add = new Map();
   const sent = new Map();
+  const packed = new Map();
   const server = createServer((request, answer) => {
     const path = decodeURIComponent(new URL(request.url, "http://localhost").pathname);
     const name = path.startsWith(kSubPath) ? normalize(path.slice(kSubPath.length) || "index.html") : "..";
@@ -34,7 +35,8 @@ export async function serve_site() {
       sent.set(name, statSync(file).size);
       return createReadStream(file).pipe(answer.writeHead(200, headers));
     }
-    const body = gzipSync(readFileSync(file));
+    if (!packed.has(file)) packed.set(file, gzipSync(readFileSync(file)));
+    const body = packed.get(file);
     sent.set(name, body.length);
     answer.writeHead(200, { ...headers, "Content-Encoding": "gzip" }).end(body);
   });
@@ -54,6 +56,7 @@ export async function start() {
 }
 
 export async function stop() {
+  kept.clear();
   await browser.close();
   site.close();
 }
@@ -61,10 +64,9 @@ export async function stop() {
 export const kWide = { viewport: { width: 1280, height: 800 } };
 export const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
-/** A page on an address of the site. options: of Playwright's newContext, and init: a function run in the page before
- *  anything of it; wait: false where the page is not expected to become ready; may_complain: of what the test provokes. */
-export async function visit(t, query = "", { init, wait = true, may_complain = /^$/, ...options } = kWide) {
-  const context = await browser.newContext({ ...kWide, ...options });
+/** A page in a context of its own. options: of Playwright's newContext. */
+async function open_page(options) {
+  const context = await browser.newContext(options);
   const page = await context.newPage();
   page.setDefaultTimeout(20_000);
   const complaints = [];
@@ -73,9 +75,17 @@ export async function visit(t, query = "", { init, wait = true, may_complain = /
   page.on("request", (request) => {
     if (!request.url().startsWith(site.url) && !/^(data|blob):/.test(request.url())) complaints.push(`asked for ${request.url()}`);
   });
+  return { page, complaints };
+}
+
+/** A page on an address of the site, loaded for this test alone. options: of Playwright's newContext, and init: a
+ *  function run in the page before anything of it; wait: false where the page is not expected to become ready;
+ *  may_complain: of what the test provokes. */
+export async function load(t, query = "", { init, wait = true, may_complain = /^$/, ...options } = kWide) {
+  const { page, complaints } = await open_page({ ...kWide, ...options });
   if (init) await page.addInitScript(init);
   t.after(async () => {
-    await context.close();
+    await page.context().close();
     assert.deepEqual(complaints.filter((complaint) => !may_complain.test(complaint)), []);
   });
   await page.goto(site.url + query);
@@ -83,7 +93,38 @@ export async function visit(t, query = "", { init, wait = true, may_complain = /
   return page;
 }
 
-/** Until the lesson is open and has been drawn. */
+const kept = new Map(); // by their kind of screen: pages that the tests of a file share
+
+/** A page on an address of the site, to one who has answered nothing yet. It may be one that earlier tests have used,
+ *  and the same as another visit's in this test: loading a page takes ten times as long as going on in one. Where that
+ *  is what is tested, or settings are, use load. options: kWide, kPhone, another viewport, and reducedMotion, which is
+ *  "reduce" unless asked for: whatever eases is drawn over and over until it rests. */
+export async function visit(t, query = "", { viewport = kWide.viewport, reducedMotion = "reduce", ...screen } = kWide) {
+  const kind = JSON.stringify(screen);
+  let own = kept.get(kind);
+  if (!own || own.page.isClosed()) kept.set(kind, own = await open_page({ viewport, reducedMotion, ...screen }));
+  const { page, complaints } = own;
+  complaints.length = 0;
+  t.after(() => assert.deepEqual(complaints, []));
+  await page.setViewportSize(viewport);
+  await page.emulateMedia({ reducedMotion });
+  if (page.url() === "about:blank") {
+    await page.goto(site.url + query);
+    await ready(page);
+    return page;
+  }
+  await page.mouse.move(0, 0);
+  await page.evaluate(async (search) => {
+    await window.snug.restart(search);
+    document.getElementById("tab-read").click();
+    document.activeElement.blur();
+    scrollTo(0, 0);
+  }, query);
+  await still(page);
+  return page;
+}
+
+/** Until the lesson is open and has been drawn, after a load. */
 export async function ready(page) {
   await page.waitForFunction(() => Boolean(window.snug?.state()));
   await page.evaluate(() => window.snug.ready);
@@ -105,7 +146,7 @@ export async function still(page) {
       const now = window.snug.state()?.framesDrawn ?? 0;
       same = now === last ? same + 1 : 0;
       last = now;
-      if (same > 8) resolve();
+      if (same > 4) resolve();
       else requestAnimationFrame(look);
     };
     look();
@@ -144,6 +185,21 @@ export async function lesson_with(test) {
   throw new Error("no lesson is like that");
 }
 
+/** What of the column's words is cut off: names in selectors too narrow for them, a question or its outcome that has to
+ *  be scrolled. */
+export const cut_off = (page) => page.evaluate(() => {
+  const probe = document.createElement("canvas").getContext("2d");
+  const narrow = [...document.querySelectorAll("select")].filter((select) => {
+    const style = getComputedStyle(select);
+    probe.font = style.font;
+    const room = select.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
+    return select.checkVisibility() && [...select.options].some(({ text }) => probe.measureText(text).width > room);
+  });
+  const ask = document.getElementById("ask");
+  return [...narrow.map((select) => `${select.id || select.parentElement.textContent}: ${select.value}`),
+    ...(ask.scrollHeight > ask.clientHeight + 1 ? [`${ask.scrollHeight - ask.clientHeight} pixels of ${ask.textContent}`] : [])];
+});
+
 /** Shows the points' tools, which share their place with the lesson's text. */
 export const to_points = (page) => page.getByRole("tab", { name: "Points" }).click();
 
@@ -163,7 +219,7 @@ export async function until_within(patience, page, test, ...given) {
   throw new Error(`waited ${patience / 1000} seconds for ${test}`);
 }
 
-/** Adds a lesson to those of the site: its file's text, under an id of its own. Give the site back by site.add.clear(). */
+/** Adds a lesson to those of the site, for pages that are loaded from now on: its file's text, under an id of its own. */
 export async function add_lesson(id, toml) {
   const list = (await lessons()).filter((lesson) => lesson.id !== id);
   site.add.set(`lessons/${id}.toml`, toml);

@@ -1,7 +1,7 @@
 // From lesson to lesson within one page: nothing is loaded but the lesson's own files, nothing of the last one stays, and
 // what is the page's or the student's does.
 import { after, before, test } from "node:test";
-import { assert, handles, lessons, start, state, still, stop, until, visit } from "./support.mjs";
+import { assert, handles, lessons, load, ready, start, state, still, stop, until } from "./support.mjs";
 
 let site;
 before(async () => (site = await start()));
@@ -70,12 +70,12 @@ async function use(page) {
 test("every lesson opens in place of every other kind as it would by itself, for its own file alone", async (t) => {
   const all = (await lessons()).map(({ id }) => id);
   const alone = new Map();
-  for (const id of all) {
-    const page = await visit(t, `?lesson=${id}`);
+  const page = await load(t, `?lesson=${all[0]}`);
+  for (const id of [...all].reverse()) { // the first is open then
+    await page.goto(`${site.url}?lesson=${id}`);
+    await ready(page);
     alone.set(id, await shown(page));
-    await page.context().close();
   }
-  const page = await visit(t, `?lesson=${all[0]}`);
   await page.evaluate(() => {
     window.mark = 1;
     window.context = document.getElementById("canvas").getContext("webgl2");
@@ -103,7 +103,7 @@ test("every lesson opens in place of every other kind as it would by itself, for
 
 test("Back and Forward lead through lessons and steps without loading anything", async (t) => {
   const [a, b, c] = (await lessons()).map(({ id }) => id);
-  const page = await visit(t, `?lesson=${a}&step=1`);
+  const page = await load(t, `?lesson=${a}&step=1`);
   await choose(page, b);
   await page.keyboard.press("Escape");
   await page.evaluate(() => document.activeElement.blur());
@@ -126,7 +126,7 @@ test("Back and Forward lead through lessons and steps without loading anything",
 });
 
 test("answers, theme and text size stay as one goes from lesson to lesson", async (t) => {
-  const page = await visit(t, "?lesson=sphere-ritter&step=0");
+  const page = await load(t, "?lesson=sphere-ritter&step=0");
   await page.getByRole("button", { name: /^Theme/ }).click();
   await page.getByRole("button", { name: /^Text size/ }).click();
   await page.evaluate(() => document.activeElement.blur());
@@ -153,7 +153,7 @@ test("answers, theme and text size stay as one goes from lesson to lesson", asyn
 });
 
 test("a measurement that runs ends with its lesson", async (t) => {
-  const page = await visit(t, "?lesson=cost-chart");
+  const page = await load(t, "?lesson=cost-chart");
   for (let i = 0; i < 3; ++i) {
     await page.getByRole("button", { name: "Skip" }).click();
     await until(page, (now, before) => now.outcomes.length > before, i);
@@ -171,7 +171,7 @@ test("a measurement that runs ends with its lesson", async (t) => {
 
 test("of two lessons asked for at once the later one opens, however late the first one's file comes", async (t) => {
   const [, slow, quick] = (await lessons()).map(({ id }) => id);
-  const page = await visit(t);
+  const page = await load(t);
   let let_go;
   const waits = new Promise((resolve) => (let_go = resolve));
   await page.route(`**/lessons/${slow}.toml`, async (route) => {
@@ -192,7 +192,7 @@ test("of two lessons asked for at once the later one opens, however late the fir
 });
 
 test("the link to the stage keeps the lesson as it stands", async (t) => {
-  const page = await visit(t, "?lesson=sphere-ritter&step=0");
+  const page = await load(t, "?lesson=sphere-ritter&step=0");
   await page.keyboard.press("ArrowRight");
   const { step } = await until(page, (now) => now.step > 0 || now.asked);
   const asked = watch_requests(page);

@@ -1,13 +1,13 @@
 // What goes wrong is said plainly, and mended where it can be.
 import { after, before, test } from "node:test";
-import { assert, handles, pixels_of, ready, start, state, still, stop, until, visit } from "./support.mjs";
+import { assert, handles, load, pixels_of, ready, start, state, still, stop, until } from "./support.mjs";
 
 let site;
 before(async () => (site = await start()));
 after(stop);
 
 test("a lost context is said and comes back", async (t) => {
-  const page = await visit(t);
+  const page = await load(t);
   await page.evaluate(() => {
     window.lose = document.getElementById("canvas").getContext("webgl2").getExtension("WEBGL_lose_context");
     window.lose.loseContext();
@@ -35,7 +35,7 @@ for (const missing of ["snug.wasm", "snug.mjs", "fonts/Inter-Regular.otf", "less
   test(`a failed download (${missing}) is said, and trying again mends it`, async (t) => {
     site.refuse.add(missing);
     t.after(() => site.refuse.delete(missing));
-    const page = await visit(t, "", { wait: false, may_complain: /503|Failed to fetch/ });
+    const page = await load(t, "", { wait: false, may_complain: /503|Failed to fetch/ });
     await page.getByText("did not arrive").waitFor();
     site.refuse.delete(missing);
     await page.getByRole("button", { name: "Try again" }).click();
@@ -48,7 +48,7 @@ test("a lesson that does not arrive can be tried again", async (t) => {
   const id = (await (await fetch(`${site.url}lessons/index.json`)).json())[0].id;
   site.refuse.add(`lessons/${id}.toml`);
   t.after(() => site.refuse.clear());
-  const page = await visit(t, "", { wait: false, may_complain: /503/ });
+  const page = await load(t, "", { wait: false, may_complain: /503/ });
   await page.getByText("The lesson did not arrive").waitFor();
   site.refuse.clear();
   await page.getByRole("button", { name: "Try again" }).click();
@@ -58,7 +58,7 @@ test("a lesson that does not arrive can be tried again", async (t) => {
 test("the page's own files missing is said without any of them", async (t) => {
   site.refuse.add("dom.js");
   t.after(() => site.refuse.clear());
-  const page = await visit(t, "", { wait: false, may_complain: /503/ });
+  const page = await load(t, "", { wait: false, may_complain: /503/ });
   await page.getByText("Some of the page’s own files did not arrive").waitFor();
   site.refuse.clear();
   await page.getByRole("button", { name: "Try again" }).click();
@@ -66,7 +66,7 @@ test("the page's own files missing is said without any of them", async (t) => {
 });
 
 test("the loading bar tells true progress", async (t) => {
-  const seen = await visit(t, "", { init: () => {
+  const seen = await load(t, "", { init: () => {
     window.shares = [];
     const watch = () => {
       const bar = document.getElementById("veil-bar");

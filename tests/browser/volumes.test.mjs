@@ -2,14 +2,19 @@
 import { after, before, test } from "node:test";
 import { add_lesson, assert, pixels_of, ready, start, state, still, stop, until, visit } from "./support.mjs";
 
-let site;
-before(async () => (site = await start()));
+before(async () => {
+  await start();
+  for (const [dim, volumes] of kEach)
+    for (const [volume, algorithm] of Object.entries(volumes)) await add_lesson(`test-${volume}-${dim}`, small_lesson(volume, algorithm, dim));
+  await add_lesson("test-broken", small_lesson("sphere", "welzl", 3).replace("count = 24", "count = 0"));
+});
 after(stop);
 
 const kVolumes = {
   sphere: "welzl", aabb: "min_max", obb: "pca", capsule: "pca", lozenge: "pca", kdop: "k14", hull: "quickhull",
 };
 const kFlatVolumes = { sphere: "ritter", aabb: "min_max", obb: "exact", capsule: "pca", kdop: "k8", hull: "quickhull" };
+const kEach = [[3, kVolumes], [2, kFlatVolumes]];
 
 const small_lesson = (volume, algorithm, dim) => `version = 1
 group = "Tests"
@@ -38,12 +43,10 @@ async function pixels_of_volume(page) {
   return count;
 }
 
-for (const [dim, volumes] of [[3, kVolumes], [2, kFlatVolumes]]) {
+for (const [dim, volumes] of kEach) {
   for (const [volume, algorithm] of Object.entries(volumes)) {
     test(`a lesson of the volume ${volume} in ${dim}-D opens, steps to its end and shows it`, async (t) => {
       const id = `test-${volume}-${dim}`;
-      await add_lesson(id, small_lesson(volume, algorithm, dim));
-      t.after(() => site.add.clear());
       const page = await visit(t, `?lesson=${id}&step=0`);
       const begin = await pixels_of_volume(page);
       let now = await state(page);
@@ -68,8 +71,6 @@ for (const [dim, volumes] of [[3, kVolumes], [2, kFlatVolumes]]) {
 }
 
 test("what cannot be read is said by its line, and the lessons stay within reach", async (t) => {
-  await add_lesson("test-broken", small_lesson("sphere", "welzl", 3).replace("count = 24", "count = 0"));
-  t.after(() => site.add.clear());
   const page = await visit(t, "?lesson=sphere-ritter");
   await choose_broken(page);
   await page.locator("#veil").getByText(/test-broken\.toml:12/).waitFor();

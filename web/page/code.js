@@ -7,18 +7,25 @@ export class Code {
   #act;
   #main = element("select", { id: "algorithm", onchange: () => this.#choose(0, this.#main) });
   #beside = element("select", { id: "beside", onchange: () => this.#choose(1, this.#beside) });
+  #fields = element("div", { class: "fields" }, element("label", {}, element("span", {}, "Algorithm"), this.#main),
+    element("label", {}, element("span", {}, "Compare with"), this.#beside));
   #lines = element("ol", { class: "lines" });
   #source = element("p", { class: "source" });
 
   constructor(door, act) {
     this.#door = door;
     this.#act = act;
-    by_id("code").append(
-      element("h2", { class: "unseen", id: "code-heading" }, "Pseudocode"),
-      element("div", { class: "fields" },
-        element("label", {}, element("span", {}, "Algorithm"), this.#main),
-        element("label", {}, element("span", {}, "Compare with"), this.#beside)),
-      this.#lines, this.#source);
+    by_id("code").append(element("h2", { class: "unseen", id: "code-heading" }, "Pseudocode"), this.#fields, this.#lines, this.#source);
+    new ResizeObserver(() => this.#fit()).observe(this.#lines);
+  }
+
+  /** Side by side the two selectors may be too narrow for a name: then they stand one below the other. */
+  #fit() {
+    this.#fields.classList.remove("long");
+    this.#fields.classList.add("natural");
+    const cut = this.#main.offsetWidth > this.#main.parentElement.clientWidth;
+    this.#fields.classList.remove("natural");
+    this.#fields.classList.toggle("long", cut);
   }
 
   open(lesson) {
@@ -27,6 +34,7 @@ export class Code {
     this.#beside.replaceChildren(element("option", { value: "" }, "(none)"), ...options.map((option) => option.cloneNode(true)));
     this.#sources = new Map(lesson.algorithms.map(({ name, source }) => [name, source]));
     this.#shown = {}; // another lesson's algorithm may have the same name, and other lines
+    this.#fit();
   }
 
   #sources = new Map();

@@ -19,7 +19,7 @@ export const button = (words, onclick, properties = {}) =>
   element("button", { type: "button", class: "button", onclick, ...properties }, words);
 
 /** A corner's name is its signs, −+−, and a p-vertex one word: a line that ended within would make two of it. */
-const whole_names = (text) => text.replace(/([+−])(?=[+−])|\b([pn]-)(?=vert)/g, "$&\u2060");
+export const whole_names = (text) => text.replace(/([+−])(?=[+−])|\b([pn]-)(?=vert)/g, "$&\u2060");
 
 /** Writes only what differs, so that a live region does not speak twice and nothing is laid out for naught. */
 export function set_text(node, text) {

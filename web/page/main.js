@@ -238,6 +238,13 @@ class Page {
     return view;
   }
 
+  /** Opens what an address asks for as to one who has answered nothing yet, without loading the page again. */
+  restart(search) {
+    this.#door.forget_answers();
+    history.pushState(null, "", search || location.pathname);
+    return this.open(read_address(location.search));
+  }
+
   handles() {
     return this.#door.handles().map((handle) => this.#stage.on_page(handle));
   }
@@ -260,7 +267,7 @@ async function begin(attempt) {
     console.warn(error);
     return veil.failed("Snug did not arrive whole. Check the connection, then try again.", () => begin(attempt + 1));
   }
-  Object.assign(window.snug, { state: () => page.state(), handles: () => page.handles(), frameTimes: () => page.frame_times() });
+  Object.assign(window.snug, { state: () => page.state(), restart: (search) => page.restart(search), handles: () => page.handles(), frameTimes: () => page.frame_times() });
   await page.open(asked);
   dispatchEvent(new Event("snug-ready"));
 }

@@ -64,7 +64,7 @@ export class PointTools {
     this.#names = kNames[lesson.bodies ? 1 : 0];
     this.#title.textContent = capital(this.#names[1]);
     this.#point_words.textContent = capital(this.#names[0]);
-    const own = lesson.mesh ? capital(lesson.mesh) : lesson.generate ? capital(lesson.generate) : "The lesson’s own";
+    const own = lesson.mesh ? capital(lesson.mesh) : lesson.generate ? capital(lesson.generate) : "The lesson’s";
     const others = (names, kind, own_name) => names.filter((name) => name !== own_name)
       .map((name) => element("option", { value: `${kind}:${name}` }, capital(name)));
     this.#set.replaceChildren(element("option", { value: "" }, own), ...others(lesson.generators, "generate", lesson.generate),

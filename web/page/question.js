@@ -1,6 +1,6 @@
 // The prediction that the player waits for, and what happened beside what was predicted. Every sentence comes from the
 // program, which prints the same ones in its window.
-import { by_id, button, element, set_hidden, set_text } from "./dom.js";
+import { by_id, button, element, set_hidden, set_text, whole_names } from "./dom.js";
 
 const kLinesShown = 120; // pixels
 
@@ -80,7 +80,7 @@ export class QuestionCard {
     this.#choices = choices.map((words, i) => button(words, () => this.#act(() => this.#door.pick_choice(i)), { "aria-pressed": "false" }));
     return element("div", { class: "card predict", tabindex: "-1" },
       element("h2", { class: "kicker" }, this.#words.predict),
-      element("p", { class: "prompt" }, prompt),
+      element("p", { class: "prompt" }, whole_names(prompt)),
       ...(choices.length > 0 ? [element("div", { class: "choices" }, ...this.#choices)] : []),
       ...(onStage && choices.length === 0 ? [this.#name_form()] : []),
       element("div", { class: "commit" }, this.#says, this.#commit),
@@ -105,7 +105,7 @@ export class QuestionCard {
     if (pending) return element("div", { class: "card outcome skipped" }, element("h2", { class: "kicker" }, verdict), element("p", {}, says));
     const mark = skipped ? "" : right ? "✓ " : "✕ ";
     const told = [...(skipped ? [] : [element("p", { class: "said" }, `${this.#words.prediction}: `, element("b", {}, predicted))]),
-      element("p", {}, says), element("p", {}, because),
+      element("p", {}, whole_names(says)), element("p", {}, whole_names(because)),
       ...(step - fromStep > 1 ? [element("p", {}, button(this.#words.watch, () => this.#do("watch_outcome")))] : [])];
     const kicker = element("h2", { class: "kicker" }, mark + verdict);
     const kind = skipped ? "skipped" : right ? "right" : "wrong";
@@ -123,9 +123,11 @@ export class QuestionCard {
   }
 }
 
-/** Scrolls no further than the first lines need: the stage is to stay in sight. */
+/** Scrolls to all of the cards, as far as the stage stays in sight, and to their first lines in any case. */
 function show_top(box) {
   if (document.documentElement.dataset.layout === "beside") by_id("column").scrollTop = 0; // where the cards stand first
-  const below = box.getBoundingClientRect().top + kLinesShown - innerHeight;
+  const { top, bottom } = box.getBoundingClientRect();
+  const room = Math.max(0, by_id("stage").getBoundingClientRect().top);
+  const below = Math.max(Math.min(bottom - innerHeight, room), top + kLinesShown - innerHeight);
   if (below > 0) scrollBy({ top: below });
 }

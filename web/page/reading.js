@@ -1,9 +1,9 @@
 // What is read: the title, the prose and the task with its grade as it stands.
-import { button, by_id, element, set_hidden, set_text, when_changed } from "./dom.js";
+import { button, by_id, element, set_hidden, set_text, when_changed, whole_names } from "./dom.js";
 import { notice } from "./messages.js";
 
 const paragraph = (stretches) =>
-  element("p", {}, ...stretches.map(({ text, strong }) => (strong ? element("strong", {}, text) : text)));
+  element("p", {}, ...stretches.map(({ text, strong }) => (strong ? element("strong", {}, whole_names(text)) : whole_names(text))));
 
 export class Reading {
   #words;
@@ -18,7 +18,7 @@ export class Reading {
   }
 
   open(lesson) {
-    set_text(by_id("title"), lesson.title);
+    for (const id of ["heading", "title"]) set_text(by_id(id), lesson.title);
     by_id("prose").replaceChildren(...lesson.sections.flatMap((section) => [
       ...(section.title ? [element("h2", {}, section.title)] : []), ...section.paragraphs.map(paragraph)]));
     by_id("read").scrollTop = 0;

@@ -40,11 +40,16 @@ class Page {
   constructor(engine) {
     this.#engine = engine;
   }
-  /** Opens an address of the site and waits until the lesson is drawn. */
+  /** Opens an address of the site, in the page that stands there where one does, and waits until the lesson is drawn. */
   async open(query) {
-    await this.#engine.open(site.url + query);
-    await this.until("window.snug?.state()?.framesDrawn > 0", "the lesson is drawn");
-    await this.#engine.evaluate("snug.ready");
+    if (await this.ask("Boolean(window.snug)")) {
+      await this.ask(`(complaints.length = 0, snug.restart(${JSON.stringify(query)}))`);
+    } else {
+      await this.#engine.open(site.url + query);
+      await this.until("window.snug?.state()?.framesDrawn > 0", "the lesson is drawn");
+      await this.ask("snug.ready");
+    }
+    await this.ask("document.activeElement.blur()");
     await this.still();
   }
   ask(expression) {
@@ -71,7 +76,7 @@ class Page {
         const { framesDrawn } = snug.state();
         rounds = framesDrawn === drawn ? rounds + 1 : 0;
         drawn = framesDrawn;
-        if (rounds > 8) resolve();
+        if (rounds > 4) resolve();
         else if (performance.now() > late) reject(new Error("frames are drawn on end"));
         else requestAnimationFrame(look);
       };
