@@ -91,6 +91,13 @@ test("predictions come first; then six algorithms are measured, and what happene
   assert.equal(await page.locator(".costs tbody tr").count(), kAll);
 });
 
+test("an address with a step shows the points at that step, one without shows the chart", async (t) => {
+  for (const [step, shown] of [["&step=3", false], ["", true]]) {
+    const { costs, step: at } = await state(await visit(t, kLesson + step));
+    assert.deepEqual([costs.shown, step ? at : 3], [shown, 3]);
+  }
+});
+
 test("a click on a mark loads its box, and so do the arrow keys and Enter", async (t) => {
   const page = await visit(t, kLesson);
   await skip_all(page);

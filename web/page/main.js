@@ -163,6 +163,7 @@ class Page {
       const { steps } = door.view();
       if (asked.step > steps) asked.problems.push(`The address names ${this.#lesson.stepWord} ${asked.step}; there are ${steps}.`);
       door.jump(Math.min(asked.step, steps));
+      if (door.view().costs?.shown) door.command("toggle_chart"); // a step is of the points
     }
   }
 
