@@ -88,6 +88,17 @@ test("only what can be the answer responds, by pointer, by name and by the brack
   assert.ok(outcome.predicted.includes(asked.targets[0]));
 });
 
+test("beside the next question one line says what came of the last, and whose answer it names", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter&step=1");
+  const line = page.locator(".outcome summary");
+  for (const choice of [0, 1]) { // the x pair is not the answer, the y pair is
+    await visit(t, "?lesson=sphere-ritter&step=1");
+    const { outcome } = await answer(page, choice, "keyboard");
+    assert.equal(outcome.right, choice === 1);
+    assert.equal(await line.textContent(), outcome.right ? `✓ Correct · ${outcome.happened}` : `✕ Not quite · Answer: ${outcome.happened}`);
+  }
+});
+
 test("a typed name that there is not is told, and asks again", async (t) => {
   for (const { id } of await lessons()) {
     const page = await visit(t, `?lesson=${id}&step=0`);

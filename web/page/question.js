@@ -110,8 +110,10 @@ export class QuestionCard {
     const kicker = element("h2", { class: "kicker" }, mark + verdict);
     const kind = skipped ? "skipped" : right ? "right" : "wrong";
     if (!brief) return element("div", { class: `card outcome ${kind}`, tabindex: "-1" }, kicker, ...told);
+    // Beside "Not quite" it would read as what was predicted.
+    const line = right ? happened : `${this.#words.answer}: ${happened}`;
     return element("div", { class: `card outcome told ${kind}` },
-      element("details", {}, element("summary", {}, kicker, ` · ${happened}`), ...told));
+      element("details", {}, element("summary", {}, kicker, ` · ${line}`), ...told));
   }
 
   #score_card(score) {
