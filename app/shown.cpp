@@ -1,11 +1,11 @@
 #include "app/shown.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <span>
 #include <variant>
 
+#include "fit/principal_axes.hpp"
 #include "lesson/box_figures.hpp"
 #include "lesson/frustum_figures.hpp"
 
@@ -72,8 +72,8 @@ struct Filler {
   void operator()(const fit::MeanFound<double, 3>& fact) const { shown.mean = fact.mean; }
   void operator()(const fit::CovarianceFound<double, 3>& fact) const {
     shown.mean = fact.mean;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(Eigen::Matrix3d(fact.covariance));
-    shown.spread = {solver.eigenvectors(), deviations(solver.eigenvalues()), false, false};
+    const auto found = fit::principal_axes(fact);
+    shown.spread = {found.axes, deviations(found.variances), false, false};
   }
   void operator()(const fit::AxesFound<double, 3>& fact) const {
     shown.mean = fact.mean;

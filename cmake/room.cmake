@@ -1,13 +1,13 @@
-# snug_room(NAME LINKS target...)
+# snug_room(NAME LINKS target... [LITTLE_ARITHMETIC])
 #
 # One static library snug_NAME of the .cpp files in this folder. Its include path is a folder
 # of the build tree that holds a single link, NAME, to this one: a room can name the headers of
 # the rooms it links ("geometry/sphere.hpp"), and those of no other.
+#
+# LITTLE_ARITHMETIC: nobody waits for what it computes. It is compiled quickly, and on the page as small as can be.
 set(SNUG_SHARED_HEADER ${PROJECT_SOURCE_DIR}/cmake/shared.hpp)
-set(SNUG_ROOM_OPTIONS -Os -finline-functions)
-set(SNUG_PAGE_OPTIONS ${SNUG_ROOM_OPTIONS}) # a room may set others
 function(snug_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "" "LINKS")
+  cmake_parse_arguments(PARSE_ARGV 1 room "LITTLE_ARITHMETIC" "" "LINKS")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
   if(NOT sources) # a room may be headers alone
     set(sources ${PROJECT_BINARY_DIR}/include/${name}/nothing.cpp)
@@ -18,18 +18,28 @@ function(snug_room name)
   target_include_directories(snug_${name} PUBLIC ${door})
   target_link_libraries(snug_${name} PUBLIC ${room_LINKS} PRIVATE snug_options snug_lean)
   snug_batches(snug_${name} 8)
-  # On the page every byte is waited for. Emscripten has Clang inline nothing where size counts, which makes each of Eigen's small
-  # functions a call: twice the code, and thirty times as slow.
-  if(EMSCRIPTEN)
-    target_compile_options(snug_${name} PRIVATE ${SNUG_PAGE_OPTIONS})
+  snug_compiled(snug_${name} ${room_LITTLE_ARITHMETIC})
+  # What every room's files read is read once for all rooms that are compiled alike.
+  if(NOT room_LINKS)
+    return() # trace, which has no Eigen
   endif()
-  # What every room's files read is read once for all rooms, but for one that is compiled in another way.
-  if(NOT room_LINKS OR (EMSCRIPTEN AND NOT SNUG_PAGE_OPTIONS STREQUAL SNUG_ROOM_OPTIONS))
-    return() # trace, which has no Eigen, and such
-  elseif(name STREQUAL geometry)
-    target_precompile_headers(snug_${name} PRIVATE ${SNUG_SHARED_HEADER})
+  set(first SNUG_PRECOMPILED_${room_LITTLE_ARITHMETIC})
+  get_property(reused GLOBAL PROPERTY ${first})
+  if(reused)
+    target_precompile_headers(snug_${name} REUSE_FROM ${reused})
   else()
-    target_precompile_headers(snug_${name} REUSE_FROM snug_geometry)
+    target_precompile_headers(snug_${name} PRIVATE ${SNUG_SHARED_HEADER})
+    set_property(GLOBAL PROPERTY ${first} snug_${name})
+  endif()
+endfunction()
+
+# snug_compiled(TARGET LITTLE_ARITHMETIC): on the page every byte is waited for. Emscripten has Clang inline nothing where
+# size counts, which makes each of Eigen's small functions a call: twice the code, and thirty times as slow.
+function(snug_compiled target little_arithmetic)
+  if(EMSCRIPTEN)
+    target_compile_options(${target} PRIVATE $<IF:$<BOOL:${little_arithmetic}>,-Oz,-Os> -finline-functions)
+  elseif(little_arithmetic)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
 endfunction()
 
