@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "fit/catalogue.hpp"
-#include "fit/updates.hpp"
+#include "fit/update/updates.hpp"
 #include "measure/growth.hpp"
 
 namespace snug::app {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "fit/hull/quickhull.hpp"
 #include "fit/lift.hpp"
-#include "fit/quickhull.hpp"
 #include "query/kdop_vertices.hpp"
 
 namespace snug::app {

@@ -5,7 +5,7 @@
 #include <span>
 #include <variant>
 
-#include "fit/principal_axes.hpp"
+#include "fit/obb/principal_axes.hpp"
 #include "lesson/box_figures.hpp"
 #include "lesson/frustum_figures.hpp"
 

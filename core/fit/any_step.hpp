@@ -5,14 +5,14 @@
 #include <variant>
 #include <vector>
 
-#include "fit/aabb_steps.hpp"
-#include "fit/capsule_steps.hpp"
-#include "fit/frame_steps.hpp"
-#include "fit/hull_steps.hpp"
-#include "fit/kdop_steps.hpp"
-#include "fit/lozenge_steps.hpp"
-#include "fit/obb_steps.hpp"
-#include "fit/sphere_steps.hpp"
+#include "fit/aabb/aabb_steps.hpp"
+#include "fit/hull/hull_steps.hpp"
+#include "fit/kdop/kdop_steps.hpp"
+#include "fit/obb/frame_steps.hpp"
+#include "fit/obb/obb_steps.hpp"
+#include "fit/sphere/sphere_steps.hpp"
+#include "fit/swept/capsule_steps.hpp"
+#include "fit/swept/lozenge_steps.hpp"
 #include "geometry/volume.hpp"
 #include "query/classify_steps.hpp"
 #include "query/sat_steps.hpp"

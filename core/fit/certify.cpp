@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/support_ball.hpp"
+#include "fit/sphere/support_ball.hpp"
 #include "geometry/tolerance.hpp"
 
 namespace snug::fit {

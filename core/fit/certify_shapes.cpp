@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/swept_radius.hpp"
+#include "fit/swept/swept_radius.hpp"
 #include "geometry/kdop_project.hpp"
 #include "geometry/tolerance.hpp"
 #include "query/contains.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "geometry/exact_tally.hpp"
+#include "number/exact_tally.hpp"
 #include "trace/observer.hpp"
 
 namespace snug {

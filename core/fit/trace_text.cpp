@@ -3,9 +3,9 @@
 #include <cstdio>
 
 #include "fit/catalogue.hpp"
-#include "fit/updates.hpp"
-#include "geometry/bits.hpp"
+#include "fit/update/updates.hpp"
 #include "geometry/volume_fields.hpp"
+#include "number/bits.hpp"
 
 namespace snug::fit {
 namespace {

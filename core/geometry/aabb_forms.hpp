@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "geometry/aabb.hpp"
-#include "geometry/outward.hpp"
+#include "number/outward.hpp"
 
 namespace snug {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "geometry/dyadic.hpp"
 #include "geometry/sphere.hpp"
+#include "number/dyadic.hpp"
 
 namespace snug {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <tl/expected.hpp>
 
-#include "geometry/dyadic.hpp"
 #include "geometry/frustum.hpp"
+#include "number/dyadic.hpp"
 
 namespace snug {
 

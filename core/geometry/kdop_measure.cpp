@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/double_double.hpp"
 #include "geometry/plane.hpp"
+#include "number/double_double.hpp"
 
 namespace snug {
 namespace {

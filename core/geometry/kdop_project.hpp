@@ -4,7 +4,7 @@
 #include <array>
 
 #include "geometry/kdop.hpp"
-#include "geometry/outward.hpp"
+#include "number/outward.hpp"
 
 namespace snug {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/dyadic.hpp"
+#include "number/dyadic.hpp"
 
 namespace snug {
 namespace {

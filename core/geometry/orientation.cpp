@@ -5,10 +5,10 @@
 #include <bit>
 #include <cstdint>
 
-#include "geometry/bits.hpp"
-#include "geometry/dyadic.hpp"
-#include "geometry/exact_sum.hpp"
-#include "geometry/exact_tally.hpp"
+#include "number/bits.hpp"
+#include "number/dyadic.hpp"
+#include "number/exact_sum.hpp"
+#include "number/exact_tally.hpp"
 
 namespace snug {
 namespace {

@@ -6,10 +6,10 @@
 #include <limits>
 #include <vector>
 
-#include "geometry/double_double.hpp"
-#include "geometry/exact_sum.hpp"
-#include "geometry/exact_tally.hpp"
 #include "geometry/tolerance.hpp"
+#include "number/double_double.hpp"
+#include "number/exact_sum.hpp"
+#include "number/exact_tally.hpp"
 
 namespace snug {
 namespace {

@@ -172,8 +172,8 @@ inline constexpr Scalar kLocalCoordinate = 16 * kRoundoff<Scalar>;
 inline constexpr double kSameBox = 0x1p-16;
 
 /// A turned coordinate is a sum of three products, of which each carries up to 3u: 4u of the sum of their sizes with
-/// room for terms in u^2. Walks uphill (fit/hill_climb.hpp) compare it with a doubt of twice that, and 2u more for the
-/// doubt's own rounding. Held by "hill climbing gives the box that rebuilding gives, bit for bit".
+/// room for terms in u^2. Walks uphill (fit/hull/hill_climb.hpp) compare it with a doubt of twice that, and 2u more for
+/// the doubt's own rounding. Held by "hill climbing gives the box that rebuilding gives, bit for bit".
 template <class Scalar>
 inline constexpr Scalar kClimb = 10 * kRoundoff<Scalar>;
 

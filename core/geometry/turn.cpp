@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "geometry/double_double.hpp"
 #include "geometry/pose.hpp"
+#include "number/double_double.hpp"
 
 namespace snug {
 namespace {

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "fit/merge.hpp"
+#include "fit/merge/merge.hpp"
 #include "hierarchy/bottom_up.hpp"
 #include "hierarchy/insertion.hpp"
 #include "hierarchy/steps.hpp"
@@ -30,8 +30,8 @@ template <class VolumeType>
 using Volumes = std::type_identity_t<std::span<const VolumeType>>;
 
 /// Gives every node its volume anew, after the bodies' volumes changed: the tree's shape stays, so that it may get
-/// worse but never wrong. A node's volume holds those of its bodies exactly, for merging does (fit/merge.hpp). O(n)
-/// merges. volumes: as many as the tree was built of. line: of the pseudocode that is being followed.
+/// worse but never wrong. A node's volume holds those of its bodies exactly, for merging does (fit/merge/merge.hpp).
+/// O(n) merges. volumes: as many as the tree was built of. line: of the pseudocode that is being followed.
 template <class VolumeType, StepObserver<Step> Observer = Ignore>
 void refit(Tree<VolumeType>& tree, Volumes<VolumeType> volumes, Observer&& observe = {}, int line = 1) {
   const auto body = [&](Index i) -> const VolumeType& { return volumes[tree.bodies[i]]; };

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <unordered_map>
 
-#include "geometry/bits.hpp"
 #include "io/point_file.hpp"
+#include "number/bits.hpp"
 
 namespace snug::io {
 

@@ -1,6 +1,6 @@
 #include "io/ply_body.hpp"
 
-#include "geometry/bits.hpp"
+#include "number/bits.hpp"
 
 namespace snug::io {
 namespace {

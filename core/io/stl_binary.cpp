@@ -1,6 +1,6 @@
-#include "geometry/bits.hpp"
 #include "io/corner_merger.hpp"
 #include "io/formats.hpp"
+#include "number/bits.hpp"
 
 namespace snug::io {
 namespace {

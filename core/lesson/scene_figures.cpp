@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "fit/update.hpp"
+#include "fit/update/update.hpp"
 #include "lesson/scene_runs.hpp"
 
 namespace snug::lesson {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fit/updates.hpp"
+#include "fit/update/updates.hpp"
 #include "hierarchy/bounds.hpp"
 #include "scene/pairs.hpp"
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
+#include "fit/hull/quickhull.hpp"
 #include "fit/lift.hpp"
-#include "fit/quickhull.hpp"
-#include "fit/updates.hpp"
+#include "fit/update/updates.hpp"
 #include "geometry/tolerance.hpp"
 #include "geometry/turn.hpp"
 #include "measure/pareto.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "fit/support_ball.hpp"
+#include "fit/sphere/support_ball.hpp"
 #include "geometry/tolerance.hpp"
 
 namespace snug::cost {

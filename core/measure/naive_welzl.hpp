@@ -1,5 +1,5 @@
 // The recursion that lectures print, which takes one point off the set in each call: run only to see how deep it goes.
-// The catalogue's Welzl needs no stack (fit/welzl.hpp).
+// The catalogue's Welzl needs no stack (fit/sphere/welzl.hpp).
 #pragma once
 
 #include "geometry/point_set.hpp"

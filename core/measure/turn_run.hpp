@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "fit/updates.hpp"
+#include "fit/update/updates.hpp"
 #include "measure/cost_run.hpp"
 #include "measure/rows.hpp"
 

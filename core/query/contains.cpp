@@ -6,10 +6,10 @@
 #include <limits>
 #include <optional>
 
-#include "geometry/dyadic.hpp"
-#include "geometry/exact_sum.hpp"
-#include "geometry/exact_tally.hpp"
 #include "geometry/tolerance.hpp"
+#include "number/dyadic.hpp"
+#include "number/exact_sum.hpp"
+#include "number/exact_tally.hpp"
 #include "query/numbers.hpp"
 
 namespace snug::query {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/dyadic.hpp"
 #include "geometry/tolerance.hpp"
+#include "number/dyadic.hpp"
 #include "query/classify.hpp"
 #include "query/numbers.hpp"
 

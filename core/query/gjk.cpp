@@ -1,6 +1,6 @@
 #include "query/gjk.hpp"
 
-#include "query/power_of_two.hpp"
+#include "number/power_of_two.hpp"
 
 namespace snug::query {
 

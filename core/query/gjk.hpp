@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include "geometry/double_double.hpp"
 #include "geometry/tolerance.hpp"
+#include "number/double_double.hpp"
 #include "query/gjk_simplex.hpp"
 #include "query/support_function.hpp"
 #include "trace/observer.hpp"

@@ -10,8 +10,8 @@
 #include <limits>
 #include <optional>
 
-#include "geometry/double_double.hpp"
 #include "geometry/tolerance.hpp"
+#include "number/double_double.hpp"
 
 namespace snug::query {
 namespace {

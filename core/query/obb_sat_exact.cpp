@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/dyadic.hpp"
 #include "geometry/sphere.hpp"
 #include "geometry/tolerance.hpp"
+#include "number/dyadic.hpp"
 #include "query/numbers.hpp"
 
 namespace snug::query {

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "geometry/aabb.hpp"
-#include "geometry/double_double.hpp"
 #include "geometry/kdop.hpp"
+#include "number/double_double.hpp"
 #include "query/overlap_result.hpp"
 #include "query/overlap_steps.hpp"
 #include "trace/observer.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/exact_sum.hpp"
+#include "number/exact_sum.hpp"
 
 namespace snug::query {
 

@@ -8,10 +8,10 @@
 #include "geometry/capsule.hpp"
 #include "geometry/lozenge.hpp"
 #include "geometry/sphere.hpp"
+#include "number/power_of_two.hpp"
 #include "query/distance_rectangles.hpp"
 #include "query/overlap_result.hpp"
 #include "query/overlap_steps.hpp"
-#include "query/power_of_two.hpp"
 #include "trace/observer.hpp"
 
 namespace snug::query {

@@ -9,10 +9,10 @@
 #include <type_traits>
 
 #include "geometry/aabb_forms.hpp"
-#include "geometry/dyadic.hpp"
 #include "geometry/plane.hpp"
 #include "geometry/tolerance.hpp"
 #include "geometry/volume.hpp"
+#include "number/dyadic.hpp"
 
 namespace snug::query {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/bits.hpp"
+#include "number/bits.hpp"
 #include "scene/limits.hpp"
 
 namespace snug::scene {

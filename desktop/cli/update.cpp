@@ -7,7 +7,7 @@
 #include "desktop/cli/json.hpp"
 #include "desktop/cli/trace_file.hpp"
 #include "fit/catalogue.hpp"
-#include "fit/updates.hpp"
+#include "fit/update/updates.hpp"
 #include "geometry/turn.hpp"
 #include "measure/rounding.hpp"
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/quickhull.hpp"
+#include "fit/hull/quickhull.hpp"
 #include "geometry/aabb_forms.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/tolerance.hpp"

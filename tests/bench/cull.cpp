@@ -8,8 +8,8 @@
 #include "bench/ratio.hpp"
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
+#include "query/batch/classify_batch.hpp"
 #include "query/classify.hpp"
-#include "query/classify_batch.hpp"
 #include "query/frustum_sat.hpp"
 
 using namespace snug;

@@ -8,7 +8,7 @@
 #include "bench/peers/bullet_hull.hpp"
 #include "bench/peers/qhull.hpp"
 #include "bench/ratio.hpp"
-#include "fit/quickhull.hpp"
+#include "fit/hull/quickhull.hpp"
 #include "geometry/generate.hpp"
 
 using namespace snug;

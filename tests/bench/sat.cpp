@@ -8,8 +8,8 @@
 #include "bench/ratio.hpp"
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
+#include "query/batch/obb_sat_batch.hpp"
 #include "query/obb_sat.hpp"
-#include "query/obb_sat_batch.hpp"
 
 using namespace snug;
 

@@ -7,7 +7,7 @@
 #include "bench/peers/cgal_ball.hpp"
 #include "bench/ratio.hpp"
 #include "fit/catalogue.hpp"
-#include "fit/ritter.hpp"
+#include "fit/sphere/ritter.hpp"
 #include "geometry/generate.hpp"
 
 using namespace snug;

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "geometry/bits.hpp"
 #include "geometry/random.hpp"
 #include "geometry/vector.hpp"
+#include "number/bits.hpp"
 
 namespace snug::test {
 

@@ -2,9 +2,9 @@
 // as points any update serves, and what it costs and how loose it is are figures of the scene.
 #include <algorithm>
 
-#include "fit/update_rotated_box.hpp"
-#include "fit/update_sphere.hpp"
-#include "fit/updates.hpp"
+#include "fit/update/update_rotated_box.hpp"
+#include "fit/update/update_sphere.hpp"
+#include "fit/update/updates.hpp"
 #include "hierarchy/bounds.hpp"
 #include "scene/effect.hpp"
 

@@ -2,7 +2,7 @@
 // around a radius stand so many points of the outline.
 #include <numbers>
 
-#include "fit/quickhull.hpp"
+#include "fit/hull/quickhull.hpp"
 #include "geometry/turn.hpp"
 #include "scene/effect.hpp"
 

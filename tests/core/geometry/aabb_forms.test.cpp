@@ -8,8 +8,8 @@
 #include <type_traits>
 
 #include "core/exactly.hpp"
-#include "geometry/bits.hpp"
 #include "geometry/random.hpp"
+#include "number/bits.hpp"
 
 using namespace snug;
 using exact::exactly;

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/point_clouds.hpp"
-#include "fit/quickhull.hpp"
+#include "fit/hull/quickhull.hpp"
 #include "geometry/hull_neighbors.hpp"
 
 using namespace snug;

@@ -8,8 +8,8 @@
 
 #include "core/at_random.hpp"
 #include "core/exact.hpp"
-#include "geometry/bits.hpp"
 #include "geometry/random.hpp"
+#include "number/bits.hpp"
 
 using namespace snug;
 using exact::Rational;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/bits.hpp"
 #include "io/point_file.hpp"
+#include "number/bits.hpp"
 
 namespace snug::samples {
 
@@ -25,7 +25,7 @@ class Bytes {
   Bytes& u8(int value) { return integer(static_cast<std::uint8_t>(value)); }
   Bytes& u16(int value) { return integer(static_cast<std::uint16_t>(value)); }
   Bytes& u32(std::uint32_t value) { return integer(value); }
-  // As in geometry/bits.hpp, for a float, which only tests take apart.
+  // As in number/bits.hpp, for a float, which only tests take apart.
   Bytes& f32(float value) { return integer(__builtin_bit_cast(std::uint32_t, value)); }
   Bytes& f64(double value) { return integer(bits_of(value)); }
   [[nodiscard]] std::string take() const { return bytes_; }

@@ -2,7 +2,7 @@
 
 #include "core/query/exact_planes.hpp"
 #include "core/query/grazing.hpp"
-#include "fit/quickhull.hpp"
+#include "fit/hull/quickhull.hpp"
 #include "query/classify.hpp"
 
 using namespace snug;

@@ -7,7 +7,7 @@
 
 #include "core/exact_hull.hpp"
 #include "core/point_clouds.hpp"
-#include "fit/quickhull.hpp"
+#include "fit/hull/quickhull.hpp"
 
 using namespace snug;
 

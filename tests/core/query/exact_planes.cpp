@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/exact.hpp"
-#include "geometry/double_double.hpp"
+#include "number/double_double.hpp"
 
 namespace snug::exact {
 namespace {

@@ -1,0 +1,21 @@
+#include <array>
+
+#include "fit/aabb/aabb_min_max.hpp"
+#include "fit/catalogue_rows.hpp"
+#include "fit/certify_shapes.hpp"
+
+namespace snug::fit {
+namespace {
+
+constexpr auto kMinMax = [](auto p, const Options&, auto& o) { return aabb_min_max(p, o); };
+
+constexpr std::array kAabbRows{
+    row<kMinMax, true>({"aabb", "min_max", "Least and greatest", "C. Ericson, Real-Time Collision Detection, 2005",
+                        kAabbMinMaxPseudocode}),
+};
+
+}  // namespace
+
+std::span<const Algorithm> aabb_rows() { return kAabbRows; }
+
+}  // namespace snug::fit

@@ -1,0 +1,23 @@
+// From Quickhull's surface to the hull: facets in one plane become one face, and only extreme points stay.
+#pragma once
+
+#include <vector>
+
+#include "fit/hull/quickhull_surface.hpp"
+#include "geometry/hull.hpp"
+
+namespace snug::fit {
+
+template <class Scalar>
+struct MergedFaces {
+  ConvexHull<Scalar, 3> hull;  // vertices by rising index
+  Index faces = 0;             // how many there are of more than one facet
+  std::vector<Index> dropped;  // points on the surface that lie inside a face or an edge
+};
+
+/// Each face is cut into a fan of triangles around one of its corners: as no three corners of a convex polygon lie on a
+/// line, none is without area.
+template <class Scalar>
+[[nodiscard]] MergedFaces<Scalar> merge_faces(const HullSurface<Scalar>& surface, PointSpan<Scalar, 3> points);
+
+}  // namespace snug::fit

@@ -1,0 +1,171 @@
+// Source: H. Freeman, R. Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed curve",
+// 1975: a side of it lies on an edge of the hull; G. T. Toussaint, "Solving geometric problems with the rotating
+// calipers", 1983: so all edges are tried in one turn around it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "fit/obb/obb_frame.hpp"
+#include "fit/obb/obb_from_axes.hpp"
+#include "geometry/hull.hpp"
+#include "geometry/orientation.hpp"
+#include "number/double_double.hpp"
+
+namespace snug::fit {
+
+inline constexpr std::array<std::string_view, 6> kMinAreaRectanglePseudocode{
+    "for each edge of the hull, in turn",
+    "  move the corners farthest along it, across it and back",
+    "  rectangle ← on the edge and through these corners",
+    "  keep the smallest",
+    "grow it to hold every corner, exactly",
+    "return rectangle",
+};
+
+/// The rectangle on the hull's edge that starts at vertices[on], and the corners that its other sides touch.
+struct CalipersRectangle {
+  Index on = 0, right = 0, top = 0, left = 0;  // places in the hull's vertices
+  // The sides' distances from vertices[on], along the edge (back: <= 0) and across it, and their area: in units of a
+  // power of two about as large as the hull.
+  double back = 0, forth = 0, height = 0;
+  double area = 0;
+};
+
+/// The calipers' turn around a hull of affine_dim 2. The corners are found by exact tests; of the sides' lengths, twice
+/// a double's digits are kept while there are differences to take, so that slivers are ranked rightly too.
+template <class Scalar, class Observer>
+class Calipers {
+ public:
+  Calipers(const ConvexHull<Scalar, 2>& hull, Observer& observe) : hull_(hull), observe_(observe) {
+    double widest = 0;
+    for (Index i = 1; i < size(); ++i) widest = std::max(widest, (point(i) - point(0)).cwiseAbs().maxCoeff());
+    unit_ = std::ilogb(widest);
+  }
+
+  /// The rectangle of least area; of equal ones the first.
+  CalipersRectangle run() {
+    CalipersRectangle best, at;
+    for (at.on = 0; at.on < size(); ++at.on) {
+      turn(at);
+      measure(at);
+      const bool better = at.on == 0 || at.area < best.area;
+      if (better) best = at;
+      if constexpr (kWatched<Observer>) tell(at, best, better);
+    }
+    return best;
+  }
+
+  /// Of the lengths in a CalipersRectangle: 2 to this power, scene units.
+  [[nodiscard]] int unit() const { return unit_; }
+
+  /// The first axis along the edge.
+  [[nodiscard]] Matrix<double, 2> axes(const CalipersRectangle& at) const {
+    return frame(Vector<double, 2>(point(at.on + 1) - point(at.on)));
+  }
+
+ private:
+  using Point = Vector<double, 2>;
+  using Wide = std::array<DoubleDouble, 2>;
+
+  [[nodiscard]] Index size() const { return static_cast<Index>(hull_.vertices.size()); }
+  [[nodiscard]] Index around(Index i) const { return i < size() ? i : i - size(); }
+  [[nodiscard]] Point point(Index i) const { return hull_.vertices[around(i)].template cast<double>(); }
+
+  /// Each corner goes on from where it is, at first from where the one before it is; none ever goes back.
+  void turn(CalipersRectangle& at) {
+    const Point a = point(at.on), b = point(at.on + 1);
+    const auto along = [&](Index i) { return dot_sign<2>(a, b, point(i), point(i + 1)); };
+    at.right = move(at.on == 0 ? 1 : at.right, along);
+    at.top = move(at.on == 0 ? at.right : at.top, [&](Index i) { return cross_sign(a, b, point(i), point(i + 1)); });
+    at.left = move(at.on == 0 ? at.top : at.left, [&](Index i) { return -along(i); });
+  }
+
+  /// The first corner from which the way to the next does not rise.
+  template <class Rise>
+  [[nodiscard]] Index move(Index corner, Rise&& rise) {
+    std::int64_t tests = 1;
+    for (; rise(corner) > 0; ++tests) corner = around(corner + 1);
+    observe_.count(Operation::kOrientationTests, tests);
+    return corner;
+  }
+
+  /// to - from, times 2^-exponent.
+  [[nodiscard]] Wide difference(Index from, Index to, int exponent) const {
+    Wide d;
+    for (int i = 0; i < 2; ++i) {
+      const DoubleDouble exact = DoubleDouble::sum(point(to)[i], -point(from)[i]);
+      d[i] = {std::ldexp(exact.high, -exponent), std::ldexp(exact.low, -exponent)};
+    }
+    return d;
+  }
+
+  void measure(CalipersRectangle& at) {
+    const Wide e = difference(at.on, at.on + 1, std::ilogb((point(at.on + 1) - point(at.on)).cwiseAbs().maxCoeff()));
+    const DoubleDouble length = e[0] * e[0] + e[1] * e[1];
+    const auto along = [&](Index corner) {
+      const Wide d = difference(at.on, corner, unit_);
+      return d[0] * e[0] + d[1] * e[1];
+    };
+    const DoubleDouble back = along(at.left), forth = along(at.right);
+    const Wide up = difference(at.on, at.top, unit_);
+    const DoubleDouble height = e[0] * up[1] - e[1] * up[0];
+    at.area = ((forth - back) * height / length).value();
+    const double root = std::sqrt(length.value());
+    at.back = back.value() / root;
+    at.forth = forth.value() / root;
+    at.height = height.value() / root;
+    observe_.count(Operation::kDotProducts, 3);
+    observe_.count(Operation::kComparisons, 1);
+  }
+
+  using Step = ObbStep<Scalar, 2>;
+
+  /// As measured: only the result is held against the points exactly.
+  [[nodiscard]] Obb<Scalar, 2> box(const CalipersRectangle& at) const {
+    const Matrix<double, 2> frame = axes(at);
+    const Point middle((at.back + at.forth) / 2, at.height / 2), half((at.forth - at.back) / 2, at.height / 2);
+    const double unit = std::ldexp(1.0, unit_);
+    return {(point(at.on) + frame * middle * unit).template cast<Scalar>(), frame.template cast<Scalar>(),
+            (half * unit).template cast<Scalar>()};
+  }
+
+  void tell(const CalipersRectangle& at, const CalipersRectangle& best, bool better) {
+    std::vector<Index> touching;
+    for (const Index place : {at.on, around(at.on + 1), at.right, at.top, at.left}) {
+      const Index index = hull_.indices[place];
+      if (std::find(touching.begin(), touching.end(), index) == touching.end()) touching.push_back(index);
+    }
+    const Obb<Scalar, 2> tried = box(at);
+    observe_(Step{better ? 3 : 2, true, box(best), BoxTried<Scalar, 2>{touching, tried, snug::measure(tried), better}});
+  }
+
+  const ConvexHull<Scalar, 2>& hull_;
+  Observer& observe_;
+  int unit_ = 0;
+};
+
+/// The rectangle of least area around a hull in the plane, whose axes are the first edge's where all points lie on a
+/// line, and the coordinates' where they lie in one place. It holds every vertex exactly, and with them the hull.
+/// hull: as quickhull gives it, of coordinates that a PointSet takes. O(n) time.
+template <class Scalar, StepObserver<ObbStep<Scalar, 2>> Observer = Ignore>
+Obb<Scalar, 2> min_area_rectangle(const ConvexHull<Scalar, 2>& hull, Observer&& observe = {}) {
+  Matrix<double, 2> axes = Matrix<double, 2>::Identity();
+  const auto at = [&hull](std::size_t i) -> Vector<double, 2> { return hull.vertices[i].template cast<double>(); };
+  if (hull.affine_dim == 1) axes = frame(Vector<double, 2>(at(1) - at(0)));
+  if (hull.affine_dim == 2) {
+    Calipers<Scalar, std::remove_reference_t<Observer>> calipers(hull, observe);
+    axes = calipers.axes(calipers.run());
+  }
+  const PointSet<Scalar, 2> vertices = *PointSet<Scalar, 2>::make(hull.vertices);
+  BoxOnAxes<Scalar, 2> found = obb_from_axes<Scalar, 2>(axes.template cast<Scalar>(), vertices.span());
+  for (auto* ends : {&found.least, &found.greatest})
+    for (Index& i : *ends) i = hull.indices[i];
+  observe.count(Operation::kPointsTouched, vertices.size());
+  return finish_box(found, 5, observe).volume;
+}
+
+}  // namespace snug::fit

@@ -1,0 +1,86 @@
+// What box fitters do with the convex hull: find it, measure their box on its vertices alone, lay a rectangle around
+// it.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "fit/hull/quickhull.hpp"
+#include "fit/obb/min_area_rectangle.hpp"
+#include "fit/obb/obb_frame.hpp"
+#include "fit/obb/obb_from_axes.hpp"
+#include "fit/tally.hpp"
+
+namespace snug::fit {
+
+/// The hull as one step, without its own.
+template <class Scalar, int Dim, class Observer>
+ConvexHull<Scalar, Dim> watched_hull(PointSpan<Scalar, Dim> points, int line, Observer& observe) {
+  ConvexHull<Scalar, Dim> hull;
+  if constexpr (kWatched<Observer>) hull = quickhull(points, CountsOnly<Observer>{observe}).volume;
+  else hull = quickhull(points).volume;
+  observe(ObbStep<Scalar, Dim>{line, false, {}, HullFound{hull.indices, static_cast<Index>(hull.facets.size())}});
+  return hull;
+}
+
+template <class Scalar, int Dim>
+[[nodiscard]] PointSet<Scalar, Dim> vertices_of(const ConvexHull<Scalar, Dim>& hull) {
+  return *PointSet<Scalar, Dim>::make(hull.vertices);  // points of a set: nothing is refused
+}
+
+/// As finish_on_axes, on the vertices alone. A box that holds them exactly holds their hull exactly, and with it each
+/// point.
+template <class Scalar, int Dim, class Observer>
+Fit<Obb<Scalar, Dim>> finish_on_hull(const Matrix<Scalar, Dim>& axes, const ConvexHull<Scalar, Dim>& hull, int line,
+                                     Observer& observe) {
+  const PointSet<Scalar, Dim> vertices = vertices_of(hull);
+  BoxOnAxes<Scalar, Dim> found = obb_from_axes(axes, vertices.span());
+  for (auto* ends : {&found.least, &found.greatest})
+    for (Index& i : *ends) i = hull.indices[i];
+  tell_extents(found, vertices.size(), line, observe);
+  return finish_box(found, line + 1, observe);
+}
+
+/// A smallest rectangle by its frame, the first side on the edge between two of the points (kNoIndex where all are
+/// one).
+template <int Dim>
+struct RectangleFrame {
+  Matrix<double, Dim> axes;
+  Index edge_a = kNoIndex, edge_b = kNoIndex;
+};
+
+/// Of a hull in the plane, whatever it spans. edge_a, edge_b: the points' indices.
+template <class Scalar, class Observer>
+RectangleFrame<2> smallest_rectangle(const ConvexHull<Scalar, 2>& hull, Observer& observe) {
+  if (hull.affine_dim == 0) return {Matrix<double, 2>::Identity()};
+  std::size_t on = 0;
+  if (hull.affine_dim == 2) on = static_cast<std::size_t>(Calipers<Scalar, Observer>(hull, observe).run().on);
+  const std::size_t to = (on + 1) % hull.vertices.size();
+  const Vector<double, 2> a = hull.vertices[on].template cast<double>(), b = hull.vertices[to].template cast<double>();
+  return {frame(Vector<double, 2>(b - a)), hull.indices[on], hull.indices[to]};
+}
+
+/// Of what points cast along a direction, which is the frame's first axis. points: n >= 1, of coordinates of about 1;
+/// the edge by their places. count: Ignore or Tally. O(n log n) time.
+template <class Count>
+[[nodiscard]] RectangleFrame<3> rectangle_along(const Vector<double, 3>& direction,
+                                                const std::vector<Vector<double, 3>>& points, Count& count);
+
+[[nodiscard]] inline RectangleFrame<3> rectangle_along(const Vector<double, 3>& direction,
+                                                       const std::vector<Vector<double, 3>>& points) {
+  Ignore ignore;
+  return rectangle_along(direction, points, ignore);
+}
+
+/// The same for who watches: what it spends, and no steps.
+template <class Observer>
+[[nodiscard]] RectangleFrame<3> watched_rectangle_along(const Vector<double, 3>& direction,
+                                                        const std::vector<Vector<double, 3>>& points,
+                                                        Observer& observe) {
+  TallyFor<Observer> tally;
+  RectangleFrame<3> found = rectangle_along(direction, points, tally);
+  hand_on(tally, observe);
+  return found;
+}
+
+}  // namespace snug::fit

@@ -1,0 +1,110 @@
+// A convex hull in space as the search for its smallest box wants it: edges with the normals of boxes that may lie on
+// them, and the vertex farthest along any direction.
+#pragma once
+
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "fit/obb/obb_trials.hpp"
+#include "geometry/hull.hpp"
+
+namespace snug::fit {
+
+/// The unit normals of planes that lie on an edge and have the hull on one side: from one face's normal to the other's,
+/// on a great circle. Long ones are cut, so that from a to b is at most 60 degrees. Source: the Gauss map, as J.
+/// O'Rourke, "Finding minimal enclosing boxes", 1985, uses it.
+struct NormalArc {
+  Index edge = 0;               // place in HullSolid::edges
+  Index from = 0, to = 0;       // places in HullSolid::normals
+  Vector<double, 3> a, b;       // the same, unit
+  double angle = 0;             // the distance between them
+  Index opposite = 0;           // the vertex farthest behind the arc's middle
+  Vector<double, 3> thickness;  // from it to the edge's first vertex
+};
+
+/// A hull of affine_dim 3.
+class HullSolid {
+ public:
+  /// count: Ignore or Tally, as below.
+  template <class Scalar, class Count>
+  HullSolid(const ConvexHull<Scalar, 3>& hull, Count& count) : local_(hull.vertices) {
+    Corners corners;
+    for (const auto& p : hull.vertices) corners.push_back(p.template cast<double>());
+    count.count(Operation::kPointsTouched, static_cast<std::int64_t>(corners.size()));
+    build(std::move(corners), hull.facets, count);
+  }
+  template <class Scalar>
+  explicit HullSolid(const ConvexHull<Scalar, 3>& hull) : HullSolid(hull, unwatched()) {}
+
+  using Edge = std::array<Index, 2>;  // places in the hull's vertices
+
+  /// In the coordinates of LocalPoints: from the first vertex, scaled to about 1.
+  [[nodiscard]] const std::vector<Vector<double, 3>>& vertices() const { return local_.at; }
+  [[nodiscard]] const Vector<double, 3>& at(Index i) const { return local_.at[i]; }
+  [[nodiscard]] double size() const { return local_.size; }
+
+  /// But for those inside a face that was cut into triangles.
+  [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
+  /// Of the hull's facets first, as many as there are.
+  [[nodiscard]] const std::vector<Vector<double, 3>>& normals() const { return normals_; }
+  [[nodiscard]] const std::vector<NormalArc>& arcs() const { return arcs_; }
+
+  /// A vertex that no neighbour lies beyond, climbing from a near one: the farthest along the direction, within
+  /// rounding.
+  template <class Count>
+  [[nodiscard]] Index farthest(const Vector<double, 3>& direction, Index near, Count& count) const;
+  [[nodiscard]] Index farthest(const Vector<double, 3>& direction, Index near) const {
+    return farthest(direction, near, unwatched());
+  }
+  /// The vertex farthest along a direction near this one: at once, and nearly the farthest along this one.
+  [[nodiscard]] Index far(const Vector<double, 3>& direction) const;
+  /// The vertices on the edges between faces turned to a direction and away from it, and on faces along it: of all that
+  /// is cast along the direction, what lies on the outline. O(their number) time, about O(sqrt n) on a round hull.
+  /// direction: unit.
+  template <class Count>
+  [[nodiscard]] std::vector<Index> outline(const Vector<double, 3>& direction, Count& count) const;
+  [[nodiscard]] std::vector<Index> outline(const Vector<double, 3>& direction) const {
+    return outline(direction, unwatched());
+  }
+
+ private:
+  using Corners = std::vector<Vector<double, 3>>;
+  using Triangle = std::array<Index, 3>;
+
+  /// Another vertex across an edge, and the facets on both sides of it.
+  struct Neighbour {
+    Index vertex, left, right;
+  };
+
+  static Ignore& unwatched() {
+    static Ignore ignore;
+    return ignore;
+  }
+
+  template <class Count>
+  void build(Corners corners, const std::vector<Triangle>& facets, Count& count);
+  template <class Edges>
+  void link_neighbours(const Edges& edges);
+  [[nodiscard]] std::span<const Neighbour> neighbours(Index vertex) const {
+    const auto* from = &neighbours_from_[vertex];
+    return std::span(neighbours_).subspan(from[0], from[1] - from[0]);
+  }
+  template <class Count>
+  void make_table(Count& count);
+  template <class Count>
+  void add_arc(const Vector<double, 3>& along, Index from, Index to, Count& count);
+  [[nodiscard]] Vector<double, 3> table_direction(int face, int row, int column) const;
+
+  LocalPoints<3> local_;
+  std::vector<Edge> edges_;
+  std::vector<Vector<double, 3>> normals_;
+  std::vector<NormalArc> arcs_;
+  std::vector<Neighbour> neighbours_;  // of vertex i from neighbours_from_[i] to neighbours_from_[i + 1]
+  std::vector<std::size_t> neighbours_from_;
+  std::vector<Index> table_;  // per cell of a cube's surface
+  int cells_ = 1;             // along a side of it
+};
+
+}  // namespace snug::fit

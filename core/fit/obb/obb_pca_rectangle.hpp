@@ -1,0 +1,80 @@
+// Source: G. Barequet, S. Har-Peled, "Efficiently approximating the minimum-volume bounding box of a point set in three
+// dimensions", 2001, and I. D. Romanick, "Data Structures & Algorithms for Geometry", 2007: project along an axis of
+// the PCA box, take the rectangle of least area, repeat.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "fit/obb/obb_hull.hpp"
+#include "fit/obb/obb_pca.hpp"
+#include "fit/obb/obb_trials.hpp"
+
+namespace snug::fit {
+
+inline constexpr std::array<std::string_view, 9> kObbPcaRectanglePseudocode{
+    "hull ← convex hull of the points",
+    "m ← mean of its vertices",
+    "C ← their covariance about m",
+    "box ← on the eigenvectors of C",
+    "for each axis of the box, the least first",
+    "  rectangle ← smallest, projected along it",
+    "  if its box is smaller: keep it, start over",
+    "extents ← least and greatest along each",
+    "return box",
+};
+
+/// found: with the edge by its points' indices. line: as below.
+template <class Scalar, int Dim, class Observer>
+void attempt_rectangle(ObbTrials<Scalar, Dim, Observer>& trials, const RectangleFrame<Dim>& found, int line,
+                       Observer& observe) {
+  trials.attempt_and_tell(found.axes, [&](const Obb<Scalar, Dim>& box, bool better) {
+    Vector<Scalar, Dim> along = Vector<Scalar, Dim>::Zero();
+    if constexpr (Dim == 3) along = box.axes.col(0);
+    observe(ObbStep<Scalar, Dim>{
+        line + (better ? 1 : 0), true, trials.box(),
+        RectangleFound<Scalar, Dim>{along, found.edge_a, found.edge_b, box, measure(box), better}});
+  });
+}
+
+/// Lays rectangles across the best box's axes, its shortest first, until none of them makes it smaller by a part
+/// of tolerance::kSameBox. line: of the rectangle; the one below is of a smaller box.
+template <class Scalar, class Observer>
+void shrink_by_rectangles(ObbTrials<Scalar, 3, Observer>& trials, const std::vector<Index>& indices, int line,
+                          Observer& observe) {
+  for (int turn = 0; turn < 3;) {
+    const auto& points = trials.local().at;
+    const double before = trials.least();
+    const Matrix<double, 3> box = by_length<3>(LocalBox<3>(trials.axes(), points));
+    count_box<3>(points.size(), observe);
+    RectangleFrame<3> found = watched_rectangle_along(box.col(turn), points, observe);
+    for (Index* i : {&found.edge_a, &found.edge_b})
+      if (*i != kNoIndex) *i = indices[*i];
+    attempt_rectangle(trials, found, line, observe);
+    turn = trials.least() < before * (1 - tolerance::kSameBox) ? 0 : turn + 1;
+  }
+}
+
+/// The PCA box, shrunk by rectangles of least area across its axes until it no longer shrinks. In 2-D one such
+/// rectangle, which is the smallest box. points: n >= 1 finite points, scene units. Expected O(n log n) time, and as
+/// much in the hull's vertices for each rectangle.
+template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
+Fit<Obb<Scalar, Dim>> obb_pca_rectangle(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
+  using Watcher = std::remove_reference_t<Observer>;
+  const ConvexHull<Scalar, Dim> hull = watched_hull(points, 0, observe);
+  const PointSet<Scalar, Dim> vertices = vertices_of(hull);
+  const Matrix<Scalar, Dim> axes = watched_principal_axes(vertices.span(), 1, observe);
+  ObbTrials<Scalar, Dim, Watcher> trials(hull.vertices, observe);
+  trials.attempt(axes.template cast<double>(), std::array<Index, 0>{}, 3);
+  if constexpr (Dim == 3) {
+    shrink_by_rectangles(trials, hull.indices, 5, observe);
+  } else {
+    TallyFor<Watcher> tally;
+    const RectangleFrame<2> found = smallest_rectangle(hull, tally);
+    hand_on(tally, observe);
+    attempt_rectangle(trials, found, 5, observe);
+  }
+  return finish_on_hull<Scalar, Dim>(trials.scalar_axes(), hull, 7, observe);
+}
+
+}  // namespace snug::fit

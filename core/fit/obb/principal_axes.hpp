@@ -1,0 +1,76 @@
+// Mean, covariance and its eigenvectors.
+// Source: X. Wu, "A linear-time simple bounding volume algorithm", Graphics Gems III, 1992.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fit/sphere/sphere_steps.hpp"
+#include "geometry/tolerance.hpp"
+#include "trace/observer.hpp"
+
+namespace snug::fit {
+
+/// points: n >= 1. One pass, measured from the first point, so that a far set keeps its digits.
+template <class Scalar, int Dim, class Observer>
+MeanFound<Scalar, Dim> mean_of(PointSpan<Scalar, Dim> points, Observer& observe) {
+  Vector<Scalar, Dim> sum = Vector<Scalar, Dim>::Zero();
+  for (const auto& p : points) sum += p - points[0];
+  observe.count(Operation::kPointsTouched, points.size());
+  return {points[0] + sum / static_cast<Scalar>(points.size())};
+}
+
+/// The sum of (scale (p - mean)) (scale (p - mean))^T. One pass.
+template <class Scalar, int Dim, class Observer>
+Matrix<Scalar, Dim> sum_of_products(const Vector<Scalar, Dim>& mean, Scalar scale, PointSpan<Scalar, Dim> points,
+                                    Observer& observe) {
+  Matrix<Scalar, Dim> sum = Matrix<Scalar, Dim>::Zero();
+  for (const auto& p : points) {
+    const Vector<Scalar, Dim> d = scale * (p - mean);
+    for (int row = 0; row < Dim; ++row)
+      for (int column = 0; column <= row; ++column) sum(row, column) += d[row] * d[column];
+  }
+  for (int row = 0; row < Dim; ++row)
+    for (int column = 0; column < row; ++column) sum(column, row) = sum(row, column);
+  observe.count(Operation::kPointsTouched, points.size());
+  observe.count(Operation::kDotProducts, Dim * (Dim + 1) / 2 * std::int64_t{points.size()});
+  return sum;
+}
+
+/// The mean of (p - mean)(p - mean)^T. One pass; another where so many points lie so far out that their sum, but not
+/// their mean, is more than a Scalar holds.
+template <class Scalar, int Dim, class Observer>
+CovarianceFound<Scalar, Dim> covariance_of(const Vector<Scalar, Dim>& mean, PointSpan<Scalar, Dim> points,
+                                           Observer& observe) {
+  const auto n = static_cast<Scalar>(points.size());
+  const Matrix<Scalar, Dim> sum = sum_of_products(mean, Scalar{1}, points, observe);
+  if (sum.allFinite()) return {mean, sum / n};
+  constexpr auto kScale = static_cast<Scalar>(0x1p-16);  // its square makes up for the most points that there can be
+  return {mean, sum_of_products(mean, kScale, points, observe) / n / (kScale * kScale)};
+}
+
+/// The principal axes of a covariance, each with its largest coordinate positive.
+template <class Scalar, int Dim>
+[[nodiscard]] AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread);
+
+/// The same of points so close together that their squared distances underflow: then the axes are those of the points
+/// magnified by a power of two. Two passes more, there.
+template <class Scalar, int Dim, class Observer>
+AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread, PointSpan<Scalar, Dim> points,
+                                      Observer& observe) {
+  constexpr Scalar kSound = std::numeric_limits<Scalar>::min() / tolerance::kRoundoff<Scalar>;
+  if (spread.covariance.cwiseAbs().maxCoeff() > kSound) return principal_axes(spread);
+  Scalar largest = 0;
+  for (const auto& p : points) largest = std::max(largest, Vector<Scalar, Dim>(p - spread.mean).cwiseAbs().maxCoeff());
+  observe.count(Operation::kPointsTouched, points.size());
+  if (largest == 0) return principal_axes(spread);
+  const Scalar scale =
+      std::ldexp(Scalar{1}, std::min(-std::ilogb(largest), std::numeric_limits<Scalar>::max_exponent - 1));
+  CovarianceFound<Scalar, Dim> magnified{spread.mean, sum_of_products(spread.mean, scale, points, observe)};
+  AxesFound<Scalar, Dim> found = principal_axes(magnified);
+  found.variances = (found.variances / static_cast<Scalar>(points.size()) / scale / scale).eval();
+  return found;
+}
+
+}  // namespace snug::fit

@@ -1,0 +1,100 @@
+// The smallest ball by trying all: for checking others on few points, and for seeing what O(n^5) means.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "fit/sphere/sphere_steps.hpp"
+#include "fit/sphere/support_ball.hpp"
+#include "geometry/tolerance.hpp"
+
+namespace snug::fit {
+
+inline constexpr std::array<std::string_view, 6> kBruteForcePseudocode{
+    "for each pair, triple (and in 3-D quadruple) of points",
+    "  candidate ← smallest through them",
+    "  if candidate is smaller than best",
+    "    if no point lies outside candidate",
+    "      best ← candidate",
+    "return best",
+};
+
+/// More points than this are refused by those who call: 40 points in 3-D have 102,050 candidates.
+inline constexpr Index kBruteForceLimit = 40;
+
+/// The state of one run over all subsets of two to Dim + 1 points, in lexicographic order, small ones first.
+template <class Scalar, int Dim, class Observer>
+class BruteForce {
+ public:
+  BruteForce(PointSpan<Scalar, Dim> points, Observer& observe) : points_(points), observe_(observe) {}
+
+  Fit<Sphere<Scalar, Dim>> run() {
+    for (int size = 2; size <= Dim + 1; ++size) choose(size, 0, {});
+    if (!has_ball_) attempt({0});  // one point, or the same one many times
+    best_.radius = enclosing_radius(best_.center, points_, farthest_points(best_.center, points_));
+    observe_(Step{5, true, best_, Finished{support_.list()}});
+    return {best_, support_};
+  }
+
+ private:
+  using Step = SphereStep<Scalar, Dim>;
+  using Tried = CandidateTried<Scalar, Dim>;
+  using Verdict = typename Tried::Verdict;
+
+  void choose(int more, Index first, const Support& chosen) {
+    if (more == 0) return attempt(chosen);
+    for (Index i = first; i < points_.size(); ++i) {
+      Support with = chosen;
+      with.add(i);
+      choose(more - 1, i + 1, with);
+    }
+  }
+
+  void attempt(const Support& support) {
+    const auto ball = ball_through(points_, support);
+    observe_.count(Operation::kBallSolves, 1);
+    // Where the centre is outside their hull, fewer of them hold a smaller ball, which is a candidate of its own.
+    if (!ball || !ball->center_in_hull()) return tell(1, {support, best_, Verdict::kNoBall, kNoIndex});
+    const Sphere<Scalar, Dim> candidate{ball->center.template cast<Scalar>(), static_cast<Scalar>(ball->radius)};
+    if (has_ball_ && !(candidate.radius < best_.radius))
+      return tell(2, {support, candidate, Verdict::kNotSmaller, kNoIndex});
+    const Index outside = first_outside(candidate);
+    if (outside != kNoIndex) return tell(3, {support, candidate, Verdict::kLeavesPointOutside, outside});
+    best_ = candidate;
+    support_ = support;
+    has_ball_ = true;
+    tell(4, {support, candidate, Verdict::kKept, kNoIndex});
+  }
+
+  void tell(int line, const Tried& tried) { observe_(Step{line, has_ball_, best_, tried}); }
+
+  [[nodiscard]] Index first_outside(const Sphere<Scalar, Dim>& ball) {
+    const Vector<double, Dim> center = ball.center.template cast<double>();
+    const double reach = static_cast<double>(ball.radius);
+    // The centre is rounded to the scalar, which on points far from the origin is much more than the distance's own
+    // rounding; the same allowance that the certificate makes.
+    const double size = reach + center.cwiseAbs().maxCoeff();
+    const double limit = reach + tolerance::kOptimalityRoundoffs / 2 * tolerance::roundoff<Scalar>(size);
+    for (Index i = 0; i < points_.size(); ++i) {
+      observe_.count(Operation::kPointsTouched, 1);
+      observe_.count(Operation::kDistanceTests, 1);
+      if (scaled_norm<double, Dim>(points_[i].template cast<double>() - center) > limit) return i;
+    }
+    return kNoIndex;
+  }
+
+  PointSpan<Scalar, Dim> points_;
+  Observer& observe_;
+  Sphere<Scalar, Dim> best_;
+  Support support_;
+  bool has_ball_ = false;
+};
+
+/// The smallest enclosing ball, by trying every ball that two, three (or in 3-D four) points support.
+/// points: 1 <= n <= kBruteForceLimit finite points, scene units. O(n^(Dim + 2)) time.
+template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer = Ignore>
+Fit<Sphere<Scalar, Dim>> brute_force(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
+  return BruteForce<Scalar, Dim, std::remove_reference_t<Observer>>(points, observe).run();
+}
+
+}  // namespace snug::fit

@@ -1,0 +1,52 @@
+#include <array>
+
+#include "fit/catalogue_rows.hpp"
+#include "fit/sphere/aabb_center.hpp"
+#include "fit/sphere/brute_force.hpp"
+#include "fit/sphere/pca_sphere.hpp"
+#include "fit/sphere/pivot.hpp"
+#include "fit/sphere/ritter.hpp"
+#include "fit/sphere/ritter_iterative.hpp"
+#include "fit/sphere/welzl.hpp"
+
+namespace snug::fit {
+namespace {
+
+constexpr auto kAabbCenter = [](auto p, const Options&, auto& o) { return aabb_center(p, o); };
+constexpr auto kRitter = [](auto p, const Options&, auto& o) { return ritter(p, o); };
+constexpr auto kRitterIterative = [](auto p, const Options& options, auto& o) {
+  return ritter_iterative(p, options, o);
+};
+constexpr auto kPcaSphere = [](auto p, const Options&, auto& o) { return pca_sphere(p, o); };
+constexpr auto kWelzl = [](auto p, const Options& options, auto& o) { return welzl(p, options, o); };
+constexpr auto kPivot = [](auto p, const Options& options, auto& o) { return pivot(p, options, o); };
+constexpr auto kBruteForce = [](auto p, const Options&, auto& o) { return brute_force(p, o); };
+
+constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
+
+constexpr std::array kSphereRows{
+    row<kAabbCenter>({"sphere", "aabb_center", "AABB centre", kEricson, kAabbCenterPseudocode}),
+    row<kRitter>({"sphere", "ritter", "Ritter", "J. Ritter, An efficient bounding sphere, 1990", kRitterPseudocode}),
+    row<kRitterIterative>({"sphere", "ritter_iterative", "Iterative Ritter", kEricson, kRitterIterativePseudocode}),
+    row<kPcaSphere>({"sphere", "pca", "PCA (Wu)", "X. Wu, A linear-time simple bounding volume algorithm, 1992",
+                     kPcaSpherePseudocode}),
+    row<kWelzl, true>({"sphere", "welzl", "Welzl", "E. Welzl, Smallest enclosing disks (balls and ellipsoids), 1991",
+                       kWelzlPseudocode}),
+    row<kPivot, true>({.volume = "sphere",
+                       .name = "pivot",
+                       .title = "Farthest-point pivoting",
+                       .source = "B. Gärtner, Fast and robust smallest enclosing balls, 1999",
+                       .pseudocode = kPivotPseudocode}),
+    row<kBruteForce, true>({.volume = "sphere",
+                            .name = "brute_force",
+                            .title = "Brute force",
+                            .source = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007",
+                            .pseudocode = kBruteForcePseudocode,
+                            .max_points = kBruteForceLimit}),
+};
+
+}  // namespace
+
+std::span<const Algorithm> sphere_rows() { return kSphereRows; }
+
+}  // namespace snug::fit

@@ -1,0 +1,55 @@
+// Source: B. Gärtner, "Fast and robust smallest enclosing balls", 1999: farthest-point pivoting. Here a pass over the
+// points gives not one farthest point but that of each block, for a pass costs more than a few entries.
+#pragma once
+
+#include <array>
+#include <numeric>
+#include <string_view>
+#include <vector>
+
+#include "fit/sphere/pivoting.hpp"
+#include "geometry/random.hpp"
+
+namespace snug::fit {
+
+inline constexpr std::array<std::string_view, 7> kPivotPseudocode{
+    "S ← smallest of a few random points",
+    "repeat",
+    "  test all points: the farthest of each block",
+    "  while one of these lies outside",
+    "    S ← smallest of its support and the farthest",
+    "until no point lies outside",
+    "return S",
+};
+
+/// A larger sample costs more balls than it saves passes over the points.
+inline constexpr Index kPivotSample = 8;
+
+/// As many of the points as the sample has, by index; of fewer points, all.
+inline std::vector<Index> random_sample(Index points, std::uint64_t seed) {
+  std::vector<Index> sample(static_cast<std::size_t>(std::min(points, kPivotSample)));
+  std::iota(sample.begin(), sample.end(), Index{0});
+  if (points <= kPivotSample) return sample;
+  Random random(seed);
+  for (Index& i : sample) i = static_cast<Index>(random.below(static_cast<std::uint32_t>(points)));
+  return sample;
+}
+
+/// The smallest enclosing ball, by farthest-point pivoting. It is by this that other methods' excess is worked out.
+/// points: n >= 1 finite points, scene units. O(n) time a pass, of which there are a few: no bound says how many.
+/// O(sqrt n) memory.
+/// Of points closer together than about 1e-154 (in float 1e-19) the squared distances underflow: the ball then contains
+/// them all, but need not be the smallest, and the certificate says so.
+template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer = Ignore>
+Fit<Sphere<Scalar, Dim>> pivot(PointSpan<Scalar, Dim> points, const Options& options, Observer&& observe = {}) {
+  using Step = SphereStep<Scalar, Dim>;
+  Pivoting<Scalar, Dim, std::remove_reference_t<Observer>> pivoting(points, {.tested = 2, .let_in = 4}, observe);
+  const std::vector<Index> sample = random_sample(points.size(), options.seed);
+  pivoting.replace(*ball_through(points, Support{sample.front()}), sample.front(), 0);
+  pivoting.let_in(sample, 0);
+  const Fit<Sphere<Scalar, Dim>> fit = pivoting.finish();
+  observe(Step{6, true, fit.volume, Finished{fit.support.list()}});
+  return fit;
+}
+
+}  // namespace snug::fit

@@ -1,0 +1,26 @@
+#include <array>
+
+#include "fit/catalogue_rows.hpp"
+#include "fit/certify_shapes.hpp"
+#include "fit/swept/capsule_pca.hpp"
+#include "fit/swept/lozenge_pca.hpp"
+
+namespace snug::fit {
+namespace {
+
+constexpr auto kCapsule = [](auto p, const Options& options, auto& o) { return capsule_pca(p, options, o); };
+constexpr auto kLozenge = [](auto p, const Options&, auto& o) { return lozenge_pca(p, o); };
+
+constexpr std::array kSweptRows{
+    row<kCapsule>({"capsule", "pca", "PCA", "D. Eberly, 3D Game Engine Design, 2000", kCapsulePcaPseudocode}),
+    row<kLozenge>(
+        {"lozenge", "pca", "PCA",
+         "E. Larsen, S. Gottschalk, M. C. Lin, D. Manocha, Fast proximity queries with swept sphere volumes, 1999",
+         kLozengePcaPseudocode}),
+};
+
+}  // namespace
+
+std::span<const Algorithm> swept_rows() { return kSweptRows; }
+
+}  // namespace snug::fit

@@ -1,0 +1,59 @@
+// Source: C. Ericson, "Real-Time Collision Detection", 2005, 4.2.5.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "fit/hull/hill_climb.hpp"
+#include "fit/update/update.hpp"
+
+namespace snug::fit {
+
+inline constexpr std::array<std::string_view, 5> kUpdateHillClimbPseudocode{
+    "for each axis of the world, both ways",
+    "  v ← last frame's extreme vertex",
+    "  while a neighbour is farther: go there",
+    "  bound ← v",
+    "return box",
+};
+
+/// The tightest box again, by six walks (in 2-D four) over the edges of the body's hull, each from where the last
+/// frame's ended: on a body that turned a little, a few vertices each. The first frame walks farther. climb: of 2 Dim
+/// directions. Its box is update_rebuild's of the same vertices, bit for bit. Where the body has other points as well,
+/// inside, each bound moves out by as much as rounding may have taken them there.
+template <class Scalar, int Dim, StepObserver<UpdateStep<Aabb<Scalar, Dim>>> Observer = Ignore>
+Updated<Aabb<Scalar, Dim>> update_hill_climb(HillClimb<Scalar, Dim>& climb, const Pose<Scalar, Dim>& pose,
+                                             Observer&& observe = {}) {
+  using Step = UpdateStep<Aabb<Scalar, Dim>>;
+  Aabb<Scalar, Dim> box;
+  std::vector<Index> support;
+  for (int side = 0; side < 2 * Dim; ++side) {
+    const int axis = side / 2;
+    const bool greatest = side % 2 == 1;
+    const Vector<Scalar, Dim> row = pose.rotation.row(axis).transpose();
+    const Scalar size = row.cwiseAbs().dot(climb.largest());
+    const Scalar doubt = tolerance::kClimb<Scalar> * size + 8 * std::numeric_limits<Scalar>::denorm_min();
+    const auto value = [&](Index v) {
+      const Scalar along = turned_coordinate<Scalar, Dim>(pose.rotation, axis, climb.vertex(v));
+      return greatest ? along : -along;
+    };
+    ExtremeClimbed fact{axis, greatest, {}, 0};
+    const Climbed<Scalar> found = climb.climb(side, value, doubt, kWatched<Observer> ? &fact.path : nullptr);
+    const Scalar bound = climb.all_points() ? found.value : found.value + doubt;
+    (greatest ? box.max : box.min)[axis] = (greatest ? bound : -bound) + pose.translation[axis];
+    observe.count(Operation::kPointsTouched, found.looked_at);
+    observe.count(Operation::kDotProducts, found.looked_at);
+    observe.count(Operation::kComparisons, found.looked_at - 1);
+    if constexpr (kWatched<Observer>) {
+      fact.looked_at = found.looked_at;
+      support.push_back(climb.end(side));
+      observe(Step{3, side + 1 == 2 * Dim, box, std::move(fact)});
+    }
+  }
+  observe(Step{4, true, box, Finished{std::move(support)}});
+  return {box};
+}
+
+}  // namespace snug::fit

@@ -1,0 +1,43 @@
+// Source: C. Ericson, "Real-Time Collision Detection", 2005, 4.3.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string_view>
+
+#include "fit/update/update.hpp"
+#include "geometry/sphere.hpp"
+#include "geometry/tolerance.hpp"
+
+namespace snug::fit {
+
+inline constexpr std::array<std::string_view, 3> kUpdateSpherePseudocode{
+    "center ← placed center",
+    "radius stays, but for rounding",
+    "return sphere",
+};
+
+/// What two placed points may be farther apart than before, by rounding: size: of what holds both; center: its, in the
+/// local frame. See tolerance::kPlaced.
+template <class Scalar, int Dim>
+[[nodiscard]] Scalar placing_error(Scalar size, const Vector<Scalar, Dim>& center, const Pose<Scalar, Dim>& pose) {
+  const Scalar all = size + scaled_norm<Scalar, Dim>(center) + scaled_norm<Scalar, Dim>(pose.translation);
+  return tolerance::kPlaced<Scalar> * all + 16 * std::numeric_limits<Scalar>::denorm_min();
+}
+
+/// The ball around the placed centre: no turn makes it looser. The radius is widened by what rounding may put between a
+/// placed point and the placed centre, a few u of the farthest coordinate.
+/// ball: holds the points in the local frame.
+template <class Scalar, int Dim, StepObserver<UpdateStep<Sphere<Scalar, Dim>>> Observer = Ignore>
+Updated<Sphere<Scalar, Dim>> update_sphere(const Sphere<Scalar, Dim>& ball, const Pose<Scalar, Dim>& pose,
+                                           Observer&& observe = {}) {
+  using Step = UpdateStep<Sphere<Scalar, Dim>>;
+  const Scalar error = placing_error(ball.radius, ball.center, pose);
+  const Sphere<Scalar, Dim> moved{placed(pose, ball.center), ball.radius + error};
+  observe.count(Operation::kDotProducts, Dim);
+  observe(Step{1, true, moved, CenterMoved{static_cast<double>(error)}});
+  observe(Step{2, true, moved, Finished{}});
+  return {moved};
+}
+
+}  // namespace snug::fit

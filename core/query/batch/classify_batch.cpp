@@ -1,0 +1,240 @@
+#include "query/batch/classify_batch.hpp"
+
+#include <array>
+#include <cstring>
+#include <limits>
+
+#include "geometry/tolerance.hpp"
+#include "query/batch/lanes.hpp"
+#include "query/classify.hpp"
+
+// Nothing here passes a vector between functions that are not inlined, so no calling convention for it matters.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+#define SNUG_INLINE [[gnu::always_inline]] inline
+
+namespace snug::query {
+namespace {
+
+/// The planes with unit normals.
+template <class Scalar>
+struct UnitPlanes {
+  struct Unit {
+    Scalar normal[3], d;
+    std::size_t n_vertex[3], p_vertex[3];  // the fields of a box that they are in
+  };
+  Unit planes[6];
+  Scalar largest_d = 0;
+
+  explicit UnitPlanes(const Frustum<Scalar, 3>& frustum) {
+    const Frustum<Scalar, 3> unit = frustum.normalized();
+    for (int p = 0; p < 6; ++p) {
+      planes[p].d = unit[p].d;
+      largest_d = std::max(largest_d, std::abs(unit[p].d));
+      for (int i = 0; i < 3; ++i) {
+        const bool towards_max = unit[p].normal[i] >= 0;
+        planes[p].normal[i] = unit[p].normal[i];
+        planes[p].n_vertex[i] = static_cast<std::size_t>(towards_max ? i : i + 3);
+        planes[p].p_vertex[i] = static_cast<std::size_t>(towards_max ? i + 3 : i);
+      }
+    }
+  }
+
+  /// Within what the values of the true planes, divided by their normals' lengths, are known where no coordinate is
+  /// larger.
+  [[nodiscard]] SNUG_INLINE Scalar doubt(Scalar reach) const {
+    return tolerance::kUnitPlaneReach<Scalar> * (2 * reach + largest_d) + std::numeric_limits<Scalar>::min();
+  }
+};
+
+template <class Vec>
+SNUG_INLINE Vec larger(const Vec& a, const Vec& b) {
+  return a > b ? a : b;
+}
+
+template <class Vec, class Scalar>
+SNUG_INLINE Vec load(const Scalar* from) {
+  Vec vector;
+  std::memcpy(&vector, from, sizeof vector);
+  return vector;
+}
+
+template <class Vec>
+SNUG_INLINE Vec smaller(const Vec& a, const Vec& b) {
+  return a < b ? a : b;
+}
+/// Without the sign.
+template <class Vec>
+SNUG_INLINE Vec size_of_each(const Vec& v) {
+  return larger(v, -v);
+}
+
+/// One block, in as many groups of lanes as it takes: each plane's numbers are read once for all of them.
+template <class Scalar, std::size_t kBytes>
+struct Blocks {
+  using Vec = typename Lanes<Scalar, kBytes>::Vector;
+  using Mask = typename Lanes<Scalar, kBytes>::Mask;
+  static constexpr std::size_t kLanes = Lanes<Scalar, kBytes>::kCount, kBlock = 64 / sizeof(Scalar),
+                               kGroups = kBlock / kLanes;
+  using Groups = Vec[kGroups];
+  typedef std::uint8_t Bytes __attribute__((vector_size(kLanes)));
+  using Verdicts = std::array<Culling, kBlock>;
+
+  /// The greatest over all planes of the distance of what three fields say.
+  template <class Fields, class Block>
+  SNUG_INLINE static void farthest(const UnitPlanes<Scalar>& all, const Block& block, Fields fields, Groups& most) {
+    for (std::size_t p = 0; p < 6; ++p) {
+      const auto& plane = all.planes[p];
+      const Scalar *x = block.fields[fields(plane, 0)], *y = block.fields[fields(plane, 1)],
+                   *z = block.fields[fields(plane, 2)];
+      for (std::size_t g = 0; g < kGroups; ++g) {
+        const std::size_t at = g * kLanes;
+        const Vec value = plane.normal[0] * load<Vec>(x + at) + plane.normal[1] * load<Vec>(y + at) +
+                          plane.normal[2] * load<Vec>(z + at) + plane.d;
+        most[g] = p == 0 ? value : larger(most[g], value);
+      }
+    }
+  }
+
+  /// Of boxes: most need no more than their n-vertices.
+  SNUG_INLINE static bool judge(const UnitPlanes<Scalar>& planes, const typename AabbArray<Scalar>::Block& block,
+                                Scalar doubt, Verdicts& verdicts) {
+    Groups low, high;
+    farthest(
+        planes, block, [](const auto& plane, std::size_t i) { return plane.n_vertex[i]; }, low);
+    Vec least = low[0];
+    for (std::size_t g = 1; g < kGroups; ++g) least = smaller(least, low[g]);
+    if (all_above(least, doubt)) {
+      verdicts.fill(Culling::kOutside);
+      return true;
+    }
+    farthest(
+        planes, block, [](const auto& plane, std::size_t i) { return plane.p_vertex[i]; }, high);
+    return settle(low, high, doubt, verdicts);
+  }
+
+  /// Of spheres: the plane that the centre is farthest outside of decides.
+  SNUG_INLINE static bool judge(const UnitPlanes<Scalar>& planes, const typename SphereArray<Scalar>::Block& block,
+                                Scalar doubt, Verdicts& verdicts) {
+    Groups low, high;
+    farthest(
+        planes, block, [](const auto&, std::size_t i) { return i; }, high);
+    for (std::size_t g = 0; g < kGroups; ++g) {
+      const Vec radius = load<Vec>(block.fields[3] + g * kLanes);
+      low[g] = high[g] - radius;
+      high[g] += radius;
+    }
+    return settle(low, high, doubt, verdicts);
+  }
+
+  /// Whether all lanes are greater. Selected, not masked: GCC 12 takes masks of 64 bytes apart, lane by lane.
+  SNUG_INLINE static bool all_above(const Vec& v, Scalar bound) {
+    const Mask below = v > bound ? Mask{} : Mask{} + 1;
+    std::array<std::uint64_t, kBytes / 8> words;
+    std::memcpy(words.data(), &below, kBytes);
+    std::uint64_t any = 0;
+    for (const std::uint64_t word : words) any |= word;
+    return any == 0;
+  }
+
+  /// The verdicts, which are 0, 1 and 2. Returns whether rounding hides none of them.
+  SNUG_INLINE static bool settle(const Groups& low, const Groups& high, Scalar doubt, Verdicts& verdicts) {
+    Vec nearest{};  // of the distances to 0
+    for (std::size_t g = 0; g < kGroups; ++g) {
+      const Vec near = smaller(size_of_each(low[g]), size_of_each(high[g]));
+      nearest = g == 0 ? near : smaller(nearest, near);
+      const Mask not_outside = high[g] > 0 ? Mask{} + 1 : Mask{};
+      const Bytes code = __builtin_convertvector(low[g] > 0 ? Mask{} + 2 : not_outside, Bytes);
+      std::memcpy(verdicts.data() + g * kLanes, &code, kLanes);
+    }
+    return all_above(nearest, doubt);
+  }
+};
+
+template <class Scalar, std::size_t kBytes, class Array>
+SNUG_INLINE void classify_in(const Frustum<Scalar, 3>& frustum, const Array& array, std::span<Culling> verdicts) {
+  using Own = Blocks<Scalar, kBytes>;
+  const UnitPlanes<Scalar> planes(frustum);
+  for (std::size_t block = 0; block < array.blocks().size(); ++block) {
+    typename Own::Verdicts own;
+    const bool known = Own::judge(planes, array.blocks()[block], planes.doubt(array.reach()[block]), own);
+    const std::size_t begin = block * Own::kBlock, count = std::min(Own::kBlock, verdicts.size() - begin);
+    if (!known) [[unlikely]]  // the block's others come out the same
+      for (std::size_t i = 0; i < count; ++i) own[i] = classify(frustum, array[begin + i]).verdict;
+    if (count == Own::kBlock) [[likely]]
+      std::memcpy(verdicts.data() + begin, own.data(), Own::kBlock);
+    else std::copy_n(own.data(), count, verdicts.data() + begin);
+  }
+}
+
+#if defined(__x86_64__)
+// Lane by lane the same operations, so the same bits: this target has no fused multiply-add.
+template <class Scalar, class Array>
+[[gnu::target("avx2")]] void classify_in_32_bytes(const Frustum<Scalar, 3>& frustum, const Array& array,
+                                                  std::span<Culling> verdicts) {
+  classify_in<Scalar, 32>(frustum, array, verdicts);
+}
+template <class Scalar, class Array>
+[[gnu::target("avx512f,avx512bw,avx512dq,avx512vl,prefer-vector-width=512")]] void
+classify_in_64_bytes(const Frustum<Scalar, 3>& frustum, const Array& array, std::span<Culling> verdicts) {
+  classify_in<Scalar, 64>(frustum, array, verdicts);
+}
+#endif
+
+template <class Scalar, class Array>
+void classify_array(const Frustum<Scalar, 3>& frustum, const Array& array, std::span<Culling> verdicts) {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+    return classify_in_64_bytes(frustum, array, verdicts);
+  if (__builtin_cpu_supports("avx2")) return classify_in_32_bytes(frustum, array, verdicts);
+#endif
+  classify_in<Scalar, 16>(frustum, array, verdicts);
+}
+
+}  // namespace
+
+template <class Scalar>
+Aabb<Scalar, 3> AabbArray<Scalar>::operator[](std::size_t i) const {
+  return {{this->at(i, 0), this->at(i, 1), this->at(i, 2)}, {this->at(i, 3), this->at(i, 4), this->at(i, 5)}};
+}
+template <class Scalar>
+void AabbArray<Scalar>::set(std::size_t i, const Aabb<Scalar, 3>& box) {
+  for (int k = 0; k < 3; ++k) {
+    this->at(i, static_cast<std::size_t>(k)) = box.min[k];
+    this->at(i, static_cast<std::size_t>(k + 3)) = box.max[k];
+  }
+  this->reaches(i, size_of(box));
+}
+
+template <class Scalar>
+Sphere<Scalar, 3> SphereArray<Scalar>::operator[](std::size_t i) const {
+  return {{this->at(i, 0), this->at(i, 1), this->at(i, 2)}, this->at(i, 3)};
+}
+template <class Scalar>
+void SphereArray<Scalar>::set(std::size_t i, const Sphere<Scalar, 3>& sphere) {
+  for (int k = 0; k < 3; ++k) this->at(i, static_cast<std::size_t>(k)) = sphere.center[k];
+  this->at(i, 3) = sphere.radius;
+  this->reaches(i, size_of(sphere));
+}
+
+template <class Scalar>
+void classify_all(const Frustum<Scalar, 3>& frustum, const AabbArray<Scalar>& boxes, std::span<Culling> verdicts) {
+  classify_array(frustum, boxes, verdicts);
+}
+template <class Scalar>
+void classify_all(const Frustum<Scalar, 3>& frustum, const SphereArray<Scalar>& spheres, std::span<Culling> verdicts) {
+  classify_array(frustum, spheres, verdicts);
+}
+
+#define SNUG_INSTANTIATE(Scalar)                                                                                       \
+  template class AabbArray<Scalar>;                                                                                    \
+  template class SphereArray<Scalar>;                                                                                  \
+  template void classify_all(const Frustum<Scalar, 3>&, const AabbArray<Scalar>&, std::span<Culling>);                 \
+  template void classify_all(const Frustum<Scalar, 3>&, const SphereArray<Scalar>&, std::span<Culling>);
+SNUG_INSTANTIATE(float)
+SNUG_INSTANTIATE(double)
+#undef SNUG_INSTANTIATE
+
+}  // namespace snug::query
