@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "desktop/cli/files.hpp"
-#include "lesson/trace_hash.hpp"
+#include "number/fnv.hpp"
 
 namespace snug::desktop {
 StateFile::StateFile() {
@@ -21,7 +21,7 @@ void StateFile::write(Shell& shell, const Extent& extent) {
   state["step"] = session->step();
   state["steps"] = session->steps();
   state["caption"] = app.caption();
-  state["trace"] = lesson::hex_of(session->trace_hash());
+  state["trace"] = hex_of(session->trace_hash());
   state["points"] = session->size();
   state["selected"] = app.selected();
   state["asked"] = nullptr;

@@ -10,7 +10,7 @@
 #include "lesson/passes.hpp"
 #include "lesson/say.hpp"
 #include "lesson/scene_figures.hpp"
-#include "lesson/trace_hash.hpp"
+#include "number/fnv.hpp"
 #include "web/boxes.hpp"
 #include "web/costs.hpp"
 
@@ -228,7 +228,7 @@ val view_object(app::App& app, const lesson::Session& session) {
   object.set("playing", app.playing());
   object.set("speed", app.speed());
   object.set("previewing", session.previewing());
-  object.set("trace", text(lesson::hex_of(session.trace_hash())));
+  object.set("trace", text(hex_of(session.trace_hash())));
   object.set("asked", asked_object(session.asked(), session));
   object.set("questions", static_cast<int>(session.questions().size()));
   object.set("outcome", session.outcome() != nullptr ? outcome_object(*session.outcome()) : val::null());

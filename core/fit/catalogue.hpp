@@ -84,7 +84,7 @@ struct Algorithm {
 /// The names of all facts.
 [[nodiscard]] std::span<const std::string_view> fact_names();
 
-/// FNV-1a over every number of every step, in order: equal traces have equal hashes, natively and in WebAssembly.
+/// Over every number of every step, in order.
 [[nodiscard]] std::uint64_t hash_of(std::span<const Recorder<Step3>::Entry> steps);
 
 /// One step as one line of JSON, without a line feed: {"step":"ball_grown","line":3,"ball":{...},...}.

@@ -43,7 +43,7 @@ Certificate certify(const Fit<Sphere<Scalar, Dim>>& fit, PointSpan<Scalar, Dim> 
     return std::abs(distance(i) - radius) <= tolerance::kBoundaryRoundoffs * roundoff;
   });
   certificate.lower_bound = support_lower_bound(fit.support, points);
-  if (certificate.lower_bound > 0) certificate.radius_excess = radius / certificate.lower_bound - 1;
+  if (certificate.lower_bound > 0) certificate.excess = radius / certificate.lower_bound - 1;
   if (claims_optimal)
     certificate.optimal =
         certificate.contains && radius - certificate.lower_bound <= tolerance::kOptimalityRoundoffs * roundoff;

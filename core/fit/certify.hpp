@@ -14,7 +14,7 @@ struct Certificate {
   double max_outside = 0;       // the farthest that one lies outside, scene units; 0 where all are held
   bool on_boundary = false;     // every support point, within rounding
   double lower_bound = 0;       // no ball with a smaller radius holds even the support; scene units
-  double radius_excess = 0;     // radius / lower_bound - 1 where the bound is positive; 0 for a ball of radius 0
+  double excess = 0;            // radius / lower_bound - 1 where the bound is positive; 0 for a ball of radius 0
   std::optional<bool> optimal;  // whether the bound meets the radius within rounding; none where nothing is claimed
 };
 

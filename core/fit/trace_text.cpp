@@ -6,6 +6,7 @@
 #include "fit/update/updates.hpp"
 #include "geometry/volume_fields.hpp"
 #include "number/bits.hpp"
+#include "number/fnv.hpp"
 
 namespace snug::fit {
 namespace {
@@ -18,11 +19,9 @@ constexpr auto names_of(std::index_sequence<kAt...>) {
 }
 constexpr auto kFactNames = names_of(std::make_index_sequence<std::variant_size_v<Fact>>{});
 
-/// Source: G. Fowler, L. C. Noll, K.-P. Vo, the FNV hash, 1991.
-class Fnv1a {
- public:
+/// Takes what fields lists.
+struct FieldHash : Fnv1a {
   void operator()(std::string_view, const auto& value) { add(value); }
-  [[nodiscard]] std::uint64_t hash() const { return hash_; }
 
   void add(std::int64_t value) { add_bits(static_cast<std::uint64_t>(value)); }
   void add(int value) { add(std::int64_t{value}); }
@@ -49,12 +48,6 @@ class Fnv1a {
     for (Eigen::Index column = 0; column < matrix.cols(); ++column)
       for (Eigen::Index row = 0; row < matrix.rows(); ++row) add(static_cast<double>(matrix(row, column)));
   }
-
- private:
-  void add_bits(std::uint64_t bits) {
-    for (int byte = 0; byte < 8; ++byte, bits >>= 8) hash_ = (hash_ ^ (bits & 0xff)) * 0x100000001b3u;
-  }
-  std::uint64_t hash_ = 0xcbf29ce484222325u;
 };
 
 class Json {
@@ -141,7 +134,7 @@ std::string_view name_of(const Step3& step) { return kFactNames[step.fact.index(
 std::span<const std::string_view> fact_names() { return kFactNames; }
 
 std::uint64_t hash_of(std::span<const Recorder<Step3>::Entry> steps) {
-  Fnv1a hash;
+  FieldHash hash;
   for (const auto& entry : steps) {
     hash.add(static_cast<std::int64_t>(entry.step.fact.index()));
     hash.add(entry.step.line);
@@ -149,7 +142,7 @@ std::uint64_t hash_of(std::span<const Recorder<Step3>::Entry> steps) {
     std::visit([&](const auto& volume) { hash.add(volume); }, entry.step.volume);
     std::visit([&](const auto& fact) { fact.fields(hash); }, entry.step.fact);
   }
-  return hash.hash();
+  return hash.value();
 }
 
 std::string json_of(const Step3& step, int dim) {

@@ -3,31 +3,19 @@
 #include <tuple>
 
 #include "lesson/play.hpp"
+#include "number/fnv.hpp"
 
 namespace snug::lesson {
-namespace {
-
-std::uint64_t fold(std::uint64_t hash, std::uint64_t bits) {
-  for (int byte = 0; byte < 8; ++byte, bits >>= 8) hash = (hash ^ (bits & 0xff)) * 0x100000001b3u;
-  return hash;
-}
-
-}  // namespace
-
 tl::expected<TraceHash, InputError> trace_hash(Session& session) {
-  TraceHash result{session.lesson().id, 0, 0xcbf29ce484222325u};
+  TraceHash result{session.lesson().id};
+  Fnv1a hash;
   for (const std::string& algorithm : playable(session)) {
     if (const auto chosen = session.choose(0, algorithm); !chosen) return tl::unexpected(chosen.error());
     result.steps += session.steps();
-    result.hash = fold(result.hash, session.trace_hash());
+    hash.add_bits(session.trace_hash());
   }
+  result.hash = hash.value();
   return result;
-}
-
-std::string hex_of(std::uint64_t hash) {
-  std::string digits;
-  for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[hash >> shift & 0xf];
-  return digits;
 }
 
 std::string line_of(const TraceHash& hash) {

@@ -11,15 +11,12 @@ namespace snug::lesson {
 struct TraceHash {
   std::string lesson;      // its id
   std::int64_t steps = 0;  // of all algorithms together
-  std::uint64_t hash = 0;  // FNV-1a over the hashes of their traces
+  std::uint64_t hash = 0;  // over the hashes of their traces
 };
 
 /// Of every algorithm that is playable, in the lesson's order, on the session's points. The session is left with the
 /// last of them in slot 0. Errors: as of choose.
 [[nodiscard]] tl::expected<TraceHash, InputError> trace_hash(Session& session);
-
-/// A hash as 16 hexadecimal digits.
-[[nodiscard]] std::string hex_of(std::uint64_t hash);
 
 /// "ID STEPS HASH" without a line feed; the hash as hex_of has it.
 [[nodiscard]] std::string line_of(const TraceHash& hash);

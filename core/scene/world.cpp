@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "number/bits.hpp"
+#include "number/fnv.hpp"
 #include "scene/limits.hpp"
 
 namespace snug::scene {
@@ -18,11 +19,9 @@ Quaternion quaternion_of(const Matrix<double, 3>& m) {
   return normalized({m(1, 0) - m(0, 1), m(0, 2) + m(2, 0), m(1, 2) + m(2, 1), 1 + z - x - y});
 }
 
-/// Source: G. Fowler, L. C. Noll, K.-P. Vo, the FNV hash, 1991.
-struct Hash {
-  std::uint64_t value = 0xcbf29ce484222325u;
-  void add(std::uint64_t word) { value = (value ^ word) * 0x100000001b3u, value ^= value >> 29; }
-  void add(double number) { add(bits_of(number)); }
+struct Hash : Fnv1a {
+  void add(std::uint64_t bits) { add_bits(bits); }
+  void add(double number) { add_bits(bits_of(number)); }
   void add(const V3& v) { add(v[0]), add(v[1]), add(v[2]); }
 };
 
@@ -81,7 +80,7 @@ std::uint64_t World::hash() const {
     hash.add(impulse.normal), hash.add(impulse.first), hash.add(impulse.second), hash.add(impulse.approach),
         hash.add(impulse.owed);
   }
-  return hash.value;
+  return hash.value();
 }
 
 World world_of(const Declaration& declaration) {

@@ -158,7 +158,7 @@ struct World {
   [[nodiscard]] double margin(std::size_t i) const;
   /// Of all bodies that velocities move, with what gravity may still give them.
   [[nodiscard]] double energy() const;
-  /// Of every number of the bodies and of what their contacts remember: FNV-1a over words of 64 bits.
+  /// Of every number of the bodies and of what their contacts remember.
   [[nodiscard]] std::uint64_t hash() const;
 };
 

@@ -8,7 +8,7 @@
 #include "lesson/scene_figures.hpp"
 #include "lesson/scene_runs.hpp"
 #include "lesson/still_scene.hpp"
-#include "lesson/trace_hash.hpp"
+#include "number/fnv.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -72,7 +72,7 @@ CommandResult run_scene(const SceneOptions& options) {
   last["lesson"] = file->lesson.id;
   last["frames_drawn"] = drawn;
   last["frames_skipped"] = options.frames + 1 - drawn;
-  last["hash"] = lesson::hex_of(scene->world().hash());
+  last["hash"] = hex_of(scene->world().hash());
   printed.text += line_of(last);
   return printed;
 }

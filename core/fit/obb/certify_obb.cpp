@@ -114,7 +114,7 @@ void prove_smallest(Certificate& certificate, const Obb<Scalar, Dim>& box, Point
   const Vector<double, Dim> lengths = scaled_lengths(box, exponent);
   const double allowed = std::ldexp(rounding, -exponent) + bound.shorter;
   certificate.lower_bound = std::ldexp(bound.measure, Dim * exponent);
-  if (bound.measure > 0) certificate.radius_excess = lengths.prod() / bound.measure - 1;
+  if (bound.measure > 0) certificate.excess = lengths.prod() / bound.measure - 1;
   certificate.optimal = certificate.contains && certificate.on_boundary &&
                         (lengths.array() - allowed).cwiseMax(0).prod() <= bound.measure;
 }

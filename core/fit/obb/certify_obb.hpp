@@ -11,7 +11,7 @@ namespace snug::fit {
 /// on_boundary: the axes are unit, perpendicular and right-handed, every support point lies on a face and every face
 /// has one, all within rounding. lower_bound: no box of a smaller measure holds the points, scene units squared or
 /// cubed; worked out (in 3-D by going through all pairs of the hull's edges, as long as the fit took) where
-/// claims_optimal, else 0. Where the measure over- or underflows so does it; radius_excess, then measure / lower_bound
+/// claims_optimal, else 0. Where the measure over- or underflows so does it; excess, then measure / lower_bound
 /// - 1, does not.
 template <class Scalar, int Dim>
 [[nodiscard]] Certificate certify(const Fit<Obb<Scalar, Dim>>& fit, PointSpan<Scalar, Dim> points, bool claims_optimal);
