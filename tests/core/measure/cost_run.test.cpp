@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <ctime>
+#include <limits>
 
 #include "core/measure/false_clock.hpp"
 #include "core/point_clouds.hpp"
@@ -15,10 +16,9 @@ using namespace snug;
 
 namespace {
 
-/// It goes a hundred times too slow: on no machine does a run take too long by it.
-/// Of this process alone: others on the machine do not make it go faster.
-cost::Clock slow_clock() {
-  return [] { return static_cast<double>(std::clock()) * (1e9 / CLOCKS_PER_SEC) / 100; };
+/// This process's time: others on the machine do not make it go faster.
+cost::Clock own_clock() {
+  return [] { return static_cast<double>(std::clock()) * (1e9 / CLOCKS_PER_SEC); };
 }
 
 std::vector<const fit::Algorithm*> all_for(int dim) {
@@ -30,7 +30,11 @@ std::vector<const fit::Algorithm*> all_for(int dim) {
 
 cost::CostRun run_of(const AnyPointSet& points, std::vector<const fit::Algorithm*> algorithms, const cost::Clock& clock,
                      double batch = 1000) {
-  return {points, std::move(algorithms), {.timing = {.repeats = 3, .batch = batch}}, clock};
+  constexpr double kNever = std::numeric_limits<double>::infinity();  // too long on no machine
+  return {points,
+          std::move(algorithms),
+          {.timing = {.repeats = 3, .batch = batch}, .limits = {.longest = kNever, .longest_watched = kNever}},
+          clock};
 }
 
 void finish(cost::CostRun& run) {
@@ -41,7 +45,7 @@ void finish(cost::CostRun& run) {
 void check_rows(const AnyPointSet& points) {
   const int dim = fit::dim_of(points);
   const auto algorithms = all_for(dim);
-  auto run = run_of(points, algorithms, slow_clock());
+  auto run = run_of(points, algorithms, own_clock());
   finish(run);
   REQUIRE(run.rows().size() == algorithms.size());
   const double hull = fit::measure_of(fit::find_algorithm("hull", "quickhull")->fit(points, {}).volume, dim);
@@ -90,7 +94,7 @@ TEST_CASE("a volume's bytes are those of its numbers in its own scalar") {
   auto run = run_of(
       in_float,
       {fit::find_algorithm("sphere", "welzl"), fit::find_algorithm("obb", "pca"), fit::find_algorithm("kdop", "k14")},
-      slow_clock());
+      own_clock());
   finish(run);
   CHECK(run.rows()[0].bytes == 16);
   CHECK(run.rows()[1].bytes == 60);
@@ -101,7 +105,7 @@ TEST_CASE("flat and single points have rows; what has no size is not divided by"
   for (const auto& cloud :
        {test::Cloud<double, 3>{{1, 2, 3}}, test::Cloud<double, 3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 3, 0}}}) {
     const AnyPointSet points = test::set_of<double, 3>(cloud);
-    auto run = run_of(points, all_for(3), slow_clock());
+    auto run = run_of(points, all_for(3), own_clock());
     finish(run);
     CHECK(run.rows().size() == all_for(3).size());
     for (const cost::CostRow& row : run.rows()) {
@@ -114,7 +118,7 @@ TEST_CASE("flat and single points have rows; what has no size is not divided by"
 
 TEST_CASE("no volume is told to be smaller than the smallest, and what is flat is compared with nothing") {
   const auto rows_of = [](const AnyPointSet& points, int dim) {
-    auto run = run_of(points, all_for(dim), slow_clock());
+    auto run = run_of(points, all_for(dim), own_clock());
     finish(run);
     std::vector<cost::CostRow> rows = run.rows();
     cost::mark_front(rows);
@@ -200,8 +204,8 @@ TEST_CASE("in slices the rows are those of one go") {
 }
 
 TEST_CASE("what would take longer than a slice is measured on fewer points, and says so") {
-  const fit::Algorithm square = test::slow_algorithm<1, 4>("square");
-  const AnyPointSet points = test::set_of<double, 3>(test::generated<double, 3>("cube", 10'000, 3));
+  const fit::Algorithm square = test::slow_algorithm<256, 4>("square");
+  const AnyPointSet points = test::set_of<double, 3>(test::generated<double, 3>("cube", 640, 3));
   cost::CostRun run(points, {&square},
                     {.timing = {.repeats = 3, .batch = 0}, .limits = {.longest = 2e6, .longest_watched = 1e9}},
                     test::false_clock());
@@ -213,31 +217,31 @@ TEST_CASE("what would take longer than a slice is measured on fewer points, and 
   }
   CHECK(longest < 6.5e6);  // a watched run takes three times as long, and is done again
   const cost::CostRow& row = run.rows().at(0);
-  CHECK(row.points == 1024);
-  CHECK(row.of == 10'000);
-  CHECK(row.whole_ns.value() == doctest::Approx(1e8).epsilon(0.01));
-  CHECK(row.time.median == doctest::Approx(1024.0 * 1024));
+  CHECK(row.points == 64);
+  CHECK(row.of == 640);
+  CHECK(row.whole_ns.value() == doctest::Approx(256.0 * 640 * 640));
+  CHECK(row.time.median == doctest::Approx(256.0 * 64 * 64));
   CHECK(row.tightness.value() >= 1);
   CHECK(cost::pareto_front(run.rows()).empty());  // what was measured on fewer points is no rival
 
   // What seems to grow more steeply than theory's bound does so by chance.
-  const fit::Algorithm linear = test::slow_algorithm<1, 4>("ritter");
+  const fit::Algorithm linear = test::slow_algorithm<256, 4>("ritter");
   cost::CostRun bounded(points, {&linear},
                         {.timing = {.repeats = 3, .batch = 0}, .limits = {.longest = 2e6, .longest_watched = 1e9}},
                         test::false_clock());
   finish(bounded);
-  CHECK(bounded.rows().at(0).whole_ns.value() == doctest::Approx(1024.0 * 10'000));
+  CHECK(bounded.rows().at(0).whole_ns.value() == doctest::Approx(256.0 * 64 * 640));
 
   cost::CostRun watched(points, {&square},
                         {.timing = {.repeats = 3, .batch = 0}, .limits = {.longest = 1e9, .longest_watched = 1e6}},
                         test::false_clock());
   finish(watched);
-  CHECK(watched.rows().at(0).points == 512);
+  CHECK(watched.rows().at(0).points == 32);
 }
 
 TEST_CASE("stopped, the rows that are ready stay") {
   const AnyPointSet points = test::set_of<double, 3>(test::generated<double, 3>("cube", 100, 3));
-  auto run = run_of(points, all_for(3), slow_clock());
+  auto run = run_of(points, all_for(3), own_clock());
   while (run.rows().size() < 3) run.step();
   run.stop();
   CHECK(run.done());
