@@ -257,16 +257,16 @@ bool App::State::move(std::string_view name) {
 
 /// The points with their volumes, or the chart, and a button that leads from one to the other.
 void App::State::draw_stage(const Rect& rect) {
+  const std::string_view words = costs->shown() ? "Shape" : "Chart";
+  const float height = look.fingers ? 44.0f : look.px(32);
+  look.tools_right = has_chart() ? app::measure(look, Face::kSemiBold, 13, words).x + look.px(28) : 0;
   if (!on_chart()) stage.draw(look, settings, *session, rect, now);
   else costs->draw(look, *session, rect, settings.prose_in_canvas);
   if (!has_chart()) return;
-  const std::string_view words = costs->shown() ? "Shape" : "Chart";
-  const float height = look.fingers ? 44.0f : look.px(32),
-              width = app::measure(look, Face::kSemiBold, 13, words).x + look.px(28);
   const float right = rect.x + rect.width - 12 - (costs->shown() ? 0 : height + 8);
   if (button(ImGui::GetWindowDrawList(), look,
              {.id = "chart or shape",
-              .rect = {right - width, rect.y + 12, width, height},
+              .rect = {right - look.tools_right, rect.y + 12, look.tools_right, height},
               .words = words,
               .kind = ButtonKind::kOutlined,
               .size = 13}))
@@ -358,6 +358,7 @@ void App::frame(const Layout& layout, double now) {
   s.refresh_look(layout.fingers);
   s.look.tools = layout.tools;
   ++s.frames;
+  if (s.look.drawn != nullptr) s.look.drawn->clear();
   advance(now);
   if (!s.session) return;
   const auto shows = [](const Rect& rect) { return rect.width >= 1 && rect.height >= 1; };
@@ -410,6 +411,7 @@ double App::seconds_until_step(double now) const {
   return state_->playing ? std::max(0.0, state_->next_step_at - now) : std::numeric_limits<double>::infinity();
 }
 
+void App::note_words(std::vector<DrawnWords>* drawn) { state_->look.drawn = drawn; }
 long App::frames_drawn() const { return state_->frames; }
 std::string App::caption() const {
   if (state_->on_chart()) return state_->costs->caption(*state_->session);

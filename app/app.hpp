@@ -59,6 +59,7 @@ struct Handle {
 };
 
 struct Look;
+struct DrawnWords;
 class Costs;
 
 class App {
@@ -132,6 +133,8 @@ class App {
   /// For a door that sleeps between frames: 0 when one is due now, the seconds until the next playing step, or infinity
   /// when nothing changes without input.
   [[nodiscard]] double seconds_until_due(double now) const;
+  /// From now on each frame's words are noted there, until null is given: for tests of where they stand.
+  void note_words(std::vector<DrawnWords>* drawn);
   /// How many frames were drawn.
   [[nodiscard]] long frames_drawn() const;
 

@@ -54,9 +54,11 @@ class Column {
     const Color bar = chosen ? look_->current : look_->previous;
     text_right(list_, look_, chosen ? Face::kMonoBold : Face::kMono, small, {x_ + width_, y_ + look_.px(4)},
                chosen ? look_->current_text : look_->muted, value);
-    const float room = width_ - measure(look_, Face::kMono, small, value).x - 10;
-    text(list_, look_, chosen || beside ? Face::kSemiBold : Face::kRegular, size, {x_, y_ + look_.px(3)}, look_->ink,
-         shortened(look_, Face::kRegular, size, rival.algorithm->title, room));
+    const float room = width_ - measure(look_, Face::kMonoBold, small, value).x - 10;
+    const Face face = chosen || beside ? Face::kSemiBold : Face::kRegular;
+    const auto lines = lines_of(look_, face, size, rival.algorithm->title, room);
+    for (std::size_t i = 0; i < lines.size(); ++i, y_ += i < lines.size() ? look_.px(18) : 0)
+      text(list_, look_, face, size, {x_, y_ + look_.px(3)}, look_->ink, lines[i]);
     const float top = y_ + look_.px(24), height = 6;
     const float share = widest > 0 ? static_cast<float>(rival.size / widest) : 1.0f;
     list_->AddRectFilled({x_, top}, {x_ + width_, top + height}, look_->track, height / 2);

@@ -11,6 +11,7 @@ float advance(ImFont* font, float size, const char* begin, const char* end) {
 
 // ImGui's size of a font is from its ascender to its descender; everyone else's is the em, which our sizes are in.
 constexpr float kInterBox = 1.21f, kJetBrainsMonoBox = 1.32f;
+constexpr float kAboveCapitals = 0.1f;  // of the em, from the top of a line's box to that of its capitals
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }  // inside a UTF-8 character
 
@@ -29,6 +30,12 @@ ImVec2 measure(const Look& look, Face face, float size, std::string_view words) 
 void text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words) {
   if (words.empty()) return;
   const float box = font_size(look, face, size);
+  if (look.drawn != nullptr)
+    look.drawn->push_back({std::string(words),
+                           {at.x, at.y + look.px(size) * kAboveCapitals},
+                           {at.x + measure(look, face, size, words).x, at.y + look.px(size)},
+                           list->GetClipRectMin(),
+                           list->GetClipRectMax()});
   at.y -= (box - look.px(size)) / 2;
   list->AddText(look.font(face), box, at, color, words.data(), words.data() + words.size());
 }

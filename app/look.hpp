@@ -14,13 +14,22 @@ namespace snug::app {
 
 enum class Face { kRegular, kSemiBold, kMono, kMonoBold };
 
+/// Words where they were drawn, on the canvas. Of the box, low and high are what the letters fill; clip is what the
+/// list showed there.
+struct DrawnWords {
+  std::string words;
+  ImVec2 low, high, clip_low, clip_high;
+};
+
 struct Look {
   const Palette* palette = &kLight;
   std::array<ImFont*, 4> fonts{};
   float text_scale = 1;
   bool fingers = false;
-  bool still = false;  // no motion
-  float tools = 0;     // as Layout has it
+  bool still = false;     // no motion
+  float tools = 0;        // as Layout has it
+  float tools_right = 0;  // how wide the front end's own button is, beside the stage's in its other top corner
+  std::vector<DrawnWords>* drawn = nullptr;  // where tests ask for it, all words of the frame
 
   [[nodiscard]] ImFont* font(Face face) const { return fonts[static_cast<std::size_t>(face)]; }
   /// A size of words in page pixels, from its size at scale 1.

@@ -140,7 +140,7 @@ class Stage {
   void draw_labels(Brush& brush) const;
   // stage_notes.cpp
   void draw_notes(Brush& brush, Settings& settings);
-  float draw_toggle(Brush& brush, Settings& settings, float right, float y, float height);
+  void draw_toggle(Brush& brush, Settings& settings, float right, float y, float height);
   void draw_axis_cross(Brush& brush) const;
 
   /// What the view has to have room for.

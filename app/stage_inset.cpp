@@ -12,7 +12,6 @@ namespace snug::app {
 namespace {
 
 constexpr double kAround = 0.45;  // of half the image, on every side
-constexpr ImVec2 kNowhere{-1e6f, -1e6f};
 
 /// The camera's eye: a point's place sideways and upwards over its depth is its place in the image, from -1 to 1.
 struct Eye {
@@ -115,7 +114,7 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
   list->AddRectFilled(low, high, p.panel, 8);
   list->AddRect(low, high, p.line, 8, 0, 1);
   text(list, look, Face::kSemiBold, 12, {panel.x + pad, panel.y + look.px(5)}, p.muted,
-       small ? "Camera’s view" : "From the camera");
+       small ? "Camera" : "From the camera");
   const Picture picture{{panel.x + width / 2, panel.y + head + (height - head - pad) / 2}, {half_x, half_y}, pair->dim};
   const Rect image = picture.image();
   list->AddRectFilled({image.x, image.y}, {image.x + image.width, image.y + image.height}, p.ground);
@@ -154,14 +153,22 @@ Rect Stage::draw_inset(Brush& brush, float top) const {
                 brush.stroke(0.7f));
   if (shown_.plane_at >= 0)
     path(list, side_of(image, pair->dim, shown_.plane_at), false, Stroke::kSolid, p.examined, brush.stroke(1.4f));
-  if (shown_.plane && !shown_.plane_asked)
-    for (const bool along : {true, false}) {
-      const Point3 seen = eye.seen(along ? shown_.plane->p_point : shown_.plane->n_point);
-      const ImVec2 at = eye.in_front(seen) ? picture.at(seen) : kNowhere;
+  if (shown_.plane && !shown_.plane_asked) {
+    // They may lie in one line of sight: the higher one is named above it, the other below.
+    const Point3 p_seen = eye.seen(shown_.plane->p_point), n_seen = eye.seen(shown_.plane->n_point);
+    const bool p_higher = flat || picture.at(p_seen).y <= picture.at(n_seen).y;
+    const auto name = [&](const Point3& seen, bool higher, std::string_view word) {
+      const ImVec2 at = picture.at(seen);
+      const float aside = look.px(6);
+      const bool inside = at.x > low.x + aside && at.x < high.x - aside && at.y > low.y + head && at.y < high.y - aside;
+      if (!eye.in_front(seen) || !inside) return;
       diamond(list, at, 4, p.support, p.panel);
-      text_middle(list, look, Face::kSemiBold, 12, {at.x, (flat ? image.y : at.y - 3) - look.px(15)}, p.support_text,
-                  along ? "p" : "n");
-    }
+      const float above = (flat ? image.y : at.y - 3) - look.px(15), below = (flat ? image.y + image.height : at.y) + 4;
+      text_middle(list, look, Face::kSemiBold, 12, {at.x, higher ? above : below}, p.support_text, word);
+    };
+    name(p_seen, p_higher, "p");
+    name(n_seen, !p_higher, "n");
+  }
   list->PopClipRect();
   if (ends.empty())
     text(list, look, Face::kRegular, 12, {panel.x + pad, high.y - look.px(18)}, p.muted,

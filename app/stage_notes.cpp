@@ -1,4 +1,4 @@
-// What stands over the stage: the sentence, two buttons, Welzl's depth, the axis cross. All of it is kept free of
+// What stands over the stage: the sentence, two buttons, the axis cross. All of it is kept free of
 // labels.
 #include <algorithm>
 
@@ -38,7 +38,6 @@ void draw_sentence(ImDrawList* list, const Look& look, Obstacles& obstacles, con
 }
 
 void Stage::draw_notes(Brush& brush, Settings& settings) {
-  const Palette& p = brush.p;
   const Look& look = brush.look;
   const float height = look.fingers ? 44.0f : look.px(32);
   const float y = brush.rect.y + 12;
@@ -49,25 +48,14 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
   right -= height + 8;
 
   if (brush.session.boxes() == nullptr && brush.session.frame() == nullptr && !brush.session.lesson().measures)
-    right = draw_toggle(brush, settings, right, y, height);
+    draw_toggle(brush, settings, right, y, height);
   keep_free(brush.canvas.obstacles, fit);
+  if (look.tools_right > 0) keep_free(brush.canvas.obstacles, {right - look.tools_right, y, look.tools_right, height});
 
   // The page's undo and redo stand in the other corner.
   const float tools = look.tools;
   if (tools > 0) keep_free(brush.canvas.obstacles, {brush.rect.x, brush.rect.y, tools, height + 16});
 
-  if (shown_.depth > 0 && shown_.forced.size() > 0) {
-    const std::string words = "Forced onto the boundary: " +
-                              name_of_points({shown_.forced.begin(), static_cast<std::size_t>(shown_.forced.size())}) +
-                              " (depth " + std::to_string(shown_.depth) + ")";
-    const float left = tools + 16;
-    const Rect place{brush.rect.x + left, y, right - brush.rect.x - left - 16, look.px(20)};
-    const std::string fitting = shortened(look, Face::kSemiBold, 13, words, place.width);
-    halo_text(brush.list, look, Face::kSemiBold, 13, {place.x, middle_of(y + height / 2, look.px(13))}, p.support_text,
-              p.ground, fitting);
-    keep_free(brush.canvas.obstacles,
-              {place.x, y + height / 2 - look.px(10), measure(look, Face::kSemiBold, 13, fitting).x, look.px(20)});
-  }
   if (const Rect inset = draw_inset(brush, y + (tools > 0 ? height + 10 : 0)); inset.width > 0)
     keep_free(brush.canvas.obstacles, inset);
   if (camera_.dim() == 3) draw_axis_cross(brush);
@@ -75,8 +63,8 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
     draw_sentence(brush.list, look, brush.canvas.obstacles, brush.rect, caption_at(brush.session));
 }
 
-/// "Smallest": whether the smallest volume is shown before the end. Returns where the next button may end.
-float Stage::draw_toggle(Brush& brush, Settings& settings, float right, float y, float height) {
+/// "Smallest": whether the smallest volume is shown before the end.
+void Stage::draw_toggle(Brush& brush, Settings& settings, float right, float y, float height) {
   const Palette& p = brush.p;
   const Look& look = brush.look;
   const float width = measure(look, Face::kSemiBold, 13, "Smallest").x + look.px(52);
@@ -90,7 +78,6 @@ float Stage::draw_toggle(Brush& brush, Settings& settings, float right, float y,
   text(brush.list, look, Face::kSemiBold, 13, {toggle.x + look.px(42), middle_of(middle, look.px(13))}, p.ink,
        "Smallest");
   keep_free(brush.canvas.obstacles, toggle);
-  return toggle.x;
 }
 
 /// The one that boxes are sorted along is thicker.

@@ -1,0 +1,201 @@
+// At every step of every lesson, on screens of three sizes: no words over others, none cut off.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/look.hpp"
+#include "bench.hpp"
+#include "io/point_file.hpp"
+
+namespace snug::app {
+namespace {
+
+struct Screen {
+  const char* name;
+  Layout layout;
+  float text_scale = 1;
+  bool prose_in_canvas = false;
+  Theme theme = Theme::kLight;
+};
+
+/// The page's and the window's parts, as their doors lay them out.
+const std::vector<Screen>& screens() {
+  static const std::vector<Screen> all{
+      {"page 1280", {{0, 0, 628, 616}, {0, 616, 628, 136}, {628, 0, 280, 752}, false, 88}},
+      {"page 1920", {{0, 0, 1268, 896}, {0, 896, 1268, 136}, {1268, 0, 280, 1032}, false, 88}},
+      {"phone", {{0, 0, 390, 390}, {0, 446, 390, 158}, {}, true, 104}},
+      {"phone, numbers", {{}, {}, {0, 0, 390, 604}, true}},
+      {"phone, large text", {{0, 0, 390, 340}, {0, 340, 390, 190}, {}, true, 104}, 1.4f},
+      {"window 1280", {{371, 48, 627, 600}, {371, 648, 627, 152}, {998, 48, 282, 752}}, 1, true},
+      {"window 1920", {{380, 48, 1250, 880}, {380, 928, 1250, 152}, {1630, 48, 290, 1032}}, 1, true},
+      {"projector",
+       {{0, 0, 1268, 896}, {0, 896, 1268, 160}, {1268, 0, 380, 1032}, false, 88},
+       1,
+       false,
+       Theme::kProjector},
+  };
+  return all;
+}
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  REQUIRE(file);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// None of no name.
+std::optional<io::PointFile> mesh_of(const std::string& mesh) {
+  if (mesh.empty()) return std::nullopt;
+  const std::string name = mesh + ".ply";
+  auto read = io::read_points(bytes_of(SNUG_ASSETS_DIR "/meshes/" + name), name);
+  REQUIRE(read.has_value());
+  return *std::move(read);
+}
+
+std::vector<lesson::Lesson> all_lessons() {
+  std::vector<lesson::Lesson> lessons;
+  for (const auto& entry : std::filesystem::directory_iterator(SNUG_SOURCE_DIR "/lessons")) {
+    if (entry.path().extension() != ".toml") continue;
+    auto lesson =
+        lesson::read_lesson(bytes_of(entry.path()), entry.path().filename().string(), lesson::Checked::kAsWritten);
+    REQUIRE(lesson.has_value());
+    lesson->questions.clear();
+    lessons.push_back(*std::move(lesson));
+  }
+  return lessons;
+}
+
+/// A halo and its words are one, and so are letters and their shadow.
+bool same_words(const DrawnWords& a, const DrawnWords& b) {
+  return a.words == b.words && std::abs(a.low.x - b.low.x) < 5 && std::abs(a.low.y - b.low.y) < 5;
+}
+
+/// What is left of it where its list was clipped; of no width where nothing is.
+DrawnWords shown(DrawnWords drawn) {
+  drawn.low = {std::max(drawn.low.x, drawn.clip_low.x), std::max(drawn.low.y, drawn.clip_low.y)};
+  drawn.high = {std::min(drawn.high.x, drawn.clip_high.x), std::min(drawn.high.y, drawn.clip_high.y)};
+  return drawn;
+}
+bool visible(const DrawnWords& drawn) { return drawn.low.x < drawn.high.x && drawn.low.y < drawn.high.y; }
+
+bool covers(const DrawnWords& a, const DrawnWords& b) {
+  constexpr float kTouch = 1;  // a pixel
+  return std::min(a.high.x, b.high.x) - std::max(a.low.x, b.low.x) > kTouch &&
+         std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y) > kTouch;
+}
+
+const Rect& part_of(const Layout& layout, const DrawnWords& drawn) {
+  const float x = (drawn.clip_low.x + drawn.clip_high.x) / 2, y = (drawn.clip_low.y + drawn.clip_high.y) / 2;
+  for (const Rect* rect : {&layout.stage, &layout.timeline, &layout.inspector})
+    if (x >= rect->x && x < rect->x + rect->width && y >= rect->y && y < rect->y + rect->height) return *rect;
+  return layout.stage;
+}
+
+/// Each fault of a frame once, whatever the step.
+class Faults {
+ public:
+  void look_at(const Screen& screen, const std::vector<DrawnWords>& frame, const std::string& where) {
+    std::vector<DrawnWords> words;
+    for (const DrawnWords& drawn : frame) {
+      const bool known =
+          std::any_of(words.begin(), words.end(), [&](const DrawnWords& other) { return same_words(drawn, other); });
+      if (!known) words.push_back(drawn);
+    }
+    seen_ += words.size();
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const DrawnWords here = shown(words[i]);
+      const Rect& part = part_of(screen.layout, words[i]);
+      const bool scrolls = &part == &screen.layout.inspector;
+      if (words[i].low.x < part.x - 1 || words[i].high.x > part.x + part.width + 1 ||
+          (!scrolls && (words[i].low.y < part.y - 1 || words[i].high.y > part.y + part.height + 1)))
+        add(words[i].words + " | runs off", where);
+      const bool gap = words[i].words == "…";  // in Welzl's list, between what is shown of a long one
+      if (words[i].words.ends_with("…") && !gap) add(words[i].words + " | is cut", where);
+      if (!visible(here)) continue;
+      for (std::size_t j = i + 1; j < words.size(); ++j)
+        if (const DrawnWords there = shown(words[j]); visible(there) && covers(here, there))
+          add(words[i].words + " | over | " + words[j].words, where);
+    }
+  }
+  [[nodiscard]] std::size_t seen() const { return seen_; }
+  [[nodiscard]] std::string text() const {
+    std::string text;
+    for (const auto& [fault, where] : first_) text += "\n  " + fault + "   (" + where + ")";
+    return text;
+  }
+
+ private:
+  void add(const std::string& fault, const std::string& where) {
+    std::string kind = fault;  // numbers differ from step to step
+    for (char& c : kind)
+      if (c >= '0' && c <= '9') c = '#';
+    if (kinds_.insert(where.substr(0, where.find(',')) + kind).second) first_.emplace_back(fault, where);
+  }
+  std::set<std::string> kinds_;
+  std::vector<std::pair<std::string, std::string>> first_;
+  std::size_t seen_ = 0;
+};
+
+}  // namespace
+
+namespace {
+
+/// The chosen algorithms' steps, forty of each at most.
+void walk(Bench& bench, const Screen& screen, const std::vector<std::string>& algorithms, const std::string& name,
+          Faults& faults) {
+  bench.app.settings().text_scale = screen.text_scale;
+  bench.app.settings().theme = screen.theme;
+  bench.app.settings().prose_in_canvas = screen.prose_in_canvas;
+  std::vector<DrawnWords> drawn;
+  bench.app.note_words(&drawn);
+  for (const std::string& algorithm : algorithms) {
+    if (!bench.session().choose(0, algorithm)) continue;
+    const int steps = bench.session().steps(), stride = std::max(1, steps / 40);
+    for (int step = 0; step <= steps; step = step == steps ? steps + 1 : std::min(step + stride, steps)) {
+      bench.session().jump(step);
+      bench.frames(2);
+      faults.look_at(screen, drawn, name + " " + screen.name + ", " + algorithm + " step " + std::to_string(step));
+    }
+  }
+  bench.app.note_words(nullptr);
+}
+
+}  // namespace
+
+TEST_CASE("no words stand over others, run off or are cut, at any step of any lesson") {
+  Faults faults;
+  for (const lesson::Lesson& lesson : all_lessons())
+    for (const Screen& screen : screens()) {
+      Bench bench(lesson, screen.layout, mesh_of(lesson.points.mesh));
+      walk(bench, screen, lesson.algorithms, lesson.id, faults);
+    }
+  INFO(faults.text());
+  CHECK(faults.text().empty());
+  CHECK(faults.seen() > 10'000);
+}
+
+TEST_CASE("nor among the points of a mesh, or of any scatter") {
+  Faults faults;
+  for (const lesson::Lesson& lesson : all_lessons())
+    for (const Screen& screen : screens()) {
+      Bench bench(lesson, screen.layout, mesh_of(lesson.points.mesh));
+      const std::vector<std::string> first{lesson.algorithms.front()};
+      for (int seed = 1; seed <= 3; ++seed) {
+        bench.session().scatter(static_cast<std::uint64_t>(seed));
+        walk(bench, screen, first, lesson.id + " scattered", faults);
+      }
+      if (lesson.meshes.empty()) continue;
+      REQUIRE(bench.app.load(*mesh_of("bunny"), "Bunny"));
+      walk(bench, screen, first, lesson.id + " bunny", faults);
+    }
+  INFO(faults.text());
+  CHECK(faults.text().empty());
+}
+
+}  // namespace snug::app
