@@ -256,8 +256,8 @@ struct Sayer {
   }
 
   std::string operator()(const fit::LineFound& fact) const {
-    return "The line along the main axis that lies closest to all points is held by " + name_of_points(fact.support) +
-           ", at " + number_text(fact.radius) + ".";
+    return "Of the lines along the main axis, this one has the least distance to its farthest points: " +
+           number_text(fact.radius) + ", to " + name_of_points(fact.support) + ".";
   }
 
   std::string operator()(const fit::EndPulledIn& fact) const {
@@ -266,16 +266,16 @@ struct Sayer {
   }
 
   std::string operator()(const fit::ThicknessFound& fact) const {
-    return "Where the points are thinnest their half is the radius, " + number_text(fact.radius) + ".";
+    return "The radius is half of their least thickness, " + number_text(fact.radius) + ".";
   }
 
   std::string operator()(const fit::SidePulledIn& fact) const {
     return "Side " + std::to_string(fact.side + 1) + " of the rectangle is pulled in by " + number_text(fact.by) +
-           ", until " + point_name(fact.point) + " is touched.";
+           ", until it touches " + point_name(fact.point) + ".";
   }
 
   std::string operator()(const fit::CornerMovedOut& fact) const {
-    return point_name(fact.point) + " lies past a corner, which moves out to it.";
+    return point_name(fact.point) + " lies outside past a corner of the rectangle: the corner moves out to it.";
   }
 
   std::string operator()(const fit::SlabFound& fact) const {
@@ -298,32 +298,33 @@ struct Sayer {
     for (const Index count : fact.counts) outside += count;
     return counted(outside, "point") + (outside == 1 ? " is" : " are") + " given to the facets that see them; " +
            counted(fact.dropped, "point") +
-           (fact.dropped == 1 ? " lies inside and is done with." : " lie inside and are done with.");
+           (fact.dropped == 1 ? " lies inside and is dropped." : " lie inside and are dropped.");
   }
 
   std::string operator()(const fit::EyeChosen& fact) const {
     return point_name(fact.point) + " is farthest from its facet, by " + number_text(fact.distance) +
-           ": it is a corner of the hull.";
+           ": it is a vertex of the hull.";
   }
 
   std::string operator()(const fit::EdgeSplit& fact) const {
-    return "The edge from " + point_name(fact.a) + " to " + point_name(fact.b) + " gives way to two, by way of " +
+    return "The edge from " + point_name(fact.a) + " to " + point_name(fact.b) + " is replaced by two, which meet at " +
            point_name(fact.point) + ".";
   }
 
   std::string operator()(const fit::HorizonFound& fact) const {
     return point_name(fact.eye) + " sees " + counted(static_cast<std::int64_t>(fact.facets.size()), "facet") +
-           "; their border is its horizon.";
+           "; their boundary is the horizon.";
   }
 
   std::string operator()(const fit::FacetsReplaced& fact) const {
-    return counted(static_cast<std::int64_t>(fact.removed.size()), "facet") + " give way to " +
+    return counted(static_cast<std::int64_t>(fact.removed.size()), "facet") + " are replaced by " +
            std::to_string(fact.added.size()) + " new ones, from the horizon to " + point_name(fact.eye) + ".";
   }
 
   std::string operator()(const fit::FacesMerged& fact) const {
     return "Facets in one plane become one face: " + counted(fact.faces, "face") + ", and " +
-           counted(static_cast<std::int64_t>(fact.dropped.size()), "point") + " inside them are no corners.";
+           counted(static_cast<std::int64_t>(fact.dropped.size()), "point") + " inside them " +
+           (fact.dropped.size() == 1 ? "is no vertex." : "are no vertices.");
   }
 
   std::string operator()(const query::FramesRelated<double, 3>&) const {

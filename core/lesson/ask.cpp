@@ -71,15 +71,17 @@ struct Predicate {
   }
   std::string operator()(const EdgeSearched&) const { return "are the ends of the edge"; }
   std::string operator()(const BoxWidened&) const { return "widens the box"; }
-  std::string operator()(const LineFound&) const { return plural ? "hold the line" : "holds the line"; }
+  std::string operator()(const LineFound&) const {
+    return plural ? "are farthest from the line" : "is farthest from the line";
+  }
   std::string operator()(const EndPulledIn&) const { return "touches the cap"; }
   std::string operator()(const ThicknessFound&) const { return plural ? "set the radius" : "sets the radius"; }
   std::string operator()(const SidePulledIn&) const { return "touches the side"; }
-  std::string operator()(const CornerMovedOut&) const { return "lies past the corner"; }
+  std::string operator()(const CornerMovedOut&) const { return "lies outside, past a corner"; }
   std::string operator()(const SlabFound&) const {
     return plural ? "reach farthest along the axis" : "reaches farthest along the axis";
   }
-  std::string operator()(const SimplexChosen&) const { return "are the first corners"; }
+  std::string operator()(const SimplexChosen&) const { return "are the vertices of the first hull"; }
   std::string operator()(const FlatFound&) const { return plural ? "span all points" : "is where all points are"; }
   std::string operator()(const EyeChosen&) const { return "is farthest from the facet"; }
   std::string operator()(const EdgeSplit&) const { return "splits the edge"; }
