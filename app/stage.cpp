@@ -146,7 +146,9 @@ fit::Sphere3 Stage::extent(const lesson::Session& session) {
 }
 
 void Stage::open(const lesson::Session& session) {
+  const std::uint64_t version = scene_.points_version;
   *this = Stage();
+  scene_.points_version = version;  // the graphics, which stay, have uploaded the last lesson's points under it
   camera_ = Camera(session.dim());
   framed_ball_ = extent(session);
   seen_ = session.revision() - 1;

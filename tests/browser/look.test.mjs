@@ -1,6 +1,6 @@
 // The page at every size, theme and text size: nothing cut off, everything named, every pair of colours readable.
 import { after, before, test } from "node:test";
-import { assert, handles, kPhone, lessons, load, start, state, still, stop, until, visit } from "./support.mjs";
+import { assert, cut_off, handles, kPhone, lessons, load, start, state, still, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -83,6 +83,16 @@ for (const [width, height] of [[1024, 768], [1280, 800]]) {
     assert.ok(await page.locator("#bar").isVisible());
   });
 }
+
+test("presented, the title stands next to what it heads, and no name in a selector is cut off", async (t) => {
+  const page = await visit(t, "?lesson=obb-axes&step=5");
+  await page.getByRole("button", { name: "Present" }).click();
+  await still(page);
+  assert.deepEqual(await cut_off(page), []);
+  const [title, code] = [await page.locator("#title").boundingBox(), await page.locator("#code").boundingBox()];
+  assert.ok(code.y - title.y - title.height < 40, `${code.y - title.y - title.height} pixels between them`);
+  await page.keyboard.press("Escape");
+});
 
 test("the lit line is in sight at every step", async (t) => {
   const page = await visit(t, "?lesson=sphere-iterative&step=1");

@@ -1,7 +1,7 @@
 // From lesson to lesson within one page: nothing is loaded but the lesson's own files, nothing of the last one stays, and
 // what is the page's or the student's does.
 import { after, before, test } from "node:test";
-import { assert, handles, lessons, load, ready, start, state, still, stop, until } from "./support.mjs";
+import { assert, handles, lessons, load, pixels_of, ready, start, state, still, stop, until } from "./support.mjs";
 
 let site;
 before(async () => (site = await start()));
@@ -99,6 +99,21 @@ test("every lesson opens in place of every other kind as it would by itself, for
     if (fresh) assert.deepEqual(now, own, id);
   }
   assert.ok(await page.evaluate(() => window.mark === 1 && window.context === document.getElementById("canvas").getContext("webgl2") && !window.context.isContextLost()));
+});
+
+test("the stage shows a lesson's own points, wherever one comes from", async (t) => {
+  const still_page = { reducedMotion: "reduce" };
+  const stage_of = async (page) => {
+    await page.evaluate(() => document.activeElement.blur());
+    await still(page);
+    return new Uint32Array((await pixels_of(page, await page.locator("#stage").boundingBox())).buffer);
+  };
+  const own = await stage_of(await load(t, "?lesson=obb-pca", still_page));
+  const page = await load(t, "?lesson=scene-broad", still_page);
+  await choose(page, "obb-pca");
+  const now = await stage_of(page);
+  const differ = now.reduce((count, pixel, i) => count + (pixel !== own[i]), 0);
+  assert.ok(differ < 50, `${differ} pixels of ${own.length} are not as they are in a page that opens with the lesson`);
 });
 
 test("Back and Forward lead through lessons and steps without loading anything", async (t) => {
