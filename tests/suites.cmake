@@ -60,7 +60,7 @@ if(kind STREQUAL native)
 elseif(kind STREQUAL wasm)
   snug_suite(trace_hash COMMAND tests/trace_hash.sh)
   snug_suite(transfer COMMAND ${SNUG_PYTHON} web/size_report.py ${PROJECT_BINARY_DIR}/site)
-  # A page waits most of the time: two of these suites at once take three quarters as long. Those that measure are alone.
+  # A page waits much of the time, so that two of these suites share the cores. Those that measure are alone.
   file(GLOB files CONFIGURE_DEPENDS browser/*.test.mjs)
   set(measuring ${files})
   list(FILTER measuring INCLUDE REGEX "/cost[^/]*$")
