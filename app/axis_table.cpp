@@ -16,7 +16,7 @@ using Axis = query::AxisTested<double, 3>;
 
 constexpr float kCell = 12, kRow = 24;
 constexpr std::array<const char*, 4> kHeads{"distance", "r_A", "r_B", "separation"};
-constexpr std::array<float, 4> kRight{0.44f, 0.58f, 0.72f, 1.0f};  // where each column ends, of the width
+constexpr std::array<float, 4> kRight{0.42f, 0.575f, 0.73f, 1.0f};  // where each column ends, of the width
 
 std::string short_number(double value) { return lesson::number_text(value, 3); }
 

@@ -172,7 +172,7 @@ void Stage::draw_projections(Brush& brush, const lesson::BoxPair& pair) const {
   project(0, 0, axis.radius_a, axis.near_a, kLaneA);
   project(1, axis.distance, axis.radius_b, axis.near_b, kLaneB);
   const double from = axis.radius_a, to = axis.distance - axis.radius_b;
-  ruler.label(from, to, false,
+  ruler.label(from, to, true,  // where no radius is drawn
               (axis.separates ? "separation " : "penetration ") + lesson::number_text(std::abs(axis.axis.gap)),
               axis.separates ? p.wrong_text : p.examined_text);
   ruler.bar(0, axis.distance, kLaneDistance, p.ink, 1.2f);
