@@ -8,8 +8,8 @@
 
 namespace snug::app {
 
-/// Of a list too long to be shown whole, the places that are: its front, and those around the one at hand, in order. A
-/// gap between two is kListGap. at: the place at hand. most: how many cells there is room for, 8 or more.
+/// The places of a list that are shown when it is too long to be shown whole: its front and those around the current
+/// one, in order; kListGap marks a gap. at: the current place. most: how many cells there is room for, 8 or more.
 inline constexpr int kListGap = -1;
 [[nodiscard]] std::vector<int> shown_places(int size, int at, int most);
 

@@ -51,7 +51,7 @@ struct Sayer {
     return before != nullptr && std::holds_alternative<Fact>(before->fact);
   }
 
-  /// Of the ball that the step has; 0 where it has none.
+  /// The radius of the step's sphere; 0 where it has none.
   [[nodiscard]] double radius() const {
     const fit::Sphere3* own = ball_of(step);
     return own != nullptr ? own->radius : 0;
@@ -256,8 +256,8 @@ struct Sayer {
   }
 
   std::string operator()(const fit::LineFound& fact) const {
-    return "Of the lines along the main axis, this one has the least distance to its farthest points: " +
-           number_text(fact.radius) + ", to " + name_of_points(fact.support) + ".";
+    return "The line along the main axis that lies closest to all points is supported by " +
+           name_of_points(fact.support) + ", " + number_text(fact.radius) + " away.";
   }
 
   std::string operator()(const fit::EndPulledIn& fact) const {

@@ -34,7 +34,7 @@ const cost::TurnRow& row_at(std::span<const cost::TurnRow> line, std::size_t poi
   return line.back();
 }
 
-/// Of the updates that are always tight.
+/// What is said of the updates that are always tight.
 std::string tight_caption(const std::vector<std::span<const cost::TurnRow>>& lines, int tight) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const auto& line : lines) {

@@ -9,10 +9,10 @@ namespace snug::app {
 
 /// all: 0 where that is not said.
 [[nodiscard]] std::string measuring_caption(int done, int all);
-/// Of a row, and of all.
+/// The sentences of one row, and of all rows.
 [[nodiscard]] std::string accuracy_caption(const cost::CostRow& row);
 [[nodiscard]] std::string accuracy_caption(const cost::Table<cost::CostRow>& table);
-/// Of a line's point, and of all. longest: what one run may take, ns.
+/// The sentences of a point on a line, and of all lines. longest: what one run may take, ns.
 [[nodiscard]] std::string growth_caption(const cost::Table<cost::GrowthRow>& table, int line, std::size_t point);
 [[nodiscard]] std::string growth_caption(const cost::Table<cost::GrowthRow>& table, double longest);
 [[nodiscard]] std::string turn_caption(const cost::Table<cost::TurnRow>& table, int line, std::size_t point);

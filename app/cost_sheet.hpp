@@ -36,7 +36,7 @@ class CostSheet {
   [[nodiscard]] virtual std::string json() const = 0;
   /// What was measured, and where and how.
   [[nodiscard]] virtual const cost::Provenance& about() const = 0;
-  /// Of the earlier result; null where there is none.
+  /// Where the earlier result comes from; null where there is none.
   [[nodiscard]] virtual const cost::Provenance* then() const = 0;
 };
 

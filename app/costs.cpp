@@ -167,7 +167,7 @@ void Costs::start_accuracy(const lesson::Session& session, cost::Provenance abou
       .start(std::make_unique<cost::CostRun>(*subject_, algorithms_of(session), options_, clock_), std::move(about));
 }
 
-/// Of generated points there are as many as one likes, of others only those that there are.
+/// Generated points can be as many as one likes; a mesh or a file has only its own.
 void Costs::start_growth(const lesson::Session& session, cost::Provenance about) {
   std::string kind = generated_kind(session);
   if (kind.empty() && fit::size_of(*subject_) < kFewestGrown) kind = kStandIn;

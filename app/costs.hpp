@@ -32,7 +32,7 @@ class Costs {
   Costs(const Costs&) = delete;  // a run points into it
   Costs& operator=(const Costs&) = delete;
 
-  /// Of a session that was just opened.
+  /// Starts anew for a session that was just opened.
   void open();
   /// A file's points. Of more than the stage can hold it shows some, and all of them are measured. Errors: as of
   /// Session::load; more than kMostMeasured.

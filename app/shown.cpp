@@ -239,7 +239,7 @@ void show_outcome(Shown& shown, const lesson::Session& session) {
     if (asked.question->id != outcome->question) continue;
     const std::vector<Index> given = points_of(asked, outcome->given);
     if (!outcome->right) shown.guessed_wrong = given;
-    // Of several right answers, the one that was given.
+    // If several answers are right, the one that was given.
     shown.right = outcome->right && !given.empty()
                       ? given
                       : points_of(asked, lesson::model_answer(asked, session.recording(0).steps));

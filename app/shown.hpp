@@ -48,17 +48,17 @@ struct Shown {
   };
   std::optional<Spread> spread;
 
-  /// Of box fitters: the hull's corners, and points that the step speaks of.
+  /// For box fitters: the hull's vertices, and the points that the step speaks of.
   std::vector<Index> hull, spoken_of;
-  /// Of a test of two boxes: the axis that the step speaks of (lesson::axis_at), the one that a question asks about,
-  /// and what is known at last.
+  /// For a test of two boxes: the axis that the step speaks of (lesson::axis_at), the one that a question asks about,
+  /// and what is known at the end.
   std::optional<query::AxisTested<double, 3>> axis, axis_asked;
   std::optional<bool> overlap;
   std::optional<query::OutlinesCompared> outlines;  // of the wrong tests
   std::optional<query::CornerTried> corner;
-  /// Of a box and a frustum: the plane that the step speaks of (lesson::plane_at), -1 for none, with its vertices where
-  /// they are known, of which nothing is shown yet where a question asks about it; the corners that were tested against
-  /// it or against all planes, the last one at hand; and what is known by now.
+  /// For a box and a frustum: the plane that the step speaks of (lesson::plane_at), -1 for none, with its p- and
+  /// n-vertex where they are known; nothing of it is shown while a question asks about it. Then the vertices tested
+  /// against that plane or against all planes, the current one last, and what is known so far.
   int plane_at = -1;
   std::optional<query::PlaneTested<double, 3>> plane;
   bool plane_asked = false;

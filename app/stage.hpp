@@ -47,7 +47,7 @@ class Motion {
 
 class Stage {
  public:
-  /// Of a session that was just opened: frames it, forgets the selection.
+  /// Frames a session that was just opened, and forgets the selection.
   void open(const lesson::Session& session);
   void draw(const Look& look, Settings& settings, lesson::Session& session, const Rect& rect, double now);
   /// Whether something on it is under way without any input.

@@ -72,7 +72,7 @@ ImVec2 way_between(ImVec2 from, ImVec2 to) {
 /// "+0.42", "−0.17"
 std::string signed_words(double distance) { return (distance > 0 ? "+" : "") + short_figure(distance); }
 
-/// Of the box, on the screen.
+/// The box's lowest vertex on the screen.
 ImVec2 lowest_corner(const Canvas& canvas, const lesson::BoxPair& pair) {
   ImVec2 lowest = canvas.at(pair.boxes[0].center);
   for (int bits = 0; bits < 1 << pair.dim; ++bits)
@@ -200,7 +200,7 @@ void Stage::draw_distances(Brush& brush, const lesson::BoxPair& pair) const {
   }
 }
 
-/// Of tests by corners: a ring where a corner is outside, a tick where it is not; the last one says of what.
+/// For tests by vertices: a ring where a vertex is outside, a tick where it is not; the last one says of which plane.
 void Stage::draw_corners(Brush& brush) const {
   const Palette& p = brush.p;
   for (const Corner& corner : shown_.corners) {

@@ -174,7 +174,8 @@ void Stage::draw_bodies(Brush& brush, const SceneFrame& frame) const {
   brush.list->Flags = flags;
 }
 
-/// Of a box the faces towards the eye, with the light on them. There may be thousands: nothing here takes memory.
+/// Draws the faces of a box that are turned towards the eye, with the light on them. There may be thousands of boxes,
+/// so nothing here allocates.
 void Stage::draw_faces(Brush& brush, const scene::Shape& shape, const scene::Motion& body, Color fill, Color edge,
                        float width) const {
   std::array<ImVec2, 8> places;  // of the corners, by their bits (1: +x, 2: +y, 4: +z)

@@ -188,7 +188,7 @@ void draw_chart_choice(Shell& shell, Column& column) {
   column.gap(8);
 }
 
-/// Of a lesson with the charts: which, to measure, to stop, to save, and what came of the predictions.
+/// The tools of a lesson with the charts: choose one, measure, stop, save; and how the predictions came out.
 void draw_costs(Shell& shell, Column& column) {
   if (!shell.session().lesson().measures) return;
   draw_chart_choice(shell, column);

@@ -28,7 +28,7 @@ val row_object(const cost::CostRow& row) {
   return object;
 }
 
-/// Of a line: its last point, and the power.
+/// A line's last point, and its power.
 val row_object(std::span<const cost::GrowthRow> line) {
   const cost::GrowthRow& last = line.back();
   val object = val::object();
@@ -45,7 +45,7 @@ val row_object(std::span<const cost::GrowthRow> line) {
   return object;
 }
 
-/// Of a line: the least and the most slack.
+/// A line's least and greatest looseness.
 val row_object(std::span<const cost::TurnRow> line) {
   const auto range = cost::slack_range(line);
   val object = val::object();

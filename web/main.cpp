@@ -288,7 +288,7 @@ std::string load_file(const std::string& bytes, const std::string& name) {
 /// A slice of the measurement that runs. milliseconds: the budget.
 void measure_slice(double milliseconds) { door().app->measure(milliseconds * 1e6); }
 bool measuring() { return door().app->costs().running(); }
-/// Of the run, from 0 to 1.
+/// How much of the run is done, from 0 to 1.
 double measured() { return door().app->costs().progress(); }
 std::string costs_file(const std::string& format) { return web::costs_file(*door().app, format); }
 std::string lay_over(const std::string& csv, const std::string& name) {

@@ -65,7 +65,7 @@ Recording Algorithm::record(const AnyPointSet& points, const Options& options, R
 
 namespace {
 
-/// Of a lifted volume of that dimension.
+/// The measure of a lifted volume of that dimension.
 template <int Dim>
 struct Measure {
   double operator()(const Aabb<double, 3>& box) const { return (box.max - box.min).template head<Dim>().prod(); }

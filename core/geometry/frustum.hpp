@@ -73,7 +73,7 @@ template <class Scalar, int Dim>
 struct FrustumCamera {
   Vector<Scalar, Dim> position = Vector<Scalar, Dim>::Zero();  // scene units
   Matrix<Scalar, Dim> axes = Matrix<Scalar, Dim>::Identity();  // columns: right, in 3-D up, back; unit, perpendicular
-  /// Of half the angle of view, sideways and in 3-D upwards: 1 sees 90 degrees. > 0
+  /// The tangents of half the angle of view, sideways and in 3-D upwards: 1 sees 90 degrees. > 0
   Vector<Scalar, Dim - 1> half_tangents = Vector<Scalar, Dim - 1>::Ones();
   Scalar near = Scalar(0.1);  // scene units along the view, 0 < near < far
   Scalar far = 100;

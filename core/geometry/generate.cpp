@@ -37,7 +37,7 @@ Point gaussian(Random& random, int, int, int dim) {
   return p;
 }
 
-/// Of unit length; both dimensions use the same tilt in the plane.
+/// A direction of unit length; both dimensions use the same tilt in the plane.
 Point tilted(int dim) { return dim == 2 ? Point(0.8, 0.6, 0) : Point(0.64, 0.48, 0.6); }
 
 Point stick(Random& random, int index, int n, int dim) {

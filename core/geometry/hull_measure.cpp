@@ -14,7 +14,7 @@ Vector<double, 3> cross(const Vector<double, 3>& p, const Vector<double, 3>& q) 
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
-/// Of the simplex on a facet and the origin.
+/// The measure of the simplex that a facet makes with the origin.
 double measure_to_origin(const FacetCorners<2>& edge) {
   return (edge[0][0] * edge[1][1] - edge[0][1] * edge[1][0]) / 2;
 }

@@ -48,7 +48,7 @@ template <class Scalar, int Dim>
 template <class Scalar, int Dim>
 [[nodiscard]] ObbSlabs<Scalar, Dim> slabs_of(const Obb<Scalar, Dim>& box);
 
-/// Of axis i, first the face on its positive side, then that on its negative. As tight as the slabs.
+/// The planes of axis i: first the face on its positive side, then the one on its negative side. As tight as the slabs.
 template <class Scalar, int Dim>
 [[nodiscard]] ObbPlanes<Scalar, Dim> planes_of(const Obb<Scalar, Dim>& box) {
   ObbPlanes<Scalar, Dim> planes;

@@ -17,7 +17,7 @@ struct Quaternion {
   }
 };
 
-/// Of unit length within 2u, whatever the length was; no rotation where that was 0. q: finite.
+/// The quaternion at unit length within 2u, whatever its length was; no rotation where that was 0. q: finite.
 [[nodiscard]] Quaternion normalized(const Quaternion& q) noexcept;
 
 /// Counter-clockwise for one at whom the axis points. axis: any length, finite; the zero vector turns nothing.

@@ -56,7 +56,7 @@ class BottomUp {
  private:
   [[nodiscard]] const Group& group(Index id) const { return groups_[place_[id]]; }
 
-  /// Of equals the one before in the chain, so that the chain ends; then the first by id.
+  /// Among equals it prefers the one before in the chain, so that the chain ends; then the first by id.
   [[nodiscard]] Index nearest_to(Index id, Index before) const {
     const Group& own = group(id);
     Index nearest = kNoIndex;

@@ -106,7 +106,7 @@ template <class VolumeType, StepObserver<Step> Observer = Ignore>
   return fill<VolumeType>(std::move(shape), volumes, 6, observe);
 }
 
-/// Of boxes and spheres, watched by a Recorder or by none, all of it is compiled once (build.cpp).
+/// Trees of boxes and of spheres, watched by a Recorder or by none, are compiled once, in build.cpp.
 #define SNUG_TREES(extern_or_not, VolumeType, Observer)                                                                \
   extern_or_not template void refit(Tree<VolumeType>&, Volumes<VolumeType>, Observer, int);                            \
   extern_or_not template Tree<VolumeType> build_median<VolumeType>(Volumes<VolumeType>, const Options&, Observer);     \

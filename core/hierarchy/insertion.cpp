@@ -100,8 +100,8 @@ class Insertion {
     group.bodies = left.bodies + right.bodies;
   }
 
-  /// Of the four swaps of a child with a grandchild below the other, the one that makes that other the smallest, if
-  /// smaller.
+  /// Four swaps exchange a child with a grandchild below the other child. Takes the one that makes that other child
+  /// smallest, if it becomes smaller.
   void rotate(Index i) {
     struct Swap {
       std::size_t down, up;

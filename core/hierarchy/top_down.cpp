@@ -24,7 +24,7 @@ typedef std::int32_t WholeLanes __attribute__((vector_size(16)));
 constexpr int kMostBins = 16, kFewBins = 8;
 constexpr Index kFew = 64;
 constexpr Index kSweptExactly = 8;
-// Of more than twice as many, about so many are looked at to choose a border: that says as well where it goes.
+// A node with more than twice as many bodies looks at about so many to choose a border; they say as well where it goes.
 constexpr Index kSample = 1024;
 // Beyond it every node is halved, so that no scene makes a deep tree.
 constexpr int kMostUneven = 40;
@@ -328,7 +328,7 @@ class TopDown {
         bounds.take(of_axis[b - 1].low, of_axis[b - 1].high);
         count += count_of[b - 1];
         const float cost = size(bounds, by_length) * static_cast<float>(count) + right[b];
-        // Of a sample no body need be on one side: then the cost is no number.
+        // A sample may have no body on one side: then the cost is not a number.
         if (cost < best.cost) best = {axis, count, static_cast<float>(b), cost};
       }
     }

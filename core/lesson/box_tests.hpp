@@ -16,7 +16,7 @@ inline constexpr std::string_view kBoxPair = "box_pair";
 /// "sat", "sat_all", and the two wrong ones, "extents_only" and "corners_only". They have no fit, record and watch of
 /// points.
 [[nodiscard]] std::span<const fit::Algorithm> box_tests();
-/// Of these and of frustum_tests().
+/// Records one of these, or of frustum_tests().
 [[nodiscard]] fit::Recording record(const fit::Algorithm& test, const BoxPair& pair);
 
 /// Whether that test says that the boxes overlap.

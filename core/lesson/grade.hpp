@@ -20,7 +20,7 @@ struct Grade {
 /// seed: of the algorithm's random order. The task's algorithm is one of the catalogue.
 [[nodiscard]] Grade grade(const Task& task, const AnyPointSet& points, std::uint64_t seed);
 
-/// Of a scene, on its last frame. seed: of what the scene scatters.
+/// Grades a scene on its last frame. seed: that of what the scene scatters.
 [[nodiscard]] Grade grade_scene(const Task& task, const SceneSet& scene, const AnyPointSet& points, std::uint64_t seed);
 
 /// Whether two boxes, or a box and a frustum, reach a goal of Task::goals.

@@ -100,13 +100,13 @@ struct Task {
   std::string hint;
   std::vector<Vector<double, 3>> model;  // a solution, which the checks play
 
-  /// Of two boxes, one after the other: "extents_only", "corners_only": a place where that test is wrong; "only_edges",
-  /// "last_axis": where edge axes alone, or the last axis alone, separate the boxes. Of a box and a frustum
-  /// "corners_outside": where that test loses a box that shares a point with the frustum.
+  /// For two boxes, reached one after the other: "extents_only", "corners_only": a place where that test is wrong;
+  /// "only_edges", "last_axis": where edge axes alone, or the last axis alone, separate the boxes. For a box and a
+  /// frustum, "corners_outside": where that test loses a box that shares a point with the frustum.
   std::vector<std::string> goals;
   std::vector<BoxPair> models;  // one a goal
 
-  /// Of a scene: what its last frame's figures must come to.
+  /// What a figure of the scene's last frame must come to.
   struct Requirement {
     std::string figure;  // of scene_figure_names()
     static constexpr double kNoMost = 1e300;

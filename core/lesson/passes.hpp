@@ -11,7 +11,7 @@ namespace snug::lesson {
 /// Nothing where the trace has no passes.
 [[nodiscard]] std::optional<double> best_so_far(Trace trace, int steps);
 
-/// Of the pass that step number `steps` judged: the best radius before it. Nothing where that step judged none.
+/// The best radius before the pass that step number `steps` judged; nothing where that step judged none.
 [[nodiscard]] std::optional<double> best_before(Trace trace, int steps);
 
 /// Whether the main algorithm's final result is not told: whether a pass comes closer to it is asked.

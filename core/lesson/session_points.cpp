@@ -116,7 +116,7 @@ tl::expected<void, InputError> Session::remove(Index i) {
   return become({*std::move(set), nullptr, seed(), now_.source, now_.generated, true});
 }
 
-/// Of a kind that exists, and a count and dimension in range.
+/// Expects a kind that exists, and a count and dimension in range.
 Session::Snapshot Session::generated(std::string_view kind, int count, int dim, std::uint64_t seed, bool edited) const {
   const auto points = generate(kind, count, dim, seed);
   return {*to_set(*points, dim), nullptr, seed, std::string(kind), count, edited};

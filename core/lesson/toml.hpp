@@ -16,7 +16,7 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   return {read.ptr, read.ec};
 }
 
-/// Of messages alone: enough digits to tell any two numbers apart.
+/// For messages alone: enough digits to tell any two numbers apart.
 inline to_chars_result to_chars(char* first, char* last, double value) {
   const int written = snprintf(first, static_cast<size_t>(last - first), "%.17g", value);
   return {first + written, errc{}};

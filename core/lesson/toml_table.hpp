@@ -33,7 +33,7 @@ class TomlTable {
   TomlTable(const toml::table& table, std::string name, Complaints& complaints);
 
   [[nodiscard]] int line() const { return line_; }
-  /// Of a key, or of the table where it is not there.
+  /// The line of a key, or of the table where the key is missing.
   [[nodiscard]] int line_of(std::string_view key) const;
   [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
 

@@ -14,8 +14,8 @@ struct TraceHash {
   std::uint64_t hash = 0;  // over the hashes of their traces
 };
 
-/// Of every algorithm that is playable, in the lesson's order, on the session's points. The session is left with the
-/// last of them in slot 0. Errors: as of choose.
+/// Hashes every playable algorithm, in the lesson's order, on the session's points. The session is left with the last
+/// of them in slot 0. Errors: as of choose.
 [[nodiscard]] tl::expected<TraceHash, InputError> trace_hash(Session& session);
 
 /// "ID STEPS HASH" without a line feed; the hash as hex_of has it.

@@ -69,7 +69,7 @@ class CostRun {
   [[nodiscard]] Ladder& ladder_of(const fit::Algorithm& algorithm);
   /// One step up; whether it is as far as it goes.
   bool step_up(Ladder& ladder);
-  /// Of the row's points by that algorithm, which can afford them; fitted once.
+  /// The volume that this algorithm, which can afford them, fits to the row's points; fitted once.
   [[nodiscard]] const fit::Volume3& fitted(const fit::Algorithm& algorithm);
   [[nodiscard]] const fit::Algorithm& algorithm() const { return *algorithms_[at_]; }
 

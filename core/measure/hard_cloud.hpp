@@ -18,7 +18,7 @@ struct Excess {
 /// In 3-D. algorithm: of a volume with an exact algorithm.
 [[nodiscard]] Excess excess_of(const fit::Algorithm& algorithm, std::uint64_t seed);
 
-/// Of one set; 0 where the smallest is flat, of a size that is nothing but rounding.
+/// The excess on one set; 0 where the smallest is flat, its size nothing but rounding.
 [[nodiscard]] double excess_on(const fit::Algorithm& algorithm, const AnyPointSet& points, std::uint64_t seed);
 
 }  // namespace snug::cost

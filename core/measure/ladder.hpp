@@ -35,7 +35,7 @@ class Ladder {
   [[nodiscard]] bool done() const { return done_; }
   /// Points; at least a few.
   [[nodiscard]] Index reached() const { return reached_; }
-  /// Of one run on as many as reached, ns.
+  /// The time of one run on as many points as were reached, ns.
   [[nodiscard]] double time() const { return last_.time; }
   /// What a run on so many points would take by what is known, ns.
   [[nodiscard]] double foreseen_at(Index n) const;

@@ -23,7 +23,7 @@ class NaiveWelzl {
  private:
   using Ball = std::optional<Sphere<double, 3>>;
 
-  /// Of the first n points, with the support on its boundary.
+  /// The sphere of the first n points, with the support on its boundary.
   __attribute__((noinline)) Ball ball_of(Index n, const fit::Support& support, Index depth) {
     see(depth);
     if (n == 0 || support.size() == 4) {

@@ -8,7 +8,7 @@
 
 namespace snug::cost {
 
-/// Of the volumes around one set of points.
+/// What rounding can do to the size of the volumes around one set of points.
 struct Rounding {
   double length = 0;  // by how much a length of a volume may be off, scene units
   double size = 0;    // as long as none of them is

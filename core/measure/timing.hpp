@@ -58,7 +58,7 @@ class Stopwatch {
   [[nodiscard]] bool done() const;
   /// Done after so many batches; it may go on later, when there are to be more.
   void pause_after(int repeats) { options_.repeats = repeats; }
-  /// Of what has been timed so far; empty where nothing has.
+  /// The timing so far; empty where nothing has been timed.
   [[nodiscard]] Timing timing() const;
 
  private:

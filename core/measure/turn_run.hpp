@@ -12,7 +12,7 @@
 
 namespace snug::cost {
 
-/// Of the rows whose slack is known.
+/// The range over the rows whose looseness is known.
 struct SlackRange {
   double least = 0, mean = 0, most = 0;
 };

@@ -17,7 +17,7 @@ namespace snug::cost {
 namespace {
 
 constexpr int kPairs = 64;
-/// Of hulls, which have many points, and a test goes over them several times.
+/// Fewer pairs for hulls: they have many points, and a test goes over them several times.
 constexpr int kHullPairs = 16;
 template <class VolumeType>
 inline constexpr int kPairsOf = kPairs;

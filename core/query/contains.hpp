@@ -1,5 +1,5 @@
 // Whether a volume holds a point, in exact arithmetic on the numbers as they are; and if not, how far it lies outside.
-// Of the convex hull: query/contains_hull.hpp.
+// For the convex hull see query/contains_hull.hpp.
 #pragma once
 
 #include <type_traits>

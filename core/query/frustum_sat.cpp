@@ -65,7 +65,7 @@ struct Axis {
   double size = 0;  // of rounded numbers only
 };
 
-/// Of a doubt below it, no sum that it is of came near to the largest double.
+/// As long as a doubt is below this, no sum in it came near to the largest double.
 constexpr double kSoundDoubt = tolerance::kFrustumGap * (std::numeric_limits<double>::max() / 64);
 
 constexpr int kPairsOfSides = 12;  // in space, those of a frustum's planes that meet in an edge

@@ -265,7 +265,7 @@ extern SNUG_GJK(float, 2) extern SNUG_GJK(float, 3) extern SNUG_GJK(double, 2) e
   return separation_of<Scalar, Dim>(grown_core(a, origin), grown_core(b, origin), origin, only_whether, observe);
 }
 
-/// Of any two volumes.
+/// The test of any two volumes.
 template <class Scalar, int Dim>
 [[nodiscard]] std::optional<Separation<Scalar, Dim>> gjk(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b);
 

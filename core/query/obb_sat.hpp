@@ -65,7 +65,7 @@ class ObbFrames {
     return {rotation_, translation_, doubt_};
   }
 
-  /// Of a face's normal 1; of two edges the sine of the angle between them.
+  /// The axis's length: 1 for a face's normal, for two edges the sine of the angle between them.
   [[nodiscard]] Scalar length(int place) const {
     return axis_at<Dim>(place).kind == AxisKind::kEdgeEdge ? cross(place).norm() : 1;
   }

@@ -24,12 +24,12 @@ template <int Dim>
 /// A set of axes, a bit for each by its place.
 using AxisSet = std::uint32_t;
 
-/// Of the axes in the set, the one along which the boxes are farthest apart, or none if they are apart along none of
-/// them. Decided exactly on the numbers as they are: a box is all center + sum s_i h_i u_i with |s_i| <= 1, and a
-/// face's normal the cross product of its edges' directions, whether or not the axes u_i are quite perpendicular. Over
-/// all axes this is the whole truth, for flat boxes, segments and points as well: the difference of two boxes is a
-/// zonotope of up to six generators, whose facets' normals are cross products of two. The axes must be linearly
-/// independent, within 10 per cent of unit length.
+/// Returns the axis of the set along which the boxes are farthest apart, or none if they are apart along none of them.
+/// Decided exactly on the numbers as they are: a box is all center + sum s_i h_i u_i with |s_i| <= 1, and a face's
+/// normal the cross product of its edges' directions, whether or not the axes u_i are quite perpendicular. Over all
+/// axes this is the whole truth, for flat boxes, segments and points as well: the difference of two boxes is a zonotope
+/// of up to six generators, whose facets' normals are cross products of two. The axes must be linearly independent,
+/// within 10 per cent of unit length.
 template <class Scalar, int Dim>
 [[nodiscard]] std::optional<SatAxis<Scalar, Dim>> separating_exactly(const Obb<Scalar, Dim>& a,
                                                                      const Obb<Scalar, Dim>& b, AxisSet axes);

@@ -103,7 +103,7 @@ template <template <class, int> class A, template <class, int> class B, class Sc
   else return turned(a, b) ? overlap_in_order(b, a) : overlap_in_order(a, b);
 }
 
-/// Of any two volumes.
+/// The test of any two volumes.
 template <class Scalar, int Dim>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_overlap(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b);
 template <class Scalar, int Dim>

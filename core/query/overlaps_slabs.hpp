@@ -23,7 +23,7 @@ struct Interval {
   DoubleDouble min, max;
 };
 
-/// Of the axis times its length: dividing by it is left to who wants scene units.
+/// The projection on the axis times its length: callers who want scene units divide by it.
 template <class Scalar, int Dim>
 [[nodiscard]] Interval interval_along(const Aabb<Scalar, Dim>& box, const KdopAxis<Dim>& axis) {
   Interval interval;
@@ -98,7 +98,7 @@ template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
   return result;
 }
 
-/// Of equal k all slabs, else those of the coordinate axes, which every k begins with. The same holds of it.
+/// Two k-DOPs of equal k are compared in all slabs, others in those of the coordinate axes, with which every k begins.
 template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Kdop<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b,
                                                     Observer&& observe = {}) {

@@ -125,7 +125,7 @@ template <class Number, class Scalar, int Dim>
   return span;
 }
 
-/// Of a k-DOP: plane_reach_kdop.hpp.
+/// For k-DOPs see plane_reach_kdop.hpp.
 template <class Number, class Scalar, int Dim>
 [[nodiscard]] Span<Number> core_span(const Plane<Scalar, Dim>& plane, const Kdop<Scalar, Dim>& kdop);
 

@@ -11,7 +11,7 @@
 
 namespace snug::query {
 
-/// Of about unit size, around the origin, turned at random.
+/// A box of about unit size around the origin, turned at random.
 template <class Scalar, int Dim>
 [[nodiscard]] Obb<Scalar, Dim> random_box(Random& random) {
   Quaternion turn{random.between(-1, 1), 0, 0, random.between(-1, 1)};

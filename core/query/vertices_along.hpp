@@ -6,8 +6,8 @@
 
 namespace snug::query {
 
-/// Of a step, what says where the p- and n-vertex are: normal, signs, vertices and points. Of a sphere and all else
-/// that is no box, the points farthest along the normal and against it.
+/// The part of a step that says where the p- and n-vertex are: normal, signs, vertices and points. For a sphere and any
+/// other volume that is no box, the points farthest along the normal and against it.
 template <class Scalar, int Dim, class Shape>
 [[nodiscard]] PlaneTested<Scalar, Dim> vertices_along(const Plane<Scalar, Dim>& plane, const Shape& volume);
 

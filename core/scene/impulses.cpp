@@ -63,8 +63,8 @@ std::vector<Impulse> held_by(const State& state, const Pair& pair) {
   return {from, to};
 }
 
-/// Of what is held the point that lies nearest on one body or the other, and so near that it is the same; null where
-/// none does. It is taken once.
+/// Returns and removes the cached impulse that lies nearest on one body or the other, if one is near enough to be the
+/// same point.
 std::optional<Impulse> take_nearest(std::vector<Impulse>& held, const Impulse& point, double most) {
   const auto apart = [&](const Impulse& one) {
     return std::min((one.on_a - point.on_a).norm(), (one.on_b - point.on_b).norm());
@@ -223,13 +223,13 @@ std::vector<std::vector<const ContactRow*>> walls_of(const World& world, const s
   return walls;
 }
 
-/// Of two that push a body the one that yields less moves it: what moves yields to what is driven, and that to what is
+/// If two push a body, the one that yields less moves it: what moves yields to what is driven, and that to what is
 /// fixed.
 int firmness(const Member& member) { return member.moves() ? 0 : member.fixed ? 2 : 1; }
 
 /// What is left of a unit way on which the pusher would shift a body so far: nothing into what is firmer and so near.
-/// Of little, where the pusher moves as well, all: what does not move pushes back in the same round, and stacks share
-/// the work.
+/// The whole way where it is short and the pusher moves as well: what does not move pushes back in the same round, and
+/// stacks share the work.
 V3 free_way(const World& world, std::span<const ContactRow* const> walls, Index body, Index pusher, V3 way,
             double far) {
   if (member_of(world, pusher).moves() && far < limits::kShared * member_of(world, body).shape.thinnest) return way;

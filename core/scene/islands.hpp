@@ -29,7 +29,7 @@ class Islands {
   std::vector<std::size_t> parents_;
 };
 
-/// Of bodies that move and have a contact with each other.
+/// The islands of bodies that move and have a contact with each other.
 [[nodiscard]] inline Islands islands_of(const World& world) {
   Islands islands(world.size());
   for (const Contact& contact : world.state.contacts) {
@@ -39,7 +39,7 @@ class Islands {
   return islands;
 }
 
-/// Of a pair of which one moves at least.
+/// The island of a pair in which at least one body moves.
 [[nodiscard]] inline std::size_t island_of(const World& world, Islands& islands, const Pair& pair) {
   const auto a = static_cast<std::size_t>(pair.a);
   return islands.of(world.members[a].moves() ? a : static_cast<std::size_t>(pair.b));

@@ -32,7 +32,8 @@ struct Centered {
 };
 [[nodiscard]] Centered centered(const std::variant<Volume3, Cloud>& declared);
 
-/// Of one kilogram, about the shape's axes; of what is neither sphere nor box that of the box around it.
+/// The inertia of one kilogram about the shape's axes; for a shape that is neither sphere nor box, that of the box
+/// around it.
 [[nodiscard]] V3 inertia_of(const Shape& shape);
 
 /// Whether two placed shapes share a point, as query/overlaps.hpp has it.

@@ -156,9 +156,9 @@ struct World {
   [[nodiscard]] double slop(const Pair& pair) const;
   /// How far ahead of a body contacts are looked for, scene units.
   [[nodiscard]] double margin(std::size_t i) const;
-  /// Of all bodies that velocities move, with what gravity may still give them.
+  /// The energy of all bodies that velocities move, with what gravity may still give them.
   [[nodiscard]] double energy() const;
-  /// Of every number of the bodies and of what their contacts remember.
+  /// A hash over every number of the bodies and of what their contacts remember.
   [[nodiscard]] std::uint64_t hash() const;
 };
 

@@ -19,7 +19,7 @@ namespace snug::desktop {
 /// Takes the time of run, with a progress bar where it is long. repeats: at least 1.
 [[nodiscard]] cost::Timing time_of(std::function<void()> run, int repeats);
 
-/// Of this program on this machine; what was measured is for the caller to say.
+/// The provenance of this program on this machine; the caller adds what was measured.
 [[nodiscard]] cost::Provenance native_provenance();
 
 }  // namespace snug::desktop

@@ -25,7 +25,7 @@ inline std::string font_bytes(std::string_view name) {
 
 class Bench {
  public:
-  /// Of 800 by 600 pixels, where nothing else is said.
+  /// 800 by 600 pixels, unless the layout says otherwise.
   explicit Bench(lesson::Lesson lesson,
                  const Layout& layout = {.stage = {0, 0, 800, 440}, .timeline = {0, 440, 800, 160}},
                  std::optional<io::PointFile> mesh = {})

@@ -62,14 +62,14 @@ class Surface {
     return no_corner_above();
   }
 
-  /// Of a convex surface: whether each corner is one. Those inside an edge have two edges that bend, inside a face
-  /// none.
+  /// Whether each vertex of a convex surface is extreme. A vertex inside an edge has two edges that bend, one inside a
+  /// face has none.
   [[nodiscard]] bool all_extreme() const {
     return std::all_of(bent_edges_.begin(), bent_edges_.end(), [](Index edges) { return edges >= 3; });
   }
 
-  /// Of a convex surface: whether the point lies inside or on it. Walks from the facet last found towards that which
-  /// the point is seen past from the centre.
+  /// Whether the point lies inside a convex surface or on it. Walks from the facet found last towards the one through
+  /// which the centre sees the point.
   [[nodiscard]] bool holds(const Point3& p) {
     if (has_center_)
       for (std::size_t steps = 0; steps < 2 * facets_.size(); ++steps) {
@@ -262,7 +262,7 @@ class Prover {
     }
   }
 
-  /// Of several points in one place the vertex is to be the first.
+  /// If several points lie in one place, the vertex has to be the first of them.
   void hold_points() {
     proof_.of_points = true;
     const VertexPlaces<Scalar, Dim> places(hull_);

@@ -39,7 +39,7 @@ class HillClimb {
   }
 
   [[nodiscard]] const Vector<Scalar, Dim>& vertex(Index v) const { return vertices_[v]; }
-  /// Of the vertices' coordinates, in absolute value, by axis.
+  /// The largest absolute coordinate of the vertices, by axis.
   [[nodiscard]] const Vector<Scalar, Dim>& largest() const { return largest_; }
   [[nodiscard]] bool all_points() const { return all_points_; }
   /// Where the last walk in the direction ended: the vertex of greatest value.

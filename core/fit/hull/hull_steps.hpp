@@ -39,7 +39,7 @@ struct PointsAssigned {
   void fields(auto&& see) const { see("facets", facets), see("counts", counts), see("dropped", dropped); }
 };
 
-/// Of the facet's points the farthest was taken; distance: from the facet's line or plane, scene units, rounded; of:
+/// The farthest of the facet's points was taken; distance: from the facet's line or plane, scene units, rounded; of:
 /// how many points the facet has.
 struct EyeChosen {
   static constexpr std::string_view kName = "eye_chosen";

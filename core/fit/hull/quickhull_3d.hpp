@@ -108,8 +108,8 @@ class Quickhull3 {
     return {from.farthest, f, distance, from.count};
   }
 
-  /// Of points in a plane, on a line or in one place: along an axis that is not in the plane no two points have the
-  /// same shadow, so that the ring of the shadows is that of the points.
+  /// The hull of points in a plane, on a line or in one place. No two of them have the same projection along an axis
+  /// that is not in the plane, so the ring of the projections is that of the points.
   Fit<ConvexHull<Scalar, 3>> flat_hull(std::vector<Index> simplex) {
     const auto at = [this](Index i) -> Vector<double, 3> { return points_[i].template cast<double>(); };
     ConvexHull<Scalar, 3> hull;

@@ -30,7 +30,7 @@ HullSurface<Scalar>::HullSurface(PointSpan<Scalar, 3> points) : points_(points) 
   Vector<double, 3> scale;
   for (int axis = 0; axis < 3; ++axis) {
     const double reach = std::max(high[axis] - middle[axis], middle[axis] - low[axis]);
-    // Of a reach below 2^-1000 too little is left to be scaled exactly; such a cloud is small beside the doubt.
+    // A reach below 2^-1000 leaves too little to be scaled exactly; such a cloud is small beside the doubt.
     scale[axis] = reach == 0 ? 1 : std::ldexp(1.0, std::min(1000, -std::ilogb(reach) - 1));
   }
   sites_.resize(points.size());

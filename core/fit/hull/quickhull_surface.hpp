@@ -45,7 +45,7 @@ class HullSurface {
   /// Replaces these by a cone to that point and gives their points to it. Returns how many points no facet sees.
   Index raise_cone();
 
-  /// Of the last look or, where it ends after a cone was raised, of that.
+  /// The eye of the last look; if the run ends after a cone was raised, that cone's.
   [[nodiscard]] Index eye() const { return eye_; }
   [[nodiscard]] const std::vector<Index>& visible() const { return visible_; }
   [[nodiscard]] std::vector<Index> horizon() const;

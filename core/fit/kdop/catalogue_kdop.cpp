@@ -7,7 +7,7 @@
 namespace snug::fit {
 namespace {
 
-/// Of another dimension than the k is for there is no such volume: its rows say so, and nobody asks.
+/// A k belongs to one dimension. In the other there is no such volume: its row says so, and nobody asks.
 template <int kK>
 constexpr auto kFitter = []<class Scalar, int Dim>(PointSpan<Scalar, Dim> p, const Options&, auto& o) {
   return kdop_fit(p, kdop_axes<Dim>(kK).empty() ? 2 * Dim : kK, o);

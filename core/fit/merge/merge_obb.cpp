@@ -93,7 +93,7 @@ Obb<Scalar, Dim> box_along(const Matrix<Scalar, Dim>& axes, const BoxAlong<Dim>&
   return merged;
 }
 
-/// Of all corners, about their mean and scaled so that no square overflows.
+/// The principal axes of all vertices, about their mean and scaled so that no square overflows.
 template <class Scalar, int Dim>
 Matrix<Scalar, Dim> axes_of_corners(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) {
   std::vector<Vector<double, Dim>> corners;

@@ -100,7 +100,7 @@ struct LocalBalls {
   [[nodiscard]] Vector<double, Dim> to_scene(const Vector<double, Dim>& local) const { return origin + local / scale; }
 };
 
-/// Of several volumes the least, the first of equals. None where there are none.
+/// Returns the smallest of several volumes, the first among equals; none where there are none.
 template <class VolumeType, class Maker, class Choices>
 [[nodiscard]] std::optional<VolumeType> least_of(const Choices& choices, Maker&& make) {
   std::optional<VolumeType> least;

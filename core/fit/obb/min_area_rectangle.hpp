@@ -59,7 +59,7 @@ class Calipers {
     return best;
   }
 
-  /// Of the lengths in a CalipersRectangle: 2 to this power, scene units.
+  /// The unit of the lengths in a CalipersRectangle: 2 to this power, scene units.
   [[nodiscard]] int unit() const { return unit_; }
 
   /// The first axis along the edge.

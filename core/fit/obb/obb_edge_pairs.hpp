@@ -39,7 +39,7 @@ class EdgePairSearch {
     return search(edge, see, ignore);
   }
 
-  /// Of the smallest box found.
+  /// The axes of the smallest box found.
   [[nodiscard]] const Matrix<double, 3>& axes() const { return axes_; }
   [[nodiscard]] double measure() const { return measure_; }  // in the solid's units
   /// Below it by what rounding may cost: each length tolerance::kBoxProof of the size.

@@ -75,7 +75,7 @@ class ObbFaceAligned {
     });
   }
 
-  /// Of the triangles that a flat polygon's fan has, the largest knows the plane best.
+  /// The largest triangle in a flat polygon's fan knows the plane best.
   [[nodiscard]] Point flat_normal() {
     observe_.count(Operation::kSquareRoots, 2 * (std::ssize(hull_.vertices) - 2));
     Point best = Point::Zero();

@@ -16,7 +16,7 @@ template <class Scalar, int Dim>
   return axes;
 }
 
-/// Of unit length, whatever the length was (0 stays 0), without overflow or underflow on the way.
+/// The vector at unit length, whatever its length was (0 stays 0), without overflow or underflow on the way.
 template <int Dim>
 [[nodiscard]] Vector<double, Dim> unit(const Vector<double, Dim>& v) {
   const double largest = v.cwiseAbs().maxCoeff();

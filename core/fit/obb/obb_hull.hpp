@@ -49,7 +49,7 @@ struct RectangleFrame {
   Index edge_a = kNoIndex, edge_b = kNoIndex;
 };
 
-/// Of a hull in the plane, whatever it spans. edge_a, edge_b: the points' indices.
+/// The smallest rectangle of a hull in the plane, whatever it spans. edge_a, edge_b: the points' indices.
 template <class Scalar, class Observer>
 RectangleFrame<2> smallest_rectangle(const ConvexHull<Scalar, 2>& hull, Observer& observe) {
   if (hull.affine_dim == 0) return {Matrix<double, 2>::Identity()};
@@ -60,8 +60,8 @@ RectangleFrame<2> smallest_rectangle(const ConvexHull<Scalar, 2>& hull, Observer
   return {frame(Vector<double, 2>(b - a)), hull.indices[on], hull.indices[to]};
 }
 
-/// Of what points cast along a direction, which is the frame's first axis. points: n >= 1, of coordinates of about 1;
-/// the edge by their places. count: Ignore or Tally. O(n log n) time.
+/// The smallest rectangle of the points' projection along a direction, which is the frame's first axis. points: n >= 1,
+/// of coordinates of about 1; the edge is given by their places. count: Ignore or Tally. O(n log n) time.
 template <class Count>
 [[nodiscard]] RectangleFrame<3> rectangle_along(const Vector<double, 3>& direction,
                                                 const std::vector<Vector<double, 3>>& points, Count& count);

@@ -54,7 +54,7 @@ std::vector<SharedEdge> edges_of(const std::vector<std::array<Index, 3>>& facets
   return edges;
 }
 
-/// Of unit length within a few roundings, however thin the triangle. Coordinates of about 1.
+/// The triangle's normal, of unit length within a few roundings however thin the triangle is. Coordinates of about 1.
 Point unit_normal(const Point& a, const Point& b, const Point& c) {
   const auto wide = cross_of<DoubleDouble>(a, b, c);
   const Point normal(wide[0].value(), wide[1].value(), wide[2].value());

@@ -47,7 +47,7 @@ class HullSolid {
 
   /// But for those inside a face that was cut into triangles.
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
-  /// Of the hull's facets first, as many as there are.
+  /// The normals, those of the hull's facets first.
   [[nodiscard]] const std::vector<Vector<double, 3>>& normals() const { return normals_; }
   [[nodiscard]] const std::vector<NormalArc>& arcs() const { return arcs_; }
 

@@ -70,7 +70,7 @@ Fit<Obb<Scalar, Dim>> obb_pca_hull_area(PointSpan<Scalar, Dim> points, Observer&
   }
   mean = area > 0 ? Point(mean / area) : at(0);
 
-  // Of a simplex of m corners p with middle c, all from the mean: the integral of x x^T is its size times
+  // For a simplex of m vertices p with middle c, all measured from the mean, the integral of x x^T is its size times
   // (m^2 c c^T + sum p p^T) / (m (m + 1)).
   Matrix<double, Dim> covariance = Matrix<double, Dim>::Zero();
   for (const auto& piece : pieces) {

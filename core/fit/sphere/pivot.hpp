@@ -38,8 +38,8 @@ inline std::vector<Index> random_sample(Index points, std::uint64_t seed) {
 /// The smallest enclosing ball, by farthest-point pivoting. It is by this that other methods' excess is worked out.
 /// points: n >= 1 finite points, scene units. O(n) time a pass, of which there are a few: no bound says how many.
 /// O(sqrt n) memory.
-/// Of points closer together than about 1e-154 (in float 1e-19) the squared distances underflow: the ball then contains
-/// them all, but need not be the smallest, and the certificate says so.
+/// Where points are closer together than about 1e-154 (in float 1e-19), squared distances underflow: the sphere then
+/// contains them all but need not be the smallest, and the certificate says so.
 template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer = Ignore>
 Fit<Sphere<Scalar, Dim>> pivot(PointSpan<Scalar, Dim> points, const Options& options, Observer&& observe = {}) {
   using Step = SphereStep<Scalar, Dim>;

@@ -21,7 +21,7 @@ template <class Scalar, int Dim>
   return {a + half, half.norm()};
 }
 
-/// Of the pairs of extreme points, one per axis, the one farthest apart.
+/// Returns the pair of extreme points that is farthest apart; there is one pair per axis.
 template <class Scalar, int Dim, class Observer>
 PairChosen farthest_pair(const ExtremesFound<Scalar, Dim>& extremes, PointSpan<Scalar, Dim> points, Observer& observe) {
   PairChosen chosen;

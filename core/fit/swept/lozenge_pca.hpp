@@ -195,7 +195,7 @@ class LozengeMaker {
   Scalar radius_ = 0;
 };
 
-/// Of the points, each once, those that lie on the boundary: a side that a later corner moved lost its own.
+/// The points that lie on the boundary, each once: a side that a later corner moved has lost its own.
 template <class Scalar, int Dim>
 [[nodiscard]] std::vector<Index> touching(const Lozenge<Scalar, Dim>& lozenge, PointSpan<Scalar, Dim> points,
                                           std::vector<Index> candidates) {

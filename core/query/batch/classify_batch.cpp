@@ -98,7 +98,7 @@ struct Blocks {
     }
   }
 
-  /// Of boxes: most need no more than their n-vertices.
+  /// Judges boxes: most need no more than their n-vertices.
   SNUG_INLINE static bool judge(const UnitPlanes<Scalar>& planes, const typename AabbArray<Scalar>::Block& block,
                                 Scalar doubt, Verdicts& verdicts) {
     Groups low, high;
@@ -115,7 +115,7 @@ struct Blocks {
     return settle(low, high, doubt, verdicts);
   }
 
-  /// Of spheres: the plane that the centre is farthest outside of decides.
+  /// Judges spheres: the plane that the centre is farthest outside of decides.
   SNUG_INLINE static bool judge(const UnitPlanes<Scalar>& planes, const typename SphereArray<Scalar>::Block& block,
                                 Scalar doubt, Verdicts& verdicts) {
     Groups low, high;

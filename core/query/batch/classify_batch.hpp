@@ -31,7 +31,7 @@ class FieldArray {
   [[nodiscard]] std::size_t size() const { return size_; }
   /// The last one is filled up with zeros.
   [[nodiscard]] std::span<const Block> blocks() const { return blocks_; }
-  /// Of each block: no coordinate in it is or was larger.
+  /// For each block a bound that no coordinate in it exceeds or ever exceeded.
   [[nodiscard]] std::span<const Scalar> reach() const { return reach_; }
 
  protected:

@@ -30,7 +30,7 @@ void turn_body(World& world, std::size_t i, double seconds) {
   if (after > before && after > linear) motion.turning *= std::sqrt(std::max(0.0, before - linear) / (after - linear));
 }
 
-/// Of the motion that a contact cut short, what gravity would have given on the rest of the way is taken back.
+/// Takes back what gravity would have given on the rest of a way that a contact cut short.
 void give_back(const World& world, Motion& motion, double seconds) {
   const double square = motion.velocity.squaredNorm();
   if (square > 0)

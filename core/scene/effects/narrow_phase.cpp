@@ -1,4 +1,4 @@
-// Of the pairs that are left, which touch: first by the spheres that hold each body however it is turned, then exactly.
+// Which of the remaining pairs touch: first by the spheres that contain each body however it is turned, then exactly.
 #include "geometry/tolerance.hpp"
 #include "scene/effect.hpp"
 

@@ -31,7 +31,8 @@ Rational dot(const std::array<Rational, N>& a, const std::array<Rational, N>& b)
   return sum;
 }
 
-/// Of point from origin + s e + t f, 0 <= s, t <= 1, squared: the least over the inside, the sides and the corners.
+/// The least squared distance of point from origin + s e + t f, 0 <= s, t <= 1: over the inside, the sides and the
+/// corners.
 template <std::size_t N>
 Rational squared_distance(const std::array<Rational, N>& point, const std::array<Rational, N>& origin,
                           const std::array<Rational, N>& e, const std::array<Rational, N>& f) {

@@ -27,7 +27,7 @@ Kdop<Scalar, Dim> around_unit_box(int k, double factor) {
   return kdop;
 }
 
-/// Of random slabs that cut each other.
+/// Random slabs that cut each other.
 template <int Dim>
 Kdop<double, Dim> any_kdop(int k, Random& random) {
   Kdop<double, Dim> kdop = around_unit_box<double, Dim>(k, 1);

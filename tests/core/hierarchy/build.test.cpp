@@ -109,7 +109,7 @@ TEST_CASE_TEMPLATE("a refitted tree holds its bodies exactly after they moved", 
     hierarchy::refit(ball_tree, balls);
     test::check_volumes(ball_tree, balls, false);
   }
-  // Of what did not move, refitting makes what building made.
+  // If nothing moved, refitting makes what building made.
   auto tree = hierarchy::build_surface_area<Aabb<Scalar, 3>>(boxes);
   const auto before = tree;
   hierarchy::refit(tree, boxes);

@@ -13,7 +13,7 @@ using namespace snug;
 
 namespace {
 
-/// Of this process alone: others on the machine do not make it go faster.
+/// This process's time: others on the machine do not make it go faster.
 cost::Clock true_clock() {
   return [] { return static_cast<double>(std::clock()) * (1e9 / CLOCKS_PER_SEC); };
 }

@@ -96,7 +96,7 @@ void check_all_kinds() {
   capsules.check(3), lozenges.check(3), hulls.check(3), kdops.check(1);
 }
 
-/// Of the numbers that never round: of a k-DOP times 12.
+/// The numbers that never round: those of a k-DOP times 12.
 template <class Scalar, int Dim, class Shape>
 void check_doubt(const Plane<Scalar, Dim>& plane, const Shape& volume, int times, double& most) {
   const auto rounded = query::span_of(plane, volume);

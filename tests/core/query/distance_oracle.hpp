@@ -74,7 +74,7 @@ inline std::vector<std::array<BigVector, 2>> boundary(const BigPatch& patch) {
   return {{patch.corner, e}, {patch.corner + f, e}, {patch.corner, f}, {patch.corner + e, f}};
 }
 
-/// Of the ends of one patch's edges, and of the edges where they pass through, from the inside of the other.
+/// The least over the ends of one patch's edges, and where the edges pass through, from the inside of the other.
 inline Big boundary_inside(const BigPatch& from, const BigPatch& patch, Big best) {
   const BigVector normal = cross(patch.edges[0], patch.edges[1]);
   const Big square = dot(normal, normal);

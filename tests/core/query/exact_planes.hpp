@@ -46,7 +46,7 @@ query::Culling classify(const Frustum<Scalar, Dim>& frustum, const SumOfSegments
 /// The same of a capsule, as spheres at both ends.
 template <class Scalar, int Dim>
 query::Culling classify(const Frustum<Scalar, Dim>& frustum, const Capsule<Scalar, Dim>& capsule);
-/// Of any points' convex hull.
+/// The convex hull of any points.
 template <class Scalar, int Dim>
 query::Culling classify(const Frustum<Scalar, Dim>& frustum, const std::vector<Vector<Scalar, Dim>>& points);
 /// By all points in rationals where Dim slab planes meet within all slabs.

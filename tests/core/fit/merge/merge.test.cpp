@@ -80,7 +80,7 @@ void check_kind(std::size_t kind) {
           Volume<Scalar, Dim> a = maker.make(kind, how_a);
           Volume<Scalar, Dim> b = test::moved<Scalar, Dim>(maker.make(kind, how_b), apart * maker.direction());
           if (auto* kdop = std::get_if<Kdop<Scalar, Dim>>(&a)) {
-            // Of one k: of two, what remains is held by its own test.
+            // For one k: what remains of two is held by its own test.
             const std::vector<Vector<Scalar, Dim>> cloud{maker.any(), maker.any(), maker.any()};
             *std::get_if<Kdop<Scalar, Dim>>(&b) = maker.kdop_of(kdop->k, cloud);
           }

@@ -146,7 +146,7 @@ TEST_CASE("the order of its points changes the smallest box by no more than roun
 }
 
 TEST_CASE("in the plane the smallest box is that of rational arithmetic") {
-  // Of the rectangle on an edge e, the area is the product of the spreads of e . p and e x p, over |e|^2: rational.
+  // The area of the rectangle on an edge e is the product of the spreads of e . p and e x p, over |e|^2: rational.
   using exact::Rational;
   Random random(4);
   for (int turned = 0; turned < 60; ++turned) {
@@ -294,7 +294,7 @@ TEST_CASE("boxes count what is spent within: on balls, on each face's rectangle,
   Counter face, hull;
   const auto on_face = fit::obb_face_aligned(set.span(), face);
   static_cast<void>(fit::quickhull(set.span(), hull));
-  // Of each face an outline of ten or more vertices, whose rectangle has three corners moved for each of its edges.
+  // Each face has an outline of ten or more vertices, whose rectangle has three corners moved for each of its edges.
   CHECK(at(face.counts, Operation::kOrientationTests) > at(hull.counts, Operation::kOrientationTests) + faces * 3 * 10);
   CHECK(at(face.counts, Operation::kDotProducts) > at(hull.counts, Operation::kDotProducts) + faces * 3 * n);
   CHECK(at(face.counts, Operation::kComparisons) > faces * 6 * n);

@@ -88,13 +88,13 @@ TEST_CASE("around a box's corners the lozenge is the box's two long sides swept 
 }
 
 TEST_CASE("in the plane the radius is the largest that cuts no point off") {
-  // Of an octagon: each corner of the box loses a right triangle of legs 1, in which a circle of radius r that touches
+  // An octagon: each corner of the box loses a right triangle of legs 1, in which a circle of radius r that touches
   // both sides passes through (1, 0) from the corner: r = 1 + 0 + sqrt(0).
   const auto octagon =
       checked_lozenge<double, 2>("octagon", {{-3, -1}, {-3, 1}, {-2, 2}, {2, 2}, {3, 1}, {3, -1}, {2, -2}, {-2, -2}});
   CHECK(octagon.radius == doctest::Approx(1).epsilon(1e-14));
   CHECK(measure(octagon) == doctest::Approx(24 - (4 - std::numbers::pi)));
-  // Of a stadium's outline the whole stadium.
+  // A stadium's outline gives the whole stadium.
   test::Cloud<double, 2> outline;
   for (int i = 0; i <= 40; ++i) {
     const auto [sine, cosine] = sine_cosine((i - 20) * std::numbers::pi / 40);
@@ -104,7 +104,7 @@ TEST_CASE("in the plane the radius is the largest that cuts no point off") {
   const auto stadium = checked_lozenge<double, 2>("stadium", outline);
   CHECK(stadium.radius == doctest::Approx(1).epsilon(1e-12));
   CHECK(measure(stadium) == doctest::Approx(std::numbers::pi + 8).epsilon(1e-9));
-  // Of a square's corners nothing can be rounded.
+  // A square's corners cannot be rounded at all.
   CHECK(checked_lozenge<double, 2>("square", {{0, 0}, {1, 0}, {0, 1}, {1, 1}}).radius < 1e-14);
 }
 

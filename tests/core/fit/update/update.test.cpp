@@ -261,7 +261,7 @@ TEST_CASE("the four strategies on a square turned by 45 degrees have the slack t
   CHECK(fit::slack(measure(fit::update_loose(square.reach, pose).volume), tight) == doctest::Approx(0));
   CHECK(fit::slack(measure(fit::update_loose(square.reach, Pose<double, 2>{}).volume), 1) == doctest::Approx(1));
 
-  // Of a disc of the same width the box turns out of its tight place, and is twice too large.
+  // A disc of the same width turns its box out of its tight place: twice too large.
   const Body<double, 2> disc(test::generated<double, 2>("sphere", 2000, 1));
   const double round = measure(fit::update_rebuild(disc.points.span(), pose).volume);
   CHECK(fit::slack(measure(fit::update_rotated_box(disc.box, pose).volume), round) == doctest::Approx(1).epsilon(0.01));
