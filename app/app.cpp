@@ -8,17 +8,16 @@
 
 #include "app/captions.hpp"
 #include "app/commands.hpp"
-#include "app/costs.hpp"
 #include "app/inspector.hpp"
 #include "app/look.hpp"
 #include "app/stage.hpp"
+#include "app/subjects.hpp"
 #include "app/timeline.hpp"
 #include "app/widgets.hpp"
 
 namespace snug::app {
 namespace {
 
-constexpr double kStepsPerSecond = 2;  // at speed 1, where steps are not a scene's frames
 constexpr double kWatchedSeconds = 2;  // that the way to an outcome is shown in, at least
 constexpr int kSettleFrames = 2;       // ImGui answers an input over this many frames
 constexpr double kOrbitStep = 0.2, kZoomStep = 1.25;
@@ -56,6 +55,9 @@ struct App::State {
   Look look;
   std::optional<lesson::Session> session;
   std::map<std::string, std::vector<lesson::Outcome>> answers;  // of lessons that were left, by their ids
+  const SubjectRow* subject = nullptr;                          // of the session, and what it is seen by
+  std::unique_ptr<SubjectView> view;
+  std::unique_ptr<Cover> cover;
   Stage stage;
   StageGl gl;
   bool playing = false;
@@ -65,29 +67,25 @@ struct App::State {
   double watched_pause = 0;       // seconds, until then
   double now = 0;
   std::uint64_t drawn_revision = 0;
-  std::unique_ptr<Costs> costs;
-  int drawn_costs = 0, drawn_percent = 0;
+  int drawn_cover = 0, drawn_percent = 0;
   int settle = kSettleFrames;
   long frames = 0;
 
   void load_fonts();
   void refresh_look(bool fingers);
-  /// Seconds from one playing step to the next. At speed 1 a scene takes the time that it simulates, but where its
-  /// outcome is watched: a third of a second nobody sees.
+  /// Seconds from one playing step to the next.
   [[nodiscard]] double pause() const {
-    const auto& scene = session->lesson().scene;
-    return (scene ? std::max(scene->step, play_until ? watched_pause : 0) : 1 / kStepsPerSecond) /
-           static_cast<double>(speed);
+    return view->seconds_of_step(*session, play_until ? watched_pause : 0) / static_cast<double>(speed);
   }
   void play_on();
   [[nodiscard]] bool player(std::string_view name);
   [[nodiscard]] bool edit(std::string_view name);
   [[nodiscard]] bool choose_target(int by);
   [[nodiscard]] bool select(std::string_view name);
-  [[nodiscard]] bool view(std::string_view name);
+  [[nodiscard]] bool look_around(std::string_view name);
   [[nodiscard]] bool move(std::string_view name);
-  [[nodiscard]] bool has_chart() const { return session && session->lesson().measures; }
-  [[nodiscard]] bool on_chart() const { return has_chart() && costs->shown(); }
+  [[nodiscard]] int percent() const { return cover != nullptr ? static_cast<int>(100 * cover->progress()) : 0; }
+  [[nodiscard]] bool covered() const { return cover != nullptr && cover->shown(); }
   void draw_stage(const Rect& rect);
   void set_speed(int by);
   void toggle_play();
@@ -229,7 +227,7 @@ bool App::State::select(std::string_view name) {
   return true;
 }
 
-bool App::State::view(std::string_view name) {
+bool App::State::look_around(std::string_view name) {
   if (name == "reset_view") stage.reset_view(*session);
   else if (name == "zoom_in") stage.zoom_by(kZoomStep);
   else if (name == "zoom_out") stage.zoom_by(1 / kZoomStep);
@@ -255,27 +253,26 @@ bool App::State::move(std::string_view name) {
   return false;
 }
 
-/// The points with their volumes, or the chart, and a button that leads from one to the other.
+/// The stage or its cover, and a button that leads from one to the other.
 void App::State::draw_stage(const Rect& rect) {
-  const std::string_view words = costs->shown() ? "Shape" : "Chart";
+  const std::string_view words = cover != nullptr ? cover->button_words() : "";
   const float height = look.fingers ? 44.0f : look.px(32);
-  look.tools_right = has_chart() ? app::measure(look, Face::kSemiBold, 13, words).x + look.px(28) : 0;
-  if (!on_chart()) stage.draw(look, settings, *session, rect, now);
-  else costs->draw(look, *session, rect, settings.prose_in_canvas);
-  if (!has_chart()) return;
-  const float right = rect.x + rect.width - 12 - (costs->shown() ? 0 : height + 8);
+  look.tools_right = cover != nullptr ? app::measure(look, Face::kSemiBold, 13, words).x + look.px(28) : 0;
+  if (covered()) cover->draw(look, *session, rect, settings.prose_in_canvas);
+  else stage.draw(look, settings, *session, rect, now);
+  if (cover == nullptr) return;
+  const float right = rect.x + rect.width - 12 - (covered() ? 0 : height + 8);
   if (button(ImGui::GetWindowDrawList(), look,
              {.id = "chart or shape",
               .rect = {right - look.tools_right, rect.y + 12, look.tools_right, height},
               .words = words,
               .kind = ButtonKind::kOutlined,
               .size = 13}))
-    costs->show(!costs->shown());
+    cover->show(!cover->shown());
 }
 
 App::App(const Platform& platform) : state_(std::make_unique<State>()) {
   state_->platform = platform;
-  state_->costs = std::make_unique<Costs>(platform);
   state_->load_fonts();
   ImGui::GetIO().IniFilename = nullptr;
 }
@@ -294,8 +291,10 @@ tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io
   if (const auto& left = state_->session) state_->answers[left->lesson().id] = left->outcomes();
   state_->session.emplace(std::move(*session));
   state_->session->take_up_answers(state_->answers[state_->session->lesson().id]);
-  state_->stage.open(*state_->session);
-  state_->costs->open();
+  state_->subject = &subject_of(state_->session->lesson());
+  state_->view = state_->subject->view();
+  state_->cover = state_->subject->cover != nullptr ? state_->subject->cover(state_->platform) : nullptr;
+  state_->stage.open(*state_->session, *state_->view);
   state_->playing = false;
   state_->play_until.reset();
   state_->settle = kSettleFrames;
@@ -303,11 +302,17 @@ tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io
 }
 
 tl::expected<void, InputError> App::load(const io::PointFile& file, std::string_view name) {
-  return state_->has_chart() ? state_->costs->load(*state_->session, file, name) : state_->session->load(file, name);
+  return state_->cover ? state_->cover->load(*state_->session, file, name) : state_->session->load(file, name);
 }
-Costs& App::costs() { return *state_->costs; }
+std::string_view App::subject() const {
+  return state_->subject != nullptr ? state_->subject->name : std::string_view();
+}
+Cover* App::cover() { return state_->cover.get(); }
+std::string_view App::handles_word() const {
+  return state_->session ? state_->view->handles_word(*state_->session) : std::string_view();
+}
 void App::measure(double budget) {
-  if (state_->session) state_->costs->work(*state_->session, budget);
+  if (state_->cover) state_->cover->work(*state_->session, budget);
 }
 
 lesson::Session* App::session() { return state_->session ? &*state_->session : nullptr; }
@@ -317,23 +322,22 @@ const Look& App::look() const { return state_->look; }
 bool App::command(std::string_view name) {
   State& s = *state_;
   if (!s.session) return false;
-  if (s.has_chart() && s.costs->command(*s.session, name)) return s.settle = std::max(s.settle, 1), true;
+  if (s.cover && s.cover->command(*s.session, name)) return s.settle = std::max(s.settle, 1), true;
   constexpr std::string_view kTurn = "turn:";
   const int step = s.session->step();
   const auto turn = [&](std::string_view effect) { return s.session->turn(effect, !s.session->is_on(effect)); };
   const bool done = name.starts_with(kTurn)
                         ? turn(name.substr(kTurn.size()))
-                        : s.player(name) || s.edit(name) || s.select(name) || s.view(name) || s.move(name);
-  if (s.on_chart() && (s.playing || s.session->step() != step)) s.costs->show(false);  // a step is of the points
+                        : s.player(name) || s.edit(name) || s.select(name) || s.look_around(name) || s.move(name);
+  if (s.covered() && (s.playing || s.session->step() != step)) s.cover->show(false);  // a step is of the stage
   if (done) s.settle = std::max(s.settle, 1);
   return done;
 }
 
 std::string_view App::command_of_key(std::string_view key, bool shift, bool control) const {
   if (key == "Enter" && state_->session && state_->session->picked() != nullptr) return "commit_answer";
-  if (const std::string_view chart = state_->has_chart() ? chart_command_for(key, state_->costs->shown()) : "";
-      !chart.empty() && !control)
-    return chart;
+  if (const std::string_view own = state_->cover ? state_->cover->command_of_key(key) : ""; !own.empty() && !control)
+    return own;
   return command_for(key, shift, control, state_->stage.arrows_move());
 }
 
@@ -365,7 +369,7 @@ void App::frame(const Layout& layout, double now) {
   // The timeline and the stage change the session; the inspector comes last and says the same frame's figures.
   if (shows(layout.timeline)) {
     const Pane pane("##timeline", layout.timeline);
-    const PlayerWish wish = draw_timeline(s.look, *s.session, layout.timeline, {s.playing, s.speed});
+    const PlayerWish wish = draw_timeline(s.look, *s.session, *s.view, layout.timeline, {s.playing, s.speed});
     if (!wish.command.empty()) command(wish.command);
     if (wish.speed > 0) s.speed = wish.speed;
   }
@@ -375,11 +379,11 @@ void App::frame(const Layout& layout, double now) {
   }
   if (shows(layout.inspector)) {
     const Pane pane("##inspector", layout.inspector, Pane::Kind::kScrolls);
-    draw_inspector(s.look, *s.session, layout.inspector);
+    draw_inspector(s.look, *s.session, *s.view, layout.inspector);
   }
   whiten(*ImGui::GetIO().Fonts);  // which may have grown
-  s.drawn_costs = s.costs->version();
-  s.drawn_percent = s.costs->percent();
+  s.drawn_cover = s.cover ? s.cover->version() : 0;
+  s.drawn_percent = s.percent();
   s.drawn_revision = s.session->revision();
   s.drawn_settings = s.settings;
 }
@@ -390,7 +394,7 @@ void App::advance(double now) {
 }
 
 void App::draw_3d_behind(int framebuffer_width, int framebuffer_height, float scale) {
-  if (state_->session && !state_->on_chart())
+  if (state_->session && !state_->covered())
     state_->gl.draw(state_->stage.scene(), framebuffer_width, framebuffer_height, scale);
 }
 
@@ -398,11 +402,12 @@ bool App::wants_frame(double now) const {
   const State& s = *state_;
   if (s.settle > 0 || !same(s.settings, s.drawn_settings)) return true;
   if (!s.session) return false;
-  const bool moving = !s.on_chart() && s.stage.moving();  // under the chart, the stage waits
+  const bool moving = !s.covered() && s.stage.moving();  // under its cover, the stage waits
+  const bool due = (s.playing && now >= s.next_step_at) || moving || s.session->revision() != s.drawn_revision;
+  if (due || s.cover == nullptr) return due;
   const bool advanced =
-      s.settings.prose_in_canvas && s.costs->percent() != s.drawn_percent;  // a page has its bar outside the canvas
-  return (s.playing && now >= s.next_step_at) || moving || advanced || s.session->revision() != s.drawn_revision ||
-         s.costs->version() != s.drawn_costs;
+      s.settings.prose_in_canvas && s.percent() != s.drawn_percent;  // a page has its bar outside the canvas
+  return advanced || s.cover->version() != s.drawn_cover;
 }
 
 double App::seconds_until_due(double now) const { return wants_frame(now) ? 0 : seconds_until_step(now); }
@@ -414,11 +419,11 @@ double App::seconds_until_step(double now) const {
 void App::note_words(std::vector<DrawnWords>* drawn) { state_->look.drawn = drawn; }
 long App::frames_drawn() const { return state_->frames; }
 std::string App::caption() const {
-  if (state_->on_chart()) return state_->costs->caption(*state_->session);
+  if (state_->covered()) return state_->cover->caption(*state_->session);
   return state_->session ? caption_at(*state_->session) : std::string();
 }
 std::vector<Handle> App::handles() const {
-  if (state_->on_chart()) return state_->costs->handles();
+  if (state_->covered()) return state_->cover->handles();
   return state_->session ? state_->stage.handles(*state_->session) : std::vector<Handle>{};
 }
 

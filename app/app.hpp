@@ -60,7 +60,7 @@ struct Handle {
 
 struct Look;
 struct DrawnWords;
-class Costs;
+class Cover;
 
 class App {
  public:
@@ -80,11 +80,15 @@ class App {
   /// Opens a lesson at its start, with the answers that were given when it was open before. Errors: as of
   /// Session::open; what was open then stays.
   tl::expected<void, InputError> open(lesson::Lesson lesson, std::optional<io::PointFile> mesh = {});
-  /// A file's points, in the open lesson. Errors: as of Session::load; of a lesson that measures, as of Costs::load.
+  /// A file's points, in the open lesson. Errors: as of Session::load, and of the cover's.
   tl::expected<void, InputError> load(const io::PointFile& file, std::string_view name);
-  /// What is measured of a lesson with the chart (app/costs.hpp).
-  [[nodiscard]] Costs& costs();
-  /// One slice of the measurement that runs, for a door to call between frames. ns.
+  /// The name of what the open lesson is about, as app/subjects has it; "" before the first open.
+  [[nodiscard]] std::string_view subject() const;
+  /// What can stand in the stage's place; null where nothing can.
+  [[nodiscard]] Cover* cover();
+  /// What people call what can be moved on the stage: "Points", "Boxes".
+  [[nodiscard]] std::string_view handles_word() const;
+  /// One slice of what the cover has to do, for a door to call between frames. ns.
   void measure(double budget);
   /// Null before the first open.
   [[nodiscard]] lesson::Session* session();
@@ -93,7 +97,7 @@ class App {
   /// Fonts and palette as of the last frame, for a door that draws more (app/look.hpp).
   [[nodiscard]] const Look& look() const;
 
-  /// Does what a button or key says. Names: those of Costs::command, and first back step play last next_mark
+  /// Does what a button or key says. Names: those of the cover, and first back step play last next_mark
   /// previous_mark faster slower undo redo add_point delete_point scatter reset_points reset_view skip_question
   /// commit_answer
   /// select_next select_previous select_none move_left move_right move_up move_down move_nearer move_farther (the

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "app/numbers.hpp"
-#include "app/scene_panel.hpp"
+#include "app/subjects/scene/frame_caption.hpp"
 #include "lesson/ask.hpp"
 #include "lesson/box_tests.hpp"
 #include "lesson/figures.hpp"

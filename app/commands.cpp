@@ -48,10 +48,6 @@ constexpr std::array kMovingFine{Row{"ArrowLeft", "move_left_fine"}, Row{"ArrowR
                                  Row{"ArrowUp", "move_up_fine"},     Row{"ArrowDown", "move_down_fine"},
                                  Row{">", "move_nearer_fine"},       Row{"<", "move_farther_fine"}};
 
-constexpr std::array kOnChart{Row{"ArrowRight", "chart_next"}, Row{"ArrowDown", "chart_down"},
-                              Row{"ArrowLeft", "chart_previous"}, Row{"ArrowUp", "chart_up"},
-                              Row{"Enter", "chart_load"}};
-
 std::string_view found(const auto& rows, std::string_view key) {
   for (const Row& row : rows)
     if (row.key == key) return row.command;
@@ -59,13 +55,6 @@ std::string_view found(const auto& rows, std::string_view key) {
 }
 
 }  // namespace
-
-std::string_view chart_command_for(std::string_view key, bool shown) {
-  if (key == "c" || key == "C") return "toggle_chart";
-  if (key == "m" || key == "M") return "measure";
-  if (key == "v" || key == "V") return "show_other";
-  return shown ? found(kOnChart, key) : std::string_view();
-}
 
 std::string_view command_for(std::string_view key, bool shift, bool control, bool has_selection) {
   // Shift with Z is another letter on some keyboards' way to say it, and the same one with Caps Lock on.

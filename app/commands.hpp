@@ -36,8 +36,4 @@ inline constexpr KeyHelp kKeyHelp[] = {
     {"Ctrl S", "in costs: save what was measured, as CSV"},
 };
 
-/// The command of a key in a lesson with the chart of costs; it goes before any other. shown: whether the chart stands
-/// on the stage.
-[[nodiscard]] std::string_view chart_command_for(std::string_view key, bool shown);
-
 }  // namespace snug::app

@@ -5,12 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "app/axis_table.hpp"
-#include "app/call_panel.hpp"
 #include "app/marks.hpp"
-#include "app/scene_panel.hpp"
 #include "app/widgets.hpp"
-#include "lesson/box_figures.hpp"
 #include "lesson/passes.hpp"
 #include "lesson/say.hpp"
 #include "lesson/scene_figures.hpp"
@@ -81,18 +77,9 @@ class Column {
     y_ += height + look_.px(8);
   }
 
-  void axes(lesson::Session& session) {
-    if (lesson::axes_seen(session.recording(0).steps).empty()) return;
-    heading("The axes");
-    y_ += draw_axis_table(look_, session, {x_, y_}, width_) + look_.px(28);
-  }
-
-  void calls(const lesson::Session& session) {
-    if (const float height = draw_call_panel(look_, session, {x_, y_}, width_); height > 0) y_ += height + look_.px(28);
-  }
-
-  void scene(lesson::Session& session) {
-    if (session.frame() != nullptr) y_ += draw_scene_panel(look_, session, {x_, y_}, width_) + look_.px(28);
+  void panels(lesson::Session& session, const SubjectView& view) {
+    const float height = view.draw_panels(look_, session, {x_, y_}, width_);
+    if (height > 0) y_ += height + look_.px(28);
   }
 
   void gap(float height) { y_ += height; }
@@ -108,11 +95,6 @@ class Column {
   float x_, width_, y_;
 };
 
-/// The funnel says it already.
-bool in_panel(const lesson::Session& session, const lesson::Figure& figure) {
-  return session.frame() != nullptr && figure.unit == "pairs";
-}
-
 /// What two methods are compared by.
 constexpr std::array<std::string_view, 9> kCompared{"radius", "measure",   "excess", "corners", "verdict",
                                                     "slack",  "over_hull", "cost",   "compared"};
@@ -123,27 +105,25 @@ std::vector<lesson::Figure> figures_beside(const lesson::Session& session) {
   if (session.algorithm(1) == nullptr) return {};
   const std::string step =
       std::to_string(session.step_of(1)) + " of " + std::to_string(session.recording(1).steps.size());
-  const bool scene = lesson::step_word(session.lesson().volume) == "frame";
-  std::vector<lesson::Figure> figures{
-      {scene ? "Frame" : "Step", "step", step, static_cast<double>(session.step_of(1)), ""}};
+  std::string word(lesson::step_word(session.lesson().volume));
+  word.front() = static_cast<char>(word.front() - 'a' + 'A');
+  std::vector<lesson::Figure> figures{{word, "step", step, static_cast<double>(session.step_of(1)), ""}};
   for (lesson::Figure& figure : session.figures(1))
     if (std::find(kCompared.begin(), kCompared.end(), figure.key) != kCompared.end())
       figures.push_back(std::move(figure));
   return figures;
 }
 
-void draw_inspector(const Look& look, lesson::Session& session, const Rect& rect) {
+void draw_inspector(const Look& look, lesson::Session& session, const SubjectView& view, const Rect& rect) {
   Column column(look, rect);
   if (const auto figures = session.figures(); !figures.empty()) {
     column.heading(session.step() == session.steps() ? "Final result" : "Now");
     for (const lesson::Figure& figure : figures)
-      if (!in_panel(session, figure)) column.figure(figure);
+      if (!view.in_panels(figure)) column.figure(figure);
     column.gap(look.px(28));
   }
 
-  column.calls(session);
-  if (session.boxes() != nullptr) column.axes(session);
-  column.scene(session);
+  column.panels(session, view);
 
   if (session.algorithm(1) != nullptr) {
     column.heading("Compared: " + std::string(session.algorithm(1)->title));

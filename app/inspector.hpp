@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "app/look.hpp"
-#include "lesson/session.hpp"
+#include "app/subject.hpp"
 
 namespace snug::app {
 
@@ -12,6 +11,6 @@ namespace snug::app {
 [[nodiscard]] std::vector<lesson::Figure> figures_beside(const lesson::Session& session);
 
 /// Draws into the current pane, which scrolls where it does not fit.
-void draw_inspector(const Look& look, lesson::Session& session, const Rect& rect);
+void draw_inspector(const Look& look, lesson::Session& session, const SubjectView& view, const Rect& rect);
 
 }  // namespace snug::app

@@ -76,13 +76,6 @@ Polytope polytope_of(const Obb<double, 3>& obb, int dim) {
   return box(obb.center, obb.axes * obb.half_extents.asDiagonal(), dim);
 }
 
-Polytope frustum_polytope(const lesson::BoxPair& pair) {
-  Polytope frustum = polytope_of(pair.boxes[1], pair.dim);
-  for (std::size_t bits = 0; bits < frustum.corners.size(); ++bits)
-    frustum.corners[bits] = lesson::corner_of(pair, 1, static_cast<int>(bits));
-  return frustum;
-}
-
 Polytope polytope_of(const Aabb<double, 3>& aabb, int dim) {
   const V3 half = (aabb.max - aabb.min) / 2;
   return box(aabb.min + half, half.asDiagonal(), dim);
@@ -121,6 +114,14 @@ fit::Sphere3 ball_around(const fit::Volume3& volume, int dim) {
     greatest[axis] = farthest_in(volume, V3::Unit(axis), dim)[axis];
   }
   return {least + (greatest - least) / 2, (greatest - least).norm() / 2};
+}
+
+fit::Sphere3 ball_around(const fit::Sphere3& a, const fit::Sphere3& b) {
+  const double apart = (b.center - a.center).norm();
+  if (apart + b.radius <= a.radius) return a;
+  if (apart + a.radius <= b.radius) return b;
+  const double radius = (apart + a.radius + b.radius) / 2;
+  return {a.center + (b.center - a.center) * ((radius - a.radius) / apart), radius};
 }
 
 }  // namespace snug::app

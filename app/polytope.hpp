@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "fit/any_step.hpp"
-#include "lesson/boxes.hpp"
 
 namespace snug::app {
 
@@ -15,8 +14,6 @@ struct Polytope {
 };
 
 [[nodiscard]] Polytope polytope_of(const Obb<double, 3>& box, int dim);
-/// The frustum of a pair that has one; corners and faces are in the order of a box's.
-[[nodiscard]] Polytope frustum_polytope(const lesson::BoxPair& pair);
 [[nodiscard]] Polytope polytope_of(const Aabb<double, 3>& box, int dim);
 [[nodiscard]] Polytope polytope_of(const Kdop<double, 3>& kdop, int dim);
 [[nodiscard]] Polytope polytope_of(const ConvexHull<double, 3>& hull, int dim);
@@ -26,5 +23,7 @@ struct Polytope {
 
 /// A ball around a volume, for a view to have room for it.
 [[nodiscard]] fit::Sphere3 ball_around(const fit::Volume3& volume, int dim);
+/// The smallest ball that holds both.
+[[nodiscard]] fit::Sphere3 ball_around(const fit::Sphere3& a, const fit::Sphere3& b);
 
 }  // namespace snug::app

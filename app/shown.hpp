@@ -1,9 +1,9 @@
-// What the stage shows at a step, in geometric words: the picture before it has colours. No screen is needed for it.
+// What the stage shows at a step, of any subject, in geometric words: the picture before it has colours. No screen is
+// needed for it. What only one subject shows is added in its folder.
 #pragma once
 
-#include <array>
 #include <optional>
-#include <string>
+#include <variant>
 #include <vector>
 
 #include "lesson/session.hpp"
@@ -13,68 +13,41 @@ namespace snug::app {
 using Point3 = Vector<double, 3>;
 
 struct Shown {
-  std::optional<fit::Volume3> volume;     // as it stands
-  std::optional<fit::Volume3> before;     // the one that this step replaced
-  std::optional<fit::Volume3> candidate;  // tried by this step, other than the volume
-  bool candidate_fails = false;
+  std::optional<fit::Volume3> volume;   // as it stands
   std::optional<fit::Volume3> rival;    // of slot 1, at the same share of its trace
   std::optional<fit::Volume3> optimum;  // where it is wanted, or at the end
   bool finished = false;
 
   std::vector<Index> support;  // what holds the volume, in this trace so far
-  fit::Support forced;         // of it, what Welzl's recursion has forced onto the boundary
-  int depth = 0;
-
+  /// The handles that the step speaks of, and the one that it examines.
+  std::vector<Index> spoken_of;
   Index examined = kNoIndex;
-  bool examined_outside = false;
-  double outside_by = 0;          // < 0 inside, scene units
-  Index left_outside = kNoIndex;  // the point that the candidate leaves outside
 
-  struct Extremes {
-    std::array<Index, 3> least, greatest;
-  };
-  std::optional<Extremes> extremes;
-  struct Box {
-    Point3 least, greatest, midpoint;
-  };
-  std::optional<Box> box;
-  std::optional<fit::PairChosen> pair;  // the first diameter
-  std::optional<Point3> mean;
-  struct Spread {
-    Matrix<double, 3> axes;  // columns, by rising sigma
-    Point3 sigma;            // standard deviations, scene units
-    bool named = false;      // whether the axes themselves were found yet
-    bool ends = false;       // whether the extreme points along the main axis were
-  };
-  std::optional<Spread> spread;
-
-  /// For box fitters: the hull's vertices, and the points that the step speaks of.
-  std::vector<Index> hull, spoken_of;
-  /// For a test of two boxes: the axis that the step speaks of (lesson::axis_at), the one that a question asks about,
-  /// and what is known at the end.
-  std::optional<query::AxisTested<double, 3>> axis, axis_asked;
-  std::optional<bool> overlap;
-  std::optional<query::OutlinesCompared> outlines;  // of the wrong tests
-  std::optional<query::CornerTried> corner;
-  /// For a box and a frustum: the plane that the step speaks of (lesson::plane_at), -1 for none, with its p- and
-  /// n-vertex where they are known; nothing of it is shown while a question asks about it. Then the vertices tested
-  /// against that plane or against all planes, the current one last, and what is known so far.
-  int plane_at = -1;
-  std::optional<query::PlaneTested<double, 3>> plane;
-  bool plane_asked = false;
-  std::vector<query::CornerTested<double, 3>> corners;
-  std::optional<query::Culling> verdict;
-
-  /// While an outcome stands: the points of a wrong guess, and those that would have been right.
+  /// While an outcome stands: the handles of a wrong guess, and those that would have been right.
   std::vector<Index> guessed_wrong, right;
 };
+
+/// At the session's step, without the handles, which are the subject's to choose. want_optimum: also before the end; it
+/// costs a run of its own after each edit.
+[[nodiscard]] Shown shown_at(const lesson::Session& session, bool want_optimum);
+
+/// The steps of slot 0 up to and with the one that stands; none before the first.
+[[nodiscard]] lesson::Trace steps_shown(const lesson::Session& session);
+
+/// The last fact of a kind among them; null where there is none.
+template <class Fact>
+[[nodiscard]] const Fact* last_fact(lesson::Trace steps) {
+  for (auto entry = steps.rbegin(); entry != steps.rend(); ++entry)
+    if (const auto* fact = std::get_if<Fact>(&entry->step.fact)) return fact;
+  return nullptr;
+}
+
+/// The handles that a step names: what is marked of a fact that has no picture of its own.
+[[nodiscard]] std::vector<Index> named_by(const fit::Step3& step, const lesson::Session& session);
 
 /// The ball that a volume is; null where it is none.
 [[nodiscard]] inline const fit::Sphere3* ball_in(const std::optional<fit::Volume3>& volume) {
   return volume ? std::get_if<fit::Sphere3>(&*volume) : nullptr;
 }
-
-/// At the session's step. want_optimum: also before the end; it costs a run of its own after each edit.
-[[nodiscard]] Shown shown_at(const lesson::Session& session, bool want_optimum);
 
 }  // namespace snug::app

@@ -6,42 +6,16 @@
 
 #include "app/mesh_normals.hpp"
 #include "app/numbers.hpp"
-#include "app/stage_brush.hpp"
 #include "app/widgets.hpp"
-#include "lesson/frustum_box.hpp"
 
 namespace snug::app {
 namespace {
 
 constexpr float kToolsHeight = 60;
 constexpr double kMotionSeconds = 0.18;
-constexpr double kRoomForAxis = 1.15;           // beside two boxes stands the axis with its bars
 constexpr double kRoomy = 0.55, kTight = 1.06;  // shares of the free room at which an automatic view is set anew
 
 double ease_out(double t) { return 1 - std::pow(1 - t, 3); }
-
-/// A ball that holds both.
-fit::Sphere3 around(const fit::Sphere3& a, const fit::Sphere3& b) {
-  const double apart = (b.center - a.center).norm();
-  if (apart + b.radius <= a.radius) return a;
-  if (apart + a.radius <= b.radius) return b;
-  const double radius = (apart + a.radius + b.radius) / 2;
-  return {a.center + (b.center - a.center) * ((radius - a.radius) / apart), radius};
-}
-
-/// What the view has to have room for: what both algorithms end with.
-fit::Sphere3 extent_of(const lesson::Session& session) {
-  if (const lesson::BoxPair* pair = session.boxes(); pair != nullptr && lesson::has_frustum(*pair))
-    return around(around({lesson::camera_of(*pair).position, 0}, ball_around(pair->boxes[1], session.dim())),
-                  ball_around(pair->boxes[0], session.dim()));
-  if (const lesson::BoxPair* pair = session.boxes()) {
-    const fit::Sphere3 both =
-        around(ball_around(pair->boxes[0], session.dim()), ball_around(pair->boxes[1], session.dim()));
-    return {both.center, kRoomForAxis * both.radius};
-  }
-  const auto ball = [&](int slot) { return ball_around(session.recording(slot).result.volume, session.dim()); };
-  return session.algorithm(1) == nullptr ? ball(0) : around(ball(0), ball(1));
-}
 
 bool same(const fit::Sphere3& a, const fit::Sphere3& b) { return a.center == b.center && a.radius == b.radius; }
 bool same(const Obb<double, 3>& a, const Obb<double, 3>& b) {
@@ -136,26 +110,18 @@ std::optional<fit::Volume3> Motion::at(const std::optional<fit::Volume3>& target
   return drawn_;
 }
 
-fit::Sphere3 Stage::extent(const lesson::Session& session) {
-  if (session.frame() == nullptr) return extent_of(session);
-  const std::uint64_t trace = session.trace_hash();
-  const fit::Algorithm* beside = session.algorithm(1);
-  if (!scene_extent_ || scene_extent_->trace != trace || scene_extent_->beside != beside)
-    scene_extent_ = {trace, beside, extent_of_scene(session)};
-  return scene_extent_->ball;
-}
-
-void Stage::open(const lesson::Session& session) {
+void Stage::open(const lesson::Session& session, SubjectView& view) {
   const std::uint64_t version = scene_.points_version;
   *this = Stage();
   scene_.points_version = version;  // the graphics, which stay, have uploaded the last lesson's points under it
+  view_ = &view;
   camera_ = Camera(session.dim());
-  framed_ball_ = extent(session);
+  framed_ball_ = view.extent(session);
   seen_ = session.revision() - 1;
 }
 
 void Stage::reset_view(const lesson::Session& session) {
-  framed_ball_ = extent(session);
+  framed_ball_ = view_->extent(session);
   camera_.frame(framed_ball_, false);
 }
 
@@ -179,26 +145,28 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
     camera_ = Camera(session.dim());
     set_room(stage, settings);
     scene_.points.clear();
-    selected_ = kNoIndex;
+    hands_.selected = kNoIndex;
   }
   const bool first = scene_.points.empty();
   points_moved_ = false;
   if (!first && seen_ == session.revision() && seen_optimum_ == settings.show_optimum) return;
   seen_ = session.revision();
   seen_optimum_ = settings.show_optimum;
-  shown_ = shown_at(session, settings.show_optimum);
-  points_shown_ = shows_points(session);
-  if (!can_move(session)) arrows_ = false;
+  view_->refresh(session, settings.show_optimum);
+  if (!view_->can_move(session)) hands_.arrows = false;
   if (first) {
-    framed_ball_ = extent(session);
+    framed_ball_ = view_->extent(session);
     camera_.frame(framed_ball_, true);
   }
   keep_framed(session);
-  if (selected_ >= session.size()) selected_ = kNoIndex;
+  if (hands_.selected >= session.size()) hands_.selected = kNoIndex;
+  upload_points(session);
+}
 
+void Stage::upload_points(const lesson::Session& session) {
   std::vector<Point3f> points;
   points.reserve(session.size());
-  for (Index i = 0; i < session.size(); ++i) points.push_back(frame_.to_stage(place_of(session, i)));
+  for (Index i = 0; i < session.size(); ++i) points.push_back(frame_.to_stage(view_->place_of(session, i)));
   points_moved_ = points != scene_.points || session.triangles().size() != scene_.triangles.size();
   if (!points_moved_) return;
   scene_.points = std::move(points);
@@ -209,8 +177,8 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
 
 /// An automatic view follows the points when they outgrow it or shrink away; never under a hand.
 void Stage::keep_framed(const lesson::Session& session) {
-  if (dragging_) return;
-  const fit::Sphere3 all = extent(session);
+  if (hands_.dragging) return;
+  const fit::Sphere3 all = view_->extent(session);
   if (camera_.framed()) {
     const double share = camera_.share_of_room(all);
     const bool elsewhere = (all.center - framed_ball_.center).norm() > 0.25 * framed_ball_.radius;
@@ -233,20 +201,20 @@ void Stage::project_points(const lesson::Session& session) {
   const Point3f eye = surface ? frame_.to_stage(camera_.eye()) : Point3f::Zero();
   for (Index i = 0; i < session.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    screen_[k] = camera_.project(place_of(session, i));
+    screen_[k] = camera_.project(view_->place_of(session, i));
     // A vertex on the far side of a closed surface cannot be seen, nor meant.
     if (surface && scene_.normals[k].dot(eye - scene_.points[k]) < 0) screen_[k].visible = false;
   }
 }
 
-void Stage::fill_scene(const Look& look, const Rect& rect) {
+void Stage::fill_scene(const Look& look, const Rect& rect, float point_radius, bool points) {
   const Palette& p = *look.palette;
   scene_.stage = rect;
   scene_.ground = p.ground, scene_.grid = p.grid, scene_.surface = p.surface;
   scene_.three_d = camera_.dim() == 3;
   scene_.point = scene_.normals.empty() ? with_alpha(p.point, 0.92f) : with_alpha(p.point, 0.55f);
-  if (!points_shown_) scene_.point = 0;
-  scene_.point_radius = point_radius_ * std::sqrt(p.mark);
+  if (!points) scene_.point = 0;
+  scene_.point_radius = point_radius * std::sqrt(p.mark);
   scene_.view_projection = matrix_of(camera_, frame_);
   scene_.volumes.clear();
   scene_.fills.clear();
@@ -269,40 +237,63 @@ void Stage::fill_scene(const Look& look, const Rect& rect) {
   scene_.plane_reach = 5;
 }
 
+/// The volume on its way to where the step has it, or there.
+std::optional<fit::Volume3> Stage::volume_drawn(const Look& look, const lesson::Session& session, double now) {
+  const bool stepped = session.step() != seen_step_ && seen_run_ == session.algorithm(0) && !points_moved_;
+  const bool jump = !view_->glides() || look.still || hands_.dragging || (!stepped && !motion_.moving());
+  seen_step_ = session.step();
+  seen_run_ = session.algorithm(0);
+  return motion_.at(view_->shown().volume, jump, now);
+}
+
 void Stage::draw(const Look& look, Settings& settings, lesson::Session& session, const Rect& rect, double now) {
   set_room(rect, settings);
   if (camera_.dim() == session.dim()) {
     project_points(session);
-    hands(session, look, rect);
+    take(session, look, rect);
   }
   sync(session, settings);
   camera_.ease(std::min(now - last_now_, 0.05), look.still);
   last_now_ = now;
-  const bool stepped = session.step() != seen_step_ && seen_run_ == session.algorithm(0) && !points_moved_;
-  const bool scene =
-      session.frame() != nullptr;  // its bodies are where the frame has them, and so is what encloses them
-  const bool jump = scene || look.still || dragging_ || (!stepped && !motion_.moving());
-  volume_ = motion_.at(shown_.volume, jump, now);
-  seen_step_ = session.step();
-  seen_run_ = session.algorithm(0);
+  auto volume = volume_drawn(look, session, now);
 
   project_points(session);
-  point_radius_ = radius_for(session.size(), !scene_.triangles.empty());
-  fill_scene(look, rect);
+  const float radius = radius_for(session.size(), !scene_.triangles.empty());
+  fill_scene(look, rect, radius, view_->shows_points(session));
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->PushClipRect({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, true);
   Obstacles obstacles;
-  Brush brush{list, look, *look.palette, session, rect, {list, look, camera_, frame_, scene_, obstacles}, {}};
-  draw_volumes(brush);
-  draw_points(brush);
+  Brush brush{.list = list,
+              .look = look,
+              .p = *look.palette,
+              .session = session,
+              .view = *view_,
+              .rect = rect,
+              .canvas = {list, look, camera_, frame_, scene_, obstacles},
+              .hands = hands_,
+              .handles = screen_,
+              .point_radius = radius,
+              .volume = std::move(volume),
+              .labels = {}};
+  draw_picture(brush);
+  draw_handles(brush);
   draw_notes(brush, settings);
   draw_labels(brush);
   list->PopClipRect();
 }
 
+void Stage::draw_picture(Brush& brush) const {
+  view_->draw(brush);
+  // The farthest first, so that the nearer ones tint what lies behind them.
+  auto& volumes = brush.canvas.gl.volumes;
+  std::sort(volumes.begin(), volumes.end(), [&](const GlVolume& a, const GlVolume& b) {
+    return (a.center - scene_.eye).squaredNorm() > (b.center - scene_.eye).squaredNorm();
+  });
+}
+
 std::vector<Handle> Stage::handles(const lesson::Session& session) const {
   std::vector<Handle> handles;
-  if (!can_move(session)) return handles;
+  if (!view_->can_move(session)) return handles;
   for (std::size_t i = 0; i < screen_.size(); ++i)
     if (screen_[i].visible) handles.push_back({session.name_of(static_cast<Index>(i)), screen_[i].x, screen_[i].y});
   return handles;

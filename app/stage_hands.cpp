@@ -1,4 +1,4 @@
-// Hands on the stage: points are selected, dragged and answered with; the view is panned, orbited and zoomed.
+// Hands on the stage: handles are selected, dragged and answered with; the view is panned, orbited and zoomed.
 #include <cmath>
 
 #include "app/numbers.hpp"
@@ -14,7 +14,7 @@ constexpr double kNudgePixels = 12;  // an arrow key's step is the round number 
 
 }  // namespace
 
-void Stage::hands(lesson::Session& session, const Look& look, const Rect& rect) {
+void Stage::take(lesson::Session& session, const Look& look, const Rect& rect) {
   ImGuiIO& io = ImGui::GetIO();
   ImGui::SetNextItemAllowOverlap();
   ImGui::SetCursorScreenPos({rect.x, rect.y});
@@ -23,31 +23,26 @@ void Stage::hands(lesson::Session& session, const Look& look, const Rect& rect) 
                              ImGuiButtonFlags_MouseButtonMiddle);
   const bool over = ImGui::IsItemHovered();
   const float reach = look.fingers ? kFingerReach : kMouseReach;
-  hovered_ = over || dragging_ ? meant_at(session, io.MousePos.x, io.MousePos.y, reach) : kNoIndex;
-  grabs_ = pressed_ != kNoIndex ||
-           (over && can_move(session) &&
-            grab(screen_, session.dim() == 3, selected_, io.MousePos.x, io.MousePos.y, look.fingers) != kNoIndex);
-  if (pressed_ != kNoIndex) hovered_ = pressed_;
+  hands_.hovered = over || hands_.dragging ? meant_at(session, io.MousePos.x, io.MousePos.y, reach) : kNoIndex;
+  hands_.grabs = pressed_ != kNoIndex || (over && view_->can_move(session) &&
+                                          grab(screen_, session.dim() == 3, hands_.selected, io.MousePos.x,
+                                               io.MousePos.y, look.fingers) != kNoIndex);
+  if (pressed_ != kNoIndex) hands_.hovered = pressed_;
   if (ImGui::IsItemActivated()) press(session, look);
   // Also of the frame that it ends in: between two slow frames a whole drag finds room.
   if (pressing_ && ImGui::IsMousePosValid()) drag(session);
   if (pressing_ && !ImGui::IsItemActive()) release(session);
   if (over) steer_camera();
-  if (over && can_move(session) && !is_asked(session) && hovered_ == kNoIndex && !travelled_ &&
+  if (over && view_->can_move(session) && !answered_on_stage(session) && hands_.hovered == kNoIndex && !travelled_ &&
       ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     const Point3 at = camera_.unproject(io.MousePos.x, io.MousePos.y, camera_.view().target);
-    if (session.add(at)) selected_ = session.size() - 1, arrows_ = false;
+    if (session.add(at)) hands_.selected = session.size() - 1, hands_.arrows = false;
   }
-}
-
-bool Stage::is_asked(const lesson::Session& session) {
-  const lesson::Asked* asked = session.asked();
-  return asked != nullptr && asked->on_stage;
 }
 
 /// What a tap means there: while a question is answered on the stage, of what can be an answer alone.
 Index Stage::meant_at(const lesson::Session& session, float x, float y, float reach) const {
-  if (!is_asked(session) || session.asked()->stage_points.empty()) return pick(screen_, x, y, reach);
+  if (!answered_on_stage(session) || session.asked()->stage_points.empty()) return pick(screen_, x, y, reach);
   const std::vector<Index> targets = session.targets();
   std::vector<ScreenPoint> places;
   for (const Index i : targets) places.push_back(screen_[i]);
@@ -65,8 +60,8 @@ void Stage::press(lesson::Session& session, const Look& look) {
   const float reach = look.fingers ? kFingerReach : kMouseReach;
   tapped_ = means_points ? meant_at(session, press_x_, press_y_, reach) : kNoIndex;
   if (means_points && tapped_ == kNoIndex) tapped_ = pick(screen_, press_x_, press_y_, reach);
-  pressed_ = means_points && can_move(session)
-                 ? grab(screen_, session.dim() == 3, selected_, press_x_, press_y_, look.fingers)
+  pressed_ = means_points && view_->can_move(session)
+                 ? grab(screen_, session.dim() == 3, hands_.selected, press_x_, press_y_, look.fingers)
                  : kNoIndex;
   panning_ = !left || io.KeyShift || session.dim() == 2;
   if (pressed_ == kNoIndex) return;
@@ -89,9 +84,9 @@ void Stage::drag(lesson::Session& session) {
   }
   if (begins) {
     session.begin_drag();
-    dragging_ = true;
-    selected_ = pressed_;  // its numbers are shown; the arrow keys stay the player's
-    arrows_ = false;
+    hands_.dragging = true;
+    hands_.selected = pressed_;  // its numbers are shown; the arrow keys stay the player's
+    hands_.arrows = false;
   }
   if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0 && !begins) return;
   const Point3 to = camera_.unproject(io.MousePos.x + grab_x_, io.MousePos.y + grab_y_, session.point(pressed_));
@@ -99,31 +94,31 @@ void Stage::drag(lesson::Session& session) {
 }
 
 void Stage::release(lesson::Session& session) {
-  if (dragging_) {
+  if (hands_.dragging) {
     session.end_drag();
     seen_ = session.revision() - 1;  // the view may follow now
   } else if (!travelled_) {
     tap(session);
   }
-  pressing_ = dragging_ = panning_ = false;
+  pressing_ = hands_.dragging = panning_ = false;
   pressed_ = tapped_ = kNoIndex;
 }
 
 /// A press that moved nothing: it chooses an answer, where one is asked for on the stage, or a point. Only where no
 /// question stands do the arrow keys go to the point: they step past the question else.
 void Stage::tap(lesson::Session& session) {
-  if (is_asked(session)) {
+  if (answered_on_stage(session)) {
     if (tapped_ != kNoIndex) static_cast<void>(session.pick({lesson::Answer::Kind::kPoint, tapped_}));
-    selected_ = kNoIndex;
+    hands_.selected = kNoIndex;
     return;
   }
-  selected_ = tapped_;
-  arrows_ = tapped_ != kNoIndex && session.asked() == nullptr && can_move(session);
+  hands_.selected = tapped_;
+  hands_.arrows = tapped_ != kNoIndex && session.asked() == nullptr && view_->can_move(session);
 }
 
 void Stage::steer_camera() {
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.MouseWheel == 0 || dragging_) return;
+  if (io.MouseWheel == 0 || hands_.dragging) return;
   camera_.zoom(std::pow(1.12, io.MouseWheel), io.MousePos.x, io.MousePos.y);
 }
 
@@ -133,28 +128,28 @@ void Stage::pinch(float factor, float x, float y, float dx, float dy) {
 }
 
 bool Stage::nudge(lesson::Session& session, int right, int up, int away, bool fine) {
-  if (selected_ == kNoIndex || !can_move(session) || (away != 0 && session.dim() == 2)) return false;
-  const Point3 from = session.point(selected_);
+  if (hands_.selected == kNoIndex || !view_->can_move(session) || (away != 0 && session.dim() == 2)) return false;
+  const Point3 from = session.point(hands_.selected);
   const double step = nice_at_least(kNudgePixels / camera_.scale_at(from)) * (fine ? 0.1 : 1);
   const Point3 by = camera_.right() * right + camera_.up() * up + camera_.forward() * away;
-  return session.move(selected_, from + by * step).has_value();
+  return session.move(hands_.selected, from + by * step).has_value();
 }
 
 bool Stage::add_point(lesson::Session& session) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const Rect& stage = camera_.stage();
-  const bool over = can_move(session) && mouse.x >= stage.x && mouse.y >= stage.y && mouse.x < stage.x + stage.width &&
-                    mouse.y < stage.y + stage.height;
+  const bool over = view_->can_move(session) && mouse.x >= stage.x && mouse.y >= stage.y &&
+                    mouse.x < stage.x + stage.width && mouse.y < stage.y + stage.height;
   const Point3 at = over ? camera_.unproject(mouse.x, mouse.y, camera_.view().target) : Point3(camera_.view().target);
   if (!session.add(at)) return false;
-  selected_ = session.size() - 1;
-  arrows_ = false;
+  hands_.selected = session.size() - 1;
+  hands_.arrows = false;
   return true;
 }
 
 bool Stage::delete_point(lesson::Session& session) {
-  if (selected_ == kNoIndex || !session.remove(selected_)) return false;
-  selected_ = kNoIndex;
+  if (hands_.selected == kNoIndex || !session.remove(hands_.selected)) return false;
+  hands_.selected = kNoIndex;
   return true;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/captions.hpp"
-#include "app/stage_brush.hpp"
+#include "app/stage.hpp"
 #include "app/widgets.hpp"
 
 namespace snug::app {
@@ -47,8 +47,8 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
     reset_view(brush.session);
   right -= height + 8;
 
-  if (brush.session.boxes() == nullptr && brush.session.frame() == nullptr && !brush.session.lesson().measures)
-    draw_toggle(brush, settings, right, y, height);
+  // A cover's button stands in its place.
+  if (view_->offers_optimum() && look.tools_right == 0) draw_toggle(brush, settings, right, y, height);
   keep_free(brush.canvas.obstacles, fit);
   if (look.tools_right > 0) keep_free(brush.canvas.obstacles, {right - look.tools_right, y, look.tools_right, height});
 
@@ -56,7 +56,7 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
   const float tools = look.tools;
   if (tools > 0) keep_free(brush.canvas.obstacles, {brush.rect.x, brush.rect.y, tools, height + 16});
 
-  if (const Rect inset = draw_inset(brush, y + (tools > 0 ? height + 10 : 0)); inset.width > 0)
+  if (const Rect inset = view_->draw_inset(brush, y + (tools > 0 ? height + 10 : 0)); inset.width > 0)
     keep_free(brush.canvas.obstacles, inset);
   if (camera_.dim() == 3) draw_axis_cross(brush);
   if (settings.prose_in_canvas)
@@ -80,20 +80,20 @@ void Stage::draw_toggle(Brush& brush, Settings& settings, float right, float y, 
   keep_free(brush.canvas.obstacles, toggle);
 }
 
-/// The one that boxes are sorted along is thicker.
+/// The axis that is in use is thicker.
 void Stage::draw_axis_cross(Brush& brush) const {
   constexpr float kLength = 22;
   // Above the room that a sentence takes.
   const ImVec2 origin{brush.rect.x + 44, camera_.free_bottom() - 30};
   std::array<int, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(), [&](int a, int b) { return camera_.forward()[a] > camera_.forward()[b]; });
-  const lesson::SceneFrame* frame = brush.session.frame();
+  const int in_use = view_->axis_in_use(brush.session);
   for (const int axis : order) {
-    const bool swept = frame != nullptr && frame->swept_along == axis;
-    const Color color = swept ? brush.p.current_text : brush.p.muted;
+    const bool used = axis == in_use;
+    const Color color = used ? brush.p.current_text : brush.p.muted;
     const float dx = static_cast<float>(camera_.right()[axis]) * kLength,
                 dy = -static_cast<float>(camera_.up()[axis]) * kLength;
-    brush.list->AddLine(origin, {origin.x + dx, origin.y + dy}, color, swept ? 4.0f : 1.5f);
+    brush.list->AddLine(origin, {origin.x + dx, origin.y + dy}, color, used ? 4.0f : 1.5f);
     const ImVec2 end{origin.x + dx * 1.5f, origin.y + dy * 1.5f};
     const float size = brush.look.px(12);
     const bool towards = dx * dx + dy * dy < 0.06f * kLength * kLength;  // it would stand on the origin

@@ -10,7 +10,6 @@
 #include "app/widgets.hpp"
 #include "lesson/say.hpp"
 #include "lesson/scene_figures.hpp"
-#include "lesson/words.hpp"
 
 namespace snug::app {
 namespace {
@@ -67,16 +66,11 @@ void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, co
 }
 
 /// What the marks mean, of those that there are; from the right.
-void draw_legend(ImDrawList* list, const Look& look, const lesson::Session& session, float right, float y, float room) {
+void draw_legend(ImDrawList* list, const Look& look, const lesson::Session& session, const MarkWords& meanings,
+                 float right, float y, float room) {
   constexpr float kSize = 13;
-  const bool boxes = session.boxes() != nullptr;
-  const std::array<std::pair<Kind, std::string>, 3> kinds{
-      {{Kind::kGrew,
-        session.lesson().volume == "sphere" ? lesson::ball_word(session.dim()) + std::string(" grew") : "first volume"},
-       {Kind::kReplaced, boxes ? "verdict" : "new support"},
-       {Kind::kBest, !boxes                                  ? "best so far"
-                     : session.lesson().volume == "box_pair" ? "separating axis"
-                                                             : "entirely outside"}}};
+  const std::array<std::pair<Kind, std::string_view>, 3> kinds{
+      {{Kind::kGrew, meanings.grew}, {Kind::kReplaced, meanings.replaced}, {Kind::kBest, meanings.best}}};
   for (const auto& [kind, words] : kinds) {
     const auto& marks = session.marks();
     if (std::none_of(marks.begin(), marks.end(), [kind = kind](const lesson::Mark& m) { return m.kind == kind; }))
@@ -139,8 +133,8 @@ Controls sizes(const Look& look, float width, bool low) {
   return {!look.fingers ? look.px(36) : low ? 44.0f : 52.0f, unit, unit * 2.2f, gap};
 }
 
-void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& session, const Rect& rect, float y,
-                  const PlayerView& player, PlayerWish& wish) {
+void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& session, const SubjectView& view,
+                  const Rect& rect, float y, const PlayerView& player, PlayerWish& wish) {
   const Controls c = sizes(look, rect.width - 2 * 8, is_low(look, rect));
   const bool gate = session.asked() != nullptr, chosen = session.picked() != nullptr;
   const bool at_end = session.step() == session.steps() && !session.previewing();
@@ -158,9 +152,7 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
   press({.id = "back", .rect = place(c.small), .icon = Icon::kBack, .enabled = !at_start}, "back");
   press({.id = "step",
          .rect = place(c.wide),
-         .words = gate                                                    ? lesson::kAnswerWord
-                  : lesson::step_word(session.lesson().volume) == "frame" ? "Next"
-                                                                          : "Step",
+         .words = gate ? lesson::kAnswerWord : view.step_button(),
          .icon = chosen ? Icon::kNone
                  : gate ? Icon::kLock
                         : Icon::kStep,
@@ -180,7 +172,8 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
 
 float timeline_height(const Look& look) { return look.fingers ? 158.0f : 100 + look.px(36); }
 
-PlayerWish draw_timeline(const Look& look, lesson::Session& session, const Rect& rect, const PlayerView& player) {
+PlayerWish draw_timeline(const Look& look, lesson::Session& session, const SubjectView& view, const Rect& rect,
+                         const PlayerView& player) {
   constexpr float kSize = 14;
   PlayerWish wish;
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -211,9 +204,9 @@ PlayerWish draw_timeline(const Look& look, lesson::Session& session, const Rect&
     text(list, look, Face::kRegular, kSize, {map.left + 2, middle_of(words, look.px(kSize))}, p.muted, step);
     const float said = measure(look, Face::kRegular, kSize, step).x;
     const float legend = above ? at.x - 8 : map.left + map.width;
-    draw_legend(list, look, session, legend, words, legend - map.left - said - 12);
+    draw_legend(list, look, session, view.mark_words(session), legend, words, legend - map.left - said - 12);
   }
-  draw_buttons(list, look, session, buttons, bottom, player, wish);
+  draw_buttons(list, look, session, view, buttons, bottom, player, wish);
   if (button(list, look, {.id = "speed", .rect = at, .words = speed, .kind = ButtonKind::kQuiet}))
     ImGui::OpenPopup("speeds");
   wish.speed = speed_menu(look, at, player.speed);

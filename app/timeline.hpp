@@ -3,8 +3,7 @@
 
 #include <string_view>
 
-#include "app/look.hpp"
-#include "lesson/session.hpp"
+#include "app/subject.hpp"
 
 namespace snug::app {
 
@@ -23,8 +22,8 @@ struct PlayerWish {
 inline constexpr std::array kSpeeds{0.25f, 0.5f, 1.0f, 2.0f, 4.0f, 8.0f, 16.0f, 32.0f};
 
 /// Draws into the rectangle of the current pane. Scrubbing goes to steps of the session by itself.
-[[nodiscard]] PlayerWish draw_timeline(const Look& look, lesson::Session& session, const Rect& rect,
-                                       const PlayerView& player);
+[[nodiscard]] PlayerWish draw_timeline(const Look& look, lesson::Session& session, const SubjectView& view,
+                                       const Rect& rect, const PlayerView& player);
 
 /// The height in which everything has its place.
 [[nodiscard]] float timeline_height(const Look& look);

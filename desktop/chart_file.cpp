@@ -4,7 +4,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "app/cost_charts.hpp"
+#include "app/subjects/cost/charts.hpp"
 #include "desktop/cli/cost_file.hpp"
 #include "desktop/cli/files.hpp"
 

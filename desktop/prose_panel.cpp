@@ -4,9 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/costs.hpp"
 #include "app/marks.hpp"
-#include "app/stage.hpp"
+#include "app/subjects/cost/costs.hpp"
 #include "desktop/column.hpp"
 #include "lesson/methods.hpp"
 #include "lesson/say.hpp"
@@ -21,11 +20,7 @@ constexpr float kMargin = 28;
 void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect) {
   float x = rect.x + kMargin;
   for (const bool points : {false, true}) {
-    const lesson::Session& session = shell.session();
-    const std::string_view words = !points                      ? "Lesson"
-                                   : session.boxes() != nullptr ? "Boxes"
-                                   : app::shows_points(session) ? "Points"
-                                                                : "Bodies";
+    const std::string_view words = points ? shell.app().handles_word() : "Lesson";
     const bool on = shell.points_tab == points;
     const float width = app::measure(look, Face::kSemiBold, 14, words).x;
     if (app::touch_area(points ? "tab points" : "tab lesson", {x - 8, rect.y, width + 16, rect.height}).clicked)
@@ -173,8 +168,7 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome* outcome) 
 }
 
 /// Which of the charts is shown.
-void draw_chart_choice(Shell& shell, Column& column) {
-  const app::Costs& costs = shell.app().costs();
+void draw_chart_choice(Shell& shell, Column& column, const app::Costs& costs) {
   std::vector<std::string> words;
   std::vector<bool> enabled;
   for (int i = 0; i < app::kCostViews; ++i) {
@@ -190,9 +184,10 @@ void draw_chart_choice(Shell& shell, Column& column) {
 
 /// The tools of a lesson with the charts: choose one, measure, stop, save; and how the predictions came out.
 void draw_costs(Shell& shell, Column& column) {
-  if (!shell.session().lesson().measures) return;
-  draw_chart_choice(shell, column);
-  const app::Costs& costs = shell.app().costs();
+  const app::Costs* const measured = app::costs_of(shell.app());
+  if (measured == nullptr) return;
+  const app::Costs& costs = *measured;
+  draw_chart_choice(shell, column, costs);
   const bool ready = shell.session().asked() == nullptr, any = costs.sheet().rows() > 0;
   const int clicked = column.buttons("costs", {costs.running() ? "Stop" : "Measure", "Save CSV", "Save JSON"}, -1,
                                      {ready || costs.running(), any, any});
@@ -241,7 +236,7 @@ void draw_score(Shell& shell, Column& column) {
   column.end_card();
   if (!again) return;
   shell.session().forget_answers();
-  if (shell.session().lesson().measures) shell.app().costs().show(false);  // it would give the answers away
+  if (app::Cover* const cover = shell.app().cover()) cover->show(false);  // it would give the answers away
   else shell.app().command("first");
 }
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "app/costs.hpp"
+#include "app/subjects/cost/costs.hpp"
 #include "desktop/cli/cost_file.hpp"
 #include "desktop/cli/files.hpp"
 
@@ -57,11 +57,11 @@ void Shell::use_mesh(const std::string& name) {
 template <class Row>
 void Shell::lay_over(const std::string& path) {
   auto table = read_table<Row>(path);
-  if (tell(table) && !app_.costs().lay_over(session(), std::move(*table))) notice = app::kPredictFirst;
+  if (tell(table) && !app::costs_of(app_)->lay_over(session(), std::move(*table))) notice = app::kPredictFirst;
 }
 
 void Shell::use_file(const std::string& path) {
-  if (const std::string table = session().lesson().measures ? result_in(path) : ""; !table.empty()) {
+  if (const std::string table = app::costs_of(app_) != nullptr ? result_in(path) : ""; !table.empty()) {
     if (table == cost::GrowthRow::kTable) lay_over<cost::GrowthRow>(path);
     else if (table == cost::TurnRow::kTable) lay_over<cost::TurnRow>(path);
     else lay_over<cost::CostRow>(path);
@@ -72,7 +72,7 @@ void Shell::use_file(const std::string& path) {
 }
 
 void Shell::save_costs(const std::string& format) {
-  const app::Costs& costs = app_.costs();
+  const app::Costs& costs = *app::costs_of(app_);
   if (costs.sheet().rows() == 0) {
     notice = "Not saved: nothing has been measured yet.";
     return;

@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/costs.hpp"
 #include "app/look.hpp"
+#include "app/subjects/cost/costs.hpp"
 #include "app/timeline.hpp"
 #include "desktop/chart_file.hpp"
 #include "desktop/cli/files.hpp"
@@ -152,7 +152,7 @@ void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift
   if (key == "F11") return host.toggle_fullscreen();
   if (key == "Escape" && !shell.notice.empty()) return shell.notice.clear();
   if (!control && choose(shell, key)) return;
-  if (control && key == "s" && shell.session().lesson().measures) return shell.save_costs("csv");
+  if (control && key == "s" && app::costs_of(shell.app()) != nullptr) return shell.save_costs("csv");
   shell.app().command(shell.app().command_of_key(key, shift, control));
 }
 
@@ -174,7 +174,9 @@ void run(GlfwHost& host, Shell& shell) {
     if (const std::string next = shell.session().lesson().title + " – Snug"; next != title)
       host.set_title(title = next);
     shell.app().measure(kSlice);
-    const bool more = shell.app().costs().running() || shell.measured_anew || shell.app().wants_frame(host.now());
+    const app::Cover* const cover = shell.app().cover();
+    const bool more =
+        (cover != nullptr && cover->running()) || shell.measured_anew || shell.app().wants_frame(host.now());
     const bool input = host.wait(more ? 0 : shell.app().playing() ? kTick : -1);
     due = input || shell.measured_anew || shell.app().wants_frame(host.now());
   }
@@ -191,7 +193,8 @@ int open_first(Shell& shell, const WindowOptions& options) {
   }
   // A window opens where its lesson starts; a picture is of the step that was asked for.
   if (options.step > 0 || !options.screenshot.empty()) shell.session().jump(options.step);
-  if (options.step > 0) shell.app().costs().show(false);  // a step is of the points
+  if (app::Cover* const cover = shell.app().cover(); cover != nullptr && options.step > 0)
+    cover->show(false);  // a step is of the points
   return 0;
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <span>
 
-#include "app/cost_charts.hpp"
-#include "app/costs.hpp"
+#include "app/subjects/cost/charts.hpp"
+#include "app/subjects/cost/costs.hpp"
 #include "measure/turn_run.hpp"
 
 namespace snug::web {
@@ -76,7 +76,7 @@ template <class Row>
 std::string lay_over_as(app::App& app, const std::string& csv, const std::string& name) {
   auto table = cost::read_csv<Row>(csv, name);
   if (!table) return table.error().message();
-  return app.costs().lay_over(*app.session(), std::move(*table)) ? "" : std::string(app::kPredictFirst);
+  return app::costs_of(app)->lay_over(*app.session(), std::move(*table)) ? "" : std::string(app::kPredictFirst);
 }
 
 }  // namespace
@@ -87,8 +87,9 @@ cost::Provenance web_provenance(const std::string& processor) {
 
 val costs_object(app::App& app) {
   const lesson::Session& session = *app.session();
-  if (!session.lesson().measures) return val::null();
-  const app::Costs& costs = app.costs();
+  const app::Costs* const measured = app::costs_of(app);
+  if (measured == nullptr) return val::null();
+  const app::Costs& costs = *measured;
   const auto view = static_cast<std::size_t>(costs.view());
   val object = val::object();
   object.set("chart", std::string(app::kCostViewNames[view]));
@@ -106,11 +107,13 @@ val costs_object(app::App& app) {
 }
 
 std::string costs_file(app::App& app, const std::string& format) {
-  return format == "csv" ? app.costs().sheet().csv() : app.costs().sheet().json();
+  const app::Costs* const costs = app::costs_of(app);
+  if (costs == nullptr) return "";
+  return format == "csv" ? costs->sheet().csv() : costs->sheet().json();
 }
 
 std::string lay_over(app::App& app, const std::string& csv, const std::string& name) {
-  if (!app.session()->lesson().measures) return "this lesson has no chart to lay it over";
+  if (app::costs_of(app) == nullptr) return "this lesson has no chart to lay it over";
   const auto is = [&](std::string_view table) { return csv.substr(0, csv.find('\n')).ends_with(table); };
   if (is(cost::GrowthRow::kTable)) return lay_over_as<cost::GrowthRow>(app, csv, name);
   if (is(cost::TurnRow::kTable)) return lay_over_as<cost::TurnRow>(app, csv, name);

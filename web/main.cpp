@@ -14,7 +14,7 @@
 #include <string>
 
 #include "app/app.hpp"
-#include "app/costs.hpp"
+#include "app/subjects/cost/costs.hpp"
 #include "io/point_file.hpp"
 #include "snug_gl.h"
 #include "web/boxes.hpp"
@@ -227,7 +227,7 @@ void jump(int step) {
 void forget_answers() {
   if (!session()) return;
   session()->forget_answers();
-  door().app->costs().show(false);  // it would give the answers away
+  if (app::Cover* const cover = door().app->cover()) cover->show(false);  // it would give the answers away
 }
 
 /// name: "" clears the one beside.
@@ -287,9 +287,9 @@ std::string load_file(const std::string& bytes, const std::string& name) {
 
 /// A slice of the measurement that runs. milliseconds: the budget.
 void measure_slice(double milliseconds) { door().app->measure(milliseconds * 1e6); }
-bool measuring() { return door().app->costs().running(); }
+bool measuring() { return door().app->cover() != nullptr && door().app->cover()->running(); }
 /// How much of the run is done, from 0 to 1.
-double measured() { return door().app->costs().progress(); }
+double measured() { return door().app->cover() != nullptr ? door().app->cover()->progress() : 1; }
 std::string costs_file(const std::string& format) { return web::costs_file(*door().app, format); }
 std::string lay_over(const std::string& csv, const std::string& name) {
   return session() ? web::lay_over(*door().app, csv, name) : "";

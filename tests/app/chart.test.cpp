@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "app/cost_charts.hpp"
+#include "app/subjects/cost/charts.hpp"
 #include "geometry/random.hpp"
 
 namespace snug::app {

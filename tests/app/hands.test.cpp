@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string>
 
-#include "app/costs.hpp"
 #include "app/inspector.hpp"
 #include "app/shown.hpp"
+#include "app/subjects/cost/costs.hpp"
 #include "bench.hpp"
 
 namespace snug::app {
@@ -61,11 +61,11 @@ TEST_CASE("a view that was easing when the chart came over it asks for no more f
   lesson.measures = true;
   Bench bench(std::move(lesson));
   bench.app.settings().reduced_motion = false;
-  bench.app.costs().show(false);
+  bench.app.cover()->show(false);
   bench.frames(3);
   REQUIRE(bench.app.command("orbit_left"));
   bench.frames(1);
-  bench.app.costs().show(true);
+  bench.app.cover()->show(true);
   bench.frames(50);
   CHECK_FALSE(bench.app.wants_frame(1e6));
 }

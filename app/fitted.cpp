@@ -1,0 +1,81 @@
+#include "app/fitted.hpp"
+
+#include <cmath>
+
+#include "lesson/figures.hpp"
+#include "lesson/words.hpp"
+
+namespace snug::app {
+namespace {
+
+/// "area 2.118", "volume 3.2"
+std::string size_text(double size, int dim) { return (dim == 2 ? "area " : "volume ") + lesson::number_text(size); }
+
+/// Where a volume's label stands: at its top, or to one side of it on the screen.
+Point3 top_of(const Camera& camera, const fit::Volume3& volume, double right) {
+  return farthest_in(volume, camera.up() * std::sqrt(1 - right * right) + camera.right() * right, camera.dim());
+}
+
+void draw_radius(Brush& brush, const Shown& shown, const fit::Sphere3& ball) {
+  const Palette& p = brush.p;
+  const Canvas& canvas = brush.canvas;
+  const ImVec2 center = brush.at(ball.center);
+  plus(brush.list, center, 5 * p.mark, p.current, brush.stroke(0.7f));
+  canvas.obstacles.discs.push_back({center.x, center.y, 7});
+  if (ball.radius <= 0) return;
+  // To a point that holds the ball, preferably one on the right, where its label reads as the line's.
+  Point3 rim = ball.center + canvas.camera.right() * ball.radius;
+  double best = -2;
+  for (const Index i : shown.support) {
+    const Point3 way = brush.session.point(i) - ball.center;
+    const double right = way.dot(canvas.camera.right()) / ball.radius;
+    if (std::abs(way.norm() - ball.radius) < 0.02 * ball.radius && right > best)
+      best = right, rim = brush.session.point(i);
+  }
+  draw_line(canvas, ball.center, rim, {Stroke::kSolid, p.current, brush.stroke(0.65f)});
+  const ImVec2 end = brush.at(rim);
+  const float length = std::hypot(end.x - center.x, end.y - center.y);
+  if (length < 36) return;
+  const ImVec2 along{(end.x - center.x) / length, (end.y - center.y) / length};
+  const ImVec2 aside = along.x >= 0 ? ImVec2{along.y, -along.x} : ImVec2{-along.y, along.x};  // upwards
+  const fit::Sphere3* goal = ball_in(shown.volume);  // which the ball is on its way to
+  brush.label({center.x + (end.x - center.x) * 0.55f, center.y + (end.y - center.y) * 0.55f}, 4, aside,
+              "r = " + lesson::number_text(goal != nullptr ? goal->radius : ball.radius), p.current_text);
+}
+
+}  // namespace
+
+void draw_fitted(Brush& brush, const Shown& shown) {
+  if (!brush.volume) return;
+  draw_volume(brush.canvas, *brush.volume, {Stroke::kSolid, brush.p.current, brush.stroke(), brush.p.fill});
+  if (const fit::Sphere3* ball = ball_in(brush.volume)) return draw_radius(brush, shown, *ball);
+  const double size = fit::size_of(shown.volume.value_or(*brush.volume), brush.dim());
+  brush.label(brush.at(top_of(brush.canvas.camera, *brush.volume, 0)), 6, {0.2f, -1}, size_text(size, brush.dim()),
+              brush.p.current_text);
+}
+
+void draw_compared(Brush& brush, const Shown& shown) {
+  const Palette& p = brush.p;
+  const Canvas& canvas = brush.canvas;
+  const int dim = brush.dim();
+  const auto size = [&](const fit::Volume3& volume) {
+    const double own = fit::size_of(volume, dim);
+    return std::holds_alternative<fit::Sphere3>(volume) ? "r = " + lesson::number_text(own) : size_text(own, dim);
+  };
+  if (shown.rival) {
+    draw_volume(canvas, *shown.rival, {Stroke::kLongDashed, p.previous, brush.stroke(), dim == 3 ? 0.03f : 0.0f});
+    if (fit::size_of(*shown.rival, dim) > 0)
+      brush.label(brush.at(top_of(canvas.camera, *shown.rival, -0.5)), 6, {-0.6f, -1},
+                  std::string(brush.session.algorithm(1)->title) + ": " + size(*shown.rival), p.previous_text);
+  }
+  if (!shown.optimum) return;
+  const double smallest = fit::size_of(*shown.optimum, dim);
+  const bool same = shown.volume && std::abs(fit::size_of(*shown.volume, dim) - smallest) <= 1e-9 * smallest;
+  draw_volume(canvas, *shown.optimum, {Stroke::kDashed, p.optimum, brush.stroke(same ? 2.0f : 1.0f)});
+  if (same && !shown.finished) return;
+  const std::string word(lesson::volume_word(brush.session.lesson().volume, dim));
+  brush.label(brush.at(top_of(canvas.camera, *shown.optimum, 0.5)), 6, {0.6f, -1},
+              same ? "the smallest " + word : "smallest " + size(*shown.optimum), p.optimum_text);
+}
+
+}  // namespace snug::app

@@ -1,0 +1,42 @@
+// The marks on points and other handles that subjects share, and the names beside them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/brush.hpp"
+
+namespace snug::app {
+
+/// From the middle of the mark to its edge, pixels.
+inline constexpr float kDiamond = 7.5f, kRing = 11;
+
+/// A diamond that labels keep clear of: the point was chosen, or holds the volume.
+void mark_point(Brush& brush, Index i);
+/// The points that hold the volume.
+void draw_support(Brush& brush, const Shown& shown);
+/// What the step speaks of.
+void draw_spoken_of(Brush& brush, const Shown& shown);
+/// The one that is examined. marked: whether it has a diamond already.
+void draw_examined(Brush& brush, const Shown& shown, bool marked);
+
+[[nodiscard]] bool among(const std::vector<Index>& points, Index i);
+
+/// Names beside handles, away from the middle of the picture; each handle has one, the first that is asked for.
+class PointNames {
+ public:
+  PointNames(Brush& brush, const Point3& middle);
+  void name(Index i, std::string words, Color color, Face face, float gap, float size = 14, bool optional = false);
+  /// The name of one that the step speaks of.
+  void plain(Index i);
+  /// It is named elsewhere.
+  void skip(Index i) { named_[i] = true; }
+
+  Brush& brush;
+
+ private:
+  std::vector<bool> named_;
+  ImVec2 middle_;
+};
+
+}  // namespace snug::app

@@ -1,0 +1,145 @@
+// What the hands do to the handles, and all of their names.
+#include <algorithm>
+#include <cmath>
+
+#include "app/point_marks.hpp"
+#include "app/stage.hpp"
+#include "lesson/figures.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr Index kNameAll = 30;           // so many points have room for all their names
+constexpr std::size_t kInviteAll = 250;  // more rings than this hide the points
+
+std::string coordinates(const Point3& p, int dim) {
+  std::string text = "(" + lesson::number_text(p[0]) + ", " + lesson::number_text(p[1]);
+  if (dim == 3) text += ", " + lesson::number_text(p[2]);
+  return text + ")";
+}
+
+/// Four heads around a point: the arrow keys move it.
+void arrow_heads(ImDrawList* list, ImVec2 at, float from, Color color, Color halo) {
+  for (const ImVec2 way : {ImVec2{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
+    const auto head = [&](float base, float length, float half, Color fill) {
+      list->AddTriangleFilled({at.x + way.x * (base + length), at.y + way.y * (base + length)},
+                              {at.x + way.x * base - way.y * half, at.y + way.y * base + way.x * half},
+                              {at.x + way.x * base + way.y * half, at.y + way.y * base - way.x * half}, fill);
+    };
+    head(from - 1.5f, 9, 7.5f, halo);
+    head(from, 6, 5, color);
+  }
+}
+
+}  // namespace
+
+void Stage::draw_handles(Brush& brush) const {
+  // On a mesh of thousands, labels keep clear of the surface's marked points alone.
+  if (screen_.size() <= 1500 && scene_.triangles.empty())
+    for (const ScreenPoint& point : screen_)
+      if (point.visible)
+        brush.canvas.obstacles.discs.push_back(
+            {point.x, point.y, brush.point_radius + (answered_on_stage(brush.session) ? 6 : 1)});
+  draw_invitation(brush);
+  view_->draw_marks(brush);
+  draw_verdict(brush);
+  draw_hovered(brush);
+  draw_selected(brush);
+  name_handles(brush);
+}
+
+/// Rings that say "tap me", while a question is answered on the stage; a strong one round what is chosen.
+void Stage::draw_invitation(Brush& brush) const {
+  if (!answered_on_stage(brush.session)) return;
+  const Palette& p = brush.p;
+  const std::vector<Index> targets = brush.session.targets();
+  const lesson::Answer* picked = brush.session.picked();
+  const bool is_point = picked != nullptr && picked->kind == lesson::Answer::Kind::kPoint;
+  for (const Index i : targets) {
+    const ScreenPoint& point = brush.handles[i];
+    const bool chosen = is_point && picked->value == i;
+    if (!point.visible || (!chosen && targets.size() > kInviteAll)) continue;
+    const ImVec2 at{point.x, point.y};
+    if (chosen) disc(brush.list, at, brush.point_radius + 7, with_alpha(p.current, 0.3f));
+    ring(brush.list, at, brush.point_radius + (chosen ? 7 : 5), chosen ? p.current : with_alpha(p.current, 0.75f),
+         chosen ? brush.stroke(1.4f) : 1.5f);
+  }
+}
+
+/// While an outcome stands: a cross beside each point of a wrong guess, a tick beside those that were right.
+void Stage::draw_verdict(Brush& brush) const {
+  const Palette& p = brush.p;
+  const auto badge = [&](Index i, bool right) {
+    if (i < 0 || i >= brush.session.size()) return;
+    const ImVec2 point = brush.at(brush.point(i));
+    const float away = 13 * p.mark, radius = 9 * p.mark;
+    const ImVec2 at{point.x + away, point.y - away};
+    disc(brush.list, at, radius, p.ground);
+    ring(brush.list, at, radius, right ? p.optimum : p.wrong, 1.5f);
+    if (right) tick(brush.list, at, 5 * p.mark, p.optimum, brush.stroke());
+    else cross(brush.list, at, 4 * p.mark, p.wrong, brush.stroke());
+    brush.canvas.obstacles.discs.push_back({at.x, at.y, radius + 1});
+  };
+  for (const Index i : view_->shown().guessed_wrong) badge(i, false);
+  for (const Index i : view_->shown().right) badge(i, true);
+}
+
+/// The handle under the pointer.
+void Stage::draw_hovered(Brush& brush) const {
+  const Palette& p = brush.p;
+  const Shown& shown = view_->shown();
+  const Index i = hands_.hovered;
+  if (i == kNoIndex || i >= brush.session.size()) return;
+  const ImVec2 at = brush.at(brush.point(i));
+  if (among(shown.support, i)) diamond(brush.list, at, kDiamond * p.mark + 2, p.support, p.ground);
+  else disc(brush.list, at, std::max(brush.point_radius, 3.0f) + 2, i == shown.examined ? p.examined : p.ink);
+  if (hands_.grabs || brush.look.fingers || answered_on_stage(brush.session))
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+}
+
+/// The selected one with its ring and, while it is dragged, its coordinates.
+void Stage::draw_selected(Brush& brush) const {
+  const Palette& p = brush.p;
+  if (hands_.selected == kNoIndex || hands_.selected >= brush.session.size()) return;
+  const Point3 place = brush.point(hands_.selected);
+  const ImVec2 at = brush.at(place);
+  const float radius = std::max(brush.point_radius, 4.0f) + 6;
+  ring(brush.list, at, radius + 2, p.ground, 2);
+  ring(brush.list, at, radius, p.ink, 2);
+  if (arrows_move()) arrow_heads(brush.list, at, radius + 5, p.ink, p.ground);
+  brush.canvas.obstacles.discs.push_back({at.x, at.y, radius + (arrows_move() ? 11 : 2)});
+  if (!hands_.dragging) return;
+  // A finger covers what is below it.
+  const bool finger = brush.look.fingers;
+  brush.label(at, radius + (finger ? 26 : 4), {0.3f, finger ? -1.0f : 1.0f}, coordinates(place, brush.session.dim()),
+              p.ink, Face::kMono, 13);
+  brush.labels.back().request.clear_of_points = true;
+}
+
+/// Names of what the step speaks of and of what is in hand; all others where there is room for them.
+void Stage::name_handles(Brush& brush) const {
+  const Palette& p = brush.p;
+  const lesson::Session& session = brush.session;
+  PointNames names(brush, brush.volume ? ball_around(*brush.volume, brush.dim()).center : framed_ball_.center);
+  view_->name_marks(names);
+  const lesson::Answer* picked = session.picked();
+  const bool is_point = picked != nullptr && picked->kind == lesson::Answer::Kind::kPoint;
+  for (const Index i : {is_point ? static_cast<Index>(picked->value) : kNoIndex, hands_.selected, hands_.hovered})
+    if (i != kNoIndex && i < session.size()) names.name(i, session.name_of(i), p.ink, Face::kSemiBold, 13);
+  for (const Index i : view_->shown().spoken_of) names.plain(i);
+  if (session.size() > kNameAll) return;
+  const bool asked = answered_on_stage(session), alone = asked && view_->names_answers_alone();
+  const std::vector<Index> targets = alone ? session.targets() : std::vector<Index>{};
+  for (Index i = 0; i < session.size(); ++i) {
+    const bool must = among(targets, i);  // what an answer names bears its name
+    if (!view_->bears_name(session, i) || (alone && !must)) continue;
+    const bool signs = is_of_signs(session.name_of(i));  // thin strokes on a volume's fill
+    names.name(i, session.name_of(i),
+               must    ? p.current_text
+               : signs ? p.ink
+                       : p.muted,
+               must || signs ? Face::kSemiBold : Face::kRegular, asked ? 12 : 7, must || signs ? 13 : 12, !must);
+  }
+}
+
+}  // namespace snug::app

@@ -1,0 +1,42 @@
+// The labels that were asked for, where there is room for them.
+#include <algorithm>
+#include <cmath>
+
+#include "app/stage.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr float kTied = 14;  // a label so much farther out than it would stand has a line to what it names, pixels
+
+/// A label that had to go far out is tied to what it names.
+void draw_leader(ImDrawList* list, float width, const Label& label, const Rect& place) {
+  const ImVec2 anchor{label.request.x, label.request.y};
+  const ImVec2 from{std::clamp(anchor.x, place.x, place.x + place.width),
+                    std::clamp(anchor.y, place.y, place.y + place.height)};
+  const float dx = anchor.x - from.x, dy = anchor.y - from.y, away = std::hypot(dx, dy);
+  if (away < label.request.gap + kTied) return;
+  const float share = 1 - label.request.gap / away;
+  list->AddLine(from, {from.x + dx * share, from.y + dy * share}, with_alpha(label.color, 0.6f), width);
+}
+
+}  // namespace
+
+void Stage::draw_labels(Brush& brush) {
+  std::vector<LabelRequest> requests;
+  for (const Label& label : brush.labels) requests.push_back(label.request);
+  const Rect& r = brush.rect;
+  const auto places = place_labels(requests, brush.canvas.obstacles, {r.x + 4, r.y + 4, r.width - 8, r.height - 8});
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!places[i]) continue;
+    const Label& label = brush.labels[i];
+    const ImVec2 at{places[i]->x + 3, places[i]->y + 1};
+    draw_leader(brush.list, brush.p.mark, label, *places[i]);
+    // A name that is only shown where it is clear of everything needs no halo.
+    if (is_of_signs(label.words) || (label.request.optional && brush.dim() == 2))
+      text(brush.list, brush.look, label.face, label.size, at, label.color, label.words);
+    else halo_text(brush.list, brush.look, label.face, label.size, at, label.color, brush.p.ground, label.words);
+  }
+}
+
+}  // namespace snug::app

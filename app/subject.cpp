@@ -1,0 +1,47 @@
+#include "app/subject.hpp"
+
+#include "app/fitted.hpp"
+#include "app/point_marks.hpp"
+#include "app/polytope.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr double kSecondsOfStep = 0.5;
+
+}  // namespace
+
+void SubjectView::draw(Brush& brush) const {
+  draw_compared(brush, shown());
+  draw_fitted(brush, shown());
+}
+
+void SubjectView::draw_marks(Brush& brush) const {
+  draw_support(brush, shown());
+  draw_spoken_of(brush, shown());
+  draw_examined(brush, shown(), among(shown().support, shown().examined));
+}
+
+void SubjectView::name_marks(PointNames& names) const {
+  for (const Index i : shown().support) names.plain(i);
+}
+
+Rect SubjectView::draw_inset(Brush&, float) const { return {}; }
+
+fit::Sphere3 SubjectView::extent(const lesson::Session& session) {
+  const auto ball = [&](int slot) { return ball_around(session.recording(slot).result.volume, session.dim()); };
+  return session.algorithm(1) == nullptr ? ball(0) : ball_around(ball(0), ball(1));
+}
+
+int SubjectView::axis_in_use(const lesson::Session&) const { return -1; }
+Point3 SubjectView::place_of(const lesson::Session& session, Index i) const { return session.point(i); }
+bool SubjectView::can_move(const lesson::Session&) const { return true; }
+bool SubjectView::shows_points(const lesson::Session&) const { return true; }
+bool SubjectView::bears_name(const lesson::Session&, Index) const { return true; }
+std::string_view SubjectView::handles_word(const lesson::Session&) const { return "Points"; }
+float SubjectView::draw_panels(const Look&, lesson::Session&, ImVec2, float) const { return 0; }
+bool SubjectView::in_panels(const lesson::Figure&) const { return false; }
+MarkWords SubjectView::mark_words(const lesson::Session&) const { return {}; }
+double SubjectView::seconds_of_step(const lesson::Session&, double) const { return kSecondsOfStep; }
+
+}  // namespace snug::app

@@ -1,0 +1,122 @@
+// The geometry that a fitter's step speaks of, and its marks on the points.
+#include "app/subjects/cloud/draw.hpp"
+
+#include <cmath>
+
+#include "app/fitted.hpp"
+#include "app/numbers.hpp"
+#include "app/point_marks.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr ImVec2 kRightUp{1, -0.6f};
+
+/// The convex hull of which a box fitter knows the corners: in 2-D its outline, in 3-D a ring around each corner.
+void draw_hull(Brush& brush, const CloudShown& shown) {
+  std::vector<ImVec2> corners;
+  for (const Index i : shown.hull) corners.push_back(brush.at(brush.session.point(i)));
+  if (brush.dim() == 2)
+    return path(brush.list, convex_outline(std::move(corners)), true, Stroke::kSolid, brush.p.ink, brush.stroke(0.8f));
+  for (const ImVec2 at : corners) ring(brush.list, at, 4 * brush.p.mark, brush.p.ink, brush.stroke(0.6f));
+}
+
+/// A volume that was tried and is not kept.
+void draw_candidate(Brush& brush, const CloudShown& shown) {
+  if (!shown.candidate) return;
+  const Palette& p = brush.p;
+  draw_volume(brush.canvas, *shown.candidate,
+              {Stroke::kDotted, shown.candidate_fails ? p.wrong : p.previous, brush.stroke()});
+  const fit::Sphere3* ball = ball_in(shown.candidate);
+  if (ball != nullptr && shown.candidate_fails && !brush.canvas.gl.three_d) {
+    const auto radius = static_cast<float>(ball->radius * brush.canvas.camera.scale_at(ball->center));
+    hatching(brush.list, brush.at(ball->center), radius, with_alpha(p.wrong, 0.16f));
+  }
+  if (shown.left_outside == kNoIndex) return;
+  const ImVec2 at = brush.at(brush.session.point(shown.left_outside));
+  cross(brush.list, at, 8 * p.mark, p.wrong, brush.stroke(1.2f));
+  brush.canvas.obstacles.discs.push_back({at.x, at.y, 10});
+  brush.label(at, 12, kRightUp, brush.session.name_of(shown.left_outside) + " outside", p.wrong_text);
+}
+
+/// The extreme points along each axis, the box that they span, and its midpoint.
+void draw_extremes(Brush& brush, const CloudShown& shown) {
+  const Palette& p = brush.p;
+  const Canvas& canvas = brush.canvas;
+  if (shown.box) {
+    draw_box(canvas, shown.box->least, shown.box->greatest, {Stroke::kSolid, p.previous, brush.stroke(0.55f)});
+    const ImVec2 middle = brush.at(shown.box->midpoint);
+    plus(brush.list, middle, 6 * p.mark, p.current, brush.stroke(0.8f));
+    if (!shown.volume) brush.label(middle, 8, kRightUp, "midpoint", p.current_text);
+  }
+  if (!shown.extremes) return;
+  Point3 least = Point3::Zero(), greatest = Point3::Zero();
+  for (int axis = 0; axis < brush.dim(); ++axis) {
+    least[axis] = brush.session.point(shown.extremes->least[axis])[axis];
+    greatest[axis] = brush.session.point(shown.extremes->greatest[axis])[axis];
+  }
+  if (!shown.box && !shown.volume) draw_box(canvas, least, greatest, {Stroke::kDotted, p.previous, brush.stroke(0.7f)});
+  if (shown.volume) return;  // the pair was chosen: its points alone matter now
+  for (int axis = 0; axis < brush.dim(); ++axis) {
+    for (const Index i : {shown.extremes->least[axis], shown.extremes->greatest[axis]}) {
+      const Point3 at = brush.session.point(i);
+      for (int other = 0; other < brush.dim(); ++other) {
+        if (other == axis) continue;
+        Point3 half = Point3::Zero();
+        half[other] = 16 / brush.canvas.camera.scale_at(at);
+        line(brush.list, brush.at(at - half), brush.at(at + half), Stroke::kSolid, p.support, brush.stroke(0.9f));
+      }
+    }
+  }
+}
+
+/// The extreme points, axis by axis, until there is a volume: from then on what holds it matters alone.
+std::vector<Index> extremes_alone(const Brush& brush, const CloudShown& shown) {
+  std::vector<Index> points;
+  if (!shown.extremes || shown.volume) return points;
+  for (int axis = 0; axis < brush.dim(); ++axis)
+    for (const Index i : {shown.extremes->least[axis], shown.extremes->greatest[axis]}) points.push_back(i);
+  return points;
+}
+
+}  // namespace
+
+void draw_cloud(Brush& brush, const CloudShown& shown) {
+  draw_hull(brush, shown);
+  draw_spread(brush, shown);
+  draw_extremes(brush, shown);
+  if (shown.before) draw_volume(brush.canvas, *shown.before, {Stroke::kDotted, brush.p.previous, brush.stroke(0.85f)});
+  draw_compared(brush, shown);
+  draw_candidate(brush, shown);
+  draw_fitted(brush, shown);
+  draw_axis_ends(brush, shown);
+}
+
+void mark_cloud(Brush& brush, const CloudShown& shown) {
+  const std::vector<Index> extremes = extremes_alone(brush, shown);
+  if (extremes.empty()) draw_support(brush, shown);
+  for (const Index i : shown.forced)
+    ring(brush.list, brush.at(brush.point(i)), kRing * brush.p.mark, brush.p.support, brush.stroke(0.7f));
+  for (const Index i : extremes) mark_point(brush, i);
+  if (shown.pair && !shown.volume)
+    for (const Index i : {shown.pair->a, shown.pair->b}) mark_point(brush, i);
+  draw_spoken_of(brush, shown);
+  draw_examined(brush, shown, extremes.empty() && among(shown.support, shown.examined));
+}
+
+void name_cloud(PointNames& names, const CloudShown& shown) {
+  const Palette& p = names.brush.p;
+  if (shown.left_outside != kNoIndex) names.skip(shown.left_outside);
+  if (shown.examined != kNoIndex) {
+    std::string words = names.brush.session.name_of(shown.examined);
+    if (shown.examined_outside && shown.outside_by > 0) words += " outside by " + short_figure(shown.outside_by);
+    else if (shown.outside_by < 0) words += " inside";
+    names.name(shown.examined, std::move(words), p.examined_text, Face::kSemiBold, 19 * p.mark, 15);
+  }
+  const std::vector<Index> extremes = extremes_alone(names.brush, shown);
+  for (const Index i : extremes.empty() ? shown.support : extremes) names.plain(i);
+  if (shown.pair)
+    for (const Index i : {shown.pair->a, shown.pair->b}) names.plain(i);
+}
+
+}  // namespace snug::app

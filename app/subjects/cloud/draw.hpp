@@ -1,0 +1,18 @@
+// What a step of a fitter draws; for this folder.
+#pragma once
+
+#include "app/point_marks.hpp"
+#include "app/subjects/cloud/shown.hpp"
+
+namespace snug::app {
+
+void draw_cloud(Brush& brush, const CloudShown& shown);
+void mark_cloud(Brush& brush, const CloudShown& shown);
+void name_cloud(PointNames& names, const CloudShown& shown);
+
+/// Mean, covariance and axes.
+void draw_spread(Brush& brush, const CloudShown& shown);
+/// The first diameter; along the main axis with the projections that chose it.
+void draw_axis_ends(Brush& brush, const CloudShown& shown);
+
+}  // namespace snug::app

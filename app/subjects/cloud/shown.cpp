@@ -1,0 +1,155 @@
+#include "app/subjects/cloud/shown.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "fit/obb/principal_axes.hpp"
+
+namespace snug::app {
+namespace {
+
+/// The ball before the last step, where that step changed it.
+std::optional<fit::Volume3> ball_before(lesson::Trace steps) {
+  if (steps.size() < 2) return std::nullopt;
+  const fit::Sphere3* now = ball_of(steps[steps.size() - 1].step);
+  const fit::Sphere3* earlier = ball_of(steps[steps.size() - 2].step);
+  if (now == nullptr || earlier == nullptr || (earlier->center == now->center && earlier->radius == now->radius))
+    return std::nullopt;
+  return *earlier;
+}
+
+Point3 deviations(const Point3& variances) { return variances.cwiseMax(0).cwiseSqrt(); }
+
+/// Fills in what has a picture of its own.
+struct CloudFiller {
+  CloudShown& shown;
+  const fit::Step3& step;
+  lesson::Trace steps;  // up to and with this one
+  const lesson::Session& session;
+
+  void operator()(const auto&) const { named(); }
+  void operator()(const fit::ExtremesFound<double, 3>& fact) const { shown.extremes = {fact.least, fact.greatest}; }
+  void operator()(const fit::MidpointFound<double, 3>& fact) const {
+    shown.box = {fact.least, fact.greatest, fact.midpoint};
+    if (const auto* found = last_fact<fit::ExtremesFound<double, 3>>(steps))
+      shown.extremes = {found->least, found->greatest};
+  }
+  void operator()(const fit::PairChosen& fact) const {
+    shown.pair = fact;
+    if (const auto* found = last_fact<fit::ExtremesFound<double, 3>>(steps))
+      shown.extremes = {found->least, found->greatest};
+    if (const auto* axes = last_fact<fit::AxesFound<double, 3>>(steps)) {
+      shown.mean = axes->mean;
+      shown.spread = {axes->axes, deviations(axes->variances), true, true};
+    }
+  }
+  void operator()(const fit::FarthestFound& fact) const {
+    shown.examined = fact.point;
+    if (const auto* found = last_fact<fit::MidpointFound<double, 3>>(steps))
+      shown.box = {found->least, found->greatest, found->midpoint};
+  }
+  void operator()(const fit::PointExamined& fact) const {
+    shown.examined = fact.point;
+    shown.examined_outside = fact.outside;
+    const fit::Sphere3* ball = ball_of(step);
+    shown.outside_by = ball != nullptr ? fact.distance - ball->radius : 0;
+    force(fact.depth);
+  }
+  void operator()(const fit::BallGrown<double, 3>& fact) const { shown.before = fact.before; }
+  void operator()(const fit::MeanFound<double, 3>& fact) const { shown.mean = fact.mean; }
+  void operator()(const fit::CovarianceFound<double, 3>& fact) const {
+    shown.mean = fact.mean;
+    const auto found = fit::principal_axes(fact);
+    shown.spread = {found.axes, deviations(found.variances), false, false};
+  }
+  void operator()(const fit::AxesFound<double, 3>& fact) const {
+    shown.mean = fact.mean;
+    shown.spread = {fact.axes, deviations(fact.variances), true, false};
+  }
+  void operator()(const fit::BallShrunk<double, 3>& fact) const { shown.before = fact.before; }
+  void operator()(const fit::PassJudged<double, 3>& fact) const {
+    if (!fact.better) shown.candidate = fact.best;
+  }
+  void operator()(const fit::BoundaryForced& fact) const {
+    shown.before = ball_before(steps);
+    force(fact.depth);
+  }
+  void operator()(const fit::MovedToFront& fact) const {
+    shown.examined = fact.point;
+    force(fact.depth);
+  }
+  void operator()(const fit::RadiusChecked& fact) const { shown.examined = fact.farthest; }
+  void operator()(const fit::SupportReplaced&) const { shown.before = ball_before(steps); }
+  void operator()(const fit::CandidateTried<double, 3>& fact) const {
+    using Verdict = fit::CandidateTried<double, 3>::Verdict;
+    if (fact.verdict == Verdict::kKept) {
+      shown.before = ball_before(steps);
+      return;
+    }
+    if (fact.verdict != Verdict::kNoBall) shown.candidate = fact.candidate;
+    shown.candidate_fails = true;
+    shown.left_outside = fact.outside;
+  }
+  void operator()(const fit::ExtentsFound<double, 3>&) const {
+    spread_of_points();
+    named();
+  }
+  void operator()(const fit::BallFound<double, 3>& fact) const {
+    shown.before = fact.ball;
+    named();
+  }
+  void operator()(const fit::HullFound& fact) const { shown.hull = fact.vertices; }
+  void operator()(const fit::SurfaceFound<double, 3>& fact) const {
+    shown.mean = fact.centroid;
+    hull();
+  }
+  void operator()(const fit::BoxTried<double, 3>& fact) const {
+    if (!fact.better) shown.candidate = fact.box;
+    shown.spoken_of = {fact.on.begin(), fact.on.end()};
+    hull();
+  }
+  void operator()(const fit::RectangleFound<double, 3>& fact) const {
+    if (!fact.better) shown.candidate = fact.box;
+    named();
+    hull();
+  }
+  void operator()(const fit::EdgeSearched&) const {
+    named();
+    hull();
+  }
+  void operator()(const fit::EdgeSplit& fact) const { shown.spoken_of = {fact.a, fact.point, fact.b}; }
+  void operator()(const fit::FacetsReplaced& fact) const { shown.spoken_of = {fact.eye}; }
+  void operator()(const fit::Finished&) const {}  // its support is marked as such
+
+  void named() const { shown.spoken_of = named_by(step, session); }
+  void hull() const {
+    if (const auto* found = last_fact<fit::HullFound>(steps)) shown.hull = found->vertices;
+  }
+  /// Mean and axes stay in sight where the box is built on them.
+  void spread_of_points() const {
+    const auto* axes = last_fact<fit::AxesFound<double, 3>>(steps);
+    if (axes == nullptr) return;
+    shown.mean = axes->mean;
+    shown.spread = {axes->axes, deviations(axes->variances), true, false};
+  }
+
+  /// The first `depth` points of the boundary are forced while a frame of that depth runs.
+  void force(int depth) const {
+    shown.depth = depth;
+    const auto* boundary = last_fact<fit::BoundaryForced>(steps);
+    if (boundary == nullptr) return;
+    for (int i = 0; i < std::min(depth, boundary->boundary.size()); ++i) shown.forced.add(boundary->boundary[i]);
+  }
+};
+
+}  // namespace
+
+CloudShown cloud_shown_at(const lesson::Session& session, bool want_optimum) {
+  CloudShown shown{shown_at(session, want_optimum)};
+  const lesson::Trace steps = steps_shown(session);
+  if (!steps.empty()) std::visit(CloudFiller{shown, steps.back().step, steps, session}, steps.back().step.fact);
+  return shown;
+}
+
+}  // namespace snug::app

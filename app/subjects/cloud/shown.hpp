@@ -1,0 +1,45 @@
+// What a step of a fitter shows beside its volume.
+#pragma once
+
+#include <array>
+
+#include "app/shown.hpp"
+
+namespace snug::app {
+
+struct CloudShown : Shown {
+  std::optional<fit::Volume3> before;     // the one that this step replaced
+  std::optional<fit::Volume3> candidate;  // tried by this step, other than the volume
+  bool candidate_fails = false;
+  Index left_outside = kNoIndex;  // the point that the candidate leaves outside
+
+  fit::Support forced;  // of the support, what Welzl's recursion has forced onto the boundary
+  int depth = 0;
+
+  bool examined_outside = false;
+  double outside_by = 0;  // of the point that is examined; < 0 inside, scene units
+
+  struct Extremes {
+    std::array<Index, 3> least, greatest;
+  };
+  std::optional<Extremes> extremes;
+  struct Box {
+    Point3 least, greatest, midpoint;
+  };
+  std::optional<Box> box;
+  std::optional<fit::PairChosen> pair;  // the first diameter
+  std::optional<Point3> mean;
+  struct Spread {
+    Matrix<double, 3> axes;  // columns, by rising sigma
+    Point3 sigma;            // standard deviations, scene units
+    bool named = false;      // whether the axes themselves were found yet
+    bool ends = false;       // whether the extreme points along the main axis were
+  };
+  std::optional<Spread> spread;
+  std::vector<Index> hull;  // its vertices, where a box fitter knows them
+};
+
+/// want_optimum: as of shown_at.
+[[nodiscard]] CloudShown cloud_shown_at(const lesson::Session& session, bool want_optimum);
+
+}  // namespace snug::app

@@ -1,0 +1,12 @@
+// A cloud of points and what is fitted round it.
+#pragma once
+
+#include <memory>
+
+#include "app/subject.hpp"
+
+namespace snug::app {
+
+[[nodiscard]] std::unique_ptr<SubjectView> cloud_view();
+
+}  // namespace snug::app

@@ -1,0 +1,18 @@
+// What a step of a test of a box against a frustum draws; for this folder.
+#pragma once
+
+#include "app/point_marks.hpp"
+#include "app/subjects/frustum/shown.hpp"
+#include "lesson/frustum_box.hpp"
+
+namespace snug::app {
+
+void draw_frustum(Brush& brush, const FrustumShown& shown);
+/// The p- and the n-vertex, with their letters.
+void mark_frustum(Brush& brush, const FrustumShown& shown);
+/// Their names, away from the box.
+void name_frustum(PointNames& names, const FrustumShown& shown);
+/// As SubjectView::draw_inset.
+[[nodiscard]] Rect draw_from_camera(Brush& brush, const FrustumShown& shown, float top);
+
+}  // namespace snug::app

@@ -1,0 +1,73 @@
+#include "app/subjects/frustum/shown.hpp"
+
+#include "lesson/frustum_figures.hpp"
+
+namespace snug::app {
+namespace {
+
+using Corner = query::CornerTested<double, 3>;
+
+/// Those of this round: the corners are gone through in order, for each plane or once.
+std::vector<Corner> corners_tested(lesson::Trace up_to) {
+  std::vector<Corner> corners;
+  for (; !up_to.empty(); up_to = up_to.first(up_to.size() - 1)) {
+    const auto* corner = std::get_if<Corner>(&up_to.back().step.fact);
+    if (corner == nullptr || (!corners.empty() && corner->corner >= corners.front().corner)) break;
+    corners.insert(corners.begin(), *corner);
+  }
+  return corners;
+}
+
+/// Fills in what has a picture of its own.
+struct FrustumFiller {
+  FrustumShown& shown;
+  lesson::Trace steps;  // up to and with this one
+  const lesson::Session& session;
+
+  void operator()(const auto&) const { shown.spoken_of = named_by(steps.back().step, session); }
+  void operator()(const query::PlaneTested<double, 3>& fact) const {
+    shown.plane = fact;
+    shown.verdict = fact.so_far;
+    for (const int corner : {fact.p_vertex, fact.n_vertex})
+      shown.vertices.push_back(lesson::index_of(session.dim(), {lesson::Place::Kind::kCorner, 0, corner}));
+  }
+  void operator()(const Corner&) const { shown.corners = corners_tested(steps); }
+  /// With the plane that all of the box is outside of. Of all planes together, the corners tested against the last one
+  /// alone say nothing.
+  void operator()(const query::Classified& fact) const {
+    const lesson::Trace before = steps.first(steps.size() - 1);
+    const std::size_t once = std::size_t{1} << session.dim();
+    if (fact.result.rejected_by >= 0 || before.size() <= once) shown.corners = corners_tested(before);
+    const auto* plane = last_fact<query::PlaneTested<double, 3>>(steps);
+    if (plane != nullptr && fact.result.rejected_by >= 0) (*this)(*plane);
+    shown.verdict = fact.result.verdict;
+  }
+};
+
+/// A question about a plane shows which one it means, and leaves the answer to be found.
+void show_plane_asked(FrustumShown& shown, const lesson::Session& session) {
+  const lesson::Asked* asked = session.asked();
+  if (asked == nullptr) return;
+  if (session.asked_figure() == "verdict") shown.verdict.reset();
+  const auto& fact = session.recording(0).steps[asked->fact].step.fact;
+  const auto* plane = std::get_if<query::PlaneTested<double, 3>>(&fact);
+  if (plane == nullptr) return;
+  shown.plane = *plane;
+  shown.plane_at = plane->plane;
+  shown.plane_asked = true;
+  shown.vertices.clear();
+}
+
+}  // namespace
+
+FrustumShown frustum_shown_at(const lesson::Session& session) {
+  FrustumShown shown{shown_at(session, false)};
+  if (const lesson::Trace steps = steps_shown(session); !steps.empty()) {
+    shown.plane_at = lesson::plane_at(steps);
+    std::visit(FrustumFiller{shown, steps, session}, steps.back().step.fact);
+  }
+  show_plane_asked(shown, session);
+  return shown;
+}
+
+}  // namespace snug::app

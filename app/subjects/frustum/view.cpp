@@ -1,0 +1,45 @@
+#include "app/subjects/frustum/view.hpp"
+
+#include "app/polytope.hpp"
+#include "app/subjects/frustum/draw.hpp"
+
+namespace snug::app {
+namespace {
+
+class FrustumView final : public SubjectView {
+ public:
+  void refresh(const lesson::Session& session, bool) override { shown_ = frustum_shown_at(session); }
+  [[nodiscard]] const Shown& shown() const override { return shown_; }
+  void draw(Brush& brush) const override { draw_frustum(brush, shown_); }
+  void draw_marks(Brush& brush) const override {
+    SubjectView::draw_marks(brush);
+    mark_frustum(brush, shown_);
+  }
+  void name_marks(PointNames& names) const override { name_frustum(names, shown_); }
+  [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override { return draw_from_camera(brush, shown_, top); }
+
+  [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
+    const lesson::BoxPair& pair = *session.boxes();
+    const auto ball = [&](int box) { return ball_around(pair.boxes[box], session.dim()); };
+    return ball_around(ball_around({lesson::camera_of(pair).position, 0}, ball(1)), ball(0));
+  }
+  /// A centre bears its box's name, a knob its arc, and nobody speaks of the frustum's vertices.
+  [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override {
+    const lesson::Place place = lesson::place_of(session.dim(), i);
+    return place.kind == lesson::Place::Kind::kCorner && place.box == 0;
+  }
+  [[nodiscard]] bool names_answers_alone() const override { return true; }
+  [[nodiscard]] std::string_view handles_word(const lesson::Session&) const override { return "Boxes"; }
+  [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {
+    return {.replaced = "verdict", .best = "entirely outside"};
+  }
+
+ private:
+  FrustumShown shown_;
+};
+
+}  // namespace
+
+std::unique_ptr<SubjectView> frustum_view() { return std::make_unique<FrustumView>(); }
+
+}  // namespace snug::app

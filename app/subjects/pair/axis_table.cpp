@@ -1,0 +1,114 @@
+#include "app/subjects/pair/axis_table.hpp"
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "app/marks.hpp"
+#include "app/widgets.hpp"
+#include "lesson/box_figures.hpp"
+#include "lesson/box_tests.hpp"
+
+namespace snug::app {
+namespace {
+
+using Axis = query::AxisTested<double, 3>;
+
+constexpr float kCell = 12, kRow = 24;
+constexpr std::array<const char*, 4> kHeads{"distance", "r_A", "r_B", "separation"};
+constexpr std::array<float, 4> kRight{0.42f, 0.575f, 0.73f, 1.0f};  // where each column ends, of the width
+
+std::string short_number(double value) { return lesson::number_text(value, 3); }
+
+/// The rows that were tested, by the axis's place in the table.
+std::vector<const Axis*> rows_of(const std::vector<Axis>& seen, int dim) {
+  std::vector<const Axis*> rows(lesson::axis_names(dim).size(), nullptr);
+  for (const Axis& axis : seen) rows[lesson::axis_index(dim, axis.axis)] = &axis;
+  return rows;
+}
+
+struct AxisTable {
+  const Look& look;
+  ImDrawList* list;
+  float x, width;
+
+  /// The right end of a column of figures.
+  [[nodiscard]] float right(int column) const { return x + width * kRight[column]; }
+
+  void head(float y) const {
+    for (int i = 0; i < 4; ++i)
+      text_right(list, look, Face::kRegular, 11, {right(i), y + look.px(4)}, look->muted, kHeads[i]);
+  }
+
+  void row(float y, const lesson::AxisName& name, const Axis* axis, bool lit) const {
+    const float middle = middle_of(y + look.px(kRow) / 2, look.px(kCell));
+    if (lit) list->AddRectFilled({x - 6, y}, {x + width + 6, y + look.px(kRow)}, with_alpha(look->current, 0.14f), 4);
+    const bool separates = axis != nullptr && axis->separates;
+    const Color ink = separates ? look->wrong_text : axis != nullptr ? look->ink : look->muted;
+    text(list, look, lit ? Face::kMonoBold : Face::kMono, kCell, {x, middle}, ink, name.text);
+    if (axis == nullptr) return;
+    if (axis->skipped)
+      return text_right(list, look, Face::kRegular, 11, {x + width, middle}, look->muted, "parallel: none");
+    const std::array<double, 4> figures{axis->distance, axis->radius_a, axis->radius_b, axis->axis.gap};
+    for (int i = 0; i < 4; ++i)
+      text_right(list, look, i == 3 ? Face::kMonoBold : Face::kMono, kCell, {right(i), middle},
+                 i == 3 ? ink : look->ink, short_number(figures[i]));
+  }
+};
+
+}  // namespace
+
+int lit_row(const lesson::Session& session) {
+  const auto axis = lesson::axis_at(std::span(session.recording(0).steps).first(session.step()));
+  return axis ? lesson::axis_index(session.dim(), axis->axis) : -1;
+}
+
+namespace {
+
+/// Returns how high it is.
+float draw_table(const Look& look, lesson::Session& session, ImVec2 at, float width) {
+  const int dim = session.dim();
+  const auto steps = std::span(session.recording(0).steps).first(session.step());
+  const std::vector<Axis> seen = lesson::axes_seen(steps);
+  const auto rows = rows_of(seen, dim);
+  const int at_hand = lit_row(session);
+  const auto names = lesson::axis_names(dim);
+  const AxisTable table{look, ImGui::GetWindowDrawList(), at.x, width};
+  const lesson::Asked* asked = session.asked();
+  const bool choosing = asked != nullptr && asked->on_axes;
+  table.head(at.y);
+  float y = at.y + look.px(kRow);
+  for (std::size_t i = 0; i < names.size(); ++i, y += look.px(kRow)) {
+    const bool lit = static_cast<int>(i) == at_hand;
+    bool hovered = false;
+    if (choosing) {
+      ImGui::SetCursorScreenPos({at.x - 6, y});
+      ImGui::PushID(static_cast<int>(i));
+      if (ImGui::InvisibleButton("axis", {width + 12, look.px(kRow)})) {
+        static_cast<void>(session.pick({lesson::Answer::Kind::kChoice, static_cast<int>(i)}));
+        ImGui::PopID();
+        return y - at.y;  // the question may be no more
+      }
+      hovered = ImGui::IsItemHovered();
+      ImGui::PopID();
+      if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+      const lesson::Answer* picked = session.picked();
+      const bool chosen = picked != nullptr && picked->value == static_cast<int>(i);
+      table.list->AddRect({at.x - 6, y + 1}, {at.x + width + 6, y + look.px(kRow) - 1},
+                          with_alpha(look->current, chosen || hovered ? 0.9f : 0.35f), 4, 0, chosen ? 2.5f : 1.0f);
+    }
+    table.row(y, names[i], rows[i], lit);
+  }
+  return y - at.y;
+}
+
+}  // namespace
+
+float draw_axis_panel(const Look& look, lesson::Session& session, ImVec2 at, float width) {
+  if (lesson::axes_seen(session.recording(0).steps).empty()) return 0;
+  text(ImGui::GetWindowDrawList(), look, Face::kSemiBold, 13, {at.x, at.y + look.px(5)}, look->muted, "The axes");
+  const float head = look.px(24);
+  return head + draw_table(look, session, {at.x, at.y + head}, width);
+}
+
+}  // namespace snug::app

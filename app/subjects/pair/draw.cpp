@@ -1,0 +1,61 @@
+// Two boxes, and the axis or the vertex that the step speaks of.
+#include "app/subjects/pair/draw.hpp"
+
+#include <algorithm>
+
+#include "app/box_marks.hpp"
+#include "lesson/box_tests.hpp"
+
+namespace snug::app {
+namespace {
+
+/// What a wrong test looks at: the boxes' AABBs, or a vertex.
+void draw_wrong_test(Brush& brush, const lesson::BoxPair& pair, const PairShown& shown) {
+  const Palette& p = brush.p;
+  if (brush.session.algorithm(0)->name == "extents_only" && brush.session.step() > 0)
+    for (const Obb<double, 3>& box : pair.boxes) {
+      const Point3 half = box.axes.cwiseAbs() * box.half_extents;
+      const bool apart = shown.outlines && shown.outlines->apart;
+      draw_box(brush.canvas, box.center - half, box.center + half,
+               {Stroke::kDashed, apart ? p.wrong : p.examined, brush.stroke(0.8f)});
+    }
+  if (!shown.corner) return;
+  const ImVec2 at = brush.at(lesson::corner_of(pair.boxes[shown.corner->box], shown.corner->corner));
+  ring(brush.list, at, 12 * p.mark, p.examined, brush.stroke());
+  brush.label(at, 16, {0.6f, -1},
+              std::string(shown.corner->inside ? "inside " : "outside ") + (shown.corner->box == 0 ? "B" : "A"),
+              p.examined_text);
+}
+
+/// The axis that is asked about, through A's centre: its direction, and nothing of what comes of it.
+void draw_asked_axis(Brush& brush, const lesson::BoxPair& pair, const query::AxisTested<double, 3>& axis) {
+  if (axis.skipped) return;
+  const Point3& center = pair.boxes[0].center;
+  const double reach = std::max(axis.radius_a, axis.distance + axis.radius_b);
+  const ImVec2 from = brush.at(center - axis.axis.direction * (0.3 * reach)),
+               to = brush.at(center + axis.axis.direction * (1.1 * reach));
+  arrow(brush.list, from, to, brush.p.examined, brush.stroke(1.1f));
+  brush.canvas.obstacles.segments.push_back({from.x, from.y, to.x, to.y});
+  brush.label(to, 6, {to.x - from.x, to.y - from.y}, lesson::axis_text(pair.dim, axis.axis), brush.p.examined_text,
+              Face::kSemiBold, 15);
+}
+
+}  // namespace
+
+void draw_pair(Brush& brush, const PairShown& shown) {
+  const Palette& p = brush.p;
+  const lesson::BoxPair& pair = *brush.session.boxes();
+  for (int i = 0; i < 2; ++i) {
+    const Obb<double, 3>& box = pair.boxes[i];
+    draw_volume(brush.canvas, fit::Volume3(box), {Stroke::kSolid, p.current, brush.stroke(), p.fill});
+    draw_center(brush, box.center, p.current);
+    brush.label(brush.at(box.center), 12, {i == 0 ? -1.0f : 1.0f, -1}, i == 0 ? "A" : "B", p.current_text,
+                Face::kSemiBold, 18);
+    draw_knobs(brush, pair, i);
+  }
+  if (shown.axis && !shown.axis->skipped) draw_projections(brush, pair, *shown.axis);
+  if (shown.axis_asked) draw_asked_axis(brush, pair, *shown.axis_asked);
+  draw_wrong_test(brush, pair, shown);
+}
+
+}  // namespace snug::app

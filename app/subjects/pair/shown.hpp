@@ -1,0 +1,17 @@
+// What a step of a test of two boxes shows.
+#pragma once
+
+#include "app/shown.hpp"
+
+namespace snug::app {
+
+struct PairShown : Shown {
+  /// The axis that the step speaks of (lesson::axis_at), and the one that a question asks about.
+  std::optional<query::AxisTested<double, 3>> axis, axis_asked;
+  std::optional<query::OutlinesCompared> outlines;  // of the wrong tests
+  std::optional<query::CornerTried> corner;
+};
+
+[[nodiscard]] PairShown pair_shown_at(const lesson::Session& session);
+
+}  // namespace snug::app

@@ -1,0 +1,208 @@
+// A scene that moves: its bodies where they are in the frame that stands, their loose volumes, and which pairs each
+// stage of the funnel left.
+#include "app/subjects/scene/draw.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "app/subjects/scene/owner.hpp"
+
+namespace snug::app {
+namespace {
+
+using lesson::SceneFrame;
+
+constexpr std::size_t kBoxesOfAll =
+    60;  // more boxes than these hide what they hold: then only those in pairs are drawn
+// More bodies than these have neither edges nor boxes, but for the box of the one at hand, and lines only where they
+// touch: all of that took eight times as many vertices.
+constexpr std::size_t kCrowd = 400;
+constexpr int kRim = 24;  // points of the outline around a corner's radius
+
+/// A colour with the light on it.
+Color shaded(Color color, double share) {
+  const auto part = [&](int shift) {
+    return static_cast<Color>(std::clamp(static_cast<double>(color >> shift & 0xff) * share, 0.0, 255.0)) << shift;
+  };
+  return (color & 0xff000000u) | part(0) | part(8) | part(16);
+}
+
+/// So much of the second colour in the first.
+Color mixed(Color a, Color b, double share) {
+  const auto part = [&](int shift) {
+    const double from = a >> shift & 0xff, to = b >> shift & 0xff;
+    return static_cast<Color>(from + (to - from) * share + 0.5) << shift;
+  };
+  return 0xff000000u | part(0) | part(8) | part(16);
+}
+
+/// Which bodies are in one of the pairs.
+std::vector<bool> in_pairs(std::size_t bodies, const std::vector<scene::Pair>& pairs) {
+  std::vector<bool> flags(bodies, false);
+  for (const scene::Pair& pair : pairs) flags[pair.a] = flags[pair.b] = true;
+  return flags;
+}
+
+std::vector<scene::Pair> touching_of(const SceneFrame& frame) {
+  std::vector<scene::Pair> pairs;
+  for (const scene::Contact& contact : frame.contacts)
+    if (contact.touching) pairs.push_back(contact.pair);
+  return pairs;
+}
+
+/// Shadows, trails and rays of those bodies that have them.
+void draw_traces(Brush& brush, const SceneFrame& frame) {
+  const Palette& p = brush.p;
+  for (const auto& shadow : frame.shadows) {
+    std::vector<ImVec2> outline;
+    for (const Point3& corner : shadow) outline.push_back(brush.at(corner));
+    if (outline.size() < 3) continue;
+    outline = convex_outline(std::move(outline));
+    brush.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), with_alpha(p.ink, 0.13f));
+  }
+  for (const auto& trail : frame.trails)
+    for (std::size_t i = 1; i < trail.size(); ++i)
+      line(brush.list, brush.at(trail[i - 1]), brush.at(trail[i]), Stroke::kSolid,
+           with_alpha(p.muted, 0.15f + 0.7f * static_cast<float>(i) / static_cast<float>(trail.size())),
+           brush.stroke(0.7f));
+  for (const scene::Ray& ray : frame.rays) {
+    if (ray.from == ray.to) continue;
+    line(brush.list, brush.at(ray.from), brush.at(ray.to), Stroke::kDotted, p.muted, brush.stroke(0.7f));
+    plus(brush.list, brush.at(ray.to), 4 * p.mark, p.muted, brush.stroke(0.7f));
+  }
+}
+
+/// The boxes that the broad phase compares, paler where none overlaps; and of the body at hand its sphere as well.
+void draw_loose(Brush& brush, const SceneFrame& frame) {
+  if (brush.session.step() == 0 || brush.view.shows_points(brush.session))
+    return;  // no volume was made yet; or it is drawn for itself
+  const Palette& p = brush.p;
+  const std::vector<bool> paired = in_pairs(frame.bodies.size(), frame.pairs);
+  const Index chosen = brush.hands.hovered != kNoIndex ? brush.hands.hovered : brush.hands.selected;
+  const std::size_t hand = chosen != kNoIndex
+                               ? owner_of(*brush.session.lesson().scene).body + static_cast<std::size_t>(chosen)
+                               : frame.volumes.size();
+  for (std::size_t i = 0; i < frame.volumes.size(); ++i) {
+    const Aabb<double, 3>& box = frame.volumes[i];
+    if (i != hand && frame.volumes.size() <= (paired[i] ? kCrowd : kBoxesOfAll))
+      draw_box(brush.canvas, box.min, box.max,
+               {Stroke::kSolid, with_alpha(p.current, paired[i] ? 0.5f : 0.2f), brush.stroke(0.4f)});
+    if (i != hand) continue;
+    draw_volume(brush.canvas, polytope_of(box, 3), {Stroke::kSolid, p.current, brush.stroke(0.7f), p.fill});
+    const fit::Sphere3 ball{frame.bodies[i].position, brush.session.members()[i].shape.reach};
+    draw_volume(brush.canvas, ball, {Stroke::kDotted, p.previous, brush.stroke(0.8f)});
+  }
+  brush.canvas.obstacles.segments.clear();  // names may stand over so many edges
+}
+
+/// Draws the faces of a box that are turned towards the eye, with the light on them. There may be thousands of boxes,
+/// so nothing here allocates.
+void draw_faces(Brush& brush, const scene::Shape& shape, const scene::Motion& body, Color fill, Color edge,
+                float width) {
+  std::array<ImVec2, 8> places;  // of the corners, by their bits (1: +x, 2: +y, 4: +z)
+  for (int bits = 0; bits < 8; ++bits) {
+    const Point3 own((bits & 1) != 0 ? 1 : -1, (bits & 2) != 0 ? 1 : -1, (bits & 4) != 0 ? 1 : -1);
+    places[bits] = brush.at(body.position + body.rotation * own.cwiseProduct(shape.half_extents));
+  }
+  const Point3 to_eye = brush.canvas.camera.eye() - body.position;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double away = body.rotation.col(axis).dot(to_eye), half = shape.half_extents[axis];
+    if (std::abs(away) <= half) continue;  // both faces are seen from behind
+    const bool positive = away > 0;
+    const int corner = positive ? 1 << axis : 0, u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
+    const auto place = [&](int bits) { return places[corner | bits]; };
+    // Clockwise as seen from outside, which is the way round that ImGui fills.
+    const std::array<ImVec2, 4> outline{place(0), place(positive ? v : u), place(u | v), place(positive ? u : v)};
+    const double light =
+        0.78 + 0.26 * (positive ? 1 : -1) * body.rotation.col(axis).dot(brush.canvas.gl.light.cast<double>());
+    brush.list->AddConvexPolyFilled(outline.data(), 4, shaded(fill, light));
+    if (width > 0) path(brush.list, outline, true, Stroke::kSolid, edge, width);
+  }
+}
+
+/// Solid: faces of a box; of any other shape its outline.
+void draw_body(Brush& brush, const scene::Shape& shape, const scene::Motion& body, bool touching) {
+  const Palette& p = brush.p;
+  const Color fill = touching ? mixed(p.surface, p.support, 0.35) : p.surface;
+  const Color edge = touching ? p.support_text : p.ink;
+  const bool crowd = brush.session.members().size() > kCrowd;
+  const float width = crowd ? 0 : brush.stroke(touching ? 0.9f : 0.5f);
+  if (shape.kind == scene::Shape::Kind::kBox) {
+    draw_faces(brush, shape, body, fill, edge, width);
+    return;
+  }
+  std::vector<ImVec2> rims;
+  for (const Point3& corner : shape.corners) {
+    const Point3 at = body.position + body.rotation * corner;
+    const ImVec2 middle = brush.at(at);
+    const double apart = (brush.canvas.camera.eye() - at).norm();
+    const double sine = shape.radius / std::max(apart, shape.radius);
+    const double seen =
+        sine < 1 ? shape.radius / std::sqrt(1 - sine * sine) : shape.radius;  // its silhouette's, from the eye
+    const auto radius = static_cast<float>(seen * brush.canvas.camera.scale_at(at));
+    for (int k = 0; k < (shape.radius > 0 ? kRim : 1); ++k) {
+      const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / kRim;
+      rims.push_back({middle.x + radius * std::cos(turn), middle.y + radius * std::sin(turn)});
+    }
+  }
+  const std::vector<ImVec2> outline = convex_outline(std::move(rims));
+  if (outline.size() > 2) brush.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), fill);
+  if (width > 0) path(brush.list, outline, true, Stroke::kSolid, edge, width);
+}
+
+/// The farthest first: what is nearer covers it.
+void draw_bodies(Brush& brush, const SceneFrame& frame) {
+  const std::span<const scene::Member> members = brush.session.members();
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < members.size(); ++i)
+    if (members[i].shape.cloud == nullptr)
+      order.emplace_back(-brush.canvas.camera.forward().dot(frame.bodies[i].position), i);
+  std::sort(order.begin(), order.end());
+  const std::vector<bool> touching = in_pairs(members.size(), touching_of(frame));
+  const ImDrawListFlags flags = brush.list->Flags;
+  if (members.size() > kCrowd)
+    brush.list->Flags &= ~ImDrawListFlags_AntiAliasedFill;  // whose fringe is half of their triangles
+  for (const auto& [nearness, i] : order) draw_body(brush, members[i].shape, frame.bodies[i], touching[i]);
+  brush.list->Flags = flags;
+}
+
+/// From centre to centre, by the last stage that let the pair pass: dotted boxes, dashed spheres, a line for those that
+/// touch.
+void draw_pairs(Brush& brush, const SceneFrame& frame) {
+  const Palette& p = brush.p;
+  const std::vector<scene::Pair> touching = touching_of(frame);
+  const auto place = [&](Index body) { return brush.at(frame.bodies[body].position); };
+  if (frame.bodies.size() > kCrowd) {
+    for (const scene::Pair& pair : touching)
+      line(brush.list, place(pair.a), place(pair.b), Stroke::kSolid, p.support_text, brush.stroke(0.7f));
+    return;
+  }
+  for (const scene::Pair& pair : frame.pairs) {
+    const ImVec2 a = place(pair.a), b = place(pair.b);
+    if (std::binary_search(touching.begin(), touching.end(), pair)) {
+      line(brush.list, a, b, Stroke::kSolid, p.ground, brush.stroke(2.6f));
+      line(brush.list, a, b, Stroke::kSolid, p.support_text, brush.stroke(1.4f));
+      diamond(brush.list, {(a.x + b.x) / 2, (a.y + b.y) / 2}, 6 * p.mark, p.support_text, p.ground);
+    } else if (std::binary_search(frame.near.begin(), frame.near.end(), pair)) {
+      line(brush.list, a, b, Stroke::kDashed, p.examined_text, brush.stroke(0.9f));
+    } else {
+      line(brush.list, a, b, Stroke::kDotted, p.previous, brush.stroke(0.9f));
+    }
+  }
+}
+
+}  // namespace
+
+void draw_scene(Brush& brush) {
+  const SceneFrame& frame = *brush.session.frame();
+  draw_traces(brush, frame);
+  draw_loose(brush, frame);
+  draw_bodies(brush, frame);
+  draw_pairs(brush, frame);
+}
+
+}  // namespace snug::app

@@ -1,0 +1,190 @@
+#include "app/subjects/scene/panel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/marks.hpp"
+#include "app/subjects/scene/frame_caption.hpp"
+#include "app/widgets.hpp"
+#include "lesson/scene_figures.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr float kText = 14, kSmall = 13, kTiny = 12;
+constexpr double kLeastSlack = 0.01;  // that the scale ends at: less is mostly rounding
+constexpr float kEffectRow = 26, kLeading = 16, kIndent = 20, kPlot = 84;
+
+const fit::FrameTaken* taken(const lesson::Session& session, int slot, int step) {
+  if (step == 0) return nullptr;
+  return std::get_if<fit::FrameTaken>(&session.recording(slot).steps[step - 1].step.fact);
+}
+
+class ScenePanel {
+ public:
+  ScenePanel(const Look& look, ImVec2 at, float width)
+      : look_(look), list_(ImGui::GetWindowDrawList()), x_(at.x), width_(width), top_(at.y), y_(at.y) {}
+
+  [[nodiscard]] float height() const { return y_ - top_; }
+
+  void heading(std::string_view words) {
+    text(list_, look_, Face::kSemiBold, 13, {x_, y_ + look_.px(5)}, look_->muted, words);
+    y_ += look_.px(28);
+  }
+
+  /// A stage of the funnel: its stroke as on the stage, its name, what it left, and a bar of that share of all pairs.
+  /// hidden: it is still to be predicted.
+  void stage(std::string_view name, double left, double all, bool hidden, Stroke stroke, Color color, bool sampled) {
+    const float middle = y_ + look_.px(9);
+    float x = x_;
+    if (sampled) {
+      line(list_, {x, middle}, {x + 26, middle}, stroke, color, stroke == Stroke::kSolid ? 3.0f : 2.0f);
+      if (stroke == Stroke::kSolid) diamond(list_, {x + 13, middle}, 5, color, look_->panel);
+      x += 36;
+    }
+    text(list_, look_, Face::kRegular, kText, {x, middle_of(middle, look_.px(kText))}, look_->ink, name);
+    text_right(list_, look_, Face::kMonoBold, kSmall, {x_ + width_, middle_of(middle, look_.px(kSmall))}, look_->ink,
+               hidden ? "—" : std::to_string(static_cast<std::int64_t>(left)));
+    const float top = y_ + look_.px(22), thick = 8;
+    list_->AddRectFilled({x_, top}, {x_ + width_, top + thick}, look_->track, 2);
+    if (left > 0 && !hidden)
+      list_->AddRectFilled({x_, top}, {x_ + std::max(2.0f, width_ * static_cast<float>(left / all)), top + thick},
+                           color, 2);
+    y_ += look_.px(40);
+  }
+
+  /// What is no stage: the work that the first one takes.
+  void figure(std::string_view name, const std::string& value) {
+    const float middle = y_ + look_.px(9);
+    text(list_, look_, Face::kRegular, kText, {x_, middle_of(middle, look_.px(kText))}, look_->muted, name);
+    text_right(list_, look_, Face::kMono, kSmall, {x_ + width_, middle_of(middle, look_.px(kSmall))}, look_->ink,
+               value);
+    y_ += look_.px(28);
+  }
+
+  void funnel(const lesson::Session& session, const fit::FrameTaken& frame) {
+    heading("The funnel: how many pairs are left");
+    const auto part = [&](std::string_view key, double left, Stroke stroke, Color color, bool sampled) {
+      stage(lesson::scene_figure_title(key), left, frame.all_pairs, session.is_hidden(key), stroke, color, sampled);
+    };
+    part("all_pairs", frame.all_pairs, Stroke::kSolid, look_->muted, false);
+    std::string compared(lesson::scene_figure_title("compared"));
+    if (const int axis = session.frame()->swept_along; axis >= 0) compared += std::string(" along ") + "xyz"[axis];
+    figure(compared, session.is_hidden("compared") ? "—" : std::to_string(static_cast<std::int64_t>(frame.compared)));
+    part("after_broad", frame.after_broad, Stroke::kDotted, look_->previous, true);
+    part("after_loose", frame.after_loose, Stroke::kDashed, look_->examined_text, true);
+    part("touching", frame.touching, Stroke::kSolid, look_->support_text, true);
+    y_ += look_.px(16);
+  }
+
+  /// The slack of each frame so far, against the whole run's length; slot 1's dashed.
+  void slack(const lesson::Session& session) {
+    heading("Looseness, frame by frame");
+    double most = kLeastSlack;
+    for (const int slot : {0, 1})
+      for (int step = 1; session.algorithm(slot) != nullptr && step <= session.step_of(slot); ++step)
+        if (const auto* frame = taken(session, slot, step)) most = std::max(most, frame->slack);
+    const std::string most_words = lesson::scene_figure_text("slack", 100 * most);
+    const float bottom = y_ + look_.px(kPlot);
+    const float room = measure(look_, Face::kMono, kTiny, most_words).x + 10;
+    const float left = x_ + room, wide = width_ - room;
+    text_right(list_, look_, Face::kMono, kTiny, {left - 8, y_ - look_.px(2)}, look_->muted, most_words);
+    text_right(list_, look_, Face::kMono, kTiny, {left - 8, bottom - look_.px(12)}, look_->muted, "0");
+    rule(list_, left, y_, wide, look_->line);
+    rule(list_, left, bottom, wide, look_->muted);
+    for (const int slot : {1, 0}) {
+      if (session.algorithm(slot) == nullptr) continue;
+      std::vector<ImVec2> curve;
+      const auto steps = static_cast<float>(session.recording(slot).steps.size());
+      for (int step = 1; step <= session.step_of(slot); ++step)
+        if (const auto* frame = taken(session, slot, step))
+          curve.push_back({left + wide * static_cast<float>(step) / steps,
+                           bottom - (bottom - y_) * static_cast<float>(frame->slack / most)});
+      const Color color = slot == 0 ? look_->current : look_->previous;
+      path(list_, curve, false, slot == 0 ? Stroke::kSolid : Stroke::kDashed, color, 2);
+      if (slot == 0 && !curve.empty()) disc(list_, curve.back(), 4, color);
+    }
+    text(list_, look_, Face::kRegular, kTiny, {left, bottom + look_.px(5)}, look_->muted, "frame 1");
+    text_right(list_, look_, Face::kRegular, kTiny, {x_ + width_, bottom + look_.px(5)}, look_->muted,
+               std::to_string(session.steps()));
+    y_ = bottom + look_.px(44);
+  }
+
+  void effects(lesson::Session& session, std::span<const scene::Tally> tallies) {
+    heading("What each effect did so far");
+    text(list_, look_, Face::kRegular, kTiny, {x_ + kIndent, y_}, look_->muted, "effect");
+    constexpr std::array<const char*, 3> kHeads{"run", "skipped", "time, µs"};
+    for (int i = 0; i < 3; ++i)
+      text_right(list_, look_, Face::kRegular, kTiny, {right(i), y_}, look_->muted, kHeads[i]);
+    y_ += look_.px(20);
+    rule(list_, x_, y_ - 1, width_, look_->muted);
+    int row = 0;
+    std::string turned;
+    for (const scene::Tally& tally : tallies) {
+      const bool on = session.is_on(tally.effect);
+      ImGui::PushID(row++);
+      const std::string name = effect_words(tally.effect);
+      const auto lines = lines_of(look_, Face::kRegular, kSmall, name, right(0) - x_ - kIndent - look_.px(11));
+      const float height = look_.px(kEffectRow + kLeading * static_cast<float>(lines.size() - 1));
+      const Touch touch = touch_area("effect", {x_ - 6, y_, width_ + 12, height}, session.step() > 0 || !on);
+      ImGui::PopID();
+      if (touch.clicked) turned = tally.effect;
+      if (touch.hovered) list_->AddRectFilled({x_ - 6, y_}, {x_ + width_ + 6, y_ + height - 1}, look_->raised, 4);
+      effect(tally, on, lines, tally.run > 0 ? session.time_of(tally.effect) : "");
+      y_ += height;
+      rule(list_, x_, y_ - 1, width_, look_->line);
+    }
+    y_ += look_.px(8);
+    y_ += paragraph(list_, look_, Face::kRegular, kTiny, kLeading, {x_, y_}, width_, look_->muted,
+                    "In how many frames each effect ran, and in how many it was skipped because nothing that it reads "
+                    "had changed; the mean time of a run. Its box switches an effect off and on.");
+    if (!turned.empty()) session.turn(turned, !session.is_on(turned));
+  }
+
+ private:
+  /// The right end of a column of figures.
+  [[nodiscard]] float right(int column) const {
+    constexpr std::array<float, 3> kShares{0.55f, 0.76f, 1};
+    return x_ + width_ * kShares[column];
+  }
+
+  /// lines: of its name, which is broken where it is too long for the row, and never cut.
+  void effect(const scene::Tally& tally, bool on, const std::vector<std::string_view>& lines, const std::string& time) {
+    const float middle = y_ + look_.px(kEffectRow) / 2;
+    const float box = 6;
+    list_->AddRect({x_, middle - box}, {x_ + 2 * box, middle + box}, on ? look_->current : look_->muted, 3, 0, 1.5f);
+    if (on) tick(list_, {x_ + box, middle}, 4, look_->current, 2);
+    float y = middle_of(middle, look_.px(kSmall));
+    for (const std::string_view line : lines) {
+      text(list_, look_, Face::kRegular, kSmall, {x_ + kIndent, y}, on ? look_->ink : look_->muted, line);
+      y += look_.px(kLeading);
+    }
+    const std::array<std::string, 3> figures{std::to_string(tally.run), std::to_string(tally.skipped),
+                                             time.empty() ? "—" : time};
+    for (int i = 0; i < 3; ++i)
+      text_right(list_, look_, Face::kMono, kTiny, {right(i), middle_of(middle, look_.px(kTiny))}, look_->ink,
+                 figures[i]);
+  }
+
+  const Look& look_;
+  ImDrawList* list_;
+  float x_, width_, top_, y_;
+};
+
+}  // namespace
+
+float draw_scene_panel(const Look& look, lesson::Session& session, ImVec2 at, float width) {
+  ScenePanel panel(look, at, width);
+  if (const fit::FrameTaken* now = taken(session, 0, session.step())) {
+    if (now->all_pairs > 0) panel.funnel(session, *now);
+    else if (session.current(0)->step.has_volume) panel.slack(session);
+  }
+  panel.effects(session, session.frame()->tallies);
+  return panel.height();
+}
+
+}  // namespace snug::app

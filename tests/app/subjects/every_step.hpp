@@ -1,0 +1,56 @@
+// Lessons of two boxes, or of a box and a frustum, at every step.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "app/captions.hpp"
+
+namespace snug::app {
+
+inline lesson::Session lesson_session(const std::string& id, bool asks) {
+  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml", std::ios::binary);
+  const std::string toml{std::istreambuf_iterator<char>(file), {}};
+  auto lesson = lesson::read_lesson(toml, id + ".toml", lesson::Checked::kAsWritten);
+  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+  if (!asks) lesson->questions.clear();
+  return *lesson::Session::open(*std::move(lesson));
+}
+
+/// "—" where there is none.
+inline std::string figure(const lesson::Session& session, std::string_view key) {
+  for (const lesson::Figure& figure : session.figures())
+    if (figure.key == key) return figure.text;
+  return "—";
+}
+
+/// Lessons with every method, on the boxes as they stand, scattered, and thrown into each other.
+template <class Check>
+void at_every_step(const char* id, Check check) {
+  for (int seed = 0; seed < 6; ++seed) {
+    lesson::Session session = lesson_session(id, false);
+    if (seed > 0) session.scatter(static_cast<std::uint64_t>(seed));
+    if (seed == 5) {
+      lesson::BoxPair pair = *session.boxes();
+      pair.boxes[0].center = pair.boxes[1].center;
+      REQUIRE(session.set_boxes(pair).has_value());
+    }
+    for (const std::string& method : session.lesson().algorithms) {
+      CAPTURE(id);
+      CAPTURE(seed);
+      CAPTURE(method);
+      REQUIRE(session.choose(0, method).has_value());
+      for (int step = 0; step <= session.steps(); ++step) {
+        session.jump(step);
+        CAPTURE(step);
+        CAPTURE(caption_at(session));
+        check(session);
+      }
+    }
+  }
+}
+
+}  // namespace snug::app

@@ -1,0 +1,64 @@
+// What the stage shows of a box and a frustum follows from the session's step alone.
+#include "app/subjects/frustum/shown.hpp"
+
+#include <doctest/doctest.h>
+
+namespace snug::app {
+namespace {
+
+/// A box upright across the left side of a frustum that looks along +x.
+lesson::Session frustum_session(const std::string& test, bool asks) {
+  lesson::Lesson lesson;
+  lesson.id = "test";
+  lesson.volume = "frustum_box";
+  lesson.boxes = lesson::BoxPair{.taper = 0.25};
+  lesson.boxes->boxes[0] = {{2, 2, 0}, Matrix<double, 3>::Identity(), {0.4, 0.2, 0}};
+  lesson.boxes->boxes[1] = {{2.5, 0, 0}, Matrix<double, 3>::Identity(), {1.5, 4, 0}};
+  lesson.algorithms = {test};
+  if (asks) {
+    lesson::Question& question = lesson.questions.emplace_back();
+    question.id = "p";
+    question.gate = {test, "plane_tested", 1, ""};
+    question.asks = lesson::Question::Asks::kPVertex;
+  }
+  return *lesson::Session::open(std::move(lesson));
+}
+
+}  // namespace
+
+TEST_CASE("a question about a plane shows that plane, and its vertices only when it is answered") {
+  lesson::Session session = frustum_session("p_n_vertex", true);
+  const FrustumShown asked = frustum_shown_at(session);
+  REQUIRE(asked.plane);
+  CHECK(asked.plane->plane == 0);
+  CHECK(asked.plane_asked);
+  CHECK(asked.vertices.empty());
+  CHECK_FALSE(asked.verdict);
+  REQUIRE(session.answer({lesson::Answer::Kind::kChoice, 2}));
+  const FrustumShown told = frustum_shown_at(session);
+  REQUIRE(told.plane);
+  CHECK_FALSE(told.plane_asked);
+  REQUIRE(told.vertices.size() == 2);
+  CHECK(session.name_of(told.vertices[0]) == "−+");
+  CHECK(session.name_of(told.vertices[1]) == "+−");
+  CHECK(told.verdict == query::Culling::kIntersecting);
+  CHECK(told.right == std::vector<Index>{told.vertices[0]});
+}
+
+TEST_CASE("corners are marked as they are tested: of one plane at a time, or of all") {
+  lesson::Session per_plane = frustum_session("corners_per_plane", false),
+                  all = frustum_session("corners_outside", false);
+  for (int step = 1; step < per_plane.steps(); ++step) {
+    per_plane.jump(step);
+    const FrustumShown shown = frustum_shown_at(per_plane);
+    CHECK(shown.corners.size() == static_cast<std::size_t>((step - 1) % 4 + 1));
+    for (const auto& corner : shown.corners) CHECK(corner.plane == (step - 1) / 4);
+  }
+  all.jump(3);
+  CHECK(frustum_shown_at(all).corners.size() == 3);
+  all.jump(all.steps());
+  CHECK(frustum_shown_at(all).corners.size() == 4);
+  CHECK(frustum_shown_at(all).verdict == query::Culling::kIntersecting);
+}
+
+}  // namespace snug::app

@@ -1,0 +1,69 @@
+// At every step of the lessons on two boxes, stage, sentence, figures, table and code speak of the same axis.
+#include "../every_step.hpp"
+#include "app/subjects/pair/axis_table.hpp"
+#include "app/subjects/pair/shown.hpp"
+#include "lesson/box_tests.hpp"
+
+namespace snug::app {
+namespace {
+
+/// The axis that a sentence names, or "—".
+std::string axis_in(const std::string& caption, int dim) {
+  std::string found = "—";
+  for (const lesson::AxisName& name : lesson::axis_names(dim))  // the edges' names, which hold the faces', come last
+    if (caption.find("long " + name.text + " ") != std::string::npos ||
+        caption.find("long " + name.text + ",") != std::string::npos)
+      found = name.text;
+  return found;
+}
+
+std::string code_at(const lesson::Session& session) {
+  const auto* entry = session.current(0);
+  return entry == nullptr ? "" : std::string(session.pseudocode(0)[entry->step.line]);
+}
+
+}  // namespace
+
+TEST_CASE("the axis on the stage is the one in the sentence, in the figures, in the lit row and in the code") {
+  int verdicts_with_axis = 0;
+  for (const char* id : {"obb-sat", "obb-axes"})
+    at_every_step(id, [&](const lesson::Session& session) {
+      const PairShown shown = pair_shown_at(session);
+      const int dim = session.dim();
+      const std::string staged = shown.axis ? lesson::axis_text(dim, shown.axis->axis) : "—";
+      const std::string caption = caption_at(session);
+      const bool axes = session.algorithm(0)->name.substr(0, 3) == "sat";
+      if (axes) REQUIRE(axis_in(caption, dim) == staged);
+      REQUIRE((axes ? figure(session, "axis") : "—") == staged);
+      const int row = lit_row(session);
+      REQUIRE((row < 0 ? "—" : lesson::axis_names(dim)[row].text) == staged);
+      if (!shown.axis) return;
+      if (session.step() == session.steps()) ++verdicts_with_axis;
+      if (!shown.axis->skipped) {
+        REQUIRE(figure(session, "distance") == lesson::number_text(shown.axis->distance) + " units");
+        REQUIRE(caption.find(shown.finished ? lesson::number_text(std::abs(shown.axis->axis.gap))
+                                            : lesson::number_text(shown.axis->distance)) != std::string::npos);
+      }
+      if (session.step() < session.steps())
+        REQUIRE(code_at(session).find(shown.axis->skipped ? "parallel" : "distance > r_A + r_B") != std::string::npos);
+    });
+  CHECK(verdicts_with_axis > 6);
+}
+
+TEST_CASE("a question about an axis shows its direction, and what the step has shown stays") {
+  lesson::Session session = lesson_session("obb-sat", true);
+  session.go(1);
+  REQUIRE(session.asked() != nullptr);
+  PairShown shown = pair_shown_at(session);
+  REQUIRE(shown.axis_asked);
+  CHECK(lesson::axis_text(2, shown.axis_asked->axis) == "A x");
+  CHECK_FALSE(shown.axis);
+  REQUIRE(session.answer(lesson::model_answer(*session.asked(), session.recording(0).steps)));
+  shown = pair_shown_at(session);
+  REQUIRE(shown.axis_asked);
+  CHECK(lesson::axis_text(2, shown.axis_asked->axis) == "A y");
+  REQUIRE(shown.axis);
+  CHECK(lesson::axis_text(2, shown.axis->axis) == "A x");
+}
+
+}  // namespace snug::app
