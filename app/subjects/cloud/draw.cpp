@@ -39,37 +39,6 @@ void draw_candidate(Brush& brush, const CloudShown& shown) {
   brush.label(at, 12, kRightUp, brush.session.name_of(shown.left_outside) + " outside", p.wrong_text);
 }
 
-/// The extreme points along each axis, the box that they span, and its midpoint.
-void draw_extremes(Brush& brush, const CloudShown& shown) {
-  const Palette& p = brush.p;
-  const Canvas& canvas = brush.canvas;
-  if (shown.box) {
-    draw_box(canvas, shown.box->least, shown.box->greatest, {Stroke::kSolid, p.previous, brush.stroke(0.55f)});
-    const ImVec2 middle = brush.at(shown.box->midpoint);
-    plus(brush.list, middle, 6 * p.mark, p.current, brush.stroke(0.8f));
-    if (!shown.volume) brush.label(middle, 8, kRightUp, "midpoint", p.current_text);
-  }
-  if (!shown.extremes) return;
-  Point3 least = Point3::Zero(), greatest = Point3::Zero();
-  for (int axis = 0; axis < brush.dim(); ++axis) {
-    least[axis] = brush.session.point(shown.extremes->least[axis])[axis];
-    greatest[axis] = brush.session.point(shown.extremes->greatest[axis])[axis];
-  }
-  if (!shown.box && !shown.volume) draw_box(canvas, least, greatest, {Stroke::kDotted, p.previous, brush.stroke(0.7f)});
-  if (shown.volume) return;  // the pair was chosen: its points alone matter now
-  for (int axis = 0; axis < brush.dim(); ++axis) {
-    for (const Index i : {shown.extremes->least[axis], shown.extremes->greatest[axis]}) {
-      const Point3 at = brush.session.point(i);
-      for (int other = 0; other < brush.dim(); ++other) {
-        if (other == axis) continue;
-        Point3 half = Point3::Zero();
-        half[other] = 16 / brush.canvas.camera.scale_at(at);
-        line(brush.list, brush.at(at - half), brush.at(at + half), Stroke::kSolid, p.support, brush.stroke(0.9f));
-      }
-    }
-  }
-}
-
 /// The extreme points, axis by axis, until there is a volume: from then on what holds it matters alone.
 std::vector<Index> extremes_alone(const Brush& brush, const CloudShown& shown) {
   std::vector<Index> points;
@@ -77,6 +46,36 @@ std::vector<Index> extremes_alone(const Brush& brush, const CloudShown& shown) {
   for (int axis = 0; axis < brush.dim(); ++axis)
     for (const Index i : {shown.extremes->least[axis], shown.extremes->greatest[axis]}) points.push_back(i);
   return points;
+}
+
+/// Short strokes across an axis, at a point that is extreme along it.
+void draw_strokes_across(Brush& brush, const Point3& at, int axis) {
+  for (int other = 0; other < brush.dim(); ++other) {
+    if (other == axis) continue;
+    Point3 half = Point3::Zero();
+    half[other] = 16 / brush.canvas.camera.scale_at(at);
+    line(brush.list, brush.at(at - half), brush.at(at + half), Stroke::kSolid, brush.p.support, brush.stroke(0.9f));
+  }
+}
+
+/// The box that the extreme points span, with its midpoint; and those points, until there is a volume.
+void draw_extremes(Brush& brush, const CloudShown& shown) {
+  const Palette& p = brush.p;
+  if (shown.box) {
+    draw_box(brush.canvas, shown.box->least, shown.box->greatest, {Stroke::kSolid, p.previous, brush.stroke(0.55f)});
+    const ImVec2 middle = brush.at(shown.box->midpoint);
+    plus(brush.list, middle, 6 * p.mark, p.current, brush.stroke(0.8f));
+    if (!shown.volume) brush.label(middle, 8, kRightUp, "midpoint", p.current_text);
+  }
+  const std::vector<Index> extremes = extremes_alone(brush, shown);
+  if (extremes.empty()) return;
+  Point3 least = Point3::Zero(), greatest = Point3::Zero();
+  for (int axis = 0; axis < brush.dim(); ++axis) {
+    least[axis] = brush.session.point(extremes[2 * axis])[axis];
+    greatest[axis] = brush.session.point(extremes[2 * axis + 1])[axis];
+  }
+  if (!shown.box) draw_box(brush.canvas, least, greatest, {Stroke::kDotted, p.previous, brush.stroke(0.7f)});
+  for (int k = 0; k < 2 * brush.dim(); ++k) draw_strokes_across(brush, brush.session.point(extremes[k]), k / 2);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace snug::app {
 namespace {
 
 constexpr double kAround = 0.45;  // of half the image, on every side
+constexpr float kPad = 8;         // between the panel's rim and what is in it, pixels
 
 /// The camera's eye: a point's place sideways and upwards over its depth is its place in the image, from -1 to 1.
 struct Eye {
@@ -90,88 +91,123 @@ std::vector<ImVec2> side_in(const Rect& image, int dim, int plane) {
   return {{image.x, plane == 2 ? bottom : image.y}, {right, plane == 2 ? bottom : image.y}};
 }
 
+/// Where its parts stand.
+struct Inset {
+  const lesson::BoxPair& pair;
+  Eye eye;
+  float head;  // the height of the title's row
+  Rect panel;
+  Picture picture;
+  Rect image;
+
+  [[nodiscard]] bool flat() const { return pair.dim == 2; }
+  [[nodiscard]] ImVec2 low() const { return {panel.x, panel.y}; }
+  [[nodiscard]] ImVec2 high() const { return {panel.x + panel.width, panel.y + panel.height}; }
+};
+
+bool is_small(const Brush& brush) { return brush.rect.width < 560; }
+
+Inset inset_below(const Brush& brush, float top) {
+  const lesson::BoxPair& pair = *brush.session.boxes();
+  const Look& look = brush.look;
+  const Eye eye{lesson::camera_of(pair)};
+  const bool flat = pair.dim == 2;
+  const float head = look.px(20), outer = 1 + static_cast<float>(kAround);
+  const float width = is_small(brush) ? 112.0f : look.px(brush.rect.width < 900 ? 168 : 224);
+  const double aspect = eye.camera.half_tangents[1] / eye.camera.half_tangents[0];
+  const float half_x = (width - 2 * kPad) / (2 * outer);
+  const float half_y = flat ? look.px(8) : half_x * static_cast<float>(std::clamp(aspect, 0.3, 1.25));
+  const float height = head + 2 * (flat ? half_y + look.px(17) : half_y * outer) + kPad;
+  const Rect panel{brush.rect.x + 12, top, width, height};
+  const Picture picture{{panel.x + width / 2, panel.y + head + (height - head - kPad) / 2}, {half_x, half_y}, pair.dim};
+  return {pair, eye, head, panel, picture, picture.image()};
+}
+
+void draw_ground(Brush& brush, const Inset& inset) {
+  const Palette& p = brush.p;
+  const Rect& image = inset.image;
+  brush.list->AddRectFilled(inset.low(), inset.high(), p.panel, 8);
+  brush.list->AddRect(inset.low(), inset.high(), p.line, 8, 0, 1);
+  text(brush.list, brush.look, Face::kSemiBold, 12, {inset.panel.x + kPad, inset.panel.y + brush.look.px(5)}, p.muted,
+       is_small(brush) ? "Camera" : "From the camera");
+  brush.list->AddRectFilled({image.x, image.y}, {image.x + image.width, image.y + image.height}, p.ground);
+}
+
+/// What the box covers of the image: in 2-D, where there is no height, a band.
+std::vector<ImVec2> outline_of(const Inset& inset, const std::vector<ImVec2>& ends) {
+  if (!inset.flat()) return convex_outline(ends);
+  const auto [least, most] =
+      std::minmax_element(ends.begin(), ends.end(), [](ImVec2 a, ImVec2 b) { return a.x < b.x; });
+  const float middle = inset.picture.middle.y, half = inset.picture.half.y * 0.7f;
+  return {{least->x, middle - half}, {most->x, middle - half}, {most->x, middle + half}, {least->x, middle + half}};
+}
+
+/// ends: of its edges, two by two.
+void draw_box_seen(Brush& brush, const Inset& inset, const std::vector<ImVec2>& ends, bool seen, Color color) {
+  if (ends.empty()) return;
+  const bool flat = inset.flat();
+  const std::vector<ImVec2> outline = outline_of(inset, ends);
+  in_and_out(brush.list, inset.image, seen, [&](float share) {
+    if (outline.size() > 2)
+      brush.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()),
+                                      with_alpha(color, (flat ? 2.5f : 1.2f) * brush.p.fill * share));
+    if (flat) path(brush.list, outline, true, Stroke::kSolid, with_alpha(color, share), brush.stroke(0.8f));
+    else
+      for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+        line(brush.list, ends[i], ends[i + 1], Stroke::kSolid, with_alpha(color, share), brush.stroke(0.7f));
+  });
+}
+
+void name_vertex(Brush& brush, const Inset& inset, const Point3& seen, bool higher, std::string_view word) {
+  const Look& look = brush.look;
+  const Rect& image = inset.image;
+  const ImVec2 at = inset.picture.at(seen), low = inset.low(), high = inset.high();
+  const float aside = look.px(6);
+  const bool inside =
+      at.x > low.x + aside && at.x < high.x - aside && at.y > low.y + inset.head && at.y < high.y - aside;
+  if (!inset.eye.in_front(seen) || !inside) return;
+  diamond(brush.list, at, 4, brush.p.support, brush.p.panel);
+  const float above = (inset.flat() ? image.y : at.y - 3) - look.px(15),
+              below = (inset.flat() ? image.y + image.height : at.y) + 4;
+  text_middle(brush.list, look, Face::kSemiBold, 12, {at.x, higher ? above : below}, brush.p.support_text, word);
+}
+
+/// They may lie in one line of sight: the higher one is named above it, the other below.
+void name_vertices(Brush& brush, const Inset& inset, const query::PlaneTested<double, 3>& plane) {
+  const Point3 p_seen = inset.eye.seen(plane.p_point), n_seen = inset.eye.seen(plane.n_point);
+  const bool p_higher = inset.flat() || inset.picture.at(p_seen).y <= inset.picture.at(n_seen).y;
+  name_vertex(brush, inset, p_seen, p_higher, "p");
+  name_vertex(brush, inset, n_seen, !p_higher, "n");
+}
+
 }  // namespace
 
-/// Returns the room that it takes, empty where the stage has none for it.
+/// Empty where the stage has no room for it.
 Rect draw_from_camera(Brush& brush, const FrustumShown& shown, float top) {
-  const lesson::BoxPair* pair = brush.session.boxes();
+  const Inset inset = inset_below(brush, top);
   const Palette& p = brush.p;
-  const Look& look = brush.look;
-  const Eye eye{lesson::camera_of(*pair)};
-  const bool flat = pair->dim == 2, small = brush.rect.width < 560;
-  const float head = look.px(20), pad = 8, outer = 1 + static_cast<float>(kAround);
-  const float width = small ? 112.0f : look.px(brush.rect.width < 900 ? 168 : 224);
-  const double aspect = eye.camera.half_tangents[1] / eye.camera.half_tangents[0];
-  const float half_x = (width - 2 * pad) / (2 * outer);
-  const float half_y = flat ? look.px(8) : half_x * static_cast<float>(std::clamp(aspect, 0.3, 1.25));
-  const float height = head + 2 * (flat ? half_y + look.px(17) : half_y * outer) + pad;
-  const Rect panel{brush.rect.x + 12, top, width, height};
-  if (top + height > brush.canvas.camera.free_bottom()) return {};
-  const ImVec2 low{panel.x, panel.y}, high{panel.x + width, panel.y + height};
-  ImDrawList* list = brush.list;
-  list->AddRectFilled(low, high, p.panel, 8);
-  list->AddRect(low, high, p.line, 8, 0, 1);
-  text(list, look, Face::kSemiBold, 12, {panel.x + pad, panel.y + look.px(5)}, p.muted,
-       small ? "Camera" : "From the camera");
-  const Picture picture{{panel.x + width / 2, panel.y + head + (height - head - pad) / 2}, {half_x, half_y}, pair->dim};
-  const Rect image = picture.image();
-  list->AddRectFilled({image.x, image.y}, {image.x + image.width, image.y + image.height}, p.ground);
-  list->PushClipRect({low.x + 2, low.y + head}, {high.x - 2, high.y - 2}, true);
+  const Rect& image = inset.image;
+  const ImVec2 low = inset.low(), high = inset.high();
+  if (high.y > brush.canvas.camera.free_bottom()) return {};
+  draw_ground(brush, inset);
+  brush.list->PushClipRect({low.x + 2, low.y + inset.head}, {high.x - 2, high.y - 2}, true);
   const bool outside = shown.finished && shown.verdict == query::Culling::kOutside;
-  const Color color = outside ? p.wrong : p.current;
-  const std::vector<Piece> pieces = edges_seen(eye, *pair);
-  const auto depth = depths(eye, *pair);
+  const auto depth = depths(inset.eye, inset.pair);
   std::vector<ImVec2> ends;
-  for (const Piece& piece : pieces)
-    for (const Point3& end : {piece.a, piece.b}) ends.push_back(picture.at(end));
-  if (!ends.empty()) {
-    std::vector<ImVec2> outline;
-    if (flat) {
-      const auto [least, most] =
-          std::minmax_element(ends.begin(), ends.end(), [](ImVec2 a, ImVec2 b) { return a.x < b.x; });
-      const float high_y = half_y * 0.7f;
-      outline = {{least->x, picture.middle.y - high_y},
-                 {most->x, picture.middle.y - high_y},
-                 {most->x, picture.middle.y + high_y},
-                 {least->x, picture.middle.y + high_y}};
-    } else {
-      outline = convex_outline(ends);
-    }
-    in_and_out(list, image, depth[0] <= eye.camera.far, [&](float share) {
-      if (outline.size() > 2)
-        list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()),
-                                  with_alpha(color, (flat ? 2.5f : 1.2f) * p.fill * share));
-      if (flat) path(list, outline, true, Stroke::kSolid, with_alpha(color, share), brush.stroke(0.8f));
-      else
-        for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
-          line(list, ends[i], ends[i + 1], Stroke::kSolid, with_alpha(color, share), brush.stroke(0.7f));
-    });
-  }
-  list->AddRect({image.x, image.y}, {image.x + image.width, image.y + image.height}, p.previous, 0, 0,
-                brush.stroke(0.7f));
+  for (const Piece& piece : edges_seen(inset.eye, inset.pair))
+    for (const Point3& end : {piece.a, piece.b}) ends.push_back(inset.picture.at(end));
+  draw_box_seen(brush, inset, ends, depth[0] <= inset.eye.camera.far, outside ? p.wrong : p.current);
+  brush.list->AddRect({image.x, image.y}, {image.x + image.width, image.y + image.height}, p.previous, 0, 0,
+                      brush.stroke(0.7f));
   if (shown.plane_at >= 0)
-    path(list, side_in(image, pair->dim, shown.plane_at), false, Stroke::kSolid, p.examined, brush.stroke(1.4f));
-  if (shown.plane && !shown.plane_asked) {
-    // They may lie in one line of sight: the higher one is named above it, the other below.
-    const Point3 p_seen = eye.seen(shown.plane->p_point), n_seen = eye.seen(shown.plane->n_point);
-    const bool p_higher = flat || picture.at(p_seen).y <= picture.at(n_seen).y;
-    const auto name = [&](const Point3& seen, bool higher, std::string_view word) {
-      const ImVec2 at = picture.at(seen);
-      const float aside = look.px(6);
-      const bool inside = at.x > low.x + aside && at.x < high.x - aside && at.y > low.y + head && at.y < high.y - aside;
-      if (!eye.in_front(seen) || !inside) return;
-      diamond(list, at, 4, p.support, p.panel);
-      const float above = (flat ? image.y : at.y - 3) - look.px(15), below = (flat ? image.y + image.height : at.y) + 4;
-      text_middle(list, look, Face::kSemiBold, 12, {at.x, higher ? above : below}, p.support_text, word);
-    };
-    name(p_seen, p_higher, "p");
-    name(n_seen, !p_higher, "n");
-  }
-  list->PopClipRect();
+    path(brush.list, side_in(image, inset.pair.dim, shown.plane_at), false, Stroke::kSolid, p.examined,
+         brush.stroke(1.4f));
+  if (shown.plane && !shown.plane_asked) name_vertices(brush, inset, *shown.plane);
+  brush.list->PopClipRect();
   if (ends.empty())
-    text(list, look, Face::kRegular, 12, {panel.x + pad, high.y - look.px(18)}, p.muted,
+    text(brush.list, brush.look, Face::kRegular, 12, {low.x + kPad, high.y - brush.look.px(18)}, p.muted,
          depth[1] > 0 ? "Before the near plane." : "Behind the camera.");
-  return panel;
+  return inset.panel;
 }
 
 }  // namespace snug::app

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "app/marks.hpp"
+#include "app/shown.hpp"
 #include "app/widgets.hpp"
 #include "lesson/box_figures.hpp"
 #include "lesson/box_tests.hpp"
@@ -56,20 +56,27 @@ struct AxisTable {
   }
 };
 
-}  // namespace
-
-int lit_row(const lesson::Session& session) {
-  const auto axis = lesson::axis_at(std::span(session.recording(0).steps).first(session.step()));
-  return axis ? lesson::axis_index(session.dim(), axis->axis) : -1;
+/// The frame of a row that can be chosen, and whether it was clicked.
+bool choice_clicked(const AxisTable& table, const lesson::Session& session, int row, float y) {
+  const Look& look = table.look;
+  const float height = look.px(kRow);
+  ImGui::SetCursorScreenPos({table.x - 6, y});
+  ImGui::PushID(row);
+  const bool clicked = ImGui::InvisibleButton("axis", {table.width + 12, height});
+  const bool hovered = ImGui::IsItemHovered();
+  ImGui::PopID();
+  if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  const lesson::Answer* picked = session.picked();
+  const bool chosen = picked != nullptr && picked->value == row;
+  table.list->AddRect({table.x - 6, y + 1}, {table.x + table.width + 6, y + height - 1},
+                      with_alpha(look->current, chosen || hovered ? 0.9f : 0.35f), 4, 0, chosen ? 2.5f : 1.0f);
+  return clicked;
 }
-
-namespace {
 
 /// Returns how high it is.
 float draw_table(const Look& look, lesson::Session& session, ImVec2 at, float width) {
   const int dim = session.dim();
-  const auto steps = std::span(session.recording(0).steps).first(session.step());
-  const std::vector<Axis> seen = lesson::axes_seen(steps);
+  const std::vector<Axis> seen = lesson::axes_seen(steps_shown(session));
   const auto rows = rows_of(seen, dim);
   const int at_hand = lit_row(session);
   const auto names = lesson::axis_names(dim);
@@ -78,31 +85,22 @@ float draw_table(const Look& look, lesson::Session& session, ImVec2 at, float wi
   const bool choosing = asked != nullptr && asked->on_axes;
   table.head(at.y);
   float y = at.y + look.px(kRow);
-  for (std::size_t i = 0; i < names.size(); ++i, y += look.px(kRow)) {
-    const bool lit = static_cast<int>(i) == at_hand;
-    bool hovered = false;
-    if (choosing) {
-      ImGui::SetCursorScreenPos({at.x - 6, y});
-      ImGui::PushID(static_cast<int>(i));
-      if (ImGui::InvisibleButton("axis", {width + 12, look.px(kRow)})) {
-        static_cast<void>(session.pick({lesson::Answer::Kind::kChoice, static_cast<int>(i)}));
-        ImGui::PopID();
-        return y - at.y;  // the question may be no more
-      }
-      hovered = ImGui::IsItemHovered();
-      ImGui::PopID();
-      if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-      const lesson::Answer* picked = session.picked();
-      const bool chosen = picked != nullptr && picked->value == static_cast<int>(i);
-      table.list->AddRect({at.x - 6, y + 1}, {at.x + width + 6, y + look.px(kRow) - 1},
-                          with_alpha(look->current, chosen || hovered ? 0.9f : 0.35f), 4, 0, chosen ? 2.5f : 1.0f);
+  for (int i = 0; i < static_cast<int>(names.size()); ++i, y += look.px(kRow)) {
+    if (choosing && choice_clicked(table, session, i, y)) {
+      static_cast<void>(session.pick({lesson::Answer::Kind::kChoice, i}));
+      return y - at.y;  // the question may be no more
     }
-    table.row(y, names[i], rows[i], lit);
+    table.row(y, names[i], rows[i], i == at_hand);
   }
   return y - at.y;
 }
 
 }  // namespace
+
+int lit_row(const lesson::Session& session) {
+  const auto axis = lesson::axis_at(steps_shown(session));
+  return axis ? lesson::axis_index(session.dim(), axis->axis) : -1;
+}
 
 float draw_axis_panel(const Look& look, lesson::Session& session, ImVec2 at, float width) {
   if (lesson::axes_seen(session.recording(0).steps).empty()) return 0;
