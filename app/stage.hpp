@@ -4,21 +4,9 @@
 #include <vector>
 
 #include "app/brush.hpp"
+#include "app/motion.hpp"
 
 namespace snug::app {
-
-/// The volume on its short way from one step's place to the next one's.
-class Motion {
- public:
-  /// The volume to draw. jump: go there at once.
-  [[nodiscard]] std::optional<fit::Volume3> at(const std::optional<fit::Volume3>& target, bool jump, double now);
-  [[nodiscard]] bool moving() const { return moving_; }
-
- private:
-  std::optional<fit::Volume3> from_, to_, drawn_;
-  double since_ = 0;
-  bool moving_ = false;
-};
 
 class Stage {
  public:
@@ -60,6 +48,7 @@ class Stage {
   void project_points(const lesson::Session& session);
   [[nodiscard]] std::optional<fit::Volume3> volume_drawn(const Look& look, const lesson::Session& session, double now);
   void fill_scene(const Look& look, const Rect& rect, float point_radius, bool points);
+  void draw_picture(Brush& brush) const;
   // stage_hands.cpp
   void take(lesson::Session& session, const Look& look, const Rect& rect);
   void press(lesson::Session& session, const Look& look);
@@ -68,7 +57,6 @@ class Stage {
   void tap(lesson::Session& session);
   [[nodiscard]] Index meant_at(const lesson::Session& session, float x, float y, float reach) const;
   void steer_camera();
-  void draw_picture(Brush& brush) const;
   // stage_handles.cpp
   void draw_handles(Brush& brush) const;
   void draw_invitation(Brush& brush) const;

@@ -1,7 +1,7 @@
 // Volumes on their way from one step to the next.
-#include <doctest/doctest.h>
+#include "app/motion.hpp"
 
-#include "app/stage.hpp"
+#include <doctest/doctest.h>
 
 using namespace snug;
 

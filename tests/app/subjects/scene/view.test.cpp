@@ -1,0 +1,50 @@
+// Where a scene's points stand, and when they can be moved.
+#include "app/subjects/scene/view.hpp"
+
+#include <doctest/doctest.h>
+
+namespace snug::app {
+namespace {
+
+/// A body of points that turns once a second, or one that stands at each point.
+lesson::Session turning(bool at_points) {
+  lesson::Lesson lesson;
+  lesson.id = "test";
+  lesson.volume = "scene";
+  lesson.points = {.dim = 3, .generate = "gaussian", .count = 12};
+  lesson.scene = lesson::SceneSet{.frames = 30};
+  lesson.scene->bodies.resize(1);
+  lesson.scene->bodies[0].of_points = !at_points;
+  lesson.scene->bodies[0].at_points = at_points;
+  lesson.scene->effects = {{.name = "spin", .settings = {{"turns_per_second", {1}, ""}}}, {.name = "refit"}};
+  lesson.algorithms = {"rebuild"};
+  return *lesson::Session::open(std::move(lesson));
+}
+
+}  // namespace
+
+TEST_CASE("a point is where its body has come to, and is placed where the scene begins") {
+  lesson::Session session = turning(false);
+  const auto view = scene_view();
+  CHECK(view->shows_points(session));
+  session.jump(0);
+  CHECK(view->can_move(session));
+  CHECK((view->place_of(session, 3) - session.point(3)).norm() < 1e-9);
+  session.jump(15);
+  CHECK_FALSE(view->can_move(session));
+  CHECK((view->place_of(session, 3) - session.point(3)).norm() > 0.1);
+}
+
+TEST_CASE("where a body stands at each point, it is drawn in the point's place, and the view holds all frames") {
+  lesson::Session session = turning(true);
+  const auto view = scene_view();
+  CHECK_FALSE(view->shows_points(session));
+  CHECK(view->handles_word(session) == "Bodies");
+  const fit::Sphere3 room = view->extent(session);
+  for (Index i = 0; i < session.size(); ++i) {
+    CHECK(view->place_of(session, i) == session.frame()->bodies[i].position);
+    CHECK((session.point(i) - room.center).cwiseAbs().maxCoeff() <= room.radius);
+  }
+}
+
+}  // namespace snug::app
