@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 
-#include "app/captions.hpp"
 #include "app/commands.hpp"
 #include "app/inspector.hpp"
 #include "app/look.hpp"
@@ -308,9 +307,6 @@ std::string_view App::subject() const {
   return state_->subject != nullptr ? state_->subject->name : std::string_view();
 }
 Cover* App::cover() { return state_->cover.get(); }
-std::string_view App::handles_word() const {
-  return state_->session ? state_->view->handles_word(*state_->session) : std::string_view();
-}
 void App::measure(double budget) {
   if (state_->cover) state_->cover->work(*state_->session, budget);
 }
@@ -325,7 +321,11 @@ bool App::command(std::string_view name) {
   if (s.cover && s.cover->command(*s.session, name)) return s.settle = std::max(s.settle, 1), true;
   constexpr std::string_view kTurn = "turn:";
   const int step = s.session->step();
-  const auto turn = [&](std::string_view effect) { return s.session->turn(effect, !s.session->is_on(effect)); };
+  const auto turn = [&](std::string_view part) {
+    for (const lesson::Switch& one : s.session->switches())
+      if (one.name == part) return s.session->turn(part, !one.on);
+    return false;
+  };
   const bool done = name.starts_with(kTurn)
                         ? turn(name.substr(kTurn.size()))
                         : s.player(name) || s.edit(name) || s.select(name) || s.look_around(name) || s.move(name);
@@ -420,7 +420,7 @@ void App::note_words(std::vector<DrawnWords>* drawn) { state_->look.drawn = draw
 long App::frames_drawn() const { return state_->frames; }
 std::string App::caption() const {
   if (state_->covered()) return state_->cover->caption(*state_->session);
-  return state_->session ? caption_at(*state_->session) : std::string();
+  return state_->session ? state_->session->caption() : std::string();
 }
 std::vector<Handle> App::handles() const {
   if (state_->covered()) return state_->cover->handles();

@@ -86,8 +86,6 @@ class App {
   [[nodiscard]] std::string_view subject() const;
   /// What can stand in the stage's place; null where nothing can.
   [[nodiscard]] Cover* cover();
-  /// What people call what can be moved on the stage: "Points", "Boxes".
-  [[nodiscard]] std::string_view handles_word() const;
   /// One slice of what the cover has to do, for a door to call between frames. ns.
   void measure(double budget);
   /// Null before the first open.

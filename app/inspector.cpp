@@ -7,9 +7,8 @@
 
 #include "app/marks.hpp"
 #include "app/widgets.hpp"
-#include "lesson/passes.hpp"
 #include "lesson/say.hpp"
-#include "lesson/scene_figures.hpp"
+#include "lesson/subjects.hpp"
 
 namespace snug::app {
 namespace {
@@ -42,7 +41,7 @@ class Column {
     rule(list_, x_, y_ - 1, width_, look_->line);
   }
 
-  void rival(const lesson::Session::Rival& rival, double widest, bool chosen, bool beside, bool hidden) {
+  void rival(const lesson::Rival& rival, double widest, bool chosen, bool beside, bool hidden) {
     const float size = 14, small = 13;
     const std::string value = hidden                    ? "—"
                               : chosen || !rival.excess ? lesson::number_text(rival.size)
@@ -52,7 +51,7 @@ class Column {
                chosen ? look_->current_text : look_->muted, value);
     const float room = width_ - measure(look_, Face::kMonoBold, small, value).x - 10;
     const Face face = chosen || beside ? Face::kSemiBold : Face::kRegular;
-    const auto lines = lines_of(look_, face, size, rival.algorithm->title, room);
+    const auto lines = lines_of(look_, face, size, rival.method->title, room);
     for (std::size_t i = 0; i < lines.size(); ++i, y_ += i < lines.size() ? look_.px(18) : 0)
       text(list_, look_, face, size, {x_, y_ + look_.px(3)}, look_->ink, lines[i]);
     const float top = y_ + look_.px(24), height = 6;
@@ -102,10 +101,9 @@ constexpr std::array<std::string_view, 9> kCompared{"radius", "measure",   "exce
 }  // namespace
 
 std::vector<lesson::Figure> figures_beside(const lesson::Session& session) {
-  if (session.algorithm(1) == nullptr) return {};
-  const std::string step =
-      std::to_string(session.step_of(1)) + " of " + std::to_string(session.recording(1).steps.size());
-  std::string word(lesson::step_word(session.lesson().volume));
+  if (session.method(1) == nullptr) return {};
+  const std::string step = std::to_string(session.step_of(1)) + " of " + std::to_string(session.run(1).steps());
+  std::string word(session.lesson().subject->step_word);
   word.front() = static_cast<char>(word.front() - 'a' + 'A');
   std::vector<lesson::Figure> figures{{word, "step", step, static_cast<double>(session.step_of(1)), ""}};
   for (lesson::Figure& figure : session.figures(1))
@@ -125,8 +123,8 @@ void draw_inspector(const Look& look, lesson::Session& session, const SubjectVie
 
   column.panels(session, view);
 
-  if (session.algorithm(1) != nullptr) {
-    column.heading("Compared: " + std::string(session.algorithm(1)->title));
+  if (session.method(1) != nullptr) {
+    column.heading("Compared: " + std::string(session.method(1)->title));
     for (const lesson::Figure& figure : figures_beside(session)) column.figure(figure);
     column.gap(look.px(28));
   }
@@ -136,9 +134,9 @@ void draw_inspector(const Look& look, lesson::Session& session, const SubjectVie
     double widest = 0;
     for (const auto& rival : session.rivals()) widest = std::max(widest, rival.size);
     for (const auto& rival : session.rivals()) {
-      const bool chosen = rival.algorithm == session.algorithm(0);
-      column.rival(rival, widest * 1.08, chosen, rival.algorithm == session.algorithm(1),
-                   chosen && lesson::hides_result(session));
+      const bool chosen = rival.method == session.method(0);
+      column.rival(rival, widest * 1.08, chosen, rival.method == session.method(1),
+                   chosen && session.is_hidden(lesson::kResultFigure));
     }
     column.gap(look.px(20));
   }

@@ -3,14 +3,12 @@
 namespace snug::app {
 namespace {
 
-/// The points that an answer means, of a question that is about points.
-std::vector<Index> points_of(const lesson::Asked& asked, const lesson::Answer& answer) {
+/// The handles that an answer means, of a question that is about handles.
+std::vector<Index> handles_of(const lesson::Asked& asked, const lesson::Answer& answer) {
   if (answer.kind == lesson::Answer::Kind::kPoint) return {answer.value};
   const auto choice = static_cast<std::size_t>(answer.value);
-  if (answer.kind == lesson::Answer::Kind::kSkipped || choice >= asked.choice_points.size()) return {};
-  if (asked.question->asks == lesson::Question::Asks::kAxis)
-    return {asked.stage_points[2 * choice], asked.stage_points[2 * choice + 1]};
-  return asked.choice_points[choice] == kNoIndex ? std::vector<Index>{} : std::vector{asked.choice_points[choice]};
+  if (answer.kind == lesson::Answer::Kind::kSkipped || choice >= asked.choice_handles.size()) return {};
+  return asked.choice_handles[choice];
 }
 
 void show_outcome(Shown& shown, const lesson::Session& session) {
@@ -18,40 +16,32 @@ void show_outcome(Shown& shown, const lesson::Session& session) {
   if (outcome == nullptr || outcome->skipped) return;
   for (const lesson::Asked& asked : session.questions()) {
     if (asked.question->id != outcome->question) continue;
-    const std::vector<Index> given = points_of(asked, outcome->given);
+    const std::vector<Index> given = handles_of(asked, outcome->given);
     if (!outcome->right) shown.guessed_wrong = given;
     // If several answers are right, the one that was given.
-    shown.right = outcome->right && !given.empty()
-                      ? given
-                      : points_of(asked, lesson::model_answer(asked, session.recording(0).steps));
+    shown.right =
+        outcome->right && !given.empty() ? given : handles_of(asked, lesson::model_answer(asked, session.run(0)));
   }
 }
 
 }  // namespace
 
-Shown shown_at(const lesson::Session& session, bool want_optimum) {
+Shown shown_at(const lesson::Session& session) {
   Shown shown;
-  if (const auto* rival = session.current(1); rival != nullptr && rival->step.has_volume)
-    shown.rival = rival->step.volume;
-  if (const auto* entry = session.current(0); entry != nullptr) {
-    if (entry->step.has_volume) shown.volume = entry->step.volume;
+  if (const fit::Volume3* rival = session.volume(1)) shown.rival = *rival;
+  if (session.step() > 0) {
+    if (const fit::Volume3* own = session.volume(0)) shown.volume = *own;
     shown.support = session.support(0);
     shown.finished = session.step() == session.steps();
   }
   show_outcome(shown, session);
   // An exact method's result is the optimum: no second run says it better.
-  if (shown.finished && session.algorithm(0)->exact) shown.optimum = shown.volume;
-  else if (want_optimum || shown.finished)
-    if (const fit::Recording* optimum = session.optimum()) shown.optimum = optimum->result.volume;
+  if (shown.finished && session.method(0)->exact) shown.optimum = shown.volume;
   return shown;
 }
 
-lesson::Trace steps_shown(const lesson::Session& session) {
-  return lesson::Trace(session.recording(0).steps).first(session.step());
-}
-
-std::vector<Index> named_by(const fit::Step3& step, const lesson::Session& session) {
-  return lesson::points_named(step, session.dim());
+std::vector<Index> named_now(const lesson::Session& session) {
+  return session.step() > 0 ? session.run(0).handles(session.step() - 1) : std::vector<Index>();
 }
 
 }  // namespace snug::app

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -15,7 +16,7 @@ using Point3 = Vector<double, 3>;
 struct Shown {
   std::optional<fit::Volume3> volume;   // as it stands
   std::optional<fit::Volume3> rival;    // of slot 1, at the same share of its trace
-  std::optional<fit::Volume3> optimum;  // where it is wanted, or at the end
+  std::optional<fit::Volume3> optimum;  // where it is known and wanted, or at the end
   bool finished = false;
 
   std::vector<Index> support;  // what holds the volume, in this trace so far
@@ -27,23 +28,19 @@ struct Shown {
   std::vector<Index> guessed_wrong, right;
 };
 
-/// At the session's step, without the handles, which are the subject's to choose. want_optimum: also before the end; it
-/// costs a run of its own after each edit.
-[[nodiscard]] Shown shown_at(const lesson::Session& session, bool want_optimum);
+/// At the session's step, without the handles, which are the subject's to choose.
+[[nodiscard]] Shown shown_at(const lesson::Session& session);
 
-/// The steps of slot 0 up to and with the one that stands; none before the first.
-[[nodiscard]] lesson::Trace steps_shown(const lesson::Session& session);
-
-/// The last fact of a kind among them; null where there is none.
-template <class Fact>
-[[nodiscard]] const Fact* last_fact(lesson::Trace steps) {
+/// The last fact of a kind among steps; null where there is none.
+template <class Fact, class Entry>
+[[nodiscard]] const Fact* last_fact(std::span<const Entry> steps) {
   for (auto entry = steps.rbegin(); entry != steps.rend(); ++entry)
     if (const auto* fact = std::get_if<Fact>(&entry->step.fact)) return fact;
   return nullptr;
 }
 
-/// The handles that a step names: what is marked of a fact that has no picture of its own.
-[[nodiscard]] std::vector<Index> named_by(const fit::Step3& step, const lesson::Session& session);
+/// The handles that the step names: what is marked of a fact that has no picture of its own.
+[[nodiscard]] std::vector<Index> named_now(const lesson::Session& session);
 
 /// The ball that a volume is; null where it is none.
 [[nodiscard]] inline const fit::Sphere3* ball_in(const std::optional<fit::Volume3>& volume) {

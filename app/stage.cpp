@@ -105,10 +105,11 @@ void Stage::upload_points(const lesson::Session& session) {
   std::vector<Point3f> points;
   points.reserve(session.size());
   for (Index i = 0; i < session.size(); ++i) points.push_back(frame_.to_stage(view_->place_of(session, i)));
-  points_moved_ = points != scene_.points || session.triangles().size() != scene_.triangles.size();
+  points_moved_ = points != scene_.points || session.subject().triangles().size() != scene_.triangles.size();
   if (!points_moved_) return;
   scene_.points = std::move(points);
-  scene_.triangles = session.triangles();
+  const auto triangles = session.subject().triangles();
+  scene_.triangles.assign(triangles.begin(), triangles.end());
   scene_.normals = scene_.triangles.empty() ? std::vector<Point3f>{} : mesh_normals(scene_.points, scene_.triangles);
   ++scene_.points_version;
 }
@@ -177,10 +178,10 @@ void Stage::fill_scene(const Look& look, const Rect& rect, float point_radius, b
 
 /// The volume on its way to where the step has it, or there.
 std::optional<fit::Volume3> Stage::volume_drawn(const Look& look, const lesson::Session& session, double now) {
-  const bool stepped = session.step() != seen_step_ && seen_run_ == session.algorithm(0) && !points_moved_;
+  const bool stepped = session.step() != seen_step_ && seen_run_ == session.method(0) && !points_moved_;
   const bool jump = !view_->glides() || look.still || hands_.dragging || (!stepped && !motion_.moving());
   seen_step_ = session.step();
-  seen_run_ = session.algorithm(0);
+  seen_run_ = session.method(0);
   return motion_.at(view_->shown().volume, jump, now);
 }
 

@@ -2,7 +2,6 @@
 // labels.
 #include <algorithm>
 
-#include "app/captions.hpp"
 #include "app/stage.hpp"
 #include "app/widgets.hpp"
 
@@ -60,7 +59,7 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
     keep_free(brush.canvas.obstacles, inset);
   if (camera_.dim() == 3) draw_axis_cross(brush);
   if (settings.prose_in_canvas)
-    draw_sentence(brush.list, look, brush.canvas.obstacles, brush.rect, caption_at(brush.session));
+    draw_sentence(brush.list, look, brush.canvas.obstacles, brush.rect, brush.session.caption());
 }
 
 /// "Smallest": whether the smallest volume is shown before the end.

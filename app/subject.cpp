@@ -29,16 +29,19 @@ void SubjectView::name_marks(PointNames& names) const {
 Rect SubjectView::draw_inset(Brush&, float) const { return {}; }
 
 fit::Sphere3 SubjectView::extent(const lesson::Session& session) {
-  const auto ball = [&](int slot) { return ball_around(session.recording(slot).result.volume, session.dim()); };
-  return session.algorithm(1) == nullptr ? ball(0) : ball_around(ball(0), ball(1));
+  const auto ball = [&](int slot) {
+    const lesson::Run& run = session.run(slot);
+    const fit::Volume3* volume = run.volume(run.steps());
+    return volume != nullptr ? ball_around(*volume, session.dim()) : fit::Sphere3{session.point(0), 1};
+  };
+  return session.method(1) == nullptr ? ball(0) : ball_around(ball(0), ball(1));
 }
 
 int SubjectView::axis_in_use(const lesson::Session&) const { return -1; }
 Point3 SubjectView::place_of(const lesson::Session& session, Index i) const { return session.point(i); }
-bool SubjectView::can_move(const lesson::Session&) const { return true; }
+bool SubjectView::can_move(const lesson::Session& session) const { return session.subject().moves_at(session.step()); }
 bool SubjectView::shows_points(const lesson::Session&) const { return true; }
 bool SubjectView::bears_name(const lesson::Session&, Index) const { return true; }
-std::string_view SubjectView::handles_word(const lesson::Session&) const { return "Points"; }
 float SubjectView::draw_panels(const Look&, lesson::Session&, ImVec2, float) const { return 0; }
 bool SubjectView::in_panels(const lesson::Figure&) const { return false; }
 MarkWords SubjectView::mark_words(const lesson::Session&) const { return {}; }

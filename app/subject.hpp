@@ -60,8 +60,6 @@ class SubjectView {
   [[nodiscard]] virtual bool bears_name(const lesson::Session& session, Index i) const;
   /// Whether, while a question is answered on the stage, what can be the answer bears its name, and nothing else.
   [[nodiscard]] virtual bool names_answers_alone() const { return false; }
-  /// What people call them: the title of the list in which they can be edited.
-  [[nodiscard]] virtual std::string_view handles_word(const lesson::Session& session) const;
 
   // ---- the inspector and the timeline -------------------------------------------------------------------------
   /// Draws the subject's own panels at a place of the current pane and returns how high they are.

@@ -8,8 +8,7 @@
 #include "app/subjects/frustum/view.hpp"
 #include "app/subjects/pair/view.hpp"
 #include "app/subjects/scene/view.hpp"
-#include "lesson/box_tests.hpp"
-#include "lesson/frustum_tests.hpp"
+#include "lesson/subjects.hpp"
 
 namespace snug::app {
 namespace {
@@ -18,17 +17,10 @@ constexpr std::array kSubjects{SubjectRow{"cloud", cloud_view, nullptr}, Subject
                                SubjectRow{"frustum", frustum_view, nullptr}, SubjectRow{"scene", scene_view, nullptr},
                                SubjectRow{kCostSubject, cloud_view, cost_cover}};
 
-std::string_view name_of(const lesson::Lesson& lesson) {
-  if (lesson.measures) return kCostSubject;
-  if (lesson.volume == lesson::kBoxPair) return "pair";
-  if (lesson.volume == lesson::kFrustumBox) return "frustum";
-  return lesson.scene ? "scene" : "cloud";
-}
-
 }  // namespace
 
 const SubjectRow& subject_of(const lesson::Lesson& lesson) {
-  const std::string_view name = name_of(lesson);
+  const std::string_view name = lesson.subject->name;
   return *std::find_if(kSubjects.begin(), kSubjects.end(), [&](const SubjectRow& row) { return row.name == name; });
 }
 

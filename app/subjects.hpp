@@ -15,7 +15,7 @@ struct SubjectRow {
   std::unique_ptr<Cover> (*cover)(const Platform& platform);  // null: nothing but the stage
 };
 
-/// What a lesson's stage is about. This is the one place that decides it.
+/// How what a lesson's stage is about is seen.
 [[nodiscard]] const SubjectRow& subject_of(const lesson::Lesson& lesson);
 
 }  // namespace snug::app

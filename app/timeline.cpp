@@ -9,7 +9,7 @@
 #include "app/timeline_map.hpp"
 #include "app/widgets.hpp"
 #include "lesson/say.hpp"
-#include "lesson/scene_figures.hpp"
+#include "lesson/subjects.hpp"
 
 namespace snug::app {
 namespace {
@@ -199,8 +199,8 @@ PlayerWish draw_timeline(const Look& look, lesson::Session& session, const Subje
   const Rect at{low ? rect.x + rect.width - speed_width - 8 : map.left + map.width - speed_width + 8,
                 beside - speed_height / 2, speed_width, speed_height};
   if (!low) {
-    const std::string step = std::string(lesson::step_word(session.lesson().volume)) + " " +
-                             std::to_string(session.step()) + " of " + std::to_string(session.steps());
+    const std::string step = std::string(session.lesson().subject->step_word) + " " + std::to_string(session.step()) +
+                             " of " + std::to_string(session.steps());
     text(list, look, Face::kRegular, kSize, {map.left + 2, middle_of(words, look.px(kSize))}, p.muted, step);
     const float said = measure(look, Face::kRegular, kSize, step).x;
     const float legend = above ? at.x - 8 : map.left + map.width;

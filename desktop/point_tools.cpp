@@ -7,8 +7,9 @@
 #include "desktop/cli/files.hpp"
 #include "desktop/column.hpp"
 #include "desktop/prose_panel.hpp"
+#include "lesson/boxes.hpp"
 #include "lesson/figures.hpp"
-#include "lesson/frustum_box.hpp"
+#include "lesson/point_subject.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -94,11 +95,11 @@ void draw_box(Shell& shell, Column& column, int i) {
   constexpr std::array<const char*, 3> kTurns{"Turn 15° x", "Turn 15° y", "Turn 15° z"};
   constexpr double kDegree = std::numbers::pi / 180;
   lesson::Session& session = shell.session();
-  lesson::BoxPair pair = *session.boxes();
+  const lesson::BoxSubject& subject = *lesson::as_boxes(session.subject());
+  lesson::BoxPair pair = *subject.boxes();
   Obb<double, 3>& box = pair.boxes[i];
   column.gap(12);
-  const bool frustum = lesson::has_frustum(pair);
-  column.heading(frustum ? (i == 0 ? "Box" : "Frustum") : i == 0 ? "Box A" : "Box B");
+  column.heading(subject.words_of(i).heading);
   bool entered = false;
   {
     Fields fields(column, i == 0 ? "box a" : "box b");
@@ -168,8 +169,8 @@ void draw_sources(Shell& shell, Column& column) {
 
 void draw_point_tools(Shell& shell, Column& column) {
   const lesson::Session& session = shell.session();
-  if (session.boxes() != nullptr) {
-    column.title(lesson::has_frustum(*session.boxes()) ? "Box and frustum" : "Two boxes");
+  if (session.subject().boxes() != nullptr) {
+    column.title(std::string(session.subject().tools_title()));
     for (int box = 0; box < 2; ++box) draw_box(shell, column, box);
     return draw_scatter(shell, column);
   }

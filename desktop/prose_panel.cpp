@@ -7,8 +7,9 @@
 #include "app/marks.hpp"
 #include "app/subjects/cost/costs.hpp"
 #include "desktop/column.hpp"
-#include "lesson/methods.hpp"
 #include "lesson/say.hpp"
+#include "lesson/subjects.hpp"
+#include "lesson/subjects/cost/cost.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -20,7 +21,7 @@ constexpr float kMargin = 28;
 void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect) {
   float x = rect.x + kMargin;
   for (const bool points : {false, true}) {
-    const std::string_view words = points ? shell.app().handles_word() : "Lesson";
+    const std::string_view words = points ? shell.session().subject().tools_word() : "Lesson";
     const bool on = shell.points_tab == points;
     const float width = app::measure(look, Face::kSemiBold, 14, words).x;
     if (app::touch_area(points ? "tab points" : "tab lesson", {x - 8, rect.y, width + 16, rect.height}).clicked)
@@ -48,7 +49,7 @@ void draw_task(Shell& shell, Column& column) {
   Column beside(look, column.x() + 22, column.y(), column.width() - 22);
   beside.words(grade->says, Face::kRegular, 14, grade->done ? look->optimum_text : look->muted);
   column.gap(beside.y() - column.y() + 8);
-  std::vector<std::string> buttons{lesson::start_task_text(shell.session().lesson())};
+  std::vector<std::string> buttons{lesson::start_task_text(shell.session())};
   if (!task->hint.empty()) buttons.emplace_back(lesson::kHintWord);
   const int clicked = column.buttons("task", buttons, shell.hint_shown ? 1 : -1);
   if (clicked == 0) shell.session().start_task();
@@ -206,7 +207,7 @@ void draw_costs(Shell& shell, Column& column) {
     column.words(costs.status(shell.session()), Face::kRegular, 13, look->muted);
     column.gap(8);
   }
-  if (ready && !costs.running() && shell.session().costs() != nullptr)
+  if (ready && !costs.running() && lesson::costs_of(shell.session()) != nullptr)
     for (const lesson::Outcome& outcome : shell.session().outcomes())
       draw_outcome(shell, column, &outcome), column.gap(8);
 }
@@ -246,12 +247,12 @@ void draw_algorithms(Shell& shell, Column& column) {
   std::vector<std::string> names, beside_names{""};
   int main = -1, second = 0;
   for (const std::string& name : session.lesson().algorithms) {
-    const fit::Algorithm* algorithm = lesson::find_method(session.lesson().volume, name);
+    const lesson::Method* algorithm = lesson::find_method(session.lesson(), name);
     if (algorithm == nullptr) continue;
-    if (algorithm == session.algorithm(0)) main = static_cast<int>(titles.size());
+    if (algorithm == session.method(0)) main = static_cast<int>(titles.size());
     titles.emplace_back(algorithm->title), names.push_back(name);
-    if (algorithm == session.algorithm(0)) continue;
-    if (algorithm == session.algorithm(1)) second = static_cast<int>(beside.size());
+    if (algorithm == session.method(0)) continue;
+    if (algorithm == session.method(1)) second = static_cast<int>(beside.size());
     beside.emplace_back(algorithm->title), beside_names.push_back(name);
   }
   if (const int chosen = draw_labelled(column, lesson::kAlgorithmWord, titles, main); chosen >= 0)
@@ -266,8 +267,7 @@ void draw_pseudocode(Shell& shell, Column& column) {
   constexpr float kSize = 12, kLeading = 22;
   const lesson::Session& session = shell.session();
   const app::Look& look = column.look();
-  const auto* entry = session.current(0);
-  const int lit = entry != nullptr ? entry->step.line : -1;
+  const int lit = session.line();
   const float advance = app::measure(look, Face::kMono, kSize, " ").x;
   int number = 0;
   for (const std::string_view line : session.pseudocode(0)) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lesson/boxes.hpp"
 #include "web/view.hpp"
 
 namespace snug::web {
@@ -34,11 +35,11 @@ bool are_axes(const Matrix<double, 3>& axes) {
 }
 
 const Box* box_at(const lesson::Session& session, int box) {
-  return session.boxes() == nullptr || box < 0 || box > 1 ? nullptr : &session.boxes()->boxes[box];
+  return session.subject().boxes() == nullptr || box < 0 || box > 1 ? nullptr : &session.subject().boxes()->boxes[box];
 }
 
 std::string replace(lesson::Session& session, int box, const Box& by) {
-  lesson::BoxPair pair = *session.boxes();
+  lesson::BoxPair pair = *session.subject().boxes();
   pair.boxes[box] = by;
   return sentence(session.set_boxes(pair));
 }
@@ -46,9 +47,9 @@ std::string replace(lesson::Session& session, int box, const Box& by) {
 }  // namespace
 
 val boxes_object(const lesson::Session& session) {
-  if (session.boxes() == nullptr) return val::null();
+  if (session.subject().boxes() == nullptr) return val::null();
   val both = val::array();
-  for (const Box& box : session.boxes()->boxes) {
+  for (const Box& box : session.subject().boxes()->boxes) {
     val object = val::object();
     object.set("center", coordinates(box.center, session.dim()));
     object.set("half_extents", coordinates(box.half_extents, session.dim()));
@@ -61,7 +62,7 @@ val boxes_object(const lesson::Session& session) {
 val box_rows(const lesson::Session& session) {
   val rows = val::array();
   const int dim = session.dim();
-  for (const Box& box : session.boxes()->boxes) {
+  for (const Box& box : session.subject().boxes()->boxes) {
     val row = val::array();
     push_all(row, box.center, dim), push_all(row, box.half_extents, dim);
     for (int axis = 0; axis < (dim == 2 ? 1 : 3); ++axis) push_all(row, box.axes.col(axis), dim);
@@ -71,8 +72,8 @@ val box_rows(const lesson::Session& session) {
 }
 
 std::string set_box_rows(lesson::Session& session, const val& rows) {
-  if (session.boxes() == nullptr) return "this lesson has no boxes";
-  lesson::BoxPair pair = *session.boxes();
+  if (session.subject().boxes() == nullptr) return "this lesson has no boxes";
+  lesson::BoxPair pair = *session.subject().boxes();
   const int dim = session.dim(), due = dim == 2 ? 6 : 15;
   if (rows["length"].as<int>() != 2) return "there are two boxes";
   for (int i = 0; i < 2; ++i) {

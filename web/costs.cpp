@@ -5,6 +5,7 @@
 
 #include "app/subjects/cost/charts.hpp"
 #include "app/subjects/cost/costs.hpp"
+#include "lesson/subjects/cost/cost.hpp"
 #include "measure/turn_run.hpp"
 
 namespace snug::web {
@@ -97,7 +98,7 @@ val costs_object(app::App& app) {
   object.set("running", costs.running());
   object.set("progress", costs.progress());
   object.set("ready", session.asked() == nullptr);
-  object.set("decided", session.costs() != nullptr);
+  object.set("decided", lesson::costs_of(session) != nullptr);
   object.set("size", costs.size(session));
   object.set("of", costs.sheet().about().points);
   object.set("says", costs.status(session));

@@ -173,7 +173,7 @@ std::string open_lesson(const std::string& toml, const std::string& name, const 
   return "";
 }
 
-val opened_lesson() { return session() ? web::lesson_object(session()->lesson()) : val::null(); }
+val opened_lesson() { return session() ? web::lesson_object(*session()) : val::null(); }
 val view_now() { return session() ? web::view_object(*door().app, *session()) : val::null(); }
 
 val handles() {

@@ -62,7 +62,7 @@ void SharedPoints::remember(const lesson::Session& session) {
 
 val SharedPoints::describe(const lesson::Session& session) const {
   val object = val::object();
-  if (session.boxes() != nullptr) {
+  if (session.subject().boxes() != nullptr) {
     if (session.edited()) object.set("boxes", box_rows(session));
     return object;
   }

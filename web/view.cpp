@@ -6,10 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "lesson/methods.hpp"
-#include "lesson/passes.hpp"
+#include "lesson/boxes.hpp"
 #include "lesson/say.hpp"
-#include "lesson/scene_figures.hpp"
+#include "lesson/subjects.hpp"
 #include "number/fnv.hpp"
 #include "web/boxes.hpp"
 #include "web/costs.hpp"
@@ -44,9 +43,9 @@ val section_object(const lesson::Section& section) {
   return object;
 }
 
-val algorithm_object(std::string_view volume, std::string_view name) {
+val algorithm_object(const lesson::Lesson& lesson, std::string_view name) {
   val object = val::object();
-  const fit::Algorithm* algorithm = lesson::find_method(volume, name);
+  const lesson::Method* algorithm = lesson::find_method(lesson, name);
   object.set("name", text(name));
   object.set("title", text(algorithm != nullptr ? algorithm->title : name));
   object.set("source", text(algorithm != nullptr ? algorithm->source : ""));
@@ -110,20 +109,33 @@ val grade_object(const std::optional<lesson::Grade>& grade) {
   return object;
 }
 
+/// What the two boxes of a subject are called; null where it is not made of boxes.
+val box_words(const lesson::Subject& subject) {
+  const lesson::BoxSubject* boxes = lesson::as_boxes(subject);
+  if (boxes == nullptr) return val::null();
+  return array_of(std::array{0, 1}, [&](int box) {
+    const auto [heading, name, sizes] = boxes->words_of(box);
+    val words = val::object();
+    words.set("heading", text(heading));
+    words.set("name", text(name));
+    words.set("sizes", text(sizes));
+    return words;
+  });
+}
+
 void set_algorithms(val& object, const lesson::Session& session) {
-  const fit::Algorithm* main = session.algorithm(0);
-  const fit::Algorithm* beside = session.algorithm(1);
+  const lesson::Method* main = session.method(0);
+  const lesson::Method* beside = session.method(1);
   object.set("algorithm", text(main->name));
   object.set("beside", beside != nullptr ? text(beside->name) : val::null());
   object.set("codeTitle", text(main->title));
   object.set("code", array_of(session.pseudocode(0), text));
-  const auto* entry = session.current(0);
-  object.set("line", entry != nullptr ? entry->step.line : -1);
-  object.set("rivals", array_of(session.rivals(), [&](const lesson::Session::Rival& rival) {
+  object.set("line", session.line());
+  object.set("rivals", array_of(session.rivals(), [&](const lesson::Rival& rival) {
                val row = val::object();
-               row.set("name", text(rival.algorithm->name));
-               row.set("title", text(rival.algorithm->title));
-               const bool hidden = rival.algorithm == session.algorithm(0) && lesson::hides_result(session);
+               row.set("name", text(rival.method->name));
+               row.set("title", text(rival.method->title));
+               const bool hidden = rival.method == session.method(0) && session.is_hidden(lesson::kResultFigure);
                row.set("size", hidden ? val::null() : val(rival.size));
                row.set("excess", rival.excess && !hidden ? val(*rival.excess) : val::null());
                return row;
@@ -167,7 +179,9 @@ val coordinates(const Vector<double, 3>& point, int dim) {
   return array_of(std::span(point.data(), static_cast<std::size_t>(dim)), [](double number) { return val(number); });
 }
 
-val lesson_object(const lesson::Lesson& lesson) {
+val lesson_object(const lesson::Session& session) {
+  const lesson::Lesson& lesson = session.lesson();
+  const lesson::Subject& subject = session.subject();
   val object = val::object();
   object.set("id", lesson.id);
   object.set("group", lesson.group);
@@ -175,13 +189,14 @@ val lesson_object(const lesson::Lesson& lesson) {
   object.set("summary", lesson.summary);
   object.set("sections", array_of(lesson.sections, section_object));
   object.set("algorithms",
-             array_of(lesson.algorithms, [&](std::string_view name) { return algorithm_object(lesson.volume, name); }));
-  object.set("boxes", lesson.boxes.has_value());
-  object.set("frustum", lesson.boxes && lesson.boxes->taper < 1);
-  object.set("scene", lesson.scene.has_value());
-  object.set("stepWord", text(lesson::step_word(lesson.volume)));
-  object.set("bodies", lesson.scene && lesson.scene->at_points());
-  object.set("measures", lesson.measures);
+             array_of(lesson.algorithms, [&](std::string_view name) { return algorithm_object(lesson, name); }));
+  object.set("stepWord", text(lesson.subject->step_word));
+  object.set("asksOfSteps", lesson.subject->asks_of_steps);
+  object.set("chart", text(lesson.subject->chart));
+  object.set("toolsWord", text(subject.tools_word()));
+  object.set("toolsTitle", text(subject.tools_title()));
+  object.set("handleWords", array_of(subject.handle_words(), text));
+  object.set("boxes", box_words(subject));
   object.set("dim", lesson.points.dim);
   object.set("generate", lesson.points.generate);
   object.set("count", lesson.points.count);
@@ -196,7 +211,7 @@ val lesson_object(const lesson::Lesson& lesson) {
     task.set("hint", lesson.task->hint);
     task.set("algorithm", lesson.task->algorithm);
     task.set("points", lesson.task->points);
-    task.set("start", lesson::start_task_text(lesson));
+    task.set("start", lesson::start_task_text(session));
     object.set("task", task);
   } else {
     object.set("task", val::null());
@@ -240,15 +255,15 @@ val view_object(app::App& app, const lesson::Session& session) {
   set_algorithms(object, session);
   set_figures(object, session);
   set_points(object, app, session);
-  if (const lesson::SceneFrame* frame = session.frame())
-    object.set("effects", array_of(frame->tallies, [&](const scene::Tally& tally) {
+  if (const auto switches = session.switches(); !switches.empty())
+    object.set("effects", array_of(switches, [](const lesson::Switch& one) {
                  val row = val::object();
-                 row.set("effect", tally.effect);
-                 row.set("on", session.is_on(tally.effect));
-                 row.set("constructed", tally.constructed);
-                 row.set("run", static_cast<double>(tally.run));
-                 row.set("skipped", static_cast<double>(tally.skipped));
-                 row.set("microseconds", text(session.time_of(tally.effect)));
+                 row.set("effect", one.name);
+                 row.set("on", one.on);
+                 row.set("constructed", static_cast<double>(one.constructed));
+                 row.set("run", static_cast<double>(one.run));
+                 row.set("skipped", static_cast<double>(one.skipped));
+                 row.set("microseconds", one.microseconds);
                  return row;
                }));
   return object;

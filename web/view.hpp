@@ -4,13 +4,12 @@
 #include <emscripten/val.h>
 
 #include "app/app.hpp"
-#include "lesson/lesson.hpp"
 #include "lesson/session.hpp"
 
 namespace snug::web {
 
 /// What does not change while the lesson is open: {id, group, title, dim, sections, task, algorithms, points …}.
-emscripten::val lesson_object(const lesson::Lesson& lesson);
+emscripten::val lesson_object(const lesson::Session& session);
 
 /// What does: {step, steps, caption, asked, outcome, grade, algorithms, code, rivals, readout, selected …}.
 emscripten::val view_object(app::App& app, const lesson::Session& session);

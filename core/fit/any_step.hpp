@@ -8,15 +8,11 @@
 #include "fit/aabb/aabb_steps.hpp"
 #include "fit/hull/hull_steps.hpp"
 #include "fit/kdop/kdop_steps.hpp"
-#include "fit/obb/frame_steps.hpp"
 #include "fit/obb/obb_steps.hpp"
 #include "fit/sphere/sphere_steps.hpp"
 #include "fit/swept/capsule_steps.hpp"
 #include "fit/swept/lozenge_steps.hpp"
 #include "geometry/volume.hpp"
-#include "query/classify_steps.hpp"
-#include "query/sat_steps.hpp"
-#include "query/wrong_steps.hpp"
 
 namespace snug::fit {
 
@@ -42,11 +38,10 @@ struct Union {
 template <class First, class... Facts, class... Others>
 struct Union<First, std::variant<Facts...>, Others...> : Union<typename AddFacts<First, Facts...>::Type, Others...> {};
 
-/// Every fact that there is.
+/// Every fact that a fitter tells.
 using Fact3 = Union<SphereStep<double, 3>::Fact, ObbStep<double, 3>::Fact, AabbStep<double, 3>::Fact,
                     CapsuleStep<double, 3>::Fact, LozengeStep<double, 3>::Fact, KdopStep<double, 3>::Fact,
-                    HullStep<double, 3>::Fact, query::SatStep<double, 3>::Fact, query::WrongStep::Fact,
-                    query::ClassifyStep<double, 3>::Fact, FrameStep::Fact>::Type;
+                    HullStep<double, 3>::Fact>::Type;
 
 struct Step3 {
   using Fact = Fact3;

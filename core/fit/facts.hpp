@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "geometry/vector.hpp"
@@ -16,7 +17,8 @@ struct ExtremesFound {
   static constexpr std::string_view kName = "extremes_found";
   std::array<Index, Dim> least{};
   std::array<Index, Dim> greatest{};
-  void fields(auto&& see) const { see("least", least), see("greatest", greatest); }
+  static constexpr std::array<std::string_view, 2> kFields{"least", "greatest"};
+  static auto tie(auto& own) { return std::tie(own.least, own.greatest); }
 };
 
 /// Two points chosen as the first diameter. axis: 0 .. Dim - 1 for a coordinate axis, kNoIndex for another direction.
@@ -25,14 +27,16 @@ struct PairChosen {
   Index a = kNoIndex, b = kNoIndex;
   int axis = kNoIndex;
   double distance = 0;
-  void fields(auto&& see) const { see("a", a), see("b", b), see("axis", axis), see("distance", distance); }
+  static constexpr std::array<std::string_view, 4> kFields{"a", "b", "axis", "distance"};
+  static auto tie(auto& own) { return std::tie(own.a, own.b, own.axis, own.distance); }
 };
 
 template <class Scalar, int Dim>
 struct MeanFound {
   static constexpr std::string_view kName = "mean_found";
   Vector<Scalar, Dim> mean;
-  void fields(auto&& see) const { see("mean", mean); }
+  static constexpr std::array<std::string_view, 1> kFields{"mean"};
+  static auto tie(auto& own) { return std::tie(own.mean); }
 };
 
 /// covariance: in scene units squared, divided by n.
@@ -41,7 +45,8 @@ struct CovarianceFound {
   static constexpr std::string_view kName = "covariance_found";
   Vector<Scalar, Dim> mean;
   Matrix<Scalar, Dim> covariance;
-  void fields(auto&& see) const { see("mean", mean), see("covariance", covariance); }
+  static constexpr std::array<std::string_view, 2> kFields{"mean", "covariance"};
+  static auto tie(auto& own) { return std::tie(own.mean, own.covariance); }
 };
 
 /// Eigenvectors as columns, by rising eigenvalue; variances: the eigenvalues, in scene units squared.
@@ -51,14 +56,16 @@ struct AxesFound {
   Vector<Scalar, Dim> mean;
   Matrix<Scalar, Dim> axes;
   Vector<Scalar, Dim> variances;
-  void fields(auto&& see) const { see("mean", mean), see("axes", axes), see("variances", variances); }
+  static constexpr std::array<std::string_view, 3> kFields{"mean", "axes", "variances"};
+  static auto tie(auto& own) { return std::tie(own.mean, own.axes, own.variances); }
 };
 
 /// The last step of every way out: the volume is the result, held by these points.
 struct Finished {
   static constexpr std::string_view kName = "finished";
   std::vector<Index> support;
-  void fields(auto&& see) const { see("support", support); }
+  static constexpr std::array<std::string_view, 1> kFields{"support"};
+  static auto tie(auto& own) { return std::tie(own.support); }
 };
 
 }  // namespace snug::fit

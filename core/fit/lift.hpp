@@ -2,6 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "fit/any_step.hpp"
@@ -74,42 +77,45 @@ ConvexHull<double, 3> lift(const ConvexHull<Scalar, Dim>& hull) {
   return lifted;
 }
 
-// ---- facts: those that speak of no coordinates are lifted as they are -----------------------------------------
+// ---- facts, field by field: those that speak of no coordinates are lifted as they are -------------------------
+
+template <class To, class From>
+void lift_into(To& lifted, const From& field) {
+  if constexpr (std::is_same_v<To, From>) {
+    lifted = field;
+  } else if constexpr (std::is_enum_v<To>) {
+    lifted = static_cast<To>(field);
+  } else if constexpr (requires { lifted.fill(kNoIndex), std::tuple_size<To>::value; }) {
+    lifted.fill(kNoIndex);
+    std::copy(field.begin(), field.end(), lifted.begin());
+  } else if constexpr (requires { From::RowsAtCompileTime; }) {
+    lifted = lift<typename From::Scalar, From::RowsAtCompileTime>(field);
+  } else {
+    lifted = lift(field);
+  }
+}
 
 template <class Plain>
 const Plain& lift_fact(const Plain& fact) {
   return fact;
 }
-
-template <class Scalar, int Dim>
-auto lift_fact(const ExtremesFound<Scalar, Dim>& fact) {
-  ExtremesFound<double, 3> lifted;
-  lifted.least.fill(kNoIndex);
-  lifted.greatest.fill(kNoIndex);
-  std::copy(fact.least.begin(), fact.least.end(), lifted.least.begin());
-  std::copy(fact.greatest.begin(), fact.greatest.end(), lifted.greatest.begin());
+template <template <class, int> class Fact, class Scalar, int Dim>
+Fact<double, 3> lift_fact(const Fact<Scalar, Dim>& fact) {
+  Fact<double, 3> lifted;
+  const auto each = [&]<std::size_t... kAt>(std::index_sequence<kAt...>, auto to, auto from) {
+    (lift_into(std::get<kAt>(to), std::get<kAt>(from)), ...);
+  };
+  each(std::make_index_sequence<Fact<double, 3>::kFields.size()>(), Fact<double, 3>::tie(lifted),
+       Fact<Scalar, Dim>::tie(fact));
   return lifted;
 }
 template <class Scalar, int Dim>
-auto lift_fact(const MidpointFound<Scalar, Dim>& fact) {
-  return MidpointFound<double, 3>{lift<Scalar, Dim>(fact.least), lift<Scalar, Dim>(fact.greatest),
-                                  lift<Scalar, Dim>(fact.midpoint)};
-}
-template <class Scalar, int Dim>
-auto lift_fact(const BallGrown<Scalar, Dim>& fact) {
-  return BallGrown<double, 3>{fact.point, lift(fact.before)};
-}
-template <class Scalar, int Dim>
-auto lift_fact(const MeanFound<Scalar, Dim>& fact) {
-  return MeanFound<double, 3>{lift<Scalar, Dim>(fact.mean)};
-}
-template <class Scalar, int Dim>
-auto lift_fact(const CovarianceFound<Scalar, Dim>& fact) {
-  return CovarianceFound<double, 3>{lift<Scalar, Dim>(fact.mean), lift<Scalar, Dim>(fact.covariance, 0)};
+CovarianceFound<double, 3> lift_fact(const CovarianceFound<Scalar, Dim>& fact) {
+  return {lift<Scalar, Dim>(fact.mean), lift<Scalar, Dim>(fact.covariance, 0)};
 }
 /// By rising variance: in 2-D the added axis, of variance 0, comes first.
 template <class Scalar, int Dim>
-auto lift_fact(const AxesFound<Scalar, Dim>& fact) {
+AxesFound<double, 3> lift_fact(const AxesFound<Scalar, Dim>& fact) {
   AxesFound<double, 3> lifted{lift<Scalar, Dim>(fact.mean), Matrix<double, 3>::Zero(), Vector<double, 3>::Zero()};
   constexpr int kAdded = 3 - Dim;
   lifted.axes.template block<Dim, Dim>(0, kAdded) = fact.axes.template cast<double>();
@@ -117,105 +123,11 @@ auto lift_fact(const AxesFound<Scalar, Dim>& fact) {
   lifted.variances.template tail<Dim>() = fact.variances.template cast<double>();
   return lifted;
 }
-template <class Scalar, int Dim>
-auto lift_fact(const BallShrunk<Scalar, Dim>& fact) {
-  return BallShrunk<double, 3>{fact.pass, lift(fact.before)};
-}
-template <class Scalar, int Dim>
-auto lift_fact(const PassJudged<Scalar, Dim>& fact) {
-  return PassJudged<double, 3>{fact.pass, fact.better, lift(fact.best)};
-}
-template <class Scalar, int Dim>
-auto lift_fact(const CandidateTried<Scalar, Dim>& fact) {
-  using Lifted = CandidateTried<double, 3>;
-  return Lifted{fact.points, lift(fact.candidate), static_cast<Lifted::Verdict>(fact.verdict), fact.outside};
-}
-
-template <class Scalar, int Dim>
-auto lift_fact(const ExtentsFound<Scalar, Dim>& fact) {
-  return ExtentsFound<double, 3>{fact.least, fact.greatest, lift<Scalar, Dim>(fact.lengths)};
-}
-template <class Scalar, int Dim>
-auto lift_fact(const BallFound<Scalar, Dim>& fact) {
-  return BallFound<double, 3>{lift(fact.ball), fact.support};
-}
-template <class Scalar, int Dim>
-auto lift_fact(const SurfaceFound<Scalar, Dim>& fact) {
-  return SurfaceFound<double, 3>{fact.area, lift<Scalar, Dim>(fact.centroid)};
-}
-template <class Scalar, int Dim>
-auto lift_fact(const BoxTried<Scalar, Dim>& fact) {
-  return BoxTried<double, 3>{fact.on, lift(fact.box), fact.measure, fact.better};
-}
-template <class Scalar, int Dim>
-auto lift_fact(const RectangleFound<Scalar, Dim>& fact) {
-  return RectangleFound<double, 3>{
-      lift<Scalar, Dim>(fact.along), fact.edge_a, fact.edge_b, lift(fact.box), fact.measure, fact.better};
-}
-template <class Scalar, int Dim>
-auto lift_fact(const query::FramesRelated<Scalar, Dim>& fact) {
-  return query::FramesRelated<double, 3>{lift<Scalar, Dim>(fact.rotation, 1), lift<Scalar, Dim>(fact.translation),
-                                         fact.doubt};
-}
-template <class Scalar, int Dim>
-query::SatAxis<double, 3> lift(const query::SatAxis<Scalar, Dim>& axis) {
-  return {axis.kind, axis.i, axis.j, lift<Scalar, Dim>(axis.direction), axis.gap};
-}
-template <class Scalar, int Dim>
-auto lift_fact(const query::AxisTested<Scalar, Dim>& fact) {
-  return query::AxisTested<double, 3>{lift(fact.axis), fact.length,    fact.distance, fact.radius_a, fact.radius_b,
-                                      fact.doubt,      fact.separates, fact.skipped,  fact.near_a,   fact.near_b};
-}
-template <class Scalar, int Dim>
-auto lift_fact(const query::Verdict<Scalar, Dim>& fact) {
-  return query::Verdict<double, 3>{{fact.result.overlap, fact.result.tests, lift(fact.result.axis)}};
-}
-
-/// Corners of the plane keep their bits.
-template <class Scalar, int Dim>
-auto lift_fact(const query::PlaneTested<Scalar, Dim>& fact) {
-  return query::PlaneTested<double, 3>{fact.plane,
-                                       fact.skipped,
-                                       lift<Scalar, Dim>(fact.normal),
-                                       fact.signs,
-                                       fact.p_vertex,
-                                       fact.n_vertex,
-                                       fact.p_corners,
-                                       fact.n_corners,
-                                       lift<Scalar, Dim>(fact.p_point),
-                                       lift<Scalar, Dim>(fact.n_point),
-                                       fact.p_distance,
-                                       fact.n_distance,
-                                       fact.doubt,
-                                       fact.looked_closer,
-                                       fact.side,
-                                       fact.so_far};
-}
-template <class Scalar, int Dim>
-auto lift_fact(const query::CornerTested<Scalar, Dim>& fact) {
-  return query::CornerTested<double, 3>{fact.corner, fact.plane, lift<Scalar, Dim>(fact.point), fact.distance,
-                                        fact.outside};
-}
 
 template <class VolumeType, class... Facts>
 Step3 lift(const Step<VolumeType, Facts...>& step) {
   return {step.line, step.has_volume, lift(step.volume),
           std::visit([](const auto& fact) { return Fact3(lift_fact(fact)); }, step.fact)};
-}
-
-/// A query has no volume of its own.
-template <class Scalar, int Dim>
-Step3 lift(const query::SatStep<Scalar, Dim>& step) {
-  return {step.line, false, {}, std::visit([](const auto& fact) { return Fact3(lift_fact(fact)); }, step.fact)};
-}
-
-template <class Scalar, int Dim>
-Step3 lift(const query::ClassifyStep<Scalar, Dim>& step) {
-  return {step.line, false, {}, std::visit([](const auto& fact) { return Fact3(lift_fact(fact)); }, step.fact)};
-}
-
-inline Step3 lift(const query::WrongStep& step) {
-  return {step.line, false, {}, std::visit([](const auto& fact) { return Fact3(fact); }, step.fact)};
 }
 
 }  // namespace snug::fit

@@ -3,10 +3,9 @@
 #include <cstdio>
 
 #include "fit/catalogue.hpp"
+#include "fit/field_hash.hpp"
 #include "fit/update/updates.hpp"
 #include "geometry/volume_fields.hpp"
-#include "number/bits.hpp"
-#include "number/fnv.hpp"
 
 namespace snug::fit {
 namespace {
@@ -18,37 +17,6 @@ constexpr auto names_of(std::index_sequence<kAt...>) {
   return std::array<std::string_view, sizeof...(kAt)>{std::variant_alternative_t<kAt, Fact>::kName...};
 }
 constexpr auto kFactNames = names_of(std::make_index_sequence<std::variant_size_v<Fact>>{});
-
-/// Takes what fields lists.
-struct FieldHash : Fnv1a {
-  void operator()(std::string_view, const auto& value) { add(value); }
-
-  void add(std::int64_t value) { add_bits(static_cast<std::uint64_t>(value)); }
-  void add(int value) { add(std::int64_t{value}); }
-  void add(bool value) { add(std::int64_t{value}); }
-  void add(double value) { add_bits(bits_of(value)); }
-  void add(const Support& support) {
-    add(support.size());
-    for (const Index i : support) add(i);
-  }
-  template <class Item>
-  void add(const std::vector<Item>& items) {
-    add(static_cast<std::int64_t>(items.size()));
-    for (const Item& item : items) add(item);
-  }
-  template <class VolumeType>
-  auto add(const VolumeType& volume) -> decltype(fields_of(volume, *this)) {
-    fields_of(volume, *this);
-  }
-  void add(const std::array<Index, 3>& indices) {
-    for (const Index i : indices) add(i);
-  }
-  template <class Derived>
-  void add(const Eigen::MatrixBase<Derived>& matrix) {
-    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
-      for (Eigen::Index row = 0; row < matrix.rows(); ++row) add(static_cast<double>(matrix(row, column)));
-  }
-};
 
 class Json {
  public:
@@ -63,6 +31,9 @@ class Json {
 
   void put(std::string_view value) { (text += '"').append(value) += '"'; }
   void put(int value) { text += std::to_string(value); }
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void put(Enum value) { put(static_cast<int>(value)); }
   void put(bool value) { text += value ? "true" : "false"; }
   void put(double value) {
     std::array<char, 32> buffer{};
@@ -133,29 +104,19 @@ std::string_view name_of(const Step3& step) { return kFactNames[step.fact.index(
 
 std::span<const std::string_view> fact_names() { return kFactNames; }
 
-std::uint64_t hash_of(std::span<const Recorder<Step3>::Entry> steps) {
-  FieldHash hash;
-  for (const auto& entry : steps) {
-    hash.add(static_cast<std::int64_t>(entry.step.fact.index()));
-    hash.add(entry.step.line);
-    hash.add(entry.step.has_volume);
-    std::visit([&](const auto& volume) { hash.add(volume); }, entry.step.volume);
-    std::visit([&](const auto& fact) { fact.fields(hash); }, entry.step.fact);
-  }
-  return hash.value();
-}
+std::uint64_t hash_of(std::span<const Recorder<Step3>::Entry> steps) { return hash_of_steps(steps); }
 
 std::string json_of(const Step3& step, int dim) {
   Json json = json_of_step(name_of(step), step.line, step.has_volume ? &step.volume : nullptr, dim);
   if (const auto* axes = std::get_if<AxesFound<double, 3>>(&step.fact)) put_axes(json, *axes, dim);
-  else std::visit([&](const auto& fact) { fact.fields(json); }, step.fact);
+  else std::visit([&](const auto& fact) { see_fields(fact, json); }, step.fact);
   return json.text + '}';
 }
 
 std::string json_of(const UpdateStep3& step, int dim) {
   const std::string_view name = std::visit([](const auto& fact) { return std::string_view(fact.kName); }, step.fact);
   Json json = json_of_step(name, step.line, step.has_volume ? &step.volume : nullptr, dim);
-  std::visit([&](const auto& fact) { fact.fields(json); }, step.fact);
+  std::visit([&](const auto& fact) { see_fields(fact, json); }, step.fact);
   return json.text + '}';
 }
 

@@ -1,7 +1,9 @@
 // The steps of building, refitting and traversing a tree.
 #pragma once
 
+#include <array>
 #include <string_view>
+#include <tuple>
 #include <variant>
 
 #include "geometry/vector.hpp"
@@ -18,10 +20,8 @@ struct SplitChosen {
   double position = 0;
   Index left = 0, right = 0;
   double cost = 0;
-  void fields(auto&& see) const {
-    see("node", node), see("axis", axis), see("position", position), see("left", left), see("right", right),
-        see("cost", cost);
-  }
+  static constexpr std::array<std::string_view, 6> kFields{"node", "axis", "position", "left", "right", "cost"};
+  static auto tie(auto& own) { return std::tie(own.node, own.axis, own.position, own.left, own.right, own.cost); }
 };
 
 /// A node became a leaf. bodies: how many it holds.
@@ -29,7 +29,8 @@ struct LeafMade {
   static constexpr std::string_view kName = "leaf_made";
   Index node = 0;
   Index bodies = 0;
-  void fields(auto&& see) const { see("node", node), see("bodies", bodies); }
+  static constexpr std::array<std::string_view, 2> kFields{"node", "bodies"};
+  static auto tie(auto& own) { return std::tie(own.node, own.bodies); }
 };
 
 /// Two groups became one. Group i is body i alone where i is below the number n of bodies; groups made later are
@@ -40,7 +41,8 @@ struct NodesMerged {
   Index merged = 0;
   Index left = 0, right = 0;
   double area = 0;
-  void fields(auto&& see) const { see("merged", merged), see("left", left), see("right", right), see("area", area); }
+  static constexpr std::array<std::string_view, 4> kFields{"merged", "left", "right", "area"};
+  static auto tie(auto& own) { return std::tie(own.merged, own.left, own.right, own.area); }
 };
 
 /// A body was put beside a group, both now children of a new group made (kNoIndex and kNoIndex: it is the first body).
@@ -51,7 +53,8 @@ struct BodyInserted {
   Index body = 0;
   Index beside = kNoIndex, made = kNoIndex;
   double growth = 0;
-  void fields(auto&& see) const { see("body", body), see("beside", beside), see("made", made), see("growth", growth); }
+  static constexpr std::array<std::string_view, 4> kFields{"body", "beside", "made", "growth"};
+  static auto tie(auto& own) { return std::tie(own.body, own.beside, own.made, own.growth); }
 };
 
 /// Below a group, one child and a grandchild below the other child changed places, which made that other child smaller.
@@ -60,14 +63,16 @@ struct Rotated {
   Index group = 0;
   Index down = 0, up = 0;  // what was a child, what was a grandchild
   double gain = 0;         // half surface
-  void fields(auto&& see) const { see("group", group), see("down", down), see("up", up), see("gain", gain); }
+  static constexpr std::array<std::string_view, 4> kFields{"group", "down", "up", "gain"};
+  static auto tie(auto& own) { return std::tie(own.group, own.down, own.up, own.gain); }
 };
 
 /// A node has its volume: that of its bodies or of both children, merged.
 struct VolumeMade {
   static constexpr std::string_view kName = "volume_made";
   Index node = 0;
-  void fields(auto&& see) const { see("node", node); }
+  static constexpr std::array<std::string_view, 1> kFields{"node"};
+  static auto tie(auto& own) { return std::tie(own.node); }
 };
 
 /// What is to be done with a volume's node or body, and all that is below it.
@@ -78,7 +83,8 @@ struct NodeVisited {
   static constexpr std::string_view kName = "node_visited";
   Index node = 0;
   Answer answer = Answer::kPrune;
-  void fields(auto&& see) const { see("node", node), see("answer", static_cast<int>(answer)); }
+  static constexpr std::array<std::string_view, 2> kFields{"node", "answer"};
+  static auto tie(auto& own) { return std::tie(own.node, own.answer); }
 };
 
 /// A body's own volume was tested.
@@ -86,7 +92,8 @@ struct BodyTested {
   static constexpr std::string_view kName = "body_tested";
   Index body = 0;
   Answer answer = Answer::kPrune;
-  void fields(auto&& see) const { see("body", body), see("answer", static_cast<int>(answer)); }
+  static constexpr std::array<std::string_view, 2> kFields{"body", "answer"};
+  static auto tie(auto& own) { return std::tie(own.body, own.answer); }
 };
 
 /// A node of one tree was held against a node of another; or, bodies: a body against a body.
@@ -95,7 +102,8 @@ struct PairTested {
   Index a = 0, b = 0;
   bool bodies = false;
   bool overlap = false;
-  void fields(auto&& see) const { see("a", a), see("b", b), see("bodies", bodies), see("overlap", overlap); }
+  static constexpr std::array<std::string_view, 4> kFields{"a", "b", "bodies", "overlap"};
+  static auto tie(auto& own) { return std::tie(own.a, own.b, own.bodies, own.overlap); }
 };
 
 /// The end: of building, how many nodes there are; of a traversal, how many were visited.
@@ -103,7 +111,8 @@ struct Done {
   static constexpr std::string_view kName = "done";
   std::int64_t nodes = 0;
   std::int64_t volume_tests = 0;
-  void fields(auto&& see) const { see("nodes", nodes), see("volume_tests", volume_tests); }
+  static constexpr std::array<std::string_view, 2> kFields{"nodes", "volume_tests"};
+  static auto tie(auto& own) { return std::tie(own.nodes, own.volume_tests); }
 };
 
 struct Step {

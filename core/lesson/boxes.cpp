@@ -2,20 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <numbers>
 #include <vector>
 
 #include "geometry/pose.hpp"
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
-#include "lesson/frustum_box.hpp"
+#include "lesson/session.hpp"
 
 namespace snug::lesson {
 namespace {
 
 using V3 = Vector<double, 3>;
 using Box = Obb<double, 3>;
-using Kind = Place::Kind;
+using PlaceKind = Place::Kind;
 
 int knobs(int dim) { return dim - 1; }
 
@@ -73,25 +73,30 @@ int places_of_box(int dim) { return 1 + knobs(dim) + (1 << dim); }
 
 Place place_of(int dim, Index i) {
   const int box = i / places_of_box(dim), own = i % places_of_box(dim);
-  if (own == 0) return {Kind::kCenter, box, 0};
-  if (own <= knobs(dim)) return {Kind::kTurn, box, own - 1};
-  return {Kind::kCorner, box, own - 1 - knobs(dim)};
+  if (own == 0) return {PlaceKind::kCenter, box, 0};
+  if (own <= knobs(dim)) return {PlaceKind::kTurn, box, own - 1};
+  return {PlaceKind::kCorner, box, own - 1 - knobs(dim)};
 }
 
 Index index_of(int dim, const Place& place) {
-  const int own = place.kind == Kind::kCenter ? 0
-                  : place.kind == Kind::kTurn ? 1 + place.number
-                                              : 1 + knobs(dim) + place.number;
+  const int own = place.kind == PlaceKind::kCenter ? 0
+                  : place.kind == PlaceKind::kTurn ? 1 + place.number
+                                                   : 1 + knobs(dim) + place.number;
   return place.box * places_of_box(dim) + own;
 }
 
-std::string place_name(int dim, Index i, bool frustum) {
+std::string place_name(int dim, Index i) {
   const Place place = place_of(dim, i);
-  const std::string box = place.box == 0 ? (frustum ? "Box" : "A") : frustum ? "Frustum" : "B";
-  if (place.kind == Kind::kCenter) return box;
-  if (place.kind == Kind::kCorner && frustum && place.box == 0) return sign_name(dim, place.number);
-  if (place.kind == Kind::kCorner) return box.front() + std::to_string(place.number);
+  const std::string box = place.box == 0 ? "A" : "B";
+  if (place.kind == PlaceKind::kCenter) return box;
+  if (place.kind == PlaceKind::kCorner) return box + std::to_string(place.number);
   return box + (place.number == 0 ? " turn" : " roll");
+}
+
+std::vector<Index> vertices_of(int dim, int box) {
+  std::vector<Index> all;
+  for (int bits = 0; bits < 1 << dim; ++bits) all.push_back(index_of(dim, {PlaceKind::kCorner, box, bits}));
+  return all;
 }
 
 V3 corner_of(const Box& box, int bits) {
@@ -115,26 +120,16 @@ V3 beyond_face(const BoxPair& pair, int box, int axis, double by) {
 V3 at_place(const BoxPair& pair, Index i) {
   const Place place = place_of(pair.dim, i);
   const Box& box = pair.boxes[place.box];
-  if (place.kind == Kind::kCenter) return box.center;
-  if (place.kind == Kind::kCorner) return corner_of(pair, place.box, place.number);
+  if (place.kind == PlaceKind::kCenter) return box.center;
+  if (place.kind == PlaceKind::kCorner) return corner_of(pair, place.box, place.number);
   return beyond_face(pair, place.box, place.number, pair.knob);
 }
 
-tl::expected<AnyPointSet, InputError> places(const BoxPair& pair) {
-  if (has_frustum(pair)) {
-    const auto wrong = [](auto frustum) { return frustum ? std::optional<InputError>() : std::move(frustum.error()); };
-    if (auto error = pair.dim == 2 ? wrong(frustum_of<2>(pair)) : wrong(frustum_of<3>(pair)))
-      return tl::unexpected(*std::move(error));
-  }
-  const Index count = 2 * places_of_box(pair.dim);
-  if (pair.dim == 2) {
-    std::vector<Vector<double, 2>> all;
-    for (Index i = 0; i < count; ++i) all.push_back(at_place(pair, i).head<2>());
-    return PointSet<double, 2>::make(std::move(all)).map([](auto&& set) { return AnyPointSet(std::move(set)); });
-  }
+Done check_places(const BoxPair& pair) {
   std::vector<V3> all;
-  for (Index i = 0; i < count; ++i) all.push_back(at_place(pair, i));
-  return PointSet<double, 3>::make(std::move(all)).map([](auto&& set) { return AnyPointSet(std::move(set)); });
+  for (Index i = 0; i < 2 * places_of_box(pair.dim); ++i) all.push_back(at_place(pair, i));
+  if (auto set = PointSet<double, 3>::make(std::move(all)); !set) return tl::unexpected(std::move(set.error()));
+  return {};
 }
 
 tl::expected<BoxPair, InputError> moved(const BoxPair& pair, Index i, const V3& hand) {
@@ -145,9 +140,9 @@ tl::expected<BoxPair, InputError> moved(const BoxPair& pair, Index i, const V3& 
   const Place place = place_of(pair.dim, i);
   Box& box = next.boxes[place.box];
   switch (place.kind) {
-    case Kind::kCenter: box.center = to; break;
-    case Kind::kTurn: box = turned_to(box, place.number, to); break;
-    case Kind::kCorner: box = stretched(pair, place.box, place.number, to); break;
+    case PlaceKind::kCenter: box.center = to; break;
+    case PlaceKind::kTurn: box = turned_to(box, place.number, to); break;
+    case PlaceKind::kCorner: box = stretched(pair, place.box, place.number, to); break;
   }
   return next;
 }
@@ -177,6 +172,115 @@ BoxPair scattered(const BoxPair& like, std::uint64_t seed) {
 
 Obb<double, 2> flat(const Box& box) {
   return {box.center.head<2>(), box.axes.topLeftCorner<2, 2>(), box.half_extents.head<2>()};
+}
+
+BoxPair read_pair(TomlTable& table, int dim, double taper) {
+  BoxPair pair{.dim = dim, .taper = taper};
+  const auto two = [&](std::string_view key, int numbers) {
+    auto list = table.points(key, numbers);
+    if (list.size() != 2) table.wrong(key, "must be two, for A and for B");
+    list.resize(2, V3::Zero());
+    return list;
+  };
+  const auto centers = two("center", dim), halves = two("half_extents", dim), turns = two("turn", dim == 2 ? 1 : 3);
+  double largest = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (halves[i].minCoeff() < 0) table.wrong("half_extents", "must not be negative");
+    Box box{centers[i], Matrix<double, 3>::Identity(), halves[i]};
+    for (int axis = 0; axis < (dim == 2 ? 1 : 3); ++axis)
+      box = turned_by(box, dim == 2 ? 2 : axis, turns[i][axis] * std::numbers::pi / 180);
+    pair.boxes[i] = box;
+    largest = std::max(largest, halves[i].maxCoeff());
+  }
+  pair.knob = 0.4 * largest;
+  if (const Done fine = check_places(pair); !fine) table.wrong("center", fine.error().what);
+  return pair;
+}
+
+Done BoxSubject::move(Index i, const Point3& to) {
+  auto next = moved(pair_, i, to);
+  if (!next) return tl::unexpected(std::move(next.error()));
+  if (Done fine = check(*next); !fine) return fine;
+  pair_ = *std::move(next);
+  origin_.edited = true;
+  return {};
+}
+
+Done BoxSubject::set_boxes(const BoxPair& pair) {
+  if (pair.dim != pair_.dim) return tl::unexpected(InputError{.what = "there are no such boxes"});
+  for (const Box& box : pair.boxes)
+    if (!(box.half_extents.minCoeff() >= 0)) return tl::unexpected(InputError{.what = "a half extent is below 0"});
+  if (Done fine = check(pair); !fine) return fine;
+  pair_ = pair;
+  origin_.edited = true;
+  return {};
+}
+
+void BoxSubject::scatter(std::uint64_t seed, const Subject& own) {
+  const BoxPair& first = *own.boxes();
+  BoxPair next = seed == lesson_seed_ ? first : scattered(first, seed);
+  if (!check(next)) return;
+  origin_ = own.origin();
+  origin_.seed = seed;
+  pair_ = std::move(next);
+}
+
+void BoxSubject::begin_task(const Lesson&, const Subject& own) {
+  origin_ = own.origin();
+  pair_ = *own.boxes();
+}
+
+void read_box_task(TomlTable& table, Lesson& lesson, Complaints& complaints, std::span<const std::string_view> names,
+                   BoxPair (*read)(TomlTable& table, const BoxPair& like)) {
+  auto terms = std::make_shared<BoxTask>();
+  terms->goals = read_names(table, "goals", 1, names);
+  for (const toml::table* model : table.tables("model")) {
+    TomlTable own(*model, "[[task.model]]", complaints);
+    terms->models.push_back(read(own, static_cast<const BoxTables&>(*lesson.tables).boxes));
+    own.refuse_others();
+  }
+  if (terms->models.size() != terms->goals.size())
+    complaints.add(table.line(), "[task] needs a [[task.model]] for each of its goals");
+  lesson.task->terms = std::move(terms);
+}
+
+void check_box_task(const Lesson& lesson, const toml::table& toml, const Subject& own, const BoxGoals& goals,
+                    Complaints& complaints) {
+  if (!lesson.task) return;
+  const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
+  const auto& terms = static_cast<const BoxTask&>(*lesson.task->terms);
+  for (std::size_t i = 0; i < terms.goals.size(); ++i) {
+    if (goals.reaches(terms.goals[i], *own.boxes()))
+      complaints.add(task.line(), "the task is solved before the student begins");
+    if (!goals.reaches(terms.goals[i], terms.models[i]))
+      complaints.add(task.line_of("model"), "the model does not reach " + terms.goals[i]);
+  }
+}
+
+tl::expected<Grade, InputError> play_box_task(Session& session) {
+  session.start_task();
+  Grade grade;
+  for (const BoxPair& model : static_cast<const BoxTask&>(*session.lesson().task->terms).models) {
+    if (const Done placed = session.set_boxes(model); !placed) return tl::unexpected(placed.error());
+    grade = *session.grade();
+  }
+  return grade;
+}
+
+Grade grade_box_task(const Lesson& lesson, const BoxPair& pair, const BoxGoals& goals, std::vector<bool>& found) {
+  const auto& terms = static_cast<const BoxTask&>(*lesson.task->terms);
+  found.resize(terms.goals.size());
+  Grade grade;
+  grade.done = true;
+  for (std::size_t i = 0; i < terms.goals.size(); ++i) {
+    const bool now = goals.reaches(terms.goals[i], pair);
+    found[i] = found[i] || now;
+    grade.done = grade.done && found[i];
+    grade.points += found[i] ? 1 : 0;
+    grade.says += (grade.says.empty() ? "" : " ") + goals.sentence(terms.goals[i], pair, now, found[i]);
+  }
+  if (grade.done) grade.says += " Done.";
+  return grade;
 }
 
 }  // namespace snug::lesson

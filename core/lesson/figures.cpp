@@ -4,167 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "lesson/ask.hpp"
-#include "lesson/box_figures.hpp"
-#include "lesson/frustum_box.hpp"
-#include "lesson/frustum_figures.hpp"
-#include "lesson/passes.hpp"
-#include "lesson/scene_figures.hpp"
-#include "lesson/scene_set.hpp"
-#include "lesson/volume_check.hpp"
-#include "lesson/words.hpp"
-
 namespace snug::lesson {
 namespace {
-
-using namespace fit;
-
-constexpr std::array<std::string_view, kOperations> kOperationTitles{
-    "Points touched",    "Distance tests", "Comparisons", "Dot products", "Square roots", "",
-    "Orientation tests", "Exact decisions"};
-
-std::string count_text(std::int64_t n, std::string_view one, std::string_view many) {
-  return std::to_string(n) + " " + std::string(n == 1 ? one : many);
-}
-
-/// As many digits, four or more, as tell two numbers apart. Nine do not tell apart what differs by rounding alone: four
-/// then.
-int digits_apart(double a, double b) {
-  constexpr int kMostDigits = 9, kUsual = 4;
-  for (int digits = kUsual; digits <= kMostDigits; ++digits)
-    if (number_text(a, digits) != number_text(b, digits)) return digits;
-  return kUsual;
-}
-
-/// Collects the figures of one place in a run.
-class Board {
- public:
-  explicit Board(const RunView& run)
-      : run_(run), trace_(run.recording->steps), entry_(run.step > 0 ? &trace_[run.step - 1] : nullptr) {}
-
-  std::vector<Figure> figures() {
-    volume();
-    seen();
-    best();
-    if (entry_ != nullptr) spread(entry_->step.fact);
-    operations();
-    return std::move(figures_);
-  }
-
- private:
-  void add(std::string_view name, std::string key, std::string text, double value, std::string_view unit) {
-    figures_.push_back({std::string(name), std::move(key), std::move(text), value, std::string(unit)});
-  }
-  void length(std::string_view name, std::string key, double value, int digits = 4) {
-    add(name, std::move(key), number_text(value, digits) + " units", value, "units");
-  }
-  void of_all(std::string_view name, std::string key, Index count) {
-    add(name, std::move(key), std::to_string(count) + " of " + std::to_string(fit::size_of(*run_.points)), count,
-        "points");
-  }
-
-  void volume() {
-    if (entry_ == nullptr || !entry_->step.has_volume) return;
-    const double own = fit::size_of(entry_->step.volume, dim_of(*run_.points));
-    size(own);
-    const Index outside = count_outside(*run_.points, entry_->step.volume);
-    if (const auto over = excess_of(own, run_.smallest)) excess(*over, outside == 0);
-    of_all("Points outside", "outside", outside);
-    const auto holding = static_cast<int>(support_after(trace_, run_.step).size());
-    add(run_.algorithm->exact ? "Support set" : "On the boundary", "support", count_text(holding, "point", "points"),
-        holding, "points");
-  }
-
-  void size(double value) {
-    const std::string so_far = run_.step == static_cast<int>(trace_.size()) ? "" : " so far";
-    if (ball_of(entry_->step) != nullptr) return length("Radius" + so_far, "radius", value, digits_beside_best(value));
-    const bool plane = dim_of(*run_.points) == 2;
-    const std::string unit = plane ? "units²" : "units³";
-    add((plane ? "Area" : "Volume") + so_far, "measure", number_text(value) + " " + unit, value, unit);
-  }
-
-  void excess(double excess, bool holds_all) {
-    add("Excess over the optimum", "excess", holds_all ? percent_text(excess) : "—", holds_all ? 100 * excess : 0, "%");
-    figures_.back().known = holds_all;
-  }
-
-  /// How far the pass over the points has come; Welzl's recursion goes over some again, which does not count.
-  void seen() {
-    if (entry_ == nullptr) return;
-    int seen = 0;
-    bool passes = false;
-    for (int i = run_.step; i-- > 0;) {
-      const auto& fact = trace_[i].step.fact;
-      if (const auto* shrunk = std::get_if<BallShrunk<double, 3>>(&fact)) {
-        add("Pass", "pass", std::to_string(shrunk->pass), shrunk->pass, "");
-        break;
-      }
-      const auto* examined = std::get_if<PointExamined>(&fact);
-      passes = passes || examined != nullptr;
-      if (examined != nullptr && examined->depth == 0) ++seen;
-    }
-    if (passes) of_all("Points seen", "seen", seen);
-    const auto* examined = std::get_if<PointExamined>(&entry_->step.fact);
-    const Sphere3* ball = ball_of(entry_->step);
-    if (examined != nullptr && examined->outside && ball != nullptr)
-      length("Outside by", "outside_by", examined->distance - ball->radius);
-  }
-
-  /// So many that a radius is told from what it is compared with.
-  [[nodiscard]] int digits_beside_best(double radius) const {
-    const auto before = best_before(trace_, run_.step), best = best_so_far(trace_, run_.step);
-    return before ? digits_apart(radius, *before) : best ? digits_apart(radius, *best) : 4;
-  }
-
-  void best() {
-    if (run_.step == static_cast<int>(trace_.size()) || entry_ == nullptr) return;
-    if (const auto best = best_so_far(trace_, run_.step)) {
-      const int digits = digits_beside_best(fit::size_of(entry_->step.volume, dim_of(*run_.points)));
-      if (const auto before = best_before(trace_, run_.step))
-        length("Best before this pass", "best_before", *before, digits);
-      return length("Best so far", "best", *best, digits);
-    }
-    int tried = 0;
-    for (int i = run_.step; i-- > 0;)
-      if (std::holds_alternative<CandidateTried<double, 3>>(trace_[i].step.fact)) ++tried;
-    const std::string one = ball_word(dim_of(*run_.points)), many = one + "s";
-    if (tried > 0) add("Candidates tried", "candidates", count_text(tried, one, many), tried, many);
-  }
-
-  void spread(const Step3::Fact& fact) {
-    if (const auto* mean = std::get_if<MeanFound<double, 3>>(&fact)) middle(mean->mean);
-    if (const auto* covariance = std::get_if<CovarianceFound<double, 3>>(&fact)) middle(covariance->mean);
-    const auto* axes = std::get_if<AxesFound<double, 3>>(&fact);
-    if (axes == nullptr) return;
-    for (int i = 1; i <= dim_of(*run_.points); ++i) {
-      const double variance = axes->variances[3 - i];
-      const std::string n = std::to_string(i);
-      add("Variance along v" + n, "variance_" + n, number_text(variance) + " units²", variance, "units²");
-      length("Standard deviation along v" + n, "deviation_" + n, std::sqrt(std::max(variance, 0.0)));
-    }
-  }
-  void middle(const Vector<double, 3>& mean) {
-    for (int i = 0; i < dim_of(*run_.points); ++i)
-      length(std::string("Mean ") + "xyz"[i], std::string("mean_") + "xyz"[i], mean[i]);
-  }
-
-  /// Those that the algorithm spends at all, so that the rows stay the same from step to step.
-  void operations() {
-    for (std::size_t i = 0; i < kOperations; ++i) {
-      if (run_.recording->counts[i] == 0) continue;
-      const std::int64_t n = entry_ != nullptr ? entry_->counts[i] : 0;
-      const bool balls = i == static_cast<std::size_t>(Operation::kBallSolves);
-      const std::string balls_title = dim_of(*run_.points) == 2 ? "Circumcircles" : "Circumspheres";
-      add(balls ? balls_title : kOperationTitles[i], std::string(kOperationNames[i]), std::to_string(n),
-          static_cast<double>(n), "");
-    }
-  }
-
-  const RunView& run_;
-  Trace trace_;
-  const Recorder<Step3>::Entry* entry_;
-  std::vector<Figure> figures_;
-};
 
 std::string printed(const char* format, int precision, double value) {
   std::array<char, 64> buffer{};
@@ -198,6 +39,13 @@ std::string number_text(double value, int digits) {
   return value < 0 ? std::string("−").append(text) : text;
 }
 
+int digits_apart(double a, double b) {
+  constexpr int kMostDigits = 9, kUsual = 4;
+  for (int digits = kUsual; digits <= kMostDigits; ++digits)
+    if (number_text(a, digits) != number_text(b, digits)) return digits;
+  return kUsual;
+}
+
 std::pair<std::string, std::string> number_texts_apart(double a, double b) {
   const int digits = digits_apart(a, b);
   return {number_text(a, digits), number_text(b, digits)};
@@ -214,10 +62,18 @@ std::string percent_text(double ratio) {
   return (text == "0.0" ? "" : ratio < 0 ? "−" : "+") + text + " %";
 }
 
-std::vector<Figure> figures_of(const RunView& run) {
-  if (run.algorithm->volume == kScene) return scene_figures(run);
-  if (run.boxes == nullptr) return Board(run).figures();
-  return has_frustum(*run.boxes) ? frustum_figures(run) : box_figures(run);
+std::string short_figure(double value) {
+  std::array<char, 64> text{};
+  const double size = std::abs(value);
+  if (size == 0) return "0";
+  if (size >= 1e5 || size < 1e-4) {
+    std::snprintf(text.data(), text.size(), "%.1e", size);
+  } else {
+    // Two decimals, or of a smaller length two digits.
+    const int decimals = size >= 100 ? 1 : size >= 0.1 ? 2 : 1 - static_cast<int>(std::floor(std::log10(size)));
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, size);
+  }
+  return (value < 0 ? "−" : "") + std::string(text.data());
 }
 
 }  // namespace snug::lesson

@@ -1,14 +1,10 @@
-// The figures of the inspector and the lines of the proof, from a run and a place in its trace.
+// The figures of the inspector and the lines of the proof, and how numbers are written.
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "fit/catalogue.hpp"
-#include "lesson/boxes.hpp"
 
 namespace snug::lesson {
 
@@ -29,26 +25,12 @@ struct Proof {
   bool claimed = false;  // whether the algorithm claims it; where it does not, holds says nothing against it
 };
 
-/// A run and how much of it has been shown.
-struct RunView {
-  const AnyPointSet* points = nullptr;
-  const fit::Algorithm* algorithm = nullptr;
-  const fit::Recording* recording = nullptr;
-  int step = 0;
-  std::optional<double> smallest;  // the optimum's size; none where it is not known
-  const BoxPair* boxes = nullptr;  // where there are boxes in place of points
-};
-
-/// Keys: radius (of balls) or measure (of others) excess outside seen outside_by support pass best candidates mean_x
-/// mean_y mean_z variance_1 … deviation_1 … (along the axis of greatest spread first), and the operations' names. All
-/// are stable. The excess has no value while a point is outside: a ball that holds too little is no better than the
-/// optimum.
-[[nodiscard]] std::vector<Figure> figures_of(const RunView& run);
-
-[[nodiscard]] std::vector<Proof> proofs_of(const RunView& run);
-
 /// Four digits that count, at most three behind the point: "2.118", "21.18", "1.234 × 10¹⁰". The minus is a real one.
 [[nodiscard]] std::string number_text(double value, int digits = 4);
+
+/// As many digits, four or more, as tell two numbers apart. Nine do not tell apart what differs by rounding alone: four
+/// then.
+[[nodiscard]] int digits_apart(double a, double b);
 
 /// Two numbers with as many digits, four or more, as tell them apart: "0.9921" and "0.9917". Nine do not tell apart
 /// what differs by rounding alone: the texts are equal then.
@@ -59,5 +41,8 @@ struct RunView {
 
 /// 0.091 as "+9.1 %".
 [[nodiscard]] std::string percent_text(double ratio);
+
+/// A length beside another one, as short as it still says something: "0.58", "0.0042", "123.4".
+[[nodiscard]] std::string short_figure(double value);
 
 }  // namespace snug::lesson

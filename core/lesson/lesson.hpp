@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,10 +11,10 @@
 
 #include "geometry/input_error.hpp"
 #include "geometry/vector.hpp"
-#include "lesson/boxes.hpp"
-#include "lesson/scene_set.hpp"
 
 namespace snug::lesson {
+
+struct SubjectRow;
 
 /// A stretch of prose; strong where the file says **so**: a term where it first stands.
 struct Stretch {
@@ -27,7 +28,8 @@ struct Section {
   std::vector<Paragraph> paragraphs;
 };
 
-/// Where the points come from: exactly one of a generator, a mesh by name, or a list.
+/// Where the points of a subject that is made of points come from: exactly one of a generator, a mesh by name, or a
+/// list.
 struct Points {
   int dim = 2;
   std::string generate;  // a kind of snug::generate: "gaussian", "clusters" …
@@ -45,7 +47,7 @@ struct Points {
 /// one).
 struct Gate {
   std::string algorithm;
-  std::string fact;  // as fit::fact_names() has it: "pair_chosen"
+  std::string fact;  // its name: "pair_chosen"
   int occurrence = 1;
   std::string after;  // a fact's name, kStart for the beginning, or empty
   int after_nth = 0;  // counted from 1; 0: the last one
@@ -53,34 +55,14 @@ struct Gate {
 };
 
 struct Question {
-  enum class Asks {
-    kPoint,   // which point the step speaks of: answered on the stage
-    kAxis,    // of pair_chosen: which pair of extremes; the choices are the axes, or one of the pair's points
-    kGrows,   // whether the radius is larger after the step than where the question stands: yes or no
-    kLeaves,  // of support_replaced or boundary_forced: which point leaves the support; the choices are its points and
-              // none
-    kChoice,  // one of the choices that the file gives
-    kBetter,  // of pass_judged or candidate_tried: whether the ball becomes the best so far: yes or no
-    kHolds,   // of finished: how many points hold the ball; the choices are 1 to Dim + 1
-    kSeparates,  // of axis_tested: whether the boxes are apart along it: yes or no
-    kWhichAxis,  // of verdict: which axis separates the boxes; the choices are the test's axes and none
-    kPVertex,  // of plane_tested: which corner of the box is farthest along the plane's normal; on the stage, or by its
-    kNVertex,  // signs; and which against it
-    kPlaneSide,    // of plane_tested: on which side of the plane the box is; the choices are query::kCullingNames
-    kVerdict,      // of classified: where the box is, of the frustum; the same choices
-    kFigure,       // of frame_taken: between which bounds a figure of the scene lies; the choices are the ranges
-    kOnFront,      // of the chart: which algorithms no other undercuts; any number of them
-    kSlowest,      // of the chart: which algorithm takes longest
-    kTimesSlower,  // of the chart: how many times as long the slowest takes as the fastest; the choices are decades
-  };
   std::string id;
   Gate gate;
-  Asks asks = Asks::kPoint;
+  std::string asks = "point";  // "point", "choice", or what its subject's facts can be asked
   std::string prompt;
-  std::vector<std::string> choices;  // of kChoice
-  int answer = 0;                    // of kChoice, counted from 0
-  std::string figure;                // of kFigure: one of scene_figure_names()
-  std::vector<double> bounds;        // of kFigure, rising: up to the first, up to the second … and more
+  std::vector<std::string> choices;  // of "choice"
+  int answer = 0;                    // of "choice", counted from 0
+  std::string figure;                // of "figure": its key, and
+  std::vector<double> bounds;        // rising: up to the first, up to the second … and more
   bool own_points = false;           // asked only on the lesson's own points: the answer is true of those alone
   std::string because;               // shown with what happened, right or wrong
   std::string prompt_here;           // in the prompt's place while the run is the lesson's own; empty for none
@@ -88,31 +70,19 @@ struct Question {
   int line = 0;                      // of the file, for errors
 };
 
-/// "Make it fail" or "construct it": graded on the points as they stand.
+/// What only a lesson's subject knows of its tables, or of its task: each has its own.
+struct Tables {
+  virtual ~Tables() = default;
+};
+
+/// "Make it fail" or "construct it": graded on what stands on the stage.
 struct Task {
   std::string prompt;
-  std::string volume = "sphere";  // the lesson's
-  std::string algorithm;          // whose volume is compared with the smallest
-  double excess_at_least = 0;     // its size / the smallest - 1: of balls the radius, of others the area or volume
-  int support_size = 0;           // how many points must hold the smallest ball; 0 where the task does not say
-  int points = 0;                 // how many points there must be; of the chart, how many it begins with
-  double tighter_by = 0;          // of the chart: what is to be found is smaller than algorithm's by such a share
+  std::string algorithm;  // whose result is looked at
+  int points = 0;         // how many it begins with; 0: as the lesson does
   std::string hint;
-  std::vector<Vector<double, 3>> model;  // a solution, which the checks play
-
-  /// For two boxes, reached one after the other: "extents_only", "corners_only": a place where that test is wrong;
-  /// "only_edges", "last_axis": where edge axes alone, or the last axis alone, separate the boxes. For a box and a
-  /// frustum, "corners_outside": where that test loses a box that shares a point with the frustum.
-  std::vector<std::string> goals;
-  std::vector<BoxPair> models;  // one a goal
-
-  /// What a figure of the scene's last frame must come to.
-  struct Requirement {
-    std::string figure;  // of scene_figure_names()
-    static constexpr double kNoMost = 1e300;
-    double at_least = 0, at_most = kNoMost;
-  };
-  std::vector<Requirement> requirements;
+  std::vector<Vector<double, 3>> model;  // a solution, which the checks play, of a task on points
+  std::shared_ptr<const Tables> terms;   // what it asks for
 };
 
 /// An algorithm's pseudocode in the lesson's own words; as many lines as the catalogue's.
@@ -135,14 +105,13 @@ struct Lesson {
   std::vector<std::string> covers;  // "lecture title: slide title", what of the lectures it stands for
   std::vector<Section> sections;
   Points points;
-  std::optional<BoxPair> boxes;         // of volumes kBoxPair and kFrustumBox, which have no points
-  std::optional<SceneSet> scene;        // of volume kScene: what moves, made of the points
-  std::vector<std::string> meshes;      // which the student may load instead
-  std::vector<std::string> generators;  // which the student may scatter by instead
-  bool measures = false;  // whether the stage has the chart of costs, which all questions and the task are of
+  const SubjectRow* subject = nullptr;   // what the stage is about; null: what the volume says
+  std::shared_ptr<const Tables> tables;  // of the subject; null where it has none beside the points
+  std::vector<std::string> meshes;       // which the student may load instead
+  std::vector<std::string> generators;   // which the student may scatter by instead
   std::uint64_t seed = 1;
   Start start = Start::kBegin;
-  std::string volume = "sphere";        // of kVolumeNames: what the algorithms fit
+  std::string volume = "sphere";        // what the methods are of: one of kVolumeNames, or a subject's own word
   std::vector<std::string> algorithms;  // offered, in this order; the first is shown at the start
   std::string compare;                  // a second one beside it from the start; empty for none
   std::vector<Pseudocode> pseudocode;   // where the lesson has its own

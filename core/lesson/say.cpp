@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "lesson/names.hpp"
+#include "lesson/subjects.hpp"
+
 namespace snug::lesson {
 namespace {
 
@@ -9,13 +12,7 @@ constexpr std::size_t kMostNamed = 8;  // more names than these are no help
 
 /// "B0, B1, B2 or B3"; empty where there are too many.
 std::string choice_of(std::span<const std::string> names) {
-  if (names.size() > kMostNamed) return {};
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
-    text += names[i];
-  }
-  return text;
+  return names.size() > kMostNamed ? std::string() : one_of(names);
 }
 
 }  // namespace
@@ -30,7 +27,7 @@ std::string how_to_answer(const Asked& asked) {
   if (asked.many) return "Choose as many as you like, then press Answer.";
   if (asked.on_axes) return "Choose here or in the table of axes.";
   if (!asked.on_stage) return "Choose your answer.";
-  const std::string tap = std::string("Tap one of the ringed ") + (asked.boxes ? "vertices" : "points");
+  const std::string tap = "Tap one of the ringed " + std::string(asked.subject->handle_words()[1]);
   return tap + (asked.choices.empty() ? ", or type its name." : ", or choose here.");
 }
 
@@ -79,10 +76,10 @@ std::string place_text(const Asked& asked, std::span<const Asked> all) {
   return std::to_string(at) + " of " + std::to_string(all.size());
 }
 
-std::string start_task_text(const Lesson& lesson) {
-  if (!lesson.task || lesson.task->points == 0) return "Start";
-  const bool bodies = lesson.scene && lesson.scene->at_points();
-  return "Start with " + std::to_string(lesson.task->points) + (bodies ? " bodies" : " points");
+std::string start_task_text(const Session& session) {
+  const auto& task = session.lesson().task;
+  if (!task || task->points == 0) return "Start";
+  return "Start with " + std::to_string(task->points) + " " + std::string(session.subject().handle_words()[1]);
 }
 
 }  // namespace snug::lesson

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "lesson/ask.hpp"
+#include "lesson/session.hpp"
 
 namespace snug::lesson {
 
@@ -34,6 +34,6 @@ inline constexpr std::string_view kPredictWord = "Predict", kAnswerWord = "Answe
 /// "3 of 5": which of the lesson's questions on this run it is.
 [[nodiscard]] std::string place_text(const Asked& asked, std::span<const Asked> all);
 /// The button that lays out what the task begins with: "Start with 4 points"; of two boxes "Start".
-[[nodiscard]] std::string start_task_text(const Lesson& lesson);
+[[nodiscard]] std::string start_task_text(const Session& session);
 
 }  // namespace snug::lesson

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "lesson/costs.hpp"
 #include "lesson/say.hpp"
 #include "lesson/session.hpp"
+#include "lesson/subjects.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -30,14 +30,8 @@ bool Session::open_question(const Asked& asked) const {
 }
 
 const Asked* Session::asked() const {
-  if (lesson_.measures) {
-    for (const Asked& asked : asked_)
-      if (open_question(asked)) return &asked;
-    return nullptr;
-  }
-  if (previewing_) return nullptr;
   for (const Asked& asked : asked_)
-    if (asked.step == step_ && open_question(asked)) return &asked;
+    if ((asked.step == Asked::kAnytime || (asked.step == step_ && !previewing_)) && open_question(asked)) return &asked;
   return nullptr;
 }
 
@@ -68,7 +62,6 @@ bool Session::commit() {
 
 bool Session::pick(const Answer& chosen) {
   const Asked* question = asked();
-  const bool of_chart = lesson_.measures;
   if (question == nullptr || chosen.kind == Answer::Kind::kSkipped) return false;
   if (question->many && chosen.kind == Answer::Kind::kChoice) {
     if (chosen.value < 0 || chosen.value >= static_cast<int>(question->choices.size())) return false;
@@ -80,7 +73,7 @@ bool Session::pick(const Answer& chosen) {
     return true;
   }
   const bool point = chosen.kind == Answer::Kind::kPoint && chosen.value >= 0 && chosen.value < size();
-  if (!(of_chart ? answers_of_costs(*question, chosen) : answers(*question, chosen, size())))
+  if (!answers(*question, chosen))
     return point && question->on_stage ? refuse(no_target_text(name_of(chosen.value), target_names())) : false;
   if (picked_ && same_answer(*question, *picked_, chosen)) return commit();
   unpick();
@@ -123,67 +116,43 @@ std::vector<std::string> Session::target_names() const {
 std::string Session::score() const {
   if (asked() != nullptr) return {};
   const auto open = [](const Outcome& outcome) { return outcome.pending; };
+  const bool of_steps = lesson_->subject->asks_of_steps;
   const bool over =
-      lesson_.measures ? std::none_of(outcomes_.begin(), outcomes_.end(), open) : step_ == steps() && !previewing_;
+      of_steps ? step_ == steps() && !previewing_ : std::none_of(outcomes_.begin(), outcomes_.end(), open);
   return over ? score_text(outcomes_) : std::string();
 }
 
 bool Session::answer(const Answer& answer) {
   const Asked* question = asked();
-  if (lesson_.measures) {
-    if (question == nullptr || !answers_of_costs(*question, answer)) return false;
-    outcome_for(question->question->id) = predicted(*question, answer);
-    unpick();
-    decide_costs();
-    ++revision_;
-    return true;
-  }
-  if (question == nullptr || !answers(*question, answer, size())) return false;
+  if (question == nullptr || !answers(*question, answer)) return false;
   Outcome& outcome = outcome_for(question->question->id);
-  outcome = judge(*question, answer, recording(0).steps);
+  outcome = judge(*question, answer, run(0));
+  unpick();
+  if (question->step == Asked::kAnytime) return ++revision_, true;
   shown_outcome_ = static_cast<int>(&outcome - outcomes_.data());
   shown_at_ = question->until;
-  unpick();
   stand(question->until);
   return true;
 }
 
 const Outcome* Session::outcome() const {
-  if (lesson_.measures || shown_outcome_ < 0 || previewing_ || step_ != shown_at_) return nullptr;
+  if (shown_outcome_ < 0 || previewing_ || step_ != shown_at_) return nullptr;
   return &outcomes_[shown_outcome_];
 }
 
-bool Session::has_own_points() const {
-  return !edited() && seed() == lesson_.seed && now_.source == own_.source && now_.generated == own_.generated;
-}
-
-void Session::measured(std::vector<cost::CostRow> rows) {
-  worked_.costs = std::move(rows);
-  worked_.grade.reset();
-  decide_costs();
-  ++revision_;
-}
-
-/// What was predicted of the lesson's own points. A later measurement decides it anew.
-void Session::decide_costs() {
-  if (costs() == nullptr || costs()->size() != lesson_.algorithms.size()) return;
+/// What was predicted before anything was known is decided, and anew whenever more is known.
+void Session::informed() {
+  grade_.reset();
   for (const Asked& asked : asked_)
     for (Outcome& outcome : outcomes_)
-      if (outcome.question == asked.question->id) decide(asked, *costs(), outcome);
-}
-
-Grade Session::grade_of_costs() const {
-  Grade grade;
-  grade.points = static_cast<int>(size());
-  if (has_own_points()) grade.says = "This is the lesson's own shape: scatter another, or open a file of your own.";
-  else if (costs() == nullptr) grade.says = "Measure this shape.";
-  else return grade_costs(*lesson_.task, *costs(), algorithm(0)->name);
-  return grade;
+      if (asked.step == Asked::kAnytime && outcome.question == asked.question->id)
+        outcome = judge(asked, outcome.given, run(0));
+  ++revision_;
 }
 
 void Session::take_up_answers(std::vector<Outcome> outcomes) {
   std::erase_if(outcomes, [&](const Outcome& outcome) {
-    return std::none_of(lesson_.questions.begin(), lesson_.questions.end(),
+    return std::none_of(lesson_->questions.begin(), lesson_->questions.end(),
                         [&](const Question& question) { return question.id == outcome.question; });
   });
   outcomes_ = std::move(outcomes);

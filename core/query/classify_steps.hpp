@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <tuple>
 #include <variant>
 
 #include "geometry/frustum.hpp"
@@ -68,12 +69,13 @@ struct PlaneTested {
   bool looked_closer = false;         // a sign within that doubt was decided exactly
   Culling side = Culling::kInside;    // of this plane
   Culling so_far = Culling::kInside;  // of the planes up to this one
-  void fields(auto&& see) const {
-    see("plane", plane), see("skipped", skipped), see("normal", normal), see("signs", signs), see("p_vertex", p_vertex);
-    see("n_vertex", n_vertex), see("p_corners", p_corners), see("n_corners", n_corners), see("p_point", p_point);
-    see("n_point", n_point), see("p_distance", p_distance);
-    see("n_distance", n_distance), see("doubt", doubt), see("looked_closer", looked_closer);
-    see("side", static_cast<int>(side)), see("so_far", static_cast<int>(so_far));
+  static constexpr std::array<std::string_view, 16> kFields{
+      "plane",   "skipped", "normal",     "signs",      "p_vertex", "n_vertex",      "p_corners", "n_corners",
+      "p_point", "n_point", "p_distance", "n_distance", "doubt",    "looked_closer", "side",      "so_far"};
+  static auto tie(auto& own) {
+    return std::tie(own.plane, own.skipped, own.normal, own.signs, own.p_vertex, own.n_vertex, own.p_corners,
+                    own.n_corners, own.p_point, own.n_point, own.p_distance, own.n_distance, own.doubt,
+                    own.looked_closer, own.side, own.so_far);
   }
 };
 
@@ -86,9 +88,8 @@ struct CornerTested {
   Vector<Scalar, Dim> point = Vector<Scalar, Dim>::Zero();  // within rounding
   Scalar distance = 0;                                      // to the plane: signed, scene units, positive outside
   bool outside = false;
-  void fields(auto&& see) const {
-    see("corner", corner), see("plane", plane), see("point", point), see("distance", distance), see("outside", outside);
-  }
+  static constexpr std::array<std::string_view, 5> kFields{"corner", "plane", "point", "distance", "outside"};
+  static auto tie(auto& own) { return std::tie(own.corner, own.plane, own.point, own.distance, own.outside); }
 };
 
 /// The answer, and what the next one may use.
@@ -104,9 +105,9 @@ struct CullResult {
 struct Classified {
   static constexpr std::string_view kName = "classified";
   CullResult result;
-  void fields(auto&& see) const {
-    see("verdict", static_cast<int>(result.verdict)), see("planes_tested", result.planes_tested);
-    see("rejected_by", result.rejected_by), see("crossing", static_cast<int>(result.crossing));
+  static constexpr std::array<std::string_view, 4> kFields{"verdict", "planes_tested", "rejected_by", "crossing"};
+  static auto tie(auto& own) {
+    return std::tie(own.result.verdict, own.result.planes_tested, own.result.rejected_by, own.result.crossing);
   }
 };
 

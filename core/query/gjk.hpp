@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -33,7 +34,8 @@ struct NearestFound {
   static constexpr std::string_view kName = "nearest_found";
   std::vector<Index> corners;
   double distance = 0;
-  void fields(auto&& see) const { see("corners", corners), see("distance", distance); }
+  static constexpr std::array<std::string_view, 2> kFields{"corners", "distance"};
+  static auto tie(auto& own) { return std::tie(own.corners, own.distance); }
 };
 
 /// The supporting corners of both against each other: gap is a lower bound of the distance of the cores.
@@ -41,21 +43,24 @@ struct SupportFound {
   static constexpr std::string_view kName = "support_found";
   Index a = kNoIndex, b = kNoIndex;
   double gap = 0;
-  void fields(auto&& see) const { see("a", a), see("b", b), see("gap", gap); }
+  static constexpr std::array<std::string_view, 3> kFields{"a", "b", "gap"};
+  static auto tie(auto& own) { return std::tie(own.a, own.b, own.gap); }
 };
 
 /// Rounding kept v from coming nearer before both bounds met.
 struct DigitsDoubled {
   static constexpr std::string_view kName = "digits_doubled";
   double gap = 0, distance = 0;
-  void fields(auto&& see) const { see("gap", gap), see("distance", distance); }
+  static constexpr std::array<std::string_view, 2> kFields{"gap", "distance"};
+  static auto tie(auto& own) { return std::tie(own.gap, own.distance); }
 };
 
 /// The last step: what is known of the cores' distance.
 struct DistanceFound {
   static constexpr std::string_view kName = "distance_found";
   double gap = 0, distance = 0;
-  void fields(auto&& see) const { see("gap", gap), see("distance", distance); }
+  static constexpr std::array<std::string_view, 2> kFields{"gap", "distance"};
+  static auto tie(auto& own) { return std::tie(own.gap, own.distance); }
 };
 
 /// One step; distances in scene units, without the radii around the cores.

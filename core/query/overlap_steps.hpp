@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string_view>
+#include <tuple>
 #include <variant>
 
 #include "geometry/vector.hpp"
@@ -29,9 +30,10 @@ struct SlabTested {
   double least_a = 0, greatest_a = 0;
   double least_b = 0, greatest_b = 0;
   bool separates = false;
-  void fields(auto&& see) const {
-    see("direction", direction), see("least_a", least_a), see("greatest_a", greatest_a), see("least_b", least_b);
-    see("greatest_b", greatest_b), see("separates", separates);
+  static constexpr std::array<std::string_view, 6> kFields{"direction", "least_a",    "greatest_a",
+                                                           "least_b",   "greatest_b", "separates"};
+  static auto tie(auto& own) {
+    return std::tie(own.direction, own.least_a, own.greatest_a, own.least_b, own.greatest_b, own.separates);
   }
 };
 
@@ -43,9 +45,8 @@ struct CoresCompared {
   double distance = 0;
   double radii = 0;
   bool apart = false;
-  void fields(auto&& see) const {
-    see("on_a", on_a), see("on_b", on_b), see("distance", distance), see("radii", radii), see("apart", apart);
-  }
+  static constexpr std::array<std::string_view, 5> kFields{"on_a", "on_b", "distance", "radii", "apart"};
+  static auto tie(auto& own) { return std::tie(own.on_a, own.on_b, own.distance, own.radii, own.apart); }
 };
 
 struct OverlapStep {

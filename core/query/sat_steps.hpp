@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <tuple>
 #include <variant>
 
 #include "geometry/vector.hpp"
@@ -26,9 +27,8 @@ struct SatAxis {
   int j = -1;                                                   // B's face or edge; -1 where A's face is meant
   Vector<Scalar, Dim> direction = Vector<Scalar, Dim>::Zero();  // unit, in the world, from A towards B
   Scalar gap = 0;                                               // scene units; where the projections overlap, <= 0
-  void fields(auto&& see) const {
-    see("kind", static_cast<int>(kind)), see("i", i), see("j", j), see("direction", direction), see("gap", gap);
-  }
+  static constexpr std::array<std::string_view, 5> kFields{"kind", "i", "j", "direction", "gap"};
+  static auto tie(auto& own) { return std::tie(own.kind, own.i, own.j, own.direction, own.gap); }
 };
 
 template <class Scalar, int Dim>
@@ -46,7 +46,8 @@ struct FramesRelated {
   Matrix<Scalar, Dim> rotation;
   Vector<Scalar, Dim> translation;
   Scalar doubt = 0;
-  void fields(auto&& see) const { see("rotation", rotation), see("translation", translation), see("doubt", doubt); }
+  static constexpr std::array<std::string_view, 3> kFields{"rotation", "translation", "doubt"};
+  static auto tie(auto& own) { return std::tie(own.rotation, own.translation, own.doubt); }
 };
 
 /// Both boxes were projected onto an axis. All in scene units along the unit direction; the lecture's table has them
@@ -66,10 +67,13 @@ struct AxisTested {
   /// +z.
   int near_a = 0;
   int near_b = 0;
-  void fields(auto&& see) const {
-    axis.fields(see), see("length", length), see("distance", distance), see("radius_a", radius_a);
-    see("radius_b", radius_b), see("doubt", doubt), see("separates", separates), see("skipped", skipped);
-    see("near_a", near_a), see("near_b", near_b);
+  static constexpr std::array<std::string_view, 14> kFields{"kind",      "i",        "j",        "direction", "gap",
+                                                            "length",    "distance", "radius_a", "radius_b",  "doubt",
+                                                            "separates", "skipped",  "near_a",   "near_b"};
+  static auto tie(auto& own) {
+    return std::tuple_cat(SatAxis<Scalar, Dim>::tie(own.axis),
+                          std::tie(own.length, own.distance, own.radius_a, own.radius_b, own.doubt, own.separates,
+                                   own.skipped, own.near_a, own.near_b));
   }
 };
 
@@ -78,7 +82,8 @@ struct LookedCloser {
   static constexpr std::string_view kName = "looked_closer";
   int axes = 0;  // how many
   bool overlap = false;
-  void fields(auto&& see) const { see("axes", axes), see("overlap", overlap); }
+  static constexpr std::array<std::string_view, 2> kFields{"axes", "overlap"};
+  static auto tie(auto& own) { return std::tie(own.axes, own.overlap); }
 };
 
 /// The end.
@@ -86,7 +91,10 @@ template <class Scalar, int Dim>
 struct Verdict {
   static constexpr std::string_view kName = "verdict";
   SatResult<Scalar, Dim> result;
-  void fields(auto&& see) const { see("overlap", result.overlap), see("tests", result.tests), result.axis.fields(see); }
+  static constexpr std::array<std::string_view, 7> kFields{"overlap", "tests", "kind", "i", "j", "direction", "gap"};
+  static auto tie(auto& own) {
+    return std::tuple_cat(std::tie(own.result.overlap, own.result.tests), SatAxis<Scalar, Dim>::tie(own.result.axis));
+  }
 };
 
 template <class Scalar, int Dim>

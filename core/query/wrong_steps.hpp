@@ -1,7 +1,9 @@
 // The steps of the two tests of boxes that are wrong (wrong_extents_only.hpp, wrong_corners_only.hpp).
 #pragma once
 
+#include <array>
 #include <string_view>
+#include <tuple>
 #include <variant>
 
 #include "geometry/obb.hpp"
@@ -15,9 +17,10 @@ struct OutlinesCompared {
   int axis = 0;
   double least_a = 0, greatest_a = 0, least_b = 0, greatest_b = 0;  // scene units
   bool apart = false;
-  void fields(auto&& see) const {
-    see("axis", axis), see("least_a", least_a), see("greatest_a", greatest_a), see("least_b", least_b);
-    see("greatest_b", greatest_b), see("apart", apart);
+  static constexpr std::array<std::string_view, 6> kFields{"axis",    "least_a",    "greatest_a",
+                                                           "least_b", "greatest_b", "apart"};
+  static auto tie(auto& own) {
+    return std::tie(own.axis, own.least_a, own.greatest_a, own.least_b, own.greatest_b, own.apart);
   }
 };
 
@@ -27,14 +30,16 @@ struct CornerTried {
   static constexpr std::string_view kName = "corner_tried";
   int box = 0, corner = 0;
   bool inside = false;
-  void fields(auto&& see) const { see("box", box), see("corner", corner), see("inside", inside); }
+  static constexpr std::array<std::string_view, 3> kFields{"box", "corner", "inside"};
+  static auto tie(auto& own) { return std::tie(own.box, own.corner, own.inside); }
 };
 
 /// What such a test says in the end, right or wrong.
 struct Claimed {
   static constexpr std::string_view kName = "claimed";
   bool overlap = false;
-  void fields(auto&& see) const { see("overlap", overlap); }
+  static constexpr std::array<std::string_view, 1> kFields{"overlap"};
+  static auto tie(auto& own) { return std::tie(own.overlap); }
 };
 
 struct WrongStep {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "desktop/cli/json.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::desktop {
 
@@ -19,10 +20,12 @@ void add_fields(Json& json, const Fact& fact, int dim) {
       list.push_back(static_cast<double>(vector[i]));
     return list;
   };
-  fact.fields([&](std::string_view name, const auto& value) {
+  see_fields(fact, [&](std::string_view name, const auto& value) {
     using Value = std::remove_cvref_t<decltype(value)>;
     Json& field = json[std::string(name)];
-    if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, std::vector<Index>>) {
+    if constexpr (std::is_enum_v<Value>) {
+      field = static_cast<int>(value);
+    } else if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, std::vector<Index>>) {
       field = value;
     } else if constexpr (Value::ColsAtCompileTime == 1) {
       field = list_of(value);

@@ -3,18 +3,21 @@
 #include "desktop/cli/json.hpp"
 #include "desktop/cli/lesson_files.hpp"
 #include "lesson/play.hpp"
+#include "lesson/subjects.hpp"
 
 namespace snug::desktop {
 namespace {
-
-/// The lesson with the chart of costs is checked and played without a clock.
-constexpr const char* kDecidedBy = "operations";
 
 struct LessonOptions {
   std::string folder;
   std::string id;
   std::vector<std::string> files;
 };
+
+/// By what a lesson is decided that is checked and played without a clock.
+void add_decided_by(Json& json, const lesson::Lesson& lesson) {
+  if (!lesson.subject->decided_by.empty()) json["decided_by"] = lesson.subject->decided_by;
+}
 
 // ---- list ------------------------------------------------------------------------------------------------------
 
@@ -60,7 +63,7 @@ tl::expected<Json, InputError> check(const std::string& path) {
   if (!played) return tl::unexpected(played.error());
   if (auto fault = fault_of(*file, *played)) return tl::unexpected(std::move(*fault));
   Json json{{"lesson", file->lesson.id}, {"questions", file->lesson.questions.size()}, {"file", path}};
-  if (file->lesson.measures) json["decided_by"] = kDecidedBy;
+  add_decided_by(json, file->lesson);
   return json;
 }
 
@@ -101,7 +104,7 @@ CommandResult run_play(const LessonOptions& options) {
             {"not_asked", played->not_asked},
             {"task", std::move(task)},
             {"sound", played->sound()}};
-  if (file->lesson.measures) last["decided_by"] = kDecidedBy;
+  add_decided_by(last, file->lesson);
   printed.text += line_of(last);
   return printed;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "desktop/cli/files.hpp"
-#include "lesson/own_points.hpp"
+#include "lesson/subjects.hpp"
 #include "lesson/trace_hash.hpp"
 
 namespace snug::desktop {
@@ -67,12 +67,12 @@ tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, cons
   return tl::unexpected(InputError{.what = "there is no lesson \"" + id + "\"; `snug lesson list` lists them"});
 }
 
-tl::expected<AnyPointSet, InputError> points_of(const LessonFile& file) {
-  const auto mesh = mesh_of(file.lesson);
-  if (!mesh) return tl::unexpected(mesh.error());
-  auto points = lesson::own_points(file.lesson, file.lesson.seed, *mesh);
-  if (!points) points.error().file = file.path;
-  return points;
+tl::expected<std::unique_ptr<lesson::Subject>, InputError> subject_of(const LessonFile& file) {
+  auto mesh = mesh_of(file.lesson);
+  if (!mesh) return tl::unexpected(std::move(mesh.error()));
+  auto subject = file.lesson.subject->open(file.lesson, *std::move(mesh), nullptr);
+  if (!subject && subject.error().file.empty()) subject.error().file = file.path;
+  return subject;
 }
 
 tl::expected<lesson::Session, InputError> open_lesson(const LessonFile& file) {

@@ -27,8 +27,8 @@ struct LessonFile {
 [[nodiscard]] tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, const std::string& id,
                                                                lesson::Checked checked = lesson::Checked::kAsRun);
 
-/// The lesson's own points, a mesh's among them. Errors: of the mesh's file, as of own_points, with a path.
-[[nodiscard]] tl::expected<AnyPointSet, InputError> points_of(const LessonFile& file);
+/// What stands on the lesson's stage as it opens. Errors: of the mesh's file, as of its subject's open, with a path.
+[[nodiscard]] tl::expected<std::unique_ptr<lesson::Subject>, InputError> subject_of(const LessonFile& file);
 
 /// The lesson opened, with its mesh where it has one. Errors: as of Session::open, with the lesson's path.
 [[nodiscard]] tl::expected<lesson::Session, InputError> open_lesson(const LessonFile& file);

@@ -5,9 +5,9 @@
 #include "desktop/cli/json.hpp"
 #include "desktop/cli/lesson_files.hpp"
 #include "desktop/cli/timing.hpp"
-#include "lesson/scene_figures.hpp"
-#include "lesson/scene_runs.hpp"
-#include "lesson/still_scene.hpp"
+#include "lesson/subjects/scene/scene_figures.hpp"
+#include "lesson/subjects/scene/scene_run.hpp"
+#include "lesson/subjects/scene/still_scene.hpp"
 #include "number/fnv.hpp"
 
 namespace snug::desktop {
@@ -22,7 +22,7 @@ struct SceneOptions {
 };
 
 Json json_of_frame(const scene::Scene& scene) {
-  const fit::FrameTaken frame = lesson::frame_of(scene);
+  const lesson::FrameTaken frame = lesson::frame_of(scene);
   Json json{{"frame", frame.frame}};
   for (const std::string_view figure : lesson::scene_figure_names())
     json[std::string(figure)] = lesson::figure_of(frame, figure);
@@ -39,11 +39,9 @@ tl::expected<scene::Scene, InputError> open(const SceneOptions& options, const L
   if (std::find(own.algorithms.begin(), own.algorithms.end(), algorithm) == own.algorithms.end())
     return tl::unexpected(InputError{.what = own.id + " does not offer \"" + algorithm + "\""});
   auto scene =
-      points_of(file)
-          .and_then([&](const AnyPointSet& points) -> tl::expected<scene::Declaration, InputError> {
-            if (!own.scene) return lesson::declaration_of(lesson::still_scene(own), points, own.seed);
-            return lesson::declaration_with(*own.scene, algorithm, points, own.seed);
-          })
+      subject_of(file)
+          .and_then(
+              [&](const std::unique_ptr<lesson::Subject>& subject) { return lesson::declared(*subject, algorithm); })
           .and_then([](const scene::Declaration& declaration) { return scene::Scene::open(declaration, native_now); });
   if (!scene && scene.error().file.empty()) scene.error().file = file.path;
   return scene;

@@ -10,6 +10,8 @@
 #include "app/shown.hpp"
 #include "app/subjects/cost/costs.hpp"
 #include "bench.hpp"
+#include "lesson/subjects.hpp"
+#include "lesson/subjects/scene/scene_set.hpp"
 
 namespace snug::app {
 namespace {
@@ -29,7 +31,7 @@ lesson::Lesson asking_for_pair() {
   lesson::Question question;
   question.id = "pair";
   question.gate = {.algorithm = "ritter", .fact = "pair_chosen", .occurrence = 1, .after = ""};
-  question.asks = lesson::Question::Asks::kAxis;
+  question.asks = "axis";
   question.prompt = "Which pair?";
   lesson.questions = {question};
   return lesson;
@@ -40,7 +42,7 @@ lesson::Lesson asking_at_start() {
   lesson::Question question;
   question.id = "growth";
   question.gate = {.algorithm = "ritter", .fact = "ball_grown", .occurrence = 1, .after = "start"};
-  question.asks = lesson::Question::Asks::kPoint;
+  question.asks = "point";
   question.prompt = "Which point makes it grow first?";
   lesson.questions = {question};
   return lesson;
@@ -58,7 +60,7 @@ lesson::Lesson in_space(int count) {
 
 TEST_CASE("a view that was easing when the chart came over it asks for no more frames") {
   lesson::Lesson lesson = in_space(12);
-  lesson.measures = true;
+  lesson.subject = lesson::subject_named("cost");
   Bench bench(std::move(lesson));
   bench.app.settings().reduced_motion = false;
   bench.app.cover()->show(false);
@@ -116,11 +118,11 @@ TEST_CASE("a second click answers and selects nothing; a wrong guess is crossed 
   CHECK_FALSE(bench.session().outcome()->right);
   CHECK(bench.app.selected() == kNoIndex);
   CHECK(bench.key("ArrowRight") == "step");
-  const Shown shown = shown_at(bench.session(), false);
+  const Shown shown = shown_at(bench.session());
   CHECK(shown.guessed_wrong == std::vector<Index>{3});
   CHECK(shown.right == std::vector<Index>{0, 1});
   REQUIRE(bench.app.command("step"));
-  CHECK(shown_at(bench.session(), false).right.empty());
+  CHECK(shown_at(bench.session()).right.empty());
 }
 
 TEST_CASE("the bracket keys go through what can be the answer alone, and Enter gives it") {
@@ -159,7 +161,7 @@ TEST_CASE("a press on what can be the answer drags it once it travels, and answe
 
 TEST_CASE("while a question stands, a click on a point takes no arrow keys") {
   lesson::Lesson lesson = asking_for_pair();
-  lesson.questions[0].asks = lesson::Question::Asks::kChoice;
+  lesson.questions[0].asks = "choice";
   lesson.questions[0].choices = {"this", "that"};
   Bench bench(std::move(lesson));
   REQUIRE(bench.app.command("step"));
@@ -280,10 +282,11 @@ TEST_CASE("a drag that ends before the next frame is drawn has moved its point a
 lesson::Lesson turning() {
   lesson::Lesson lesson = in_space(12);
   lesson.volume = "scene";
-  lesson.scene = lesson::SceneSet{.frames = 120};
-  lesson.scene->bodies.resize(1);
-  lesson.scene->bodies[0].of_points = true;
-  lesson.scene->effects = {{.name = "spin", .settings = {{"turns_per_second", {1}, ""}}}, {.name = "refit"}};
+  auto set = std::make_shared<lesson::SceneSet>();
+  set->bodies.resize(1);
+  set->bodies[0].of_points = true;
+  set->effects = {{.name = "spin", .settings = {{"turns_per_second", {1}, ""}}}, {.name = "refit"}};
+  lesson.tables = std::move(set);
   lesson.algorithms = {"rebuild"};
   return lesson;
 }
@@ -332,10 +335,10 @@ TEST_CASE("beside it: step, radius and excess of the second algorithm") {
   session.jump(session.steps());
   const auto figures = figures_beside(session);
   REQUIRE(figures.size() == 3);
-  const std::string steps = std::to_string(session.recording(1).steps.size());
+  const std::string steps = std::to_string(session.run(1).steps());
   CHECK(figures[0].text == steps + " of " + steps);
   CHECK(figures[1].key == "radius");
-  CHECK(figures[1].value == doctest::Approx(ball_of(session.recording(1).result).radius));
+  CHECK(figures[1].value == doctest::Approx(std::get_if<fit::Sphere3>(session.volume(1))->radius));
   CHECK(figures[2].key == "excess");
   REQUIRE(session.choose(1, ""));
   CHECK(figures_beside(session).empty());

@@ -6,19 +6,17 @@
 #include <algorithm>
 #include <string>
 
+#include "fit/catalogue.hpp"
+#include "lesson/subjects.hpp"
+
 namespace snug::app {
 namespace {
 
-lesson::Lesson lesson_of(const std::string& volume) {
+/// What is open in it: points, and an algorithm that fits the volume to them.
+lesson::Session fitted(const std::string& volume, const std::string& algorithm) {
   lesson::Lesson lesson;
   lesson.id = "test";
   lesson.volume = volume;
-  return lesson;
-}
-
-/// What is open in it: points, and an algorithm that fits the volume to them.
-lesson::Session fitted(const std::string& volume, const std::string& algorithm) {
-  lesson::Lesson lesson = lesson_of(volume);
   lesson.points = {.dim = 3, .generate = "clusters", .count = 14};
   lesson.algorithms = {algorithm};
   return *lesson::Session::open(std::move(lesson));
@@ -26,19 +24,15 @@ lesson::Session fitted(const std::string& volume, const std::string& algorithm) 
 
 }  // namespace
 
-TEST_CASE("every lesson is of one subject; only the charts' has something to cover the stage with") {
-  CHECK(subject_of(lesson_of("sphere")).name == "cloud");
-  CHECK(subject_of(lesson_of("kdop")).name == "cloud");
-  CHECK(subject_of(lesson_of("box_pair")).name == "pair");
-  CHECK(subject_of(lesson_of("frustum_box")).name == "frustum");
-  lesson::Lesson scene = lesson_of("scene");
-  scene.scene.emplace();
-  CHECK(subject_of(scene).name == "scene");
-  CHECK((subject_of(scene).cover == nullptr));
-  lesson::Lesson charts = lesson_of("sphere");
-  charts.measures = true;
-  CHECK(subject_of(charts).name == "cost");
-  CHECK(subject_of(charts).cover({})->shown());
+TEST_CASE("every subject is seen; only the charts' has something to cover the stage with") {
+  for (const lesson::SubjectRow* subject : lesson::subjects()) {
+    lesson::Lesson lesson;
+    lesson.subject = subject;
+    const SubjectRow& row = subject_of(lesson);
+    CHECK(row.name == subject->name);
+    CHECK((row.cover != nullptr) == (row.name == "cost"));
+    if (row.cover != nullptr) CHECK(row.cover({})->shown());
+  }
 }
 
 TEST_CASE("of a fact without a picture of its own, the points that it names are marked") {
@@ -49,9 +43,8 @@ TEST_CASE("of a fact without a picture of its own, the points that it names are 
     for (int step = 1; step < session.steps(); ++step) {
       session.jump(step);
       view->refresh(session, false);
-      const fit::Step3& now = session.current(0)->step;
-      if (!std::holds_alternative<fit::SlabFound>(now.fact)) continue;
-      CHECK(view->shown().spoken_of == lesson::points_named(now, 3));
+      if (session.run(0).fact(step - 1) != fit::SlabFound::kName) continue;
+      CHECK(view->shown().spoken_of == session.run(0).handles(step - 1));
       marked += static_cast<int>(view->shown().spoken_of.size());
     }
   }

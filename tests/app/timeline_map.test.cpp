@@ -50,7 +50,7 @@ TEST_CASE("marks beyond the first question without an answer would tell it: they
   lesson::Question question;
   question.id = "third";
   question.gate = {.algorithm = "welzl", .fact = "boundary_forced", .occurrence = 3, .after = ""};
-  question.asks = lesson::Question::Asks::kPoint;
+  question.asks = "point";
   question.prompt = "Which?";
   lesson.questions = {question};
   lesson::Session session = *lesson::Session::open(std::move(lesson));

@@ -4,9 +4,6 @@ import { clear_notices, notice } from "./messages.js";
 
 const kAxes = ["x", "y", "z"];
 const capital = (word) => word[0].toUpperCase() + word.slice(1);
-// [legend, how its fields' names call it]
-const kNames = { boxes: [["Box A", "A"], ["Box B", "B"]], frustum: [["Box", "the box"], ["Frustum", "the frustum"]] };
-const kSizes = { box: "Half extents", frustum: "Half depth, far face" };
 const rounded = (number) => Number(number.toPrecision(6));
 
 class BoxFields {
@@ -39,11 +36,10 @@ class BoxFields {
       element("div", { class: "row" }, element("label", { class: "turn" }, element("span", {}, "Turn, degrees"), this.#degrees), this.#rest));
   }
 
-  open({ dim, frustum }) {
+  open({ dim, boxes }) {
     this.#dim = dim;
-    const [legend, name] = (frustum ? kNames.frustum : kNames.boxes)[this.#box];
-    const sizes = frustum && this.#box === 1 ? kSizes.frustum : kSizes.box;
-    this.#legend.textContent = legend;
+    const { heading, name, sizes } = boxes[this.#box];
+    this.#legend.textContent = heading;
     this.#sizes.textContent = sizes;
     for (const [words, list] of [["Centre", this.#lists.center], [sizes, this.#lists.half_extents]])
       list.forEach((field, i) => field.setAttribute("aria-label", `${words} ${kAxes[i]} of ${name}`));
@@ -109,7 +105,8 @@ export class BoxTools {
 
   open(lesson) {
     this.#section.hidden = !lesson.boxes;
-    this.#title.textContent = lesson.frustum ? "Box and frustum" : "Boxes";
+    if (!lesson.boxes) return;
+    this.#title.textContent = lesson.toolsTitle;
     for (const field of this.#fields) field.open(lesson);
   }
 

@@ -78,7 +78,7 @@ export class CostTools {
   }
 
   open(lesson) {
-    set_hidden(this.#section, !lesson.measures);
+    set_hidden(this.#section, !lesson.chart);
   }
 
   #command(name) {

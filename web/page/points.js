@@ -4,7 +4,6 @@ import { result_as_csv } from "./costs.js";
 import { clear_notices, notice } from "./messages.js";
 
 const kAxes = ["x", "y", "z"];
-const kNames = [["point", "points"], ["body", "bodies"]]; // of what stands at each
 const kMostBytes = 64e6;
 const kMostMeasured = 256e6; // bytes: two million points, written out
 
@@ -19,7 +18,7 @@ export class PointTools {
   #bring_mesh;
   #view = null;
   #own = "own"; // the source of the lesson's own points
-  #names = kNames[0];
+  #names = ["point", "points"]; // one and many
   #section;
   #title = element("h2", {});
   #point_words = element("span", {});
@@ -60,8 +59,8 @@ export class PointTools {
   }
 
   open(lesson) {
-    this.#section.hidden = lesson.boxes;
-    this.#names = kNames[lesson.bodies ? 1 : 0];
+    this.#section.hidden = !!lesson.boxes;
+    this.#names = lesson.handleWords;
     this.#title.textContent = capital(this.#names[1]);
     this.#point_words.textContent = capital(this.#names[0]);
     const own = lesson.mesh ? capital(lesson.mesh) : lesson.generate ? capital(lesson.generate) : "The lesson’s";

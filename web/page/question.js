@@ -119,7 +119,7 @@ export class QuestionCard {
   #score_card(score) {
     const again = () => this.#act(() => {
       this.#door.forget_answers();
-      if (!this.#door.lesson().measures) this.#door.command("first");
+      if (this.#door.lesson().asksOfSteps) this.#door.command("first");
     });
     return element("div", { class: "card score" }, element("p", {}, score), button(this.#words.again, again));
   }

@@ -17,7 +17,7 @@ export class Tabs {
   }
 
   open(lesson) {
-    this.#tabs[1].textContent = lesson.boxes ? "Boxes" : lesson.bodies ? "Bodies" : "Points";
+    this.#tabs[1].textContent = lesson.toolsWord;
   }
 
   choose(id) {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
-#include "app/captions.hpp"
 #include "app/marks.hpp"
 #include "app/widgets.hpp"
-#include "lesson/waiting_calls.hpp"
+#include "lesson/point_subject.hpp"
+#include "lesson/subjects/cloud/waiting_calls.hpp"
 
 namespace snug::app {
 namespace {
@@ -159,7 +159,7 @@ std::vector<int> shown_places(int size, int at, int most) {
 }
 
 float draw_call_panel(const Look& look, const lesson::Session& session, ImVec2 at, float width) {
-  const WelzlState state = lesson::welzl_state(session.recording(0).steps, session.step());
+  const WelzlState state = lesson::welzl_state(lesson::fit_run(session.run(0)).trace(), session.step());
   if (state.list.empty()) return 0;
   CallPanel panel(look, session, state, at, width);
   panel.heading("The list, front first");

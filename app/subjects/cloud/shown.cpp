@@ -5,12 +5,13 @@
 #include <variant>
 
 #include "fit/obb/principal_axes.hpp"
+#include "lesson/subjects/cloud/cloud.hpp"
 
 namespace snug::app {
 namespace {
 
 /// The ball before the last step, where that step changed it.
-std::optional<fit::Volume3> ball_before(lesson::Trace steps) {
+std::optional<fit::Volume3> ball_before(lesson::FitTrace steps) {
   if (steps.size() < 2) return std::nullopt;
   const fit::Sphere3* now = ball_of(steps[steps.size() - 1].step);
   const fit::Sphere3* earlier = ball_of(steps[steps.size() - 2].step);
@@ -25,7 +26,7 @@ Point3 deviations(const Point3& variances) { return variances.cwiseMax(0).cwiseS
 struct CloudFiller {
   CloudShown& shown;
   const fit::Step3& step;
-  lesson::Trace steps;  // up to and with this one
+  lesson::FitTrace steps;  // up to and with this one
   const lesson::Session& session;
 
   void operator()(const auto&) const { named(); }
@@ -122,7 +123,7 @@ struct CloudFiller {
   void operator()(const fit::FacetsReplaced& fact) const { shown.spoken_of = {fact.eye}; }
   void operator()(const fit::Finished&) const {}  // its support is marked as such
 
-  void named() const { shown.spoken_of = named_by(step, session); }
+  void named() const { shown.spoken_of = named_now(session); }
   void hull() const {
     if (const auto* found = last_fact<fit::HullFound>(steps)) shown.hull = found->vertices;
   }
@@ -146,8 +147,10 @@ struct CloudFiller {
 }  // namespace
 
 CloudShown cloud_shown_at(const lesson::Session& session, bool want_optimum) {
-  CloudShown shown{shown_at(session, want_optimum)};
-  const lesson::Trace steps = steps_shown(session);
+  CloudShown shown{shown_at(session)};
+  const lesson::FitTrace steps = lesson::fit_run(session.run(0)).trace().first(session.step());
+  if (!shown.optimum && (want_optimum || shown.finished))
+    if (const fit::Recording* optimum = lesson::optimum_of(session)) shown.optimum = optimum->result.volume;
   if (!steps.empty()) std::visit(CloudFiller{shown, steps.back().step, steps, session}, steps.back().step.fact);
   return shown;
 }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/shown.hpp"
+#include "lesson/subjects/cloud/fit_run.hpp"
 
 namespace snug::app {
 

@@ -5,6 +5,7 @@
 
 #include "app/subjects/cost/charts.hpp"
 #include "geometry/generate.hpp"
+#include "lesson/subjects/cost/cost.hpp"
 #include "measure/growth.hpp"
 #include "measure/sample.hpp"
 #include "measure/turn_run.hpp"
@@ -93,7 +94,7 @@ tl::expected<void, InputError> Costs::load(lesson::Session& session, const io::P
   for (Index i = 0; i < kMostShown; ++i) shown.points.push_back(fit::point_of(some, i));
   if (auto loaded = session.load(shown, name); !loaded) return loaded;
   whole_ = *std::move(set);
-  some_ = session.points();
+  some_ = *session.subject().points();
   return {};
 }
 
@@ -125,11 +126,11 @@ template bool Costs::lay_over(const lesson::Session&, GrowthTable);
 template bool Costs::lay_over(const lesson::Session&, TurnTable);
 
 Index Costs::size(const lesson::Session& session) const {
-  return whole_ && same(*some_, session.points()) ? fit::size_of(*whole_) : session.size();
+  return whole_ && same(*some_, *session.subject().points()) ? fit::size_of(*whole_) : session.size();
 }
 
 void Costs::start(const lesson::Session& session) {
-  at_start_ = session.points();
+  at_start_ = *session.subject().points();
   subject_ = whole_ && same(*some_, *at_start_) && view_ != CostView::kTurn ? *whole_ : *at_start_;
   options_.fit.seed = session.seed();
   cost::Provenance about = here_;
@@ -198,7 +199,8 @@ void Costs::finish(lesson::Session& session) {
   of(done).stop();
   take_rows();
   const bool whole = done == CostView::kAccuracy && table().rows.size() == session.lesson().algorithms.size();
-  if (whole && same(*at_start_, session.points())) session.measured(table().rows);
+  if (!whole || !same(*at_start_, *session.subject().points())) return;
+  session.inform<lesson::CostSubject>([&](lesson::CostSubject& chart) { chart.measured(table().rows); });
 }
 
 bool Costs::command(lesson::Session& session, std::string_view name) {

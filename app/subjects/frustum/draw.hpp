@@ -3,7 +3,7 @@
 
 #include "app/point_marks.hpp"
 #include "app/subjects/frustum/shown.hpp"
-#include "lesson/frustum_box.hpp"
+#include "lesson/subjects/frustum/frustum.hpp"
 
 namespace snug::app {
 

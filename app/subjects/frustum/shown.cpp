@@ -1,6 +1,6 @@
 #include "app/subjects/frustum/shown.hpp"
 
-#include "lesson/frustum_figures.hpp"
+#include "lesson/subjects/frustum/frustum_figures.hpp"
 
 namespace snug::app {
 namespace {
@@ -8,7 +8,7 @@ namespace {
 using Corner = query::CornerTested<double, 3>;
 
 /// Those of this round: the corners are gone through in order, for each plane or once.
-std::vector<Corner> corners_tested(lesson::Trace up_to) {
+std::vector<Corner> corners_tested(lesson::FrustumSteps up_to) {
   std::vector<Corner> corners;
   for (; !up_to.empty(); up_to = up_to.first(up_to.size() - 1)) {
     const auto* corner = std::get_if<Corner>(&up_to.back().step.fact);
@@ -21,10 +21,10 @@ std::vector<Corner> corners_tested(lesson::Trace up_to) {
 /// Fills in what has a picture of its own.
 struct FrustumFiller {
   FrustumShown& shown;
-  lesson::Trace steps;  // up to and with this one
+  lesson::FrustumSteps steps;  // up to and with this one
   const lesson::Session& session;
 
-  void operator()(const auto&) const { shown.spoken_of = named_by(steps.back().step, session); }
+  void operator()(const auto&) const { shown.spoken_of = named_now(session); }
   void operator()(const query::PlaneTested<double, 3>& fact) const {
     shown.plane = fact;
     shown.verdict = fact.so_far;
@@ -35,7 +35,7 @@ struct FrustumFiller {
   /// With the plane that all of the box is outside of. Of all planes together, the corners tested against the last one
   /// alone say nothing.
   void operator()(const query::Classified& fact) const {
-    const lesson::Trace before = steps.first(steps.size() - 1);
+    const lesson::FrustumSteps before = steps.first(steps.size() - 1);
     const std::size_t once = std::size_t{1} << session.dim();
     if (fact.result.rejected_by >= 0 || before.size() <= once) shown.corners = corners_tested(before);
     const auto* plane = last_fact<query::PlaneTested<double, 3>>(steps);
@@ -49,7 +49,7 @@ void show_plane_asked(FrustumShown& shown, const lesson::Session& session) {
   const lesson::Asked* asked = session.asked();
   if (asked == nullptr) return;
   if (session.asked_figure() == "verdict") shown.verdict.reset();
-  const auto& fact = session.recording(0).steps[asked->fact].step.fact;
+  const auto& fact = lesson::frustum_run(session.run(0)).trace()[asked->fact].step.fact;
   const auto* plane = std::get_if<query::PlaneTested<double, 3>>(&fact);
   if (plane == nullptr) return;
   shown.plane = *plane;
@@ -61,8 +61,9 @@ void show_plane_asked(FrustumShown& shown, const lesson::Session& session) {
 }  // namespace
 
 FrustumShown frustum_shown_at(const lesson::Session& session) {
-  FrustumShown shown{shown_at(session, false)};
-  if (const lesson::Trace steps = steps_shown(session); !steps.empty()) {
+  FrustumShown shown{shown_at(session)};
+  const lesson::FrustumSteps steps = lesson::frustum_run(session.run(0)).trace().first(session.step());
+  if (!steps.empty()) {
     shown.plane_at = lesson::plane_at(steps);
     std::visit(FrustumFiller{shown, steps, session}, steps.back().step.fact);
   }

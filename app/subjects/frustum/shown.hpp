@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/shown.hpp"
+#include "lesson/subjects/frustum/frustum.hpp"
 
 namespace snug::app {
 

@@ -19,7 +19,7 @@ class FrustumView final : public SubjectView {
   [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override { return draw_from_camera(brush, shown_, top); }
 
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
-    const lesson::BoxPair& pair = *session.boxes();
+    const lesson::BoxPair& pair = *session.subject().boxes();
     const auto ball = [&](int box) { return ball_around(pair.boxes[box], session.dim()); };
     return ball_around(ball_around({lesson::camera_of(pair).position, 0}, ball(1)), ball(0));
   }
@@ -29,7 +29,6 @@ class FrustumView final : public SubjectView {
     return place.kind == lesson::Place::Kind::kCorner && place.box == 0;
   }
   [[nodiscard]] bool names_answers_alone() const override { return true; }
-  [[nodiscard]] std::string_view handles_word(const lesson::Session&) const override { return "Boxes"; }
   [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {
     return {.replaced = "verdict", .best = "entirely outside"};
   }

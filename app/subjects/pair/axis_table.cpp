@@ -6,8 +6,8 @@
 
 #include "app/shown.hpp"
 #include "app/widgets.hpp"
-#include "lesson/box_figures.hpp"
-#include "lesson/box_tests.hpp"
+#include "app/subjects/pair/shown.hpp"
+#include "lesson/subjects/pair/box_figures.hpp"
 
 namespace snug::app {
 namespace {
@@ -103,7 +103,7 @@ int lit_row(const lesson::Session& session) {
 }
 
 float draw_axis_panel(const Look& look, lesson::Session& session, ImVec2 at, float width) {
-  if (lesson::axes_seen(session.recording(0).steps).empty()) return 0;
+  if (lesson::axes_seen(lesson::pair_run(session.run(0)).trace()).empty()) return 0;
   text(ImGui::GetWindowDrawList(), look, Face::kSemiBold, 13, {at.x, at.y + look.px(5)}, look->muted, "The axes");
   const float head = look.px(24);
   return head + draw_table(look, session, {at.x, at.y + head}, width);

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/box_marks.hpp"
-#include "lesson/box_tests.hpp"
+#include "lesson/subjects/pair/box_tests.hpp"
 
 namespace snug::app {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 /// What a wrong test looks at: the boxes' AABBs, or a vertex.
 void draw_wrong_test(Brush& brush, const lesson::BoxPair& pair, const PairShown& shown) {
   const Palette& p = brush.p;
-  if (brush.session.algorithm(0)->name == "extents_only" && brush.session.step() > 0)
+  if (brush.session.method(0)->name == "extents_only" && brush.session.step() > 0)
     for (const Obb<double, 3>& box : pair.boxes) {
       const Point3 half = box.axes.cwiseAbs() * box.half_extents;
       const bool apart = shown.outlines && shown.outlines->apart;
@@ -44,7 +44,7 @@ void draw_asked_axis(Brush& brush, const lesson::BoxPair& pair, const query::Axi
 
 void draw_pair(Brush& brush, const PairShown& shown) {
   const Palette& p = brush.p;
-  const lesson::BoxPair& pair = *brush.session.boxes();
+  const lesson::BoxPair& pair = *brush.session.subject().boxes();
   for (int i = 0; i < 2; ++i) {
     const Obb<double, 3>& box = pair.boxes[i];
     draw_volume(brush.canvas, fit::Volume3(box), {Stroke::kSolid, p.current, brush.stroke(), p.fill});

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "app/subjects/pair/draw.hpp"
-#include "lesson/box_tests.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/subjects/pair/box_tests.hpp"
 
 namespace snug::app {
 namespace {

@@ -1,6 +1,6 @@
 #include "app/subjects/pair/shown.hpp"
 
-#include "lesson/box_figures.hpp"
+#include "lesson/subjects/pair/box_figures.hpp"
 
 namespace snug::app {
 namespace {
@@ -8,10 +8,9 @@ namespace {
 /// Fills in what has a picture of its own.
 struct PairFiller {
   PairShown& shown;
-  const fit::Step3& step;
   const lesson::Session& session;
 
-  void operator()(const auto&) const { shown.spoken_of = named_by(step, session); }
+  void operator()(const auto&) const { shown.spoken_of = named_now(session); }
   void operator()(const query::AxisTested<double, 3>&) const {}  // PairShown::axis
   void operator()(const query::OutlinesCompared& fact) const { shown.outlines = fact; }
   void operator()(const query::CornerTried& fact) const { shown.corner = fact; }
@@ -21,17 +20,21 @@ struct PairFiller {
 void show_axis_asked(PairShown& shown, const lesson::Session& session) {
   const lesson::Asked* asked = session.asked();
   if (asked == nullptr) return;
-  const auto& fact = session.recording(0).steps[asked->fact].step.fact;
+  const auto& fact = lesson::pair_run(session.run(0)).trace()[asked->fact].step.fact;
   if (const auto* axis = std::get_if<query::AxisTested<double, 3>>(&fact)) shown.axis_asked = *axis;
 }
 
 }  // namespace
 
+lesson::PairSteps steps_shown(const lesson::Session& session) {
+  return lesson::pair_run(session.run(0)).trace().first(session.step());
+}
+
 PairShown pair_shown_at(const lesson::Session& session) {
-  PairShown shown{shown_at(session, false)};
-  if (const lesson::Trace steps = steps_shown(session); !steps.empty()) {
+  PairShown shown{shown_at(session)};
+  if (const lesson::PairSteps steps = steps_shown(session); !steps.empty()) {
     shown.axis = lesson::axis_at(steps);
-    std::visit(PairFiller{shown, steps.back().step, session}, steps.back().step.fact);
+    std::visit(PairFiller{shown, session}, steps.back().step.fact);
   }
   show_axis_asked(shown, session);
   return shown;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/shown.hpp"
+#include "lesson/subjects/pair/pair.hpp"
 
 namespace snug::app {
 
@@ -13,5 +14,8 @@ struct PairShown : Shown {
 };
 
 [[nodiscard]] PairShown pair_shown_at(const lesson::Session& session);
+
+/// The steps up to and with the one that stands; none before the first.
+[[nodiscard]] lesson::PairSteps steps_shown(const lesson::Session& session);
 
 }  // namespace snug::app

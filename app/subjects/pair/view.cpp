@@ -16,7 +16,7 @@ class PairView final : public SubjectView {
   void draw(Brush& brush) const override { draw_pair(brush, shown_); }
 
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
-    const auto ball = [&](int box) { return ball_around(session.boxes()->boxes[box], session.dim()); };
+    const auto ball = [&](int box) { return ball_around(session.subject().boxes()->boxes[box], session.dim()); };
     const fit::Sphere3 both = ball_around(ball(0), ball(1));
     return {both.center, kRoomForAxis * both.radius};
   }
@@ -25,7 +25,6 @@ class PairView final : public SubjectView {
     return lesson::place_of(session.dim(), i).kind == lesson::Place::Kind::kCorner;
   }
   [[nodiscard]] bool names_answers_alone() const override { return true; }
-  [[nodiscard]] std::string_view handles_word(const lesson::Session&) const override { return "Boxes"; }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
     return draw_axis_panel(look, session, at, width);

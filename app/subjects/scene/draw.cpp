@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/subjects/scene/owner.hpp"
+#include "lesson/subjects/scene/scene.hpp"
 
 namespace snug::app {
 namespace {
@@ -84,7 +85,7 @@ void draw_loose(Brush& brush, const SceneFrame& frame) {
   const std::vector<bool> paired = in_pairs(frame.bodies.size(), frame.pairs);
   const Index chosen = brush.hands.hovered != kNoIndex ? brush.hands.hovered : brush.hands.selected;
   const std::size_t hand = chosen != kNoIndex
-                               ? owner_of(*brush.session.lesson().scene).body + static_cast<std::size_t>(chosen)
+                               ? owner_of(lesson::set_of(brush.session)).body + static_cast<std::size_t>(chosen)
                                : frame.volumes.size();
   for (std::size_t i = 0; i < frame.volumes.size(); ++i) {
     const Aabb<double, 3>& box = frame.volumes[i];
@@ -93,7 +94,7 @@ void draw_loose(Brush& brush, const SceneFrame& frame) {
                {Stroke::kSolid, with_alpha(p.current, paired[i] ? 0.5f : 0.2f), brush.stroke(0.4f)});
     if (i != hand) continue;
     draw_volume(brush.canvas, polytope_of(box, 3), {Stroke::kSolid, p.current, brush.stroke(0.7f), p.fill});
-    const fit::Sphere3 ball{frame.bodies[i].position, brush.session.members()[i].shape.reach};
+    const fit::Sphere3 ball{frame.bodies[i].position, lesson::members_of(brush.session)[i].shape.reach};
     draw_volume(brush.canvas, ball, {Stroke::kDotted, p.previous, brush.stroke(0.8f)});
   }
   brush.canvas.obstacles.segments.clear();  // names may stand over so many edges
@@ -129,7 +130,7 @@ void draw_body(Brush& brush, const scene::Shape& shape, const scene::Motion& bod
   const Palette& p = brush.p;
   const Color fill = touching ? mixed(p.surface, p.support, 0.35) : p.surface;
   const Color edge = touching ? p.support_text : p.ink;
-  const bool crowd = brush.session.members().size() > kCrowd;
+  const bool crowd = lesson::members_of(brush.session).size() > kCrowd;
   const float width = crowd ? 0 : brush.stroke(touching ? 0.9f : 0.5f);
   if (shape.kind == scene::Shape::Kind::kBox) {
     draw_faces(brush, shape, body, fill, edge, width);
@@ -156,7 +157,7 @@ void draw_body(Brush& brush, const scene::Shape& shape, const scene::Motion& bod
 
 /// The farthest first: what is nearer covers it.
 void draw_bodies(Brush& brush, const SceneFrame& frame) {
-  const std::span<const scene::Member> members = brush.session.members();
+  const std::span<const scene::Member> members = lesson::members_of(brush.session);
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < members.size(); ++i)
     if (members[i].shape.cloud == nullptr)
@@ -198,7 +199,7 @@ void draw_pairs(Brush& brush, const SceneFrame& frame) {
 }  // namespace
 
 void draw_scene(Brush& brush) {
-  const SceneFrame& frame = *brush.session.frame();
+  const SceneFrame& frame = *lesson::frame_of(brush.session);
   draw_traces(brush, frame);
   draw_loose(brush, frame);
   draw_bodies(brush, frame);

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "lesson/scene_set.hpp"
+#include "lesson/subjects/scene/scene_set.hpp"
 
 namespace snug::app {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "app/marks.hpp"
-#include "app/subjects/scene/frame_caption.hpp"
 #include "app/widgets.hpp"
-#include "lesson/scene_figures.hpp"
+#include "lesson/subjects/scene/scene.hpp"
+#include "lesson/subjects/scene/scene_figures.hpp"
 
 namespace snug::app {
 namespace {
@@ -19,9 +19,9 @@ constexpr float kText = 14, kSmall = 13, kTiny = 12;
 constexpr double kLeastSlack = 0.01;  // that the scale ends at: less is mostly rounding
 constexpr float kEffectRow = 26, kLeading = 16, kIndent = 20, kPlot = 84;
 
-const fit::FrameTaken* taken(const lesson::Session& session, int slot, int step) {
+const lesson::FrameTaken* taken(const lesson::Session& session, int slot, int step) {
   if (step == 0) return nullptr;
-  return std::get_if<fit::FrameTaken>(&session.recording(slot).steps[step - 1].step.fact);
+  return std::get_if<lesson::FrameTaken>(&lesson::scene_run(session.run(slot)).trace()[step - 1].step.fact);
 }
 
 class ScenePanel {
@@ -66,14 +66,14 @@ class ScenePanel {
     y_ += look_.px(28);
   }
 
-  void funnel(const lesson::Session& session, const fit::FrameTaken& frame) {
+  void funnel(const lesson::Session& session, const lesson::FrameTaken& frame) {
     heading("The funnel: how many pairs are left");
     const auto part = [&](std::string_view key, double left, Stroke stroke, Color color, bool sampled) {
       stage(lesson::scene_figure_title(key), left, frame.all_pairs, session.is_hidden(key), stroke, color, sampled);
     };
     part("all_pairs", frame.all_pairs, Stroke::kSolid, look_->muted, false);
     std::string compared(lesson::scene_figure_title("compared"));
-    if (const int axis = session.frame()->swept_along; axis >= 0) compared += std::string(" along ") + "xyz"[axis];
+    if (const int axis = frame_of(session)->swept_along; axis >= 0) compared += std::string(" along ") + "xyz"[axis];
     figure(compared, session.is_hidden("compared") ? "—" : std::to_string(static_cast<std::int64_t>(frame.compared)));
     part("after_broad", frame.after_broad, Stroke::kDotted, look_->previous, true);
     part("after_loose", frame.after_loose, Stroke::kDashed, look_->examined_text, true);
@@ -86,7 +86,7 @@ class ScenePanel {
     heading("Looseness, frame by frame");
     double most = kLeastSlack;
     for (const int slot : {0, 1})
-      for (int step = 1; session.algorithm(slot) != nullptr && step <= session.step_of(slot); ++step)
+      for (int step = 1; session.method(slot) != nullptr && step <= session.step_of(slot); ++step)
         if (const auto* frame = taken(session, slot, step)) most = std::max(most, frame->slack);
     const std::string most_words = lesson::scene_figure_text("slack", 100 * most);
     const float bottom = y_ + look_.px(kPlot);
@@ -97,9 +97,9 @@ class ScenePanel {
     rule(list_, left, y_, wide, look_->line);
     rule(list_, left, bottom, wide, look_->muted);
     for (const int slot : {1, 0}) {
-      if (session.algorithm(slot) == nullptr) continue;
+      if (session.method(slot) == nullptr) continue;
       std::vector<ImVec2> curve;
-      const auto steps = static_cast<float>(session.recording(slot).steps.size());
+      const auto steps = static_cast<float>(session.run(slot).steps());
       for (int step = 1; step <= session.step_of(slot); ++step)
         if (const auto* frame = taken(session, slot, step))
           curve.push_back({left + wide * static_cast<float>(step) / steps,
@@ -114,7 +114,7 @@ class ScenePanel {
     y_ = bottom + look_.px(44);
   }
 
-  void effects(lesson::Session& session, std::span<const scene::Tally> tallies) {
+  void effects(lesson::Session& session) {
     heading("What each effect did so far");
     text(list_, look_, Face::kRegular, kTiny, {x_ + kIndent, y_}, look_->muted, "effect");
     constexpr std::array<const char*, 3> kHeads{"run", "skipped", "time, µs"};
@@ -123,18 +123,18 @@ class ScenePanel {
     y_ += look_.px(20);
     rule(list_, x_, y_ - 1, width_, look_->muted);
     int row = 0;
-    std::string turned;
-    for (const scene::Tally& tally : tallies) {
-      const bool on = session.is_on(tally.effect);
+    const lesson::Switch* turned = nullptr;
+    const std::vector<lesson::Switch> switches = session.switches();
+    for (const lesson::Switch& one : switches) {
       ImGui::PushID(row++);
-      const std::string name = effect_words(tally.effect);
+      const std::string name = lesson::effect_words(one.name);
       const auto lines = lines_of(look_, Face::kRegular, kSmall, name, right(0) - x_ - kIndent - look_.px(11));
       const float height = look_.px(kEffectRow + kLeading * static_cast<float>(lines.size() - 1));
-      const Touch touch = touch_area("effect", {x_ - 6, y_, width_ + 12, height}, session.step() > 0 || !on);
+      const Touch touch = touch_area("effect", {x_ - 6, y_, width_ + 12, height}, session.step() > 0 || !one.on);
       ImGui::PopID();
-      if (touch.clicked) turned = tally.effect;
+      if (touch.clicked) turned = &one;
       if (touch.hovered) list_->AddRectFilled({x_ - 6, y_}, {x_ + width_ + 6, y_ + height - 1}, look_->raised, 4);
-      effect(tally, on, lines, tally.run > 0 ? session.time_of(tally.effect) : "");
+      effect(one, lines);
       y_ += height;
       rule(list_, x_, y_ - 1, width_, look_->line);
     }
@@ -142,7 +142,7 @@ class ScenePanel {
     y_ += paragraph(list_, look_, Face::kRegular, kTiny, kLeading, {x_, y_}, width_, look_->muted,
                     "In how many frames each effect ran, and in how many it was skipped because nothing that it reads "
                     "had changed; the mean time of a run. Its box switches an effect off and on.");
-    if (!turned.empty()) session.turn(turned, !session.is_on(turned));
+    if (turned != nullptr) session.turn(turned->name, !turned->on);
   }
 
  private:
@@ -153,18 +153,19 @@ class ScenePanel {
   }
 
   /// lines: of its name, which is broken where it is too long for the row, and never cut.
-  void effect(const scene::Tally& tally, bool on, const std::vector<std::string_view>& lines, const std::string& time) {
+  void effect(const lesson::Switch& one, const std::vector<std::string_view>& lines) {
     const float middle = y_ + look_.px(kEffectRow) / 2;
     const float box = 6;
-    list_->AddRect({x_, middle - box}, {x_ + 2 * box, middle + box}, on ? look_->current : look_->muted, 3, 0, 1.5f);
-    if (on) tick(list_, {x_ + box, middle}, 4, look_->current, 2);
+    list_->AddRect({x_, middle - box}, {x_ + 2 * box, middle + box}, one.on ? look_->current : look_->muted, 3, 0,
+                   1.5f);
+    if (one.on) tick(list_, {x_ + box, middle}, 4, look_->current, 2);
     float y = middle_of(middle, look_.px(kSmall));
     for (const std::string_view line : lines) {
-      text(list_, look_, Face::kRegular, kSmall, {x_ + kIndent, y}, on ? look_->ink : look_->muted, line);
+      text(list_, look_, Face::kRegular, kSmall, {x_ + kIndent, y}, one.on ? look_->ink : look_->muted, line);
       y += look_.px(kLeading);
     }
-    const std::array<std::string, 3> figures{std::to_string(tally.run), std::to_string(tally.skipped),
-                                             time.empty() ? "—" : time};
+    const std::array<std::string, 3> figures{std::to_string(one.run), std::to_string(one.skipped),
+                                             one.microseconds.empty() ? "—" : one.microseconds};
     for (int i = 0; i < 3; ++i)
       text_right(list_, look_, Face::kMono, kTiny, {right(i), middle_of(middle, look_.px(kTiny))}, look_->ink,
                  figures[i]);
@@ -179,11 +180,11 @@ class ScenePanel {
 
 float draw_scene_panel(const Look& look, lesson::Session& session, ImVec2 at, float width) {
   ScenePanel panel(look, at, width);
-  if (const fit::FrameTaken* now = taken(session, 0, session.step())) {
+  if (const lesson::FrameTaken* now = taken(session, 0, session.step())) {
     if (now->all_pairs > 0) panel.funnel(session, *now);
-    else if (session.current(0)->step.has_volume) panel.slack(session);
+    else if (session.volume(0) != nullptr) panel.slack(session);
   }
-  panel.effects(session, session.frame()->tallies);
+  panel.effects(session);
   return panel.height();
 }
 

@@ -5,6 +5,7 @@
 #include "app/subjects/scene/draw.hpp"
 #include "app/subjects/scene/owner.hpp"
 #include "app/subjects/scene/panel.hpp"
+#include "lesson/subjects/scene/scene.hpp"
 
 namespace snug::app {
 namespace {
@@ -13,9 +14,9 @@ using lesson::SceneFrame;
 
 class SceneView final : public SubjectView {
  public:
-  void refresh(const lesson::Session& session, bool want_optimum) override {
-    shown_ = shown_at(session, want_optimum);
-    if (const auto* entry = session.current(0)) shown_.spoken_of = named_by(entry->step, session);
+  void refresh(const lesson::Session& session, bool) override {
+    shown_ = shown_at(session);
+    shown_.spoken_of = named_now(session);
   }
   [[nodiscard]] const Shown& shown() const override { return shown_; }
   void draw(Brush& brush) const override {
@@ -25,17 +26,14 @@ class SceneView final : public SubjectView {
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override;
   /// The bodies are where the frame has them, and so is what encloses them.
   [[nodiscard]] bool glides() const override { return false; }
-  [[nodiscard]] int axis_in_use(const lesson::Session& session) const override { return session.frame()->swept_along; }
+  [[nodiscard]] int axis_in_use(const lesson::Session& session) const override {
+    return frame_of(session)->swept_along;
+  }
 
   [[nodiscard]] Point3 place_of(const lesson::Session& session, Index i) const override;
-  /// What a scene moves is placed where it begins.
-  [[nodiscard]] bool can_move(const lesson::Session& session) const override { return session.step() == 0; }
   /// Where a body stands at each point, it is drawn in the point's place.
   [[nodiscard]] bool shows_points(const lesson::Session& session) const override {
-    return owner_of(*session.lesson().scene).of_points;
-  }
-  [[nodiscard]] std::string_view handles_word(const lesson::Session& session) const override {
-    return shows_points(session) ? "Points" : "Bodies";
+    return owner_of(lesson::set_of(session)).of_points;
   }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
@@ -46,14 +44,14 @@ class SceneView final : public SubjectView {
   [[nodiscard]] std::string_view step_button() const override { return "Next"; }
   /// The time that a frame simulates, but where its outcome is watched: a third of a second nobody sees.
   [[nodiscard]] double seconds_of_step(const lesson::Session& session, double watched) const override {
-    return std::max(session.lesson().scene->step, watched);
+    return std::max(lesson::set_of(session).step, watched);
   }
 
  private:
   [[nodiscard]] fit::Sphere3 whole_run(const lesson::Session& session) const;
   struct Extent {
     std::uint64_t trace;
-    const fit::Algorithm* beside;
+    const lesson::Method* beside;
     fit::Sphere3 ball;
   };
 
@@ -63,18 +61,18 @@ class SceneView final : public SubjectView {
 
 /// With the body that it is of, or that stands at it.
 Point3 SceneView::place_of(const lesson::Session& session, Index i) const {
-  const SceneFrame& frame = *session.frame();
-  const Owner owner = owner_of(*session.lesson().scene);
+  const SceneFrame& frame = *frame_of(session);
+  const Owner owner = owner_of(lesson::set_of(session));
   if (owner.of_points) {
     const scene::Motion& body = frame.bodies[owner.body];
-    return body.position + body.rotation * session.members()[owner.body].shape.corners[i];
+    return body.position + body.rotation * members_of(session)[owner.body].shape.corners[i];
   }
   return owner.at_points ? frame.bodies[owner.body + static_cast<std::size_t>(i)].position : session.point(i);
 }
 
 fit::Sphere3 SceneView::extent(const lesson::Session& session) {
   const std::uint64_t trace = session.trace_hash();
-  const fit::Algorithm* beside = session.algorithm(1);
+  const lesson::Method* beside = session.method(1);
   if (!extent_ || extent_->trace != trace || extent_->beside != beside) extent_ = {trace, beside, whole_run(session)};
   return extent_->ball;
 }
@@ -85,15 +83,16 @@ fit::Sphere3 SceneView::whole_run(const lesson::Session& session) const {
   const auto hold = [&](const Point3& low, const Point3& high) {
     least = least.cwiseMin(low), greatest = greatest.cwiseMax(high);
   };
-  for (const SceneFrame& frame : *session.frames(0))
+  for (const SceneFrame& frame : *lesson::frames_of(session, 0))
     for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
-      const Point3 reach = Point3::Constant(session.members()[i].shape.reach);
+      const Point3 reach = Point3::Constant(members_of(session)[i].shape.reach);
       hold(frame.bodies[i].position - reach, frame.bodies[i].position + reach);
     }
   if (shows_points(session)) {  // the volumes are what is looked at
     for (const int slot : {0, 1})
-      for (const SceneFrame& frame : *session.frames(slot))
-        for (const Aabb<double, 3>& box : frame.volumes) hold(box.min, box.max);
+      if (const auto* frames = lesson::frames_of(session, slot))
+        for (const SceneFrame& frame : *frames)
+          for (const Aabb<double, 3>& box : frame.volumes) hold(box.min, box.max);
     return {least / 2 + greatest / 2, 0.5 * (greatest - least).norm()};
   }
   // Not the ball around the box: its corners are empty in nearly every frame.

@@ -1,7 +1,9 @@
 // The steps of the axis-aligned box's fitter.
 #pragma once
 
+#include <array>
 #include <string_view>
+#include <tuple>
 
 #include "fit/facts.hpp"
 #include "fit/fit.hpp"
@@ -13,7 +15,8 @@ namespace snug::fit {
 struct BoxWidened {
   static constexpr std::string_view kName = "box_widened";
   Index point = kNoIndex;
-  void fields(auto&& see) const { see("point", point); }
+  static constexpr std::array<std::string_view, 1> kFields{"point"};
+  static auto tie(auto& own) { return std::tie(own.point); }
 };
 
 template <class Scalar, int Dim>

@@ -4,7 +4,9 @@
 // outside.
 #pragma once
 
+#include <array>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "fit/facts.hpp"
@@ -19,7 +21,8 @@ struct SimplexChosen {
   static constexpr std::string_view kName = "simplex_chosen";
   std::vector<Index> points;
   std::vector<Index> vertices;
-  void fields(auto&& see) const { see("points", points), see("vertices", vertices); }
+  static constexpr std::array<std::string_view, 2> kFields{"points", "vertices"};
+  static auto tie(auto& own) { return std::tie(own.points, own.vertices); }
 };
 
 /// All points lie in a plane (affine_dim 2), on a line (1) or in one place (0); points: a simplex of theirs.
@@ -27,7 +30,8 @@ struct FlatFound {
   static constexpr std::string_view kName = "flat_found";
   int affine_dim = 0;
   std::vector<Index> points;
-  void fields(auto&& see) const { see("affine_dim", affine_dim), see("points", points); }
+  static constexpr std::array<std::string_view, 2> kFields{"affine_dim", "points"};
+  static auto tie(auto& own) { return std::tie(own.affine_dim, own.points); }
 };
 
 /// Points that lie outside were given to facets that see them: counts[i] to facets[i]. dropped: how many no facet sees.
@@ -36,7 +40,8 @@ struct PointsAssigned {
   std::vector<Index> facets;
   std::vector<Index> counts;
   Index dropped = 0;
-  void fields(auto&& see) const { see("facets", facets), see("counts", counts), see("dropped", dropped); }
+  static constexpr std::array<std::string_view, 3> kFields{"facets", "counts", "dropped"};
+  static auto tie(auto& own) { return std::tie(own.facets, own.counts, own.dropped); }
 };
 
 /// The farthest of the facet's points was taken; distance: from the facet's line or plane, scene units, rounded; of:
@@ -47,7 +52,8 @@ struct EyeChosen {
   Index facet = kNoIndex;
   double distance = 0;
   Index of = 0;
-  void fields(auto&& see) const { see("point", point), see("facet", facet), see("distance", distance), see("of", of); }
+  static constexpr std::array<std::string_view, 4> kFields{"point", "facet", "distance", "of"};
+  static auto tie(auto& own) { return std::tie(own.point, own.facet, own.distance, own.of); }
 };
 
 /// 2-D: the edge gave way to two, from its start a to the point and from there to its end b.
@@ -57,9 +63,8 @@ struct EdgeSplit {
   Index a = kNoIndex, b = kNoIndex;
   Index point = kNoIndex;
   Index first = kNoIndex, second = kNoIndex;  // the new edges
-  void fields(auto&& see) const {
-    see("edge", edge), see("a", a), see("b", b), see("point", point), see("first", first), see("second", second);
-  }
+  static constexpr std::array<std::string_view, 6> kFields{"edge", "a", "b", "point", "first", "second"};
+  static auto tie(auto& own) { return std::tie(own.edge, own.a, own.b, own.point, own.first, own.second); }
 };
 
 /// The facets that see the eye, and their border, a ring of points counter-clockwise as seen from the eye.
@@ -68,7 +73,8 @@ struct HorizonFound {
   Index eye = kNoIndex;
   std::vector<Index> facets;
   std::vector<Index> horizon;
-  void fields(auto&& see) const { see("eye", eye), see("facets", facets), see("horizon", horizon); }
+  static constexpr std::array<std::string_view, 3> kFields{"eye", "facets", "horizon"};
+  static auto tie(auto& own) { return std::tie(own.eye, own.facets, own.horizon); }
 };
 
 /// The facets that saw the eye gave way to a cone: added[i] has the vertices horizon[i], horizon[i + 1] (after the last
@@ -79,9 +85,8 @@ struct FacetsReplaced {
   std::vector<Index> removed;
   std::vector<Index> horizon;
   std::vector<Index> added;
-  void fields(auto&& see) const {
-    see("eye", eye), see("removed", removed), see("horizon", horizon), see("added", added);
-  }
+  static constexpr std::array<std::string_view, 4> kFields{"eye", "removed", "horizon", "added"};
+  static auto tie(auto& own) { return std::tie(own.eye, own.removed, own.horizon, own.added); }
 };
 
 /// Facets that lie in one plane were made one face each, and cut into triangles anew without the points dropped: they
@@ -90,7 +95,8 @@ struct FacesMerged {
   static constexpr std::string_view kName = "faces_merged";
   Index faces = 0;
   std::vector<Index> dropped;
-  void fields(auto&& see) const { see("faces", faces), see("dropped", dropped); }
+  static constexpr std::array<std::string_view, 2> kFields{"faces", "dropped"};
+  static auto tie(auto& own) { return std::tie(own.faces, own.dropped); }
 };
 
 /// has_volume just in the last step: a hull in each would make a trace as large as the square of the hull.

@@ -1,7 +1,9 @@
 // The steps of the k-DOP's fitter.
 #pragma once
 
+#include <array>
 #include <string_view>
+#include <tuple>
 
 #include "fit/facts.hpp"
 #include "fit/fit.hpp"
@@ -16,9 +18,8 @@ struct SlabFound {
   int slab = 0;
   Index least = kNoIndex, greatest = kNoIndex;
   double min = 0, max = 0;
-  void fields(auto&& see) const {
-    see("slab", slab), see("least", least), see("greatest", greatest), see("min", min), see("max", max);
-  }
+  static constexpr std::array<std::string_view, 5> kFields{"slab", "least", "greatest", "min", "max"};
+  static auto tie(auto& own) { return std::tie(own.slab, own.least, own.greatest, own.min, own.max); }
 };
 
 template <class Scalar, int Dim>

@@ -1,7 +1,9 @@
 // The steps of the box fitters.
 #pragma once
 
+#include <array>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "fit/facts.hpp"
@@ -18,7 +20,8 @@ struct ExtentsFound {
   static constexpr std::string_view kName = "extents_found";
   std::vector<Index> least, greatest;
   Vector<Scalar, Dim> lengths;
-  void fields(auto&& see) const { see("least", least), see("greatest", greatest), see("lengths", lengths); }
+  static constexpr std::array<std::string_view, 3> kFields{"least", "greatest", "lengths"};
+  static auto tie(auto& own) { return std::tie(own.least, own.greatest, own.lengths); }
 };
 
 /// The smallest ball around the points, or in 3-D also the smallest circle around what they cast along axis.
@@ -27,7 +30,8 @@ struct BallFound {
   static constexpr std::string_view kName = "ball_found";
   Sphere<Scalar, Dim> ball;
   std::vector<Index> support;
-  void fields(auto&& see) const { see("ball", ball), see("support", support); }
+  static constexpr std::array<std::string_view, 2> kFields{"ball", "support"};
+  static auto tie(auto& own) { return std::tie(own.ball, own.support); }
 };
 
 /// The vertices of the convex hull, and how many facets it has.
@@ -35,7 +39,8 @@ struct HullFound {
   static constexpr std::string_view kName = "hull_found";
   std::vector<Index> vertices;
   Index facets = 0;
-  void fields(auto&& see) const { see("vertices", vertices), see("facets", facets); }
+  static constexpr std::array<std::string_view, 2> kFields{"vertices", "facets"};
+  static auto tie(auto& own) { return std::tie(own.vertices, own.facets); }
 };
 
 /// The hull's surface as a sum of its facets: area (2-D: length) in scene units, and its centroid.
@@ -44,7 +49,8 @@ struct SurfaceFound {
   static constexpr std::string_view kName = "surface_found";
   double area = 0;
   Vector<Scalar, Dim> centroid;
-  void fields(auto&& see) const { see("area", area), see("centroid", centroid); }
+  static constexpr std::array<std::string_view, 2> kFields{"area", "centroid"};
+  static auto tie(auto& own) { return std::tie(own.area, own.centroid); }
 };
 
 /// The points of the set that a step is about: extreme along fixed directions, a base triangle, apexes, ends of an
@@ -52,7 +58,8 @@ struct SurfaceFound {
 struct PointsChosen {
   static constexpr std::string_view kName = "points_chosen";
   std::vector<Index> points;
-  void fields(auto&& see) const { see("points", points); }
+  static constexpr std::array<std::string_view, 1> kFields{"points"};
+  static auto tie(auto& own) { return std::tie(own.points); }
 };
 
 /// A box was tried on the points named, which gave it its axes; better: whether it became the best so far.
@@ -63,7 +70,8 @@ struct BoxTried {
   Obb<Scalar, Dim> box;
   double measure = 0;  // scene units squared or cubed
   bool better = false;
-  void fields(auto&& see) const { see("on", on), see("box", box), see("measure", measure), see("better", better); }
+  static constexpr std::array<std::string_view, 4> kFields{"on", "box", "measure", "better"};
+  static auto tie(auto& own) { return std::tie(own.on, own.box, own.measure, own.better); }
 };
 
 /// The smallest rectangle around what the points cast along a direction, with a side on the hull's edge from edge_a to
@@ -76,10 +84,8 @@ struct RectangleFound {
   Obb<Scalar, Dim> box;
   double measure = 0;
   bool better = false;
-  void fields(auto&& see) const {
-    see("along", along), see("edge_a", edge_a), see("edge_b", edge_b), see("box", box), see("measure", measure),
-        see("better", better);
-  }
+  static constexpr std::array<std::string_view, 6> kFields{"along", "edge_a", "edge_b", "box", "measure", "better"};
+  static auto tie(auto& own) { return std::tie(own.along, own.edge_a, own.edge_b, own.box, own.measure, own.better); }
 };
 
 /// All boxes with one face on the hull's edge from a to b and an adjacent face on a later edge were gone through.
@@ -89,9 +95,8 @@ struct EdgeSearched {
   static constexpr std::string_view kName = "edge_searched";
   Index a = kNoIndex, b = kNoIndex;
   Index pairs = 0, ruled_out = 0, halvings = 0;
-  void fields(auto&& see) const {
-    see("a", a), see("b", b), see("pairs", pairs), see("ruled_out", ruled_out), see("halvings", halvings);
-  }
+  static constexpr std::array<std::string_view, 5> kFields{"a", "b", "pairs", "ruled_out", "halvings"};
+  static auto tie(auto& own) { return std::tie(own.a, own.b, own.pairs, own.ruled_out, own.halvings); }
 };
 
 template <class Scalar, int Dim>

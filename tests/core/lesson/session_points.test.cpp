@@ -1,4 +1,5 @@
 #include "core/lesson/small_lesson.hpp"
+#include "lesson/subjects/cloud/cloud.hpp"
 
 using namespace snug;
 using namespace snug::lesson;
@@ -18,7 +19,11 @@ io::PointFile tetrahedron() {
   return {3, {V(0, 0, 0), V(1, 0, 0), V(0, 1, 0), V(0, 0, 1)}, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}};
 }
 
-double radius(const Session& session) { return ball_of(session.recording(0).result).radius; }
+double radius(const Session& session) { return ball_of(recording_of(session, 0)->result).radius; }
+
+double smallest(const Session& session) {
+  return as<CloudSubject>(session.subject())->smallest_size(session.view()).value();
+}
 
 }  // namespace
 
@@ -31,7 +36,7 @@ TEST_CASE("moving a point runs everything anew and can be undone") {
   CHECK(session.revision() != revision);
   CHECK(session.edited());
   CHECK(radius(session) == 2);
-  CHECK(session.smallest_size().value() == doctest::Approx(2));
+  CHECK(smallest(session) == doctest::Approx(2));
   session.undo();
   CHECK(radius(session) == 2.25);
   CHECK_FALSE(session.edited());
@@ -157,13 +162,13 @@ TEST_CASE("triangles stay while vertices move, go with a point, and come back wi
   REQUIRE(session.load(tetrahedron(), "tetrahedron.obj").has_value());
   CHECK(session.dim() == 3);
   CHECK(session.source() == "tetrahedron.obj");
-  CHECK(session.triangles().size() == 4);
+  CHECK(session.subject().triangles().size() == 4);
   REQUIRE(session.move(0, V(0, 0, -1)).has_value());
-  CHECK(session.triangles().size() == 4);
+  CHECK(session.subject().triangles().size() == 4);
   REQUIRE(session.remove(0).has_value());
-  CHECK(session.triangles().empty());
+  CHECK(session.subject().triangles().empty());
   session.undo();
-  CHECK(session.triangles().size() == 4);
+  CHECK(session.subject().triangles().size() == 4);
 }
 
 TEST_CASE("the last point cannot be deleted") {
@@ -173,7 +178,7 @@ TEST_CASE("the last point cannot be deleted") {
   REQUIRE_FALSE(refused.has_value());
   CHECK(refused.error().what == "the last point cannot be deleted");
   CHECK(radius(session) == 0);
-  CHECK(session.smallest_size().value() == 0);
+  CHECK(smallest(session) == 0);
   CHECK(session.rivals().front().excess == 0);
 }
 
@@ -187,12 +192,12 @@ TEST_CASE("brute force says how many points it takes") {
 
   REQUIRE(session.choose(1, "brute_force").has_value());
   REQUIRE(session.set_generator("cube", 41, 2, 1).has_value());  // both give way
-  CHECK(session.algorithm(0)->name == "ritter");
-  CHECK(session.algorithm(1) == nullptr);
+  CHECK(session.method(0)->name == "ritter");
+  CHECK(session.method(1) == nullptr);
   const auto too_many = session.choose(0, "brute_force");
   REQUIRE_FALSE(too_many.has_value());
   CHECK(too_many.error().what == "Brute force takes at most 40 points");
-  for (const auto& rival : session.rivals()) CHECK(rival.algorithm->name != "brute_force");
+  for (const auto& rival : session.rivals()) CHECK(rival.method->name != "brute_force");
 }
 
 TEST_CASE("rivals and the optimum follow the points") {
@@ -200,10 +205,10 @@ TEST_CASE("rivals and the optimum follow the points") {
   REQUIRE(session.rivals().size() == 3);
   CHECK(session.rivals()[0].excess == doctest::Approx(2.25 / 2.05 - 1));
   CHECK(std::abs(*session.rivals()[1].excess) < 1e-12);
-  CHECK(ball_of(session.optimum()->result).radius == doctest::Approx(2.05));
+  CHECK(ball_of(optimum_of(session)->result).radius == doctest::Approx(2.05));
   REQUIRE(session.move(4, V(0, 0, 0)).has_value());
   CHECK(std::abs(*session.rivals()[0].excess) < 1e-12);
-  CHECK(ball_of(session.optimum()->result).radius == doctest::Approx(2));
+  CHECK(ball_of(optimum_of(session)->result).radius == doctest::Approx(2));
   REQUIRE(session.choose(0, "pivot").has_value());
-  CHECK(session.optimum() == &session.recording(0));
+  CHECK(optimum_of(session) == recording_of(session, 0));
 }

@@ -106,8 +106,7 @@ inline lesson::Answer point(int value) { return {lesson::Answer::Kind::kPoint, v
 inline void play_to_end(lesson::Session& session) {
   for (int turns = 0; session.step() < session.steps() || session.asked() != nullptr; ++turns) {
     REQUIRE(turns < 10000);
-    if (const auto* asked = session.asked())
-      REQUIRE(session.answer(lesson::model_answer(*asked, session.recording(0).steps)));
+    if (const auto* asked = session.asked()) REQUIRE(session.answer(lesson::model_answer(*asked, session.run(0))));
     else session.forward();
   }
 }

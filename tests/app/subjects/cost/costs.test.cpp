@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "app/subjects/cost/charts.hpp"
+#include "lesson/subjects/cost/cost.hpp"
 
 namespace snug::app {
 namespace {
@@ -70,12 +71,12 @@ TEST_CASE("first the prediction, then a run in slices, then what the session mak
   CHECK(costs.shown());
   costs.work(session, 0);
   CHECK(costs.running());
-  CHECK(session.costs() == nullptr);
+  CHECK(lesson::costs_of(session) == nullptr);
   const int version = costs.version();
   finish(costs, session);
   CHECK(costs.version() != version);
-  REQUIRE(session.costs() != nullptr);
-  CHECK(session.costs()->size() == 2);
+  REQUIRE(lesson::costs_of(session) != nullptr);
+  CHECK(lesson::costs_of(session)->size() == 2);
   CHECK_FALSE(session.outcomes()[0].pending);
   CHECK(costs.table().provenance.points == "own");
   CHECK(costs.table().provenance.version == "9");
@@ -100,12 +101,12 @@ TEST_CASE("what is ready stays when it is stopped, and other points are other fi
   REQUIRE(costs.command(session, "stop_measuring"));
   CHECK(costs.table().rows.size() == 1);
   CHECK_FALSE(costs.running());
-  CHECK(session.costs() == nullptr);
+  CHECK(lesson::costs_of(session) == nullptr);
   REQUIRE(costs.command(session, "measure"));
   REQUIRE(session.move(0, {7, 7, 0}).has_value());
   finish(costs, session);
   CHECK(costs.table().rows.size() == 2);
-  CHECK(session.costs() == nullptr);
+  CHECK(lesson::costs_of(session) == nullptr);
 }
 
 TEST_CASE("a large file is measured whole and shown in part; above two million points it is refused") {
@@ -174,7 +175,7 @@ TEST_CASE("growth is measured on a kind of points; what is ready stays, and figu
     CHECK(line.back().points < 1'000'000);
     CHECK(line[0].stopped.find("one run of") == 0);
   }
-  CHECK(session.costs() == nullptr);  // the questions are of the other chart
+  CHECK(lesson::costs_of(session) == nullptr);  // the questions are of the other chart
   CHECK(costs.table().rows.empty());
   CHECK(costs.sheet().csv().find("# snug table: growth\n") == 0);
   CHECK(costs.caption(session).find("end where one run would take over 20 µs") != std::string::npos);

@@ -1,7 +1,6 @@
 // At every step of the lessons on a box and a frustum, stage, sentence and figures speak of the same plane.
 #include "../every_step.hpp"
 #include "app/subjects/frustum/shown.hpp"
-#include "lesson/frustum_box.hpp"
 
 namespace snug::app {
 namespace {
@@ -26,12 +25,12 @@ TEST_CASE("the plane on the stage is the one in the sentence and in the figures"
     at_every_step(id, [&](const lesson::Session& session) {
       const FrustumShown shown = frustum_shown_at(session);
       const std::string staged = shown.plane_at < 0 ? "—" : lesson::plane_name(session.dim(), shown.plane_at);
-      if (session.step() > 0) REQUIRE(plane_in(caption_at(session), session.dim()) == staged);
+      if (session.step() > 0) REQUIRE(plane_in(session.caption(), session.dim()) == staged);
       REQUIRE(figure(session, "plane") == staged);
       if (shown.plane) REQUIRE(shown.plane->plane == shown.plane_at);
       if (!shown.finished)
         for (const auto& corner : shown.corners)
-          if (session.algorithm(0)->name == "corners_per_plane") REQUIRE(corner.plane == shown.plane_at);
+          if (session.method(0)->name == "corners_per_plane") REQUIRE(corner.plane == shown.plane_at);
       ++(shown.plane_at < 0 ? without : with_plane);
     });
   CHECK(with_plane > 50);

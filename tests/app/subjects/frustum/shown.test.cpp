@@ -11,15 +11,17 @@ lesson::Session frustum_session(const std::string& test, bool asks) {
   lesson::Lesson lesson;
   lesson.id = "test";
   lesson.volume = "frustum_box";
-  lesson.boxes = lesson::BoxPair{.taper = 0.25};
-  lesson.boxes->boxes[0] = {{2, 2, 0}, Matrix<double, 3>::Identity(), {0.4, 0.2, 0}};
-  lesson.boxes->boxes[1] = {{2.5, 0, 0}, Matrix<double, 3>::Identity(), {1.5, 4, 0}};
+  auto tables = std::make_shared<lesson::BoxTables>();
+  tables->boxes.taper = 0.25;
+  tables->boxes.boxes[0] = {{2, 2, 0}, Matrix<double, 3>::Identity(), {0.4, 0.2, 0}};
+  tables->boxes.boxes[1] = {{2.5, 0, 0}, Matrix<double, 3>::Identity(), {1.5, 4, 0}};
+  lesson.tables = std::move(tables);
   lesson.algorithms = {test};
   if (asks) {
     lesson::Question& question = lesson.questions.emplace_back();
     question.id = "p";
     question.gate = {test, "plane_tested", 1, ""};
-    question.asks = lesson::Question::Asks::kPVertex;
+    question.asks = "p_vertex";
   }
   return *lesson::Session::open(std::move(lesson));
 }

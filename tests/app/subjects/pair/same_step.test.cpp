@@ -2,7 +2,6 @@
 #include "../every_step.hpp"
 #include "app/subjects/pair/axis_table.hpp"
 #include "app/subjects/pair/shown.hpp"
-#include "lesson/box_tests.hpp"
 
 namespace snug::app {
 namespace {
@@ -18,8 +17,7 @@ std::string axis_in(const std::string& caption, int dim) {
 }
 
 std::string code_at(const lesson::Session& session) {
-  const auto* entry = session.current(0);
-  return entry == nullptr ? "" : std::string(session.pseudocode(0)[entry->step.line]);
+  return session.line() < 0 ? "" : std::string(session.pseudocode(0)[session.line()]);
 }
 
 }  // namespace
@@ -31,8 +29,8 @@ TEST_CASE("the axis on the stage is the one in the sentence, in the figures, in 
       const PairShown shown = pair_shown_at(session);
       const int dim = session.dim();
       const std::string staged = shown.axis ? lesson::axis_text(dim, shown.axis->axis) : "—";
-      const std::string caption = caption_at(session);
-      const bool axes = session.algorithm(0)->name.substr(0, 3) == "sat";
+      const std::string caption = session.caption();
+      const bool axes = session.method(0)->name.substr(0, 3) == "sat";
       if (axes) REQUIRE(axis_in(caption, dim) == staged);
       REQUIRE((axes ? figure(session, "axis") : "—") == staged);
       const int row = lit_row(session);
@@ -58,7 +56,7 @@ TEST_CASE("a question about an axis shows its direction, and what the step has s
   REQUIRE(shown.axis_asked);
   CHECK(lesson::axis_text(2, shown.axis_asked->axis) == "A x");
   CHECK_FALSE(shown.axis);
-  REQUIRE(session.answer(lesson::model_answer(*session.asked(), session.recording(0).steps)));
+  REQUIRE(session.answer(lesson::model_answer(*session.asked(), session.run(0))));
   shown = pair_shown_at(session);
   REQUIRE(shown.axis_asked);
   CHECK(lesson::axis_text(2, shown.axis_asked->axis) == "A y");

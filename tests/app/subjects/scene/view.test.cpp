@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include "lesson/subjects/scene/scene.hpp"
+
 namespace snug::app {
 namespace {
 
@@ -12,11 +14,13 @@ lesson::Session turning(bool at_points) {
   lesson.id = "test";
   lesson.volume = "scene";
   lesson.points = {.dim = 3, .generate = "gaussian", .count = 12};
-  lesson.scene = lesson::SceneSet{.frames = 30};
-  lesson.scene->bodies.resize(1);
-  lesson.scene->bodies[0].of_points = !at_points;
-  lesson.scene->bodies[0].at_points = at_points;
-  lesson.scene->effects = {{.name = "spin", .settings = {{"turns_per_second", {1}, ""}}}, {.name = "refit"}};
+  auto set = std::make_shared<lesson::SceneSet>();
+  set->frames = 30;
+  set->bodies.resize(1);
+  set->bodies[0].of_points = !at_points;
+  set->bodies[0].at_points = at_points;
+  set->effects = {{.name = "spin", .settings = {{"turns_per_second", {1}, ""}}}, {.name = "refit"}};
+  lesson.tables = std::move(set);
   lesson.algorithms = {"rebuild"};
   return *lesson::Session::open(std::move(lesson));
 }
@@ -39,10 +43,10 @@ TEST_CASE("where a body stands at each point, it is drawn in the point's place, 
   lesson::Session session = turning(true);
   const auto view = scene_view();
   CHECK_FALSE(view->shows_points(session));
-  CHECK(view->handles_word(session) == "Bodies");
+  CHECK(session.subject().tools_word() == "Bodies");
   const fit::Sphere3 room = view->extent(session);
   for (Index i = 0; i < session.size(); ++i) {
-    CHECK(view->place_of(session, i) == session.frame()->bodies[i].position);
+    CHECK(view->place_of(session, i) == frame_of(session)->bodies[i].position);
     CHECK((session.point(i) - room.center).cwiseAbs().maxCoeff() <= room.radius);
   }
 }

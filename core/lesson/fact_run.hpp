@@ -1,0 +1,68 @@
+// What a run of facts does: it asks each fact's entry. For the files that have a subject's entries.
+#pragma once
+
+#include "fit/field_hash.hpp"
+#include "lesson/facts.hpp"
+#include "trace/observer.hpp"
+
+namespace snug::lesson {
+
+template <class Own, class Step>
+template <class Call>
+auto FactRun<Own, Step>::visit(int i, Call call) const {
+  return std::visit(call, own().trace()[i].step.fact);
+}
+template <class Own, class Step>
+auto FactRun<Own, Step>::where(int i, const Untold* untold) const {
+  return typename Own::Where{own(), i, untold};
+}
+
+template <class Own, class Step>
+int FactRun<Own, Step>::steps() const {
+  return static_cast<int>(own().trace().size());
+}
+template <class Own, class Step>
+std::string_view FactRun<Own, Step>::fact(int i) const {
+  return visit(i, []<class Fact>(const Fact&) { return Fact::kName; });
+}
+template <class Own, class Step>
+int FactRun<Own, Step>::line(int i) const {
+  return own().trace()[i].step.line;
+}
+template <class Own, class Step>
+std::string FactRun<Own, Step>::sentence(int i, const Untold& untold) const {
+  return visit(i, [&]<class Fact>(const Fact& fact) { return Entry<Fact>::sentence(fact, where(i, &untold)); });
+}
+template <class Own, class Step>
+std::vector<Index> FactRun<Own, Step>::handles(int i) const {
+  return visit(i, [&]<class Fact>(const Fact& fact) { return Entry<Fact>::handles(fact, where(i)); });
+}
+template <class Own, class Step>
+std::string FactRun<Own, Step>::predicate(int i, bool plural) const {
+  return visit(i, [&]<class Fact>(const Fact& fact) { return Entry<Fact>::predicate(fact, where(i), plural); });
+}
+template <class Own, class Step>
+std::optional<Mark::Kind> FactRun<Own, Step>::mark(int i) const {
+  return visit(
+      i, [&]<class Fact>(const Fact& fact) -> std::optional<Mark::Kind> { return Entry<Fact>::mark(fact, where(i)); });
+}
+template <class Own, class Step>
+std::span<const Asking> FactRun<Own, Step>::askings(int i) const {
+  return visit(i, []<class Fact>(const Fact&) { return std::span<const Asking>(Entry<Fact>::kAskings); });
+}
+template <class Own, class Step>
+bool FactRun<Own, Step>::counts(int i) const {
+  return visit(i, []<class Fact>(const Fact& fact) { return Entry<Fact>::counts(fact); });
+}
+template <class Own, class Step>
+const fit::Volume3* FactRun<Own, Step>::volume(int steps) const {
+  if constexpr (requires(const Step& step) { step.volume; })
+    if (steps > 0 && own().trace()[steps - 1].step.has_volume) return &own().trace()[steps - 1].step.volume;
+  return nullptr;
+}
+template <class Own, class Step>
+std::uint64_t FactRun<Own, Step>::hash() const {
+  return fit::hash_of_steps(own().trace());
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,81 @@
+// How a subject says its facts. Each fact has one entry: what is said of it, which handles it speaks of, whether it is
+// a mark on the timeline, and what can be asked of it. A fact without an entry does not compile.
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "lesson/ask.hpp"
+
+namespace snug::lesson {
+
+/// The entry of a fact. Where: the step where it stands, as its subject's runs have it (Own::Where). It has
+///   static std::string sentence(const Fact&, const Where&)
+/// and what of the defaults below is otherwise.
+template <class Fact>
+struct Entry;
+
+struct EntryDefaults {
+  static std::vector<Index> handles(const auto&, const auto&) { return {}; }
+  static std::string predicate(const auto&, const auto&, bool plural) { return plural ? "are named" : "is named"; }
+  static std::optional<Mark::Kind> mark(const auto&, const auto&) { return std::nullopt; }
+  static bool counts(const auto&) { return true; }
+  static constexpr std::array<Asking, 0> kAskings{};
+};
+
+/// A run whose steps are facts of a variant. Own: the run itself, with
+///   std::span<const Recorder<Step>::Entry> trace() const
+///   struct Where, made of the run, the step's place and Untold.
+/// What it does stands in fact_run.hpp, for the one file that has all entries and instantiates it.
+template <class Own, class Step>
+class FactRun : public Run {
+ public:
+  [[nodiscard]] int steps() const final;
+  [[nodiscard]] std::string_view fact(int i) const final;
+  [[nodiscard]] int line(int i) const final;
+  [[nodiscard]] std::string sentence(int i, const Untold& untold) const final;
+  [[nodiscard]] std::vector<Index> handles(int i) const final;
+  [[nodiscard]] std::string predicate(int i, bool plural) const final;
+  [[nodiscard]] std::optional<Mark::Kind> mark(int i) const final;
+  [[nodiscard]] std::span<const Asking> askings(int i) const final;
+  [[nodiscard]] bool counts(int i) const final;
+  [[nodiscard]] std::uint64_t hash() const final;
+  [[nodiscard]] const fit::Volume3* volume(int steps) const final;
+
+ private:
+  [[nodiscard]] const Own& own() const { return static_cast<const Own&>(*this); }
+  template <class Call>
+  auto visit(int i, Call call) const;
+  [[nodiscard]] auto where(int i, const Untold* untold = nullptr) const;
+};
+
+template <class Facts>
+struct FactList;
+template <class... Facts>
+struct FactList<std::variant<Facts...>> {
+  /// Their names, in their order.
+  static std::vector<std::string_view> names() { return {Facts::kName...}; }
+  /// What can be asked of any of them.
+  static std::vector<AskingOf> askings() {
+    std::vector<AskingOf> all;
+    const auto add = [&](std::string_view fact, const auto& some) {
+      for (const Asking& asking : some) all.push_back({fact, &asking});
+    };
+    (add(Facts::kName, Entry<Facts>::kAskings), ...);
+    return all;
+  }
+};
+
+/// The two answers of many a question.
+inline const char* offer_yes_no(Asked& asked, const Run&) {
+  asked.add_choice("yes");
+  asked.add_choice("no");
+  return nullptr;
+}
+inline constexpr int kYes = 0, kNo = 1;
+[[nodiscard]] inline Truth yes(std::string sentence) { return {{kYes}, {}, "yes", std::move(sentence)}; }
+[[nodiscard]] inline Truth no(std::string sentence) { return {{kNo}, {}, "no", std::move(sentence)}; }
+
+}  // namespace snug::lesson

@@ -1,0 +1,205 @@
+#include "lesson/point_subject.hpp"
+
+#include <algorithm>
+
+#include "geometry/generate.hpp"
+#include "lesson/names.hpp"
+#include "lesson/subjects.hpp"
+
+namespace snug::lesson {
+namespace {
+
+std::vector<Point3> all_points(const AnyPointSet& points) {
+  std::vector<Point3> all;
+  all.reserve(fit::size_of(points));
+  for (Index i = 0; i < fit::size_of(points); ++i) all.push_back(fit::point_of(points, i));
+  return all;
+}
+
+bool is_generator(std::string_view kind) {
+  const auto kinds = generator_kinds();
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+}  // namespace
+
+const std::vector<std::string>& mesh_names() {
+  static const std::vector<std::string> names{"bunny", "teapot", "dragon"};
+  return names;
+}
+
+std::string point_name(Index i) { return "P" + std::to_string(i); }
+
+std::string point_names(std::span<const Index> points) {
+  if (points.empty()) return "no point";
+  std::string text;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i > 0) text += i + 1 == points.size() ? " and " : ", ";
+    text += point_name(points[i]);
+  }
+  return text;
+}
+
+tl::expected<AnyPointSet, InputError> to_set(const std::vector<Point3>& points, int dim) {
+  return io::to_point_set({dim, points, {}}, {}, 0, false);
+}
+
+Points read_points(const toml::table& toml, Complaints& complaints) {
+  TomlTable table(toml, "[points]", complaints);
+  Points points;
+  points.dim = static_cast<int>(table.integer_or("dim", 2, 3, 2));
+  const int ways = int{table.has("generate")} + int{table.has("mesh")} + int{table.has("list")};
+  if (ways != 1) complaints.add(table.line(), "[points] needs exactly one of \"generate\", \"mesh\" and \"list\"");
+  if (table.has("generate")) {
+    points.generate = table.text("generate");
+    check_name(table, "generate", points.generate, generator_kinds());
+    points.count = static_cast<int>(table.integer("count", 1, kMostGenerated));
+  }
+  if (table.has("mesh")) {
+    points.mesh = table.text("mesh");
+    check_name(table, "mesh", points.mesh, mesh_names());
+    if (table.has("dim") && points.dim != 3) table.wrong("dim", "of a mesh is 3");
+    points.dim = 3;
+  }
+  if (table.has("list")) points.list = table.points("list", points.dim);
+  table.refuse_others();
+  return points;
+}
+
+tl::expected<AnyPointSet, InputError> own_points(const Lesson& lesson, const std::optional<io::PointFile>& mesh) {
+  const Points& points = lesson.points;
+  if (!points.mesh.empty()) {
+    if (!mesh) return tl::unexpected(InputError{.what = "the mesh " + points.mesh + " is not loaded"});
+    return to_set(mesh->points, mesh->dim);
+  }
+  if (points.generate.empty()) return to_set(points.list, points.dim);
+  const auto made = generate(points.generate, points.count, points.dim, lesson.seed);
+  if (!made) return tl::unexpected(InputError{.what = "there is no generator " + points.generate});
+  return to_set(*made, points.dim);
+}
+
+AnyPointSet start_of_task(const Lesson& lesson, const AnyPointSet& own) {
+  const Index count = std::min(fit::size_of(own), Index{lesson.task->points});
+  std::vector<Point3> points;
+  for (Index i = 0; i < count; ++i) points.push_back(fit::point_of(own, i));
+  return *to_set(points, fit::dim_of(own));  // of points that were accepted before
+}
+
+std::optional<AnyPointSet> check_point_task(const Lesson& lesson, const AnyPointSet& own, const TomlTable& task,
+                                            Complaints& complaints) {
+  if (fit::size_of(own) < lesson.task->points)
+    complaints.add(task.line(), "the task is for more points than the lesson has");
+  if (!is_among(lesson.algorithms, lesson.task->algorithm))
+    complaints.add(task.line(), "the lesson does not offer the algorithm " + lesson.task->algorithm);
+  auto model = to_set(lesson.task->model, fit::dim_of(own));
+  if (model) return *std::move(model);
+  complaints.add(task.line_of("model"), model.error().what);
+  return std::nullopt;
+}
+
+PointSubject::PointSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh)
+    : points_(std::move(points)) {
+  const Points& own = lesson.points;
+  Recipe recipe{own.generate, own.count, own.dim, own.generate.empty(), own.mesh, lesson.seed};
+  origin_.seed = lesson.seed;
+  if (!own.generate.empty()) origin_.source = own.generate, origin_.generated = own.count;
+  if (recipe.own_list) {
+    recipe.kind = lesson.generators.empty() ? "gaussian" : lesson.generators.front();
+    recipe.count = std::min(fit::size_of(points_), Index{kMostGenerated}), recipe.dim = fit::dim_of(points_);
+  }
+  if (mesh && !own.mesh.empty()) {
+    origin_.source = own.mesh;
+    triangles_ = std::make_shared<const Triangles>(std::move(mesh->triangles));
+  }
+  recipe_ = std::make_shared<const Recipe>(std::move(recipe));
+}
+
+std::span<const std::array<Index, 3>> PointSubject::triangles() const {
+  return triangles_ ? std::span<const std::array<Index, 3>>(*triangles_) : std::span<const std::array<Index, 3>>();
+}
+
+void PointSubject::become(AnyPointSet points, std::shared_ptr<const Triangles> triangles) {
+  points_ = std::move(points);
+  triangles_ = std::move(triangles);
+  points_changed();
+}
+
+Done PointSubject::move(Index i, const Point3& to) {
+  const auto moved = std::visit(
+      [&]<class Scalar, int Dim>(PointSet<Scalar, Dim>& set) {
+        return set.move(i, to.template head<Dim>().template cast<Scalar>());
+      },
+      points_);
+  if (!moved) return tl::unexpected(moved.error());
+  origin_.edited = true;
+  points_changed();
+  return {};
+}
+
+Done PointSubject::add(const Point3& at) {
+  std::vector<Point3> all = all_points(points_);
+  all.push_back(at);
+  auto set = to_set(all, dim());
+  if (!set) return tl::unexpected(std::move(set.error()));
+  origin_.edited = true;
+  become(*std::move(set), nullptr);
+  return {};
+}
+
+Done PointSubject::remove(Index i) {
+  if (i < 0 || i >= size()) return tl::unexpected(InputError{.what = "there is no point " + std::to_string(i)});
+  if (size() == 1) return tl::unexpected(InputError{.what = "the last point cannot be deleted"});
+  std::vector<Point3> all = all_points(points_);
+  all.erase(all.begin() + i);
+  auto set = to_set(all, dim());
+  if (!set) return tl::unexpected(std::move(set.error()));
+  origin_.edited = true;
+  become(*std::move(set), nullptr);
+  return {};
+}
+
+Done PointSubject::load(const io::PointFile& file, std::string_view name) {
+  auto set = io::to_point_set(file, name, 0, false);
+  if (!set) return tl::unexpected(std::move(set.error()));
+  origin_ = {std::string(name), 0, origin_.seed, name != recipe_->mesh};
+  become(*std::move(set), std::make_shared<const Triangles>(file.triangles));
+  return {};
+}
+
+/// Expects a kind that exists, and a count and dimension in range.
+void PointSubject::generate_points(std::string_view kind, int count, int dim, std::uint64_t seed, bool edited) {
+  origin_ = {std::string(kind), count, seed, edited};
+  become(*to_set(*generate(kind, count, dim, seed), dim), nullptr);
+}
+
+bool PointSubject::is_as_own(std::string_view kind, int count, int dim) const {
+  return kind == recipe_->kind && count == recipe_->count && dim == recipe_->dim;
+}
+
+Done PointSubject::set_generator(std::string_view kind, int count, int dim, std::uint64_t seed, const Subject&) {
+  if (!is_generator(kind)) return tl::unexpected(InputError{.what = "there is no generator " + std::string(kind)});
+  if (count < 1 || count > kMostGenerated)
+    return tl::unexpected(InputError{.what = "a set has 1 to " + std::to_string(kMostGenerated) + " points"});
+  if (dim != 2 && dim != 3) return tl::unexpected(InputError{.what = "the dimension is 2 or 3"});
+  // At the lesson's seed an address means the lesson's own points, which a list of them would not be.
+  const bool own = is_as_own(kind, count, dim) && (seed != recipe_->seed || !recipe_->own_list);
+  generate_points(kind, count, dim, seed, !own);
+  return {};
+}
+
+void PointSubject::scatter(std::uint64_t seed, const Subject& own) {
+  const Origin now = origin_;
+  if (now.generated > 0 && !is_as_own(now.source, now.generated, dim()))
+    return generate_points(now.source, now.generated, dim(), seed, true);
+  if (seed != recipe_->seed) return generate_points(recipe_->kind, recipe_->count, recipe_->dim, seed, false);
+  const auto& first = static_cast<const PointSubject&>(own);
+  origin_ = first.origin_;
+  become(first.points_, first.triangles_);
+}
+
+void PointSubject::begin_task(const Lesson& lesson, const Subject& own) {
+  origin_ = {"task", 0, own.origin().seed, true};
+  become(start_of_task(lesson, *own.points()), nullptr);
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,94 @@
+// What subjects that are made of points share: the points and how they are edited, scattered and loaded.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "fit/catalogue.hpp"
+#include "io/point_file.hpp"
+#include "lesson/subject.hpp"
+#include "lesson/toml_table.hpp"
+
+namespace snug::lesson {
+
+/// How many points a set may be generated with.
+inline constexpr int kMostGenerated = 100000;
+
+/// "P9": how a point is called, everywhere.
+[[nodiscard]] std::string point_name(Index i);
+/// "P3", "P3 and P9", "P3, P9 and P12"; "no point" of none.
+[[nodiscard]] std::string point_names(std::span<const Index> points);
+
+/// In double. dim: 2 (z is dropped) or 3. Errors: as of PointSet::make.
+[[nodiscard]] tl::expected<AnyPointSet, InputError> to_set(const std::vector<Point3>& points, int dim);
+
+/// [points] of a lesson's file.
+[[nodiscard]] Points read_points(const toml::table& toml, Complaints& complaints);
+
+/// The lesson's own points at its seed; of a mesh, the file's. Errors: as of PointSet::make; a mesh that is missing.
+[[nodiscard]] tl::expected<AnyPointSet, InputError> own_points(const Lesson& lesson,
+                                                               const std::optional<io::PointFile>& mesh);
+
+/// The first of a set's points, as many as the lesson's task is for (or all, where it has fewer).
+[[nodiscard]] AnyPointSet start_of_task(const Lesson& lesson, const AnyPointSet& own);
+
+/// A task whose solution is points: the points that it begins with are enough, the lesson offers its algorithm, and
+/// the model, which solves it, makes a set. Complains of what does not hold; returns the model.
+[[nodiscard]] std::optional<AnyPointSet> check_point_task(const Lesson& lesson, const AnyPointSet& own,
+                                                          const TomlTable& task, Complaints& complaints);
+
+class PointSubject : public Subject {
+ public:
+  [[nodiscard]] int dim() const override { return fit::dim_of(points_); }
+  [[nodiscard]] Index size() const override { return fit::size_of(points_); }
+  [[nodiscard]] Point3 at(Index i) const override { return fit::point_of(points_, i); }
+  [[nodiscard]] std::string name_of(Index i) const override { return point_name(i); }
+  [[nodiscard]] const AnyPointSet* points() const override { return &points_; }
+  [[nodiscard]] std::span<const std::array<Index, 3>> triangles() const override;
+
+  Done move(Index i, const Point3& to) override;
+  /// Drops the triangles, as remove does.
+  Done add(const Point3& at) override;
+  /// Errors: the last point cannot be deleted.
+  Done remove(Index i) override;
+  /// Errors: as of io::to_point_set.
+  Done load(const io::PointFile& file, std::string_view name) override;
+  /// Errors: unknown kind, a count out of 1 … kMostGenerated, a dimension other than 2 and 3.
+  Done set_generator(std::string_view kind, int count, int dim, std::uint64_t seed, const Subject& own) override;
+  /// Of the kind that the points are now; those of a mesh, file or list give way to as many of the lesson's generator
+  /// as the lesson has points. The lesson's own seed brings a lesson's own list back.
+  void scatter(std::uint64_t seed, const Subject& own) override;
+  void begin_task(const Lesson& lesson, const Subject& own) override;
+
+ protected:
+  using Triangles = std::vector<std::array<Index, 3>>;
+  /// How the lesson's points are scattered: by its own generator, or as many of another kind as it has points.
+  struct Recipe {
+    std::string kind;
+    int count = 0;
+    int dim = 2;
+    bool own_list = false;   // the lesson's own points are a list or a mesh
+    std::string mesh;        // its name, where they are
+    std::uint64_t seed = 1;  // the lesson's
+    friend bool operator==(const Recipe&, const Recipe&) = default;
+  };
+
+  PointSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh);
+  PointSubject(const PointSubject&) = default;
+  PointSubject& operator=(const PointSubject&) = default;
+
+  /// The points are no longer those that anything was worked out of.
+  virtual void points_changed() {}
+  void become(AnyPointSet points, std::shared_ptr<const Triangles> triangles);
+  void generate_points(std::string_view kind, int count, int dim, std::uint64_t seed, bool edited);
+
+ private:
+  [[nodiscard]] bool is_as_own(std::string_view kind, int count, int dim) const;
+
+  AnyPointSet points_;
+  std::shared_ptr<const Triangles> triangles_;  // shared, so that a snapshot is small
+  std::shared_ptr<const Recipe> recipe_;
+};
+
+}  // namespace snug::lesson

@@ -1,0 +1,123 @@
+// A session's edits, and undo.
+#include <algorithm>
+
+#include "lesson/session.hpp"
+#include "lesson/subjects.hpp"
+
+namespace snug::lesson {
+namespace {
+
+constexpr std::size_t kMostUndo = 200;  // of a bunny, 10 MB
+
+}  // namespace
+
+/// One entry of undo. Where it is refused, nothing changes.
+template <class Edit>
+Done Session::edit(Edit edit) {
+  Snapshot next = now_->clone();
+  if (Done done = edit(*next); !done) return done;
+  return become(std::move(next));
+}
+
+Done Session::become(Snapshot next) {
+  if (Done made = make_room_for(*next); !made) return made;
+  end_drag();
+  remember(std::exchange(now_, std::move(next)));
+  subject_changed();
+  return {};
+}
+
+Done Session::move(Index i, const Point3& to) {
+  if (i < 0 || i >= size()) return tl::unexpected(InputError{.what = "there is no point " + std::to_string(i)});
+  if (!drag_) return edit([&](Subject& next) { return next.move(i, to); });
+  if (Done moved = now_->move(i, to); !moved) return moved;
+  drag_moved_ = true;
+  subject_changed();
+  return {};
+}
+
+Done Session::add(const Point3& at) {
+  return edit([&](Subject& next) -> Done {
+    if (Done added = next.add(at); !added) return added;
+    if (!next.suits(*slots_[0].method))
+      return tl::unexpected(InputError{.what = std::string(slots_[0].method->title) + " takes at most " +
+                                               std::to_string(slots_[0].method->max_points) + " points"});
+    return {};
+  });
+}
+
+Done Session::remove(Index i) {
+  return edit([&](Subject& next) { return next.remove(i); });
+}
+
+Done Session::load(const io::PointFile& file, std::string_view name) {
+  return edit([&](Subject& next) { return next.load(file, name); });
+}
+
+Done Session::set_generator(std::string_view kind, int count, int dim, std::uint64_t seed) {
+  return edit([&](Subject& next) { return next.set_generator(kind, count, dim, seed, *own_); });
+}
+
+Done Session::set_boxes(const BoxPair& pair) {
+  return edit([&](Subject& next) { return next.set_boxes(pair); });
+}
+
+void Session::scatter(std::uint64_t seed) {
+  static_cast<void>(edit([&](Subject& next) { return next.scatter(seed, *own_), Done(); }));
+}
+
+void Session::reset() { static_cast<void>(become(own_->clone())); }
+
+void Session::start_task() {
+  if (!lesson_->task) return;
+  found_.clear();
+  static_cast<void>(edit([&](Subject& next) { return next.begin_task(*lesson_, *own_), Done(); }));
+  static_cast<void>(choose(0, lesson_->task->algorithm));
+  // Who builds an example looks at results, and was asked nothing yet. Bodies are placed where they begin.
+  previewing_ = now_->task_begins_at_end();
+  step_ = previewing_ ? steps() : 0;
+  ++revision_;
+}
+
+bool Session::is_own() const { return now_->origin() == own_->origin(); }
+
+void Session::remember(Snapshot before) {
+  if (past_.size() == kMostUndo) past_.erase(past_.begin());
+  past_.push_back(std::move(before));
+  future_.clear();
+}
+
+void Session::begin_drag() {
+  end_drag();
+  drag_ = now_->clone();
+}
+
+void Session::end_drag() {
+  Snapshot before = std::move(drag_);
+  if (before && drag_moved_) {
+    remember(std::move(before));
+    ++revision_;
+  }
+  drag_moved_ = false;
+}
+
+void Session::restore(std::vector<Snapshot>& from, std::vector<Snapshot>& to) {
+  if (from.empty()) return;
+  // Each was accepted once, when the lesson's methods could take it.
+  static_cast<void>(make_room_for(*from.back()));
+  to.push_back(std::exchange(now_, std::move(from.back())));
+  from.pop_back();
+  subject_changed();
+}
+
+void Session::undo() {
+  end_drag();
+  restore(past_, future_);
+}
+
+void Session::redo() {
+  end_drag();
+  restore(future_, past_);
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,34 @@
+#include "lesson/subject.hpp"
+
+#include <algorithm>
+
+#include "lesson/ask.hpp"
+
+namespace snug::lesson {
+namespace {
+
+tl::unexpected<InputError> fixed_number() {
+  return tl::unexpected(InputError{.what = "this lesson has two volumes: no more and no fewer"});
+}
+
+}  // namespace
+
+bool Untold::hides(std::string_view figure) const {
+  return std::find(figures.begin(), figures.end(), figure) != figures.end();
+}
+
+Run::~Run() = default;
+std::vector<Index> Run::candidates(int) const { return {}; }
+std::vector<Index> Run::support(int) const { return {}; }
+
+Subject::~Subject() = default;
+Done Subject::add(const Point3&) { return fixed_number(); }
+Done Subject::remove(Index) { return fixed_number(); }
+Done Subject::set_boxes(const BoxPair&) { return tl::unexpected(InputError{.what = "this lesson has no boxes"}); }
+Done Subject::load(const io::PointFile&, std::string_view) { return fixed_number(); }
+Done Subject::set_generator(std::string_view, int, int, std::uint64_t, const Subject&) { return fixed_number(); }
+std::vector<Rival> Subject::rivals(const Lesson&, const View&) const { return {}; }
+std::vector<Switch> Subject::switches(const View&) const { return {}; }
+bool Subject::turn(std::string_view, bool, const View&) { return false; }
+
+}  // namespace snug::lesson

@@ -1,0 +1,41 @@
+#include "lesson/subjects.hpp"
+
+#include <array>
+
+#include "lesson/names.hpp"
+#include "lesson/subjects/cloud/cloud.hpp"
+#include "lesson/subjects/cost/cost.hpp"
+#include "lesson/subjects/frustum/frustum.hpp"
+#include "lesson/subjects/pair/pair.hpp"
+#include "lesson/subjects/scene/scene.hpp"
+
+namespace snug::lesson {
+
+std::span<const SubjectRow* const> subjects() {
+  static constexpr std::array kSubjects{&kCloudRow, &kPairRow, &kFrustumRow, &kSceneRow, &kCostRow};
+  return kSubjects;
+}
+
+const SubjectRow* find_subject(std::string_view volume, std::string_view chart) {
+  for (const SubjectRow* row : subjects())
+    if (row->chart == chart && is_among(row->volumes(), volume)) return row;
+  return nullptr;
+}
+
+const SubjectRow* subject_named(std::string_view name) {
+  for (const SubjectRow* row : subjects())
+    if (row->name == name) return row;
+  return nullptr;
+}
+
+const Method* find_method(std::span<const Method> methods, std::string_view name) {
+  for (const Method& method : methods)
+    if (method.name == name) return &method;
+  return nullptr;
+}
+
+const Method* find_method(const Lesson& lesson, std::string_view name) {
+  return find_method(lesson.subject->methods(lesson.volume), name);
+}
+
+}  // namespace snug::lesson

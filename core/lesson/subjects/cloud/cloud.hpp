@@ -1,0 +1,77 @@
+// A cloud of points, and the volume that an algorithm fits round it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "lesson/point_subject.hpp"
+#include "lesson/session.hpp"
+#include "lesson/subjects/cloud/fit_run.hpp"
+
+namespace snug::lesson {
+
+extern const SubjectRow kCloudRow;
+
+/// What a task on a cloud asks for.
+struct CloudTask : Tables {
+  double excess_at_least = 0;  // the algorithm's size / the smallest - 1
+  int support_size = 0;        // how many points must hold the smallest ball; 0 where the task does not say
+};
+
+class CloudSubject final : public PointSubject {
+ public:
+  static constexpr const SubjectRow& kRow = kCloudRow;
+  CloudSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh);
+
+  [[nodiscard]] const SubjectRow& row() const override { return kRow; }
+  [[nodiscard]] std::unique_ptr<Subject> clone() const override { return std::make_unique<CloudSubject>(*this); }
+  [[nodiscard]] std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const override;
+  [[nodiscard]] std::string opening(const Method& method) const override;
+  [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
+  [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
+  [[nodiscard]] std::vector<Rival> rivals(const Lesson& lesson, const View& view) const override;
+  [[nodiscard]] Grade grade(const Lesson& lesson, const View& view, std::vector<bool>& found) const override;
+
+  /// The smallest volume of the points, watched: run when first asked for after an edit, unless the view shows it. Null
+  /// where no algorithm finds it, or none takes so many points. For the size alone, smallest_size is cheaper.
+  [[nodiscard]] const fit::Recording* optimum(const View& view) const;
+  /// As fit::size_of has it.
+  [[nodiscard]] std::optional<double> smallest_size(const View& view) const;
+
+ protected:
+  void points_changed() override { worked_ = {}; }
+
+ private:
+  struct Worked {
+    std::shared_ptr<const fit::Recording> optimum;
+    std::optional<double> smallest_size;
+  };
+  [[nodiscard]] const fit::Algorithm* exact() const;
+  [[nodiscard]] double size_of(const fit::Algorithm& algorithm, const View& view) const;
+
+  std::string volume_;         // the lesson's
+  bool tells_optimum_ = true;  // a chart of costs is to tell it
+  mutable Worked worked_;      // out when asked for, and forgotten with the next edit
+};
+
+/// A slot's recording, of a subject whose methods fit volumes; null otherwise, and where the slot is empty.
+[[nodiscard]] const fit::Recording* recording_of(const Session& session, int slot);
+/// The smallest volume, watched, of a lesson about a cloud; null otherwise, and as of CloudSubject::optimum.
+[[nodiscard]] const fit::Recording* optimum_of(const Session& session);
+
+/// The catalogue's algorithms of a volume.
+[[nodiscard]] std::span<const Method> fit_methods(std::string_view volume);
+[[nodiscard]] inline const fit::Algorithm& algorithm_of(const Method& method) {
+  return *fit::find_algorithm(method.volume, method.name);
+}
+
+// figures.cpp, proofs.cpp, task.cpp
+[[nodiscard]] std::vector<Figure> fit_figures(const View& view, const FitRun& run, std::optional<double> smallest);
+[[nodiscard]] std::vector<Proof> fit_proofs(const View& view, const FitRun& run);
+void read_cloud_task(TomlTable& table, Lesson& lesson, Complaints& complaints);
+void check_cloud_task(const Lesson& lesson, const toml::table& toml, const Subject& own, Complaints& complaints);
+/// seed: of the algorithm's random order.
+[[nodiscard]] Grade grade_points(const Lesson& lesson, const AnyPointSet& points, std::uint64_t seed);
+
+}  // namespace snug::lesson

@@ -1,0 +1,6 @@
+// The entries of all facts that fitters tell.
+#pragma once
+
+#include "lesson/subjects/cloud/entries_box.hpp"
+#include "lesson/subjects/cloud/entries_hull.hpp"
+#include "lesson/subjects/cloud/entries_sphere.hpp"

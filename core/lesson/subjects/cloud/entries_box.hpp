@@ -1,0 +1,194 @@
+// The entries of the facts that fitters of boxes, swept volumes and k-DOPs tell.
+#pragma once
+
+#include "lesson/subjects/cloud/entries_sphere.hpp"
+
+namespace snug::lesson {
+
+template <>
+struct Entry<fit::ExtentsFound<double, 3>> : FitEntry {
+  using Fact = fit::ExtentsFound<double, 3>;
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    std::string lengths;
+    for (int i = 0; i < where.dim(); ++i) lengths += (i > 0 ? " × " : "") + number_text(fact.lengths[i]);
+    return "The points that reach farthest along each axis set the box's extents: " + lengths + ".";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) {
+    return points_of({fact.least, fact.greatest});
+  }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "reach farthest along the box's axes"; }
+  static std::optional<std::vector<Index>> support(const Fact& fact) { return points_of({fact.least, fact.greatest}); }
+};
+
+template <>
+struct Entry<fit::BallFound<double, 3>> : FitEntry {
+  using Fact = fit::BallFound<double, 3>;
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    return "The smallest " + where.ball() + " around the points has radius " + number_text(fact.ball.radius) +
+           "; it is supported by " + point_names(list_of(fact.support)) + ".";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return list_of(fact.support); }
+};
+
+template <>
+struct Entry<fit::HullFound> : FitEntry {
+  using Fact = fit::HullFound;
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    return "The convex hull has " +
+           (fact.vertices.size() == 1 ? "1 vertex" : std::to_string(fact.vertices.size()) + " vertices") + " and " +
+           counted(fact.facets, where.dim() == 2 ? "edge" : "face") + ": no point inside it can touch a box.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.vertices}); }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "are the vertices of the hull"; }
+};
+
+template <>
+struct Entry<fit::SurfaceFound<double, 3>> : FitEntry {
+  static std::string sentence(const fit::SurfaceFound<double, 3>& fact, const FitWhere& where) {
+    return "The hull's " + where.outline_word() + " measures " + number_text(fact.area) +
+           (where.dim() == 2 ? " units: every piece of it counts by its length,"
+                             : " units²: every piece of it counts by its area,") +
+           " however many points lie on it.";
+  }
+};
+
+template <>
+struct Entry<fit::PointsChosen> : FitEntry {
+  using Fact = fit::PointsChosen;
+  static std::string sentence(const Fact& fact, const FitWhere&) {
+    const bool one = fact.points.size() == 1;
+    return point_names(list_of(fact.points)) + (one ? " is" : " are") + " chosen: the axes are built on " +
+           (one ? "it." : "them.");
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.points}); }
+  static std::string predicate(const Fact&, const FitWhere&, bool plural) {
+    return plural ? "are chosen" : "is chosen";
+  }
+};
+
+template <>
+struct Entry<fit::BoxTried<double, 3>> : FitEntry {
+  using Fact = fit::BoxTried<double, 3>;
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    const std::string on = fact.on.empty() ? "A box" : "The box on " + point_names(list_of(fact.on));
+    return on + " has " + where.size_word() + number_text(fact.measure) +
+           (fact.better ? ", the smallest so far: it is kept." : ", no smaller than the best: it is dropped.");
+  }
+  static std::optional<Mark::Kind> mark(const Fact& fact, const FitWhere& where) { return best_if(fact.better, where); }
+};
+
+template <>
+struct Entry<fit::RectangleFound<double, 3>> : FitEntry {
+  using Fact = fit::RectangleFound<double, 3>;
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    const std::string on = fact.edge_a == kNoIndex ? "The smallest rectangle"
+                                                   : "The smallest rectangle lies on the hull's edge from " +
+                                                         point_name(fact.edge_a) + " to " + point_name(fact.edge_b);
+    return on + (where.dim() == 2 ? ": " : ", in the projection along the axis; its box has ") + where.size_word() +
+           number_text(fact.measure) + (fact.better ? ", the smallest so far." : ": no better than before.");
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) {
+    return points_of({{&fact.edge_a, 1}, {&fact.edge_b, 1}});
+  }
+  static std::string predicate(const Fact&, const FitWhere&, bool) {
+    return "are the ends of the edge that the rectangle lies on";
+  }
+  static std::optional<Mark::Kind> mark(const Fact& fact, const FitWhere& where) { return best_if(fact.better, where); }
+};
+
+template <>
+struct Entry<fit::EdgeSearched> : FitEntry {
+  using Fact = fit::EdgeSearched;
+  static std::string sentence(const Fact& fact, const FitWhere&) {
+    return "Every box with a face on the edge from " + point_name(fact.a) + " to " + point_name(fact.b) +
+           " and an adjacent face on one of " + counted(fact.pairs, "other edge") + " is tried or ruled out.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.a, fact.b}; }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "are the ends of the edge"; }
+};
+
+template <>
+struct Entry<fit::BoxWidened> : FitEntry {
+  using Fact = fit::BoxWidened;
+  static std::string sentence(const Fact& fact, const FitWhere&) {
+    return point_name(fact.point) + " lies outside the box so far: the box is widened to it.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "widens the box"; }
+};
+
+template <>
+struct Entry<fit::LineFound> : FitEntry {
+  using Fact = fit::LineFound;
+  static std::string sentence(const Fact& fact, const FitWhere&) {
+    return "The line along the main axis that lies closest to all points is supported by " + point_names(fact.support) +
+           ", " + number_text(fact.radius) + " away.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.support}); }
+  static std::string predicate(const Fact&, const FitWhere&, bool plural) {
+    return plural ? "are farthest from the line" : "is farthest from the line";
+  }
+};
+
+template <>
+struct Entry<fit::EndPulledIn> : FitEntry {
+  using Fact = fit::EndPulledIn;
+  static std::string sentence(const Fact& fact, const FitWhere&) {
+    return std::string(fact.end == 0 ? "The first" : "The second") + " end is pulled in by " + number_text(fact.by) +
+           ", until its cap touches " + point_name(fact.point) + ".";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "touches the cap"; }
+};
+
+template <>
+struct Entry<fit::ThicknessFound> : FitEntry {
+  using Fact = fit::ThicknessFound;
+  static std::string sentence(const Fact& fact, const FitWhere&) {
+    return "The radius is half of their least thickness, " + number_text(fact.radius) + ".";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) {
+    return points_of({{&fact.least, 1}, {&fact.greatest, 1}});
+  }
+  static std::string predicate(const Fact&, const FitWhere&, bool plural) {
+    return plural ? "set the radius" : "sets the radius";
+  }
+};
+
+template <>
+struct Entry<fit::SidePulledIn> : FitEntry {
+  using Fact = fit::SidePulledIn;
+  static std::string sentence(const Fact& fact, const FitWhere&) {
+    return "Side " + std::to_string(fact.side + 1) + " of the rectangle is pulled in by " + number_text(fact.by) +
+           ", until it touches " + point_name(fact.point) + ".";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "touches the side"; }
+};
+
+template <>
+struct Entry<fit::CornerMovedOut> : FitEntry {
+  using Fact = fit::CornerMovedOut;
+  static std::string sentence(const Fact& fact, const FitWhere&) {
+    return point_name(fact.point) + " lies outside past a vertex of the rectangle: the vertex moves out to it.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "lies outside, past a vertex"; }
+};
+
+template <>
+struct Entry<fit::SlabFound> : FitEntry {
+  using Fact = fit::SlabFound;
+  static std::string sentence(const Fact& fact, const FitWhere&) {
+    return "Slab " + std::to_string(fact.slab + 1) + " lies between " + point_name(fact.least) + " and " +
+           point_name(fact.greatest) + ", the extremes along its axis.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) {
+    return points_of({{&fact.least, 1}, {&fact.greatest, 1}});
+  }
+  static std::string predicate(const Fact&, const FitWhere&, bool plural) {
+    return plural ? "reach farthest along the axis" : "reaches farthest along the axis";
+  }
+};
+
+}  // namespace snug::lesson

@@ -1,0 +1,93 @@
+// The entries of the facts that Quickhull tells.
+#pragma once
+
+#include "lesson/subjects/cloud/entries_sphere.hpp"
+
+namespace snug::lesson {
+
+template <>
+struct Entry<fit::SimplexChosen> : FitEntry {
+  using Fact = fit::SimplexChosen;
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    return std::string(where.dim() == 2 ? "A segment" : "A tetrahedron") +
+           " is the first hull: " + point_names(fact.points) + ".";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.points}); }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "are the vertices of the first hull"; }
+};
+
+template <>
+struct Entry<fit::FlatFound> : FitEntry {
+  using Fact = fit::FlatFound;
+  static std::string sentence(const Fact& fact, const FitWhere&) {
+    constexpr std::array<const char*, 3> kWhere{"in one place", "on one line", "in one plane"};
+    return std::string("All points lie ") + kWhere[fact.affine_dim] + ".";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.points}); }
+  static std::string predicate(const Fact&, const FitWhere&, bool plural) {
+    return plural ? "span all points" : "is where all points are";
+  }
+};
+
+template <>
+struct Entry<fit::PointsAssigned> : FitEntry {
+  static std::string sentence(const fit::PointsAssigned& fact, const FitWhere&) {
+    std::int64_t outside = 0;
+    for (const Index count : fact.counts) outside += count;
+    return counted(outside, "point") + (outside == 1 ? " is" : " are") + " given to the facets that see them; " +
+           counted(fact.dropped, "point") +
+           (fact.dropped == 1 ? " lies inside and is dropped." : " lie inside and are dropped.");
+  }
+};
+
+template <>
+struct Entry<fit::EyeChosen> : FitEntry {
+  using Fact = fit::EyeChosen;
+  static std::string sentence(const Fact& fact, const FitWhere&) {
+    return point_name(fact.point) + " is farthest from its facet, by " + number_text(fact.distance) +
+           ": it is a vertex of the hull.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "is farthest from the facet"; }
+};
+
+template <>
+struct Entry<fit::EdgeSplit> : FitEntry {
+  using Fact = fit::EdgeSplit;
+  static std::string sentence(const Fact& fact, const FitWhere&) {
+    return "The edge from " + point_name(fact.a) + " to " + point_name(fact.b) + " is replaced by two, which meet at " +
+           point_name(fact.point) + ".";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "splits the edge"; }
+};
+
+template <>
+struct Entry<fit::HorizonFound> : FitEntry {
+  using Fact = fit::HorizonFound;
+  static std::string sentence(const Fact& fact, const FitWhere&) {
+    return point_name(fact.eye) + " sees " + counted(static_cast<std::int64_t>(fact.facets.size()), "facet") +
+           "; their boundary is the horizon.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.horizon}); }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "are on the horizon"; }
+};
+
+template <>
+struct Entry<fit::FacetsReplaced> : FitEntry {
+  static std::string sentence(const fit::FacetsReplaced& fact, const FitWhere&) {
+    return counted(static_cast<std::int64_t>(fact.removed.size()), "facet") + " are replaced by " +
+           std::to_string(fact.added.size()) + " new ones, from the horizon to " + point_name(fact.eye) + ".";
+  }
+};
+
+template <>
+struct Entry<fit::FacesMerged> : FitEntry {
+  static std::string sentence(const fit::FacesMerged& fact, const FitWhere&) {
+    return "Facets in one plane become one face: " + counted(fact.faces, "face") + ", and " +
+           counted(static_cast<std::int64_t>(fact.dropped.size()), "point") + " inside them " +
+           (fact.dropped.size() == 1 ? "is no vertex." : "are no vertices.");
+  }
+};
+
+}  // namespace snug::lesson

@@ -1,0 +1,313 @@
+// The entries of the facts that fitters of balls tell, and of those that they share with other fitters.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "lesson/point_subject.hpp"
+#include "lesson/subjects/cloud/fit_run.hpp"
+#include "lesson/subjects/cloud/passes.hpp"
+
+namespace snug::lesson {
+
+using FitWhere = FitRun::Where;
+
+/// "3 points"
+[[nodiscard]] inline std::string counted(std::int64_t n, const char* thing) {
+  return std::to_string(n) + " " + thing + (n == 1 ? "" : "s");
+}
+
+[[nodiscard]] inline std::vector<Index> list_of(const auto& points) { return {points.begin(), points.end()}; }
+
+/// Those of a fact's points that there are, each once.
+[[nodiscard]] inline std::vector<Index> points_of(std::initializer_list<std::span<const Index>> some) {
+  std::vector<Index> all;
+  for (const std::span<const Index> points : some)
+    for (const Index i : points)
+      if (i != kNoIndex && std::find(all.begin(), all.end(), i) == all.end()) all.push_back(i);
+  return all;
+}
+
+template <>
+struct Entry<fit::ExtremesFound<double, 3>> : FitEntry {
+  using Fact = fit::ExtremesFound<double, 3>;
+  static std::string sentence(const Fact&, const FitWhere& where) {
+    const bool plane = where.dim() == 2;
+    return std::string("The extreme points are found: the ") +
+           (plane ? "leftmost, rightmost, lowest and highest." : "least and greatest along each of the three axes.");
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) {
+    return points_of({fact.least, fact.greatest});
+  }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "reach farthest along the axes"; }
+};
+
+template <>
+struct Entry<fit::MidpointFound<double, 3>> : FitEntry {
+  static std::string sentence(const fit::MidpointFound<double, 3>& fact, const FitWhere& where) {
+    const Point3 widths = fact.greatest - fact.least;
+    std::string size = number_text(widths[0]) + " × " + number_text(widths[1]);
+    if (where.dim() == 3) size += " × " + number_text(widths[2]);
+    return "The AABB of all points is " + size + "; its centre becomes the centre of the " + where.ball() + ".";
+  }
+};
+
+template <>
+struct Entry<fit::PairChosen> : FitEntry {
+  using Fact = fit::PairChosen;
+  static constexpr std::array kAskings{kAxis, kGrows};
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    const std::string pair = point_name(fact.a) + " and " + point_name(fact.b);
+    if (!where.step().has_volume) return pair + " lie farthest out along the main axis, one on each side.";
+    const std::string why = fact.axis == kNoIndex ? ", the extremes along the main axis, are"
+                                                  : std::string(", the extremes along ") + "xyz"[fact.axis] +
+                                                        ", are the pair farthest apart. They are";
+    return pair + why + " the ends of the first diameter, " + number_text(fact.distance) + " long.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.a, fact.b}; }
+  static std::string predicate(const Fact&, const FitWhere&, bool plural) {
+    return plural ? "are chosen" : "is chosen";
+  }
+  static std::optional<std::vector<Index>> support(const Fact& fact) { return {{fact.a, fact.b}}; }
+};
+
+template <>
+struct Entry<fit::FarthestFound> : FitEntry {
+  using Fact = fit::FarthestFound;
+  static std::string sentence(const Fact& fact, const FitWhere&) {
+    return point_name(fact.point) + " is farthest from the centre, at " + number_text(fact.distance) +
+           ", so it sets the radius.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "is the farthest"; }
+  static std::optional<std::vector<Index>> support(const Fact& fact) { return {{fact.point}}; }
+};
+
+template <>
+struct Entry<fit::PointExamined> : FitEntry {
+  using Fact = fit::PointExamined;
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    const std::string point = point_name(fact.point);
+    if (!where.step().has_volume)
+      return point + " is the first point: there is no " + where.ball() + " yet to contain it.";
+    const double gap = fact.distance - where.radius();
+    const bool forced = where.next() != nullptr && std::holds_alternative<fit::BoundaryForced>(where.next()->fact);
+    if (!fact.outside)
+      return point + " lies inside" + (gap < 0 ? " by " + short_figure(-gap) : "") + ": nothing changes.";
+    return point + " lies outside by " + short_figure(gap) +
+           (forced ? ", so it must be on the boundary of the next " + where.ball() + "." : ".");
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
+  static std::string predicate(const Fact&, const FitWhere& where, bool) {
+    return "is tested against the " + where.ball();
+  }
+};
+
+template <>
+struct Entry<fit::BallGrown<double, 3>> : FitEntry {
+  using Fact = fit::BallGrown<double, 3>;
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    const Point3 at = fit::point_of(where.run.points(), fact.point);
+    const double gap = (at - fact.before.center).norm() - fact.before.radius;
+    return point_name(fact.point) + " lies outside by " + short_figure(gap) + ", so the " + where.ball() +
+           " grows to take it in.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
+  static std::string predicate(const Fact&, const FitWhere& where, bool) {
+    return "lies outside, and the " + where.ball() + " grows to it";
+  }
+  static std::optional<Mark::Kind> mark(const Fact&, const FitWhere&) { return Mark::Kind::kGrew; }
+  static std::optional<std::vector<Index>> support(const Fact& fact) { return {{fact.point}}; }
+};
+
+template <>
+struct Entry<fit::MeanFound<double, 3>> : FitEntry {
+  static std::string sentence(const fit::MeanFound<double, 3>& fact, const FitWhere& where) {
+    std::string at = number_text(fact.mean[0]) + ", " + number_text(fact.mean[1]);
+    if (where.dim() == 3) at += ", " + number_text(fact.mean[2]);
+    const fit::Step3* before = where.before();
+    if (before != nullptr && std::holds_alternative<fit::SurfaceFound<double, 3>>(before->fact))
+      return "The centroid of the hull's " + where.outline_word() + " is (" + at + ").";
+    if (const auto* hull = before != nullptr ? std::get_if<fit::HullFound>(&before->fact) : nullptr)
+      return "The mean of the hull's " + std::to_string(hull->vertices.size()) + " vertices is (" + at +
+             "): no other point counts.";
+    return "The mean of all " + counted(fit::size_of(where.run.points()), "point") + " is (" + at +
+           "): their centre of mass.";
+  }
+};
+
+template <>
+struct Entry<fit::CovarianceFound<double, 3>> : FitEntry {
+  static std::string sentence(const fit::CovarianceFound<double, 3>&, const FitWhere& where) {
+    return std::string("The covariance matrix says how the points spread about the mean. The ") +
+           (where.dim() == 2 ? "ellipses are" : "ellipsoids are") + " drawn at one and two standard deviations.";
+  }
+};
+
+template <>
+struct Entry<fit::AxesFound<double, 3>> : FitEntry {
+  static std::string sentence(const fit::AxesFound<double, 3>& fact, const FitWhere& where) {
+    const double most = std::sqrt(std::max(fact.variances[2], 0.0));
+    return std::string("The eigenvectors are the axes of the ") + (where.dim() == 2 ? "ellipse" : "ellipsoid") +
+           ". The points spread most along the longest, with σ = " + number_text(most) + ".";
+  }
+};
+
+template <>
+struct Entry<fit::BallShrunk<double, 3>> : FitEntry {
+  using Fact = fit::BallShrunk<double, 3>;
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    return "Pass " + std::to_string(fact.pass) + ": the radius shrinks by 5 % to " + number_text(where.radius()) +
+           ", and the points are shuffled.";
+  }
+  static std::optional<std::vector<Index>> support(const Fact&) { return {std::vector<Index>{}}; }
+};
+
+template <>
+struct Entry<fit::PassJudged<double, 3>> : FitEntry {
+  using Fact = fit::PassJudged<double, 3>;
+  static constexpr std::array kAskings{kBetter, kGrows};
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    const std::string pass = "Pass " + std::to_string(fact.pass) + " ends at ";
+    const auto best_until = best_before(where.run.trace(), where.i + 1);
+    if (fact.better && best_until) {
+      const auto [own, before] = number_texts_apart(where.radius(), *best_until);
+      if (own != before) return pass + own + ", smaller than the best so far, " + before + ": it is kept.";
+    }
+    if (fact.better) return pass + number_text(where.radius()) + ", the smallest so far: it is kept.";
+    const auto [own, best] = number_texts_apart(where.radius(), fact.best.radius);
+    if (own == best) return pass + own + ", as large as the best so far: it is dropped.";
+    return pass + own + ", larger than the best so far, " + best + ": it is dropped.";
+  }
+  static std::optional<Mark::Kind> mark(const Fact& fact, const FitWhere& where) { return best_if(fact.better, where); }
+};
+
+template <>
+struct Entry<fit::BoundaryForced> : FitEntry {
+  using Fact = fit::BoundaryForced;
+  static constexpr std::array kAskings{kLeaves, kGrows};
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    const std::string call = "A call begins with " + point_names(list_of(fact.boundary)) + " on the boundary: ";
+    if (fact.boundary.size() == 1) return call + "the " + where.ball() + " is that point alone.";
+    return call + "the smallest " + where.ball() + " through them has radius " + number_text(where.radius()) + ".";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) {
+    return {fact.boundary[fact.boundary.size() - 1]};
+  }
+  static std::string predicate(const Fact&, const FitWhere& where, bool) {
+    return "lies outside, so the next " + where.ball() + " passes through it";
+  }
+  static std::optional<Mark::Kind> mark(const Fact& fact, const FitWhere& where) {
+    return fact.depth == 1 ? std::optional(Mark::Kind::kReplaced) : first(where);
+  }
+  /// The outermost, at which a point lies outside the smallest ball of all before it.
+  static bool counts(const Fact& fact) { return fact.depth == 1; }
+  static std::optional<std::vector<Index>> support(const Fact& fact) { return fact.boundary.list(); }
+};
+
+template <>
+struct Entry<fit::MovedToFront> : FitEntry {
+  using Fact = fit::MovedToFront;
+  static std::string sentence(const Fact& fact, const FitWhere&) {
+    return point_name(fact.point) + " moves to the front of the list, and the call that waited for it goes on.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "moves to the front"; }
+  static std::optional<Mark::Kind> mark(const Fact& fact, const FitWhere& where) {
+    return fact.depth == 0 ? std::optional(Mark::Kind::kGrew) : first(where);
+  }
+  static bool counts(const Fact& fact) { return fact.depth == 0; }
+};
+
+template <>
+struct Entry<fit::AllChecked> : FitEntry {
+  static std::string sentence(const fit::AllChecked& fact, const FitWhere& where) {
+    const std::string tested = "All points are tested against the " + where.ball() + ": ";
+    if (fact.outside == 0) return tested + "none lies outside.";
+    return tested + counted(fact.outside, "candidate") + (fact.outside == 1 ? " lies outside." : " lie outside.");
+  }
+};
+
+template <>
+struct Entry<fit::RadiusChecked> : FitEntry {
+  using Fact = fit::RadiusChecked;
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    return "The last check, in exact arithmetic: " + point_name(fact.farthest) + " is farthest out, " +
+           (fact.widened ? "and the radius grows in its last digit to contain it."
+                         : "and the " + where.ball() + " contains it.");
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({{&fact.farthest, 1}}); }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "is the farthest from the centre"; }
+};
+
+template <>
+struct Entry<fit::SupportReplaced> : FitEntry {
+  using Fact = fit::SupportReplaced;
+  static constexpr std::array kAskings{kLeaves, kGrows};
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    std::vector<Index> gone;
+    for (const Index i : fact.before)
+      if (!fact.after.contains(i)) gone.push_back(i);
+    const std::string left = gone.empty() ? "" : point_names(gone) + (gone.size() == 1 ? " leaves" : " leave");
+    if (fact.entered == kNoIndex)
+      return (left.empty() ? "The support set is solved again" : left + " the support set") +
+             ": the other points support the " + where.ball() + " alone.";
+    return point_name(fact.entered) + " joins the support set" +
+           (left.empty() ? ", and none leaves it." : ", and " + left + " it.");
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({{&fact.entered, 1}}); }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "enters the support set"; }
+  static std::optional<Mark::Kind> mark(const Fact&, const FitWhere&) { return Mark::Kind::kReplaced; }
+  static std::optional<std::vector<Index>> support(const Fact& fact) { return fact.after.list(); }
+};
+
+template <>
+struct Entry<fit::CandidateTried<double, 3>> : FitEntry {
+  using Fact = fit::CandidateTried<double, 3>;
+  using Verdict = Fact::Verdict;
+  static constexpr std::array kAskings{kBetter, kGrows};
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    const std::string names = point_names(list_of(fact.points));
+    const std::string tried = "The " + where.ball() + " of " + names;
+    switch (fact.verdict) {
+      case Verdict::kKept:
+        return tried + " contains all points and is the smallest so far, " + number_text(fact.candidate.radius) +
+               ": it is kept.";
+      case Verdict::kNotSmaller: return tried + " is no smaller than the best: no point needs testing.";
+      case Verdict::kLeavesPointOutside:
+        return tried + " leaves " + point_name(fact.outside) + " outside: it is dropped.";
+      case Verdict::kNoBall: break;
+    }
+    return "The smallest " + where.ball() + " around " + names +
+           " is supported by fewer of them: it is no new candidate.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) {
+    return fact.outside != kNoIndex ? std::vector{fact.outside} : list_of(fact.points);
+  }
+  static std::string predicate(const Fact& fact, const FitWhere&, bool plural) {
+    return fact.outside != kNoIndex ? "lies outside" : plural ? "are tried" : "is tried";
+  }
+  static std::optional<Mark::Kind> mark(const Fact& fact, const FitWhere& where) {
+    return best_if(fact.verdict == Verdict::kKept, where);
+  }
+  static std::optional<std::vector<Index>> support(const Fact& fact) {
+    return fact.verdict == Verdict::kKept ? std::optional(fact.points.list()) : std::nullopt;
+  }
+};
+
+template <>
+struct Entry<fit::Finished> : FitEntry {
+  using Fact = fit::Finished;
+  static constexpr std::array kAskings{kHolds, kGrows};
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    // The iterative method starts from Ritter's result: the same fact, but not the end.
+    if (where.next() != nullptr)
+      return "It starts from Ritter's " + where.ball() + ", with radius " + number_text(where.radius()) + ".";
+    const std::string done = "Done: " + where.size(), names = point_names(fact.support);
+    return where.run.exact() ? done + ", supported by " + names + "." : done + "; it touches " + names + ".";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.support}); }
+  static std::optional<std::vector<Index>> support(const Fact& fact) { return fact.support; }
+};
+
+}  // namespace snug::lesson

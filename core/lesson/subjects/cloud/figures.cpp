@@ -1,0 +1,161 @@
+#include <array>
+#include <cmath>
+
+#include "lesson/subjects/cloud/cloud.hpp"
+#include "lesson/subjects/cloud/passes.hpp"
+#include "lesson/subjects/cloud/volume_check.hpp"
+#include "lesson/words.hpp"
+
+namespace snug::lesson {
+namespace {
+
+using namespace fit;
+
+constexpr std::array<std::string_view, kOperations> kOperationTitles{
+    "Points touched",    "Distance tests", "Comparisons", "Dot products", "Square roots", "",
+    "Orientation tests", "Exact decisions"};
+
+std::string count_text(std::int64_t n, std::string_view one, std::string_view many) {
+  return std::to_string(n) + " " + std::string(n == 1 ? one : many);
+}
+
+/// Collects the figures of one place in a run.
+class FitBoard {
+ public:
+  FitBoard(const View& view, const FitRun& run, std::optional<double> smallest)
+      : view_(view), run_(run), smallest_(smallest), trace_(run.trace()),
+        entry_(view.step > 0 ? &trace_[view.step - 1] : nullptr) {}
+
+  std::vector<Figure> figures() {
+    volume();
+    seen();
+    best();
+    if (entry_ != nullptr) spread(entry_->step.fact);
+    operations();
+    return std::move(figures_);
+  }
+
+ private:
+  void add(std::string_view name, std::string key, std::string text, double value, std::string_view unit) {
+    figures_.push_back({std::string(name), std::move(key), std::move(text), value, std::string(unit)});
+  }
+  void length(std::string_view name, std::string key, double value, int digits = 4) {
+    add(name, std::move(key), number_text(value, digits) + " units", value, "units");
+  }
+  void of_all(std::string_view name, std::string key, Index count) {
+    add(name, std::move(key), std::to_string(count) + " of " + std::to_string(fit::size_of(run_.points())), count,
+        "points");
+  }
+
+  void volume() {
+    if (entry_ == nullptr || !entry_->step.has_volume) return;
+    const double own = fit::size_of(entry_->step.volume, run_.dim());
+    size(own);
+    const Index outside = count_outside(run_.points(), entry_->step.volume);
+    if (const auto over = excess_of(own, smallest_)) excess(*over, outside == 0);
+    of_all("Points outside", "outside", outside);
+    const auto holding = static_cast<int>(run_.support(view_.step).size());
+    add(run_.exact() ? "Support set" : "On the boundary", "support", count_text(holding, "point", "points"), holding,
+        "points");
+  }
+
+  void size(double value) {
+    const std::string so_far = view_.step == static_cast<int>(trace_.size()) ? "" : " so far";
+    if (ball_of(entry_->step) != nullptr) return length("Radius" + so_far, "radius", value, digits_beside_best(value));
+    const bool plane = run_.dim() == 2;
+    const std::string unit = plane ? "units²" : "units³";
+    add((plane ? "Area" : "Volume") + so_far, "measure", number_text(value) + " " + unit, value, unit);
+  }
+
+  void excess(double excess, bool holds_all) {
+    add("Excess over the optimum", "excess", holds_all ? percent_text(excess) : "—", holds_all ? 100 * excess : 0, "%");
+    figures_.back().known = holds_all;
+  }
+
+  /// How far the pass over the points has come; Welzl's recursion goes over some again, which does not count.
+  void seen() {
+    if (entry_ == nullptr) return;
+    int seen = 0;
+    bool passes = false;
+    for (int i = view_.step; i-- > 0;) {
+      const auto& fact = trace_[i].step.fact;
+      if (const auto* shrunk = std::get_if<BallShrunk<double, 3>>(&fact)) {
+        add("Pass", "pass", std::to_string(shrunk->pass), shrunk->pass, "");
+        break;
+      }
+      const auto* examined = std::get_if<PointExamined>(&fact);
+      passes = passes || examined != nullptr;
+      if (examined != nullptr && examined->depth == 0) ++seen;
+    }
+    if (passes) of_all("Points seen", "seen", seen);
+    const auto* examined = std::get_if<PointExamined>(&entry_->step.fact);
+    const Sphere3* ball = ball_of(entry_->step);
+    if (examined != nullptr && examined->outside && ball != nullptr)
+      length("Outside by", "outside_by", examined->distance - ball->radius);
+  }
+
+  /// So many that a radius is told from what it is compared with.
+  [[nodiscard]] int digits_beside_best(double radius) const {
+    const auto before = best_before(trace_, view_.step), best = best_so_far(trace_, view_.step);
+    return before ? digits_apart(radius, *before) : best ? digits_apart(radius, *best) : 4;
+  }
+
+  void best() {
+    if (view_.step == static_cast<int>(trace_.size()) || entry_ == nullptr) return;
+    if (const auto best = best_so_far(trace_, view_.step)) {
+      const int digits = digits_beside_best(fit::size_of(entry_->step.volume, run_.dim()));
+      if (const auto before = best_before(trace_, view_.step))
+        length("Best before this pass", "best_before", *before, digits);
+      return length("Best so far", "best", *best, digits);
+    }
+    int tried = 0;
+    for (int i = view_.step; i-- > 0;)
+      if (std::holds_alternative<CandidateTried<double, 3>>(trace_[i].step.fact)) ++tried;
+    const std::string one = ball_word(run_.dim()), many = one + "s";
+    if (tried > 0) add("Candidates tried", "candidates", count_text(tried, one, many), tried, many);
+  }
+
+  void spread(const Step3::Fact& fact) {
+    if (const auto* mean = std::get_if<MeanFound<double, 3>>(&fact)) middle(mean->mean);
+    if (const auto* covariance = std::get_if<CovarianceFound<double, 3>>(&fact)) middle(covariance->mean);
+    const auto* axes = std::get_if<AxesFound<double, 3>>(&fact);
+    if (axes == nullptr) return;
+    for (int i = 1; i <= run_.dim(); ++i) {
+      const double variance = axes->variances[3 - i];
+      const std::string n = std::to_string(i);
+      add("Variance along v" + n, "variance_" + n, number_text(variance) + " units²", variance, "units²");
+      length("Standard deviation along v" + n, "deviation_" + n, std::sqrt(std::max(variance, 0.0)));
+    }
+  }
+  void middle(const Vector<double, 3>& mean) {
+    for (int i = 0; i < run_.dim(); ++i)
+      length(std::string("Mean ") + "xyz"[i], std::string("mean_") + "xyz"[i], mean[i]);
+  }
+
+  /// Those that the algorithm spends at all, so that the rows stay the same from step to step.
+  void operations() {
+    for (std::size_t i = 0; i < kOperations; ++i) {
+      if (run_.recording().counts[i] == 0) continue;
+      const std::int64_t n = entry_ != nullptr ? entry_->counts[i] : 0;
+      const bool balls = i == static_cast<std::size_t>(Operation::kBallSolves);
+      const std::string balls_title = run_.dim() == 2 ? "Circumcircles" : "Circumspheres";
+      add(balls ? balls_title : kOperationTitles[i], std::string(kOperationNames[i]), std::to_string(n),
+          static_cast<double>(n), "");
+    }
+  }
+
+  const View& view_;
+  const FitRun& run_;
+  std::optional<double> smallest_;
+  FitTrace trace_;
+  const Recorder<Step3>::Entry* entry_;
+  std::vector<Figure> figures_;
+};
+
+}  // namespace
+
+std::vector<Figure> fit_figures(const View& view, const FitRun& run, std::optional<double> smallest) {
+  return FitBoard(view, run, smallest).figures();
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,134 @@
+#include "lesson/subjects/cloud/fit_asks.hpp"
+
+#include <algorithm>
+
+#include "geometry/tolerance.hpp"
+#include "lesson/point_subject.hpp"
+#include "lesson/subjects/cloud/fit_run.hpp"
+#include "lesson/subjects/cloud/passes.hpp"
+#include "lesson/words.hpp"
+
+namespace snug::lesson {
+namespace {
+
+using namespace fit;
+
+template <class Fact>
+const Fact& fact_of(const Asked& asked, const Run& run) {
+  return *std::get_if<Fact>(&fit_run(run).trace()[asked.fact].step.fact);
+}
+
+/// Whether a radius grew by more than the last digits that a check of the result may widen it by.
+bool grew(double before, double after) {
+  return after - before > tolerance::kBoundaryRoundoffs * tolerance::kRoundoff<double> * after;
+}
+
+/// "It ends at 0.9918, smaller than the best before, 0.9920."
+std::string pass_sentence(double radius, double best, bool better) {
+  const auto [own, before] = number_texts_apart(radius, best);
+  if (own == before) return "It ends at " + own + ", as large as the best before, but for rounding.";
+  return "It ends at " + own + (better ? ", smaller" : ", larger") + " than the best before, " + before + ".";
+}
+
+}  // namespace
+
+const char* offer_axes(Asked& asked, const Run& run) {
+  const FitTrace trace = fit_run(run).trace();
+  if (fact_of<PairChosen>(asked, run).axis == kNoIndex)
+    return "\"axis\" asks of a pair of extreme points along the axes";
+  const ExtremesFound<double, 3>* extremes = nullptr;
+  for (int i = asked.fact; extremes == nullptr && i-- > 0;)
+    extremes = std::get_if<ExtremesFound<double, 3>>(&trace[i].step.fact);
+  if (extremes == nullptr) return "\"axis\" asks of a pair after the extreme points are found";
+  for (int axis = 0; axis < asked.dim; ++axis) {
+    const std::vector<Index> pair{extremes->least[axis], extremes->greatest[axis]};
+    asked.add_choice(std::string("the ") + "xyz"[axis] + " pair", pair);
+    asked.stage_points.insert(asked.stage_points.end(), pair.begin(), pair.end());
+  }
+  asked.on_stage = true;
+  return nullptr;
+}
+
+Truth axis_truth(const Asked& asked, const Run& run) {
+  const auto& pair = fact_of<PairChosen>(asked, run);
+  const std::string& choice = asked.choices[pair.axis];
+  const std::vector<Index> ends{pair.a, pair.b};
+  return {{pair.axis}, ends, choice, asked.names(ends) + ", " + choice + ", lie farthest apart."};
+}
+
+Truth grows_truth(const Asked& asked, const Run& run) {
+  const FitTrace trace = fit_run(run).trace();
+  const auto size = [&](int steps) { return steps == 0 ? 0.0 : fit::size_of(trace[steps - 1].step.volume, asked.dim); };
+  const double before = size(asked.step), after = size(asked.until);
+  if (grew(before, after))
+    return yes("The radius grows from " + number_text(before) + " to " + number_text(after) + ".");
+  if (grew(after, before))
+    return no("The radius shrinks from " + number_text(before) + " to " + number_text(after) + ".");
+  return no("The radius stays " + number_text(before) + ".");
+}
+
+const char* offer_support(Asked& asked, const Run& run) {
+  asked.add_choice("none");
+  for (const Index i : run.support(asked.fact)) {
+    asked.add_choice(point_name(i), {i});
+    asked.stage_points.push_back(i);
+  }
+  if (asked.stage_points.empty()) return "\"leaves\" asks where no point holds the ball yet";
+  asked.on_stage = true;
+  return nullptr;
+}
+
+Truth leaves_truth(const Asked& asked, const Run& run) {
+  const std::vector<Index> after = run.support(asked.until);
+  Truth truth;
+  for (std::size_t i = 1; i < asked.choices.size(); ++i) {
+    const Index point = asked.choice_handles[i].front();
+    if (std::find(after.begin(), after.end(), point) != after.end()) continue;
+    truth.choices.push_back(static_cast<int>(i));
+    truth.points.push_back(point);
+  }
+  if (truth.choices.empty()) return {{0}, {}, "none", "No point left the support set."};
+  truth.happened = asked.names(truth.points);
+  truth.sentence = truth.happened + " left the support set.";
+  return truth;
+}
+
+Truth better_truth(const Asked& asked, const Run& run) {
+  const FitTrace trace = fit_run(run).trace();
+  const Step3& step = trace[asked.fact].step;
+  const auto* pass = std::get_if<PassJudged<double, 3>>(&step.fact);
+  const auto* tried = std::get_if<CandidateTried<double, 3>>(&step.fact);
+  const bool better = pass != nullptr ? pass->better : tried->verdict == CandidateTried<double, 3>::Verdict::kKept;
+  if (const auto best = best_before(trace, asked.fact + 1)) {
+    std::string sentence = pass_sentence(fit::size_of(step.volume, asked.dim), *best, better);
+    return better ? yes(std::move(sentence)) : no(std::move(sentence));
+  }
+  if (better) return yes("It is the smallest so far, and is kept.");
+  if (tried != nullptr && tried->outside != kNoIndex)
+    return no(point_name(tried->outside) + " lies outside, so it is not kept.");
+  return no("It is no smaller than the best so far.");
+}
+
+const char* offer_counts(Asked& asked, const Run&) {
+  for (int n = 1; n <= asked.dim + 1; ++n) asked.add_choice(std::to_string(n));
+  return nullptr;
+}
+
+Truth holds_truth(const Asked& asked, const Run& run) {
+  const std::vector<Index>& points = fact_of<Finished>(asked, run).support;
+  const auto n = static_cast<int>(points.size());
+  return {{n - 1},
+          points,
+          std::to_string(n),
+          asked.names(points) + (n == 1 ? " supports" : " support") + " the " + ball_word(asked.dim) + "."};
+}
+
+int after_recursion(const Run& run, int fact) {
+  const FitTrace trace = fit_run(run).trace();
+  if (!std::holds_alternative<BoundaryForced>(trace[fact].step.fact)) return fact + 1;
+  for (int i = fact; i < run.steps(); ++i)
+    if (std::holds_alternative<MovedToFront>(trace[i].step.fact) && run.counts(i)) return i + 1;
+  return fact + 1;
+}
+
+}  // namespace snug::lesson

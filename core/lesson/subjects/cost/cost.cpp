@@ -1,0 +1,134 @@
+#include "lesson/subjects/cost/cost.hpp"
+
+#include <algorithm>
+
+#include "fit/catalogue.hpp"
+#include "lesson/point_subject.hpp"
+#include "lesson/subjects/cost/asks.hpp"
+
+namespace snug::lesson {
+namespace {
+
+const char* offer_written(Asked& asked, const Run&) {
+  for (const std::string& choice : asked.question->choices) asked.add_choice(choice);
+  return nullptr;
+}
+
+constexpr std::array kCostAskings{
+    Asking{"choice", &offer_written, &measured_choice_truth}, Asking{"on_front", &offer_front, &front_truth},
+    Asking{"slowest", &offer_methods, &slowest_truth}, Asking{"times_slower", &offer_times, &times_truth}};
+
+const SubjectRow& cloud_row() { return *subject_named("cloud"); }
+
+/// Of volumes that points are fitted with, of which one is the smallest.
+std::vector<std::string_view> charted_volumes() {
+  std::vector<std::string_view> names = cloud_row().volumes();
+  std::erase_if(names, [](std::string_view volume) { return fit::exact_algorithm(volume) == nullptr; });
+  return names;
+}
+
+std::span<const Method> charted_methods(std::string_view volume) { return cloud_row().methods(volume); }
+std::vector<std::string_view> no_facts() { return {}; }
+
+std::vector<AskingOf> cost_askings() {
+  std::vector<AskingOf> all;
+  for (const Asking& asking : kCostAskings) all.push_back({"", &asking});
+  return all;
+}
+
+void read_chart(TomlTable& table, Lesson& lesson, Complaints& complaints) {
+  cloud_row().read(table, lesson, complaints);
+}
+
+void read_cost_task(TomlTable& table, Lesson& lesson, Complaints&) {
+  auto terms = std::make_shared<CostTask>();
+  terms->tighter_by = table.number("tighter_by", 1);
+  lesson.task->points = static_cast<int>(table.integer("points", 1, kMostGenerated));
+  lesson.task->model = table.points("model", lesson.points.dim);
+  lesson.task->terms = std::move(terms);
+}
+
+/// On the model's points something is as much smaller as the task asks. What takes the least time to be so is for the
+/// student's machine to say.
+void check_costs(const Lesson& lesson, const toml::table& toml, const Subject&, Complaints& complaints) {
+  if (!lesson.task) return;
+  const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
+  if (std::find(lesson.algorithms.begin(), lesson.algorithms.end(), lesson.task->algorithm) == lesson.algorithms.end())
+    return complaints.add(task.line(), "the lesson does not offer the algorithm " + lesson.task->algorithm);
+  const auto model = to_set(lesson.task->model, lesson.points.dim);
+  if (!model) return complaints.add(task.line_of("model"), model.error().what);
+  if (cheapest_of(*lesson.task, counted_costs(lesson, *model)).empty())
+    complaints.add(task.line_of("model"), "on the model no algorithm is as much smaller as the task asks");
+}
+
+tl::expected<std::unique_ptr<Subject>, InputError> open_chart(const Lesson& lesson, std::optional<io::PointFile> mesh,
+                                                              Clock clock) {
+  auto cloud = cloud_row().open(lesson, std::move(mesh), clock);
+  if (!cloud) return tl::unexpected(std::move(cloud.error()));
+  std::vector<const Method*> methods;
+  for (const std::string& name : lesson.algorithms) methods.push_back(find_method(lesson, name));
+  return std::make_unique<CostSubject>(*std::move(cloud), std::move(methods));
+}
+
+/// There is no clock: what is said speaks of counted operations.
+void count_costs(Session& session) {
+  auto rows = counted_costs(session.lesson(), *session.subject().points());
+  session.inform<CostSubject>([&](CostSubject& subject) { subject.measured(std::move(rows)); });
+}
+
+tl::expected<Grade, InputError> play_cost_task(Session& session) {
+  const Task& task = *session.lesson().task;
+  const auto loaded = session.load({session.dim(), task.model, {}}, "the task's model answer");
+  if (!loaded) return tl::unexpected(loaded.error());
+  count_costs(session);
+  static_cast<void>(session.choose(0, cheapest_of(task, *costs_of(session))));
+  return *session.grade();
+}
+
+}  // namespace
+
+const SubjectRow kCostRow{.name = "cost",
+                          .table = "points",
+                          .volumes = &charted_volumes,
+                          .chart = "cost",
+                          .methods = &charted_methods,
+                          .facts = &no_facts,
+                          .askings = &cost_askings,
+                          .decided_by = "operations",
+                          .asks_of_steps = false,
+                          .read = &read_chart,
+                          .read_task = &read_cost_task,
+                          .check = &check_costs,
+                          .open = &open_chart,
+                          .play_task = &play_cost_task,
+                          .before_play = &count_costs};
+
+Done CostSubject::edited(Done done) {
+  if (!done) return done;
+  origin_ = cloud_->origin();
+  rows_.reset();
+  return done;
+}
+
+void CostSubject::begin_task(const Lesson& lesson, const Subject& own) {
+  const std::string_view kind = lesson.generators.empty() ? "gaussian" : std::string_view(lesson.generators.front());
+  static_cast<void>(set_generator(kind, lesson.task->points, dim(), lesson.seed, own));
+  origin_.edited = true;
+}
+
+Grade CostSubject::grade(const Lesson& lesson, const View& view, std::vector<bool>&) const {
+  Grade grade;
+  grade.points = static_cast<int>(size());
+  const bool is_own = !origin_.edited && origin_.seed == lesson.seed && origin_.source != "task";
+  if (is_own) grade.says = "This is the lesson's own shape: scatter another, or open a file of your own.";
+  else if (costs() == nullptr) grade.says = "Measure this shape.";
+  else return grade_costs(lesson, *costs(), view.slots[0].method->name);
+  return grade;
+}
+
+const std::vector<cost::CostRow>* costs_of(const Session& session) {
+  const auto* chart = as<CostSubject>(session.subject());
+  return chart != nullptr ? chart->costs() : nullptr;
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,88 @@
+// A chart of what methods cost and how tight their volumes are, on a cloud: what is asked is decided by what was
+// measured, a row a method.
+#pragma once
+
+#include "lesson/session.hpp"
+#include "lesson/subjects.hpp"
+#include "measure/rows.hpp"
+
+namespace snug::lesson {
+
+extern const SubjectRow kCostRow;
+
+using Costs = std::span<const cost::CostRow>;
+
+/// "So much smaller than that, for how much time?"
+struct CostTask : Tables {
+  double tighter_by = 0;  // what is to be found is smaller than the task's algorithm's by such a share
+};
+
+class CostSubject final : public Subject {
+ public:
+  static constexpr const SubjectRow& kRow = kCostRow;
+  CostSubject(std::unique_ptr<Subject> cloud, std::vector<const Method*> methods)
+      : cloud_(std::move(cloud)), methods_(std::move(methods)) {
+    origin_ = cloud_->origin();
+  }
+  CostSubject(const CostSubject& other)
+      : Subject(other), cloud_(other.cloud_->clone()), methods_(other.methods_), rows_(other.rows_) {}
+
+  /// What was measured on the points as they stand, a row an algorithm: it decides what was predicted.
+  void measured(std::vector<cost::CostRow> rows) { rows_ = std::move(rows); }
+  /// Null where these points have not been measured.
+  [[nodiscard]] const std::vector<cost::CostRow>* costs() const { return rows_ ? &*rows_ : nullptr; }
+  /// The lesson's, in its order.
+  [[nodiscard]] const std::vector<const Method*>& methods() const { return methods_; }
+
+  [[nodiscard]] const SubjectRow& row() const override { return kRow; }
+  [[nodiscard]] std::unique_ptr<Subject> clone() const override { return std::make_unique<CostSubject>(*this); }
+  [[nodiscard]] const Subject& shape() const override { return *cloud_; }
+  [[nodiscard]] Grade grade(const Lesson& lesson, const View& view, std::vector<bool>& found) const override;
+  void begin_task(const Lesson& lesson, const Subject& own) override;
+
+  // As the cloud has it; an edit forgets what was measured.
+  [[nodiscard]] int dim() const override { return cloud_->dim(); }
+  [[nodiscard]] Index size() const override { return cloud_->size(); }
+  [[nodiscard]] Point3 at(Index i) const override { return cloud_->at(i); }
+  [[nodiscard]] std::string name_of(Index i) const override { return cloud_->name_of(i); }
+  [[nodiscard]] const AnyPointSet* points() const override { return cloud_->points(); }
+  [[nodiscard]] std::span<const std::array<Index, 3>> triangles() const override { return cloud_->triangles(); }
+  Done move(Index i, const Point3& to) override { return edited(cloud_->move(i, to)); }
+  Done add(const Point3& at) override { return edited(cloud_->add(at)); }
+  Done remove(Index i) override { return edited(cloud_->remove(i)); }
+  Done load(const io::PointFile& file, std::string_view name) override { return edited(cloud_->load(file, name)); }
+  Done set_generator(std::string_view kind, int count, int dim, std::uint64_t seed, const Subject& own) override {
+    return edited(cloud_->set_generator(kind, count, dim, seed, own.shape()));
+  }
+  void scatter(std::uint64_t seed, const Subject& own) override {
+    cloud_->scatter(seed, own.shape());
+    static_cast<void>(edited({}));
+  }
+  [[nodiscard]] std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const override {
+    return cloud_->run(method, std::move(earlier));
+  }
+  [[nodiscard]] std::string opening(const Method& method) const override { return cloud_->opening(method); }
+  [[nodiscard]] std::vector<Figure> figures(const View& view) const override { return cloud_->figures(view); }
+  [[nodiscard]] std::vector<Proof> proofs(const View& view) const override { return cloud_->proofs(view); }
+
+ private:
+  Done edited(Done done);
+
+  std::unique_ptr<Subject> cloud_;
+  std::vector<const Method*> methods_;
+  std::optional<std::vector<cost::CostRow>> rows_;
+};
+
+/// Null where there is no chart, or its points have not been measured.
+[[nodiscard]] const std::vector<cost::CostRow>* costs_of(const Session& session);
+
+/// chosen: the method that stands on the stage. rows: those of the task's points.
+[[nodiscard]] Grade grade_costs(const Lesson& lesson, Costs rows, std::string_view chosen);
+/// The least time that is smaller by as much as the task asks; empty where none is.
+[[nodiscard]] std::string_view cheapest_of(const Task& task, Costs rows);
+
+/// The rows with operations in the place of nanoseconds, and no repeats, for who has no clock: a check of the lesson.
+/// All on all points. What is decided and graded by them speaks of operations.
+[[nodiscard]] std::vector<cost::CostRow> counted_costs(const Lesson& lesson, const AnyPointSet& points);
+
+}  // namespace snug::lesson

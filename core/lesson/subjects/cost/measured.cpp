@@ -1,0 +1,227 @@
+// What measured rows say: the answers to the chart's questions, and the grade of its task.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <numeric>
+
+#include "fit/catalogue.hpp"
+#include "lesson/subjects/cost/asks.hpp"
+#include "lesson/subjects/cost/cost.hpp"
+#include "measure/cost_run.hpp"
+
+namespace snug::lesson {
+namespace {
+
+constexpr std::array<double, 3> kTimes{10, 100, 1000};
+constexpr std::array<std::string_view, 4> kTimesChoices{"up to 10 times", "10 to 100 times", "100 to 1,000 times",
+                                                        "more than 1,000 times"};
+
+std::string title_of(const cost::CostRow& row) {
+  const fit::Algorithm* algorithm = fit::find_algorithm(row.volume, row.algorithm);
+  return std::string(algorithm != nullptr ? algorithm->title : std::string_view(row.algorithm));
+}
+
+/// One run on all points, measured or foreseen.
+double whole_time(const cost::CostRow& row) { return row.whole_ns.value_or(row.time.median); }
+
+/// Whether operations stand in the place of times: nothing was timed (counted_costs).
+bool is_counted(const cost::CostRow& row) { return row.time.repeats == 0; }
+
+/// "12", "1.3", "4,700": what is counted in times needs no third digit.
+std::string times_text(double ratio) {
+  if (ratio >= 1000) {
+    const double last = std::pow(10, std::floor(std::log10(ratio)) - 1);
+    std::string text = std::to_string(static_cast<std::int64_t>(std::min(std::round(ratio / last) * last, 1e18)));
+    for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
+    return text;
+  }
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), ratio < 10 ? "%.1f" : "%.0f", ratio);
+  return text.data();
+}
+
+/// That a time was not taken of all points, but worked out; nothing where it was.
+std::string foretold(const cost::CostRow& row) {
+  if (!row.whole_ns) return "";
+  return " A run on all points would have made you wait: it was timed on " + std::to_string(row.points) + " of the " +
+         std::to_string(row.of) + ", and the rest is extrapolated.";
+}
+
+/// Whether the machine was too busy to tell how long it takes: on the chart such a mark is hollow.
+bool measured_badly(const cost::CostRow& row) { return !is_counted(row) && !row.time.trusted; }
+
+Costs rows_of(const Asked& asked) {
+  const auto* rows = static_cast<const CostSubject&>(*asked.subject).costs();
+  return rows != nullptr ? Costs(*rows) : Costs();
+}
+
+Truth unknown(std::string why = {}) { return {.sentence = std::move(why), .pending = true}; }
+
+const cost::CostRow* slowest_of(Costs rows) {
+  return &*std::max_element(rows.begin(), rows.end(),
+                            [](const auto& a, const auto& b) { return whole_time(a) < whole_time(b); });
+}
+const cost::CostRow* fastest_of(Costs rows) {
+  return &*std::min_element(rows.begin(), rows.end(),
+                            [](const auto& a, const auto& b) { return whole_time(a) < whole_time(b); });
+}
+double times_slower(Costs rows) { return whole_time(*slowest_of(rows)) / whole_time(*fastest_of(rows)); }
+
+std::string slower_sentence(Costs rows) {
+  const cost::CostRow &most = *slowest_of(rows), &least = *fastest_of(rows);
+  return title_of(most) + " takes " + (most.whole_ns ? "about " : "") + times_text(times_slower(rows)) + " times as " +
+         (is_counted(most) ? "many operations as " : "long as ") + title_of(least) + "." + foretold(most);
+}
+
+/// A row that the front rests on and that was measured badly; null where there is none. Whoever is slowest is so by
+/// far, but the front is decided by any two that are close.
+const cost::CostRow* doubtful_row(Costs rows) {
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [](const cost::CostRow& row) { return row.points == row.of && measured_badly(row); });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+bool of_same_points(const cost::CostRow& a, const cost::CostRow& b) { return a.points == b.points; }
+
+const cost::CostRow* find_row(Costs rows, std::string_view algorithm) {
+  const auto found =
+      std::find_if(rows.begin(), rows.end(), [&](const cost::CostRow& row) { return row.algorithm == algorithm; });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+/// "12 % smaller than", "of the size of", "3.1 % larger than"
+std::string smaller_text(double size, double than) {
+  const double share = size / than - 1;
+  std::string text = percent_text(share < 0 ? -share : share);
+  if (text.front() == '+') text.erase(0, 1);
+  return share == 0 ? "of the size of" : text + (share < 0 ? " smaller than" : " larger than");
+}
+
+}  // namespace
+
+const char* offer_methods(Asked& asked, const Run&) {
+  for (const Method* method : static_cast<const CostSubject&>(*asked.subject).methods())
+    asked.add_choice(std::string(method->title));
+  return nullptr;
+}
+
+const char* offer_front(Asked& asked, const Run& run) {
+  asked.many = true;
+  return offer_methods(asked, run);
+}
+
+const char* offer_times(Asked& asked, const Run&) {
+  for (const std::string_view choice : kTimesChoices) asked.add_choice(std::string(choice));
+  return nullptr;
+}
+
+Truth front_truth(const Asked& asked, const Run&) {
+  const Costs rows = rows_of(asked);
+  if (rows.size() != asked.choices.size()) return unknown();
+  if (const cost::CostRow* row = doubtful_row(rows))
+    return unknown(" " + title_of(*row) + " was measured badly, so the front is not decided: measure again.");
+  Truth truth;
+  const auto front = cost::pareto_front(rows);
+  for (const std::size_t i : front) {
+    truth.happened += (i == front.front() ? "" : i == front.back() ? " and " : ", ") + asked.choices[i];
+    truth.choices.push_back(static_cast<int>(i));
+  }
+  truth.sentence = "On the front: " + truth.happened + ".";
+  for (const cost::CostRow& row : rows)
+    if (row.whole_ns) truth.sentence += " " + title_of(row) + " was too slow here for all points, and is left out.";
+  return truth;
+}
+
+Truth slowest_truth(const Asked& asked, const Run&) {
+  const Costs rows = rows_of(asked);
+  if (rows.size() != asked.choices.size()) return unknown();
+  const cost::CostRow* slowest = slowest_of(rows);
+  return {{static_cast<int>(slowest - rows.data())}, {}, title_of(*slowest), slower_sentence(rows)};
+}
+
+Truth times_truth(const Asked& asked, const Run&) {
+  const Costs rows = rows_of(asked);
+  if (rows.size() != static_cast<const CostSubject&>(*asked.subject).methods().size()) return unknown();
+  const double ratio = times_slower(rows);
+  const auto range = std::lower_bound(kTimes.begin(), kTimes.end(), ratio) - kTimes.begin();
+  return {{static_cast<int>(range)}, {}, times_text(ratio) + " times", slower_sentence(rows)};
+}
+
+Truth measured_choice_truth(const Asked& asked, const Run& run) {
+  return rows_of(asked).empty() ? unknown() : choice_truth(asked, run);
+}
+
+std::string_view cheapest_of(const Task& task, Costs rows) {
+  const double tighter_by = static_cast<const CostTask&>(*task.terms).tighter_by;
+  const cost::CostRow* const than = find_row(rows, task.algorithm);
+  const bool known = than != nullptr && !than->is_flat();  // of a flat shape sizes are nothing but rounding
+  const cost::CostRow* best = nullptr;
+  for (const cost::CostRow& row : rows) {
+    const bool smaller = known && of_same_points(row, *than) && row.size <= (1 - tighter_by) * than->size;
+    if (smaller && (best == nullptr || row.time.median < best->time.median)) best = &row;
+  }
+  return best != nullptr ? std::string_view(best->algorithm) : std::string_view();
+}
+
+Grade grade_costs(const Lesson& lesson, Costs rows, std::string_view chosen) {
+  const Task& task = *lesson.task;
+  const double tighter_by = static_cast<const CostTask&>(*task.terms).tighter_by;
+  Grade grade;
+  const cost::CostRow *const than = find_row(rows, task.algorithm), *const own = find_row(rows, chosen);
+  if (than == nullptr || own == nullptr) return grade;
+  grade.points = static_cast<int>(own->of);
+  const std::string name = title_of(*than);
+  std::string asked_for = percent_text(tighter_by);
+  asked_for.erase(0, asked_for.front() == '+' ? 1 : 0);
+  const std::string_view cheapest = cheapest_of(task, rows);
+  if (cheapest.empty()) {
+    grade.says = "On this shape nothing is " + asked_for + " smaller than " + name + ": take another shape.";
+    return grade;
+  }
+  if (own == than) {
+    grade.says = name + " stands on the stage. Load one that is at least " + asked_for + " smaller, for the " +
+                 (is_counted(*own) ? "fewest operations." : "least time.");
+    return grade;
+  }
+  if (!of_same_points(*own, *than)) {
+    grade.says = title_of(*own) + " was measured on fewer points: the two cannot be compared.";
+    return grade;
+  }
+  if (chosen != cheapest && (measured_badly(*own) || measured_badly(*find_row(rows, cheapest)))) {
+    grade.says = "The times of " + title_of(*own) + " and " + title_of(*find_row(rows, cheapest)) +
+                 " cannot be compared, for one of them was measured badly: measure again.";
+    return grade;
+  }
+  grade.excess = own->size / than->size - 1;
+  grade.done = chosen == cheapest;
+  grade.says = title_of(*own) + ": " + smaller_text(own->size, than->size) + " " + name + ", for " +
+               times_text(own->time.median / than->time.median) + " times its " +
+               (is_counted(*own) ? "operations." : "time.");
+  if (grade.done) grade.says += " Done.";
+  else if (own->size <= (1 - tighter_by) * than->size) grade.says += " Another does it for less.";
+  else grade.says += " It should be at least " + asked_for + " smaller.";
+  return grade;
+}
+
+std::vector<cost::CostRow> counted_costs(const Lesson& lesson, const AnyPointSet& points) {
+  std::vector<cost::CostRow> rows;
+  const int dim = fit::dim_of(points);
+  for (const std::string& name : lesson.algorithms) {
+    const fit::Algorithm& algorithm = *fit::find_algorithm(lesson.volume, name);
+    if (fit::size_of(points) > algorithm.max_points) continue;
+    const fit::Watched run = algorithm.watch(points, {.seed = lesson.seed}, {});
+    cost::CostRow row;
+    row.volume = algorithm.volume, row.algorithm = algorithm.name;
+    row.points = row.of = fit::size_of(points);
+    row.time.median = static_cast<double>(std::accumulate(run.counts.begin(), run.counts.end(), std::int64_t{1}));
+    row.noise = cost::rounding_of(points).noise(dim);
+    row.size = fit::size_of(run.result.volume, dim), row.measure = fit::measure_of(run.result.volume, dim);
+    rows.push_back(std::move(row));
+  }
+  cost::mark_front(rows);
+  return rows;
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,77 @@
+// What can be asked of a test of a box against a frustum.
+#include "lesson/subjects/frustum/entries.hpp"
+
+namespace snug::lesson {
+namespace {
+
+using query::Culling;
+
+const query::PlaneTested<double, 3>& plane_of(const Asked& asked, const Run& run) {
+  return *std::get_if<query::PlaneTested<double, 3>>(&frustum_run(run).trace()[asked.fact].step.fact);
+}
+
+/// Every vertex that is as far is right.
+Truth vertex_truth(const Asked& asked, const query::PlaneTested<double, 3>& tested, bool along) {
+  Truth truth;
+  const int vertices = along ? tested.p_corners : tested.n_corners;
+  for (int vertex = 0; vertex < 1 << asked.dim; ++vertex)
+    if ((vertices >> vertex & 1) != 0) {
+      truth.choices.push_back(vertex);
+      truth.points.push_back(index_of(asked.dim, {Place::Kind::kCorner, 0, vertex}));
+    }
+  truth.happened = asked.names(truth.points);
+  truth.sentence = truth.happened + " " + (truth.points.size() > 1 ? "lie" : "lies") + " farthest " +
+                   (along ? "along" : "against") + " the normal of the " + plane_name(asked.dim, tested.plane) +
+                   " plane.";
+  return truth;
+}
+
+Truth culling_truth(Culling culling, std::string sentence) {
+  return {{static_cast<int>(culling)}, {}, culling_name(culling), std::move(sentence)};
+}
+
+}  // namespace
+
+const char* offer_vertices(Asked& asked, const Run& run) {
+  if (plane_of(asked, run).skipped) return "\"p_vertex\" and \"n_vertex\" ask of a plane that is not skipped";
+  asked.stage_points = vertices_of(asked.dim, 0);
+  for (int vertex = 0; vertex < 1 << asked.dim; ++vertex)
+    asked.add_choice(sign_name(asked.dim, vertex), {asked.stage_points[vertex]});
+  asked.on_stage = true;
+  return nullptr;
+}
+
+const char* offer_cullings(Asked& asked, const Run&) {
+  for (const std::string_view name : query::kCullingNames) asked.add_choice(std::string(name));
+  return nullptr;
+}
+
+Truth p_vertex_truth(const Asked& asked, const Run& run) { return vertex_truth(asked, plane_of(asked, run), true); }
+Truth n_vertex_truth(const Asked& asked, const Run& run) { return vertex_truth(asked, plane_of(asked, run), false); }
+
+Truth plane_side_truth(const Asked& asked, const Run& run) {
+  const auto& tested = plane_of(asked, run);
+  const std::string plane = " the " + plane_name(asked.dim, tested.plane) + " plane";
+  switch (tested.side) {
+    case Culling::kOutside:
+      return culling_truth(tested.side, "Even the n-vertex is outside" + plane + ", so the whole box is.");
+    case Culling::kInside:
+      return culling_truth(tested.side, "Even the p-vertex is inside" + plane + ", so the whole box is.");
+    case Culling::kIntersecting: break;
+  }
+  return culling_truth(tested.side,
+                       "The p-vertex is outside" + plane + " and the n-vertex is not: the box crosses it.");
+}
+
+Truth culling_verdict_truth(const Asked& asked, const Run& run) {
+  const auto& result = std::get_if<query::Classified>(&frustum_run(run).trace()[asked.fact].step.fact)->result;
+  if (result.rejected_by >= 0)
+    return culling_truth(result.verdict,
+                         "The whole box is outside the " + plane_name(asked.dim, result.rejected_by) + " plane.");
+  if (result.crossing != 0)
+    return culling_truth(result.verdict,
+                         "The box crosses " + plane_names(asked.dim, result.crossing) + " and is wholly outside none.");
+  return culling_truth(result.verdict, "This test says " + culling_name(result.verdict) + ".");
+}
+
+}  // namespace snug::lesson

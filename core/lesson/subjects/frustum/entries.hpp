@@ -1,0 +1,97 @@
+// The entries of the facts that tests of a box against a frustum tell.
+#pragma once
+
+#include <cmath>
+
+#include "lesson/subjects/frustum/frustum.hpp"
+
+namespace snug::lesson {
+
+using FrustumWhere = FrustumRun::Where;
+
+[[nodiscard]] inline std::string culling_name(query::Culling culling) {
+  return std::string(query::kCullingNames[static_cast<std::size_t>(culling)]);
+}
+
+const char* offer_vertices(Asked& asked, const Run& run);  // the box's
+const char* offer_cullings(Asked& asked, const Run& run);  // inside, intersecting, outside
+Truth p_vertex_truth(const Asked& asked, const Run& run);
+Truth n_vertex_truth(const Asked& asked, const Run& run);
+Truth plane_side_truth(const Asked& asked, const Run& run);
+Truth culling_verdict_truth(const Asked& asked, const Run& run);
+
+template <>
+struct Entry<query::PlaneTested<double, 3>> : EntryDefaults {
+  using Fact = query::PlaneTested<double, 3>;
+  static constexpr std::array kAskings{Asking{"p_vertex", &offer_vertices, &p_vertex_truth},
+                                       Asking{"n_vertex", &offer_vertices, &n_vertex_truth},
+                                       Asking{"plane_side", &offer_cullings, &plane_side_truth}};
+  static std::string sentence(const Fact& fact, const FrustumWhere& where) {
+    std::string plane = plane_name(where.dim(), fact.plane) + " plane: ";
+    plane.front() = static_cast<char>(plane.front() - 'a' + 'A');
+    const std::string p = "p-vertex " + sign_name(where.dim(), fact.p_vertex),
+                      n = "n-vertex " + sign_name(where.dim(), fact.n_vertex);
+    const std::string p_by = short_figure(std::abs(fact.p_distance)), n_by = short_figure(std::abs(fact.n_distance));
+    if (fact.skipped) return plane + "skipped, since the parent is inside it.";
+    if (fact.looked_closer)
+      return plane + "a vertex is too close to it for rounded numbers; exact arithmetic says " +
+             culling_name(fact.side) + ".";
+    if (fact.side == query::Culling::kOutside)
+      return plane + "even the " + n + " is outside, by " + n_by + ", so the whole box is.";
+    if (fact.side == query::Culling::kInside)
+      return plane + "even the " + p + " is inside, by " + p_by + ", so the whole box is.";
+    return plane + "the " + p + " is outside by " + p_by + " and the " + n + " inside by " + n_by +
+           ", so the box crosses it.";
+  }
+  /// The p-vertex, then the n-vertex.
+  static std::vector<Index> handles(const Fact& fact, const FrustumWhere& where) {
+    std::vector<Index> named;
+    for (const int vertex : {fact.p_vertex, fact.n_vertex})
+      if (!fact.skipped) named.push_back(index_of(where.dim(), {Place::Kind::kCorner, 0, vertex}));
+    return named;
+  }
+  static std::string predicate(const Fact&, const FrustumWhere&, bool) { return "are the p- and the n-vertex"; }
+  static std::optional<Mark::Kind> mark(const Fact& fact, const FrustumWhere&) {
+    return fact.side == query::Culling::kOutside ? std::optional(Mark::Kind::kBest) : std::nullopt;
+  }
+};
+
+template <>
+struct Entry<query::CornerTested<double, 3>> : EntryDefaults {
+  using Fact = query::CornerTested<double, 3>;
+  static std::string sentence(const Fact& fact, const FrustumWhere& where) {
+    const std::string vertex = "Vertex " + sign_name(where.dim(), fact.corner);
+    if (fact.plane < 0) return vertex + " is inside every plane, so it lies in the frustum.";
+    const std::string by = fact.distance == 0 ? "" : ", by " + short_figure(std::abs(fact.distance));
+    return vertex + (fact.outside ? " is outside the " : " is inside the ") + plane_name(where.dim(), fact.plane) +
+           " plane" + by + ".";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FrustumWhere& where) {
+    return {index_of(where.dim(), {Place::Kind::kCorner, 0, fact.corner})};
+  }
+  static std::string predicate(const Fact&, const FrustumWhere&, bool) { return "is tested against the frustum"; }
+};
+
+template <>
+struct Entry<query::Classified> : EntryDefaults {
+  using Fact = query::Classified;
+  static constexpr std::array kAskings{
+      Asking{.name = "verdict", .offer = &offer_cullings, .truth = &culling_verdict_truth, .figure = "verdict"}};
+  static std::string sentence(const Fact& fact, const FrustumWhere& where) {
+    using query::Culling;
+    const query::CullResult& result = fact.result;
+    if (result.rejected_by >= 0)
+      return "Outside: the whole box is beyond the " + plane_name(where.dim(), result.rejected_by) + " plane; " +
+             std::to_string(result.planes_tested) +
+             (result.planes_tested == 1 ? " plane was tested." : " planes were tested.");
+    if (result.verdict == Culling::kOutside)
+      return "No vertex lies in the frustum, so this test says outside; the proof tells whether it is right.";
+    if (result.verdict == Culling::kInside) return "Inside: every vertex of the box is inside every plane.";
+    if (result.crossing == 0) return "Intersecting: some vertices lie in the frustum and some do not.";
+    return "Intersecting: the box crosses " + plane_names(where.dim(), result.crossing) +
+           " and is wholly outside none.";
+  }
+  static std::optional<Mark::Kind> mark(const Fact&, const FrustumWhere&) { return Mark::Kind::kReplaced; }
+};
+
+}  // namespace snug::lesson

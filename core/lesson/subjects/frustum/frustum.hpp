@@ -1,0 +1,56 @@
+// A box and a frustum, and the tests of where the box is.
+#pragma once
+
+#include "lesson/boxes.hpp"
+#include "lesson/facts.hpp"
+#include "lesson/subjects/frustum/frustum_tests.hpp"
+
+namespace snug::lesson {
+
+extern const SubjectRow kFrustumRow;
+
+class FrustumRun final : public FactRun<FrustumRun, FrustumStep> {
+ public:
+  FrustumRun(int dim, FrustumTrace trace) : dim_(dim), trace_(std::move(trace)) {}
+  [[nodiscard]] FrustumSteps trace() const { return trace_; }
+  /// Every vertex of the box.
+  [[nodiscard]] std::vector<Index> candidates(int) const override { return vertices_of(dim_, 0); }
+  struct Where {
+    const FrustumRun& run;
+    int i;
+    const Untold* untold;
+    [[nodiscard]] int dim() const { return run.dim_; }
+  };
+
+ private:
+  int dim_;
+  FrustumTrace trace_;
+};
+
+extern template class FactRun<FrustumRun, FrustumStep>;
+
+[[nodiscard]] inline const FrustumRun& frustum_run(const Run& run) { return static_cast<const FrustumRun&>(run); }
+
+class FrustumSubject final : public BoxSubject {
+ public:
+  static constexpr const SubjectRow& kRow = kFrustumRow;
+  FrustumSubject(const BoxPair& pair, std::uint64_t seed) : BoxSubject(pair, seed) {}
+  [[nodiscard]] const SubjectRow& row() const override { return kRow; }
+  [[nodiscard]] std::unique_ptr<Subject> clone() const override { return std::make_unique<FrustumSubject>(*this); }
+  /// "Box", "Box turn", "+−" (sign_name), "Frustum", "Frustum turn", "F3".
+  [[nodiscard]] std::string name_of(Index i) const override;
+  [[nodiscard]] std::string_view tools_title() const override { return "Box and frustum"; }
+  [[nodiscard]] Words words_of(int box) const override {
+    return box == 0 ? Words{"Box", "the box", "Half extents"} : Words{"Frustum", "the frustum", "Half depth, far face"};
+  }
+  [[nodiscard]] std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const override;
+  [[nodiscard]] std::string opening(const Method& method) const override;
+  [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
+  [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
+  [[nodiscard]] Grade grade(const Lesson& lesson, const View& view, std::vector<bool>& found) const override;
+
+ protected:
+  [[nodiscard]] Done check(const BoxPair& pair) const override;
+};
+
+}  // namespace snug::lesson

@@ -1,0 +1,115 @@
+#include "lesson/subjects/frustum/frustum_figures.hpp"
+
+#include <string>
+
+namespace snug::lesson {
+namespace {
+
+using query::Culling;
+using Plane = query::PlaneTested<double, 3>;
+using Corner = query::CornerTested<double, 3>;
+
+std::string word(Culling culling) { return std::string(query::kCullingNames[static_cast<std::size_t>(culling)]); }
+
+/// Collects the figures of one place in a run.
+class FrustumBoard {
+ public:
+  FrustumBoard(const View& view, int dim) : view_(view), steps_(frustum_run(view.run()).trace()), dim_(dim) {
+    for (int i = 0; i < view.step; ++i) std::visit(*this, steps_[i].step.fact);
+  }
+
+  std::vector<Figure> figures() && {
+    const bool by_planes = view_.method().name == "p_n_vertex";
+    const int plane = plane_at(steps_.first(view_.step));
+    const bool any = plane >= 0;
+    add("Plane", "plane", any ? plane_name(dim_, plane) : "", plane, "");
+    if (by_planes) {
+      add("Signs of the normal", "signs", any ? sign_name(dim_, tested_.signs) : "", tested_.signs, "");
+      length("p-vertex" + (any ? name_of(tested_.p_vertex) : ""), "p_distance", tested_.p_distance, any);
+      length("n-vertex" + (any ? name_of(tested_.n_vertex) : ""), "n_distance", tested_.n_distance, any);
+      add("Planes tested", "planes_tested", std::to_string(planes_) + " of " + std::to_string(planes_of_frustum(dim_)),
+          planes_, "planes");
+    } else {
+      const bool known = any && !done_;
+      length(known ? "Vertex" + name_of(corner_.corner) : "Vertex", "distance", corner_.distance, known);
+    }
+    const auto looked = view_.step > 0 ? steps_[view_.step - 1].counts[kTests] : 0;
+    add("Vertex tests", "corners", std::to_string(looked), static_cast<double>(looked), "");
+    add(done_ ? "Verdict" : "Verdict so far", "verdict", view_.step > 0 && (done_ || by_planes) ? word(verdict_) : "",
+        static_cast<double>(verdict_), "");
+    return std::move(figures_);
+  }
+
+  void operator()(const Plane& fact) {
+    tested_ = fact;
+    verdict_ = fact.so_far;
+    ++planes_;
+  }
+  void operator()(const Corner& fact) { corner_ = fact; }
+  void operator()(const query::Classified& fact) {
+    verdict_ = fact.result.verdict;
+    done_ = true;
+  }
+  void operator()(const auto&) {}
+
+ private:
+  static constexpr auto kTests = static_cast<std::size_t>(Operation::kOrientationTests);
+
+  [[nodiscard]] std::string name_of(int corner) const { return " " + sign_name(dim_, corner); }
+
+  /// An empty text: there is no value yet.
+  void add(std::string name, std::string key, std::string text, double value, std::string unit) {
+    const bool known = !text.empty();
+    figures_.push_back({std::move(name), std::move(key), known ? std::move(text) : "—", value, std::move(unit), known});
+  }
+  /// Signed, above 0 outside.
+  void length(std::string name, std::string key, double value, bool known) {
+    add(std::move(name), std::move(key), known ? (value > 0 ? "+" : "") + number_text(value) + " units" : "", value,
+        "units");
+  }
+
+  const View& view_;
+  FrustumSteps steps_;
+  int dim_;
+  Plane tested_;
+  Corner corner_;
+  int planes_ = 0;
+  Culling verdict_ = Culling::kInside;
+  bool done_ = false;
+  std::vector<Figure> figures_;
+};
+
+}  // namespace
+
+int plane_at(FrustumSteps steps) {
+  if (steps.empty()) return -1;
+  const auto& fact = steps.back().step.fact;
+  if (const auto* tested = std::get_if<Plane>(&fact)) return tested->plane;
+  if (const auto* corner = std::get_if<Corner>(&fact)) return corner->plane;
+  const auto* end = std::get_if<query::Classified>(&fact);
+  return end != nullptr ? end->result.rejected_by : -1;
+}
+
+std::vector<Figure> frustum_figures(const View& view, const BoxPair& pair) {
+  return FrustumBoard(view, pair.dim).figures();
+}
+
+std::vector<Proof> frustum_proofs(const View& view, const BoxPair& pair) {
+  const FrustumSteps steps = frustum_run(view.run()).trace();
+  if (!view.at_end() || steps.empty()) return {};
+  const auto* end = std::get_if<query::Classified>(&steps.back().step.fact);
+  const auto shares = share_a_point(pair);
+  if (end == nullptr || !shares) return {};
+  const Culling says = end->result.verdict;
+  std::vector<Proof> proofs{{"this test says: " + word(says), true, true}};
+  if (says == Culling::kOutside && *shares)
+    proofs.push_back({"wrong: box and frustum share points, for no axis separates them", false, true});
+  else if (says == Culling::kOutside) proofs.push_back({"right: box and frustum share no point", true, true});
+  else if (says == Culling::kInside) proofs.push_back({"right: every vertex is inside every plane", true, true});
+  else if (*shares) proofs.push_back({"right: they share points, and a vertex is outside", true, true});
+  else proofs.push_back({"a false positive: the box is outside, though no single plane shows it", false, false});
+  proofs.push_back({"decided in exact arithmetic", true, true});
+  return proofs;
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,22 @@
+// The figures and the proof of a test of a box against a frustum.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lesson/subjects/frustum/frustum.hpp"
+
+namespace snug::lesson {
+
+/// The plane that the last of these steps speaks of: the one just tested, or the one that a verdict rests on. -1 where
+/// it speaks of none.
+[[nodiscard]] int plane_at(FrustumSteps steps);
+
+/// Keys: plane signs p_distance n_distance planes_tested corners verdict. Of tests by corners, p_distance and
+/// n_distance are left out, and distance is the vertex's.
+[[nodiscard]] std::vector<Figure> frustum_figures(const View& view, const BoxPair& pair);
+
+/// In the end.
+[[nodiscard]] std::vector<Proof> frustum_proofs(const View& view, const BoxPair& pair);
+
+}  // namespace snug::lesson

@@ -1,0 +1,53 @@
+// What can be asked of a test of two boxes.
+#include "lesson/subjects/pair/entries.hpp"
+
+namespace snug::lesson {
+namespace {
+
+const query::AxisTested<double, 3>* axis_of(const PairSteps& steps, int i) {
+  return std::get_if<query::AxisTested<double, 3>>(&steps[i].step.fact);
+}
+
+}  // namespace
+
+Truth separates_truth(const Asked& asked, const Run& run) {
+  const auto& axis = *axis_of(pair_run(run).trace(), asked.fact);
+  if (axis.skipped) return no("The edges are parallel, so their cross product gives no axis.");
+  if (axis.separates)
+    return yes("There is a gap of " + number_text(axis.axis.gap) + ": this axis separates the boxes.");
+  if (!(axis.axis.gap < -axis.doubt)) return no("The projections touch, as far as rounded numbers tell.");
+  return no("The projections overlap by " + number_text(-axis.axis.gap) + ".");
+}
+
+const char* offer_tested_axes(Asked& asked, const Run& run) {
+  const PairSteps steps = pair_run(run).trace();
+  std::size_t tested = 0;
+  for (int i = 0; i < asked.fact; ++i) tested += axis_of(steps, i) != nullptr;
+  if (tested != axis_names(asked.dim).size()) return "\"which_axis\" asks of a test that goes through all axes";
+  for (const AxisName& axis : axis_names(asked.dim)) asked.add_choice(axis.text);
+  asked.add_choice("none");
+  asked.on_axes = true;
+  return nullptr;
+}
+
+/// Every axis that separates is a right answer, not just the first; so is one that only exact arithmetic found.
+Truth which_axis_truth(const Asked& asked, const Run& run) {
+  const PairSteps steps = pair_run(run).trace();
+  Truth truth;
+  for (int i = 0; i <= asked.fact; ++i) {
+    const auto* axis = axis_of(steps, i);
+    const auto* verdict = std::get_if<query::Verdict<double, 3>>(&steps[i].step.fact);
+    if (axis != nullptr && axis->separates) truth.choices.push_back(axis_index(asked.dim, axis->axis));
+    else if (verdict != nullptr && !verdict->result.overlap && truth.choices.empty())
+      truth.choices.push_back(axis_index(asked.dim, verdict->result.axis));
+    else continue;
+    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[truth.choices.back()];
+  }
+  if (truth.choices.empty())
+    return {{static_cast<int>(asked.choices.size()) - 1}, {}, "none", "No axis separates the boxes: they overlap."};
+  truth.sentence = truth.choices.size() == 1 ? truth.happened + " is the only axis that separates the boxes."
+                                             : "These axes separate the boxes: " + truth.happened + ".";
+  return truth;
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,92 @@
+// The figures and the proof of a test of two boxes.
+#include "lesson/subjects/pair/box_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace snug::lesson {
+namespace {
+
+using Axis = query::AxisTested<double, 3>;
+
+/// shown: what stands there of the value, which may be without its sign.
+Figure length(std::string name, std::string key, double value, double shown, bool known) {
+  return {std::move(name), std::move(key), known ? number_text(shown) + " units" : "—", value, "units", known};
+}
+
+const query::Verdict<double, 3>* verdict_of(PairSteps steps) {
+  return steps.empty() ? nullptr : std::get_if<query::Verdict<double, 3>>(&steps.back().step.fact);
+}
+
+/// Whether some axes were too close to call for rounded numbers.
+bool looked_closer(PairSteps steps) {
+  return std::any_of(steps.begin(), steps.end(),
+                     [](const auto& entry) { return std::holds_alternative<query::LookedCloser>(entry.step.fact); });
+}
+
+}  // namespace
+
+std::vector<Axis> axes_seen(PairSteps steps) {
+  std::vector<Axis> axes;
+  for (const auto& entry : steps)
+    if (const auto* axis = std::get_if<Axis>(&entry.step.fact)) axes.push_back(*axis);
+  return axes;
+}
+
+std::optional<Axis> axis_at(PairSteps steps) {
+  if (steps.empty()) return std::nullopt;
+  const auto& fact = steps.back().step.fact;
+  if (const auto* tested = std::get_if<Axis>(&fact)) return *tested;
+  const auto* verdict = std::get_if<query::Verdict<double, 3>>(&fact);
+  if (verdict == nullptr) return std::nullopt;
+  const auto& own = verdict->result.axis;
+  for (Axis axis : axes_seen(steps)) {
+    if (axis.axis.kind != own.kind || axis.axis.i != own.i || axis.axis.j != own.j) continue;
+    axis.axis = own;
+    axis.separates = !verdict->result.overlap;
+    return axis;
+  }
+  return std::nullopt;
+}
+
+std::vector<Figure> box_figures(const View& view, const BoxPair& pair) {
+  const PairSteps steps = pair_run(view.run()).trace();
+  if (axes_seen(steps).empty()) return {};
+  const int dim = pair.dim;
+  const auto tested = axes_seen(steps.first(view.step)).size();
+  const std::optional<Axis> at = axis_at(steps.first(view.step));
+  const bool any = at && !at->skipped;
+  const Axis axis = at.value_or(Axis{});
+  const bool apart = any && axis.axis.gap > 0;
+  return {{"Axis", "axis", at ? axis_text(dim, axis.axis) : "—", static_cast<double>(axis_index(dim, axis.axis)), "",
+           at.has_value()},
+          length("Distance along the axis", "distance", axis.distance, axis.distance, any),
+          length("Projected radius r_A", "radius_a", axis.radius_a, axis.radius_a, any),
+          length("Projected radius r_B", "radius_b", axis.radius_b, axis.radius_b, any),
+          length(!any || apart ? "Separation" : "Penetration", "gap", axis.axis.gap, std::abs(axis.axis.gap), any),
+          {"Axes tested", "tests", std::to_string(tested) + " of " + std::to_string(axis_names(dim).size()),
+           static_cast<double>(tested), "axes"}};
+}
+
+std::vector<Proof> box_proofs(const View& view, const BoxPair& pair) {
+  if (!view.at_end()) return {};
+  const PairSteps steps = pair_run(view.run()).trace();
+  const auto* verdict = verdict_of(steps);
+  const bool right = says_overlap("sat", pair);
+  const bool says = says_overlap(view.method().name, pair);
+  const std::string said = says ? "this test says: the boxes overlap" : "this test says: the boxes are apart";
+  if (verdict == nullptr || says != right)
+    return {
+        {said, true, true},
+        {says == right ? "right here: the separating axes say the same" : "wrong: the separating axes say otherwise",
+         says == right, true}};
+  const bool exactly = looked_closer(steps);
+  if (says)
+    return {{"none of the " + std::to_string(axis_names(pair.dim).size()) + " axes separates the boxes" +
+                 (exactly ? ", in exact arithmetic" : ""),
+             true, true}};
+  return {
+      {exactly ? "the gap is proved in exact arithmetic" : "the gap is larger than any rounding error", true, true}};
+}
+
+}  // namespace snug::lesson

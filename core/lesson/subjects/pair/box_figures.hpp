@@ -1,0 +1,25 @@
+// The figures and the proof of a test of two boxes.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "lesson/subjects/pair/pair.hpp"
+
+namespace snug::lesson {
+
+/// The axes that a trace has tested, in its order.
+[[nodiscard]] std::vector<query::AxisTested<double, 3>> axes_seen(PairSteps steps);
+
+/// The axis that the last of these steps speaks of: the one that was just tested, or the one that a verdict rests on,
+/// as the verdict has it. None where it speaks of none, as of boxes that overlap where the test ends at the first gap.
+[[nodiscard]] std::optional<query::AxisTested<double, 3>> axis_at(PairSteps steps);
+
+/// Keys: axis distance radius_a radius_b gap tests. All but tests are of axis_at.
+[[nodiscard]] std::vector<Figure> box_figures(const View& view, const BoxPair& pair);
+
+/// In the end.
+[[nodiscard]] std::vector<Proof> box_proofs(const View& view, const BoxPair& pair);
+
+}  // namespace snug::lesson

@@ -1,0 +1,120 @@
+#include "lesson/subjects/pair/box_tests.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "fit/lift.hpp"
+#include "lesson/subjects/pair/pair.hpp"
+#include "query/obb_sat.hpp"
+#include "query/wrong_corners_only.hpp"
+#include "query/wrong_extents_only.hpp"
+
+namespace snug::lesson {
+namespace {
+
+using query::AxisKind;
+
+// ---- facts of the plane, in space -------------------------------------------------------------------------------
+
+template <class Plain>
+const Plain& in_space(const Plain& fact) {
+  return fact;
+}
+template <int Dim>
+query::SatAxis<double, 3> in_space(const query::SatAxis<double, Dim>& axis) {
+  return {axis.kind, axis.i, axis.j, fit::lift<double, Dim>(axis.direction), axis.gap};
+}
+template <int Dim>
+query::FramesRelated<double, 3> in_space(const query::FramesRelated<double, Dim>& fact) {
+  return {fit::lift<double, Dim>(fact.rotation, 1), fit::lift<double, Dim>(fact.translation), fact.doubt};
+}
+template <int Dim>
+query::AxisTested<double, 3> in_space(const query::AxisTested<double, Dim>& fact) {
+  return {in_space(fact.axis), fact.length,    fact.distance, fact.radius_a, fact.radius_b,
+          fact.doubt,          fact.separates, fact.skipped,  fact.near_a,   fact.near_b};
+}
+template <int Dim>
+query::Verdict<double, 3> in_space(const query::Verdict<double, Dim>& fact) {
+  return {{fact.result.overlap, fact.result.tests, in_space(fact.result.axis)}};
+}
+
+/// Keeps the steps of a test.
+struct RecordPair {
+  PairTrace trace;
+  OperationCounts counts{};
+  template <class Step>
+  void operator()(const Step& step) {
+    std::visit([&](const auto& fact) { trace.push_back({{step.line, in_space(fact)}, counts}); }, step.fact);
+  }
+  void count(Operation operation, std::int64_t n) { counts[static_cast<std::size_t>(operation)] += n; }
+};
+
+constexpr std::string_view kSource = "S. Gottschalk, M. C. Lin, D. Manocha, OBBTree, 1996";
+constexpr std::string_view kWrong = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007";
+constexpr std::array kTests{
+    Method{kBoxPair, "sat", "Separating axes", kSource, query::kSatPseudocode3, query::kSatPseudocode2},
+    Method{kBoxPair, "sat_all", "All axes", kSource, query::kSatPseudocode3, query::kSatPseudocode2},
+    Method{kBoxPair, "extents_only", "AABBs only (wrong)", kWrong, query::kExtentsOnlyPseudocode},
+    Method{kBoxPair, "corners_only", "Vertices only (wrong)", kWrong, query::kCornersOnlyPseudocode},
+};
+
+/// Calls with both boxes in their own dimension.
+template <class Call>
+auto in_dimension(const BoxPair& pair, Call call) {
+  return pair.dim == 2 ? call(flat(pair.boxes[0]), flat(pair.boxes[1])) : call(pair.boxes[0], pair.boxes[1]);
+}
+
+template <class Observer>
+bool run_test(std::string_view test, const BoxPair& pair, Observer& observe) {
+  return in_dimension(pair, [&](const auto& a, const auto& b) {
+    if (test == "extents_only") return query::extents_only(a, b, observe);
+    if (test == "corners_only") return query::corners_only(a, b, observe);
+    const auto extent = test == "sat_all" ? query::SatExtent::kAll : query::SatExtent::kFirst;
+    return query::obb_sat(a, b, extent, observe).overlap;
+  });
+}
+
+std::vector<AxisName> names_of(int dim) {
+  std::vector<AxisName> names;
+  const auto letter = [](int axis) { return std::string(1, "xyz"[axis]); };
+  for (int i = 0; i < dim; ++i) names.push_back({"A " + letter(i), AxisKind::kFaceA, i, -1});
+  for (int j = 0; j < dim; ++j) names.push_back({"B " + letter(j), AxisKind::kFaceB, -1, j});
+  for (int i = 0; dim == 3 && i < 3; ++i)
+    for (int j = 0; j < 3; ++j) names.push_back({"A " + letter(i) + " × B " + letter(j), AxisKind::kEdgeEdge, i, j});
+  return names;
+}
+
+}  // namespace
+
+std::span<const Method> box_tests() { return kTests; }
+
+PairTrace record(std::string_view test, const BoxPair& pair) {
+  RecordPair observe;
+  run_test(test, pair, observe);
+  return std::move(observe.trace);
+}
+
+bool says_overlap(std::string_view test, const BoxPair& pair) {
+  Ignore ignore;
+  return run_test(test, pair, ignore);
+}
+
+std::span<const AxisName> axis_names(int dim) {
+  static const std::vector<AxisName> plane = names_of(2), space = names_of(3);
+  return dim == 2 ? plane : space;
+}
+
+int axis_index(int dim, const query::SatAxis<double, 3>& axis) {
+  const auto names = axis_names(dim);
+  const auto found = std::find_if(names.begin(), names.end(), [&](const AxisName& name) {
+    return name.kind == axis.kind && name.i == axis.i && name.j == axis.j;
+  });
+  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+}
+
+std::string axis_text(int dim, const query::SatAxis<double, 3>& axis) {
+  const int at = axis_index(dim, axis);
+  return at < 0 ? "" : axis_names(dim)[at].text;
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,83 @@
+#include "lesson/subjects/pair/pair.hpp"
+
+#include <algorithm>
+
+#include "lesson/fact_run.hpp"
+#include "lesson/subjects.hpp"
+#include "lesson/subjects/pair/box_figures.hpp"
+#include "lesson/subjects/pair/entries.hpp"
+
+namespace snug::lesson {
+
+template class FactRun<PairRun, PairStep>;
+
+namespace {
+
+std::vector<std::string_view> pair_volumes() { return {kBoxPair}; }
+std::span<const Method> pair_methods(std::string_view) { return box_tests(); }
+
+void read_boxes(TomlTable& table, Lesson& lesson, Complaints& complaints) {
+  auto tables = std::make_shared<BoxTables>();
+  TomlTable own(*table.table("boxes"), "[boxes]", complaints);
+  lesson.points.dim = static_cast<int>(own.integer_or("dim", 2, 3, 2));
+  tables->boxes = read_pair(own, lesson.points.dim, 1);
+  own.refuse_others();
+  lesson.tables = std::move(tables);
+}
+
+BoxPair read_model(TomlTable& table, const BoxPair& like) { return read_pair(table, like.dim, 1); }
+
+void read_pair_task(TomlTable& table, Lesson& lesson, Complaints& complaints) {
+  read_box_task(table, lesson, complaints, kPairGoals, &read_model);
+}
+
+void check_pair(const Lesson& lesson, const toml::table& toml, const Subject& own, Complaints& complaints) {
+  check_box_task(lesson, toml, own, kReachPairGoals, complaints);
+}
+
+tl::expected<std::unique_ptr<Subject>, InputError> open_pair(const Lesson& lesson, std::optional<io::PointFile>,
+                                                             Clock) {
+  return std::make_unique<PairSubject>(static_cast<const BoxTables&>(*lesson.tables).boxes, lesson.seed);
+}
+
+}  // namespace
+
+const SubjectRow kPairRow{.name = "pair",
+                          .table = "boxes",
+                          .volumes = &pair_volumes,
+                          .methods = &pair_methods,
+                          .facts = &FactList<decltype(PairStep::fact)>::names,
+                          .askings = &FactList<decltype(PairStep::fact)>::askings,
+                          .read = &read_boxes,
+                          .read_task = &read_pair_task,
+                          .check = &check_pair,
+                          .open = &open_pair,
+                          .play_task = &play_box_task};
+
+/// Every vertex of the boxes that the answer is of.
+std::vector<Index> PairRun::candidates(int i) const {
+  std::vector<Index> all;
+  const std::vector<Index> named = handles(i);
+  for (const int box : {0, 1}) {
+    if (std::none_of(named.begin(), named.end(), [&](Index at) { return place_of(dim_, at).box == box; })) continue;
+    const std::vector<Index> vertices = vertices_of(dim_, box);
+    all.insert(all.end(), vertices.begin(), vertices.end());
+  }
+  return all;
+}
+
+std::unique_ptr<Run> PairSubject::run(const Method& method, std::unique_ptr<Run>) const {
+  return std::make_unique<PairRun>(dim(), record(method.name, *boxes()));
+}
+
+std::string PairSubject::opening(const Method& method) const {
+  return std::string(method.title) + " on the boxes A and B: nothing is known yet. Take the first step.";
+}
+
+std::vector<Figure> PairSubject::figures(const View& view) const { return box_figures(view, *boxes()); }
+std::vector<Proof> PairSubject::proofs(const View& view) const { return box_proofs(view, *boxes()); }
+Grade PairSubject::grade(const Lesson& lesson, const View&, std::vector<bool>& found) const {
+  return grade_box_task(lesson, *boxes(), kReachPairGoals, found);
+}
+
+}  // namespace snug::lesson

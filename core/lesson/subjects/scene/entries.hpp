@@ -1,0 +1,19 @@
+// The entry of the one fact that a scene tells.
+#pragma once
+
+#include "lesson/subjects/scene/scene.hpp"
+
+namespace snug::lesson {
+
+/// "figure": between which bounds a figure of the scene lies; the choices are the ranges.
+const char* offer_ranges(Asked& asked, const Run& run);
+Truth range_truth(const Asked& asked, const Run& run);
+
+template <>
+struct Entry<FrameTaken> : EntryDefaults {
+  static constexpr std::array kAskings{
+      Asking{.name = "figure", .offer = &offer_ranges, .truth = &range_truth, .read = &read_ranges}};
+  static std::string sentence(const FrameTaken& fact, const SceneRun::Where& where);
+};
+
+}  // namespace snug::lesson

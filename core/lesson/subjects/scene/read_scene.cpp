@@ -1,0 +1,168 @@
+#include "lesson/subjects/scene/read_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "geometry/pose.hpp"
+#include "lesson/names.hpp"
+
+namespace snug::lesson {
+namespace {
+
+using V3 = Vector<double, 3>;
+
+V3 vector_or(TomlTable& table, std::string_view key, const V3& otherwise) {
+  if (!table.has(key)) return otherwise;
+  const std::vector<double> numbers = table.numbers(key);
+  if (numbers.size() == 3) return {numbers[0], numbers[1], numbers[2]};
+  table.wrong(key, "must be three numbers");
+  return otherwise;
+}
+
+constexpr double kMostLength = 1e9;
+double length(TomlTable& table, std::string_view key) { return table.number(key, kMostLength); }
+
+/// Each of them a length, as a radius is.
+V3 half_extents(TomlTable& table) {
+  const V3 half = vector_or(table, "half_extents", V3::Constant(0.5));
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(half[axis] > 0 && half[axis] <= kMostLength))
+      table.wrong("half_extents", "must be above 0 and at most 1000000000");
+  return half;
+}
+
+/// Degrees about x, then y, then z.
+Quaternion turned_by(const V3& degrees) {
+  Quaternion turn;
+  for (int axis = 0; axis < 3; ++axis)
+    turn = quaternion_about(V3::Unit(axis), degrees[axis] * std::numbers::pi / 180) * turn;
+  return turn;
+}
+
+/// A shape by its name, about the body's origin.
+void read_shape(TomlTable& table, SceneBody& one, bool has_mesh) {
+  const std::string shape = table.text("shape");
+  if (shape == "sphere") {
+    one.body.shape = scene::Volume3(Sphere<double, 3>{V3::Zero(), length(table, "radius")});
+  } else if (shape == "box") {
+    const V3 half = half_extents(table);
+    one.body.shape = scene::Volume3(Aabb<double, 3>{-half, half});
+  } else if (shape == "capsule") {
+    const double half = table.has("half_length") ? length(table, "half_length") : 0.5;
+    one.body.shape = scene::Volume3(Capsule<double, 3>{{-half, 0, 0}, {half, 0, 0}, length(table, "radius")});
+  } else if (shape == "points" || shape == "mesh") {
+    one.of_points = true;
+    if (shape == "mesh" && !has_mesh) table.wrong("shape", "is a mesh, and [points] names none");
+  } else if (!shape.empty()) {
+    table.wrong("shape", "is none of sphere, box, capsule, points or mesh: " + shape);
+  }
+}
+
+SceneBody read_body(const toml::table& toml, bool has_mesh, Complaints& complaints) {
+  TomlTable table(toml, "[[scene.body]]", complaints);
+  SceneBody one;
+  one.body.line = table.line();
+  one.body.name = table.text_or("name", "");
+  read_shape(table, one, has_mesh);
+  one.at_points = table.flag_or("at_points", false);
+  one.body.position = vector_or(table, "position", V3::Zero());
+  one.body.orientation = turned_by(vector_or(table, "turn", V3::Zero()));
+  one.body.fixed = table.flag_or("fixed", false);
+  one.body.velocity = vector_or(table, "velocity", V3::Zero());
+  one.body.turning = vector_or(table, "turning", V3::Zero()) * (std::numbers::pi / 180);
+  one.body.mass = table.any_number("mass", one.body.mass);
+  if (one.of_points && one.at_points) table.wrong("at_points", "is for bodies of a shape of their own");
+  if (one.at_points && !one.body.name.empty()) table.wrong("name", "would be that of several bodies");
+  table.refuse_others();
+  return one;
+}
+
+/// Places are lists of three numbers; a setting keeps them one after the other.
+scene::Setting read_setting(TomlTable& table, const std::string& key, const toml::node& node) {
+  if (node.is_string()) return {key, {}, table.text(key)};
+  if (key != "places") return {key, table.numbers(key), {}};
+  scene::Setting places{key, {}, {}};
+  for (const V3& place : table.points(key, 3))
+    places.numbers.insert(places.numbers.end(), {place[0], place[1], place[2]});
+  return places;
+}
+
+scene::EffectCall read_effect(const toml::table& toml, Complaints& complaints) {
+  TomlTable table(toml, "[[scene.effect]]", complaints);
+  scene::EffectCall call{.name = table.text("effect"), .body = table.text_or("body", ""), .line = table.line()};
+  for (const auto& [key, node] : toml) {
+    const std::string name(key.str());
+    if (name == "effect" || name == "body") continue;
+    call.settings.push_back(read_setting(table, name, node));
+  }
+  table.refuse_others();
+  return call;
+}
+
+void check_figure(TomlTable& table, const std::string& figure) {
+  const auto names = scene_figure_names();
+  if (!figure.empty() && std::find(names.begin(), names.end(), figure) == names.end())
+    table.wrong("figure", "is no figure of a scene: " + figure);
+}
+
+}  // namespace
+
+SceneSet read_scene_of(TomlTable& lesson, int dim, Complaints& complaints) {
+  SceneSet set;
+  const toml::table* own = lesson.table("scene");
+  if (own == nullptr) return complaints.add(1, "the lesson lacks [scene]"), set;
+  TomlTable table(*own, "[scene]", complaints);
+  if (dim != 3) complaints.add(table.line(), "a scene is in space: \"dim\" of [points] must be 3");
+  set.frames = static_cast<int>(table.integer_or("frames", 1, 2000, set.frames));
+  set.frames_line = table.line_of("frames");
+  set.step = table.any_number("step", set.step);
+  const toml::table* points = lesson.table("points");
+  const bool has_mesh = points != nullptr && points->contains("mesh");
+  for (const toml::table* body : table.tables("body")) set.bodies.push_back(read_body(*body, has_mesh, complaints));
+  for (const toml::table* effect : table.tables("effect")) set.effects.push_back(read_effect(*effect, complaints));
+  if (set.bodies.empty()) complaints.add(table.line(), "[scene] has no [[scene.body]]");
+  table.refuse_others();
+  return set;
+}
+
+void read_ranges(TomlTable& table, Question& question) {
+  question.figure = table.text("figure");
+  check_figure(table, question.figure);
+  question.bounds = table.numbers("bounds");
+  double last = -std::numeric_limits<double>::infinity();
+  const auto rises = [&](double bound) {
+    return bound > std::exchange(last, bound) && std::isfinite(bound);
+  };  // no NaN does
+  if (question.bounds.empty() || !std::all_of(question.bounds.begin(), question.bounds.end(), rises))
+    table.wrong("bounds", "must be numbers that rise"), question.bounds = {0};
+}
+
+void read_scene_task(TomlTable& table, Lesson& lesson, Complaints& complaints) {
+  auto terms = std::make_shared<SceneTask>();
+  Task& task = *lesson.task;
+  if (!is_among(lesson.algorithms, task.algorithm))
+    table.wrong("algorithm", "is none that the lesson offers: " + task.algorithm);
+  task.points = static_cast<int>(table.integer("points", 1, 1000));
+  for (const toml::table* one : table.tables("require")) {
+    TomlTable own(*one, "[[task.require]]", complaints);
+    SceneTask::Requirement due{.figure = own.text("figure")};
+    check_figure(own, due.figure);
+    const auto number = [&](std::string_view key, double otherwise) {
+      if (!own.has(key)) return otherwise;
+      const std::vector<double> numbers = own.numbers(key);
+      if (numbers.size() != 1) own.wrong(key, "must be a number");
+      return numbers.size() == 1 ? numbers.front() : otherwise;
+    };
+    due.at_least = number("at_least", 0), due.at_most = number("at_most", SceneTask::Requirement::kNoMost);
+    own.refuse_others();
+    terms->requirements.push_back(std::move(due));
+  }
+  if (terms->requirements.empty()) complaints.add(table.line(), "[task] needs a [[task.require]]");
+  task.model = table.points("model", 3);
+  task.terms = std::move(terms);
+}
+
+}  // namespace snug::lesson

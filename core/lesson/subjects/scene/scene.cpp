@@ -1,0 +1,228 @@
+#include "lesson/subjects/scene/scene.hpp"
+
+#include <algorithm>
+
+#include "lesson/fact_run.hpp"
+#include "lesson/subjects.hpp"
+#include "lesson/subjects/scene/entries.hpp"
+#include "lesson/subjects/scene/scene_figures.hpp"
+#include "measure/timing.hpp"
+
+namespace snug::lesson {
+
+template class FactRun<SceneRun, FrameStep>;
+
+namespace {
+
+std::vector<std::string_view> scene_volumes() { return {kScene}; }
+std::span<const Method> methods_of_any(std::string_view) { return scene_methods(); }
+const SceneSet& set_of(const Lesson& lesson) { return static_cast<const SceneSet&>(*lesson.tables); }
+
+void read_scene(TomlTable& table, Lesson& lesson, Complaints& complaints) {
+  lesson.points = read_points(*table.table("points"), complaints);
+  lesson.tables = std::make_shared<const SceneSet>(read_scene_of(table, lesson.points.dim, complaints));
+}
+
+/// On a mesh, which a file that is read does not have, this is where what the scene refuses is found.
+tl::expected<std::unique_ptr<Subject>, InputError> open_scene(const Lesson& lesson, std::optional<io::PointFile> mesh,
+                                                              Clock clock) {
+  auto points = own_points(lesson, mesh);
+  if (!points) return tl::unexpected(std::move(points.error()));
+  const SceneSet& set = set_of(lesson);
+  if (set.is_too_long(fit::size_of(*points)))
+    return tl::unexpected(
+        InputError{.what = too_long_text(), .unit = InputError::Unit::kLine, .position = set.frames_line});
+  if (const Done sound = check_scene_opens(set, lesson.algorithms, *points, lesson.seed); !sound)
+    return tl::unexpected(sound.error());
+  return std::make_unique<SceneSubject>(lesson, *std::move(points), std::move(mesh), clock);
+}
+
+/// All frames of all methods can be kept.
+void check_frames(const Lesson& lesson, const Subject& own, Complaints& complaints) {
+  for (const std::string& name : lesson.algorithms)
+    if (const Done kept = check_pairs(set_of(lesson), name, *own.points(), lesson.seed); !kept)
+      return complaints.add(static_cast<int>(kept.error().position), kept.error().what);
+}
+
+/// The model does the task, which the beginning does not.
+void check_scene_task(const Lesson& lesson, const toml::table& toml, const Subject& own, Complaints& complaints) {
+  if (!lesson.task) return;
+  const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
+  const SceneSet& set = set_of(lesson);
+  const auto graded = [&](const AnyPointSet& on) { return grade_scene(lesson, set, on, lesson.seed); };
+  const auto model = check_point_task(lesson, *own.points(), task, complaints);
+  if (graded(start_of_task(lesson, *own.points())).done)
+    complaints.add(task.line(), "the task is solved before the student begins");
+  if (!model) return;
+  if (set.is_too_long(fit::size_of(*model))) return complaints.add(task.line_of("model"), too_long_text());
+  if (const auto kept = check_pairs(set, lesson.task->algorithm, *model, lesson.seed); !kept)
+    return complaints.add(task.line_of("model"), kept.error().what);
+  if (const Grade grade = graded(*model); !grade.done)
+    complaints.add(task.line_of("model"), "the model does not solve the task: " + grade.says);
+}
+
+/// Where an effect that makes the figures is off: which of them are still those of an earlier frame.
+std::string still_words(const SceneRun::Where& where, bool pairs) {
+  const std::array<std::pair<const char*, const char*>, 3> makers{
+      {{"refit", pairs ? "the AABBs are still those" : "the volume is still that"},
+       {"broad_phase", "the pairs are still those"},
+       {"narrow_phase", "the touching pairs are still those"}}};
+  for (const auto& [effect, what] : makers)
+    if (const int since = where.subject().off_since(effect, where.i + 1); since >= 0)
+      return effect_words(effect) + " is off, so " + what + " of frame " + std::to_string(since) + ".";
+  return {};
+}
+
+/// "the update examines 80 points; the volume is 35.0 % larger than the tightest AABB, and 3.421 times the hull’s."
+std::string update_words(const FrameTaken& fact, const SceneRun::Where& where) {
+  constexpr double kShown = 0.0005;  // what is less is 0.0 %
+  const bool slack = !where.hides("slack"), cost = !where.hides("cost");
+  std::string words;
+  if (cost) words += "the update examines " + (fact.cost == 0 ? "no point" : scene_figure_text("cost", fact.cost));
+  if (!slack) return words + ".";
+  if (cost) words += "; ";
+  const double over = over_hull(where.step().volume, *where.subject().points());
+  if (!std::isfinite(over)) return words + "all points lie in one plane, so the hull has no volume.";
+  words += "the volume is ";
+  if (fact.slack >= kShown)
+    words += scene_figure_text("slack", 100 * fact.slack) + " larger than the tightest of its kind, and ";
+  return words + scene_figure_text(kOverHull, over) + " the hull’s.";
+}
+
+std::string count_of_pairs(double n) { return std::to_string(static_cast<long long>(n)); }
+
+std::string pair_words(const FrameTaken& fact, const SceneRun::Where& where) {
+  std::string words = "of " + count_of_pairs(fact.all_pairs) + (fact.all_pairs == 1 ? " pair" : " pairs");
+  if (where.hides("after_broad")) return words + ", how many do the AABBs leave?";
+  words += ", the AABBs leave " + count_of_pairs(fact.after_broad);
+  if (where.hides("after_loose")) return words + ".";
+  words += " and the bounding spheres " + count_of_pairs(fact.after_loose);
+  if (where.hides("touching")) return words + ".";
+  return words + "; " + count_of_pairs(fact.touching) + (fact.touching == 1 ? " touches." : " touch.");
+}
+
+}  // namespace
+
+std::string Entry<FrameTaken>::sentence(const FrameTaken& fact, const SceneRun::Where& where) {
+  const std::string words = "Frame " + std::to_string(fact.frame) + ": ";
+  // Beside a question the sentence would tell nearly what is asked of a later frame.
+  const bool asked = where.untold != nullptr && !where.untold->now.empty();
+  if (asked || (fact.all_pairs == 0 && where.hides("slack") && where.hides("cost")))
+    return words + "predict what comes next.";
+  if (const std::string still = still_words(where, fact.all_pairs > 0); !still.empty()) return words + still;
+  if (fact.resting) return words + "all bodies are at rest, so no effect runs.";
+  if (fact.all_pairs > 0) return words + pair_words(fact, where);
+  return words + (where.step().has_volume ? update_words(fact, where) : "the bodies have moved.");
+}
+
+const char* offer_ranges(Asked& asked, const Run&) {
+  for (std::string& range : scene_range_texts(asked.question->figure, asked.question->bounds))
+    asked.add_choice(std::move(range));
+  return nullptr;
+}
+
+/// The range that the figure lies in.
+Truth range_truth(const Asked& asked, const Run& run) {
+  const Question& question = *asked.question;
+  const auto& frame = *std::get_if<FrameTaken>(&scene_run(run).trace()[asked.fact].step.fact);
+  const double value = figure_of(frame, question.figure);
+  const auto range = std::lower_bound(question.bounds.begin(), question.bounds.end(), value) - question.bounds.begin();
+  const std::string text = scene_figure_text(question.figure, value);
+  return {{static_cast<int>(range)}, {}, text, "It is " + text + "."};
+}
+
+const SubjectRow kSceneRow{.name = "scene",
+                           .table = "points",
+                           .step_word = "frame",
+                           .volumes = &scene_volumes,
+                           .methods = &methods_of_any,
+                           .facts = &FactList<decltype(FrameStep::fact)>::names,
+                           .askings = &FactList<decltype(FrameStep::fact)>::askings,
+                           .read = &read_scene,
+                           .read_task = &read_scene_task,
+                           .check_first = &check_frames,
+                           .check = &check_scene_task,
+                           .open = &open_scene};
+
+SceneSubject::SceneSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh, Clock clock)
+    : PointSubject(lesson, std::move(points), std::move(mesh)),
+      set_(std::static_pointer_cast<const SceneSet>(lesson.tables)), clock_(clock) {
+  if (clock_ != nullptr) clock_step_ = cost::resolution_of(clock_);
+}
+
+std::string_view SceneSubject::fixed_now() const {
+  return set().at_points() ? "Bodies can be moved before frame 1 only." : "Points can be moved before frame 1 only.";
+}
+
+/// The lesson's own scene was opened when it was read; what an edit makes of it may be refused, and has no frame then.
+std::unique_ptr<Run> SceneSubject::run(const Method& method, std::unique_ptr<Run>) const {
+  auto run = run_scene(set(), method.name, *points(), origin_.seed, clock_, off_);
+  return std::make_unique<SceneRun>(*this, run ? *std::move(run) : SceneRecording());
+}
+
+std::string SceneSubject::opening(const Method& method) const {
+  const std::string many = std::to_string(size()) + (set().at_points() ? " bodies" : " points");
+  const std::string what = set().at_points() ? (size() == 1 ? "1 body" : many)
+                                             : "a body of " + (size() == 1 ? std::string("1 point") : many);
+  return std::string(method.title) + ", " + what + ": nothing has moved yet. Go to frame 1.";
+}
+
+std::vector<Figure> SceneSubject::figures(const View& view) const {
+  if (view.step == 0) return {};
+  return scene_figures(scene_run(view.run()).trace()[view.step - 1].step, *points());
+}
+
+/// Its figures are counts: there is nothing to prove.
+std::vector<Proof> SceneSubject::proofs(const View&) const { return {}; }
+
+Grade SceneSubject::grade(const Lesson& lesson, const View&, std::vector<bool>&) const {
+  return grade_scene(lesson, set(), *points(), origin_.seed);
+}
+
+int SceneSubject::off_since(std::string_view effect, int step) const {
+  for (const SwitchedOff& off : off_)
+    if (off.effect == effect) return off.after < step ? off.after : -1;
+  return -1;
+}
+
+std::string SceneSubject::time_of(const scene::Tally& tally) const {
+  return clock_ != nullptr ? effect_time_text(tally, clock_step_) : std::string();
+}
+
+std::vector<Switch> SceneSubject::switches(const View& view) const {
+  const std::vector<SceneFrame>& frames = scene_run(view.run()).frames();
+  if (static_cast<std::size_t>(view.step) >= frames.size()) return {};
+  std::vector<Switch> all;
+  const std::vector<scene::Tally>&now = frames[view.step].tallies, &last = frames.back().tallies;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const bool on =
+        std::none_of(off_.begin(), off_.end(), [&](const auto& off) { return off.effect == now[i].effect; });
+    all.push_back({now[i].effect, on, now[i].constructed, now[i].run, now[i].skipped, time_of(last[i])});
+  }
+  return all;
+}
+
+/// At the beginning there is nothing that what reads the effect could go on with.
+bool SceneSubject::turn(std::string_view name, bool on, const View& view) {
+  if (view.step == 0 && !on) return false;
+  const std::vector<Switch> all = switches(view);
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Switch& one) { return one.name == name; });
+  if (found == all.end()) return false;
+  if (found->on == on) return true;
+  if (on) std::erase_if(off_, [&](const SwitchedOff& one) { return one.effect == name; });
+  else off_.push_back({std::string(name), view.step});
+  return true;
+}
+
+const std::vector<SceneFrame>* frames_of(const Session& session, int slot) {
+  const bool scene = as<SceneSubject>(session.subject()) != nullptr && session.method(slot) != nullptr;
+  return scene ? &scene_run(session.run(slot)).frames() : nullptr;
+}
+
+const SceneFrame* frame_of(const Session& session) {
+  const auto* frames = frames_of(session, 0);
+  const auto at = static_cast<std::size_t>(session.step());
+  return frames != nullptr && at < frames->size() ? &(*frames)[at] : nullptr;
+}
+
+}  // namespace snug::lesson

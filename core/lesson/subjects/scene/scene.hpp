@@ -1,0 +1,94 @@
+// Bodies that move, and the effects that a scene calls for.
+#pragma once
+
+#include "lesson/facts.hpp"
+#include "lesson/point_subject.hpp"
+#include "lesson/session.hpp"
+#include "lesson/subjects/scene/read_scene.hpp"
+#include "lesson/subjects/scene/scene_run.hpp"
+
+namespace snug::lesson {
+
+extern const SubjectRow kSceneRow;
+
+class SceneSubject;
+
+class SceneRun final : public FactRun<SceneRun, FrameStep> {
+ public:
+  SceneRun(const SceneSubject& subject, SceneRecording recording)
+      : subject_(subject), recording_(std::move(recording)) {}
+  [[nodiscard]] std::span<const Recorder<FrameStep>::Entry> trace() const { return recording_.steps; }
+  /// The beginning first.
+  [[nodiscard]] const std::vector<SceneFrame>& frames() const { return recording_.frames; }
+  [[nodiscard]] std::span<const scene::Member> members() const { return recording_.members; }
+  struct Where {
+    const SceneRun& run;
+    int i;
+    const Untold* untold;
+    [[nodiscard]] const FrameStep& step() const { return run.trace()[i].step; }
+    [[nodiscard]] const SceneSubject& subject() const { return run.subject_; }
+    [[nodiscard]] bool hides(std::string_view figure) const { return untold != nullptr && untold->hides(figure); }
+  };
+
+ private:
+  const SceneSubject& subject_;
+  SceneRecording recording_;
+};
+
+extern template class FactRun<SceneRun, FrameStep>;
+
+[[nodiscard]] inline const SceneRun& scene_run(const Run& run) { return static_cast<const SceneRun&>(run); }
+
+class SceneSubject final : public PointSubject {
+ public:
+  static constexpr const SubjectRow& kRow = kSceneRow;
+  SceneSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh, Clock clock);
+
+  [[nodiscard]] const SubjectRow& row() const override { return kRow; }
+  [[nodiscard]] std::unique_ptr<Subject> clone() const override { return std::make_unique<SceneSubject>(*this); }
+  [[nodiscard]] std::array<std::string_view, 2> handle_words() const override {
+    return set().at_points() ? std::array<std::string_view, 2>{"body", "bodies"} : PointSubject::handle_words();
+  }
+  [[nodiscard]] std::string_view tools_word() const override { return set().at_points() ? "Bodies" : "Points"; }
+  [[nodiscard]] bool task_begins_at_end() const override { return false; }
+  [[nodiscard]] bool moves_at(int step) const override { return step == 0; }
+  [[nodiscard]] std::string_view fixed_now() const override;
+  [[nodiscard]] std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const override;
+  [[nodiscard]] std::string opening(const Method& method) const override;
+  [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
+  [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
+  [[nodiscard]] Grade grade(const Lesson& lesson, const View& view, std::vector<bool>& found) const override;
+  [[nodiscard]] std::vector<Switch> switches(const View& view) const override;
+  bool turn(std::string_view name, bool on, const View& view) override;
+  [[nodiscard]] bool has_switched_off() const override { return !off_.empty(); }
+
+  [[nodiscard]] const SceneSet& set() const { return *set_; }
+  /// The step after which an effect was switched off; -1 where it is on, or was in that step.
+  [[nodiscard]] int off_since(std::string_view effect, int step) const;
+
+ private:
+  [[nodiscard]] std::string time_of(const scene::Tally& tally) const;
+
+  std::shared_ptr<const SceneSet> set_;
+  Clock clock_;
+  double clock_step_ = 0;  // ns
+  std::vector<SwitchedOff> off_;
+};
+
+/// The frames of a slot, of a lesson about a scene; null otherwise. Frame step_of(slot) is the one that stands.
+[[nodiscard]] const std::vector<SceneFrame>* frames_of(const Session& session, int slot);
+/// The frame of slot 0 that stands; null where there is none.
+[[nodiscard]] const SceneFrame* frame_of(const Session& session);
+// Of a lesson that is about a scene.
+[[nodiscard]] inline const SceneSet& set_of(const Session& session) {
+  return static_cast<const SceneSubject&>(session.subject()).set();
+}
+[[nodiscard]] inline std::span<const scene::Member> members_of(const Session& session) {
+  return scene_run(session.run(0)).members();
+}
+
+/// Grades a scene on its last frame. seed: of what the scene scatters.
+[[nodiscard]] Grade grade_scene(const Lesson& lesson, const SceneSet& scene, const AnyPointSet& points,
+                                std::uint64_t seed);
+
+}  // namespace snug::lesson

@@ -1,0 +1,110 @@
+#include "lesson/subjects/scene/scene_figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "fit/catalogue.hpp"
+#include "fit/update/update.hpp"
+#include "lesson/subjects/scene/scene_run.hpp"
+
+namespace snug::lesson {
+namespace {
+
+std::string fixed_text(double value, int digits) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+  return text.data();
+}
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kTitles{
+    {{"all_pairs", "All pairs"},
+     {"compared", "AABBs compared"},
+     {"after_broad", "AABBs overlap"},
+     {"after_loose", "Bounding spheres overlap"},
+     {"touching", "Touching"},
+     {"slack", "Looseness"},
+     {kOverHull, "Volume over the hull’s"},
+     {"cost", "Points examined"},
+     {"energy", "Energy"}}};
+
+/// What a figure counts, "" where it is no count.
+std::string counted_thing(std::string_view figure, bool one) {
+  if (figure == "slack" || figure == kOverHull || figure == "energy") return {};
+  return figure == "cost" ? (one ? "point" : "points") : (one ? "pair" : "pairs");
+}
+
+}  // namespace
+
+double over_hull(const fit::Volume3& volume, const AnyPointSet& points) {
+  const fit::Result hull = fit::find_algorithm("hull", "quickhull")->fit(points, {});
+  return fit::over_hull(fit::measure_of(volume, 3), fit::measure_of(hull.volume, 3));
+}
+
+std::string scene_figure_text(std::string_view figure, double value) {
+  if (!std::isfinite(value)) return "—";
+  if (figure == "slack") return fixed_text(value, 1) + " %";
+  if (figure == kOverHull) return number_text(value) + " times";
+  if (figure == "energy") return number_text(value);
+  return fixed_text(value, 0) + " " + counted_thing(figure, value == 1);
+}
+
+std::string_view scene_figure_title(std::string_view figure) {
+  const auto found = std::find_if(kTitles.begin(), kTitles.end(), [&](const auto& one) { return one.first == figure; });
+  return found == kTitles.end() ? figure : found->second;
+}
+
+std::string effect_words(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::vector<std::string> scene_range_texts(std::string_view figure, std::span<const double> bounds) {
+  const bool count = !counted_thing(figure, false).empty();
+  const auto bound = [&](double value) {  // a bound is exact
+    std::string text = scene_figure_text(figure, value);
+    if (const std::size_t zero = text.find(".0 "); zero != std::string::npos) text.erase(zero, 2);
+    return text;
+  };
+  std::vector<std::string> texts{count && bounds.front() == 0 ? "none" : "at most " + bound(bounds.front())};
+  for (std::size_t i = 1; i < bounds.size(); ++i) {
+    const double above = count ? bounds[i - 1] + 1 : bounds[i - 1];
+    const std::string from = count ? fixed_text(above, 0) : bound(above);
+    texts.push_back(count && above == bounds[i] ? bound(above) : from + " to " + bound(bounds[i]));
+  }
+  texts.push_back("more than " + bound(bounds.back()));
+  return texts;
+}
+
+std::string effect_time_text(const scene::Tally& tally, double clock_step) {
+  if (tally.run == 0) return {};
+  const auto runs = static_cast<double>(tally.run);
+  const double mean = tally.nanoseconds / runs / 1000, doubt = 2 * clock_step / std::sqrt(runs) / 1000;
+  if (mean >= doubt) return fixed_text(mean, mean < 1 ? 2 : mean < 10 ? 1 : 0);
+  const double places = std::floor(std::log10(doubt)), unit = std::pow(10, places);
+  return "< " + fixed_text(std::ceil(doubt / unit) * unit, std::max(0, static_cast<int>(-places)));
+}
+
+std::vector<Figure> scene_figures(const FrameStep& step, const AnyPointSet& points) {
+  const auto* frame = std::get_if<FrameTaken>(&step.fact);
+  std::vector<Figure> figures{{"Frame", "frame", std::to_string(frame->frame), static_cast<double>(frame->frame), ""}};
+  const auto add = [&](std::string_view key, const char* unit) {
+    const double value = key == kOverHull ? over_hull(step.volume, points) : figure_of(*frame, key);
+    figures.push_back({std::string(scene_figure_title(key)), std::string(key), scene_figure_text(key, value), value,
+                       unit, std::isfinite(value)});
+  };
+  if (frame->all_pairs > 0) {
+    for (const std::string_view key : {"all_pairs", "compared", "after_broad", "after_loose", "touching"})
+      add(key, "pairs");
+  } else if (step.has_volume) {
+    add("slack", "%");
+    add(kOverHull, "times");
+    add("cost", "points");
+  }
+  if (frame->energy != 0) add("energy", "");
+  return figures;
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,198 @@
+#include "lesson/subjects/scene/scene_run.hpp"
+
+#include <algorithm>
+
+#include "fit/catalogue.hpp"
+#include "fit/update/updates.hpp"
+#include "hierarchy/bounds.hpp"
+#include "scene/pairs.hpp"
+
+namespace snug::lesson {
+namespace {
+
+constexpr Index kMostBodies = 4000;
+constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
+
+Method scene_method(std::string_view name, std::string_view title, std::span<const std::string_view> pseudocode) {
+  return {.volume = kScene,
+          .name = name,
+          .title = title,
+          .source = kEricson,
+          .pseudocode = pseudocode,
+          .max_points = kMostBodies};
+}
+
+constexpr std::array<std::string_view, 8> kFigures{"all_pairs", "compared", "after_broad", "after_loose",
+                                                   "touching",  "slack",    "cost",        "energy"};
+
+/// Lessons' names of updates: with the volume where it is no AABB.
+std::string name_of(const fit::UpdateStrategy& strategy) {
+  if (strategy.volume == "aabb") return std::string(strategy.name);
+  return strategy.k > 0 ? "k" + std::to_string(strategy.k) : std::string(strategy.volume);
+}
+
+std::vector<Method> methods_of_scenes() {
+  std::vector<Method> all{scene_method("sweep_and_prune", "Sort and sweep", scene::kSweepAndPrunePseudocode),
+                          scene_method("tree", "Tree (BVH)", scene::kTreePairsPseudocode),
+                          scene_method("all_pairs", "All pairs", scene::kAllPairsPseudocode)};
+  static std::vector<std::string> names;  // the rows only point at them
+  for (const fit::UpdateStrategy& strategy : fit::update_strategies()) names.push_back(name_of(strategy));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const fit::UpdateStrategy& strategy = fit::update_strategies()[i];
+    if (strategy.space) all.push_back(scene_method(names[i], strategy.title, strategy.pseudocode));
+  }
+  return all;
+}
+
+/// Sets a word of the call of an effect.
+void set(scene::EffectCall& call, std::string_view key, std::string_view word) {
+  std::erase_if(call.settings, [&](const scene::Setting& setting) { return setting.key == key; });
+  call.settings.push_back({std::string(key), {}, std::string(word)});
+}
+
+void switch_off(scene::Scene& scene, std::span<const SwitchedOff> off, int after) {
+  for (const SwitchedOff& one : off)
+    for (std::size_t i = 0; i < scene.tallies().size(); ++i)
+      if (one.after == after && scene.tallies()[i].effect == one.effect) scene.turn(i, false);
+}
+
+SceneFrame seen(const scene::Scene& scene) {
+  const scene::State& state = scene.world().state;
+  return {state.bodies,     state.volumes, state.contacts,
+          state.pairs,      state.near,    state.shadows,
+          state.trails,     state.rays,    {scene.tallies().begin(), scene.tallies().end()},
+          state.funnel.axis};
+}
+
+}  // namespace
+
+std::span<const std::string_view> scene_figure_names() { return kFigures; }
+
+std::span<const Method> scene_methods() {
+  static const std::vector<Method> all = methods_of_scenes();
+  return all;
+}
+
+scene::Declaration declaration_of(const SceneSet& set, const AnyPointSet& points, std::uint64_t seed) {
+  scene::Declaration declaration{.effects = set.effects, .seed = seed, .step = set.step};
+  const Index count = fit::size_of(points);
+  for (const SceneBody& one : set.bodies) {
+    scene::Body body = one.body;
+    if (one.of_points) {
+      scene::Cloud cloud;
+      for (Index i = 0; i < count; ++i) cloud.push_back(fit::point_of(points, i));
+      body.shape = std::move(cloud);
+    }
+    const scene::V3 position = body.position;
+    for (Index i = 0; i < (one.at_points ? count : 1); ++i) {
+      if (one.at_points) body.position = position + fit::point_of(points, i);
+      declaration.bodies.push_back(body);
+    }
+  }
+  return declaration;
+}
+
+tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet& scene_set, std::string_view method,
+                                                              const AnyPointSet& points, std::uint64_t seed) {
+  scene::Declaration declaration = declaration_of(scene_set, points, seed);
+  const bool search = std::find(scene::kPairSearchNames.begin(), scene::kPairSearchNames.end(), method) !=
+                      scene::kPairSearchNames.end();
+  const std::string_view effect = search ? "broad_phase" : "refit";
+  const auto call = std::find_if(declaration.effects.begin(), declaration.effects.end(),
+                                 [&](const scene::EffectCall& one) { return one.name == effect; });
+  if (call == declaration.effects.end())
+    return tl::unexpected(InputError{.what = "the scene does not call for " + std::string(effect) + ", which " +
+                                             std::string(method) + " is about"});
+  if (search) set(*call, "search", method);
+  for (const fit::UpdateStrategy& strategy : fit::update_strategies())
+    if (!search && name_of(strategy) == method)
+      set(*call, "volume", strategy.volume), set(*call, "strategy", strategy.name);
+  return declaration;
+}
+
+tl::expected<void, InputError> check_scene_opens(const SceneSet& set, std::span<const std::string> methods,
+                                                 const AnyPointSet& points, std::uint64_t seed) {
+  if (set.is_too_long(fit::size_of(points))) return tl::unexpected(InputError{.what = too_long_text()});
+  for (const std::string& method : methods) {
+    const auto scene = declaration_with(set, method, points, seed).and_then([](const scene::Declaration& declaration) {
+      return scene::Scene::open(declaration);
+    });
+    if (!scene) return tl::unexpected(scene.error());
+  }
+  return {};
+}
+
+tl::expected<void, InputError> check_pairs(const SceneSet& set, std::string_view method, const AnyPointSet& points,
+                                           std::uint64_t seed) {
+  const auto declaration = declaration_with(set, method, points, seed);
+  if (!declaration) return {};
+  const auto bodies = static_cast<std::int64_t>(declaration->bodies.size());
+  const auto looks = [](const scene::EffectCall& call) { return call.name == "broad_phase"; };
+  const auto search = std::find_if(declaration->effects.begin(), declaration->effects.end(), looks);
+  if (search == declaration->effects.end() || bodies * (bodies - 1) / 2 * set.frames <= kMostPairs) return {};
+  auto scene = scene::Scene::open(*declaration);
+  std::size_t kept = 0;
+  for (int frame = 1; scene && frame <= set.frames; ++frame) {
+    scene->step();
+    kept += scene->world().state.pairs.size();
+    if (kept > static_cast<std::size_t>(kMostPairs))
+      return tl::unexpected(scene::error_at(
+          search->line, "too many pairs: those of all frames together may be at most " + std::to_string(kMostPairs) +
+                            ", which are reached at frame " + std::to_string(frame)));
+  }
+  return {};
+}
+
+FrameTaken frame_of(const scene::Scene& scene) {
+  const scene::State& state = scene.world().state;
+  const std::uint64_t hash = scene.world().hash();
+  const bool pairs = std::any_of(scene.tallies().begin(), scene.tallies().end(),
+                                 [](const scene::Tally& tally) { return tally.effect == "broad_phase"; });
+  return {.frame = state.frame,
+          .all_pairs = pairs ? static_cast<double>(state.funnel.all) : 0,
+          .compared = static_cast<double>(state.funnel.compared),
+          .after_broad = static_cast<double>(state.funnel.after_broad),
+          .after_loose = static_cast<double>(state.funnel.after_loose),
+          .touching = static_cast<double>(state.funnel.touching),
+          .slack = state.refitted.slack,
+          .cost = state.refitted.cost,
+          .energy = scene.world().energy(),
+          .resting = scene.resting(),
+          .hash_high = static_cast<int>(hash >> 32),
+          .hash_low = static_cast<int>(hash & 0xffffffffu)};
+}
+
+double figure_of(const FrameTaken& frame, std::string_view figure) {
+  const double values[] = {frame.all_pairs, frame.compared,    frame.after_broad, frame.after_loose,
+                           frame.touching,  100 * frame.slack, frame.cost,        frame.energy};
+  const auto found = std::find(kFigures.begin(), kFigures.end(), figure);
+  return found == kFigures.end() ? 0 : values[found - kFigures.begin()];
+}
+
+tl::expected<SceneRecording, InputError> run_scene(const SceneSet& set, std::string_view method,
+                                                   const AnyPointSet& points, std::uint64_t seed, scene::Clock clock,
+                                                   std::span<const SwitchedOff> off) {
+  auto declaration = declaration_with(set, method, points, seed);
+  if (!declaration) return tl::unexpected(std::move(declaration.error()));
+  auto scene = scene::Scene::open(*declaration, clock);
+  if (!scene) return tl::unexpected(std::move(scene.error()));
+  const auto known = std::find_if(scene_methods().begin(), scene_methods().end(),
+                                  [&](const Method& one) { return one.name == method; });
+  const int line = static_cast<int>(known->pseudocode.size()) - 1;
+  const bool measured = scene->world().members.front().shape.cloud != nullptr;
+  SceneRecording run;
+  OperationCounts counts{};
+  run.frames.push_back(seen(*scene));
+  run.members = scene->world().members;
+  for (int frame = 0; frame < set.frames; ++frame) {
+    switch_off(*scene, off, frame);
+    scene->step();
+    const FrameTaken taken = frame_of(*scene);
+    counts[static_cast<std::size_t>(Operation::kPointsTouched)] += static_cast<std::int64_t>(taken.cost);
+    run.steps.push_back({{line, measured, scene->world().state.refitted.first, taken}, counts});
+    run.frames.push_back(seen(*scene));
+  }
+  return run;
+}
+
+}  // namespace snug::lesson

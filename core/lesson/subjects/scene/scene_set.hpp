@@ -1,0 +1,80 @@
+// A lesson's scene: its bodies, made of the lesson's points, and the effects that it calls for.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/point_set.hpp"
+#include "lesson/lesson.hpp"
+#include "scene/declaration.hpp"
+#include "scene/limits.hpp"
+
+namespace snug::lesson {
+
+/// A lesson's volume where a scene moves.
+inline constexpr std::string_view kScene = "scene";
+
+struct SceneBody {
+  scene::Body body;
+  bool of_points = false;  // its shape is all of the lesson's points, which may be a mesh's
+  bool at_points = false;  // there is one such body at each of the points
+};
+
+struct SceneSet : Tables {
+  std::vector<SceneBody> bodies;
+  std::vector<scene::EffectCall> effects;
+  double step = 1.0 / 60;  // seconds a frame
+  int frames = 120;        // how many are shown
+  int frames_line = 0;     // of the file, for errors
+
+  /// Whether there are too many frames of too many bodies (kMostBodyFrames).
+  [[nodiscard]] bool is_too_long(std::int64_t points) const;
+  /// Whether a body stands at each of the points.
+  [[nodiscard]] bool at_points() const {
+    return std::any_of(bodies.begin(), bodies.end(), [](const SceneBody& body) { return body.at_points; });
+  }
+};
+
+/// How many bodies times frames a lesson's scene may have. All frames are kept for the timeline: a body takes 300 bytes
+/// in each and a microsecond; in a crowd of 2,000, whose pairs are kept as well, 1.6 KB and 25 us. So a scene ends at
+/// 0.4 GB and 6 s. Held by "a scene with too many frames of too many bodies is refused before it is run".
+inline constexpr std::int64_t kMostBodyFrames = 250'000;
+
+/// How many places of trails take as much as a body.
+inline constexpr std::int64_t kPlacesOfBody = 10;
+
+/// How many pairs all frames together may keep: what 50 for each body's frame come to.
+inline constexpr std::int64_t kMostPairs = 50 * kMostBodyFrames;
+
+/// How many places a trail keeps in a frame; what no trail may have, its effect refuses.
+inline std::int64_t places_of(const scene::EffectCall& trail, int frames) {
+  double length = scene::limits::kTrailPlaces;
+  for (const scene::Setting& setting : trail.settings)
+    if (setting.key == "length" && !setting.numbers.empty()) length = setting.numbers.front();
+  return length < frames ? static_cast<std::int64_t>(std::max(0.0, length)) : frames;  // a NaN: frames
+}
+
+inline bool SceneSet::is_too_long(std::int64_t points) const {
+  std::int64_t count = 0, places = 0;
+  for (const SceneBody& body : bodies) count += body.at_points ? points : 1;
+  for (const scene::EffectCall& effect : effects)
+    if (effect.name == "trail") places += (effect.body.empty() ? count : 1) * places_of(effect, frames);
+  return (count + places / kPlacesOfBody) * frames > kMostBodyFrames;
+}
+
+[[nodiscard]] inline std::string too_long_text() {
+  return "too many frames of too many bodies: one times the other may be at most " + std::to_string(kMostBodyFrames) +
+         ", and " + std::to_string(kPlacesOfBody) + " places of a trail count as a body";
+}
+
+/// The scene with the points as they stand.
+[[nodiscard]] scene::Declaration declaration_of(const SceneSet& set, const AnyPointSet& points, std::uint64_t seed);
+
+/// "all_pairs", "compared", "after_broad", "after_loose", "touching", "slack" (in per cent), "cost", "energy".
+[[nodiscard]] std::span<const std::string_view> scene_figure_names();
+
+}  // namespace snug::lesson

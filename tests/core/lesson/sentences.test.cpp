@@ -1,0 +1,211 @@
+// Every fact of every algorithm has its sentence, in words that a student reads.
+#include <doctest/doctest.h>
+
+#include <cctype>
+#include <set>
+
+#include "geometry/generate.hpp"
+#include "lesson/subjects.hpp"
+#include "lesson/subjects/cloud/cloud.hpp"
+#include "lesson/subjects/frustum/frustum.hpp"
+#include "lesson/subjects/pair/pair.hpp"
+#include "lesson/subjects/scene/scene.hpp"
+
+namespace snug {
+namespace {
+
+AnyPointSet set_of(const std::vector<Vector<double, 3>>& points, int dim) {
+  if (dim == 3) return *PointSet<double, 3>::make(points);
+  std::vector<Vector<double, 2>> flat;
+  for (const auto& p : points) flat.push_back(p.head<2>());
+  return *PointSet<double, 2>::make(std::move(flat));
+}
+
+fit::Step3 with_ball(double radius, fit::Step3::Fact fact) {
+  return {0, true, fit::Sphere3{Vector<double, 3>::Zero(), radius}, std::move(fact)};
+}
+
+/// The sentence of a step that others may stand round.
+std::string sentence(std::vector<fit::Step3> steps, int i, const AnyPointSet& points, bool exact) {
+  fit::Recording recording;
+  for (fit::Step3& step : steps) recording.steps.push_back({std::move(step), {}});
+  return lesson::FitRun(points, exact, std::move(recording)).sentence(i, {});
+}
+std::string alone(const fit::Step3& step, const AnyPointSet& points) { return sentence({step}, 0, points, true); }
+
+const AnyPointSet kThree = set_of({{1, 0, 0}, {0, 2.58, 0}, {0, 0, 0}}, 2);
+
+void require_sentence(const std::string& caption) {
+  REQUIRE(caption.find("ball") == std::string::npos);  // a circle in the plane, a sphere in space
+  REQUIRE(caption.size() > 10);
+  REQUIRE(caption.size() < 170);
+  REQUIRE(caption.back() == '.');
+  const auto first = static_cast<unsigned char>(caption.front());
+  REQUIRE((std::isupper(first) || std::isdigit(first)));
+  REQUIRE(caption.find('\n') == std::string::npos);
+  REQUIRE(caption.find("nan") == std::string::npos);
+  REQUIRE(caption.find("P-1") == std::string::npos);  // kNoIndex
+}
+
+std::shared_ptr<const lesson::Tables> boxes_of(const lesson::BoxPair& pair) {
+  auto tables = std::make_shared<lesson::BoxTables>();
+  tables->boxes = pair;
+  return tables;
+}
+
+/// Every test of two boxes, in the plane and in space: apart, one in the other, and touching, which rounding hides.
+std::vector<lesson::Session> box_sessions() {
+  std::vector<lesson::Session> sessions;
+  for (const int dim : {2, 3})
+    for (const double gap : {2.5, 0.1, 2.0})
+      for (const char* test : {"sat", "sat_all", "extents_only", "corners_only"}) {
+        lesson::BoxPair pair{.dim = dim};
+        for (auto& box : pair.boxes) box.half_extents = {1, 1, dim == 3 ? 1.0 : 0.0};
+        pair.boxes[1].center[0] = gap;
+        lesson::Lesson lesson;
+        lesson.id = "test";
+        lesson.volume = "box_pair";
+        lesson.points.dim = dim;
+        lesson.tables = boxes_of(pair);
+        lesson.algorithms = {test};
+        auto session = lesson::Session::open(std::move(lesson));
+        REQUIRE(session.has_value());
+        sessions.push_back(*std::move(session));
+      }
+  return sessions;
+}
+
+/// Every test of a box against a frustum: inside, across, outside, touching, and lost by the wrong one.
+std::vector<lesson::Session> frustum_sessions() {
+  std::vector<lesson::Session> sessions;
+  for (const int dim : {2, 3})
+    for (const double at : {2.5, 1.0, -2.0, 0.75})
+      for (const double wide : {0.25, 6.0})
+        for (const char* test : {"p_n_vertex", "corners_per_plane", "corners_outside"}) {
+          lesson::BoxPair pair{.dim = dim, .taper = 0.25};
+          pair.boxes[0].half_extents = {0.25, wide, dim == 3 ? wide : 0.0};
+          pair.boxes[0].center[0] = at;
+          pair.boxes[1].center[0] = 2.5;
+          pair.boxes[1].half_extents = {1.5, 4, dim == 3 ? 4.0 : 0.0};
+          lesson::Lesson lesson;
+          lesson.id = "test";
+          lesson.volume = "frustum_box";
+          lesson.points.dim = dim;
+          lesson.tables = boxes_of(pair);
+          lesson.algorithms = {test};
+          auto session = lesson::Session::open(std::move(lesson));
+          REQUIRE(session.has_value());
+          sessions.push_back(*std::move(session));
+        }
+  return sessions;
+}
+
+/// Scenes of pairs, of a volume that follows a body, and of one that comes to rest.
+std::vector<lesson::Session> scene_sessions() {
+  std::vector<lesson::Session> sessions;
+  for (const bool pairs : {true, false})
+    for (const double degrees : {0.0, 20.0}) {
+      lesson::Lesson lesson;
+      lesson.id = "test";
+      lesson.volume = "scene";
+      lesson.points = {.dim = 3, .generate = "ball", .count = 12};
+      auto set = std::make_shared<lesson::SceneSet>();
+      set->frames = 30;
+      set->bodies.resize(1);
+      set->bodies[0].body.shape = scene::Volume3(Sphere<double, 3>{Vector<double, 3>::Zero(), 0.3});
+      (pairs ? set->bodies[0].at_points : set->bodies[0].of_points) = true;
+      set->effects = {{.name = "spin", .settings = {{"degrees", {degrees}, ""}}}, {.name = "refit"}};
+      if (pairs) set->effects.push_back({.name = "broad_phase"}), set->effects.push_back({.name = "narrow_phase"});
+      lesson.tables = std::move(set);
+      lesson.algorithms = {pairs ? "tree" : "hill_climb"};
+      auto session = lesson::Session::open(std::move(lesson));
+      REQUIRE(session.has_value());
+      REQUIRE(session->steps() == 30);
+      sessions.push_back(*std::move(session));
+    }
+  return sessions;
+}
+
+}  // namespace
+
+TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no number that is not one") {
+  std::set<std::string_view> seen;
+  const auto check = [&](const lesson::Run& run, int dim, bool exact_ball) {
+    for (int i = 0; i < run.steps(); ++i) {
+      const std::string caption = run.sentence(i, {});
+      seen.insert(run.fact(i));
+      INFO(caption);
+      require_sentence(caption);
+      REQUIRE(caption.find(dim == 2 ? " sphere" : " circle") == std::string::npos);
+      REQUIRE((exact_ball || caption.find("supported by") == std::string::npos ||
+               caption.find("new candidate") != std::string::npos));
+    }
+  };
+  const auto check_fit = [&](const fit::Algorithm& algorithm, const AnyPointSet& points) {
+    check(lesson::FitRun(points, algorithm.exact, algorithm.record(points, {})), fit::dim_of(points),
+          algorithm.exact || algorithm.volume != "sphere");
+  };
+  for (const fit::Algorithm& algorithm : fit::algorithms()) {
+    for (const int dim : {2, 3})
+      for (const char* kind : {"gaussian", "lattice", "line", "clusters"})
+        if (fit::takes(algorithm, dim)) check_fit(algorithm, set_of(*generate(kind, 12, dim, 7), dim));
+    if (fit::takes(algorithm, 3)) check_fit(algorithm, set_of({{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, 3));
+  }
+  for (const auto& sessions : {box_sessions, frustum_sessions, scene_sessions})
+    for (const lesson::Session& session : sessions()) check(session.run(0), 3, true);
+  for (const lesson::SubjectRow* subject : lesson::subjects())
+    for (const std::string_view fact : subject->facts()) CHECK_MESSAGE(seen.count(fact) == 1, fact);
+}
+
+TEST_CASE("what is outside is said with its name and by how much") {
+  const fit::Sphere3 before{Vector<double, 3>::Zero(), 2};
+  CHECK(alone(with_ball(2.29, fit::BallGrown<double, 3>{1, before}), kThree) ==
+        "P1 lies outside by 0.58, so the circle grows to take it in.");
+  CHECK(alone(with_ball(2, fit::PointExamined{1, 2.58, true, 0}), kThree) == "P1 lies outside by 0.58.");
+  const fit::Step3 forced = with_ball(2, fit::BoundaryForced{{1}, 1});
+  CHECK(sentence({with_ball(2, fit::PointExamined{1, 2.58, true, 0}), forced}, 0, kThree, true) ==
+        "P1 lies outside by 0.58, so it must be on the boundary of the next circle.");
+}
+
+TEST_CASE("the support set: who joins and who leaves") {
+  CHECK(alone(with_ball(2, fit::SupportReplaced{2, {0, 1}, {1, 2}}), kThree) ==
+        "P2 joins the support set, and P0 leaves it.");
+  CHECK(alone(with_ball(2, fit::SupportReplaced{2, {0, 1}, {0, 1, 2}}), kThree) ==
+        "P2 joins the support set, and none leaves it.");
+  CHECK(alone(with_ball(2, fit::SupportReplaced{2, {0, 1}, {2}}), kThree) ==
+        "P2 joins the support set, and P0 and P1 leave it.");
+  CHECK(alone(with_ball(2, fit::SupportReplaced{kNoIndex, {0, 1}, {1}}), kThree).find("P0 leaves") == 0);
+}
+
+TEST_CASE("the same fact at the start of a trace and at its end") {
+  const fit::Step3 end = with_ball(1.5, fit::Finished{{0, 1}});
+  CHECK(alone(end, kThree) == "Done: radius 1.500, supported by P0 and P1.");
+  CHECK(sentence({end}, 0, kThree, false) == "Done: radius 1.500; it touches P0 and P1.");
+  CHECK(sentence({end, end}, 0, kThree, false) == "It starts from Ritter's circle, with radius 1.500.");
+}
+
+TEST_CASE("a pass is judged with the digits that tell it from the best") {
+  const auto judged = [](double radius, bool better, double best) {
+    return alone(with_ball(radius, fit::PassJudged<double, 3>{7, better, {Vector<double, 3>::Zero(), best}}), kThree);
+  };
+  CHECK(judged(0.99214, false, 0.99208) ==
+        "Pass 7 ends at 0.99214, larger than the best so far, 0.99208: it is dropped.");
+  CHECK(judged(1.5, false, 1.25) == "Pass 7 ends at 1.500, larger than the best so far, 1.250: it is dropped.");
+  CHECK(judged(0.992, false, 0.992) == "Pass 7 ends at 0.992, as large as the best so far: it is dropped.");
+  CHECK(judged(0.992, true, 0.992) == "Pass 7 ends at 0.992, the smallest so far: it is kept.");
+  const fit::Step3 better =
+      with_ball(0.99182, fit::PassJudged<double, 3>{6, true, {Vector<double, 3>::Zero(), 0.99182}});
+  const fit::Step3 worse =
+      with_ball(0.99196, fit::PassJudged<double, 3>{5, true, {Vector<double, 3>::Zero(), 0.99196}});
+  CHECK(sentence({worse, better}, 1, kThree, false) ==
+        "Pass 6 ends at 0.9918, smaller than the best so far, 0.9920: it is kept.");
+}
+
+TEST_CASE("names in a row") {
+  CHECK(lesson::point_names({}) == "no point");
+  const std::array<Index, 3> three{3, 9, 12};
+  CHECK(lesson::point_names(std::span(three).first(1)) == "P3");
+  CHECK(lesson::point_names(three) == "P3, P9 and P12");
+}
+
+}  // namespace snug

@@ -1,0 +1,164 @@
+#include <algorithm>
+
+#include "core/lesson/small_lesson.hpp"
+#include "trace/observer.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+using test::open_small;
+
+namespace {
+
+const Figure* find(const std::vector<Figure>& figures, std::string_view key) {
+  const auto found = std::find_if(figures.begin(), figures.end(), [&](const Figure& f) { return f.key == key; });
+  return found == figures.end() ? nullptr : &*found;
+}
+
+Figure figure(const Session& session, std::string_view key) {
+  const auto figures = session.figures();
+  const Figure* found = find(figures, key);
+  REQUIRE_MESSAGE(found != nullptr, key);
+  return *found;
+}
+
+}  // namespace
+
+TEST_CASE("numbers have four digits that count") {
+  CHECK(number_text(0) == "0.000");
+  CHECK(number_text(2.1184) == "2.118");
+  CHECK(number_text(21.184) == "21.18");
+  CHECK(number_text(1839) == "1839");
+  CHECK(number_text(-2.5) == "−2.500");
+  CHECK(number_text(0.0123456) == "0.012");
+  CHECK(number_text(1.5e-9) == "1.500 × 10⁻⁹");
+  CHECK(number_text(1e150) == "1.000 × 10¹⁵⁰");
+  CHECK(percent_text(0.091) == "+9.1 %");
+  CHECK(percent_text(-0.2) == "−20.0 %");
+  CHECK(percent_text(1e-9) == "0.0 %");
+}
+
+TEST_CASE("two numbers have the digits that tell them apart") {
+  using Texts = std::pair<std::string, std::string>;
+  CHECK(number_texts_apart(2.25, 2.5) == Texts{"2.250", "2.500"});
+  CHECK(number_texts_apart(0.99214, 0.99208) == Texts{"0.99214", "0.99208"});
+  CHECK(number_texts_apart(1234.4, 1234.3) == Texts{"1234.4", "1234.3"});
+  CHECK(number_texts_apart(2.25, std::nextafter(2.25, 3.0)) == Texts{"2.250", "2.250"});
+}
+
+TEST_CASE("the figures of a place in the run") {
+  Session session = open_small();
+  CHECK(find(session.figures(), "radius") == nullptr);
+  CHECK(figure(session, "distance_tests").value == 0);
+
+  session.jump(7);  // P4 was examined and lies outside
+  CHECK(figure(session, "radius").text == "2.000 units");
+  CHECK(figure(session, "radius").name == "Radius so far");
+  CHECK(figure(session, "excess").text == "—");  // it is smaller than the optimum, but does not hold all points
+  CHECK_FALSE(figure(session, "excess").known);
+  CHECK(figure(session, "outside").text == "1 of 6");
+  CHECK(figure(session, "seen").text == "5 of 6");
+  CHECK(figure(session, "outside_by").value == doctest::Approx(0.5));
+  CHECK(figure(session, "support").text == "2 points");
+  CHECK(figure(session, "support").name == "On the boundary");  // of a circle that claims no more than to hold them
+
+  session.jump(8);  // the circle grew to it
+  CHECK(figure(session, "radius").value == 2.25);
+  CHECK(figure(session, "outside").value == 0);
+  CHECK(find(session.figures(), "outside_by") == nullptr);
+  session.jump(session.steps());
+  CHECK(figure(session, "radius").name == "Radius");
+  CHECK(figure(session, "excess").text == "+9.8 %");
+  CHECK(figure(session, "excess").known);
+  CHECK(figure(session, "excess").value == doctest::Approx(100 * (2.25 / 2.05 - 1)));
+  REQUIRE(session.choose(0, "welzl").has_value());
+  CHECK(figure(session, "support").name == "Support set");
+}
+
+TEST_CASE("operations: those that the algorithm spends, the same rows at every step, never falling") {
+  Session session = open_small();
+  for (const char* algorithm : {"ritter", "pca", "welzl", "brute_force"}) {
+    REQUIRE(session.choose(0, algorithm).has_value());
+    std::vector<std::string> keys;
+    double before = 0;
+    for (int step = 0; step <= session.steps(); ++step) {
+      session.jump(step);
+      std::vector<std::string> now;
+      for (const Figure& f : session.figures())
+        if (std::find(kOperationNames.begin(), kOperationNames.end(), f.key) != kOperationNames.end())
+          now.push_back(f.key);
+      if (step == 0) keys = now;
+      CHECK(now == keys);
+      CHECK(figure(session, "distance_tests").value >= before);
+      before = figure(session, "distance_tests").value;
+    }
+    CHECK(keys.size() >= 2);
+    CHECK(before > 0);
+  }
+  CHECK(find(session.figures(), "dot_products") == nullptr);
+}
+
+TEST_CASE("the statistics have their figures where they are found") {
+  Session session = test::open(test::small_lesson_with("\"welzl\", ", "\"welzl\", \"pca\", "));
+  REQUIRE(session.choose(0, "pca").has_value());
+  session.jump(1);
+  CHECK(figure(session, "mean_x").value == doctest::Approx(0.5 / 6));
+  CHECK(figure(session, "mean_y").value == doctest::Approx(2.7 / 6));
+  CHECK(find(session.figures(), "mean_z") == nullptr);
+  session.jump(3);
+  const double first = figure(session, "variance_1").value;
+  const double second = figure(session, "variance_2").value;
+  CHECK(first >= second);
+  CHECK(second > 0);
+  CHECK(figure(session, "deviation_1").value == doctest::Approx(std::sqrt(first)));
+  CHECK(find(session.figures(), "variance_3") == nullptr);
+}
+
+TEST_CASE("the proof: what is claimed, and whether it holds") {
+  Session session = open_small();
+  CHECK(session.proofs().empty());
+  session.jump(2);
+  auto proofs = session.proofs();
+  REQUIRE(proofs.size() == 2);
+  CHECK(proofs[0].text == "contains 5 of 6 points");
+  CHECK_FALSE(proofs[0].holds);
+  CHECK(proofs[1].holds);
+  session.jump(session.steps());
+  proofs = session.proofs();
+  REQUIRE(proofs.size() == 3);
+  CHECK(proofs[0].text == "contains all 6 points, exactly");
+  CHECK(proofs[0].holds);
+  CHECK_FALSE(proofs[2].claimed);
+
+  REQUIRE(session.choose(0, "welzl").has_value());
+  for (int step = 1; step <= session.steps(); ++step) {
+    session.jump(step);
+    for (const Proof& proof : session.proofs())
+      if (proof.claimed) CHECK_MESSAGE(proof.holds, proof.text, " at ", step);
+  }
+  proofs = session.proofs();
+  REQUIRE(proofs.size() == 3);
+  CHECK(proofs[2].claimed);
+  CHECK(proofs[2].holds);
+}
+
+TEST_CASE("figures and proofs are there at every step of every algorithm, also of a thousand points and of one") {
+  Session session = open_small();
+  for (const int count : {1, 2, 300}) {
+    REQUIRE(session.set_generator("gaussian", count, 3, 11).has_value());
+    for (const char* algorithm : {"aabb_center", "ritter", "ritter_iterative", "pca", "welzl"}) {
+      REQUIRE(session.choose(0, algorithm).has_value());
+      const int stride = 1 + session.steps() / 60;
+      for (int step = 0; step <= session.steps(); step += stride) {
+        session.jump(step);
+        for (const Figure& f : session.figures()) {
+          CHECK(std::isfinite(f.value));
+          CHECK_FALSE(f.text.empty());
+        }
+        static_cast<void>(session.proofs());
+      }
+      session.jump(session.steps());
+      CHECK(figure(session, "outside").value == 0);
+      CHECK(session.proofs().front().holds);
+    }
+  }
+}

@@ -1,0 +1,231 @@
+// The lesson kind with the chart of costs: read, asked before it is measured, decided by what was measured, graded.
+#include "lesson/subjects/cost/cost.hpp"
+
+#include "core/lesson/small_lesson.hpp"
+#include "lesson/play.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+
+namespace {
+
+constexpr std::string_view kChart = R"(version = 1
+group = "Tests"
+title = "Chart"
+summary = "A chart for tests."
+order = 1
+volume = "obb"
+chart = "cost"
+algorithms = ["pca", "aabb", "exact"]
+generators = ["stick"]
+
+[points]
+list = [[0, 0], [4, 1], [3, 3], [1, 2]]
+
+[[section]]
+title = "One"
+text = "Prose."
+
+[[question]]
+id = "front"
+asks = "on_front"
+prompt = "Which?"
+because = "So."
+
+[[question]]
+id = "slowest"
+asks = "slowest"
+prompt = "Which one?"
+because = "So."
+
+[[question]]
+id = "times"
+asks = "times_slower"
+prompt = "How many times?"
+because = "So."
+
+[task]
+prompt = "Tighter."
+algorithm = "aabb"
+tighter_by = 0.05
+points = 12
+hint = "Click."
+model = [[0, 0], [4, 4], [3, 4.5], [-0.5, 0.5]]
+)";
+
+Session opened() {
+  auto lesson = read_lesson(kChart, "chart.toml");
+  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+  auto session = Session::open(*std::move(lesson));
+  REQUIRE(session.has_value());
+  return *std::move(session);
+}
+
+std::string with(std::string_view old_words, std::string_view new_words) {
+  std::string text(kChart);
+  const std::size_t at = text.find(old_words);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, old_words.size(), new_words);
+}
+
+cost::CostRow row(const char* algorithm, double time, double size, Index points = 4, Index of = 4) {
+  cost::CostRow row;
+  row.volume = "obb", row.algorithm = algorithm, row.time.median = time, row.points = points, row.of = of;
+  row.time.repeats = 9, row.time.trusted = true;
+  row.size = row.measure = size;
+  return row;
+}
+
+void measured(Session& session, const std::vector<cost::CostRow>& rows) {
+  REQUIRE(session.inform<CostSubject>([&](CostSubject& chart) { chart.measured(rows); }));
+}
+
+std::vector<cost::CostRow> rows() { return {row("pca", 100, 12), row("aabb", 50, 10), row("exact", 9000, 8)}; }
+
+}  // namespace
+
+TEST_CASE("a lesson with the chart is read, and its model answers are sound by operations alone") {
+  Session session = opened();
+  CHECK(session.lesson().subject == &kCostRow);
+  session.last();
+  for (const Figure& figure : session.figures())
+    CHECK(figure.key != "excess");  // the chart tells it, and what it costs
+  session.first();
+  CHECK(session.rivals().empty());
+  const auto played = play(session);
+  REQUIRE(played.has_value());
+  CHECK(played->sound());
+  CHECK(played->algorithms.front().outcomes.size() == 3);
+}
+
+TEST_CASE("what is decided by counted operations speaks of them, and what is measured of time") {
+  Session session = opened();
+  const auto played = play(session);
+  REQUIRE(played.has_value());
+  CHECK(played->algorithms.front().outcomes[1].says.find(" times as many operations as ") != std::string::npos);
+  CHECK(played->grade->says.find(" times its operations. Done.") != std::string::npos);
+  CHECK(played->grade->says.find("time.") == std::string::npos);
+  const std::vector<cost::CostRow> counted = counted_costs(session.lesson(), *session.subject().points());
+  CHECK(grade_costs(session.lesson(), counted, "aabb").says.find("for the fewest operations.") != std::string::npos);
+  CHECK(grade_costs(session.lesson(), rows(), "aabb").says.find("for the least time.") != std::string::npos);
+  CHECK(grade_costs(session.lesson(), rows(), "exact").says.find(" times its time.") != std::string::npos);
+}
+
+TEST_CASE("what such a lesson gets wrong is said with its line") {
+  const auto line = [](const std::string& text) {
+    const auto lesson = read_lesson(text, "chart.toml");
+    REQUIRE_FALSE(lesson.has_value());
+    return lesson.error().message();
+  };
+  CHECK(line(with("asks = \"slowest\"", "asks = \"point\"")).find("chart.toml:26: ") == 0);
+  CHECK(line(with("chart = \"cost\"", "chart = \"pie\"")).find("chart.toml:7: ") == 0);
+  CHECK(line(with("tighter_by = 0.05", "tighter_by = 0.9")).find("no algorithm is as much smaller") !=
+        std::string::npos);
+  CHECK(line(with("chart = \"cost\"\n", "")).find("chart.toml:") == 0);
+}
+
+TEST_CASE(
+    "predictions stand until all is measured, wherever the player is, and then what happened stands beside them") {
+  Session session = opened();
+  REQUIRE(session.asked() != nullptr);
+  CHECK(session.asked()->many);
+  CHECK(session.asked()->choices.size() == 3);
+  CHECK_FALSE(session.answer({Answer::Kind::kChoice, 8}));
+  CHECK(session.answer({Answer::Kind::kChoice, 0b110}));
+  session.last();
+  CHECK(session.step() == session.steps());  // steps give nothing away
+  CHECK(session.asked()->question->id == "slowest");
+  CHECK_FALSE(session.answer({Answer::Kind::kChoice, 3}));
+  CHECK(session.answer({Answer::Kind::kChoice, 0}));
+  CHECK(session.answer({Answer::Kind::kSkipped, 0}));
+  CHECK(session.asked() == nullptr);
+  for (const Outcome& outcome : session.outcomes()) CHECK(outcome.pending);
+  auto part = rows();
+  part.pop_back();
+  measured(session, part);
+  CHECK(session.outcomes()[0].pending);
+
+  measured(session, rows());
+  const auto& outcomes = session.outcomes();
+  CHECK_FALSE(outcomes[0].pending);
+  CHECK(outcomes[0].right);
+  CHECK(outcomes[0].happened == "Axis-aligned box and Exact minimum");
+  CHECK_FALSE(outcomes[1].right);
+  CHECK(outcomes[1].happened == "Exact minimum");
+  CHECK(outcomes[2].skipped);
+  CHECK(outcomes[2].happened == "180 times");
+}
+
+TEST_CASE("a later measurement decides anew, and a front with a time that was measured badly is not decided") {
+  Session session = opened();
+  session.answer({Answer::Kind::kChoice, 0b110});
+  session.answer({Answer::Kind::kChoice, 2});
+  session.answer({Answer::Kind::kSkipped, 0});
+  measured(session, rows());
+  CHECK(session.outcomes()[0].right);
+  auto without = rows();  // Exact became too slow for all points
+  without[2] = row("exact", 20, 1, 2, 4);
+  without[2].whole_ns = 1e6;
+  measured(session, without);
+  CHECK(session.outcomes()[0].happened.find(" and ") == std::string::npos);
+  CHECK_FALSE(session.outcomes()[0].right);
+
+  auto badly = rows();
+  badly[0].time.trusted = false;
+  measured(session, badly);
+  CHECK(session.outcomes()[0].pending);
+  CHECK(session.outcomes()[0].happened.empty());
+  CHECK(session.outcomes()[0].says.find(" was measured badly") != std::string::npos);
+  CHECK_FALSE(session.outcomes()[1].pending);  // the slowest is so by far
+  measured(session, rows());
+  CHECK(session.outcomes()[0].right);
+}
+
+TEST_CASE("what was measured on fewer points is never on the front, and its time is that of all") {
+  Session session = opened();
+  session.answer({Answer::Kind::kChoice, 0b011});
+  session.answer({Answer::Kind::kChoice, 2});
+  session.answer({Answer::Kind::kChoice, 3});
+  auto few = rows();
+  few[1] = row("aabb", 60, 9);
+  few[2] = row("exact", 20, 1, 2, 4);
+  few[2].whole_ns = 1e6;
+  measured(session, few);
+  CHECK(session.outcomes()[0].happened == "Axis-aligned box");
+  CHECK(session.outcomes()[1].right);
+  CHECK(session.outcomes()[2].right);
+}
+
+TEST_CASE("the task: a shape of one's own, measured, and the cheapest that is tight enough on the stage") {
+  Session session = opened();
+  const Task& task = *session.lesson().task;
+  CHECK(session.grade()->says.find("lesson's own shape") != std::string::npos);
+  measured(session, rows());
+  CHECK_FALSE(session.grade()->done);
+  session.start_task();
+  CHECK(session.size() == 12);
+  CHECK(session.asked() == nullptr);  // the questions are of the lesson's own
+  CHECK(session.grade()->says == "Measure this shape.");
+  measured(session, rows());
+  CHECK(session.grade()->says.find("Axis-aligned box stands on the stage") == 0);
+  REQUIRE(session.choose(0, "exact").has_value());
+  CHECK(session.grade()->done);
+  CHECK(session.grade()->says == "Exact minimum: 20.0 % smaller than Axis-aligned box, for 180 times its time. Done.");
+  REQUIRE(session.choose(0, "pca").has_value());
+  CHECK_FALSE(session.grade()->done);
+  CHECK(session.grade()->says.find("20.0 % larger") != std::string::npos);
+
+  auto cheaper = rows();
+  cheaper[0].size = 9.5;
+  CHECK(cheapest_of(task, cheaper) == "pca");
+  CHECK_FALSE(grade_costs(session.lesson(), cheaper, "exact").done);
+  auto flat = cheaper;
+  for (cost::CostRow& one : flat) one.noise = 20;
+  CHECK(cheapest_of(task, flat).empty());  // sizes that are nothing but rounding are not compared
+  cheaper[0].points = 2;                   // of other points nothing can be said
+  CHECK(cheapest_of(task, cheaper) == "exact");
+  CHECK(grade_costs(session.lesson(), cheaper, "pca").says.find("fewer points") != std::string::npos);
+  REQUIRE(session.move(0, {9, 9, 0}).has_value());
+  CHECK(costs_of(session) == nullptr);  // other points: what was measured is not theirs
+  CHECK(session.grade()->says == "Measure this shape.");
+}

@@ -1,0 +1,250 @@
+#include "lesson/boxes.hpp"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/LU>
+
+#include <fstream>
+
+#include "lesson/play.hpp"
+#include "lesson/subjects/pair/box_figures.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+using V3 = Vector<double, 3>;
+using Kind = Place::Kind;
+
+namespace {
+
+Session session_of(const std::string& id) {
+  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml", std::ios::binary);
+  const std::string toml{std::istreambuf_iterator<char>(file), {}};
+  auto lesson = read_lesson(toml, id + ".toml");
+  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+  auto session = Session::open(*std::move(lesson));
+  REQUIRE(session.has_value());
+  return *std::move(session);
+}
+
+const Obb<double, 3>& box(const Session& session, int i) { return session.subject().boxes()->boxes[i]; }
+
+std::string text_of(const std::vector<Figure>& figures, std::string_view key) {
+  for (const Figure& figure : figures)
+    if (figure.key == key) return figure.text;
+  return "no such figure";
+}
+
+const std::vector<BoxPair>& models(const Session& session) {
+  return static_cast<const BoxTask&>(*session.lesson().task->terms).models;
+}
+
+bool reaches(std::string_view goal, const BoxPair& pair) { return kReachPairGoals.reaches(goal, pair); }
+
+/// How far its axes are from unit and perpendicular.
+double skew(const Obb<double, 3>& box) {
+  return (box.axes.transpose() * box.axes - Matrix<double, 3>::Identity()).cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+TEST_CASE("the lessons on boxes play to their end, and their models do the task") {
+  for (const char* id : {"obb-sat", "obb-axes", "obb-pca"}) {
+    CAPTURE(id);
+    Session session = session_of(id);
+    REQUIRE(session.grade().has_value());
+    CHECK_FALSE(session.grade()->done);
+    const auto played = play(session);
+    REQUIRE_MESSAGE(played.has_value(), (played ? "" : played.error().message()));
+    CHECK(played->sound());
+    std::size_t asked = 0;
+    for (const auto& algorithm : played->algorithms) asked += algorithm.outcomes.size();
+    CHECK(asked >= 3);
+  }
+}
+
+TEST_CASE("a place moves its box: the centre takes it along, a corner stretches it, a knob turns it") {
+  for (const char* id : {"obb-sat", "obb-axes"}) {
+    CAPTURE(id);
+    Session session = session_of(id);
+    const int dim = session.dim();
+    CHECK(session.size() == 2 * places_of_box(dim));
+    const Obb<double, 3> before = box(session, 1), other = box(session, 0);
+    const V3 by(0.25, -0.5, dim == 3 ? 0.125 : 0);
+    const Index center = index_of(dim, {Kind::kCenter, 1, 0});
+    REQUIRE(session.move(center, before.center + by).has_value());
+    CHECK(box(session, 1).center == before.center + by);
+    CHECK(box(session, 1).axes == before.axes);
+    CHECK(box(session, 0).center == other.center);
+
+    const int all = dim == 2 ? 3 : 7;
+    const V3 opposite = corner_of(box(session, 1), 0);
+    const V3 to = corner_of(box(session, 1), all) + box(session, 1).axes.col(0) * 0.3;
+    REQUIRE(session.move(index_of(dim, {Kind::kCorner, 1, all}), to).has_value());
+    CHECK((corner_of(box(session, 1), 0) - opposite).norm() < 1e-12);
+    CHECK((corner_of(box(session, 1), all) - to).norm() < 1e-12);
+    CHECK(box(session, 1).half_extents[0] == doctest::Approx(before.half_extents[0] + 0.15));
+
+    const V3 half = box(session, 1).half_extents, middle = box(session, 1).center;
+    for (int turn = 0; turn < 100; ++turn) {
+      const V3 hand = middle + V3(1 + turn % 7, turn % 5 - 2, dim == 3 ? turn % 3 - 1 : 0);
+      REQUIRE(session.move(index_of(dim, {Kind::kTurn, 1, turn % (dim - 1)}), hand).has_value());
+    }
+    CHECK(skew(box(session, 1)) < 1e-14);
+    CHECK(box(session, 1).half_extents == half);
+    CHECK(box(session, 1).center == middle);
+    for (int i = 0; i < 102; ++i) session.undo();
+    CHECK(box(session, 1).center == before.center);
+    CHECK(box(session, 1).axes == before.axes);
+    CHECK_FALSE(session.can_undo());
+  }
+}
+
+TEST_CASE("a knob points where the hand is, also straight back") {
+  Session session = session_of("obb-axes");
+  const V3 center = box(session, 0).center;
+  for (const V3& way : {V3(0, 1, 0), V3(0, -1, 0), V3(0.6, 0, 0.8), V3(-0.6, 0, -0.8)}) {
+    REQUIRE(session.move(index_of(3, {Kind::kTurn, 0, 0}), center + 2 * way).has_value());
+    CHECK((box(session, 0).axes.col(0) - way).norm() < 1e-12);
+    CHECK(box(session, 0).axes.determinant() == doctest::Approx(1));
+  }
+}
+
+TEST_CASE("a corner pulled past its opposite makes the box flat, and what is no number is refused") {
+  Session session = session_of("obb-sat");
+  const V3 far = box(session, 0).center - box(session, 0).axes.col(0) * 10;
+  REQUIRE(session.move(index_of(2, {Kind::kCorner, 0, 3}), far).has_value());
+  CHECK(box(session, 0).half_extents[0] == 0);
+  const BoxPair before = *session.subject().boxes();
+  CHECK_FALSE(session.move(0, V3(std::nan(""), 0, 0)).has_value());
+  CHECK_FALSE(session.add(V3(0, 0, 0)).has_value());
+  CHECK_FALSE(session.remove(0).has_value());
+  BoxPair wrong = before;
+  wrong.boxes[0].half_extents[1] = -1;
+  CHECK_FALSE(session.set_boxes(wrong).has_value());
+  CHECK(session.subject().boxes()->boxes[0].center == before.boxes[0].center);
+}
+
+TEST_CASE("each counter-example that was found stays found until the task begins anew") {
+  Session session = session_of("obb-sat");
+  session.start_task();
+  REQUIRE(models(session).size() == 2);
+  REQUIRE(session.set_boxes(models(session)[1]).has_value());
+  CHECK(session.grade()->points == 1);
+  CHECK_FALSE(session.grade()->done);
+  session.reset();
+  CHECK(session.grade()->points == 1);
+  REQUIRE(session.set_boxes(models(session)[0]).has_value());
+  CHECK(session.grade()->done);
+  session.start_task();
+  CHECK(session.grade()->points == 0);
+}
+
+TEST_CASE("scattered boxes keep their sizes, and a seed leads to the same") {
+  Session session = session_of("obb-axes");
+  const V3 half = box(session, 0).half_extents;
+  session.scatter(7);
+  const Obb<double, 3> first = box(session, 0);
+  CHECK(first.half_extents == half);
+  CHECK(skew(first) < 1e-14);
+  session.scatter(8);
+  CHECK(box(session, 0).center != first.center);
+  session.scatter(7);
+  CHECK(box(session, 0).center == first.center);
+  CHECK(box(session, 0).axes == first.axes);
+  CHECK(session.seed() == 7);
+}
+
+TEST_CASE("every place is found again by its index, and bears its own name") {
+  for (const int dim : {2, 3})
+    for (Index i = 0; i < 2 * places_of_box(dim); ++i) {
+      CHECK(index_of(dim, place_of(dim, i)) == i);
+      for (Index j = 0; j < i; ++j) CHECK(place_name(dim, i) != place_name(dim, j));
+    }
+}
+
+TEST_CASE("an axis named by its question is one of the table, and the traces of the tests are told apart") {
+  Session session = session_of("obb-axes");
+  CHECK(axis_names(2).size() == 4);
+  REQUIRE(axis_names(3).size() == 15);
+  int seen = 0;
+  for (const auto& entry : pair_run(session.run(0)).trace())
+    if (const auto* axis = std::get_if<query::AxisTested<double, 3>>(&entry.step.fact))
+      CHECK(axis_index(3, axis->axis) == seen++);
+  CHECK(seen == 12);
+  const std::uint64_t first = session.trace_hash();
+  REQUIRE(session.choose(0, "sat_all").has_value());
+  CHECK(session.steps() == 17);
+  CHECK(session.trace_hash() != first);
+}
+
+TEST_CASE(
+    "the lesson on fifteen axes opens on boxes that one edge axis alone separates, and the early-out test gets to "
+    "it") {
+  Session session = session_of("obb-axes");
+  CHECK(reaches("only_edges", *session.subject().boxes()));
+  CHECK_FALSE(reaches("last_axis", *session.subject().boxes()));
+  const auto tested = axes_seen(pair_run(session.run(0)).trace());
+  REQUIRE(tested.size() == 12);
+  for (const auto& axis : tested) CHECK(axis.separates == (&axis == &tested.back()));
+  CHECK(tested.back().axis.kind == query::AxisKind::kEdgeEdge);
+  CHECK(tested.back().axis.gap > 0.2);  // wide enough to be seen
+  REQUIRE(session.choose(0, "sat_all").has_value());
+  int separating = 0;
+  for (const auto& axis : axes_seen(pair_run(session.run(0)).trace())) {
+    separating += axis.separates ? 1 : 0;
+    if (!axis.separates) CHECK(axis.axis.gap < -0.2);  // and so are the overlaps
+  }
+  CHECK(separating == 1);
+}
+
+TEST_CASE("boxes that edges alone separate, and such as the last axis alone does, are told from others") {
+  Session session = session_of("obb-axes");
+  const BoxPair last = models(session)[0];
+  CHECK(reaches("last_axis", last));
+  CHECK(reaches("only_edges", last));
+  BoxPair far = last, through = last;
+  far.boxes[1].center[0] = 4;      // face axes separate them as well
+  through.boxes[1].center[0] = 1;  // none does
+  for (const char* goal : {"last_axis", "only_edges"}) {
+    CHECK_FALSE(reaches(goal, far));
+    CHECK_FALSE(reaches(goal, through));
+  }
+  session.start_task();
+  CHECK(session.grade()->says == "Still to find: boxes that only the last axis, A z × B z, separates.");
+  REQUIRE(session.set_boxes(last).has_value());
+  CHECK(session.grade()->done);
+}
+
+TEST_CASE("an axis in the end is the one that the verdict rests on, with its figures, not the last one tested") {
+  Session session = session_of("obb-sat");
+  REQUIRE(session.choose(0, "sat_all").has_value());
+  session.jump(session.steps());
+  CHECK(text_of(session.figures(), "axis") == "B x");
+  CHECK(text_of(session.figures(), "gap") == "0.201 units");
+  CHECK(text_of(session.figures(), "tests") == "4 of 4");
+  session.jump(session.steps() - 1);
+  CHECK(text_of(session.figures(), "axis") == "B y");
+  // Where boxes overlap and the test ends without an axis, no figure is of one.
+  REQUIRE(session.choose(0, "sat").has_value());
+  BoxPair one = *session.subject().boxes();
+  one.boxes[1].center = one.boxes[0].center;
+  REQUIRE(session.set_boxes(one).has_value());
+  session.jump(session.steps());
+  for (const char* key : {"axis", "distance", "radius_a", "radius_b", "gap"})
+    CHECK(text_of(session.figures(), key) == "—");
+}
+
+TEST_CASE("which axis separates boxes that are apart by less than rounding: the one that exact arithmetic found") {
+  Session session = session_of("obb-sat");
+  BoxPair pair = *session.subject().boxes();
+  for (auto& box : pair.boxes) box.axes.setIdentity(), box.half_extents = {1, 1, 0};
+  pair.boxes[0].center = {0, 0, 0};
+  pair.boxes[1].center = {std::nextafter(2.0, 3.0), 0, 0};
+  REQUIRE(session.set_boxes(pair).has_value());
+  REQUIRE(session.choose(0, "sat_all").has_value());
+  session.first();
+  REQUIRE(session.asked() != nullptr);
+  REQUIRE(session.answer({Answer::Kind::kChoice, 0}));
+  CHECK(session.outcome()->right);
+  CHECK(session.outcome()->happened == "A x");
+}

@@ -1,0 +1,342 @@
+// Lessons on scenes: the session moves through frames, answers and grades by figures that are worked out.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+#include "lesson/play.hpp"
+#include "lesson/subjects/scene/scene.hpp"
+#include "lesson/subjects/scene/scene_figures.hpp"
+#include "lesson/subjects/scene/still_scene.hpp"
+
+using namespace snug;
+
+namespace {
+
+std::string text_of(const std::string& id) {
+  const std::string path = std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml";
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  REQUIRE(file);
+  std::string text;
+  char buffer[4096];
+  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, file.get())) text.append(buffer, n);
+  return text;
+}
+
+lesson::Lesson read(const std::string& id) {
+  auto read = lesson::read_lesson(text_of(id), id + ".toml");
+  INFO((read ? "" : read.error().message()));
+  REQUIRE(read.has_value());
+  return *std::move(read);
+}
+
+lesson::Session opened(const std::string& id, scene::Clock clock = nullptr) {
+  auto session = lesson::Session::open(read(id), {}, clock);
+  REQUIRE(session.has_value());
+  return *std::move(session);
+}
+
+const lesson::FrameStep& step(const lesson::Session& session) {
+  return lesson::scene_run(session.run(0)).trace()[static_cast<std::size_t>(session.step()) - 1].step;
+}
+
+const lesson::FrameTaken& frame(const lesson::Session& session) {
+  return *std::get_if<lesson::FrameTaken>(&step(session).fact);
+}
+
+/// What effects did by frame n: effect, constructed, run, skipped.
+std::vector<std::string> counts(const lesson::Session& session, std::size_t n) {
+  std::vector<std::string> lines;
+  for (const scene::Tally& tally : (*frames_of(session, 0))[n].tallies)
+    lines.push_back(tally.effect + " " + std::to_string(tally.constructed) + " " + std::to_string(tally.run) + " " +
+                    std::to_string(tally.skipped));
+  return lines;
+}
+
+/// What a run of an effect takes.
+std::string time_of(const lesson::Session& session, std::string_view effect) {
+  for (const lesson::Switch& one : session.switches())
+    if (one.name == effect) return one.microseconds;
+  return {};
+}
+
+/// Each reading is 3 µs after the last one; the coarse clock tells of every 100 µs.
+double readings = 0;
+double fine() { return readings += 3000; }
+double coarse() { return 1e5 * std::floor(fine() / 1e5); }
+
+}  // namespace
+
+TEST_CASE("effects are timed by the clock that is passed in, and no trace knows of it") {
+  const lesson::Session untimed = opened("scene-updates"), timed = opened("scene-updates", fine),
+                        barely = opened("scene-updates", coarse);
+  CHECK(time_of(untimed, "refit").empty());
+  CHECK(time_of(timed, "refit") == "3.0");
+  CHECK(time_of(timed, "spin body") == "3.0");
+  CHECK(time_of(timed, "bounce").empty());
+  CHECK(time_of(barely, "refit") == "< 20");  // 200 µs / sqrt(120)
+  CHECK(timed.trace_hash() == untimed.trace_hash());
+  CHECK(barely.trace_hash() == untimed.trace_hash());
+  lesson::Session off = opened("scene-updates", fine);
+  off.jump(20);
+  REQUIRE(off.turn("spin body", false));
+  CHECK(time_of(off, "spin body") == "3.0");
+}
+
+TEST_CASE("an effect's time is told as finely as its clock can tell it") {
+  const auto told = [](double microseconds, std::int64_t runs, double step) {
+    return lesson::effect_time_text({.run = runs, .nanoseconds = 1000 * microseconds * static_cast<double>(runs)},
+                                    step);
+  };
+  CHECK(told(12.34, 100, 30) == "12");
+  CHECK(told(1.26, 100, 30) == "1.3");
+  CHECK(told(0.054, 100, 30) == "0.05");
+  CHECK(told(0, 100, 5000) == "< 1");
+  CHECK(told(0.9, 100, 5000) == "< 1");
+  CHECK(told(1.1, 100, 5000) == "1.1");
+  CHECK(told(15, 60, 100'000) == "< 30");
+  CHECK(told(0, 0, 30).empty());
+}
+
+TEST_CASE("a scene's frames are the steps of its lesson, with their figures") {
+  lesson::Session session = opened("scene-broad");
+  CHECK(session.steps() == 120);
+  REQUIRE(frames_of(session, 0) != nullptr);
+  CHECK(frames_of(session, 0)->size() == 121);
+  session.jump(30);
+  CHECK(frame(session).frame == 30);
+  CHECK(frame(session).all_pairs == 780);
+  CHECK(frame(session).after_loose < frame(session).after_broad);
+  CHECK(static_cast<double>((*frames_of(session, 0))[30].pairs.size()) == frame(session).after_broad);
+  const auto figures = session.figures(0);
+  CHECK(figures.size() == 6);
+  CHECK(figures[0].value == 30);
+  session.back();
+  CHECK(frame(session).frame == 29);
+}
+
+TEST_CASE("each lesson's effects run as often as their inputs change") {
+  CHECK(counts(opened("scene-broad"), 120) == std::vector<std::string>{"spin 1 120 0", "orbit 1 120 0", "refit 1 120 0",
+                                                                       "broad_phase 1 120 0", "narrow_phase 1 120 0"});
+  CHECK(counts(opened("scene-updates"), 120) == std::vector<std::string>{"spin body 1 120 0", "refit 1 120 0"});
+}
+
+TEST_CASE("a figure is not told before the first question about it is answered") {
+  lesson::Session session = opened("scene-broad");
+  const auto told = [&](std::string_view key) {
+    for (const lesson::Figure& figure : session.figures(0))
+      if (figure.key == key) return figure.known;
+    return false;
+  };
+  session.answer({lesson::Answer::Kind::kChoice, 0});
+  CHECK(session.step() == 1);
+  CHECK(told("after_broad"));
+  CHECK_FALSE(told("after_loose"));
+  CHECK_FALSE(told("touching"));
+  session.jump(29);
+  session.answer({lesson::Answer::Kind::kChoice, 0});
+  session.jump(40);
+  CHECK(told("after_loose"));
+  CHECK_FALSE(told("touching"));
+  session.jump(60);
+  CHECK(told("touching"));  // the frame that it is about
+}
+
+TEST_CASE("no frame of a scene is marked, but for questions") {
+  for (const std::string id : {"scene-broad", "scene-updates"})
+    for (const lesson::Session session = opened(id); const lesson::Mark& mark : session.marks())
+      CHECK(mark.kind == lesson::Mark::Kind::kQuestion);
+}
+
+TEST_CASE("a lesson that declares no scene constructs no effect and draws one frame") {
+  for (const std::string id : {"sphere-ritter", "obb-axes", "obb-sat", "frustum-2d", "frustum-3d"}) {
+    CAPTURE(id);
+    const lesson::Lesson own = read(id);
+    auto scene = scene::Scene::open(lesson::still_scene(lesson::Session::open(own)->subject()));
+    REQUIRE(scene.has_value());
+    CHECK(scene->tallies().empty());
+    CHECK(scene->world().size() == (own.tables != nullptr ? 2u : 1u));
+    for (int i = 0; i < 60; ++i) {
+      scene->step();
+      CHECK_FALSE(scene->changed());
+    }
+    CHECK(scene->resting());
+  }
+}
+
+TEST_CASE("what the student chooses is what the scene runs") {
+  lesson::Session session = opened("scene-updates");
+  const auto at = [&](const char* method) {
+    REQUIRE(session.choose(0, method).has_value());
+    session.jump(session.steps() / 3);
+    return frame(session);
+  };
+  const lesson::FrameTaken rebuilt = at("rebuild"), climbed = at("hill_climb"), loose = at("loose"),
+                           ball = at("sphere");
+  CHECK(rebuilt.cost == 80);
+  CHECK(rebuilt.slack == 0);
+  CHECK(climbed.cost > 0);
+  CHECK(loose.cost == 0);
+  CHECK(loose.slack > 1);
+  CHECK(ball.slack < 1e-9);
+  CHECK(std::holds_alternative<fit::Sphere3>(step(session).volume));
+  CHECK(rebuilt.hash_low == loose.hash_low);  // the motion is the same
+}
+
+TEST_CASE("volumes of different kinds are compared by the hull, which is one yardstick for all of them") {
+  lesson::Session session = opened("scene-updates");
+  const auto at = [&](const char* method) {
+    REQUIRE(session.choose(0, method).has_value());
+    session.jump(40);
+    const auto figures = session.figures(0);
+    const auto found = std::find_if(figures.begin(), figures.end(),
+                                    [](const lesson::Figure& figure) { return figure.key == lesson::kOverHull; });
+    REQUIRE(found != figures.end());
+    CHECK(found->text == lesson::number_text(found->value) + " times");
+    const double own = fit::measure_of(step(session).volume, 3);
+    const fit::Result hull = fit::find_algorithm("hull", "quickhull")->fit(*session.subject().points(), {});
+    CHECK(found->value == doctest::Approx(own / fit::measure_of(hull.volume, 3)).epsilon(1e-9));
+    return found->value;
+  };
+  const double ball = at("sphere"), oriented = at("obb"), tight = at("rebuild"), rotated = at("rotated_box"),
+               loose = at("loose");
+  CHECK(oriented > 1);
+  CHECK(oriented < tight);
+  CHECK(tight < rotated);
+  CHECK(rotated < loose);
+  CHECK(oriented < ball);
+}
+
+TEST_CASE("a figure's ranges are written as people write them") {
+  const auto texts = [](std::string_view figure, std::vector<double> bounds) {
+    return lesson::scene_range_texts(figure, bounds);
+  };
+  using Texts = std::vector<std::string>;
+  CHECK(texts("cost", {0, 8, 79}) == Texts{"none", "1 to 8 points", "9 to 79 points", "more than 79 points"});
+  CHECK(texts("touching", {0, 1, 60}) == Texts{"none", "1 pair", "2 to 60 pairs", "more than 60 pairs"});
+  CHECK(texts("slack", {10, 100}) == Texts{"at most 10 %", "10 % to 100 %", "more than 100 %"});
+}
+
+TEST_CASE("moving a body makes the scene anew, and undo brings the old one back") {
+  lesson::Session session = opened("scene-broad");
+  const std::uint64_t before = session.trace_hash();
+  REQUIRE(session.move(0, {5, 5, 5}).has_value());
+  CHECK(session.trace_hash() != before);
+  session.undo();
+  CHECK(session.trace_hash() == before);
+}
+
+TEST_CASE("questions on figures have the range that holds them as their answer") {
+  for (const char* id : {"scene-broad", "scene-updates"}) {
+    lesson::Session session = opened(id);
+    const auto played = lesson::play(session);
+    REQUIRE(played.has_value());
+    CHECK(played->sound());
+    CHECK(played->not_asked.empty());
+    REQUIRE(played->grade.has_value());
+    CHECK(played->grade->done);
+  }
+  lesson::Session session = opened("scene-broad");
+  session.forward();
+  const lesson::Asked* asked = session.asked();
+  REQUIRE(asked != nullptr);
+  REQUIRE(asked->choices.size() == 4);
+  CHECK(asked->choices[0] == "at most 20 pairs");
+  CHECK(asked->choices[1] == "21 to 120 pairs");
+  CHECK(asked->choices[3] == "more than 400 pairs");
+  session.answer({lesson::Answer::Kind::kChoice, 3});
+  REQUIRE(session.outcome() != nullptr);
+  CHECK_FALSE(session.outcome()->right);
+  CHECK(session.step() == 1);
+}
+
+TEST_CASE("a question may stand long before its frame, and its figure is not told beside it") {
+  lesson::Session session = opened("scene-updates");
+  std::vector<std::pair<int, int>> stood;  // where each stands, and where it is decided
+  for (const lesson::Asked& asked : session.questions()) stood.emplace_back(asked.step, asked.until);
+  CHECK(stood == std::vector<std::pair<int, int>>{{0, 20}, {39, 40}, {90, 120}});
+  session.jump(90);
+  REQUIRE(session.asked() != nullptr);
+  CHECK(session.asked_figure() == "slack");
+  const auto told = [&](std::string_view key) {
+    for (const lesson::Figure& figure : session.figures(0))
+      if (figure.key == key) return figure.known;
+    return false;
+  };
+  CHECK_FALSE(told("slack"));
+  CHECK(told("cost"));
+  session.answer({lesson::Answer::Kind::kChoice, 0});
+  REQUIRE(session.outcome() != nullptr);
+  CHECK(session.outcome()->right);  // the first box again
+  CHECK(session.step() == 120);
+  CHECK(told("slack"));
+  CHECK(session.asked_figure().empty());
+}
+
+namespace {
+
+/// scene-updates, whose body is a mesh; more: effects after its own.
+std::string with_mesh(const std::string& more, const std::string& points = "mesh = \"bunny\"") {
+  std::string text = text_of("scene-updates");
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    REQUIRE(at != std::string::npos);
+    text.replace(at, from.size(), to);
+  };
+  replace("generate = \"stick\"\ncount = 80", points);
+  replace("shape = \"points\"", "shape = \"mesh\"");
+  text.erase(text.find("[[question]]"));
+  replace("effect = \"refit\"\n", "effect = \"refit\"\n" + more);
+  return text;
+}
+
+tl::expected<lesson::Session, InputError> opened_with_mesh(const std::string& more) {
+  auto lesson = lesson::read_lesson(with_mesh(more), "meshy.toml");
+  REQUIRE(lesson.has_value());
+  const std::vector<Vector<double, 3>> corners{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}, {0, 0, 1}};
+  return lesson::Session::open(*std::move(lesson),
+                               io::PointFile{3, corners, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
+}
+
+std::string effect_called(const std::string& name) { return "\n[[scene.effect]]\neffect = \"" + name + "\"\n"; }
+
+}  // namespace
+
+TEST_CASE("a mesh is a body for every effect but impulses, which refuse it with their line") {
+  auto session = opened_with_mesh(effect_called("broad_phase") + effect_called("narrow_phase") + effect_called("cull") +
+                                  effect_called("shadow") + effect_called("trail") + effect_called("projection_rays"));
+  REQUIRE(session.has_value());
+  CHECK(frames_of(*session, 0)->size() == 121);
+  CHECK(session->subject().triangles().size() == 4);
+  CHECK(lesson::scene_run(session->run(0)).members()[0].shape.corners.size() == 4);
+  session->jump(30);
+  CHECK(frame(*session).slack > 0);
+  CHECK(counts(*session, 30).size() == 8);
+  for (const std::string& line : counts(*session, 30)) CHECK(line.ends_with(" 1 30 0"));
+
+  const std::string solid = effect_called("broad_phase") + effect_called("narrow_phase") + effect_called("bounce");
+  const auto refused = opened_with_mesh(solid);
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().what == "bounce: has impulses for spheres and boxes alone; give body such a shape");
+  const std::string text = with_mesh(solid), before = text.substr(0, text.find("\"bounce\""));
+  CHECK(refused.error().position ==
+        std::count(before.begin(), before.end(), '\n'));  // of the table's head, the line above
+
+  const auto nameless = lesson::read_lesson(with_mesh("", "generate = \"stick\"\ncount = 80"), "nameless.toml");
+  REQUIRE_FALSE(nameless.has_value());
+  CHECK(nameless.error().what.find("is a mesh, and [points] names none") != std::string::npos);
+}
+
+TEST_CASE("a task on a scene is graded by its last frame") {
+  lesson::Session session = opened("scene-broad");
+  session.start_task();
+  REQUIRE(session.grade().has_value());
+  CHECK_FALSE(session.grade()->done);
+  CHECK(session.grade()->says.find("it must be at least 4 pairs") != std::string::npos);
+  CHECK(session.grade()->says.find("frame 1") == std::string::npos);
+  session.go(5);
+  CHECK(session.grade()->says.find(" Bodies can be moved before frame 1 only.") != std::string::npos);
+}
