@@ -14,7 +14,7 @@
 
 namespace snug::app {
 
-/// In pixels of the page (CSS pixels; logical pixels on the desktop), from the top left of the canvas.
+/// A rectangle in pixels of the page (CSS pixels; logical pixels on the desktop), from the top left of the canvas.
 struct Rect {
   float x = 0, y = 0, width = 0, height = 0;
 };

@@ -48,7 +48,7 @@ void text_right(ImDrawList* list, const Look& look, Face face, float size, ImVec
                 std::string_view words);
 void text_middle(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color,
                  std::string_view words);
-/// As much of it as fits, with an ellipsis where some does not.
+/// The part of it that fits, with an ellipsis if some does not.
 [[nodiscard]] std::string shortened(const Look& look, Face face, float size, std::string_view words, float width);
 /// Its lines at a width. Words longer than a line are broken.
 [[nodiscard]] std::vector<std::string_view> lines_of(const Look& look, Face face, float size, std::string_view words,

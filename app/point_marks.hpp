@@ -8,7 +8,7 @@
 
 namespace snug::app {
 
-/// From the middle of the mark to its edge, pixels.
+/// The distance from the middle of the mark to its edge, pixels.
 inline constexpr float kDiamond = 7.5f, kRing = 11;
 
 /// A diamond that labels keep clear of: the point was chosen, or holds the volume.

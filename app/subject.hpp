@@ -30,7 +30,7 @@ class SubjectView {
   // ---- the picture --------------------------------------------------------------------------------------------
   /// Works out what the session's step shows. want_optimum: as of shown_at.
   virtual void refresh(const lesson::Session& session, bool want_optimum) = 0;
-  /// As last refreshed.
+  /// What the last refresh found.
   [[nodiscard]] virtual const Shown& shown() const = 0;
   /// The geometry that the step speaks of. brush.volume is shown().volume, on its way there.
   virtual void draw(Brush& brush) const;

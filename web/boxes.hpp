@@ -19,7 +19,7 @@ namespace snug::web {
 /// What an address says. An error is a sentence; "" is none.
 [[nodiscard]] std::string set_box_rows(lesson::Session& session, const emscripten::val& rows);
 
-/// By number. values: as long as the centre or the half extents.
+/// Sets a box's numbers. values: as long as the centre or the half extents.
 [[nodiscard]] std::string set_box(lesson::Session& session, int box, const std::string& what,
                                   const emscripten::val& values);
 

@@ -26,7 +26,7 @@ void pointer_moved(float x, float y, const std::string& source);
 void pointer_left();
 /// button: as the page counts them, 0 the main one, 1 the middle one, 2 the other one.
 void pointer_button(int button, bool down, const std::string& source);
-/// In notches of a wheel, y away from the user.
+/// The scroll in notches of a wheel, y away from the user.
 void wheel_turned(float x, float y);
 void modifiers_held(bool shift, bool control, bool alt);
 

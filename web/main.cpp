@@ -134,7 +134,7 @@ void frame(double now) {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-/// In seconds; infinity for none.
+/// Seconds; infinity for none.
 double seconds_until_due(double now) {
   if (!door().graphics) return door().app->seconds_until_step(now);
   return web::input_pending() ? 0 : door().app->seconds_until_due(now);

@@ -54,7 +54,7 @@ struct Algorithm {
   [[nodiscard]] Recording record(const AnyPointSet& points, const Options& options, Recording room = {}) const;
 };
 
-/// By volume, in kVolumeNames' order.
+/// Sorted by volume, in kVolumeNames' order.
 [[nodiscard]] std::span<const Algorithm> algorithms();
 /// Those of one volume; empty where there are none.
 [[nodiscard]] std::span<const Algorithm> algorithms_of(std::string_view volume);

@@ -64,13 +64,13 @@ template <class Scalar, int Dim>
   return result;
 }
 
-/// By way of min and max, and so up to three units in the last place.
+/// Converts through min and max, so it may be off by three units in the last place.
 template <class Scalar, int Dim>
 [[nodiscard]] AabbMinWidths<Scalar, Dim> min_widths_of(const AabbCenterExtents<Scalar, Dim>& box) {
   return min_widths_of(min_max_of(box));
 }
 
-/// By way of min and max, and so up to three units in the last place.
+/// Converts through min and max, so it may be off by three units in the last place.
 template <class Scalar, int Dim>
 [[nodiscard]] AabbCenterExtents<Scalar, Dim> center_extents_of(const AabbMinWidths<Scalar, Dim>& box) {
   return center_extents_of(min_max_of(box));

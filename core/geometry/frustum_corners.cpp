@@ -59,12 +59,12 @@ class CornerSearch {
     All corners;
     for (std::size_t c = 0; c < corners.size(); ++c) {
       const auto corner = meet(planes_of(c));
-      if (!corner) return refused(said(planes_of(c)) + " do not meet in a corner");
+      if (!corner) return refused(said(planes_of(c)) + " do not meet in a vertex");
       if (const auto outside = outside_of(*corner))
-        return refused("the corner of " + said(planes_of(c)) + " lies outside of " + said(*outside));
+        return refused("the vertex of " + said(planes_of(c)) + " lies outside of " + said(*outside));
       corners[c] = *corner;
     }
-    if (const auto other = other_corner()) return refused("there is another corner, of " + said(*other));
+    if (const auto other = other_corner()) return refused("there is another vertex, of " + said(*other));
     for (std::size_t i = 0; i < planes_.size(); i += 2)
       if (same_way(planes_[i].normal, planes_[i + 1].normal))
         return refused(said(i) + " and " + said(i + 1) + " face the same way, and nothing bounds the other");
@@ -164,7 +164,7 @@ tl::expected<FrustumCorners<Scalar, Dim>, InputError> corners_of(const Frustum<S
     for (int i = 0; i < Dim; ++i)
       corners[c][i] = static_cast<Scalar>(quotient((*exact)[c].coordinates[i], (*exact)[c].weight));
     if (!corners[c].allFinite())
-      return tl::unexpected(InputError{.what = "a corner is farther away than this program can say"});
+      return tl::unexpected(InputError{.what = "a vertex is farther away than this program can say"});
   }
   return corners;
 }

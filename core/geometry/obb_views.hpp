@@ -42,9 +42,9 @@ template <class Scalar, int Dim>
   return vertices;
 }
 
-/// By axis. Their meeting is the tightest around the box that the Scalar allows: in exact arithmetic every slab holds
-/// its own of the box, and no bound could be a number closer. Coordinates and half extents finite, up to PointSet's
-/// largest.
+/// The slabs by axis. Their intersection is the tightest around the box that the Scalar allows: in exact arithmetic
+/// every slab holds its own of the box, and no bound could be a number closer. Coordinates and half extents finite, up
+/// to PointSet's largest.
 template <class Scalar, int Dim>
 [[nodiscard]] ObbSlabs<Scalar, Dim> slabs_of(const Obb<Scalar, Dim>& box);
 
@@ -69,15 +69,15 @@ struct ObbForm {
 };
 
 inline constexpr std::array<ObbForm, 4> kObbForms{
-    ObbForm{"vertices", 8, 24, "Drawing it, moving it, the farthest point in a direction: the corners are there.",
+    ObbForm{"vertices", 8, 24, "Drawing it, moving it, the farthest point in a direction: the vertices are there.",
             "Space, and whatever needs a face: whether a point is inside takes three axes that must be found first."},
     ObbForm{"planes", 12, 24, "Whether a point is inside: one dot product a face, and the first that fails ends it.",
-            "Each direction is stored twice with opposite signs, and a corner is where three planes meet: a solve."},
+            "Each direction is stored twice with opposite signs, and a vertex is where three planes meet: a solve."},
     ObbForm{"slabs", 8, 15, "A ray, or a point: each direction once, with two bounds.",
-            "A turn changes every bound too, and the centre and the corners have to be solved for."},
+            "A turn changes every bound too, and the centre and the vertices have to be solved for."},
     ObbForm{"center, axes, half extents", 8, 15,
             "Moving it changes the centre alone, turning it the axes; the separating-axis test takes it as it is.",
-            "A corner or a face has to be put together from it, though by sums alone."},
+            "A vertex or a face has to be put together from it, though by sums alone."},
 };
 
 }  // namespace snug

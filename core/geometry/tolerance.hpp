@@ -213,7 +213,7 @@ inline constexpr double kSameTurn = 16 * kRoundoff<double>;
 /// promises".
 inline constexpr double kBoxBoundaryRoundoffs = 64;
 
-/// By how much a length of a fitted volume may be off, in parts of the points' size plus their farthest coordinate: of
+/// How much a length of a fitted volume may be off, in parts of the points' size plus their farthest coordinate: of
 /// a smallest box by kBoxProof, of which 16u are the projections' and 8u the axes'; where a centre or bound is rounded,
 /// in a ball as in a slab, by kBoundaryRoundoffs or less. A product of lengths is then off by that times the other
 /// lengths, once for each. Held by "no volume is told to be smaller than the smallest, and what is flat is compared

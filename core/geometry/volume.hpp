@@ -18,7 +18,7 @@ template <class Scalar, int Dim>
 using Volume = std::variant<Sphere<Scalar, Dim>, Aabb<Scalar, Dim>, Obb<Scalar, Dim>, Capsule<Scalar, Dim>,
                             Lozenge<Scalar, Dim>, Kdop<Scalar, Dim>, ConvexHull<Scalar, Dim>>;
 
-/// As the command line and lessons say them, in the variant's order.
+/// The names that the command line and lessons use, in the variant's order.
 inline constexpr std::array<std::string_view, 7> kVolumeNames{"sphere",  "aabb", "obb", "capsule",
                                                               "lozenge", "kdop", "hull"};
 

@@ -18,8 +18,8 @@ inline constexpr std::array<std::string_view, 5> kBottomUpPseudocode{
     "  their parent takes their place", "volume ← merged of both children",
 };
 
-/// By half the surface of boxes; of equals those of the fewest bodies, then of the least index. facts: null, or what is
-/// told is added to it. O(n^2) time on the whole, O(n) memory: for some ten thousand bodies.
+/// Pairs are compared by half the surface of their box; of equals those of the fewest bodies, then of the least index.
+/// facts: null, or what is told is added to it. O(n^2) time on the whole, O(n) memory: for some ten thousand bodies.
 ///
 /// Two groups that are each other's nearest stay so whatever else is merged, for a box only grows: such pairs are found
 /// along a chain of ever nearer neighbours, and afterwards sorted into the order in which the smallest goes first.

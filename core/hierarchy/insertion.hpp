@@ -29,9 +29,9 @@ inline constexpr int kDeepestInsertion = 256;
 
 using InsertionFacts = std::vector<std::variant<BodyInserted, Rotated>>;
 
-/// In the order of the bodies. Of children that grow alike the one of fewer bodies is taken, then the first. facts:
-/// null, or what is told is added to it. O(n log n) time where the tree comes out balanced, as it does of spread-out
-/// scenes; O(n) insertions of at most kDeepestInsertion steps in any.
+/// Inserts the bodies in their order. Of children that grow alike the one of fewer bodies is taken, then the first.
+/// facts: null, or what is told is added to it. O(n log n) time where the tree comes out balanced, as it does of
+/// spread-out scenes; O(n) insertions of at most kDeepestInsertion steps in any.
 [[nodiscard]] Shape lay_out_by_insertion(const Layout& layout, InsertionFacts* facts = nullptr);
 
 }  // namespace snug::hierarchy

@@ -341,7 +341,7 @@ class TopDown {
     const Binning binning(work);
     const int axis = choice.axis, border = static_cast<int>(choice.position);
     choice.position = work.centers.low[axis] + choice.position / binning.scale[axis];
-    // By way of a copy, for branches that are guessed wrong cost more: bodies of the left fill it from the front,
+    // It goes through a copy, for branches that are guessed wrong cost more: bodies of the left fill it from the front,
     // others from the back.
     const auto count = static_cast<std::size_t>(work.end - work.begin);
     std::size_t left = 0, right = count - 1;

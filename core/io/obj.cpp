@@ -97,13 +97,13 @@ class ObjReader {
       file_.triangles.push_back(corners);
       corners[1] = corners[2];
     }
-    return count < 3 ? "a face has at least three corners, and there are " + std::to_string(count) : std::string();
+    return count < 3 ? "a face has at least three vertices, and there are " + std::to_string(count) : std::string();
   }
 
   /// The vertex that "v", "v/vt", "v//vn" or "v/vt/vn" names. One that is yet to come may be named: the end tells.
   tl::expected<Index, std::string> index_of(std::string_view word) {
     const auto reference = reference_of(word);
-    if (!reference) return tl::unexpected(quoted(word) + " does not name a corner");
+    if (!reference) return tl::unexpected(quoted(word) + " does not name a vertex");
     if (*reference == 0) return tl::unexpected(std::string("the face names vertex 0, and counting starts at 1"));
     if (*reference < -vertices() || *reference > static_cast<std::int64_t>(kMostPoints))
       return tl::unexpected(out_of_range(*reference));

@@ -83,10 +83,10 @@ class PlyReader {
     return body_.skip(property.type, count);
   }
 
-  /// As a fan of triangles around the first corner.
+  /// Adds the face as a fan of triangles around its first vertex.
   bool read_polygon(PlyType type, std::int64_t count) {
     if (!is_integer(type)) return body_.fail("the faces name vertices by numbers that are not integers");
-    if (count < 3) return body_.fail("a face has at least three corners, and there are " + std::to_string(count));
+    if (count < 3) return body_.fail("a face has at least three vertices, and there are " + std::to_string(count));
     std::array<Index, 3> corners{};
     for (std::int64_t i = 0; i < count; ++i) {
       std::int64_t index = 0;

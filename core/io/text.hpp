@@ -51,7 +51,7 @@ class Lines {
 /// ASCII letters only, so that no locale has a say.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
-/// In quotation marks, short and printable whatever it is.
+/// The text in quotation marks, shortened and printable whatever it is.
 [[nodiscard]] std::string quoted(std::string_view text);
 
 /// "1 byte", "2 bytes".

@@ -1,4 +1,4 @@
-// From a file's points to a set of the scalar and dimension that was asked for.
+// Turns a file's points into a set of the scalar and dimension that was asked for.
 #include <cmath>
 
 #include "io/point_file.hpp"

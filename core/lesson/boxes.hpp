@@ -62,7 +62,7 @@ struct Place {
 /// The corner with those bits.
 [[nodiscard]] Vector<double, 3> corner_of(const Obb<double, 3>& box, int bits);
 
-/// In the plane.
+/// The box in the plane.
 [[nodiscard]] Obb<double, 2> flat(const Obb<double, 3>& box);
 
 /// Two boxes of a lesson's file: each key has a list of two. turn: degrees, in 3-D about x, then y, then z. taper: 1 of

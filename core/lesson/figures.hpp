@@ -28,8 +28,8 @@ struct Proof {
 /// Four digits that count, at most three behind the point: "2.118", "21.18", "1.234 × 10¹⁰". The minus is a real one.
 [[nodiscard]] std::string number_text(double value, int digits = 4);
 
-/// As many digits, four or more, as tell two numbers apart. Nine do not tell apart what differs by rounding alone: four
-/// then.
+/// The number of digits, four or more, that tells two numbers apart. Nine do not tell apart what differs by rounding
+/// alone: four then.
 [[nodiscard]] int digits_apart(double a, double b);
 
 /// Two numbers with as many digits, four or more, as tell them apart: "0.9921" and "0.9917". Nine do not tell apart

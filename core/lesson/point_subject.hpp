@@ -20,7 +20,7 @@ inline constexpr int kMostGenerated = 100000;
 /// "P3", "P3 and P9", "P3, P9 and P12"; "no point" of none.
 [[nodiscard]] std::string point_names(std::span<const Index> points);
 
-/// In double. dim: 2 (z is dropped) or 3. Errors: as of PointSet::make.
+/// A set in double. dim: 2 (z is dropped) or 3. Errors: as of PointSet::make.
 [[nodiscard]] tl::expected<AnyPointSet, InputError> to_set(const std::vector<Point3>& points, int dim);
 
 /// [points] of a lesson's file.

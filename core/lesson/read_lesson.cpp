@@ -1,4 +1,4 @@
-// From a lesson's TOML to a Lesson. What its numbers and names mean together is checked in check_lesson.cpp.
+// Reads a lesson's TOML into a Lesson. What its numbers and names mean together is checked in check_lesson.cpp.
 #include <algorithm>
 
 #include "geometry/generate.hpp"

@@ -46,7 +46,7 @@ struct SubjectRow {
 };
 
 [[nodiscard]] std::span<const SubjectRow* const> subjects();
-/// By what a lesson's file says; null where none has that. chart: empty where the file has none.
+/// The subject that a lesson's file asks for; null where none has that. chart: empty where the file has none.
 [[nodiscard]] const SubjectRow* find_subject(std::string_view volume, std::string_view chart);
 /// Null where there is none of that name.
 [[nodiscard]] const SubjectRow* subject_named(std::string_view name);

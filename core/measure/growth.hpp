@@ -32,7 +32,8 @@ struct Workload {
 [[nodiscard]] Workload workload_of(const fit::Algorithm& algorithm, int dim, Index most,
                                    std::shared_ptr<PointStock> points, const fit::Options& options);
 
-/// From ten to most by half decades, and most itself; where that is few, five numbers in equal steps of a factor.
+/// The numbers from ten to most by half decades, and most itself; where that is few, five numbers in equal steps of a
+/// factor.
 [[nodiscard]] std::vector<Index> growth_sizes(Index most);
 
 struct SizedTime {
@@ -69,7 +70,7 @@ class GrowthRun {
   [[nodiscard]] std::span<GrowthRow> own_rows() { return std::span(rows_).subspan(first_); }
   void step_up();
   void step_back();
-  /// From here it goes back. stopped: why there are no more points.
+  /// The search goes back from here. stopped: why there are no more points.
   void turn(std::string stopped);
   /// Fits the power, and goes on to the next workload.
   void finish();

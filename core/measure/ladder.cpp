@@ -8,7 +8,7 @@ namespace snug::cost {
 namespace {
 
 constexpr Index kFirst = 8;
-/// From the first run alone the worst is foreseen, where most of such a run is what no number of points changes.
+/// The first run alone foretells the worst case if most of such a run is what no number of points changes.
 constexpr double kBold = 4;
 constexpr int kTriesBeforeStop = 2;
 constexpr double kLeastPower = 1, kMostPower = 4;

@@ -13,7 +13,7 @@ struct Rounding {
   double length = 0;  // by how much a length of a volume may be off, scene units
   double size = 0;    // as long as none of them is
 
-  /// By how much the product of so many lengths may be off: 1 of a ball's radius, 2 of an area, 3 of a volume.
+  /// How much the product of so many lengths may be off: 1 of a ball's radius, 2 of an area, 3 of a volume.
   [[nodiscard]] double of(int lengths) const;
   /// Below it such a product is nothing but rounding, of points that are flat, or nearly so.
   [[nodiscard]] double noise(int lengths) const;

@@ -21,7 +21,7 @@ struct OverlapWork {
 /// volume.
 [[nodiscard]] OverlapWork overlap_work(const fit::Volume3& volume, int dim, bool single, std::uint64_t seed);
 
-/// In the scalar and dimension it was fitted in (geometry/volume_bytes.hpp).
+/// Bytes in the scalar and dimension it was fitted in (geometry/volume_bytes.hpp).
 [[nodiscard]] std::int64_t bytes_of(const fit::Volume3& volume, int dim, bool single);
 
 }  // namespace snug::cost

@@ -88,7 +88,7 @@ class Classify {
     return side == Culling::kOutside && plan_.extent == CullExtent::kFirst;
   }
 
-  /// As rounded, where no rounding can change that; else exactly.
+  /// Decided by rounded numbers where no rounding can change the answer, and exactly otherwise.
   [[nodiscard]] Sided sided(const Plane<Scalar, Dim>& plane, const Span<Scalar>& span, Scalar doubt) const {
     if (span.low > doubt) return {Culling::kOutside, false};
     if (span.high < -doubt) return {Culling::kInside, false};

@@ -212,7 +212,7 @@ class ObbSat {
                                                    : Line::kEdges;
   }
 
-  /// By the gap that is certain: of the axis of nearly parallel edges little is.
+  /// Axes are compared by the gap that is certain, which is little for nearly parallel edges.
   void keep_if_widest(int place, Scalar gap) {
     if (frames_.parallel(place)) return;
     const Scalar certain = (gap - frames_.doubt()) / frames_.length(place);

@@ -63,7 +63,7 @@ template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
                                   observe);
 }
 
-/// In the box's frame; within rounding of the box's and the sphere's extents about each other.
+/// The sphere's centre in the box's frame, within rounding of the box's and the sphere's extents about each other.
 template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_sphere_box(const Sphere<Scalar, Dim>& sphere, const Obb<Scalar, Dim>& box,
                                                          Observer&& observe = {}) {

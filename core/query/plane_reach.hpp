@@ -89,7 +89,7 @@ template <class Number, class Scalar, int Dim>
   return dot_as<Number, Scalar, Dim>(plane.normal, Vector<Scalar, Dim>(box.axes.col(axis)));
 }
 
-/// As the normal is seen from the box's frame: from the centre to a vertex, each half extent counts with or against it.
+/// The normal in the box's frame: from the centre to a vertex, each half extent counts with or against it.
 template <class Number, class Scalar, int Dim>
 [[nodiscard]] Span<Number> core_span(const Plane<Scalar, Dim>& plane, const Obb<Scalar, Dim>& box) {
   Number radius = magnitude(along_axis<Number>(plane, box, 0)) * exactly<Number>(box.half_extents[0]);

@@ -28,7 +28,7 @@ Manifold of_spheres(const V3& a, double radius_a, const V3& b, double radius_b, 
   return manifold;
 }
 
-/// From the box to the ball.
+/// The normal points from the box to the ball.
 Manifold of_box_and_sphere(const Shape& box, const PoseAt& at, const V3& center, double radius, double margin) {
   const V3 local = turned_back<double, 3>(at.rotation, center - at.translation);
   const V3 nearest = local.cwiseMax(-box.half_extents).cwiseMin(box.half_extents);

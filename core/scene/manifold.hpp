@@ -29,7 +29,7 @@ struct Manifold {
                                    const Pose<double, 3>& at_b, double margin);
 
 /// How far they are apart, or less; where they share a point, minus how far one has to be moved at least to be apart.
-/// As manifold_of has it. When no point of either moves farther than a length, it changes by no more.
+/// The separation that manifold_of finds. When no point of either moves farther than a length, it changes by no more.
 [[nodiscard]] double separation_of(const Shape& a, const Pose<double, 3>& at_a, const Shape& b,
                                    const Pose<double, 3>& at_b);
 

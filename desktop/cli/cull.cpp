@@ -136,7 +136,7 @@ Json plane_json(const query::PlaneTested<Scalar, Dim>& fact) {
           {"n_distance", static_cast<double>(fact.n_distance)}};
 }
 
-/// By the box's corners, as --test says. Errors: it is no box.
+/// Tests the box's vertices, as --test says. Errors: it is no box.
 template <class Scalar, int Dim>
 tl::expected<query::CullResult, std::string> by_corners(const std::string& test, const Frustum<Scalar, Dim>& frustum,
                                                         const Volume<Scalar, Dim>& volume,

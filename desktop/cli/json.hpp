@@ -13,7 +13,7 @@ namespace snug::desktop {
 
 using Json = nlohmann::ordered_json;
 
-/// As one line with its line feed.
+/// The value as one line, with its line feed.
 [[nodiscard]] inline std::string line_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -14,7 +14,7 @@ struct LessonOptions {
   std::vector<std::string> files;
 };
 
-/// By what a lesson is decided that is checked and played without a clock.
+/// What decides a lesson that is checked and played without a clock.
 void add_decided_by(Json& json, const lesson::Lesson& lesson) {
   if (!lesson.subject->decided_by.empty()) json["decided_by"] = lesson.subject->decided_by;
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLeastBatch = 1e6, kMostBatch = 1e8;
 
-/// As the system names it; empty where it does not.
+/// The system's name for the processor; empty if it gives none.
 std::string processor() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {

@@ -15,7 +15,7 @@ namespace {
 using lesson::WaitingCall;
 using lesson::WelzlState;
 
-/// In one line, always, so that what stands below stays where it is.
+/// Always one line, so that what stands below stays where it is.
 std::string list_note(const WelzlState& state) {
   const auto place = [](int at) { return std::to_string(at + 1); };
   if (state.moved != kNoIndex && state.moved_from == 0) return lesson::point_name(state.moved) + " is at the front.";

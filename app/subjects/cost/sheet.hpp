@@ -22,7 +22,7 @@ class CostSheet {
   virtual ~CostSheet() = default;
   /// Some nanoseconds of it, or one piece that cannot be cut. Whether there are more rows for that.
   virtual bool work(const cost::Clock& clock, double budget) = 0;
-  /// From 0 to 1; 1 where nothing runs.
+  /// Progress from 0 to 1; 1 if nothing runs.
   [[nodiscard]] virtual double progress() const = 0;
   [[nodiscard]] virtual bool done() const = 0;
   /// Ends the run; what is ready stays.
@@ -31,7 +31,7 @@ class CostSheet {
   virtual void clear() = 0;
   [[nodiscard]] virtual std::size_t rows() const = 0;
   [[nodiscard]] virtual Chart chart() const = 0;
-  /// As `snug cost` writes it.
+  /// The format of `snug cost`.
   [[nodiscard]] virtual std::string csv() const = 0;
   [[nodiscard]] virtual std::string json() const = 0;
   /// What was measured, and where and how.

@@ -165,7 +165,7 @@ void draw_plane(Brush& brush, const lesson::BoxPair& pair, const FrustumShown& s
   if (signs) draw_box_axes(brush, pair);
 }
 
-/// From each vertex to the plane.
+/// Draws the distance from each vertex to the plane.
 void draw_distances(Brush& brush, const lesson::BoxPair& pair, const Plane& plane) {
   const Palette& p = brush.p;
   const Point3 normal = normal_of(side_of(pair, plane.plane), pair);

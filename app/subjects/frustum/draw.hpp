@@ -12,7 +12,7 @@ void draw_frustum(Brush& brush, const FrustumShown& shown);
 void mark_frustum(Brush& brush, const FrustumShown& shown);
 /// Their names, away from the box.
 void name_frustum(PointNames& names, const FrustumShown& shown);
-/// As SubjectView::draw_inset.
+/// See SubjectView::draw_inset.
 [[nodiscard]] Rect draw_from_camera(Brush& brush, const FrustumShown& shown, float top);
 
 }  // namespace snug::app

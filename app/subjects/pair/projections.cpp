@@ -62,7 +62,7 @@ struct Ruler {
   [[nodiscard]] ImVec2 at(double t, float lane) const {
     return shifted(brush.at(on.at(t)), aside, lane * brush.p.mark);
   }
-  /// From one place to another, with a stroke across each of its ends.
+  /// A bar from one place to another, with a stroke across each of its ends.
   void bar(double from, double to, float lane, Color color, float width) const {
     const ImVec2 a = at(from, lane), b = at(to, lane);
     line(brush.list, a, b, Stroke::kSolid, color, brush.stroke(width));

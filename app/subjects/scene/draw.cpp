@@ -171,8 +171,8 @@ void draw_bodies(Brush& brush, const SceneFrame& frame) {
   brush.list->Flags = flags;
 }
 
-/// From centre to centre, by the last stage that let the pair pass: dotted boxes, dashed spheres, a line for those that
-/// touch.
+/// Draws pairs from centre to centre, by the last stage that let the pair pass: dotted boxes, dashed spheres, a line
+/// for those that touch.
 void draw_pairs(Brush& brush, const SceneFrame& frame) {
   const Palette& p = brush.p;
   const std::vector<scene::Pair> touching = touching_of(frame);

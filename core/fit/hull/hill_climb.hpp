@@ -45,7 +45,7 @@ class HillClimb {
   /// Where the last walk in the direction ended: the vertex of greatest value.
   [[nodiscard]] Index end(int direction) const { return ends_[direction]; }
 
-  /// From where the last walk in this direction ended. value(v): of vertex v, a linear function of the vertex; doubt:
+  /// Starts where the last walk in this direction ended. value(v): of vertex v, a linear function of the vertex; doubt:
   /// at least twice by how much it may be off. path: the start and each vertex that was better than all before.
   template <class Value>
   Climbed<Scalar> climb(int direction, Value&& value, Scalar doubt, std::vector<Index>* path) {

@@ -132,7 +132,7 @@ class Quickhull2 {
     share(edge, c, edge.id, added, 5);
   }
 
-  /// From the edge's line, scene units.
+  /// The distance from the edge's line, scene units.
   [[nodiscard]] double distance(const Edge& edge, Index c) {
     const Point along = at_(edge.b) - at_(edge.a), out = at_(c) - at_(edge.a);
     const Point unit = along / scaled_norm<double, 2>(along);

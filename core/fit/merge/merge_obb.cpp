@@ -28,7 +28,7 @@ class BoxAlong {
       : center_(box.center.template cast<double>()), half_(box.half_extents.template cast<double>()),
         edges_(box.axes.template cast<double>().transpose()), slabs_(box.axes.template cast<double>().inverse()) {}
 
-  /// From a point, the least and the greatest along a direction of about unit length, rounded.
+  /// The least and the greatest distance from a point along a direction of about unit length, rounded.
   [[nodiscard]] std::array<double, 2> extent(const Vector<double, Dim>& direction, const Vector<double, Dim>& from,
                                              Read read) const {
     const double middle = (center_ - from).dot(direction);

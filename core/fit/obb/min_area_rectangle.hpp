@@ -19,10 +19,10 @@ namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 6> kMinAreaRectanglePseudocode{
     "for each edge of the hull, in turn",
-    "  move the corners farthest along it, across it and back",
-    "  rectangle ← on the edge and through these corners",
+    "  move the vertices farthest along it, across it and back",
+    "  rectangle ← on the edge and through these vertices",
     "  keep the smallest",
-    "grow it to hold every corner, exactly",
+    "grow it to contain every vertex, exactly",
     "return rectangle",
 };
 
@@ -124,7 +124,7 @@ class Calipers {
 
   using Step = ObbStep<Scalar, 2>;
 
-  /// As measured: only the result is held against the points exactly.
+  /// This is the measured area: only the result is tested against the points exactly.
   [[nodiscard]] Obb<Scalar, 2> box(const CalipersRectangle& at) const {
     const Matrix<double, 2> frame = axes(at);
     const Point middle((at.back + at.forth) / 2, at.height / 2), half((at.forth - at.back) / 2, at.height / 2);

@@ -28,8 +28,8 @@ template <class Scalar, int Dim>
   return *PointSet<Scalar, Dim>::make(hull.vertices);  // points of a set: nothing is refused
 }
 
-/// As finish_on_axes, on the vertices alone. A box that holds them exactly holds their hull exactly, and with it each
-/// point.
+/// Does what finish_on_axes does, on the vertices alone. A box that holds them exactly holds their hull exactly, and
+/// with it each point.
 template <class Scalar, int Dim, class Observer>
 Fit<Obb<Scalar, Dim>> finish_on_hull(const Matrix<Scalar, Dim>& axes, const ConvexHull<Scalar, Dim>& hull, int line,
                                      Observer& observe) {

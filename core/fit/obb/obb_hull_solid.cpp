@@ -33,7 +33,7 @@ struct SharedEdge {
   Index left, right, beyond;
 };
 
-/// By the places of their vertices. facets: a closed surface, counter-clockwise as seen from outside.
+/// Sorts by the places of their vertices. facets: a closed surface, counter-clockwise as seen from outside.
 std::vector<SharedEdge> edges_of(const std::vector<std::array<Index, 3>>& facets) {
   struct Half {
     Index low, high, facet, third;

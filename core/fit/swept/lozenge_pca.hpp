@@ -21,7 +21,7 @@ inline constexpr std::array<std::string_view, 8> kLozengePcaPseudocode{
     "axes ← eigenvectors of C",
     "radius ← half of the least thickness",
     "pull the rectangle's four sides in",
-    "move a corner out to what it leaves",
+    "move a vertex out to what it leaves",
     "radius ← farthest point, held exactly",
     "return lozenge",
 };

@@ -28,7 +28,7 @@ struct Updated {
   VolumeType volume;  // in the world
 };
 
-/// By how much an updated volume is larger than the tightest of its kind around the placed points: 0 where it is that
+/// How much larger an updated volume is than the tightest of its kind around the placed points: 0 where it is that
 /// one, infinite where only the tightest has no area or volume. measures: of each.
 [[nodiscard]] inline double slack(double updated, double tightest) {
   if (updated <= tightest) return 0;

@@ -25,7 +25,7 @@ struct UpdateStrategy {
   bool plane = true, space = true;
 };
 
-/// By volume, in kVolumeNames' order.
+/// Sorted by volume, in kVolumeNames' order.
 [[nodiscard]] std::span<const UpdateStrategy> update_strategies();
 /// Null where there is none of that volume and name.
 [[nodiscard]] const UpdateStrategy* find_update(std::string_view volume, std::string_view name);

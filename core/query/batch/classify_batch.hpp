@@ -19,7 +19,7 @@ namespace snug::query {
 template <class Scalar, std::size_t kFields>
 class FieldArray {
  public:
-  /// As many items as fill a line of the cache with one field.
+  /// The number of items whose one field fills a cache line.
   static constexpr std::size_t kBlock = 64 / sizeof(Scalar);
   struct alignas(64) Block {
     Scalar fields[kFields][kBlock]{};

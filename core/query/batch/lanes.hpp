@@ -5,7 +5,7 @@
 
 namespace snug::query {
 
-/// As many scalars as kBytes hold, and what comparisons of them give: all ones or all zeros in each lane.
+/// A register of as many scalars as fit in kBytes. Comparisons give all ones or all zeros in each lane.
 template <class Scalar, std::size_t kBytes>
 struct Lanes {
   typedef Scalar Vector __attribute__((vector_size(kBytes)));

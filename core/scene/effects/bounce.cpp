@@ -108,7 +108,7 @@ const Member* too_fast(const World& world) {
   return nullptr;
 }
 
-/// As separation_of has it; of bodies that are surely apart a bound.
+/// What separation_of returns; for bodies that are surely apart, a bound.
 double separation_at_start(const World& world, std::size_t i, std::size_t j) {
   const double between = (world.state.bodies[j].position - world.state.bodies[i].position).norm();
   if (const double bound = between - world.members[i].shape.reach - world.members[j].shape.reach; bound > 0)

@@ -27,7 +27,7 @@ class Spin final : public Effect {
   }
 
  private:
-  /// In whole turns.
+  /// The angle in whole turns.
   [[nodiscard]] double turned_at(const World& world, int frame) const {
     const double turned = turns_ * world.step * frame;
     return most_ > 0 && std::abs(turned) > most_ ? std::copysign(most_, turned) : turned;

@@ -206,7 +206,7 @@ TEST_CASE("planes that bound no frustum have no corners") {
     return corners ? "" : corners.error().what;
   };
   CHECK(said(1, {{1, 0, 0}, -1}).empty());
-  CHECK(said(1, {{0, 1, 0}, -1}) == "right, bottom and near do not meet in a corner");                   // parallel
+  CHECK(said(1, {{0, 1, 0}, -1}) == "right, bottom and near do not meet in a vertex");                   // parallel
   CHECK(said(1, {{1, 0, 0}, 2}) == "the corner of left, bottom and near lies outside of right");         // empty
   CHECK(said(1, {{-1, 0, 0}, -1}) == "left and right face the same way, and nothing bounds the other");  // unbounded
   CHECK(said(1, {{-1, 0, 0}, -2}) == "the corner of right, bottom and near lies outside of left");
@@ -221,7 +221,7 @@ TEST_CASE("planes that bound no frustum have no corners") {
     return corners ? "" : corners.error().what;
   };
   CHECK(of_wedge(-1.5).empty());
-  CHECK(of_wedge(-1) == "there is another corner, of left, right and bottom");
+  CHECK(of_wedge(-1) == "there is another vertex, of left, right and bottom");
   CHECK(of_wedge(-0.5) == "the corner of left, bottom and far lies outside of right");
 }
 

@@ -20,7 +20,7 @@ Method method_of(const fit::Algorithm& algorithm) {
           algorithm.plane_pseudocode, algorithm.exact, algorithm.max_points};
 }
 
-/// By volume, one after the other, as the catalogue has them.
+/// Sorted by volume, as in the catalogue.
 const std::vector<Method>& all_methods() {
   static const std::vector<Method> all = [] {
     std::vector<Method> methods;

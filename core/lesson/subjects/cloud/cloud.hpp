@@ -36,7 +36,7 @@ class CloudSubject final : public PointSubject {
   /// The smallest volume of the points, watched: run when first asked for after an edit, unless the view shows it. Null
   /// where no algorithm finds it, or none takes so many points. For the size alone, smallest_size is cheaper.
   [[nodiscard]] const fit::Recording* optimum(const View& view) const;
-  /// As fit::size_of has it.
+  /// Its fit::size_of.
   [[nodiscard]] std::optional<double> smallest_size(const View& view) const;
 
  protected:

@@ -13,7 +13,7 @@ namespace {
 
 std::string points_text(int n) { return std::to_string(n) + (n == 1 ? " point" : " points"); }
 
-/// As the inspector rounds it, without the sign: "9.9 %".
+/// Rounded as in the inspector, without the sign: "9.9 %".
 std::string plain_percent(double excess) {
   const std::string text = percent_text(excess);
   return text.front() == '+' ? text.substr(1) : text;

@@ -40,7 +40,7 @@ class CostSubject final : public Subject {
   [[nodiscard]] Grade grade(const Lesson& lesson, const View& view, std::vector<bool>& found) const override;
   void begin_task(const Lesson& lesson, const Subject& own) override;
 
-  // As the cloud has it; an edit forgets what was measured.
+  // The cloud's own; an edit forgets what was measured.
   [[nodiscard]] int dim() const override { return cloud_->dim(); }
   [[nodiscard]] Index size() const override { return cloud_->size(); }
   [[nodiscard]] Point3 at(Index i) const override { return cloud_->at(i); }

@@ -16,7 +16,7 @@ namespace snug::lesson {
 /// n_distance are left out, and distance is the vertex's.
 [[nodiscard]] std::vector<Figure> frustum_figures(const View& view, const BoxPair& pair);
 
-/// In the end.
+/// Those at the end of the run; none before.
 [[nodiscard]] std::vector<Proof> frustum_proofs(const View& view, const BoxPair& pair);
 
 }  // namespace snug::lesson

@@ -19,7 +19,7 @@ namespace snug::lesson {
 /// Keys: axis distance radius_a radius_b gap tests. All but tests are of axis_at.
 [[nodiscard]] std::vector<Figure> box_figures(const View& view, const BoxPair& pair);
 
-/// In the end.
+/// Those at the end of the run; none before.
 [[nodiscard]] std::vector<Proof> box_proofs(const View& view, const BoxPair& pair);
 
 }  // namespace snug::lesson
