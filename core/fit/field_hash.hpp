@@ -55,7 +55,8 @@ struct FieldHash : Fnv1a {
 template <class Entry>
 std::uint64_t hash_of_steps(std::span<const Entry> entries) {
   FieldHash hash;
-  for (const auto& [step, counts] : entries) {
+  for (const Entry& entry : entries) {
+    const auto& step = entry.step;
     hash.add(static_cast<std::int64_t>(step.fact.index()));
     hash.add(step.line);
     if constexpr (requires { step.volume; }) {

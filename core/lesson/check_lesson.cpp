@@ -35,14 +35,20 @@ void check_questions(const Lesson& lesson, const Method& method, const Subject& 
   }
 }
 
-void check_runs(const Lesson& lesson, const Subject& own, const TomlTable& root, Complaints& complaints) {
+/// What is shown from the start takes as many points as there are.
+void check_sizes(const Lesson& lesson, const Subject& own, const TomlTable& root, Complaints& complaints) {
   for (const std::string& name : lesson.algorithms) {
     const Method& method = *find_method(lesson, name);
-    if (own.suits(method)) check_questions(lesson, method, own, *own.run(method, nullptr), complaints);
-    else if (&name == &lesson.algorithms.front() || name == lesson.compare)
+    if (!own.suits(method) && (&name == &lesson.algorithms.front() || name == lesson.compare))
       complaints.add(root.line_of(lesson.subject->table), "too many points for " + std::string(method.title) +
                                                               ": at most " + std::to_string(method.max_points));
   }
+}
+
+void check_runs(const Lesson& lesson, const Subject& own, Complaints& complaints) {
+  for (const std::string& name : lesson.algorithms)
+    if (const Method& method = *find_method(lesson, name); own.suits(method))
+      check_questions(lesson, method, own, *own.run(method, nullptr), complaints);
 }
 
 }  // namespace
@@ -58,9 +64,11 @@ void check_lesson(const Lesson& lesson, const toml::table& toml, Complaints& com
     const int line = static_cast<int>(own.error().position);
     return complaints.add(line > 0 ? line : root.line_of(lesson.subject->table), own.error().what);
   }
-  if (lesson.subject->check_first != nullptr) lesson.subject->check_first(lesson, **own, complaints);
+  check_sizes(lesson, **own, root, complaints);
+  if (!complaints.first() && lesson.subject->check_first != nullptr)
+    lesson.subject->check_first(lesson, **own, complaints);
   if (complaints.first()) return;
-  if (lesson.subject->asks_of_steps) check_runs(lesson, **own, root, complaints);
+  if (lesson.subject->asks_of_steps) check_runs(lesson, **own, complaints);
   if (lesson.subject->check != nullptr) lesson.subject->check(lesson, toml, **own, complaints);
 }
 

@@ -207,10 +207,10 @@ TEST_CASE("planes that bound no frustum have no corners") {
   };
   CHECK(said(1, {{1, 0, 0}, -1}).empty());
   CHECK(said(1, {{0, 1, 0}, -1}) == "right, bottom and near do not meet in a vertex");                   // parallel
-  CHECK(said(1, {{1, 0, 0}, 2}) == "the corner of left, bottom and near lies outside of right");         // empty
+  CHECK(said(1, {{1, 0, 0}, 2}) == "the vertex of left, bottom and near lies outside of right");         // empty
   CHECK(said(1, {{-1, 0, 0}, -1}) == "left and right face the same way, and nothing bounds the other");  // unbounded
-  CHECK(said(1, {{-1, 0, 0}, -2}) == "the corner of right, bottom and near lies outside of left");
-  CHECK(said(1, {{1, 1, 0}, 0.5}) == "the corner of left, top and near lies outside of right");  // fewer corners
+  CHECK(said(1, {{-1, 0, 0}, -2}) == "the vertex of right, bottom and near lies outside of left");
+  CHECK(said(1, {{1, 1, 0}, 0.5}) == "the vertex of left, top and near lies outside of right");  // fewer corners
   CHECK(said(1, {{1, 1, 0}, -0.5}).empty());
   CHECK(said(5, {{0x1p-400, 0, 1}, -0x1p500}).empty());
   CHECK(said(1, {{0x1p-500, 0x1p-500, 0x1p-500}, -4}).empty());
@@ -222,7 +222,7 @@ TEST_CASE("planes that bound no frustum have no corners") {
   };
   CHECK(of_wedge(-1.5).empty());
   CHECK(of_wedge(-1) == "there is another vertex, of left, right and bottom");
-  CHECK(of_wedge(-0.5) == "the corner of left, bottom and far lies outside of right");
+  CHECK(of_wedge(-0.5) == "the vertex of left, bottom and far lies outside of right");
 }
 
 TEST_CASE("normalizing moves a plane by no more than it says") {

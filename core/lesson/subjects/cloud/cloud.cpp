@@ -47,7 +47,8 @@ std::span<const Method> fit_methods(std::string_view volume) {
   const std::vector<Method>& all = all_methods();
   const auto is = [&](const Method& method) { return method.volume == volume; };
   const auto from = std::find_if(all.begin(), all.end(), is);
-  return {from, std::find_if_not(from, all.end(), is)};
+  const auto count = std::find_if_not(from, all.end(), is) - from;
+  return std::span(all).subspan(static_cast<std::size_t>(from - all.begin()), static_cast<std::size_t>(count));
 }
 
 const SubjectRow kCloudRow{.name = "cloud",

@@ -117,7 +117,7 @@ SceneSet read_scene_of(TomlTable& lesson, int dim, Complaints& complaints) {
   TomlTable table(*own, "[scene]", complaints);
   if (dim != 3) complaints.add(table.line(), "a scene is in space: \"dim\" of [points] must be 3");
   set.frames = static_cast<int>(table.integer_or("frames", 1, 2000, set.frames));
-  set.frames_line = table.line_of("frames");
+  set.line = table.line(), set.frames_line = table.line_of("frames");
   set.step = table.any_number("step", set.step);
   const toml::table* points = lesson.table("points");
   const bool has_mesh = points != nullptr && points->contains("mesh");

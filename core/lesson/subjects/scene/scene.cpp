@@ -23,17 +23,20 @@ void read_scene(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   lesson.tables = std::make_shared<const SceneSet>(read_scene_of(table, lesson.points.dim, complaints));
 }
 
-/// On a mesh, which a file that is read does not have, this is where what the scene refuses is found.
+InputError at_line(InputError error, int line) {
+  if (error.position == 0) error.unit = InputError::Unit::kLine, error.position = line;
+  return error;
+}
+
 tl::expected<std::unique_ptr<Subject>, InputError> open_scene(const Lesson& lesson, std::optional<io::PointFile> mesh,
                                                               Clock clock) {
   auto points = own_points(lesson, mesh);
   if (!points) return tl::unexpected(std::move(points.error()));
   const SceneSet& set = set_of(lesson);
   if (set.is_too_long(fit::size_of(*points)))
-    return tl::unexpected(
-        InputError{.what = too_long_text(), .unit = InputError::Unit::kLine, .position = set.frames_line});
+    return tl::unexpected(at_line({.what = too_long_text()}, set.frames_line));
   if (const Done sound = check_scene_opens(set, lesson.algorithms, *points, lesson.seed); !sound)
-    return tl::unexpected(sound.error());
+    return tl::unexpected(at_line(sound.error(), set.line));
   return std::make_unique<SceneSubject>(lesson, *std::move(points), std::move(mesh), clock);
 }
 

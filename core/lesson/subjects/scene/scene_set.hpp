@@ -27,9 +27,9 @@ struct SceneBody {
 struct SceneSet : Tables {
   std::vector<SceneBody> bodies;
   std::vector<scene::EffectCall> effects;
-  double step = 1.0 / 60;  // seconds a frame
-  int frames = 120;        // how many are shown
-  int frames_line = 0;     // of the file, for errors
+  double step = 1.0 / 60;         // seconds a frame
+  int frames = 120;               // how many are shown
+  int line = 0, frames_line = 0;  // of the file, for errors: of [scene], and of its key
 
   /// Whether there are too many frames of too many bodies (kMostBodyFrames).
   [[nodiscard]] bool is_too_long(std::int64_t points) const;
