@@ -78,7 +78,7 @@ void Scene::step() {
 }
 
 void Scene::take_snapshot() {
-  Snapshot snapshot{world_.state, {}, {}, resting_, set_};
+  Snapshot snapshot{world_.moving(), world_.state, {}, {}, resting_, set_};
   for (const Runner& runner : runners_) snapshot.seen.push_back(runner.seen), snapshot.ran.push_back(runner.ran);
   snapshots_.push_back(std::move(snapshot));
 }
@@ -104,6 +104,7 @@ void Scene::keep_snapshot() {
 }
 
 void Scene::restore(const Snapshot& snapshot) {
+  world_.restore(snapshot.moving);
   world_.state = snapshot.state;
   resting_ = snapshot.resting;
   for (std::size_t i = 0; i < runners_.size(); ++i) {
@@ -135,13 +136,13 @@ void Scene::turn(std::size_t effect, bool on) {
   tallies_[effect].on = on;
   // What it led away, or no longer tells of, may have held up a sleeper.
   if ((made_by(*runners_[effect].kind) & (kLoop | bit(Slot::kPoses))) != 0)
-    for (Motion& motion : world_.state.bodies) motion.wake();
+    for (Motion& motion : world_.bodies) motion.wake();
   set_anew();
 }
 
 void Scene::pull_to(const V3& point) {
   world_.pulled_to = point;
-  for (Motion& motion : world_.state.bodies) motion.wake();
+  for (Motion& motion : world_.bodies) motion.wake();
   set_anew();
 }
 

@@ -55,6 +55,7 @@ class Scene {
     bool ran = false;                          // ever, in this line of frames
   };
   struct Snapshot {
+    physics::Moving moving;
     State state;
     std::vector<std::array<std::uint64_t, kSlots>> seen;
     std::vector<bool> ran;

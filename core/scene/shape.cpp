@@ -79,12 +79,6 @@ Centered centered(const std::variant<Volume3, Cloud>& declared) {
   return result;
 }
 
-V3 inertia_of(const Shape& shape) {
-  if (shape.kind == Shape::Kind::kSphere) return V3::Constant(0.4 * shape.radius * shape.radius);
-  const V3 squares = shape.half_extents.cwiseProduct(shape.half_extents) / 3;
-  return {squares[1] + squares[2], squares[2] + squares[0], squares[0] + squares[1]};
-}
-
 bool touch(const Shape& a, const Pose<double, 3>& at_a, const Shape& b, const Pose<double, 3>& at_b) {
   using Kind = Shape::Kind;
   if (a.kind == Kind::kSphere && b.kind != Kind::kOther) return sphere_touches(a, at_a.translation, b, at_b);

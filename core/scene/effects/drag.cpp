@@ -12,7 +12,7 @@ class Drag final : public Effect {
 
   void run(World& world) override {
     if (!world.awake(body_)) return;
-    Motion& motion = world.state.bodies[body_];
+    Motion& motion = world.bodies[body_];
     // Implicit in the velocity, so that no stiffness makes it swing up.
     const double seconds = world.round(), pull = stiffness_ * seconds, damping = 2 * std::sqrt(stiffness_) * seconds;
     motion.velocity = (motion.velocity + pull * (world.pulled_to - motion.position)) / (1 + damping + pull * seconds);

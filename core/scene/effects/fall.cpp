@@ -11,7 +11,7 @@ class Fall final : public Effect {
  public:
   void run(World& world) override {
     for (std::size_t i = 0; i < world.size(); ++i)
-      if (world.awake(i)) world.state.bodies[i].velocity += world.gravity * world.round();
+      if (world.awake(i)) world.bodies[i].velocity += world.gravity * world.round();
     world.state.changed(Slot::kVelocities);
   }
   [[nodiscard]] bool idle(const World& world) const override {

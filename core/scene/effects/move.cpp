@@ -1,96 +1,16 @@
-// Bodies go where their velocities take them: the second half of semi-implicit Euler. Where the scene is solid, a body
-// that is too fast for contacts to be seen coming is stopped where it first touches another.
-#include <algorithm>
-#include <cmath>
-
+// Bodies go where their velocities take them (physics/advance.hpp).
+#include "physics/advance.hpp"
 #include "scene/effect.hpp"
-#include "scene/limits.hpp"
-#include "scene/manifold.hpp"
-#include "scene/sweep.hpp"
 
 namespace snug::scene {
 namespace {
 
-/// Turned as it would turn in that time. A body that tumbles keeps its angular momentum, not its axis; what Euler's
-/// step would add to its energy on the way is taken back.
-void turn_body(World& world, std::size_t i, double seconds) {
-  const Member& member = world.members[i];
-  Motion& motion = world.state.bodies[i];
-  if (motion.turning == V3::Zero()) return;
-  const double before = kinetic_energy(member, motion);
-  V3 momentum = turned_back<double, 3>(motion.rotation, motion.turning);
-  for (int k = 0; k < 3; ++k) momentum[k] = member.inverse_inertia[k] > 0 ? momentum[k] / member.inverse_inertia[k] : 0;
-  const V3 in_world = turned<double, 3>(motion.rotation, momentum);
-  world.place(i, motion.position,
-              normalized(quaternion_about(motion.turning, motion.turning.norm() * seconds) * motion.orientation));
-  if (in_world == V3::Zero()) return;  // nothing resists its turning: a point
-  motion.turning = by_inverse_inertia(member, motion, in_world);
-  const double linear = member.mass * motion.velocity.squaredNorm() / 2;
-  const double after = kinetic_energy(member, motion);
-  if (after > before && after > linear) motion.turning *= std::sqrt(std::max(0.0, before - linear) / (after - linear));
-}
-
-/// Takes back what gravity would have given on the rest of a way that a contact cut short.
-void give_back(const World& world, Motion& motion, double seconds) {
-  const double square = motion.velocity.squaredNorm();
-  if (square > 0)
-    motion.velocity *= std::sqrt(std::max(0.0, 1 - 2 * seconds * world.gravity.dot(motion.velocity) / square));
-}
-
 class Move final : public Effect {
  public:
   void run(World& world) override {
-    bool moved = false;
-    for (std::size_t i = 0; i < world.size(); ++i) {
-      Motion& motion = world.state.bodies[i];
-      if (!world.awake(i) || (motion.velocity == V3::Zero() && motion.turning == V3::Zero())) continue;
-      moved = true;
-      const double seconds = world.round(), part = world.solid ? free_part(world, i) : 1;
-      world.place(i, motion.position + motion.velocity * (seconds * part), motion.orientation);
-      if (part < 1) give_back(world, motion, seconds * (1 - part));
-      turn_body(world, i, seconds * part);
-    }
-    if (moved) world.state.changed(Slot::kPoses);
+    if (physics::advance(world)) world.state.changed(Slot::kPoses);
   }
-  [[nodiscard]] bool idle(const World& world) const override {
-    for (std::size_t i = 0; i < world.size(); ++i)
-      if (world.awake(i) &&
-          (world.state.bodies[i].velocity != V3::Zero() || world.state.bodies[i].turning != V3::Zero()))
-        return false;
-    return true;
-  }
-
- private:
-  /// Which part of its way in this round the body goes before it touches another: turning included, for a body that
-  /// falls over about a corner moves on, though straight ahead that corner is in the way.
-  [[nodiscard]] static double free_part(const World& world, std::size_t i) {
-    const Motion& motion = world.state.bodies[i];
-    const Shape& shape = world.members[i].shape;
-    const V3 way = motion.velocity * world.round();
-    const double angle = shape.kind == Shape::Kind::kSphere ? 0 : motion.turning.norm() * world.round();
-    const double length = way.norm() + angle * shape.reach;
-    if (length <= shape.thinnest / 2) return 1;
-    const auto pose_at = [&](double part) -> Pose<double, 3> {
-      if (angle == 0) return {motion.rotation, motion.position + way * part};
-      return {matrix_of(normalized(quaternion_about(motion.turning, angle * part) * motion.orientation)),
-              motion.position + way * part};
-    };
-    double part = 1;
-    for (std::size_t j = 0; j < world.size(); ++j) {
-      const Motion& met = world.state.bodies[j];
-      const Shape& other = world.members[j].shape;
-      const V3 to = met.position - motion.position;
-      const double along = way.squaredNorm() > 0 ? std::clamp(to.dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
-      if (j == i || (to - along * way).norm() > shape.reach + other.reach) continue;
-      const auto separation = [&](double at) { return separation_of(shape, pose_at(at), other, pose_of(met)); };
-      // What it touches already contacts hold back, as far as they can: so far it may go in, or stay as it is.
-      const double start = separation(0),
-                   slop = world.slop({static_cast<Index>(std::min(i, j)), static_cast<Index>(std::max(i, j))});
-      const double deepest = start > slop ? 0 : std::min(-limits::kDeepest * shape.thinnest, start - slop / 8);
-      part = part_above(deepest, start, separation, length, shape.thinnest / 4, part);
-    }
-    return part;
-  }
+  [[nodiscard]] bool idle(const World& world) const override { return physics::stands_still(world); }
 };
 
 }  // namespace

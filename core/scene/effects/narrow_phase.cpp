@@ -1,6 +1,7 @@
 // Which of the remaining pairs touch: first by the spheres that contain each body however it is turned, then exactly.
 #include "geometry/tolerance.hpp"
 #include "scene/effect.hpp"
+#include "scene/shape.hpp"
 
 namespace snug::scene {
 namespace {
@@ -9,7 +10,7 @@ class NarrowPhase final : public Effect {
  public:
   void run(World& world) override {
     State& state = world.state;
-    state.contacts.clear();
+    world.contacts.clear();
     state.near.clear();
     state.funnel.touching = 0;
     for (const Pair& pair : state.pairs) {
@@ -17,10 +18,10 @@ class NarrowPhase final : public Effect {
       if (!near(world, a, b)) continue;
       state.near.push_back(pair);
       const bool touching =
-          touch(world.members[a].shape, pose_of(state.bodies[a]), world.members[b].shape, pose_of(state.bodies[b]));
+          touch(world.members[a].shape, pose_of(world.bodies[a]), world.members[b].shape, pose_of(world.bodies[b]));
       state.funnel.touching += touching ? 1 : 0;
       if (touching || (world.solid && (world.members[a].moves() || world.members[b].moves())))
-        state.contacts.push_back({pair, touching});
+        world.contacts.push_back({pair, touching});
     }
     state.funnel.after_loose = static_cast<std::int64_t>(state.near.size());
     state.changed(Slot::kContacts);
@@ -30,7 +31,7 @@ class NarrowPhase final : public Effect {
   static bool near(const World& world, std::size_t a, std::size_t b) {
     const double reach =
         world.members[a].shape.reach + world.members[b].shape.reach + world.margin(a) + world.margin(b);
-    const V3 between = world.state.bodies[b].position - world.state.bodies[a].position;
+    const V3 between = world.bodies[b].position - world.bodies[a].position;
     return between.squaredNorm() <= reach * reach * (1 + tolerance::kSquaredDistance<double>);
   }
 };

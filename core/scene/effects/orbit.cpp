@@ -26,7 +26,7 @@ class Orbit final : public Effect {
     for (const Course& course : courses_) {
       const Matrix<double, 3> rotation = turn(course.axis, 2 * std::numbers::pi * course.turns * seconds);
       world.place(course.body, center_ + turned<double, 3>(rotation, course.arm),
-                  world.state.bodies[course.body].orientation);
+                  world.bodies[course.body].orientation);
     }
     world.state.changed(Slot::kPoses);
   }
@@ -56,7 +56,7 @@ MadeEffect make_orbit(const EffectCall& call, World& world) {
   for (const std::size_t i : bodies) {
     V3 own = axis;
     for (int k = 0; k < 3; ++k) own[k] += vary * random.between(-1, 1);
-    courses.push_back({i, world.state.bodies[i].position - center, own, turns * (1 + vary * random.between(-1, 1))});
+    courses.push_back({i, world.bodies[i].position - center, own, turns * (1 + vary * random.between(-1, 1))});
   }
   return settings.make<Orbit>(std::move(courses), world, center);
 }

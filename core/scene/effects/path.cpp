@@ -18,7 +18,7 @@ class Path final : public Effect {
   }
 
   void run(World& world) override {
-    world.place(body_, at(speed_ * world.step * world.state.frame), world.state.bodies[body_].orientation);
+    world.place(body_, at(speed_ * world.step * world.state.frame), world.bodies[body_].orientation);
     world.state.changed(Slot::kPoses);
   }
   [[nodiscard]] bool idle(const World& world) const override {

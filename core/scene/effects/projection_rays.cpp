@@ -11,7 +11,7 @@ class ProjectionRays final : public Effect {
   void run(World& world) override {
     world.state.rays.resize(world.size());
     for (const std::size_t i : bodies_) {
-      const V3& from = world.state.bodies[i].position;
+      const V3& from = world.bodies[i].position;
       world.state.rays[i] = {from, V3(from[0], ground_, from[2])};
     }
     world.state.changed(Slot::kRays);

@@ -36,8 +36,8 @@ class Refit final : public Effect {
     double measure = 0, tightest = 0;
     if (watched_) state.refitted.cost = 0;
     for (std::size_t i = 0; i < world.size(); ++i) {
-      if (done_ > 0 && state.bodies[i].moved <= done_ && !updates_[i]) continue;
-      const Pose<double, 3> pose = pose_of(state.bodies[i]);
+      if (done_ > 0 && world.bodies[i].moved <= done_ && !updates_[i]) continue;
+      const Pose<double, 3> pose = pose_of(world.bodies[i]);
       if (!updates_[i]) {
         state.volumes[i] = plain_box(world.members[i].shape, pose, loose_);
         continue;
@@ -49,7 +49,7 @@ class Refit final : public Effect {
       state.refitted.cost += static_cast<double>(frame.counts[static_cast<std::size_t>(Operation::kPointsTouched)]);
     }
     state.refitted.slack = fit::slack(measure, tightest);
-    done_ = state.revision(Slot::kPoses);
+    done_ = world.moves;
     state.changed(Slot::kVolumes);
   }
 
@@ -57,13 +57,13 @@ class Refit final : public Effect {
   void restored(World& world) override {
     done_ = 0;
     for (std::size_t i = 0; i < world.size(); ++i)
-      if (updates_[i]) updates_[i](pose_of(world.state.bodies[i]), {});
+      if (updates_[i]) updates_[i](pose_of(world.bodies[i]), {});
   }
 
  private:
   bool loose_, watched_ = false;
   std::vector<fit::UpdateBody> updates_;  // by body; none where the shape is plain
-  std::uint64_t done_ = 0;                // the revision of poses that volumes are of; 0: of none
+  std::uint64_t done_ = 0;                // World::moves of which the volumes are; 0: of none
 };
 
 }  // namespace

@@ -32,7 +32,7 @@ class Shadow final : public Effect {
 
   void run(World& world) override {
     world.state.shadows.resize(world.size());
-    for (const std::size_t i : bodies_) world.state.shadows[i] = of(world.members[i].shape, world.state.bodies[i]);
+    for (const std::size_t i : bodies_) world.state.shadows[i] = of(world.members[i].shape, world.bodies[i]);
     world.state.changed(Slot::kShadows);
   }
 

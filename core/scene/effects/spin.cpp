@@ -12,14 +12,14 @@ class Spin final : public Effect {
       : bodies_(std::move(bodies)), axis_(axis), turns_(turns), most_(degrees > 0 ? degrees / 360 : 0) {
     for (const std::size_t i : bodies_) {
       world.members[i].driven = true;
-      starts_.push_back(world.state.bodies[i].orientation);
+      starts_.push_back(world.bodies[i].orientation);
     }
   }
 
   void run(World& world) override {
     const Quaternion turn = quaternion_about(axis_, 2 * std::numbers::pi * turned_at(world, world.state.frame));
     for (std::size_t k = 0; k < bodies_.size(); ++k)
-      world.place(bodies_[k], world.state.bodies[bodies_[k]].position, normalized(turn * starts_[k]));
+      world.place(bodies_[k], world.bodies[bodies_[k]].position, normalized(turn * starts_[k]));
     world.state.changed(Slot::kPoses);
   }
   [[nodiscard]] bool idle(const World& world) const override {

@@ -17,9 +17,9 @@ class Trail final : public Effect {
     bool longer = false;
     for (const std::size_t i : bodies_) {
       std::vector<V3>& trail = state.trails[i];
-      if (!trail.empty() && trail.back() == state.bodies[i].position) continue;
+      if (!trail.empty() && trail.back() == world.bodies[i].position) continue;
       if (trail.size() == length_) trail.erase(trail.begin());
-      trail.push_back(state.bodies[i].position);
+      trail.push_back(world.bodies[i].position);
       longer = true;
     }
     if (longer) state.changed(Slot::kTrails);

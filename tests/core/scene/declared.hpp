@@ -65,6 +65,6 @@ inline const scene::Tally& tally(const Scene& scene, std::string_view effect) {
   FAIL("no effect " << effect);
   return scene.tallies().front();
 }
-inline const scene::Motion& motion(const Scene& scene, std::size_t i) { return scene.world().state.bodies[i]; }
+inline const scene::Motion& motion(const Scene& scene, std::size_t i) { return scene.world().bodies[i]; }
 
 }  // namespace snug::test

@@ -108,7 +108,7 @@ TEST_CASE("every update of every volume keeps each point in its box, and says wh
       const auto& state = scene.world().state;
       const Aabb<double, 3>& box = state.volumes[0];
       for (const V3& corner : scene.world().members[0].shape.corners) {
-        const V3 at = placed<double, 3>({state.bodies[0].rotation, state.bodies[0].position}, corner);
+        const V3 at = placed<double, 3>({scene.world().bodies[0].rotation, scene.world().bodies[0].position}, corner);
         REQUIRE((at - box.min).minCoeff() >= -1e-12);
         REQUIRE((box.max - at).minCoeff() >= -1e-12);
       }
@@ -179,9 +179,9 @@ TEST_CASE("shadows are what the light leaves out, trails where bodies were, feet
   for (const V3& corner : state.shadows[0]) CHECK(corner.cwiseAbs() == V3(1, 0, 1));
   CHECK(state.shadows[1].size() == 24);
   for (const V3& p : state.shadows[1])
-    CHECK((p - V3(state.bodies[1].position[0], 0, 0)).norm() == doctest::Approx(0.5));
+    CHECK((p - V3(scene.world().bodies[1].position[0], 0, 0)).norm() == doctest::Approx(0.5));
   CHECK(state.trails[0].size() == 1);  // it did not move
   CHECK(state.trails[1].size() == 5);
-  CHECK(state.trails[1].back() == state.bodies[1].position);
-  CHECK(state.rays[1].to == V3(state.bodies[1].position[0], 0, 0));
+  CHECK(state.trails[1].back() == scene.world().bodies[1].position);
+  CHECK(state.rays[1].to == V3(scene.world().bodies[1].position[0], 0, 0));
 }

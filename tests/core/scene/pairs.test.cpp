@@ -6,6 +6,7 @@
 #include "geometry/random.hpp"
 #include "query/overlaps.hpp"
 #include "scene/pairs.hpp"
+#include "scene/shape.hpp"
 
 using namespace snug;
 using namespace snug::test;
@@ -76,6 +77,7 @@ TEST_CASE("each stage of the funnel leaves fewer pairs and loses none that touch
     for (const int frame : {1, 40, 90}) {
       scene.go(frame);
       const auto& state = scene.world().state;
+      const auto& bodies = scene.world().bodies;
       const scene::Funnel& funnel = state.funnel;
       CHECK(funnel.all == 150 * 149 / 2);
       CHECK(funnel.after_broad < funnel.all);
@@ -84,15 +86,13 @@ TEST_CASE("each stage of the funnel leaves fewer pairs and loses none that touch
       std::int64_t touching = 0;
       for (std::size_t i = 0; i < 150; ++i)
         for (std::size_t j = i + 1; j < 150; ++j) {
-          const auto pose = [&](std::size_t k) {
-            return Pose<double, 3>{state.bodies[k].rotation, state.bodies[k].position};
-          };
+          const auto pose = [&](std::size_t k) { return Pose<double, 3>{bodies[k].rotation, bodies[k].position}; };
           touching +=
               scene::touch(scene.world().members[i].shape, pose(i), scene.world().members[j].shape, pose(j)) ? 1 : 0;
         }
       CHECK(funnel.touching == touching);
       CHECK(funnel.touching > 0);
-      CHECK(static_cast<std::int64_t>(state.contacts.size()) == touching);
+      CHECK(static_cast<std::int64_t>(scene.world().contacts.size()) == touching);
     }
   }
 }

@@ -58,9 +58,9 @@ void switch_off(scene::Scene& scene, std::span<const SwitchedOff> off, int after
 
 SceneFrame seen(const scene::Scene& scene) {
   const scene::State& state = scene.world().state;
-  return {state.bodies,     state.volumes, state.contacts,
-          state.pairs,      state.near,    state.shadows,
-          state.trails,     state.rays,    {scene.tallies().begin(), scene.tallies().end()},
+  return {scene.world().bodies, state.volumes, scene.world().contacts,
+          state.pairs,          state.near,    state.shadows,
+          state.trails,         state.rays,    {scene.tallies().begin(), scene.tallies().end()},
           state.funnel.axis};
 }
 

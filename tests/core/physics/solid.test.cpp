@@ -80,7 +80,7 @@ TEST_CASE("ten boxes come to rest and stay for ten minutes") {
   check_standing(scene, 0.05);
   CHECK(scene.resting());
   const auto before = scene.world().hash();
-  const std::vector<scene::Motion> bodies = scene.world().state.bodies;
+  const std::vector<scene::Motion> bodies = scene.world().bodies;
   const std::int64_t runs = tally(scene, "bounce").run;
   scene.go(kTenMinutes);
   CHECK(scene.resting());
@@ -377,10 +377,10 @@ TEST_CASE("a pile comes to rest with no two bodies deep in each other") {
   scene.go(1500);
   CHECK(scene.resting());
   for (std::size_t i = 1; i < scene.world().size(); ++i) CHECK(motion(scene, i).position[1] > 0.1);
-  for (const auto& contact : scene.world().state.contacts) {
+  for (const auto& contact : scene.world().contacts) {
     const auto a = static_cast<std::size_t>(contact.pair.a), b = static_cast<std::size_t>(contact.pair.b);
     const auto& members = scene.world().members;
-    if (members[a].shape.kind != scene::Shape::Kind::kBox || members[b].shape.kind != scene::Shape::Kind::kBox)
+    if (members[a].shape.kind != physics::Shape::Kind::kBox || members[b].shape.kind != scene::Shape::Kind::kBox)
       continue;
     const auto obb = [&](std::size_t k) {
       return Obb<double, 3>{motion(scene, k).position, motion(scene, k).rotation,
@@ -556,7 +556,7 @@ TEST_CASE("what has no support, or is about to move, does not sleep") {
     if (!gravity) declaration.effects.erase(declaration.effects.begin());
     Scene scene = opened(declaration);
     scene.go(frames);
-    return scene.world().state.bodies.back();
+    return scene.world().bodies.back();
   };
   for (const double speed : {0.04, 0.001})
     CHECK(

@@ -4,9 +4,9 @@
 #include <array>
 #include <span>
 
-#include "scene/shape.hpp"
+#include "physics/shape.hpp"
 
-namespace snug::scene {
+namespace snug::physics {
 
 struct ManifoldPoint {
   V3 position = V3::Zero();  // half way between both surfaces
@@ -35,4 +35,4 @@ struct Manifold {
 
 [[nodiscard]] inline bool has_manifolds(const Shape& shape) { return shape.kind != Shape::Kind::kOther; }
 
-}  // namespace snug::scene
+}  // namespace snug::physics

@@ -5,10 +5,10 @@
 
 #include <vector>
 
-#include "scene/manifold.hpp"
-#include "scene/world.hpp"
+#include "physics/manifold.hpp"
+#include "physics/system.hpp"
 
-namespace snug::scene {
+namespace snug::physics {
 
 struct Surface {
   double restitution = 0.3;  // 0 … 1
@@ -29,13 +29,13 @@ struct ContactRow {
 };
 
 /// The points of all contacts in which a body is awake, warm from the last frame's impulses.
-[[nodiscard]] std::vector<ContactRow> rows_of(const World& world, const Surface& surface);
+[[nodiscard]] std::vector<ContactRow> rows_of(const System& system, const Surface& surface);
 
-/// Changes velocities, and keeps in the state what the next frame begins from.
-void solve(World& world, std::vector<ContactRow>& rows, const Surface& surface);
+/// Changes velocities, and keeps what the next frame begins from.
+void solve(System& system, std::vector<ContactRow>& rows, const Surface& surface);
 
 /// The rows as they are without restitution: what would go apart only stays.
-void stop_bouncing(const World& world, std::vector<ContactRow>& rows);
+void stop_bouncing(const System& system, std::vector<ContactRow>& rows);
 
 /// How bodies that lie deeper in each other than they may are to be moved apart.
 struct Shift {
@@ -44,6 +44,6 @@ struct Shift {
   bool out_of_wall = false;  // the other one does not move
   bool driven = false;       // the other one is driven: what drives it has energy enough
 };
-[[nodiscard]] std::vector<Shift> shifts_apart(const World& world, const std::vector<ContactRow>& rows);
+[[nodiscard]] std::vector<Shift> shifts_apart(const System& system, const std::vector<ContactRow>& rows);
 
-}  // namespace snug::scene
+}  // namespace snug::physics

@@ -3,17 +3,18 @@
 
 #include <vector>
 
-#include "scene/impulses.hpp"
-#include "scene/islands.hpp"
+#include "physics/impulses.hpp"
+#include "physics/islands.hpp"
 
-namespace snug::scene {
+namespace snug::physics {
 
 class Budgets {
  public:
-  /// Before the rows are solved. All of world, islands and surface outlive it.
-  Budgets(World& world, Islands& islands, const Surface& surface, const std::vector<ContactRow>& rows);
-  /// Out of a wall all of the way, where what an impact takes away pays for it; else a part of it, or none.
-  void push_apart(const Shift& shift);
+  /// Before the rows are solved. All of system, islands and surface outlive it.
+  Budgets(System& system, Islands& islands, const Surface& surface, const std::vector<ContactRow>& rows);
+  /// Out of a wall all of the way, where what an impact takes away pays for it; else a part of it, or none. Whether the
+  /// body was moved.
+  bool push_apart(const Shift& shift);
   /// After the rows are solved: what was spent too much is taken back, and what slowing down for a bounce took is
   /// remembered.
   void settle();
@@ -38,7 +39,7 @@ class Budgets {
   [[nodiscard]] double part_before_walls(const Shift& shift) const;
   void remember();
 
-  World& world_;
+  System& system_;
   Islands& islands_;
   const Surface& surface_;
   std::vector<Budget> budgets_;  // by the body that an island goes by
@@ -46,4 +47,4 @@ class Budgets {
   std::vector<ContactRow> unsolved_;
 };
 
-}  // namespace snug::scene
+}  // namespace snug::physics

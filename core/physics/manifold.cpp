@@ -1,12 +1,12 @@
-#include "scene/manifold.hpp"
+#include "physics/manifold.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "scene/limits.hpp"
+#include "physics/limits.hpp"
 
-namespace snug::scene {
+namespace snug::physics {
 namespace {
 
 using Kind = Shape::Kind;
@@ -203,4 +203,4 @@ double separation_of(const Shape& a, const PoseAt& at_a, const Shape& b, const P
   return manifold_of(a, at_a, b, at_b, std::numeric_limits<double>::infinity()).points[0].separation;
 }
 
-}  // namespace snug::scene
+}  // namespace snug::physics

@@ -5,9 +5,9 @@
 #include <numeric>
 #include <vector>
 
-#include "scene/world.hpp"
+#include "physics/system.hpp"
 
-namespace snug::scene {
+namespace snug::physics {
 
 /// A forest of disjoint sets: each island goes by the least of its bodies.
 /// Source: R. Tarjan, "Efficiency of a good but not linear set union algorithm", 1975.
@@ -30,19 +30,19 @@ class Islands {
 };
 
 /// The islands of bodies that move and have a contact with each other.
-[[nodiscard]] inline Islands islands_of(const World& world) {
-  Islands islands(world.size());
-  for (const Contact& contact : world.state.contacts) {
+[[nodiscard]] inline Islands islands_of(const System& system) {
+  Islands islands(system.size());
+  for (const Contact& contact : system.contacts) {
     const auto a = static_cast<std::size_t>(contact.pair.a), b = static_cast<std::size_t>(contact.pair.b);
-    if (world.members[a].moves() && world.members[b].moves()) islands.join(a, b);
+    if (system.members[a].moves() && system.members[b].moves()) islands.join(a, b);
   }
   return islands;
 }
 
 /// The island of a pair in which at least one body moves.
-[[nodiscard]] inline std::size_t island_of(const World& world, Islands& islands, const Pair& pair) {
+[[nodiscard]] inline std::size_t island_of(const System& system, Islands& islands, const Pair& pair) {
   const auto a = static_cast<std::size_t>(pair.a);
-  return islands.of(world.members[a].moves() ? a : static_cast<std::size_t>(pair.b));
+  return islands.of(system.members[a].moves() ? a : static_cast<std::size_t>(pair.b));
 }
 
-}  // namespace snug::scene
+}  // namespace snug::physics

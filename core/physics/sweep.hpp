@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "scene/limits.hpp"
+#include "physics/limits.hpp"
 
-namespace snug::scene {
+namespace snug::physics {
 
 /// The last part of a way up to which a separation stays at or above the deepest that is allowed, at most so much.
 /// start: the separation at part 0. separation(part): changes by no more than length from part 0 to 1. Each look is as
@@ -32,4 +32,4 @@ template <class Separation>
   return most;
 }
 
-}  // namespace snug::scene
+}  // namespace snug::physics

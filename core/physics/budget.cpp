@@ -1,39 +1,39 @@
-#include "scene/budget.hpp"
+#include "physics/budget.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "scene/limits.hpp"
-#include "scene/sweep.hpp"
+#include "physics/limits.hpp"
+#include "physics/sweep.hpp"
 
-namespace snug::scene {
+namespace snug::physics {
 
-Budgets::Budgets(World& world, Islands& islands, const Surface& surface, const std::vector<ContactRow>& rows)
-    : world_(world), islands_(islands), surface_(surface), budgets_(world.size()) {
-  for (std::size_t i = 0; i < world.size(); ++i) {
-    if (!world.awake(i)) continue;
-    Motion motion = world.state.bodies[i];
-    motion.velocity -= world.gravity * world.round();
-    budgets_[islands.of(i)].before += kinetic_energy(world.members[i], motion);
+Budgets::Budgets(System& system, Islands& islands, const Surface& surface, const std::vector<ContactRow>& rows)
+    : system_(system), islands_(islands), surface_(surface), budgets_(system.size()) {
+  for (std::size_t i = 0; i < system.size(); ++i) {
+    if (!system.awake(i)) continue;
+    Motion motion = system.bodies[i];
+    motion.velocity -= system.gravity * system.round();
+    budgets_[islands.of(i)].before += kinetic_energy(system.members[i], motion);
   }
-  for (const Impulse& held : world.state.impulses) budgets_[island_of(world, islands, held.pair)].owed += held.owed;
+  for (const Impulse& held : system.impulses) budgets_[island_of(system, islands, held.pair)].owed += held.owed;
   bool bounces = false;
   for (const ContactRow& row : rows)
-    if (row.target > 0) budgets_[island_of(world, islands, row.pair)].bounces = bounces = true;
-  if (bounces) before_ = world.state.bodies, unsolved_ = rows;
+    if (row.target > 0) budgets_[island_of(system, islands, row.pair)].bounces = bounces = true;
+  if (bounces) before_ = system.bodies, unsolved_ = rows;
 }
 
 /// What is driven pushes with all its might, and far. How much of that goes into no fixed body: one may have no contact
 /// yet.
 double Budgets::part_before_walls(const Shift& shift) const {
-  const Motion& motion = world_.state.bodies[shift.body];
-  const Shape& shape = world_.members[shift.body].shape;
+  const Motion& motion = system_.bodies[shift.body];
+  const Shape& shape = system_.members[shift.body].shape;
   double part = 1;
-  for (std::size_t j = 0; j < world_.size(); ++j) {
-    if (!world_.members[j].fixed) continue;
+  for (std::size_t j = 0; j < system_.size(); ++j) {
+    if (!system_.members[j].fixed) continue;
     const auto separation = [&](double at) {
-      return separation_of(shape, {motion.rotation, motion.position + at * shift.by}, world_.members[j].shape,
-                           pose_of(world_.state.bodies[j]));
+      return separation_of(shape, {motion.rotation, motion.position + at * shift.by}, system_.members[j].shape,
+                           pose_of(system_.bodies[j]));
     };
     const double start = separation(0);
     part = part_above(std::min(0.0, start), start, separation, shift.by.norm(), shape.thinnest / 4, part);
@@ -41,17 +41,17 @@ double Budgets::part_before_walls(const Shift& shift) const {
   return part;
 }
 
-void Budgets::push_apart(const Shift& shift) {
+bool Budgets::push_apart(const Shift& shift) {
   Budget& budget = budgets_[islands_.of(shift.body)];
-  const Motion& motion = world_.state.bodies[shift.body];
-  const double work = shift.driven ? 0 : -world_.members[shift.body].mass * world_.gravity.dot(shift.by);
+  const Motion& motion = system_.bodies[shift.body];
+  const double work = shift.driven ? 0 : -system_.members[shift.body].mass * system_.gravity.dot(shift.by);
   const auto affords = [&](double part) { return shift.driven || budget.pushed + part * work <= budget.may_spend(); };
   double part = shift.driven || (shift.out_of_wall && !budget.bounces && affords(1)) ? 1 : limits::kMended;
-  if (!affords(part)) return;
+  if (!affords(part)) return false;
   if (shift.driven) part = part_before_walls(shift);
   budget.pushed += part * work;
-  world_.place(shift.body, motion.position + part * shift.by, motion.orientation);
-  world_.state.changed(Slot::kPoses);
+  system_.place(shift.body, motion.position + part * shift.by, motion.orientation);
+  return true;
 }
 
 void Budgets::settle() {
@@ -65,11 +65,11 @@ void Budgets::settle() {
 
 void Budgets::sum_up() {
   for (Budget& budget : budgets_) budget.kinetic = budget.falls = 0;
-  for (std::size_t i = 0; i < world_.size(); ++i) {
-    if (!world_.awake(i)) continue;
+  for (std::size_t i = 0; i < system_.size(); ++i) {
+    if (!system_.awake(i)) continue;
     Budget& budget = budgets_[islands_.of(i)];
-    budget.kinetic += kinetic_energy(world_.members[i], world_.state.bodies[i]);
-    budget.falls += world_.members[i].mass * world_.round() * world_.gravity.dot(world_.state.bodies[i].velocity);
+    budget.kinetic += kinetic_energy(system_.members[i], system_.bodies[i]);
+    budget.falls += system_.members[i].mass * system_.round() * system_.gravity.dot(system_.bodies[i].velocity);
   }
 }
 
@@ -78,24 +78,24 @@ void Budgets::sum_up() {
 /// which it spends no more than it may. What keeps bodies apart is linear, so that it holds between the two.
 void Budgets::bounce_less() {
   const std::vector<Budget> with = budgets_;
-  std::vector<Motion> bouncing = world_.state.bodies;
-  const std::vector<Impulse> impulses = world_.state.impulses;
-  std::vector<Motion>& bodies = world_.state.bodies;
-  for (std::size_t i = 0; i < world_.size(); ++i)
+  std::vector<Motion> bouncing = system_.bodies;
+  const std::vector<Impulse> impulses = system_.impulses;
+  std::vector<Motion>& bodies = system_.bodies;
+  for (std::size_t i = 0; i < system_.size(); ++i)
     bodies[i].velocity = before_[i].velocity, bodies[i].turning = before_[i].turning;
-  stop_bouncing(world_, unsolved_);
-  solve(world_, unsolved_, surface_);
+  stop_bouncing(system_, unsolved_);
+  solve(system_, unsolved_, surface_);
   sum_up();
-  for (std::size_t i = 0; i < world_.size(); ++i)
+  for (std::size_t i = 0; i < system_.size(); ++i)
     bouncing[i].velocity -= bodies[i].velocity, bouncing[i].turning -= bodies[i].turning;
   const std::vector<double> parts = parts_of_bounce(with, bouncing);
-  for (std::size_t i = 0; i < world_.size(); ++i) {
+  for (std::size_t i = 0; i < system_.size(); ++i) {
     const double part = parts[islands_.of(i)];
     bodies[i].velocity += part * bouncing[i].velocity, bodies[i].turning += part * bouncing[i].turning;
   }
   for (std::size_t k = 0; k < impulses.size(); ++k) {
-    Impulse& impulse = world_.state.impulses[k];
-    const double part = parts[island_of(world_, islands_, impulse.pair)];
+    Impulse& impulse = system_.impulses[k];
+    const double part = parts[island_of(system_, islands_, impulse.pair)];
     impulse.normal += part * (impulses[k].normal - impulse.normal);
     impulse.first += part * (impulses[k].first - impulse.first);
     impulse.second += part * (impulses[k].second - impulse.second);
@@ -106,10 +106,10 @@ void Budgets::bounce_less() {
 /// The s of each island: 1, or the greater root of gained s^2 + linear s = what v0 left, where gained is the energy of
 /// v1 - v0.
 std::vector<double> Budgets::parts_of_bounce(const std::vector<Budget>& with, const std::vector<Motion>& bouncing) {
-  std::vector<double> gained(world_.size()), parts(world_.size(), 1);
-  for (std::size_t i = 0; i < world_.size(); ++i)
-    if (world_.awake(i)) gained[islands_.of(i)] += kinetic_energy(world_.members[i], bouncing[i]);
-  for (std::size_t i = 0; i < world_.size(); ++i) {
+  std::vector<double> gained(system_.size()), parts(system_.size(), 1);
+  for (std::size_t i = 0; i < system_.size(); ++i)
+    if (system_.awake(i)) gained[islands_.of(i)] += kinetic_energy(system_.members[i], bouncing[i]);
+  for (std::size_t i = 0; i < system_.size(); ++i) {
     if (!with[i].is_exceeded()) continue;
     const double spent = budgets_[i].kinetic - budgets_[i].falls, left = budgets_[i].left() - spent;
     const double linear = (with[i].kinetic - with[i].falls) - spent - gained[i];
@@ -124,23 +124,23 @@ std::vector<double> Budgets::parts_of_bounce(const std::vector<Budget>& with, co
 /// trace more than it came in with: then it is made slower as a whole, by just so much, by which nothing moves into
 /// anything. With its velocities times s, s^2 kinetic - s falls = what is left.
 void Budgets::take_back() {
-  for (std::size_t i = 0; i < world_.size(); ++i) {
+  for (std::size_t i = 0; i < system_.size(); ++i) {
     const Budget& budget = budgets_[islands_.of(i)];
-    if (!world_.awake(i) || !budget.is_exceeded()) continue;
+    if (!system_.awake(i) || !budget.is_exceeded()) continue;
     const double root = std::sqrt(std::max(0.0, budget.falls * budget.falls + 4 * budget.kinetic * budget.left()));
     const double part = budget.kinetic > 0 ? std::clamp((budget.falls + root) / (2 * budget.kinetic), 0.0, 1.0) : 1;
-    world_.state.bodies[i].velocity *= part, world_.state.bodies[i].turning *= part;
+    system_.bodies[i].velocity *= part, system_.bodies[i].turning *= part;
   }
 }
 
 /// What an island lost is owed to the first of its contacts that have yet to bounce.
 void Budgets::remember() {
-  for (Impulse& impulse : world_.state.impulses) {
+  for (Impulse& impulse : system_.impulses) {
     if (impulse.approach <= 0) continue;
-    Budget& budget = budgets_[island_of(world_, islands_, impulse.pair)];
+    Budget& budget = budgets_[island_of(system_, islands_, impulse.pair)];
     impulse.owed = std::max(0.0, budget.before + budget.owed - budget.pushed - (budget.kinetic - budget.falls));
     budget = {};
   }
 }
 
-}  // namespace snug::scene
+}  // namespace snug::physics

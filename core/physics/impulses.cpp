@@ -1,0 +1,277 @@
+#include "physics/impulses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "physics/limits.hpp"
+
+namespace snug::physics {
+namespace {
+
+const Motion& motion_of(const System& system, Index i) { return system.bodies[i]; }
+const Member& member_of(const System& system, Index i) { return system.members[i]; }
+double inverse_mass(const System& system, Index i) {
+  const Member& member = member_of(system, i);
+  return member.moves() ? 1 / member.mass : 0;
+}
+
+V3 velocity_at(const System& system, Index i, const V3& arm) {
+  const Motion& motion = motion_of(system, i);
+  if (!member_of(system, i).moves()) return V3::Zero();
+  return motion.velocity + motion.turning.cross(arm);
+}
+
+V3 approach_velocity(const System& system, const ContactRow& row) {
+  return velocity_at(system, row.pair.b, row.arm_b) - velocity_at(system, row.pair.a, row.arm_a);
+}
+
+/// How the body's point gives way in a direction to an impulse along it.
+double yielding(const System& system, Index i, const V3& arm, const V3& way) {
+  const Member& member = member_of(system, i);
+  if (!member.moves()) return 0;
+  const V3 twist = arm.cross(way);
+  return 1 / member.mass + twist.dot(by_inverse_inertia(member, motion_of(system, i), twist));
+}
+
+double mass_along(const System& system, const ContactRow& row, const V3& way) {
+  const double sum = yielding(system, row.pair.a, row.arm_a, way) + yielding(system, row.pair.b, row.arm_b, way);
+  return sum > 0 ? 1 / sum : 0;
+}
+
+void push(System& system, Index i, const V3& arm, const V3& impulse) {
+  const Member& member = member_of(system, i);
+  if (!member.moves()) return;
+  Motion& motion = system.bodies[i];
+  motion.velocity += impulse / member.mass;
+  motion.turning += by_inverse_inertia(member, motion, arm.cross(impulse));
+}
+
+void push(System& system, const ContactRow& row, const V3& impulse) {
+  push(system, row.pair.a, row.arm_a, -impulse);
+  push(system, row.pair.b, row.arm_b, impulse);
+}
+
+/// What the pair held in the last round.
+std::vector<Impulse> held_by(const System& system, const Pair& pair) {
+  const auto before = [](const Impulse& impulse, const Pair& wanted) { return impulse.pair < wanted; };
+  const auto from = std::lower_bound(system.impulses.begin(), system.impulses.end(), pair, before);
+  auto to = from;
+  while (to != system.impulses.end() && to->pair == pair) ++to;
+  return {from, to};
+}
+
+/// Returns and removes the cached impulse that lies nearest on one body or the other, if one is near enough to be the
+/// same point.
+std::optional<Impulse> take_nearest(std::vector<Impulse>& held, const Impulse& point, double most) {
+  const auto apart = [&](const Impulse& one) {
+    return std::min((one.on_a - point.on_a).norm(), (one.on_b - point.on_b).norm());
+  };
+  const auto nearest = std::min_element(held.begin(), held.end(),
+                                        [&](const Impulse& x, const Impulse& y) { return apart(x) < apart(y); });
+  if (nearest == held.end() || apart(*nearest) > most) return std::nullopt;
+  const Impulse found = *nearest;
+  held.erase(nearest);
+  return found;
+}
+
+/// Two directions across the normal, the same for the same normal.
+void span_plane(ContactRow& row) {
+  int least = 0;
+  row.normal.cwiseAbs().minCoeff(&least);
+  row.first = row.normal.cross(V3::Unit(least));
+  row.first /= row.first.norm();
+  row.second = row.normal.cross(row.first);
+}
+
+ContactRow row_of(const System& system, const Pair& pair, const V3& normal, const ManifoldPoint& point) {
+  ContactRow row{
+      .pair = pair, .normal = normal, .separation = point.separation, .slop = system.slop(pair), .impulse = {pair}};
+  row.against_wall = !member_of(system, pair.a).moves() || !member_of(system, pair.b).moves();
+  span_plane(row);
+  row.arm_a = point.position - motion_of(system, pair.a).position;
+  row.arm_b = point.position - motion_of(system, pair.b).position;
+  row.impulse.on_a = turned_back<double, 3>(motion_of(system, pair.a).rotation, row.arm_a);
+  row.impulse.on_b = turned_back<double, 3>(motion_of(system, pair.b).rotation, row.arm_b);
+  row.mass = mass_along(system, row, row.normal);
+  row.mass_first = mass_along(system, row, row.first), row.mass_second = mass_along(system, row, row.second);
+  return row;
+}
+
+/// What gravity gave the pair along the normal in this frame.
+double fallen(const System& system, const ContactRow& row) {
+  const double share =
+      (member_of(system, row.pair.b).moves() ? 1.0 : 0.0) - (member_of(system, row.pair.a).moves() ? 1.0 : 0.0);
+  return share * system.round() * system.gravity.dot(row.normal);
+}
+
+/// They may close what is between them, and no more.
+double still_target(const System& system, const ContactRow& row) {
+  return row.separation > 0 ? -row.separation / system.round() : 0;
+}
+
+/// How fast the bodies may still come together there; or, once they touch, how fast they go apart again. The speed at
+/// which they came is remembered for the round in which they get there: what keeps them from passing through slows them
+/// down before. It is the speed with which they meet, on the way: not with all that gravity adds by the end of the
+/// round, or a ball would bounce too high.
+void aim(const System& system, ContactRow& row, const Surface& surface, double approach_before) {
+  const double seconds = system.round(), speed = -approach_velocity(system, row).dot(row.normal);
+  const double part = speed > 0 ? std::clamp(row.separation / (speed * seconds), 0.0, 1.0) : 1;
+  const double own = speed + std::min(0.0, fallen(system, row)) * (1 - part), coming = std::max(own, approach_before);
+  const auto quick = [&](double comes) { return comes > limits::kBounces * system.pace(); };
+  if (row.separation > row.slop) {
+    row.target = -row.separation / seconds;
+    row.impulse.approach = quick(own) && own * seconds > row.separation ? own : 0;
+    return;
+  }
+  // Gravity has a round of its work done before the body goes up: so it comes as high as it fell, and no higher.
+  row.target = quick(coming) ? std::max(0.0, surface.restitution * coming + std::min(0.0, fallen(system, row)))
+                             : still_target(system, row);
+}
+
+}  // namespace
+
+std::vector<ContactRow> rows_of(const System& system, const Surface& surface) {
+  std::vector<ContactRow> rows;
+  for (const Contact& contact : system.contacts) {
+    const auto a = static_cast<std::size_t>(contact.pair.a), b = static_cast<std::size_t>(contact.pair.b);
+    if (!system.awake(a) && !system.awake(b)) continue;
+    const Manifold manifold = manifold_of(system.members[a].shape, pose_of(system.bodies[a]), system.members[b].shape,
+                                          pose_of(system.bodies[b]), system.margin(a) + system.margin(b));
+    std::vector<Impulse> held = held_by(system, contact.pair);
+    const bool lone = held.size() == 1 && manifold.count == 1;  // a ball rolls on
+    const double most =
+        lone ? std::numeric_limits<double>::infinity() : limits::kSamePoint * system.thinner(contact.pair);
+    double approach = 0;
+    for (const Impulse& one : held) approach = std::max(approach, one.approach);
+    for (const ManifoldPoint& point : manifold.all()) {
+      ContactRow row = row_of(system, contact.pair, manifold.normal, point);
+      if (const auto before = take_nearest(held, row.impulse, most))
+        row.impulse.normal = before->normal, row.impulse.first = before->first, row.impulse.second = before->second;
+      aim(system, row, surface, approach);
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+namespace {
+
+/// The more, the more heavier one body is than another that it may lean on; and most where nothing was held yet, as at
+/// the start: a stack that sinks then has nothing that would pay for lifting it again.
+int most_sweeps(const System& system, const std::vector<ContactRow>& rows) {
+  if (system.impulses.empty()) return limits::kMostSweeps;
+  double ratio = 1;
+  for (const ContactRow& row : rows) {
+    if (row.against_wall) continue;
+    const double a = member_of(system, row.pair.a).mass, b = member_of(system, row.pair.b).mass;
+    ratio = std::max({ratio, a / b, b / a});
+  }
+  return static_cast<int>(std::min(limits::kSweeps * std::sqrt(ratio), 1.0 * limits::kMostSweeps));
+}
+
+/// What is still wrong at one point, put right there. By how much of a speed along the normal it was.
+double settle(System& system, ContactRow& row, const Surface& surface) {
+  const double most = surface.friction * row.impulse.normal;
+  const V3 sliding = approach_velocity(system, row);
+  double first = row.impulse.first - row.mass_first * sliding.dot(row.first),
+         second = row.impulse.second - row.mass_second * sliding.dot(row.second);
+  const double length = std::sqrt(first * first + second * second);  // hypot has other bits elsewhere
+  const double part = length > most ? most / length : 1;
+  first *= part, second *= part;
+  push(system, row, row.first * (first - row.impulse.first) + row.second * (second - row.impulse.second));
+  row.impulse.first = first, row.impulse.second = second;
+  const double before = row.impulse.normal;
+  row.impulse.normal = std::max(0.0, before - row.mass * (approach_velocity(system, row).dot(row.normal) - row.target));
+  push(system, row, row.normal * (row.impulse.normal - before));
+  return row.mass > 0 ? std::abs(row.impulse.normal - before) / row.mass : 0;
+}
+
+}  // namespace
+
+void stop_bouncing(const System& system, std::vector<ContactRow>& rows) {
+  for (ContactRow& row : rows)
+    if (row.target > 0) row.target = still_target(system, row);
+}
+
+void solve(System& system, std::vector<ContactRow>& rows, const Surface& surface) {
+  for (const ContactRow& row : rows)
+    push(system, row,
+         row.impulse.normal * row.normal + row.impulse.first * row.first + row.impulse.second * row.second);
+  double wrong = std::numeric_limits<double>::infinity();
+  const int most = most_sweeps(system, rows);
+  for (int sweep = 0; sweep < most && wrong > limits::kSettled * system.pace(); ++sweep) {
+    wrong = 0;
+    for (ContactRow& row : rows) wrong = std::max(wrong, settle(system, row, surface));
+  }
+  // What does not move has the last word: a light body between it and a heavy one would be pushed through it.
+  for (ContactRow& row : rows)
+    if (row.against_wall) settle(system, row, surface);
+  system.impulses.clear();
+  for (const ContactRow& row : rows) system.impulses.push_back(row.impulse);
+}
+
+namespace {
+
+/// The points at which each body is held by one that does not move.
+std::vector<std::vector<const ContactRow*>> walls_of(const System& system, const std::vector<ContactRow>& rows) {
+  std::vector<std::vector<const ContactRow*>> walls(system.size());
+  for (const ContactRow& row : rows)
+    if (row.against_wall) walls[member_of(system, row.pair.a).moves() ? row.pair.a : row.pair.b].push_back(&row);
+  return walls;
+}
+
+/// If two push a body, the one that yields less moves it: what moves yields to what is driven, and that to what is
+/// fixed.
+int firmness(const Member& member) { return member.moves() ? 0 : member.fixed ? 2 : 1; }
+
+/// What is left of a unit way on which the pusher would shift a body so far: nothing into what is firmer and so near.
+/// The whole way where it is short and the pusher moves as well: what does not move pushes back in the same round, and
+/// stacks share the work.
+V3 free_way(const System& system, std::span<const ContactRow* const> walls, Index body, Index pusher, V3 way,
+            double far) {
+  if (member_of(system, pusher).moves() && far < limits::kShared * member_of(system, body).shape.thinnest) return way;
+  for (const ContactRow* row : walls) {
+    const bool first = row->pair.a == body;
+    const Member& wall = member_of(system, first ? row->pair.b : row->pair.a);
+    const V3 into = first ? row->normal : V3(-row->normal);
+    if (row->separation < far && firmness(wall) > firmness(member_of(system, pusher)))
+      way -= std::max(0.0, way.dot(into)) * into;
+  }
+  if (way.squaredNorm() < limits::kLeastFree) way = V3::Zero();
+  return way;
+}
+
+}  // namespace
+
+std::vector<Shift> shifts_apart(const System& system, const std::vector<ContactRow>& rows) {
+  std::vector<Shift> shifts;
+  const auto walls = walls_of(system, rows);
+  for (std::size_t i = 0; i < rows.size();) {
+    const ContactRow* deepest = &rows[i];
+    const Pair pair = rows[i].pair;
+    for (; i < rows.size() && rows[i].pair == pair; ++i)
+      if (rows[i].separation < deepest->separation) deepest = &rows[i];
+    const double depth = -deepest->separation - deepest->slop;
+    if (depth <= 0) continue;
+    const auto free = [&](Index body, Index pusher, const V3& way) {
+      return V3(free_way(system, walls[body], body, pusher, way, depth));
+    };
+    const V3 way_a = free(pair.a, pair.b, -deepest->normal), way_b = free(pair.b, pair.a, deepest->normal);
+    const double of_a = inverse_mass(system, pair.a), of_b = inverse_mass(system, pair.b);
+    const double yields_a = of_a * way_a.squaredNorm(), yields_b = of_b * way_b.squaredNorm();
+    if (yields_a + yields_b == 0) continue;
+    const double share = depth / (yields_a + yields_b);
+    if (yields_a > 0)
+      shifts.push_back(
+          {static_cast<std::size_t>(pair.a), way_a * (share * of_a), yields_b == 0, member_of(system, pair.b).driven});
+    if (yields_b > 0)
+      shifts.push_back(
+          {static_cast<std::size_t>(pair.b), way_b * (share * of_b), yields_a == 0, member_of(system, pair.a).driven});
+  }
+  return shifts;
+}
+
+}  // namespace snug::physics

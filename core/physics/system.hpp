@@ -1,0 +1,105 @@
+// Rigid bodies: what stays as it is, what changes, and what acts on all of them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/pose.hpp"
+#include "physics/shape.hpp"
+
+namespace snug::physics {
+
+/// What of a body stays as it is.
+struct Member {
+  std::string name;
+  Shape shape;  // about its centre of mass
+  bool fixed = false;
+  bool driven = false;              // its pose is set from outside: neither velocities nor impulses move it
+  double mass = 0;                  // 0: nothing pushes it
+  V3 inverse_inertia = V3::Zero();  // about its own axes
+  [[nodiscard]] bool moves() const { return mass > 0 && !driven; }
+};
+
+/// A body as it stands.
+struct Motion {
+  V3 position = V3::Zero();
+  Quaternion orientation;
+  Matrix<double, 3> rotation = Matrix<double, 3>::Identity();  // of the orientation
+  V3 velocity = V3::Zero();
+  V3 turning = V3::Zero();
+  int still = 0;                                          // for how many rounds it hardly moved
+  V3 drifted = V3::Zero(), drifted_turning = V3::Zero();  // the sums of its velocities in the last of these
+  bool asleep = false;
+  std::uint64_t moved = 0;  // Moving::moves when it last moved or fell asleep
+
+  void wake() { asleep = false, still = 0, drifted = drifted_turning = V3::Zero(); }
+};
+
+[[nodiscard]] inline Pose<double, 3> pose_of(const Motion& motion) { return {motion.rotation, motion.position}; }
+
+/// Two bodies, a < b.
+struct Pair {
+  Index a = 0, b = 0;
+  friend bool operator==(const Pair&, const Pair&) = default;
+  friend bool operator<(const Pair& x, const Pair& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; }
+};
+
+/// Two bodies that touch, or could before the next frame.
+struct Contact {
+  Pair pair;
+  bool touching = false;
+};
+
+/// What a contact's point held in the last frame, by which the next one begins.
+struct Impulse {
+  Pair pair;
+  V3 on_a = V3::Zero(), on_b = V3::Zero();   // where, in each body's own frame
+  double normal = 0, first = 0, second = 0;  // kg scene units / s
+  double approach = 0;                       // at which speed the bodies came, where they have yet to bounce
+  double owed = 0;                           // the energy that slowing down for that took
+};
+
+/// All that changes of rigid bodies. A copy of it is a snapshot.
+struct Moving {
+  std::vector<Motion> bodies;
+  std::vector<Contact> contacts;
+  std::vector<Impulse> impulses;
+  std::uint64_t moves = 0;  // how often a body was placed
+};
+
+struct System : Moving {
+  std::vector<Member> members;  // of the bodies, in their order
+  double step = 0;              // seconds a frame
+  int rounds = 1;               // in how many equal parts of it what moves by velocities goes
+  V3 gravity = V3::Zero();      // scene units / s^2
+  bool solid = false;           // bodies do not pass through each other
+
+  [[nodiscard]] std::size_t size() const { return members.size(); }
+  [[nodiscard]] const Moving& moving() const { return *this; }
+  void restore(const Moving& earlier) { Moving::operator=(earlier); }
+  /// Whether velocities change where the body is, and it is not asleep.
+  [[nodiscard]] bool awake(std::size_t i) const { return members[i].moves() && !bodies[i].asleep; }
+  [[nodiscard]] bool any_awake() const;
+  /// Turns and moves a body.
+  void place(std::size_t i, const V3& position, const Quaternion& orientation);
+  [[nodiscard]] double round() const { return step / rounds; }  // seconds
+  /// What gravity adds to a speed in a round, or would where there is none: speeds are held against it.
+  [[nodiscard]] double pace() const;
+  /// The half thickness of the thinner one, or where one alone moves, of that, scene units: a floor may be as thin as
+  /// paper.
+  [[nodiscard]] double thinner(const Pair& pair) const;
+  /// How deep the two may lie in each other, scene units.
+  [[nodiscard]] double slop(const Pair& pair) const;
+  /// How far ahead of a body contacts are looked for, scene units.
+  [[nodiscard]] double margin(std::size_t i) const;
+  /// The energy of all bodies that velocities move, with what gravity may still give them.
+  [[nodiscard]] double energy() const;
+};
+
+/// (I^-1 in the world) v.
+[[nodiscard]] V3 by_inverse_inertia(const Member& member, const Motion& motion, const V3& v);
+[[nodiscard]] double kinetic_energy(const Member& member, const Motion& motion);
+
+}  // namespace snug::physics
