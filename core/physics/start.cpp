@@ -9,7 +9,7 @@
 namespace snug::physics {
 namespace {
 
-/// As separation_of has it; of bodies that are surely apart a bound.
+/// What separation_of returns; for bodies that are surely apart, a bound.
 double separation_at_start(const System& system, std::size_t i, std::size_t j) {
   const double between = (system.bodies[j].position - system.bodies[i].position).norm();
   if (const double bound = between - system.members[i].shape.reach - system.members[j].shape.reach; bound > 0)
