@@ -5,8 +5,8 @@
 #include <string>
 
 #include "app/shown.hpp"
-#include "app/widgets.hpp"
 #include "app/subjects/pair/shown.hpp"
+#include "app/widgets.hpp"
 #include "lesson/subjects/pair/box_figures.hpp"
 
 namespace snug::app {
