@@ -32,8 +32,9 @@ Lesson cloud(int count, int dim, const char* first, const char* second) {
 double look(const Session& session) {
   double seen = static_cast<double>(session.rivals().size() + session.marks().size());
   for (int slot = 0; slot < 2; ++slot)
-    seen +=
-        static_cast<double>(session.figures(slot).size() + session.proofs(slot).size() + session.support(slot).size());
+    if (session.method(slot) != nullptr)
+      seen += static_cast<double>(session.figures(slot).size() + session.proofs(slot).size() +
+                                  session.support(slot).size());
   return seen;
 }
 
