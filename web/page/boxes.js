@@ -4,6 +4,7 @@ import { clear_notices, notice } from "./messages.js";
 
 const kAxes = ["x", "y", "z"];
 const capital = (word) => word[0].toUpperCase() + word.slice(1);
+const kNoBoxes = [{ heading: "", name: "", sizes: "" }, { heading: "", name: "", sizes: "" }]; // of a lesson without
 const rounded = (number) => Number(number.toPrecision(6));
 
 class BoxFields {
@@ -105,9 +106,8 @@ export class BoxTools {
 
   open(lesson) {
     this.#section.hidden = !lesson.boxes;
-    if (!lesson.boxes) return;
-    this.#title.textContent = lesson.toolsTitle;
-    for (const field of this.#fields) field.open(lesson);
+    this.#title.textContent = lesson.boxes ? lesson.toolsTitle : "";
+    for (const field of this.#fields) field.open({ dim: lesson.dim, boxes: lesson.boxes ?? kNoBoxes });
   }
 
   #seed_now = 0;
