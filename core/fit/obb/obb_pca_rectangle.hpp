@@ -17,7 +17,8 @@ inline constexpr std::array<std::string_view, 9> kObbPcaRectanglePseudocode{
     "m ← mean of its vertices",
     "C ← their covariance about m",
     "box ← on the eigenvectors of C",
-    "for each axis of the box, the least first",
+    "for each axis of the box, the shortest first",
+
     "  rectangle ← smallest, projected along it",
     "  if its box is smaller: keep it, start over",
     "extents ← least and greatest along each",
