@@ -109,8 +109,11 @@ class Session {
   [[nodiscard]] const fit::Volume3* volume(int slot) const {
     return method(slot) != nullptr ? run(slot).volume(step_of(slot)) : nullptr;
   }
-  /// The handles that hold the volume as it stands: those it touches by construction, or the result's in the end.
-  [[nodiscard]] std::vector<Index> support(int slot) const { return run(slot).support(step_of(slot)); }
+  /// The handles that support the volume as it stands: those it touches by construction, or the result's in the end;
+  /// none where the slot has no method.
+  [[nodiscard]] std::vector<Index> support(int slot) const {
+    return method(slot) != nullptr ? run(slot).support(step_of(slot)) : std::vector<Index>{};
+  }
   /// Goes to a step; forward only up to the first unanswered question's gate. jump goes past gates: their questions
   /// then count as skipped (an address names a step), and are asked when the player comes to them again.
   void go(int step);

@@ -210,6 +210,16 @@ TEST_CASE("the second algorithm stands at the same share of its own trace") {
   CHECK(session.figures(1).empty());
 }
 
+TEST_CASE("a slot without a method has neither volume nor support") {
+  Session session = open_small();
+  session.last();
+  CHECK(session.volume(1) == nullptr);
+  CHECK(session.support(1).empty());
+  REQUIRE(session.choose(1, "welzl").has_value());
+  REQUIRE(session.choose(1, "").has_value());
+  CHECK(session.support(1).empty());
+}
+
 TEST_CASE("the revision moves with whatever a view shows, and with nothing else") {
   Session session = open_small();
   auto revision = session.revision();
