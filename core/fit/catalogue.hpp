@@ -11,6 +11,7 @@
 
 #include "fit/any_step.hpp"
 #include "fit/certify.hpp"
+#include "fit/theory.hpp"
 #include "geometry/point_set.hpp"
 #include "trace/observer.hpp"
 
@@ -42,6 +43,7 @@ struct Algorithm {
   bool plane, space;                                   // whether it takes points of 2-D, of 3-D
   Index max_points;                                    // more are refused
   std::string_view source;                             // author, title, year
+  Theory theory;                                       // of its time
   std::span<const std::string_view> pseudocode;        // steps name its lines, counted from 0
   std::span<const std::string_view> plane_pseudocode;  // in 2-D, where that differs; empty otherwise
 
@@ -69,7 +71,8 @@ struct Algorithm {
 /// Null where there is none of that volume and name.
 [[nodiscard]] const Algorithm* find_algorithm(std::string_view volume, std::string_view name);
 
-/// The first that claims the smallest volume of its kind; null where none does.
+/// An algorithm that claims the smallest volume of its kind, the fastest of them for a sphere, where there are three;
+/// null where none does.
 [[nodiscard]] const Algorithm* exact_algorithm(std::string_view volume);
 
 /// Area (dim 2) or volume (dim 3).

@@ -67,6 +67,7 @@ inline constexpr Index kAny = std::numeric_limits<Index>::max();
 /// What is said of an algorithm, apart from its code.
 struct About {
   std::string_view volume, name, title, source;
+  Theory theory;
   std::span<const std::string_view> pseudocode;
   std::span<const std::string_view> plane_pseudocode = {};
   bool plane = true, space = true;
@@ -76,13 +77,24 @@ struct About {
 /// kFitter: takes a PointSpan, Options and an observer. kExact: whether it claims the smallest.
 template <auto kFitter, bool kExact = false>
 constexpr Algorithm row(const About& about) {
-  return {about.volume,      about.name,
-          about.title,       kExact,
-          about.plane,       about.space,
-          about.max_points,  about.source,
-          about.pseudocode,  about.plane_pseudocode,
-          &fit_any<kFitter>, &watch_any<kFitter, kExact>};
+  return {about.volume,
+          about.name,
+          about.title,
+          kExact,
+          about.plane,
+          about.space,
+          about.max_points,
+          about.source,
+          about.theory,
+          about.pseudocode,
+          about.plane_pseudocode,
+          &fit_any<kFitter>,
+          &watch_any<kFitter, kExact>};
 }
+
+// Books that several rows name.
+inline constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
+inline constexpr std::string_view kRomanick = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007";
 
 // Each in its file.
 [[nodiscard]] std::span<const Algorithm> sphere_rows();

@@ -15,7 +15,6 @@
 #include "geometry/turn.hpp"
 #include "measure/pareto.hpp"
 #include "measure/sample.hpp"
-#include "measure/theory.hpp"
 
 namespace snug::cost {
 namespace {
@@ -93,9 +92,8 @@ const fit::Volume3& CostRun::fitted(const fit::Algorithm& algorithm) {
 /// foreseen.
 double CostRun::whole_time(const Ladder& ladder) const {
   const double foreseen = ladder.foreseen_at(row_.of);
-  const Theory* const theory = find_theory(row_.volume, row_.algorithm);
-  if (theory == nullptr) return foreseen;
-  const auto work = work_of(*theory, fit::dim_of(points_));
+  const auto work = fit::work_of(algorithm().theory, fit::dim_of(points_));
+  if (work == nullptr) return foreseen;
   return std::min(foreseen, ladder.time() * work(row_.of) / work(row_.points));
 }
 

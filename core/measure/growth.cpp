@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "measure/ladder.hpp"
-#include "measure/theory.hpp"
 
 namespace snug::cost {
 namespace {
@@ -55,11 +54,9 @@ Workload workload_of(const fit::Algorithm& algorithm, int dim, Index most, std::
   Workload load{.volume = std::string(algorithm.volume),
                 .algorithm = std::string(algorithm.name),
                 .most = std::min(most, algorithm.max_points)};
-  if (const Theory* theory = find_theory(algorithm.volume, algorithm.name)) {
-    load.theory = bound_of(*theory, dim);
-    load.work = work_of(*theory, dim);
-    load.tight = theory->tight;
-  }
+  load.theory = fit::bound_of(algorithm.theory, dim);
+  load.work = fit::work_of(algorithm.theory, dim);
+  load.tight = algorithm.theory.tight;
   load.make_ready = [points](Index n) { return points->make(n); };
   load.prepare = [&algorithm, points, options](Index n) -> std::function<void()> {
     const AnyPointSet* const set = &points->of(n);

@@ -30,24 +30,6 @@ inline constexpr std::array<std::string_view, 7> kClassifyBoxPseudocode{
     "  crosses ← yes if n · p-vertex + d > 0",
     "intersecting if so, else inside",
 };
-inline constexpr std::array<std::string_view, 7> kClassifySpherePseudocode{
-    "crosses ← no",
-    "for each plane n, d of the frustum",
-    "  skip it if the parent is inside it",
-    "  s ← n · center + d",
-    "  outside if s > r |n|: the plane pushed out by r",
-    "  crosses ← yes if s > -r |n|",
-    "intersecting if so, else inside",
-};
-inline constexpr std::array<std::string_view, 7> kClassifySupportPseudocode{
-    "crosses ← no",
-    "for each plane n, d of the frustum",
-    "  skip it if the parent is inside it",
-    "  farthest points of the volume along n and -n",
-    "  outside if n · (farthest along -n) + d > 0",
-    "  crosses ← yes if n · (farthest along n) + d > 0",
-    "intersecting if so, else inside",
-};
 
 /// A plane was held against the volume, or skipped.
 template <class Scalar, int Dim>

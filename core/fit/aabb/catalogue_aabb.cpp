@@ -10,7 +10,11 @@ namespace {
 constexpr auto kMinMax = [](auto p, const Options&, auto& o) { return aabb_min_max(p, o); };
 
 constexpr std::array kAabbRows{
-    row<kMinMax, true>({"aabb", "min_max", "Least and greatest", "C. Ericson, Real-Time Collision Detection, 2005",
+    row<kMinMax, true>({"aabb",
+                        "min_max",
+                        "Least and greatest",
+                        kEricson,
+                        {"O(n)", growth::linear, true, kEricson},
                         kAabbMinMaxPseudocode}),
 };
 

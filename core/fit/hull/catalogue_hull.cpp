@@ -10,9 +10,8 @@ namespace {
 constexpr auto kQuickhull = [](auto p, const Options&, auto& o) { return quickhull(p, o); };
 
 constexpr std::array kHullRows{
-    row<kQuickhull, true>({"hull", "quickhull", "Quickhull",
-                           "C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The Quickhull algorithm for convex hulls, 1996",
-                           kQuickhull3Pseudocode, kQuickhull2Pseudocode}),
+    row<kQuickhull, true>({"hull", "quickhull", "Quickhull", kBalancedHull.source, kBalancedHull, kQuickhull3Pseudocode,
+                           kQuickhull2Pseudocode}),
 };
 
 }  // namespace

@@ -13,16 +13,18 @@ constexpr auto kFitter = []<class Scalar, int Dim>(PointSpan<Scalar, Dim> p, con
   return kdop_fit(p, kdop_axes<Dim>(kK).empty() ? 2 * Dim : kK, o);
 };
 
+constexpr std::string_view kKlosowski = "J. T. Klosowski and others, Efficient collision detection using k-DOPs, 1998";
+
 template <int kK>
 constexpr Algorithm kdop_row(std::string_view name, std::string_view title, bool plane, bool space) {
-  return row<kFitter<kK>, true>(
-      {.volume = "kdop",
-       .name = name,
-       .title = title,
-       .source = "J. T. Klosowski and others, Efficient collision detection using k-DOPs, 1998",
-       .pseudocode = kKdopPseudocode,
-       .plane = plane,
-       .space = space});
+  return row<kFitter<kK>, true>({.volume = "kdop",
+                                 .name = name,
+                                 .title = title,
+                                 .source = kKlosowski,
+                                 .theory = {"O(k n)", growth::linear, true, kKlosowski},
+                                 .pseudocode = kKdopPseudocode,
+                                 .plane = plane,
+                                 .space = space});
 }
 
 constexpr std::array kKdopRows{

@@ -25,26 +25,40 @@ constexpr auto kFaceAligned = [](auto p, const Options&, auto& o) { return obb_f
 constexpr auto kDito = [](auto p, const Options&, auto& o) { return obb_dito(p, o); };
 constexpr auto kExact = [](auto p, const Options&, auto& o) { return obb_exact(p, o); };
 
-constexpr std::string_view kRomanick = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007";
 constexpr std::string_view kGottschalk = "S. Gottschalk, Collision queries using oriented bounding boxes, 2000";
 
+constexpr std::string_view kLarsson =
+    "T. Larsson, L. Källberg, Fast computation of tight-fitting oriented bounding boxes, 2011";
+
+constexpr Theory kFacesTimesVertices{
+    "O(n log n + h^2)", growth::square, false, "each face with each vertex of the hull, as the code shows",
+    "O(n log n)",       growth::sorting};
+constexpr Theory kHullEdges{
+    "O(n log n + h^2)",
+    growth::square,
+    false,
+    "pairs of hull edges, as the code shows; J. O'Rourke, Finding minimal enclosing boxes, 1985, for O(h^3)",
+    "O(n log n)",
+    growth::sorting};
+
 constexpr std::array kObbRows{
-    row<kAabb>(
-        {"obb", "aabb", "Axis-aligned box", "C. Ericson, Real-Time Collision Detection, 2005", kObbAabbPseudocode}),
-    row<kSphereAxis>({"obb", "sphere_axis", "Axis of the bounding sphere", kRomanick, kObbSphereAxisPseudocode}),
-    row<kPca>({"obb", "pca", "PCA of the points", kGottschalk, kObbPcaPseudocode}),
-    row<kPcaHull>({"obb", "pca_hull", "PCA of the hull", kGottschalk, kObbPcaHullPseudocode}),
-    row<kPcaHullArea>({"obb", "pca_hull_area", "PCA of the hull's surface", kGottschalk, kObbPcaHullAreaPseudocode}),
-    row<kPcaRectangle>({"obb", "pca_rectangle", "PCA and smallest rectangle", kRomanick, kObbPcaRectanglePseudocode}),
-    row<kFaceAligned>({"obb", "face_aligned", "Aligned with a face", kRomanick, kObbFaceAlignedPseudocode}),
-    row<kDito>({"obb", "dito", "DiTO-14",
-                "T. Larsson, L. Källberg, Fast computation of tight-fitting oriented bounding boxes, 2011",
-                kObbDitoPseudocode}),
+    row<kAabb>({"obb", "aabb", "Axis-aligned box", kEricson, kFixedPasses, kObbAabbPseudocode}),
+    row<kSphereAxis>(
+        {"obb", "sphere_axis", "Axis of the bounding sphere", kRomanick, kFewPasses, kObbSphereAxisPseudocode}),
+    row<kPca>({"obb", "pca", "PCA of the points", kGottschalk, kFixedPasses, kObbPcaPseudocode}),
+    row<kPcaHull>({"obb", "pca_hull", "PCA of the hull", kGottschalk, kBalancedHull, kObbPcaHullPseudocode}),
+    row<kPcaHullArea>(
+        {"obb", "pca_hull_area", "PCA of the hull's surface", kGottschalk, kBalancedHull, kObbPcaHullAreaPseudocode}),
+    row<kPcaRectangle>(
+        {"obb", "pca_rectangle", "PCA and smallest rectangle", kRomanick, kBalancedHull, kObbPcaRectanglePseudocode}),
+    row<kFaceAligned>(
+        {"obb", "face_aligned", "Aligned with a face", kRomanick, kFacesTimesVertices, kObbFaceAlignedPseudocode}),
+    row<kDito>({"obb", "dito", "DiTO-14", kLarsson, {"O(n)", growth::linear, true, kLarsson}, kObbDitoPseudocode}),
     row<kExact, true>(
         {"obb", "exact", "Exact minimum",
          "branch and bound on the theorem of J. O'Rourke, Finding minimal enclosing boxes, 1985; in 2-D each edge of "
          "the hull: H. Freeman, R. Shapira, Determining the minimum-area encasing rectangle, 1975",
-         kObbExactPseudocode}),
+         kHullEdges, kObbExactPseudocode}),
 };
 
 }  // namespace

@@ -22,25 +22,36 @@ constexpr auto kWelzl = [](auto p, const Options& options, auto& o) { return wel
 constexpr auto kPivot = [](auto p, const Options& options, auto& o) { return pivot(p, options, o); };
 constexpr auto kBruteForce = [](auto p, const Options&, auto& o) { return brute_force(p, o); };
 
-constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
+constexpr std::string_view kWelzlPaper = "E. Welzl, Smallest enclosing disks (balls and ellipsoids), 1991";
+
+// Its passes go over the points in random order: once they no longer fit the caches, each access takes longer.
+constexpr Theory kRandomOrder{"O(n)", growth::linear, false, kFixedPasses.source};
 
 constexpr std::array kSphereRows{
-    row<kAabbCenter>({"sphere", "aabb_center", "AABB centre", kEricson, kAabbCenterPseudocode}),
-    row<kRitter>({"sphere", "ritter", "Ritter", "J. Ritter, An efficient bounding sphere, 1990", kRitterPseudocode}),
-    row<kRitterIterative>({"sphere", "ritter_iterative", "Iterative Ritter", kEricson, kRitterIterativePseudocode}),
+    row<kAabbCenter>({"sphere", "aabb_center", "AABB centre", kEricson, kFixedPasses, kAabbCenterPseudocode}),
+    row<kRitter>({"sphere", "ritter", "Ritter", "J. Ritter, An efficient bounding sphere, 1990", kFixedPasses,
+                  kRitterPseudocode}),
+    row<kRitterIterative>(
+        {"sphere", "ritter_iterative", "Iterative Ritter", kEricson, kRandomOrder, kRitterIterativePseudocode}),
     row<kPcaSphere>({"sphere", "pca", "PCA (Wu)", "X. Wu, A linear-time simple bounding volume algorithm, 1992",
-                     kPcaSpherePseudocode}),
-    row<kWelzl, true>({"sphere", "welzl", "Welzl", "E. Welzl, Smallest enclosing disks (balls and ellipsoids), 1991",
+                     kFixedPasses, kPcaSpherePseudocode}),
+    row<kWelzl, true>({"sphere",
+                       "welzl",
+                       "Welzl",
+                       kWelzlPaper,
+                       {"O(n) expected", growth::linear, false, kWelzlPaper},  // and a constant part at the start
                        kWelzlPseudocode}),
     row<kPivot, true>({.volume = "sphere",
                        .name = "pivot",
                        .title = "Farthest-point pivoting",
                        .source = "B. Gärtner, Fast and robust smallest enclosing balls, 1999",
+                       .theory = kFewPasses,
                        .pseudocode = kPivotPseudocode}),
     row<kBruteForce, true>({.volume = "sphere",
                             .name = "brute_force",
                             .title = "Brute force",
-                            .source = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007",
+                            .source = kRomanick,
+                            .theory = {"O(n^5)", growth::fifth, false, kRomanick, "O(n^4)", growth::fourth},
                             .pseudocode = kBruteForcePseudocode,
                             .max_points = kBruteForceLimit}),
 };

@@ -12,11 +12,12 @@ constexpr auto kCapsule = [](auto p, const Options& options, auto& o) { return c
 constexpr auto kLozenge = [](auto p, const Options&, auto& o) { return lozenge_pca(p, o); };
 
 constexpr std::array kSweptRows{
-    row<kCapsule>({"capsule", "pca", "PCA", "D. Eberly, 3D Game Engine Design, 2000", kCapsulePcaPseudocode}),
+    row<kCapsule>(
+        {"capsule", "pca", "PCA", "D. Eberly, 3D Game Engine Design, 2000", kFewPasses, kCapsulePcaPseudocode}),
     row<kLozenge>(
         {"lozenge", "pca", "PCA",
          "E. Larsen, S. Gottschalk, M. C. Lin, D. Manocha, Fast proximity queries with swept sphere volumes, 1999",
-         kLozengePcaPseudocode}),
+         kFixedPasses, kLozengePcaPseudocode}),
 };
 
 }  // namespace

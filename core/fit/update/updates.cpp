@@ -25,19 +25,17 @@
 namespace snug::fit {
 namespace {
 
-constexpr std::string_view kEricsonBook = "C. Ericson, Real-Time Collision Detection, 2005";
-
 constexpr UpdateStrategy of_kdop(std::string_view name, std::string_view title, int k, bool plane, bool space) {
-  return {"kdop", name, title, kEricsonBook, kUpdateKdopClimbPseudocode, k, plane, space};
+  return {"kdop", name, title, kEricson, kUpdateKdopClimbPseudocode, k, plane, space};
 }
 
 constexpr std::array kStrategies{
-    UpdateStrategy{"sphere", "transform", "Transformed sphere", kEricsonBook, kUpdateSpherePseudocode},
-    UpdateStrategy{"aabb", "loose", "Loose AABB", kEricsonBook, kUpdateLoosePseudocode},
-    UpdateStrategy{"aabb", "rebuild", "Rebuilt AABB", kEricsonBook, kUpdateRebuildPseudocode},
-    UpdateStrategy{"aabb", "hill_climb", "AABB by hill climbing", kEricsonBook, kUpdateHillClimbPseudocode},
-    UpdateStrategy{"aabb", "rotated_box", "AABB of rotated AABB", kEricsonBook, kUpdateRotatedBoxPseudocode},
-    UpdateStrategy{"obb", "transform", "Transformed OBB", kEricsonBook, kUpdateObbPseudocode},
+    UpdateStrategy{"sphere", "transform", "Transformed sphere", kEricson, kUpdateSpherePseudocode},
+    UpdateStrategy{"aabb", "loose", "Loose AABB", kEricson, kUpdateLoosePseudocode},
+    UpdateStrategy{"aabb", "rebuild", "Rebuilt AABB", kEricson, kUpdateRebuildPseudocode},
+    UpdateStrategy{"aabb", "hill_climb", "AABB by hill climbing", kEricson, kUpdateHillClimbPseudocode},
+    UpdateStrategy{"aabb", "rotated_box", "AABB of rotated AABB", kEricson, kUpdateRotatedBoxPseudocode},
+    UpdateStrategy{"obb", "transform", "Transformed OBB", kEricson, kUpdateObbPseudocode},
     of_kdop("k4_hill_climb", "4-DOP by hill climbing", 4, true, false),
     of_kdop("k6_hill_climb", "6-DOP by hill climbing", 6, true, true),
     of_kdop("k8_hill_climb", "8-DOP by hill climbing", 8, true, false),
