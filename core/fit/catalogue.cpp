@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "fit/catalogue_rows.hpp"
-#include "fit/lower.hpp"
 #include "geometry/hull_measure.hpp"
 #include "geometry/kdop_measure.hpp"
 
@@ -73,7 +72,7 @@ struct Measure {
   template <class VolumeType>
   double operator()(const VolumeType& volume) const {
     if constexpr (Dim == 3) return measure(volume);
-    else return measure(Lower<double, Dim>{}(volume));
+    else return measure(converted<double, Dim>(volume));
   }
 };
 

@@ -1,13 +1,10 @@
 // Steps and results of any scalar and dimension as double and 3-D, without loss, for those who only read them.
 #pragma once
 
-#include <algorithm>
-#include <tuple>
-#include <type_traits>
-#include <utility>
 #include <variant>
 
 #include "fit/any_step.hpp"
+#include "geometry/convert.hpp"
 
 namespace snug::fit {
 
@@ -27,73 +24,13 @@ Matrix<double, 3> lift(const Matrix<Scalar, Dim>& m, double added) {
   return lifted;
 }
 
-// ---- volumes ------------------------------------------------------------------------------------------------
-
-template <class Scalar, int Dim>
-Sphere<double, 3> lift(const Sphere<Scalar, Dim>& sphere) {
-  return {lift<Scalar, Dim>(sphere.center), static_cast<double>(sphere.radius)};
+/// A volume; an edge of a hull in the plane is a facet whose third vertex is none.
+template <template <class, int> class Kind, class Scalar, int Dim>
+Kind<double, 3> lift(const Kind<Scalar, Dim>& volume) {
+  return converted<double, 3>(volume);
 }
 
-template <class Scalar, int Dim>
-Aabb<double, 3> lift(const Aabb<Scalar, Dim>& box) {
-  return {lift<Scalar, Dim>(box.min), lift<Scalar, Dim>(box.max)};
-}
-
-template <class Scalar, int Dim>
-Obb<double, 3> lift(const Obb<Scalar, Dim>& box) {
-  return {lift<Scalar, Dim>(box.center), lift<Scalar, Dim>(box.axes, 1), lift<Scalar, Dim>(box.half_extents)};
-}
-
-template <class Scalar, int Dim>
-Capsule<double, 3> lift(const Capsule<Scalar, Dim>& capsule) {
-  return {lift<Scalar, Dim>(capsule.a), lift<Scalar, Dim>(capsule.b), static_cast<double>(capsule.radius)};
-}
-
-template <class Scalar, int Dim>
-Lozenge<double, 3> lift(const Lozenge<Scalar, Dim>& lozenge) {
-  return {lift<Scalar, Dim>(lozenge.origin),
-          {lift<Scalar, Dim>(lozenge.edges[0]), lift<Scalar, Dim>(lozenge.edges[1])},
-          static_cast<double>(lozenge.radius)};
-}
-
-/// The slabs keep their places; those of 2-D are slabs of the plane still.
-template <class Scalar, int Dim>
-Kdop<double, 3> lift(const Kdop<Scalar, Dim>& kdop) {
-  Kdop<double, 3> lifted{.k = kdop.k};
-  std::copy(kdop.min.begin(), kdop.min.end(), lifted.min.begin());
-  std::copy(kdop.max.begin(), kdop.max.end(), lifted.max.begin());
-  return lifted;
-}
-
-/// An edge of the plane is a facet whose third vertex is none.
-template <class Scalar, int Dim>
-ConvexHull<double, 3> lift(const ConvexHull<Scalar, Dim>& hull) {
-  ConvexHull<double, 3> lifted{{}, hull.indices, {}, hull.affine_dim};
-  for (const auto& vertex : hull.vertices) lifted.vertices.push_back(lift<Scalar, Dim>(vertex));
-  for (const auto& facet : hull.facets) {
-    auto& added = lifted.facets.emplace_back(std::array<Index, 3>{kNoIndex, kNoIndex, kNoIndex});
-    std::copy(facet.begin(), facet.end(), added.begin());
-  }
-  return lifted;
-}
-
-// ---- facts, field by field: those that speak of no coordinates are lifted as they are -------------------------
-
-template <class To, class From>
-void lift_into(To& lifted, const From& field) {
-  if constexpr (std::is_same_v<To, From>) {
-    lifted = field;
-  } else if constexpr (std::is_enum_v<To>) {
-    lifted = static_cast<To>(field);
-  } else if constexpr (requires { lifted.fill(kNoIndex), std::tuple_size<To>::value; }) {
-    lifted.fill(kNoIndex);
-    std::copy(field.begin(), field.end(), lifted.begin());
-  } else if constexpr (requires { From::RowsAtCompileTime; }) {
-    lifted = lift<typename From::Scalar, From::RowsAtCompileTime>(field);
-  } else {
-    lifted = lift(field);
-  }
-}
+// ---- facts: those that speak of no coordinates are lifted as they are ------------------------------------------
 
 template <class Plain>
 const Plain& lift_fact(const Plain& fact) {
@@ -101,13 +38,7 @@ const Plain& lift_fact(const Plain& fact) {
 }
 template <template <class, int> class Fact, class Scalar, int Dim>
 Fact<double, 3> lift_fact(const Fact<Scalar, Dim>& fact) {
-  Fact<double, 3> lifted;
-  const auto each = [&]<std::size_t... kAt>(std::index_sequence<kAt...>, auto to, auto from) {
-    (lift_into(std::get<kAt>(to), std::get<kAt>(from)), ...);
-  };
-  each(std::make_index_sequence<Fact<double, 3>::kFields.size()>(), Fact<double, 3>::tie(lifted),
-       Fact<Scalar, Dim>::tie(fact));
-  return lifted;
+  return converted<double, 3>(fact);
 }
 template <class Scalar, int Dim>
 CovarianceFound<double, 3> lift_fact(const CovarianceFound<Scalar, Dim>& fact) {

@@ -1,6 +1,10 @@
 // The axis-aligned bounding box, in its working form.
 #pragma once
 
+#include <array>
+#include <string_view>
+#include <tuple>
+
 #include "geometry/vector.hpp"
 
 namespace snug {
@@ -10,6 +14,8 @@ template <class Scalar, int Dim>
 struct Aabb {
   Vector<Scalar, Dim> min = Vector<Scalar, Dim>::Zero();
   Vector<Scalar, Dim> max = Vector<Scalar, Dim>::Zero();  // >= min
+  static constexpr std::array<std::string_view, 2> kFields{"min", "max"};
+  static auto tie(auto& own) { return std::tie(own.min, own.max); }
 };
 
 /// Area (2-D) or volume (3-D).

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "geometry/vector.hpp"
@@ -18,6 +20,8 @@ struct ConvexHull {
   std::vector<Index> indices;  // of each vertex in the point set
   std::vector<std::array<Index, Dim>> facets;
   int affine_dim = Dim;
+  static constexpr std::array<std::string_view, 4> kFields{"vertices", "indices", "facets", "affine_dim"};
+  static auto tie(auto& own) { return std::tie(own.vertices, own.indices, own.facets, own.affine_dim); }
 };
 
 }  // namespace snug

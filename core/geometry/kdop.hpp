@@ -3,6 +3,8 @@
 
 #include <array>
 #include <span>
+#include <string_view>
+#include <tuple>
 
 #include "geometry/vector.hpp"
 
@@ -25,6 +27,8 @@ struct Kdop {
   int k = 2 * Dim;                            // 2-D: 4, 6, 8; 3-D: 6, 14, 18, 26
   std::array<Scalar, kMostSlabs<Dim>> min{};  // the first k/2 count
   std::array<Scalar, kMostSlabs<Dim>> max{};  // >= min
+  static constexpr std::array<std::string_view, 3> kFields{"k", "min", "max"};
+  static auto tie(auto& own) { return std::tie(own.k, own.min, own.max); }
 };
 
 }  // namespace snug

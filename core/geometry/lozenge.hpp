@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string_view>
+#include <tuple>
 
 #include "geometry/vector.hpp"
 
@@ -16,6 +18,8 @@ struct Lozenge {
   Vector<Scalar, Dim> origin = Vector<Scalar, Dim>::Zero();
   std::array<Vector<Scalar, Dim>, 2> edges{Vector<Scalar, Dim>::Zero(), Vector<Scalar, Dim>::Zero()};  // perpendicular
   Scalar radius = 0;                                                                                   // >= 0
+  static constexpr std::array<std::string_view, 3> kFields{"origin", "edges", "radius"};
+  static auto tie(auto& own) { return std::tie(own.origin, own.edges, own.radius); }
 };
 
 /// Area (2-D) or volume (3-D).

@@ -1,8 +1,11 @@
 // The sphere (in 2-D the circle), and the exact question whether it holds a point.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "geometry/point_set.hpp"
@@ -14,6 +17,8 @@ template <class Scalar, int Dim>
 struct Sphere {
   Vector<Scalar, Dim> center = Vector<Scalar, Dim>::Zero();
   Scalar radius = 0;  // >= 0
+  static constexpr std::array<std::string_view, 2> kFields{"center", "radius"};
+  static auto tie(auto& own) { return std::tie(own.center, own.radius); }
 };
 
 /// -1, 0 or +1: whether a point lies inside, on or outside a sphere, in exact arithmetic on the numbers as they are.

@@ -1,34 +1,23 @@
-// Each volume's fields by the names that files and scripts know, listed once for every reader and writer.
+// Each volume's fields as files and scripts know them: as they stand in its header, but for what is said otherwise here.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "geometry/volume.hpp"
+#include "trace/fields.hpp"
 
 namespace snug {
 
-template <class Scalar, int Dim>
-void fields_of(const Sphere<Scalar, Dim>& sphere, auto&& see) {
-  see("center", sphere.center), see("radius", sphere.radius);
-}
-
-template <class Scalar, int Dim>
-void fields_of(const Aabb<Scalar, Dim>& box, auto&& see) {
-  see("min", box.min), see("max", box.max);
-}
+template <template <class, int> class Kind, class Scalar, int Dim>
+requires Listed<Kind<Scalar, Dim>>
+void fields_of(const Kind<Scalar, Dim>& volume, auto&& see) { see_fields(volume, see); }
 
 /// The axes as rows.
 template <class Scalar, int Dim>
 void fields_of(const Obb<Scalar, Dim>& box, auto&& see) {
-  Matrix<Scalar, Dim> rows = Matrix<Scalar, Dim>::Zero();
-  rows = box.axes.transpose();
+  const Matrix<Scalar, Dim> rows = box.axes.transpose();
   see("center", box.center), see("axes", rows), see("half_extents", box.half_extents);
-}
-
-template <class Scalar, int Dim>
-void fields_of(const Capsule<Scalar, Dim>& capsule, auto&& see) {
-  see("a", capsule.a), see("b", capsule.b), see("radius", capsule.radius);
 }
 
 template <class Scalar, int Dim>
@@ -37,6 +26,7 @@ void fields_of(const Lozenge<Scalar, Dim>& lozenge, auto&& see) {
   see("origin", lozenge.origin), see("edges", edges), see("radius", lozenge.radius);
 }
 
+/// The bounds that count.
 template <class Scalar, int Dim>
 void fields_of(const Kdop<Scalar, Dim>& kdop, auto&& see) {
   const auto slabs = static_cast<std::size_t>(kdop.k / 2);
@@ -45,6 +35,7 @@ void fields_of(const Kdop<Scalar, Dim>& kdop, auto&& see) {
   see("k", kdop.k), see("min", min), see("max", max);
 }
 
+/// The vertices alone: all else follows from them.
 template <class Scalar, int Dim>
 void fields_of(const ConvexHull<Scalar, Dim>& hull, auto&& see) {
   see("points", hull.vertices);

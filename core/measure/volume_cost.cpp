@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "fit/lower.hpp"
+#include "geometry/convert.hpp"
 #include "geometry/kdop_project.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/random.hpp"
@@ -150,9 +150,9 @@ template <class Scalar, int Dim>
 OverlapWork work_of(const fit::Volume3& lifted, std::uint64_t seed) {
   return std::visit(
       [&](const auto& kind) -> OverlapWork {
-        using VolumeType = decltype(fit::Lower<Scalar, Dim>{}(kind));
         Random random(seed);
-        const VolumeType volume = fit::Lower<Scalar, Dim>{}(kind);
+        const auto volume = converted<Scalar, Dim>(kind);
+        using VolumeType = std::remove_const_t<decltype(volume)>;
         auto copies =
             std::make_shared<std::vector<VolumeType>>(copies_of<Scalar, Dim>(volume, reach_of(lifted, Dim), random));
         return {[volume, copies] {
@@ -175,11 +175,9 @@ OverlapWork overlap_work(const fit::Volume3& volume, int dim, bool single, std::
 std::int64_t bytes_of(const fit::Volume3& volume, int dim, bool single) {
   return std::visit(
       [&](const auto& kind) {
-        const auto bytes = [&]<class Scalar, int Dim>(fit::Lower<Scalar, Dim> lower) {
-          return static_cast<std::int64_t>(snug::bytes_of(lower(kind)));
-        };
-        if (single) return dim == 2 ? bytes(fit::Lower<float, 2>{}) : bytes(fit::Lower<float, 3>{});
-        return dim == 2 ? bytes(fit::Lower<double, 2>{}) : bytes(fit::Lower<double, 3>{});
+        const auto bytes = [](const auto& own) { return static_cast<std::int64_t>(snug::bytes_of(own)); };
+        if (single) return dim == 2 ? bytes(converted<float, 2>(kind)) : bytes(converted<float, 3>(kind));
+        return dim == 2 ? bytes(converted<double, 2>(kind)) : bytes(converted<double, 3>(kind));
       },
       volume);
 }

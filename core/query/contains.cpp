@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "geometry/convert.hpp"
 #include "geometry/tolerance.hpp"
 #include "number/dyadic.hpp"
 #include "number/exact_sum.hpp"
@@ -199,18 +200,6 @@ double outside_swept_by(const Volume& volume, const Vector<double, Dim>& point) 
 }
 
 template <class Scalar, int Dim>
-Capsule<double, Dim> in_double(const Capsule<Scalar, Dim>& capsule) {
-  return {capsule.a.template cast<double>(), capsule.b.template cast<double>(), static_cast<double>(capsule.radius)};
-}
-
-template <class Scalar, int Dim>
-Lozenge<double, Dim> in_double(const Lozenge<Scalar, Dim>& lozenge) {
-  return {lozenge.origin.template cast<double>(),
-          {lozenge.edges[0].template cast<double>(), lozenge.edges[1].template cast<double>()},
-          static_cast<double>(lozenge.radius)};
-}
-
-template <class Scalar, int Dim>
 using Point = std::type_identity_t<Vector<Scalar, Dim>>;
 
 }  // namespace
@@ -254,12 +243,12 @@ bool contains(const Obb<Scalar, Dim>& box, const Point<Scalar, Dim>& point) {
 
 template <class Scalar, int Dim>
 bool contains(const Capsule<Scalar, Dim>& capsule, const Point<Scalar, Dim>& point) {
-  return contains_swept<Capsule<double, Dim>, Dim>(in_double(capsule), point.template cast<double>());
+  return contains_swept<Capsule<double, Dim>, Dim>(converted<double, Dim>(capsule), point.template cast<double>());
 }
 
 template <class Scalar, int Dim>
 bool contains(const Lozenge<Scalar, Dim>& lozenge, const Point<Scalar, Dim>& point) {
-  return contains_swept<Lozenge<double, Dim>, Dim>(in_double(lozenge), point.template cast<double>());
+  return contains_swept<Lozenge<double, Dim>, Dim>(converted<double, Dim>(lozenge), point.template cast<double>());
 }
 
 template <class Scalar, int Dim>
@@ -303,12 +292,12 @@ double outside_by(const Obb<Scalar, Dim>& box, const Point<Scalar, Dim>& point) 
 
 template <class Scalar, int Dim>
 double outside_by(const Capsule<Scalar, Dim>& capsule, const Point<Scalar, Dim>& point) {
-  return outside_swept_by<Capsule<double, Dim>, Dim>(in_double(capsule), point.template cast<double>());
+  return outside_swept_by<Capsule<double, Dim>, Dim>(converted<double, Dim>(capsule), point.template cast<double>());
 }
 
 template <class Scalar, int Dim>
 double outside_by(const Lozenge<Scalar, Dim>& lozenge, const Point<Scalar, Dim>& point) {
-  return outside_swept_by<Lozenge<double, Dim>, Dim>(in_double(lozenge), point.template cast<double>());
+  return outside_swept_by<Lozenge<double, Dim>, Dim>(converted<double, Dim>(lozenge), point.template cast<double>());
 }
 
 template <class Scalar, int Dim>

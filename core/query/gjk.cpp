@@ -28,6 +28,15 @@ template std::optional<Separation<float, 3>> gjk(const Volume<float, 3>&, const 
 template std::optional<Separation<double, 2>> gjk(const Volume<double, 2>&, const Volume<double, 2>&);
 template std::optional<Separation<double, 3>> gjk(const Volume<double, 3>&, const Volume<double, 3>&);
 
+SupportMapping support_mapping(const Corners<3>& corners) {
+  const auto farthest = [](const void* core, const Vector<double, 3>& direction) {
+    const auto& all = *static_cast<const Corners<3>*>(core);
+    const std::size_t i = farthest_corner<3>(all, direction);
+    return Supported{all[i], static_cast<Index>(i)};
+  };
+  return {&corners, farthest, {corners.front(), 0}, static_cast<std::int64_t>(corners.size())};
+}
+
 double scale_to_unit(GrownCore& a, GrownCore& b) {
   double largest = std::max(a.radius, b.radius);
   for (const GrownCore* core : {&a, &b})

@@ -70,17 +70,37 @@ struct GjkStep {
   Fact fact;
 };
 
-/// One run between the convex hulls of two sets of corners, at most 1 in every coordinate; those of the plane at z = 0.
-/// Each turn proves two bounds: the nearest point of the simplex is one of a - b, and no point of a - b lies below the
-/// plane across v through the supporting corners. v comes strictly nearer, by one of finitely many simplices, so that
-/// this ends; where rounding keeps it from that before the bounds meet, it goes on from there with twice the digits.
+/// A point of a core that lies farthest in some direction, and which vertex it is; kNoIndex where it is none.
+struct Supported {
+  Vector<double, 3> at = Vector<double, 3>::Zero();
+  Index vertex = kNoIndex;
+};
+
+/// A convex core by its support mapping, which is all that GJK knows of it: so smooth cores fit as well as polytopes.
+/// The core has to outlive it.
+struct SupportMapping {
+  const void* core = nullptr;
+  /// direction: unit.
+  Supported (*farthest)(const void* core, const Vector<double, 3>& direction) = nullptr;
+  Supported some;                 // any of its points, to begin with
+  std::int64_t dot_products = 1;  // that a call takes
+};
+
+/// Of the convex hull of corners; at least one.
+[[nodiscard]] SupportMapping support_mapping(const Corners<3>& corners);
+
+/// One run between two convex cores, known by their support mappings alone, at most 1 in every coordinate; those of the
+/// plane at z = 0. Each turn proves two bounds: the nearest point of the simplex is one of a - b, and no point of a - b
+/// lies below the plane across v through the supporting points. v comes strictly nearer. Of polytopes there are finitely
+/// many simplices, so that this ends; of smooth cores it ends where the bounds meet. Where rounding keeps v from coming
+/// nearer before that, it goes on from there with twice the digits.
 template <class Observer>
 class Gjk {
  public:
   using Point = Vector<double, 3>;
 
-  /// a, b: at least one corner each. scene: what lengths are multiplied with to be in scene units.
-  Gjk(const Corners<3>& a, const Corners<3>& b, double scene, Observer& observe)
+  /// scene: what lengths are multiplied with to be in scene units.
+  Gjk(const SupportMapping& a, const SupportMapping& b, double scene, Observer& observe)
       : a_(a), b_(b), scene_(scene), observe_(observe) {}
 
   double least = -1;  // no two points of the cores are nearer
@@ -92,7 +112,7 @@ class Gjk {
   /// Until the bounds meet or, where that is enough, until both are on one side of a threshold.
   void run(std::optional<double> threshold) {
     threshold_ = threshold;
-    pairs_ = {Pair{0, 0}};
+    pairs_ = {Pair{a_.some, b_.some}};
     size_ = 1;
     descend<double>();
     if (!decided()) {
@@ -105,8 +125,8 @@ class Gjk {
 
  private:
   struct Pair {
-    std::size_t a = 0, b = 0;
-    friend bool operator==(const Pair&, const Pair&) = default;
+    Supported a, b;
+    friend bool operator==(const Pair& p, const Pair& q) { return p.a.at == q.a.at && p.b.at == q.b.at; }
   };
   static constexpr double kRounding = tolerance::kTouching<double>;
   static constexpr int kMostTurns = 1000;
@@ -118,8 +138,8 @@ class Gjk {
 
   template <class Real>
   [[nodiscard]] Triple<Real> corner(const Pair& pair) const {
-    const Point& p = a_[pair.a];
-    const Point& q = b_[pair.b];
+    const Point& p = pair.a.at;
+    const Point& q = pair.b.at;
     return {Real(p[0]) - Real(q[0]), Real(p[1]) - Real(q[1]), Real(p[2]) - Real(q[2])};
   }
 
@@ -159,8 +179,8 @@ class Gjk {
       const auto place = static_cast<std::size_t>(nearest.corners[i]);
       pairs_[i] = pairs[place];
       simplex.corners[i] = corners[place];
-      on_a += rounded(nearest.weights[i]) * a_[pairs_[i].a];
-      on_b += rounded(nearest.weights[i]) * b_[pairs_[i].b];
+      on_a += rounded(nearest.weights[i]) * pairs_[i].a.at;
+      on_b += rounded(nearest.weights[i]) * pairs_[i].b.at;
     }
     v_ = {rounded(nearest.point.x), rounded(nearest.point.y), rounded(nearest.point.z)};
     most = v_.norm();
@@ -171,24 +191,22 @@ class Gjk {
   /// The corner of a - b that lies least far along v, and the bound that it proves.
   Pair support() {
     const Point n = v_ / most;
-    const Pair pair{farthest_corner<3>(a_, -n), farthest_corner<3>(b_, n)};
-    const double gap = std::min(a_[pair.a].dot(n) - b_[pair.b].dot(n), most);  // no more, but for rounding
+    const Pair pair{a_.farthest(a_.core, -n), b_.farthest(b_.core, n)};
+    const double gap = std::min(pair.a.at.dot(n) - pair.b.at.dot(n), most);  // no more, but for rounding
     if (gap > least) least = gap, direction = -n;
-    observe_.count(Operation::kDotProducts, static_cast<std::int64_t>(a_.size() + b_.size()));
-    if constexpr (kWatched<Observer>)
-      observe_(GjkStep{5, SupportFound{static_cast<Index>(pair.a), static_cast<Index>(pair.b), gap * scene_}});
+    observe_.count(Operation::kDotProducts, a_.dot_products + b_.dot_products);
+    if constexpr (kWatched<Observer>) observe_(GjkStep{5, SupportFound{pair.a.vertex, pair.b.vertex, gap * scene_}});
     return pair;
   }
 
   [[nodiscard]] NearestFound nearest_found() const {
     NearestFound fact{{}, most * scene_};
     for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i)
-      fact.corners.insert(fact.corners.end(), {static_cast<Index>(pairs_[i].a), static_cast<Index>(pairs_[i].b)});
+      fact.corners.insert(fact.corners.end(), {pairs_[i].a.vertex, pairs_[i].b.vertex});
     return fact;
   }
 
-  const Corners<3>& a_;
-  const Corners<3>& b_;
+  SupportMapping a_, b_;
   double scene_;
   Observer& observe_;
   std::optional<double> threshold_;
@@ -238,7 +256,7 @@ std::optional<Separation<Scalar, Dim>> separation_of(GrownCore a, GrownCore b, c
   const double unit = scale_to_unit(a, b);
   const double radii = a.radius + b.radius;
   const double touching = radii + static_cast<double>(tolerance::kTouching<Scalar>);
-  Gjk<Observer> run(a.corners, b.corners, unit, observe);
+  Gjk<Observer> run(support_mapping(a.corners), support_mapping(b.corners), unit, observe);
   run.run(only_whether ? std::optional(touching) : std::nullopt);
 
   Separation<Scalar, Dim> result{.overlap = run.least <= touching, .turns = run.turns};

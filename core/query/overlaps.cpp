@@ -1,15 +1,18 @@
 #include "query/overlaps.hpp"
 
+#include "query/overlaps_any.hpp"
+
 namespace snug::query {
 
 template <class Scalar, int Dim>
 OverlapResult<Scalar, Dim> test_overlap(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
-  return std::visit([](const auto& x, const auto& y) { return test_overlap(x, y); }, a, b);
+  Ignore ignore;
+  return test_any_overlap(a, b, ignore);
 }
 
 template <class Scalar, int Dim>
 bool overlaps(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
-  return std::visit([](const auto& x, const auto& y) { return overlaps(x, y); }, a, b);
+  return test_overlap(a, b).overlap;
 }
 
 #define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \

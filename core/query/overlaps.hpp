@@ -18,10 +18,9 @@
 namespace snug::query {
 
 /// The answer of GJK. Of an empty volume there is nothing that could overlap.
-template <class A, class B, class Observer>
-[[nodiscard]] auto test_gjk(const A& a, const B& b, Observer& observe) {
-  OverlapResult<typename VolumeKind<A>::Scalar, VolumeKind<A>::kDim> result;
-  const auto separation = gjk(a, b, false, observe);
+template <class Scalar, int Dim>
+[[nodiscard]] OverlapResult<Scalar, Dim> result_of(const std::optional<Separation<Scalar, Dim>>& separation) {
+  OverlapResult<Scalar, Dim> result;
   if (!separation) return result;
   result.overlap = separation->overlap;
   result.distance = separation->distance;
@@ -29,16 +28,25 @@ template <class A, class B, class Observer>
   if (!result.overlap) result.separating_axis = {"closest_points", separation->direction, separation->gap};
   return result;
 }
+template <class A, class B, class Observer>
+[[nodiscard]] auto test_gjk(const A& a, const B& b, Observer& observe) {
+  return result_of(gjk(a, b, false, observe));
+}
+
+/// Slabs that did not separate, and GJK after them, which has the last word. No distance: slabs that separate find none.
+template <class Scalar, int Dim>
+[[nodiscard]] OverlapResult<Scalar, Dim> after_slabs(const OverlapResult<Scalar, Dim>& slabs,
+                                                     OverlapResult<Scalar, Dim> settled) {
+  settled.tests += slabs.tests;
+  settled.distance.reset();
+  return settled;
+}
 
 /// The slabs that both share, and GJK where those do not separate.
 template <class A, class B, class Observer>
 [[nodiscard]] auto test_slabs_then_gjk(const A& a, const B& b, Observer& observe) {
-  auto result = test_slabs(a, b, observe);
-  if (!result.overlap) return result;
-  auto settled = test_gjk(a, b, observe);
-  settled.tests += result.tests;
-  settled.distance.reset();
-  return settled;
+  const auto result = test_slabs(a, b, observe);
+  return result.overlap ? after_slabs(result, test_gjk(a, b, observe)) : result;
 }
 
 /// In the order of the table's rows and columns.

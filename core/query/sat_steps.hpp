@@ -43,8 +43,8 @@ struct SatResult {
 template <class Scalar, int Dim>
 struct FramesRelated {
   static constexpr std::string_view kName = "frames_related";
-  Matrix<Scalar, Dim> rotation;
-  Vector<Scalar, Dim> translation;
+  Matrix<Scalar, Dim> rotation = Matrix<Scalar, Dim>::Identity();
+  Vector<Scalar, Dim> translation = Vector<Scalar, Dim>::Zero();
   Scalar doubt = 0;
   static constexpr std::array<std::string_view, 3> kFields{"rotation", "translation", "doubt"};
   static auto tie(auto& own) { return std::tie(own.rotation, own.translation, own.doubt); }

@@ -4,15 +4,13 @@
 
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <tuple>
 
+#include "geometry/convert.hpp"
 #include "geometry/volume.hpp"
 
 namespace snug::desktop {
-
-template <class From>
-auto each_in_float(const From& v) {
-  return v.template cast<float>();
-}
 
 /// The least float that is not below the value.
 inline float float_above(double value) {
@@ -22,41 +20,35 @@ inline float float_above(double value) {
 }
 inline float float_below(double value) { return -float_above(-value); }
 
-template <int Dim>
-struct ToFloat {
-  using Out = Volume<float, Dim>;
-  Out operator()(const Sphere<double, Dim>& v) const {
-    return Sphere<float, Dim>{each_in_float(v.center), float_above(v.radius)};
-  }
-  Out operator()(const Aabb<double, Dim>& v) const {
-    return Aabb<float, Dim>{v.min.unaryExpr(&float_below), v.max.unaryExpr(&float_above)};
-  }
-  Out operator()(const Obb<double, Dim>& v) const {
-    return Obb<float, Dim>{each_in_float(v.center), each_in_float(v.axes), v.half_extents.unaryExpr(&float_above)};
-  }
-  Out operator()(const Capsule<double, Dim>& v) const {
-    return Capsule<float, Dim>{each_in_float(v.a), each_in_float(v.b), float_above(v.radius)};
-  }
-  Out operator()(const Lozenge<double, Dim>& v) const {
-    return Lozenge<float, Dim>{
-        each_in_float(v.origin), {each_in_float(v.edges[0]), each_in_float(v.edges[1])}, float_above(v.radius)};
-  }
-  Out operator()(const Kdop<double, Dim>& v) const {
-    Kdop<float, Dim> kdop{.k = v.k};
-    for (std::size_t i = 0; i < v.min.size(); ++i)
-      kdop.min[i] = float_below(v.min[i]), kdop.max[i] = float_above(v.max[i]);
-    return kdop;
-  }
-  Out operator()(const ConvexHull<double, Dim>& v) const {
-    ConvexHull<float, Dim> hull{{}, v.indices, v.facets, v.affine_dim};
-    for (const auto& vertex : v.vertices) hull.vertices.push_back(each_in_float(vertex));
-    return hull;
-  }
-};
+using RoundTo = float (*)(double);
+
+inline void round_field(float& to, double from, RoundTo round) { to = round(from); }
+template <class To, class From>
+void round_field(To& to, const From& from, RoundTo round) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(from.size()); ++i) to[i] = round(from[i]);
+}
+
+/// Which way a field of that name is rounded; null: to the nearest.
+constexpr RoundTo outward(std::string_view field) {
+  if (field == "min") return &float_below;
+  return field == "max" || field == "radius" || field == "half_extents" ? &float_above : nullptr;
+}
 
 template <int Dim>
 [[nodiscard]] Volume<float, Dim> in_float(const Volume<double, Dim>& volume) {
-  return std::visit(ToFloat<Dim>{}, volume);
+  const auto rounded = []<template <class, int> class Kind>(const Kind<double, Dim>& own) {
+    auto result = converted<float, Dim>(own);
+    [&]<std::size_t... kAt>(std::index_sequence<kAt...>, auto to, auto from) {
+      const auto field = [&]<std::size_t at>(std::integral_constant<std::size_t, at>) {
+        constexpr RoundTo kRound = outward(Kind<double, Dim>::kFields[at]);
+        if constexpr (kRound != nullptr) round_field(std::get<at>(to), std::get<at>(from), kRound);
+      };
+      (field(std::integral_constant<std::size_t, kAt>()), ...);
+    }(std::make_index_sequence<Kind<double, Dim>::kFields.size()>(), Kind<float, Dim>::tie(result),
+      Kind<double, Dim>::tie(own));
+    return Volume<float, Dim>(std::move(result));
+  };
+  return std::visit(rounded, volume);
 }
 
 }  // namespace snug::desktop

@@ -1,4 +1,4 @@
-#include "query/overlaps.hpp"
+#include "query/overlaps_any.hpp"
 
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/fact_json.hpp"
@@ -95,12 +95,8 @@ class Trace {
 template <class Scalar, int Dim>
 Json answer(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b, Trace* trace) {
   if (trace == nullptr) return json_of_result(query::test_overlap<Scalar, Dim>(a, b));
-  return std::visit(
-      [&](const auto& x, const auto& y) {
-        trace->turned = query::turned(x, y);
-        return json_of_result(query::test_overlap(x, y, *trace));
-      },
-      a, b);
+  trace->turned = query::turned<Scalar, Dim>(a, b);
+  return json_of_result(query::test_any_overlap(a, b, *trace));
 }
 
 template <int Dim>

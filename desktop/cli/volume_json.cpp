@@ -10,6 +10,7 @@
 
 #include "fit/hull/quickhull.hpp"
 #include "geometry/aabb_forms.hpp"
+#include "geometry/convert.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/tolerance.hpp"
 #include "query/kdop_vertices.hpp"
@@ -265,37 +266,21 @@ ConvexHull<double, 3> hull_of(Fields& fields) {
 
 /// A volume that was read with room for z, in its own dimension.
 template <int Dim>
-struct Lower {
-  using Own = Vector<double, Dim>;
+struct InDimension {
   Fields& fields;
 
-  static Own own(const Point& p) { return p.head<Dim>(); }
-
-  Volume<double, Dim> operator()(const Sphere<double, 3>& v) const {
-    return Sphere<double, Dim>{own(v.center), v.radius};
+  template <template <class, int> class Kind>
+  Volume<double, Dim> operator()(const Kind<double, 3>& volume) const {
+    return converted<double, Dim>(volume);
   }
-  Volume<double, Dim> operator()(const Aabb<double, 3>& v) const { return Aabb<double, Dim>{own(v.min), own(v.max)}; }
-  Volume<double, Dim> operator()(const Obb<double, 3>& v) const {
-    return Obb<double, Dim>{own(v.center), v.axes.topLeftCorner<Dim, Dim>(), own(v.half_extents)};
-  }
-  Volume<double, Dim> operator()(const Capsule<double, 3>& v) const {
-    return Capsule<double, Dim>{own(v.a), own(v.b), v.radius};
-  }
-  Volume<double, Dim> operator()(const Lozenge<double, 3>& v) const {
-    return Lozenge<double, Dim>{own(v.origin), {own(v.edges[0]), own(v.edges[1])}, v.radius};
-  }
-  Volume<double, Dim> operator()(const Kdop<double, 3>& v) const {
-    Kdop<double, Dim> kdop{.k = v.k};
-    std::copy_n(v.min.begin(), kdop.min.size(), kdop.min.begin());
-    std::copy_n(v.max.begin(), kdop.max.size(), kdop.max.begin());
+  Volume<double, Dim> operator()(const Kdop<double, 3>& volume) const {
+    const auto kdop = converted<double, Dim>(volume);
     if (query::kdop_vertices(kdop).empty())
       fields.fail(fields.field("min") + " and max leave no point that is in all slabs");
     return kdop;
   }
-  Volume<double, Dim> operator()(const ConvexHull<double, 3>& v) const {
-    std::vector<Own> points;
-    for (const Point& p : v.vertices) points.push_back(own(p));
-    const auto set = PointSet<double, Dim>::make(std::move(points));
+  Volume<double, Dim> operator()(const ConvexHull<double, 3>& volume) const {
+    const auto set = PointSet<double, Dim>::make(converted<double, Dim>(volume).vertices);
     if (set) return fit::quickhull(set->span()).volume;
     fields.fail(fields.field("points") + ": " + set.error().what);
     return ConvexHull<double, Dim>{};
@@ -327,8 +312,8 @@ tl::expected<AnyVolume, std::string> read_volume(const Json& json, const VolumeW
   const Volume<double, 3> volume = lifted_volume(kind, fields);
   if (!fields.error().empty()) return tl::unexpected(fields.error());
   AnyVolume result;
-  if (fields.dim() == 2) result = std::visit(Lower<2>{fields}, volume);
-  else result = std::visit(Lower<3>{fields}, volume);
+  if (fields.dim() == 2) result = std::visit(InDimension<2>{fields}, volume);
+  else result = std::visit(InDimension<3>{fields}, volume);
   if (!fields.error().empty()) return tl::unexpected(fields.error());
   return result;
 }

@@ -10,7 +10,7 @@ template <class VolumeType>
 [[nodiscard]] int order_of(const VolumeType& a, const VolumeType& b) {
   std::vector<double> of_a, of_b;
   const auto list = [](std::vector<double>& numbers) {
-    return [&numbers](const char*, const auto& value) {
+    return [&numbers](std::string_view, const auto& value) {
       if constexpr (requires {
                       value.data();
                       value.size();

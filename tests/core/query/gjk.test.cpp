@@ -264,3 +264,47 @@ TEST_CASE("k-DOPs about to touch are told apart") {
     CHECK_FALSE(touch(1.001 * far));
   }
 }
+
+namespace {
+
+/// An ellipsoid along the coordinate axes: it has no vertex at all.
+struct Smooth {
+  Vector<double, 3> center, half_axes;
+  [[nodiscard]] query::SupportMapping mapping() const {
+    const auto farthest = [](const void* core, const Vector<double, 3>& direction) {
+      const auto& own = *static_cast<const Smooth*>(core);
+      const Vector<double, 3> scaled = own.half_axes.cwiseProduct(direction);
+      return query::Supported{own.center + own.half_axes.cwiseProduct(scaled) / scaled.norm()};
+    };
+    return {this, farthest, {center}, 1};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("GJK knows a core by its support mapping alone, so that smooth ones fit") {
+  const Smooth egg{{0, 0, 0}, {0.3, 0.2, 0.1}}, ball{{0.7, 0.4, 0.2}, {0.1, 0.1, 0.1}};
+  const query::Corners<3> point{{0.8, 0, 0}}, inside{{0.1, 0.1, 0}};
+  Ignore ignore;
+  const auto between = [&](const query::SupportMapping& a, const query::SupportMapping& b) {
+    query::Gjk<Ignore> run(a, b, 1, ignore);
+    run.run(std::nullopt);
+    return std::pair(run.least, run.most);
+  };
+  const auto [least, most] = between(egg.mapping(), query::support_mapping(point));
+  CHECK(least == doctest::Approx(0.5).epsilon(1e-12));
+  CHECK(most == doctest::Approx(0.5).epsilon(1e-12));
+  CHECK(between(egg.mapping(), query::support_mapping(inside)).second < 1e-15);
+  // Held against a fine grid of the egg's own points.
+  const auto [low, high] = between(egg.mapping(), ball.mapping());
+  CHECK(high - low < 1e-9);
+  double nearest = 1;
+  for (int i = 0; i <= 2000; ++i)
+    for (int j = 0; j <= 1000; ++j) {
+      const double a = 1.2 * i / 2000, b = 1.2 * j / 1000;
+      const Vector<double, 3> p(0.3 * std::cos(a) * std::cos(b), 0.2 * std::sin(a) * std::cos(b), 0.1 * std::sin(b));
+      nearest = std::min(nearest, (p - ball.center).norm());
+    }
+  CHECK(low < nearest - 0.1 + 1e-9);
+  CHECK(high > nearest - 0.1 - 1e-6);
+}

@@ -1,7 +1,9 @@
 // What the tests of pairs tell of themselves.
 #include <doctest/doctest.h>
 
-#include "query/overlaps.hpp"
+#include "core/query/volume_pairs.hpp"
+#include "fit/field_hash.hpp"
+#include "query/overlaps_any.hpp"
 
 namespace snug::query {
 namespace {
@@ -95,6 +97,49 @@ TEST_CASE("who watches changes nothing, and boxes and hulls tell the steps of th
   };
   same(a, b);
   same(a, capsule);
+}
+
+/// Every number of every step.
+struct Hash {
+  fit::FieldHash hash;
+  void operator()(const auto& step) {
+    hash.add(step.line);
+    std::visit([&](const auto& fact) { see_fields(fact, hash); }, step.fact);
+  }
+  void count(Operation, std::int64_t n) { hash.add(n); }
+};
+
+TEST_CASE_TEMPLATE("a test is the same whether the volumes' kinds are known beforehand or not", Scalar, float, double) {
+  const auto each_pair = [&]<int Dim>(std::integral_constant<int, Dim>) {
+    test::VolumeMaker<Scalar, Dim> make(9);
+    int apart = 0;
+    for (std::size_t i = 0; i < 7; ++i)
+      for (std::size_t j = 0; j < 7; ++j)
+        for (int round = 0; round < 6; ++round) {
+          CAPTURE(kVolumeNames[i]);
+          CAPTURE(kVolumeNames[j]);
+          const auto how = round < 4 ? test::Make::kSolid : test::Make::kFlat;
+          const Volume<Scalar, Dim> a = make.make(i, how);
+          const Volume<Scalar, Dim> b =
+              test::moved<Scalar, Dim>(make.make(j, how), make.direction() * (1.0 + 0.5 * round));
+          Hash known, any;
+          const auto one = std::visit([&](const auto& x, const auto& y) { return test_overlap(x, y, known); }, a, b);
+          const auto other = test_any_overlap(a, b, any);
+          CHECK(one.overlap == other.overlap);
+          CHECK(one.distance == other.distance);
+          CHECK(one.tests == other.tests);
+          CHECK(known.hash.value() == any.hash.value());
+          REQUIRE(one.separating_axis.has_value() == other.separating_axis.has_value());
+          if (!one.separating_axis) continue;
+          ++apart;
+          CHECK(one.separating_axis->kind == other.separating_axis->kind);
+          CHECK(one.separating_axis->direction == other.separating_axis->direction);
+          CHECK(one.separating_axis->gap == other.separating_axis->gap);
+        }
+    CHECK(apart > 100);
+  };
+  each_pair(std::integral_constant<int, 2>());
+  each_pair(std::integral_constant<int, 3>());
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fit/certify.hpp"
-#include "fit/lower.hpp"
+#include "geometry/convert.hpp"
 #include "geometry/tolerance.hpp"
 #include "query/contains.hpp"
 
@@ -36,7 +36,7 @@ Index outside(const PointSet<Scalar, Dim>&, const ConvexHull<double, 3>&) {
 /// The slabs of the plane are slabs of the plane still.
 template <class Scalar, int Dim>
 Index outside(const PointSet<Scalar, Dim>& set, const Kdop<double, 3>& kdop) {
-  const Kdop<double, Dim> own = fit::Lower<double, Dim>{}(kdop);
+  const Kdop<double, Dim> own = converted<double, Dim>(kdop);
   Index outside = 0;
   for (const auto& point : set.span()) outside += query::contains(own, point.template cast<double>()) ? 0 : 1;
   return outside;
@@ -68,7 +68,7 @@ StepCertificate certify_step(const AnyPointSet& points, const fit::Sphere3& ball
   const auto certify = [&]<class Scalar, int Dim>(const PointSet<Scalar, Dim>& set) {
     fit::Support held;
     for (const Index i : support) held.add(i);
-    const auto certificate = fit::certify<Scalar, Dim>({fit::Lower<Scalar, Dim>{}(ball), held}, set.span(), false);
+    const auto certificate = fit::certify<Scalar, Dim>({converted<Scalar, Dim>(ball), held}, set.span(), false);
     return StepCertificate{certificate.on_boundary, ball.radius - certificate.lower_bound <=
                                                         tolerance::kOptimalityRoundoffs * roundoff<Scalar>(ball)};
   };

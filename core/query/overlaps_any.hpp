@@ -1,0 +1,100 @@
+// The overlap test of two volumes whose kinds only the running program knows. It is compiled once for each test, and
+// not once for each of the 49 pairs.
+#pragma once
+
+#include "query/overlaps.hpp"
+
+namespace snug::query {
+
+namespace any_pair {
+
+/// Calls with the volume, which is of one of these kinds.
+template <template <class, int> class... Kinds, class Scalar, int Dim, class Call>
+auto among(const Volume<Scalar, Dim>& volume, Call call) {
+  OverlapResult<Scalar, Dim> result;
+  const auto try_kind = [&](const auto* own) {
+    if (own != nullptr) result = call(*own);
+    return own != nullptr;
+  };
+  (try_kind(std::get_if<Kinds<Scalar, Dim>>(&volume)) || ...);
+  return result;
+}
+
+template <class Scalar, int Dim>
+[[nodiscard]] Vector<Scalar, Dim> anchor_of(const Volume<Scalar, Dim>& volume) {
+  return std::visit([](const auto& own) { return anchor(own); }, volume);
+}
+
+template <class Scalar, int Dim, class Observer>
+[[nodiscard]] OverlapResult<Scalar, Dim> by_gjk(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b,
+                                                Observer& observe) {
+  const Vector<Scalar, Dim> origin = anchor_of(a) / 2 + anchor_of(b) / 2;
+  const auto core_of = [&](const Volume<Scalar, Dim>& volume) {
+    return std::visit([&](const auto& own) { return grown_core(own, origin); }, volume);
+  };
+  return result_of(separation_of<Scalar, Dim>(core_of(a), core_of(b), origin, false, observe));
+}
+
+template <class Scalar, int Dim, class Observer>
+[[nodiscard]] OverlapResult<Scalar, Dim> by_slabs(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b,
+                                                  Observer& observe) {
+  return among<Aabb, Kdop>(a, [&](const auto& x) {
+    return among<Aabb, Kdop>(b, [&]<class Second>(const Second& y) -> OverlapResult<Scalar, Dim> {
+      if constexpr (requires { test_slabs(x, y, observe); }) return test_slabs(x, y, observe);
+      else return {};  // a k-DOP before an AABB: never, the pair is in order
+    });
+  });
+}
+
+/// In the order of the table's rows and columns.
+template <class Scalar, int Dim, class Observer>
+[[nodiscard]] OverlapResult<Scalar, Dim> test_any_in_order(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b,
+                                                           Observer& observe) {
+  using Result = OverlapResult<Scalar, Dim>;
+  switch (kPairTests[a.index()][b.index()]) {
+    case PairTest::kSpheres:
+      return test_spheres(*std::get_if<Sphere<Scalar, Dim>>(&a), *std::get_if<Sphere<Scalar, Dim>>(&b), observe);
+    case PairTest::kSphereBox:
+      return among<Aabb, Obb>(
+          b, [&](const auto& box) { return test_sphere_box(*std::get_if<Sphere<Scalar, Dim>>(&a), box, observe); });
+    case PairTest::kSweptSpheres:
+      return among<Sphere, Capsule, Lozenge>(a, [&](const auto& x) {
+        return among<Capsule, Lozenge>(b, [&](const auto& y) -> Result {
+          if constexpr (kCoreDim<std::decay_t<decltype(x)>> <= kCoreDim<std::decay_t<decltype(y)>>)
+            return swept_pair(x, y).result(swept_core(x).corner, observe);
+          else return {};  // never, the pair is in order
+        });
+      });
+    case PairTest::kSlabs: return by_slabs(a, b, observe);
+    case PairTest::kSlabsThenGjk: {
+      const Result result = by_slabs(a, b, observe);
+      return result.overlap ? after_slabs(result, by_gjk(a, b, observe)) : result;
+    }
+    case PairTest::kSeparatingAxes:
+      return among<Aabb, Obb>(
+          a, [&](const auto& box) { return test_boxes(box, *std::get_if<Obb<Scalar, Dim>>(&b), observe); });
+    case PairTest::kGjk:
+    case PairTest::kMissing: break;
+  }
+  return by_gjk(a, b, observe);
+}
+
+}  // namespace any_pair
+
+/// As turned has it of two volumes of known kinds.
+template <class Scalar, int Dim>
+[[nodiscard]] bool turned(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
+  if (a.index() != b.index()) return a.index() > b.index();
+  const Vector<Scalar, Dim> p = any_pair::anchor_of(a), q = any_pair::anchor_of(b);
+  return std::lexicographical_compare(q.data(), q.data() + q.size(), p.data(), p.data() + p.size());
+}
+
+/// As test_overlap; the observer is told the same.
+template <class Scalar, int Dim, class Observer>
+[[nodiscard]] OverlapResult<Scalar, Dim> test_any_overlap(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b,
+                                                          Observer& observe) {
+  if (turned<Scalar, Dim>(a, b)) return flipped(any_pair::test_any_in_order(b, a, observe));
+  return any_pair::test_any_in_order(a, b, observe);
+}
+
+}  // namespace snug::query
