@@ -7,12 +7,13 @@
 #include "lesson/subjects/cost/cost.hpp"
 #include "lesson/subjects/frustum/frustum.hpp"
 #include "lesson/subjects/pair/pair.hpp"
+#include "lesson/subjects/pair/volumes.hpp"
 #include "lesson/subjects/scene/scene.hpp"
 
 namespace snug::lesson {
 
 std::span<const SubjectRow* const> subjects() {
-  static constexpr std::array kSubjects{&kCloudRow, &kPairRow, &kFrustumRow, &kSceneRow, &kCostRow};
+  static constexpr std::array kSubjects{&kCloudRow, &kPairRow, &kVolumesRow, &kFrustumRow, &kSceneRow, &kCostRow};
   return kSubjects;
 }
 

@@ -1,6 +1,9 @@
 // Both boxes projected onto an axis that stands beside them.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "app/subjects/pair/draw.hpp"
 #include "lesson/figures.hpp"
@@ -32,17 +35,24 @@ struct Line {
   [[nodiscard]] Point3 at(double t) const { return base + direction * t; }
 };
 
-Line line_beside(const lesson::BoxPair& pair, const Axis& axis, const Camera& camera, float margin) {
-  Point3 away = pair.dim == 2 ? Point3(axis.axis.direction[1], -axis.axis.direction[0], 0) : Point3(-camera.up());
-  away -= axis.axis.direction * axis.axis.direction.dot(away);
-  if (away.norm() < 1e-3) away = camera.right() - axis.axis.direction * axis.axis.direction.dot(camera.right());
+/// base: a point of A, where the axis's place 0 is projected from. points: what it stands clear of.
+Line line_beside(const Point3& base, const Point3& direction, int dim, std::span<const Point3> points,
+                 const Camera& camera, float margin) {
+  Point3 away = dim == 2 ? Point3(direction[1], -direction[0], 0) : Point3(-camera.up());
+  away -= direction * direction.dot(away);
+  if (away.norm() < 1e-3) away = camera.right() - direction * direction.dot(camera.right());
   away.normalize();
   if (away.dot(camera.up()) > 0) away = -away;
   double reach = 0;
+  for (const Point3& point : points) reach = std::max(reach, (point - base).dot(away));
+  return {base + away * (reach + margin / camera.scale_at(base)), direction};
+}
+
+std::vector<Point3> corners_of(const lesson::BoxPair& pair) {
+  std::vector<Point3> corners;
   for (const Box& box : pair.boxes)
-    for (int bits = 0; bits < 8; ++bits)
-      reach = std::max(reach, (lesson::corner_of(box, bits) - pair.boxes[0].center).dot(away));
-  return {pair.boxes[0].center + away * (reach + margin / camera.scale_at(pair.boxes[0].center)), axis.axis.direction};
+    for (int bits = 0; bits < 8; ++bits) corners.push_back(lesson::corner_of(box, bits));
+  return corners;
 }
 
 /// The axis on the screen, and places beside it.
@@ -51,10 +61,9 @@ struct Ruler {
   Line on;
   ImVec2 aside;  // unit, away from the boxes
 
-  Ruler(Brush& b, const lesson::BoxPair& pair, const Axis& axis)
-      : brush(b), on(line_beside(pair, axis, b.canvas.camera, kToAxis * b.p.mark)) {
-    const ImVec2 from = brush.at(on.at(0)), to = brush.at(on.at(axis.distance + axis.radius_a + axis.radius_b)),
-                 center = brush.at(pair.boxes[0].center);
+  /// last: the greatest place that is looked at.
+  Ruler(Brush& b, const Line& line, const Point3& base, double last) : brush(b), on(line) {
+    const ImVec2 from = brush.at(on.at(0)), to = brush.at(on.at(last)), center = brush.at(base);
     const float length = std::max(1e-3f, std::hypot(to.x - from.x, to.y - from.y));
     aside = {-(to.y - from.y) / length, (to.x - from.x) / length};
     if (aside.x * (from.x - center.x) + aside.y * (from.y - center.y) < 0) aside = {-aside.x, -aside.y};
@@ -83,15 +92,14 @@ struct Ruler {
   }
 };
 
-/// Between the ends of the radii: hatched where the boxes are apart, a band where their projections overlap.
-void draw_gap(const Ruler& ruler, const Axis& axis) {
+/// Between the ends of two projections: hatched where they are apart, a band where they overlap.
+void draw_gap(const Ruler& ruler, const std::array<double, 2>& ends, bool separates) {
   const Brush& brush = ruler.brush;
-  const double ends[2] = {axis.radius_a, axis.distance - axis.radius_b};
   const ImVec2 from = ruler.at(ends[0], 0), to = ruler.at(ends[1], 0), from_in = ruler.at(ends[0], kInner),
                to_in = ruler.at(ends[1], kInner);
-  const Color color = axis.separates ? brush.p.wrong : brush.p.examined;
+  const Color color = separates ? brush.p.wrong : brush.p.examined;
   brush.list->AddQuadFilled(from, to, to_in, from_in, with_alpha(color, 0.18f));
-  if (!axis.separates) return;
+  if (!separates) return;
   const float length = std::hypot(to.x - from.x, to.y - from.y);
   const int lines = std::clamp(static_cast<int>(length / 7), 1, 200);
   for (int i = 0; i <= lines; ++i) {
@@ -104,7 +112,11 @@ void draw_gap(const Ruler& ruler, const Axis& axis) {
 
 void draw_projections(Brush& brush, const lesson::BoxPair& pair, const Axis& axis) {
   const Palette& p = brush.p;
-  const Ruler ruler(brush, pair, axis);
+  const std::vector<Point3> corners = corners_of(pair);
+  const Point3& base = pair.boxes[0].center;
+  const Ruler ruler(brush,
+                    line_beside(base, axis.axis.direction, pair.dim, corners, brush.canvas.camera, kToAxis * p.mark),
+                    base, axis.distance + axis.radius_a + axis.radius_b);
   const double first = std::min(-axis.radius_a, axis.distance - axis.radius_b),
                last = std::max(axis.radius_a, axis.distance + axis.radius_b), beyond = 0.08 * (last - first);
   const ImVec2 tip = ruler.at(last + beyond, 0), tail = ruler.at(first - beyond, 0);
@@ -124,7 +136,7 @@ void draw_projections(Brush& brush, const lesson::BoxPair& pair, const Axis& axi
     ruler.label(middle, middle + inwards, false,
                 std::string(i == 0 ? "r_A = " : "r_B = ") + lesson::number_text(radius), p.current_text);
   };
-  draw_gap(ruler, axis);
+  draw_gap(ruler, {axis.radius_a, axis.distance - axis.radius_b}, axis.separates);
   project(0, 0, axis.radius_a, axis.near_a, kLaneA);
   project(1, axis.distance, axis.radius_b, axis.near_b, kLaneB);
   const double from = axis.radius_a, to = axis.distance - axis.radius_b;
@@ -135,6 +147,32 @@ void draw_projections(Brush& brush, const lesson::BoxPair& pair, const Axis& axi
   ruler.label(0, axis.distance, true, "distance " + lesson::number_text(axis.distance), p.ink);
   const ImVec2 along{tip.x - tail.x, tip.y - tail.y};
   brush.label(tip, 6, along, lesson::axis_text(pair.dim, axis.axis), axis.separates ? p.wrong_text : p.ink);
+}
+
+void draw_intervals(Brush& brush, const Intervals& both) {
+  const Palette& p = brush.p;
+  const Point3& base = both.reach.front();
+  const double zero = both.direction.dot(base);
+  const auto place = [&](int side, int end) { return both.ends[side][end] - zero; };
+  const double first = std::min(place(0, 0), place(1, 0)), last = std::max(place(0, 1), place(1, 1)),
+               beyond = 0.08 * (last - first);
+  const Line line = line_beside(base, both.direction, brush.dim(), both.reach, brush.canvas.camera, kToAxis * p.mark);
+  const Ruler ruler(brush, line, base, last);
+  const ImVec2 tip = ruler.at(last + beyond, 0), tail = ruler.at(first - beyond, 0);
+  arrow(brush.list, tail, tip, both.separates ? p.wrong : p.muted, brush.stroke(0.8f));
+  brush.canvas.obstacles.segments.push_back({tail.x, tail.y, tip.x, tip.y});
+  const int low = place(0, 0) <= place(1, 0) ? 0 : 1;  // whose interval begins first
+  const std::array<double, 2> gap{place(low, 1), place(1 - low, 0)};
+  draw_gap(ruler, gap, both.separates);
+  for (const int side : {0, 1}) {
+    for (const int end : {0, 1}) ruler.drop(both.farthest[side][end], place(side, end), 0.7f);
+    ruler.bar(place(side, 0), place(side, 1), side == 0 ? kLaneA : kLaneB, p.current, 2.4f);
+    ruler.label(place(side, 0), place(side, 1), true, side == 0 ? "A" : "B", p.current_text);
+  }
+  ruler.label(gap[0], gap[1], false,
+              (both.separates ? "separation " : "overlap ") + lesson::number_text(std::abs(gap[1] - gap[0])),
+              both.separates ? p.wrong_text : p.examined_text);
+  brush.label(tip, 6, {tip.x - tail.x, tip.y - tail.y}, both.name, both.separates ? p.wrong_text : p.ink);
 }
 
 }  // namespace snug::app

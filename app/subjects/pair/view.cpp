@@ -3,6 +3,7 @@
 #include "app/polytope.hpp"
 #include "app/subjects/pair/axis_table.hpp"
 #include "app/subjects/pair/draw.hpp"
+#include "lesson/subjects/pair/volumes.hpp"
 
 namespace snug::app {
 namespace {
@@ -37,8 +38,49 @@ class PairView final : public SubjectView {
   PairShown shown_;
 };
 
+/// Any two volumes and the test that is theirs.
+class VolumesView final : public SubjectView {
+ public:
+  void refresh(const lesson::Session& session, bool) override {
+    shown_ = shown_at(session);
+    shown_.spoken_of = named_now(session);
+  }
+  [[nodiscard]] const Shown& shown() const override { return shown_; }
+  void draw(Brush& brush) const override { draw_volumes(brush, steps_shown(brush.session)); }
+  [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override {
+    return draw_difference(brush, steps_shown(brush.session), top);
+  }
+
+  [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
+    const lesson::VolumePair& pair = pair_of(session);
+    const fit::Sphere3 both =
+        ball_around(ball_around(pair.held[0].volume, pair.dim), ball_around(pair.held[1].volume, pair.dim));
+    return {both.center, kRoomForAxis * both.radius};
+  }
+  [[nodiscard]] bool shows_points(const lesson::Session&) const override { return false; }
+  [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override {
+    return subject_of(session).handle(i).kind == lesson::Handle::Kind::kVertex;
+  }
+  [[nodiscard]] bool names_answers_alone() const override { return true; }
+  float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
+    return draw_axis_panel(look, session, at, width);
+  }
+  [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {
+    return {.replaced = "verdict", .best = "decides"};
+  }
+
+ private:
+  static const lesson::VolumesSubject& subject_of(const lesson::Session& session) {
+    return *lesson::as<lesson::VolumesSubject>(session.subject());
+  }
+  static const lesson::VolumePair& pair_of(const lesson::Session& session) { return subject_of(session).pair(); }
+
+  Shown shown_;
+};
+
 }  // namespace
 
+std::unique_ptr<SubjectView> volumes_view() { return std::make_unique<VolumesView>(); }
 std::unique_ptr<SubjectView> pair_view() { return std::make_unique<PairView>(); }
 
 }  // namespace snug::app

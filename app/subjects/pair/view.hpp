@@ -1,4 +1,4 @@
-// Two boxes and the test between them.
+// Two boxes and the tests between them; two volumes of any kind and theirs.
 #pragma once
 
 #include <memory>
@@ -8,5 +8,6 @@
 namespace snug::app {
 
 [[nodiscard]] std::unique_ptr<SubjectView> pair_view();
+[[nodiscard]] std::unique_ptr<SubjectView> volumes_view();
 
 }  // namespace snug::app

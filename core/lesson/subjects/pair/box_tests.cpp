@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "fit/lift.hpp"
 #include "lesson/subjects/pair/pair.hpp"
 #include "query/obb_sat.hpp"
 #include "query/wrong_corners_only.hpp"
@@ -13,41 +12,6 @@ namespace snug::lesson {
 namespace {
 
 using query::AxisKind;
-
-// ---- facts of the plane, in space -------------------------------------------------------------------------------
-
-template <class Plain>
-const Plain& in_space(const Plain& fact) {
-  return fact;
-}
-template <int Dim>
-query::SatAxis<double, 3> in_space(const query::SatAxis<double, Dim>& axis) {
-  return {axis.kind, axis.i, axis.j, fit::lift<double, Dim>(axis.direction), axis.gap};
-}
-template <int Dim>
-query::FramesRelated<double, 3> in_space(const query::FramesRelated<double, Dim>& fact) {
-  return {fit::lift<double, Dim>(fact.rotation, 1), fit::lift<double, Dim>(fact.translation), fact.doubt};
-}
-template <int Dim>
-query::AxisTested<double, 3> in_space(const query::AxisTested<double, Dim>& fact) {
-  return {in_space(fact.axis), fact.length,    fact.distance, fact.radius_a, fact.radius_b,
-          fact.doubt,          fact.separates, fact.skipped,  fact.near_a,   fact.near_b};
-}
-template <int Dim>
-query::Verdict<double, 3> in_space(const query::Verdict<double, Dim>& fact) {
-  return {{fact.result.overlap, fact.result.tests, in_space(fact.result.axis)}};
-}
-
-/// Keeps the steps of a test.
-struct RecordPair {
-  PairTrace trace;
-  OperationCounts counts{};
-  template <class Step>
-  void operator()(const Step& step) {
-    std::visit([&](const auto& fact) { trace.push_back({{step.line, in_space(fact)}, counts}); }, step.fact);
-  }
-  void count(Operation operation, std::int64_t n) { counts[static_cast<std::size_t>(operation)] += n; }
-};
 
 constexpr std::string_view kSource = "S. Gottschalk, M. C. Lin, D. Manocha, OBBTree, 1996";
 constexpr std::string_view kWrong = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007";

@@ -1,28 +1,71 @@
 // The tests of two boxes that a lesson can show, and their steps.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <variant>
 #include <vector>
 
+#include "geometry/convert.hpp"
 #include "lesson/boxes.hpp"
+#include "query/gjk.hpp"
+#include "query/overlap_steps.hpp"
 #include "query/sat_steps.hpp"
 #include "query/wrong_steps.hpp"
 #include "trace/observer.hpp"
 
 namespace snug::lesson {
 
+/// The end of a test of two volumes that has none of its own. direction: the separating axis, unit, from A towards B;
+/// zero where they overlap. gap, distance: along it and at all, scene units; distance is below 0 where the test does
+/// not find it.
+struct OverlapDecided {
+  static constexpr std::string_view kName = "overlap_decided";
+  bool overlap = false;
+  double gap = 0, distance = -1;
+  Vector<double, 3> direction = Vector<double, 3>::Zero();
+  static constexpr std::array<std::string_view, 4> kFields{"overlap", "gap", "distance", "direction"};
+  static auto tie(auto& own) { return std::tie(own.overlap, own.gap, own.distance, own.direction); }
+};
+
 /// A step of any of the tests, in 3-D: in 2-D z is 0, and the third axis z.
 struct PairStep {
   int line = 0;  // of the test's pseudocode, counted from 0
   std::variant<query::FramesRelated<double, 3>, query::AxisTested<double, 3>, query::LookedCloser,
-               query::Verdict<double, 3>, query::OutlinesCompared, query::CornerTried, query::Claimed>
+               query::Verdict<double, 3>, query::OutlinesCompared, query::CornerTried, query::Claimed,
+               query::SlabTested, query::CoresCompared, query::NearestFound, query::SupportFound, query::DigitsDoubled,
+               query::DistanceFound, OverlapDecided>
       fact;
 };
 using PairTrace = std::vector<Recorder<PairStep>::Entry>;
 using PairSteps = std::span<const Recorder<PairStep>::Entry>;
+
+/// Keeps the steps of a test, in 3-D.
+struct RecordPair {
+  PairTrace trace;
+  OperationCounts counts{};
+  int gjk_line = 0;  // of the pseudocode, where GJK's begins
+  void operator()(const query::GjkStep& step) { keep(step.line + gjk_line, step.fact); }
+  void operator()(const auto& step) { keep(step.line, step.fact); }
+  void count(Operation operation, std::int64_t n) { counts[static_cast<std::size_t>(operation)] += n; }
+  template <class... Facts>
+  void keep(int line, const std::variant<Facts...>& fact) {
+    std::visit([&](const auto& own) { trace.push_back({{line, in_space(own)}, counts}); }, fact);
+  }
+
+ private:
+  template <class Plain>
+  static const Plain& in_space(const Plain& fact) {
+    return fact;
+  }
+  template <template <class, int> class Fact, int Dim>
+  static Fact<double, 3> in_space(const Fact<double, Dim>& fact) {
+    return converted<double, 3>(fact);
+  }
+};
 
 /// "sat", "sat_all", and the two wrong ones, "extents_only" and "corners_only".
 [[nodiscard]] std::span<const Method> box_tests();

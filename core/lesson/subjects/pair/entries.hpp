@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "lesson/subjects/pair/held_volume.hpp"
 #include "lesson/subjects/pair/pair.hpp"
 
 namespace snug::lesson {
@@ -113,6 +114,123 @@ struct Entry<query::Verdict<double, 3>> : EntryDefaults {
            std::to_string(tests) + " of " + all + " axes were tested.";
   }
   static std::optional<Mark::Kind> mark(const Fact&, const PairWhere&) { return Mark::Kind::kReplaced; }
+};
+
+// ---- the tests of any two volumes ------------------------------------------------------------------------------
+
+/// "separates" of an interval, "apart" of two cores or in the end: yes or no.
+Truth slab_truth(const Asked& asked, const Run& run);
+Truth cores_truth(const Asked& asked, const Run& run);
+Truth overlap_truth(const Asked& asked, const Run& run);
+
+template <>
+struct Entry<query::SlabTested> : EntryDefaults {
+  using Fact = query::SlabTested;
+  static constexpr std::array kAskings{Asking{"separates", &offer_yes_no, &slab_truth}};
+  static std::string sentence(const Fact& fact, const PairWhere&) {
+    const auto interval = [](double least, double greatest) {
+      return "[" + number_text(least) + ", " + number_text(greatest) + "]";
+    };
+    return "Along " + axis_name(fact.direction) + " A covers " + interval(fact.least_a, fact.greatest_a) + " and B " +
+           interval(fact.least_b, fact.greatest_b) +
+           (fact.separates ? ": the intervals are disjoint, so the volumes are apart." : ": the intervals overlap.");
+  }
+  static std::optional<Mark::Kind> mark(const Fact& fact, const PairWhere&) {
+    return fact.separates ? std::optional(Mark::Kind::kBest) : std::nullopt;
+  }
+};
+
+template <>
+struct Entry<query::CoresCompared> : EntryDefaults {
+  using Fact = query::CoresCompared;
+  static constexpr std::array kAskings{Asking{"apart", &offer_yes_no, &cores_truth}};
+  static std::string sentence(const Fact& fact, const PairWhere&) {
+    return "The cores are " + number_text(fact.distance) + " apart, and the radii add up to " +
+           number_text(fact.radii) +
+           (fact.apart ? ": the distance is greater, so the volumes are apart."
+                       : ": the distance is not greater, so the volumes overlap.");
+  }
+  static std::optional<Mark::Kind> mark(const Fact&, const PairWhere&) { return Mark::Kind::kBest; }
+};
+
+/// The handles of these vertices, A's and B's by turns, each once.
+[[nodiscard]] inline std::vector<Index> handles_of_vertices(std::span<const Index> vertices, const PairWhere& where) {
+  std::vector<Index> handles;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (const Index handle = where.vertex(static_cast<int>(i % 2), vertices[i]).handle; handle != kNoIndex)
+      handles.push_back(handle);
+  std::sort(handles.begin(), handles.end());
+  handles.erase(std::unique(handles.begin(), handles.end()), handles.end());
+  return handles;
+}
+
+/// "A3 − B0"
+[[nodiscard]] inline std::string difference_name(Index a, Index b, const PairWhere& where) {
+  return where.vertex(0, a).name + " − " + where.vertex(1, b).name;
+}
+
+template <>
+struct Entry<query::NearestFound> : EntryDefaults {
+  using Fact = query::NearestFound;
+  static std::string sentence(const Fact& fact, const PairWhere& where) {
+    const auto& pairs = fact.corners;
+    std::string names;
+    for (std::size_t i = 0; i < pairs.size(); i += 2)
+      names += (i == 0 ? "" : i + 2 == pairs.size() ? " and " : ", ") + difference_name(pairs[i], pairs[i + 1], where);
+    const std::string distance = number_text(fact.distance);
+    if (pairs.size() == 2) return names + " is " + distance + " from the origin.";
+    return "The nearest point of the simplex of " + names + " is " + distance + " from the origin.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const PairWhere& where) {
+    return handles_of_vertices(fact.corners, where);
+  }
+  static std::string predicate(const Fact&, const PairWhere&, bool plural) {
+    return plural ? "span the simplex" : "spans the simplex";
+  }
+};
+
+template <>
+struct Entry<query::SupportFound> : EntryDefaults {
+  using Fact = query::SupportFound;
+  static std::string sentence(const Fact& fact, const PairWhere& where) {
+    const std::string found = "The vertex of A − B least far along v is " + difference_name(fact.a, fact.b, where);
+    if (fact.gap > 0) return found + ": the cores are at least " + number_text(fact.gap) + " apart.";
+    return found + ", beyond the origin: nothing is proven yet.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const PairWhere& where) {
+    return handles_of_vertices(std::array{fact.a, fact.b}, where);
+  }
+  static std::string predicate(const Fact&, const PairWhere&, bool plural) {
+    return plural ? "are the supporting vertices" : "is the supporting vertex";
+  }
+};
+
+template <>
+struct Entry<query::DigitsDoubled> : EntryDefaults {
+  static std::string sentence(const query::DigitsDoubled&, const PairWhere&) {
+    return "Rounding hides which simplex is nearer: the search goes on with twice as many digits.";
+  }
+};
+
+template <>
+struct Entry<query::DistanceFound> : EntryDefaults {
+  using Fact = query::DistanceFound;
+  static std::string sentence(const Fact& fact, const PairWhere&) {
+    if (!(fact.gap > 0)) return "The simplex holds the origin: the cores have a point in common.";
+    return "Both bounds meet: the cores are " + number_text(fact.distance) + " apart.";
+  }
+  static std::optional<Mark::Kind> mark(const Fact&, const PairWhere&) { return Mark::Kind::kBest; }
+};
+
+template <>
+struct Entry<OverlapDecided> : EntryDefaults {
+  static constexpr std::array kAskings{Asking{"apart", &offer_yes_no, &overlap_truth}};
+  static std::string sentence(const OverlapDecided& fact, const PairWhere&) {
+    if (fact.overlap) return "The volumes overlap.";
+    if (fact.distance >= 0) return "Apart: the distance of the volumes is " + number_text(fact.distance) + ".";
+    return "Apart: along the separating axis there is a gap of " + number_text(fact.gap) + ".";
+  }
+  static std::optional<Mark::Kind> mark(const OverlapDecided&, const PairWhere&) { return Mark::Kind::kReplaced; }
 };
 
 }  // namespace snug::lesson

@@ -46,18 +46,25 @@ const SubjectRow kPairRow{.name = "pair",
                           .table = "boxes",
                           .volumes = &pair_volumes,
                           .methods = &pair_methods,
-                          .facts = &FactList<decltype(PairStep::fact)>::names,
-                          .askings = &FactList<decltype(PairStep::fact)>::askings,
+                          .facts = &pair_facts,
+                          .askings = &pair_askings,
                           .read = &read_boxes,
                           .read_task = &read_pair_task,
                           .check = &check_pair,
                           .open = &open_pair,
                           .play_task = &play_box_task};
 
-/// Every vertex of the boxes that the answer is of.
+std::vector<std::string_view> pair_facts() { return FactList<decltype(PairStep::fact)>::names(); }
+std::vector<AskingOf> pair_askings() { return FactList<decltype(PairStep::fact)>::askings(); }
+
+/// Every vertex of the boxes that the answer is of; of other volumes every vertex.
 std::vector<Index> PairRun::candidates(int i) const {
   std::vector<Index> all;
   const std::vector<Index> named = handles(i);
+  for (const auto& side : vertices_)
+    for (const Vertex& vertex : side)
+      if (vertex.handle != kNoIndex) all.push_back(vertex.handle);
+  if (!all.empty()) return all;
   for (const int box : {0, 1}) {
     if (std::none_of(named.begin(), named.end(), [&](Index at) { return place_of(dim_, at).box == box; })) continue;
     const std::vector<Index> vertices = vertices_of(dim_, box);

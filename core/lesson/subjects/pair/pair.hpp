@@ -9,12 +9,25 @@ namespace snug::lesson {
 
 extern const SubjectRow kPairRow;
 
+/// What tests of two boxes, and of any two volumes, tell, and what can be asked of it.
+[[nodiscard]] std::vector<std::string_view> pair_facts();
+[[nodiscard]] std::vector<AskingOf> pair_askings();
+
 /// A lesson's volume where it has two boxes.
 inline constexpr std::string_view kBoxPair = "box_pair";
 
 class PairRun final : public FactRun<PairRun, PairStep> {
  public:
-  PairRun(int dim, PairTrace trace) : dim_(dim), trace_(std::move(trace)) {}
+  /// A vertex of a volume's core: what it is called, and its handle, kNoIndex where it has none.
+  struct Vertex {
+    std::string name;
+    Index handle = kNoIndex;
+  };
+  /// Those of A and of B, of tests that speak of them.
+  using Vertices = std::array<std::vector<Vertex>, 2>;
+
+  PairRun(int dim, PairTrace trace, Vertices vertices = {})
+      : dim_(dim), trace_(std::move(trace)), vertices_(std::move(vertices)) {}
   [[nodiscard]] std::span<const PairTrace::value_type> trace() const { return trace_; }
   [[nodiscard]] std::vector<Index> candidates(int i) const override;
   struct Where {
@@ -22,11 +35,13 @@ class PairRun final : public FactRun<PairRun, PairStep> {
     int i;
     const Untold* untold;
     [[nodiscard]] int dim() const { return run.dim_; }
+    [[nodiscard]] const Vertex& vertex(int side, Index place) const { return run.vertices_[side][place]; }
   };
 
  private:
   int dim_;
   PairTrace trace_;
+  Vertices vertices_;
 };
 
 extern template class FactRun<PairRun, PairStep>;

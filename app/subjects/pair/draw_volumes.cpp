@@ -1,0 +1,221 @@
+// Two volumes of any kind, and what the step of their test speaks of.
+#include <algorithm>
+#include <cmath>
+
+#include "app/box_marks.hpp"
+#include "app/polytope.hpp"
+#include "app/subjects/pair/draw.hpp"
+#include "lesson/subjects/pair/volumes.hpp"
+
+namespace snug::app {
+namespace {
+
+using lesson::Handle;
+using lesson::HeldVolume;
+using Kind = Handle::Kind;
+
+/// A box of a pair that the separating axes test, as such.
+Obb<double, 3> as_box(const fit::Volume3& volume) {
+  if (const auto* box = std::get_if<Obb<double, 3>>(&volume)) return *box;
+  const auto& upright = *std::get_if<Aabb<double, 3>>(&volume);
+  return {(upright.min + upright.max) / 2, Matrix<double, 3>::Identity(), (upright.max - upright.min) / 2};
+}
+
+struct Drawing {
+  Brush& brush;
+  const lesson::VolumePair& pair;
+  const std::array<std::vector<Point3>, 2> cores{lesson::core_of(pair.held[0]), lesson::core_of(pair.held[1])};
+
+  void volume(int side) const {
+    const Palette& p = brush.p;
+    const HeldVolume& held = pair.held[side];
+    draw_volume(brush.canvas, held.volume, {Stroke::kSolid, p.current, brush.stroke(), p.fill});
+    const Point3 center = lesson::at_handle(held, {});
+    draw_center(brush, center, p.current);
+    brush.label(brush.at(center), 12, {side == 0 ? -1.0f : 1.0f, -1}, side == 0 ? "A" : "B", p.current_text,
+                Face::kSemiBold, 18);
+    if (lesson::radius_of(held) > 0 && cores[side].size() > 1) core(side, p.muted, 0.7f);
+    for (const Handle& handle : lesson::handles_of(held)) knob(held, handle, center);
+  }
+
+  void knob(const HeldVolume& held, const Handle& handle, const Point3& center) const {
+    if (handle.kind == Kind::kCenter) return;
+    const Point3 at = lesson::at_handle(held, handle);
+    if (handle.kind == Kind::kVertex) {
+      const ImVec2 place = brush.at(at);
+      disc(brush.list, place, 3 * brush.p.mark, brush.p.current);
+      return;
+    }
+    draw_knob(brush, handle.kind == Kind::kTurn ? center : at, at, handle.kind == Kind::kTurn);
+  }
+
+  /// What the radius is around.
+  void core(int side, Color color, float width) const {
+    const std::vector<Point3>& all = cores[side];
+    const VolumeStyle style{Stroke::kDashed, color, brush.stroke(width)};
+    if (all.size() == 4)
+      for (const auto& [from, to] : {std::pair{0, 1}, {1, 3}, {3, 2}, {2, 0}})
+        draw_line(brush.canvas, all[from], all[to], style);
+    else if (all.size() == 2) draw_line(brush.canvas, all[0], all[1], style);
+  }
+
+  void operator()(const auto&) const {}
+  void operator()(const query::SlabTested& fact) const {
+    Intervals both{.direction = fact.direction,
+                   .ends = {{{fact.least_a, fact.greatest_a}, {fact.least_b, fact.greatest_b}}},
+                   .separates = fact.separates,
+                   .name = lesson::axis_name(fact.direction)};
+    for (const int side : {0, 1}) {
+      const fit::Volume3& volume = pair.held[side].volume;
+      both.farthest[side] = {farthest_in(volume, -fact.direction, pair.dim),
+                             farthest_in(volume, fact.direction, pair.dim)};
+      both.reach.insert(both.reach.end(), cores[side].begin(), cores[side].end());
+    }
+    draw_intervals(brush, both);
+  }
+  void operator()(const query::AxisTested<double, 3>& fact) const {
+    if (fact.skipped) return;
+    draw_projections(brush, {.dim = pair.dim, .boxes = {as_box(pair.held[0].volume), as_box(pair.held[1].volume)}},
+                     fact);
+  }
+  /// The line between the nearest points, and of it what either radius covers.
+  void operator()(const query::CoresCompared& fact) const {
+    const Palette& p = brush.p;
+    for (const int side : {0, 1}) core(side, p.examined, 1.1f);
+    const Point3 way = fact.on_b - fact.on_a;
+    const double length = way.norm();
+    const ImVec2 from = brush.at(fact.on_a), to = brush.at(fact.on_b);
+    const Color color = fact.apart ? p.wrong : p.examined;
+    line(brush.list, from, to, Stroke::kSolid, color, brush.stroke(1.1f));
+    brush.canvas.obstacles.segments.push_back({from.x, from.y, to.x, to.y});
+    for (const int side : {0, 1}) {
+      const double radius = lesson::radius_of(pair.held[side]);
+      disc(brush.list, side == 0 ? from : to, 4.5f * p.mark, color);
+      if (!(radius > 0) || !(length > 0)) continue;
+      const Point3 foot = side == 0 ? fact.on_a : fact.on_b, unit = way / (side == 0 ? length : -length);
+      const ImVec2 a = brush.at(foot), b = brush.at(foot + unit * radius);
+      line(brush.list, a, b, Stroke::kSolid, p.current, brush.stroke(1.8f));
+      const ImVec2 middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+      brush.label(middle, 6, {b.y - a.y, a.x - b.x}, (side == 0 ? "r_A = " : "r_B = ") + lesson::number_text(radius),
+                  p.current_text, Face::kSemiBold, 13);
+    }
+    brush.label({(from.x + to.x) / 2, (from.y + to.y) / 2}, 8, {from.y - to.y, to.x - from.x},
+                "distance of the cores " + lesson::number_text(fact.distance),
+                fact.apart ? p.wrong_text : p.examined_text, Face::kSemiBold, 13);
+  }
+  void operator()(const query::NearestFound& fact) const {
+    for (std::size_t i = 0; i < fact.corners.size(); i += 2) difference(fact.corners[i], fact.corners[i + 1], true);
+  }
+  void operator()(const query::SupportFound& fact) const { difference(fact.a, fact.b, false); }
+  /// A vertex of A - B: the two that it is the difference of.
+  void difference(Index a, Index b, bool kept) const {
+    const Palette& p = brush.p;
+    const ImVec2 from = brush.at(cores[1][b]), to = brush.at(cores[0][a]);
+    line(brush.list, from, to, kept ? Stroke::kSolid : Stroke::kDashed, p.examined, brush.stroke(0.9f));
+    for (const ImVec2 at : {from, to}) ring(brush.list, at, 9 * p.mark, p.examined, brush.stroke());
+    brush.canvas.obstacles.segments.push_back({from.x, from.y, to.x, to.y});
+  }
+  void operator()(const query::DistanceFound&) const { nearest(); }
+  void operator()(const lesson::OverlapDecided& fact) const {
+    if (!fact.overlap) nearest();
+  }
+  void nearest() const {
+    const Palette& p = brush.p;
+    const auto apart = lesson::separation_of(pair);
+    if (!apart) return;
+    const ImVec2 from = brush.at(apart->on_a), to = brush.at(apart->on_b);
+    line(brush.list, from, to, Stroke::kSolid, p.wrong, brush.stroke(1.3f));
+    for (const ImVec2 at : {from, to}) disc(brush.list, at, 4.5f * p.mark, p.wrong);
+    brush.canvas.obstacles.segments.push_back({from.x, from.y, to.x, to.y});
+    brush.label({(from.x + to.x) / 2, (from.y + to.y) / 2}, 8, {from.y - to.y, to.x - from.x},
+                "distance " + lesson::number_text(apart->distance), p.wrong_text, Face::kSemiBold, 13);
+  }
+};
+
+// ---- the difference A - B ---------------------------------------------------------------------------------------
+
+constexpr float kPad = 10;
+
+/// The picture of the plane in which A - B lies.
+struct Plane {
+  ImVec2 middle;
+  float scale;
+  Point3 center;
+  [[nodiscard]] ImVec2 at(const Point3& p) const {
+    return {middle.x + static_cast<float>(p[0] - center[0]) * scale,
+            middle.y - static_cast<float>(p[1] - center[1]) * scale};
+  }
+};
+
+/// What GJK has of the difference at a step.
+struct Simplex {
+  const std::array<std::vector<Point3>, 2>& cores;
+  std::vector<Point3> kept;       // its vertices
+  std::optional<Point3> support;  // the vertex found last
+  [[nodiscard]] Point3 vertex(Index a, Index b) const { return cores[0][a] - cores[1][b]; }
+  void operator()(const auto&) {}
+  void operator()(const query::NearestFound& fact) {
+    kept.clear(), support.reset();
+    for (std::size_t i = 0; i < fact.corners.size(); i += 2)
+      kept.push_back(vertex(fact.corners[i], fact.corners[i + 1]));
+  }
+  void operator()(const query::SupportFound& fact) { support = vertex(fact.a, fact.b); }
+};
+
+}  // namespace
+
+void draw_volumes(Brush& brush, lesson::PairSteps steps) {
+  const Drawing drawing{brush, lesson::as<lesson::VolumesSubject>(brush.session.subject())->pair()};
+  for (const int side : {0, 1}) drawing.volume(side);
+  if (!steps.empty()) std::visit(drawing, steps.back().step.fact);
+}
+
+Rect draw_difference(Brush& brush, lesson::PairSteps steps, float top) {
+  if (brush.dim() != 2) return {};
+  const lesson::VolumePair& pair = lesson::as<lesson::VolumesSubject>(brush.session.subject())->pair();
+  const std::array<std::vector<Point3>, 2> cores{lesson::core_of(pair.held[0]), lesson::core_of(pair.held[1])};
+  Simplex simplex{cores, {}, std::nullopt};
+  for (const auto& entry : steps) std::visit(simplex, entry.step.fact);
+  if (simplex.kept.empty()) return {};
+
+  const Look& look = brush.look;
+  const Palette& p = brush.p;
+  const float width = brush.rect.width < 560 ? 128.0f : look.px(brush.rect.width < 900 ? 180 : 232), head = look.px(22);
+  const Rect panel{brush.rect.x + 12, top, width, width * 0.8f + head};
+  if (panel.y + panel.height > brush.canvas.camera.free_bottom()) return {};
+  const ImVec2 low{panel.x, panel.y}, high{panel.x + panel.width, panel.y + panel.height};
+  brush.list->AddRectFilled(low, high, p.panel, 8);
+  brush.list->AddRect(low, high, p.line, 8, 0, 1);
+  text(brush.list, look, Face::kSemiBold, 12, {low.x + kPad, low.y + look.px(5)}, p.muted,
+       lesson::radius_of(pair.held[0]) + lesson::radius_of(pair.held[1]) > 0 ? "Cores: A − B" : "A − B");
+
+  Point3 least = Point3::Zero(), greatest = Point3::Zero();  // the origin is in the picture
+  std::vector<Point3> all;
+  for (const Point3& a : cores[0])
+    for (const Point3& b : cores[1]) {
+      all.push_back(a - b);
+      least = least.cwiseMin(all.back()), greatest = greatest.cwiseMax(all.back());
+    }
+  const Point3 size = (greatest - least).cwiseMax(1e-9 * (1 + greatest.norm()));
+  const float scale =
+      static_cast<float>(std::min((panel.width - 4 * kPad) / size[0], (panel.height - head - 3 * kPad) / size[1]));
+  const Plane plane{{low.x + width / 2, low.y + head + (panel.height - head) / 2}, scale, (least + greatest) / 2};
+
+  std::vector<ImVec2> places;
+  for (const Point3& vertex : all) places.push_back(plane.at(vertex));
+  const std::vector<ImVec2> outline = convex_outline(std::move(places));
+  if (outline.size() > 2)
+    brush.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), with_alpha(p.current, p.fill));
+  path(brush.list, outline, outline.size() > 2, Stroke::kSolid, p.current, brush.stroke(0.7f));
+  std::vector<ImVec2> kept;
+  for (const Point3& vertex : simplex.kept) kept.push_back(plane.at(vertex));
+  if (kept.size() > 1) path(brush.list, kept, kept.size() > 2, Stroke::kSolid, p.examined, brush.stroke(1.2f));
+  for (const ImVec2 at : kept) disc(brush.list, at, 4, p.examined);
+  if (simplex.support) ring(brush.list, plane.at(*simplex.support), 6, p.examined, brush.stroke(0.9f));
+  const ImVec2 origin = plane.at(Point3::Zero());
+  plus(brush.list, origin, 6, p.ink, brush.stroke(0.9f));
+  text(brush.list, look, Face::kRegular, 11, {origin.x + 7, origin.y - look.px(13)}, p.ink, "origin");
+  return panel;
+}
+
+}  // namespace snug::app

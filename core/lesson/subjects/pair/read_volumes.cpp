@@ -1,0 +1,131 @@
+#include "lesson/subjects/pair/read_volumes.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "lesson/boxes.hpp"
+#include "lesson/names.hpp"
+
+namespace snug::lesson {
+namespace {
+
+constexpr double kLargest = 1e6;
+
+/// Reads a volume's fields by their names.
+struct FieldReader {
+  TomlTable& table;
+  int dim;
+  int k = 0;  // of a k-DOP
+
+  void operator()(std::string_view name, double& length) const { length = table.number(name, kLargest); }
+  void operator()(std::string_view name, Point3& point) const {
+    const auto numbers = table.numbers(name);
+    if (static_cast<int>(numbers.size()) != dim)
+      return table.wrong(name, "must be " + std::to_string(dim) + " numbers");
+    for (int i = 0; i < dim; ++i) point[i] = numbers[i];
+  }
+  void operator()(std::string_view name, std::array<Point3, 2>& edges) const {
+    const auto list = table.points(name, dim);
+    if (list.size() != 2) return table.wrong(name, "must be two edges");
+    std::copy(list.begin(), list.end(), edges.begin());
+    if (std::abs(edges[0].dot(edges[1])) > 1e-9 * edges[0].norm() * edges[1].norm())
+      table.wrong(name, "must be perpendicular");
+  }
+  /// Degrees: in space about x, then y, then z.
+  void operator()(std::string_view, Matrix<double, 3>& axes) const {
+    const auto degrees = table.numbers("turn");
+    if (degrees.size() != (dim == 2 ? 1u : 3u))
+      return table.wrong("turn", dim == 2 ? "must be a number of degrees" : "must be 3 numbers of degrees");
+    Obb<double, 3> box;
+    for (std::size_t i = 0; i < degrees.size(); ++i)
+      box = turned_by(box, dim == 2 ? 2 : static_cast<int>(i), degrees[i] * std::numbers::pi / 180);
+    axes = box.axes;
+  }
+  void operator()(std::string_view name, int& number) {
+    if (name != "k") return;  // of a hull: worked out
+    number = static_cast<int>(table.integer(name, 4, 26));
+    const std::size_t slabs = dim == 2 ? kdop_axes<2>(number).size() : kdop_axes<3>(number).size();
+    if (slabs == 0) table.wrong(name, dim == 2 ? "must be 4, 6 or 8" : "must be 6, 14, 18 or 26");
+    k = static_cast<int>(2 * slabs);
+  }
+  void operator()(std::string_view name, std::array<double, kMostSlabs<3>>& bounds) const {
+    const auto numbers = table.numbers(name);
+    if (static_cast<int>(numbers.size()) != k / 2)
+      return table.wrong(name, "must be " + std::to_string(k / 2) + " numbers, one for each slab");
+    std::copy(numbers.begin(), numbers.end(), bounds.begin());
+  }
+  void operator()(std::string_view, std::vector<Point3>& vertices) const { vertices = table.points("points", dim); }
+  template <class Item>
+  void operator()(std::string_view, std::vector<Item>&) const {}  // of a hull: worked out
+};
+
+/// An empty volume of the kind with that place in kVolumeNames.
+template <std::size_t at = 0>
+fit::Volume3 volume_of_kind(std::size_t kind) {
+  if constexpr (at + 1 < kVolumeNames.size())
+    if (kind != at) return volume_of_kind<at + 1>(kind);
+  return fit::Volume3(std::in_place_index<at>);
+}
+
+HeldVolume read_volume(const toml::table& toml, std::string name, int dim, Complaints& complaints) {
+  TomlTable table(toml, std::move(name), complaints);
+  HeldVolume held{.dim = dim};
+  const auto kind = std::find_if(kVolumeNames.begin(), kVolumeNames.end(), [&](auto one) { return table.has(one); });
+  if (kind == kVolumeNames.end()) {
+    complaints.add(table.line(), "a volume is one of " + one_of(kVolumeNames) + ", with its fields");
+    return held;
+  }
+  held.volume = volume_of_kind(static_cast<std::size_t>(kind - kVolumeNames.begin()));
+  const toml::table* fields = table.table(*kind);
+  table.refuse_others();
+  if (fields == nullptr) return held;
+  TomlTable own(*fields, std::string(*kind), complaints);
+  std::visit([&](auto& volume) { see_fields(volume, FieldReader{own, dim}); }, held.volume);
+  own.refuse_others();
+  if (const auto* hull = std::get_if<ConvexHull<double, 3>>(&held.volume)) held.points = hull->vertices;
+  if (complaints.first()) return held;
+  if (const std::string fault = fault_of(held); !fault.empty()) complaints.add(own.line(), fault);
+  return complaints.first() ? held : placed(held, Matrix<double, 3>::Identity(), Point3::Zero());
+}
+
+}  // namespace
+
+void read_volumes(TomlTable& table, Lesson& lesson, Complaints& complaints) {
+  auto tables = std::make_shared<VolumeTables>();
+  TomlTable own(*table.table("volumes"), "[volumes]", complaints);
+  tables->line = own.line();
+  const int dim = tables->pair.dim = lesson.points.dim = static_cast<int>(own.integer_or("dim", 2, 3, 2));
+  double reach = 0;
+  for (const std::size_t side : {0, 1}) {
+    const char* key = side == 0 ? "a" : "b";
+    HeldVolume& held = tables->pair.held[side];
+    held.dim = dim;
+    if (const toml::table* volume = own.table(key); volume != nullptr)
+      held = read_volume(*volume, std::string("[volumes] ") + key, dim, complaints);
+    else own.wrong(key, "is missing");
+    if (complaints.first()) continue;
+    for (const Handle& handle : handles_of(held))
+      reach = std::max(reach, (at_handle(held, handle) - at_handle(held, {})).norm());
+  }
+  for (HeldVolume& held : tables->pair.held) held.knob = 0.3 * reach;
+  if (tables->pair.held[0].volume.index() > tables->pair.held[1].volume.index())
+    own.wrong("a", "must be of the kind that comes first: " + one_of(kVolumeNames));
+  own.refuse_others();
+  lesson.tables = std::move(tables);
+}
+
+void refuse_volume_task(TomlTable& table, Lesson&, Complaints& complaints) {
+  complaints.add(table.line(), "a lesson on two volumes has no task");
+}
+
+void check_volume_tests(const Lesson& lesson, const Subject& own, Complaints& complaints) {
+  const VolumePair& pair = as<VolumesSubject>(own)->pair();
+  const std::string_view test = query::kPairTestNames[static_cast<std::size_t>(test_of(pair))];
+  for (const std::string& algorithm : lesson.algorithms)
+    if (algorithm != test && algorithm != "gjk")
+      complaints.add(static_cast<const VolumeTables&>(*lesson.tables).line,
+                     "the test of these two volumes is " + std::string(test) + (test == "gjk" ? "" : " or gjk") +
+                         ", not " + algorithm);
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,127 @@
+#include <algorithm>
+
+#include "lesson/subjects/pair/volumes.hpp"
+#include "query/overlaps_any.hpp"
+
+namespace snug::lesson {
+namespace {
+
+using query::PairTest;
+
+/// GJK's lines stand behind those of the slabs, of which the last gives way to them.
+constexpr int kSlabLines = 3;
+constexpr auto kSlabsThenGjkPseudocode = [] {
+  std::array<std::string_view, kSlabLines + query::kGjkPseudocode.size()> all;
+  std::copy_n(query::kSlabsPseudocode.begin(), kSlabLines, all.begin());
+  std::copy(query::kGjkPseudocode.begin(), query::kGjkPseudocode.end(), all.begin() + kSlabLines);
+  return all;
+}();
+
+constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
+constexpr std::string_view kArvo = "J. Arvo, A simple method for box-sphere intersection testing, 1990";
+constexpr std::string_view kSwept =
+    "E. Larsen, S. Gottschalk, M. Lin, D. Manocha, Fast proximity queries with swept sphere volumes, 1999";
+constexpr std::string_view kSlabs =
+    "J. Klosowski, M. Held, J. Mitchell, H. Sowizral, K. Zikan, Efficient collision detection using bounding volume "
+    "hierarchies of k-DOPs, 1998";
+constexpr std::string_view kSat = "S. Gottschalk, M. C. Lin, D. Manocha, OBBTree, 1996";
+constexpr std::string_view kGjk =
+    "E. Gilbert, D. Johnson, S. Keerthi, A fast procedure for computing the distance between complex objects in "
+    "three-dimensional space, 1988";
+
+constexpr Method row(PairTest test, std::string_view title, std::string_view source,
+                     std::span<const std::string_view> pseudocode, std::span<const std::string_view> in_plane = {}) {
+  return {kVolumePair, query::kPairTestNames[static_cast<std::size_t>(test)], title, source, pseudocode, in_plane};
+}
+
+constexpr std::array kVolumeTests{
+    row(PairTest::kSpheres, "Distance of the centres", kEricson, query::kDistancePseudocode),
+    row(PairTest::kSphereBox, "Nearest point of the box", kArvo, query::kDistancePseudocode),
+    row(PairTest::kSweptSpheres, "Distance of the cores", kSwept, query::kDistancePseudocode),
+    row(PairTest::kSlabs, "Intervals", kSlabs, query::kSlabsPseudocode),
+    row(PairTest::kSlabsThenGjk, "Intervals, then GJK", kSlabs, kSlabsThenGjkPseudocode),
+    row(PairTest::kSeparatingAxes, "Separating axes", kSat, query::kSatPseudocode3, query::kSatPseudocode2),
+    row(PairTest::kGjk, "GJK", kGjk, query::kGjkPseudocode),
+};
+
+/// Calls with both volumes in their own dimension.
+template <class Call>
+auto in_dimension(const VolumePair& pair, Call call) {
+  const auto own = [&]<int Dim>(std::integral_constant<int, Dim>) {
+    const auto volume = [&](int side) {
+      return std::visit([](const auto& kind) { return Volume<double, Dim>(converted<double, Dim>(kind)); },
+                        pair.held[side].volume);
+    };
+    return call(volume(0), volume(1));
+  };
+  return pair.dim == 2 ? own(std::integral_constant<int, 2>()) : own(std::integral_constant<int, 3>());
+}
+
+/// The line of the pseudocode that the test ends on.
+int last_line(PairTest test, const RecordPair& steps, bool overlap) {
+  if (test == PairTest::kSlabs) return overlap ? 3 : 2;
+  return steps.trace.empty() ? 0 : steps.trace.back().step.line;
+}
+
+template <int Dim>
+void decide(const Volume<double, Dim>& a, const Volume<double, Dim>& b, PairTest test, bool by_gjk,
+            RecordPair& observe) {
+  const auto result =
+      by_gjk ? query::any_pair::by_gjk(a, b, observe) : query::any_pair::test_any_in_order(a, b, observe);
+  if (!by_gjk && test == PairTest::kSeparatingAxes) return;  // it has its own end
+  OverlapDecided end{.overlap = result.overlap, .distance = result.distance ? *result.distance : -1};
+  if (result.separating_axis) {
+    end.gap = result.separating_axis->gap;
+    convert_into(end.direction, result.separating_axis->direction);
+  }
+  observe.keep(last_line(by_gjk ? PairTest::kGjk : test, observe, result.overlap), std::variant<OverlapDecided>(end));
+}
+
+}  // namespace
+
+std::span<const Method> volume_tests() { return kVolumeTests; }
+
+PairTrace record(std::string_view test, const VolumePair& pair) {
+  RecordPair observe;
+  const PairTest own = test_of(pair);
+  const bool by_gjk = test == query::kPairTestNames[static_cast<std::size_t>(PairTest::kGjk)];
+  if (own == PairTest::kSlabsThenGjk && !by_gjk) observe.gjk_line = kSlabLines;
+  in_dimension(pair, [&](const auto& a, const auto& b) { decide(a, b, own, by_gjk, observe); });
+  return std::move(observe.trace);
+}
+
+std::vector<Point3> core_of(const HeldVolume& held) {
+  std::vector<Point3> core;
+  const auto list = [&]<int Dim>(std::integral_constant<int, Dim>) {
+    std::visit(
+        [&](const auto& kind) {
+          const auto own = converted<double, Dim>(kind);
+          for (const auto& vertex : query::core_corners(own, Vector<double, Dim>(Vector<double, Dim>::Zero())))
+            convert_into(core.emplace_back(), vertex);
+        },
+        held.volume);
+  };
+  if (held.dim == 2) list(std::integral_constant<int, 2>());
+  else list(std::integral_constant<int, 3>());
+  return core;
+}
+
+double radius_of(const HeldVolume& held) {
+  return std::visit([](const auto& volume) { return query::core_radius(volume); }, held.volume);
+}
+
+std::optional<query::Separation<double, 3>> separation_of(const VolumePair& pair) {
+  return in_dimension(pair,
+                      []<int Dim>(const Volume<double, Dim>& a,
+                                  const Volume<double, Dim>& b) -> std::optional<query::Separation<double, 3>> {
+                        const auto found = query::gjk(a, b);
+                        if (!found || found->overlap) return std::nullopt;
+                        query::Separation<double, 3> lifted{
+                            .distance = found->distance, .gap = found->gap, .turns = found->turns};
+                        convert_into(lifted.direction, found->direction);
+                        convert_into(lifted.on_a, found->on_a), convert_into(lifted.on_b, found->on_b);
+                        return lifted;
+                      });
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,181 @@
+#include "lesson/subjects/pair/volumes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/pose.hpp"
+#include "geometry/random.hpp"
+#include "lesson/names.hpp"
+#include "lesson/subjects.hpp"
+#include "lesson/subjects/pair/box_figures.hpp"
+#include "lesson/subjects/pair/read_volumes.hpp"
+
+namespace snug::lesson {
+namespace {
+
+std::vector<std::string_view> own_volumes() { return {kVolumePair}; }
+std::span<const Method> own_methods(std::string_view) { return volume_tests(); }
+
+tl::expected<std::unique_ptr<Subject>, InputError> open_volumes(const Lesson& lesson, std::optional<io::PointFile>,
+                                                                Clock) {
+  return std::make_unique<VolumesSubject>(static_cast<const VolumeTables&>(*lesson.tables).pair, lesson.seed);
+}
+
+/// Where the last of these steps that is such a fact says how the test stands.
+struct Standing {
+  int tests = 0;
+  double radii = 0;
+  std::optional<double> lower, upper;  // of the cores' distance
+  const OverlapDecided* end = nullptr;
+
+  void operator()(const query::SlabTested&) { ++tests; }
+  void operator()(const query::AxisTested<double, 3>&) { ++tests; }
+  void operator()(const query::CoresCompared& fact) { ++tests, lower = upper = fact.distance; }
+  void operator()(const query::NearestFound& fact) { ++tests, upper = fact.distance; }
+  void operator()(const query::SupportFound& fact) { lower = std::max(lower.value_or(0), fact.gap); }
+  void operator()(const OverlapDecided& fact) { end = &fact; }
+  void operator()(const auto&) {}
+};
+
+Figure length(std::string name, std::string key, std::optional<double> value) {
+  return {std::move(name),   std::move(key), value ? number_text(*value) + " units" : "—",
+          value.value_or(0), "units",        value.has_value()};
+}
+
+Point3 random_place(Random& random, double reach, int dim) {
+  Point3 place = Point3::Zero();
+  for (int i = 0; i < dim; ++i) place[i] = random.between(-reach, reach);
+  return place;
+}
+
+Matrix<double, 3> random_turn(Random& random, int dim) {
+  Quaternion spin{1, 0, 0, random.between(-1, 1)};
+  if (dim == 3) spin = {random.between(0.2, 1), random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+  return matrix_of(normalized(spin));
+}
+
+}  // namespace
+
+const SubjectRow kVolumesRow{.name = "volumes",
+                             .table = "volumes",
+                             .volumes = &own_volumes,
+                             .methods = &own_methods,
+                             .facts = &pair_facts,
+                             .askings = &pair_askings,
+                             .read = &read_volumes,
+                             .read_task = &refuse_volume_task,
+                             .check_first = &check_volume_tests,
+                             .open = &open_volumes};
+
+VolumesSubject::VolumesSubject(VolumePair pair, std::uint64_t seed) : lesson_seed_(seed), pair_(std::move(pair)) {
+  origin_.seed = seed;
+  for (const int side : {0, 1})
+    for (const Handle& handle : handles_of(pair_.held[side])) handles_.push_back({side, handle});
+}
+
+Point3 VolumesSubject::at(Index i) const { return at_handle(pair_.held[side(i)], handle(i)); }
+
+std::string VolumesSubject::name_of(Index i) const {
+  return (side(i) == 0 ? "A" : "B") + handle_name(pair_.held[side(i)], handle(i));
+}
+
+Done VolumesSubject::move(Index i, const Point3& to) {
+  auto next = moved(pair_.held[side(i)], handle(i), to);
+  if (!next) return tl::unexpected(std::move(next.error()));
+  pair_.held[side(i)] = *std::move(next);
+  origin_.edited = true;
+  return {};
+}
+
+/// The lesson's own volumes, placed and, as far as their kind can be, turned at random.
+void VolumesSubject::scatter(std::uint64_t seed, const Subject& own) {
+  pair_ = as<VolumesSubject>(own)->pair_;
+  origin_ = own.origin();
+  origin_.seed = seed;
+  if (seed == lesson_seed_) return;
+  double reach = 0;
+  for (Index i = 0; i < size(); ++i) {
+    const HeldVolume& held = pair_.held[side(i)];
+    reach = std::max(reach, (at(i) - at_handle(held, {})).norm());
+  }
+  Random random(seed);
+  for (HeldVolume& held : pair_.held) {
+    const Matrix<double, 3> rotation = random_turn(random, pair_.dim);
+    held = placed(held, rotation, random_place(random, 1.2 * reach, pair_.dim) - at_handle(held, {}));
+  }
+}
+
+/// The vertices of both cores, with their handles. A hull's are some of the points that it is held by, a k-DOP's have
+/// none.
+PairRun::Vertices VolumesSubject::vertices() const {
+  PairRun::Vertices all;
+  for (const int side : {0, 1}) {
+    const HeldVolume& held = pair_.held[side];
+    const std::string letter = side == 0 ? "A" : "B";
+    const auto* hull = std::get_if<ConvexHull<double, 3>>(&held.volume);
+    const auto count = static_cast<int>(core_of(held).size());
+    for (int i = 0; i < count; ++i) {
+      const Handle handle =
+          count == 1 ? Handle{}
+                     : Handle{Handle::Kind::kVertex, hull != nullptr ? static_cast<int>(hull->indices[i]) : i};
+      PairRun::Vertex vertex{letter + (count == 1 ? "" : std::to_string(handle.number))};
+      for (Index k = 0; k < size(); ++k)
+        if (this->side(k) == side && this->handle(k) == handle) vertex.handle = k;
+      all[side].push_back(std::move(vertex));
+    }
+  }
+  return all;
+}
+
+std::unique_ptr<Run> VolumesSubject::run(const Method& method, std::unique_ptr<Run>) const {
+  return std::make_unique<PairRun>(dim(), record(method.name, pair_), vertices());
+}
+
+std::string VolumesSubject::opening(const Method& method) const {
+  return std::string(method.title) + " on the volumes A and B: nothing is known yet. Take the first step.";
+}
+
+std::vector<Figure> VolumesSubject::figures(const View& view) const {
+  const PairSteps steps = pair_run(view.run()).trace();
+  Standing standing;
+  for (const auto& entry : steps.first(view.step)) std::visit(standing, entry.step.fact);
+  if (!axes_seen(steps).empty()) return {};  // the table of axes says it all
+  std::vector<Figure> figures;
+  const double radii = radius_of(pair_.held[0]) + radius_of(pair_.held[1]);
+  const bool cores = std::any_of(steps.begin(), steps.end(), [](const auto& entry) {
+    return std::holds_alternative<query::NearestFound>(entry.step.fact) ||
+           std::holds_alternative<query::CoresCompared>(entry.step.fact);
+  });
+  if (cores) {
+    if (view.method().name == "gjk") {
+      figures.push_back(length("Cores at least apart", "lower", standing.lower));
+      figures.push_back(length("Cores at most apart", "upper", standing.upper));
+    } else {
+      figures.push_back(length("Distance of the cores", "cores", standing.upper));
+    }
+    figures.push_back(length("Sum of the radii", "radii", radii));
+  }
+  std::optional<double> gap;
+  if (standing.end != nullptr && !standing.end->overlap) gap = standing.end->gap;
+  figures.push_back(length("Separation", "gap", gap));
+  figures.push_back({"Tests so far", "tests", std::to_string(standing.tests), static_cast<double>(standing.tests), ""});
+  return figures;
+}
+
+std::vector<Proof> VolumesSubject::proofs(const View& view) const {
+  if (!view.at_end()) return {};
+  const auto apart = separation_of(pair_);
+  if (!apart)
+    return {{"GJK finds a point that both volumes have in common, or that is within rounding of both", true, true}};
+  double reach[2];
+  for (const int side : {0, 1}) {
+    const Point3 way = side == 0 ? apart->direction : Point3(-apart->direction);
+    reach[side] = -std::numeric_limits<double>::infinity();
+    for (const Point3& vertex : core_of(pair_.held[side])) reach[side] = std::max(reach[side], vertex.dot(way));
+    reach[side] += radius_of(pair_.held[side]);
+  }
+  return {{"a plane across the axis of the nearest points has A on one side and B on the other", reach[0] < -reach[1],
+           true}};
+}
+
+}  // namespace snug::lesson

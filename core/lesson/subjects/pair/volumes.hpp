@@ -1,0 +1,75 @@
+// Any two volumes and the test that decides whether they overlap.
+#pragma once
+
+#include "lesson/subjects/pair/held_volume.hpp"
+#include "lesson/subjects/pair/pair.hpp"
+#include "query/overlap_table.hpp"
+
+namespace snug::lesson {
+
+extern const SubjectRow kVolumesRow;
+
+/// A lesson's volume where it has any two.
+inline constexpr std::string_view kVolumePair = "volume_pair";
+
+/// In 2-D z is 0. A's kind does not stand after B's in kVolumeNames: so the tests take A first.
+struct VolumePair {
+  int dim = 2;
+  std::array<HeldVolume, 2> held;
+};
+
+/// The pair's own test.
+[[nodiscard]] inline query::PairTest test_of(const VolumePair& pair) {
+  return query::kPairTests[pair.held[0].volume.index()][pair.held[1].volume.index()];
+}
+
+/// Each of query::PairTest, by its name there. GJK suits every pair, the others those that they are the test of.
+[[nodiscard]] std::span<const Method> volume_tests();
+/// The pair's own test, or GJK.
+[[nodiscard]] PairTrace record(std::string_view test, const VolumePair& pair);
+
+/// The vertices of a volume's core, as GJK knows them.
+[[nodiscard]] std::vector<Point3> core_of(const HeldVolume& held);
+/// The radius around the core.
+[[nodiscard]] double radius_of(const HeldVolume& held);
+/// The nearest points of both; none where they overlap.
+[[nodiscard]] std::optional<query::Separation<double, 3>> separation_of(const VolumePair& pair);
+
+class VolumesSubject final : public Subject {
+ public:
+  static constexpr const SubjectRow& kRow = kVolumesRow;
+  VolumesSubject(VolumePair pair, std::uint64_t seed);
+  [[nodiscard]] const VolumePair& pair() const { return pair_; }
+  [[nodiscard]] const Handle& handle(Index i) const { return handles_[i].handle; }
+  [[nodiscard]] int side(Index i) const { return handles_[i].side; }
+
+  [[nodiscard]] const SubjectRow& row() const override { return kRow; }
+  [[nodiscard]] std::unique_ptr<Subject> clone() const override { return std::make_unique<VolumesSubject>(*this); }
+  [[nodiscard]] int dim() const override { return pair_.dim; }
+  [[nodiscard]] Index size() const override { return static_cast<Index>(handles_.size()); }
+  [[nodiscard]] Point3 at(Index i) const override;
+  [[nodiscard]] std::string name_of(Index i) const override;
+  [[nodiscard]] std::array<std::string_view, 2> handle_words() const override { return {"vertex", "vertices"}; }
+  [[nodiscard]] std::string_view tools_word() const override { return "Volumes"; }
+  Done move(Index i, const Point3& to) override;
+  void scatter(std::uint64_t seed, const Subject& own) override;
+  void begin_task(const Lesson&, const Subject&) override {}
+  [[nodiscard]] std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const override;
+  [[nodiscard]] std::string opening(const Method& method) const override;
+  [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
+  [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
+  [[nodiscard]] Grade grade(const Lesson&, const View&, std::vector<bool>&) const override { return {}; }
+
+ private:
+  struct Own {
+    int side;
+    Handle handle;
+  };
+  [[nodiscard]] PairRun::Vertices vertices() const;
+
+  std::uint64_t lesson_seed_;
+  VolumePair pair_;
+  std::vector<Own> handles_;  // of A, then of B
+};
+
+}  // namespace snug::lesson

@@ -1,0 +1,188 @@
+// Two volumes of any kind: every pair opens, is tested, and follows the hand.
+#include "lesson/subjects/pair/volumes.hpp"
+
+#include <doctest/doctest.h>
+
+#include <set>
+
+#include "lesson/session.hpp"
+#include "query/overlaps.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+
+namespace {
+
+/// A volume of each kind, in kVolumeNames' order. x: where about its centre is.
+std::string volume_of(std::size_t kind, int dim, const char* x) {
+  const std::string z = dim == 3 ? ", 0.2]" : "]", at = std::string("[") + x + ", 0.1" + z;
+  const std::string end = std::string("[") + x + ", 1.3" + z;
+  switch (kind) {
+    case 0: return "{ sphere = { center = " + at + ", radius = 0.8 } }";
+    case 1: return "{ aabb = { min = " + at + ", max = [9" + (dim == 3 ? ", 2, 1]" : ", 2]") + " } }";
+    case 2:
+      return "{ obb = { center = " + at + ", half_extents = [0.9, 0.4" +
+             (dim == 3 ? ", 0.3], turn = [10, 20, 30]" : "], turn = 20") + " } }";
+    case 3: return "{ capsule = { a = " + at + ", b = " + end + ", radius = 0.3 } }";
+    case 4:
+      return "{ lozenge = { origin = " + at +
+             ", edges = " + (dim == 3 ? "[[1, 0, 0], [0, 0.6, 0.2]]" : "[[1, 0], [0, 0.6]]") + ", radius = 0.25 } }";
+    case 5:
+      return dim == 3
+                 ? std::string("{ kdop = { k = 14, min = [-1, -1, -1, -2, -2, -2, -2], max = [1, 1, 1, 2, 2, 2, 2] } }")
+                 : std::string("{ kdop = { k = 8, min = [-1, -1, -1.5, -1.5], max = [1, 1, 1.5, 1.5] } }");
+    default:
+      return "{ hull = { points = [" + at + ", " + end + ", [9, 0" + (dim == 3 ? ", 0], [8, 1, 1" : "], [8, 1") +
+             "]] } }";
+  }
+}
+
+std::string lesson_text(std::size_t a, std::size_t b, int dim, const std::string& algorithms) {
+  return "version = 1\ngroup = \"Test\"\ntitle = \"Two volumes\"\nsummary = \"Two volumes.\"\norder = 99\n"
+         "covers = [\"L: s\"]\nvolume = \"volume_pair\"\nalgorithms = [" +
+         algorithms + "]\n[volumes]\ndim = " + std::to_string(dim) + "\na = " + volume_of(a, dim, "-2") +
+         "\nb = " + volume_of(b, dim, "1.7") + "\n[[section]]\ntitle = \"One\"\ntext = \"A text.\"\n";
+}
+
+std::string own_test(std::size_t a, std::size_t b) {
+  return std::string(query::kPairTestNames[static_cast<std::size_t>(query::kPairTests[a][b])]);
+}
+
+Session session_of(std::size_t a, std::size_t b, int dim) {
+  const std::string test = own_test(a, b);
+  const std::string both = test == "gjk" ? "\"gjk\"" : "\"" + test + "\", \"gjk\"";
+  auto lesson = read_lesson(lesson_text(a, b, dim, both), "two.toml");
+  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+  auto session = Session::open(*std::move(lesson));
+  REQUIRE(session.has_value());
+  return *std::move(session);
+}
+
+const VolumePair& pair_of(const Session& session) { return as<VolumesSubject>(session.subject())->pair(); }
+
+/// What the test of the volumes themselves says.
+bool overlap_of(const VolumePair& pair) {
+  const auto own = [&]<int Dim>(std::integral_constant<int, Dim>) {
+    return std::visit(
+        [](const auto& a, const auto& b) {
+          return query::overlaps(converted<double, Dim>(a), converted<double, Dim>(b));
+        },
+        pair.held[0].volume, pair.held[1].volume);
+  };
+  return pair.dim == 2 ? own(std::integral_constant<int, 2>()) : own(std::integral_constant<int, 3>());
+}
+
+/// What the run says in the end.
+bool overlap_said(const Session& session) {
+  const auto& end = pair_run(session.run(0)).trace().back().step.fact;
+  if (const auto* verdict = std::get_if<query::Verdict<double, 3>>(&end)) return verdict->result.overlap;
+  const auto* decided = std::get_if<OverlapDecided>(&end);
+  REQUIRE(decided != nullptr);
+  return decided->overlap;
+}
+
+void check_all_steps(Session& session) {
+  for (int step = 0; step <= session.steps(); ++step) {
+    session.jump(step);
+    CHECK(session.step() == step);
+    CHECK_FALSE(session.caption().empty());
+    for (const Figure& figure : session.figures()) CHECK(std::isfinite(figure.value));
+  }
+  CHECK(session.line() >= 0);
+  CHECK(session.line() < static_cast<int>(session.pseudocode(0).size()));
+  for (const Proof& proof : session.proofs()) CHECK(proof.holds);
+}
+
+}  // namespace
+
+TEST_CASE("every pair of volumes opens, is tested step by step, and says what overlaps says, wherever it is dragged") {
+  int apart = 0, together = 0;
+  for (const int dim : {2, 3})
+    for (std::size_t a = 0; a < kVolumeNames.size(); ++a)
+      for (std::size_t b = a; b < kVolumeNames.size(); ++b) {
+        CAPTURE(dim);
+        CAPTURE(kVolumeNames[a]);
+        CAPTURE(kVolumeNames[b]);
+        Session session = session_of(a, b, dim);
+        std::set<std::string> names;
+        for (Index i = 0; i < session.size(); ++i) {
+          CAPTURE(session.name_of(i));
+          CHECK(names.insert(session.name_of(i)).second);
+          const Vector<double, 3> to = session.point(i) + Vector<double, 3>(0.11, -0.07, dim == 3 ? 0.05 : 0);
+          if (!session.move(i, to)) continue;  // slabs that would have no point in common
+          CHECK(session.subject().origin().edited);
+          // The handle went where the hand is, or as near as its kind can be.
+          CHECK((session.point(i) - to).norm() < 1.2);
+          CHECK(overlap_said(session) == overlap_of(pair_of(session)));
+          (overlap_said(session) ? together : apart) += 1;
+        }
+        check_all_steps(session);
+        for (const std::uint64_t seed : {2, 3, 4}) {
+          session.scatter(seed);
+          CHECK(overlap_said(session) == overlap_of(pair_of(session)));
+        }
+        session.undo();
+        session.scatter(1);
+        if (session.lesson().algorithms.size() == 2) {
+          REQUIRE(session.choose(0, "gjk"));
+          CHECK(overlap_said(session) == overlap_of(pair_of(session)));
+          check_all_steps(session);
+        }
+      }
+  CHECK(apart > 100);
+  CHECK(together > 100);
+}
+
+TEST_CASE("the centre takes its volume along, and what a handle does not hold stays") {
+  for (const int dim : {2, 3})
+    for (std::size_t kind = 0; kind < kVolumeNames.size(); ++kind) {
+      CAPTURE(dim);
+      CAPTURE(kVolumeNames[kind]);
+      Session session = session_of(kind, kind, dim);
+      std::vector<Vector<double, 3>> before;
+      for (Index i = 0; i < session.size(); ++i) before.push_back(session.point(i));
+      const Vector<double, 3> by(0.5, 0.25, dim == 3 ? -0.125 : 0);
+      REQUIRE(session.name_of(0) == "A");
+      REQUIRE(session.move(0, before[0] + by));
+      for (Index i = 0; i < session.size(); ++i) {
+        CAPTURE(session.name_of(i));
+        const Vector<double, 3> due = session.name_of(i)[0] == 'A' ? Vector<double, 3>(before[i] + by) : before[i];
+        CHECK((session.point(i) - due).norm() < 1e-12);
+      }
+      session.undo();
+      for (Index i = 0; i < session.size(); ++i) CHECK(session.point(i) == before[i]);
+    }
+}
+
+TEST_CASE("a file on two volumes says what is wrong in it, and where") {
+  const auto error_of = [](std::string text) {
+    const auto lesson = read_lesson(text, "two.toml");
+    return lesson ? std::string() : lesson.error().message();
+  };
+  const auto has = [](const std::string& error, std::string_view part) {
+    CAPTURE(error);
+    CHECK(error.find(part) != std::string::npos);
+  };
+  has(error_of(lesson_text(0, 0, 2, "\"gjk\", \"slabs\"")),
+      "the test of these two volumes is spheres or gjk, not slabs");
+  has(error_of(lesson_text(3, 0, 2, "\"gjk\"")), "must be of the kind that comes first");
+  std::string text = lesson_text(0, 0, 2, "\"gjk\"");
+  text.replace(text.find("radius = 0.8"), 12, "radius = -1 ");
+  has(error_of(text), "radius");
+  text = lesson_text(0, 0, 2, "\"gjk\"");
+  text.replace(text.find("sphere"), 6, "ball  ");
+  has(error_of(text), "a volume is one of sphere");
+  text = lesson_text(5, 5, 2, "\"gjk\"");
+  text.replace(text.find("k = 8"), 5, "k = 7");
+  has(error_of(text), "must be 4, 6 or 8");
+  text = lesson_text(5, 5, 2, "\"gjk\"");
+  text.replace(text.find("max = [1, 1, 1.5"), 16, "max = [1, 1, -9 ");
+  has(error_of(text), "\"min\" is above \"max\"");
+  text = lesson_text(5, 5, 2, "\"gjk\"");
+  text.replace(text.find("min = [-1, -1, -1.5, -1.5], max = [1, 1, 1.5, 1.5]"), 50,
+               "min = [1, 1, -1.5, -1.5], max = [2, 2, 1.5, 1.5]  ");
+  has(error_of(text), "no point in common");
+  text = lesson_text(4, 4, 2, "\"gjk\"");
+  text.replace(text.find("[0, 0.6]"), 8, "[1, 0.6]");
+  has(error_of(text), "perpendicular");
+}
