@@ -5,7 +5,9 @@
 
 #include "fit/hull/quickhull.hpp"
 #include "fit/lift.hpp"
+#include "geometry/convert.hpp"
 #include "query/kdop_vertices.hpp"
+#include "query/support_function.hpp"
 
 namespace snug::app {
 namespace {
@@ -42,34 +44,6 @@ Polytope hull_of(std::vector<Vector<double, Dim>> corners) {
   return set ? polytope_of(fit::lift(fit::quickhull(set->span()).volume), Dim) : Polytope{};
 }
 
-/// Sums over a volume's cores: the farthest of its corners, and a radius on top.
-struct Farthest {
-  const V3& direction;
-  int dim;
-
-  V3 operator()(const Sphere<double, 3>& ball) const { return pushed(ball.center, ball.radius); }
-  V3 operator()(const Capsule<double, 3>& capsule) const {
-    return pushed(of_corners({capsule.a, capsule.b}), capsule.radius);
-  }
-  V3 operator()(const Lozenge<double, 3>& lozenge) const {
-    const V3 opposite = lozenge.origin + lozenge.edges[0] + lozenge.edges[1];
-    return pushed(
-        of_corners({lozenge.origin, lozenge.origin + lozenge.edges[0], lozenge.origin + lozenge.edges[1], opposite}),
-        lozenge.radius);
-  }
-  V3 operator()(const auto& flat_faced) const { return of_corners(polytope_of(flat_faced, dim).corners); }
-
- private:
-  [[nodiscard]] V3 pushed(const V3& core, double radius) const {
-    const double length = direction.norm();
-    return length > 0 ? V3(core + direction * (radius / length)) : core;
-  }
-  [[nodiscard]] V3 of_corners(const std::vector<V3>& corners) const {
-    return *std::max_element(corners.begin(), corners.end(),
-                             [&](const V3& a, const V3& b) { return a.dot(direction) < b.dot(direction); });
-  }
-};
-
 }  // namespace
 
 Polytope polytope_of(const Obb<double, 3>& obb, int dim) {
@@ -84,10 +58,7 @@ Polytope polytope_of(const Aabb<double, 3>& aabb, int dim) {
 /// Through its vertices: those that touch a slab's side are a face, in order around it.
 Polytope polytope_of(const Kdop<double, 3>& kdop, int dim) {
   if (dim == 2) {
-    Kdop<double, 2> plane{.k = kdop.k};
-    std::copy_n(kdop.min.begin(), plane.min.size(), plane.min.begin());
-    std::copy_n(kdop.max.begin(), plane.max.size(), plane.max.begin());
-    return hull_of<2>(query::kdop_vertices(plane));
+    return hull_of<2>(query::kdop_vertices(converted<double, 2>(kdop)));
   }
   return hull_of<3>(query::kdop_vertices(kdop));
 }
@@ -103,7 +74,17 @@ Polytope polytope_of(const ConvexHull<double, 3>& hull, int dim) {
 }
 
 V3 farthest_in(const fit::Volume3& volume, const V3& direction, int dim) {
-  return std::visit(Farthest{direction, dim}, volume);
+  const auto farthest = [&]<int Dim>(std::integral_constant<int, Dim>) {
+    return std::visit(
+        [&](const auto& kind) {
+          const Vector<double, Dim> way = direction.template head<Dim>();
+          V3 lifted;
+          convert_into(lifted, query::support(converted<double, Dim>(kind), way));
+          return lifted;
+        },
+        volume);
+  };
+  return dim == 2 ? farthest(std::integral_constant<int, 2>()) : farthest(std::integral_constant<int, 3>());
 }
 
 fit::Sphere3 ball_around(const fit::Volume3& volume, int dim) {

@@ -169,9 +169,9 @@ void draw_sources(Shell& shell, Column& column) {
 
 void draw_point_tools(Shell& shell, Column& column) {
   const lesson::Session& session = shell.session();
-  if (session.subject().boxes() != nullptr) {
+  if (session.subject().points() == nullptr) {
     column.title(std::string(session.subject().tools_title()));
-    for (int box = 0; box < 2; ++box) draw_box(shell, column, box);
+    for (int box = 0; session.subject().boxes() != nullptr && box < 2; ++box) draw_box(shell, column, box);
     return draw_scatter(shell, column);
   }
   const std::string source = session.source().empty() ? "" : " · " + session.source();

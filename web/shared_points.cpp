@@ -66,6 +66,7 @@ val SharedPoints::describe(const lesson::Session& session) const {
     if (session.edited()) object.set("boxes", box_rows(session));
     return object;
   }
+  if (session.subject().points() == nullptr) return object;  // nothing that an address could carry
   const auto points = points_of(session);
   const Known* nearest = nullptr;
   std::vector<Index> fewest;

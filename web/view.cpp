@@ -196,6 +196,7 @@ val lesson_object(const lesson::Session& session) {
   object.set("toolsWord", text(subject.tools_word()));
   object.set("toolsTitle", text(subject.tools_title()));
   object.set("handleWords", array_of(subject.handle_words(), text));
+  object.set("hasPoints", subject.points() != nullptr);
   object.set("boxes", box_words(subject));
   object.set("dim", lesson.points.dim);
   object.set("generate", lesson.points.generate);

@@ -62,13 +62,14 @@ void convert_into(To& to, const From& from) {
   } else if constexpr (converting::kIsArray<From>) {
     using Item = typename To::value_type;
     if constexpr (std::is_same_v<Item, Index>) to.fill(kNoIndex);
-    else to = {};
+    else if constexpr (std::is_arithmetic_v<Item>) to.fill(Item());
     converting::each(to, from);
   } else {
     static_assert(Listed<From> && Listed<To>, "a field of a kind that nobody has converted yet");
     [&]<std::size_t... kAt>(std::index_sequence<kAt...>, auto fields_to, auto fields_from) {
       (convert_into(std::get<kAt>(fields_to), std::get<kAt>(fields_from)), ...);
-    }(std::make_index_sequence<From::kFields.size()>(), To::tie(to), From::tie(from));
+    }
+    (std::make_index_sequence<From::kFields.size()>(), To::tie(to), From::tie(from));
   }
 }
 

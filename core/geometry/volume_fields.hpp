@@ -1,4 +1,5 @@
-// Each volume's fields as files and scripts know them: as they stand in its header, but for what is said otherwise here.
+// Each volume's fields as files and scripts know them: as they stand in its header, but for what is said otherwise
+// here.
 #pragma once
 
 #include <span>

@@ -91,9 +91,9 @@ struct SupportMapping {
 
 /// One run between two convex cores, known by their support mappings alone, at most 1 in every coordinate; those of the
 /// plane at z = 0. Each turn proves two bounds: the nearest point of the simplex is one of a - b, and no point of a - b
-/// lies below the plane across v through the supporting points. v comes strictly nearer. Of polytopes there are finitely
-/// many simplices, so that this ends; of smooth cores it ends where the bounds meet. Where rounding keeps v from coming
-/// nearer before that, it goes on from there with twice the digits.
+/// lies below the plane across v through the supporting points. v comes strictly nearer. Of polytopes there are
+/// finitely many simplices, so that this ends; of smooth cores it ends where the bounds meet. Where rounding keeps v
+/// from coming nearer before that, it goes on from there with twice the digits.
 template <class Observer>
 class Gjk {
  public:

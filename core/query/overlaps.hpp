@@ -33,7 +33,8 @@ template <class A, class B, class Observer>
   return result_of(gjk(a, b, false, observe));
 }
 
-/// Slabs that did not separate, and GJK after them, which has the last word. No distance: slabs that separate find none.
+/// Slabs that did not separate, and GJK after them, which has the last word. No distance: slabs that separate find
+/// none.
 template <class Scalar, int Dim>
 [[nodiscard]] OverlapResult<Scalar, Dim> after_slabs(const OverlapResult<Scalar, Dim>& slabs,
                                                      OverlapResult<Scalar, Dim> settled) {

@@ -2,10 +2,13 @@
 
 #include <cmath>
 #include <optional>
+#include <string_view>
+#include <type_traits>
 
 #include "geometry/tolerance.hpp"
 #include "scene/effect.hpp"
 #include "scene/shape.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::scene {
 namespace {
@@ -17,22 +20,30 @@ constexpr double kSmallest = 1e-12, kShortestStep = 1e-9;
 
 bool is_sound(double number) { return std::abs(number) <= kLargest; }  // not of a NaN
 bool is_sound(const V3& v) { return is_sound(v[0]) && is_sound(v[1]) && is_sound(v[2]); }
-bool is_sound(const Sphere<double, 3>& ball) {
-  return is_sound(ball.center) && is_sound(ball.radius) && ball.radius >= 0;
+/// That every number of a volume is sound, and no radius or half extent below 0.
+template <template <class, int> class Kind>
+bool has_sound_fields(const Kind<double, 3>& volume) {
+  bool sound = true;
+  see_fields(volume, [&](std::string_view name, const auto& field) {
+    using Field = std::remove_cvref_t<decltype(field)>;
+    if constexpr (std::is_same_v<Field, double>) sound = sound && is_sound(field) && (name != "radius" || field >= 0);
+    if constexpr (std::is_same_v<Field, V3>)
+      sound = sound && is_sound(field) && (name != "half_extents" || field.minCoeff() >= 0);
+  });
+  return sound;
 }
-bool is_sound(const Aabb<double, 3>& box) {
-  return is_sound(box.min) && is_sound(box.max) && (box.max - box.min).minCoeff() >= 0;
+template <template <class, int> class Kind>
+bool is_sound(const Kind<double, 3>& volume) {
+  return has_sound_fields(volume);
 }
+bool is_sound(const Lozenge<double, 3>& lozenge) {
+  return has_sound_fields(lozenge) && is_sound(lozenge.edges[0]) && is_sound(lozenge.edges[1]);
+}
+bool is_sound(const Aabb<double, 3>& box) { return has_sound_fields(box) && (box.max - box.min).minCoeff() >= 0; }
 bool is_sound(const Obb<double, 3>& box) {
-  return is_sound(box.center) && is_sound(box.half_extents) && box.half_extents.minCoeff() >= 0 &&
+  return has_sound_fields(box) &&
          (box.axes.transpose() * box.axes - Matrix<double, 3>::Identity()).cwiseAbs().maxCoeff() <=
              tolerance::kAxesAsGiven;
-}
-bool is_sound(const Capsule<double, 3>& c) {
-  return is_sound(c.a) && is_sound(c.b) && is_sound(c.radius) && c.radius >= 0;
-}
-bool is_sound(const Lozenge<double, 3>& l) {
-  return is_sound(l.origin) && is_sound(l.edges[0]) && is_sound(l.edges[1]) && is_sound(l.radius) && l.radius >= 0;
 }
 bool is_sound(const Kdop<double, 3>& kdop) {
   const std::size_t slabs = kdop_axes<3>(kdop.k).size();

@@ -44,8 +44,9 @@ template <int Dim>
         if constexpr (kRound != nullptr) round_field(std::get<at>(to), std::get<at>(from), kRound);
       };
       (field(std::integral_constant<std::size_t, kAt>()), ...);
-    }(std::make_index_sequence<Kind<double, Dim>::kFields.size()>(), Kind<float, Dim>::tie(result),
-      Kind<double, Dim>::tie(own));
+    }
+    (std::make_index_sequence<Kind<double, Dim>::kFields.size()>(), Kind<float, Dim>::tie(result),
+     Kind<double, Dim>::tie(own));
     return Volume<float, Dim>(std::move(result));
   };
   return std::visit(rounded, volume);

@@ -1,4 +1,4 @@
-// The tools of two boxes, or of a box and a frustum: where each is, how large, how turned, in numbers; scatter and reset.
+// The tools of two volumes: of boxes and frusta where each is, how large, how turned, in numbers; of all scatter and reset.
 import { by_id, button, element, other_seed, when_changed } from "./dom.js";
 import { clear_notices, notice } from "./messages.js";
 
@@ -105,17 +105,20 @@ export class BoxTools {
   }
 
   open(lesson) {
-    this.#section.hidden = !lesson.boxes;
-    this.#title.textContent = lesson.boxes ? lesson.toolsTitle : "";
-    for (const field of this.#fields) field.open({ dim: lesson.dim, boxes: lesson.boxes ?? kNoBoxes });
+    this.#section.hidden = lesson.hasPoints;
+    this.#title.textContent = lesson.hasPoints ? "" : lesson.toolsTitle;
+    for (const field of this.#fields) {
+      field.element.hidden = !lesson.boxes;
+      field.open({ dim: lesson.dim, boxes: lesson.boxes ?? kNoBoxes });
+    }
   }
 
   #seed_now = 0;
   #show_seed = when_changed((_lesson, seed) => (this.#seed.value = this.#seed_now = seed));
 
   update(view) {
-    if (!view.boxes) return;
     this.#show_seed(view.lesson, view.seed);
+    if (!view.boxes) return;
     view.boxes.forEach((box, i) => this.#fields[i].update(box));
   }
 }

@@ -22,7 +22,7 @@ const kFilesDelay = 400; // milliseconds: a lesson whose files take longer has t
 const kPanelsDelay = 250; // milliseconds: so often the HTML follows a drag, whose every frame would lay the page out anew
 
 /** What stands on it, for those who cannot see it. */
-const stage_of = ({ measures, boxes, frustum, scene, bodies }) => (measures ? "the chart of costs, or the points" : frustum ? "a box and a view frustum" : boxes ? "two boxes"
+const stage_of = ({ measures, boxes, frustum, scene, bodies, hasPoints }) => (measures ? "the chart of costs, or the points" : frustum ? "a box and a view frustum" : boxes ? "two boxes" : !hasPoints ? "two volumes"
   : bodies ? "bodies that move, and their volumes" : scene ? "a body that moves, and the volume around it" : "the points and the volume around them");
 
 class Page {

@@ -59,7 +59,7 @@ export class PointTools {
   }
 
   open(lesson) {
-    this.#section.hidden = !!lesson.boxes;
+    this.#section.hidden = !lesson.hasPoints;
     this.#names = lesson.handleWords;
     this.#title.textContent = capital(this.#names[1]);
     this.#point_words.textContent = capital(this.#names[0]);

@@ -5,10 +5,13 @@
 #include <set>
 
 #include "geometry/generate.hpp"
+#include "geometry/random.hpp"
+#include "geometry/turn.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/subjects/frustum/frustum.hpp"
 #include "lesson/subjects/pair/pair.hpp"
+#include "lesson/subjects/pair/read_volumes.hpp"
 #include "lesson/subjects/scene/scene.hpp"
 
 namespace snug {
@@ -72,6 +75,56 @@ std::vector<lesson::Session> box_sessions() {
         REQUIRE(session.has_value());
         sessions.push_back(*std::move(session));
       }
+  return sessions;
+}
+
+lesson::HeldVolume held_hull(std::vector<Vector<double, 3>> points, int dim) {
+  lesson::HeldVolume held{.volume = ConvexHull<double, 3>{}, .dim = dim, .points = std::move(points)};
+  return lesson::placed(held, Matrix<double, 3>::Identity(), Vector<double, 3>::Zero());
+}
+
+/// Two flat prisms a little apart, turned: of some the search has to double its digits.
+lesson::VolumePair slivers(Random& random) {
+  const Matrix<double, 3> turned = turn({random.between(-1, 1), random.between(-1, 1), 0.3}, random.between(-3, 3));
+  std::vector<Vector<double, 3>> a, b;
+  for (int i = 0; i < 3; ++i) {
+    const Vector<double, 3> p(random.between(-1, 1), random.between(-1, 1), 0);
+    const Vector<double, 3> q(random.between(-1, 1), random.between(-1, 1), 1e-12);
+    a.push_back(turned * p), a.push_back(turned * (p - Vector<double, 3>(0, 0, 1)));
+    b.push_back(turned * q), b.push_back(turned * (q + Vector<double, 3>(0, 0, 1)));
+  }
+  return {.dim = 3, .held = {held_hull(a, 3), held_hull(b, 3)}};
+}
+
+/// Every test of two volumes: apart, one in the other, and hulls that rounding hides the distance of.
+std::vector<lesson::Session> volume_sessions() {
+  using lesson::HeldVolume;
+  std::vector<lesson::Session> sessions;
+  const auto add = [&](lesson::VolumePair pair, std::string_view test) {
+    lesson::Lesson lesson;
+    lesson.id = "test";
+    lesson.volume = "volume_pair";
+    lesson.points.dim = pair.dim;
+    auto tables = std::make_shared<lesson::VolumeTables>();
+    tables->pair = std::move(pair);
+    lesson.tables = std::move(tables);
+    lesson.algorithms = {std::string(test)};
+    auto session = lesson::Session::open(std::move(lesson));
+    REQUIRE(session.has_value());
+    sessions.push_back(*std::move(session));
+  };
+  for (const int dim : {2, 3})
+    for (const double gap : {3.0, 0.25}) {
+      const double depth = dim == 3 ? 0.5 : 0;
+      const HeldVolume ball{.volume = Sphere<double, 3>{{0, 0, 0}, 1}, .dim = dim};
+      const HeldVolume other{.volume = Sphere<double, 3>{{gap, 0, 0}, 0.5}, .dim = dim};
+      const HeldVolume box{.volume = Aabb<double, 3>{{-0.5, -0.5, -depth}, {0.5, 0.5, depth}}, .dim = dim};
+      const HeldVolume far{.volume = Aabb<double, 3>{{gap, 0, -depth}, {gap + 1, 1, depth}}, .dim = dim};
+      add({dim, {ball, other}}, "spheres"), add({dim, {box, far}}, "slabs");
+      add({dim, {box, held_hull({{gap, 0, 0}, {gap + 1, 0, depth}, {gap, 1, 0}, {gap + 1, 1, depth}}, dim)}}, "gjk");
+    }
+  Random random(3);
+  for (int i = 0; i < 60; ++i) add(slivers(random), "gjk");
   return sessions;
 }
 
@@ -151,7 +204,7 @@ TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no numbe
         if (fit::takes(algorithm, dim)) check_fit(algorithm, set_of(*generate(kind, 12, dim, 7), dim));
     if (fit::takes(algorithm, 3)) check_fit(algorithm, set_of({{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, 3));
   }
-  for (const auto& sessions : {box_sessions, frustum_sessions, scene_sessions})
+  for (const auto& sessions : {box_sessions, volume_sessions, frustum_sessions, scene_sessions})
     for (const lesson::Session& session : sessions()) check(session.run(0), 3, true);
   for (const lesson::SubjectRow* subject : lesson::subjects())
     for (const std::string_view fact : subject->facts()) CHECK_MESSAGE(seen.count(fact) == 1, fact);

@@ -1,0 +1,67 @@
+// Any two volumes: their handles are dragged, the test answers at once, and its steps are drawn.
+import { after, before, test } from "node:test";
+import { add_lesson, assert, drag, handles, kPhone, drag_by_finger, start, state, still, stop, until, visit } from "./support.mjs";
+
+const kVolumes = {
+  sphere: "{ sphere = { center = [-1, 0.2], radius = 0.7 } }",
+  aabb: "{ aabb = { min = [0.4, -1], max = [1.7, 0.4] } }",
+  obb: "{ obb = { center = [1.2, 0], half_extents = [0.8, 0.4], turn = 25 } }",
+  capsule: "{ capsule = { a = [1, -0.8], b = [1.4, 0.9], radius = 0.3 } }",
+  lozenge: "{ lozenge = { origin = [0.8, -0.6], edges = [[1, 0], [0, 0.8]], radius = 0.2 } }",
+  kdop: "{ kdop = { k = 8, min = [0.5, -1, -0.1, 0], max = [2, 1, 2.5, 2.5] } }",
+  hull: "{ hull = { points = [[0.6, -1], [2, 0], [0.9, 1.1], [1.2, 0.1]] } }",
+};
+const small_lesson = (volume) => `version = 1
+group = "Tests"
+title = "A sphere and another volume"
+summary = "Two volumes."
+order = 1000
+volume = "volume_pair"
+algorithms = ["gjk"]
+
+[volumes]
+a = ${kVolumes.sphere}
+b = ${kVolumes[volume]}
+
+[[section]]
+title = "Two volumes"
+text = "They are tested."
+`;
+
+before(async () => {
+  await start();
+  for (const volume of Object.keys(kVolumes)) await add_lesson(`pair-${volume}`, small_lesson(volume));
+});
+after(stop);
+
+test("each volume's handles are there, every step has its sentence, and a drag brings the volumes together", async (t) => {
+  for (const volume of Object.keys(kVolumes)) {
+    const page = await visit(t, `?lesson=pair-${volume}&step=0`);
+    let now = await state(page);
+    assert.ok((await handles(page)).length >= 4, volume);
+    while (now.step < now.steps) {
+      await page.keyboard.press("PageDown");
+      now = await until(page, (it, step) => it.step > step, now.step);
+      assert.match(now.caption, /\.$/);
+    }
+    assert.match(now.caption, /^Apart/, volume);
+    assert.ok(now.readout.gap > 0);
+    const [center] = await handles(page);
+    await drag(page, center.id, 170, 0);
+    now = await until(page, (it) => /overlap/.test(it.caption));
+    assert.equal(now.edited, true, volume);
+    await page.keyboard.press("Control+z");
+    await until(page, (it) => /^Apart/.test(it.caption));
+    await page.close();
+  }
+});
+
+test("the lesson on sphere-swept volumes: a finger changes a radius, and the steps follow", async (t) => {
+  const page = await visit(t, "?lesson=swept-overlap&step=2", kPhone);
+  const before = await state(page);
+  const radius = (await handles(page)).find(({ name }) => name === "A radius");
+  await drag_by_finger(page, radius.id, -20, -14);
+  const after = await until(page, (it, radii) => it.readout.radii > radii, before.readout.radii);
+  assert.ok(after.readout.gap < before.readout.gap);
+  await still(page);
+});
