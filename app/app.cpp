@@ -31,7 +31,7 @@ bool has_input(const ImGuiIO& io) {
 
 bool same(const Settings& a, const Settings& b) {
   return a.theme == b.theme && a.text_scale == b.text_scale && a.reduced_motion == b.reduced_motion &&
-         a.prose_in_canvas == b.prose_in_canvas && a.show_optimum == b.show_optimum;
+         a.prose_in_canvas == b.prose_in_canvas && a.tools == b.tools && a.show_optimum == b.show_optimum;
 }
 
 /// What a new texture of letters leaves empty becomes white: it is transparent all the same, and where letters stand
@@ -256,10 +256,11 @@ bool App::State::move(std::string_view name) {
 void App::State::draw_stage(const Rect& rect) {
   const std::string_view words = cover != nullptr ? cover->button_words() : "";
   const float height = look.fingers ? 44.0f : look.px(32);
-  look.tools_right = cover != nullptr ? app::measure(look, Face::kSemiBold, 13, words).x + look.px(28) : 0;
+  look.tools_right =
+      cover != nullptr && settings.tools ? app::measure(look, Face::kSemiBold, 13, words).x + look.px(28) : 0;
   if (covered()) cover->draw(look, *session, rect, settings.prose_in_canvas);
   else stage.draw(look, settings, *session, rect, now);
-  if (cover == nullptr) return;
+  if (cover == nullptr || !settings.tools) return;
   const float right = rect.x + rect.width - 12 - (covered() ? 0 : height + 8);
   if (button(ImGui::GetWindowDrawList(), look,
              {.id = "chart or shape",
@@ -298,6 +299,14 @@ tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io
   state_->play_until.reset();
   state_->settle = kSettleFrames;
   return {};
+}
+
+void App::keep_answers(const std::string& lesson, std::vector<lesson::Outcome> outcomes) {
+  state_->answers[lesson] = std::move(outcomes);
+}
+void App::forget_answers() {
+  state_->answers.clear();
+  if (state_->session) state_->session->forget_answers();
 }
 
 tl::expected<void, InputError> App::load(const io::PointFile& file, std::string_view name) {

@@ -35,6 +35,7 @@ struct Settings {
   float text_scale = 1;  // 1 is 15 px prose
   bool reduced_motion = false;
   bool prose_in_canvas = false;  // the step's sentence on the stage; the page has it as HTML above the canvas instead
+  bool tools = true;             // the stage's own buttons; a picture of the stage has none
   bool show_optimum = false;     // the smallest ball beside the current one before the end; there it always shows
 };
 
@@ -80,6 +81,9 @@ class App {
   /// Opens a lesson at its start, with the answers that were given when it was open before. Errors: as of
   /// Session::open; what was open then stays.
   tl::expected<void, InputError> open(lesson::Lesson lesson, std::optional<io::PointFile> mesh = {});
+  /// The answers of an earlier visit to a lesson, for when it is opened; and all answers, of every lesson, away.
+  void keep_answers(const std::string& lesson, std::vector<lesson::Outcome> outcomes);
+  void forget_answers();
   /// A file's points, in the open lesson. Errors: as of Session::load, and of the cover's.
   tl::expected<void, InputError> load(const io::PointFile& file, std::string_view name);
   /// The name of what the open lesson is about, as app/subjects has it; "" before the first open.

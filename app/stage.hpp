@@ -68,6 +68,7 @@ class Stage {
   static void draw_labels(Brush& brush);
   // stage_notes.cpp
   void draw_notes(Brush& brush, Settings& settings);
+  void draw_tools(Brush& brush, Settings& settings, float y, float height);
   void draw_toggle(Brush& brush, Settings& settings, float right, float y, float height);
   void draw_axis_cross(Brush& brush) const;
 

@@ -36,10 +36,8 @@ void draw_sentence(ImDrawList* list, const Look& look, Obstacles& obstacles, con
   keep_free(obstacles, pill);
 }
 
-void Stage::draw_notes(Brush& brush, Settings& settings) {
+void Stage::draw_tools(Brush& brush, Settings& settings, float y, float height) {
   const Look& look = brush.look;
-  const float height = look.fingers ? 44.0f : look.px(32);
-  const float y = brush.rect.y + 12;
   float right = brush.rect.x + brush.rect.width - 12;
   const Rect fit{right - height, y, height, height};
   if (button(brush.list, look, {.id = "fit", .rect = fit, .icon = Icon::kFit, .kind = ButtonKind::kOutlined}))
@@ -50,6 +48,13 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
   if (view_->offers_optimum() && look.tools_right == 0) draw_toggle(brush, settings, right, y, height);
   keep_free(brush.canvas.obstacles, fit);
   if (look.tools_right > 0) keep_free(brush.canvas.obstacles, {right - look.tools_right, y, look.tools_right, height});
+}
+
+void Stage::draw_notes(Brush& brush, Settings& settings) {
+  const Look& look = brush.look;
+  const float height = look.fingers ? 44.0f : look.px(32);
+  const float y = brush.rect.y + 12;
+  if (settings.tools) draw_tools(brush, settings, y, height);
 
   // The page's undo and redo stand in the other corner.
   const float tools = look.tools;

@@ -162,7 +162,7 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
   press({.id = "play",
          .rect = place(c.wide),
          .words = player.playing ? "Pause" : "Play",
-         .icon = player.playing ? Icon::kPause : Icon::kNone,
+         .icon = player.playing ? Icon::kPause : Icon::kPlay,
          .enabled = player.playing || !gate},
         "play");
   press({.id = "last", .rect = place(c.small), .icon = Icon::kLast, .enabled = !gate && !at_end}, "last");

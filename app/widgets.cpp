@@ -18,6 +18,15 @@ void triangle(ImDrawList* list, ImVec2 m, float size, float direction, Color col
   else list->AddTriangleFilled({m.x - w, m.y + h}, {m.x + w, m.y}, {m.x - w, m.y - h}, color);
 }
 
+/// One step, as against playing on.
+void chevron(ImDrawList* list, ImVec2 m, float size, float direction, Color color) {
+  const float w = size * 0.26f * direction, h = size * 0.5f;
+  list->PathLineTo({m.x - w, m.y - h});
+  list->PathLineTo({m.x + w, m.y});
+  list->PathLineTo({m.x - w, m.y + h});
+  list->PathStroke(color, 0, size * 0.19f);
+}
+
 void bar(ImDrawList* list, float x, float y, float size, float width, Color color) {
   list->AddRectFilled({x - width / 2, y - size * 0.58f}, {x + width / 2, y + size * 0.58f}, color, 1);
 }
@@ -78,8 +87,8 @@ void draw_icon(ImDrawList* list, Icon icon, ImVec2 m, float size, Color color) {
       bar(list, m.x - size * 0.5f, m.y, size, 2, color),
           triangle(list, {m.x + size * 0.15f, m.y}, size * 0.95f, -1, color);
       break;
-    case Icon::kBack: triangle(list, m, size, -1, color); break;
-    case Icon::kStep:
+    case Icon::kBack: chevron(list, m, size, -1, color); break;
+    case Icon::kStep: chevron(list, m, size, 1, color); break;
     case Icon::kPlay: triangle(list, m, size, 1, color); break;
     case Icon::kPause:
       bar(list, m.x - size * 0.25f, m.y, size * 0.9f, 3.5f, color),

@@ -27,13 +27,13 @@ void next_theme(app::Settings& settings) {
 }
 
 float draw_titles(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect) {
-  const lesson::Lesson& lesson = shell.session().lesson();
   const float middle = rect.y + rect.height / 2;
   float x = rect.x + 24;
   app::text(list, look, Face::kSemiBold, 18, {x, app::middle_of(middle, look.px(18))}, look->ink, "Snug");
   x += app::measure(look, Face::kSemiBold, 18, "Snug").x + 18;
-  app::text(list, look, Face::kRegular, 14, {x, app::middle_of(middle, look.px(14))}, look->muted, lesson.group);
-  x += app::measure(look, Face::kRegular, 14, lesson.group).x + 10;
+  const std::string& chapter = shell.chapter();
+  app::text(list, look, Face::kRegular, 14, {x, app::middle_of(middle, look.px(14))}, look->muted, chapter);
+  x += app::measure(look, Face::kRegular, 14, chapter).x + 10;
   app::text(list, look, Face::kRegular, 14, {x, app::middle_of(middle, look.px(14))}, look->line, "/");
   return x + 8;
 }

@@ -18,6 +18,9 @@ class Shell {
   [[nodiscard]] lesson::Session& session() { return *app_.session(); }
   [[nodiscard]] const std::vector<LessonFile>& lessons() const { return lessons_; }
 
+  /// The title of the open lesson's chapter.
+  [[nodiscard]] const std::string& chapter() const { return lessons_[open_].chapter; }
+
   /// Errors are kept as the notice too.
   tl::expected<void, InputError> open(const std::string& id);
   /// A mesh of the program's own by name, or a point file by path, instead of the points that are there.
@@ -50,6 +53,7 @@ class Shell {
 
   app::App& app_;
   std::vector<LessonFile> lessons_;
+  std::size_t open_ = 0;  // which of them
 };
 
 }  // namespace snug::desktop

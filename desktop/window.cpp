@@ -66,6 +66,26 @@ Parts parts_of(const Extent& extent, const app::Look& look) {
   return parts;
 }
 
+/// What ImGui has been given, over the stage's own 3-D and the panels' colour.
+void finish(const Extent& extent, app::App& app, app::Color ground) {
+  ImGui::Render();
+  const ImVec4 color = ImGui::ColorConvertU32ToFloat4(ground);
+  glDisable(GL_SCISSOR_TEST);
+  glViewport(0, 0, extent.device_width, extent.device_height);
+  glClearColor(color.x, color.y, color.z, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  app.draw_3d_behind(extent.device_width, extent.device_height, extent.scale);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+/// Draws the stage alone into what is bound.
+void draw_stage(GlfwHost& host, app::App& app, double now) {
+  host.begin_frame();
+  const Extent extent = host.extent();
+  app.frame({.stage = {0, 0, extent.width, extent.height}}, now);
+  finish(extent, app, app.look()->ground);
+}
+
 /// Draws the whole window once into what is bound.
 void draw(GlfwHost& host, Shell& shell, double now) {
   host.begin_frame();
@@ -82,14 +102,7 @@ void draw(GlfwHost& host, Shell& shell, double now) {
                                                 {parts.app.inspector.x, parts.window.height}, look->line);
   draw_notice(shell, parts.app.stage);
   draw_keys(shell, parts.window);
-  ImGui::Render();
-  const ImVec4 panel = ImGui::ColorConvertU32ToFloat4(look->panel);
-  glDisable(GL_SCISSOR_TEST);
-  glViewport(0, 0, extent.device_width, extent.device_height);
-  glClearColor(panel.x, panel.y, panel.z, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  shell.app().draw_3d_behind(extent.device_width, extent.device_height, extent.scale);
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  finish(extent, shell.app(), look->panel);
 }
 
 /// Draws the chart alone into what is bound.
@@ -227,7 +240,10 @@ int run_window(const WindowOptions& options) {
   if (const int status = open_first(shell, options); status != 0) return status;
   if (!options.screenshot.empty()) {
     app.settings().reduced_motion = true;
-    return take_picture(**host, options.screenshot, [&] { draw(**host, shell, (*host)->now()); });
+    if (!options.stage_alone)
+      return take_picture(**host, options.screenshot, [&] { draw(**host, shell, (*host)->now()); });
+    app.settings().prose_in_canvas = app.settings().tools = false;
+    return take_picture(**host, options.screenshot, [&] { draw_stage(**host, app, (*host)->now()); });
   }
   run(**host, shell);
   return 0;

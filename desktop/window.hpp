@@ -14,6 +14,7 @@ struct WindowOptions {
   std::string points_file;            // shown instead of the lesson's points; empty for none
   std::string screenshot;             // where to write one frame as PNG and leave; empty to stay open
   std::string chart, chart_then;      // a result of `snug cost` to draw in place of a lesson, and one that lies over it
+  bool stage_alone = false;           // the picture has no panels, buttons or sentence
   int width = 1280, height = 800;
   bool sized = false;  // they were asked for: a window does not shrink to the screen then
 };

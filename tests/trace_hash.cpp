@@ -1,6 +1,5 @@
 // What `snug trace-hash` prints, without the command line: for WebAssembly, where there is none.
 // usage: MESH_FOLDER LESSON.toml ...
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -49,7 +48,6 @@ int main(int argc, char** argv) {
     if (!lesson) return fail(lesson.error());
     lessons.push_back(std::move(*lesson));
   }
-  std::sort(lessons.begin(), lessons.end(), lesson::comes_before);
   for (lesson::Lesson& lesson : lessons) {
     const auto hash = hash_of(std::move(lesson), argv[1]);
     if (!hash) return fail(hash.error());

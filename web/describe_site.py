@@ -1,30 +1,51 @@
-"""describe_site.py SITE LESSON.toml...: writes what the page must know of its own files, which a static host does not tell.
+"""describe_site.py SITE COURSE.toml LESSON.toml...: writes what the page must know of its own files, which a static host
+does not tell.
 
-lessons/index.json: each lesson's id, group, title, summary and order, in the order of the menu.
+course.json: the chapters with their lessons, each with its id, title, summary, minutes, how many predictions it asks for,
+whether it has a task, and the words that a search finds it by.
 sizes.json: how many bytes each file has, for a loading bar that is true when the transfer is packed.
 """
 
 import json
 import pathlib
+import re
 import sys
 import tomllib
 
-SHOWN = ("group", "title", "summary", "order")
+
+def words_of(lesson: dict) -> str:
+    """Slides, headings, terms and algorithms, each once."""
+    slides = [slide.split(": ", 1)[-1] for slide in lesson.get("covers", [])]
+    sections = lesson.get("section", [])
+    terms = [term for section in sections for term in re.findall(r"\*\*(.+?)\*\*", section["text"], re.DOTALL)]
+    algorithms = [name.replace("_", " ") for name in lesson["algorithms"]]
+    found = [*slides, *(section["title"] for section in sections), *terms, *algorithms]
+    return " · ".join(dict.fromkeys(" ".join(words.split()) for words in found))
 
 
 def lesson_entry(path: pathlib.Path) -> dict:
     lesson = tomllib.loads(path.read_text(encoding="utf-8"))
-    return {"id": path.stem} | {key: lesson[key] for key in SHOWN if key in lesson}
+    shown = {key: lesson[key] for key in ("title", "summary", "minutes")}
+    asked = {"questions": len(lesson.get("question", [])), "task": "task" in lesson}
+    return {"id": path.stem} | shown | asked | {"words": words_of(lesson)}
 
 
-def main(site: pathlib.Path, lesson_files: list[pathlib.Path]) -> None:
-    lessons = [lesson_entry(path) for path in lesson_files]
-    lessons.sort(key=lambda lesson: (lesson.get("order", 0), lesson["id"]))
-    (site / "lessons").mkdir(exist_ok=True)
-    (site / "lessons/index.json").write_text(json.dumps(lessons, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
+def course_of(path: pathlib.Path, lessons: dict[str, dict]) -> dict:
+    chapters = tomllib.loads(path.read_text(encoding="utf-8"))["chapter"]
+    named = [lesson for chapter in chapters for lesson in chapter["lessons"]]
+    if sorted(named) != sorted(lessons):
+        sys.exit(f"{path} does not name each lesson once: `snug lesson check {path}` says more")
+    return {"chapters": [{"title": chapter["title"], "lessons": [lessons[lesson] for lesson in chapter["lessons"]]} for chapter in chapters]}
+
+
+def write(path: pathlib.Path, what: dict) -> None:
+    path.write_text(json.dumps(what, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
+
+
+def main(site: pathlib.Path, course: pathlib.Path, lesson_files: list[pathlib.Path]) -> None:
+    write(site / "course.json", course_of(course, {path.stem: lesson_entry(path) for path in lesson_files}))
     files = (path for path in sorted(site.rglob("*")) if path.is_file() and path.name != "sizes.json")
-    sizes = {path.relative_to(site).as_posix(): path.stat().st_size for path in files}
-    (site / "sizes.json").write_text(json.dumps(sizes, indent=1) + "\n", encoding="utf-8")
+    write(site / "sizes.json", {path.relative_to(site).as_posix(): path.stat().st_size for path in files})
 
 
-main(pathlib.Path(sys.argv[1]), [pathlib.Path(name) for name in sys.argv[2:]])
+main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), [pathlib.Path(name) for name in sys.argv[3:]])

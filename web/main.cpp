@@ -16,6 +16,7 @@
 #include "app/app.hpp"
 #include "app/subjects/cost/costs.hpp"
 #include "io/point_file.hpp"
+#include "lesson/kept_answers.hpp"
 #include "snug_gl.h"
 #include "web/boxes.hpp"
 #include "web/canvas.hpp"
@@ -231,6 +232,18 @@ void forget_answers() {
   if (app::Cover* const cover = door().app->cover()) cover->show(false);  // it would give the answers away
 }
 
+/// The answers given, for the device to keep; and those of an earlier visit to a lesson, before it is opened.
+std::string kept_answers() { return session() ? lesson::kept_text(session()->outcomes()) : ""; }
+void keep_answers(const std::string& lesson, const std::string& kept) {
+  door().app->keep_answers(lesson, lesson::outcomes_of(kept));
+}
+/// Those of every lesson.
+void erase_answers() {
+  if (!door().app) return;
+  door().app->forget_answers();
+  if (app::Cover* const cover = door().app->cover()) cover->show(false);
+}
+
 /// name: "" clears the one beside.
 std::string choose(int slot, const std::string& name) {
   return session() ? sentence(session()->choose(slot, name)) : "";
@@ -346,6 +359,9 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("go", &go);
   function("jump", &jump);
   function("forget_answers", &forget_answers);
+  function("kept_answers", &kept_answers);
+  function("keep_answers", &keep_answers);
+  function("erase_answers", &erase_answers);
   function("choose", &choose);
   function("select_point", &select_point);
   function("move_point", &move_point);

@@ -184,7 +184,7 @@ val lesson_object(const lesson::Session& session) {
   const lesson::Subject& subject = session.subject();
   val object = val::object();
   object.set("id", lesson.id);
-  object.set("group", lesson.group);
+  object.set("minutes", lesson.minutes);
   object.set("title", lesson.title);
   object.set("summary", lesson.summary);
   object.set("sections", array_of(lesson.sections, section_object));

@@ -97,11 +97,10 @@ struct Lesson {
     kBegin,  // the points alone, before the first step
     kEnd,    // the result: see Session::previewing
   };
-  std::string id;     // the file's name without .toml
-  std::string group;  // "Spheres"
+  std::string id;  // the file's name without .toml
   std::string title;
   std::string summary;              // one sentence
-  int order = 0;                    // among all lessons
+  int minutes = 0;                  // that it takes, about
   std::vector<std::string> covers;  // "lecture title: slide title", what of the lectures it stands for
   std::vector<Section> sections;
   Points points;

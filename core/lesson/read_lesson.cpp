@@ -12,6 +12,7 @@ namespace snug::lesson {
 namespace {
 
 constexpr std::int64_t kVersion = 1;
+constexpr std::int64_t kMostMinutes = 240;
 
 /// What a lesson's "volume" may be.
 std::vector<std::string_view> volumes() {
@@ -138,10 +139,9 @@ void read_pseudocode(const toml::table& toml, Complaints& complaints, Lesson& le
 void read_head(TomlTable& table, Lesson& lesson) {
   if (table.integer("version", 1, 1000000) != kVersion)
     table.wrong("version", "is not one that this program reads: it reads 1");
-  lesson.group = table.text("group");
   lesson.title = table.text("title");
   lesson.summary = table.text("summary");
-  lesson.order = static_cast<int>(table.integer("order", 1, 1000));
+  lesson.minutes = static_cast<int>(table.integer("minutes", 1, kMostMinutes));
   lesson.covers = table.texts("covers", 0);
   lesson.seed = static_cast<std::uint64_t>(table.integer_or("seed", 0, 1LL << 53, 1));
   const std::string start = table.text_or("start", "begin");

@@ -1,7 +1,5 @@
 #include "lesson/trace_hash.hpp"
 
-#include <tuple>
-
 #include "lesson/play.hpp"
 #include "number/fnv.hpp"
 
@@ -21,7 +19,5 @@ tl::expected<TraceHash, InputError> trace_hash(Session& session) {
 std::string line_of(const TraceHash& hash) {
   return hash.lesson + ' ' + std::to_string(hash.steps) + ' ' + hex_of(hash.hash);
 }
-
-bool comes_before(const Lesson& a, const Lesson& b) { return std::tie(a.order, a.id) < std::tie(b.order, b.id); }
 
 }  // namespace snug::lesson

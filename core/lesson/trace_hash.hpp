@@ -21,7 +21,4 @@ struct TraceHash {
 /// "ID STEPS HASH" without a line feed; the hash as hex_of has it.
 [[nodiscard]] std::string line_of(const TraceHash& hash);
 
-/// The order that lessons are listed in.
-[[nodiscard]] bool comes_before(const Lesson& a, const Lesson& b);
-
 }  // namespace snug::lesson

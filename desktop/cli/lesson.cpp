@@ -1,4 +1,7 @@
 // snug lesson list, check and play.
+#include <algorithm>
+#include <filesystem>
+
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/json.hpp"
 #include "desktop/cli/lesson_files.hpp"
@@ -25,11 +28,12 @@ CommandResult run_list(const LessonOptions& options) {
   const auto lessons = read_lessons(options.folder);
   if (!lessons) return bad_input(lessons.error());
   Printed printed;
-  for (const auto& [path, lesson] : *lessons)
+  for (const auto& [path, lesson, chapter] : *lessons)
     printed.text += line_of({{"lesson", lesson.id},
-                             {"group", lesson.group},
+                             {"group", chapter},
                              {"title", lesson.title},
                              {"summary", lesson.summary},
+                             {"minutes", lesson.minutes},
                              {"algorithms", lesson.algorithms},
                              {"questions", lesson.questions.size()},
                              {"task", lesson.task.has_value()},
@@ -56,7 +60,17 @@ std::optional<InputError> fault_of(const LessonFile& file, const lesson::Played&
   return InputError{.what = "a model answer is graded as wrong", .file = file.path};
 }
 
+tl::expected<Json, InputError> check_course(const std::filesystem::path& path) {
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  const auto course = read_course_of(folder.string());
+  if (!course) return tl::unexpected(course.error());
+  std::size_t lessons = 0;
+  for (const lesson::Chapter& chapter : course->chapters) lessons += chapter.lessons.size();
+  return Json{{"chapters", course->chapters.size()}, {"lessons", lessons}, {"file", path.string()}};
+}
+
 tl::expected<Json, InputError> check(const std::string& path) {
+  if (std::filesystem::path(path).filename() == kCourseFile) return check_course(path);
   const auto file = read_lesson_file(path);
   if (!file) return tl::unexpected(file.error());
   const auto played = play(*file);
@@ -70,9 +84,15 @@ tl::expected<Json, InputError> check(const std::string& path) {
 CommandResult run_check(const LessonOptions& options) {
   Printed printed;
   std::vector<InputError> errors;
-  for (const std::string& path : options.files) {
+  const auto check_one = [&](const std::string& path) {
     if (const auto checked = check(path)) printed.text += line_of(*checked);
     else errors.push_back(checked.error());
+  };
+  for (const std::string& path : options.files) {
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(path, ignored)) check_one(path);
+    else if (const auto files = files_of(path)) std::for_each(files->begin(), files->end(), check_one);
+    else errors.push_back(files.error());
   }
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   return printed;
@@ -121,18 +141,20 @@ void add_lesson(Commands& commands) {
 
   CLI::App& list = *group.add_subcommand("list", "List the lessons");
   list.footer(
-      "JSON Lines: {\"lesson\",\"group\",\"title\",\"summary\",\"algorithms\",\"questions\",\"task\",\"file\"}.");
+      "In the order of the folder's course.toml, whose chapter is the group; by id where there is none. JSON Lines:\n"
+      "{\"lesson\",\"group\",\"title\",\"summary\",\"minutes\",\"algorithms\",\"questions\",\"task\",\"file\"}.");
   add_folder(list, *add_command<LessonOptions>(commands, list, run_list));
 
   CLI::App& check = *group.add_subcommand("check", "Check lesson files");
   check.footer(
       "Reads each file and plays it with its model answers. If all are sound, prints a line for each:\n"
-      "{\"lesson\",\"questions\",\"file\"}. Otherwise prints a line on standard error for each that is not, with\n"
+      "{\"lesson\",\"questions\",\"file\"}. Of a folder it checks every lesson and course.toml, whose line is\n"
+      "{\"chapters\",\"lessons\",\"file\"}. Otherwise prints a line on standard error for each that is not, with\n"
       "file and line, and exits with status 2.\n"
       "A lesson with the cost chart is decided by counted operations, never by time; its line has\n"
       "\"decided_by\":\"operations\" as well.");
   const auto checked = add_command<LessonOptions>(commands, check, run_check);
-  check.add_option("FILE", checked->files, "Lesson files")->required();
+  check.add_option("FILE", checked->files, "Lesson files, course.toml, or folders of them")->required();
 
   CLI::App& play = *group.add_subcommand("play", "Play a lesson to its end");
   play.footer(

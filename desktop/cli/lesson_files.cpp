@@ -1,10 +1,10 @@
 #include "desktop/cli/lesson_files.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "desktop/cli/files.hpp"
 #include "lesson/subjects.hpp"
-#include "lesson/trace_hash.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -19,12 +19,44 @@ tl::expected<std::vector<std::string>, InputError> toml_files(const fs::path& fo
   std::vector<std::string> paths;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == ".toml") paths.push_back(entry.path().string());
+    if (entry.path().extension() == ".toml" && entry.path().filename() != kCourseFile)
+      paths.push_back(entry.path().string());
   if (error)
     return tl::unexpected(
         InputError{.what = "lessons cannot be read from there: " + error.message(), .file = folder.string()});
   std::sort(paths.begin(), paths.end());  // so that of several errors it is always the same that is told
   return paths;
+}
+
+std::vector<std::string> ids_of(const std::vector<std::string>& paths) {
+  std::vector<std::string> ids;
+  for (const std::string& path : paths) ids.push_back(fs::path(path).stem().string());
+  return ids;
+}
+
+tl::expected<lesson::Course, InputError> course_of(const fs::path& folder, const std::vector<std::string>& paths) {
+  const fs::path path = folder / kCourseFile;
+  std::error_code error;
+  if (!fs::exists(path, error)) return {};
+  return read_start(path.string(), lesson::kMostLessonBytes).and_then([&](const std::string& text) {
+    return lesson::read_course(text, path.string(), ids_of(paths));
+  });
+}
+
+/// In the course's order, each with its chapter; those of no chapter, which only a folder without a course has, last.
+std::vector<LessonFile> in_order(std::vector<LessonFile> lessons, const lesson::Course& course) {
+  std::vector<LessonFile> sorted;
+  for (const lesson::Chapter& chapter : course.chapters)
+    for (const std::string& id : chapter.lessons) {
+      const auto is_it = [&](const LessonFile& file) { return file.lesson.id == id; };
+      const auto found = std::find_if(lessons.begin(), lessons.end(), is_it);
+      if (found == lessons.end()) continue;
+      found->chapter = chapter.title;
+      sorted.push_back(std::move(*found));
+      lessons.erase(found);
+    }
+  std::move(lessons.begin(), lessons.end(), std::back_inserter(sorted));
+  return sorted;
 }
 
 /// Nothing where the lesson has no mesh.
@@ -40,22 +72,37 @@ tl::expected<LessonFile, InputError> read_lesson_file(const std::string& path, l
   return read_start(path, lesson::kMostLessonBytes)
       .and_then([&](const std::string& text) { return lesson::read_lesson(text, path, checked); })
       .map([&](lesson::Lesson&& lesson) {
-        return LessonFile{path, std::move(lesson)};
+        return LessonFile{path, std::move(lesson), {}};
       });
 }
 
+tl::expected<lesson::Course, InputError> read_course_of(const std::string& folder) {
+  const fs::path where = folder_or_own(folder);
+  return toml_files(where).and_then([&](const std::vector<std::string>& paths) { return course_of(where, paths); });
+}
+
+tl::expected<std::vector<std::string>, InputError> files_of(const std::string& folder) {
+  return toml_files(folder_or_own(folder)).map([&](std::vector<std::string>&& paths) {
+    const fs::path course = folder_or_own(folder) / kCourseFile;
+    std::error_code error;
+    if (fs::exists(course, error)) paths.push_back(course.string());
+    return std::move(paths);
+  });
+}
+
 tl::expected<std::vector<LessonFile>, InputError> read_lessons(const std::string& folder) {
-  const auto paths = toml_files(folder_or_own(folder));
+  const fs::path where = folder_or_own(folder);
+  const auto paths = toml_files(where);
   if (!paths) return tl::unexpected(paths.error());
+  const auto course = course_of(where, *paths);
+  if (!course) return tl::unexpected(course.error());
   std::vector<LessonFile> lessons;
   for (const std::string& path : *paths) {
     auto lesson = read_lesson_file(path);
     if (!lesson) return tl::unexpected(std::move(lesson.error()));
     lessons.push_back(std::move(*lesson));
   }
-  std::sort(lessons.begin(), lessons.end(),
-            [](const LessonFile& a, const LessonFile& b) { return lesson::comes_before(a.lesson, b.lesson); });
-  return lessons;
+  return in_order(std::move(lessons), *course);
 }
 
 tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, const std::string& id,

@@ -73,7 +73,9 @@ void add_window(Commands& commands) {
 
 void add_render(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("render", "Draw one step of a lesson as a picture");
-  command.footer("The picture is a PNG. Drawing needs a display; xvfb-run provides one.");
+  command.footer(
+      "The picture is a PNG. For another look set SNUG_THEME to dark, contrast or projector. Drawing needs a display;\n"
+      "xvfb-run provides one.");
   const auto options = add_command<WindowOptions>(
       commands, command, [open_window = commands.open_window](const WindowOptions& chosen) -> CommandResult {
         if (auto wrong = wrong_picture(chosen.screenshot)) return bad_input(std::move(*wrong));
@@ -81,6 +83,7 @@ void add_render(Commands& commands) {
       });
   command.add_option("LESSON", options->lesson, "The lesson's id")->required();
   add_common(command, *options);
+  command.add_flag("--stage", options->stage_alone, "The stage alone, without panels, buttons and sentence");
   command.add_option("-o,--output", options->screenshot, "PNG file to write; - is standard output")->required();
 }
 

@@ -1,6 +1,6 @@
 // The address is the state: copied or loaded again it leads to the same place, and a wrong one harms nothing.
 import { after, before, test } from "node:test";
-import { assert, handles, lesson_with, lessons, load, ready, start, state, stop, until, visit } from "./support.mjs";
+import { assert, kFirst, handles, lesson_with, lessons, load, ready, start, state, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -91,7 +91,7 @@ for (const [query, says] of kWrong) {
 }
 
 test("embed leaves out everything but the lesson, and stays", async (t) => {
-  const page = await load(t, "?embed=1");
+  const page = await load(t, `${kFirst}&embed=1`);
   assert.equal(await page.locator("#bar").isVisible(), false);
   assert.ok(await page.locator("#title").isVisible());
   await page.keyboard.press("Home");

@@ -1,6 +1,6 @@
 // The page at every size, theme and text size: nothing cut off, everything named, every pair of colours readable.
 import { after, before, test } from "node:test";
-import { assert, cut_off, handles, kPhone, lessons, load, start, state, still, stop, until, visit } from "./support.mjs";
+import { assert, kFirst, cut_off, handles, kPhone, lessons, load, start, state, still, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -35,7 +35,7 @@ const overlaps = (page) => page.evaluate(() => {
 
 for (const [width, height] of kSizes) {
   test(`at ${width}x${height} nothing sticks out or overlaps, on any tab`, async (t) => {
-    const page = await visit(t, "?step=0", { viewport: { width, height }, hasTouch: width < 900 });
+    const page = await visit(t, `${kFirst}&step=0`, { viewport: { width, height }, hasTouch: width < 900 });
     await still(page);
     const tabs = await page.getByRole("tab").all();
     for (const tab of tabs.length > 0 ? tabs : [null]) {
@@ -51,14 +51,14 @@ for (const [width, height] of kSizes) {
 
 test("at the largest text nothing sticks out, on desk and phone", async (t) => {
   for (const options of [{}, kPhone]) {
-    const page = await load(t, "?step=0", { ...options, init: 'localStorage.setItem("snug-text", "1.5")' });
+    const page = await load(t, `${kFirst}&step=0`, { ...options, init: 'localStorage.setItem("snug-text", "1.5")' });
     assert.deepEqual(await sticking_out(page), []);
     assert.deepEqual(await overlaps(page), []);
   }
 });
 
 test("projected at the largest text, the stage keeps its room and the sentence does not cover it", async (t) => {
-  const page = await load(t, "?step=1", { init: 'localStorage.setItem("snug-text", "1.5"); localStorage.setItem("snug-theme", "projector")' });
+  const page = await load(t, `${kFirst}&step=1`, { init: 'localStorage.setItem("snug-text", "1.5"); localStorage.setItem("snug-theme", "projector")' });
   const stage = await page.locator("#stage").boundingBox();
   assert.ok(stage.width >= 600 && stage.height >= 400, `the stage is ${stage.width} x ${stage.height}`);
   assert.ok((await page.locator("#caption").boundingBox()).y >= stage.y + stage.height - 1);
@@ -141,7 +141,7 @@ const kWords = ["ink", "muted", "current", "support", "right", "wrong"];
 const kGrounds = ["panel", "raised", "ground"];
 
 test("in each theme words reach 4.5:1 and edges 3:1", async (t) => {
-  const page = await load(t, "", with_theme("contrast"));
+  const page = await load(t, kFirst, with_theme("contrast"));
   assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "contrast", "it is remembered");
   const names = [...kWords, ...kGrounds, "lit", "on-current", "edge"];
   const pairs = [...kWords.flatMap((word) => kGrounds.map((ground) => [word, ground, 4.5])), ["ink", "lit", 4.5], ["on-current", "current", 4.5], ["edge", "panel", 3]];
@@ -156,9 +156,9 @@ test("in each theme words reach 4.5:1 and edges 3:1", async (t) => {
 
 test("the first theme is the one that the system asks for", async (t) => {
   const theme = (page) => page.evaluate(() => document.documentElement.dataset.theme);
-  assert.equal(await theme(await load(t, "", { colorScheme: "dark" })), "dark");
-  assert.equal(await theme(await load(t, "", { colorScheme: "light" })), "light");
-  assert.equal(await theme(await load(t, "", { contrast: "more" })), "contrast");
+  assert.equal(await theme(await load(t, kFirst, { colorScheme: "dark" })), "dark");
+  assert.equal(await theme(await load(t, kFirst, { colorScheme: "light" })), "light");
+  assert.equal(await theme(await load(t, kFirst, { contrast: "more" })), "contrast");
 });
 
 test("the theme button goes round, and canvas and page change together", async (t) => {
@@ -185,7 +185,7 @@ test("presenting hides the chrome and Escape brings it back", async (t) => {
 });
 
 test("everything that can be pressed or filled in has a name, and there is one main heading", async (t) => {
-  const page = await visit(t, "?step=0");
+  const page = await visit(t, `${kFirst}&step=0`);
   for (let i = 0; i < 4 && !(await state(page)).asked; ++i) await page.keyboard.press("PageDown");
   const nameless = await page.evaluate(() => [...document.querySelectorAll("button, a[href], input:not([type=file]), select, canvas")].filter((node) => {
     const label = node.getAttribute("aria-label") || node.textContent.trim() || [...(node.labels ?? [])].map((each) => each.textContent.trim()).join("");

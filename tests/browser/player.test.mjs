@@ -1,6 +1,6 @@
 // Lessons are stepped, asked and answered, without a pointer and with one.
 import { after, before, test } from "node:test";
-import { answer, assert, cut_off, handles, kPhone, lessons, start, state, still, stop, until, visit } from "./support.mjs";
+import { answer, assert, kFirst, cut_off, handles, kPhone, lessons, start, state, still, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -177,7 +177,7 @@ test("playing goes on by itself while nothing else happens", async (t) => {
 });
 
 test("a menu of the canvas is not covered by the step's sentence", async (t) => {
-  const page = await visit(t, "?step=1");
+  const page = await visit(t, `${kFirst}&step=1`);
   const faded = () => page.locator("#caption").evaluate((node) => getComputedStyle(node).opacity);
   assert.equal(await faded(), "1");
   const { x, y, width, height } = await page.locator("#timeline").boundingBox();

@@ -1,6 +1,6 @@
 // The page's content-security policy: nothing but its own files, no inline script or style, no evaluated text.
 import { after, before, test } from "node:test";
-import { assert, lessons, load, start, state, stop, until } from "./support.mjs";
+import { kFirst, assert, lessons, load, start, state, stop, until } from "./support.mjs";
 
 let site;
 before(async () => (site = await start()));
@@ -24,7 +24,7 @@ test("the policy allows the page's own files and WebAssembly, and no more", asyn
 });
 
 test("no lesson runs against the policy, stepped and saved", async (t) => {
-  const page = await load(t, "", { init: watch });
+  const page = await load(t, kFirst, { init: watch });
   for (const { id } of await lessons()) {
     await page.evaluate((query) => window.snug.restart(query), `?lesson=${id}`);
     for (const key of ["Home", "PageDown", "PageDown", "PageDown", "End"]) await page.keyboard.press(key);
@@ -56,7 +56,7 @@ const kForeign = {
   "a question to another host": () => void fetch("http://127.0.0.1:9/x").catch(() => {}),
 };
 test("what is not the page's own is refused", async (t) => {
-  const page = await load(t, "", { init: watch, may_complain: /Content Security Policy|violates|404|127\.0\.0\.1:9/ });
+  const page = await load(t, kFirst, { init: watch, may_complain: /Content Security Policy|violates|404|127\.0\.0\.1:9/ });
   for (const [name, act] of Object.entries(kForeign)) {
     await page.evaluate(() => (window.refused = []));
     await page.evaluate(act);

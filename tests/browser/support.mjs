@@ -11,7 +11,7 @@ import { chromium } from "playwright-core";
 const kSite = process.env.SNUG_SITE ?? fileURLToPath(new URL("../../build/wasm/site", import.meta.url));
 const kSubPath = "/course/week-3/snug/";
 const kTypes = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml",
-  ".json": "application/json", ".toml": "text/plain", ".otf": "font/otf", ".ttf": "font/ttf" };
+  ".json": "application/json", ".png": "image/png", ".toml": "text/plain", ".otf": "font/otf", ".ttf": "font/ttf" };
 const kPacked = new Set([".png"]);
 const kFlags = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
   "--disable-background-networking", "--disable-component-update", "--disable-sync", "--no-first-run"];
@@ -64,9 +64,15 @@ export async function stop() {
 export const kWide = { viewport: { width: 1280, height: 800 } };
 export const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
-/** A page in a context of its own. options: of Playwright's newContext. */
-async function open_page(options) {
+/** The course's first lesson, which most tests are about. */
+export const kFirst = "?lesson=sphere-ritter";
+
+/** A page in a context of its own, of one who has seen the invitations on the stage. options: of Playwright's newContext. */
+async function open_page({ newcomer = false, ...options } = {}) {
   const context = await browser.newContext(options);
+  if (!newcomer) await context.addInitScript(() => {
+    if (window.origin !== "null" && !localStorage.getItem("snug-course")) localStorage.setItem("snug-course", JSON.stringify({ version: 1, last: null, invited: 3, lessons: {} }));
+  });
   const page = await context.newPage();
   page.setDefaultTimeout(20_000);
   const complaints = [];
@@ -81,7 +87,7 @@ async function open_page(options) {
 /** A page on an address of the site, loaded for this test alone. options: of Playwright's newContext, and init: a
  *  function run in the page before anything of it; wait: false where the page is not expected to become ready;
  *  may_complain: of what the test provokes. */
-export async function load(t, query = "", { init, wait = true, may_complain = /^$/, ...options } = kWide) {
+export async function load(t, query = kFirst, { init, wait = true, may_complain = /^$/, ...options } = kWide) {
   const { page, complaints } = await open_page({ ...kWide, ...options });
   if (init) await page.addInitScript(init);
   t.after(async () => {
@@ -99,7 +105,7 @@ const kept = new Map(); // by their kind of screen: pages that the tests of a fi
  *  and the same as another visit's in this test: loading a page takes ten times as long as going on in one. Where that
  *  is what is tested, or settings are, use load. options: kWide, kPhone, another viewport, and reducedMotion, which is
  *  "reduce" unless asked for: whatever eases is drawn over and over until it rests. */
-export async function visit(t, query = "", { viewport = kWide.viewport, reducedMotion = "reduce", ...screen } = kWide) {
+export async function visit(t, query = kFirst, { viewport = kWide.viewport, reducedMotion = "reduce", ...screen } = kWide) {
   const kind = JSON.stringify(screen);
   let own = kept.get(kind);
   if (!own || own.page.isClosed()) kept.set(kind, own = await open_page({ viewport, reducedMotion, ...screen }));
@@ -128,13 +134,14 @@ export async function visit(t, query = "", { viewport = kWide.viewport, reducedM
 export async function ready(page) {
   await page.waitForFunction(() => Boolean(window.snug?.state()));
   await page.evaluate(() => window.snug.ready);
-  await page.waitForFunction(() => document.documentElement.classList.contains("no-stage") || window.snug.state().framesDrawn > 0);
+  await page.waitForFunction(() => document.documentElement.classList.contains("no-stage") || window.snug.state().lesson === null || window.snug.state().framesDrawn > 0);
   await still(page);
 }
 
 export const state = (page) => page.evaluate(() => window.snug.state());
 export const handles = (page) => page.evaluate(() => window.snug.handles());
-export const lessons = async () => (await (await fetch(`${site.url}lessons/index.json`)).json());
+export const course = async () => (await fetch(`${site.url}course.json`)).json();
+export const lessons = async () => (await course()).chapters.flatMap(({ title, lessons }) => lessons.map((lesson) => ({ ...lesson, chapter: title })));
 
 /** Until no frame is drawn any more. */
 export async function still(page) {
@@ -221,9 +228,11 @@ export async function until_within(patience, page, test, ...given) {
 
 /** Adds a lesson to those of the site, for pages that are loaded from now on: its file's text, under an id of its own. */
 export async function add_lesson(id, toml) {
-  const list = (await lessons()).filter((lesson) => lesson.id !== id);
+  const { chapters } = await course();
+  const others = chapters.map((chapter) => ({ ...chapter, lessons: chapter.lessons.filter((lesson) => lesson.id !== id) }));
+  const lesson = { id, title: id, summary: "", minutes: 1, questions: 0, task: false, words: "" };
   site.add.set(`lessons/${id}.toml`, toml);
-  site.add.set("lessons/index.json", JSON.stringify([...list, { id, group: "Tests", title: id, summary: "", order: 1000 }]));
+  site.add.set("course.json", JSON.stringify({ chapters: [...others.filter(({ title }) => title !== "Tests"), { title: "Tests", lessons: [...(others.find(({ title }) => title === "Tests")?.lessons ?? []), lesson] }] }));
 }
 
 export { assert };

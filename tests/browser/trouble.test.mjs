@@ -1,6 +1,6 @@
 // What goes wrong is said plainly, and mended where it can be.
 import { after, before, test } from "node:test";
-import { assert, handles, load, pixels_of, ready, start, state, still, stop, until } from "./support.mjs";
+import { assert, handles, kFirst, lessons, load, pixels_of, ready, start, state, still, stop, until } from "./support.mjs";
 
 let site;
 before(async () => (site = await start()));
@@ -31,11 +31,11 @@ async function colours_on_stage(page) {
   return new Set(new Uint32Array(pixels.buffer)).size;
 }
 
-for (const missing of ["snug.wasm", "snug.mjs", "fonts/Inter-Regular.otf", "lessons/index.json"]) {
+for (const missing of ["snug.wasm", "snug.mjs", "fonts/Inter-Regular.otf", "course.json"]) {
   test(`a failed download (${missing}) is said, and trying again mends it`, async (t) => {
     site.refuse.add(missing);
     t.after(() => site.refuse.delete(missing));
-    const page = await load(t, "", { wait: false, may_complain: /503|Failed to fetch/ });
+    const page = await load(t, kFirst, { wait: false, may_complain: /503|Failed to fetch/ });
     await page.getByText("did not arrive").waitFor();
     site.refuse.delete(missing);
     await page.getByRole("button", { name: "Try again" }).click();
@@ -45,10 +45,10 @@ for (const missing of ["snug.wasm", "snug.mjs", "fonts/Inter-Regular.otf", "less
 }
 
 test("a lesson that does not arrive can be tried again", async (t) => {
-  const id = (await (await fetch(`${site.url}lessons/index.json`)).json())[0].id;
+  const [{ id }] = await lessons();
   site.refuse.add(`lessons/${id}.toml`);
   t.after(() => site.refuse.clear());
-  const page = await load(t, "", { wait: false, may_complain: /503/ });
+  const page = await load(t, kFirst, { wait: false, may_complain: /503/ });
   await page.getByText("The lesson did not arrive").waitFor();
   site.refuse.clear();
   await page.getByRole("button", { name: "Try again" }).click();
@@ -58,7 +58,7 @@ test("a lesson that does not arrive can be tried again", async (t) => {
 test("the page's own files missing is said without any of them", async (t) => {
   site.refuse.add("dom.js");
   t.after(() => site.refuse.clear());
-  const page = await load(t, "", { wait: false, may_complain: /503/ });
+  const page = await load(t, kFirst, { wait: false, may_complain: /503/ });
   await page.getByText("Some of the page’s own files did not arrive").waitFor();
   site.refuse.clear();
   await page.getByRole("button", { name: "Try again" }).click();
@@ -66,7 +66,7 @@ test("the page's own files missing is said without any of them", async (t) => {
 });
 
 test("the loading bar tells true progress", async (t) => {
-  const seen = await load(t, "", { init: () => {
+  const seen = await load(t, kFirst, { init: () => {
     window.shares = [];
     const watch = () => {
       const bar = document.getElementById("veil-bar");

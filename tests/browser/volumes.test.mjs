@@ -17,10 +17,9 @@ const kFlatVolumes = { sphere: "ritter", aabb: "min_max", obb: "exact", capsule:
 const kEach = [[3, kVolumes], [2, kFlatVolumes]];
 
 const small_lesson = (volume, algorithm, dim) => `version = 1
-group = "Tests"
 title = "${volume}"
 summary = "A volume around a few points."
-order = 1000
+minutes = 1
 volume = "${volume}"
 algorithms = ["${algorithm}"]
 

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
-import { existsSync, readFileSync, readdirSync, symlinkSync, truncateSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, readdirSync, symlinkSync, truncateSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
 import { folder, good, json_lines, program, refused, root, snug, write } from "./support.mjs";
@@ -277,7 +277,7 @@ test("algorithms lists what fit takes", () => {
 });
 
 test("lessons are listed in their order, and each is sound", () => {
-  const files = readdirSync(lessons).filter((name) => name.endsWith(".toml"));
+  const files = readdirSync(lessons).filter((name) => name.endsWith(".toml") && name !== "course.toml");
   const list = json_lines(good(["lesson", "list", "--lessons", lessons]));
   assert.equal(list.length, files.length);
   assert.deepEqual(list, json_lines(good(["lesson", "list"])).map((row, i) => ({ ...row, file: list[i].file })));
@@ -290,6 +290,33 @@ test("lessons are listed in their order, and each is sound", () => {
     assert.ok(lines.every((line) => line.steps > 0 && line.questions.every((question) => question.right)));
     assert.equal(end.sound, true);
     assert.equal(end.task !== null && end.task.done, task);
+  }
+});
+
+test("a course says which lessons come in which order, and is checked with them", () => {
+  const course = readFileSync(join(lessons, "course.toml"), "utf8");
+  const named = [...course.matchAll(/"([a-z0-9-]+)"/g)].map(([, id]) => id);
+  const list = json_lines(good(["lesson", "list"]));
+  assert.deepEqual(list.map(({ lesson }) => lesson), named);
+  assert.deepEqual([...new Set(list.map(({ group }) => group))], [...course.matchAll(/^title = "(.*)"$/gm)].map(([, title]) => title));
+  assert.ok(list.every(({ minutes }) => minutes >= 5 && minutes <= 30));
+
+  const text = readFileSync(join(lessons, "sphere-ritter.toml"), "utf8");
+  const own = (lines) => `version = 1\n\n[[chapter]]\ntitle = "Own"\nlessons = [\n${lines}]\n`;
+  mkdirSync(join(folder, "own"), { recursive: true });
+  for (const id of ["one", "two"]) write(`own/${id}.toml`, text);
+  assert.deepEqual(json_lines(good(["lesson", "list", "--lessons", "own"])).map(({ lesson, group }) => [lesson, group]), [["one", ""], ["two", ""]]);
+  write("own/course.toml", own('  "two",\n  "one",\n'));
+  assert.deepEqual(json_lines(good(["lesson", "list", "--lessons", "own"])).map(({ lesson, group }) => [lesson, group]), [["two", "Own"], ["one", "Own"]]);
+  const checked = json_lines(good(["lesson", "check", "own"]));
+  assert.deepEqual(checked.map(({ file }) => file), ["own/one.toml", "own/two.toml", "own/course.toml"]);
+  assert.deepEqual(checked.at(-1), { chapters: 1, lessons: 2, file: "own/course.toml" });
+  const wrong = [['  "two",\n  "three",\n', /^snug: own\/course\.toml:7: there is no lesson "three"/], ['  "two",\n  "one",\n  "two",\n', /^snug: own\/course\.toml:8: the lesson "two" stands here twice/],
+    ['  "two",\n', /^snug: own\/course\.toml:3: the lesson "one" stands in no chapter/]];
+  for (const [lines, says] of wrong) {
+    write("own/course.toml", own(lines));
+    refused(["lesson", "check", "own/course.toml"], says);
+    refused(["lesson", "list", "--lessons", "own"], says);
   }
 });
 

@@ -10,8 +10,7 @@ const kParts = ["stage", "timeline", "numbers"];
 /** Keeps data-layout ("wide", "beside" or "phone") on the root, and calls changed when anything has moved. */
 export function watch_layout(changed) {
   const name = () => {
-    document.documentElement.dataset.layout = fitting();
-    document.documentElement.classList.toggle("fingers", has_fingers());
+    name_layout();
     changed();
   };
   kCoarse.addEventListener("change", name);
@@ -20,6 +19,12 @@ export function watch_layout(changed) {
   addEventListener("resize", name);
   new MutationObserver(name).observe(document.documentElement, { attributeFilter: ["style", "class"] }); // text size, presentation
   name();
+}
+
+/** The same for now, for the course, which has no stage. */
+export function name_layout() {
+  document.documentElement.dataset.layout = fitting();
+  document.documentElement.classList.toggle("fingers", has_fingers());
 }
 
 function fitting() {
@@ -49,17 +54,20 @@ function tools_reach() {
   return shown.length > 0 ? Math.max(...shown.map(({ right }) => right)) - by_id("stage").getBoundingClientRect().left : 0;
 }
 
+let last = null;
+
 /** Lays the canvas under its parts and says it as web/main.cpp's set_layout takes it. */
 export function arrange(canvas) {
   const parts = measured();
   const shown = Object.values(parts).filter((part) => part.width > 0 && part.height > 0);
+  if (shown.length === 0 && last) return last; // the course stands in the lesson's place
   const left = Math.floor(Math.min(...shown.map((part) => part.x)));
   const top = Math.floor(Math.min(...shown.map((part) => part.y)));
   const width = Math.max(1, Math.ceil(Math.max(...shown.map((part) => part.x + part.width))) - left);
   const height = Math.max(1, Math.ceil(Math.max(...shown.map((part) => part.y + part.height))) - top);
   Object.assign(canvas.style, { left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` });
   const within = ({ x, y, width, height }) => ({ x: x - left, y: y - top, width, height });
-  return {
+  return last = {
     width,
     height,
     scale: devicePixelRatio,

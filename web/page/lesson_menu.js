@@ -3,9 +3,9 @@ import { by_id, element, set_hidden, set_text } from "./dom.js";
 
 export const link_of = (id) => `?lesson=${encodeURIComponent(id)}`;
 
-/** Links by group, the open one marked. choose(id): called in place of loading the page anew. */
+/** Links by chapter, the open one marked. choose(id): called in place of loading the page anew. */
 export function lesson_links(lessons, open_id, choose) {
-  const groups = Map.groupBy ? Map.groupBy(lessons, (lesson) => lesson.group) : grouped(lessons);
+  const groups = Map.groupBy ? Map.groupBy(lessons, (lesson) => lesson.chapter) : grouped(lessons);
   return element("ul", { class: "lesson-groups" }, ...[...groups].map(([group, members]) =>
     element("li", {}, element("p", { class: "label" }, group),
       element("ul", {}, ...members.map((lesson) => element("li", {}, lesson_link(lesson, open_id, choose)))))));
@@ -13,7 +13,7 @@ export function lesson_links(lessons, open_id, choose) {
 
 function grouped(lessons) {
   const groups = new Map();
-  for (const lesson of lessons) groups.set(lesson.group, [...(groups.get(lesson.group) ?? []), lesson]);
+  for (const lesson of lessons) groups.set(lesson.chapter, [...(groups.get(lesson.chapter) ?? []), lesson]);
   return groups;
 }
 
@@ -51,7 +51,7 @@ export class LessonMenu {
 
   show(lesson) {
     this.#open_id = lesson.id;
-    set_text(by_id("picker-group"), lesson.group);
+    set_text(by_id("picker-group"), this.#lessons.find(({ id }) => id === lesson.id)?.chapter ?? "");
     set_text(by_id("picker-title"), lesson.title);
   }
 

@@ -5,9 +5,13 @@ import { Code } from "./code.js";
 import { by_id, element, set_text, when_changed } from "./dom.js";
 import { open_door } from "./door.js";
 import { CostTools } from "./costs.js";
+import { Course } from "./course.js";
 import { Downloads } from "./download.js";
+import { Invitations } from "./invitations.js";
+import { Kept } from "./kept.js";
 import { listen_to_keys } from "./keys.js";
-import { LessonMenu, lesson_links } from "./lesson_menu.js";
+import { name_layout } from "./layout.js";
+import { LessonMenu, lesson_links, link_of } from "./lesson_menu.js";
 import { clear_notices, notice, notice_all, veil } from "./messages.js";
 import { Player } from "./player.js";
 import { PointTools } from "./points.js";
@@ -36,31 +40,35 @@ class Page {
   #lesson = null;
   #view = null;
   #embed;
+  #go_to;
   #opens = 0; // how many lessons have been asked for
   #opening = true; // what stands on the page is not what the address asks for
-  #search = "";
+  #kept;
+  #erased_at = null; // the address where the answers were erased
+  #reveal = () => {};
   #address_timer = 0;
   #panels_timer = 0;
 
-  constructor(door, downloads, lessons, embed) {
+  /** go_to(search): to another lesson. */
+  constructor({ door, downloads, lessons, settings, kept, embed, go_to }) {
     this.#door = door;
     this.#downloads = downloads;
     this.#lessons = lessons;
+    this.#settings = settings;
+    this.#kept = kept;
     this.#embed = embed;
     const act = (what) => this.act(what);
     const question = new QuestionCard(door, act);
-    this.#panels = [new Reading(door.words(), () => this.#start_task()), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new CostTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs()];
-    this.#menu = new LessonMenu(lessons, (id) => this.#go_to(id));
+    this.#panels = [new Reading(door.words(), () => this.#start_task()), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new CostTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs(), new Invitations(kept, lessons[0]?.id, () => this.handles())];
+    this.#menu = new LessonMenu(lessons, (id) => go_to(link_of(id)));
     this.#stage = new Stage(door, () => this.#show());
-    this.#settings = new Settings(() => this.#apply_settings());
-    this.#apply_settings();
+    settings.on_change(() => this.#apply_settings());
     listen_to_keys(door, act, (digit) => question.choose(digit), () => this.#leave_presentation());
     for (const command of ["undo", "redo"]) by_id(command).addEventListener("click", () => act(() => door.command(command)));
     by_id("timeline").addEventListener("click", () => this.#view?.asked && question.show()); // its locked "Answer"
     by_id("share").addEventListener("click", () => this.#share());
-    addEventListener("popstate", () => {
-      if (location.search !== this.#search) this.open(read_address(location.search)); // not for the #canvas of the link to the stage
-    });
+    addEventListener("pagehide", () => this.leave());
+    this.#go_to = go_to;
   }
 
   /** On a phone the stage, where it is to be done, is far above the task. */
@@ -77,7 +85,6 @@ class Page {
   }
 
   #apply_settings() {
-    if (!this.#settings) return; // called from its own constructor
     this.#door.set_settings(this.#settings.for_door());
     this.#stage.request();
   }
@@ -94,26 +101,46 @@ class Page {
 
   // ---- lessons ------------------------------------------------------------------------------------------------
 
-  #go_to(id) {
+  /** Writes down where one is, before something else is shown. */
+  leave() {
     this.#write_address();
-    const address = `?lesson=${encodeURIComponent(id)}${this.#embed ? "&embed=1" : ""}`;
-    history.pushState(null, "", address);
-    scrollTo(0, 0);
-    this.open(read_address(location.search));
   }
 
-  /** Opens what an address asks for, or says why it cannot. A later call overtakes one that waits for its files. */
-  async open(asked) {
-    const turn = (this.#opens += 1);
-    this.#opening = true;
-    this.#search = location.search;
+  /** Nothing plays on behind the course, and the address is the course's. */
+  rest() {
+    this.#opens += 1; // what is still on its way is not opened any more
     clearTimeout(this.#address_timer);
     this.#address_timer = 0;
-    const id = asked.lesson ?? this.#lessons[0]?.id;
-    if (!this.#lessons.some((lesson) => lesson.id === id)) return this.#offer_lessons(asked.lesson);
+    if (!this.#opening) this.#keep(this.#address());
+    this.#opening = true;
+    if (this.#view?.playing) this.#door.command("play");
+  }
+
+  /** Takes all answers away. The place that stands is not kept either, until one goes on. */
+  erase() {
+    this.#door.erase_answers();
+    if (this.#opening) return;
+    this.#show();
+    this.#erased_at = this.#address();
+  }
+
+  /** Opens what an address asks for, or says why it cannot. A later call overtakes one that waits for its files.
+   *  reveal: shows the page, once there is something new on it. */
+  async open(asked, reveal = () => {}) {
+    const turn = (this.#opens += 1);
+    this.#reveal = reveal;
+    this.#opening = true;
+    clearTimeout(this.#address_timer);
+    this.#address_timer = 0;
+    this.#erased_at = null;
+    const id = asked.lesson;
+    if (!this.#lessons.some((lesson) => lesson.id === id)) return reveal(), this.#offer_lessons(asked.lesson);
     const files = await this.#files(id).catch((failed) => (console.warn(failed), null));
     if (turn !== this.#opens) return;
-    if (!files) return veil.failed("The lesson did not arrive. Check the connection, then try again.", () => this.open(asked));
+    reveal();
+    if (!files) return veil.failed("The lesson did not arrive. Check the connection, then try again.", () => this.open(asked, reveal));
+    const kept = this.#embed ? null : this.#kept.lesson(id);
+    if (kept && !files.error) this.#door.keep_answers(id, kept.answers);
     const error = files.error ?? this.#door.open_lesson(...files);
     if (error) return veil.failed(`This lesson cannot be opened. ${error}.`, null);
     this.#lesson = this.#door.lesson();
@@ -122,7 +149,7 @@ class Page {
     by_id("canvas").setAttribute("aria-label", `Stage: ${stage_of(this.#lesson)}`);
     set_text(by_id("figures").closest("table").caption, `Numbers at this ${this.#lesson.stepWord}`);
     for (const panel of this.#panels) panel.open?.(this.#lesson);
-    await this.#restore(asked);
+    await this.#restore(kept && is_bare(asked) ? { ...read_address(kept.address), problems: [] } : asked);
     if (turn !== this.#opens) return;
     this.#opening = false;
     clear_notices();
@@ -133,7 +160,7 @@ class Page {
 
   /** What open_lesson takes, or {error}. Throws where a file does not come. */
   async #files(id) {
-    const slow = setTimeout(() => veil.loading(), kFilesDelay);
+    const slow = setTimeout(() => (this.#reveal(), veil.loading()), kFilesDelay);
     try {
       const toml = await this.#downloads.text(`lessons/${id}.toml`);
       const { error, mesh } = this.#door.check_lesson(toml, `${id}.toml`);
@@ -144,7 +171,7 @@ class Page {
   }
 
   #offer_lessons(id) {
-    const links = lesson_links(this.#lessons, null, (chosen) => this.#go_to(chosen));
+    const links = lesson_links(this.#lessons, null, (chosen) => this.#go_to(link_of(chosen)));
     veil.choose(this.#lessons.length === 0 ? "There are no lessons here." : `There is no lesson “${id.slice(0, 60)}”. These are the lessons:`, links);
   }
 
@@ -216,7 +243,25 @@ class Page {
     if (this.#opening) return;
     const address = this.#address();
     if (address !== location.search) history.replaceState(null, "", address);
-    this.#search = location.search;
+    if (this.#embed) by_id("whole").href = address.replace("&embed=1", "");
+    else this.#keep(address);
+  }
+
+  /** Where one is and what was answered, once one has done something here. */
+  #keep(address) {
+    const { previewing, outcomes, step, steps, questions, grade, edited } = this.#view;
+    const decided = outcomes.filter(({ passed, pending }) => !passed && !pending);
+    if (address === this.#erased_at && outcomes.length === 0) return;
+    this.#erased_at = null;
+    const begun = !previewing && (step > 0 || outcomes.length > 0 || edited);
+    if (!begun && !this.#kept.lesson(this.#lesson.id)) return;
+    const before = this.#kept.lesson(this.#lesson.id);
+    this.#kept.keep_lesson(this.#lesson.id, {
+      address, answers: this.#door.kept_answers(), answered: decided.filter(({ skipped }) => !skipped).length, step, steps,
+      // Once done, it stays so: who looks at it again has not lost it.
+      done: Boolean(before?.done) || (questions > 0 ? decided.length >= questions : step === steps && begun),
+      task: Boolean(before?.task) || Boolean(grade?.done),
+    });
   }
 
   async #share() {
@@ -239,11 +284,8 @@ class Page {
     return view;
   }
 
-  /** Opens what an address asks for as to one who has answered nothing yet, without loading the page again. */
-  restart(search) {
-    this.#door.forget_answers();
-    history.pushState(null, "", search || location.pathname);
-    return this.open(read_address(location.search));
+  forget_answers() {
+    this.#door.erase_answers();
   }
 
   handles() {
@@ -255,22 +297,118 @@ class Page {
   }
 }
 
-async function begin(attempt) {
-  const asked = read_address(location.search);
-  document.documentElement.classList.toggle("embed", asked.embed);
-  veil.loading();
-  let page;
-  try {
-    const downloads = new Downloads((share) => veil.progress(share));
-    const lessons = JSON.parse(await downloads.text("lessons/index.json"));
-    page = new Page(await open_door(downloads, attempt), downloads, lessons, asked.embed);
-  } catch (error) {
-    console.warn(error);
-    return veil.failed("Snug did not arrive whole. Check the connection, then try again.", () => begin(attempt + 1));
+/** Whether an address names a lesson and no place in it. */
+const is_bare = ({ step, seed, from, points, boxes, moved, a, b }) => step === null && seed === null && !from && !points && !boxes && !moved && !a && !b;
+
+/** The course and, once a lesson was asked for, the page with the program: which of them is shown, by the address. */
+class Site {
+  #downloads = new Downloads((share) => veil.progress(share));
+  #settings = new Settings();
+  #kept = new Kept();
+  #course = null;
+  #page = null;
+  #shown = null; // the address that is
+  #scrolled = 0; // where the course was left
+
+  constructor() {
+    name_layout();
+    addEventListener("resize", name_layout);
+    this.#settings.on_erase(() => this.#erase());
+    addEventListener("popstate", () => {
+      if (location.search !== this.#shown) this.show({ back: true }); // not for the #canvas of the link to the stage
+    });
+    by_id("home").addEventListener("click", (event) => {
+      if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
+      event.preventDefault();
+      this.go_to("");
+    });
   }
-  Object.assign(window.snug, { state: () => page.state(), restart: (search) => page.restart(search), handles: () => page.handles(), frameTimes: () => page.frame_times() });
-  await page.open(asked);
-  dispatchEvent(new Event("snug-ready"));
+
+  /** Shows what the address asks for. */
+  async show({ back = false, attempt = 0 } = {}) {
+    this.#shown = location.search;
+    const asked = read_address(location.search);
+    document.documentElement.classList.toggle("embed", asked.embed);
+    const at_lesson = asked.lesson !== null;
+    try {
+      this.#course ??= await this.#bring_course();
+      if (!at_lesson) return this.#show_course(back);
+      if (!this.#page) document.documentElement.dataset.view = "lesson"; // its veil tells how the program arrives
+      this.#page ??= await this.#bring_page(asked.embed, attempt);
+    } catch (error) {
+      console.warn(error);
+      document.documentElement.dataset.view = "lesson";
+      return veil.failed("Snug did not arrive whole. Check the connection, then try again.", () => this.show({ attempt: attempt + 1 }));
+    }
+    if (location.search !== this.#shown) return;
+    await this.#page.open(asked, () => (document.documentElement.dataset.view = "lesson"));
+    dispatchEvent(new Event("snug-ready"));
+  }
+
+  go_to(search) {
+    this.#page?.leave();
+    if (document.documentElement.dataset.view === "course") this.#scrolled = scrollY;
+    history.pushState(null, "", search || location.pathname);
+    scrollTo(0, 0);
+    return this.show();
+  }
+
+  async #bring_course() {
+    const course = new Course(JSON.parse(await this.#downloads.text("course.json")), this.#kept, (search) => this.go_to(search));
+    this.#settings.on_change(() => course.show_theme(["dark", "contrast"].includes(this.#settings.theme)));
+    return course;
+  }
+
+  async #bring_page(embed, attempt) {
+    veil.loading();
+    const page = new Page({ door: await open_door(this.#downloads, attempt), downloads: this.#downloads, lessons: this.#course.lessons, settings: this.#settings,
+      kept: this.#kept, embed, go_to: (search) => this.go_to(search) });
+    return page;
+  }
+
+  #show_course(back) {
+    this.#page?.rest();
+    this.#settings.present(false);
+    clear_notices();
+    document.documentElement.dataset.view = "course";
+    document.title = "Snug: bounding volumes, by hand and eye";
+    veil.lift();
+    this.#course.show();
+    this.#course.show_theme(["dark", "contrast"].includes(this.#settings.theme));
+    scrollTo(0, back ? this.#scrolled : 0);
+    dispatchEvent(new Event("snug-ready"));
+  }
+
+  #erase() {
+    this.#kept.erase();
+    this.#page?.erase();
+    if (document.documentElement.dataset.view === "course") this.#course.show();
+  }
+
+  // ---- for scripts and tests ----------------------------------------------------------------------------------
+
+  state() {
+    if (document.documentElement.dataset.view === "course") return this.#course && { lesson: null, course: this.#course.state() };
+    return this.#page?.state() ?? null;
+  }
+
+  /** Opens what an address asks for as to one who has answered nothing yet, without loading the page again. */
+  restart(search) {
+    this.#kept.erase();
+    this.#page?.forget_answers();
+    history.pushState(null, "", search || location.pathname);
+    return this.show();
+  }
+
+  handles() {
+    return document.documentElement.dataset.view === "lesson" && this.#page ? this.#page.handles() : [];
+  }
+
+  frame_times() {
+    return this.#page?.frame_times() ?? [];
+  }
 }
 
-begin(0);
+const site = new Site();
+Object.assign(window.snug, { state: () => site.state(), restart: (search) => site.restart(search), handles: () => site.handles(), frameTimes: () => site.frame_times() });
+site.show();

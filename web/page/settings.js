@@ -6,6 +6,7 @@ const kNames = { light: "Light", dark: "Dark", contrast: "High contrast", projec
 const kTextScales = [1, 1.15, 1.3, 1.5];
 const kProjectorScale = 1.2; // app/palette.hpp's: the canvas applies it by itself
 const kPresentingScale = 1.3;
+const kSurePatience = 6000; // milliseconds: a press that waits for its second one
 const asks = (query) => matchMedia(query);
 
 function remembered(name) {
@@ -31,12 +32,12 @@ function first_theme() {
 }
 
 export class Settings {
-  #changed;
+  #changed = () => {};
+  #erase = () => {};
+  #sure = 0; // the timer of the second press
   #before_presenting = null;
 
-  /** changed: called after each change. */
-  constructor(changed) {
-    this.#changed = changed;
+  constructor() {
     this.theme = first_theme();
     this.text = kTextScales.includes(Number(remembered("text"))) ? Number(remembered("text")) : 1;
     this.presenting = false;
@@ -44,10 +45,69 @@ export class Settings {
     this.motion.addEventListener("change", () => this.#apply());
     by_id("theme").addEventListener("click", () => this.#next_theme());
     by_id("text-size").addEventListener("click", () => this.#next_text());
+    by_id("theme-too").addEventListener("click", () => this.#next_theme());
+    by_id("text-size-too").addEventListener("click", () => this.#next_text());
+    this.#listen_to_panel();
     by_id("present").addEventListener("click", () => this.present(true));
     by_id("leave").addEventListener("click", () => this.present(false));
     this.#apply();
   }
+
+  /** changed: called now and after each change. */
+  on_change(changed) {
+    const before = this.#changed;
+    this.#changed = () => (before(), changed());
+    changed();
+  }
+
+  // ---- the panel ----------------------------------------------------------------------------------------------
+
+  /** erase: takes away the answers that are kept. */
+  on_erase(erase) {
+    this.#erase = erase;
+  }
+
+  #listen_to_panel() {
+    by_id("settings").addEventListener("click", () => this.#show_panel(by_id("settings-panel").hidden));
+    by_id("erase").addEventListener("click", () => this.#press_erase());
+    const around = by_id("settings").parentElement;
+    addEventListener("pointerdown", ({ target }) => around.contains(target) || this.#show_panel(false));
+    around.addEventListener("focusout", ({ relatedTarget }) => relatedTarget && !around.contains(relatedTarget) && this.#show_panel(false));
+    around.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") {
+        this.#show_panel(false);
+        by_id("settings").focus();
+      }
+      event.stopPropagation(); // the stage's keys sleep meanwhile
+    });
+  }
+
+  #show_panel(open) {
+    if (by_id("settings-panel").hidden === !open) return;
+    set_hidden(by_id("settings-panel"), !open);
+    by_id("settings").setAttribute("aria-expanded", open);
+    this.#ask_to_erase(false);
+    set_text(by_id("erase-says"), "Your answers and your place in each lesson are kept on this device alone.");
+  }
+
+  #ask_to_erase(sure) {
+    clearTimeout(this.#sure);
+    this.#sure = sure ? setTimeout(() => this.#ask_to_erase(false), kSurePatience) : 0;
+    set_text(by_id("erase"), sure ? "Press again to erase them" : "Erase my answers");
+    by_id("erase").classList.toggle("sure", sure);
+  }
+
+  #press_erase() {
+    if (!this.#sure) {
+      set_text(by_id("erase-says"), "The answers to every lesson and your place in each will be gone from this device.");
+      return this.#ask_to_erase(true);
+    }
+    this.#ask_to_erase(false);
+    this.#erase();
+    set_text(by_id("erase-says"), "Your answers are erased.");
+  }
+
+  // ---- theme and text -----------------------------------------------------------------------------------------
 
   #next_theme() {
     this.theme = kThemes[(kThemes.indexOf(this.theme) + 1) % kThemes.length];
@@ -87,6 +147,8 @@ export class Settings {
     by_id("theme").title = "Theme";
     by_id("text-size").setAttribute("aria-label", `Text size: ${Math.round(this.text * 100)} %`);
     by_id("text-size").title = `Text size: ${Math.round(this.text * 100)} %`;
+    set_text(by_id("text-size-too"), `Text size: ${Math.round(this.text * 100)} %`);
+    set_text(by_id("theme-too"), `Theme: ${kNames[this.theme]}`);
     set_hidden(by_id("leave"), !this.presenting);
     this.#changed();
   }

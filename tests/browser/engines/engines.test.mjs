@@ -29,7 +29,7 @@ const site = await serve_site();
 after(() => site.close());
 site.add.set("listen.js", kListen);
 site.add.set("index.html", (await (await fetch(site.url)).text()).replace("<head>", '<head><script src="listen.js"></script>'));
-const lessons = await (await fetch(`${site.url}lessons/index.json`)).json();
+const lessons = (await (await fetch(`${site.url}course.json`)).json()).chapters.flatMap((chapter) => chapter.lessons);
 // "LESSON STEPS HASH" a line: of all runs that a lesson offers.
 const native = new Map(execFileSync(process.env.SNUG ?? `${kRoot}build/release/snug`, ["trace-hash"], { encoding: "utf8" })
   .trim().split("\n").map((line) => [line.split(" ")[0], line]));

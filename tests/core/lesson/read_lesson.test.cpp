@@ -22,15 +22,16 @@ struct Broken {
 };
 
 constexpr Broken kBroken[] = {
-    {"order = 3", "order = = 3", "order = =", ""},
-    {"version = 1\n", "", "group", "lacks the key \"version\""},
+    {"minutes = 3", "minutes = = 3", "minutes = =", ""},
+    {"version = 1\n", "", "title", "lacks the key \"version\""},
     {"version = 1", "version = 2", "version", "reads 1"},
     {"version = 1", "version = \"1\"", "version", "whole number"},
-    {"order = 3", "order = 3\ncolour = \"red\"", "colour", "no key \"colour\""},
+    {"minutes = 3", "minutes = 3\ncolour = \"red\"", "colour", "no key \"colour\""},
     {"title = \"Small\"", "title = 7", "title = 7", "text in quotes"},
     {"title = \"Small\"", "title = \"  \"", "title = ", "is empty"},
     {"title = \"Small\"", "title = \"Small\"\ntitle = \"Smaller\"", "title = \"Smaller\"", ""},
-    {"order = 3", "order = 0", "order = 0", "from 1 to"},
+    {"minutes = 3", "minutes = 0", "minutes = 0", "from 1 to 240"},
+    {"minutes = 3\n", "", "version", "lacks the key \"minutes\""},
     {"seed = 5", "seed = -5", "seed = -5", "from 0"},
     {"covers = [\"A lecture: a slide\"]", "covers = [3]", "covers", "list of texts"},
     {"[\"ritter\", \"welzl\", \"brute_force\"]", "[]", "algorithms", "at least 1"},
@@ -83,8 +84,7 @@ TEST_CASE("a lesson file is read whole") {
   const auto lesson = read_lesson(kSmallLesson, "folder/small.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   CHECK(lesson->id == "small");
-  CHECK(lesson->group == "Tests");
-  CHECK(lesson->order == 3);
+  CHECK(lesson->minutes == 3);
   CHECK(lesson->seed == 5);
   CHECK(lesson->start == Lesson::Start::kBegin);
   CHECK(lesson->algorithms == std::vector<std::string>{"ritter", "welzl", "brute_force"});

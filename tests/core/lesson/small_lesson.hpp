@@ -13,10 +13,9 @@ namespace snug::test {
 /// Ritter's run: 0 extremes, 1 pair P0 and P1, 2 to 5 P0 to P3 inside, 6 P4 outside, 7 grown from radius 2 to 2.25,
 /// 8 P5 inside, 9 checked, 10 finished. The smallest circle goes through P0, P1 and P4: radius 2.05.
 inline constexpr std::string_view kSmallLesson = R"(version = 1
-group = "Tests"
 title = "Small"
 summary = "A lesson for tests."
-order = 3
+minutes = 3
 covers = ["A lecture: a slide"]
 seed = 5
 algorithms = ["ritter", "welzl", "brute_force"]

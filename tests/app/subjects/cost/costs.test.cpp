@@ -12,10 +12,9 @@ namespace snug::app {
 namespace {
 
 constexpr std::string_view kLesson = R"(version = 1
-group = "Tests"
 title = "Chart"
 summary = "A chart for tests."
-order = 1
+minutes = 1
 chart = "cost"
 algorithms = ["ritter", "welzl"]
 generators = ["cube"]

@@ -10,10 +10,9 @@ using namespace snug::lesson;
 namespace {
 
 constexpr std::string_view kChart = R"(version = 1
-group = "Tests"
 title = "Chart"
 summary = "A chart for tests."
-order = 1
+minutes = 1
 volume = "obb"
 chart = "cost"
 algorithms = ["pca", "aabb", "exact"]

@@ -1,0 +1,78 @@
+#include "lesson/course.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "lesson/lesson.hpp"
+#include "lesson/toml_table.hpp"
+
+namespace snug::lesson {
+namespace {
+
+constexpr std::int64_t kCourseVersion = 1;
+
+/// What of a course has been read: where each lesson stands.
+struct Seen {
+  std::span<const std::string> ids;
+  std::map<std::string, int, std::less<>> lines;  // by id
+};
+
+/// texts has seen to it that each is a text.
+int line_of_item(const toml::table& chapter, std::size_t i) {
+  return static_cast<int>(chapter["lessons"].as_array()->get(i)->source().begin.line);
+}
+
+Chapter read_chapter(const toml::table& toml, Seen& seen, Complaints& complaints) {
+  TomlTable table(toml, "[[chapter]]", complaints);
+  Chapter chapter;
+  chapter.title = table.text("title");
+  chapter.lessons = table.texts("lessons", 1);
+  table.refuse_others();
+  if (complaints.first()) return chapter;
+  for (std::size_t i = 0; i < chapter.lessons.size(); ++i) {
+    const std::string& id = chapter.lessons[i];
+    const int line = line_of_item(toml, i);
+    if (std::find(seen.ids.begin(), seen.ids.end(), id) == seen.ids.end())
+      complaints.add(line, "there is no lesson \"" + id + "\": its file would be " + id + ".toml beside this one");
+    if (const auto [at, added] = seen.lines.emplace(id, line); !added)
+      complaints.add(line,
+                     "the lesson \"" + id + "\" stands here twice: in line " + std::to_string(at->second) + " as well");
+  }
+  return chapter;
+}
+
+}  // namespace
+
+tl::expected<Course, InputError> read_course(std::string_view text, std::string_view name,
+                                             std::span<const std::string> ids) {
+  Complaints complaints(name);
+  if (text.size() > kMostLessonBytes) {
+    complaints.add(1, "the file is too long: a course has at most " + std::to_string(kMostLessonBytes) + " bytes");
+    return tl::unexpected(*complaints.first());
+  }
+  const toml::parse_result parsed = toml::parse(text);
+  if (!parsed) {
+    const toml::parse_error& error = parsed.error();
+    complaints.add(static_cast<int>(error.source().begin.line), std::string(error.description()));
+    return tl::unexpected(*complaints.first());
+  }
+  TomlTable table(parsed.table(), "the course", complaints);
+  if (table.integer("version", 1, 1'000'000) != kCourseVersion)
+    table.wrong("version", "is not one that this program reads: it reads 1");
+  Course course;
+  Seen seen{ids, {}};
+  int last = 1;
+  for (const toml::table* chapter : table.tables("chapter")) {
+    last = static_cast<int>(chapter->source().begin.line);
+    course.chapters.push_back(read_chapter(*chapter, seen, complaints));
+  }
+  if (course.chapters.empty()) complaints.add(1, "the course has no [[chapter]]");
+  table.refuse_others();
+  for (const std::string& id : ids)
+    if (seen.lines.find(id) == seen.lines.end())
+      complaints.add(last, "the lesson \"" + id + "\" stands in no chapter: add it to the \"lessons\" of one");
+  if (complaints.first()) return tl::unexpected(*complaints.first());
+  return course;
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,95 @@
+#include "lesson/kept_answers.hpp"
+
+#include <array>
+#include <limits>
+
+#include "lesson/lesson.hpp"
+#include "lesson/toml_table.hpp"
+
+namespace snug::lesson {
+namespace {
+
+constexpr std::array<std::string_view, 3> kKinds{"point", "choice", "skipped"};
+constexpr std::int64_t kMost = std::numeric_limits<int>::max();
+
+/// A basic string of TOML.
+std::string quoted(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') (out += '\\') += c;
+    else if (byte < 0x20 || byte == 0x7f) ((out += "\\u00") += kDigits[byte >> 4]) += kDigits[byte & 15];
+    else out += c;
+  }
+  return out += '"';
+}
+
+void add_text(std::string& out, std::string_view key, std::string_view text) {
+  if (!text.empty()) ((out += key) += " = ") += quoted(text) + '\n';
+}
+
+void add_number(std::string& out, std::string_view key, int number) {
+  ((out += key) += " = ") += std::to_string(number) + '\n';
+}
+
+void add_flag(std::string& out, std::string_view key, bool on) {
+  if (on) (out += key) += " = true\n";
+}
+
+Outcome read_outcome(const toml::table& toml, Complaints& complaints) {
+  TomlTable table(toml, "[[answer]]", complaints);
+  Outcome outcome;
+  outcome.question = table.text("question");
+  const std::string kind = table.text("kind");
+  for (std::size_t i = 0; i < kKinds.size(); ++i)
+    if (kKinds[i] == kind) outcome.given.kind = static_cast<Answer::Kind>(i);
+  outcome.given.value = static_cast<int>(table.integer("value", -kMost, kMost));
+  outcome.from_step = static_cast<int>(table.integer("from_step", 0, kMost));
+  outcome.step = static_cast<int>(table.integer("step", 0, kMost));
+  outcome.right = table.flag_or("right", false);
+  outcome.skipped = table.flag_or("skipped", false);
+  outcome.passed = table.flag_or("passed", false);
+  outcome.predicted = table.text_or("predicted", "");
+  outcome.happened = table.text_or("happened", "");
+  outcome.says = table.text_or("says", "");
+  outcome.because = table.text_or("because", "");
+  return outcome;
+}
+
+}  // namespace
+
+std::string kept_text(std::span<const Outcome> outcomes) {
+  std::string out;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.pending) continue;
+    out += "[[answer]]\n";
+    add_text(out, "question", outcome.question);
+    add_text(out, "kind", kKinds[static_cast<std::size_t>(outcome.given.kind)]);
+    add_number(out, "value", outcome.given.value);
+    add_number(out, "from_step", outcome.from_step);
+    add_number(out, "step", outcome.step);
+    add_flag(out, "right", outcome.right);
+    add_flag(out, "skipped", outcome.skipped);
+    add_flag(out, "passed", outcome.passed);
+    add_text(out, "predicted", outcome.predicted);
+    add_text(out, "happened", outcome.happened);
+    add_text(out, "says", outcome.says);
+    add_text(out, "because", outcome.because);
+  }
+  return out;
+}
+
+std::vector<Outcome> outcomes_of(std::string_view kept) {
+  if (kept.size() > kMostLessonBytes) return {};
+  const toml::parse_result parsed = toml::parse(kept);
+  if (!parsed) return {};
+  Complaints complaints("");
+  TomlTable table(parsed.table(), "the answers", complaints);
+  std::vector<Outcome> outcomes;
+  for (const toml::table* answer : table.tables("answer")) outcomes.push_back(read_outcome(*answer, complaints));
+  if (complaints.first()) return {};
+  return outcomes;
+}
+
+}  // namespace snug::lesson

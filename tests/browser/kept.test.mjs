@@ -1,0 +1,111 @@
+// What the page keeps on the device: answers, the place, the edits; over real reloads, and where storage does not work.
+import { after, before, test } from "node:test";
+import { answer, assert, drag, handles, kFirst, load, ready, start, state, stop, until } from "./support.mjs";
+
+before(start);
+after(stop);
+
+const kPlace = 500; // milliseconds: the place is kept a moment after it changes
+const kept = (page) => page.evaluate(() => JSON.parse(localStorage.getItem("snug-course")));
+
+async function reload(page, query) {
+  await page.waitForTimeout(kPlace);
+  if (query === undefined) await page.reload();
+  else await page.goto(new URL(query, page.url()).href);
+  await ready(page);
+  return state(page);
+}
+
+/** Steps until something is asked. */
+async function to_question(page) {
+  for (let i = 0; i < 60 && !(await state(page)).asked; ++i) await page.keyboard.press("ArrowRight");
+  return until(page, (now) => now.asked);
+}
+
+test("answers, step and edits survive a reload, and the course tells of them", async (t) => {
+  const page = await load(t, `${kFirst}&step=0`);
+  const [{ id }] = await handles(page);
+  await drag(page, id, 6, 4);
+  await to_question(page);
+  const { outcomes, step, readout } = await answer(page, null, "keyboard");
+  assert.equal(outcomes.length, 1);
+  const back = await reload(page, kFirst); // the bare lesson: where one was
+  assert.deepEqual(back.outcomes, outcomes);
+  assert.equal(back.step, step);
+  assert.equal(back.edited, true);
+  assert.deepEqual(back.readout, readout);
+  await page.locator("#home").click();
+  assert.match(await page.locator(".progress").first().textContent(), /^1 of \d+ predictions$/);
+});
+
+test("an address with a step wins over the step that is kept", async (t) => {
+  const page = await load(t, `${kFirst}&step=0`);
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowRight");
+  await until(page, (now) => now.step >= 1);
+  const { step } = await state(page);
+  assert.equal((await reload(page, kFirst)).step, step);
+  assert.equal((await reload(page, `${kFirst}&step=0`)).step, 0);
+});
+
+test("Erase my answers asks once more, then leaves nothing of them", async (t) => {
+  const page = await load(t, `${kFirst}&step=0`);
+  await to_question(page);
+  await answer(page, null, "keyboard");
+  await page.waitForTimeout(kPlace);
+  assert.equal(Object.keys((await kept(page)).lessons).length, 1);
+  await page.locator("#settings").click();
+  await page.getByRole("button", { name: "Erase my answers" }).click();
+  assert.equal(Object.keys((await kept(page)).lessons).length, 1);
+  await page.getByRole("button", { name: "Press again to erase them" }).click();
+  assert.deepEqual((await kept(page)).lessons, {});
+  assert.deepEqual((await state(page)).outcomes, []);
+  await page.waitForTimeout(kPlace);
+  assert.deepEqual((await kept(page)).lessons, {});
+  await page.keyboard.press("Escape");
+  assert.deepEqual((await reload(page)).outcomes, []);
+  assert.equal((await kept(page)).invited, 3); // who has seen the invitations has seen them
+});
+
+const kDamaged = { "no JSON": "{", "another shape": "[1, 2]", "a text": '"x"', "no lessons": '{"version":1}', "lessons that are none": '{"version":1,"last":7,"invited":"x","lessons":{"sphere-ritter":{"address":3},"__proto__":{},"x":null}}',
+  "damaged answers": '{"version":1,"last":"sphere-ritter","invited":3,"lessons":{"sphere-ritter":{"address":"?lesson=sphere-ritter&step=oops&moved=1,x","answers":"[[answer]]\\nquestion = ","answered":1,"step":2,"steps":21,"done":false,"task":false}}}' };
+for (const [name, text] of Object.entries(kDamaged)) {
+  test(`damaged storage does no harm: ${name}`, async (t) => {
+    const page = await load(t, "", { init: `sessionStorage.getItem("once") ?? (sessionStorage.setItem("once", "1"), localStorage.setItem("snug-course", ${JSON.stringify(text)}))`, newcomer: true });
+    assert.equal((await state(page)).lesson, null);
+    await page.locator(".lesson-card").first().click();
+    await ready(page);
+    assert.equal((await state(page)).lesson, "sphere-ritter");
+    assert.equal(await page.locator(".notice").count(), 0);
+    await page.keyboard.press("ArrowRight");
+    await page.waitForTimeout(kPlace);
+    assert.equal((await kept(page)).version, 1);
+  });
+}
+
+test("a later version's storage is left as it is", async (t) => {
+  const later = '{"version":99,"what":"ever"}';
+  const page = await load(t, "", { init: `localStorage.setItem("snug-course", ${JSON.stringify(later)})`, newcomer: true });
+  await page.locator(".lesson-card").first().click();
+  await ready(page);
+  await page.keyboard.press("ArrowRight");
+  await page.waitForTimeout(kPlace);
+  assert.equal(await page.evaluate(() => localStorage.getItem("snug-course")), later);
+});
+
+for (const [name, init] of [["forbidden", () => Object.defineProperty(window, "localStorage", { get: () => { throw new DOMException("no", "SecurityError"); } })],
+  ["full", () => (Storage.prototype.setItem = () => { throw new DOMException("full", "QuotaExceededError"); })]]) {
+  test(`${name} storage does no harm: the course says quietly that nothing lasts`, async (t) => {
+    const page = await load(t, "", { init, newcomer: true });
+    await page.locator(".lesson-card").first().click();
+    await ready(page);
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("ArrowRight");
+    const { step } = await until(page, (now) => now.step > 0);
+    assert.equal(await page.locator(".notice").count(), 0);
+    await page.locator("#home").click();
+    assert.ok(await page.locator("#course-forgets").isVisible());
+    await page.locator("#start").click(); // until the page is closed, the place is known
+    assert.equal((await until(page, (now) => now.lesson !== null)).step, step);
+  });
+}

@@ -1,0 +1,52 @@
+#include "lesson/kept_answers.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace snug::lesson;
+
+namespace {
+
+std::vector<Outcome> some() {
+  Outcome right{.question = "pair"};
+  right.given = {Answer::Kind::kPoint, 7};
+  right.from_step = 3, right.step = 9, right.right = true;
+  right.predicted = "P7", right.happened = "P7", right.says = "P7 \"left\" \\ the\nset.", right.because = "Σ ≤ ε";
+  Outcome skipped{.question = "grows"};
+  skipped.skipped = skipped.passed = true;
+  return {right, skipped};
+}
+
+}  // namespace
+
+TEST_CASE("answers are kept as they were given") {
+  Outcome pending{.question = "front"};
+  pending.pending = true;
+  auto given = some();
+  given.push_back(pending);
+  const auto back = outcomes_of(kept_text(given));
+  REQUIRE(back.size() == 2);
+  CHECK(back[0].question == "pair");
+  CHECK(back[0].given.kind == Answer::Kind::kPoint);
+  CHECK(back[0].given.value == 7);
+  CHECK(back[0].from_step == 3);
+  CHECK(back[0].step == 9);
+  CHECK(back[0].right);
+  CHECK_FALSE(back[0].skipped);
+  CHECK(back[0].says == given[0].says);
+  CHECK(back[0].because == given[0].because);
+  CHECK(back[1].given.kind == Answer::Kind::kSkipped);
+  CHECK(back[1].skipped);
+  CHECK(back[1].passed);
+  CHECK(outcomes_of(kept_text({})).empty());
+}
+
+TEST_CASE("of damaged answers none are taken up") {
+  const std::string whole = kept_text(some());
+  for (std::size_t length = 1; length < whole.size(); ++length)
+    CHECK(outcomes_of(std::string_view(whole).substr(0, length)).size() <= 2);
+  CHECK(outcomes_of("[[answer]]\nquestion = 7\n").empty());
+  CHECK(outcomes_of("answer = 3").empty());
+  CHECK(outcomes_of("{\"version\": 2}").empty());
+  CHECK(outcomes_of(std::string(1000, '[')).empty());
+  CHECK(outcomes_of(std::string(1 << 20, 'a')).empty());
+}

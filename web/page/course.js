@@ -1,0 +1,163 @@
+// The course: what Snug is, where to start or to continue, and every lesson under its chapter. It is HTML alone and is
+// there before the program, which it does not need.
+import { by_id, element, set_hidden, set_text } from "./dom.js";
+import { link_of } from "./lesson_menu.js";
+
+/** The lessons of course.json in order, each with its number and its chapter's title. */
+export function lessons_of(course) {
+  const all = course.chapters.flatMap(({ title, lessons }) => lessons.map((lesson) => ({ ...lesson, chapter: title })));
+  return all.map((lesson, i) => ({ ...lesson, number: i + 1 }));
+}
+
+const plain = (text) => text.toLowerCase().normalize("NFKD").replace(/[\u0300-\u036f]/g, "").replace(/[’']/g, "");
+
+/** How far one is, in a mark and a word. */
+function progress_of(lesson, entry) {
+  if (!entry) return { kind: "open", words: "Not begun" };
+  const count = `${entry.answered} of ${lesson.questions} predictions`;
+  const words = entry.done ? `Done${entry.task ? ", task too" : ""}` : entry.answered > 0 ? count : `At step ${entry.step} of ${entry.steps}`;
+  return { kind: entry.done ? "done" : "begun", words };
+}
+
+const picture = (lesson, how = {}) => element("img", { class: "picture", alt: "", width: 480, height: 300, decoding: "async", "data-picture": lesson.id,
+  onerror: ({ target }) => target.removeAttribute("src"), ...how }); // without its picture a card says all the same
+
+export class Course {
+  #lessons;
+  #chapters;
+  #kept;
+  #choose;
+  #cards = new Map(); // by id
+  #laid_out = false;
+
+  /** choose(id, search): called in place of loading the page anew. */
+  constructor(course, kept, choose) {
+    this.#chapters = course.chapters;
+    this.#lessons = lessons_of(course);
+    this.#kept = kept;
+    this.#choose = choose;
+  }
+
+  get lessons() {
+    return this.#lessons;
+  }
+
+  /** As window.snug.state() tells it. */
+  state() {
+    return this.#lessons.map(({ id, number, title, chapter }) => ({ id, number, title, chapter, done: Boolean(this.#kept.lesson(id)?.done) }));
+  }
+
+  show() {
+    this.#kept.refresh();
+    if (!this.#laid_out) this.#lay_out();
+    this.#show_progress();
+  }
+
+  /** Pictures for the theme that is shown. */
+  show_theme(dark) {
+    for (const image of document.querySelectorAll("[data-picture]")) {
+      const source = `course/${image.dataset.picture}${dark ? "-dark" : ""}.png`;
+      if (image.getAttribute("src") !== source) image.src = source;
+    }
+  }
+
+  // ---- laid out once ------------------------------------------------------------------------------------------
+
+  /** A lesson that was not begun opens on its points, before the first step; else where it was left. */
+  #search_of(id) {
+    return this.#kept.lesson(id) ? link_of(id) : `${link_of(id)}&step=0`;
+  }
+
+  #link(properties, id, ...children) {
+    const link = element("a", { ...properties, href: this.#search_of(id), onclick: (event) => {
+      if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
+      event.preventDefault();
+      this.#choose(link.getAttribute("href"));
+    } }, ...children);
+    return link;
+  }
+
+  #lay_out() {
+    this.#laid_out = true;
+    const first = this.#lessons[0];
+    if (first) by_id("course-picture").replaceChildren(picture(first));
+    by_id("chapters").replaceChildren(...this.#chapters.map((chapter, i) => this.#chapter(chapter, i)));
+    by_id("search").addEventListener("input", () => this.#filter());
+    by_id("search").addEventListener("keydown", (event) => event.key === "Escape" && this.#clear_search());
+    by_id("search-clear").addEventListener("click", () => {
+      this.#clear_search();
+      by_id("search").focus();
+    });
+  }
+
+  #chapter({ title, lessons }, i) {
+    return element("section", { class: "chapter", "aria-labelledby": `chapter-${i}` },
+      element("div", { class: "chapter-head" }, element("h2", { id: `chapter-${i}` }, title), element("p", { class: "label" })),
+      element("ul", { class: "cards" }, ...lessons.map(({ id }) => this.#card(this.#lessons.find((lesson) => lesson.id === id)))));
+  }
+
+  #card(lesson) {
+    const says = element("span", { class: "progress" });
+    const link = this.#link({ class: "lesson-card" }, lesson.id,
+      picture(lesson, { loading: "lazy" }),
+      element("span", { class: "card-body" },
+        element("span", { class: "card-title" }, element("span", { class: "number" }, String(lesson.number)), element("b", {}, lesson.title)),
+        element("span", { class: "card-foot" }, element("span", {}, `${lesson.minutes} min`), says)));
+    const item = element("li", {}, link);
+    this.#cards.set(lesson.id, { item, link, says, text: plain(`${lesson.number} ${lesson.title} ${lesson.summary} ${lesson.chapter} ${lesson.words}`) });
+    return item;
+  }
+
+  // ---- what changes -------------------------------------------------------------------------------------------
+
+  #show_progress() {
+    for (const lesson of this.#lessons) {
+      const { link, says } = this.#cards.get(lesson.id);
+      const { kind, words } = progress_of(lesson, this.#kept.lesson(lesson.id));
+      link.setAttribute("href", this.#search_of(lesson.id));
+      says.className = `progress ${kind}`;
+      says.replaceChildren(element("span", { class: "mark", "aria-hidden": "true" }, kind === "done" ? "✓" : ""), words);
+    }
+    for (const [i, { lessons }] of this.#chapters.entries()) {
+      const done = lessons.filter(({ id }) => this.#kept.lesson(id)?.done).length;
+      set_text(by_id(`chapter-${i}`).nextElementSibling, `${done} of ${lessons.length} done`);
+    }
+    this.#show_start();
+    set_hidden(by_id("course-forgets"), this.#kept.works);
+  }
+
+  /** One way in for who is new; who was in a lesson goes on there. */
+  #show_start() {
+    const first = this.#lessons[0];
+    if (!first) return;
+    const last = this.#lessons.find(({ id }) => id === this.#kept.last && this.#kept.lesson(id));
+    const next = last && this.#kept.lesson(last.id).done ? this.#lessons.find(({ id, number }) => number > last.number && !this.#kept.lesson(id)?.done) : null;
+    const lead = next ?? last;
+    const start = this.#link({ class: "button primary", id: "start" }, (lead ?? first).id, lead ? (next ? "Next lesson" : "Continue") : "Start here");
+    const to = element("p", { class: "start-to" }, `${(lead ?? first).number} · ${(lead ?? first).title}`);
+    const entry = lead && this.#kept.lesson(lead.id);
+    if (entry && !entry.done) to.append(element("span", { class: "label" }, ` at step ${entry.step} of ${entry.steps}`));
+    by_id("course-start").replaceChildren(start, to);
+  }
+
+  // ---- the search ---------------------------------------------------------------------------------------------
+
+  #clear_search() {
+    by_id("search").value = "";
+    this.#filter();
+  }
+
+  #filter() {
+    const asked = plain(by_id("search").value).split(/[\s,]+/).filter(Boolean);
+    let shown = 0;
+    for (const { item, text } of this.#cards.values()) {
+      const fits = asked.every((word) => text.includes(word));
+      set_hidden(item, !fits);
+      shown += fits;
+    }
+    for (const chapter of by_id("chapters").children) set_hidden(chapter, !chapter.querySelector("li:not([hidden])"));
+    by_id("course").classList.toggle("searching", asked.length > 0);
+    set_text(by_id("search-says"), asked.length === 0 ? "" : shown === 0 ? `No lesson has “${by_id("search").value.trim().slice(0, 40)}”.` : shown === 1 ? "1 lesson" : `${shown} lessons`);
+    set_hidden(by_id("search-found"), asked.length === 0);
+  }
+}

@@ -1,0 +1,104 @@
+// What is kept on the device, and nowhere else: how far each lesson is, where one was in it, the answers given. Storage
+// that is forbidden, full, damaged or of another version costs no more than that.
+
+const kKey = "snug-course";
+const kVersion = 1;
+const kLongest = 200_000; // characters of one lesson: an address and its answers
+
+const is_text = (value) => typeof value === "string" && value.length <= kLongest;
+const is_count = (value) => Number.isSafeInteger(value) && value >= 0;
+
+/** What a lesson's entry is made of; what is not like it counts as not begun. */
+const is_entry = (entry) => Boolean(entry) && is_text(entry.address) && is_text(entry.answers) && is_count(entry.answered) && is_count(entry.step)
+  && is_count(entry.steps) && typeof entry.done === "boolean" && typeof entry.task === "boolean";
+
+const nothing = () => ({ version: kVersion, last: null, invited: 0, lessons: {} });
+
+/** What the text of the storage says, as far as it can be understood; null where it is a later version's. */
+function understood(text) {
+  let data;
+  try {
+    data = JSON.parse(text ?? "null");
+  } catch {
+    return nothing();
+  }
+  if (is_count(data?.version) && data.version > kVersion) return null;
+  if (data?.version !== kVersion) return nothing();
+  const lessons = Object.entries(Object(data.lessons)).filter(([, entry]) => is_entry(entry));
+  return { version: kVersion, last: is_text(data.last) ? data.last : null, invited: is_count(data.invited) ? data.invited : 0, lessons: Object.fromEntries(lessons) };
+}
+
+export class Kept {
+  #data = nothing();
+  #works = true;
+  #written = "";
+
+  constructor() {
+    this.#read();
+  }
+
+  /** Whether what is kept will be there after a reload. */
+  get works() {
+    return this.#works;
+  }
+
+  /** The lesson that one was in; null before the first. */
+  get last() {
+    return this.#data.last;
+  }
+
+  /** How many of the invitations on the stage have been followed. */
+  get invited() {
+    return this.#data.invited;
+  }
+
+  /** {address, answers, answered, step, steps, done, task}, or null where the lesson was not begun. */
+  lesson(id) {
+    return Object.hasOwn(this.#data.lessons, id) ? this.#data.lessons[id] : null;
+  }
+
+  keep_lesson(id, entry) {
+    this.#change((data) => {
+      data.lessons[id] = entry;
+      data.last = id;
+    });
+  }
+
+  keep_invited(count) {
+    this.#change((data) => (data.invited = Math.max(data.invited, count)));
+  }
+
+  /** Everything but the invitations, which are not shown again. */
+  erase() {
+    this.#change((data) => Object.assign(data, { last: null, lessons: {} }));
+  }
+
+  /** Another tab may have written since. */
+  refresh() {
+    this.#read();
+  }
+
+  #read() {
+    try {
+      const text = localStorage.getItem(kKey);
+      const data = understood(text);
+      this.#works = data !== null; // a later version's is left as it is
+      if (data) this.#data = data;
+    } catch {
+      this.#works = false;
+    }
+  }
+
+  #change(change) {
+    if (this.#works) this.#read();
+    change(this.#data);
+    const text = JSON.stringify(this.#data);
+    if (!this.#works || text === this.#written) return;
+    try {
+      localStorage.setItem(kKey, text);
+      this.#written = text;
+    } catch {
+      this.#works = false;
+    }
+  }
+}
