@@ -12,10 +12,9 @@ const kVolumes = {
   hull: "{ hull = { points = [[0.6, -1], [2, 0], [0.9, 1.1], [1.2, 0.1]] } }",
 };
 const small_lesson = (volume) => `version = 1
-group = "Tests"
 title = "A sphere and another volume"
 summary = "Two volumes."
-order = 1000
+minutes = 1
 volume = "volume_pair"
 algorithms = ["gjk"]
 
