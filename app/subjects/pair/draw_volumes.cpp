@@ -214,7 +214,10 @@ Rect draw_difference(Brush& brush, lesson::PairSteps steps, float top) {
   if (simplex.support) ring(brush.list, plane.at(*simplex.support), 6, p.examined, brush.stroke(0.9f));
   const ImVec2 origin = plane.at(Point3::Zero());
   plus(brush.list, origin, 6, p.ink, brush.stroke(0.9f));
-  text(brush.list, look, Face::kRegular, 11, {origin.x + 7, origin.y - look.px(13)}, p.ink, "origin");
+  const float words = measure(look, Face::kRegular, 11, "origin").x;
+  const bool before = origin.x + 7 + words > high.x - 4;  // where there is no room behind it
+  text(brush.list, look, Face::kRegular, 11, {before ? origin.x - 7 - words : origin.x + 7, origin.y + 3}, p.ink,
+       "origin");
   return panel;
 }
 

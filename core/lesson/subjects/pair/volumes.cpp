@@ -158,7 +158,8 @@ std::vector<Figure> VolumesSubject::figures(const View& view) const {
   std::optional<double> gap;
   if (standing.end != nullptr && !standing.end->overlap) gap = standing.end->gap;
   figures.push_back(length("Separation", "gap", gap));
-  figures.push_back({"Tests so far", "tests", std::to_string(standing.tests), static_cast<double>(standing.tests), ""});
+  figures.push_back({view.method().name == "gjk" ? "Simplices so far" : "Tests so far", "tests",
+                     std::to_string(standing.tests), static_cast<double>(standing.tests), ""});
   return figures;
 }
 
