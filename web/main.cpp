@@ -183,7 +183,6 @@ val handles() {
   for (const app::Handle& handle : door().app->handles()) {
     val object = val::object();
     object.set("id", handle.id);
-    object.set("name", session()->name_of(handle.id));
     object.set("x", handle.x);
     object.set("y", handle.y);
     array.call<void>("push", object);

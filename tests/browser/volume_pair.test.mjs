@@ -58,7 +58,7 @@ test("each volume's handles are there, every step has its sentence, and a drag b
 test("the lesson on sphere-swept volumes: a finger changes a radius, and the steps follow", async (t) => {
   const page = await visit(t, "?lesson=swept-overlap&step=2", kPhone);
   const before = await state(page);
-  const radius = (await handles(page)).find(({ name }) => name === "A radius");
+  const radius = (await handles(page)).find(({ id }) => id === "A radius");
   await drag_by_finger(page, radius.id, -20, -14);
   const after = await until(page, (it, radii) => it.readout.radii > radii, before.readout.radii);
   assert.ok(after.readout.gap < before.readout.gap);
