@@ -11,13 +11,13 @@ namespace snug::lesson {
 namespace {
 
 constexpr Index kMostBodies = 4000;
-constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
+constexpr std::string_view kSceneSource = "C. Ericson, Real-Time Collision Detection, 2005";
 
 Method scene_method(std::string_view name, std::string_view title, std::span<const std::string_view> pseudocode) {
   return {.volume = kScene,
           .name = name,
           .title = title,
-          .source = kEricson,
+          .source = kSceneSource,
           .pseudocode = pseudocode,
           .max_points = kMostBodies};
 }
