@@ -62,7 +62,7 @@ std::vector<Index> PairRun::candidates(int i) const {
   std::vector<Index> all;
   const std::vector<Index> named = handles(i);
   for (const auto& side : vertices_)
-    for (const Vertex& vertex : side)
+    for (const CoreVertex& vertex : side)
       if (vertex.handle != kNoIndex) all.push_back(vertex.handle);
   if (!all.empty()) return all;
   for (const int box : {0, 1}) {

@@ -16,15 +16,16 @@ extern const SubjectRow kPairRow;
 /// A lesson's volume where it has two boxes.
 inline constexpr std::string_view kBoxPair = "box_pair";
 
+/// A vertex of a volume's core: what it is called, and its handle, kNoIndex where it has none.
+struct CoreVertex {
+  std::string name;
+  Index handle = kNoIndex;
+};
+
 class PairRun final : public FactRun<PairRun, PairStep> {
  public:
-  /// A vertex of a volume's core: what it is called, and its handle, kNoIndex where it has none.
-  struct Vertex {
-    std::string name;
-    Index handle = kNoIndex;
-  };
   /// Those of A and of B, of tests that speak of them.
-  using Vertices = std::array<std::vector<Vertex>, 2>;
+  using Vertices = std::array<std::vector<CoreVertex>, 2>;
 
   PairRun(int dim, PairTrace trace, Vertices vertices = {})
       : dim_(dim), trace_(std::move(trace)), vertices_(std::move(vertices)) {}
@@ -35,7 +36,7 @@ class PairRun final : public FactRun<PairRun, PairStep> {
     int i;
     const Untold* untold;
     [[nodiscard]] int dim() const { return run.dim_; }
-    [[nodiscard]] const Vertex& vertex(int side, Index place) const { return run.vertices_[side][place]; }
+    [[nodiscard]] const CoreVertex& vertex(int side, Index place) const { return run.vertices_[side][place]; }
   };
 
  private:

@@ -118,7 +118,7 @@ PairRun::Vertices VolumesSubject::vertices() const {
       const Handle handle =
           count == 1 ? Handle{}
                      : Handle{Handle::Kind::kVertex, hull != nullptr ? static_cast<int>(hull->indices[i]) : i};
-      PairRun::Vertex vertex{letter + (count == 1 ? "" : std::to_string(handle.number))};
+      CoreVertex vertex{letter + (count == 1 ? "" : std::to_string(handle.number))};
       for (Index k = 0; k < size(); ++k)
         if (this->side(k) == side && this->handle(k) == handle) vertex.handle = k;
       all[side].push_back(std::move(vertex));
