@@ -27,7 +27,8 @@ class PairRun final : public FactRun<PairRun, PairStep> {
   /// Those of A and of B, of tests that speak of them.
   using Vertices = std::array<std::vector<CoreVertex>, 2>;
 
-  PairRun(int dim, PairTrace trace, Vertices vertices = {})
+  PairRun(int dim, PairTrace trace) : dim_(dim), trace_(std::move(trace)) {}
+  PairRun(int dim, PairTrace trace, Vertices vertices)
       : dim_(dim), trace_(std::move(trace)), vertices_(std::move(vertices)) {}
   [[nodiscard]] std::span<const PairTrace::value_type> trace() const { return trace_; }
   [[nodiscard]] std::vector<Index> candidates(int i) const override;
