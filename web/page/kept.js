@@ -75,7 +75,7 @@ export class Kept {
 
   /** Another tab may have written since. */
   refresh() {
-    this.#read();
+    if (this.#works) this.#read(); // else what is in memory is all there is
   }
 
   #read() {

@@ -15,6 +15,7 @@ import { LessonMenu, lesson_links, link_of } from "./lesson_menu.js";
 import { clear_notices, notice, notice_all, veil } from "./messages.js";
 import { Player } from "./player.js";
 import { PointTools } from "./points.js";
+import { Presentation } from "./presentation.js";
 import { QuestionCard } from "./question.js";
 import { Reading } from "./reading.js";
 import { Settings } from "./settings.js";
@@ -59,7 +60,7 @@ class Page {
     this.#embed = embed;
     const act = (what) => this.act(what);
     const question = new QuestionCard(door, act);
-    this.#panels = [new Reading(door.words(), () => this.#start_task()), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new CostTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs(), new Invitations(kept, lessons[0]?.id, () => this.handles())];
+    this.#panels = [new Reading(door.words(), () => this.#start_task()), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new CostTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs(), new Presentation(settings, lessons, go_to), new Invitations(kept, lessons[0]?.id, () => this.handles())];
     this.#menu = new LessonMenu(lessons, (id) => go_to(link_of(id)));
     this.#stage = new Stage(door, () => this.#show());
     settings.on_change(() => this.#apply_settings());

@@ -50,6 +50,8 @@ export class Settings {
     this.#listen_to_panel();
     by_id("present").addEventListener("click", () => this.present(true));
     by_id("leave").addEventListener("click", () => this.present(false));
+    // The browser takes Escape for itself there.
+    addEventListener("fullscreenchange", () => document.fullscreenElement || this.present(false));
     this.#apply();
   }
 
@@ -128,8 +130,15 @@ export class Settings {
     if (on) this.#before_presenting = this.theme;
     this.theme = on ? "projector" : this.#before_presenting;
     this.#apply();
+    this.#fill_screen(on);
     if (on) document.activeElement.blur();
     else by_id("present").focus();
+  }
+
+  /** As far as the browser lets it; a presentation in a window is one as well. */
+  #fill_screen(on) {
+    if (on) document.documentElement.requestFullscreen?.().then(() => this.presenting || document.exitFullscreen(), () => {});
+    else if (document.fullscreenElement) document.exitFullscreen();
   }
 
   get text_scale() {

@@ -1,0 +1,50 @@
+// A lecture: from lesson to lesson by keys and buttons, and the lesson's text only while it is asked for.
+import { by_id } from "./dom.js";
+import { link_of } from "./lesson_menu.js";
+
+const kWrites = "input, select, textarea, [contenteditable]";
+
+export class Presentation {
+  #settings;
+  #lessons;
+  #go_to;
+  #here = 0; // which of the lessons is open
+
+  /** go_to(search): to another lesson. */
+  constructor(settings, lessons, go_to) {
+    this.#settings = settings;
+    this.#lessons = lessons;
+    this.#go_to = go_to;
+    by_id("previous-lesson").addEventListener("click", () => this.#move(-1));
+    by_id("next-lesson").addEventListener("click", () => this.#move(1));
+    by_id("text-shown").addEventListener("click", () => this.#show_text());
+    document.addEventListener("keydown", (event) => this.#key(event));
+    settings.on_change(() => settings.presenting || this.#show_text(false));
+  }
+
+  open(lesson) {
+    this.#here = this.#lessons.findIndex(({ id }) => id === lesson.id);
+    by_id("previous-lesson").disabled = !this.#lessons[this.#here - 1];
+    by_id("next-lesson").disabled = !this.#lessons[this.#here + 1];
+  }
+
+  #move(by) {
+    const to = this.#lessons[this.#here + by];
+    if (to) this.#go_to(link_of(to.id));
+  }
+
+  #show_text(shown = !document.documentElement.classList.contains("text-shown")) {
+    document.documentElement.classList.toggle("text-shown", shown);
+    by_id("text-shown").setAttribute("aria-pressed", shown);
+  }
+
+  #key(event) {
+    if (!this.#settings.presenting || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || event.target.closest?.(kWrites)) return;
+    const key = event.key.toLowerCase();
+    if (key === "n") this.#move(1);
+    else if (key === "p") this.#move(-1);
+    else if (key === "t") this.#show_text();
+    else return;
+    event.preventDefault();
+  }
+}
