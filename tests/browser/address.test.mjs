@@ -93,7 +93,8 @@ for (const [query, says] of kWrong) {
 test("embed leaves out everything but the lesson, and stays", async (t) => {
   const page = await load(t, `${kFirst}&embed=1`);
   assert.equal(await page.locator("#bar").isVisible(), false);
-  assert.ok(await page.locator("#title").isVisible());
+  assert.equal(await page.locator("#read").isVisible(), false);
+  assert.ok(await page.locator("#stage").isVisible());
   await page.keyboard.press("Home");
   await page.waitForTimeout(400);
   assert.match(page.url(), /embed=1/);
