@@ -5,7 +5,25 @@
 namespace snug::scene {
 namespace {
 
-constexpr std::size_t kMostSnapshots = 64;  // of 2,000 bodies, about 1 MB each
+// 2,000 bodies and 2,000 frames have a snapshot every 16 frames within it, where bodies do not bounce.
+constexpr std::size_t kMostSnapshotBytes = 80 << 20;
+
+template <class Value>
+std::size_t bytes_of(const std::vector<Value>& values) {
+  return values.size() * sizeof(Value);
+}
+template <class Value>
+std::size_t bytes_of(const std::vector<std::vector<Value>>& lists) {
+  std::size_t sum = lists.size() * sizeof(std::vector<Value>);
+  for (const std::vector<Value>& values : lists) sum += bytes_of(values);
+  return sum;
+}
+
+std::size_t bytes_of(const physics::Moving& moving, const State& state) {
+  return bytes_of(moving.bodies) + bytes_of(moving.contacts) + bytes_of(moving.impulses) + bytes_of(state.volumes) +
+         bytes_of(state.pairs) + bytes_of(state.near) + bytes_of(state.visibility) + bytes_of(state.shadows) +
+         bytes_of(state.trails) + bytes_of(state.rays);
+}
 
 /// What velocities and contacts come from.
 constexpr SlotSet kLoop = slots(Slot::kVelocities, Slot::kVolumes, Slot::kPairs, Slot::kContacts);
@@ -60,7 +78,19 @@ void Scene::run(std::size_t i) {
   runners_[i].ran = true;
 }
 
+/// What is turned in the frame that stands.
+void Scene::turn_due() {
+  for (const Turn& turn : turns_) {
+    if (turn.frame != world_.state.frame) continue;
+    tallies_[turn.effect].on = turn.on;
+    // What it led away, or no longer tells of, may have held up a sleeper.
+    if ((made_by(*runners_[turn.effect].kind) & (kLoop | bit(Slot::kPoses))) != 0)
+      for (Motion& motion : world_.bodies) motion.wake();
+  }
+}
+
 void Scene::step() {
+  turn_due();
   State& state = world_.state;
   const auto before = state.revisions;
   ++state.frame;
@@ -78,7 +108,7 @@ void Scene::step() {
 }
 
 void Scene::take_snapshot() {
-  Snapshot snapshot{world_.moving(), world_.state, {}, {}, resting_, set_};
+  Snapshot snapshot{world_.moving(), world_.state, {}, {}, resting_, set_, bytes_of(world_.moving(), world_.state)};
   for (const Runner& runner : runners_) snapshot.seen.push_back(runner.seen), snapshot.ran.push_back(runner.ran);
   snapshots_.push_back(std::move(snapshot));
 }
@@ -93,12 +123,14 @@ void Scene::set_anew() {
   take_snapshot();
 }
 
-/// Every so many frames, and where there are too many, every other one is dropped.
+/// Every so many frames, and where they take too much memory, every other one is dropped.
 void Scene::keep_snapshot() {
   const int frame = world_.state.frame;
   if (frame % every_ != 0 || (!snapshots_.empty() && snapshots_.back().state.frame >= frame)) return;
   take_snapshot();
-  if (snapshots_.size() <= kMostSnapshots) return;
+  std::size_t bytes = 0;
+  for (const Snapshot& one : snapshots_) bytes += one.bytes;
+  if (bytes <= kMostSnapshotBytes) return;
   every_ *= 2;
   std::erase_if(snapshots_, [&](const Snapshot& one) { return one.state.frame % every_ != 0; });
 }
@@ -112,32 +144,44 @@ void Scene::restore(const Snapshot& snapshot) {
     runners_[i].ran = snapshot.ran[i];
     runners_[i].effect->restored(world_);
   }
+  for (Tally& tally : tallies_) tally.on = true;
+  for (const Turn& turn : turns_)
+    if (turn.frame <= world_.state.frame) tallies_[turn.effect].on = turn.on;
+  changed_ = true;
+}
+
+std::size_t Scene::snapshot_before(int frame) const {
+  const auto after = std::upper_bound(snapshots_.begin(), snapshots_.end(), frame,
+                                      [](int wanted, const Snapshot& one) { return wanted < one.state.frame; });
+  return static_cast<std::size_t>(after - snapshots_.begin()) - 1;
+}
+
+int Scene::start_of(int frame) const {
+  const int snapshot = snapshots_[snapshot_before(frame)].state.frame, now = world_.state.frame;
+  return now <= frame ? std::max(snapshot, now) : snapshot;
 }
 
 void Scene::go(int frame) {
   frame = std::max(frame, 0);
-  if (frame < world_.state.frame) {
-    const auto after = std::upper_bound(snapshots_.begin(), snapshots_.end(), frame,
-                                        [](int wanted, const Snapshot& one) { return wanted < one.state.frame; });
-    if ((after - 1)->set != set_) {  // what was taken after it does not follow from it any more
-      snapshots_.erase(after, snapshots_.end());
+  const std::size_t i = snapshot_before(frame);
+  if (start_of(frame) != world_.state.frame) {
+    if (snapshots_[i].set != set_) {  // what was taken after it does not follow from it any more
+      snapshots_.erase(snapshots_.begin() + static_cast<std::ptrdiff_t>(i) + 1, snapshots_.end());
       snapshots_.back().set = set_;
-      restore(snapshots_.back());
-    } else {
-      restore(*(after - 1));
     }
-    changed_ = true;
+    restore(snapshots_[i]);
   }
   while (world_.state.frame < frame) step();
 }
 
 void Scene::turn(std::size_t effect, bool on) {
   if (tallies_[effect].on == on) return;
+  const int now = world_.state.frame;
   tallies_[effect].on = on;
-  // What it led away, or no longer tells of, may have held up a sleeper.
-  if ((made_by(*runners_[effect].kind) & (kLoop | bit(Slot::kPoses))) != 0)
-    for (Motion& motion : world_.bodies) motion.wake();
-  set_anew();
+  std::erase_if(turns_, [&](const Turn& one) { return one.frame > now; });
+  turns_.push_back({now, effect, on});
+  std::erase_if(snapshots_, [&](const Snapshot& one) { return one.state.frame > now; });
+  resting_ = false;
 }
 
 void Scene::pull_to(const V3& point) {

@@ -32,9 +32,11 @@ class Scene {
 
   /// The next frame.
   void step();
-  /// To a frame, 0 for the beginning. Back goes by the nearest snapshot before it, from which frames are taken again,
-  /// to the same bits.
+  /// To a frame, 0 for the beginning: from the nearest snapshot before it, or from where the scene stands, whichever is
+  /// nearer. Frames are taken again from there, to the same bits.
   void go(int frame);
+  /// The frame from which go would take frames.
+  [[nodiscard]] int start_of(int frame) const;
   [[nodiscard]] int frame() const { return world_.state.frame; }
   [[nodiscard]] const World& world() const { return world_; }
   [[nodiscard]] std::span<const Tally> tallies() const { return tallies_; }
@@ -42,7 +44,9 @@ class Scene {
   [[nodiscard]] bool resting() const { return resting_; }
   /// Whether the last frame changed anything that can be seen.
   [[nodiscard]] bool changed() const { return changed_; }
-  /// An effect that is off does not run, and what reads it sees nothing new. effect: its place in tallies().
+  /// From the frame that stands, an effect does not run, or runs again; what reads it sees nothing new while it is off.
+  /// The scene keeps when that was, and what was to be turned in later frames is forgotten. effect: its place in
+  /// tallies().
   void turn(std::size_t effect, bool on);
   /// Where drag pulls. Frames that were taken with another point are taken anew when gone back to.
   void pull_to(const V3& point);
@@ -61,6 +65,12 @@ class Scene {
     std::vector<bool> ran;
     bool resting = false;
     int set = 0;  // what was set from outside when it was taken, by number
+    std::size_t bytes = 0;
+  };
+  struct Turn {
+    int frame = 0;
+    std::size_t effect = 0;
+    bool on = true;
   };
   Scene() = default;
   [[nodiscard]] bool has_something_new(const Runner& runner) const;
@@ -68,14 +78,17 @@ class Scene {
   void keep_snapshot();
   void take_snapshot();
   void set_anew();
+  void turn_due();
+  [[nodiscard]] std::size_t snapshot_before(int frame) const;
   void restore(const Snapshot& snapshot);
 
   World world_;
   std::vector<Runner> runners_;
   std::vector<Tally> tallies_;
   std::vector<Snapshot> snapshots_;  // by rising frame, the beginning first
-  int set_ = 0;                      // how often pull_to and turn changed something
-  int every_ = 64;                   // frames between snapshots
+  std::vector<Turn> turns_;          // by rising frame
+  int set_ = 0;                      // how often pull_to changed something
+  int every_ = 16;                   // frames between snapshots
   Clock clock_ = nullptr;
   bool resting_ = false;
   bool changed_ = true;

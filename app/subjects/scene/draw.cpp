@@ -48,13 +48,6 @@ std::vector<bool> in_pairs(std::size_t bodies, const std::vector<scene::Pair>& p
   return flags;
 }
 
-std::vector<scene::Pair> touching_of(const SceneFrame& frame) {
-  std::vector<scene::Pair> pairs;
-  for (const scene::Contact& contact : frame.contacts)
-    if (contact.touching) pairs.push_back(contact.pair);
-  return pairs;
-}
-
 /// Shadows, trails and rays of those bodies that have them.
 void draw_traces(Brush& brush, const SceneFrame& frame) {
   const Palette& p = brush.p;
@@ -102,16 +95,17 @@ void draw_loose(Brush& brush, const SceneFrame& frame) {
 
 /// Draws the faces of a box that are turned towards the eye, with the light on them. There may be thousands of boxes,
 /// so nothing here allocates.
-void draw_faces(Brush& brush, const scene::Shape& shape, const scene::Motion& body, Color fill, Color edge,
+void draw_faces(Brush& brush, const scene::Shape& shape, const SceneFrame::Placed& body, Color fill, Color edge,
                 float width) {
+  const Matrix<double, 3> rotation = body.rotation();
   std::array<ImVec2, 8> places;  // of the corners, by their bits (1: +x, 2: +y, 4: +z)
   for (int bits = 0; bits < 8; ++bits) {
     const Point3 own((bits & 1) != 0 ? 1 : -1, (bits & 2) != 0 ? 1 : -1, (bits & 4) != 0 ? 1 : -1);
-    places[bits] = brush.at(body.position + body.rotation * own.cwiseProduct(shape.half_extents));
+    places[bits] = brush.at(body.position + rotation * own.cwiseProduct(shape.half_extents));
   }
   const Point3 to_eye = brush.canvas.camera.eye() - body.position;
   for (int axis = 0; axis < 3; ++axis) {
-    const double away = body.rotation.col(axis).dot(to_eye), half = shape.half_extents[axis];
+    const double away = rotation.col(axis).dot(to_eye), half = shape.half_extents[axis];
     if (std::abs(away) <= half) continue;  // both faces are seen from behind
     const bool positive = away > 0;
     const int corner = positive ? 1 << axis : 0, u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
@@ -119,14 +113,14 @@ void draw_faces(Brush& brush, const scene::Shape& shape, const scene::Motion& bo
     // Clockwise as seen from outside, which is the way round that ImGui fills.
     const std::array<ImVec2, 4> outline{place(0), place(positive ? v : u), place(u | v), place(positive ? u : v)};
     const double light =
-        0.78 + 0.26 * (positive ? 1 : -1) * body.rotation.col(axis).dot(brush.canvas.gl.light.cast<double>());
+        0.78 + 0.26 * (positive ? 1 : -1) * rotation.col(axis).dot(brush.canvas.gl.light.cast<double>());
     brush.list->AddConvexPolyFilled(outline.data(), 4, shaded(fill, light));
     if (width > 0) path(brush.list, outline, true, Stroke::kSolid, edge, width);
   }
 }
 
 /// Solid: faces of a box; of any other shape its outline.
-void draw_body(Brush& brush, const scene::Shape& shape, const scene::Motion& body, bool touching) {
+void draw_body(Brush& brush, const scene::Shape& shape, const SceneFrame::Placed& body, bool touching) {
   const Palette& p = brush.p;
   const Color fill = touching ? mixed(p.surface, p.support, 0.35) : p.surface;
   const Color edge = touching ? p.support_text : p.ink;
@@ -136,9 +130,10 @@ void draw_body(Brush& brush, const scene::Shape& shape, const scene::Motion& bod
     draw_faces(brush, shape, body, fill, edge, width);
     return;
   }
+  const Matrix<double, 3> rotation = body.rotation();
   std::vector<ImVec2> rims;
   for (const Point3& corner : shape.corners) {
-    const Point3 at = body.position + body.rotation * corner;
+    const Point3 at = body.position + rotation * corner;
     const ImVec2 middle = brush.at(at);
     const double apart = (brush.canvas.camera.eye() - at).norm();
     const double sine = shape.radius / std::max(apart, shape.radius);
@@ -163,7 +158,7 @@ void draw_bodies(Brush& brush, const SceneFrame& frame) {
     if (members[i].shape.cloud == nullptr)
       order.emplace_back(-brush.canvas.camera.forward().dot(frame.bodies[i].position), i);
   std::sort(order.begin(), order.end());
-  const std::vector<bool> touching = in_pairs(members.size(), touching_of(frame));
+  const std::vector<bool> touching = in_pairs(members.size(), frame.touching);
   const ImDrawListFlags flags = brush.list->Flags;
   if (members.size() > kCrowd)
     brush.list->Flags &= ~ImDrawListFlags_AntiAliasedFill;  // whose fringe is half of their triangles
@@ -175,7 +170,7 @@ void draw_bodies(Brush& brush, const SceneFrame& frame) {
 /// for those that touch.
 void draw_pairs(Brush& brush, const SceneFrame& frame) {
   const Palette& p = brush.p;
-  const std::vector<scene::Pair> touching = touching_of(frame);
+  const std::vector<scene::Pair>& touching = frame.touching;
   const auto place = [&](Index body) { return brush.at(frame.bodies[body].position); };
   if (frame.bodies.size() > kCrowd) {
     for (const scene::Pair& pair : touching)

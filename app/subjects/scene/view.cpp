@@ -64,8 +64,8 @@ Point3 SceneView::place_of(const lesson::Session& session, Index i) const {
   const SceneFrame& frame = *frame_of(session);
   const Owner owner = owner_of(lesson::set_of(session));
   if (owner.of_points) {
-    const scene::Motion& body = frame.bodies[owner.body];
-    return body.position + body.rotation * members_of(session)[owner.body].shape.corners[i];
+    const SceneFrame::Placed& body = frame.bodies[owner.body];
+    return body.position + body.rotation() * members_of(session)[owner.body].shape.corners[i];
   }
   return owner.at_points ? frame.bodies[owner.body + static_cast<std::size_t>(i)].position : session.point(i);
 }
@@ -79,20 +79,11 @@ fit::Sphere3 SceneView::extent(const lesson::Session& session) {
 
 /// What the scene takes up in all of its frames.
 fit::Sphere3 SceneView::whole_run(const lesson::Session& session) const {
-  Point3 least = Point3::Constant(1e300), greatest = -least;
-  const auto hold = [&](const Point3& low, const Point3& high) {
-    least = least.cwiseMin(low), greatest = greatest.cwiseMax(high);
-  };
-  for (const SceneFrame& frame : *lesson::frames_of(session, 0))
-    for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
-      const Point3 reach = Point3::Constant(members_of(session)[i].shape.reach);
-      hold(frame.bodies[i].position - reach, frame.bodies[i].position + reach);
-    }
+  auto [least, greatest] = lesson::recorded_scene(session, 0)->bodies;
   if (shows_points(session)) {  // the volumes are what is looked at
     for (const int slot : {0, 1})
-      if (const auto* frames = lesson::frames_of(session, slot))
-        for (const SceneFrame& frame : *frames)
-          for (const Aabb<double, 3>& box : frame.volumes) hold(box.min, box.max);
+      if (const auto* run = lesson::recorded_scene(session, slot))
+        least = least.cwiseMin(run->volumes.min), greatest = greatest.cwiseMax(run->volumes.max);
     return {least / 2 + greatest / 2, 0.5 * (greatest - least).norm()};
   }
   // Not the ball around the box: its corners are empty in nearly every frame.

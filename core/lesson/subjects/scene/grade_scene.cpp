@@ -19,15 +19,14 @@ Grade grade_scene(const Lesson& lesson, const SceneSet& scene, const AnyPointSet
   const Task& task = *lesson.task;
   Grade grade;
   grade.points = static_cast<int>(fit::size_of(points));
-  const auto run = run_scene(scene, task.algorithm, points, seed);
-  if (!run) return grade.says = run.error().what, grade;
+  const auto last = last_frame(scene, task.algorithm, points, seed);
+  if (!last) return grade.says = last.error().what, grade;
   grade.done = grade.points == task.points;
   if (!grade.done)
     grade.says = "There are " + std::to_string(grade.points) + (scene.at_points() ? " bodies" : " points") +
                  "; the task is for " + std::to_string(task.points) + ". ";
-  const auto& last = *std::get_if<FrameTaken>(&run->steps.back().step.fact);
   for (const SceneTask::Requirement& due : static_cast<const SceneTask&>(*task.terms).requirements) {
-    const double value = figure_of(last, due.figure);
+    const double value = figure_of(*last, due.figure);
     const bool met = value >= due.at_least && value <= due.at_most;
     grade.done = grade.done && met;
     grade.says += std::string(scene_figure_title(due.figure)) + ": " + scene_figure_text(due.figure, value) +

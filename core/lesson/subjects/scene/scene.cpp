@@ -40,7 +40,7 @@ tl::expected<std::unique_ptr<Subject>, InputError> open_scene(const Lesson& less
   return std::make_unique<SceneSubject>(lesson, *std::move(points), std::move(mesh), clock);
 }
 
-/// All frames of all methods can be kept.
+/// No method has too many pairs.
 void check_frames(const Lesson& lesson, const Subject& own, Complaints& complaints) {
   for (const std::string& name : lesson.algorithms)
     if (const Done kept = check_pairs(set_of(lesson), name, *own.points(), lesson.seed); !kept)
@@ -193,14 +193,14 @@ std::string SceneSubject::time_of(const scene::Tally& tally) const {
 }
 
 std::vector<Switch> SceneSubject::switches(const View& view) const {
-  const std::vector<SceneFrame>& frames = scene_run(view.run()).frames();
-  if (static_cast<std::size_t>(view.step) >= frames.size()) return {};
+  const SceneRecording& run = scene_run(view.run()).recording();
+  const std::size_t effects = run.tallies.size(), first = static_cast<std::size_t>(view.step) * effects;
   std::vector<Switch> all;
-  const std::vector<scene::Tally>&now = frames[view.step].tallies, &last = frames.back().tallies;
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    const bool on =
-        std::none_of(off_.begin(), off_.end(), [&](const auto& off) { return off.effect == now[i].effect; });
-    all.push_back({now[i].effect, on, now[i].constructed, now[i].run, now[i].skipped, time_of(last[i])});
+  for (std::size_t i = 0; i < effects; ++i) {
+    const scene::Tally& last = run.tallies[i];
+    const EffectCount& now = run.counts[first + i];
+    const bool on = std::none_of(off_.begin(), off_.end(), [&](const auto& off) { return off.effect == last.effect; });
+    all.push_back({last.effect, on, last.constructed, now.run, now.skipped, time_of(last)});
   }
   return all;
 }
@@ -217,15 +217,15 @@ bool SceneSubject::turn(std::string_view name, bool on, const View& view) {
   return true;
 }
 
-const std::vector<SceneFrame>* frames_of(const Session& session, int slot) {
+const SceneRecording* recorded_scene(const Session& session, int slot) {
   const bool scene = as<SceneSubject>(session.subject()) != nullptr && session.method(slot) != nullptr;
-  return scene ? &scene_run(session.run(slot)).frames() : nullptr;
+  return scene ? &scene_run(session.run(slot)).recording() : nullptr;
 }
 
 const SceneFrame* frame_of(const Session& session) {
-  const auto* frames = frames_of(session, 0);
+  const SceneRecording* run = recorded_scene(session, 0);
   const auto at = static_cast<std::size_t>(session.step());
-  return frames != nullptr && at < frames->size() ? &(*frames)[at] : nullptr;
+  return run != nullptr && at < run->frames.size() ? &run->frames[at] : nullptr;
 }
 
 }  // namespace snug::lesson

@@ -18,9 +18,7 @@ class SceneRun final : public FactRun<SceneRun, FrameStep> {
   SceneRun(const SceneSubject& subject, SceneRecording recording)
       : subject_(subject), recording_(std::move(recording)) {}
   [[nodiscard]] std::span<const Recorder<FrameStep>::Entry> trace() const { return recording_.steps; }
-  /// The beginning first.
-  [[nodiscard]] const std::vector<SceneFrame>& frames() const { return recording_.frames; }
-  [[nodiscard]] std::span<const scene::Member> members() const { return recording_.members; }
+  [[nodiscard]] const SceneRecording& recording() const { return recording_; }
   struct Where {
     const SceneRun& run;
     int i;
@@ -75,16 +73,17 @@ class SceneSubject final : public PointSubject {
   std::vector<SwitchedOff> off_;
 };
 
-/// The frames of a slot, of a lesson about a scene; null otherwise. Frame step_of(slot) is the one that stands.
-[[nodiscard]] const std::vector<SceneFrame>* frames_of(const Session& session, int slot);
-/// The frame of slot 0 that stands; null where there is none.
+/// What was recorded of a slot's run, of a lesson about a scene; null otherwise. Frame step_of(slot) is the one that
+/// stands.
+[[nodiscard]] const SceneRecording* recorded_scene(const Session& session, int slot);
+/// The frame of slot 0 that stands, until another is asked for; null where there is none.
 [[nodiscard]] const SceneFrame* frame_of(const Session& session);
 // Of a lesson that is about a scene.
 [[nodiscard]] inline const SceneSet& set_of(const Session& session) {
   return static_cast<const SceneSubject&>(session.subject()).set();
 }
 [[nodiscard]] inline std::span<const scene::Member> members_of(const Session& session) {
-  return scene_run(session.run(0)).members();
+  return scene_run(session.run(0)).recording().members;
 }
 
 /// Grades a scene on its last frame. seed: of what the scene scatters.

@@ -56,12 +56,19 @@ void switch_off(scene::Scene& scene, std::span<const SwitchedOff> off, int after
       if (one.after == after && scene.tallies()[i].effect == one.effect) scene.turn(i, false);
 }
 
-SceneFrame seen(const scene::Scene& scene) {
-  const scene::State& state = scene.world().state;
-  return {scene.world().bodies, state.volumes, scene.world().contacts,
-          state.pairs,          state.near,    state.shadows,
-          state.trails,         state.rays,    {scene.tallies().begin(), scene.tallies().end()},
-          state.funnel.axis};
+void hold(Aabb<double, 3>& box, const scene::V3& least, const scene::V3& greatest) {
+  box = {box.min.cwiseMin(least), box.max.cwiseMax(greatest)};
+}
+
+/// What is told of all frames, with the one that stands.
+void add_frame(SceneRecording& run, const scene::Scene& scene) {
+  const scene::World& world = scene.world();
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    const scene::V3 reach = scene::V3::Constant(world.members[i].shape.reach);
+    hold(run.bodies, world.bodies[i].position - reach, world.bodies[i].position + reach);
+  }
+  for (const Aabb<double, 3>& box : world.state.volumes) hold(run.volumes, box.min, box.max);
+  for (const scene::Tally& tally : scene.tallies()) run.counts.push_back({tally.run, tally.skipped});
 }
 
 }  // namespace
@@ -174,25 +181,39 @@ tl::expected<SceneRecording, InputError> run_scene(const SceneSet& set, std::str
                                                    std::span<const SwitchedOff> off) {
   auto declaration = declaration_with(set, method, points, seed);
   if (!declaration) return tl::unexpected(std::move(declaration.error()));
-  auto scene = scene::Scene::open(*declaration, clock);
-  if (!scene) return tl::unexpected(std::move(scene.error()));
+  auto opened = scene::Scene::open(*declaration, clock);
+  if (!opened) return tl::unexpected(std::move(opened.error()));
   const auto known = std::find_if(scene_methods().begin(), scene_methods().end(),
                                   [&](const Method& one) { return one.name == method; });
   const int line = static_cast<int>(known->pseudocode.size()) - 1;
-  const bool measured = scene->world().members.front().shape.cloud != nullptr;
-  SceneRecording run;
+  const scene::V3 far = scene::V3::Constant(1e300);
+  SceneRecording run{.frames = SceneFrames(*std::move(opened)), .bodies = {far, -far}, .volumes = {far, -far}};
+  scene::Scene& scene = run.frames.scene();
+  run.members = scene.world().members;
+  const bool measured = run.members.front().shape.cloud != nullptr;
   OperationCounts counts{};
-  run.frames.push_back(seen(*scene));
-  run.members = scene->world().members;
+  add_frame(run, scene);
   for (int frame = 0; frame < set.frames; ++frame) {
-    switch_off(*scene, off, frame);
-    scene->step();
-    const FrameTaken taken = frame_of(*scene);
+    switch_off(scene, off, frame);
+    run.frames.step();
+    const FrameTaken taken = frame_of(scene);
     counts[static_cast<std::size_t>(Operation::kPointsTouched)] += static_cast<std::int64_t>(taken.cost);
-    run.steps.push_back({{line, measured, scene->world().state.refitted.first, taken}, counts});
-    run.frames.push_back(seen(*scene));
+    run.steps.push_back({{line, measured, scene.world().state.refitted.first, taken}, counts});
+    add_frame(run, scene);
   }
+  run.tallies.assign(scene.tallies().begin(), scene.tallies().end());
+  run.frames.finish();
   return run;
+}
+
+tl::expected<FrameTaken, InputError> last_frame(const SceneSet& set, std::string_view method, const AnyPointSet& points,
+                                                std::uint64_t seed) {
+  return declaration_with(set, method, points, seed)
+      .and_then([](const scene::Declaration& declaration) { return scene::Scene::open(declaration); })
+      .map([&](scene::Scene scene) {
+        for (int frame = 0; frame < set.frames; ++frame) scene.step();
+        return frame_of(scene);
+      });
 }
 
 }  // namespace snug::lesson

@@ -6,8 +6,8 @@
 
 #include "lesson/subject.hpp"
 #include "lesson/subjects/scene/frame_steps.hpp"
+#include "lesson/subjects/scene/scene_frames.hpp"
 #include "lesson/subjects/scene/scene_set.hpp"
-#include "scene/scene.hpp"
 #include "trace/observer.hpp"
 
 namespace snug::lesson {
@@ -15,22 +15,18 @@ namespace snug::lesson {
 /// The searches for pairs, which broad_phase then makes, and the updates of volumes, which refit then makes.
 [[nodiscard]] std::span<const Method> scene_methods();
 
-/// What of a frame is drawn.
-struct SceneFrame {
-  std::vector<scene::Motion> bodies;
-  std::vector<Aabb<double, 3>> volumes;
-  std::vector<scene::Contact> contacts;
-  std::vector<scene::Pair> pairs, near;
-  std::vector<std::vector<scene::V3>> shadows, trails;
-  std::vector<scene::Ray> rays;
-  std::vector<scene::Tally> tallies;
-  int swept_along = -1;  // the axis that boxes were sorted along; -1: none
+/// What an effect did by a frame.
+struct EffectCount {
+  std::int64_t run = 0, skipped = 0;
 };
 
 struct SceneRecording {
   std::vector<Recorder<FrameStep>::Entry> steps;  // one a frame
-  std::vector<SceneFrame> frames;                 // the beginning first
+  SceneFrames frames;
   std::vector<scene::Member> members;
+  std::vector<scene::Tally> tallies;  // at the end
+  std::vector<EffectCount> counts;    // of the effects in the order of tallies, frame by frame, the beginning first
+  Aabb<double, 3> bodies, volumes;    // around all bodies of all frames, however they turn, and around all volumes
 };
 
 /// An effect that the student switched off: it runs up to this frame, and no more.
@@ -46,13 +42,17 @@ struct SwitchedOff {
                                                                  scene::Clock clock = nullptr,
                                                                  std::span<const SwitchedOff> off = {});
 
+/// The figures of the last frame alone. Errors: as of run_scene.
+[[nodiscard]] tl::expected<FrameTaken, InputError> last_frame(const SceneSet& set, std::string_view method,
+                                                              const AnyPointSet& points, std::uint64_t seed);
+
 /// Whether the scene can be run by each of the methods. Errors: as of run_scene; too many frames of too many bodies.
 [[nodiscard]] tl::expected<void, InputError> check_scene_opens(const SceneSet& set,
                                                                std::span<const std::string> methods,
                                                                const AnyPointSet& points, std::uint64_t seed);
 
-/// Whether all pairs of all frames can be kept. Frames are taken one by one, where they could be too many, and none is
-/// kept. Errors: too many pairs, with the line of what looks for them.
+/// Whether the pairs of all frames are not too many. Frames are taken one by one, where they could be. Errors: too many
+/// pairs, with the line of what looks for them.
 [[nodiscard]] tl::expected<void, InputError> check_pairs(const SceneSet& set, std::string_view method,
                                                          const AnyPointSet& points, std::uint64_t seed);
 

@@ -39,15 +39,15 @@ struct SceneSet : Tables {
   }
 };
 
-/// How many bodies times frames a lesson's scene may have. All frames are kept for the timeline: a body takes 300 bytes
-/// in each and a microsecond; in a crowd of 2,000, whose pairs are kept as well, 1.6 KB and 25 us. So a scene ends at
-/// 0.4 GB and 6 s. Held by "a scene with too many frames of too many bodies is refused before it is run".
+/// How many bodies times frames a lesson's scene may have. All frames are run through before the first is shown: a body
+/// takes a microsecond in each, in a crowd of 2,000 some 25 us. So a scene is ready after 6 s. Memory is no matter
+/// here: SceneFrames bounds it. Held by "a scene with too many frames of too many bodies is refused before it is run".
 inline constexpr std::int64_t kMostBodyFrames = 250'000;
 
-/// How many places of trails take as much as a body.
+/// How many places of trails count as a body.
 inline constexpr std::int64_t kPlacesOfBody = 10;
 
-/// How many pairs all frames together may keep: what 50 for each body's frame come to.
+/// How many pairs all frames together may have: 50 for each body's frame.
 inline constexpr std::int64_t kMostPairs = 50 * kMostBodyFrames;
 
 /// How many places a trail keeps in a frame; what no trail may have, its effect refuses.

@@ -50,9 +50,12 @@ const lesson::FrameTaken& frame(const lesson::Session& session) {
 /// What effects did by frame n: effect, constructed, run, skipped.
 std::vector<std::string> counts(const lesson::Session& session, std::size_t n) {
   std::vector<std::string> lines;
-  for (const scene::Tally& tally : (*frames_of(session, 0))[n].tallies)
-    lines.push_back(tally.effect + " " + std::to_string(tally.constructed) + " " + std::to_string(tally.run) + " " +
-                    std::to_string(tally.skipped));
+  const lesson::SceneRecording& run = *recorded_scene(session, 0);
+  for (std::size_t i = 0; i < run.tallies.size(); ++i) {
+    const lesson::EffectCount& count = run.counts[n * run.tallies.size() + i];
+    lines.push_back(run.tallies[i].effect + " " + std::to_string(run.tallies[i].constructed) + " " +
+                    std::to_string(count.run) + " " + std::to_string(count.skipped));
+  }
   return lines;
 }
 
@@ -104,13 +107,13 @@ TEST_CASE("an effect's time is told as finely as its clock can tell it") {
 TEST_CASE("a scene's frames are the steps of its lesson, with their figures") {
   lesson::Session session = opened("scene-broad");
   CHECK(session.steps() == 120);
-  REQUIRE(frames_of(session, 0) != nullptr);
-  CHECK(frames_of(session, 0)->size() == 121);
+  REQUIRE(recorded_scene(session, 0) != nullptr);
+  CHECK(recorded_scene(session, 0)->frames.size() == 121);
   session.jump(30);
   CHECK(frame(session).frame == 30);
   CHECK(frame(session).all_pairs == 780);
   CHECK(frame(session).after_loose < frame(session).after_broad);
-  CHECK(static_cast<double>((*frames_of(session, 0))[30].pairs.size()) == frame(session).after_broad);
+  CHECK(static_cast<double>(recorded_scene(session, 0)->frames[30].pairs.size()) == frame(session).after_broad);
   const auto figures = session.figures(0);
   CHECK(figures.size() == 6);
   CHECK(figures[0].value == 30);
@@ -309,9 +312,9 @@ TEST_CASE("a mesh is a body for every effect but impulses, which refuse it with 
   auto session = opened_with_mesh(effect_called("broad_phase") + effect_called("narrow_phase") + effect_called("cull") +
                                   effect_called("shadow") + effect_called("trail") + effect_called("projection_rays"));
   REQUIRE(session.has_value());
-  CHECK(frames_of(*session, 0)->size() == 121);
+  CHECK(recorded_scene(*session, 0)->frames.size() == 121);
   CHECK(session->subject().triangles().size() == 4);
-  CHECK(lesson::scene_run(session->run(0)).members()[0].shape.corners.size() == 4);
+  CHECK(lesson::members_of(*session)[0].shape.corners.size() == 4);
   session->jump(30);
   CHECK(frame(*session).slack > 0);
   CHECK(counts(*session, 30).size() == 8);

@@ -1,0 +1,93 @@
+#include "lesson/subjects/scene/scene_frames.hpp"
+
+#include <utility>
+
+namespace snug::lesson {
+namespace {
+
+// Where not all frames are kept, this share of the memory serves for those that are: the scene's snapshots take some as
+// well (kMostSnapshotBytes in scene/scene.cpp). bench_frames measures both together.
+constexpr std::size_t kShareBesideSnapshots = 7;
+
+template <class Value>
+std::size_t bytes_of(const std::vector<Value>& values) {
+  return values.size() * sizeof(Value);
+}
+template <class Value>
+std::size_t bytes_of(const std::vector<std::vector<Value>>& lists) {
+  std::size_t sum = lists.size() * sizeof(std::vector<Value>);
+  for (const std::vector<Value>& values : lists) sum += bytes_of(values);
+  return sum;
+}
+
+std::size_t bytes_of(const SceneFrame& frame) {
+  return sizeof frame + bytes_of(frame.bodies) + bytes_of(frame.volumes) + bytes_of(frame.pairs) +
+         bytes_of(frame.near) + bytes_of(frame.touching) + bytes_of(frame.shadows) + bytes_of(frame.trails) +
+         bytes_of(frame.rays);
+}
+
+SceneFrame seen(const scene::Scene& scene) {
+  const scene::State& state = scene.world().state;
+  SceneFrame frame{{},           state.volumes, state.pairs,      state.near, {}, state.shadows,
+                   state.trails, state.rays,    state.funnel.axis};
+  frame.bodies.reserve(scene.world().bodies.size());
+  for (const scene::Motion& body : scene.world().bodies) frame.bodies.push_back({body.position, body.orientation});
+  for (const scene::Contact& contact : scene.world().contacts)
+    if (contact.touching) frame.touching.push_back(contact.pair);
+  return frame;
+}
+
+}  // namespace
+
+SceneFrames::SceneFrames(scene::Scene scene, std::size_t most) : scene_(std::move(scene)), size_(1), most_(most) {
+  kept_.push_back(seen(*scene_));
+  bytes_ = bytes_of(kept_.back());
+}
+
+void SceneFrames::drop(bool front) const {
+  bytes_ -= bytes_of(front ? kept_.front() : kept_.back());
+  if (front) kept_.pop_front(), ++first_;
+  else kept_.pop_back();
+}
+
+void SceneFrames::step() {
+  scene_->step();
+  kept_.push_back(seen(*scene_));
+  bytes_ += bytes_of(kept_.back());
+  ++size_;
+  if (first_ == 0 && bytes_ <= most_) return;
+  while (bytes_ > most_ / kShareBesideSnapshots && kept_.size() > 1) drop(true);
+}
+
+void SceneFrames::finish() {
+  if (kept_.size() == size_) scene_.reset();
+}
+
+const SceneFrame& SceneFrames::operator[](std::size_t frame) const {
+  if (frame < first_ || frame >= end()) take_anew(frame);
+  return kept_[frame - first_];
+}
+
+/// With the frames before it, from where the scene begins to take them: who steps back comes to these next.
+void SceneFrames::take_anew(std::size_t frame) const {
+  const auto wanted = static_cast<int>(frame);
+  const int start = scene_->start_of(wanted);
+  std::deque<SceneFrame> taken;
+  scene_->go(start);
+  if (start == wanted) taken.push_back(seen(*scene_));
+  while (scene_->frame() < wanted) {
+    scene_->step();
+    taken.push_back(seen(*scene_));
+  }
+  const std::size_t first = frame + 1 - taken.size();
+  const bool before = frame + 1 == first_, after = first == end();
+  if (!before && !after) kept_.clear(), bytes_ = 0;
+  if (!after) first_ = first;
+  for (const SceneFrame& one : taken) bytes_ += bytes_of(one);
+  kept_.insert(after ? kept_.end() : kept_.begin(), std::make_move_iterator(taken.begin()),
+               std::make_move_iterator(taken.end()));
+  while (bytes_ > most_ / kShareBesideSnapshots && kept_.size() > 1)
+    drop(first_ < frame && (after || end() == frame + 1));
+}
+
+}  // namespace snug::lesson
