@@ -143,7 +143,7 @@ void draw_inspector(const Look& look, lesson::Session& session, const SubjectVie
 
   const auto proofs = session.proofs();
   if (!proofs.empty()) {
-    column.heading(session.step() == session.steps() ? "Proof" : "Proof, so far");
+    column.heading(session.step() == session.steps() ? "Proof" : "Proof so far");
     for (const lesson::Proof& proof : proofs) column.proof(proof);
   }
   column.finish();

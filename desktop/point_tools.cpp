@@ -76,7 +76,7 @@ void draw_selected(Shell& shell, Column& column) {
   column.gap(12);
   if (selected == kNoIndex) {
     column.heading("No point selected");
-    column.words("Click a point to move it by number, or drag it. A double click on the ground adds one.",
+    column.words("Click a point to type its coordinates, or drag it. Double-click the ground to add one.",
                  Face::kRegular, 14, column.look()->muted);
     return;
   }
@@ -131,7 +131,7 @@ void draw_scatter(Shell& shell, Column& column) {
     Fields fields(column, "scatter");
     if (fields.whole("Seed", seed)) session.scatter(seed);
   }
-  const int clicked = column.buttons("scatter", {"Scatter anew", "The lesson's own"});
+  const int clicked = column.buttons("scatter", {"Scatter again", "The lesson's own"});
   if (clicked == 0) shell.app().command("scatter");
   if (clicked == 1) shell.app().command("reset_points");
 }

@@ -33,10 +33,16 @@ std::string number_text(double value, int digits) {
   } else if (size < 1e-3 || size >= 1e6) {
     text = power_of_ten(printed("%.*e", digits - 1, size));
   } else {
-    const int before = size >= 1 ? static_cast<int>(std::floor(std::log10(size))) : 0;
-    text = printed("%.*f", std::max(0, digits - 1 - before), size);
+    const int before = static_cast<int>(std::floor(std::log10(size)));  // below 0 where zeros lead
+    text = printed("%.*f", std::max(0, before >= 0 ? digits - 1 - before : std::max(digits - 1, 1 - before)), size);
   }
   return value < 0 ? std::string("−").append(text) : text;
+}
+
+std::string count_text(std::int64_t n) {
+  std::string text = std::to_string(n);
+  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
+  return text;
 }
 
 int digits_apart(double a, double b) {
@@ -62,18 +68,10 @@ std::string percent_text(double ratio) {
   return (text == "0.0" ? "" : ratio < 0 ? "−" : "+") + text + " %";
 }
 
-std::string short_figure(double value) {
-  std::array<char, 64> text{};
-  const double size = std::abs(value);
-  if (size == 0) return "0";
-  if (size >= 1e5 || size < 1e-4) {
-    std::snprintf(text.data(), text.size(), "%.1e", size);
-  } else {
-    // Two decimals, or of a smaller length two digits.
-    const int decimals = size >= 100 ? 1 : size >= 0.1 ? 2 : 1 - static_cast<int>(std::floor(std::log10(size)));
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, size);
-  }
-  return (value < 0 ? "−" : "") + std::string(text.data());
+std::string looseness_text(double ratio) {
+  constexpr double kLarge = 1, kMost = 1e12;  // tenths of a per cent say nothing above, and a count ends there
+  if (!(ratio >= kLarge)) return percent_text(ratio);
+  return ratio > kMost ? "+" + number_text(100 * ratio) + " %" : "+" + count_text(std::llround(100 * ratio)) + " %";
 }
 
 }  // namespace snug::lesson

@@ -1,6 +1,7 @@
 // The figures of the inspector and the lines of the proof, and how numbers are written.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,15 +19,19 @@ struct Figure {
   bool known = true;  // false: there is no value to speak of yet, and the text is a dash; readouts leave it out
 };
 
-/// A line of the proof: what is claimed of the ball, and whether it holds.
+/// A line of the proof: what is claimed of the volume, and whether it holds.
 struct Proof {
-  std::string text;  // "holds all 26 points, exactly"
+  std::string text;  // "contains all 26 points, exactly"
   bool holds = false;
   bool claimed = false;  // whether the algorithm claims it; where it does not, holds says nothing against it
 };
 
-/// Four digits that count, at most three behind the point: "2.118", "21.18", "1.234 × 10¹⁰". The minus is a real one.
+/// Four significant digits, at most three decimals but where a small number would have fewer than two digits left:
+/// "2.118", "21.18", "0.042", "0.0042", "1.234 × 10¹⁰". The minus is a real one.
 [[nodiscard]] std::string number_text(double value, int digits = 4);
+
+/// A count, n >= 0, with its thousands apart: "475", "1,839".
+[[nodiscard]] std::string count_text(std::int64_t n);
 
 /// The number of digits, four or more, that tells two numbers apart. Nine do not tell apart what differs by rounding
 /// alone: four then.
@@ -42,7 +47,7 @@ struct Proof {
 /// 0.091 as "+9.1 %".
 [[nodiscard]] std::string percent_text(double ratio);
 
-/// A length beside another one, as short as it still says something: "0.58", "0.0042", "123.4".
-[[nodiscard]] std::string short_figure(double value);
+/// The same of a volume that is much larger than the tightest: "+35.0 %", "+385 %", "+1,885 %".
+[[nodiscard]] std::string looseness_text(double ratio);
 
 }  // namespace snug::lesson

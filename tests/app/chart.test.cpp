@@ -161,7 +161,7 @@ TEST_CASE("before anything is measured a chart is its axes") {
   for (const Chart& chart : {cost_chart({}), growth_chart({}), turn_chart({})}) {
     CHECK(chart.series.empty());
     CHECK_FALSE(chart.title.ends_with(", "));
-    CHECK(chart.note == "Nothing is measured yet.");
+    CHECK(chart.note == "Nothing has been measured yet.");
   }
 }
 

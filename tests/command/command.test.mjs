@@ -367,7 +367,7 @@ test("a lesson with the chart of costs is played and checked by operations, and 
   const lines = json_lines(good(["lesson", "play", "cost-chart"]));
   const { decided_by, task } = lines.at(-1);
   assert.equal(decided_by, "operations");
-  assert.match(task.says, / times its operations\. Done\.$/);
+  assert.match(task.says, / times the operations\. Done\.$/);
   assert.equal(json_lines(good(["lesson", "play", "sphere-ritter"])).at(-1).decided_by, undefined);
   assert.equal(json_lines(good(["lesson", "check", join(lessons, "cost-chart.toml")]))[0].decided_by, "operations");
   for (const name of ["play", "check"]) assert.match(snug(["lesson", name, "--help"]).out, /counted operations/);

@@ -21,7 +21,7 @@ xdotool key c
 until_state 's.handles.some(h => h.id === "exact")'
 # Another chart: how time grows, stopped by hand; what is ready stays.
 xdotool key v
-until_state '/^Nothing is measured yet/.test(s.caption)'
+until_state '/^Nothing has been measured yet/.test(s.caption)'
 xdotool key m
 for i in 1 2 3; do
     (until_state '/: [2-6] of 6 algorithms/.test(s.caption)') 2>/dev/null && break

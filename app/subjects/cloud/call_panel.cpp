@@ -20,7 +20,7 @@ std::string list_note(const WelzlState& state) {
   const auto place = [](int at) { return std::to_string(at + 1); };
   if (state.moved != kNoIndex && state.moved_from == 0) return lesson::point_name(state.moved) + " is at the front.";
   if (state.moved != kNoIndex)
-    return lesson::point_name(state.moved) + " came to the front from place " + place(state.moved_from) + ".";
+    return lesson::point_name(state.moved) + " moved to the front from place " + place(state.moved_from) + ".";
   if (state.calls.empty()) return "All points have been tested.";
   if (state.calls.back().at == kNoIndex)
     return state.calls.size() == 1 ? "The points are in random order." : "The call begins at the front.";

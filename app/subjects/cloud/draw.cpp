@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "app/fitted.hpp"
-#include "app/numbers.hpp"
 #include "app/point_marks.hpp"
+#include "lesson/figures.hpp"
 
 namespace snug::app {
 namespace {
@@ -108,7 +108,7 @@ void name_cloud(PointNames& names, const CloudShown& shown) {
   if (shown.left_outside != kNoIndex) names.skip(shown.left_outside);
   if (shown.examined != kNoIndex) {
     std::string words = names.brush.session.name_of(shown.examined);
-    if (shown.examined_outside && shown.outside_by > 0) words += " outside by " + short_figure(shown.outside_by);
+    if (shown.examined_outside && shown.outside_by > 0) words += " outside by " + lesson::number_text(shown.outside_by);
     else if (shown.outside_by < 0) words += " inside";
     names.name(shown.examined, std::move(words), p.examined_text, Face::kSemiBold, 19 * p.mark, 15);
   }

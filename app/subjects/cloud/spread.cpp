@@ -1,8 +1,8 @@
 // How the points are spread: their mean, its ellipsoids and axes, and what of the main axis is chosen.
 #include <cmath>
 
-#include "app/numbers.hpp"
 #include "app/subjects/cloud/draw.hpp"
+#include "lesson/figures.hpp"
 
 namespace snug::app {
 
@@ -29,7 +29,7 @@ void draw_spread(Brush& brush, const CloudShown& shown) {
       const bool main = i == 2;
       arrow(brush.list, mean, tip, main ? p.support : p.ink, brush.stroke(main ? 1.2f : 0.8f));
       brush.canvas.obstacles.segments.push_back({mean.x, mean.y, tip.x, tip.y});
-      brush.label(tip, 8, {tip.x - mean.x, tip.y - mean.y}, "σ = " + short_figure(shown.spread->sigma[i]),
+      brush.label(tip, 8, {tip.x - mean.x, tip.y - mean.y}, "σ = " + lesson::number_text(shown.spread->sigma[i]),
                   main ? p.support_text : p.ink);
     }
   }

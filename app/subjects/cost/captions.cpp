@@ -41,9 +41,9 @@ std::string tight_caption(const std::vector<std::span<const cost::TurnRow>>& lin
     const double own = line[0].updated.median;
     if (always_tight(line) && own > 0) least = std::min(least, own), most = std::max(most, own);
   }
-  if (most == 0) return phrase("%d updates are the tightest of their kind at every angle.", tight);
-  return phrase("%d updates are the tightest of their kind at every angle, in %s to %s each.", tight,
-                time(least).c_str(), time(most).c_str());
+  if (most == 0) return phrase("%d updates are as tight as can be at every angle.", tight);
+  return phrase("%d updates are as tight as can be at every angle; one takes %s to %s.", tight, time(least).c_str(),
+                time(most).c_str());
 }
 
 int count_tight(const std::vector<std::span<const cost::TurnRow>>& lines) {
@@ -74,7 +74,7 @@ std::string accuracy_caption(const cost::Table<cost::CostRow>& table) {
       std::find_if(table.rows.begin(), table.rows.end(), [](const cost::CostRow& row) { return row.points < row.of; });
   const std::string left_out = slow == table.rows.end()
                                    ? ""
-                                   : phrase(" %s was too slow here for all points, and is left out.",
+                                   : phrase(" %s was too slow here to measure on all points, and is left out.",
                                             algorithm_title(slow->volume, slow->algorithm).c_str());
   return phrase("%d of %d lie on the front.%s Choose a mark to load its volume.", static_cast<int>(front),
                 static_cast<int>(table.rows.size()), left_out.c_str());
@@ -104,7 +104,7 @@ std::string growth_caption(const cost::Table<cost::GrowthRow>& table, double lon
                           : longest < 1e9      ? ": a longer run would hold up the page."
                                                : ".";
   if (whole == 0) return phrase("All lines end where one run would take over %s%s", time(longest).c_str(), why);
-  if (whole == all) return "All are measured to the end. A steeper line grows faster.";
+  if (whole == all) return "All are measured to the end. The steeper the line, the faster the time grows.";
   return phrase("%d of %d are measured to the end; the others end where one run would take over %s%s", whole, all,
                 time(longest).c_str(), why);
 }

@@ -43,7 +43,7 @@ std::string title_of(const std::string& what, const cost::Provenance& p) {
 }
 
 std::string note_of(const cost::Provenance& p) {
-  if (p.platform.empty()) return "Nothing is measured yet.";
+  if (p.platform.empty()) return "Nothing has been measured yet.";
   return p.scalar + ", seed " + std::to_string(p.seed) + "; " + p.platform + ", " + p.build +
          (p.processor.empty() ? "" : ", " + p.processor);
 }

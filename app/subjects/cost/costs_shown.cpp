@@ -79,7 +79,7 @@ bool Costs::load_algorithm(lesson::Session& session) {
   if (row.whole_ns && row.points < session.size() && *row.whole_ns > kLongestLoaded) {
     refused_ = algorithm_title(row.volume, row.algorithm) + " would take about " +
                chart_figure(ChartUnit::kTime, *row.whole_ns) +
-               " on all points. It was measured on fewer of them, and is not loaded.";
+               " on all points. It was measured on fewer, and is not loaded.";
     return false;
   }
   if (!session.choose(0, row.algorithm)) return false;
@@ -97,7 +97,7 @@ std::string Costs::status(const lesson::Session& session) const {
   if (running() && *at_work_ == view_) says = "Measuring " + (growth ? on : points) + ".";
   else if (sheet().rows() > 0) says = std::to_string(count()) + " measured, on " + on + ".";
   else says = "Now press Measure: " + (growth ? "10 points and more." : points + ".");
-  if (const cost::Provenance* then = sheet().then()) says += " Hollow: " + then->points + ", an earlier result.";
+  if (const cost::Provenance* then = sheet().then()) says += " Hollow marks: " + then->points + ", an earlier result.";
   return says;
 }
 
@@ -125,7 +125,7 @@ std::string Costs::caption(const lesson::Session& session) const {
   if (session.asked() != nullptr) return "Predict first, then measure.";
   if (!any && view_ == CostView::kAccuracy && awaits_measuring(session))
     return "Your predictions are in: now press Measure.";
-  if (!any) return "Nothing is measured yet: press Measure.";
+  if (!any) return "Nothing has been measured yet: press Measure.";
   if (view_ == CostView::kGrowth) return growth_caption(growth(), longest_growing_);
   return view_ == CostView::kTurn ? turn_caption(turn()) : accuracy_caption(table());
 }

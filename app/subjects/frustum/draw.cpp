@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/box_marks.hpp"
-#include "app/numbers.hpp"
+#include "lesson/figures.hpp"
 
 namespace snug::app {
 namespace {
@@ -80,7 +80,7 @@ ImVec2 way_between(ImVec2 from, ImVec2 to) {
 }
 
 /// "+0.42", "−0.17"
-std::string signed_words(double distance) { return (distance > 0 ? "+" : "") + short_figure(distance); }
+std::string signed_words(double distance) { return (distance > 0 ? "+" : "") + lesson::number_text(distance); }
 
 /// The box's lowest vertex on the screen.
 ImVec2 lowest_corner(const Canvas& canvas, const lesson::BoxPair& pair) {

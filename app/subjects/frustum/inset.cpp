@@ -206,7 +206,7 @@ Rect draw_from_camera(Brush& brush, const FrustumShown& shown, float top) {
   brush.list->PopClipRect();
   if (ends.empty())
     text(brush.list, brush.look, Face::kRegular, 12, {low.x + kPad, high.y - brush.look.px(18)}, p.muted,
-         depth[1] > 0 ? "Before the near plane." : "Behind the camera.");
+         depth[1] > 0 ? "In front of the near plane." : "Behind the camera.");
   return inset.panel;
 }
 

@@ -48,7 +48,7 @@ class ScenePanel {
     }
     text(list_, look_, Face::kRegular, kText, {x, middle_of(middle, look_.px(kText))}, look_->ink, name);
     text_right(list_, look_, Face::kMonoBold, kSmall, {x_ + width_, middle_of(middle, look_.px(kSmall))}, look_->ink,
-               hidden ? "—" : std::to_string(static_cast<std::int64_t>(left)));
+               hidden ? "—" : lesson::count_text(static_cast<std::int64_t>(left)));
     const float top = y_ + look_.px(22), thick = 8;
     list_->AddRectFilled({x_, top}, {x_ + width_, top + thick}, look_->track, 2);
     if (left > 0 && !hidden)
@@ -74,7 +74,8 @@ class ScenePanel {
     part("all_pairs", frame.all_pairs, Stroke::kSolid, look_->muted, false);
     std::string compared(lesson::scene_figure_title("compared"));
     if (const int axis = frame_of(session)->swept_along; axis >= 0) compared += std::string(" along ") + "xyz"[axis];
-    figure(compared, session.is_hidden("compared") ? "—" : std::to_string(static_cast<std::int64_t>(frame.compared)));
+    figure(compared,
+           session.is_hidden("compared") ? "—" : lesson::count_text(static_cast<std::int64_t>(frame.compared)));
     part("after_broad", frame.after_broad, Stroke::kDotted, look_->previous, true);
     part("after_loose", frame.after_loose, Stroke::kDashed, look_->examined_text, true);
     part("touching", frame.touching, Stroke::kSolid, look_->support_text, true);
@@ -115,7 +116,7 @@ class ScenePanel {
   }
 
   void effects(lesson::Session& session) {
-    heading("What each effect did so far");
+    heading("What each effect has done so far");
     text(list_, look_, Face::kRegular, kTiny, {x_ + kIndent, y_}, look_->muted, "effect");
     constexpr std::array<const char*, 3> kHeads{"run", "skipped", "time, µs"};
     for (int i = 0; i < 3; ++i)
@@ -140,8 +141,8 @@ class ScenePanel {
     }
     y_ += look_.px(8);
     y_ += paragraph(list_, look_, Face::kRegular, kTiny, kLeading, {x_, y_}, width_, look_->muted,
-                    "In how many frames each effect ran, and in how many it was skipped because nothing that it reads "
-                    "had changed; the mean time of a run. Its box switches an effect off and on.");
+                    "The frames in which each effect ran, those in which it was skipped because nothing that it reads "
+                    "had changed, and the mean time of a run. Click an effect's box to switch it off or on.");
     if (turned != nullptr) session.turn(turned->name, !turned->on);
   }
 

@@ -10,12 +10,8 @@ namespace {
 constexpr auto kMinMax = [](auto p, const Options&, auto& o) { return aabb_min_max(p, o); };
 
 constexpr std::array kAabbRows{
-    row<kMinMax, true>({"aabb",
-                        "min_max",
-                        "Least and greatest",
-                        kEricson,
-                        {"O(n)", growth::linear, true, kEricson},
-                        kAabbMinMaxPseudocode}),
+    row<kMinMax, true>(
+        {"aabb", "min_max", "Min and max", kEricson, {"O(n)", growth::linear, true, kEricson}, kAabbMinMaxPseudocode}),
 };
 
 }  // namespace

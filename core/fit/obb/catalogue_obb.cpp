@@ -50,14 +50,14 @@ constexpr std::array kObbRows{
     row<kPcaHullArea>(
         {"obb", "pca_hull_area", "PCA of the hull's surface", kGottschalk, kBalancedHull, kObbPcaHullAreaPseudocode}),
     row<kPcaRectangle>(
-        {"obb", "pca_rectangle", "PCA and smallest rectangle", kRomanick, kBalancedHull, kObbPcaRectanglePseudocode}),
+        {"obb", "pca_rectangle", "PCA with smallest rectangle", kRomanick, kBalancedHull, kObbPcaRectanglePseudocode}),
     row<kFaceAligned>(
         {"obb", "face_aligned", "Aligned with a face", kRomanick, kFacesTimesVertices, kObbFaceAlignedPseudocode}),
     row<kDito>({"obb", "dito", "DiTO-14", kLarsson, {"O(n)", growth::linear, true, kLarsson}, kObbDitoPseudocode}),
     row<kExact, true>(
         {"obb", "exact", "Exact minimum",
-         "branch and bound on the theorem of J. O'Rourke, Finding minimal enclosing boxes, 1985; in 2-D each edge of "
-         "the hull: H. Freeman, R. Shapira, Determining the minimum-area encasing rectangle, 1975",
+         "J. O'Rourke, Finding minimal enclosing boxes, 1985: branch and bound on his theorem; in 2-D H. Freeman, "
+         "R. Shapira, Determining the minimum-area encasing rectangle for an arbitrary closed curve, 1975",
          kHullEdges, kObbExactPseudocode}),
 };
 

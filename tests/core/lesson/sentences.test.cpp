@@ -213,11 +213,11 @@ TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no numbe
 TEST_CASE("what is outside is said with its name and by how much") {
   const fit::Sphere3 before{Vector<double, 3>::Zero(), 2};
   CHECK(alone(with_ball(2.29, fit::BallGrown<double, 3>{1, before}), kThree) ==
-        "P1 lies outside by 0.58, so the circle grows to take it in.");
-  CHECK(alone(with_ball(2, fit::PointExamined{1, 2.58, true, 0}), kThree) == "P1 lies outside by 0.58.");
+        "P1 lies outside by 0.580, so the circle grows to contain it.");
+  CHECK(alone(with_ball(2, fit::PointExamined{1, 2.58, true, 0}), kThree) == "P1 lies outside by 0.580.");
   const fit::Step3 forced = with_ball(2, fit::BoundaryForced{{1}, 1});
   CHECK(sentence({with_ball(2, fit::PointExamined{1, 2.58, true, 0}), forced}, 0, kThree, true) ==
-        "P1 lies outside by 0.58, so it must be on the boundary of the next circle.");
+        "P1 lies outside by 0.580, so it must be on the boundary of the next circle.");
 }
 
 TEST_CASE("the support set: who joins and who leaves") {

@@ -74,7 +74,7 @@ std::unique_ptr<Run> CloudSubject::run(const Method& method, std::unique_ptr<Run
 }
 
 std::string CloudSubject::opening(const Method& method) const {
-  return std::string(method.title) + " on " + counted(size(), "point") + ": nothing is known yet. Take the first step.";
+  return std::string(method.title) + ", " + counted(size(), "point") + ": nothing is known yet. Take the first step.";
 }
 
 std::vector<Figure> CloudSubject::figures(const View& view) const {

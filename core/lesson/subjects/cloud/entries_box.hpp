@@ -35,8 +35,9 @@ struct Entry<fit::HullFound> : FitEntry {
   using Fact = fit::HullFound;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     return "The convex hull has " +
-           (fact.vertices.size() == 1 ? "1 vertex" : std::to_string(fact.vertices.size()) + " vertices") + " and " +
-           counted(fact.facets, where.dim() == 2 ? "edge" : "face") + ": no point inside it can touch a box.";
+           (fact.vertices.size() == 1 ? "1 vertex"
+                                      : count_text(static_cast<std::int64_t>(fact.vertices.size())) + " vertices") +
+           " and " + counted(fact.facets, where.dim() == 2 ? "edge" : "face") + ": no point inside it can touch a box.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.vertices}); }
   static std::string predicate(const Fact&, const FitWhere&, bool) { return "are the vertices of the hull"; }
@@ -121,8 +122,8 @@ template <>
 struct Entry<fit::LineFound> : FitEntry {
   using Fact = fit::LineFound;
   static std::string sentence(const Fact& fact, const FitWhere&) {
-    return "The line along the main axis that lies closest to all points is supported by " + point_names(fact.support) +
-           ", " + number_text(fact.radius) + " away.";
+    return "The line along the main axis that comes closest to all points is supported by " +
+           point_names(fact.support) + ", at a distance of " + number_text(fact.radius) + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.support}); }
   static std::string predicate(const Fact&, const FitWhere&, bool plural) {
@@ -145,7 +146,7 @@ template <>
 struct Entry<fit::ThicknessFound> : FitEntry {
   using Fact = fit::ThicknessFound;
   static std::string sentence(const Fact& fact, const FitWhere&) {
-    return "The radius is half of their least thickness, " + number_text(fact.radius) + ".";
+    return "The radius is half of the points' least thickness: " + number_text(fact.radius) + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) {
     return points_of({{&fact.least, 1}, {&fact.greatest, 1}});

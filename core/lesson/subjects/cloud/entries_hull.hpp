@@ -9,8 +9,8 @@ template <>
 struct Entry<fit::SimplexChosen> : FitEntry {
   using Fact = fit::SimplexChosen;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
-    return std::string(where.dim() == 2 ? "A segment" : "A tetrahedron") +
-           " is the first hull: " + point_names(fact.points) + ".";
+    return std::string("The first hull is the ") + (where.dim() == 2 ? "segment" : "tetrahedron") + " of " +
+           point_names(fact.points) + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.points}); }
   static std::string predicate(const Fact&, const FitWhere&, bool) { return "are the vertices of the first hull"; }
@@ -31,10 +31,13 @@ struct Entry<fit::FlatFound> : FitEntry {
 
 template <>
 struct Entry<fit::PointsAssigned> : FitEntry {
-  static std::string sentence(const fit::PointsAssigned& fact, const FitWhere&) {
+  static std::string sentence(const fit::PointsAssigned& fact, const FitWhere& where) {
     std::int64_t outside = 0;
     for (const Index count : fact.counts) outside += count;
-    return counted(outside, "point") + (outside == 1 ? " is" : " are") + " given to the facets that see them; " +
+    const std::string facet = where.dim() == 2 ? "an edge" : "a facet";
+    return counted(outside, "point") +
+           (outside == 1 ? " lies outside and is assigned to " + facet + "; "
+                         : " lie outside and are assigned to " + facet + " each; ") +
            counted(fact.dropped, "point") +
            (fact.dropped == 1 ? " lies inside and is dropped." : " lie inside and are dropped.");
   }
@@ -43,12 +46,14 @@ struct Entry<fit::PointsAssigned> : FitEntry {
 template <>
 struct Entry<fit::EyeChosen> : FitEntry {
   using Fact = fit::EyeChosen;
-  static std::string sentence(const Fact& fact, const FitWhere&) {
-    return point_name(fact.point) + " is farthest from its facet, by " + number_text(fact.distance) +
-           ": it is a vertex of the hull.";
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    return point_name(fact.point) + " is farthest from its " + (where.dim() == 2 ? "edge" : "facet") + ", at " +
+           number_text(fact.distance) + ": it is a vertex of the hull.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
-  static std::string predicate(const Fact&, const FitWhere&, bool) { return "is farthest from the facet"; }
+  static std::string predicate(const Fact&, const FitWhere& where, bool) {
+    return std::string("is farthest from the ") + (where.dim() == 2 ? "edge" : "facet");
+  }
 };
 
 template <>
@@ -76,17 +81,20 @@ struct Entry<fit::HorizonFound> : FitEntry {
 template <>
 struct Entry<fit::FacetsReplaced> : FitEntry {
   static std::string sentence(const fit::FacetsReplaced& fact, const FitWhere&) {
-    return counted(static_cast<std::int64_t>(fact.removed.size()), "facet") + " are replaced by " +
-           std::to_string(fact.added.size()) + " new ones, from the horizon to " + point_name(fact.eye) + ".";
+    return counted(static_cast<std::int64_t>(fact.removed.size()), "facet") +
+           (fact.removed.size() == 1 ? " is" : " are") + " replaced by " + std::to_string(fact.added.size()) +
+           " new ones, from the horizon to " + point_name(fact.eye) + ".";
   }
 };
 
 template <>
 struct Entry<fit::FacesMerged> : FitEntry {
   static std::string sentence(const fit::FacesMerged& fact, const FitWhere&) {
-    return "Facets in one plane become one face: " + counted(fact.faces, "face") + ", and " +
-           counted(static_cast<std::int64_t>(fact.dropped.size()), "point") + " inside them " +
-           (fact.dropped.size() == 1 ? "is no vertex." : "are no vertices.");
+    const std::string faces = "Coplanar facets are merged: the hull has " + counted(fact.faces, "face");
+    if (fact.dropped.empty()) return faces + ".";
+    return faces + ", and " + counted(static_cast<std::int64_t>(fact.dropped.size()), "point") +
+           (fact.dropped.size() == 1 ? " that lies on a face is not a vertex."
+                                     : " that lie on faces are not vertices.");
   }
 };
 

@@ -14,7 +14,7 @@ using FitWhere = FitRun::Where;
 
 /// "3 points"
 [[nodiscard]] inline std::string counted(std::int64_t n, const char* thing) {
-  return std::to_string(n) + " " + thing + (n == 1 ? "" : "s");
+  return count_text(n) + " " + thing + (n == 1 ? "" : "s");
 }
 
 [[nodiscard]] inline std::vector<Index> list_of(const auto& points) { return {points.begin(), points.end()}; }
@@ -93,8 +93,8 @@ struct Entry<fit::PointExamined> : FitEntry {
     const double gap = fact.distance - where.radius();
     const bool forced = where.next() != nullptr && std::holds_alternative<fit::BoundaryForced>(where.next()->fact);
     if (!fact.outside)
-      return point + " lies inside" + (gap < 0 ? " by " + short_figure(-gap) : "") + ": nothing changes.";
-    return point + " lies outside by " + short_figure(gap) +
+      return point + " lies inside" + (gap < 0 ? " by " + number_text(-gap) : "") + ": nothing changes.";
+    return point + " lies outside by " + number_text(gap) +
            (forced ? ", so it must be on the boundary of the next " + where.ball() + "." : ".");
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
@@ -109,8 +109,8 @@ struct Entry<fit::BallGrown<double, 3>> : FitEntry {
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const Point3 at = fit::point_of(where.run.points(), fact.point);
     const double gap = (at - fact.before.center).norm() - fact.before.radius;
-    return point_name(fact.point) + " lies outside by " + short_figure(gap) + ", so the " + where.ball() +
-           " grows to take it in.";
+    return point_name(fact.point) + " lies outside by " + number_text(gap) + ", so the " + where.ball() +
+           " grows to contain it.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
   static std::string predicate(const Fact&, const FitWhere& where, bool) {
@@ -129,8 +129,8 @@ struct Entry<fit::MeanFound<double, 3>> : FitEntry {
     if (before != nullptr && std::holds_alternative<fit::SurfaceFound<double, 3>>(before->fact))
       return "The centroid of the hull's " + where.outline_word() + " is (" + at + ").";
     if (const auto* hull = before != nullptr ? std::get_if<fit::HullFound>(&before->fact) : nullptr)
-      return "The mean of the hull's " + std::to_string(hull->vertices.size()) + " vertices is (" + at +
-             "): no other point counts.";
+      return "The mean of the hull's " + count_text(static_cast<std::int64_t>(hull->vertices.size())) +
+             " vertices is (" + at + "): no other point counts.";
     return "The mean of all " + counted(fit::size_of(where.run.points()), "point") + " is (" + at +
            "): their centre of mass.";
   }
@@ -224,7 +224,8 @@ struct Entry<fit::AllChecked> : FitEntry {
   static std::string sentence(const fit::AllChecked& fact, const FitWhere& where) {
     const std::string tested = "All points are tested against the " + where.ball() + ": ";
     if (fact.outside == 0) return tested + "none lies outside.";
-    return tested + counted(fact.outside, "candidate") + (fact.outside == 1 ? " lies outside." : " lie outside.");
+    return tested + "at least " + counted(fact.outside, "point") +
+           (fact.outside == 1 ? " lies outside." : " lie outside.");
   }
 };
 
@@ -232,7 +233,7 @@ template <>
 struct Entry<fit::RadiusChecked> : FitEntry {
   using Fact = fit::RadiusChecked;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
-    return "The last check, in exact arithmetic: " + point_name(fact.farthest) + " is farthest out, " +
+    return "The last check, in exact arithmetic: " + point_name(fact.farthest) + " is farthest from the centre, " +
            (fact.widened ? "and the radius grows in its last digit to contain it."
                          : "and the " + where.ball() + " contains it.");
   }

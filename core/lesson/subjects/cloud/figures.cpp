@@ -15,8 +15,8 @@ constexpr std::array<std::string_view, kOperations> kOperationTitles{
     "Points touched",    "Distance tests", "Comparisons", "Dot products", "Square roots", "",
     "Orientation tests", "Exact decisions"};
 
-std::string count_text(std::int64_t n, std::string_view one, std::string_view many) {
-  return std::to_string(n) + " " + std::string(n == 1 ? one : many);
+std::string things_text(std::int64_t n, std::string_view one, std::string_view many) {
+  return lesson::count_text(n) + " " + std::string(n == 1 ? one : many);
 }
 
 /// Collects the figures of one place in a run.
@@ -43,8 +43,7 @@ class FitBoard {
     add(name, std::move(key), number_text(value, digits) + " units", value, "units");
   }
   void of_all(std::string_view name, std::string key, Index count) {
-    add(name, std::move(key), std::to_string(count) + " of " + std::to_string(fit::size_of(run_.points())), count,
-        "points");
+    add(name, std::move(key), count_text(count) + " of " + count_text(fit::size_of(run_.points())), count, "points");
   }
 
   void volume() {
@@ -55,8 +54,10 @@ class FitBoard {
     if (const auto over = excess_of(own, smallest_)) excess(*over, outside == 0);
     of_all("Points outside", "outside", outside);
     const auto holding = static_cast<int>(run_.support(view_.step).size());
-    add(run_.exact() ? "Support set" : "On the boundary", "support", count_text(holding, "point", "points"), holding,
-        "points");
+    // On the way no point may fix the volume yet: nothing is said then.
+    add(run_.exact() ? "Support set" : "On the boundary", "support",
+        holding > 0 ? things_text(holding, "point", "points") : "—", holding, "points");
+    figures_.back().known = holding > 0;
   }
 
   void size(double value) {
@@ -112,7 +113,7 @@ class FitBoard {
     for (int i = view_.step; i-- > 0;)
       if (std::holds_alternative<CandidateTried<double, 3>>(trace_[i].step.fact)) ++tried;
     const std::string one = ball_word(run_.dim()), many = one + "s";
-    if (tried > 0) add("Candidates tried", "candidates", count_text(tried, one, many), tried, many);
+    if (tried > 0) add("Candidates tried", "candidates", things_text(tried, one, many), tried, many);
   }
 
   void spread(const Step3::Fact& fact) {
@@ -139,7 +140,7 @@ class FitBoard {
       const std::int64_t n = entry_ != nullptr ? entry_->counts[i] : 0;
       const bool balls = i == static_cast<std::size_t>(Operation::kBallSolves);
       const std::string balls_title = run_.dim() == 2 ? "Circumcircles" : "Circumspheres";
-      add(balls ? balls_title : kOperationTitles[i], std::string(kOperationNames[i]), std::to_string(n),
+      add(balls ? balls_title : kOperationTitles[i], std::string(kOperationNames[i]), count_text(n),
           static_cast<double>(n), "");
     }
   }

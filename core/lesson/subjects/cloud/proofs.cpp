@@ -7,18 +7,25 @@ namespace {
 
 using namespace fit;
 
-std::string all(Index n) { return n == 1 ? "the one point" : "all " + std::to_string(n) + " points"; }
+std::string all(Index n) { return n == 1 ? "the one point" : "all " + count_text(n) + " points"; }
 
 std::string none_smaller(const Method& method, int dim) {
-  return "no smaller " + std::string(volume_word(method.volume, dim));
+  return "no smaller " + std::string(method.volume == "aabb" ? "AABB" : volume_word(method.volume, dim));
+}
+
+/// Why nothing of its kind is smaller: only an oriented box has orientations to choose from.
+std::string smallest_text(const Method& method, int dim) {
+  if (method.volume == "hull") return "no smaller convex set contains the points";
+  const std::string none = none_smaller(method, dim);
+  if (method.volume == "sphere") return none + ": centre in the hull of the support set";
+  if (method.volume == "kdop") return none + " with these directions";
+  if (method.volume == "aabb") return none + ": a point lies on each face";
+  return none + ": no orientation does better";
 }
 
 Proof smallest(const Certificate& certificate, const Method& method, int dim) {
-  const std::string none = none_smaller(method, dim);
-  if (!method.exact) return {none + ": not guaranteed", false, false};
-  const char* why =
-      method.volume == "sphere" ? ": centre in the hull of the support set" : ": no orientation does better";
-  return {none + why, certificate.optimal.value_or(false), true};
+  if (!method.exact) return {none_smaller(method, dim) + ": not guaranteed", false, false};
+  return {smallest_text(method, dim), certificate.optimal.value_or(false), true};
 }
 
 Proof boundary(const Method& method, bool holds) {
@@ -36,9 +43,8 @@ std::vector<Proof> of_result(const Method& method, const FitRun& run) {
 std::vector<Proof> on_the_way(const View& view, const FitRun& run, const Step3& step) {
   const Index n = size_of(run.points());
   const Index outside = count_outside(run.points(), step.volume);
-  const std::string held = outside == 0
-                               ? "contains " + all(n)
-                               : "contains " + std::to_string(n - outside) + " of " + std::to_string(n) + " points";
+  const std::string held =
+      outside == 0 ? "contains " + all(n) : "contains " + count_text(n - outside) + " of " + count_text(n) + " points";
   std::vector<Proof> proofs{{held, outside == 0, false}};
   const Sphere3* ball = ball_of(step);
   const std::vector<Index> support = run.support(view.step);

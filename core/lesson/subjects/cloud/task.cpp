@@ -11,7 +11,7 @@
 namespace snug::lesson {
 namespace {
 
-std::string points_text(int n) { return std::to_string(n) + (n == 1 ? " point" : " points"); }
+std::string points_text(int n) { return count_text(n) + (n == 1 ? " point" : " points"); }
 
 /// Rounded as in the inspector, without the sign: "9.9 %".
 std::string plain_percent(double excess) {
@@ -34,7 +34,7 @@ std::string excess_sentence(const CloudTask& task, const fit::Algorithm& algorit
   if (!done && reached == asked_for) reached = closer_percent(excess);
   reached = std::string(algorithm.title) + ": its " + std::string(volume_word(algorithm.volume, dim)) + " is " +
             reached + " larger than the smallest";
-  return done ? reached + "." : reached + "; at least " + asked_for + " is asked for.";
+  return done ? reached + "." : reached + "; it must be at least " + asked_for + ".";
 }
 
 std::string support_sentence(const CloudTask& task, int support, int dim) {

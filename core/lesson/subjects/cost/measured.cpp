@@ -33,9 +33,7 @@ bool is_counted(const cost::CostRow& row) { return row.time.repeats == 0; }
 std::string times_text(double ratio) {
   if (ratio >= 1000) {
     const double last = std::pow(10, std::floor(std::log10(ratio)) - 1);
-    std::string text = std::to_string(static_cast<std::int64_t>(std::min(std::round(ratio / last) * last, 1e18)));
-    for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
-    return text;
+    return count_text(static_cast<std::int64_t>(std::min(std::round(ratio / last) * last, 1e18)));
   }
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), ratio < 10 ? "%.1f" : "%.0f", ratio);
@@ -45,8 +43,8 @@ std::string times_text(double ratio) {
 /// That a time was not taken of all points, but worked out; nothing where it was.
 std::string foretold(const cost::CostRow& row) {
   if (!row.whole_ns) return "";
-  return " A run on all points would have made you wait: it was timed on " + std::to_string(row.points) + " of the " +
-         std::to_string(row.of) + ", and the rest is extrapolated.";
+  return " A run on all points would have made you wait: it was timed on " + count_text(row.points) + " of the " +
+         count_text(row.of) + " and extrapolated.";
 }
 
 /// Whether the machine was too busy to tell how long it takes: on the chart such a mark is hollow.
@@ -91,12 +89,12 @@ const cost::CostRow* find_row(Costs rows, std::string_view algorithm) {
   return found == rows.end() ? nullptr : &*found;
 }
 
-/// "12 % smaller than", "of the size of", "3.1 % larger than"
+/// "12 % smaller than", "the same size as", "3.1 % larger than"
 std::string smaller_text(double size, double than) {
   const double share = size / than - 1;
   std::string text = percent_text(share < 0 ? -share : share);
   if (text.front() == '+') text.erase(0, 1);
-  return share == 0 ? "of the size of" : text + (share < 0 ? " smaller than" : " larger than");
+  return share == 0 ? "the same size as" : text + (share < 0 ? " smaller than" : " larger than");
 }
 
 }  // namespace
@@ -130,7 +128,8 @@ Truth front_truth(const Asked& asked, const Run&) {
   }
   truth.sentence = "On the front: " + truth.happened + ".";
   for (const cost::CostRow& row : rows)
-    if (row.whole_ns) truth.sentence += " " + title_of(row) + " was too slow here for all points, and is left out.";
+    if (row.whole_ns)
+      truth.sentence += " " + title_of(row) + " was too slow here to measure on all points, and is left out.";
   return truth;
 }
 
@@ -181,7 +180,7 @@ Grade grade_costs(const Lesson& lesson, Costs rows, std::string_view chosen) {
     return grade;
   }
   if (own == than) {
-    grade.says = name + " stands on the stage. Load one that is at least " + asked_for + " smaller, for the " +
+    grade.says = name + " is on the stage. Load one that is at least " + asked_for + " smaller, in the " +
                  (is_counted(*own) ? "fewest operations." : "least time.");
     return grade;
   }
@@ -191,16 +190,17 @@ Grade grade_costs(const Lesson& lesson, Costs rows, std::string_view chosen) {
   }
   if (chosen != cheapest && (measured_badly(*own) || measured_badly(*find_row(rows, cheapest)))) {
     grade.says = "The times of " + title_of(*own) + " and " + title_of(*find_row(rows, cheapest)) +
-                 " cannot be compared, for one of them was measured badly: measure again.";
+                 " cannot be compared, because one of them was measured badly: measure again.";
     return grade;
   }
   grade.excess = own->size / than->size - 1;
   grade.done = chosen == cheapest;
-  grade.says = title_of(*own) + ": " + smaller_text(own->size, than->size) + " " + name + ", for " +
-               times_text(own->time.median / than->time.median) + " times its " +
+  grade.says = title_of(*own) + ": " + smaller_text(own->size, than->size) + " " + name + ", in " +
+               times_text(own->time.median / than->time.median) + " times the " +
                (is_counted(*own) ? "operations." : "time.");
   if (grade.done) grade.says += " Done.";
-  else if (own->size <= (1 - tighter_by) * than->size) grade.says += " Another does it for less.";
+  else if (own->size <= (1 - tighter_by) * than->size)
+    grade.says += is_counted(*own) ? " Another does it in fewer." : " Another does it in less.";
   else grade.says += " It should be at least " + asked_for + " smaller.";
   return grade;
 }

@@ -31,11 +31,11 @@ struct Entry<query::PlaneTested<double, 3>> : EntryDefaults {
     plane.front() = static_cast<char>(plane.front() - 'a' + 'A');
     const std::string p = "p-vertex " + sign_name(where.dim(), fact.p_vertex),
                       n = "n-vertex " + sign_name(where.dim(), fact.n_vertex);
-    const std::string p_by = short_figure(std::abs(fact.p_distance)), n_by = short_figure(std::abs(fact.n_distance));
+    const std::string p_by = number_text(std::abs(fact.p_distance)), n_by = number_text(std::abs(fact.n_distance));
     if (fact.skipped) return plane + "skipped, since the parent is inside it.";
     if (fact.looked_closer)
-      return plane + "a vertex is too close to it for rounded numbers; exact arithmetic says " +
-             culling_name(fact.side) + ".";
+      return plane + "a vertex lies within rounding error of it; exact arithmetic says " + culling_name(fact.side) +
+             ".";
     if (fact.side == query::Culling::kOutside)
       return plane + "even the " + n + " is outside, by " + n_by + ", so the whole box is.";
     if (fact.side == query::Culling::kInside)
@@ -62,7 +62,7 @@ struct Entry<query::CornerTested<double, 3>> : EntryDefaults {
   static std::string sentence(const Fact& fact, const FrustumWhere& where) {
     const std::string vertex = "Vertex " + sign_name(where.dim(), fact.corner);
     if (fact.plane < 0) return vertex + " is inside every plane, so it lies in the frustum.";
-    const std::string by = fact.distance == 0 ? "" : ", by " + short_figure(std::abs(fact.distance));
+    const std::string by = fact.distance == 0 ? "" : ", by " + number_text(std::abs(fact.distance));
     return vertex + (fact.outside ? " is outside the " : " is inside the ") + plane_name(where.dim(), fact.plane) +
            " plane" + by + ".";
   }
@@ -85,11 +85,11 @@ struct Entry<query::Classified> : EntryDefaults {
              std::to_string(result.planes_tested) +
              (result.planes_tested == 1 ? " plane was tested." : " planes were tested.");
     if (result.verdict == Culling::kOutside)
-      return "No vertex lies in the frustum, so this test says outside; the proof tells whether it is right.";
+      return "No vertex lies in the frustum, so this test says outside; the proof says whether that is right.";
     if (result.verdict == Culling::kInside) return "Inside: every vertex of the box is inside every plane.";
     if (result.crossing == 0) return "Intersecting: some vertices lie in the frustum and some do not.";
     return "Intersecting: the box crosses " + plane_names(where.dim(), result.crossing) +
-           " and is wholly outside none.";
+           " and is entirely outside none.";
   }
   static std::optional<Mark::Kind> mark(const Fact&, const FrustumWhere&) { return Mark::Kind::kReplaced; }
 };

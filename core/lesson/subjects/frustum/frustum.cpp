@@ -106,7 +106,7 @@ std::unique_ptr<Run> FrustumSubject::run(const Method& method, std::unique_ptr<R
 }
 
 std::string FrustumSubject::opening(const Method& method) const {
-  return std::string(method.title) + " on the box and the frustum: nothing is known yet. Take the first step.";
+  return std::string(method.title) + ", box and frustum: nothing is known yet. Take the first step.";
 }
 
 std::vector<Figure> FrustumSubject::figures(const View& view) const { return frustum_figures(view, *boxes()); }

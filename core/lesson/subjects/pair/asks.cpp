@@ -15,7 +15,7 @@ Truth separates_truth(const Asked& asked, const Run& run) {
   if (axis.skipped) return no("The edges are parallel, so their cross product gives no axis.");
   if (axis.separates)
     return yes("There is a gap of " + number_text(axis.axis.gap) + ": this axis separates the boxes.");
-  if (!(axis.axis.gap < -axis.doubt)) return no("The projections touch, as far as rounded numbers tell.");
+  if (!(axis.axis.gap < -axis.doubt)) return no("The projections touch, within rounding error.");
   return no("The projections overlap by " + number_text(-axis.axis.gap) + ".");
 }
 

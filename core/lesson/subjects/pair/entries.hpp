@@ -55,7 +55,7 @@ struct Entry<query::AxisTested<double, 3>> : EntryDefaults {
 template <>
 struct Entry<query::LookedCloser> : EntryDefaults {
   static std::string sentence(const query::LookedCloser& fact, const PairWhere&) {
-    return "Too close to call for rounded numbers: " + std::to_string(fact.axes) +
+    return "Too close to call in floating point: " + std::to_string(fact.axes) +
            (fact.axes == 1 ? " axis is" : " axes are") + " tested again in exact arithmetic.";
   }
 };
@@ -88,7 +88,7 @@ struct Entry<query::Claimed> : EntryDefaults {
   using Fact = query::Claimed;
   static std::string sentence(const Fact& fact, const PairWhere&) {
     return std::string("This test says that the boxes ") + (fact.overlap ? "overlap" : "are apart") +
-           "; the proof tells whether it is right.";
+           "; the proof says whether that is right.";
   }
   static std::optional<Mark::Kind> mark(const Fact&, const PairWhere&) { return Mark::Kind::kReplaced; }
 };
@@ -109,7 +109,7 @@ struct Entry<query::Verdict<double, 3>> : EntryDefaults {
       return "Overlap: none of the " + all + " axes separates the boxes" +
              (name.empty()
                   ? "."
-                  : "; penetration is least along " + name + ", " + number_text(std::max(0.0, -axis.gap)) + ".");
+                  : "; the penetration is least along " + name + ", " + number_text(std::max(0.0, -axis.gap)) + ".");
     return "Apart: along " + name + " there is a gap" + (axis.gap > 0 ? " of " + number_text(axis.gap) : "") + "; " +
            std::to_string(tests) + " of " + all + " axes were tested.";
   }

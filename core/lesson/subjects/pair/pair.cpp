@@ -78,7 +78,7 @@ std::unique_ptr<Run> PairSubject::run(const Method& method, std::unique_ptr<Run>
 }
 
 std::string PairSubject::opening(const Method& method) const {
-  return std::string(method.title) + " on the boxes A and B: nothing is known yet. Take the first step.";
+  return std::string(method.title) + ", boxes A and B: nothing is known yet. Take the first step.";
 }
 
 std::vector<Figure> PairSubject::figures(const View& view) const { return box_figures(view, *boxes()); }

@@ -36,7 +36,7 @@ std::string sentence(std::string_view goal, const BoxPair& pair, bool now, bool 
   if (now)
     return title + " is wrong here: it says that the boxes " + (says_overlap(goal, pair) ? "overlap" : "are apart") +
            ".";
-  return found ? title + ": found." : "Still to find: a place where " + title + " is wrong.";
+  return found ? title + ": found." : "Still to find: boxes on which " + title + " is wrong.";
 }
 
 bool reaches(std::string_view goal, const BoxPair& pair) {

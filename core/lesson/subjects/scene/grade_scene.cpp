@@ -6,8 +6,8 @@ namespace snug::lesson {
 namespace {
 
 std::string asked_for(const SceneTask::Requirement& due) {
-  const std::string least = scene_figure_text(due.figure, due.at_least),
-                    most = scene_figure_text(due.figure, due.at_most);
+  const std::string least = scene_bound_text(due.figure, due.at_least),
+                    most = scene_bound_text(due.figure, due.at_most);
   if (due.at_least == due.at_most) return "it must be " + least;
   if (due.at_most == SceneTask::Requirement::kNoMost) return "it must be at least " + least;
   return due.at_least == 0 ? "it must be at most " + most : "it must be between " + least + " and " + most;

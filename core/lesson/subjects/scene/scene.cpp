@@ -76,7 +76,8 @@ std::string still_words(const SceneRun::Where& where, bool pairs) {
   return {};
 }
 
-/// "the update examines 80 points; the volume is 35.0 % larger than the tightest AABB, and 3.421 times the hull’s."
+/// "the update examines 80 points; the volume is 35.0 % larger than the tightest of its kind, and 3.421 times the
+/// hull’s."
 std::string update_words(const FrameTaken& fact, const SceneRun::Where& where) {
   constexpr double kShown = 0.0005;  // what is less is 0.0 %
   const bool slack = !where.hides("slack"), cost = !where.hides("cost");
@@ -87,12 +88,18 @@ std::string update_words(const FrameTaken& fact, const SceneRun::Where& where) {
   const double over = over_hull(where.step().volume, *where.subject().points());
   if (!std::isfinite(over)) return words + "all points lie in one plane, so the hull has no volume.";
   words += "the volume is ";
-  if (fact.slack >= kShown)
-    words += scene_figure_text("slack", 100 * fact.slack) + " larger than the tightest of its kind, and ";
+  if (fact.slack >= kShown) words += looser_words(fact.slack, "the tightest of its kind") + ", and ";
   return words + scene_figure_text(kOverHull, over) + " the hull’s.";
 }
 
-std::string count_of_pairs(double n) { return std::to_string(static_cast<long long>(n)); }
+std::string count_of_pairs(double n) { return count_text(static_cast<std::int64_t>(n)); }
+
+/// "It is 4.8 times the tightest (+385 %)."; of counts "It is 42 points.", or "There are none."
+std::string range_sentence(std::string_view figure, double value, const std::string& text) {
+  if (figure != "slack") return text == "none" ? "There are none." : "It is " + text + ".";
+  return percent_text(value / 100) == "0.0 %" ? "It is as tight as the tightest."
+                                              : "It is " + looser_words(value / 100, "the tightest") + ".";
+}
 
 std::string pair_words(const FrameTaken& fact, const SceneRun::Where& where) {
   std::string words = "of " + count_of_pairs(fact.all_pairs) + (fact.all_pairs == 1 ? " pair" : " pairs");
@@ -130,8 +137,9 @@ Truth range_truth(const Asked& asked, const Run& run) {
   const auto& frame = *std::get_if<FrameTaken>(&scene_run(run).trace()[asked.fact].step.fact);
   const double value = figure_of(frame, question.figure);
   const auto range = std::lower_bound(question.bounds.begin(), question.bounds.end(), value) - question.bounds.begin();
-  const std::string text = scene_figure_text(question.figure, value);
-  return {{static_cast<int>(range)}, {}, text, "It is " + text + "."};
+  const bool none = value == 0 && asked.choices.front() == "none";
+  const std::string text = none ? "none" : scene_figure_text(question.figure, value);
+  return {{static_cast<int>(range)}, {}, text, range_sentence(question.figure, value, text)};
 }
 
 const SubjectRow kSceneRow{.name = "scene",
@@ -154,7 +162,7 @@ SceneSubject::SceneSubject(const Lesson& lesson, AnyPointSet points, std::option
 }
 
 std::string_view SceneSubject::fixed_now() const {
-  return set().at_points() ? "Bodies can be moved before frame 1 only." : "Points can be moved before frame 1 only.";
+  return set().at_points() ? "Bodies can only be moved before frame 1." : "Points can only be moved before frame 1.";
 }
 
 /// The lesson's own scene was opened when it was read; what an edit makes of it may be refused, and has no frame then.

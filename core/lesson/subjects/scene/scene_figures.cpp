@@ -45,10 +45,17 @@ double over_hull(const fit::Volume3& volume, const AnyPointSet& points) {
 
 std::string scene_figure_text(std::string_view figure, double value) {
   if (!std::isfinite(value)) return "—";
-  if (figure == "slack") return fixed_text(value, 1) + " %";
+  if (figure == "slack") return looseness_text(value / 100);
   if (figure == kOverHull) return number_text(value) + " times";
   if (figure == "energy") return number_text(value);
-  return fixed_text(value, 0) + " " + counted_thing(figure, value == 1);
+  return count_text(std::llround(value)) + " " + counted_thing(figure, value == 1);
+}
+
+std::string looser_words(double slack, std::string_view than) {
+  constexpr double kFew = 1, kMany = 99;  // above, times say more than per cent; and then tenths say nothing
+  const std::string loose = looseness_text(slack), tightest(than);
+  if (slack < kFew) return loose.substr(loose.front() == '+' ? 1 : 0) + " larger than " + tightest;
+  return fixed_text(1 + slack, slack < kMany ? 1 : 0) + " times " + tightest + " (" + loose + ")";
 }
 
 std::string_view scene_figure_title(std::string_view figure) {
@@ -61,17 +68,20 @@ std::string effect_words(std::string name) {
   return name;
 }
 
+std::string scene_bound_text(std::string_view figure, double value) {
+  std::string text = scene_figure_text(figure, value);
+  if (text.front() == '+') text.erase(0, 1);
+  if (const std::size_t zero = text.find(".0 "); zero != std::string::npos) text.erase(zero, 2);
+  return text;
+}
+
 std::vector<std::string> scene_range_texts(std::string_view figure, std::span<const double> bounds) {
   const bool count = !counted_thing(figure, false).empty();
-  const auto bound = [&](double value) {  // a bound is exact
-    std::string text = scene_figure_text(figure, value);
-    if (const std::size_t zero = text.find(".0 "); zero != std::string::npos) text.erase(zero, 2);
-    return text;
-  };
+  const auto bound = [&](double value) { return scene_bound_text(figure, value); };
   std::vector<std::string> texts{count && bounds.front() == 0 ? "none" : "at most " + bound(bounds.front())};
   for (std::size_t i = 1; i < bounds.size(); ++i) {
     const double above = count ? bounds[i - 1] + 1 : bounds[i - 1];
-    const std::string from = count ? fixed_text(above, 0) : bound(above);
+    const std::string from = count ? count_text(std::llround(above)) : bound(above);
     texts.push_back(count && above == bounds[i] ? bound(above) : from + " to " + bound(bounds[i]));
   }
   texts.push_back("more than " + bound(bounds.back()));

@@ -23,9 +23,15 @@ inline constexpr std::string_view kOverHull = "over_hull";
 /// same in every pose. Infinite where they are flat. O(n log n) time.
 [[nodiscard]] double over_hull(const fit::Volume3& volume, const AnyPointSet& points);
 
-/// "12 pairs", "35.0 %", "3.421 times": a figure of scene_figure_names(), or over_hull, with its unit; a dash where it
+/// "12 pairs", "+35.0 %", "3.421 times": a figure of scene_figure_names(), or over_hull, with its unit; a dash where it
 /// is infinite.
 [[nodiscard]] std::string scene_figure_text(std::string_view figure, double value);
+
+/// The same of a bound, which is exact and has no sign: "10 %", "1,000 %".
+[[nodiscard]] std::string scene_bound_text(std::string_view figure, double value);
+
+/// "35.0 % larger than the tightest"; of what is more than twice as large "4.8 times the tightest (+385 %)".
+[[nodiscard]] std::string looser_words(double slack, std::string_view than);
 
 /// "Touching": what a figure of scene_figure_names(), or over_hull, is called.
 [[nodiscard]] std::string_view scene_figure_title(std::string_view figure);

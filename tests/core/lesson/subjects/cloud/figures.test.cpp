@@ -30,11 +30,21 @@ TEST_CASE("numbers have four digits that count") {
   CHECK(number_text(1839) == "1839");
   CHECK(number_text(-2.5) == "−2.500");
   CHECK(number_text(0.0123456) == "0.012");
+  CHECK(number_text(-0.0042345) == "−0.0042");
+  CHECK(number_text(-0.0042345, 3) == "−0.0042");
+  CHECK(number_text(0.0423, 3) == "0.042");
   CHECK(number_text(1.5e-9) == "1.500 × 10⁻⁹");
   CHECK(number_text(1e150) == "1.000 × 10¹⁵⁰");
   CHECK(percent_text(0.091) == "+9.1 %");
   CHECK(percent_text(-0.2) == "−20.0 %");
   CHECK(percent_text(1e-9) == "0.0 %");
+  CHECK(looseness_text(0.35) == "+35.0 %");
+  CHECK(looseness_text(3.8467) == "+385 %");
+  CHECK(looseness_text(18.85) == "+1,885 %");
+  CHECK(count_text(0) == "0");
+  CHECK(count_text(999) == "999");
+  CHECK(count_text(1839) == "1,839");
+  CHECK(count_text(475004613501) == "475,004,613,501");
 }
 
 TEST_CASE("two numbers have the digits that tell them apart") {
@@ -139,6 +149,46 @@ TEST_CASE("the proof: what is claimed, and whether it holds") {
   REQUIRE(proofs.size() == 3);
   CHECK(proofs[2].claimed);
   CHECK(proofs[2].holds);
+}
+
+TEST_CASE("the last line of the proof says what makes a volume of its kind the smallest") {
+  const auto says = [](std::string_view volume, std::string_view algorithm) {
+    constexpr std::string_view kHead = R"(version = 1
+group = "Tests"
+title = "Small"
+summary = "A lesson for tests."
+order = 3
+)";
+    constexpr std::string_view kPoints = R"(
+[points]
+list = [[-2, 0], [2, 0], [0, 1], [0, -1], [0, 2.5], [0.5, 0.2]]
+[[section]]
+title = "First"
+text = "A **term**."
+)";
+    std::string text(kHead);
+    text.append("volume = \"").append(volume).append("\"\nalgorithms = [\"").append(algorithm).append("\"]\n");
+    Session session = test::open(text.append(kPoints));
+    session.jump(session.steps());
+    const Proof last = session.proofs().back();
+    CHECK(last.claimed);
+    CHECK(last.holds);
+    return last.text;
+  };
+  CHECK(says("aabb", "min_max") == "no smaller AABB: a point lies on each face");
+  CHECK(says("obb", "exact") == "no smaller box: no orientation does better");
+  CHECK(says("kdop", "k8") == "no smaller k-DOP with these directions");
+  CHECK(says("hull", "quickhull") == "no smaller convex set contains the points");
+}
+
+TEST_CASE("a support set of no points is not counted") {
+  Session session = open_small();
+  session.jump(1);
+  for (int step = 1; step <= session.steps(); ++step) {
+    session.jump(step);
+    for (const Figure& f : session.figures())
+      if (f.key == "support") CHECK_MESSAGE(f.known == (f.value > 0), step);
+  }
 }
 
 TEST_CASE("figures and proofs are there at every step of every algorithm, also of a thousand points and of one") {

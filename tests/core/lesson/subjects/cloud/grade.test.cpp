@@ -37,7 +37,7 @@ TEST_CASE("the task is graded on the points as they stand") {
   CHECK(session.grade()->says == "Ritter: its circle is 9.8 % larger than the smallest. Done.");
   REQUIRE(session.move(3, {0, 1, 0}).has_value());
   CHECK_FALSE(session.grade()->done);
-  CHECK(session.grade()->says == "Ritter: its circle is 0.0 % larger than the smallest; at least 5.0 % is asked for.");
+  CHECK(session.grade()->says == "Ritter: its circle is 0.0 % larger than the smallest; it must be at least 5.0 %.");
 }
 
 TEST_CASE("what falls short by a hair does not look reached") {

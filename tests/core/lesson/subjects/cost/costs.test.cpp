@@ -102,12 +102,12 @@ TEST_CASE("what is decided by counted operations speaks of them, and what is mea
   const auto played = play(session);
   REQUIRE(played.has_value());
   CHECK(played->algorithms.front().outcomes[1].says.find(" times as many operations as ") != std::string::npos);
-  CHECK(played->grade->says.find(" times its operations. Done.") != std::string::npos);
+  CHECK(played->grade->says.find(" times the operations. Done.") != std::string::npos);
   CHECK(played->grade->says.find("time.") == std::string::npos);
   const std::vector<cost::CostRow> counted = counted_costs(session.lesson(), *session.subject().points());
   CHECK(grade_costs(session.lesson(), counted, "aabb").says.find("for the fewest operations.") != std::string::npos);
   CHECK(grade_costs(session.lesson(), rows(), "aabb").says.find("for the least time.") != std::string::npos);
-  CHECK(grade_costs(session.lesson(), rows(), "exact").says.find(" times its time.") != std::string::npos);
+  CHECK(grade_costs(session.lesson(), rows(), "exact").says.find(" times the time.") != std::string::npos);
 }
 
 TEST_CASE("what such a lesson gets wrong is said with its line") {
@@ -206,10 +206,10 @@ TEST_CASE("the task: a shape of one's own, measured, and the cheapest that is ti
   CHECK(session.asked() == nullptr);  // the questions are of the lesson's own
   CHECK(session.grade()->says == "Measure this shape.");
   measured(session, rows());
-  CHECK(session.grade()->says.find("Axis-aligned box stands on the stage") == 0);
+  CHECK(session.grade()->says.find("Axis-aligned box is on the stage") == 0);
   REQUIRE(session.choose(0, "exact").has_value());
   CHECK(session.grade()->done);
-  CHECK(session.grade()->says == "Exact minimum: 20.0 % smaller than Axis-aligned box, for 180 times its time. Done.");
+  CHECK(session.grade()->says == "Exact minimum: 20.0 % smaller than Axis-aligned box, in 180 times the time. Done.");
   REQUIRE(session.choose(0, "pca").has_value());
   CHECK_FALSE(session.grade()->done);
   CHECK(session.grade()->says.find("20.0 % larger") != std::string::npos);

@@ -220,7 +220,11 @@ TEST_CASE("a figure's ranges are written as people write them") {
   using Texts = std::vector<std::string>;
   CHECK(texts("cost", {0, 8, 79}) == Texts{"none", "1 to 8 points", "9 to 79 points", "more than 79 points"});
   CHECK(texts("touching", {0, 1, 60}) == Texts{"none", "1 pair", "2 to 60 pairs", "more than 60 pairs"});
-  CHECK(texts("slack", {10, 100}) == Texts{"at most 10 %", "10 % to 100 %", "more than 100 %"});
+  CHECK(texts("slack", {10, 1000}) == Texts{"at most 10 %", "10 % to 1,000 %", "more than 1,000 %"});
+  CHECK(lesson::scene_figure_text("slack", 384.67) == "+385 %");
+  CHECK(lesson::scene_figure_text("slack", 0) == "0.0 %");
+  CHECK(lesson::looser_words(0.35, "the tightest") == "35.0 % larger than the tightest");
+  CHECK(lesson::looser_words(3.8467, "the tightest") == "4.8 times the tightest (+385 %)");
 }
 
 TEST_CASE("moving a body makes the scene anew, and undo brings the old one back") {
@@ -341,5 +345,5 @@ TEST_CASE("a task on a scene is graded by its last frame") {
   CHECK(session.grade()->says.find("it must be at least 4 pairs") != std::string::npos);
   CHECK(session.grade()->says.find("frame 1") == std::string::npos);
   session.go(5);
-  CHECK(session.grade()->says.find(" Bodies can be moved before frame 1 only.") != std::string::npos);
+  CHECK(session.grade()->says.find(" Bodies can only be moved before frame 1.") != std::string::npos);
 }
