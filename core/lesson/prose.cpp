@@ -24,6 +24,16 @@ std::string joined(std::string_view text) {
   return line;
 }
 
+/// With spaces that no line is broken at within a sum of radii and before a per cent sign.
+std::string kept_together(std::string line) {
+  constexpr std::string_view kSpace = "\u00a0";
+  for (const std::string_view whole : {"r_A + r_B", " %"})
+    for (auto at = line.find(whole); at != std::string::npos; at = line.find(whole, at + 1))
+      for (auto end = at + whole.size(), i = at; i < end; ++i)
+        if (line[i] == ' ') line.replace(i, 1, kSpace), end += kSpace.size() - 1;
+  return line;
+}
+
 Paragraph stretches_of(std::string_view line, bool& closed) {
   Paragraph paragraph;
   bool strong = false;
@@ -59,7 +69,7 @@ std::vector<Paragraph> paragraphs_of(std::string_view text, bool& closed) {
   std::vector<Paragraph> paragraphs;
   closed = true;
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty()) paragraphs.push_back(stretches_of(joined(next_block(text)), closed));
+  while (!text.empty()) paragraphs.push_back(stretches_of(kept_together(joined(next_block(text))), closed));
   return paragraphs;
 }
 

@@ -32,7 +32,7 @@ struct Entry<query::AxisTested<double, 3>> : EntryDefaults {
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const std::string axis = name_of_axis(fact.axis, where);
     if (fact.skipped) return "Along " + axis + " there is nothing to test: the edges are parallel.";
-    const std::string sum = "r_A + r_B = " + number_text(fact.radius_a) + " + " + number_text(fact.radius_b);
+    const std::string sum = "r_A\u00a0+\u00a0r_B = " + number_text(fact.radius_a) + " + " + number_text(fact.radius_b);
     return "Along " + axis + " the distance " + number_text(fact.distance) +
            (fact.separates ? " is greater than " + sum + ": a gap, so the boxes are apart."
                            : " is not greater than " + sum + ": no gap.");
