@@ -10,7 +10,7 @@ export function read_address(search) {
     const text = given.get(name);
     if (text === null) return null;
     if (/^\d+$/.test(text) && Number.isSafeInteger(Number(text))) return Number(text);
-    problems.push(`The address names ${name} “${text.slice(0, 40)}”, which is not a whole number.`);
+    problems.push(`The address has ${name} “${text.slice(0, 40)}”, which is not a whole number.`);
     return null;
   };
   asked.step = whole("step");
@@ -19,7 +19,7 @@ export function read_address(search) {
   const from = given.get("from");
   asked.from = from === null ? "" : from;
   if (!/^([a-z]+|[a-z]+:[1-9]\d{0,4})?$/.test(asked.from)) {
-    problems.push("The address names points that there are not.");
+    problems.push("The address moves points that do not exist.");
     asked.from = "";
   }
 

@@ -179,7 +179,7 @@ class Page {
   /** Brings the lesson to where the address says, as far as it can. */
   async #restore(asked) {
     const door = this.#door;
-    const tell = (error) => error && asked.problems.push(`Part of the address cannot be followed: ${error}.`);
+    const tell = (error) => error && asked.problems.push(`Part of the address cannot be used: ${error}.`);
     if (asked.seed !== null && asked.seed !== this.#lesson.seed) door.scatter(asked.seed);
     if (asked.from) tell(await this.#restore_source(asked.from, asked.seed ?? this.#lesson.seed));
     if (asked.points) tell(door.load_file(new TextEncoder().encode(asked.points.map((row) => row.join(" ")).join("\n")), "the address.xyz"));
@@ -189,7 +189,7 @@ class Page {
     if (asked.b) tell(door.choose(1, asked.b === "none" ? "" : asked.b));
     if (asked.step !== null) {
       const { steps } = door.view();
-      if (asked.step > steps) asked.problems.push(`The address names ${this.#lesson.stepWord} ${asked.step}; there are ${steps}.`);
+      if (asked.step > steps) asked.problems.push(`The address asks for ${this.#lesson.stepWord} ${asked.step}; there are only ${steps}.`);
       door.jump(Math.min(asked.step, steps));
       if (door.view().costs?.shown) door.command("toggle_chart"); // a step is of the points
     }
@@ -268,12 +268,13 @@ class Page {
   async #share() {
     this.#write_address();
     const whole = Object.keys(this.#door.shared_points()).length > 0;
-    const leads = whole ? "It leads to what you see." : "It leads to this lesson, but these points are too many for an address.";
+    const leads = whole ? "It opens what you see." : "It opens this lesson without these points, which are too many for an address.";
     try {
       await navigator.clipboard.writeText(location.href);
       notice(`The address is copied. ${leads}`, "told");
     } catch {
-      notice(`The browser does not let the page copy: take the address from the address bar. ${leads}`, "told");
+      notice(`The browser does not allow the page to copy: take the address from the address bar. ${leads}`
+, "told");
     }
   }
 
@@ -339,7 +340,7 @@ class Site {
     } catch (error) {
       console.warn(error);
       document.documentElement.dataset.view = "lesson";
-      return veil.failed("Snug did not arrive whole. Check the connection, then try again.", () => this.show({ attempt: attempt + 1 }));
+      return veil.failed("Part of Snug did not arrive. Check the connection, then try again.", () => this.show({ attempt: attempt + 1 }));
     }
     if (location.search !== this.#shown) return;
     await this.#page.open(asked, () => (document.documentElement.dataset.view = "lesson"));

@@ -59,7 +59,7 @@ export function clear_notices() {
 /** What went wrong, in one message however much it was. */
 export function notice_all(problems) {
   if (problems.length > kShownMost)
-    problems = [...problems.slice(0, kShownMost - 1), `The address holds ${problems.length - kShownMost + 1} more mistakes; what is right in it is shown.`];
+    problems = [...problems.slice(0, kShownMost - 1), `The address has ${problems.length - kShownMost + 1} more mistakes; the rest of it is shown.`];
   for (const problem of problems) notice(problem);
 }
 

@@ -74,7 +74,7 @@ export class PointTools {
   }
 
   #command(name) {
-    this.#act(() => this.#door.command(name) || notice(`That cannot be done now${name === "delete_point" ? ": select a point first, and keep one" : ""}.`));
+    this.#act(() => this.#door.command(name) || notice(`That cannot be done now${name === "delete_point" ? ": select a point first; the last one cannot be deleted" : ""}.`));
   }
 
   #choose_set() {
@@ -161,7 +161,7 @@ export class PointTools {
     });
     this.#act(() => {
       const error = this.#door.move_point(this.#view.selected, ...to);
-      if (error) notice(/too large/.test(error) ? "That number is too large for a place on the stage." : `${capital(error)}.`);
+      if (error) notice(/too large/.test(error) ? "That number is too large for the stage." : `${capital(error)}.`);
       else clear_notices();
     });
     this.#show_place(this.#view.selected, this.#view.coordinates);
@@ -200,7 +200,7 @@ export class PointTools {
 
   update(view) {
     this.#view = view;
-    set_text(this.#says, `${view.size} ${this.#names[view.size === 1 ? 0 : 1]}${view.edited ? ", changed" : ""}`);
+    set_text(this.#says, `${view.size.toLocaleString("en")} ${this.#names[view.size === 1 ? 0 : 1]}${view.edited ? ", changed" : ""}`);
     this.#point.max = view.size - 1;
     this.#show_seed(view.lesson, view.seed);
     this.#show_source(view.source, view.size, view.lesson);

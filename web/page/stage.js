@@ -51,7 +51,7 @@ export class Stage {
   #cannot_draw(error) {
     stage_message(
       error === "no WebGL 2"
-        ? "This browser does not give the page WebGL 2, which the stage is drawn with. The text, the steps and the numbers work all the same. A current Firefox, Chrome, Edge or Safari draws it, unless hardware acceleration is switched off in its settings."
+        ? "This browser does not give the page WebGL 2, which the stage needs. The text, the steps and the numbers work without it. A current Firefox, Chrome, Edge or Safari draws the stage, unless hardware acceleration is switched off in its settings."
         : `The stage cannot be drawn here: ${error}`);
     document.documentElement.classList.add("no-stage");
   }
@@ -214,7 +214,7 @@ export class Stage {
 
   #lose() {
     this.#door.stop_graphics();
-    stage_message("The browser has taken the stage’s graphics away. It comes back by itself in a moment.");
+    stage_message("The browser has taken the stage’s graphics away. They come back by themselves in a moment.");
     this.#lost_timer = setTimeout(
       () => stage_message("The stage’s graphics have not come back. The address keeps your work: load the page again.",
         "Load again", () => location.reload()), kPatience);
