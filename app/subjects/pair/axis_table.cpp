@@ -18,8 +18,6 @@ constexpr float kCell = 12, kRow = 24;
 constexpr std::array<const char*, 4> kHeads{"distance", "r_A", "r_B", "separation"};
 constexpr std::array<float, 4> kRight{0.42f, 0.575f, 0.73f, 1.0f};  // where each column ends, of the width
 
-std::string short_number(double value) { return lesson::number_text(value, 3); }
-
 /// The rows that were tested, by the axis's place in the table.
 std::vector<const Axis*> rows_of(const std::vector<Axis>& seen, int dim) {
   std::vector<const Axis*> rows(lesson::axis_names(dim).size(), nullptr);
@@ -52,7 +50,7 @@ struct AxisTable {
     const std::array<double, 4> figures{axis->distance, axis->radius_a, axis->radius_b, axis->axis.gap};
     for (int i = 0; i < 4; ++i)
       text_right(list, look, i == 3 ? Face::kMonoBold : Face::kMono, kCell, {right(i), middle},
-                 i == 3 ? ink : look->ink, short_number(figures[i]));
+                 i == 3 ? ink : look->ink, lesson::number_text(figures[i], i == 3 ? 4 : 3));  // the gap as elsewhere
   }
 };
 
