@@ -91,10 +91,10 @@ void power(std::string_view volume, std::string_view algorithm, Index most, doub
 }
 void brute_force(const ClaimContext& context, ClaimRow& row) {
   power("sphere", "brute_force", 40, 5,
-        "within the bound, for a candidate that is no smaller is never tested against the points", context, row);
+        "within the bound, because a candidate that is no smaller is never tested against the points", context, row);
 }
 void orourke(const ClaimContext& context, ClaimRow& row) {
-  power("obb", "exact", 10'000, 3, "within the bound, for most pairs of edges are ruled out at once", context, row);
+  power("obb", "exact", 10'000, 3, "within the bound, because most pairs of edges are ruled out at once", context, row);
 }
 
 // ---- Welzl's stack
