@@ -195,7 +195,7 @@ struct Entry<query::SupportFound> : EntryDefaults {
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const std::string found = "The vertex of A − B least far along v is " + difference_name(fact.a, fact.b, where);
     if (fact.gap > 0) return found + ": the cores are at least " + number_text(fact.gap) + " apart.";
-    return found + ", beyond the origin: nothing is proven yet.";
+    return found + ", beyond the origin: nothing is proved yet.";
   }
   static std::vector<Index> handles(const Fact& fact, const PairWhere& where) {
     return handles_of_vertices(std::array{fact.a, fact.b}, where);
@@ -216,7 +216,7 @@ template <>
 struct Entry<query::DistanceFound> : EntryDefaults {
   using Fact = query::DistanceFound;
   static std::string sentence(const Fact& fact, const PairWhere&) {
-    if (!(fact.gap > 0)) return "The simplex holds the origin: the cores have a point in common.";
+    if (!(fact.gap > 0)) return "The simplex contains the origin: the cores have a point in common.";
     return "Both bounds meet: the cores are " + number_text(fact.distance) + " apart.";
   }
   static std::optional<Mark::Kind> mark(const Fact&, const PairWhere&) { return Mark::Kind::kBest; }
@@ -227,7 +227,7 @@ struct Entry<OverlapDecided> : EntryDefaults {
   static constexpr std::array kAskings{Asking{"apart", &offer_yes_no, &overlap_truth}};
   static std::string sentence(const OverlapDecided& fact, const PairWhere&) {
     if (fact.overlap) return "The volumes overlap.";
-    if (fact.distance >= 0) return "Apart: the distance of the volumes is " + number_text(fact.distance) + ".";
+    if (fact.distance >= 0) return "Apart: the distance between the volumes is " + number_text(fact.distance) + ".";
     return "Apart: along the separating axis there is a gap of " + number_text(fact.gap) + ".";
   }
   static std::optional<Mark::Kind> mark(const OverlapDecided&, const PairWhere&) { return Mark::Kind::kReplaced; }

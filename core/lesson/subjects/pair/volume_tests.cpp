@@ -35,9 +35,9 @@ constexpr Method row(PairTest test, std::string_view title, std::string_view sou
 }
 
 constexpr std::array kVolumeTests{
-    row(PairTest::kSpheres, "Distance of the centres", kEricson, query::kDistancePseudocode),
+    row(PairTest::kSpheres, "Distance between the centres", kEricson, query::kDistancePseudocode),
     row(PairTest::kSphereBox, "Nearest point of the box", kArvo, query::kDistancePseudocode),
-    row(PairTest::kSweptSpheres, "Distance of the cores", kSwept, query::kDistancePseudocode),
+    row(PairTest::kSweptSpheres, "Distance between the cores", kSwept, query::kDistancePseudocode),
     row(PairTest::kSlabs, "Intervals", kSlabs, query::kSlabsPseudocode),
     row(PairTest::kSlabsThenGjk, "Intervals, then GJK", kSlabs, kSlabsThenGjkPseudocode),
     row(PairTest::kSeparatingAxes, "Separating axes", kSat, query::kSatPseudocode3, query::kSatPseudocode2),

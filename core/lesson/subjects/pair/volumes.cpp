@@ -132,7 +132,7 @@ std::unique_ptr<Run> VolumesSubject::run(const Method& method, std::unique_ptr<R
 }
 
 std::string VolumesSubject::opening(const Method& method) const {
-  return std::string(method.title) + " on the volumes A and B: nothing is known yet. Take the first step.";
+  return std::string(method.title) + ", volumes A and B: nothing is known yet. Take the first step.";
 }
 
 std::vector<Figure> VolumesSubject::figures(const View& view) const {
@@ -148,10 +148,10 @@ std::vector<Figure> VolumesSubject::figures(const View& view) const {
   });
   if (cores) {
     if (view.method().name == "gjk") {
-      figures.push_back(length("Cores at least apart", "lower", standing.lower));
-      figures.push_back(length("Cores at most apart", "upper", standing.upper));
+      figures.push_back(length("Cores apart, at least", "lower", standing.lower));
+      figures.push_back(length("Cores apart, at most", "upper", standing.upper));
     } else {
-      figures.push_back(length("Distance of the cores", "cores", standing.upper));
+      figures.push_back(length("Distance between the cores", "cores", standing.upper));
     }
     figures.push_back(length("Sum of the radii", "radii", radii));
   }
