@@ -30,4 +30,4 @@ until_state '/: [2-6] of 6 algorithms/.test(s.caption) || s.handles.length === 6
 until_state 's.handles.some(h => h.id === "pca") && s.handles.some(h => h.id === "aabb")'
 xdotool key Right
 xdotool key v
-until_state '/^Another chart is being measured/.test(s.caption) || /^Nothing is measured/.test(s.caption)'
+until_state '/^Another chart is being measured/.test(s.caption) || /^Nothing has been measured/.test(s.caption)'
