@@ -47,7 +47,7 @@ TEST_CASE("what falls short by a hair does not look reached") {
   const auto at_least = [&](double due) { return graded(session, {"ritter", 5}, due, 0); };
   CHECK_FALSE(at_least(std::nextafter(excess, 1.0)).done);
   CHECK(at_least(std::nextafter(excess, 1.0)).says ==
-        "Ritter: its circle is 9.75 % larger than the smallest; at least 9.8 % is asked for.");
+        "Ritter: its circle is 9.75 % larger than the smallest; it must be at least 9.8 %.");
   CHECK(at_least(excess).done);
   CHECK(at_least(excess).says == "Ritter: its circle is 9.8 % larger than the smallest. Done.");
 }

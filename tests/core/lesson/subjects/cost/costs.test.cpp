@@ -105,8 +105,8 @@ TEST_CASE("what is decided by counted operations speaks of them, and what is mea
   CHECK(played->grade->says.find(" times the operations. Done.") != std::string::npos);
   CHECK(played->grade->says.find("time.") == std::string::npos);
   const std::vector<cost::CostRow> counted = counted_costs(session.lesson(), *session.subject().points());
-  CHECK(grade_costs(session.lesson(), counted, "aabb").says.find("for the fewest operations.") != std::string::npos);
-  CHECK(grade_costs(session.lesson(), rows(), "aabb").says.find("for the least time.") != std::string::npos);
+  CHECK(grade_costs(session.lesson(), counted, "aabb").says.find("in the fewest operations.") != std::string::npos);
+  CHECK(grade_costs(session.lesson(), rows(), "aabb").says.find("in the least time.") != std::string::npos);
   CHECK(grade_costs(session.lesson(), rows(), "exact").says.find(" times the time.") != std::string::npos);
 }
 
