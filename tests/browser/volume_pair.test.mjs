@@ -3,7 +3,7 @@ import { after, before, test } from "node:test";
 import { add_lesson, assert, drag, handles, kPhone, drag_by_finger, start, state, still, stop, until, visit } from "./support.mjs";
 
 const kVolumes = {
-  sphere: "{ sphere = { center = [-1, 0.2], radius = 0.7 } }",
+  sphere: "{ sphere = { center = [1.3, 0.1], radius = 0.6 } }",
   aabb: "{ aabb = { min = [0.4, -1], max = [1.7, 0.4] } }",
   obb: "{ obb = { center = [1.2, 0], half_extents = [0.8, 0.4], turn = 25 } }",
   capsule: "{ capsule = { a = [1, -0.8], b = [1.4, 0.9], radius = 0.3 } }",
@@ -19,7 +19,7 @@ volume = "volume_pair"
 algorithms = ["gjk"]
 
 [volumes]
-a = ${kVolumes.sphere}
+a = { sphere = { center = [-1, 0.2], radius = 0.7 } }
 b = ${kVolumes[volume]}
 
 [[section]]
