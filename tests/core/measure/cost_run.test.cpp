@@ -225,7 +225,7 @@ TEST_CASE("what would take longer than a slice is measured on fewer points, and 
   CHECK(cost::pareto_front(run.rows()).empty());  // what was measured on fewer points is no rival
 
   // What seems to grow more steeply than theory's bound does so by chance.
-  const fit::Algorithm linear = test::slow_algorithm<256, 4>("ritter");
+  const fit::Algorithm linear = test::slow_algorithm<256, 4>("linear", fit::kFixedPasses);
   cost::CostRun bounded(points, {&linear},
                         {.timing = {.repeats = 3, .batch = 0}, .limits = {.longest = 2e6, .longest_watched = 1e9}},
                         test::false_clock());

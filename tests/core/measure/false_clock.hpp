@@ -30,10 +30,12 @@ fit::Watched slow_watch(const AnyPointSet& points, const fit::Options& options, 
   pass(3 * kCoefficient * std::pow(fit::size_of(points), kTwicePower / 2.0));
   return fit::find_algorithm("sphere", "ritter")->watch(points, options, see);
 }
+/// theory: of its time; none where nothing is said of it.
 template <int kCoefficient, int kTwicePower>
-fit::Algorithm slow_algorithm(std::string_view name) {
+fit::Algorithm slow_algorithm(std::string_view name, const fit::Theory& theory = {}) {
   fit::Algorithm algorithm = *fit::find_algorithm("sphere", "ritter");
   algorithm.name = name;
+  algorithm.theory = theory;
   algorithm.fit = &slow_fit<kCoefficient, kTwicePower>;
   algorithm.watch = &slow_watch<kCoefficient, kTwicePower>;
   return algorithm;
