@@ -25,25 +25,6 @@
 namespace snug::fit {
 namespace {
 
-constexpr UpdateStrategy of_kdop(std::string_view name, std::string_view title, int k, bool plane, bool space) {
-  return {"kdop", name, title, kEricson, kUpdateKdopClimbPseudocode, k, plane, space};
-}
-
-constexpr std::array kStrategies{
-    UpdateStrategy{"sphere", "transform", "Transformed sphere", kEricson, kUpdateSpherePseudocode},
-    UpdateStrategy{"aabb", "loose", "Loose AABB", kEricson, kUpdateLoosePseudocode},
-    UpdateStrategy{"aabb", "rebuild", "Rebuilt AABB", kEricson, kUpdateRebuildPseudocode},
-    UpdateStrategy{"aabb", "hill_climb", "AABB by hill climbing", kEricson, kUpdateHillClimbPseudocode},
-    UpdateStrategy{"aabb", "rotated_box", "AABB of rotated AABB", kEricson, kUpdateRotatedBoxPseudocode},
-    UpdateStrategy{"obb", "transform", "Transformed OBB", kEricson, kUpdateObbPseudocode},
-    of_kdop("k4_hill_climb", "4-DOP by hill climbing", 4, true, false),
-    of_kdop("k6_hill_climb", "6-DOP by hill climbing", 6, true, true),
-    of_kdop("k8_hill_climb", "8-DOP by hill climbing", 8, true, false),
-    of_kdop("k14_hill_climb", "14-DOP by hill climbing", 14, false, true),
-    of_kdop("k18_hill_climb", "18-DOP by hill climbing", 18, false, true),
-    of_kdop("k26_hill_climb", "26-DOP by hill climbing", 26, false, true),
-};
-
 struct Watch {
   const SeeUpdateStep& see;
   FullCounter counter{};
@@ -57,129 +38,219 @@ struct Watch {
   void count(Operation operation, std::int64_t n) { counter.count(operation, n); }
 };
 
-/// The body with what its strategy keeps from frame to frame.
+// A struct for each update: what it keeps of a body from frame to frame, the volume where the body is now (volume_at),
+// and the measure of the tightest volume of its kind there.
+
 template <class Scalar, int Dim>
-class Body {
+struct TransformedSphere {
+  TransformedSphere(PointSpan<Scalar, Dim> points, int) : ball(pivot(points, Options{}).volume) {}
+  auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) { return update_sphere(ball, pose, watch).volume; }
+  [[nodiscard]] double tightest(const Pose<Scalar, Dim>&) const { return measure_of(lift(ball), Dim); }
+
+  Sphere<Scalar, Dim> ball;
+};
+
+template <class Scalar, int Dim>
+struct TransformedObb {
+  TransformedObb(PointSpan<Scalar, Dim> points, int) {
+    if constexpr (Dim == 2) box = obb_pca(points).volume;
+    else box = obb_pca_rectangle(points).volume;
+  }
+  auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) { return update_obb(box, pose, watch).volume; }
+  [[nodiscard]] double tightest(const Pose<Scalar, Dim>&) const { return measure_of(lift(box), Dim); }
+
+  Obb<Scalar, Dim> box;
+};
+
+/// What the updates of AABBs have in common.
+template <class Scalar, int Dim>
+struct UpdatedAabb {
+  [[nodiscard]] double tightest(const Pose<Scalar, Dim>& pose) const {
+    return measure_of(lift(update_rebuild(points, pose).volume), Dim);
+  }
+
+  PointSpan<Scalar, Dim> points;
+};
+
+template <class Scalar, int Dim>
+struct LooseAabb : UpdatedAabb<Scalar, Dim> {
+  LooseAabb(PointSpan<Scalar, Dim> points, int) : UpdatedAabb<Scalar, Dim>{points} {}
+  /// The first frame looks for the farthest point.
+  void prepare(auto& watch) {
+    if (!reach) reach = loose_reach(this->points, watch);
+  }
+  auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) { return update_loose(*reach, pose, watch).volume; }
+
+  std::optional<LooseReach<Scalar>> reach;
+};
+
+template <class Scalar, int Dim>
+struct RebuiltAabb : UpdatedAabb<Scalar, Dim> {
+  RebuiltAabb(PointSpan<Scalar, Dim> points, int) : UpdatedAabb<Scalar, Dim>{points} {}
+  auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) {
+    return update_rebuild(this->points, pose, watch).volume;
+  }
+};
+
+template <class Scalar, int Dim>
+struct RotatedAabb : UpdatedAabb<Scalar, Dim> {
+  RotatedAabb(PointSpan<Scalar, Dim> points, int)
+      : UpdatedAabb<Scalar, Dim>{points}, box(aabb_min_max(points).volume) {}
+  auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) { return update_rotated_box(box, pose, watch).volume; }
+
+  Aabb<Scalar, Dim> box;
+};
+
+/// The hull of a body, to climb over along k / 2 axes, each up and down.
+template <class Scalar, int Dim>
+struct Climbed {
+  Climbed(PointSpan<Scalar, Dim> points, int k)
+      : hull(quickhull(points).volume), neighbors(hull_neighbors(hull)),
+        climb(std::span<const Vector<Scalar, Dim>>(hull.vertices), neighbors, k,
+              hull.vertices.size() == static_cast<std::size_t>(points.size())) {}
+  Climbed(const Climbed&) = delete;  // climb walks over hull
+  Climbed& operator=(const Climbed&) = delete;
+
+  ConvexHull<Scalar, Dim> hull;
+  HullNeighbors neighbors;
+  HillClimb<Scalar, Dim> climb;
+};
+
+template <class Scalar, int Dim>
+struct ClimbedAabb : UpdatedAabb<Scalar, Dim>, Climbed<Scalar, Dim> {
+  ClimbedAabb(PointSpan<Scalar, Dim> points, int)
+      : UpdatedAabb<Scalar, Dim>{points}, Climbed<Scalar, Dim>(points, 2 * Dim) {}
+  auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) {
+    return update_hill_climb(this->climb, pose, watch).volume;
+  }
+};
+
+template <class Scalar, int Dim>
+struct ClimbedKdop : Climbed<Scalar, Dim> {
+  ClimbedKdop(PointSpan<Scalar, Dim> span, int of_k) : Climbed<Scalar, Dim>(span, of_k), points(span), k(of_k) {}
+  auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) {
+    return update_kdop_climb(this->climb, k, pose, watch).volume;
+  }
+  /// 0 where a point is beyond the largest coordinate.
+  [[nodiscard]] double tightest(const Pose<Scalar, Dim>& pose) const {
+    std::vector<Vector<Scalar, Dim>> world;
+    for (const auto& p : points) world.push_back(placed(pose, p));
+    const auto set = PointSet<Scalar, Dim>::make(std::move(world));
+    return set ? measure_of(lift(kdop_fit(set->span(), k).volume), Dim) : 0;
+  }
+
+  PointSpan<Scalar, Dim> points;
+  int k;
+};
+
+/// Compiled once for each kind of volume, whichever update it is of.
+template <class VolumeType, class Scalar, int Dim>
+UpdatedFrame frame_of(const VolumeType& volume, PointSpan<Scalar, Dim> points, const Pose<Scalar, Dim>& pose,
+                      double tightest) {
+  const bool contains = std::all_of(points.begin(), points.end(),
+                                    [&](const auto& p) { return query::contains(volume, placed(pose, p)); });
+  const Volume3 lifted = lift(volume);
+  return {.volume = lifted, .measure = measure_of(lifted, Dim), .tightest = tightest, .contains = contains};
+}
+
+template <class Scalar, int Dim>
+double hull_measure(PointSpan<Scalar, Dim> points) {
+  return measure_of(lift(quickhull(points).volume), Dim);
+}
+
+/// A body by one of these.
+template <template <class, int> class Update, class Scalar, int Dim>
+class Body final : public MovingBody {
  public:
-  Body(const UpdateStrategy& strategy, PointSpan<Scalar, Dim> span)
-      : strategy_(strategy), points_(span), box_(aabb_min_max(span).volume) {
-    if (strategy.volume == "sphere") ball_ = pivot(span, Options{}).volume;
-    if (strategy.volume == "obb") {
-      if constexpr (Dim == 2) oriented_ = obb_pca(span).volume;
-      else oriented_ = obb_pca_rectangle(span).volume;
-    }
-    if (!strategy.name.ends_with("hill_climb")) return;
-    hull_ = quickhull(span).volume;
-    neighbors_ = hull_neighbors(hull_);
-    const bool all = hull_.vertices.size() == static_cast<std::size_t>(span.size());
-    climb_.emplace(std::span<const Vector<Scalar, Dim>>(hull_.vertices), neighbors_,
-                   strategy.k > 0 ? strategy.k : 2 * Dim, all);
-  }
-  Body(const Body&) = delete;  // climb_ walks over hull_
-  Body& operator=(const Body&) = delete;
+  Body(const UpdateStrategy& strategy, PointSpan<Scalar, Dim> points) : update_(points, strategy.k), points_(points) {}
 
-  [[nodiscard]] static Pose<Scalar, Dim> own(const Pose<double, 3>& lifted) {
-    return {lifted.rotation.template topLeftCorner<Dim, Dim>().template cast<Scalar>(),
-            lifted.translation.head<Dim>().template cast<Scalar>()};
-  }
-
-  UpdatedFrame to(const Pose<double, 3>& lifted, const SeeUpdateStep& see) {
+  UpdatedFrame watched(const Pose<double, 3>& pose, const SeeUpdateStep& see) override {
     Watch watch{see};
-    UpdatedFrame frame = moved(own(lifted), watch);
-    if (!hull_measure_) hull_measure_ = measure_of(lift(quickhull(points_).volume), Dim);
+    UpdatedFrame frame = moved(own(pose), watch);
+    if (!hull_measure_) hull_measure_ = hull_measure(points_);
     frame.hull = *hull_measure_;
     frame.counts = watch.counter.counts;
     frame.steps = watch.counter.steps;
     return frame;
   }
 
-  UpdatedFrame to(const Pose<double, 3>& lifted) {
+  UpdatedFrame unwatched(const Pose<double, 3>& pose) override {
     Ignore ignore;
-    return moved(own(lifted), ignore);
+    return moved(own(pose), ignore);
   }
 
-  /// Which update it is, is decided once for all poses: beside a box's few sums that would count.
-  double bare(const std::vector<Pose<Scalar, Dim>>& poses) {
+  void give(std::span<const Pose<double, 3>> poses) override {
+    for (const auto& pose : poses) poses_.push_back(own(pose));
+  }
+
+  double bare() override {
     Ignore ignore;
-    const auto through = [&](auto&& number_at) {
-      Scalar sum = 0;
-      for (const auto& pose : poses) sum += number_at(pose);
-      return static_cast<double>(sum);
-    };
-    const auto boxes = [&](auto&& box_at) {
-      return through([&](const Pose<Scalar, Dim>& pose) {
-        const Aabb<Scalar, Dim> box = box_at(pose);
-        return box.min.sum() + box.max.sum();
-      });
-    };
-    if (strategy_.volume == "sphere")
-      return through([&](const auto& pose) {
-        const Sphere<Scalar, Dim> ball = update_sphere(ball_, pose, ignore).volume;
-        return ball.center.sum() + ball.radius;
-      });
-    if (strategy_.volume == "obb")
-      return through([&](const auto& pose) {
-        const Obb<Scalar, Dim> box = update_obb(oriented_, pose, ignore).volume;
-        return box.center.sum() + box.axes.sum() + box.half_extents.sum();
-      });
-    if (strategy_.volume == "kdop")
-      return through(
-          [&](const auto& pose) { return update_kdop_climb(*climb_, strategy_.k, pose, ignore).volume.min[0]; });
-    if (strategy_.name == "rebuild")
-      return boxes([&](const auto& pose) { return update_rebuild(points_, pose, ignore).volume; });
-    if (strategy_.name == "hill_climb")
-      return boxes([&](const auto& pose) { return update_hill_climb(*climb_, pose, ignore).volume; });
-    if (strategy_.name == "rotated_box")
-      return boxes([&](const auto& pose) { return update_rotated_box(box_, pose, ignore).volume; });
-    if (!reach_) reach_ = loose_reach(points_, ignore);
-    return boxes([&](const auto& pose) { return update_loose(*reach_, pose, ignore).volume; });
+    prepare(ignore);
+    Scalar sum = 0;
+    for (const auto& pose : poses_) sum += some_number(update_.volume_at(pose, ignore));
+    return static_cast<double>(sum);
   }
 
  private:
+  static Pose<Scalar, Dim> own(const Pose<double, 3>& lifted) {
+    return {lifted.rotation.template topLeftCorner<Dim, Dim>().template cast<Scalar>(),
+            lifted.translation.head<Dim>().template cast<Scalar>()};
+  }
+
+  void prepare(auto& watch) {
+    if constexpr (requires { update_.prepare(watch); }) update_.prepare(watch);
+  }
+
   UpdatedFrame moved(const Pose<Scalar, Dim>& pose, auto& watch) {
-    if (strategy_.volume == "sphere")
-      return frame_of(update_sphere(ball_, pose, watch).volume, pose, measure_of(lift(ball_), Dim));
-    if (strategy_.volume == "obb")
-      return frame_of(update_obb(oriented_, pose, watch).volume, pose, measure_of(lift(oriented_), Dim));
-    if (strategy_.volume == "kdop")
-      return frame_of(update_kdop_climb(*climb_, strategy_.k, pose, watch).volume, pose, tightest_kdop(pose));
-    return frame_of(box_at(pose, watch), pose, measure_of(lift(update_rebuild(points_, pose).volume), Dim));
+    prepare(watch);
+    return frame_of(update_.volume_at(pose, watch), points_, pose, update_.tightest(pose));
   }
 
-  Aabb<Scalar, Dim> box_at(const Pose<Scalar, Dim>& pose, auto& watch) {
-    if (strategy_.name == "rebuild") return update_rebuild(points_, pose, watch).volume;
-    if (strategy_.name == "hill_climb") return update_hill_climb(*climb_, pose, watch).volume;
-    if (strategy_.name == "rotated_box") return update_rotated_box(box_, pose, watch).volume;
-    if (!reach_) reach_ = loose_reach(points_, watch);
-    return update_loose(*reach_, pose, watch).volume;
+  static Scalar some_number(const Sphere<Scalar, Dim>& ball) { return ball.center.sum() + ball.radius; }
+  static Scalar some_number(const Aabb<Scalar, Dim>& box) { return box.min.sum() + box.max.sum(); }
+  static Scalar some_number(const Obb<Scalar, Dim>& box) {
+    return box.center.sum() + box.axes.sum() + box.half_extents.sum();
   }
+  static Scalar some_number(const Kdop<Scalar, Dim>& kdop) { return kdop.min[0]; }
 
-  double tightest_kdop(const Pose<Scalar, Dim>& pose) const {
-    std::vector<Vector<Scalar, Dim>> world;
-    for (const auto& p : points_) world.push_back(placed(pose, p));
-    const auto set = PointSet<Scalar, Dim>::make(std::move(world));
-    return set ? measure_of(lift(kdop_fit(set->span(), strategy_.k).volume), Dim)
-               : 0;  // none: beyond the largest coordinate
-  }
-
-  template <class VolumeType>
-  UpdatedFrame frame_of(const VolumeType& volume, const Pose<Scalar, Dim>& pose, double tightest) const {
-    const bool contains = std::all_of(points_.begin(), points_.end(),
-                                      [&](const auto& p) { return query::contains(volume, placed(pose, p)); });
-    const Volume3 lifted = lift(volume);
-    return {.volume = lifted, .measure = measure_of(lifted, Dim), .tightest = tightest, .contains = contains};
-  }
-
-  const UpdateStrategy& strategy_;
+  Update<Scalar, Dim> update_;
   PointSpan<Scalar, Dim> points_;
-  Aabb<Scalar, Dim> box_;
-  Sphere<Scalar, Dim> ball_;
-  Obb<Scalar, Dim> oriented_;
-  std::optional<LooseReach<Scalar>> reach_;
-  ConvexHull<Scalar, Dim> hull_;
   std::optional<double> hull_measure_;  // worked out when first asked for
-  HullNeighbors neighbors_;
-  std::optional<HillClimb<Scalar, Dim>> climb_;
+  std::vector<Pose<Scalar, Dim>> poses_;
+};
+
+template <template <class, int> class Update>
+std::shared_ptr<MovingBody> start(const UpdateStrategy& strategy, const AnyPointSet& points) {
+  using Started = std::shared_ptr<MovingBody>;
+  return with_span<Started>(points, [&]<class Scalar, int Dim>(PointSpan<Scalar, Dim> span) -> Started {
+    return std::make_shared<Body<Update, Scalar, Dim>>(strategy, span);
+  });
+}
+
+template <template <class, int> class Update>
+constexpr UpdateStrategy row(std::string_view volume, std::string_view name, std::string_view title,
+                             std::span<const std::string_view> pseudocode, int k = 0, bool plane = true,
+                             bool space = true) {
+  return {volume, name, title, kEricson, pseudocode, k, plane, space, &start<Update>};
+}
+
+constexpr UpdateStrategy kdop_row(std::string_view name, std::string_view title, int k, bool plane, bool space) {
+  return row<ClimbedKdop>("kdop", name, title, kUpdateKdopClimbPseudocode, k, plane, space);
+}
+
+constexpr std::array kStrategies{
+    row<TransformedSphere>("sphere", "transform", "Transformed sphere", kUpdateSpherePseudocode),
+    row<LooseAabb>("aabb", "loose", "Loose AABB", kUpdateLoosePseudocode),
+    row<RebuiltAabb>("aabb", "rebuild", "Rebuilt AABB", kUpdateRebuildPseudocode),
+    row<ClimbedAabb>("aabb", "hill_climb", "AABB by hill climbing", kUpdateHillClimbPseudocode),
+    row<RotatedAabb>("aabb", "rotated_box", "AABB of rotated AABB", kUpdateRotatedBoxPseudocode),
+    row<TransformedObb>("obb", "transform", "Transformed OBB", kUpdateObbPseudocode),
+    kdop_row("k4_hill_climb", "4-DOP by hill climbing", 4, true, false),
+    kdop_row("k6_hill_climb", "6-DOP by hill climbing", 6, true, true),
+    kdop_row("k8_hill_climb", "8-DOP by hill climbing", 8, true, false),
+    kdop_row("k14_hill_climb", "14-DOP by hill climbing", 14, false, true),
+    kdop_row("k18_hill_climb", "18-DOP by hill climbing", 18, false, true),
+    kdop_row("k26_hill_climb", "26-DOP by hill climbing", 26, false, true),
 };
 
 }  // namespace
@@ -194,30 +265,21 @@ const UpdateStrategy* find_update(std::string_view volume, std::string_view name
 }
 
 UpdateBody start_updates(const UpdateStrategy& strategy, const AnyPointSet& points) {
-  return with_span<UpdateBody>(points, [&]<class Scalar, int Dim>(PointSpan<Scalar, Dim> span) -> UpdateBody {
-    auto body = std::make_shared<Body<Scalar, Dim>>(strategy, span);
-    return [body](const Pose<double, 3>& pose, const SeeUpdateStep& see) { return body->to(pose, see); };
-  });
+  return [body = strategy.start(strategy, points)](const Pose<double, 3>& pose, const SeeUpdateStep& see) {
+    return body->watched(pose, see);
+  };
 }
 
 std::function<UpdatedFrame(const Pose<double, 3>& pose)> start_unwatched_updates(const UpdateStrategy& strategy,
                                                                                  const AnyPointSet& points) {
-  using Moved = std::function<UpdatedFrame(const Pose<double, 3>& pose)>;
-  return with_span<Moved>(points, [&]<class Scalar, int Dim>(PointSpan<Scalar, Dim> span) -> Moved {
-    auto body = std::make_shared<Body<Scalar, Dim>>(strategy, span);
-    return [body](const Pose<double, 3>& pose) { return body->to(pose); };
-  });
+  return [body = strategy.start(strategy, points)](const Pose<double, 3>& pose) { return body->unwatched(pose); };
 }
 
 std::function<double()> start_bare_updates(const UpdateStrategy& strategy, const AnyPointSet& points,
                                            std::span<const Pose<double, 3>> poses) {
-  return with_span<std::function<double()>>(
-      points, [&]<class Scalar, int Dim>(PointSpan<Scalar, Dim> span) -> std::function<double()> {
-        auto body = std::make_shared<Body<Scalar, Dim>>(strategy, span);
-        std::vector<Pose<Scalar, Dim>> own;
-        for (const auto& pose : poses) own.push_back(body->own(pose));
-        return [body, own = std::move(own)] { return body->bare(own); };
-      });
+  auto body = strategy.start(strategy, points);
+  body->give(poses);
+  return [body] { return body->bare(); };
 }
 
 }  // namespace snug::fit

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,21 +15,6 @@
 #include "trace/observer.hpp"
 
 namespace snug::fit {
-
-struct UpdateStrategy {
-  std::string_view volume;  // of kVolumeNames
-  std::string_view name;    // as scripts say it: "hill_climb"
-  std::string_view title;   // as people say it
-  std::string_view source;  // author, title, year
-  std::span<const std::string_view> pseudocode;
-  int k = 0;  // of a k-DOP
-  bool plane = true, space = true;
-};
-
-/// Sorted by volume, in kVolumeNames' order.
-[[nodiscard]] std::span<const UpdateStrategy> update_strategies();
-/// Null where there is none of that volume and name.
-[[nodiscard]] const UpdateStrategy* find_update(std::string_view volume, std::string_view name);
 
 /// A step of any update, lifted. All of its facts are the same in every scalar and dimension.
 struct UpdateStep3 {
@@ -57,6 +43,34 @@ struct UpdatedFrame {
 /// Takes the body to a pose. see: none where only the figures are wanted. The first frame may cost more than those
 /// after.
 using UpdateBody = std::function<UpdatedFrame(const Pose<double, 3>& pose, const SeeUpdateStep& see)>;
+/// A body by one update, with what that keeps from frame to frame.
+class MovingBody {
+ public:
+  virtual ~MovingBody() = default;
+  [[nodiscard]] virtual UpdatedFrame watched(const Pose<double, 3>& pose, const SeeUpdateStep& see) = 0;
+  [[nodiscard]] virtual UpdatedFrame unwatched(const Pose<double, 3>& pose) = 0;
+  /// By the updates alone through poses that were given before, once. What it returns says nothing, and keeps the work
+  /// from being left out.
+  virtual void give(std::span<const Pose<double, 3>> poses) = 0;
+  [[nodiscard]] virtual double bare() = 0;
+};
+
+/// A way to update the volume of a body that moves.
+struct UpdateStrategy {
+  std::string_view volume;  // of kVolumeNames
+  std::string_view name;    // as scripts say it: "hill_climb"
+  std::string_view title;   // as people say it
+  std::string_view source;  // author, title, year
+  std::span<const std::string_view> pseudocode;
+  int k = 0;  // of a k-DOP
+  bool plane = true, space = true;
+  std::shared_ptr<MovingBody> (*start)(const UpdateStrategy& own, const AnyPointSet& points) = nullptr;
+};
+
+/// Sorted by volume, in kVolumeNames' order.
+[[nodiscard]] std::span<const UpdateStrategy> update_strategies();
+/// Null where there is none of that volume and name.
+[[nodiscard]] const UpdateStrategy* find_update(std::string_view volume, std::string_view name);
 
 /// A body about to move, with the volume in its own frame that the strategy starts from: the AABB of its points, their
 /// smallest ball, the oriented box of pca_rectangle (in 2-D pca), their hull's edges to climb over.
