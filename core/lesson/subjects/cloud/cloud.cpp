@@ -89,7 +89,9 @@ Grade CloudSubject::grade(const Lesson& lesson, const View&, std::vector<bool>&)
 
 /// Null where there is none, where it does not take so many points, or where it is not told.
 const fit::Algorithm* CloudSubject::exact() const {
-  const fit::Algorithm* exact = tells_optimum_ ? fit::exact_algorithm(volume_) : nullptr;
+  // k-DOPs of other directions are other volumes: none of them is the smallest of all.
+  const bool one_kind = volume_ != "kdop";
+  const fit::Algorithm* exact = tells_optimum_ && one_kind ? fit::exact_algorithm(volume_) : nullptr;
   return exact != nullptr && size() <= exact->max_points ? exact : nullptr;
 }
 

@@ -72,7 +72,7 @@ struct Entry<fit::HorizonFound> : FitEntry {
   using Fact = fit::HorizonFound;
   static std::string sentence(const Fact& fact, const FitWhere&) {
     return point_name(fact.eye) + " sees " + counted(static_cast<std::int64_t>(fact.facets.size()), "facet") +
-           "; their boundary is the horizon.";
+           (fact.facets.size() == 1 ? "; its" : "; their") + " boundary is the horizon.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.horizon}); }
   static std::string predicate(const Fact&, const FitWhere&, bool) { return "are on the horizon"; }

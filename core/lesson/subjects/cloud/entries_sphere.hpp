@@ -58,6 +58,9 @@ struct Entry<fit::PairChosen> : FitEntry {
   static constexpr std::array kAskings{kAxis, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string pair = point_name(fact.a) + " and " + point_name(fact.b);
+    const fit::Step3* before = where.before();
+    if (before != nullptr && std::holds_alternative<fit::BallFound<double, 3>>(before->fact))
+      return pair + " are the points of the support set that lie farthest apart: an axis runs along them.";
     if (!where.step().has_volume) return pair + " lie farthest out along the main axis, one on each side.";
     const std::string why = fact.axis == kNoIndex ? ", the extremes along the main axis, are"
                                                   : std::string(", the extremes along ") + "xyz"[fact.axis] +
@@ -233,12 +236,19 @@ template <>
 struct Entry<fit::RadiusChecked> : FitEntry {
   using Fact = fit::RadiusChecked;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
-    return "The last check, in exact arithmetic: " + point_name(fact.farthest) + " is farthest from the centre, " +
-           (fact.widened ? "and the radius grows in its last digit to contain it."
-                         : "and the " + where.ball() + " contains it.");
+    return "The last check, in exact arithmetic: " + point_name(fact.farthest) + " is farthest from the " +
+           core(where) +
+           (fact.widened ? ", and the radius grows in its last digit to contain it."
+                         : ", and the " + (is_ball(where) ? where.ball() : "volume") + " contains it.");
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({{&fact.farthest, 1}}); }
-  static std::string predicate(const Fact&, const FitWhere&, bool) { return "is the farthest from the centre"; }
+  static std::string predicate(const Fact&, const FitWhere& where, bool) {
+    return "is the farthest from the " + core(where);
+  }
+
+ private:
+  static bool is_ball(const FitWhere& where) { return std::holds_alternative<fit::Sphere3>(where.step().volume); }
+  static std::string core(const FitWhere& where) { return is_ball(where) ? "centre" : "core"; }
 };
 
 template <>

@@ -70,7 +70,7 @@ Truth culling_verdict_truth(const Asked& asked, const Run& run) {
                          "The whole box is outside the " + plane_name(asked.dim, result.rejected_by) + " plane.");
   if (result.crossing != 0)
     return culling_truth(result.verdict, "The box crosses " + plane_names(asked.dim, result.crossing) +
-                                             " and is entirely outside none.");
+                                             " and is not entirely outside any.");
   return culling_truth(result.verdict, "This test says " + culling_name(result.verdict) + ".");
 }
 

@@ -89,7 +89,7 @@ struct Entry<query::Classified> : EntryDefaults {
     if (result.verdict == Culling::kInside) return "Inside: every vertex of the box is inside every plane.";
     if (result.crossing == 0) return "Intersecting: some vertices lie in the frustum and some do not.";
     return "Intersecting: the box crosses " + plane_names(where.dim(), result.crossing) +
-           " and is entirely outside none.";
+           " and is not entirely outside any.";
   }
   static std::optional<Mark::Kind> mark(const Fact&, const FrustumWhere&) { return Mark::Kind::kReplaced; }
 };

@@ -173,11 +173,16 @@ text = "A **term**."
     const Proof last = session.proofs().back();
     CHECK(last.claimed);
     CHECK(last.holds);
+    const auto figures = session.figures();
+    const Figure* over = find(figures, "excess");
+    CHECK((over == nullptr || over->text == "0.0 %"));
     return last.text;
   };
   CHECK(says("aabb", "min_max") == "no smaller AABB: a point lies on each face");
   CHECK(says("obb", "exact") == "no smaller box: no orientation does better");
   CHECK(says("kdop", "k8") == "no smaller k-DOP with these directions");
+  CHECK(says("kdop", "k6") == "no smaller k-DOP with these directions");
+
   CHECK(says("hull", "quickhull") == "no smaller convex set contains the points");
 }
 

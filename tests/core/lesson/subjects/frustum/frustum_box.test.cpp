@@ -268,7 +268,7 @@ TEST_CASE("the side of a plane and the verdict are chosen among the three") {
   session.go(session.steps());
   REQUIRE(session.answer({Answer::Kind::kChoice, 1}));
   CHECK(session.outcome()->right);
-  CHECK(session.outcome()->says == "The box crosses the near plane and is entirely outside none.");
+  CHECK(session.outcome()->says == "The box crosses the near plane and is not entirely outside any.");
 }
 
 TEST_CASE("figures and proof: the plane, the distances, the verdict, and whether the test is right") {
