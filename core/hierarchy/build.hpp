@@ -21,11 +21,6 @@ struct Options {
   Index most_in_leaf = 4;  // >= 1; of trees built from the root down
 };
 
-inline constexpr std::array<std::string_view, 2> kRefitPseudocode{
-    "for each node, children before parents",
-    "  volume ← merged of bodies or children",
-};
-
 template <class VolumeType>
 using Volumes = std::type_identity_t<std::span<const VolumeType>>;
 

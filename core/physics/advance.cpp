@@ -10,8 +10,8 @@
 namespace snug::physics {
 namespace {
 
-/// Turned as it would turn in that time. A body that tumbles keeps its angular momentum, not its axis; what Euler's
-/// step would add to its energy on the way is taken back.
+/// Rotates the body by its angular velocity. A body that tumbles keeps its angular momentum, not its axis; the energy
+/// that Euler's step would add is taken back.
 void turn_body(System& system, std::size_t i, double seconds) {
   const Member& member = system.members[i];
   Motion& motion = system.bodies[i];
@@ -29,15 +29,15 @@ void turn_body(System& system, std::size_t i, double seconds) {
   if (after > before && after > linear) motion.turning *= std::sqrt(std::max(0.0, before - linear) / (after - linear));
 }
 
-/// Takes back what gravity would have given on the rest of a way that a contact cut short.
+/// Takes back the speed that gravity gave for the rest of a path that a contact cut short.
 void give_back(const System& system, Motion& motion, double seconds) {
   const double square = motion.velocity.squaredNorm();
   if (square > 0)
     motion.velocity *= std::sqrt(std::max(0.0, 1 - 2 * seconds * system.gravity.dot(motion.velocity) / square));
 }
 
-/// Which part of its way in this round the body goes before it touches another: turning included, for a body that
-/// falls over about a corner moves on, though straight ahead that corner is in the way.
+/// The fraction of its path in this round that the body covers before it touches another. Its rotation counts: a body
+/// that falls over about a vertex moves on, although straight ahead that vertex is in the way.
 double free_part(const System& system, std::size_t i) {
   const Motion& motion = system.bodies[i];
   const Shape& shape = system.members[i].shape;
@@ -58,7 +58,7 @@ double free_part(const System& system, std::size_t i) {
     const double along = way.squaredNorm() > 0 ? std::clamp(to.dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
     if (j == i || (to - along * way).norm() > shape.reach + other.reach) continue;
     const auto separation = [&](double at) { return separation_of(shape, pose_at(at), other, pose_of(met)); };
-    // What it touches already contacts hold back, as far as they can: so far it may go in, or stay as it is.
+    // Contacts hold back, as far as they can, a body that touches already: it may go in so far, or stay where it is.
     const double start = separation(0),
                  slop = system.slop({static_cast<Index>(std::min(i, j)), static_cast<Index>(std::max(i, j))});
     const double deepest = start > slop ? 0 : std::min(-limits::kDeepest * shape.thinnest, start - slop / 8);

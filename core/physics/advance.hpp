@@ -5,11 +5,11 @@
 
 namespace snug::physics {
 
-/// Moves and turns what is awake by a round. Where the system is solid, a body that is too fast for contacts to be seen
-/// coming is stopped where it first touches another. Whether anything moved.
+/// Moves and turns the bodies that are awake by a round. Where the system is solid, a body that is too fast for
+/// contacts to be found in time is stopped where it first touches another. Returns whether anything moved.
 bool advance(System& system);
 
-/// Whether no body that is awake has a velocity.
+/// Whether every body that is awake has no velocity.
 [[nodiscard]] bool stands_still(const System& system);
 
 }  // namespace snug::physics

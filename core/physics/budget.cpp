@@ -23,8 +23,8 @@ Budgets::Budgets(System& system, Islands& islands, const Surface& surface, const
   if (bounces) before_ = system.bodies, unsolved_ = rows;
 }
 
-/// What is driven pushes with all its might, and far. How much of that goes into no fixed body: one may have no contact
-/// yet.
+/// A driven body pushes however hard it must, and far. The part of that push which moves nothing into a fixed body: one
+/// may have no contact yet.
 double Budgets::part_before_walls(const Shift& shift) const {
   const Motion& motion = system_.bodies[shift.body];
   const Shape& shape = system_.members[shift.body].shape;
@@ -73,9 +73,9 @@ void Budgets::sum_up() {
   }
 }
 
-/// What each point of a contact gives back of its own speed can come to more than all brought. With velocities v1,
-/// which bounce, and v0, which do not and never gain, an island goes out with v0 + s (v1 - v0): the greatest s for
-/// which it spends no more than it may. What keeps bodies apart is linear, so that it holds between the two.
+/// Restitution at each contact point by itself can return more energy than all bodies brought. With velocities v1,
+/// which bounce, and v0, which do not and never gain, an island gets v0 + s (v1 - v0): the greatest s for which it uses
+/// no more than it may. The constraints that keep bodies apart are linear, so they hold in between as well.
 void Budgets::bounce_less() {
   const std::vector<Budget> with = budgets_;
   std::vector<Motion> bouncing = system_.bodies;
@@ -120,9 +120,9 @@ std::vector<double> Budgets::parts_of_bounce(const std::vector<Budget>& with, co
   return parts;
 }
 
-/// Exact impulses without restitution take energy away. These are not quite exact, so that an island may go out with a
-/// trace more than it came in with: then it is made slower as a whole, by just so much, by which nothing moves into
-/// anything. With its velocities times s, s^2 kinetic - s falls = what is left.
+/// Exact impulses without restitution take energy away. These are not quite exact, so an island may end with a trace
+/// more than it had: then all of it is slowed down by just so much, which moves no body into another. With its
+/// velocities times s, s^2 kinetic - s falls = what is left.
 void Budgets::take_back() {
   for (std::size_t i = 0; i < system_.size(); ++i) {
     const Budget& budget = budgets_[islands_.of(i)];
@@ -133,7 +133,7 @@ void Budgets::take_back() {
   }
 }
 
-/// What an island lost is owed to the first of its contacts that have yet to bounce.
+/// The energy that an island lost is owed to the first of its contacts that have yet to bounce.
 void Budgets::remember() {
   for (Impulse& impulse : system_.impulses) {
     if (impulse.approach <= 0) continue;

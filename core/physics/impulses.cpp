@@ -28,7 +28,7 @@ V3 approach_velocity(const System& system, const ContactRow& row) {
   return velocity_at(system, row.pair.b, row.arm_b) - velocity_at(system, row.pair.a, row.arm_a);
 }
 
-/// How the body's point gives way in a direction to an impulse along it.
+/// The velocity in a direction that a unit impulse along it gives to a point of the body.
 double yielding(const System& system, Index i, const V3& arm, const V3& way) {
   const Member& member = member_of(system, i);
   if (!member.moves()) return 0;
@@ -54,7 +54,7 @@ void push(System& system, const ContactRow& row, const V3& impulse) {
   push(system, row.pair.b, row.arm_b, impulse);
 }
 
-/// What the pair held in the last round.
+/// The impulses of the pair in the last round.
 std::vector<Impulse> held_by(const System& system, const Pair& pair) {
   const auto before = [](const Impulse& impulse, const Pair& wanted) { return impulse.pair < wanted; };
   const auto from = std::lower_bound(system.impulses.begin(), system.impulses.end(), pair, before);
@@ -77,7 +77,7 @@ std::optional<Impulse> take_nearest(std::vector<Impulse>& held, const Impulse& p
   return found;
 }
 
-/// Two directions across the normal, the same for the same normal.
+/// Two directions perpendicular to the normal, always the same for the same normal.
 void span_plane(ContactRow& row) {
   int least = 0;
   row.normal.cwiseAbs().minCoeff(&least);
@@ -100,22 +100,22 @@ ContactRow row_of(const System& system, const Pair& pair, const V3& normal, cons
   return row;
 }
 
-/// What gravity gave the pair along the normal in this frame.
+/// The relative speed along the normal that gravity gave the pair in this frame.
 double fallen(const System& system, const ContactRow& row) {
   const double share =
       (member_of(system, row.pair.b).moves() ? 1.0 : 0.0) - (member_of(system, row.pair.a).moves() ? 1.0 : 0.0);
   return share * system.round() * system.gravity.dot(row.normal);
 }
 
-/// They may close what is between them, and no more.
+/// The bodies may close the gap between them, and no more.
 double still_target(const System& system, const ContactRow& row) {
   return row.separation > 0 ? -row.separation / system.round() : 0;
 }
 
-/// How fast the bodies may still come together there; or, once they touch, how fast they go apart again. The speed at
-/// which they came is remembered for the round in which they get there: what keeps them from passing through slows them
-/// down before. It is the speed with which they meet, on the way: not with all that gravity adds by the end of the
-/// round, or a ball would bounce too high.
+/// The greatest speed at which the bodies may still approach there; once they touch, the speed at which they separate
+/// again. The approach speed is remembered for the round in which they meet, because the constraint that keeps them
+/// from passing through slows them down before. It is the speed at the moment they meet, without what gravity still
+/// adds by the end of the round, or a ball would bounce too high.
 void aim(const System& system, ContactRow& row, const Surface& surface, double approach_before) {
   const double seconds = system.round(), speed = -approach_velocity(system, row).dot(row.normal);
   const double part = speed > 0 ? std::clamp(row.separation / (speed * seconds), 0.0, 1.0) : 1;
@@ -126,7 +126,7 @@ void aim(const System& system, ContactRow& row, const Surface& surface, double a
     row.impulse.approach = quick(own) && own * seconds > row.separation ? own : 0;
     return;
   }
-  // Gravity has a round of its work done before the body goes up: so it comes as high as it fell, and no higher.
+  // Gravity acts for a round before the body goes up: so it rises as high as it fell from, and no higher.
   row.target = quick(coming) ? std::max(0.0, surface.restitution * coming + std::min(0.0, fallen(system, row)))
                              : still_target(system, row);
 }
@@ -159,8 +159,8 @@ std::vector<ContactRow> rows_of(const System& system, const Surface& surface) {
 
 namespace {
 
-/// The more, the more heavier one body is than another that it may lean on; and most where nothing was held yet, as at
-/// the start: a stack that sinks then has nothing that would pay for lifting it again.
+/// More iterations the larger the ratio of masses, and most where there are no impulses yet, as at the start: nothing
+/// would pay for lifting a stack that sinks then.
 int most_sweeps(const System& system, const std::vector<ContactRow>& rows) {
   if (system.impulses.empty()) return limits::kMostSweeps;
   double ratio = 1;
@@ -172,7 +172,7 @@ int most_sweeps(const System& system, const std::vector<ContactRow>& rows) {
   return static_cast<int>(std::min(limits::kSweeps * std::sqrt(ratio), 1.0 * limits::kMostSweeps));
 }
 
-/// What is still wrong at one point, put right there. By how much of a speed along the normal it was.
+/// Corrects the velocities at one point. Returns the correction along the normal.
 double settle(System& system, ContactRow& row, const Surface& surface) {
   const double most = surface.friction * row.impulse.normal;
   const V3 sliding = approach_velocity(system, row);
@@ -206,7 +206,7 @@ void solve(System& system, std::vector<ContactRow>& rows, const Surface& surface
     wrong = 0;
     for (ContactRow& row : rows) wrong = std::max(wrong, settle(system, row, surface));
   }
-  // What does not move has the last word: a light body between it and a heavy one would be pushed through it.
+  // Bodies that do not move come last: a light body between one and a heavy body would be pushed through it.
   for (ContactRow& row : rows)
     if (row.against_wall) settle(system, row, surface);
   system.impulses.clear();
@@ -215,7 +215,7 @@ void solve(System& system, std::vector<ContactRow>& rows, const Surface& surface
 
 namespace {
 
-/// The points at which each body is held by one that does not move.
+/// The contact points of each body with bodies that do not move.
 std::vector<std::vector<const ContactRow*>> walls_of(const System& system, const std::vector<ContactRow>& rows) {
   std::vector<std::vector<const ContactRow*>> walls(system.size());
   for (const ContactRow& row : rows)
@@ -223,12 +223,11 @@ std::vector<std::vector<const ContactRow*>> walls_of(const System& system, const
   return walls;
 }
 
-/// If two push a body, the one that yields less moves it: what moves yields to what is driven, and that to what is
-/// fixed.
+/// If two push a body, the firmer one moves it: fixed bodies are firmer than driven ones, and those than all others.
 int firmness(const Member& member) { return member.moves() ? 0 : member.fixed ? 2 : 1; }
 
-/// What is left of a unit way on which the pusher would shift a body so far: nothing into what is firmer and so near.
-/// The whole way where it is short and the pusher moves as well: what does not move pushes back in the same round, and
+/// The part of a unit direction along which the pusher may shift a body: none of it into a firmer body nearby. All of
+/// it where the shift is short and the pusher moves as well: bodies that do not move push back in the same round, and
 /// stacks share the work.
 V3 free_way(const System& system, std::span<const ContactRow* const> walls, Index body, Index pusher, V3 way,
             double far) {

@@ -1,6 +1,6 @@
-// The impulses that keep bodies out of each other: one point after the other, over and over, each from what it held
-// last. Source: E. Catto, "Iterative dynamics with temporal coherence", 2005; "Continuous collision", 2013, for points
-// not yet touching.
+// The impulses that keep bodies out of each other: one contact point after the other, again and again, each starting
+// from its last impulse. Source: E. Catto, "Iterative dynamics with temporal coherence", 2005; "Continuous collision",
+// 2013, for points not yet touching.
 #pragma once
 
 #include <vector>
@@ -23,21 +23,21 @@ struct ContactRow {
   double separation = 0, slop = 0;
   bool against_wall = false;  // one of the two does not move
   double mass = 0, mass_first = 0,
-         mass_second = 0;  // along each: what one unit of impulse changes a unit of velocity of
-  double target = 0;       // the velocity along the normal must not be below it
+         mass_second = 0;  // effective masses along each: impulse per unit of velocity
+  double target = 0;       // the least velocity along the normal
   Impulse impulse;         // the sums so far
 };
 
-/// The points of all contacts in which a body is awake, warm from the last frame's impulses.
+/// The points of all contacts in which a body is awake, warm-started with the last frame's impulses.
 [[nodiscard]] std::vector<ContactRow> rows_of(const System& system, const Surface& surface);
 
-/// Changes velocities, and keeps what the next frame begins from.
+/// Changes velocities, and keeps the impulses with which the next frame starts.
 void solve(System& system, std::vector<ContactRow>& rows, const Surface& surface);
 
-/// The rows as they are without restitution: what would go apart only stays.
+/// The rows without restitution: bodies that would separate stay in contact.
 void stop_bouncing(const System& system, std::vector<ContactRow>& rows);
 
-/// How bodies that lie deeper in each other than they may are to be moved apart.
+/// How to move bodies apart that penetrate each other too deeply.
 struct Shift {
   std::size_t body = 0;
   V3 by = V3::Zero();

@@ -1,4 +1,4 @@
-// Bodies that lean on each other, and so share what they may spend and sleep and wake together.
+// Bodies in contact with each other, which share an energy budget and sleep and wake together.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace snug::physics {
 
-/// A forest of disjoint sets: each island goes by the least of its bodies.
+/// A forest of disjoint sets: the body with the lowest index stands for its island.
 /// Source: R. Tarjan, "Efficiency of a good but not linear set union algorithm", 1975.
 class Islands {
  public:
@@ -29,7 +29,7 @@ class Islands {
   std::vector<std::size_t> parents_;
 };
 
-/// The islands of bodies that move and have a contact with each other.
+/// The islands of moving bodies that have contacts with each other.
 [[nodiscard]] inline Islands islands_of(const System& system) {
   Islands islands(system.size());
   for (const Contact& contact : system.contacts) {

@@ -1,31 +1,31 @@
-// The figures by which bodies rest, sleep and are held apart, none of them in units of their own: lengths in parts of
-// the thinner body's half thickness, speeds in parts of what gravity adds in a round.
+// The figures by which bodies rest, sleep and are kept apart, all of them relative: lengths as parts of the thinner
+// body's half thickness, speeds as parts of what gravity adds in a round.
 #pragma once
 
 namespace snug::physics::limits {
 
-/// How deep bodies at rest may lie in each other without being pushed apart: so contacts last from round to round. Held
+/// The penetration at which bodies at rest are not pushed apart, so that contacts last from round to round. Held
 /// by "ten boxes come to rest and stay for ten minutes".
 inline constexpr double kSlop = 2e-3;
 
-/// Which part of what is deeper than that is mended in a round, where no impact pays for all of it.
+/// The part of any deeper penetration that is corrected in a round, where no impact pays for all of it.
 inline constexpr double kMended = 0.2;
 
 /// A body is not pushed against what is firmer, by more than the first part of its half thickness, nor aside where less
 /// than the second part of the way (squared) is left. Held by "what pushes a body does not push it into what is fixed".
 inline constexpr double kShared = 0.1, kLeastFree = 0.25;
 
-/// Bodies that come slower than this do not bounce.
+/// Bodies that approach more slowly than this do not bounce.
 inline constexpr double kBounces = 3;
 
-/// Slower than this, at every point, for so many rounds, and on an average of these slower than the third figure, so
-/// that it does not begin to roll, slide or fall over; and bodies that lean on each other sleep. Held by "what has no
+/// A body may sleep once it is slower than this, at every point, for so many rounds, and its average velocity over them
+/// is below the third figure: then it is not about to roll, slide or fall over. Held by "what has no
 /// support, or is about to move, does not sleep".
 inline constexpr double kStill = 0.25;
 inline constexpr int kStillRounds = 30;
 inline constexpr double kDrifts = 0.01;
 
-/// Where there is no gravity, what stands for it in these speeds.
+/// Where there is no gravity, these speeds are relative to this.
 inline constexpr double kUsualGravity = 9.81;
 
 /// A frame of a solid scene goes in rounds: none longer than this, in seconds, and none in which gravity moves a body
@@ -34,26 +34,26 @@ inline constexpr double kUsualGravity = 9.81;
 inline constexpr double kLongestRound = 0.02, kFallInRound = 0.0055;
 inline constexpr int kMostRounds = 1000;
 
-/// All contacts are gone over until no speed is wrong by more than this, and at most so often, times the root of the
-/// ratio of masses. A stack of ten needs about as many to carry its weight down; warm starts do the rest.
+/// Iterations stop once no speed is wrong by more than this, or after so many, times the root of the ratio of masses. A
+/// stack of ten needs about as many to carry its weight down; warm starts do the rest.
 inline constexpr double kSettled = 5e-3;
 inline constexpr int kSweeps = 24, kMostSweeps = 400;
 
-/// Points of a contact no farther apart than this, in parts of the thinner half thickness, from one round to the next
-/// are the same: a new one begins with what the old one held.
+/// Contact points of successive rounds no farther apart than this, in parts of the thinner half thickness, are the same
+/// point: the new one starts with the impulse of the old one.
 inline constexpr double kSamePoint = 0.2;
 
-/// An axis of two edges is taken for the contact of boxes only where it shows them this much farther apart than a face
-/// does: faces give more points to rest on. Held by the same.
+/// An axis of two edges is chosen for the contact of boxes only where its separation is this much larger than that of a
+/// face: faces give more points to rest on. Held by the same.
 inline constexpr double kEdgeOverFace = 0.05;
 
 /// Edges whose directions have a sine below this are parallel: their faces meet as well.
 inline constexpr double kParallelEdges = 1e-3;
 
-/// Halvings by which the moment at which a fast body meets another is found: within 2^-20 of its way.
+/// Halvings that find the moment at which a fast body meets another: within 2^-20 of its path.
 inline constexpr int kHalvings = 20;
 
-/// The most steps in which a fast body's way is looked at: at 200 a second a ball of radius 0.01 takes 1,333 at most.
+/// The most steps in which a fast body's path is examined: at 200 a second a ball of radius 0.01 takes 1,333 at most.
 inline constexpr int kMostSteps = 20000;
 
 /// How many of its own thicknesses a body may at the start be declared to cross in a frame: a ball of radius 0.1 at

@@ -22,7 +22,7 @@ Manifold of_spheres(const V3& a, double radius_a, const V3& b, double radius_b, 
   const V3 between = b - a;
   const double distance = between.norm(), separation = distance - radius_a - radius_b;
   if (separation > margin) return manifold;
-  manifold.normal = distance > 0 ? V3(between / distance) : V3(V3::UnitY());  // one in the other's middle: any way out
+  manifold.normal = distance > 0 ? V3(between / distance) : V3(V3::UnitY());  // concentric: any direction is a way out
   manifold.points[0] = {a + manifold.normal * (radius_a + separation / 2), separation};
   manifold.count = 1;
   return manifold;
@@ -100,7 +100,7 @@ struct Polygon {
   }
 };
 
-/// What of the polygon lies where normal . p <= offset.
+/// The part of the polygon where normal . p <= offset.
 Polygon clipped(const Polygon& polygon, const V3& normal, double offset) {
   Polygon result;
   for (int i = 0; i < polygon.count; ++i) {

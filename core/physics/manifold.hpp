@@ -9,8 +9,8 @@
 namespace snug::physics {
 
 struct ManifoldPoint {
-  V3 position = V3::Zero();  // half way between both surfaces
-  double separation = 0;     // scene units; negative where they lie in each other
+  V3 position = V3::Zero();  // midway between the surfaces
+  double separation = 0;     // scene units; negative for a penetration
 };
 
 struct Manifold {

@@ -29,7 +29,7 @@ void wake(System& system, Islands& islands) {
   std::vector<bool> awake(system.size(), false);
   for (std::size_t i = 0; i < system.size(); ++i)
     if (system.awake(i)) awake[islands.of(i)] = true;
-  // What is driven against a sleeper wakes it, where it moved since that fell asleep.
+  // A driven body wakes a sleeper that it touches, where it moved since that fell asleep.
   for (const Contact& contact : system.contacts)
     for (const Index i : {contact.pair.a, contact.pair.b}) {
       const auto one = static_cast<std::size_t>(i),

@@ -1,4 +1,4 @@
-// An island of which every body has been still for a while sleeps, and wakes as a whole.
+// An island sleeps once all of its bodies have been still for a while, and wakes as a whole.
 #pragma once
 
 #include <vector>

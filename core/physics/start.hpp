@@ -1,5 +1,5 @@
-// What has to be known of rigid bodies before their first round: how finely a frame is cut, and what cannot be
-// simulated.
+// What has to be known about rigid bodies before their first round: into how many rounds a frame is divided, and what
+// cannot be simulated.
 #pragma once
 
 #include <utility>

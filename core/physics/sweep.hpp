@@ -1,4 +1,4 @@
-// How much of a way a body can go: by conservative advancement.
+// How far along its path a body can go: by conservative advancement.
 #pragma once
 
 #include <algorithm>

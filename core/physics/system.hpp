@@ -1,4 +1,4 @@
-// Rigid bodies: what stays as it is, what changes, and what acts on all of them.
+// Rigid bodies: their constant properties, their changing state, and what acts on all of them.
 #pragma once
 
 #include <cstddef>
@@ -11,26 +11,26 @@
 
 namespace snug::physics {
 
-/// What of a body stays as it is.
+/// The properties of a body that never change.
 struct Member {
   std::string name;
   Shape shape;  // about its centre of mass
   bool fixed = false;
   bool driven = false;              // its pose is set from outside: neither velocities nor impulses move it
-  double mass = 0;                  // 0: nothing pushes it
+  double mass = 0;                  // 0: no impulse moves it
   V3 inverse_inertia = V3::Zero();  // about its own axes
   [[nodiscard]] bool moves() const { return mass > 0 && !driven; }
 };
 
-/// A body as it stands.
+/// A body's state: where it is and how it moves.
 struct Motion {
   V3 position = V3::Zero();
   Quaternion orientation;
   Matrix<double, 3> rotation = Matrix<double, 3>::Identity();  // of the orientation
   V3 velocity = V3::Zero();
   V3 turning = V3::Zero();
-  int still = 0;                                          // for how many rounds it hardly moved
-  V3 drifted = V3::Zero(), drifted_turning = V3::Zero();  // the sums of its velocities in the last of these
+  int still = 0;                                          // number of rounds in a row in which it hardly moved
+  V3 drifted = V3::Zero(), drifted_turning = V3::Zero();  // the sums of its velocities over those rounds
   bool asleep = false;
   std::uint64_t moved = 0;  // Moving::moves when it last moved or fell asleep
 
@@ -46,22 +46,22 @@ struct Pair {
   friend bool operator<(const Pair& x, const Pair& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; }
 };
 
-/// Two bodies that touch, or could before the next frame.
+/// Two bodies that touch, or may touch before the next frame.
 struct Contact {
   Pair pair;
   bool touching = false;
 };
 
-/// What a contact's point held in the last frame, by which the next one begins.
+/// The impulse at a contact point in the last frame, with which the next frame starts.
 struct Impulse {
   Pair pair;
   V3 on_a = V3::Zero(), on_b = V3::Zero();   // where, in each body's own frame
   double normal = 0, first = 0, second = 0;  // kg scene units / s
-  double approach = 0;                       // at which speed the bodies came, where they have yet to bounce
-  double owed = 0;                           // the energy that slowing down for that took
+  double approach = 0;                       // the speed at which the bodies approached, until they bounce
+  double owed = 0;                           // the energy lost by slowing down before that
 };
 
-/// All that changes of rigid bodies. A copy of it is a snapshot.
+/// Everything about rigid bodies that changes. A copy of it is a snapshot.
 struct Moving {
   std::vector<Motion> bodies;
   std::vector<Contact> contacts;
@@ -72,29 +72,29 @@ struct Moving {
 struct System : Moving {
   std::vector<Member> members;  // of the bodies, in their order
   double step = 0;              // seconds a frame
-  int rounds = 1;               // in how many equal parts of it what moves by velocities goes
+  int rounds = 1;               // number of equal parts of a frame in which velocities move bodies
   V3 gravity = V3::Zero();      // scene units / s^2
   bool solid = false;           // bodies do not pass through each other
 
   [[nodiscard]] std::size_t size() const { return members.size(); }
   [[nodiscard]] const Moving& moving() const { return *this; }
   void restore(const Moving& earlier) { Moving::operator=(earlier); }
-  /// Whether velocities change where the body is, and it is not asleep.
+  /// Whether velocities move the body and it is not asleep.
   [[nodiscard]] bool awake(std::size_t i) const { return members[i].moves() && !bodies[i].asleep; }
   [[nodiscard]] bool any_awake() const;
   /// Turns and moves a body.
   void place(std::size_t i, const V3& position, const Quaternion& orientation);
   [[nodiscard]] double round() const { return step / rounds; }  // seconds
-  /// What gravity adds to a speed in a round, or would where there is none: speeds are held against it.
+  /// The speed that gravity adds in a round, or usual gravity would: the unit in which speeds are judged.
   [[nodiscard]] double pace() const;
-  /// The half thickness of the thinner one, or where one alone moves, of that, scene units: a floor may be as thin as
+  /// The half thickness of the thinner body, or of the only one that moves, scene units: a floor may be as thin as
   /// paper.
   [[nodiscard]] double thinner(const Pair& pair) const;
-  /// How deep the two may lie in each other, scene units.
+  /// The penetration that is left as it is, scene units.
   [[nodiscard]] double slop(const Pair& pair) const;
-  /// How far ahead of a body contacts are looked for, scene units.
+  /// The distance from a body within which contacts are looked for, scene units.
   [[nodiscard]] double margin(std::size_t i) const;
-  /// The energy of all bodies that velocities move, with what gravity may still give them.
+  /// The kinetic and potential energy of all bodies that velocities move.
   [[nodiscard]] double energy() const;
 };
 
