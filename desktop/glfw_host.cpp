@@ -34,6 +34,7 @@ std::string named(int key) {
     case GLFW_KEY_ENTER:
     case GLFW_KEY_KP_ENTER: return "Enter";
     case GLFW_KEY_F1: return "F1";
+    case GLFW_KEY_F2: return "F2";
     case GLFW_KEY_F11: return "F11";
     default: return {};
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/look.hpp"
@@ -30,7 +31,11 @@ float draw_titles(Shell& shell, const app::Look& look, ImDrawList* list, const a
   const float middle = rect.y + rect.height / 2;
   float x = rect.x + 24;
   app::text(list, look, Face::kSemiBold, 18, {x, app::middle_of(middle, look.px(18))}, look->ink, "Snug");
-  x += app::measure(look, Face::kSemiBold, 18, "Snug").x + 18;
+  const float brand = app::measure(look, Face::kSemiBold, 18, "Snug").x;
+  if (app::touch_area("course", {x - 6, rect.y + 6, brand + 12, rect.height - 12}).clicked && !shell.course_shown)
+    shell.show_course();
+  x += brand + 18;
+  if (shell.course_shown) return x;
   const std::string& chapter = shell.chapter();
   app::text(list, look, Face::kRegular, 14, {x, app::middle_of(middle, look.px(14))}, look->muted, chapter);
   x += app::measure(look, Face::kRegular, 14, chapter).x + 10;
@@ -56,7 +61,7 @@ void draw_picker(Shell& shell, const app::Look& look, ImDrawList* list, const ap
   list->AddTriangleFilled({cx - 5, middle - 2.5f}, {cx + 5, middle - 2.5f}, {cx, middle + 3.5f}, look->muted);
   const int picked =
       choice_list(look, "lessons", {x, rect.y + rect.height}, std::max(width, look.px(340)), titles, chosen);
-  if (picked >= 0) static_cast<void>(shell.open(shell.lessons()[picked].lesson.id));
+  if (picked >= 0) shell.open_at_place(static_cast<std::size_t>(picked));
 }
 
 }  // namespace
@@ -67,7 +72,8 @@ void draw_header(Shell& shell, const app::Rect& rect) {
   ImDrawList* list = pane.list();
   list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->panel);
   app::rule(list, rect.x, rect.y + rect.height - 1, rect.width, look->line);
-  draw_picker(shell, look, list, rect, draw_titles(shell, look, list, rect));
+  if (const float x = draw_titles(shell, look, list, rect); !shell.course_shown)
+    draw_picker(shell, look, list, rect, x);
 
   app::Settings& settings = shell.app().settings();
   const float height = look.px(32), y = rect.y + (rect.height - height) / 2;
@@ -93,10 +99,12 @@ void draw_header(Shell& shell, const app::Rect& rect) {
 void draw_keys(Shell& shell, const app::Rect& window) {
   if (!shell.keys_shown) return;
   const app::Look& look = shell.app().look();
-  constexpr std::size_t kRows = std::size(app::kKeyHelp);
+  std::vector<app::KeyHelp> rows(std::begin(app::kKeyHelp), std::end(app::kKeyHelp));
+  rows.push_back({"F2", "the course, and back to the lesson"});
   const float width = std::min(look.px(620), window.width - 32);
-  const float row = std::min(look.px(28), (window.height - 16 - look.px(84)) / kRows);  // all of it, on a low window
-  const float height = row * kRows + look.px(84);
+  const float row = std::min(look.px(28), (window.height - 16 - look.px(84)) /
+                                              static_cast<float>(rows.size()));  // all of it, on a low window
+  const float height = row * static_cast<float>(rows.size()) + look.px(84);
   const app::Rect card{window.x + (window.width - width) / 2, window.y + std::max(8.0f, (window.height - height) / 2),
                        width, height};
   const app::Pane pane("##keys", window, app::Pane::Kind::kOver);
@@ -107,7 +115,7 @@ void draw_keys(Shell& shell, const app::Rect& window) {
   list->AddRect({card.x, card.y}, {card.x + width, card.y + height}, look->line, 8, 0, 1);
   app::text(list, look, Face::kSemiBold, 18, {card.x + 28, card.y + look.px(24)}, look->ink, "Keys");
   float y = card.y + look.px(60);
-  for (const app::KeyHelp& help : app::kKeyHelp) {
+  for (const app::KeyHelp& help : rows) {
     app::text(list, look, Face::kMonoBold, 13, {card.x + 28, app::middle_of(y + row / 2, look.px(13))},
               look->current_text, help.keys);
     app::text(list, look, Face::kRegular, 14, {card.x + 28 + look.px(140), app::middle_of(y + row / 2, look.px(14))},

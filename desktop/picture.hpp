@@ -27,4 +27,7 @@ class OffScreen {
   std::uint32_t drawn_ = 0, color_ = 0, depth_ = 0, resolved_ = 0, resolved_color_ = 0;
 };
 
+/// A PNG file's picture as a texture; 0 where it is none.
+[[nodiscard]] std::uint32_t texture_of_png(const std::string& png);
+
 }  // namespace snug::desktop

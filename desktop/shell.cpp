@@ -1,10 +1,12 @@
 #include "desktop/shell.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/subjects/cost/costs.hpp"
 #include "desktop/cli/cost_file.hpp"
 #include "desktop/cli/files.hpp"
+#include "lesson/kept_answers.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -48,6 +50,61 @@ tl::expected<void, InputError> Shell::open(const std::string& id) {
   }
   return tl::unexpected(
       InputError{.what = "there is no lesson \"" + id + "\": `snug lesson list` says which there are"});
+}
+
+std::pair<std::size_t, std::string> Shell::lead() const {
+  std::size_t last = lessons_.size();
+  for (std::size_t i = 0; i < lessons_.size(); ++i)
+    if (lessons_[i].lesson.id == kept_.last() && kept_.lesson(kept_.last()) != nullptr) last = i;
+  if (last == lessons_.size()) return {0, "Start here"};
+  const auto done = [&](std::size_t i) {
+    const KeptLesson* const kept = kept_.lesson(lessons_[i].lesson.id);
+    return kept != nullptr && kept->done;
+  };
+  if (!done(last)) return {last, "Continue"};
+  for (std::size_t i = last + 1; i < lessons_.size(); ++i)
+    if (!done(i)) return {i, "Next lesson"};
+  return {last, "Continue"};
+}
+
+void Shell::go_to_kept_place() {
+  const KeptLesson* const kept = kept_.lesson(session().lesson().id);
+  if (kept == nullptr) return;
+  if (kept->seed != session().seed()) session().scatter(kept->seed);
+  session().jump(std::min(kept->step, session().steps()));
+}
+
+void Shell::open_at_place(std::size_t lesson) {
+  if (app_.session() != nullptr) keep();
+  const std::string id = lessons_[lesson].lesson.id;
+  const KeptLesson* const kept = kept_.lesson(id);
+  if (kept != nullptr) app_.keep_answers(id, lesson::outcomes_of(kept->answers));
+  if (!open(id)) return;
+  if (kept != nullptr) go_to_kept_place();
+  else session().go(0);
+  kept_revision_ = session().revision();
+  course_shown = false;
+}
+
+void Shell::show_course() {
+  keep();
+  if (app_.playing()) app_.command("play");
+  course_shown = true;
+  erase_asked = false;
+}
+
+void Shell::keep() {
+  if (app_.playing() || session().revision() == kept_revision_) return;
+  kept_revision_ = session().revision();
+  kept_.keep(session());
+  kept_.write();
+}
+
+void Shell::erase_answers() {
+  kept_.erase();
+  kept_.write();
+  app_.forget_answers();
+  kept_revision_ = session().revision();
 }
 
 void Shell::use_mesh(const std::string& name) {

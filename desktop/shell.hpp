@@ -3,16 +3,21 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/app.hpp"
 #include "desktop/cli/lesson_files.hpp"
+#include "desktop/course_screen.hpp"
+#include "desktop/kept.hpp"
 
 namespace snug::desktop {
 
 class Shell {
  public:
-  Shell(app::App& app, std::vector<LessonFile> lessons) : app_(app), lessons_(std::move(lessons)) {}
+  /// kept: from earlier visits.
+  Shell(app::App& app, std::vector<LessonFile> lessons, Kept kept)
+      : app_(app), lessons_(std::move(lessons)), kept_(std::move(kept)) {}
 
   [[nodiscard]] app::App& app() { return app_; }
   [[nodiscard]] lesson::Session& session() { return *app_.session(); }
@@ -20,6 +25,19 @@ class Shell {
 
   /// The title of the open lesson's chapter.
   [[nodiscard]] const std::string& chapter() const { return lessons_[open_].chapter; }
+
+  [[nodiscard]] const Kept& kept() const { return kept_; }
+
+  /// Where to start or to continue, and the word for it.
+  [[nodiscard]] std::pair<std::size_t, std::string> lead() const;
+  /// Opens a lesson where it was left, or on what stands before its first step.
+  void open_at_place(std::size_t lesson);
+  /// Where the open lesson was left, if it was.
+  void go_to_kept_place();
+  void show_course();
+  /// Keeps where the open lesson stands, unless it is on the move.
+  void keep();
+  void erase_answers();
 
   /// Errors are kept as the notice too.
   tl::expected<void, InputError> open(const std::string& id);
@@ -30,6 +48,10 @@ class Shell {
   /// What was measured of the chart that is shown, as a new file in the folder that the program was started in; the
   /// notice says which, or why not. format: csv or json.
   void save_costs(const std::string& format);
+
+  bool course_shown = false;  // in the place of the lesson
+  CourseScreen course;
+  bool erase_asked = false;  // a second press erases
 
   /// One sentence that stands until it is clicked away; empty for none.
   std::string notice;
@@ -54,6 +76,8 @@ class Shell {
   app::App& app_;
   std::vector<LessonFile> lessons_;
   std::size_t open_ = 0;  // which of them
+  Kept kept_;
+  std::uint64_t kept_revision_ = 0;  // of the session
 };
 
 }  // namespace snug::desktop

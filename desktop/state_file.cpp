@@ -17,6 +17,21 @@ void StateFile::write(Shell& shell, const Extent& extent) {
   if (path_.empty() || session == nullptr) return;
   nlohmann::ordered_json state;
   state["lesson"] = session->lesson().id;
+  if (shell.course_shown) {
+    state = {{"lesson", nullptr}, {"chosen", shell.course.chosen()}, {"lead", shell.lead().second}};
+    for (std::size_t i = 0; i < shell.lessons().size(); ++i) {
+      const auto& [path, lesson, chapter] = shell.lessons()[i];
+      const KeptLesson* const kept = shell.kept().lesson(lesson.id);
+      state["course"].push_back({{"id", lesson.id},
+                                 {"number", i + 1},
+                                 {"title", lesson.title},
+                                 {"chapter", chapter},
+                                 {"done", kept != nullptr && kept->done}});
+    }
+    if (std::string text = state.dump(); text != written_)
+      static_cast<void>(write_file(path_, (written_ = text) + "\n"));
+    return;
+  }
   state["seed"] = session->seed();
   state["step"] = session->step();
   state["steps"] = session->steps();

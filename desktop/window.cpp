@@ -21,6 +21,7 @@
 #include "desktop/prose_panel.hpp"
 #include "desktop/shell.hpp"
 #include "desktop/state_file.hpp"
+#include "lesson/kept_answers.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -92,6 +93,14 @@ void draw(GlfwHost& host, Shell& shell, double now) {
   const Extent extent = host.extent();
   const Parts parts = parts_of(extent, shell.app().look());
   shell.measured_anew = false;
+  if (shell.course_shown) {
+    shell.app().frame({}, now);  // its fonts and palette
+    draw_header(shell, parts.header);
+    shell.course.draw(shell, {0, parts.header.height, extent.width, extent.height - parts.header.height});
+    draw_notice(shell, parts.window);
+    draw_keys(shell, parts.window);
+    return finish(extent, shell.app(), shell.app().look()->ground);
+  }
   shell.app().advance(now);  // the panels show the step that the stage does
   // The panels first: what they change of the session, the stage shows in this same frame.
   draw_header(shell, parts.header);
@@ -163,7 +172,9 @@ void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift
     return;
   }
   if (key == "F11") return host.toggle_fullscreen();
+  if (key == "F2") return shell.course_shown ? shell.open_at_place(shell.lead().first) : shell.show_course();
   if (key == "Escape" && !shell.notice.empty()) return shell.notice.clear();
+  if (shell.course_shown) return static_cast<void>(shell.course.answer_key(shell, key));
   if (!control && choose(shell, key)) return;
   if (control && key == "s" && app::costs_of(shell.app()) != nullptr) return shell.save_costs("csv");
   shell.app().command(shell.app().command_of_key(key, shift, control));
@@ -183,8 +194,10 @@ void run(GlfwHost& host, Shell& shell) {
       draw(host, shell, host.now());
       host.swap();
       state.write(shell, host.extent());
+      if (!ImGui::IsAnyMouseDown()) shell.keep();
     }
-    if (const std::string next = shell.session().lesson().title + " – Snug"; next != title)
+    if (const std::string next = shell.course_shown ? "Snug" : shell.session().lesson().title + " – Snug";
+        next != title)
       host.set_title(title = next);
     shell.app().measure(kSlice);
     const app::Cover* const cover = shell.app().cover();
@@ -196,9 +209,16 @@ void run(GlfwHost& host, Shell& shell) {
 }
 
 int open_first(Shell& shell, const WindowOptions& options) {
-  const std::string id =
-      options.lesson.empty() && !shell.lessons().empty() ? shell.lessons().front().lesson.id : options.lesson;
+  const bool bare = options.step == 0 && !options.seed && options.points_file.empty() && options.screenshot.empty();
+  const auto of_course = [&] {
+    return shell.lessons().empty() ? std::string() : shell.lessons()[shell.lead().first].lesson.id;
+  };
+  const std::string id = !options.lesson.empty() ? options.lesson : of_course();
+  if (const KeptLesson* kept = shell.kept().lesson(id))
+    shell.app().keep_answers(id, lesson::outcomes_of(kept->answers));
   if (const auto opened = shell.open(id); !opened) return stop(opened.error().message());
+  if (bare) shell.go_to_kept_place();
+  shell.course_shown = bare && options.lesson.empty();
   if (options.seed) shell.session().scatter(*options.seed);
   if (!options.points_file.empty()) {
     shell.use_file(options.points_file);
@@ -236,7 +256,7 @@ int run_window(const WindowOptions& options) {
   app.settings().prose_in_canvas = true;
   app.settings().theme = theme_of_environment();
   if (chart) return take_picture(**host, options.screenshot, [&] { draw(**host, app, *chart); });
-  Shell shell(app, std::move(*lessons));
+  Shell shell(app, std::move(*lessons), options.screenshot.empty() ? Kept() : Kept(Kept::Nothing{}));
   if (const int status = open_first(shell, options); status != 0) return status;
   if (!options.screenshot.empty()) {
     app.settings().reduced_motion = true;

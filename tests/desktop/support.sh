@@ -2,7 +2,7 @@
 set -euo pipefail
 snug=${SNUG:-build/release/snug}
 work=$(mktemp -d)
-export SNUG_STATE=$work/state.json
+export SNUG_STATE=$work/state.json XDG_STATE_HOME=$work # what is kept is the test's own
 pid=
 trap '[[ -z $pid ]] || kill "$pid" 2>/dev/null || true; rm -rf "$work"' EXIT
 

@@ -1,6 +1,6 @@
 // The course: what Snug is, where to start or to continue, and every lesson under its chapter. It is HTML alone and is
 // there before the program, which it does not need.
-import { by_id, element, set_hidden, set_text } from "./dom.js";
+import { by_id, element, set_hidden, set_text, whole_names } from "./dom.js";
 import { link_of } from "./lesson_menu.js";
 
 /** The lessons of course.json in order, each with its number and its chapter's title. */
@@ -101,7 +101,7 @@ export class Course {
     const link = this.#link({ class: "lesson-card" }, lesson.id,
       picture(lesson, { loading: "lazy" }),
       element("span", { class: "card-body" },
-        element("span", { class: "card-title" }, element("span", { class: "number" }, String(lesson.number)), element("b", {}, lesson.title)),
+        element("span", { class: "card-title" }, element("span", { class: "number" }, String(lesson.number)), element("b", {}, whole_names(lesson.title))),
         element("span", { class: "card-foot" }, element("span", {}, `${lesson.minutes} min`), says)));
     const item = element("li", {}, link);
     this.#cards.set(lesson.id, { item, link, says, text: plain(`${lesson.number} ${lesson.title} ${lesson.summary} ${lesson.chapter} ${lesson.words}`) });

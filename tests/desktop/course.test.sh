@@ -1,0 +1,43 @@
+# Without a lesson the window opens on the course; keys choose a lesson and open it, and the place is kept until the next
+# time, unless the file is damaged.
+. tests/desktop/support.sh
+kept=$work/snug/course.json
+close_window() {
+    kill "$pid"
+    wait "$pid" 2>/dev/null || true
+    rm -f "$SNUG_STATE"
+}
+opened='s.lesson === null'
+
+open_window
+[[ $(state 's.course.length') == $(grep -o '"[a-z0-9-]*"' <(grep '^lessons' lessons/course.toml) | wc -l) ]] || fail "not every lesson stands there"
+[[ $(state 's.lead + s.chosen') == "Start here-1" ]] || fail "a newcomer is not asked to start"
+xdotool key Right
+until_state 's.chosen === 0'
+xdotool key Right
+until_state 's.chosen === 1'
+xdotool key Home
+until_state 's.chosen === -1'
+xdotool key Return
+until_state 's.lesson === "sphere-ritter" && s.step === 0'
+[[ ! -e $kept ]] || fail "what was only looked at is kept"
+xdotool key Right
+until_state 's.step === 1'
+xdotool key F2
+until_state 's.lesson === null && s.lead === "Continue"'
+close_window
+
+open_window
+until_state 's.lead === "Continue"'
+xdotool key Return
+until_state 's.lesson === "sphere-ritter" && s.step === 1'
+close_window
+
+for damage in '{' '[]' '{"version":1,"last":3,"lessons":{"sphere-ritter":7,"x":{"step":-1,"answers":[]}}}' '{"version":99}'; do
+    echo "$damage" >"$kept"
+    open_window
+    until_state 's.lead === "Start here"'
+    xdotool key Return
+    until_state 's.lesson === "sphere-ritter" && s.step === 0'
+    close_window
+done
