@@ -16,7 +16,8 @@ inline constexpr std::array<std::string_view, 5> kAabbMinMaxPseudocode{
     "box ← the first point",
     "for each point p",
     "  if p outside: widen the box to p",
-    "name the points that hold each face",
+    "name the points on each face",
+
     "return box",
 };
 

@@ -19,9 +19,9 @@ inline constexpr std::array<std::string_view, 7> kCapsulePcaPseudocode{
     "m ← mean of the points",
     "C ← covariance about m",
     "v ← eigenvector of largest eigenvalue",
-    "line ← along v, amid the points seen so",
+    "line ← along v, amid the points' projections",
     "pull each end in until its cap touches",
-    "radius ← farthest point, held exactly",
+    "radius ← to the farthest point, exactly",
     "return capsule",
 };
 

@@ -22,7 +22,7 @@ inline constexpr std::array<std::string_view, 8> kLozengePcaPseudocode{
     "radius ← half of the least thickness",
     "pull the rectangle's four sides in",
     "move a vertex out to what it leaves",
-    "radius ← farthest point, held exactly",
+    "radius ← to the farthest point, exactly",
     "return lozenge",
 };
 

@@ -12,9 +12,9 @@
 namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 4> kUpdateObbPseudocode{
-    "center ← placed center",
-    "axes ← rotation · axes, made unit again",
-    "half extents stay, but for rounding",
+    "center ← transformed center",
+    "axes ← rotation · axes, normalized",
+    "half extents unchanged, but for rounding",
     "return box",
 };
 

@@ -11,7 +11,7 @@ namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 4> kUpdateRebuildPseudocode{
     "for each point p",
-    "  place p in the world",
+    "  transform p to the world frame",
     "  if p outside: widen the box to p",
     "return box",
 };

@@ -12,7 +12,7 @@ namespace snug::fit {
 inline constexpr std::array<std::string_view, 4> kUpdateRotatedBoxPseudocode{
     "for each axis i of the world",
     "  sum r(i,j) · the lesser end of box j",
-    "  and of the greater ends; then move",
+    "  likewise the greater ends; then translate",
     "return box",
 };
 

@@ -12,8 +12,8 @@
 namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 3> kUpdateSpherePseudocode{
-    "center ← placed center",
-    "radius stays, but for rounding",
+    "center ← transformed center",
+    "radius unchanged, but for rounding",
     "return sphere",
 };
 
