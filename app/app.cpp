@@ -17,7 +17,8 @@
 namespace snug::app {
 namespace {
 
-constexpr double kWatchedSeconds = 2;  // that the way to an outcome is shown in, at least
+// That the way to an outcome is shown in: at least, and at most.
+constexpr double kWatchedSeconds = 2, kLongestWatched = 4;
 constexpr int kSettleFrames = 2;       // ImGui answers an input over this many frames
 constexpr double kOrbitStep = 0.2, kZoomStep = 1.25;
 
@@ -62,8 +63,9 @@ struct App::State {
   bool playing = false;
   float speed = 1;
   double next_step_at = 0;
-  std::optional<int> play_until;  // the step of the outcome that is watched
-  double watched_pause = 0;       // seconds, until then
+  double watched_pause = 0;    // seconds, from step to step of the way to an outcome; 0: none is watched
+  double watched_until = 0;    // when it ends, however far it came
+  bool press_ends = false;     // the press that ended it means nothing else
   double now = 0;
   std::uint64_t drawn_revision = 0;
   int drawn_cover = 0, drawn_percent = 0;
@@ -74,7 +76,7 @@ struct App::State {
   void refresh_look(bool fingers);
   /// Seconds from one playing step to the next.
   [[nodiscard]] double pause() const {
-    return view->seconds_of_step(*session, play_until ? watched_pause : 0) / static_cast<double>(speed);
+    return watched_pause > 0 ? watched_pause : view->seconds_of_step(*session, 0) / static_cast<double>(speed);
   }
   void play_on();
   [[nodiscard]] bool player(std::string_view name);
@@ -89,7 +91,9 @@ struct App::State {
   void set_speed(int by);
   void toggle_play();
   void next_mark();
-  bool watch_outcome();
+  void watch();
+  void end_watching();
+  [[nodiscard]] bool go_on(std::string_view name);
 };
 
 void App::State::load_fonts() {
@@ -123,17 +127,39 @@ void App::State::refresh_look(bool fingers) {
   apply_style(look);
 }
 
+/// An answer was given: what was skipped is played, as fast as it takes for all of it to be seen in time.
+void App::State::watch() {
+  session->play_answers(!settings.reduced_motion);
+  const lesson::Outcome* const outcome = session->deciding();
+  if (outcome == nullptr) watched_pause = 0;
+  if (outcome == nullptr || (watched_pause > 0 && now < watched_until && !settings.reduced_motion)) return;
+  if (watched_pause > 0 || settings.reduced_motion) return session->decide();
+  const int steps = std::max(1, outcome->step - session->step());
+  watched_pause = std::min(view->seconds_of_step(*session, kWatchedSeconds / steps), kLongestWatched / steps);
+  watched_until = now + kLongestWatched;
+  playing = true;
+  next_step_at = now + watched_pause;
+}
+
+void App::State::end_watching() {
+  session->decide();
+  playing = false;
+  watched_pause = 0;
+  settle = std::max(settle, 1);
+}
+
 /// Takes the steps that are due.
 void App::State::play_on() {
+  watch();
   if (!playing) return;
   if (now - next_step_at > 1) next_step_at = now;  // nobody drew for a while: don't catch up
   while (playing && now >= next_step_at) {
     session->forward();
     next_step_at += pause();
-    const bool watched = play_until && session->step() >= *play_until;
-    if (watched || session->asked() != nullptr || session->step() == session->steps()) playing = false;
-    if (watched) play_until.reset();
+    if (session->outcome() != nullptr || session->asked() != nullptr || session->step() == session->steps())
+      playing = false;
   }
+  if (session->deciding() == nullptr) watched_pause = 0;
 }
 
 void App::State::toggle_play() {
@@ -143,23 +169,25 @@ void App::State::toggle_play() {
   next_step_at = now + (session->previewing() ? 0 : pause());
 }
 
-/// A clicker has this key alone to go on with: a question that stands is skipped.
 void App::State::next_mark() {
-  if (session->asked() != nullptr) session->answer({});
-  else if (session->previewing()) session->forward();
+  if (session->previewing()) session->forward();
   else session->go(session->next_mark());
 }
 
-bool App::State::watch_outcome() {
-  const lesson::Outcome* outcome = session->outcome();
-  if (outcome == nullptr || outcome->step - outcome->from_step < 2) return false;
-  const int from = outcome->from_step;
-  play_until = outcome->step;
-  watched_pause = kWatchedSeconds / (outcome->step - from);
-  session->go(from);
-  playing = true;
-  next_step_at = now + pause();
-  return true;
+/// The keys and buttons that go on continue where an outcome is told, and skip a question at their second press.
+bool App::State::go_on(std::string_view name) {
+  const bool steps = name == "next_mark" || name == "step";
+  if (steps || name == "play" || name == "commit_answer" || name == "continue")
+    if (session->acknowledge()) return true;
+  const lesson::Asked* const asked = session->asked();
+  const bool gate = asked != nullptr && (asked->step != lesson::Asked::kAnytime || name == "next_mark");
+  if (steps && gate) return session->pass_by();
+  if (name == "close_summary" || ((name == "continue" || name == "commit_answer") && session->at_summary()))
+    return session->at_summary() && (session->close_summary(), true);
+  if (name == "show_answer") return session->show_answer();
+  if (name == "watch_outcome") return session->watch_outcome();
+  constexpr std::string_view kReview = "review:";
+  return name.starts_with(kReview) && session->review(name.substr(kReview.size()));
 }
 
 void App::State::set_speed(int by) {
@@ -170,21 +198,20 @@ void App::State::set_speed(int by) {
 bool App::State::player(std::string_view name) {
   const int before = session->step();
   const bool previewing = session->previewing();
+  if (go_on(name)) return playing = false, true;
   if (name == "play") return toggle_play(), true;
   if (name == "slower") return set_speed(-1), true;
   if (name == "faster") return set_speed(1), true;
-  if (name == "watch_outcome") return watch_outcome();
   if (name == "first") session->first();
   else if (name == "back") session->back();
   else if (name == "step") session->forward();
   else if (name == "last") session->last();
   else if (name == "next_mark") next_mark();
   else if (name == "previous_mark") session->go(session->previous_mark());
-  else if (name == "skip_question") return session->answer({});
+  else if (name == "skip_question") return session->skip();
   else if (name == "commit_answer") return session->commit();
   else return false;
   playing = false;
-  play_until.reset();
   return session->step() != before || session->previewing() != previewing;
 }
 
@@ -258,7 +285,8 @@ void App::State::draw_stage(const Rect& rect) {
   const float height = look.fingers ? 44.0f : look.px(32);
   look.tools_right =
       cover != nullptr && settings.tools ? app::measure(look, Face::kSemiBold, 13, words).x + look.px(28) : 0;
-  if (covered()) cover->draw(look, *session, rect, settings.prose_in_canvas);
+  const Rect above{rect.x, rect.y, rect.width, rect.height - look.foot};
+  if (covered()) cover->draw(look, *session, above, settings.prose_in_canvas && look.foot <= 0);
   else stage.draw(look, settings, *session, rect, now);
   if (cover == nullptr || !settings.tools) return;
   const float right = rect.x + rect.width - 12 - (covered() ? 0 : height + 8);
@@ -296,7 +324,7 @@ tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io
   state_->cover = state_->subject->cover != nullptr ? state_->subject->cover(state_->platform) : nullptr;
   state_->stage.open(*state_->session, *state_->view);
   state_->playing = false;
-  state_->play_until.reset();
+  state_->watched_pause = 0;
   state_->settle = kSettleFrames;
   return {};
 }
@@ -327,6 +355,7 @@ const Look& App::look() const { return state_->look; }
 bool App::command(std::string_view name) {
   State& s = *state_;
   if (!s.session) return false;
+  if (s.session->deciding() != nullptr) return s.end_watching(), true;
   if (s.cover && s.cover->command(*s.session, name)) return s.settle = std::max(s.settle, 1), true;
   constexpr std::string_view kTurn = "turn:";
   const int step = s.session->step();
@@ -344,7 +373,11 @@ bool App::command(std::string_view name) {
 }
 
 std::string_view App::command_of_key(std::string_view key, bool shift, bool control) const {
-  if (key == "Enter" && state_->session && state_->session->picked() != nullptr) return "commit_answer";
+  if (state_->session && !control) {
+    if (state_->session->deciding() != nullptr) return "continue";  // any key ends it
+    if (key == "Enter" && state_->session->picked() != nullptr) return "commit_answer";
+    if (key == "Escape" && state_->session->at_summary()) return "close_summary";
+  }
   if (const std::string_view own = state_->cover ? state_->cover->command_of_key(key) : ""; !own.empty() && !control)
     return own;
   return command_for(key, shift, control, state_->stage.arrows_move());
@@ -370,16 +403,20 @@ void App::frame(const Layout& layout, double now) {
   s.settle = has_input(ImGui::GetIO()) ? kSettleFrames : std::max(0, s.settle - 1);
   s.refresh_look(layout.fingers);
   s.look.tools = layout.tools;
+  s.look.foot = layout.foot;
   ++s.frames;
   if (s.look.drawn != nullptr) s.look.drawn->clear();
   advance(now);
   if (!s.session) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  const auto any = [](const bool(&of)[5]) { return std::any_of(std::begin(of), std::end(of), std::identity{}); };
+  if (any(io.MouseClicked) && s.session->deciding() != nullptr) s.end_watching(), s.press_ends = true;
   const auto shows = [](const Rect& rect) { return rect.width >= 1 && rect.height >= 1; };
   // The timeline and the stage change the session; the inspector comes last and says the same frame's figures.
   if (shows(layout.timeline)) {
     const Pane pane("##timeline", layout.timeline);
     const PlayerWish wish = draw_timeline(s.look, *s.session, *s.view, layout.timeline, {s.playing, s.speed});
-    if (!wish.command.empty()) command(wish.command);
+    if (!wish.command.empty() && !s.press_ends) command(wish.command);
     if (wish.speed > 0) s.speed = wish.speed;
   }
   if (shows(layout.stage)) {
@@ -390,6 +427,7 @@ void App::frame(const Layout& layout, double now) {
     const Pane pane("##inspector", layout.inspector, Pane::Kind::kScrolls);
     draw_inspector(s.look, *s.session, *s.view, layout.inspector);
   }
+  if (!any(io.MouseDown)) s.press_ends = false;
   whiten(*ImGui::GetIO().Fonts);  // which may have grown
   s.drawn_cover = s.cover ? s.cover->version() : 0;
   s.drawn_percent = s.percent();
@@ -422,6 +460,7 @@ bool App::wants_frame(double now) const {
 double App::seconds_until_due(double now) const { return wants_frame(now) ? 0 : seconds_until_step(now); }
 
 double App::seconds_until_step(double now) const {
+  if (state_->session && state_->session->deciding() != nullptr && !state_->playing) return 0;
   return state_->playing ? std::max(0.0, state_->next_step_at - now) : std::numeric_limits<double>::infinity();
 }
 

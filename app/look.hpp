@@ -28,6 +28,7 @@ struct Look {
   bool fingers = false;
   bool still = false;     // no motion
   float tools = 0;        // as Layout has it
+  float foot = 0;         // as Layout has it
   float tools_right = 0;  // how wide the front end's own button is, beside the stage's in its other top corner
   std::vector<DrawnWords>* drawn = nullptr;  // where tests ask for it, all words of the frame
 

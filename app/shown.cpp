@@ -12,15 +12,17 @@ std::vector<Index> handles_of(const lesson::Asked& asked, const lesson::Answer& 
 }
 
 void show_outcome(Shown& shown, const lesson::Session& session) {
+  if (const lesson::Answer* tried = session.tried()) shown.guessed_wrong = handles_of(*session.asked(), *tried);
   const lesson::Outcome* outcome = session.outcome();
   if (outcome == nullptr || outcome->skipped) return;
   for (const lesson::Asked& asked : session.questions()) {
     if (asked.question->id != outcome->question) continue;
     const std::vector<Index> given = handles_of(asked, outcome->given);
     if (!outcome->right) shown.guessed_wrong = given;
-    // If several answers are right, the one that was given.
-    shown.right =
-        outcome->right && !given.empty() ? given : handles_of(asked, lesson::model_answer(asked, session.run(0)));
+    // If several answers are right, the one that was given; after a wrong one, when it is asked for.
+    if (outcome->right && !given.empty()) shown.right = given;
+    else if (outcome->right || session.answer_shown())
+      shown.right = handles_of(asked, lesson::model_answer(asked, session.run(0)));
   }
 }
 

@@ -24,7 +24,7 @@ struct Shown {
   std::vector<Index> spoken_of;
   Index examined = kNoIndex;
 
-  /// While an outcome stands: the handles of a wrong guess, and those that would have been right.
+  /// The handles of a guess that was wrong, at its first try too; and those that are right, once that is told.
   std::vector<Index> guessed_wrong, right;
 };
 

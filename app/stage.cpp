@@ -12,6 +12,8 @@ namespace snug::app {
 namespace {
 
 constexpr float kToolsHeight = 60;
+constexpr double kFootSeconds = 0.06;  // in which what is left of the way to another foot falls to 1/e, as the camera's
+constexpr float kFootMargin = 16;
 constexpr double kRoomy = 0.55, kTight = 1.06;  // shares of the free room at which an automatic view is set anew
 
 float radius_for(Index points, bool has_surface) {
@@ -73,7 +75,17 @@ void Stage::set_room(const Rect& rect, const Settings& settings) {
   const bool wide = rect.width >= 560;
   const float words = settings.text_scale * palette_of(settings.theme).text;
   // Buttons stand at the top; on a narrow stage they take most of its width.
-  camera_.set_stage(rect, wide ? 52.0f * words : kToolsHeight, wide ? 56.0f : 28, wide ? 92.0f * words : 28);
+  const float below = wide ? 92.0f * words : 28;
+  camera_.set_stage(rect, wide ? 52.0f * words : kToolsHeight, wide ? 56.0f : 28,
+                    foot_ > 0 ? std::max(below, foot_ + kFootMargin) : below);
+}
+
+/// A card comes and goes, and the stage moves out of its way.
+void Stage::ease_foot(const Look& look, double dt) {
+  foot_goal_ = look.foot;
+  if (foot_ == foot_goal_) return;
+  const float left = (foot_goal_ - foot_) * static_cast<float>(std::exp(-dt / kFootSeconds));
+  foot_ = look.still || scene_.points.empty() || std::abs(left) < 0.5f ? foot_goal_ : foot_goal_ - left;
 }
 
 /// Takes over what changed in the session since the last frame.
@@ -186,13 +198,17 @@ std::optional<fit::Volume3> Stage::volume_drawn(const Look& look, const lesson::
 }
 
 void Stage::draw(const Look& look, Settings& settings, lesson::Session& session, const Rect& rect, double now) {
+  const double dt = std::clamp(now - last_now_, 0.0, 0.05);
+  const float foot = foot_;
+  ease_foot(look, dt);
   set_room(rect, settings);
+  if (foot_ != foot && camera_.framed() && framed_ball_.radius > 0) camera_.frame(framed_ball_, !camera_.moving());
   if (camera_.dim() == session.dim()) {
     project_points(session);
     take(session, look, rect);
   }
   sync(session, settings);
-  camera_.ease(std::min(now - last_now_, 0.05), look.still);
+  camera_.ease(dt, look.still);
   last_now_ = now;
   auto volume = volume_drawn(look, session, now);
 

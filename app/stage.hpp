@@ -14,7 +14,7 @@ class Stage {
   void open(const lesson::Session& session, SubjectView& view);
   void draw(const Look& look, Settings& settings, lesson::Session& session, const Rect& rect, double now);
   /// Whether something on it is under way without any input.
-  [[nodiscard]] bool moving() const { return motion_.moving() || camera_.moving(); }
+  [[nodiscard]] bool moving() const { return motion_.moving() || camera_.moving() || foot_ != foot_goal_; }
   [[nodiscard]] const GlScene& scene() const { return scene_; }
 
   /// Moves the selected point by the arrow keys' step; directions on the screen. away: into it, in 3-D.
@@ -44,6 +44,7 @@ class Stage {
   void sync(const lesson::Session& session, const Settings& settings);
   void keep_framed(const lesson::Session& session);
   void set_room(const Rect& rect, const Settings& settings);
+  void ease_foot(const Look& look, double dt);
   void upload_points(const lesson::Session& session);
   void project_points(const lesson::Session& session);
   [[nodiscard]] std::optional<fit::Volume3> volume_drawn(const Look& look, const lesson::Session& session, double now);
@@ -86,6 +87,7 @@ class Stage {
   int seen_step_ = -1;
   const void* seen_run_ = nullptr;
   double last_now_ = 0;
+  float foot_ = 0, foot_goal_ = 0;  // as Layout has it: on its way, and where it leads
 
   Hands hands_;
   Index pressed_ = kNoIndex;  // what a drag from the press moves

@@ -63,7 +63,10 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
   if (const Rect inset = view_->draw_inset(brush, y + (tools > 0 ? height + 10 : 0)); inset.width > 0)
     keep_free(brush.canvas.obstacles, inset);
   if (camera_.dim() == 3) draw_axis_cross(brush);
-  if (settings.prose_in_canvas)
+  if (look.foot > 0)
+    keep_free(brush.canvas.obstacles,
+              {brush.rect.x, brush.rect.y + brush.rect.height - look.foot, brush.rect.width, look.foot});
+  else if (settings.prose_in_canvas)
     draw_sentence(brush.list, look, brush.canvas.obstacles, brush.rect, brush.session.caption());
 }
 

@@ -137,6 +137,7 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
                   const Rect& rect, float y, const PlayerView& player, PlayerWish& wish) {
   const Controls c = sizes(look, rect.width - 2 * 8, is_low(look, rect));
   const bool gate = session.asked() != nullptr, chosen = session.picked() != nullptr;
+  const bool told = session.outcome() != nullptr;
   const bool at_end = session.step() == session.steps() && !session.previewing();
   const bool at_start = session.step() == 0;
   float x = rect.x + (rect.width - row_width(c)) / 2;
@@ -152,13 +153,17 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
   press({.id = "back", .rect = place(c.small), .icon = Icon::kBack, .enabled = !at_start}, "back");
   press({.id = "step",
          .rect = place(c.wide),
-         .words = gate ? lesson::kAnswerWord : view.step_button(),
-         .icon = chosen ? Icon::kNone
-                 : gate ? Icon::kLock
-                        : Icon::kStep,
+         .words = gate   ? lesson::kAnswerWord
+                  : told ? lesson::kContinueWord
+                         : view.step_button(),
+         .icon = chosen || told ? Icon::kNone
+                 : gate         ? Icon::kLock
+                                : Icon::kStep,
          .kind = ButtonKind::kPrimary,
-         .enabled = chosen || (!gate && !at_end)},
-        gate ? "commit_answer" : "step");
+         .enabled = chosen || told || (!gate && !at_end)},
+        gate   ? "commit_answer"
+        : told ? "continue"
+               : "step");
   press({.id = "play",
          .rect = place(c.wide),
          .words = player.playing ? "Pause" : "Play",

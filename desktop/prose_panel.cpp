@@ -74,96 +74,23 @@ void draw_lesson(Shell& shell, Column& column) {
   draw_task(shell, column);
 }
 
-/// The choices, those that are chosen and not given yet marked. Returns the one that was clicked, or -1.
-int draw_choices(Column& column, const lesson::Session& session, const lesson::Asked& asked) {
-  const lesson::Answer* picked = session.picked();
-  std::vector<std::string> words = asked.choices;
-  int chosen = -1;
-  for (std::size_t i = 0; i < words.size() && picked != nullptr; ++i) {
-    if (!is_picked(asked, *picked, static_cast<int>(i))) continue;
-    if (asked.many) words[i] = "✓ " + words[i];
-    else chosen = static_cast<int>(i);
-  }
-  return column.buttons("choice", words, chosen);
-}
-
-/// The way to name a handle without pointing at it: typed, and Enter.
-void draw_name_field(Shell& shell, Column& column) {
-  const app::Look& look = column.look();
-  ImGui::PushFont(look.font(Face::kRegular), app::font_size(look, Face::kRegular, 14));
-  ImGui::SetCursorScreenPos({column.x(), column.y()});
-  ImGui::SetNextItemWidth(look.px(140));
-  const bool entered = ImGui::InputTextWithHint("##name", "Name", shell.typed.data(), shell.typed.size(),
-                                                ImGuiInputTextFlags_EnterReturnsTrue);
-  column.gap(ImGui::GetFrameHeight() + 8);
-  ImGui::PopFont();
-  if (!entered || shell.typed[0] == 0) return;
-  if (shell.session().pick(std::string_view(shell.typed.data()))) shell.session().commit();
-  shell.typed = {};
-}
-
-void draw_question(Shell& shell, Column& column) {
-  lesson::Session& session = shell.session();
-  const lesson::Asked* asked = session.asked();
-  if (asked == nullptr) return;
+/// What came of one of the chart's questions, which are decided all at once.
+void draw_outcome(Column& column, const lesson::Outcome& outcome) {
   const app::Look& look = column.look();
   column.begin_card();
-  column.heading(lesson::kPredictWord, look->current_text);
-  column.words(asked->prompt);
-  column.gap(10);
-  const int chosen = draw_choices(column, session, *asked);
-  if (asked->on_stage && asked->choices.empty()) draw_name_field(shell, column);
-  if (session.asked() != asked) return column.end_card();  // a name was typed that answered it
-  const std::string& says = session.answer_says();
-  column.words(says.empty() ? lesson::how_to_answer(*asked) : says, Face::kRegular, 13,
-               says.empty() ? look->muted : look->current_text);
-  column.gap(6);
-  const bool commits = session.picked() != nullptr && column.buttons("commit", {std::string(lesson::kAnswerWord)}) == 0;
-  const float height = look.px(28), skip = look.px(56);
-  app::text(column.list(), look, Face::kRegular, 13, {column.x(), app::middle_of(column.y() + height / 2, look.px(13))},
-            look->muted, lesson::place_text(*asked, session.questions()));
-  const bool skipped = app::button(column.list(), look,
-                                   {.id = "skip",
-                                    .rect = {column.x() + column.width() - skip + 10, column.y(), skip, height},
-                                    .words = lesson::kSkipWord,
-                                    .kind = app::ButtonKind::kQuiet,
-                                    .size = 13});
-  column.gap(height);
-  column.end_card();
-  if (chosen >= 0) static_cast<void>(session.pick({lesson::Answer::Kind::kChoice, chosen}));
-  else if (commits) session.commit();
-  else if (skipped) session.answer({});
-}
-
-void draw_outcome(Shell& shell, Column& column, const lesson::Outcome* outcome) {
-  if (outcome == nullptr) return;
-  const app::Look& look = column.look();
-  column.begin_card();
-  const bool open = outcome->skipped || outcome->pending;  // neither right nor wrong
-  const app::Color color = outcome->right ? look->optimum_text : open ? look->muted : look->wrong_text;
+  const bool open = outcome.skipped || outcome.pending;  // neither right nor wrong
+  const app::Color color = outcome.right ? look->optimum_text : open ? look->muted : look->wrong_text;
   const float middle = column.y() + look.px(10);
-  if (outcome->right) app::tick(column.list(), {column.x() + 6, middle}, 6, look->optimum, 2.25f);
+  if (outcome.right) app::tick(column.list(), {column.x() + 6, middle}, 6, look->optimum, 2.25f);
   else if (!open) app::cross(column.list(), {column.x() + 6, middle}, 5, look->wrong, 2.25f);
   Column beside(look, column.x() + (open ? 0 : 22), column.y(), column.width());
-  beside.heading(lesson::verdict_text(*outcome), color);
+  beside.heading(lesson::verdict_text(outcome), color);
   column.gap(look.px(24));
-  if (!open) column.words(std::string(lesson::kPredictionWord) + ": " + outcome->predicted, Face::kSemiBold, 14);
-  column.words(outcome->says);
-  if (!outcome->because.empty() && !outcome->pending) {
+  if (!open) column.words(std::string(lesson::kPredictionWord) + ": " + outcome.predicted, Face::kSemiBold, 14);
+  column.words(outcome.says);
+  if (!outcome.because.empty() && !outcome.pending) {
     column.gap(6);
-    column.words(outcome->because, Face::kRegular, 14, look->muted);
-  }
-  if (outcome->step - outcome->from_step >= 2) {
-    column.gap(8);
-    const float width = app::measure(look, Face::kSemiBold, 13, lesson::kWatchWord).x + 28, height = look.px(30);
-    const bool watch = app::button(column.list(), look,
-                                   {.id = "watch",
-                                    .rect = {column.x(), column.y(), width, height},
-                                    .words = lesson::kWatchWord,
-                                    .kind = app::ButtonKind::kOutlined,
-                                    .size = 13});
-    column.gap(height);
-    if (watch && shell.app().command("watch_outcome")) return column.end_card();  // the outcome is not there for now
+    column.words(outcome.because, Face::kRegular, 14, look->muted);
   }
   column.end_card();
 }
@@ -209,7 +136,7 @@ void draw_costs(Shell& shell, Column& column) {
   }
   if (ready && !costs.running() && lesson::costs_of(shell.session()) != nullptr)
     for (const lesson::Outcome& outcome : shell.session().outcomes())
-      draw_outcome(shell, column, &outcome), column.gap(8);
+      draw_outcome(column, outcome), column.gap(8);
 }
 
 /// A choice with its label before it, on a row of its own: titles are long.
@@ -226,7 +153,7 @@ int draw_labelled(Column& column, std::string_view label, const std::vector<std:
   return clicked;
 }
 
-/// How the predictions came out, once the run is through.
+/// How the chart's predictions came out; of a run's, the card on the stage says it.
 void draw_score(Shell& shell, Column& column) {
   const std::string score = shell.session().score();
   if (score.empty()) return;
@@ -290,15 +217,20 @@ void draw_pseudocode(Shell& shell, Column& column) {
   }
 }
 
-void draw_pinned(Shell& shell, Column& column) {
-  draw_costs(shell, column);
-  draw_outcome(shell, column, shell.session().outcome());  // of the question before, so it stands above the next one
-  draw_question(shell, column);
-  draw_score(shell, column);
-  draw_algorithms(shell, column);
-  column.gap(4);
-  draw_pseudocode(shell, column);
-  column.gap(16);
+/// The lower part of a column, which scrolls. needed: its height, as drawn; one more frame is due where it was another.
+template <class Draw>
+void draw_lower(Shell& shell, const char* id, const app::Rect& rect, float& needed, Draw draw) {
+  const app::Look& look = shell.app().look();
+  const app::Pane pane(id, rect, app::Pane::Kind::kScrolls);
+  pane.list()->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->panel);
+  app::rule(pane.list(), rect.x, rect.y, rect.width, look->line);
+  const float top = rect.y + 16 - ImGui::GetScrollY(), margin = std::min(kMargin, rect.width * 0.09f);
+  Column column(look, rect.x + margin, top, rect.width - 2 * margin);
+  draw(column);
+  ImGui::SetCursorScreenPos({column.x(), column.y() - 2});
+  ImGui::Dummy({1, 1});
+  const float height = std::ceil(column.y() - top + 16);
+  if (height != needed) needed = height, shell.measured_anew = true;
 }
 
 }  // namespace
@@ -306,7 +238,8 @@ void draw_pinned(Shell& shell, Column& column) {
 void draw_prose_panel(Shell& shell, const app::Rect& rect) {
   const app::Look& look = shell.app().look();
   const float tabs = look.px(44);
-  const float pinned = std::min(shell.pinned_height, rect.height - tabs - look.px(120));
+  const bool charts = app::costs_of(shell.app()) != nullptr;
+  const float pinned = charts ? std::min(shell.pinned_height, rect.height - tabs - look.px(120)) : 0;
   {
     const app::Pane pane("##column", {rect.x, rect.y, rect.width, tabs});
     pane.list()->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->panel);
@@ -322,22 +255,25 @@ void draw_prose_panel(Shell& shell, const app::Rect& rect) {
     ImGui::SetCursorScreenPos({column.x(), column.y() + 8});
     ImGui::Dummy({1, 1});
   }
-  const app::Rect lower{rect.x, upper.y + upper.height, rect.width - 1, pinned};
-  {
-    const app::Pane pane("##pinned", lower, app::Pane::Kind::kScrolls);
-    pane.list()->AddRectFilled({lower.x, lower.y}, {lower.x + lower.width, lower.y + lower.height}, look->panel);
-    app::rule(pane.list(), lower.x, lower.y, lower.width, look->line);
-    const float top = lower.y + 16 - ImGui::GetScrollY();
-    Column column(look, lower.x + kMargin, top, lower.width - 2 * kMargin);
-    draw_pinned(shell, column);
-    ImGui::SetCursorScreenPos({column.x(), column.y() - 2});
-    ImGui::Dummy({1, 1});
-    const float needed = std::ceil(column.y() - top + 16);
-    if (needed != shell.pinned_height) shell.pinned_height = needed, shell.measured_anew = true;
+  if (charts) {
+    const app::Rect lower{rect.x, upper.y + upper.height, rect.width - 1, pinned};
+    draw_lower(shell, "##pinned", lower, shell.pinned_height, [&](Column& column) {
+      draw_costs(shell, column);
+      if (!shell.session().lesson().subject->asks_of_steps) draw_score(shell, column);
+    });
   }
   const app::Pane edge("##edge", {rect.x + rect.width - 1, rect.y, 1, rect.height});
   edge.list()->AddRectFilled({rect.x + rect.width - 1, rect.y}, {rect.x + rect.width, rect.y + rect.height},
                              look->line);
+}
+
+void draw_code_panel(Shell& shell, const app::Rect& rect) {
+  draw_lower(shell, "##code", rect, shell.code_height, [&](Column& column) {
+    draw_algorithms(shell, column);
+    column.gap(4);
+    draw_pseudocode(shell, column);
+    column.gap(16);
+  });
 }
 
 }  // namespace snug::desktop

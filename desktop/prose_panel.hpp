@@ -1,4 +1,5 @@
-// The column beside the stage: the lesson's prose, what it asks, its pseudocode; and the tools for the points.
+// The columns beside the stage: at its left the lesson's prose, or the tools for the points; at its right, beneath the
+// numbers, the pseudocode.
 #pragma once
 
 #include "desktop/shell.hpp"
@@ -6,6 +7,7 @@
 namespace snug::desktop {
 
 void draw_prose_panel(Shell& shell, const app::Rect& rect);
+void draw_code_panel(Shell& shell, const app::Rect& rect);
 
 /// The tab with the tools for the points (point_tools.cpp).
 class Column;

@@ -59,7 +59,9 @@ class Shell {
   bool hint_shown = false;       // of the task
   std::array<char, 32> typed{};  // of the name that answers a question
   bool points_tab = false;
-  float pinned_height = 300;   // of the column's lower part, as measured in the last frame
+  // As measured in the last frame: of the left column's lower part, of the right one's, and of the stage's foot, which a
+  // question covers.
+  float pinned_height = 300, code_height = 300, foot = 0;
   bool measured_anew = false;  // it was other than thought: one more frame is due
 
   /// Keeps what went wrong as the notice; returns whether it went right.

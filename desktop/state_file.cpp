@@ -46,6 +46,13 @@ void StateFile::write(Shell& shell, const Extent& extent) {
                       {"targets", session->target_names()},
                       {"says", session->answer_says()}};
   state["outcomes"] = session->outcomes().size();
+  const lesson::Outcome* told = session->outcome();
+  state["outcome"] = told != nullptr ? nlohmann::ordered_json(told->question) : nlohmann::ordered_json();
+  state["deciding"] = session->deciding() != nullptr;
+  state["summary"] = session->at_summary();
+  const lesson::Tally tally = session->tally();
+  state["tally"] = {
+      {"right", tally.right}, {"wrong", tally.wrong}, {"skipped", tally.skipped}, {"open", tally.open}};
   state["notice"] = shell.notice;
   state["readout"] = nlohmann::ordered_json::object();
   for (const auto& figure : session->figures())

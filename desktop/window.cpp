@@ -19,6 +19,7 @@
 #include "desktop/header.hpp"
 #include "desktop/picture.hpp"
 #include "desktop/prose_panel.hpp"
+#include "desktop/question_card.hpp"
 #include "desktop/shell.hpp"
 #include "desktop/state_file.hpp"
 #include "lesson/kept_answers.hpp"
@@ -31,7 +32,7 @@ constexpr double kTick = 0.008;  // seconds between looks at the clock while som
 constexpr double kSlice = 8e6;   // nanoseconds of measuring between two frames
 constexpr double kLongestRun =
     1e9;  // nanoseconds of one run where growth is followed: so long a window may stand still
-constexpr int kFramesForPicture = 4;  // until ImGui has measured everything once
+constexpr int kFramesForPicture = 6;  // until ImGui has measured everything once
 
 int stop(const std::string& why) {
   std::fprintf(stderr, "snug: %s\n", why.c_str());
@@ -46,11 +47,11 @@ std::string font_bytes(std::string_view name) {
 }
 
 struct Parts {
-  app::Rect window, header, column;
+  app::Rect window, header, column, code;
   app::Layout app;
 };
 
-Parts parts_of(const Extent& extent, const app::Look& look) {
+Parts parts_of(const Extent& extent, const app::Look& look, const Shell& shell) {
   const float scale = std::max(1.0f, std::sqrt(look.text_scale));
   const float header = look.px(48);
   const float column = std::clamp(extent.width * 0.29f, 300.0f, 380.0f) * scale;
@@ -63,7 +64,10 @@ Parts parts_of(const Extent& extent, const app::Look& look) {
   parts.column = {0, header, column, height};
   parts.app.stage = {column, header, extent.width - column - inspector, height - timeline};
   parts.app.timeline = {column, header + height - timeline, parts.app.stage.width, timeline};
-  parts.app.inspector = {extent.width - inspector, header, inspector, height};
+  const float code = std::min(shell.code_height, height * 0.52f);
+  parts.app.inspector = {extent.width - inspector, header, inspector, height - code};
+  parts.code = {extent.width - inspector, header + height - code, inspector, code};
+  parts.app.foot = shell.foot;
   return parts;
 }
 
@@ -91,7 +95,7 @@ void draw_stage(GlfwHost& host, app::App& app, double now) {
 void draw(GlfwHost& host, Shell& shell, double now) {
   host.begin_frame();
   const Extent extent = host.extent();
-  const Parts parts = parts_of(extent, shell.app().look());
+  const Parts parts = parts_of(extent, shell.app().look(), shell);
   shell.measured_anew = false;
   if (shell.course_shown) {
     shell.app().frame({}, now);  // its fonts and palette
@@ -105,7 +109,9 @@ void draw(GlfwHost& host, Shell& shell, double now) {
   // The panels first: what they change of the session, the stage shows in this same frame.
   draw_header(shell, parts.header);
   draw_prose_panel(shell, parts.column);
+  draw_code_panel(shell, parts.code);
   shell.app().frame(parts.app, now);
+  draw_question_card(shell, parts.app.stage);
   const app::Look& look = shell.app().look();
   ImGui::GetForegroundDrawList()->AddRectFilled({parts.app.inspector.x - 1, parts.app.inspector.y},
                                                 {parts.app.inspector.x, parts.window.height}, look->line);

@@ -94,10 +94,10 @@ app::Rect rectangle(const val& from) {
   return {from["x"].as<float>(), from["y"].as<float>(), from["width"].as<float>(), from["height"].as<float>()};
 }
 
-/// {width, height, scale, fingers, tools, stage, timeline, inspector: {x, y, width, height}}
+/// {width, height, scale, fingers, tools, foot, stage, timeline, inspector: {x, y, width, height}}
 void set_layout(val from) {
   door().layout = {rectangle(from["stage"]), rectangle(from["timeline"]), rectangle(from["inspector"]),
-                   from["fingers"].as<bool>(), from["tools"].as<float>()};
+                   from["fingers"].as<bool>(), from["tools"].as<float>(), from["foot"].as<float>()};
   door().width = from["width"].as<float>();
   door().height = from["height"].as<float>();
   door().scale = from["scale"].as<float>();

@@ -53,16 +53,15 @@ val algorithm_object(const lesson::Lesson& lesson, std::string_view name) {
   return object;
 }
 
-/// What is chosen and not given yet: of a handle its name, of choices their numbers.
-val picked_object(const lesson::Asked& asked, const lesson::Session& session) {
-  const lesson::Answer* picked = session.picked();
-  if (picked == nullptr) return val::null();
+/// An answer, chosen or tried: of a handle its name, of choices their numbers.
+val answer_object(const lesson::Asked& asked, const lesson::Session& session, const lesson::Answer* answer) {
+  if (answer == nullptr) return val::null();
   val object = val::object(), chosen = val::array();
   for (std::size_t i = 0; i < asked.choices.size(); ++i)
-    if (lesson::is_picked(asked, *picked, static_cast<int>(i))) chosen.call<void>("push", static_cast<int>(i));
+    if (lesson::is_picked(asked, *answer, static_cast<int>(i))) chosen.call<void>("push", static_cast<int>(i));
   object.set("choices", chosen);
   object.set("handle",
-             picked->kind == lesson::Answer::Kind::kPoint ? val(session.name_of(picked->value)) : val::null());
+             answer->kind == lesson::Answer::Kind::kPoint ? val(session.name_of(answer->value)) : val::null());
   return object;
 }
 
@@ -77,13 +76,26 @@ val asked_object(const lesson::Asked* asked, const lesson::Session& session) {
   object.set("onStage", asked->on_stage);
   object.set("place", lesson::place_text(*asked, session.questions()));
   object.set("how", lesson::how_to_answer(*asked));
-  object.set("picked", picked_object(*asked, session));
+  object.set("picked", answer_object(*asked, session, session.picked()));
+  object.set("tried", answer_object(*asked, session, session.tried()));
   object.set("says", session.answer_says());
   return object;
 }
 
+std::string_view kind_of(const lesson::Outcome* outcome) {
+  switch (lesson::standing_of(outcome)) {
+    case lesson::Standing::kRight: return "right";
+    case lesson::Standing::kWrong: return "wrong";
+    case lesson::Standing::kSkipped: return "skipped";
+    case lesson::Standing::kOpen: break;
+  }
+  return "open";
+}
+
 val outcome_object(const lesson::Outcome& outcome) {
   val object = val::object();
+  object.set("kind", text(kind_of(&outcome)));
+  object.set("tries", outcome.tries);
   object.set("question", outcome.question);
   object.set("fromStep", outcome.from_step);
   object.set("step", outcome.step);
@@ -96,6 +108,47 @@ val outcome_object(const lesson::Outcome& outcome) {
   object.set("happened", outcome.happened);
   object.set("says", outcome.says);
   object.set("because", outcome.because);
+  return object;
+}
+
+/// The outcome that is told, or on the way to being told, with its question.
+val told_object(const lesson::Session& session, const lesson::Outcome* outcome) {
+  if (outcome == nullptr) return val::null();
+  val object = outcome_object(*outcome);
+  const lesson::Asked* asked = session.question_of(*outcome);
+  if (asked == nullptr) return object;
+  object.set("prompt", asked->prompt);
+  object.set("place", lesson::place_text(*asked, session.questions()));
+  object.set("choices", array_of(asked->choices, text));
+  object.set("given", answer_object(*asked, session, &outcome->given));
+  object.set("canShow", session.can_show_answer());
+  object.set("shown", session.answer_shown());
+  object.set("rightChoices", session.answer_shown()
+                                 ? array_of(session.right_choices(), [](int choice) { return val(choice); })
+                                 : val::array());
+  return object;
+}
+
+/// Every question of the run, in its order, and how it stands with it.
+val predictions(const lesson::Session& session) {
+  return array_of(session.questions(), [&](const lesson::Asked& asked) {
+    const lesson::Outcome* outcome = session.outcome_of(asked);
+    val object = val::object();
+    object.set("id", asked.question->id);
+    object.set("prompt", asked.prompt);
+    object.set("kind", text(kind_of(outcome)));
+    object.set("standing", text(lesson::standing_text(outcome)));
+    return object;
+  });
+}
+
+val tally_object(const lesson::Tally& tally) {
+  val object = val::object();
+  object.set("right", tally.right);
+  object.set("second", tally.second);
+  object.set("wrong", tally.wrong);
+  object.set("skipped", tally.skipped);
+  object.set("open", tally.open);
   return object;
 }
 
@@ -232,6 +285,13 @@ val words_object() {
   object.set("again", text(lesson::kPredictAgainWord));
   object.set("task", text(lesson::kTaskWord));
   object.set("hint", text(lesson::kHintWord));
+  object.set("go_on", text(lesson::kContinueWord));
+  object.set("show", text(lesson::kShowMeWord));
+  object.set("summary", text(lesson::kSummaryWord));
+  object.set("to_task", text(lesson::kToTaskWord));
+  object.set("next_lesson", text(lesson::kNextLessonWord));
+  object.set("close", text(lesson::kCloseWord));
+  object.set("watching", text(lesson::kWatching));
   return object;
 }
 
@@ -247,7 +307,11 @@ val view_object(app::App& app, const lesson::Session& session) {
   object.set("trace", text(hex_of(session.trace_hash())));
   object.set("asked", asked_object(session.asked(), session));
   object.set("questions", static_cast<int>(session.questions().size()));
-  object.set("outcome", session.outcome() != nullptr ? outcome_object(*session.outcome()) : val::null());
+  object.set("outcome", told_object(session, session.outcome()));
+  object.set("deciding", told_object(session, session.deciding()));
+  object.set("predictions", predictions(session));
+  object.set("tally", tally_object(session.tally()));
+  object.set("summary", session.at_summary());
   object.set("outcomes", array_of(session.outcomes(), outcome_object));
   object.set("score", session.score());
   object.set("grade", grade_object(session.grade()));

@@ -225,12 +225,41 @@ bool is_picked(const Asked& asked, const Answer& picked, int choice) {
   return same_answer(asked, picked, {Kind::kChoice, choice});
 }
 
+bool has_second_try(const Asked& asked) {
+  if (asked.step == Asked::kAnytime) return false;  // it is not decided yet
+  if (asked.many) return true;
+  if (!asked.choices.empty()) return asked.choices.size() > 2;
+  return (asked.stage_points.empty() ? asked.subject->size() : static_cast<Index>(asked.stage_points.size())) > 2;
+}
+
+Standing standing_of(const Outcome* outcome) {
+  if (outcome == nullptr || outcome->passed || outcome->pending) return Standing::kOpen;
+  if (outcome->skipped) return Standing::kSkipped;
+  return outcome->right ? Standing::kRight : Standing::kWrong;
+}
+
+Tally tally_of(std::span<const Asked> questions, std::span<const Outcome> outcomes) {
+  Tally tally;
+  for (const Asked& asked : questions) {
+    const auto own = std::find_if(outcomes.begin(), outcomes.end(),
+                                  [&](const Outcome& it) { return it.question == asked.question->id; });
+    switch (standing_of(own == outcomes.end() ? nullptr : &*own)) {
+      case Standing::kOpen: ++tally.open; break;
+      case Standing::kRight: ++tally.right, tally.second += own->tries > 1; break;
+      case Standing::kWrong: ++tally.wrong; break;
+      case Standing::kSkipped: ++tally.skipped; break;
+    }
+  }
+  return tally;
+}
+
 Outcome judge(const Asked& asked, const Answer& answer, const Run& run) {
   Truth truth = asked.asking->truth(asked, run);
   Outcome outcome;
   outcome.question = asked.question->id;
   outcome.given = answer;
   outcome.skipped = answer.kind == Kind::kSkipped;
+  outcome.tries = outcome.skipped ? 0 : 1;
   outcome.pending = truth.pending;
   outcome.from_step = asked.step;
   outcome.step = asked.until;

@@ -87,11 +87,28 @@ struct Outcome {
   bool skipped = false;
   bool pending = false;   // not decided yet: of the chart, which has to be measured first
   bool passed = false;    // skipped by a jump: it is asked when the player comes to it again
+  int tries = 1;          // the answers that were given to it: 2 where the first was wrong
   std::string predicted;  // "P9", "yes", "the x pair", or "the x pair (P9)" where the point was tapped
   std::string happened;   // the same in fact: "P12", "the y pair"
   std::string says;       // that in a sentence: "P12 left the support set."
   std::string because;
 };
+
+/// How it stands with a question: four things that no count mixes up.
+enum class Standing { kOpen, kRight, kWrong, kSkipped };
+/// outcome: null for none. What a jump passed, and what is not decided yet, is open.
+[[nodiscard]] Standing standing_of(const Outcome* outcome);
+
+/// How many of the questions are which.
+struct Tally {
+  int right = 0;   // of these
+  int second = 0;  // at the second try
+  int wrong = 0;
+  int skipped = 0;
+  int open = 0;
+  [[nodiscard]] int all() const { return right + wrong + skipped + open; }
+};
+[[nodiscard]] Tally tally_of(std::span<const Asked> questions, std::span<const Outcome> outcomes);
 
 /// The question's prompt and reason; own_run: those that hold on the lesson's own run alone, where it has such.
 void put_words(Asked& asked, bool own_run);
@@ -113,6 +130,9 @@ void put_words(Asked& asked, bool own_run);
 [[nodiscard]] bool same_answer(const Asked& asked, const Answer& a, const Answer& b);
 /// Whether a choice is (of many: is among) what was picked.
 [[nodiscard]] bool is_picked(const Asked& asked, const Answer& picked, int choice);
+
+/// Whether a wrong answer leaves a choice among others: of two answers it would tell the right one.
+[[nodiscard]] bool has_second_try(const Asked& asked);
 
 /// The outcome of an answer, which answers it (or is skipped).
 [[nodiscard]] Outcome judge(const Asked& asked, const Answer& answer, const Run& run);

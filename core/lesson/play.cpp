@@ -15,6 +15,7 @@ bool advance(Session& session, std::vector<Outcome>& outcomes) {
     if (!session.answer(model_answer(*asked, session.run(0)))) return false;
     for (const Outcome& outcome : session.outcomes())
       if (outcome.question == id) outcomes.push_back(outcome);
+    session.acknowledge();
     return true;
   }
   session.forward();

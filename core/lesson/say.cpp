@@ -20,7 +20,8 @@ std::string choice_of(std::span<const std::string> names) {
 std::string_view verdict_text(const Outcome& outcome) {
   if (outcome.skipped) return "Skipped";
   if (outcome.pending) return "Not decided";
-  return outcome.right ? "Correct" : "Not quite";
+  if (!outcome.right) return "Not quite";
+  return outcome.tries > 1 ? "Correct at the second try" : "Correct";
 }
 
 std::string how_to_answer(const Asked& asked) {
@@ -56,18 +57,29 @@ std::string no_such_name_text(std::string_view typed, std::span<const std::strin
          (others.empty() || targets.size() == 1 ? like : " Type " + others + ".");
 }
 
-std::string score_text(std::span<const Outcome> outcomes) {
-  int right = 0, answered = 0, skipped = 0;
-  for (const Outcome& outcome : outcomes) {
-    if (outcome.passed) continue;
-    skipped += outcome.skipped;
-    answered += !outcome.skipped;
-    right += outcome.right;
-  }
+std::string score_text(const Tally& tally) {
   const auto predictions = [](int n) { return std::to_string(n) + (n == 1 ? " prediction" : " predictions"); };
-  if (answered == 0) return skipped == 0 ? std::string() : predictions(skipped) + " skipped.";
-  return std::to_string(right) + " of " + predictions(answered) + " correct" +
-         (skipped > 0 ? ", " + std::to_string(skipped) + " skipped." : ".");
+  if (tally.open == tally.all()) return {};
+  if (tally.skipped == tally.all()) return predictions(tally.skipped) + " skipped.";
+  std::string text = std::to_string(tally.right) + " of " + predictions(tally.all()) + " correct";
+  if (tally.second > 0) text += " (" + std::to_string(tally.second) + " at the second try)";
+  const auto add = [&](int n, std::string_view what) {
+    if (n > 0) text += ", " + std::to_string(n) + " " + std::string(what);
+  };
+  add(tally.wrong, "wrong");
+  add(tally.skipped, "skipped");
+  add(tally.open, "open");
+  return text + ".";
+}
+
+std::string_view standing_text(const Outcome* outcome) {
+  switch (standing_of(outcome)) {
+    case Standing::kRight: return outcome->tries > 1 ? "right at the second try" : "right";
+    case Standing::kWrong: return "wrong";
+    case Standing::kSkipped: return "skipped";
+    case Standing::kOpen: break;
+  }
+  return "open";
 }
 
 std::string place_text(const Asked& asked, std::span<const Asked> all) {

@@ -15,9 +15,18 @@ inline constexpr std::string_view kPredictWord = "Predict", kAnswerWord = "Answe
                                   kPredictionWord = "Your prediction", kWatchWord = "Watch how",
                                   kPredictAgainWord = "Predict again", kTaskWord = "Your turn", kHintWord = "Hint",
                                   kDismissWord = "Dismiss", kAlgorithmWord = "Algorithm", kCompareWord = "Compare with",
-                                  kNoneWord = "(none)", kComparedWord = "Final result, compared";
+                                  kNoneWord = "(none)", kComparedWord = "Final result, compared",
+                                  kContinueWord = "Continue", kShowMeWord = "Show me",
+                                  kSummaryWord = "Your predictions", kNextLessonWord = "Next lesson",
+                                  kToTaskWord = "To the task", kCloseWord = "Close";
 
-/// "Correct", "Not quite", "Skipped", or "Not decided" before the chart is measured.
+/// After a wrong answer that has a second try; after the key that goes on, where a question stands.
+inline constexpr std::string_view kTryAgain = "Not that one. Try once more.",
+                                  kTriedAlready = "You have tried that one. Choose another.",
+                                  kPressToSkip = "Press again to skip this question.",
+                                  kWatching = "Watch how it comes about. Any key or tap goes to the end.";
+
+/// "Correct", "Correct at the second try", "Not quite", "Skipped", or "Not decided" before the chart is measured.
 [[nodiscard]] std::string_view verdict_text(const Outcome& outcome);
 /// "Tap one of the ringed points, or type its name."
 [[nodiscard]] std::string how_to_answer(const Asked& asked);
@@ -28,9 +37,10 @@ inline constexpr std::string_view kPredictWord = "Predict", kAnswerWord = "Answe
 [[nodiscard]] std::string no_target_text(const std::string& name, std::span<const std::string> targets);
 /// That nothing is called so. targets: as above.
 [[nodiscard]] std::string no_such_name_text(std::string_view typed, std::span<const std::string> targets);
-/// "2 of 3 predictions correct, 1 skipped."; empty where none was given or skipped. Those that a jump passed do not
-/// count.
-[[nodiscard]] std::string score_text(std::span<const Outcome> outcomes);
+/// "2 of 4 predictions correct (1 at the second try), 1 wrong, 1 skipped."; empty where none was given or skipped.
+[[nodiscard]] std::string score_text(const Tally& tally);
+/// One word for a line of the summary: "right", "right at the second try", "wrong", "skipped", "open".
+[[nodiscard]] std::string_view standing_text(const Outcome* outcome);
 /// "3 of 5": which of the lesson's questions on this run it is.
 [[nodiscard]] std::string place_text(const Asked& asked, std::span<const Asked> all);
 /// The button that lays out what the task begins with: "Start with 4 points"; of two boxes "Start".

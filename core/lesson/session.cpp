@@ -137,7 +137,7 @@ std::string Session::caption() const {
 }
 
 std::string_view Session::asked_figure() const {
-  const Asked* now = asked();
+  const Asked* now = standing();  // also while the outcome of another is told
   return now == nullptr ? std::string_view() : std::string_view(now->hidden_figure());
 }
 

@@ -119,7 +119,8 @@ class Session {
   void go(int step);
   void jump(int step);
   void first() { go(0); }
-  void forward() { go(step_ + 1); }
+  /// The next step; where an outcome is told, it is acknowledged first, and that is all.
+  void forward();
   void back() { go(step_ - 1); }
   void last() { go(steps()); }
   /// Whether the result is shown before the player was used: a lesson that starts at its end. Edits keep it so. No
@@ -132,13 +133,18 @@ class Session {
   [[nodiscard]] int previous_mark() const;
 
   // ---- questions and the task -------------------------------------------------------------------------------
-  /// The question that stands here and has no answer yet; playing waits for it.
+  // A question is a conversation: asked, answered (a wrong answer may have a second try), decided (what was skipped is
+  // played), told, and acknowledged; only then the next one is asked.
+  /// The question that stands here and has no answer yet, unless an outcome is told; playing waits for it.
   [[nodiscard]] const Asked* asked() const;
   /// Every question of this run in the timeline's order. Questions whose gate the run does not have are left out.
   [[nodiscard]] const std::vector<Asked>& questions() const { return asked_; }
-  /// Commits an answer and goes to where it is decided, so that what happened stands beside what was predicted.
+  /// Gives an answer for good and goes to where it is decided, so that what happened stands beside what was predicted.
   /// false: nothing is asked, or that is no answer to it (a handle that is none of the choices); nothing changes then.
   bool answer(const Answer& answer);
+  /// Whether what lies between a question and its outcome is played by who shows it, where commit and skip lead there:
+  /// they then leave the player where it stands, on its way. Off: they go there at once.
+  void play_answers(bool on) { play_answers_ = on; }
   /// Chooses an answer without giving it yet; chosen once more, it is given. Of a question that takes many choices, one
   /// is chosen, or no longer. false: nothing is asked, or that is no answer to it: answer_says tells which are.
   bool pick(const Answer& answer);
@@ -147,18 +153,51 @@ class Session {
   /// The answer that is chosen to the question that stands; null where none is.
   [[nodiscard]] const Answer* picked() const;
   void unpick();
-  /// Gives the answer that is chosen. false: none is.
+  /// Gives the answer that is chosen: a first wrong one is only told to be wrong, where there is a second try. false:
+  /// none is chosen.
   bool commit();
+  /// Goes on without an answer. false: nothing is asked.
+  bool skip();
+  /// The key that goes on, at a question: says that a second press skips it, and then skips it. false: nothing is asked.
+  bool pass_by();
+  /// The answer that was wrong at the first try, while the question waits for the second; null otherwise.
+  [[nodiscard]] const Answer* tried() const;
+  /// The outcome of an answer that was given, on the way to where it is decided; null otherwise.
+  [[nodiscard]] const Outcome* deciding() const;
+  /// Goes there at once.
+  void decide();
   /// What there is to say of the last pick: that it is chosen, or why it cannot be the answer. Empty for nothing.
   [[nodiscard]] const std::string& answer_says() const { return answer_says_; }
   /// The handles that can be the answer to what is asked, rising; none where it is not answered on the stage.
   [[nodiscard]] std::vector<Index> targets() const;
   [[nodiscard]] std::vector<std::string> target_names() const;
-  /// The last outcome, as long as the player stands on the step it speaks of; null otherwise.
+  /// The outcome that is told: from where it is decided until it is acknowledged or the player is elsewhere; null
+  /// otherwise.
   [[nodiscard]] const Outcome* outcome() const;
+  /// That it was read. false: none is told.
+  bool acknowledge();
+  /// Goes back to where its question was asked, on the way to where it is decided. false: nothing lies between.
+  bool watch_outcome();
+  /// Tells a question's outcome again, where it is decided. false: it has none.
+  bool review(std::string_view question);
+  /// After a wrong answer: whether the right one can be marked, marks it, and whether it is.
+  [[nodiscard]] bool can_show_answer() const;
+  bool show_answer();
+  [[nodiscard]] bool answer_shown() const { return answer_shown_ && outcome() != nullptr; }
+  /// The choices that are right, of the outcome that is told; none where it is told of handles alone.
+  [[nodiscard]] std::vector<int> right_choices() const;
+  /// The question of an outcome; null where this run does not have it.
+  [[nodiscard]] const Asked* question_of(const Outcome& outcome) const;
+  /// The outcome of a question of this run; null for none.
+  [[nodiscard]] const Outcome* outcome_of(const Asked& asked) const;
   [[nodiscard]] const std::vector<Outcome>& outcomes() const { return outcomes_; }
-  /// How the predictions came out (score_text), once the run is through and nothing is open; else empty.
+  /// How it stands with the questions of this run.
+  [[nodiscard]] Tally tally() const { return tally_of(asked_, outcomes_); }
+  /// How the predictions came out (score_text), once the run is through; else empty.
   [[nodiscard]] std::string score() const;
+  /// Whether the lesson ends here: the run is through, no question is open and each outcome was read. It can be closed.
+  [[nodiscard]] bool at_summary() const;
+  void close_summary();
   /// None where the lesson has no task.
   [[nodiscard]] std::optional<Grade> grade() const;
   /// All questions anew.
@@ -205,6 +244,8 @@ class Session {
   void stand(int step);
   bool refuse(std::string why);
   [[nodiscard]] bool open_question(const Asked& asked) const;
+  [[nodiscard]] const Asked* standing() const;
+  bool give(const Answer& answer, bool for_good);
   Outcome& outcome_for(const std::string& id);
 
   std::unique_ptr<const Lesson> lesson_;
@@ -227,8 +268,18 @@ class Session {
   mutable std::vector<bool> found_;  // of a task's goals, since it was begun
   std::optional<Answer> picked_;     // chosen and not given yet
   std::string answer_says_;
-  int shown_outcome_ = -1;  // of outcomes_, at step shown_at_
+  struct Tried {
+    std::string question;  // its id
+    Answer answer;
+  };
+  std::optional<Tried> tried_;   // wrong at the first try
+  bool skips_next_ = false;      // it was said that a second press skips
+  bool play_answers_ = false;
+  int shown_outcome_ = -1;       // of outcomes_, at step shown_at_, once that is reached
   int shown_at_ = -1;
+  bool deciding_ = false;        // on the way there
+  bool answer_shown_ = false;
+  bool summary_closed_ = false;
   std::uint64_t revision_ = 1;
 };
 

@@ -25,6 +25,8 @@ void Session::run_changed(bool at_end) {
   step_ = at_end ? steps() : std::min(step_, steps());
   hash_.reset();
   shown_outcome_ = -1;
+  deciding_ = false;
+  tried_.reset();
   unpick();
 }
 
@@ -40,12 +42,19 @@ void Session::stand(int step) {
   if (step == step_ && !previewing_) return;
   step_ = step;
   previewing_ = false;
+  if (step >= shown_at_) deciding_ = false;
+  if (!deciding_ && step != shown_at_) shown_outcome_ = -1;
   unpick();
   ++revision_;
 }
 
 void Session::go(int step) {
   if (previewing_ && step == steps()) return;
+  if (step != step_) acknowledge();
+  if (deciding_) {  // a step on the way; elsewhere it is left
+    if (step > step_) return stand(std::min(step, shown_at_));
+    deciding_ = false;
+  }
   const bool begin = previewing_ && step > steps();
   const int from = previewing_ ? 0 : step_;
   int to = begin ? 1 : std::clamp(step, 0, steps());
@@ -54,8 +63,13 @@ void Session::go(int step) {
   stand(to);
 }
 
+void Session::forward() {
+  if (!acknowledge()) go(step_ + 1);
+}
+
 void Session::jump(int step) {
   if (previewing_ && step >= steps()) return;
+  deciding_ = false;
   const int to = std::clamp(step, 0, steps());
   const int from = previewing_ ? 0 : step_;
   for (const Asked& asked : asked_) {

@@ -29,7 +29,9 @@ bool Session::open_question(const Asked& asked) const {
   return true;
 }
 
-const Asked* Session::asked() const {
+const Asked* Session::asked() const { return deciding_ || outcome() != nullptr ? nullptr : standing(); }
+
+const Asked* Session::standing() const {
   for (const Asked& asked : asked_)
     if ((asked.step == Asked::kAnytime || (asked.step == step_ && !previewing_)) && open_question(asked)) return &asked;
   return nullptr;
@@ -44,6 +46,7 @@ Outcome& Session::outcome_for(const std::string& id) {
 void Session::unpick() {
   picked_.reset();
   answer_says_.clear();
+  skips_next_ = false;
   ++revision_;
 }
 
@@ -57,7 +60,23 @@ const Answer* Session::picked() const { return picked_ && asked() != nullptr ? &
 
 bool Session::commit() {
   if (picked() == nullptr) return false;
-  return answer(Answer(*picked_));
+  return give(Answer(*picked_), false);
+}
+
+bool Session::skip() { return give({}, false); }
+
+bool Session::pass_by() {
+  if (asked() == nullptr) return false;
+  if (skips_next_) return skip();
+  unpick();
+  answer_says_ = kPressToSkip;
+  skips_next_ = true;
+  return true;
+}
+
+const Answer* Session::tried() const {
+  const Asked* question = asked();
+  return tried_ && question != nullptr && question->question->id == tried_->question ? &tried_->answer : nullptr;
 }
 
 bool Session::pick(const Answer& chosen) {
@@ -75,6 +94,7 @@ bool Session::pick(const Answer& chosen) {
   const bool point = chosen.kind == Answer::Kind::kPoint && chosen.value >= 0 && chosen.value < size();
   if (!answers(*question, chosen))
     return point && question->on_stage ? refuse(no_target_text(name_of(chosen.value), target_names())) : false;
+  if (tried() != nullptr && same_answer(*question, *tried(), chosen)) return refuse(std::string(kTriedAlready));
   if (picked_ && same_answer(*question, *picked_, chosen)) return commit();
   unpick();
   picked_ = chosen;
@@ -114,30 +134,124 @@ std::vector<std::string> Session::target_names() const {
 }
 
 std::string Session::score() const {
-  if (asked() != nullptr) return {};
+  if (standing() != nullptr || deciding_) return {};
   const auto open = [](const Outcome& outcome) { return outcome.pending; };
   const bool of_steps = lesson_->subject->asks_of_steps;
   const bool over =
       of_steps ? step_ == steps() && !previewing_ : std::none_of(outcomes_.begin(), outcomes_.end(), open);
-  return over ? score_text(outcomes_) : std::string();
+  return over ? score_text(tally()) : std::string();
 }
 
-bool Session::answer(const Answer& answer) {
+bool Session::at_summary() const {
+  if (summary_closed_ || previewing_ || deciding_ || step_ != steps() || outcome() != nullptr) return false;
+  const Tally all = tally();
+  return lesson_->subject->asks_of_steps && all.all() > 0 && all.open == 0;
+}
+
+void Session::close_summary() {
+  summary_closed_ = true;
+  ++revision_;
+}
+
+bool Session::answer(const Answer& answer) { return give(answer, true); }
+
+bool Session::give(const Answer& answer, bool for_good) {
   const Asked* question = asked();
   if (question == nullptr || !answers(*question, answer)) return false;
+  Outcome judged = judge(*question, answer, run(0));
+  const bool second = tried() != nullptr;
+  if (standing_of(&judged) == Standing::kWrong && !for_good && !second && has_second_try(*question)) {
+    tried_ = Tried{question->question->id, answer};
+    unpick();
+    answer_says_ = kTryAgain;
+    return true;
+  }
+  if (second && !judged.skipped) judged.tries = 2;
+  tried_.reset();
   Outcome& outcome = outcome_for(question->question->id);
-  outcome = judge(*question, answer, run(0));
+  outcome = std::move(judged);
   unpick();
+  summary_closed_ = false;
   if (question->step == Asked::kAnytime) return ++revision_, true;
   shown_outcome_ = static_cast<int>(&outcome - outcomes_.data());
   shown_at_ = question->until;
-  stand(question->until);
+  answer_shown_ = false;
+  deciding_ = play_answers_ && !for_good && question->until - step_ > 1;
+  if (!deciding_) stand(question->until);
   return true;
 }
 
+const Outcome* Session::deciding() const { return deciding_ ? &outcomes_[shown_outcome_] : nullptr; }
+
+void Session::decide() {
+  if (deciding_) stand(shown_at_);
+}
+
 const Outcome* Session::outcome() const {
-  if (shown_outcome_ < 0 || previewing_ || step_ != shown_at_) return nullptr;
+  if (shown_outcome_ < 0 || deciding_ || previewing_ || step_ != shown_at_) return nullptr;
   return &outcomes_[shown_outcome_];
+}
+
+bool Session::acknowledge() {
+  if (outcome() == nullptr) return false;
+  shown_outcome_ = -1;
+  ++revision_;
+  return true;
+}
+
+bool Session::watch_outcome() {
+  const Outcome* told = outcome();
+  if (told == nullptr || told->step - told->from_step < 2) return false;
+  deciding_ = true;
+  stand(told->from_step);
+  return true;
+}
+
+bool Session::review(std::string_view question) {
+  for (std::size_t i = 0; i < outcomes_.size(); ++i) {
+    const Outcome& past = outcomes_[i];
+    const Asked* own = question_of(past);
+    if (past.question != question || standing_of(&past) == Standing::kOpen || own == nullptr) continue;
+    deciding_ = false;
+    stand(own->until);
+    shown_outcome_ = static_cast<int>(i);
+    shown_at_ = own->until;
+    answer_shown_ = false;
+    return ++revision_, true;
+  }
+  return false;
+}
+
+const Asked* Session::question_of(const Outcome& outcome) const {
+  for (const Asked& asked : asked_)
+    if (asked.question->id == outcome.question) return &asked;
+  return nullptr;
+}
+
+const Outcome* Session::outcome_of(const Asked& asked) const {
+  for (const Outcome& outcome : outcomes_)
+    if (outcome.question == asked.question->id) return &outcome;
+  return nullptr;
+}
+
+bool Session::can_show_answer() const {
+  const Outcome* told = outcome();
+  if (told == nullptr || standing_of(told) != Standing::kWrong) return false;
+  const Asked* question = question_of(*told);
+  return question != nullptr && (question->on_stage || question->choices.size() > 2);
+}
+
+bool Session::show_answer() {
+  if (!can_show_answer()) return false;
+  answer_shown_ = true;
+  ++revision_;
+  return true;
+}
+
+std::vector<int> Session::right_choices() const {
+  const Outcome* told = outcome();
+  const Asked* question = told != nullptr ? question_of(*told) : nullptr;
+  return question != nullptr ? question->asking->truth(*question, run(0)).choices : std::vector<int>();
 }
 
 /// What was predicted before anything was known is decided, and anew whenever more is known.
@@ -157,13 +271,16 @@ void Session::take_up_answers(std::vector<Outcome> outcomes) {
   });
   outcomes_ = std::move(outcomes);
   shown_outcome_ = -1;
+  deciding_ = false;
   ++revision_;
 }
 
 void Session::forget_answers() {
   outcomes_.clear();
   unpick();
+  tried_.reset();
   shown_outcome_ = -1;
+  deciding_ = summary_closed_ = false;
   ++revision_;
 }
 

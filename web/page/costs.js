@@ -74,7 +74,7 @@ export class CostTools {
       element("div", { class: "row costs-says" }, this.#says, ...this.#files),
       element("div", { class: "unseen" }, element("table", {}, element("caption", {}, "What was measured"),
         element("thead", {}, this.#head), this.#body)));
-    by_id("ask").before(this.#section);
+    by_id("told").before(this.#section);
   }
 
   open(lesson) {

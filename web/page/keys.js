@@ -18,6 +18,10 @@ export function listen_to_keys(door, act, choose, leave) {
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.altKey || event.isComposing) return;
     const target = event.target instanceof Element ? event.target : document.body;
+    if (door.view()?.deciding && !/^(Shift|Control|Alt|Meta)/.test(event.key)) { // any key ends it, and does nothing else
+      event.preventDefault();
+      return act(() => door.command("continue"));
+    }
     if (target.closest(kWrites)) return;
     if (scrolls(target, event.key) && !event.ctrlKey && !event.metaKey) return;
     if (target.closest(kPresses) && (event.key === "Enter" || event.key === " ")) return;

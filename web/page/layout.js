@@ -15,7 +15,7 @@ export function watch_layout(changed) {
   };
   kCoarse.addEventListener("change", name);
   const moved = new ResizeObserver(changed);
-  for (const id of ["work", "column", ...kParts]) moved.observe(by_id(id));
+  for (const id of ["work", "column", "ask", ...kParts]) moved.observe(by_id(id));
   addEventListener("resize", name);
   new MutationObserver(name).observe(document.documentElement, { attributeFilter: ["style", "class"] }); // text size, presentation
   name();
@@ -54,6 +54,13 @@ function tools_reach() {
   return shown.length > 0 ? Math.max(...shown.map(({ right }) => right)) - by_id("stage").getBoundingClientRect().left : 0;
 }
 
+/** How much of the stage's foot the question covers; where there is room for it elsewhere, nothing. */
+function foot() {
+  const [stage, card] = ["stage", "ask"].map((id) => by_id(id).getBoundingClientRect());
+  const beside = card.height === 0 || card.left >= stage.right || card.right <= stage.left;
+  return beside ? 0 : Math.max(0, Math.min(stage.bottom, stage.bottom - card.top));
+}
+
 let last = null;
 
 /** Lays the canvas under its parts and says it as web/main.cpp's set_layout takes it. */
@@ -73,6 +80,7 @@ export function arrange(canvas) {
     scale: devicePixelRatio,
     fingers: has_fingers(),
     tools: tools_reach(),
+    foot: foot(),
     stage: within(parts.stage),
     timeline: within(parts.timeline),
     inspector: within(parts.numbers),

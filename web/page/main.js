@@ -59,7 +59,8 @@ class Page {
     this.#kept = kept;
     this.#embed = embed;
     const act = (what) => this.act(what);
-    const question = new QuestionCard(door, act);
+    const next = (id) => lessons[lessons.findIndex((lesson) => lesson.id === id) + 1];
+    const question = new QuestionCard(door, act, { next, go: (id) => go_to(link_of(id)) });
     this.#panels = [new Reading(door.words(), () => this.#start_task()), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new CostTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs(), new Presentation(settings, lessons, go_to), new Invitations(kept, lessons[0]?.id, () => this.handles())];
     this.#menu = new LessonMenu(lessons, (id) => go_to(link_of(id)));
     this.#stage = new Stage(door, () => this.#show());

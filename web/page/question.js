@@ -1,64 +1,76 @@
-// The prediction that the player waits for, and what happened beside what was predicted. Every sentence comes from the
-// program, which prints the same ones in its window.
-import { by_id, button, element, set_hidden, set_text, whole_names } from "./dom.js";
+// The conversation on the stage's foot: a question, what came of its answer, and in the end how all of them came out.
+// Every sentence comes from the program, which prints the same ones in its window.
+import { by_id, button, element, set_text, whole_names } from "./dom.js";
 
-const kLinesShown = 120; // pixels
+const kMarks = { right: "✓", wrong: "✕", skipped: "–", open: "?" };
+
+const kicker = (words, place, kind = "") =>
+  element("h2", { class: `kicker ${kind}` }, words, ...(place ? [element("span", { class: "place-of" }, ` · ${place}`)] : []));
+const row = (...children) => element("div", { class: "commit" }, ...children);
+const quiet = (words, onclick) => element("button", { type: "button", class: "quiet", onclick }, words);
 
 export class QuestionCard {
   #door;
   #act;
   #words;
+  #after;
   #shown = "";
   #choices = [];
   #says = element("p", { class: "says", role: "status" });
   #commit;
-  #opened = false; // a page that has just opened stands at its top
 
-  /** act(what): does it and shows what came of it. */
-  constructor(door, act) {
+  /** act(what): does it and shows what came of it. after: {next(id): the lesson that follows or undefined, go(id)}. */
+  constructor(door, act, after) {
     this.#door = door;
     this.#act = act;
+    this.#after = after;
     this.#words = door.words();
     this.#commit = button(this.#words.answer, () => this.#do("commit_answer"), { class: "button primary" });
+    // Whatever is pressed while what was skipped is played ends that, and does nothing else.
+    addEventListener("pointerdown", (event) => {
+      if (this.#watching && !event.target.closest?.(".place")) this.#do("continue");
+    }, { capture: true });
   }
 
-  open() {
-    this.#opened = false;
-  }
+  #watching = false;
 
   update(view) {
-    const { asked, outcome, outcomes, score } = view;
+    const { asked, outcome, deciding, outcomes, score } = view;
+    this.#watching = Boolean(deciding);
     const told = view.costs?.decided ? outcomes : [];
     const question = asked && { ...asked, picked: null, says: "" };
-    const now = JSON.stringify([view.lesson, question, outcome, told, score]);
+    const now = JSON.stringify([view.lesson, question, outcome, deciding, told, score, view.summary && view.grade?.done]);
     if (now !== this.#shown) {
       this.#shown = now;
-      this.#lay_out(asked, outcome, told, score);
+      this.#lay_out(view, told);
     }
     if (asked) this.#show_picked(asked);
   }
 
-  #lay_out(asked, outcome, told, score) {
+  #lay_out(view, told) {
+    const { asked, outcome, deciding, score, summary } = view;
     const box = by_id("ask");
     const had_focus = box.contains(document.activeElement);
-    const cards = [];
-    if (asked) cards.push(this.#asked_card(asked));
-    cards.push(...told.map((each) => this.#outcome_card(each, true)));
-    if (outcome) cards.push(this.#outcome_card(outcome, Boolean(asked)));
-    if (score) cards.push(this.#score_card(score));
-    box.replaceChildren(...cards);
-    if (had_focus) (box.querySelector("[tabindex]") ?? by_id("canvas")).focus({ preventScroll: true });
+    const card = asked ? this.#asked_card(asked)
+      : deciding ? this.#deciding_card(deciding)
+        : outcome ? this.#outcome_card(outcome)
+          : summary ? this.#summary_card(view) : null;
+    if (!asked) this.#choices = [];
+    box.replaceChildren(...(card ? [card] : []));
+    by_id("told").replaceChildren(...told.map((each) => this.#told_card(each)),
+      ...(score && !this.#door.lesson().asksOfSteps ? [this.#score_card(score)] : []));
     box.scrollTop = 0;
-    if (cards.length > 0 && this.#opened) show_top(box);
-    this.#opened = true;
+    if (had_focus) (box.querySelector("[data-first]:not(:disabled)") ?? box.querySelector("[tabindex]") ?? by_id("canvas")).focus({ preventScroll: true });
+    if (card && !had_focus) show_both(box);
   }
 
   /** What is chosen and not given yet; the card stays as it is, and so does the focus. */
-  #show_picked({ picked, says, how }) {
+  #show_picked({ picked, tried, says, how }) {
     for (const [i, choice] of this.#choices.entries()) choice.setAttribute("aria-pressed", Boolean(picked?.choices.includes(i)));
     set_text(this.#says, says || how);
     this.#says.classList.toggle("chosen", says !== "");
-    set_hidden(this.#commit, !picked);
+    this.#says.classList.toggle("wrong", Boolean(tried) && !picked);
+    this.#commit.disabled = !picked;
   }
 
   /** Brings the question that stands into sight: what the player waits for. */
@@ -76,60 +88,109 @@ export class QuestionCard {
     this.#act(() => this.#door.command(command));
   }
 
-  #asked_card({ prompt, choices, onStage, place }) {
-    this.#choices = choices.map((words, i) => button(words, () => this.#act(() => this.#door.pick_choice(i)), { "aria-pressed": "false" }));
+  #asked_card({ prompt, choices, onStage, place, tried }) {
+    this.#choices = choices.map((words, i) => {
+      const was = tried?.choices.includes(i);
+      return button(was ? `${kMarks.wrong} ${words}` : words, () => this.#act(() => this.#door.pick_choice(i)),
+        { class: was ? "button tried" : "button", "aria-pressed": "false", "data-first": i === 0 });
+    });
+    const named = onStage && choices.length === 0;
+    const pass = quiet(this.#words.skip, () => this.#do("skip_question"));
     return element("div", { class: "card predict", tabindex: "-1" },
-      element("h2", { class: "kicker" }, this.#words.predict),
+      kicker(this.#words.prediction, place),
       element("p", { class: "prompt" }, whole_names(prompt)),
       ...(choices.length > 0 ? [element("div", { class: "choices" }, ...this.#choices)] : []),
-      ...(onStage && choices.length === 0 ? [this.#name_form()] : []),
-      element("div", { class: "commit" }, this.#says, this.#commit),
-      element("p", { class: "foot" }, element("span", {}, element("b", { class: "presented" }, "Page Down skips · "), element("b", {}, place)),
-        element("button", { type: "button", class: "quiet", onclick: () => this.#do("skip_question") }, this.#words.skip)));
+      row(this.#says, ...(named ? [this.#name_form()] : [this.#commit]), pass),
+      element("p", { class: "foot presented" }, "Page Down twice skips"));
   }
 
   /** The way to name a handle without pointing at it. */
   #name_form() {
-    const field = element("input", { type: "text", required: true, autocomplete: "off", autocapitalize: "characters", spellcheck: "false", maxlength: 16, "aria-label": "Name" });
+    const field = element("input", { type: "text", required: true, autocomplete: "off", autocapitalize: "characters", spellcheck: "false", maxlength: 16, "aria-label": "Name", placeholder: "Name", "data-first": true });
     const onsubmit = (event) => {
       event.preventDefault();
-      this.#act(() => this.#door.pick_name(field.value) && this.#door.command("commit_answer"));
+      this.#act(() => {
+        if (field.value === "") this.#door.command("commit_answer"); // one that was tapped
+        else if (this.#door.pick_name(field.value)) this.#door.command("commit_answer");
+      });
       field.select();
     };
-    return element("form", { class: "choices", onsubmit }, element("span", { class: "label" }, "Name"), field,
-      element("button", { type: "submit", class: "button" }, this.#words.answer));
+    return element("form", { class: "name", onsubmit, novalidate: true }, field,
+      element("button", { type: "submit", class: "button primary" }, this.#words.answer));
   }
 
-  /** brief: one line, to unfold; the question that stands comes first. */
-  #outcome_card({ verdict, right, skipped, pending, predicted, happened, says, because, fromStep, step }, brief) {
-    if (pending) return element("div", { class: "card outcome skipped" }, element("h2", { class: "kicker" }, verdict), element("p", {}, says));
-    const mark = skipped ? "" : right ? "✓ " : "✕ ";
-    const told = [...(skipped ? [] : [element("p", { class: "said" }, `${this.#words.prediction}: `, element("b", {}, predicted))]),
+  #said({ skipped, predicted }) {
+    return skipped ? [] : [element("p", { class: "said" }, `${this.#words.prediction}: `, element("b", {}, whole_names(predicted)))];
+  }
+
+  /** On the way to where it is decided: nothing is told yet. */
+  #deciding_card(deciding) {
+    return element("div", { class: "card deciding", tabindex: "-1" }, kicker(this.#words.prediction, deciding.place),
+      element("p", { class: "prompt" }, whole_names(deciding.prompt)), ...this.#said(deciding),
+      element("p", { class: "says" }, this.#words.watching));
+  }
+
+  /** What came of it, until it is read. */
+  #outcome_card(outcome) {
+    const { verdict, kind, prompt, place, says, because, choices, given, shown, canShow, rightChoices, happened, fromStep, step } = outcome;
+    const marked = shown && choices.length > 0 ? [element("div", { class: "choices" }, ...choices.map((words, i) => {
+      const mark = rightChoices.includes(i) ? "right" : given?.choices.includes(i) ? "wrong" : "";
+      return element("span", { class: `chip ${mark}` }, mark ? `${kMarks[mark]} ${words}` : words);
+    }))] : shown ? [element("p", { class: "said right" }, `${kMarks.right} ${happened}`)] : [];
+    return element("div", { class: `card outcome ${kind}`, tabindex: "-1" },
+      kicker(`${kMarks[kind]} ${verdict}`, place, kind),
+      element("p", { class: "asked" }, whole_names(prompt)),
+      ...this.#said(outcome), ...marked,
       element("p", {}, whole_names(says)), element("p", {}, whole_names(because)),
-      ...(step - fromStep > 1 ? [element("p", {}, button(this.#words.watch, () => this.#do("watch_outcome")))] : [])];
-    const kicker = element("h2", { class: "kicker" }, mark + verdict);
-    const kind = skipped ? "skipped" : right ? "right" : "wrong";
-    if (!brief) return element("div", { class: `card outcome ${kind}`, tabindex: "-1" }, kicker, ...told);
-    // Beside "Not quite" it would read as what was predicted.
-    const line = right ? happened : `${this.#words.answer}: ${happened}`;
-    return element("div", { class: `card outcome told ${kind}` },
-      element("details", {}, element("summary", {}, kicker, ` · ${line}`), ...told));
+      row(...(canShow && !shown ? [button(this.#words.show, () => this.#do("show_answer"))] : []),
+        ...(step - fromStep > 1 ? [button(this.#words.watch, () => this.#do("watch_outcome"))] : []),
+        element("span", { class: "says" }),
+        button(this.#words.go_on, () => this.#do("continue"), { class: "button primary", "data-first": true })));
   }
 
-  #score_card(score) {
-    const again = () => this.#act(() => {
+  /** The lesson's end: each prediction leads back to its reason. */
+  #summary_card({ score, predictions, lesson, grade }) {
+    const lines = predictions.map(({ id, prompt, kind, standing }) => element("li", {},
+      element("button", { type: "button", class: `line ${kind}`, onclick: () => this.#do(`review:${id}`) },
+        element("span", { class: "mark", "aria-hidden": "true" }, kMarks[kind]), element("span", { class: "what" }, whole_names(prompt)), element("b", {}, standing))));
+    const next = this.#after.next(lesson);
+    const to_task = () => by_id("task").scrollIntoView({ block: "nearest" });
+    return element("div", { class: "card summary", tabindex: "-1" },
+      element("div", { class: "head" }, kicker(this.#words.summary), quiet(this.#words.close, () => this.#do("close_summary"))),
+      element("p", { class: "prompt" }, score), element("ol", { class: "lines-of" }, ...lines),
+      row(quiet(this.#words.again, () => this.#again()), element("span", { class: "says" }),
+        ...(grade ? [button(grade.done ? `${kMarks.right} ${this.#words.task}` : this.#words.to_task, to_task)] : []),
+        ...(next ? [element("a", { class: "button primary", href: `?lesson=${encodeURIComponent(next.id)}`, "data-first": true, title: next.title,
+          onclick: (event) => (event.preventDefault(), this.#after.go(next.id)) }, this.#words.next_lesson)] : [])));
+  }
+
+  #again() {
+    this.#act(() => {
       this.#door.forget_answers();
       if (this.#door.lesson().asksOfSteps) this.#door.command("first");
     });
-    return element("div", { class: "card score" }, element("p", {}, score), button(this.#words.again, again));
+  }
+
+  /** Of the chart of costs, which decides all of them at once: one line each, to unfold. */
+  #told_card(outcome) {
+    const { verdict, right, kind, pending, happened, says, because, skipped } = outcome;
+    if (pending) return element("div", { class: "card outcome skipped" }, element("h2", { class: "kicker" }, verdict), element("p", {}, says));
+    // Beside "Not quite" it would read as what was predicted.
+    const line = right ? happened : `${this.#words.answer}: ${happened}`;
+    return element("div", { class: `card outcome told ${kind}` },
+      element("details", {}, element("summary", {}, kicker(skipped ? verdict : `${kMarks[kind]} ${verdict}`), ` · ${line}`),
+        ...this.#said(outcome), element("p", {}, whole_names(says)), element("p", {}, whole_names(because))));
+  }
+
+  #score_card(score) {
+    return element("div", { class: "card score" }, element("p", {}, score), button(this.#words.again, () => this.#again()));
   }
 }
 
-/** Scrolls to all of the cards, as far as the stage stays in sight, and to their first lines in any case. */
-function show_top(box) {
-  if (document.documentElement.dataset.layout === "beside") by_id("column").scrollTop = 0; // where the cards stand first
-  const { top, bottom } = box.getBoundingClientRect();
-  const room = Math.max(0, by_id("stage").getBoundingClientRect().top);
-  const below = Math.max(Math.min(bottom - innerHeight, room), top + kLinesShown - innerHeight);
-  if (below > 0) scrollBy({ top: below });
+/** On a phone, where the card lies under the stage: both are brought into view, if they are not. */
+function show_both(box) {
+  if (document.documentElement.dataset.layout !== "phone") return;
+  const [stage, card] = [by_id("stage"), box].map((node) => node.getBoundingClientRect());
+  if (stage.top < 0) scrollBy({ top: stage.top });
+  else if (card.bottom > innerHeight) scrollBy({ top: Math.min(stage.top, card.bottom - innerHeight) });
 }

@@ -70,10 +70,25 @@ void draw_traces(Brush& brush, const SceneFrame& frame) {
   }
 }
 
+/// Before the first frame no volume was made; a question about them shows those of the bodies as they stand.
+void draw_loose_to_come(Brush& brush, const SceneFrame& frame) {
+  const auto& members = lesson::members_of(brush.session);
+  const auto& frames = *lesson::frames_of(brush.session, 0);
+  const bool come = frames.size() > 1 && frames[1].volumes.size() == frame.bodies.size();
+  if (brush.session.asked() == nullptr || !come || frame.bodies.size() > kBoxesOfAll) return;
+  for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
+    if (members[i].shape.kind != scene::Shape::Kind::kBox) continue;
+    const Point3 half = frame.bodies[i].rotation.cwiseAbs() * members[i].shape.half_extents;
+    draw_box(brush.canvas, frame.bodies[i].position - half, frame.bodies[i].position + half,
+             {Stroke::kSolid, with_alpha(brush.p.current, 0.35f), brush.stroke(0.4f)});
+  }
+  brush.canvas.obstacles.segments.clear();  // names may stand over so many edges
+}
+
 /// The boxes that the broad phase compares, paler where none overlaps; and of the body at hand its sphere as well.
 void draw_loose(Brush& brush, const SceneFrame& frame) {
-  if (brush.session.step() == 0 || brush.view.shows_points(brush.session))
-    return;  // no volume was made yet; or it is drawn for itself
+  if (brush.view.shows_points(brush.session)) return;  // it is drawn for itself
+  if (brush.session.step() == 0) return draw_loose_to_come(brush, frame);
   const Palette& p = brush.p;
   const std::vector<bool> paired = in_pairs(frame.bodies.size(), frame.pairs);
   const Index chosen = brush.hands.hovered != kNoIndex ? brush.hands.hovered : brush.hands.selected;

@@ -79,6 +79,7 @@ TEST_CASE("of points in space, questions and what is said of them speak of spher
   session.first();
   session.last();
   REQUIRE(session.answer({}));
+  REQUIRE(session.acknowledge());
   REQUIRE(session.asked() != nullptr);
   CHECK(session.asked()->prompt == "Spheres: which point does the sphere, not the semicircle, take in?");
   REQUIRE(session.answer(point(4)));
@@ -328,7 +329,11 @@ TEST_CASE("skipped, wrong and right are counted apart") {
   session.last();
   REQUIRE(session.answer(choice(1)));
   REQUIRE(session.step() == session.steps());
-  CHECK(session.score() == "2 of 3 predictions correct, 1 skipped.");
+  CHECK(session.score() == "2 of 4 predictions correct, 1 wrong, 1 skipped.");
+  CHECK(session.tally().right == 2);
+  CHECK(session.tally().wrong == 1);
+  CHECK(session.tally().skipped == 1);
+  CHECK(session.tally().open == 0);
   CHECK(verdict_text(session.outcomes()[0]) == "Correct");
   CHECK(verdict_text(session.outcomes()[1]) == "Skipped");
   CHECK(verdict_text(session.outcomes()[2]) == "Not quite");

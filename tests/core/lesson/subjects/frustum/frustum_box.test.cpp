@@ -226,6 +226,8 @@ TEST_CASE("p- and n-vertex are answered on the stage, by a corner of the box and
   REQUIRE(session.answer(corner(2, 2)));  // the left normal is (-1, 1): up and back
   CHECK(session.outcome()->right);
   CHECK(session.outcome()->says == "−+ lies farthest along the normal of the left plane.");
+  CHECK(session.asked() == nullptr);  // until it was read
+  REQUIRE(session.acknowledge());
   REQUIRE(session.asked() != nullptr);
   REQUIRE(session.answer({Answer::Kind::kChoice, 0}));
   CHECK_FALSE(session.outcome()->right);

@@ -1,0 +1,280 @@
+#include "desktop/question_card.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "app/marks.hpp"
+#include "desktop/column.hpp"
+#include "lesson/say.hpp"
+#include "lesson/subjects.hpp"
+
+namespace snug::desktop {
+namespace {
+
+using app::ButtonKind;
+using app::Face;
+using lesson::Standing;
+
+constexpr float kPad = 20, kMargin = 24, kBelow = 12;
+
+struct RowButton {
+  const char* id;
+  std::string_view words;
+  ButtonKind kind = ButtonKind::kOutlined;
+  bool enabled = true;
+};
+
+/// A row's buttons, at its right end; what is said stands before them. Returns the one that was clicked, or -1.
+int draw_row(Column& column, std::string_view says, app::Color color, std::span<const RowButton> buttons) {
+  const app::Look& look = column.look();
+  const float height = look.px(34), gap = 8;
+  std::vector<float> widths;
+  float all = 0;
+  for (const RowButton& one : buttons) {
+    widths.push_back(std::max(app::measure(look, Face::kSemiBold, 14, one.words).x + look.px(26), look.px(56)));
+    all += widths.back() + gap;
+  }
+  const float room = column.width() - all - 8;
+  Column words(look, column.x(), column.y(), room < look.px(150) ? column.width() : room);
+  if (!says.empty()) {
+    const auto lines = app::lines_of(look, Face::kRegular, 13, says, words.width()).size();
+    words.gap(std::max(0.0f, (height - look.px(20) * static_cast<float>(lines)) / 2));
+    words.words(says, Face::kRegular, 13, color);
+  }
+  if (room < look.px(150) && !says.empty()) column.gap(words.y() - column.y() + 8);
+  int clicked = -1;
+  float x = column.x() + column.width() - all + gap;
+  for (std::size_t i = 0; i < buttons.size(); ++i) {
+    if (app::button(column.list(), look,
+                    {.id = buttons[i].id,
+                     .rect = {x, column.y(), widths[i], height},
+                     .words = buttons[i].words,
+                     .kind = buttons[i].kind,
+                     .enabled = buttons[i].enabled,
+                     .size = 14}))
+      clicked = static_cast<int>(i);
+    x += widths[i] + gap;
+  }
+  column.gap(std::max(height, room < look.px(150) ? 0.0f : words.y() - column.y()));
+  return clicked;
+}
+
+/// "Your prediction · 2 of 4", after the mark of how it stands.
+void draw_kicker(Column& column, std::string_view words, std::string_view place, Standing standing) {
+  const app::Look& look = column.look();
+  const bool right = standing == Standing::kRight, wrong = standing == Standing::kWrong;
+  const app::Color color = right                             ? look->optimum_text
+                           : wrong                           ? look->wrong_text
+                           : standing == Standing::kSkipped  ? look->muted
+                                                             : look->current_text;
+  const float middle = column.y() + look.px(10), inset = right || wrong ? 22 : 0;
+  if (right) app::tick(column.list(), {column.x() + 6, middle}, 6, look->optimum, 2.25f);
+  if (wrong) app::cross(column.list(), {column.x() + 6, middle}, 5, look->wrong, 2.25f);
+  const float y = column.y() + look.px(3);
+  app::text(column.list(), look, Face::kSemiBold, 13, {column.x() + inset, y}, color, words);
+  const float said = app::measure(look, Face::kSemiBold, 13, words).x;
+  if (!place.empty())
+    app::text(column.list(), look, Face::kRegular, 13, {column.x() + inset + said, y}, look->muted,
+              " · " + std::string(place));
+  column.gap(look.px(26));
+}
+
+/// The way to name a handle without pointing at it: typed, and Enter.
+bool draw_name_field(Shell& shell, Column& column) {
+  const app::Look& look = column.look();
+  ImGui::PushFont(look.font(Face::kRegular), app::font_size(look, Face::kRegular, 14));
+  ImGui::SetCursorScreenPos({column.x(), column.y()});
+  ImGui::SetNextItemWidth(look.px(140));
+  const bool entered = ImGui::InputTextWithHint("##name", "Name", shell.typed.data(), shell.typed.size(),
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  column.gap(ImGui::GetFrameHeight() + 10);
+  ImGui::PopFont();
+  if (!entered || shell.typed[0] == 0) return false;
+  if (shell.session().pick(std::string_view(shell.typed.data()))) shell.session().commit();
+  shell.typed = {};
+  return true;
+}
+
+/// The choices, those that are chosen and not given yet marked, and the one that was tried. Returns the one that was
+/// clicked, or -1.
+int draw_choices(Column& column, const lesson::Session& session, const lesson::Asked& asked) {
+  const lesson::Answer *picked = session.picked(), *tried = session.tried();
+  std::vector<std::string> words = asked.choices;
+  int chosen = -1;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const int choice = static_cast<int>(i);
+    if (tried != nullptr && is_picked(asked, *tried, choice)) words[i] = "✕ " + words[i];
+    if (picked == nullptr || !is_picked(asked, *picked, choice)) continue;
+    if (asked.many) words[i] = "✓ " + words[i];
+    else chosen = choice;
+  }
+  return column.buttons("choice", words, chosen);
+}
+
+void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
+  lesson::Session& session = shell.session();
+  const app::Look& look = column.look();
+  draw_kicker(column, lesson::kPredictionWord, lesson::place_text(asked, session.questions()), Standing::kOpen);
+  column.words(asked.prompt, Face::kRegular, 16);
+  column.gap(10);
+  const int chosen = draw_choices(column, session, asked);
+  if (asked.on_stage && asked.choices.empty() && draw_name_field(shell, column)) return;
+  const std::string says = session.answer_says().empty() ? lesson::how_to_answer(asked) : session.answer_says();
+  const bool wrong = session.tried() != nullptr && session.picked() == nullptr;
+  const app::Color color = session.answer_says().empty() ? look->muted
+                           : wrong                       ? look->wrong_text
+                                                         : look->current_text;
+  const std::array row{RowButton{"commit", lesson::kAnswerWord, ButtonKind::kPrimary, session.picked() != nullptr},
+                       RowButton{"skip", lesson::kSkipWord, ButtonKind::kQuiet}};
+  const int clicked = draw_row(column, says, color, row);
+  if (chosen >= 0) static_cast<void>(session.pick({lesson::Answer::Kind::kChoice, chosen}));
+  else if (clicked == 0) shell.app().command("commit_answer");
+  else if (clicked == 1) shell.app().command("skip_question");
+}
+
+void draw_said(Column& column, const lesson::Outcome& outcome) {
+  if (outcome.skipped) return;
+  column.words(std::string(lesson::kPredictionWord) + ": " + outcome.predicted, Face::kSemiBold, 15);
+  column.gap(4);
+}
+
+/// On the way to where it is decided: nothing is told yet.
+void draw_deciding(Column& column, const lesson::Session& session, const lesson::Outcome& outcome) {
+  const lesson::Asked* asked = session.question_of(outcome);
+  draw_kicker(column, lesson::kPredictionWord,
+              asked != nullptr ? lesson::place_text(*asked, session.questions()) : std::string(), Standing::kOpen);
+  if (asked != nullptr) column.words(asked->prompt, Face::kRegular, 16), column.gap(6);
+  draw_said(column, outcome);
+  column.words(lesson::kWatching, Face::kRegular, 13, column.look()->muted);
+}
+
+/// What came of it, until it is read.
+void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) {
+  const lesson::Session& session = shell.session();
+  const app::Look& look = column.look();
+  const lesson::Asked* asked = session.question_of(outcome);
+  draw_kicker(column, lesson::verdict_text(outcome),
+              asked != nullptr ? lesson::place_text(*asked, session.questions()) : std::string(),
+              lesson::standing_of(&outcome));
+  if (asked != nullptr) column.words(asked->prompt, Face::kRegular, 14, look->muted), column.gap(6);
+  draw_said(column, outcome);
+  if (session.answer_shown()) {
+    app::tick(column.list(), {column.x() + 6, column.y() + look.px(11)}, 6, look->optimum, 2.25f);
+    Column beside(look, column.x() + 22, column.y(), column.width() - 22);
+    beside.words(outcome.happened, Face::kSemiBold, 15, look->optimum_text);
+    column.gap(beside.y() - column.y() + 4);
+  }
+  column.words(outcome.says);
+  if (!outcome.because.empty()) column.gap(4), column.words(outcome.because);
+  column.gap(12);
+  std::vector<RowButton> row;
+  std::vector<std::string_view> commands;
+  const auto offer = [&](const RowButton& one, std::string_view command) {
+    row.push_back(one), commands.push_back(command);
+  };
+  if (session.can_show_answer() && !session.answer_shown()) offer({"show", lesson::kShowMeWord}, "show_answer");
+  if (outcome.step - outcome.from_step > 1) offer({"watch", lesson::kWatchWord}, "watch_outcome");
+  offer({"continue", lesson::kContinueWord, ButtonKind::kPrimary}, "continue");
+  if (const int clicked = draw_row(column, {}, 0, row); clicked >= 0) shell.app().command(commands[clicked]);
+}
+
+/// The lesson's end: each prediction leads back to its reason. What was clicked is done by the caller, after all of it
+/// is drawn.
+std::string draw_summary(Shell& shell, Column& column) {
+  const lesson::Session& session = shell.session();
+  const app::Look& look = column.look();
+  std::string command;
+  draw_kicker(column, lesson::kSummaryWord, {}, Standing::kOpen);
+  column.words(session.score(), Face::kRegular, 16);
+  column.gap(8);
+  int number = 0;
+  for (const lesson::Asked& asked : session.questions()) {
+    const lesson::Outcome* outcome = session.outcome_of(asked);
+    const float height = look.px(32), middle = column.y() + height / 2;
+    const std::string id = "line " + std::to_string(number++);
+    app::rule(column.list(), column.x(), column.y(), column.width(), look->line);
+    const app::Touch touch = app::touch_area(id.c_str(), {column.x(), column.y(), column.width(), height});
+    if (touch.hovered)
+      column.list()->AddRectFilled({column.x() - 6, column.y() + 1},
+                                   {column.x() + column.width() + 6, column.y() + height - 1}, look->raised, 6);
+    if (touch.clicked) command = "review:" + asked.question->id;
+    const Standing standing = lesson::standing_of(outcome);
+    const bool right = standing == Standing::kRight, wrong = standing == Standing::kWrong;
+    if (right) app::tick(column.list(), {column.x() + 6, middle}, 5, look->optimum, 2);
+    if (wrong) app::cross(column.list(), {column.x() + 6, middle}, 4, look->wrong, 2);
+    const std::string_view stands = lesson::standing_text(outcome);
+    const float width = app::measure(look, Face::kSemiBold, 13, stands).x;
+    app::text_right(column.list(), look, Face::kSemiBold, 13,
+                    {column.x() + column.width(), app::middle_of(middle, look.px(13))},
+                    right   ? look->optimum_text
+                    : wrong ? look->wrong_text
+                            : look->muted,
+                    stands);
+    app::text(column.list(), look, Face::kRegular, 14, {column.x() + 22, app::middle_of(middle, look.px(14))},
+              look->ink, app::shortened(look, Face::kRegular, 14, asked.prompt, column.width() - width - 40));
+    column.gap(height);
+  }
+  app::rule(column.list(), column.x(), column.y(), column.width(), look->line);
+  column.gap(12);
+  const auto& all = shell.lessons();
+  const auto at = std::find_if(all.begin(), all.end(),
+                               [&](const LessonFile& file) { return file.lesson.id == session.lesson().id; });
+  const bool next = at != all.end() && at + 1 != all.end();
+  std::vector<RowButton> row{{"close", lesson::kCloseWord, ButtonKind::kQuiet},
+                             {"again", lesson::kPredictAgainWord, ButtonKind::kQuiet}};
+  if (session.lesson().task) row.push_back({"task", lesson::kTaskWord});
+  if (next) row.push_back({"next", lesson::kNextLessonWord, ButtonKind::kPrimary});
+  const int clicked = draw_row(column, {}, 0, row);
+  if (clicked < 0) return command;
+  const std::string_view id = row[clicked].id;
+  return id == "close"  ? "close_summary"
+         : id == "next" ? "open:" + (at + 1)->lesson.id
+                        : std::string(id);
+}
+
+/// What the summary leads to beside the app's own commands.
+void lead_on(Shell& shell, const std::string& command) {
+  constexpr std::string_view kOpen = "open:";
+  lesson::Session& session = shell.session();
+  if (command.starts_with(kOpen)) static_cast<void>(shell.open(command.substr(kOpen.size())));
+  else if (command == "task") session.start_task();
+  else if (command == "again") session.forget_answers(), shell.app().command("first");
+  else if (!command.empty()) shell.app().command(command);
+}
+
+}  // namespace
+
+void draw_question_card(Shell& shell, const app::Rect& stage) {
+  const lesson::Session& session = shell.session();
+  const lesson::Asked* asked = session.asked();
+  const lesson::Outcome *deciding = session.deciding(), *outcome = session.outcome();
+  const float before = shell.foot;
+  shell.foot = 0;
+  if (asked == nullptr && deciding == nullptr && outcome == nullptr && !session.at_summary()) {
+    shell.measured_anew = shell.measured_anew || before != 0;
+    return;
+  }
+  const app::Look& look = shell.app().look();
+  const float width = std::min(stage.width - 2 * kMargin, look.px(608));
+  const float height = std::clamp(before - kBelow, 1.0f, stage.height * 0.66f);
+  const app::Rect card{stage.x + (stage.width - width) / 2, stage.y + stage.height - height - kBelow, width, height};
+  std::string command;
+  {
+    const app::Pane pane("##question", card, app::Pane::Kind::kOver);
+    pane.list()->AddRectFilled({card.x, card.y}, {card.x + width, card.y + height}, look->panel, 8);
+    pane.list()->AddRect({card.x, card.y}, {card.x + width, card.y + height}, look->line, 8, 0, 1);
+    const float top = card.y + 16;
+    Column column(look, card.x + kPad, top, width - 2 * kPad);
+    if (asked != nullptr) draw_question(shell, column, *asked);
+    else if (deciding != nullptr) draw_deciding(column, session, *deciding);
+    else if (outcome != nullptr) draw_outcome(shell, column, *outcome);
+    else command = draw_summary(shell, column);
+    shell.foot = std::ceil(column.y() - top + 32) + kBelow;
+  }
+  shell.measured_anew = shell.measured_anew || shell.foot != before;
+  lead_on(shell, command);
+}
+
+}  // namespace snug::desktop
