@@ -127,13 +127,14 @@ void App::State::refresh_look(bool fingers) {
   apply_style(look);
 }
 
-/// An answer was given: what was skipped is played, as fast as it takes for all of it to be seen in time.
+/// An answer was given: what was skipped is played, as fast as it takes for all of it to be seen in time. Who wants no
+/// motion sees it when asking for it.
 void App::State::watch() {
   session->play_answers(!settings.reduced_motion);
   const lesson::Outcome* const outcome = session->deciding();
   if (outcome == nullptr) watched_pause = 0;
-  if (outcome == nullptr || (watched_pause > 0 && now < watched_until && !settings.reduced_motion)) return;
-  if (watched_pause > 0 || settings.reduced_motion) return session->decide();
+  if (outcome == nullptr || (watched_pause > 0 && now < watched_until)) return;
+  if (watched_pause > 0) return session->decide();
   const int steps = std::max(1, outcome->step - session->step());
   watched_pause = std::min(view->seconds_of_step(*session, kWatchedSeconds / steps), kLongestWatched / steps);
   watched_until = now + kLongestWatched;
@@ -185,7 +186,7 @@ bool App::State::go_on(std::string_view name) {
   if (name == "close_summary" || ((name == "continue" || name == "commit_answer") && session->at_summary()))
     return session->at_summary() && (session->close_summary(), true);
   if (name == "show_answer") return session->show_answer();
-  if (name == "watch_outcome") return session->watch_outcome();
+  if (name == "watch_outcome") return session->watch_outcome() && (watch(), true);
   constexpr std::string_view kReview = "review:";
   return name.starts_with(kReview) && session->review(name.substr(kReview.size()));
 }
@@ -198,7 +199,7 @@ void App::State::set_speed(int by) {
 bool App::State::player(std::string_view name) {
   const int before = session->step();
   const bool previewing = session->previewing();
-  if (go_on(name)) return playing = false, true;
+  if (go_on(name)) return playing = session->deciding() != nullptr, true;
   if (name == "play") return toggle_play(), true;
   if (name == "slower") return set_speed(-1), true;
   if (name == "faster") return set_speed(1), true;

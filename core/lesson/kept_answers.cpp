@@ -50,6 +50,7 @@ Outcome read_outcome(const toml::table& toml, Complaints& complaints) {
   outcome.right = table.flag_or("right", false);
   outcome.skipped = table.flag_or("skipped", false);
   outcome.passed = table.flag_or("passed", false);
+  outcome.tries = outcome.skipped ? 0 : table.flag_or("second", false) ? 2 : 1;
   outcome.predicted = table.text_or("predicted", "");
   outcome.happened = table.text_or("happened", "");
   outcome.says = table.text_or("says", "");
@@ -72,6 +73,7 @@ std::string kept_text(std::span<const Outcome> outcomes) {
     add_flag(out, "right", outcome.right);
     add_flag(out, "skipped", outcome.skipped);
     add_flag(out, "passed", outcome.passed);
+    add_flag(out, "second", outcome.tries > 1);
     add_text(out, "predicted", outcome.predicted);
     add_text(out, "happened", outcome.happened);
     add_text(out, "says", outcome.says);

@@ -120,8 +120,11 @@ TEST_CASE("a second click answers and selects nothing; a wrong guess is crossed 
   CHECK(bench.key("ArrowRight") == "step");
   const Shown shown = shown_at(bench.session());
   CHECK(shown.guessed_wrong == std::vector<Index>{3});
-  CHECK(shown.right == std::vector<Index>{0, 1});
+  CHECK(shown.right.empty());  // until it is asked for
+  REQUIRE(bench.app.command("show_answer"));
+  CHECK(shown_at(bench.session()).right == std::vector<Index>{0, 1});
   REQUIRE(bench.app.command("step"));
+  CHECK(bench.session().outcome() == nullptr);
   CHECK(shown_at(bench.session()).right.empty());
 }
 
@@ -171,13 +174,19 @@ TEST_CASE("while a question stands, a click on a point takes no arrow keys") {
   CHECK(bench.key("ArrowRight") == "step");
 }
 
-TEST_CASE("PageDown skips the question that stands; step and play wait for it") {
+TEST_CASE("the keys that go on skip a question at their second press; play waits for it") {
   Bench bench(asking_at_start());
   REQUIRE(bench.session().asked() != nullptr);
-  CHECK_FALSE(bench.app.command("step"));
   bench.app.command("play");
   CHECK_FALSE(bench.app.playing());
-  REQUIRE(bench.app.command("next_mark"));
+  const char* key = "next_mark";
+  SUBCASE("PageDown") {}
+  SUBCASE("a step") { key = "step"; }
+  REQUIRE(bench.app.command(key));
+  CHECK(bench.session().asked() != nullptr);
+  CHECK(bench.session().outcomes().empty());
+  CHECK(bench.session().answer_says() == "Press again to skip this question.");
+  REQUIRE(bench.app.command(key));
   CHECK(bench.session().asked() == nullptr);
   REQUIRE(bench.session().outcomes().size() == 1);
   CHECK(bench.session().outcomes()[0].skipped);
@@ -205,6 +214,48 @@ TEST_CASE("watching an outcome plays from its question to it, and stops there") 
   CHECK(seen > 1);
   CHECK(bench.session().step() == decided);
   CHECK_FALSE(bench.app.playing());
+  CHECK(bench.session().outcome() != nullptr);
+}
+
+TEST_CASE("answering plays what was skipped, in four seconds at most, and tells the outcome then") {
+  Bench bench(asking_at_start());
+  bench.app.settings().reduced_motion = false;
+  bench.frames(1);
+  const int decided = bench.session().asked()->until;
+  REQUIRE(decided >= 2);
+  REQUIRE(bench.session().pick({lesson::Answer::Kind::kPoint, 6}));
+  REQUIRE(bench.app.command("commit_answer"));
+  if (bench.session().asked() != nullptr) {  // it was wrong, and may be tried again
+    REQUIRE(bench.session().pick({lesson::Answer::Kind::kPoint, 2}));
+    REQUIRE(bench.app.command("commit_answer"));
+  }
+  REQUIRE(bench.session().deciding() != nullptr);
+  CHECK(bench.session().step() == 0);
+  bench.frames(1);
+  CHECK(bench.app.playing());
+  SUBCASE("to its end") {
+    bench.wait(0.4);
+    CHECK(bench.session().outcome() == nullptr);
+    for (int i = 0; i < 10; ++i) bench.wait(0.4);
+  }
+  SUBCASE("until any key is pressed") {
+    CHECK(bench.key("x") == "continue");
+    REQUIRE(bench.app.command(bench.key("x")));
+  }
+  SUBCASE("until a tap") { bench.press(20, 20); }
+  CHECK(bench.session().step() == decided);
+  REQUIRE(bench.session().outcome() != nullptr);
+  CHECK_FALSE(bench.app.playing());
+  REQUIRE(bench.app.command("continue"));
+  CHECK(bench.session().outcome() == nullptr);
+  CHECK(bench.session().step() == decided);
+}
+
+TEST_CASE("who wants no motion is taken to the outcome at once") {
+  Bench bench(asking_at_start());
+  const int decided = bench.session().asked()->until;
+  REQUIRE(bench.app.command("skip_question"));
+  CHECK(bench.session().step() == decided);
   CHECK(bench.session().outcome() != nullptr);
 }
 

@@ -87,7 +87,7 @@ test("predictions come first; then six algorithms are measured, and what happene
   assert.ok(front.length > 0);
   if (badly) assert.match(outcomes[0].says, /measured badly/);
   else assert.ok(front.every((title) => outcomes[0].happened.includes(title)));
-  assert.equal(await page.locator("#ask .outcome").count(), 3);
+  assert.equal(await page.locator("#told .outcome").count(), 3);
   assert.equal(await page.locator(".costs tbody tr").count(), kAll);
 });
 

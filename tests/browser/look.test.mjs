@@ -74,7 +74,7 @@ for (const [width, height] of [[1024, 768], [1280, 800]]) {
     assert.deepEqual(await sticking_out(page), []);
     assert.deepEqual(await overlaps(page), []);
     assert.ok((await state(page)).asked);
-    await page.getByText("Page Down skips").waitFor();
+    await page.getByText("Page Down twice skips").waitFor();
     for (const part of [page.locator(".predict"), page.locator(".lines [aria-current]")]) {
       const box = await part.boundingBox();
       assert.ok(box.y >= 0 && box.y + box.height <= height, `${box.y} + ${box.height}`);

@@ -1,6 +1,6 @@
 // Scenes that move: stepped by keyboard to their end, answered, reloaded, placed; and nothing is drawn while nothing moves.
 import { after, before, test } from "node:test";
-import { answer, assert, drag, handles, kPhone, ready, start, state, still, stop, until, visit } from "./support.mjs";
+import { answer, assert, drag, go_on, handles, kPhone, ready, start, state, still, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -22,6 +22,9 @@ async function step_through(page) {
     if (view.asked) {
       asked.push(view.asked.id);
       await answer(page, 0, "keyboard");
+      await page.evaluate(() => document.activeElement.blur());
+      await page.keyboard.press("ArrowRight"); // continues
+      await until(page, (now) => !now.outcome);
       continue;
     }
     await page.keyboard.press("ArrowRight");
@@ -109,6 +112,7 @@ for (const { id, first, effects } of kScenes) {
     const told = await answer(page, 0, "keyboard");
     assert.equal(told.outcome.question, first);
     assert.ok(told.outcome.happened.length > 0 && told.outcome.because.length > 0);
+    await go_on(page);
     await page.keyboard.press("ArrowRight");
     const there = await until(page, (now, step) => now.step === step + 1, told.step);
     for (let href = ""; href !== page.url() || !/step=/.test(href); await page.waitForTimeout(400)) href = page.url(); // it follows a moment later

@@ -253,13 +253,23 @@ export async function pixels_of(page, clip) {
   return new Uint8Array(Buffer.from(text, "base64"));
 }
 
-/** Gives an answer to what is asked, as a hand would: chooses it, sees it said, chooses it again.
+/** Gives an answer to what is asked, as a hand would: chooses it, sees it said, chooses it again. One that is wrong at
+ *  the first try is followed by another, if there is a second.
  *  what: a choice by its words or its number from 0, or a handle by its name (null: the first that can be the answer);
  *  by: "pointer" (on the stage, or the choice's button) or "keyboard" (digits, or the name typed, and Enter).
- *  Returns the state with its outcome. */
+ *  Returns the state with its outcome, which is told until go_on. */
 export async function answer(page, what = null, by = "pointer") {
-  const { asked, outcomes } = await until(page, (now) => now.asked);
+  const { asked } = await until(page, (now) => now.asked);
+  let now = await answer_once(page, asked, what, by);
+  if (!now.asked?.tried || now.asked.id !== asked.id) return now;
+  const wrong = now.asked.tried;
+  if (asked.choices.length > 0) return answer_once(page, asked, (wrong.choices[0] + 1) % asked.choices.length, by);
+  return answer_once(page, asked, asked.targets.find((name) => name !== wrong.handle), by);
+}
+
+async function answer_once(page, asked, what, by) {
   const choice = typeof what === "number" ? what : asked.choices.indexOf(what ?? asked.choices[0]);
+  const tried = (await state(page)).asked.tried;
   if (by === "keyboard") {
     await answer_by_keys(page, choice >= 0 ? choice : what ?? asked.targets[0], asked);
   } else if (choice >= 0) {
@@ -277,8 +287,20 @@ export async function answer(page, what = null, by = "pointer") {
     await page.waitForTimeout(400); // two taps, no double click
     await page.mouse.click(at.x, at.y);
   }
-  return until(page, (it, id, before) => it.asked?.id !== id && it.outcomes.length >= before, asked.id, outcomes.length);
+  const given = (it, id, before) => it.outcome?.question === id || (it.asked?.id === id && !before && it.asked.tried && !it.asked.picked)
+    || (!it.deciding && it.asked?.id !== id && it.outcomes.some(({ question, passed }) => question === id && !passed));
+  return until(page, given, asked.id, Boolean(tried));
 }
+
+/** Continues where an outcome is told. */
+export async function go_on(page) {
+  await page.getByRole("button", { name: "Continue", exact: true }).click();
+  return until(page, (now) => !now.outcome);
+}
+
+/** Until the lesson stands elsewhere than before: at another step, question or outcome. */
+export const moved = (page, before) => until(page, (now, step, asked, told) =>
+  now.step !== step || (now.asked?.id ?? null) !== asked || (now.outcome?.question ?? null) !== told, before.step, before.asked?.id ?? null, before.outcome?.question ?? null);
 
 async function answer_by_keys(page, what, asked) {
   if (typeof what === "number") {

@@ -51,7 +51,7 @@ async function shown(page) {
       search: location.search,
       title: document.title,
       stage: document.getElementById("canvas").getAttribute("aria-label"),
-      words: seen("#picker, #read, #points, #ask, #code, #caption, #figures, #tabs, .costs, #selected-says, #notices").map((node) => `${node.id}${node.hidden}: ${node.textContent}`),
+      words: seen("#picker, #read, #points, #ask, #told, #code, #caption, #figures, #tabs, .costs, #selected-says, #notices").map((node) => `${node.id}${node.hidden}: ${node.textContent}`),
       hidden: seen("#column [hidden], #stage [hidden]").length,
       fields: seen("input:not([type=file]), select").filter((node) => node.offsetParent).map((node) => `${node.type} ${node.checked} ${node.value} ${node.disabled} ${node.max}`),
       lines: seen(".lines li").map((line) => `${line.style.cssText} ${line.getAttribute("aria-current")}`),

@@ -1,26 +1,28 @@
-# A question that playing comes to stands in the column at once; it is answered by its number twice, by a name typed, and
+# A question that playing comes to stands on the stage at once; it is answered by its number twice, by a name typed, and
 # by the bracket keys and Enter; what cannot be the answer costs nothing.
 . tests/desktop/support.sh
 open_window --size 1366x700 --lesson scene-broad
-column() { import -window "$window" -crop 300x640+0+50 +repage "$work/$1.png"; }
+card() { import -window "$window" -crop 560x260+430+290 +repage "$work/$1.png"; } # on the stage's foot
 xdotool mousemove --window "$window" 700 300
 xdotool key s
-until_state 's.asked === null'
+until_state 's.asked === null && s.outcome !== null'
+xdotool key space # which continues
+until_state 's.outcome === null'
 xdotool key space
 for i in 1 2 3 4 5 6; do (until_state 's.asked !== null') 2>/dev/null && break; done
 until_state 's.asked !== null'
 sleep 1
-column waiting
+card waiting
 xdotool mousemove --window "$window" 705 305 sleep 0.5 mousemove --window "$window" 700 300 sleep 1 # which draws anew
-column moved
+card moved
 differing=$(compare -metric AE "$work/waiting.png" "$work/moved.png" null: 2>&1 || true)
-[[ $differing == 0 ]] || fail "the question was not drawn until the mouse moved: $differing pixels of its column differ"
+[[ $differing == 0 ]] || fail "the question was not drawn until the mouse moved: $differing pixels of its card differ"
 before=$(state 's.outcomes')
 xdotool key 1 sleep 0.3
 [[ $(state 's.outcomes') == "$before" ]] || fail "one key gave the answer"
 [[ $(state 's.asked.says') == *"chosen. Choose it again or press Enter to answer." ]] || fail "it says: $(state 's.asked.says')"
 xdotool key 1
-until_state "s.outcomes === $before + 1"
+until_state "s.outcomes === $before + 1 || s.asked.says === 'Not that one. Try once more.'"
 kill "$pid"; wait "$pid" 2>/dev/null || true
 rm -f "$SNUG_STATE"
 
@@ -38,4 +40,4 @@ name=$(state 's.asked.targets[0]')
 tap "$name"
 [[ $(state 's.asked.says') == "$name chosen. Tap it again or press Enter to answer." ]] || fail "a tap says: $(state 's.asked.says')"
 tap "$name"
-until_state 's.outcomes === 1'
+until_state "s.outcomes === 1 || s.asked.says === 'Not that one. Try once more.'"

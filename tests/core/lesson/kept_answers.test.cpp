@@ -9,7 +9,7 @@ namespace {
 std::vector<Outcome> some() {
   Outcome right{.question = "pair"};
   right.given = {Answer::Kind::kPoint, 7};
-  right.from_step = 3, right.step = 9, right.right = true;
+  right.from_step = 3, right.step = 9, right.right = true, right.tries = 2;
   right.predicted = "P7", right.happened = "P7", right.says = "P7 \"left\" \\ the\nset.", right.because = "Σ ≤ ε";
   Outcome skipped{.question = "grows"};
   skipped.skipped = skipped.passed = true;
@@ -31,6 +31,7 @@ TEST_CASE("answers are kept as they were given") {
   CHECK(back[0].from_step == 3);
   CHECK(back[0].step == 9);
   CHECK(back[0].right);
+  CHECK(back[0].tries == 2);
   CHECK_FALSE(back[0].skipped);
   CHECK(back[0].says == given[0].says);
   CHECK(back[0].because == given[0].because);

@@ -26,10 +26,12 @@ TEST_CASE("gates lock the player until their question is answered") {
 
   REQUIRE(session.answer(choice(0)));
   CHECK(session.step() == 2);  // the pair is shown, and the next question stands right behind it
-  REQUIRE(session.asked() != nullptr);
-  CHECK(session.asked()->question->id == "growth");
   REQUIRE(session.outcome() != nullptr);
   CHECK(session.outcome()->right);
+  CHECK(session.asked() == nullptr);
+  REQUIRE(session.acknowledge());
+  REQUIRE(session.asked() != nullptr);
+  CHECK(session.asked()->question->id == "growth");
 
   REQUIRE(session.answer(point(4)));
   CHECK(session.step() == 8);  // where P4 has made the circle grow
@@ -244,6 +246,7 @@ TEST_CASE("a lesson that is opened again takes up its answers") {
   Session left = open_small();
   left.last();
   REQUIRE(left.answer(choice(0)));
+  REQUIRE(left.acknowledge());
   REQUIRE(left.answer(point(4)));
   std::vector<Outcome> outcomes = left.outcomes();
   REQUIRE(outcomes.size() == 2);

@@ -1,0 +1,135 @@
+// A question is a conversation: on the stage's foot it is asked, tried again, played to where it is decided, told, and
+// acknowledged; and a lesson ends with a summary.
+import { after, before, test } from "node:test";
+import { answer, assert, go_on, handles, kPhone, kWide, lessons, moved, start, state, still, stop, until, visit } from "./support.mjs";
+
+before(start);
+after(stop);
+
+const box = (page, selector) => page.locator(selector).boundingBox();
+const kMoving = { ...kWide, reducedMotion: "no-preference" };
+
+/** Skips on to the first question that asks for a point by its name. */
+async function to_named_question(page) {
+  let now = await state(page);
+  for (let i = 0; i < 60 && !(now.asked?.onStage && now.asked.choices.length === 0 && now.asked.targets.length > 2); ++i) {
+    await page.evaluate(() => document.activeElement.blur());
+    await page.keyboard.press(now.asked ? "s" : "PageDown");
+    now = await moved(page, now);
+  }
+  assert.ok(now.asked);
+  return now;
+}
+
+test("the question stands on the stage's foot, the stage frames itself above it, and the prose keeps its column", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter&step=1");
+  const { asked } = await until(page, (now) => now.asked);
+  await still(page);
+  const [card, stage, prose] = [await box(page, "#ask"), await box(page, "#stage"), await box(page, "#read")];
+  assert.ok(card.y > stage.y + stage.height / 3 && card.y + card.height <= stage.y + stage.height, JSON.stringify(card));
+  assert.ok(card.x >= stage.x && card.x + card.width <= stage.x + stage.width);
+  for (const { id, y } of await handles(page)) if (asked.targets.includes(id)) assert.ok(y < card.y, `${id} is under the card`);
+  assert.ok(prose.y + prose.height > 790, "the prose reaches the foot of its column");
+  const [numbers, code] = [await box(page, "#numbers"), await box(page, "#code")];
+  assert.ok(code.y >= numbers.y + numbers.height - 1 && Math.abs(code.x - numbers.x) < 3, "the pseudocode stands under the numbers");
+});
+
+test("on a phone the stage and the question are in view together, and so is what came of it", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter&step=1", kPhone);
+  await until(page, (now) => now.asked);
+  for (const what of ["asked", "told"]) {
+    await still(page);
+    const [card, stage] = [await box(page, "#ask"), await box(page, "#stage")];
+    assert.ok(stage.y >= 0 && card.y >= stage.y + stage.height - 1 && card.y + card.height <= 844, `${what}: ${JSON.stringify([stage, card])}`);
+    if (what === "asked") await answer(page, 0);
+  }
+});
+
+test("answering plays what was skipped, a key ends that, and the outcome stays until Continue", async (t) => {
+  const page = await visit(t, "?lesson=sphere-welzl&step=0", kMoving);
+  let now = await state(page);
+  // Each outcome that is decided later than at the next step is played to.
+  for (let i = 0, played = 0; i < 60 && played < 2; ++i) {
+    await page.evaluate(() => document.activeElement.blur());
+    if (now.asked) {
+      const { step, asked } = now;
+      await page.keyboard.press("s");
+      now = await until(page, (it, id) => it.deciding?.question === id || it.outcome?.question === id, asked.id);
+      if (now.deciding) {
+        assert.equal(now.outcome, null);
+        assert.ok(now.step < now.deciding.step && now.step >= step);
+        const begun = Date.now();
+        if (played++ === 0) await until(page, (it) => it.outcome); // to its end
+        else await page.keyboard.press("x");
+        now = await until(page, (it) => it.outcome);
+        assert.ok(Date.now() - begun < 8000, "four seconds, on a machine that others use");
+      }
+      assert.equal(now.step, now.outcome.step);
+      assert.equal(now.asked, null);
+    } else {
+      await page.keyboard.press(now.outcome ? "Enter" : "PageDown");
+      now = await moved(page, now);
+    }
+  }
+  assert.ok(now.outcome);
+  await page.waitForTimeout(300);
+  assert.ok((await state(page)).outcome, "it stays");
+  await go_on(page);
+});
+
+test("a first wrong answer is told to be wrong and nothing else; after the second the right one can be shown", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter&step=0");
+  const { asked, step, caption, figures } = await to_named_question(page);
+  const give = async (name) => {
+    await page.getByLabel("Name", { exact: true }).fill(name);
+    await page.keyboard.press("Enter");
+    return until(page, (it, id) => it.outcome?.question === id || it.asked?.tried, asked.id);
+  };
+  // Two that are wrong, whichever is right.
+  const names = asked.targets;
+  let now = await give(names[0]);
+  if (now.outcome) return; // the very first was right
+  assert.equal(now.asked.tried.handle, names[0]);
+  await page.locator(".says", { hasText: "Not that one. Try once more." }).waitFor();
+  assert.deepEqual([now.step, now.caption, now.figures], [step, caption, figures]);
+  await page.getByLabel("Name", { exact: true }).fill(names[1]);
+  await page.keyboard.press("Enter");
+  now = await until(page, (it) => it.outcome);
+  assert.equal(now.outcome.tries, 2);
+  if (now.outcome.right) return;
+  assert.equal(now.outcome.kind, "wrong");
+  assert.equal(await page.locator(".said.right").count(), 0);
+  await page.getByRole("button", { name: "Show me" }).click();
+  await until(page, (it) => it.outcome.shown);
+  await page.locator(".said.right", { hasText: now.outcome.happened }).waitFor();
+});
+
+test("a lesson ends with what was predicted, each line leads back, and the next lesson follows", async (t) => {
+  const page = await visit(t, "?lesson=frustum-2d&step=0");
+  let now = await state(page);
+  for (let i = 0; i < 80 && !now.summary; ++i) {
+    await page.evaluate(() => document.activeElement.blur());
+    if (now.asked && now.tally.skipped === 0) await page.keyboard.press("s");
+    else if (now.asked) await answer(page, null, "keyboard");
+    else await page.keyboard.press(now.outcome ? "Enter" : "End");
+    now = await until(page, (it, from) => it.summary || JSON.stringify([it.step, it.asked?.id, it.outcome?.question]) !== from,
+      JSON.stringify([now.step, now.asked?.id, now.outcome?.question]));
+  }
+  assert.ok(now.summary);
+  const { right, wrong, skipped, open } = now.tally;
+  assert.equal(open, 0);
+  assert.equal(skipped, 1);
+  assert.equal(right + wrong + skipped, now.predictions.length);
+  const lines = page.locator(".summary .line");
+  assert.equal(await lines.count(), now.predictions.length);
+  await lines.first().click();
+  const back = await until(page, (it) => it.outcome);
+  assert.equal(back.outcome.question, now.predictions[0].id);
+  await go_on(page);
+  await page.keyboard.press("End");
+  await until(page, (it) => it.summary);
+  const all = await lessons();
+  const next = all[all.findIndex(({ id }) => id === now.lesson) + 1];
+  await page.getByRole("link", { name: "Next lesson" }).click();
+  await until(page, (it, id) => it.lesson === id, next.id);
+});
