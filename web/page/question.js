@@ -144,7 +144,7 @@ export class QuestionCard {
       element("p", {}, whole_names(says)), element("p", {}, whole_names(because)),
       row(...(canShow && !shown ? [button(this.#words.show, () => this.#do("show_answer"))] : []),
         ...(step - fromStep > 1 ? [button(this.#words.watch, () => this.#do("watch_outcome"))] : []),
-        element("span", { class: "says" }),
+        element("span", { class: "gap" }),
         button(this.#words.go_on, () => this.#do("continue"), { class: "button primary", "data-first": true })));
   }
 
@@ -158,7 +158,7 @@ export class QuestionCard {
     return element("div", { class: "card summary", tabindex: "-1" },
       element("div", { class: "head" }, kicker(this.#words.summary), quiet(this.#words.close, () => this.#do("close_summary"))),
       element("p", { class: "prompt" }, score), element("ol", { class: "lines-of" }, ...lines),
-      row(quiet(this.#words.again, () => this.#again()), element("span", { class: "says" }),
+      row(quiet(this.#words.again, () => this.#again()), element("span", { class: "gap" }),
         ...(grade ? [button(grade.done ? `${kMarks.right} ${this.#words.task}` : this.#words.to_task, to_task)] : []),
         ...(next ? [element("a", { class: "button primary", href: `?lesson=${encodeURIComponent(next.id)}`, "data-first": true, title: next.title,
           onclick: (event) => (event.preventDefault(), this.#after.go(next.id)) }, this.#words.next_lesson)] : [])));
