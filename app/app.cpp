@@ -19,7 +19,7 @@ namespace {
 
 // That the way to an outcome is shown in: at least, and at most.
 constexpr double kWatchedSeconds = 2, kLongestWatched = 4;
-constexpr int kSettleFrames = 2;       // ImGui answers an input over this many frames
+constexpr int kSettleFrames = 2;  // ImGui answers an input over this many frames
 constexpr double kOrbitStep = 0.2, kZoomStep = 1.25;
 
 /// Whether someone is at the controls in this frame: what was hovered or pressed has yet to be drawn.
@@ -63,9 +63,9 @@ struct App::State {
   bool playing = false;
   float speed = 1;
   double next_step_at = 0;
-  double watched_pause = 0;    // seconds, from step to step of the way to an outcome; 0: none is watched
-  double watched_until = 0;    // when it ends, however far it came
-  bool press_ends = false;     // the press that ended it means nothing else
+  double watched_pause = 0;  // seconds, from step to step of the way to an outcome; 0: none is watched
+  double watched_until = 0;  // when it ends, however far it came
+  bool press_ends = false;   // the press that ended it means nothing else
   double now = 0;
   std::uint64_t drawn_revision = 0;
   int drawn_cover = 0, drawn_percent = 0;

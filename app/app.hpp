@@ -105,13 +105,12 @@ class App {
   /// commit_answer
   /// select_next select_previous select_none move_left move_right move_up move_down move_nearer move_farther (the
   /// selected point; "_fine" behind it for a tenth), zoom_in zoom_out orbit_left orbit_right orbit_up orbit_down
-  /// toggle_optimum watch_outcome continue show_answer close_summary; review:QUESTION, which tells its outcome again; and
-  /// turn:EFFECT, which switches an effect of the scene off, and on again.
-  /// At a question, next_mark and step say that a second press skips it: a clicker has no other key. Where an outcome
-  /// is told, they and play and commit_answer continue. While the way to an outcome is played, any command ends it.
-  /// watch_outcome goes back to where the outcome's question was asked and plays on to the outcome; it cannot where
-  /// nothing lies between.
-  /// Returns false where the name is unknown or it cannot be done now (undo with nothing to undo).
+  /// toggle_optimum watch_outcome continue show_answer close_summary; review:QUESTION, which tells its outcome again;
+  /// and turn:EFFECT, which switches an effect of the scene off, and on again. At a question, next_mark and step say
+  /// that a second press skips it: a clicker has no other key. Where an outcome is told, they and play and
+  /// commit_answer continue. While the way to an outcome is played, any command ends it. watch_outcome goes back to
+  /// where the outcome's question was asked and plays on to the outcome; it cannot where nothing lies between. Returns
+  /// false where the name is unknown or it cannot be done now (undo with nothing to undo).
   bool command(std::string_view name);
   /// The command of a key, as the browser names keys ("ArrowRight", "PageDown", " ", "Home", "z"); empty for none.
   /// Arrow keys move the selected point where it was selected by a key, by select() or by a click that moved nothing,

@@ -135,8 +135,7 @@ void draw_costs(Shell& shell, Column& column) {
     column.gap(8);
   }
   if (ready && !costs.running() && lesson::costs_of(shell.session()) != nullptr)
-    for (const lesson::Outcome& outcome : shell.session().outcomes())
-      draw_outcome(column, outcome), column.gap(8);
+    for (const lesson::Outcome& outcome : shell.session().outcomes()) draw_outcome(column, outcome), column.gap(8);
 }
 
 /// A choice with its label before it, on a row of its own: titles are long.

@@ -65,10 +65,10 @@ int draw_row(Column& column, std::string_view says, app::Color color, std::span<
 void draw_kicker(Column& column, std::string_view words, std::string_view place, Standing standing) {
   const app::Look& look = column.look();
   const bool right = standing == Standing::kRight, wrong = standing == Standing::kWrong;
-  const app::Color color = right                             ? look->optimum_text
-                           : wrong                           ? look->wrong_text
-                           : standing == Standing::kSkipped  ? look->muted
-                                                             : look->current_text;
+  const app::Color color = right                            ? look->optimum_text
+                           : wrong                          ? look->wrong_text
+                           : standing == Standing::kSkipped ? look->muted
+                                                            : look->current_text;
   const float middle = column.y() + look.px(10), inset = right || wrong ? 22 : 0;
   if (right) app::tick(column.list(), {column.x() + 6, middle}, 6, look->optimum, 2.25f);
   if (wrong) app::cross(column.list(), {column.x() + 6, middle}, 5, look->wrong, 2.25f);
@@ -123,9 +123,7 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   if (asked.on_stage && asked.choices.empty() && draw_name_field(shell, column)) return;
   const std::string says = session.answer_says().empty() ? lesson::how_to_answer(asked) : session.answer_says();
   const bool wrong = session.tried() != nullptr && session.picked() == nullptr;
-  const app::Color color = session.answer_says().empty() ? look->muted
-                           : wrong                       ? look->wrong_text
-                                                         : look->current_text;
+  const app::Color color = session.answer_says().empty() ? look->muted : wrong ? look->wrong_text : look->current_text;
   const std::array row{RowButton{"commit", lesson::kAnswerWord, ButtonKind::kPrimary, session.picked() != nullptr},
                        RowButton{"skip", lesson::kSkipWord, ButtonKind::kQuiet}};
   const int clicked = draw_row(column, says, color, row);
@@ -229,9 +227,7 @@ std::string draw_summary(Shell& shell, Column& column) {
   const int clicked = draw_row(column, {}, 0, row);
   if (clicked < 0) return command;
   const std::string_view id = row[clicked].id;
-  return id == "close"  ? "close_summary"
-         : id == "next" ? "open:" + (at + 1)->lesson.id
-                        : std::string(id);
+  return id == "close" ? "close_summary" : id == "next" ? "open:" + (at + 1)->lesson.id : std::string(id);
 }
 
 /// What the summary leads to beside the app's own commands.

@@ -1,5 +1,5 @@
-// The conversation on the stage's foot, in the sentence's place: a question, what came of its answer, and in the end how
-// all of them came out.
+// The conversation on the stage's foot, in the sentence's place: a question, what came of its answer, and in the end
+// how all of them came out.
 #pragma once
 
 #include "desktop/shell.hpp"

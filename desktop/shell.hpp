@@ -59,8 +59,8 @@ class Shell {
   bool hint_shown = false;       // of the task
   std::array<char, 32> typed{};  // of the name that answers a question
   bool points_tab = false;
-  // As measured in the last frame: of the left column's lower part, of the right one's, and of the stage's foot, which a
-  // question covers.
+  // As measured in the last frame: of the left column's lower part, of the right one's, and of the stage's foot, which
+  // a question covers.
   float pinned_height = 300, code_height = 300, foot = 0;
   bool measured_anew = false;  // it was other than thought: one more frame is due
 

@@ -51,8 +51,7 @@ void StateFile::write(Shell& shell, const Extent& extent) {
   state["deciding"] = session->deciding() != nullptr;
   state["summary"] = session->at_summary();
   const lesson::Tally tally = session->tally();
-  state["tally"] = {
-      {"right", tally.right}, {"wrong", tally.wrong}, {"skipped", tally.skipped}, {"open", tally.open}};
+  state["tally"] = {{"right", tally.right}, {"wrong", tally.wrong}, {"skipped", tally.skipped}, {"open", tally.open}};
   state["notice"] = shell.notice;
   state["readout"] = nlohmann::ordered_json::object();
   for (const auto& figure : session->figures())

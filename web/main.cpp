@@ -96,8 +96,8 @@ app::Rect rectangle(const val& from) {
 
 /// {width, height, scale, fingers, tools, foot, stage, timeline, inspector: {x, y, width, height}}
 void set_layout(val from) {
-  door().layout = {rectangle(from["stage"]), rectangle(from["timeline"]), rectangle(from["inspector"]),
-                   from["fingers"].as<bool>(), from["tools"].as<float>(), from["foot"].as<float>()};
+  door().layout = {rectangle(from["stage"]),   rectangle(from["timeline"]), rectangle(from["inspector"]),
+                   from["fingers"].as<bool>(), from["tools"].as<float>(),   from["foot"].as<float>()};
   door().width = from["width"].as<float>();
   door().height = from["height"].as<float>();
   door().scale = from["scale"].as<float>();

@@ -158,7 +158,8 @@ class Session {
   bool commit();
   /// Goes on without an answer. false: nothing is asked.
   bool skip();
-  /// The key that goes on, at a question: says that a second press skips it, and then skips it. false: nothing is asked.
+  /// The key that goes on, at a question: says that a second press skips it, and then skips it. false: nothing is
+  /// asked.
   bool pass_by();
   /// The answer that was wrong at the first try, while the question waits for the second; null otherwise.
   [[nodiscard]] const Answer* tried() const;
@@ -272,12 +273,12 @@ class Session {
     std::string question;  // its id
     Answer answer;
   };
-  std::optional<Tried> tried_;   // wrong at the first try
-  bool skips_next_ = false;      // it was said that a second press skips
+  std::optional<Tried> tried_;  // wrong at the first try
+  bool skips_next_ = false;     // it was said that a second press skips
   bool play_answers_ = false;
-  int shown_outcome_ = -1;       // of outcomes_, at step shown_at_, once that is reached
+  int shown_outcome_ = -1;  // of outcomes_, at step shown_at_, once that is reached
   int shown_at_ = -1;
-  bool deciding_ = false;        // on the way there
+  bool deciding_ = false;  // on the way there
   bool answer_shown_ = false;
   bool summary_closed_ = false;
   std::uint64_t revision_ = 1;
