@@ -134,7 +134,7 @@ void App::State::watch() {
   const lesson::Outcome* const outcome = session->deciding();
   if (outcome == nullptr) watched_pause = 0;
   if (outcome == nullptr || (watched_pause > 0 && now < watched_until)) return;
-  if (watched_pause > 0) return session->decide();
+  if (watched_pause > 0) return end_watching();  // and takes no step more, which would continue
   const int steps = std::max(1, outcome->step - session->step());
   watched_pause = std::min(view->seconds_of_step(*session, kWatchedSeconds / steps), kLongestWatched / steps);
   watched_until = now + kLongestWatched;
