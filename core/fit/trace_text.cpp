@@ -1,11 +1,11 @@
 // Reading a trace: the names of its facts, its hash, its lines of JSON. All go over the fields that facts list.
 #include <array>
-#include <cstdio>
 
 #include "fit/catalogue.hpp"
 #include "fit/field_hash.hpp"
 #include "fit/update/updates.hpp"
 #include "geometry/volume_fields.hpp"
+#include "trace/json.hpp"
 
 namespace snug::fit {
 namespace {
@@ -18,28 +18,23 @@ constexpr auto names_of(std::index_sequence<kAt...>) {
 }
 constexpr auto kFactNames = names_of(std::make_index_sequence<std::variant_size_v<Fact>>{});
 
+/// The fields of a step and its volume, by name.
 class Json {
  public:
-  explicit Json(int dim) : dim_(dim) {}
-  std::string text;
+  explicit Json(int dim) : dim_(dim) { writer_.open_object(); }
 
   void operator()(std::string_view name, const auto& value) {
-    text += text.empty() ? "{\"" : ",\"";
-    text.append(name) += "\":";
+    writer_.key(name);
     put(value);
   }
 
-  void put(std::string_view value) { (text += '"').append(value) += '"'; }
-  void put(int value) { text += std::to_string(value); }
+  void put(std::string_view value) { writer_.text(value); }
+  void put(int value) { writer_.number(value); }
   template <class Enum>
   requires std::is_enum_v<Enum>
   void put(Enum value) { put(static_cast<int>(value)); }
-  void put(bool value) { text += value ? "true" : "false"; }
-  void put(double value) {
-    std::array<char, 32> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), "%.17g", value);
-    text += buffer.data();
-  }
+  void put(bool value) { writer_.flag(value); }
+  void put(double value) { writer_.number(value); }
   void put(const Support& support) {
     put_list(support.size(), [&](int i) { put(support[i]); });
   }
@@ -58,21 +53,24 @@ class Json {
   }
   template <class VolumeType>
   auto put(const VolumeType& volume) -> decltype(fields_of(volume, *this)) {
-    Json fields(dim_);
-    fields_of(volume, fields);
-    text += fields.text + '}';
+    writer_.open_object();
+    fields_of(volume, *this);
+    writer_.close_object();
+  }
+
+  [[nodiscard]] std::string finish() {
+    writer_.close_object();
+    return writer_.take();
   }
 
  private:
   template <class Item>
   void put_list(int n, Item&& item) {
-    text += '[';
-    for (int i = 0; i < n; ++i) {
-      if (i > 0) text += ',';
-      item(i);
-    }
-    text += ']';
+    writer_.open_list();
+    for (int i = 0; i < n; ++i) item(i);
+    writer_.close_list();
   }
+  JsonWriter writer_;
   int dim_;
 };
 
@@ -110,14 +108,14 @@ std::string json_of(const Step3& step, int dim) {
   Json json = json_of_step(name_of(step), step.line, step.has_volume ? &step.volume : nullptr, dim);
   if (const auto* axes = std::get_if<AxesFound<double, 3>>(&step.fact)) put_axes(json, *axes, dim);
   else std::visit([&](const auto& fact) { see_fields(fact, json); }, step.fact);
-  return json.text + '}';
+  return json.finish();
 }
 
 std::string json_of(const UpdateStep3& step, int dim) {
   const std::string_view name = std::visit([](const auto& fact) { return std::string_view(fact.kName); }, step.fact);
   Json json = json_of_step(name, step.line, step.has_volume ? &step.volume : nullptr, dim);
   std::visit([&](const auto& fact) { see_fields(fact, json); }, step.fact);
-  return json.text + '}';
+  return json.finish();
 }
 
 }  // namespace snug::fit

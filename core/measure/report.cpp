@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "io/text.hpp"
+#include "trace/json.hpp"
 
 namespace snug::cost {
 namespace {
@@ -92,44 +93,28 @@ std::string csv_value(const std::string& value) {
   return text + '"';
 }
 
-std::string json_value(const auto& value) {
-  std::string text = text_of(value);
-  return text.empty() ? "null" : text;
+void put_json(JsonWriter& json, const std::string& value) { json.text(value); }
+void put_json(JsonWriter& json, const std::optional<std::string>& value) {
+  if (value) json.text(*value);
+  else json.literal("null");
 }
-std::string json_value(const std::string& value);
-std::string json_value(const std::optional<std::string>& value) { return value ? json_value(*value) : "null"; }
-std::string json_value(const std::string& value) {
-  std::string text = "\"";
-  for (const char c : value) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') text += '\\';
-    if (byte >= 0x20) {
-      text += c;
-    } else {
-      std::array<char, 8> escape{};
-      std::snprintf(escape.data(), escape.size(), "\\u%04x", static_cast<unsigned>(byte));
-      text += escape.data();
-    }
-  }
-  return text + '"';
+void put_json(JsonWriter& json, const auto& value) {
+  const std::string text = text_of(value);
+  json.literal(text.empty() ? "null" : text);
 }
 
 std::string csv_text(const Field& field) {
   if (field.none) return {};
   return std::visit([](const auto* value) { return csv_value(*value); }, field.value);
 }
-std::string json_text(const Field& field) {
-  return std::visit([](const auto* value) { return json_value(*value); }, field.value);
-}
-
 void add_csv_row(std::string& text, const Fields& fields) {
   for (std::size_t i = 0; i < fields.size(); ++i) text += (i > 0 ? "," : "") + csv_text(fields[i]);
   text += '\n';
 }
 
 /// An object of a row's fields. Names with a dot that follow each other are one object within, or null of what is none.
-std::string object_of(const Fields& fields) {
-  std::string text = "{";
+void put_object(JsonWriter& json, const Fields& fields) {
+  json.open_object();
   std::string level, null;
   for (const Field& field : fields) {
     std::string own_level = field.level();
@@ -137,16 +122,16 @@ std::string object_of(const Fields& fields) {
     const std::string own_name = own_level.empty() ? field.name : field.name.substr(own_level.size() + 1);
     if (field.none) null = std::exchange(own_level, {});
     if (own_level != level) {
-      if (!level.empty()) text += '}';
-      if (text.back() != '{') text += ',';
-      if (!own_level.empty()) text += "\"" + own_level + "\":{";
+      if (!level.empty()) json.close_object();
+      if (!own_level.empty()) json.key(own_level), json.open_object();
       level = own_level;
-    } else if (text.back() != '{') {
-      text += ',';
     }
-    text += "\"" + (field.none ? null : own_name) + "\":" + (field.none ? "null" : json_text(field));
+    json.key(field.none ? null : own_name);
+    if (field.none) json.literal("null");
+    else std::visit([&](const auto* value) { put_json(json, *value); }, field.value);
   }
-  return text + (level.empty() ? "}" : "}}");
+  if (!level.empty()) json.close_object();
+  json.close_object();
 }
 
 // ---- and back
@@ -287,10 +272,15 @@ std::string csv_of(const Provenance& provenance, std::span<const Row> rows) {
 
 template <class Row>
 std::string json_of(const Provenance& provenance, std::span<const Row> rows) {
-  std::string text = "{\"table\":\"" + std::string(Row::kTable) +
-                     "\",\"provenance\":" + object_of(fields_of(provenance)) + ",\"rows\":[";
-  for (const Row& row : rows) text += (&row == rows.data() ? "" : ",") + object_of(fields_of(row));
-  return text + "]}\n";
+  JsonWriter json;
+  json.open_object();
+  json.key("table"), json.text(Row::kTable);
+  json.key("provenance"), put_object(json, fields_of(provenance));
+  json.key("rows"), json.open_list();
+  for (const Row& row : rows) put_object(json, fields_of(row));
+  json.close_list();
+  json.close_object();
+  return json.take() + '\n';
 }
 
 template <class Row>
