@@ -73,12 +73,13 @@ void draw_traces(Brush& brush, const SceneFrame& frame) {
 /// Before the first frame no volume was made; a question about them shows those of the bodies as they stand.
 void draw_loose_to_come(Brush& brush, const SceneFrame& frame) {
   const auto& members = lesson::members_of(brush.session);
-  const auto& frames = *lesson::frames_of(brush.session, 0);
-  const bool come = frames.size() > 1 && frames[1].volumes.size() == frame.bodies.size();
+  const auto& effects = lesson::set_of(brush.session).effects;
+  const bool come =
+      std::any_of(effects.begin(), effects.end(), [](const auto& effect) { return effect.name == "broad_phase"; });
   if (brush.session.asked() == nullptr || !come || frame.bodies.size() > kBoxesOfAll) return;
   for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
     if (members[i].shape.kind != scene::Shape::Kind::kBox) continue;
-    const Point3 half = frame.bodies[i].rotation.cwiseAbs() * members[i].shape.half_extents;
+    const Point3 half = frame.bodies[i].rotation().cwiseAbs() * members[i].shape.half_extents;
     draw_box(brush.canvas, frame.bodies[i].position - half, frame.bodies[i].position + half,
              {Stroke::kSolid, with_alpha(brush.p.current, 0.35f), brush.stroke(0.4f)});
   }

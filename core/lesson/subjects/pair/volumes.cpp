@@ -22,7 +22,7 @@ tl::expected<std::unique_ptr<Subject>, InputError> open_volumes(const Lesson& le
 }
 
 /// Where the last of these steps that is such a fact says how the test stands.
-struct Standing {
+struct SoFar {
   int tests = 0;
   double radii = 0;
   std::optional<double> lower, upper;  // of the cores' distance
@@ -137,7 +137,7 @@ std::string VolumesSubject::opening(const Method& method) const {
 
 std::vector<Figure> VolumesSubject::figures(const View& view) const {
   const PairSteps steps = pair_run(view.run()).trace();
-  Standing standing;
+  SoFar standing;
   for (const auto& entry : steps.first(view.step)) std::visit(standing, entry.step.fact);
   if (!axes_seen(steps).empty()) return {};  // the table of axes says it all
   std::vector<Figure> figures;
