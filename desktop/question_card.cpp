@@ -17,7 +17,7 @@ using app::ButtonKind;
 using app::Face;
 using lesson::Standing;
 
-constexpr float kPad = 20, kMargin = 24, kBelow = 12;
+constexpr float kPad = 20, kBeside = 24, kBelow = 12;
 
 struct RowButton {
   const char* id;
@@ -253,7 +253,7 @@ void draw_question_card(Shell& shell, const app::Rect& stage) {
     return;
   }
   const app::Look& look = shell.app().look();
-  const float width = std::min(stage.width - 2 * kMargin, look.px(608));
+  const float width = std::min(stage.width - 2 * kBeside, look.px(608));
   const float height = std::clamp(before - kBelow, 1.0f, stage.height * 0.66f);
   const app::Rect card{stage.x + (stage.width - width) / 2, stage.y + stage.height - height - kBelow, width, height};
   std::string command;
