@@ -80,8 +80,11 @@ export class QuestionCard {
 
   /** Whether a digit key chose something. */
   choose(digit) {
-    this.#choices[digit - 1]?.click();
-    return digit >= 1 && digit <= this.#choices.length;
+    const choice = this.#choices[digit - 1];
+    const had_focus = by_id("ask").contains(document.activeElement);
+    choice?.click();
+    if (had_focus) choice?.focus(); // Enter gives what was chosen, not what was focused before
+    return Boolean(choice);
   }
 
   #do(command) {
@@ -89,10 +92,11 @@ export class QuestionCard {
   }
 
   #asked_card({ prompt, choices, onStage, place, tried }) {
+    const first = choices.findIndex((_, i) => !tried?.choices.includes(i));
     this.#choices = choices.map((words, i) => {
       const was = tried?.choices.includes(i);
       return button(was ? `${kMarks.wrong} ${words}` : words, () => this.#act(() => this.#door.pick_choice(i)),
-        { class: was ? "button tried" : "button", "aria-pressed": "false", "data-first": i === 0 });
+        { class: was ? "button tried" : "button", "aria-pressed": "false", "data-first": i === first });
     });
     const named = onStage && choices.length === 0;
     const pass = quiet(this.#words.skip, () => this.#do("skip_question"));

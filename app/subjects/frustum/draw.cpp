@@ -179,7 +179,7 @@ void draw_distances(Brush& brush, const lesson::BoxPair& pair, const Plane& plan
     line(brush.list, displaced(foot, aside, -6), displaced(foot, aside, 6), Stroke::kSolid, color, brush.stroke());
     brush.canvas.obstacles.segments.push_back({from.x, from.y, foot.x, foot.y});
     brush.label({(from.x + foot.x) / 2, (from.y + foot.y) / 2}, 5, aside.x >= 0 ? aside : ImVec2{-aside.x, -aside.y},
-                signed_words(distance), distance > 0 ? p.examined_text : p.current_text, Face::kMonoBold, 13);
+                signed_words(distance), distance > 0 ? p.examined_text : p.current_text, Face::kMonoBold, 12);
   }
 }
 

@@ -57,6 +57,7 @@ TEST_CASE("a question about an axis shows its direction, and what the step has s
   CHECK(lesson::axis_text(2, shown.axis_asked->axis) == "A x");
   CHECK_FALSE(shown.axis);
   REQUIRE(session.answer(lesson::model_answer(*session.asked(), session.run(0))));
+  session.acknowledge();
   shown = pair_shown_at(session);
   REQUIRE(shown.axis_asked);
   CHECK(lesson::axis_text(2, shown.axis_asked->axis) == "A y");
