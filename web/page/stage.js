@@ -71,6 +71,7 @@ export class Stage {
     this.#after_frame();
     by_id("stage").style.cursor = by_id("timeline").style.cursor = by_id("numbers").style.cursor = this.#door.cursor();
     by_id("caption").classList.toggle("away", this.#door.menu_open());
+    by_id("ask").classList.toggle("aside", this.#door.menu_open());
     this.#wait(this.#door.seconds_until_due(now));
   }
 
