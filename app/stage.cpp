@@ -200,7 +200,7 @@ std::optional<fit::Volume3> Stage::volume_drawn(const Look& look, const lesson::
 void Stage::draw(const Look& look, Settings& settings, lesson::Session& session, const Rect& rect, double now) {
   const double dt = std::clamp(now - last_now_, 0.0, 0.05);
   const float foot = foot_;
-  ease_foot(look, dt);
+  if (!hands_.dragging) ease_foot(look, dt);  // what is in hand stays under it
   set_room(rect, settings);
   if (foot_ != foot && camera_.framed() && framed_ball_.radius > 0) camera_.frame(framed_ball_, !camera_.moving());
   if (camera_.dim() == session.dim()) {

@@ -80,7 +80,7 @@ test("an unknown lesson gets the list of those that there are", async (t) => {
 const kWrong = [
   ["step=abc", "step “abc”"], ["step=99999", "step 99999"], ["seed=-4", "seed “-4”"], ["points=1,2;x,4", "points in the address"],
   ["points=1,2;3", "points in the address"], ["a=nonsense", "Part of the address"], ["from=nonsense:5", "Part of the address"],
-  ["moved=100000,1,2", "Part of the address"], ["from=%3Cb%3E", "points that there are not"],
+  ["moved=100000,1,2", "Part of the address"], ["from=%3Cb%3E", "points that do not exist"],
 ];
 for (const [query, says] of kWrong) {
   test(`a wrong address (${query}) is said plainly, and the lesson opens`, async (t) => {

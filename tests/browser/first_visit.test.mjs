@@ -30,7 +30,7 @@ test("three invitations, one at a time, each followed by a real hand", async (t)
   assert.equal(await invitation(page), "Now press Step"); // the first one is not shown again
   await page.keyboard.press("ArrowRight");
   await until(page, (now) => now.step === 1);
-  for (let i = 0; i < 4 && (await state(page)).asked; ++i) await page.keyboard.press("s");
+  for (let i = 0, now = await state(page); i < 8 && (now.asked || now.outcome); ++i, now = await state(page)) await page.keyboard.press(now.asked ? "s" : "Enter");
   assert.match(await invitation(page), /^Press Play/);
   await page.keyboard.press("Space");
   await page.waitForTimeout(300);

@@ -28,7 +28,7 @@ const overlaps = (page) => page.evaluate(() => {
   const pairs = [];
   for (const [a, one] of parts)
     for (const [b, other] of parts)
-      if (a < b && !(a === "caption" && b === "stage") && one.left < other.right - 1 && other.left < one.right - 1 && one.top < other.bottom - 1 && other.top < one.bottom - 1)
+      if (a < b && !(["ask", "caption"].includes(a) && b === "stage") && one.left < other.right - 1 && other.left < one.right - 1 && one.top < other.bottom - 1 && other.top < one.bottom - 1)
         pairs.push(`${a} and ${b}`);
   return pairs;
 });
@@ -84,13 +84,13 @@ for (const [width, height] of [[1024, 768], [1280, 800]]) {
   });
 }
 
-test("presented, the title stands next to what it heads, and no name in a selector is cut off", async (t) => {
+test("presented, the title stands above all, and no name in a selector is cut off", async (t) => {
   const page = await visit(t, "?lesson=obb-axes&step=5");
   await page.getByRole("button", { name: "Present" }).click();
   await still(page);
   assert.deepEqual(await cut_off(page), []);
-  const [title, code] = [await page.locator("#title").boundingBox(), await page.locator("#code").boundingBox()];
-  assert.ok(code.y - title.y - title.height < 40, `${code.y - title.y - title.height} pixels between them`);
+  const title = await page.locator("#title").boundingBox();
+  assert.ok(title.y < 60, `${title.y} pixels above it`);
   await page.keyboard.press("Escape");
 });
 
@@ -192,7 +192,7 @@ test("everything that can be pressed or filled in has a name, and there is one m
     return !label;
   }).map((node) => node.outerHTML));
   assert.deepEqual(nameless, []);
-  assert.equal(await page.locator("h1").count(), 1);
+  assert.equal(await page.locator("h1:visible").count(), 1);
   assert.equal(await page.locator('[role="status"][aria-live="polite"]').count() >= 1, true);
 });
 

@@ -117,7 +117,7 @@ test("points are added, deleted, scattered and reset", async (t) => {
   assert.equal((await until(page, (now, s) => now.seed === s, seed)).trace, trace);
 });
 
-const set_shown = (page) => page.getByLabel("Set").evaluate((select) => select.selectedOptions[0].textContent);
+const set_shown = (page) => page.getByRole("combobox", { name: "Set" }).evaluate((select) => select.selectedOptions[0].textContent);
 
 test("Scatter has other points every time, and the box says which set they are of", async (t) => {
   const page = await visit(t, "?lesson=sphere-ritter");
@@ -129,7 +129,7 @@ test("Scatter has other points every time, and the box says which set they are o
   const second = await until(page, (now, trace) => now.trace !== trace, first.trace);
   await scatter.click();
   await until(page, (now, traces) => !traces.includes(now.trace), [first.trace, second.trace]);
-  await page.getByLabel("Set").selectOption({ label: "Bunny" });
+  await page.getByRole("combobox", { name: "Set" }).selectOption({ label: "Bunny" });
   await until(page, (now) => now.source === "bunny" && now.size === 1839);
   assert.equal(await set_shown(page), "Bunny");
   await scatter.click();
@@ -138,7 +138,7 @@ test("Scatter has other points every time, and the box says which set they are o
   await drop(page, "mine.xyz", "0 0\n1 0\n0 1\n");
   await until(page, (now) => now.source === "mine.xyz");
   assert.equal(await set_shown(page), "mine.xyz");
-  await page.getByLabel("Set").selectOption({ label: "Gaussian" });
+  await page.getByRole("combobox", { name: "Set" }).selectOption({ label: "Gaussian" });
   await until(page, (now, trace) => now.trace === trace, first.trace);
 });
 

@@ -55,7 +55,7 @@ async function shown(page) {
       hidden: seen("#column [hidden], #stage [hidden]").length,
       fields: seen("input:not([type=file]), select").filter((node) => node.offsetParent).map((node) => `${node.type} ${node.checked} ${node.value} ${node.disabled} ${node.max}`),
       lines: seen(".lines li").map((line) => `${line.style.cssText} ${line.getAttribute("aria-current")}`),
-      scrolled: ["read", "points", "code", "column"].map((part) => document.getElementById(part).scrollTop),
+      scrolled: ["read", "points", "column"].map((part) => document.getElementById(part).scrollTop),
     };
   }) };
 }

@@ -72,7 +72,7 @@ for (const [dim, volumes] of kEach) {
 test("what cannot be read is said by its line, and the lessons stay within reach", async (t) => {
   const page = await visit(t, "?lesson=sphere-ritter");
   await choose_broken(page);
-  await page.locator("#veil").getByText(/test-broken\.toml:12/).waitFor();
+  await page.locator("#veil").getByText(/test-broken\.toml:11/).waitFor();
   await page.goBack();
   await ready(page);
   await page.locator("#veil").waitFor({ state: "hidden" });

@@ -38,6 +38,8 @@ xdotool key bracketleft
 until_state 's.selected === 1'
 xdotool key Right
 until_state "s.readout.radius !== $after"
+xdotool key Escape # the summary goes first
+until_state '!s.summary'
 xdotool key Escape
 until_state 's.selected === -1'
 xdotool key Home

@@ -2,7 +2,7 @@
 . tests/desktop/support.sh
 
 if [[ ${1:-} == small ]]; then # it calls itself on a small screen
-    open_window
+    open_window --lesson sphere-ritter
     X=0 Y=0 WIDTH=0 HEIGHT=0
     eval "$(xdotool getwindowgeometry --shell "$window" | grep -E '^(X|Y|WIDTH|HEIGHT)=')"
     ((X >= 0 && Y >= 0 && X + WIDTH <= 1366 && Y + HEIGHT <= 768)) || fail "$WIDTH x $HEIGHT at $X, $Y on a screen of 1366 x 768"
@@ -17,7 +17,7 @@ said=$("$snug" --size 640x480 2>&1) || status=$?
 "$snug" render sphere-pca --size 640x480 -o "$work/small.png" # a picture may be
 [[ $(identify -format '%wx%h' "$work/small.png") == 640x480 ]] || fail "a small picture has another size"
 
-open_window --size 960x1000
+open_window --size 960x1000 --lesson sphere-ritter
 [[ $(xdotool getwindowgeometry "$window" | grep -oP 'Geometry: \K\S+') == 960x1000 ]] || fail "a size that was asked for is not kept"
 kill "$pid"; wait "$pid" 2>/dev/null || true
 rm -f "$SNUG_STATE"

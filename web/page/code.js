@@ -17,6 +17,10 @@ export class Code {
     this.#act = act;
     by_id("code").append(element("h2", { class: "unseen", id: "code-heading" }, "Pseudocode"), this.#fields, this.#lines, this.#source);
     new ResizeObserver(() => this.#fit()).observe(this.#lines);
+    new ResizeObserver(() => { // where its room changes, the lit line stands where it would if that had always been its room
+      by_id("code").scrollTop = 0;
+      if (this.#lit) keep_in_view(this.#lit, by_id("code"));
+    }).observe(by_id("code"));
   }
 
   /** Side by side the two selectors may be too narrow for a name: then they stand one below the other. */
@@ -34,6 +38,7 @@ export class Code {
     this.#beside.replaceChildren(element("option", { value: "" }, "(none)"), ...options.map((option) => option.cloneNode(true)));
     this.#sources = new Map(lesson.algorithms.map(({ name, source }) => [name, source]));
     this.#shown = {}; // another lesson's algorithm may have the same name, and other lines
+    by_id("code").scrollTop = 0;
     this.#fit();
   }
 
@@ -48,6 +53,7 @@ export class Code {
   }
 
   #shown = {};
+  #lit = null;
 
   update(view) {
     if (this.#shown.algorithm !== view.algorithm || this.#main.value !== view.algorithm) this.#main.value = view.algorithm;
@@ -64,9 +70,9 @@ export class Code {
     }
     if (this.#shown.line === view.line) return;
     this.#lines.children[this.#shown.line]?.removeAttribute("aria-current");
-    const lit = this.#lines.children[view.line];
-    lit?.setAttribute("aria-current", "step");
-    if (lit) keep_in_view(lit, by_id("code"));
+    this.#lit = this.#lines.children[view.line] ?? null;
+    this.#lit?.setAttribute("aria-current", "step");
+    if (this.#lit) keep_in_view(this.#lit, by_id("code"));
     this.#shown.line = view.line;
   }
 }

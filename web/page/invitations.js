@@ -11,7 +11,7 @@ export class Invitations {
   #handles;
   #here = false;
   #name = null; // of the point to drag
-  #step = null; // where the second one was shown
+  #step = null; // where the one that stands was shown
   #box = element("p", { class: "invitation", role: "status", hidden: true });
 
   /** handles(): as window.snug.handles() gives them. */
@@ -29,15 +29,18 @@ export class Invitations {
 
   update(view) {
     if (!this.#here || this.#kept.invited > 2) return set_hidden(this.#box, true);
-    if (this.#followed(view)) this.#kept.keep_invited(this.#kept.invited + 1);
-    const shown = this.#kept.invited <= 2 && !view.asked && !view.previewing && (this.#kept.invited > 0 || view.step === 0) && this.#place(view);
+    if (this.#followed(view)) {
+      this.#kept.keep_invited(this.#kept.invited + 1);
+      this.#step = null;
+    }
+    const shown = this.#kept.invited <= 2 && !view.asked && !view.outcome && !view.deciding && !view.summary && !view.previewing && (this.#kept.invited > 0 || view.step === 0) && this.#place(view);
     set_hidden(this.#box, !shown);
   }
 
   #followed({ edited, step, playing }) {
     if (this.#kept.invited === 0) return this.#name !== null && edited;
     if (this.#kept.invited === 1) return this.#step !== null && step > this.#step;
-    return playing;
+    return playing || (this.#step !== null && step > this.#step + 1); // where it plays on within a moment
   }
 
   /** Whether there is room to say it. */

@@ -31,6 +31,7 @@ const stage_of = ({ measures, boxes, frustum, scene, bodies, hasPoints }) => (me
   : bodies ? "bodies that move, and their volumes" : scene ? "a body that moves, and the volume around it" : "the points and the volume around them");
 
 class Page {
+  written = null; // the address as the page keeps it, while a lesson stands
   #door;
   #downloads;
   #lessons;
@@ -106,6 +107,7 @@ class Page {
   /** Writes down where one is, before something else is shown. */
   leave() {
     this.#write_address();
+    this.written = null;
   }
 
   /** Nothing plays on behind the course, and the address is the course's. */
@@ -135,6 +137,7 @@ class Page {
     clearTimeout(this.#address_timer);
     this.#address_timer = 0;
     this.#erased_at = null;
+    this.written = null;
     const id = asked.lesson;
     if (!this.#lessons.some((lesson) => lesson.id === id)) return reveal(), this.#offer_lessons(asked.lesson);
     const files = await this.#files(id).catch((failed) => (console.warn(failed), null));
@@ -245,6 +248,7 @@ class Page {
     if (this.#opening) return;
     const address = this.#address();
     if (address !== location.search) history.replaceState(null, "", address);
+    this.written = address;
     if (this.#embed) by_id("whole").href = address.replace("&embed=1", "");
     else this.#keep(address);
   }
@@ -318,7 +322,8 @@ class Site {
     addEventListener("resize", name_layout);
     this.#settings.on_erase(() => this.#erase());
     addEventListener("popstate", () => {
-      if (location.search !== this.#shown) this.show({ back: true }); // not for the #canvas of the link to the stage
+      const stands = document.documentElement.dataset.view === "lesson" && location.search === this.#page?.written;
+      if (location.search !== this.#shown && !stands) this.show({ back: true }); // not for the #canvas of the link to the stage
     });
     by_id("home").addEventListener("click", (event) => {
       if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
