@@ -56,7 +56,7 @@ test("each volume's handles are there, every step has its sentence, and a drag b
 });
 
 test("the lesson on sphere-swept volumes: a finger changes a radius, and the steps follow", async (t) => {
-  const page = await visit(t, "?lesson=swept-overlap&step=2", kPhone);
+  const page = await visit(t, "?lesson=swept-overlap&a=swept_spheres&step=2", kPhone);
   const before = await state(page);
   const radius = (await handles(page)).find(({ id }) => id === "A radius");
   await drag_by_finger(page, radius.id, -20, -14);
