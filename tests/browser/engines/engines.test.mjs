@@ -160,7 +160,8 @@ async function steps_to_a_question(page) {
 
 /** Answers with the mouse: chooses, and taps what is chosen once more. */
 async function answers(page, asked) {
-  const answered = `snug.state().outcomes.some((each) => each.question === ${JSON.stringify(asked.id)})`;
+  // Decided, or wrong at the first of two tries.
+  const answered = `snug.state().outcomes.some((each) => each.question === ${JSON.stringify(asked.id)}) || Boolean(snug.state().asked?.tried)`;
   const tap = asked.choices.length > 0 ? () => page.click(".predict .choices .button") : await tap_on_stage(page, asked);
   await tap();
   if (asked.many) await page.click(".predict .button.primary");

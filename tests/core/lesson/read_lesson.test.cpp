@@ -128,9 +128,9 @@ TEST_CASE("each mistake in a lesson file is told with its line") {
 }
 
 TEST_CASE("no bytes make the reader fail otherwise than by an error") {
-  for (const std::string_view text :
-       {std::string_view(""), std::string_view("\0\0", 2), std::string_view("\xff\xfe"), std::string_view("[["),
-        std::string_view("a = 1"), std::string_view("version = 1")}) {
+  for (const std::string_view text : {std::string_view(""), std::string_view("\0\0", 2), std::string_view("\xff\xfe"),
+                                      std::string_view("[["), std::string_view("[[["), std::string_view("[[a]]\n[[="),
+                                      std::string_view("a = 1"), std::string_view("version = 1")}) {
     const auto lesson = read_lesson(text, "x.toml");
     REQUIRE_FALSE(lesson.has_value());
     CHECK(lesson.error().position >= 1);
