@@ -170,6 +170,7 @@ async function answers(page, asked) {
 }
 
 async function tap_on_stage(page, asked) {
+  await page.still(); // the stage has made room for the card
   const handles = await page.ask("snug.handles()");
   const names = asked.targets ?? asked.stagePoints.map((i) => `P${i}`);
   const { x, y } = handles.find(({ id }) => names.length === 0 || names.includes(id));
@@ -197,7 +198,7 @@ for (const [name, driver] of Object.entries(kEngines)) {
         const asked = await steps_to_a_question(page);
         await answers(page, asked);
         const now = await page.state();
-        assert.equal(given(now).length, 1);
+        assert.ok(given(now).length === 1 || now.asked.tried, "it is decided, or to be tried once more");
         assert.ok(now.framesDrawn > framesDrawn && now.step >= step);
         assert.equal(await line_of(page, id), native.get(id), "every run is the native program's");
         assert.deepEqual(await page.ask("complaints"), []);
