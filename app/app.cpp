@@ -13,6 +13,7 @@
 #include "app/subjects.hpp"
 #include "app/timeline.hpp"
 #include "app/widgets.hpp"
+#include "lesson/speaking.hpp"
 
 namespace snug::app {
 namespace {
@@ -324,6 +325,7 @@ tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io
   state_->view = state_->subject->view();
   state_->cover = state_->subject->cover != nullptr ? state_->subject->cover(state_->platform) : nullptr;
   state_->stage.open(*state_->session, *state_->view);
+  state_->stage.light("");
   state_->playing = false;
   state_->watched_pause = 0;
   state_->settle = kSettleFrames;
@@ -389,6 +391,17 @@ void App::select(Index point) {
   const bool valid = state_->session && point >= 0 && point < state_->session->size();
   state_->stage.select(valid ? point : kNoIndex);
   state_->settle = std::max(state_->settle, 1);
+}
+void App::light(std::string_view mark) {
+  if (state_->stage.lit() == mark) return;
+  state_->stage.light(mark);
+  state_->settle = std::max(state_->settle, 1);
+}
+std::string_view App::lit() const { return state_->stage.lit(); }
+std::vector<std::string_view> App::marks_in_hand() const {
+  const Index hovered = state_->stage.hovered();
+  if (!state_->session || hovered == kNoIndex || hovered >= state_->session->size()) return {};
+  return lesson::marks_at(*state_->session, hovered);
 }
 bool App::playing() const { return state_->playing; }
 float App::speed() const { return state_->speed; }

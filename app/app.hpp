@@ -120,6 +120,11 @@ class App {
   /// The selected point, kNoIndex for none.
   [[nodiscard]] Index selected() const;
   void select(Index point);
+  /// Lights a mark that the prose links to (lesson/speaking.hpp), "" for none; and the marks of the prose that the
+  /// handle under the pointer belongs to, whose words a door lights.
+  void light(std::string_view mark);
+  [[nodiscard]] std::string_view lit() const;
+  [[nodiscard]] std::vector<std::string_view> marks_in_hand() const;
   [[nodiscard]] bool playing() const;
   [[nodiscard]] float speed() const;  // steps a second are 2 * speed, a scene's its own frames a second * speed
 

@@ -27,6 +27,10 @@ class Stage {
   void pinch(float factor, float x, float y, float dx, float dy);
 
   [[nodiscard]] Index selected() const { return hands_.selected; }
+  [[nodiscard]] Index hovered() const { return hands_.hovered; }
+  /// Lights a mark of the prose (lesson/speaking.hpp), until another one or none, "", is lit.
+  void light(std::string_view mark) { lit_ = mark; }
+  [[nodiscard]] const std::string& lit() const { return lit_; }
   /// Deliberately: the arrow keys move it from now on.
   void select(Index point) {
     hands_.selected = point;
@@ -62,6 +66,7 @@ class Stage {
   void draw_handles(Brush& brush) const;
   void draw_invitation(Brush& brush) const;
   void draw_hovered(Brush& brush) const;
+  void draw_lit(Brush& brush) const;
   void draw_selected(Brush& brush) const;
   void draw_verdict(Brush& brush) const;
   void name_handles(Brush& brush) const;
@@ -90,6 +95,7 @@ class Stage {
   float foot_ = 0, foot_goal_ = 0;  // as Layout has it: on its way, and where it leads
 
   Hands hands_;
+  std::string lit_;
   Index pressed_ = kNoIndex;  // what a drag from the press moves
   Index tapped_ = kNoIndex;   // what the press means if it does not travel
   bool pressing_ = false;     // a button is down that went down on the stage

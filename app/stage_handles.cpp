@@ -5,6 +5,7 @@
 #include "app/point_marks.hpp"
 #include "app/stage.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/speaking.hpp"
 
 namespace snug::app {
 namespace {
@@ -44,6 +45,7 @@ void Stage::draw_handles(Brush& brush) const {
   view_->draw_marks(brush);
   draw_verdict(brush);
   draw_hovered(brush);
+  draw_lit(brush);
   draw_selected(brush);
   name_handles(brush);
 }
@@ -97,6 +99,18 @@ void Stage::draw_hovered(Brush& brush) const {
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
+/// What a word of the prose speaks of, while it is pointed at.
+void Stage::draw_lit(Brush& brush) const {
+  if (lit_.empty()) return;
+  const Palette& p = brush.p;
+  for (const Index i : lesson::marked_handles(brush.session, lit_)) {
+    const ImVec2 at = brush.at(brush.point(i));
+    const float radius = std::max(brush.point_radius, 4.0f) + 9;
+    ring(brush.list, at, radius, p.ground, brush.stroke() + 4);
+    ring(brush.list, at, radius, p.current, brush.stroke(1.4f));
+  }
+}
+
 /// The selected one with its ring and, while it is dragged, its coordinates.
 void Stage::draw_selected(Brush& brush) const {
   const Palette& p = brush.p;
@@ -126,6 +140,9 @@ void Stage::name_handles(Brush& brush) const {
   const bool is_point = picked != nullptr && picked->kind == lesson::Answer::Kind::kPoint;
   for (const Index i : {is_point ? static_cast<Index>(picked->value) : kNoIndex, hands_.selected, hands_.hovered})
     if (i != kNoIndex && i < session.size()) names.name(i, session.name_of(i), p.ink, Face::kSemiBold, 13);
+  if (!lit_.empty())
+    for (const Index i : lesson::marked_handles(session, lit_))
+      names.name(i, session.name_of(i), p.current_text, Face::kSemiBold, 13);
   for (const Index i : view_->shown().spoken_of) names.plain(i);
   if (session.size() > kNameAll) return;
   const bool asked = answered_on_stage(session), alone = asked && view_->names_answers_alone();

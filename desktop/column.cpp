@@ -11,33 +11,6 @@ using app::Face;
 
 constexpr float kCardPad = 18;
 
-struct Word {
-  std::string_view text;
-  bool strong;
-  bool space_before;
-};
-
-std::vector<Word> words_of(const lesson::Paragraph& paragraph) {
-  std::vector<Word> words;
-  bool space = false;
-  for (const lesson::Stretch& stretch : paragraph) {
-    std::size_t begin = 0;
-    const std::string_view text = stretch.text;
-    while (begin < text.size()) {
-      if (text[begin] == ' ' || text[begin] == '\n') {
-        space = true;
-        ++begin;
-        continue;
-      }
-      const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
-      words.push_back({text.substr(begin, end - begin), stretch.strong, space});
-      space = false;
-      begin = end;
-    }
-  }
-  return words;
-}
-
 }  // namespace
 
 void Column::title(std::string_view words) {
@@ -51,30 +24,6 @@ void Column::heading(std::string_view words, app::Color color) {
 
 void Column::words(std::string_view words, Face face, float size, app::Color color) {
   y_ += app::paragraph(list_, look_, face, size, size + 7, {x_, y_}, width_, color != 0 ? color : look_->ink, words);
-}
-
-void Column::prose(const lesson::Paragraph& paragraph) {
-  constexpr float kSize = 15, kLeading = 24;
-  const float space = app::measure(look_, Face::kRegular, kSize, " ").x;
-  const float inset = (look_.px(kLeading) - look_.px(kSize)) / 2;
-  // Words without a space between them, as a term and the comma behind it, stay on one line.
-  const std::vector<Word> words = words_of(paragraph);
-  float x = 0;
-  for (std::size_t i = 0; i < words.size();) {
-    std::size_t end = i + 1;
-    while (end < words.size() && !words[end].space_before) ++end;
-    float run = 0;
-    for (std::size_t k = i; k < end; ++k)
-      run += app::measure(look_, words[k].strong ? Face::kSemiBold : Face::kRegular, kSize, words[k].text).x;
-    if (x > 0 && x + space + run > width_) x = 0, y_ += look_.px(kLeading);
-    else if (x > 0) x += space;
-    for (; i < end; ++i) {
-      const Face face = words[i].strong ? Face::kSemiBold : Face::kRegular;
-      app::text(list_, look_, face, kSize, {x_ + x, y_ + inset}, look_->ink, words[i].text);
-      x += app::measure(look_, face, kSize, words[i].text).x;
-    }
-  }
-  if (!words.empty()) y_ += look_.px(kLeading);
 }
 
 int Column::buttons(const char* id, const std::vector<std::string>& words, int chosen,

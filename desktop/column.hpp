@@ -7,7 +7,6 @@
 
 #include "app/look.hpp"
 #include "app/widgets.hpp"
-#include "lesson/lesson.hpp"
 
 namespace snug::desktop {
 
@@ -27,8 +26,6 @@ class Column {
   void title(std::string_view words);
   void heading(std::string_view words, app::Color color = 0);
   void words(std::string_view words, app::Face face = app::Face::kRegular, float size = 15, app::Color color = 0);
-  /// Prose, with the terms that stand for the first time set strong.
-  void prose(const lesson::Paragraph& paragraph);
   /// Buttons in rows, as many as fit in each. Returns the one that was clicked, or -1. chosen: the one that is on.
   /// enabled: of each; none for all.
   int buttons(const char* id, const std::vector<std::string>& words, int chosen = -1,

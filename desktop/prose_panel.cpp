@@ -7,7 +7,9 @@
 #include "app/marks.hpp"
 #include "app/subjects/cost/costs.hpp"
 #include "desktop/column.hpp"
+#include "desktop/prose.hpp"
 #include "lesson/say.hpp"
+#include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/cost/cost.hpp"
 
@@ -58,20 +60,64 @@ void draw_task(Shell& shell, Column& column) {
   column.end_card();
 }
 
+/// Does what a link of the prose says.
+void follow(Shell& shell, const lesson::Link& link) {
+  switch (link.kind) {
+    case lesson::Link::Kind::kLesson: shell.tell(shell.open(link.target)); break;
+    case lesson::Link::Kind::kMesh: shell.use_mesh(link.target); break;
+    case lesson::Link::Kind::kAlgorithm: shell.tell(shell.session().choose(0, link.target)); break;
+    case lesson::Link::Kind::kStep: shell.session().go(std::stoi(link.target)); break;  // of digits, as it was read
+    case lesson::Link::Kind::kMark: break;                                              // lights while it is pointed at
+  }
+}
+
+/// The section that the step, or the question, is about is brought into view, but not under the eyes of one who reads.
+void follow_step(Shell& shell, int now, float top, float bottom, bool reads) {
+  if (now != shell.section) {
+    shell.section = now;
+    const float from = ImGui::GetScrollY(), height = ImGui::GetWindowHeight();
+    if (now >= 0 && !reads && (top < from || bottom > from + height))
+      shell.scroll_to = std::max(0.0f, top - height / 8);
+  }
+  if (shell.scroll_to < 0) return;
+  if (reads) shell.scroll_to = -1;
+  const float left = std::min(shell.scroll_to, ImGui::GetScrollMaxY()) - ImGui::GetScrollY();
+  const bool there = std::abs(left) < 1 || shell.app().settings().reduced_motion || shell.scroll_to < 0;
+  if (shell.scroll_to >= 0) ImGui::SetScrollY(ImGui::GetScrollY() + (there ? left : left * 0.25f));
+  if (there) shell.scroll_to = -1;
+  shell.measured_anew = true;
+}
+
 void draw_lesson(Shell& shell, Column& column) {
   const lesson::Lesson& lesson = shell.session().lesson();
-  bool first = true;
-  for (const lesson::Section& section : lesson.sections) {
-    if (!first) column.gap(16);
-    first = false;
+  const std::vector<std::string_view> lit = shell.app().marks_in_hand();
+  const int now = lesson::section_at(shell.session()).value_or(-1);
+  const float beginning = column.y() + ImGui::GetScrollY();
+  float top = 0, bottom = 0;
+  ProseTouch touch;
+  for (int i = 0; const lesson::Section& section : lesson.sections) {
+    if (i > 0) column.gap(16);
+    const float from = column.y();
     column.title(section.title);
     for (const lesson::Paragraph& paragraph : section.paragraphs) {
-      column.prose(paragraph);
+      ImGui::PushID(static_cast<int>(column.y() - from) + 10000 * i);
+      const ProseTouch here = draw_prose(column, paragraph, lit);
+      ImGui::PopID();
+      if (here.hovered != nullptr) touch.hovered = here.hovered;
+      if (here.clicked != nullptr) touch.clicked = here.clicked;
       column.gap(10);
     }
+    if (i++ != now) continue;
+    const float x = column.x() - 16, end = column.y() - 10;
+    column.list()->AddRectFilled({x, from + 4}, {x + 3, end}, column.look()->current, 2);
+    top = from + ImGui::GetScrollY() - beginning, bottom = end + ImGui::GetScrollY() - beginning;
   }
+  const bool marks = touch.hovered != nullptr && touch.hovered->kind == lesson::Link::Kind::kMark;
+  shell.app().light(marks ? std::string_view(touch.hovered->target) : std::string_view());
+  follow_step(shell, now, top, bottom, ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem));
   column.gap(12);
   draw_task(shell, column);
+  if (touch.clicked != nullptr) follow(shell, lesson::Link(*touch.clicked));  // another lesson has other links
 }
 
 /// What came of one of the chart's questions, which are decided all at once.

@@ -308,6 +308,11 @@ std::string lay_over(const std::string& csv, const std::string& name) {
   return session() ? web::lay_over(*door().app, csv, name) : "";
 }
 
+/// Lights a mark that the prose links to, until another, or "" for none.
+void light(const std::string& mark) {
+  if (door().app) door().app->light(mark);
+}
+
 void start_task() {
   if (!session()) return;
   session()->start_task();
@@ -370,6 +375,7 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("turn_box", &turn_box);
   function("scatter", &scatter);
   function("set_generator", &set_generator);
+  function("light", &light);
   function("start_task", &start_task);
   function("load_file", &load_file);
   function("measure", &measure_slice);

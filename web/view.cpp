@@ -8,6 +8,7 @@
 
 #include "lesson/boxes.hpp"
 #include "lesson/say.hpp"
+#include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
 #include "number/fnv.hpp"
 #include "web/boxes.hpp"
@@ -29,6 +30,14 @@ val array_of(const Items& items, Make make) {
   return array;
 }
 
+val link_object(const lesson::Link& link) {
+  constexpr std::array<const char*, 5> kKinds{"lesson", "mesh", "algorithm", "step", "mark"};
+  val object = val::object();
+  object.set("kind", kKinds[static_cast<std::size_t>(link.kind)]);
+  object.set("target", link.target);
+  return object;
+}
+
 val section_object(const lesson::Section& section) {
   val object = val::object();
   object.set("title", section.title);
@@ -37,6 +46,8 @@ val section_object(const lesson::Section& section) {
                  val piece = val::object();
                  piece.set("text", stretch.text);
                  piece.set("strong", stretch.strong);
+                 if (!stretch.tex.empty()) piece.set("tex", stretch.tex);
+                 if (stretch.link) piece.set("link", link_object(*stretch.link));
                  return piece;
                });
              }));
@@ -232,6 +243,16 @@ val coordinates(const Vector<double, 3>& point, int dim) {
   return array_of(std::span(point.data(), static_cast<std::size_t>(dim)), [](double number) { return val(number); });
 }
 
+/// What the prose and the stage light of each other.
+static val lit_object(const app::App& app, const lesson::Session& session) {
+  val object = val::object();
+  object.set("mark", text(app.lit()));
+  object.set("handles", array_of(lesson::marked_handles(session, app.lit()),
+                                 [&](Index handle) { return val(session.name_of(handle)); }));
+  object.set("words", array_of(app.marks_in_hand(), text));
+  return object;
+}
+
 val lesson_object(const lesson::Session& session) {
   const lesson::Lesson& lesson = session.lesson();
   const lesson::Subject& subject = session.subject();
@@ -301,6 +322,9 @@ val view_object(app::App& app, const lesson::Session& session) {
   object.set("step", session.step());
   object.set("steps", session.steps());
   object.set("caption", app.caption());
+  const std::optional<int> section = lesson::section_at(session);
+  object.set("section", section ? val(*section) : val::null());
+  object.set("lit", lit_object(app, session));
   object.set("playing", app.playing());
   object.set("speed", app.speed());
   object.set("previewing", session.previewing());

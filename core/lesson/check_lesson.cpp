@@ -4,6 +4,7 @@
 
 #include "lesson/ask.hpp"
 #include "lesson/names.hpp"
+#include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::lesson {
@@ -51,6 +52,16 @@ void check_runs(const Lesson& lesson, const Subject& own, Complaints& complaints
       check_questions(lesson, method, own, *own.run(method, nullptr), complaints);
 }
 
+/// Links that only a run can tell from mistakes.
+void check_links(const Lesson& lesson, const Subject& own, Complaints& complaints) {
+  for (const Section& section : lesson.sections)
+    for (const Paragraph& paragraph : section.paragraphs)
+      for (const Stretch& stretch : paragraph)
+        if (stretch.link && stretch.link->kind == Link::Kind::kMark && !is_mark(own, stretch.link->target))
+          complaints.add(section.line,
+                         "there is no mark " + stretch.link->target + ": it is support, a step's name or a handle's");
+}
+
 }  // namespace
 
 void check_lesson(const Lesson& lesson, const toml::table& toml, Complaints& complaints) {
@@ -68,6 +79,7 @@ void check_lesson(const Lesson& lesson, const toml::table& toml, Complaints& com
   if (!complaints.first() && lesson.subject->check_first != nullptr)
     lesson.subject->check_first(lesson, **own, complaints);
   if (complaints.first()) return;
+  check_links(lesson, **own, complaints);
   if (lesson.subject->asks_of_steps) check_runs(lesson, **own, complaints);
   if (lesson.subject->check != nullptr) lesson.subject->check(lesson, toml, **own, complaints);
 }

@@ -16,16 +16,27 @@ namespace snug::lesson {
 
 struct SubjectRow;
 
+/// Where words of the prose lead: they do something, or light a mark on the stage.
+struct Link {
+  enum class Kind : std::uint8_t { kLesson, kMesh, kAlgorithm, kStep, kMark } kind;
+  std::string target;  // a lesson's id, a mesh, an algorithm, a step's number; of a mark: see marked_handles
+};
+
 /// A stretch of prose; strong where the file says **so**: a term where it first stands.
 struct Stretch {
-  std::string text;
+  std::string text;  // of a formula, the formula in one line of Unicode
   bool strong = false;
+  std::optional<Link> link = {};
+  std::string tex = {};  // of a formula
 };
 using Paragraph = std::vector<Stretch>;
 
 struct Section {
   std::string title;
   std::vector<Paragraph> paragraphs;
+  std::vector<std::string> facts;  // whose steps it speaks of
+  std::string algorithm;           // of which alone; empty for all
+  int line = 0;                    // of its text in the file, for errors
 };
 
 /// Where the points of a subject that is made of points come from: exactly one of a generator, a mesh by name, or a
@@ -67,6 +78,7 @@ struct Question {
   std::string because;               // shown with what happened, right or wrong
   std::string prompt_here;           // in the prompt's place while the run is the lesson's own; empty for none
   std::string because_here;          // the same of because
+  std::string section;               // the title of the one that it is about; empty: the one that names its fact
   int line = 0;                      // of the file, for errors
 };
 

@@ -1,7 +1,11 @@
 #include "lesson/prose.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <utility>
+
+#include "lesson/formula.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -34,19 +38,83 @@ std::string kept_together(std::string line) {
   return line;
 }
 
-Paragraph stretches_of(std::string_view line, bool& closed) {
-  Paragraph paragraph;
-  bool strong = false;
-  while (!line.empty()) {
-    const auto mark = line.find("**");
-    if (mark != 0) paragraph.push_back({std::string(line.substr(0, mark)), strong});
-    if (mark == std::string_view::npos) break;
-    strong = !strong;
-    line.remove_prefix(mark + 2);
+constexpr std::array<std::pair<std::string_view, Link::Kind>, 5> kLinkKinds{{{"lesson", Link::Kind::kLesson},
+                                                                             {"mesh", Link::Kind::kMesh},
+                                                                             {"algorithm", Link::Kind::kAlgorithm},
+                                                                             {"step", Link::Kind::kStep},
+                                                                             {"mark", Link::Kind::kMark}}};
+
+/// A line of prose, taken apart from left to right.
+class Line {
+ public:
+  Line(std::string_view rest, std::string& wrong) : rest_(rest), wrong_(wrong) {}
+
+  Paragraph stretches() {
+    while (!rest_.empty()) {
+      if (take("**")) flush(), strong_ = !strong_;
+      else if (take("$")) formula();
+      else if (!link()) plain_ += rest_.front(), rest_.remove_prefix(1);
+    }
+    flush();
+    if (strong_) complain("has a ** without a partner");
+    return std::move(paragraph_);
   }
-  closed = closed && !strong;
-  return paragraph;
-}
+
+ private:
+  bool take(std::string_view mark) {
+    if (rest_.substr(0, mark.size()) != mark) return false;
+    rest_.remove_prefix(mark.size());
+    return true;
+  }
+
+  void complain(std::string what) {
+    if (wrong_.empty()) wrong_ = std::move(what);
+  }
+
+  void flush() {
+    if (!plain_.empty()) paragraph_.push_back({.text = std::move(plain_), .strong = strong_});
+    plain_.clear();
+  }
+
+  void formula() {
+    const auto end = rest_.find('$');
+    if (end == std::string_view::npos) return complain("has a $ without a partner");
+    flush();
+    const std::string_view tex = rest_.substr(0, end);
+    rest_.remove_prefix(end + 1);
+    auto plain = plain_formula(tex);
+    if (!plain) return complain("has a formula that cannot be set, $" + std::string(tex) + "$: " + plain.error());
+    paragraph_.push_back({.text = std::move(*plain), .strong = strong_, .tex = std::string(tex)});
+  }
+
+  /// [words](kind:target). Brackets alone are brackets.
+  bool link() {
+    if (rest_.front() != '[') return false;
+    const auto middle = rest_.find("](");
+    const auto end = middle == std::string_view::npos ? middle : rest_.find(')', middle);
+    if (end == std::string_view::npos) return false;
+    const std::string_view words = rest_.substr(1, middle - 1), to = rest_.substr(middle + 2, end - middle - 2);
+    const auto colon = std::min(to.find(':'), to.size());
+    const auto* kind = std::find_if(kLinkKinds.begin(), kLinkKinds.end(),
+                                    [&](const auto& one) { return one.first == to.substr(0, colon); });
+    rest_.remove_prefix(end + 1);
+    if (kind == kLinkKinds.end() || words.empty() || colon + 1 >= to.size()) {
+      complain("has a link that leads nowhere, (" + std::string(to) +
+               "): it is lesson:, mesh:, algorithm:, step: or mark: and a name");
+      return true;
+    }
+    flush();
+    paragraph_.push_back(
+        {.text = std::string(words), .strong = strong_, .link = Link{kind->second, std::string(to.substr(colon + 1))}});
+    return true;
+  }
+
+  std::string_view rest_;
+  std::string& wrong_;
+  std::string plain_;
+  bool strong_ = false;
+  Paragraph paragraph_;
+};
 
 /// Takes the lines up to an empty one off the text.
 std::string_view next_block(std::string_view& text) {
@@ -65,12 +133,17 @@ std::string_view next_block(std::string_view& text) {
 
 }  // namespace
 
-std::vector<Paragraph> paragraphs_of(std::string_view text, bool& closed) {
+std::vector<Paragraph> paragraphs_of(std::string_view text, std::string& wrong) {
   std::vector<Paragraph> paragraphs;
-  closed = true;
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty()) paragraphs.push_back(stretches_of(kept_together(joined(next_block(text))), closed));
+  while (!text.empty()) paragraphs.push_back(Line(kept_together(joined(next_block(text))), wrong).stretches());
   return paragraphs;
+}
+
+std::string plain_text(const Paragraph& paragraph) {
+  std::string text;
+  for (const Stretch& stretch : paragraph) text += stretch.text;
+  return text;
 }
 
 }  // namespace snug::lesson

@@ -42,13 +42,43 @@ std::string read_algorithm(TomlTable& table, std::string_view key, const Lesson&
   return name;
 }
 
-Section read_section(const toml::table& toml, Complaints& complaints) {
+std::vector<std::string_view> section_titles(const Lesson& lesson) {
+  std::vector<std::string_view> titles;
+  for (const Section& section : lesson.sections) titles.push_back(section.title);
+  return titles;
+}
+
+/// What can be said of a link without running the lesson.
+void check_link(TomlTable& table, const Link& link, const Lesson& lesson) {
+  const auto check = [&](std::string_view what, const auto& names) {
+    if (!is_among(names, link.target))
+      table.wrong("text", "links to " + std::string(what) + " that is none of " + one_of(names) + ": " + link.target);
+  };
+  switch (link.kind) {
+    case Link::Kind::kMesh: return check("a mesh", lesson.meshes);
+    case Link::Kind::kAlgorithm: return check("an algorithm", lesson.algorithms);
+    case Link::Kind::kStep:
+      if (link.target.size() > 6 || link.target.find_first_not_of("0123456789") != std::string::npos)
+        table.wrong("text", "links to a step that is no number: " + link.target);
+      break;
+    case Link::Kind::kMark:  // a handle's name is known once the lesson runs
+    case Link::Kind::kLesson: break;
+  }
+}
+
+Section read_section(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
   TomlTable table(toml, "[[section]]", complaints);
   Section section;
   section.title = table.text("title");
-  bool closed = true;
-  section.paragraphs = paragraphs_of(table.text("text"), closed);
-  if (!closed) table.wrong("text", "has a ** without a partner");
+  section.line = table.line_of("text");
+  std::string wrong;
+  section.paragraphs = paragraphs_of(table.text("text"), wrong);
+  if (!wrong.empty()) table.wrong("text", wrong);
+  section.facts = read_names(table, "facts", 0, lesson.subject->facts());
+  if (table.has("algorithm")) section.algorithm = read_algorithm(table, "algorithm", lesson);
+  for (const Paragraph& paragraph : section.paragraphs)
+    for (const Stretch& stretch : paragraph)
+      if (stretch.link) check_link(table, *stretch.link, lesson);
   table.refuse_others();
   return section;
 }
@@ -104,6 +134,8 @@ Question read_question(const toml::table& toml, const Lesson& lesson, Complaints
   question.because = table.text("because");
   question.prompt_here = table.text_or("prompt_here", "");
   question.because_here = table.text_or("because_here", "");
+  question.section = table.text_or("section", "");
+  if (!question.section.empty()) check_name(table, "section", question.section, section_titles(lesson));
   table.refuse_others();
   return question;
 }
@@ -167,7 +199,7 @@ Lesson read(const toml::table& toml, Complaints& complaints) {
   Lesson lesson;
   read_head(table, lesson);
   for (const toml::table* section : table.tables("section"))
-    lesson.sections.push_back(read_section(*section, complaints));
+    lesson.sections.push_back(read_section(*section, lesson, complaints));
   if (lesson.sections.empty()) complaints.add(1, "the lesson has no [[section]]");
   if (table.table(lesson.subject->table) != nullptr) lesson.subject->read(table, lesson, complaints);
   else complaints.add(1, "the lesson lacks [" + std::string(lesson.subject->table) + "]");

@@ -38,6 +38,7 @@ class Page {
   #stage;
   #settings;
   #menu;
+  #points;
   #panels;
   #lesson = null;
   #view = null;
@@ -52,7 +53,7 @@ class Page {
   #panels_timer = 0;
 
   /** go_to(search): to another lesson. */
-  constructor({ door, downloads, lessons, settings, kept, embed, go_to }) {
+  constructor({ door, downloads, lessons, formulas, settings, kept, embed, go_to }) {
     this.#door = door;
     this.#downloads = downloads;
     this.#lessons = lessons;
@@ -62,7 +63,8 @@ class Page {
     const act = (what) => this.act(what);
     const next = (id) => lessons[lessons.findIndex((lesson) => lesson.id === id) + 1];
     const question = new QuestionCard(door, act, { next, go: (id) => go_to(link_of(id)) });
-    this.#panels = [new Reading(door.words(), () => this.#start_task()), question, new Code(door, act), new PointTools(door, act, (name) => this.#mesh(name)), new BoxTools(door, act), new CostTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs(), new Presentation(settings, lessons, go_to), new Invitations(kept, lessons[0]?.id, () => this.handles())];
+    this.#points = new PointTools(door, act, (name) => this.#mesh(name));
+    this.#panels = [new Reading(door.words(), { formulas, start_task: () => this.#start_task(), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) }), question, new Code(door, act), this.#points, new BoxTools(door, act), new CostTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs(), new Presentation(settings, lessons, go_to), new Invitations(kept, lessons[0]?.id, () => this.handles())];
     this.#menu = new LessonMenu(lessons, (id) => go_to(link_of(id)));
     this.#stage = new Stage(door, () => this.#show());
     settings.on_change(() => this.#apply_settings());
@@ -72,6 +74,16 @@ class Page {
     by_id("share").addEventListener("click", () => this.#share());
     addEventListener("pagehide", () => this.leave());
     this.#go_to = go_to;
+  }
+
+  /** Does what a link of the prose says. */
+  #follow({ kind, target }) {
+    if (kind === "lesson") return this.#go_to(link_of(target));
+    if (kind === "mesh") return this.#points.bring(target);
+    this.act(() => {
+      const error = kind === "algorithm" ? this.#door.choose(0, target) : this.#door.go(Number(target));
+      if (error) notice(`${error}.`);
+    });
   }
 
   /** On a phone the stage, where it is to be done, is far above the task. */
@@ -369,7 +381,7 @@ class Site {
 
   async #bring_page(embed, attempt) {
     veil.loading();
-    const page = new Page({ door: await open_door(this.#downloads, attempt), downloads: this.#downloads, lessons: this.#course.lessons, settings: this.#settings,
+    const page = new Page({ door: await open_door(this.#downloads, attempt), downloads: this.#downloads, lessons: this.#course.lessons, formulas: JSON.parse(await this.#downloads.text("formulas.json")), settings: this.#settings,
       kept: this.#kept, embed, go_to: (search) => this.go_to(search) });
     return page;
   }

@@ -80,7 +80,7 @@ export class PointTools {
   #choose_set() {
     const [kind, name] = this.#set.value.split(":");
     this.#count_label.hidden = kind !== "generate";
-    if (kind === "mesh") return this.#load_mesh(name);
+    if (kind === "mesh") return this.bring(name);
     if (kind === "generate") return this.#scatter(Number(this.#seed.value));
     if (kind === "") this.#command("reset_points");
   }
@@ -107,7 +107,8 @@ export class PointTools {
     return [...this.#set.options].find((option) => option.value === value);
   }
 
-  async #load_mesh(name) {
+  /** A mesh by its name. */
+  async bring(name) {
     try {
       const bytes = await this.#bring_mesh(name);
       this.#use(bytes, name);

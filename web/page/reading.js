@@ -1,27 +1,42 @@
-// What is read: the title, the prose and the task with its grade as it stands.
+// What is read: the title, the prose, which speaks to the stage, and the task with its grade as it stands.
 import { button, by_id, element, set_hidden, set_text, when_changed, whole_names } from "./dom.js";
+import { link_of } from "./lesson_menu.js";
 import { notice } from "./messages.js";
 
-const paragraph = (stretches) =>
-  element("p", {}, ...stretches.map(({ text, strong }) => (strong ? element("strong", {}, whole_names(text)) : whole_names(text))));
+const kReads = 6000; // milliseconds: who has scrolled or moved over the prose reads it for so long
 
 export class Reading {
   #words;
   #start_task;
   #grade_says = element("p", { class: "grade", role: "status" });
+  #formulas;
+  #follow;
+  #light;
+  #sections = [];
+  #words_of = []; // {mark, node}: what lights where the stage's handle is pointed at
+  #read_at = -Infinity;
   #was_open = false; // the task, when it was last graded in this lesson
 
-  /** start_task: lays out the points that the task begins with. */
-  constructor(words, start_task) {
+  /** start_task: lays out the points that the task begins with. formulas: {TeX: MathML}. follow({kind, target}): does
+   *  what a link says. light(mark): lights it on the stage, "" for none. */
+  constructor(words, { start_task, formulas, follow, light }) {
     this.#words = words;
     this.#start_task = start_task;
+    this.#formulas = formulas;
+    this.#follow = follow;
+    this.#light = light;
+    for (const sign of ["pointermove", "wheel", "touchmove", "keydown"])
+      by_id("read").addEventListener(sign, () => (this.#read_at = performance.now()), { passive: true });
   }
 
   open(lesson) {
     for (const id of ["heading", "title"]) set_text(by_id(id), lesson.title);
-    by_id("prose").replaceChildren(...lesson.sections.flatMap((section) => [
-      ...(section.title ? [element("h2", {}, section.title)] : []), ...section.paragraphs.map(paragraph)]));
+    this.#words_of = [];
+    this.#sections = lesson.sections.map(({ title, paragraphs }) => element("section", {}, element("h2", {}, title),
+      ...paragraphs.map((stretches) => element("p", {}, ...stretches.map((stretch) => this.#stretch(stretch))))));
+    by_id("prose").replaceChildren(...this.#sections);
     by_id("read").scrollTop = 0;
+    this.#read_at = -Infinity;
     this.#was_open = false;
     const box = by_id("task");
     set_hidden(box, !lesson.task);
@@ -31,9 +46,57 @@ export class Reading {
       ...(lesson.task.hint ? [element("details", {}, element("summary", {}, this.#words.hint), element("p", {}, lesson.task.hint))] : []));
   }
 
+  #stretch({ text, strong, tex, link }) {
+    const words = tex ? this.#formula(tex, text) : link ? this.#link(text, link) : whole_names(text);
+    return strong ? element("strong", {}, words) : words;
+  }
+
+  /** As the page was built with it; in one line where it was not. */
+  #formula(tex, plain) {
+    const typeset = this.#formulas[tex];
+    const math = typeset && new DOMParser().parseFromString(typeset, "text/html").querySelector("math");
+    if (!math) return element("span", { class: "formula" }, plain);
+    math.setAttribute("alttext", plain);
+    return math;
+  }
+
+  #link(text, link) {
+    const { kind, target } = link;
+    const follow = (event) => (event.preventDefault(), this.#follow(link));
+    if (kind === "lesson") return element("a", { href: link_of(target), onclick: (event) => event.ctrlKey || event.metaKey || event.shiftKey || follow(event) }, whole_names(text));
+    if (kind !== "mark") return element("button", { type: "button", class: "does", onclick: follow }, whole_names(text));
+    const on = () => this.#light(target), off = () => this.#light("");
+    const node = element("button", { type: "button", class: "speaks", onpointerenter: on, onpointerleave: off, onfocus: on, onblur: off,
+      oncontextmenu: (event) => event.preventDefault(), // of a finger that holds it
+      onclick: () => by_id("stage").scrollIntoView({ block: "nearest" }) }, whole_names(text));
+    this.#words_of.push({ mark: target, node });
+    return node;
+  }
+
   update(view) {
     this.#show_grade(view.lesson, view.grade);
+    this.#show_section(view.lesson, view.section);
+    this.#show_lit(view.lesson, view.lit);
   }
+
+  /** The section that the step, or the question, is about. Nothing moves under the eyes of one who reads. */
+  #show_section = when_changed((_lesson, now) => {
+    for (const [i, section] of this.#sections.entries()) {
+      if (i === now) section.setAttribute("aria-current", "true");
+      else section.removeAttribute("aria-current");
+    }
+    const read = by_id("read"), section = this.#sections[now];
+    const reads = performance.now() - this.#read_at < kReads || read.contains(document.activeElement);
+    if (!section || reads || read.scrollHeight <= read.clientHeight) return; // on a phone the whole page scrolls
+    const [box, place] = [read.getBoundingClientRect(), section.getBoundingClientRect()];
+    if (place.top >= box.top && place.bottom <= box.bottom) return;
+    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    read.scrollTo({ top: read.scrollTop + place.top - box.top - box.height / 8, behavior: still ? "auto" : "smooth" });
+  });
+
+  #show_lit = when_changed((_lesson, lit) => {
+    for (const { mark, node } of this.#words_of) node.classList.toggle("lit", mark === lit.mark || lit.words.includes(mark));
+  });
 
   #show_grade = when_changed((_lesson, grade) => {
     if (!grade) return;

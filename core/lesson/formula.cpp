@@ -1,0 +1,182 @@
+#include "lesson/formula.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace snug::lesson {
+namespace {
+
+struct Name {
+  std::string_view tex, plain;
+};
+
+constexpr auto kSymbols = std::to_array<Name>({
+    {"alpha", "α"},      {"beta", "β"},   {"gamma", "γ"}, {"delta", "δ"}, {"epsilon", "ε"}, {"varepsilon", "ε"},
+    {"theta", "θ"},      {"lambda", "λ"}, {"mu", "μ"},    {"pi", "π"},    {"rho", "ρ"},     {"sigma", "σ"},
+    {"tau", "τ"},        {"varphi", "φ"}, {"phi", "φ"},   {"omega", "ω"}, {"Delta", "Δ"},   {"Sigma", "Σ"},
+    {"Omega", "Ω"},      {"sum", "∑"},    {"prod", "∏"},  {"cdot", "·"},  {"times", "×"},   {"pm", "±"},
+    {"le", "≤"},         {"leq", "≤"},    {"ge", "≥"},    {"geq", "≥"},   {"ne", "≠"},      {"neq", "≠"},
+    {"approx", "≈"},     {"equiv", "≡"},  {"in", "∈"},    {"notin", "∉"}, {"to", "→"},      {"rightarrow", "→"},
+    {"Rightarrow", "⇒"}, {"infty", "∞"},  {"cap", "∩"},   {"cup", "∪"},   {"ldots", "…"},   {"dots", "…"},
+    {"lVert", "‖"},      {"rVert", "‖"},  {"Vert", "‖"},  {"lvert", "|"}, {"rvert", "|"},   {"min", "min"},
+    {"max", "max"},      {"cos", "cos"},  {"sin", "sin"}, {"log", "log"}, {"left", ""},     {"right", ""},
+    {"quad", " "},       {",", " "},      {";", " "},     {" ", " "},     {"{", "{"},       {"}", "}"},
+    {"|", "‖"},
+});
+/// What only changes the face of its argument.
+constexpr auto kFaces = std::to_array<std::string_view>({"mathbf", "mathrm", "mathit", "text", "operatorname"});
+/// Between which and their neighbours TeX leaves a space.
+constexpr auto kRelations = std::to_array<std::string_view>(
+    {"+", "−", "=", "<", ">", "≤", "≥", "≠", "≈", "≡", "∈", "∉", "→", "⇒", "±", "·", "×", "∩", "∪"});
+constexpr auto kLetterOperators = std::to_array<std::string_view>({"min", "max", "cos", "sin", "log"});
+constexpr auto kRaised = std::to_array<Name>({{"0", "⁰"},
+                                              {"1", "¹"},
+                                              {"2", "²"},
+                                              {"3", "³"},
+                                              {"4", "⁴"},
+                                              {"5", "⁵"},
+                                              {"6", "⁶"},
+                                              {"7", "⁷"},
+                                              {"8", "⁸"},
+                                              {"9", "⁹"},
+                                              {"+", "⁺"},
+                                              {"−", "⁻"},
+                                              {"n", "ⁿ"}});
+constexpr auto kLowered = std::to_array<Name>({{"0", "₀"},
+                                               {"1", "₁"},
+                                               {"2", "₂"},
+                                               {"3", "₃"},
+                                               {"4", "₄"},
+                                               {"5", "₅"},
+                                               {"6", "₆"},
+                                               {"7", "₇"},
+                                               {"8", "₈"},
+                                               {"9", "₉"},
+                                               {"+", "₊"},
+                                               {"−", "₋"}});
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// A character of UTF-8 off the front.
+std::string_view next_character(std::string_view& rest) {
+  std::size_t length = 1;
+  while (length < rest.size() && (static_cast<unsigned char>(rest[length]) & 0xc0) == 0x80) ++length;
+  const std::string_view one = rest.substr(0, length);
+  rest.remove_prefix(length);
+  return one;
+}
+
+/// Every character by its own of a script; empty where one has none.
+std::string in_script(std::string_view words, const auto& script) {
+  std::string out;
+  while (!words.empty()) {
+    const std::string_view one = next_character(words);
+    const auto* found = std::find_if(script.begin(), script.end(), [&](const Name& name) { return name.tex == one; });
+    if (found == script.end()) return {};
+    out += found->plain;
+  }
+  return out;
+}
+
+bool is_compound(std::string_view words) { return words.find(' ') != std::string_view::npos; }
+
+class Formula {
+ public:
+  explicit Formula(std::string_view rest) : rest_(rest) {}
+
+  tl::expected<std::string, std::string> line() {
+    std::string out = list(false);
+    if (error_.empty() && !rest_.empty()) error_ = "a } has no {";
+    if (!error_.empty()) return tl::unexpected(error_);
+    return out;
+  }
+
+ private:
+  /// Up to the end, or to the brace that closes it.
+  std::string list(bool in_braces) {
+    std::string out;
+    while (error_.empty() && !rest_.empty() && rest_.front() != '}') add(out);
+    if (in_braces && error_.empty()) {
+      if (rest_.empty()) error_ = "a { has no }";
+      else rest_.remove_prefix(1);
+    }
+    while (!out.empty() && out.back() == ' ') out.pop_back();
+    return out;
+  }
+
+  void add(std::string& out) {
+    if (rest_.front() == '_' || rest_.front() == '^') return add_script(out);
+    const std::string atom = this->atom();
+    if (std::find(kRelations.begin(), kRelations.end(), atom) != kRelations.end()) {
+      const bool sign = out.empty() || out.back() == ' ' || out.back() == '(' || out.back() == '|';  // of a number
+      if (!sign) out += ' ';
+      out += atom;
+      if (!sign) out += ' ';
+    } else if (atom != " " || (!out.empty() && out.back() != ' ')) {
+      const bool word = std::find(kLetterOperators.begin(), kLetterOperators.end(), atom) != kLetterOperators.end();
+      if (word && !out.empty() && is_letter(out.back())) out += ' ';
+      out += atom;
+      if (word && !rest_.empty() && rest_.front() != '_' && rest_.front() != '(') out += ' ';
+    }
+  }
+
+  void add_script(std::string& out) {
+    const bool raised = rest_.front() == '^';
+    rest_.remove_prefix(1);
+    const std::string words = argument();
+    const std::string script = raised ? in_script(words, kRaised) : in_script(words, kLowered);
+    if (!script.empty()) out += script;
+    else (out += raised ? '^' : '_') += is_compound(words) ? '(' + words + ')' : words;
+  }
+
+  /// A group in braces, or the next atom.
+  std::string argument() {
+    while (!rest_.empty() && rest_.front() == ' ') rest_.remove_prefix(1);
+    if (!rest_.empty() && rest_.front() != '}') return atom();
+    error_ = "something is missing at the end";
+    return {};
+  }
+
+  std::string atom() {
+    if (rest_.front() == '\\') return command();
+    if (rest_.front() == '{') return rest_.remove_prefix(1), list(true);
+    const std::string_view one = next_character(rest_);
+    if (one == " ") return {};  // of TeX's source
+    if (one == "'") return "′";
+    return one == "-" ? "−" : std::string(one);
+  }
+
+  std::string command() {
+    rest_.remove_prefix(1);
+    std::size_t length = 0;
+    while (length < rest_.size() && is_letter(rest_[length])) ++length;
+    const std::string_view name = rest_.substr(0, std::max<std::size_t>(length, rest_.empty() ? 0 : 1));
+    rest_.remove_prefix(name.size());
+    while (length > 0 && !rest_.empty() && rest_.front() == ' ') rest_.remove_prefix(1);
+    if (std::find(kFaces.begin(), kFaces.end(), name) != kFaces.end()) return argument();
+    if (name == "frac") {
+      const std::string above = argument(), below = argument();
+      const auto enclosed = [](const std::string& part) { return is_compound(part) ? '(' + part + ')' : part; };
+      return enclosed(above) + '/' + enclosed(below);
+    }
+    if (name == "sqrt") {
+      const std::string of = argument();
+      return of.size() > 1 ? "√(" + of + ')' : "√" + of;
+    }
+    const auto* found =
+        std::find_if(kSymbols.begin(), kSymbols.end(), [&](const Name& one) { return one.tex == name; });
+    if (found != kSymbols.end()) return std::string(found->plain);
+    if (error_.empty()) error_ = "\\" + std::string(name) + " is not known here";
+    return {};
+  }
+
+  std::string_view rest_;
+  std::string error_;
+};
+
+}  // namespace
+
+tl::expected<std::string, std::string> plain_formula(std::string_view tex) { return Formula(tex).line(); }
+
+}  // namespace snug::lesson

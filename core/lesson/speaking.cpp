@@ -1,0 +1,86 @@
+#include "lesson/speaking.hpp"
+
+#include <algorithm>
+
+#include "lesson/names.hpp"
+#include "lesson/subjects.hpp"
+
+namespace snug::lesson {
+namespace {
+
+constexpr std::string_view kSupport = "support";
+
+std::optional<Index> handle_named(const Subject& subject, std::string_view name) {
+  for (Index i = 0; i < subject.size(); ++i)
+    if (subject.name_of(i) == name) return i;
+  return std::nullopt;
+}
+
+bool is_among_handles(const std::vector<Index>& handles, Index handle) {
+  return std::find(handles.begin(), handles.end(), handle) != handles.end();
+}
+
+/// The first section that names the fact, of those that speak of the algorithm.
+std::optional<int> section_of(const Lesson& lesson, std::string_view fact, std::string_view algorithm) {
+  for (std::size_t i = 0; i < lesson.sections.size(); ++i) {
+    const Section& section = lesson.sections[i];
+    if ((section.algorithm.empty() || section.algorithm == algorithm) && is_among(section.facts, fact))
+      return static_cast<int>(i);
+  }
+  return std::nullopt;
+}
+
+std::optional<int> section_of(const Lesson& lesson, const Question& question) {
+  for (std::size_t i = 0; i < lesson.sections.size(); ++i)
+    if (!question.section.empty() && lesson.sections[i].title == question.section) return static_cast<int>(i);
+  return section_of(lesson, question.gate.fact, question.gate.algorithm);
+}
+
+}  // namespace
+
+std::vector<Index> marked_handles(const Session& session, std::string_view mark) {
+  if (session.asked() != nullptr && session.asked()->on_stage) return {};
+  if (mark == kSupport) return session.support(0);
+  if (is_among(session.lesson().subject->facts(), mark)) {
+    for (int step = session.step(); step > 0; --step)
+      if (session.run(0).fact(step - 1) == mark) return session.run(0).handles(step - 1);
+    return {};
+  }
+  const auto handle = handle_named(session.subject(), mark);
+  return handle ? std::vector<Index>{*handle} : std::vector<Index>{};
+}
+
+std::vector<std::string_view> marks_of(const Lesson& lesson) {
+  std::vector<std::string_view> marks;
+  for (const Section& section : lesson.sections)
+    for (const Paragraph& paragraph : section.paragraphs)
+      for (const Stretch& stretch : paragraph)
+        if (stretch.link && stretch.link->kind == Link::Kind::kMark && !is_among(marks, stretch.link->target))
+          marks.push_back(stretch.link->target);
+  return marks;
+}
+
+std::vector<std::string_view> marks_at(const Session& session, Index handle) {
+  std::vector<std::string_view> marks = marks_of(session.lesson());
+  std::erase_if(marks, [&](std::string_view mark) { return !is_among_handles(marked_handles(session, mark), handle); });
+  return marks;
+}
+
+bool is_mark(const Subject& subject, std::string_view mark) {
+  return mark == kSupport || is_among(subject.row().facts(), mark) || handle_named(subject, mark);
+}
+
+std::optional<int> section_at(const Session& session) {
+  const Lesson& lesson = session.lesson();
+  const Asked* const asked = session.asked();
+  const Outcome* const told = session.outcome();
+  const Asked* const about = asked != nullptr ? asked : told != nullptr ? session.question_of(*told) : nullptr;
+  if (about != nullptr)
+    if (const auto section = section_of(lesson, *about->question)) return section;
+  if (session.method(0) == nullptr || session.previewing()) return std::nullopt;
+  for (int step = session.step(); step > 0; --step)
+    if (const auto section = section_of(lesson, session.run(0).fact(step - 1), session.method(0)->name)) return section;
+  return std::nullopt;
+}
+
+}  // namespace snug::lesson
