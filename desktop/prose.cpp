@@ -46,14 +46,14 @@ void underline(ImDrawList* list, float x, float y, float width, app::Color color
   for (float at = 0; at < width; at += 4) list->AddRectFilled({x + at, y}, {x + at + 2, y + 1.5f}, color);
 }
 
-/// Writes one word; what leads somewhere answers the pointer.
-void draw_word(const Column& column, const Word& word, ImVec2 at, float width, bool lit, std::size_t number,
-               ProseTouch& touch) {
+/// Writes one word; what leads somewhere answers the pointer. after: how far that goes on behind the word.
+void draw_word(const Column& column, const Word& word, ImVec2 at, float width, float after, bool lit,
+               std::size_t number, ProseTouch& touch) {
   const app::Look& look = column.look();
   const float size = look.px(kSize);
   app::Color color = look->ink;
   if (const std::optional<Link>& link = word.stretch->link) {
-    const app::Rect rect{at.x - 2, at.y - 3, width + 4, size + 7};
+    const app::Rect rect{at.x - 2, at.y - 3, width + after + 4, size + 7};
     const std::string id = "word " + std::to_string(number) + std::string(word.text);
     const app::Touch touched = app::touch_area(id.c_str(), rect);
     if (touched.hovered || touched.held) touch.hovered = &*link, ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -62,7 +62,7 @@ void draw_word(const Column& column, const Word& word, ImVec2 at, float width, b
     if (mark && (lit || touched.hovered))
       column.list()->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->lit, 3);
     if (!mark) color = look->current_text;
-    underline(column.list(), at.x, at.y + size + 2, width, look->current, mark);
+    underline(column.list(), at.x, at.y + size + 2, width + after, look->current, mark);
   }
   app::text(column.list(), look, face_of(word), kSize, at, color, word.text);
 }
@@ -88,7 +88,10 @@ ProseTouch draw_prose(Column& column, const lesson::Paragraph& paragraph, std::s
     for (; i < end; ++i) {
       const std::optional<Link>& link = words[i].stretch->link;
       const bool is_lit = link && std::find(lit.begin(), lit.end(), link->target) != lit.end();
-      draw_word(column, words[i], {column.x() + x, column.y() + inset}, width_of(words[i]), is_lit, i, touch);
+      const bool goes_on = i + 1 < words.size() && words[i + 1].stretch == words[i].stretch &&
+                           x + width_of(words[i]) + space + width_of(words[i + 1]) <= column.width();
+      draw_word(column, words[i], {column.x() + x, column.y() + inset}, width_of(words[i]), goes_on ? space : 0, is_lit,
+                i, touch);
       x += width_of(words[i]);
     }
   }

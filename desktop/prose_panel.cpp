@@ -80,12 +80,13 @@ void follow_step(Shell& shell, int now, float top, float bottom, bool reads) {
       shell.scroll_to = std::max(0.0f, top - height / 8);
   }
   if (shell.scroll_to < 0) return;
+  shell.measured_anew = true;
+  if (ImGui::IsWindowAppearing()) return;  // how long the prose is has not been found yet
   if (reads) shell.scroll_to = -1;
   const float left = std::min(shell.scroll_to, ImGui::GetScrollMaxY()) - ImGui::GetScrollY();
   const bool there = std::abs(left) < 1 || shell.app().settings().reduced_motion || shell.scroll_to < 0;
   if (shell.scroll_to >= 0) ImGui::SetScrollY(ImGui::GetScrollY() + (there ? left : left * 0.25f));
   if (there) shell.scroll_to = -1;
-  shell.measured_anew = true;
 }
 
 void draw_lesson(Shell& shell, Column& column) {

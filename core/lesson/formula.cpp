@@ -109,8 +109,9 @@ class Formula {
     if (rest_.front() == '_' || rest_.front() == '^') return add_script(out);
     const std::string atom = this->atom();
     if (std::find(kRelations.begin(), kRelations.end(), atom) != kRelations.end()) {
-      const bool sign = out.empty() || out.back() == ' ' || out.back() == '(' || out.back() == '|';  // of a number
-      if (!sign) out += ' ';
+      const bool begins = out.empty() || out.back() == ' ' || out.back() == '(';
+      const bool sign = begins && (atom == "−" || atom == "+" || atom == "±");  // of a number
+      if (!begins) out += ' ';
       out += atom;
       if (!sign) out += ' ';
     } else if (atom != " " || (!out.empty() && out.back() != ' ')) {
@@ -157,8 +158,11 @@ class Formula {
     if (std::find(kFaces.begin(), kFaces.end(), name) != kFaces.end()) return argument();
     if (name == "frac") {
       const std::string above = argument(), below = argument();
+      while (!rest_.empty() && rest_.front() == ' ') rest_.remove_prefix(1);
       const auto enclosed = [](const std::string& part) { return is_compound(part) ? '(' + part + ')' : part; };
-      return enclosed(above) + '/' + enclosed(below);
+      const bool factor = !rest_.empty() && (rest_.front() == '(' || rest_.front() == '\\' ||
+                                             is_letter(rest_.front()));  // (a/b) c, not a/(b c)
+      return enclosed(above) + '/' + enclosed(below) + (factor ? " " : "");
     }
     if (name == "sqrt") {
       const std::string of = argument();

@@ -28,13 +28,23 @@ std::string joined(std::string_view text) {
   return line;
 }
 
+constexpr std::string_view kKeptSpace = "\u00a0";  // no line is broken at it
+constexpr std::size_t kShortFormula = 28;          // bytes: it stands on one line
+
+std::string with_kept_spaces(std::string_view words) {
+  std::string out;
+  for (const char c : words)
+    if (c == ' ') out += kKeptSpace;
+    else out += c;
+  return out;
+}
+
 /// With spaces that no line is broken at within a sum of radii and before a per cent sign.
 std::string kept_together(std::string line) {
-  constexpr std::string_view kSpace = "\u00a0";
   for (const std::string_view whole : {"r_A + r_B", " %"})
     for (auto at = line.find(whole); at != std::string::npos; at = line.find(whole, at + 1))
       for (auto end = at + whole.size(), i = at; i < end; ++i)
-        if (line[i] == ' ') line.replace(i, 1, kSpace), end += kSpace.size() - 1;
+        if (line[i] == ' ') line.replace(i, 1, kKeptSpace), end += kKeptSpace.size() - 1;
   return line;
 }
 
@@ -84,6 +94,7 @@ class Line {
     rest_.remove_prefix(end + 1);
     auto plain = plain_formula(tex);
     if (!plain) return complain("has a formula that cannot be set, $" + std::string(tex) + "$: " + plain.error());
+    if (plain->size() <= kShortFormula) plain = with_kept_spaces(*plain);
     paragraph_.push_back({.text = std::move(*plain), .strong = strong_, .tex = std::string(tex)});
   }
 
@@ -103,6 +114,7 @@ class Line {
                "): it is lesson:, mesh:, algorithm:, step: or mark: and a name");
       return true;
     }
+    if (words.find("**") != std::string_view::npos) complain("has ** within a link: it stands around the link");
     flush();
     paragraph_.push_back(
         {.text = std::string(words), .strong = strong_, .link = Link{kind->second, std::string(to.substr(colon + 1))}});

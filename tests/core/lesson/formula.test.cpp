@@ -1,0 +1,52 @@
+#include "lesson/formula.hpp"
+
+#include <doctest/doctest.h>
+
+#include <array>
+
+using snug::lesson::plain_formula;
+
+TEST_CASE("a formula is written in one line of Unicode") {
+  struct Case {
+    const char *tex, *plain;
+  };
+  const auto cases = std::to_array<Case>({
+      {R"(\lvert T \cdot L \rvert > r_A + r_B)", "|T · L| > r_A + r_B"},
+      {R"(n \cdot p + d)", "n · p + d"},
+      {R"(r' = \frac{r + d}{2})", "r′ = (r + d)/2"},
+      {R"(c' = c + \frac{r' - r}{d} (p - c))", "c′ = c + (r′ − r)/d (p − c)"},
+      {R"(\frac{1}{n}\sum_i (p_i - \mu)^2)", "1/n ∑_i(p_i − μ)²"},
+      {R"(x_1^2 + x_{10} \le -1)", "x₁² + x₁₀ ≤ −1"},
+      {R"(\sqrt{a^2 + b^2})", "√(a² + b²)"},
+      {R"(\sqrt 2)", "√2"},
+      {R"(\lVert p - c \rVert)", "‖p − c‖"},
+      {R"(a_{i+1})", "a_(i + 1)"},
+      {R"(\max(a, b))", "max(a,b)"},
+      {R"(\text{depth} = \min d)", "depth = min d"},
+      {"", ""},
+  });
+  for (const Case& one : cases) {
+    CAPTURE(one.tex);
+    const auto plain = plain_formula(one.tex);
+    REQUIRE(plain.has_value());
+    CHECK(*plain == one.plain);
+  }
+}
+
+TEST_CASE("a formula that cannot be written is an error that says why") {
+  struct Case {
+    const char *tex, *why;
+  };
+  for (const Case& one : std::to_array<Case>({{R"(\foo x)", R"(\foo is not known here)"},
+                                              {R"({a)", "a { has no }"},
+                                              {R"(a})", "a } has no {"},
+                                              {R"(x_)", "something is missing at the end"},
+                                              {R"(\frac{a})", "something is missing at the end"},
+                                              {"\\", "\\ is not known here"}})) {
+    CAPTURE(one.tex);
+    const auto plain = plain_formula(one.tex);
+    REQUIRE_FALSE(plain.has_value());
+    CHECK(plain.error() == one.why);
+  }
+  CHECK_FALSE(plain_formula(std::string(100, '{')).has_value());
+}

@@ -1,0 +1,126 @@
+#include "lesson/speaking.hpp"
+
+#include "core/lesson/small_lesson.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+using snug::test::open;
+using snug::test::small_lesson_with;
+
+namespace {
+
+constexpr std::string_view kText = "A **term** stands here\nover two lines.";
+
+/// The small lesson, whose prose speaks.
+std::string speaking_lesson() {
+  std::string text = small_lesson_with(
+      kText,
+      "The [pair](mark:pair_chosen) is [the support](mark:support), [P4](mark:P4) is outside; "
+      "[Welzl](algorithm:welzl),\n"
+      "[the bunny](mesh:bunny), [step 2](step:2), [spheres](lesson:sphere-ritter), $a \\\\le b$ and [brackets].");
+  const auto at = text.find("title = \"First\"\n");
+  text.insert(at, "facts = [\"pair_chosen\"]\n");
+  text.insert(text.find("[[question]]"), R"([[section]]
+title = "Growing"
+algorithm = "ritter"
+facts = ["ball_grown", "point_examined"]
+text = "It **grows**."
+
+)");
+  return text;
+}
+
+void pass_question(Session& session) {
+  REQUIRE(session.skip());
+  session.acknowledge();
+}
+
+}  // namespace
+
+TEST_CASE("links and formulas of the prose are stretches of their own") {
+  const auto lesson = read_lesson(speaking_lesson(), "small.toml");
+  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+  const Paragraph& first = lesson->sections.at(0).paragraphs.at(0);
+  std::vector<std::string> links;
+  for (const Stretch& stretch : first)
+    if (stretch.link) links.push_back(stretch.text + " > " + stretch.link->target);
+  CHECK(links == std::vector<std::string>{"pair > pair_chosen", "the support > support", "P4 > P4", "Welzl > welzl",
+                                          "the bunny > bunny", "step 2 > 2", "spheres > sphere-ritter"});
+  const auto formula = std::find_if(first.begin(), first.end(), [](const Stretch& one) { return !one.tex.empty(); });
+  REQUIRE(formula != first.end());
+  CHECK(formula->tex == "a \\le b");
+  CHECK(formula->text == "a\u00a0≤\u00a0b");
+  CHECK(first.back().text == " and [brackets].");
+  CHECK(marks_of(*lesson) == std::vector<std::string_view>{"pair_chosen", "support", "P4"});
+}
+
+TEST_CASE("a mistake in what the prose links to is told with the text's line") {
+  struct Case {
+    const char *text, *says;
+  };
+  for (const Case& one : std::to_array<Case>({
+           {"[a](mesh:teapot)", "links to a mesh that is none of bunny: teapot"},
+           {"[a](algorithm:aabb_center)", "links to an algorithm that is none of ritter, welzl or brute_force"},
+           {"[a](step:two)", "links to a step that is no number: two"},
+           {"[a](mark:P99)", "there is no mark P99"},
+           {"[a](mark:no_fact)", "there is no mark no_fact"},
+           {"[a](place:x)", "has a link that leads nowhere, (place:x)"},
+           {"[a](mesh:)", "has a link that leads nowhere, (mesh:)"},
+           {"[**a**](step:1)", "has ** within a link"},
+           {"$a", "has a $ without a partner"},
+           {"$\\\\foo$", "has a formula that cannot be set, $\\foo$: \\foo is not known here"},
+       })) {
+    CAPTURE(one.text);
+    const std::string text = small_lesson_with(kText, one.text);
+    const auto lesson = read_lesson(text, "small.toml");
+    REQUIRE_FALSE(lesson.has_value());
+    CHECK_MESSAGE(lesson.error().what.find(one.says) != std::string::npos, lesson.error().what);
+    const auto before = text.substr(0, text.find("text = "));
+    CHECK(lesson.error().position == 1 + std::count(before.begin(), before.end(), '\n'));
+  }
+}
+
+TEST_CASE("a mark lights what the run has of it by now") {
+  Session session = open(speaking_lesson());
+  CHECK(marked_handles(session, "pair_chosen").empty());
+  session.jump(1);
+  pass_question(session);  // the question about the pair
+  session.jump(2);
+  pass_question(session);
+  session.jump(5);
+  CHECK(marked_handles(session, "pair_chosen") == std::vector<Index>{0, 1});
+  CHECK(marked_handles(session, "support") == session.support(0));
+  CHECK(marked_handles(session, "P4") == std::vector<Index>{4});
+  CHECK(marked_handles(session, "P77").empty());
+  CHECK(marked_handles(session, "").empty());
+  CHECK(marks_at(session, 4) == std::vector<std::string_view>{"P4"});
+  CHECK(marks_at(session, 0) == std::vector<std::string_view>{"pair_chosen", "support"});
+}
+
+TEST_CASE("while a question is answered on the stage no mark gives the answer away") {
+  Session session = open(speaking_lesson());
+  session.jump(1);
+  pass_question(session);
+  session.jump(2);
+  REQUIRE(session.asked() != nullptr);
+  REQUIRE(session.asked()->on_stage);
+  for (const auto mark : {"support", "pair_chosen", "P4"}) CHECK(marked_handles(session, mark).empty());
+}
+
+TEST_CASE("the section is the step's, and the question's while one is open") {
+  Session session = open(speaking_lesson());
+  CHECK_FALSE(section_at(session).has_value());
+  session.jump(1);
+  REQUIRE(session.asked() != nullptr);
+  CHECK(section_at(session) == 0);  // asked about the pair, before that step is done
+  pass_question(session);
+  session.jump(2);
+  REQUIRE(session.asked() != nullptr);
+  CHECK(section_at(session) == 1);  // about the growth
+  pass_question(session);
+  session.jump(4);
+  CHECK(section_at(session) == 1);
+  REQUIRE(session.choose(0, "welzl"));
+  session.jump(3);
+  CHECK_FALSE(section_at(session).has_value());  // no section speaks of Welzl's steps
+}
