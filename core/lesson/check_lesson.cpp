@@ -52,14 +52,28 @@ void check_runs(const Lesson& lesson, const Subject& own, Complaints& complaints
       check_questions(lesson, method, own, *own.run(method, nullptr), complaints);
 }
 
+/// The steps of the run that a section speaks of.
+int steps_of(const Lesson& lesson, const Section& section, const Subject& own) {
+  const std::string& name = section.algorithm.empty() ? lesson.algorithms.front() : section.algorithm;
+  const Method& method = *find_method(lesson, name);
+  return own.suits(method) ? own.run(method, nullptr)->steps() : 0;
+}
+
+void check_link(const Lesson& lesson, const Section& section, const Link& link, const Subject& own,
+                Complaints& complaints) {
+  if (link.kind == Link::Kind::kMark && !is_mark(own, link.target))
+    complaints.add(section.line, "there is no mark " + link.target + ": it is support, a step's name or a handle's");
+  if (link.kind != Link::Kind::kStep) return;
+  if (const int steps = steps_of(lesson, section, own); std::stoi(link.target) > steps)  // digits, as it was read
+    complaints.add(section.line, "there is no step " + link.target + ": the run has " + std::to_string(steps));
+}
+
 /// Links that only a run can tell from mistakes.
 void check_links(const Lesson& lesson, const Subject& own, Complaints& complaints) {
   for (const Section& section : lesson.sections)
     for (const Paragraph& paragraph : section.paragraphs)
       for (const Stretch& stretch : paragraph)
-        if (stretch.link && stretch.link->kind == Link::Kind::kMark && !is_mark(own, stretch.link->target))
-          complaints.add(section.line,
-                         "there is no mark " + stretch.link->target + ": it is support, a step's name or a handle's");
+        if (stretch.link) check_link(lesson, section, *stretch.link, own, complaints);
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ constexpr auto kFaces = std::to_array<std::string_view>({"mathbf", "mathrm", "ma
 /// Between which and their neighbours TeX leaves a space.
 constexpr auto kRelations = std::to_array<std::string_view>(
     {"+", "−", "=", "<", ">", "≤", "≥", "≠", "≈", "≡", "∈", "∉", "→", "⇒", "±", "·", "×", "∩", "∪"});
-constexpr auto kLetterOperators = std::to_array<std::string_view>({"min", "max", "cos", "sin", "log"});
+/// What takes the words behind it, and stands apart from them.
+constexpr auto kOperators = std::to_array<std::string_view>({"min", "max", "cos", "sin", "log", "∑", "∏"});
 constexpr auto kRaised = std::to_array<Name>({{"0", "⁰"},
                                               {"1", "¹"},
                                               {"2", "²"},
@@ -114,12 +115,20 @@ class Formula {
       if (!begins) out += ' ';
       out += atom;
       if (!sign) out += ' ';
+    } else if (std::find(kOperators.begin(), kOperators.end(), atom) != kOperators.end()) {
+      add_operator(out, atom);
     } else if (atom != " " || (!out.empty() && out.back() != ' ')) {
-      const bool word = std::find(kLetterOperators.begin(), kLetterOperators.end(), atom) != kLetterOperators.end();
-      if (word && !out.empty() && is_letter(out.back())) out += ' ';
       out += atom;
-      if (word && !rest_.empty() && rest_.front() != '_' && rest_.front() != '(') out += ' ';
     }
+  }
+
+  /// With its own scripts, so that no letter behind it is taken for one of them.
+  void add_operator(std::string& out, const std::string& name) {
+    if (!out.empty() && out.back() != ' ' && out.back() != '(' && out.back() != '|') out += ' ';
+    out += name;
+    while (!rest_.empty() && (rest_.front() == '_' || rest_.front() == '^')) add_script(out);
+    const bool called = !rest_.empty() && rest_.front() == '(' && is_letter(name.front());  // max(a, b)
+    if (!called) out += ' ';
   }
 
   void add_script(std::string& out) {

@@ -12,6 +12,12 @@ namespace {
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  return text;
+}
+
 /// One space for each run of white space.
 std::string joined(std::string_view text) {
   std::string line;
@@ -67,6 +73,7 @@ class Line {
     }
     flush();
     if (strong_) complain("has a ** without a partner");
+    if (displayed_ && paragraph_.size() > 1) complain("has a $$ formula among words: it is a paragraph of its own");
     return std::move(paragraph_);
   }
 
@@ -82,16 +89,18 @@ class Line {
   }
 
   void flush() {
-    if (!plain_.empty()) paragraph_.push_back({.text = std::move(plain_), .strong = strong_});
+    if (!plain_.empty()) paragraph_.push_back({.text = kept_together(std::move(plain_)), .strong = strong_});
     plain_.clear();
   }
 
   void formula() {
-    const auto end = rest_.find('$');
-    if (end == std::string_view::npos) return complain("has a $ without a partner");
+    const std::string_view signs = take("$") ? "$$" : "$";
+    const auto end = rest_.find(signs);
+    if (end == std::string_view::npos) return complain("has a " + std::string(signs) + " without a partner");
     flush();
-    const std::string_view tex = rest_.substr(0, end);
-    rest_.remove_prefix(end + 1);
+    displayed_ = displayed_ || signs == "$$";
+    const std::string_view tex = trimmed(rest_.substr(0, end));
+    rest_.remove_prefix(end + signs.size());
     auto plain = plain_formula(tex);
     if (!plain) return complain("has a formula that cannot be set, $" + std::string(tex) + "$: " + plain.error());
     if (plain->size() <= kShortFormula) plain = with_kept_spaces(*plain);
@@ -101,8 +110,9 @@ class Line {
   /// [words](kind:target). Brackets alone are brackets.
   bool link() {
     if (rest_.front() != '[') return false;
-    const auto middle = rest_.find("](");
-    const auto end = middle == std::string_view::npos ? middle : rest_.find(')', middle);
+    const auto middle = rest_.find(']');
+    if (middle == std::string_view::npos || rest_.substr(middle + 1, 1) != "(") return false;
+    const auto end = rest_.find(')', middle);
     if (end == std::string_view::npos) return false;
     const std::string_view words = rest_.substr(1, middle - 1), to = rest_.substr(middle + 2, end - middle - 2);
     const auto colon = std::min(to.find(':'), to.size());
@@ -115,9 +125,11 @@ class Line {
       return true;
     }
     if (words.find("**") != std::string_view::npos) complain("has ** within a link: it stands around the link");
+    if (words.find('$') != std::string_view::npos) complain("has a formula within a link, whose words are plain");
     flush();
-    paragraph_.push_back(
-        {.text = std::string(words), .strong = strong_, .link = Link{kind->second, std::string(to.substr(colon + 1))}});
+    paragraph_.push_back({.text = kept_together(std::string(words)),
+                          .strong = strong_,
+                          .link = Link{kind->second, std::string(to.substr(colon + 1))}});
     return true;
   }
 
@@ -125,6 +137,7 @@ class Line {
   std::string& wrong_;
   std::string plain_;
   bool strong_ = false;
+  bool displayed_ = false;  // a formula that stands on a line of its own
   Paragraph paragraph_;
 };
 
@@ -148,7 +161,7 @@ std::string_view next_block(std::string_view& text) {
 std::vector<Paragraph> paragraphs_of(std::string_view text, std::string& wrong) {
   std::vector<Paragraph> paragraphs;
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty()) paragraphs.push_back(Line(kept_together(joined(next_block(text))), wrong).stretches());
+  while (!text.empty()) paragraphs.push_back(Line(joined(next_block(text)), wrong).stretches());
   return paragraphs;
 }
 

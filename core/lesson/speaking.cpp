@@ -16,6 +16,31 @@ std::optional<Index> handle_named(const Subject& subject, std::string_view name)
   return std::nullopt;
 }
 
+/// A fact's name, and which of the handles that it names; 0: all of them.
+struct FactMark {
+  std::string_view fact;
+  std::size_t which = 0;
+};
+
+std::optional<FactMark> fact_mark(const SubjectRow& subject, std::string_view mark) {
+  const auto slash = std::min(mark.find('/'), mark.size());
+  const std::string_view fact = mark.substr(0, slash), which = mark.substr(slash);
+  if (!is_among(subject.facts(), fact)) return std::nullopt;
+  if (which.empty()) return FactMark{fact};
+  if (which.size() != 2 || which[1] < '1' || which[1] > '9') return std::nullopt;
+  return FactMark{fact, static_cast<std::size_t>(which[1] - '0')};
+}
+
+std::vector<Index> handles_of(const FactMark& mark, const Session& session) {
+  for (int step = session.step(); step > 0; --step) {
+    if (session.run(0).fact(step - 1) != mark.fact) continue;
+    std::vector<Index> handles = session.run(0).handles(step - 1);
+    if (mark.which == 0) return handles;
+    return mark.which <= handles.size() ? std::vector<Index>{handles[mark.which - 1]} : std::vector<Index>{};
+  }
+  return {};
+}
+
 bool is_among_handles(const std::vector<Index>& handles, Index handle) {
   return std::find(handles.begin(), handles.end(), handle) != handles.end();
 }
@@ -41,11 +66,7 @@ std::optional<int> section_of(const Lesson& lesson, const Question& question) {
 std::vector<Index> marked_handles(const Session& session, std::string_view mark) {
   if (session.asked() != nullptr && session.asked()->on_stage) return {};
   if (mark == kSupport) return session.support(0);
-  if (is_among(session.lesson().subject->facts(), mark)) {
-    for (int step = session.step(); step > 0; --step)
-      if (session.run(0).fact(step - 1) == mark) return session.run(0).handles(step - 1);
-    return {};
-  }
+  if (const auto fact = fact_mark(*session.lesson().subject, mark)) return handles_of(*fact, session);
   const auto handle = handle_named(session.subject(), mark);
   return handle ? std::vector<Index>{*handle} : std::vector<Index>{};
 }
@@ -67,7 +88,7 @@ std::vector<std::string_view> marks_at(const Session& session, Index handle) {
 }
 
 bool is_mark(const Subject& subject, std::string_view mark) {
-  return mark == kSupport || is_among(subject.row().facts(), mark) || handle_named(subject, mark);
+  return mark == kSupport || fact_mark(subject.row(), mark) || handle_named(subject, mark);
 }
 
 std::optional<int> section_at(const Session& session) {

@@ -10,8 +10,8 @@
 namespace snug::lesson {
 
 /// The handles that a mark lights now. mark: "support", those that hold the volume as it stands; a fact's name, those
-/// of its last step up to now; or a handle's name. None where there is nothing of it, or where the question that stands
-/// asks for it.
+/// of its last step up to now, "plane_tested/2" the second of them; or a handle's name. None where there is nothing of
+/// it, or where the question that stands asks for it.
 [[nodiscard]] std::vector<Index> marked_handles(const Session& session, std::string_view mark);
 
 /// The marks that the lesson's prose links to, each once; and those of them that light a handle now.

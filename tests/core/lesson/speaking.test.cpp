@@ -61,6 +61,11 @@ TEST_CASE("a mistake in what the prose links to is told with the text's line") {
   for (const Case& one : std::to_array<Case>({
            {"[a](mesh:teapot)", "links to a mesh that is none of bunny: teapot"},
            {"[a](algorithm:aabb_center)", "links to an algorithm that is none of ritter, welzl or brute_force"},
+           {"[a](step:12)", "there is no step 12: the run has 11"},
+           {"[a](mark:pair_chosen/0)", "there is no mark pair_chosen/0"},
+           {"[$a$](step:1)", "has a formula within a link"},
+           {"Words and $$a$$.", "has a $$ formula among words"},
+           {"$$a$", "has a $$ without a partner"},
            {"[a](step:two)", "links to a step that is no number: two"},
            {"[a](mark:P99)", "there is no mark P99"},
            {"[a](mark:no_fact)", "there is no mark no_fact"},
@@ -80,6 +85,20 @@ TEST_CASE("a mistake in what the prose links to is told with the text's line") {
   }
 }
 
+TEST_CASE("brackets before a link are brackets, and TeX stays as it was written") {
+  const auto lesson = read_lesson(
+      small_lesson_with(kText, "In [0, 1] the [pair](mark:pair_chosen).\n\n$$ r_A + r_B $$\n\nThe $r_A + r_B$."),
+      "a.toml");
+  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+  const std::vector<Paragraph>& paragraphs = lesson->sections.at(0).paragraphs;
+  CHECK(paragraphs.at(0).at(0).text == "In [0, 1] the ");
+  CHECK(paragraphs.at(0).at(1).text == "pair");
+  REQUIRE(paragraphs.at(1).size() == 1);
+  CHECK(paragraphs.at(1).at(0).tex == "r_A + r_B");
+  CHECK(paragraphs.at(2).at(1).tex == "r_A + r_B");
+  CHECK(paragraphs.at(2).at(1).text == "r_A\u00a0+\u00a0r_B");
+}
+
 TEST_CASE("a mark lights what the run has of it by now") {
   Session session = open(speaking_lesson());
   CHECK(marked_handles(session, "pair_chosen").empty());
@@ -89,6 +108,8 @@ TEST_CASE("a mark lights what the run has of it by now") {
   pass_question(session);
   session.jump(5);
   CHECK(marked_handles(session, "pair_chosen") == std::vector<Index>{0, 1});
+  CHECK(marked_handles(session, "pair_chosen/2") == std::vector<Index>{1});
+  CHECK(marked_handles(session, "pair_chosen/3").empty());
   CHECK(marked_handles(session, "support") == session.support(0));
   CHECK(marked_handles(session, "P4") == std::vector<Index>{4});
   CHECK(marked_handles(session, "P77").empty());
