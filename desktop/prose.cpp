@@ -54,6 +54,7 @@ void draw_word(const Column& column, const Word& word, ImVec2 at, float width, f
   app::Color color = look->ink;
   if (const std::optional<Link>& link = word.stretch->link) {
     const app::Rect rect{at.x - 2, at.y - 3, width + after + 4, size + 7};
+    touch.links.push_back({&*link, rect});
     const std::string id = "word " + std::to_string(number) + std::string(word.text);
     const app::Touch touched = app::touch_area(id.c_str(), rect);
     if (touched.hovered || touched.held) touch.hovered = &*link, ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -67,9 +68,23 @@ void draw_word(const Column& column, const Word& word, ImVec2 at, float width, f
   app::text(column.list(), look, face_of(word), kSize, at, color, word.text);
 }
 
+/// A formula that is a paragraph of its own, in the middle of the column; false where it is too long for a line.
+bool draw_displayed(Column& column, const lesson::Paragraph& paragraph) {
+  if (paragraph.size() != 1 || paragraph.front().tex.empty()) return false;
+  const app::Look& look = column.look();
+  const float width = app::measure(look, Face::kRegular, kSize, paragraph.front().text).x;
+  if (width > column.width()) return false;
+  app::text(column.list(), look, Face::kRegular, kSize,
+            {column.x() + (column.width() - width) / 2, column.y() + (look.px(kLeading) - look.px(kSize)) / 2},
+            look->ink, paragraph.front().text);
+  column.gap(look.px(kLeading));
+  return true;
+}
+
 }  // namespace
 
 ProseTouch draw_prose(Column& column, const lesson::Paragraph& paragraph, std::span<const std::string_view> lit) {
+  if (draw_displayed(column, paragraph)) return {};
   const app::Look& look = column.look();
   const float space = app::measure(look, Face::kRegular, kSize, " ").x;
   const float inset = (look.px(kLeading) - look.px(kSize)) / 2;

@@ -3,16 +3,24 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "desktop/column.hpp"
 #include "lesson/lesson.hpp"
 
 namespace snug::desktop {
 
-/// The links under the pointer; null for none.
+/// A word that leads somewhere, where it stands.
+struct PlacedLink {
+  const lesson::Link* link;
+  app::Rect rect;
+};
+
+/// The links under the pointer; null for none. links: all of them.
 struct ProseTouch {
   const lesson::Link* hovered = nullptr;
   const lesson::Link* clicked = nullptr;
+  std::vector<PlacedLink> links = {};
 };
 
 /// lit: the marks whose words are lit, for their handle is pointed at.

@@ -106,6 +106,7 @@ void draw_lesson(Shell& shell, Column& column) {
       ImGui::PopID();
       if (here.hovered != nullptr) touch.hovered = here.hovered;
       if (here.clicked != nullptr) touch.clicked = here.clicked;
+      touch.links.insert(touch.links.end(), here.links.begin(), here.links.end());
       column.gap(10);
     }
     if (i++ != now) continue;
@@ -114,6 +115,8 @@ void draw_lesson(Shell& shell, Column& column) {
     top = from + ImGui::GetScrollY() - beginning, bottom = end + ImGui::GetScrollY() - beginning;
   }
   const bool marks = touch.hovered != nullptr && touch.hovered->kind == lesson::Link::Kind::kMark;
+  shell.links.clear();
+  for (const PlacedLink& one : touch.links) shell.links.emplace_back(one.link->target, one.rect);
   shell.app().light(marks ? std::string_view(touch.hovered->target) : std::string_view());
   follow_step(shell, now, top, bottom, ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem));
   column.gap(12);

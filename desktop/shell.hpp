@@ -59,8 +59,9 @@ class Shell {
   bool hint_shown = false;       // of the task
   std::array<char, 32> typed{};  // of the name that answers a question
   bool points_tab = false;
-  int section = -1;      // of the prose, that the step was about in the last frame
-  float scroll_to = -1;  // where the prose is on its way to; less than 0: nowhere
+  std::vector<std::pair<std::string, app::Rect>> links;  // of the prose, by their targets, where they stand
+  int section = -1;                                      // of the prose, that the step was about in the last frame
+  float scroll_to = -1;                                  // where the prose is on its way to; less than 0: nowhere
   // As measured in the last frame: of the left column's lower part, of the right one's, and of the stage's foot, which
   // a question covers.
   float pinned_height = 300, code_height = 300, foot = 0;

@@ -53,6 +53,16 @@ void StateFile::write(Shell& shell, const Extent& extent) {
   const lesson::Tally tally = session->tally();
   state["tally"] = {{"right", tally.right}, {"wrong", tally.wrong}, {"skipped", tally.skipped}, {"open", tally.open}};
   state["notice"] = shell.notice;
+  state["section"] = shell.section;
+  state["lit"] = app.lit();
+  state["marks"] = app.marks_in_hand();
+  state["scrolling"] = shell.scroll_to >= 0;
+  state["algorithm"] = session->method(0)->name;
+  state["links"] = nlohmann::ordered_json::array();
+  for (const auto& [target, at] : shell.links)
+    state["links"].push_back({{"to", target},
+                              {"x", (at.x + at.width / 2) * extent.window_per_page},
+                              {"y", (at.y + at.height / 2) * extent.window_per_page}});
   state["readout"] = nlohmann::ordered_json::object();
   for (const auto& figure : session->figures())
     if (figure.known) state["readout"][figure.key] = figure.value;

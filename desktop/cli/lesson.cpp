@@ -60,6 +60,21 @@ std::optional<InputError> fault_of(const LessonFile& file, const lesson::Played&
   return InputError{.what = "a model answer is graded as wrong", .file = file.path};
 }
 
+/// A link to a lesson that is not in the lesson's folder; none where all are.
+std::optional<InputError> lost_link(const LessonFile& file) {
+  for (const lesson::Section& section : file.lesson.sections)
+    for (const lesson::Paragraph& paragraph : section.paragraphs)
+      for (const lesson::Stretch& stretch : paragraph) {
+        if (!stretch.link || stretch.link->kind != lesson::Link::Kind::kLesson) continue;
+        const std::filesystem::path beside = std::filesystem::path(file.path).parent_path() / stretch.link->target;
+        std::error_code ignored;
+        if (!std::filesystem::exists(beside.string() + ".toml", ignored))
+          return InputError{"\"text\" links to a lesson that is not there: " + stretch.link->target, file.path,
+                            InputError::Unit::kLine, section.line};
+      }
+  return std::nullopt;
+}
+
 tl::expected<Json, InputError> check_course(const std::filesystem::path& path) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   const auto course = read_course_of(folder.string());
@@ -73,6 +88,7 @@ tl::expected<Json, InputError> check(const std::string& path) {
   if (std::filesystem::path(path).filename() == kCourseFile) return check_course(path);
   const auto file = read_lesson_file(path);
   if (!file) return tl::unexpected(file.error());
+  if (auto lost = lost_link(*file)) return tl::unexpected(std::move(*lost));
   const auto played = play(*file);
   if (!played) return tl::unexpected(played.error());
   if (auto fault = fault_of(*file, *played)) return tl::unexpected(std::move(*fault));

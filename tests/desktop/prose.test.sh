@@ -1,0 +1,41 @@
+# The prose speaks to the stage in the window: a mark lights while it is pointed at, a handle lights its words, a link
+# chooses an algorithm, and the section follows the step and the question.
+. tests/desktop/support.sh
+open_window --lesson sphere-welzl
+xdotool key Home
+until_state 's.step === 0 && s.section === -1'
+for i in 1 2 3 4 5 6 7 8; do xdotool key End s; done
+until_state 's.step === s.steps'
+
+link() { state "const l = s.links.find(l => l.to === '$1'); Math.round(l.x) + ' ' + Math.round(l.y)"; }
+point_at() { xdotool mousemove --window "$window" "$1" "$2" sleep 0.2 mousemove --window "$window" $(($1 + 1)) "$2"; }
+
+# Scrolled to its beginning: the support set is spoken of in the first section.
+xdotool mousemove --window "$window" 150 400
+for i in $(seq 30); do xdotool click 4; done
+last=
+until [[ $(link support) == "$last" ]]; do last=$(link support) && sleep 0.3; done
+point_at $last
+until_state 's.lit === "support"'
+
+# On the stage one of its points is hovered, and the words are lit.
+last=
+until [[ $(handle P1) == "$last" ]]; do last=$(handle P1) && sleep 0.3; done
+point_at $last
+until_state 's.lit === "" && s.marks.includes("support")'
+
+# A section is the step's.
+xdotool key Escape Home
+until_state 's.step === 0'
+xdotool key Right
+until_state 's.step === 1 && s.section === 1'
+
+# A link acts. The pointer is over the prose: it does not scroll away.
+xdotool mousemove --window "$window" 150 400
+for i in $(seq 40); do xdotool click 5; done
+last=
+until [[ $(link pivot) == "$last" ]]; do last=$(link pivot) && sleep 0.3; done
+point_at $last
+sleep 0.2
+xdotool click 1
+until_state 's.algorithm === "pivot"'
