@@ -6,6 +6,7 @@
 #include "lesson/names.hpp"
 #include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
+#include "lesson/text_line.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -59,21 +60,23 @@ int steps_of(const Lesson& lesson, const Section& section, const Subject& own) {
   return own.suits(method) ? own.run(method, nullptr)->steps() : 0;
 }
 
-void check_link(const Lesson& lesson, const Section& section, const Link& link, const Subject& own,
-                Complaints& complaints) {
+void check_link(const Lesson& lesson, const Section& section, const toml::table& table, const Link& link,
+                const Subject& own, Complaints& complaints) {
+  const int line = line_in_text(table, "text", ':' + link.target + ')');
   if (link.kind == Link::Kind::kMark && !is_mark(own, link.target))
-    complaints.add(section.line, "there is no mark " + link.target + ": it is support, a step's name or a handle's");
+    complaints.add(line, "there is no mark " + link.target + ": it is support, a step's name or a handle's");
   if (link.kind != Link::Kind::kStep) return;
   if (const int steps = steps_of(lesson, section, own); std::stoi(link.target) > steps)  // digits, as it was read
-    complaints.add(section.line, "there is no step " + link.target + ": the run has " + std::to_string(steps));
+    complaints.add(line, "there is no step " + link.target + ": the run has " + std::to_string(steps));
 }
 
 /// Links that only a run can tell from mistakes.
-void check_links(const Lesson& lesson, const Subject& own, Complaints& complaints) {
-  for (const Section& section : lesson.sections)
-    for (const Paragraph& paragraph : section.paragraphs)
+void check_links(const Lesson& lesson, const toml::table& toml, const Subject& own, Complaints& complaints) {
+  const toml::array& tables = *toml["section"].as_array();  // as they were read
+  for (std::size_t i = 0; i < lesson.sections.size(); ++i)
+    for (const Paragraph& paragraph : lesson.sections[i].paragraphs)
       for (const Stretch& stretch : paragraph)
-        if (stretch.link) check_link(lesson, section, *stretch.link, own, complaints);
+        if (stretch.link) check_link(lesson, lesson.sections[i], *tables[i].as_table(), *stretch.link, own, complaints);
 }
 
 }  // namespace
@@ -93,7 +96,7 @@ void check_lesson(const Lesson& lesson, const toml::table& toml, Complaints& com
   if (!complaints.first() && lesson.subject->check_first != nullptr)
     lesson.subject->check_first(lesson, **own, complaints);
   if (complaints.first()) return;
-  check_links(lesson, **own, complaints);
+  check_links(lesson, toml, **own, complaints);
   if (lesson.subject->asks_of_steps) check_runs(lesson, **own, complaints);
   if (lesson.subject->check != nullptr) lesson.subject->check(lesson, toml, **own, complaints);
 }

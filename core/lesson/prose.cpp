@@ -63,7 +63,7 @@ constexpr std::array<std::pair<std::string_view, Link::Kind>, 5> kLinkKinds{{{"l
 /// A line of prose, taken apart from left to right.
 class Line {
  public:
-  Line(std::string_view rest, std::string& wrong) : rest_(rest), wrong_(wrong) {}
+  Line(std::string_view rest, ProseFault& fault) : rest_(rest), fault_(fault) {}
 
   Paragraph stretches() {
     while (!rest_.empty()) {
@@ -84,8 +84,8 @@ class Line {
     return true;
   }
 
-  void complain(std::string what) {
-    if (wrong_.empty()) wrong_ = std::move(what);
+  void complain(std::string what, std::string_view words = {}) {
+    if (fault_.what.empty()) fault_ = {.what = std::move(what), .paragraph = {}, .words = std::string(words)};
   }
 
   void flush() {
@@ -102,7 +102,7 @@ class Line {
     const std::string_view tex = trimmed(rest_.substr(0, end));
     rest_.remove_prefix(end + signs.size());
     auto plain = plain_formula(tex);
-    if (!plain) return complain("has a formula that cannot be set, $" + std::string(tex) + "$: " + plain.error());
+    if (!plain) return complain("has a formula that cannot be set, $" + std::string(tex) + "$: " + plain.error(), tex);
     if (plain->size() <= kShortFormula) plain = with_kept_spaces(*plain);
     paragraph_.push_back({.text = std::move(*plain), .strong = strong_, .tex = std::string(tex)});
   }
@@ -121,11 +121,12 @@ class Line {
     rest_.remove_prefix(end + 1);
     if (kind == kLinkKinds.end() || words.empty() || colon + 1 >= to.size()) {
       complain("has a link that leads nowhere, (" + std::string(to) +
-               "): it is lesson:, mesh:, algorithm:, step: or mark: and a name");
+                   "): it is lesson:, mesh:, algorithm:, step: or mark: and a name",
+               to);
       return true;
     }
-    if (words.find("**") != std::string_view::npos) complain("has ** within a link: it stands around the link");
-    if (words.find('$') != std::string_view::npos) complain("has a formula within a link, whose words are plain");
+    if (words.find("**") != std::string_view::npos) complain("has ** within a link: it stands around the link", to);
+    if (words.find('$') != std::string_view::npos) complain("has a formula within a link, whose words are plain", to);
     flush();
     paragraph_.push_back({.text = kept_together(std::string(words)),
                           .strong = strong_,
@@ -134,7 +135,7 @@ class Line {
   }
 
   std::string_view rest_;
-  std::string& wrong_;
+  ProseFault& fault_;
   std::string plain_;
   bool strong_ = false;
   bool displayed_ = false;  // a formula that stands on a line of its own
@@ -158,10 +159,14 @@ std::string_view next_block(std::string_view& text) {
 
 }  // namespace
 
-std::vector<Paragraph> paragraphs_of(std::string_view text, std::string& wrong) {
+std::vector<Paragraph> paragraphs_of(std::string_view text, ProseFault& fault) {
   std::vector<Paragraph> paragraphs;
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty()) paragraphs.push_back(Line(joined(next_block(text)), wrong).stretches());
+  while (!text.empty()) {
+    const std::string_view block = next_block(text);
+    paragraphs.push_back(Line(joined(block), fault).stretches());
+    if (!fault.what.empty() && fault.paragraph.empty()) fault.paragraph = block.substr(0, block.find('\n'));
+  }
   return paragraphs;
 }
 

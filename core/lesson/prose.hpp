@@ -10,9 +10,14 @@
 
 namespace snug::lesson {
 
-/// Line ends within a paragraph are spaces. wrong: what is wrong with it ("has a ** without a partner"); empty for
-/// nothing.
-[[nodiscard]] std::vector<Paragraph> paragraphs_of(std::string_view text, std::string& wrong);
+/// The first thing wrong with a text ("has a ** without a partner"), in which of its paragraphs, by that one's first
+/// line, and the words that are at fault. All empty for nothing.
+struct ProseFault {
+  std::string what, paragraph, words;
+};
+
+/// Line ends within a paragraph are spaces.
+[[nodiscard]] std::vector<Paragraph> paragraphs_of(std::string_view text, ProseFault& fault);
 
 /// Its words alone.
 [[nodiscard]] std::string plain_text(const Paragraph& paragraph);

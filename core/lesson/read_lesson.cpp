@@ -6,6 +6,7 @@
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/subjects.hpp"
+#include "lesson/text_line.hpp"
 #include "lesson/toml_table.hpp"
 
 namespace snug::lesson {
@@ -49,17 +50,20 @@ std::vector<std::string_view> section_titles(const Lesson& lesson) {
 }
 
 /// What can be said of a link without running the lesson.
-void check_link(TomlTable& table, const Link& link, const Lesson& lesson) {
+void check_link(const toml::table& section, const Link& link, const Lesson& lesson, Complaints& complaints) {
+  const auto wrong = [&](const std::string& what) {
+    complaints.add(line_in_text(section, "text", ':' + link.target + ')'), "\"text\" links to " + what);
+  };
   const auto check = [&](std::string_view what, const auto& names) {
     if (!is_among(names, link.target))
-      table.wrong("text", "links to " + std::string(what) + " that is none of " + one_of(names) + ": " + link.target);
+      wrong(std::string(what) + " that is none of " + one_of(names) + ": " + link.target);
   };
   switch (link.kind) {
     case Link::Kind::kMesh: return check("a mesh", lesson.meshes);
     case Link::Kind::kAlgorithm: return check("an algorithm", lesson.algorithms);
     case Link::Kind::kStep:
       if (link.target.size() > 6 || link.target.find_first_not_of("0123456789") != std::string::npos)
-        table.wrong("text", "links to a step that is no number: " + link.target);
+        wrong("a step that is no number: " + link.target);
       break;
     case Link::Kind::kMark:  // a handle's name is known once the lesson runs
     case Link::Kind::kLesson: break;
@@ -71,14 +75,15 @@ Section read_section(const toml::table& toml, const Lesson& lesson, Complaints& 
   Section section;
   section.title = table.text("title");
   section.line = table.line_of("text");
-  std::string wrong;
-  section.paragraphs = paragraphs_of(table.text("text"), wrong);
-  if (!wrong.empty()) table.wrong("text", wrong);
+  ProseFault fault;
+  section.paragraphs = paragraphs_of(table.text("text"), fault);
+  if (!fault.what.empty())
+    complaints.add(line_in_text(toml, "text", fault.words, fault.paragraph), "\"text\" " + fault.what);
   section.facts = read_names(table, "facts", 0, lesson.subject->facts());
   if (table.has("algorithm")) section.algorithm = read_algorithm(table, "algorithm", lesson);
   for (const Paragraph& paragraph : section.paragraphs)
     for (const Stretch& stretch : paragraph)
-      if (stretch.link) check_link(table, *stretch.link, lesson);
+      if (stretch.link) check_link(toml, *stretch.link, lesson, complaints);
   table.refuse_others();
   return section;
 }

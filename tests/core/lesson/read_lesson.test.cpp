@@ -51,7 +51,7 @@ constexpr Broken kBroken[] = {
     {"[0, 2.5], [0.5", "[0, nan], [0.5", "list = ", "2 finite numbers"},
     {"[0, 2.5], [0.5", "[0, 1e200], [0.5", "[points]", "too far out"},
     {"[0, 2.5], [0.5", "[0, 9007199254740993], [0.5", "list = ", "2 finite numbers"},  // no double is that number
-    {"A **term** stands", "A **term stands", "text = ", "without a partner"},
+    {"A **term** stands", "A **term stands", "A **term stands", "without a partner"},
     {"title = \"First\"\n", "", "[[section]]", "lacks the key \"title\""},
     {"id = \"growth\"", "id = \"pair\"", "id = \"pair\"\nalgorithm = \"ritter\"\nbefore = \"ball", "another question"},
     {"before = \"ball_grown\"", "before = \"ball_grew\"", "ball_grew", "ball_grew"},

@@ -54,7 +54,7 @@ TEST_CASE("links and formulas of the prose are stretches of their own") {
   CHECK(marks_of(*lesson) == std::vector<std::string_view>{"pair_chosen", "support", "P4"});
 }
 
-TEST_CASE("a mistake in what the prose links to is told with the text's line") {
+TEST_CASE("a mistake in the prose is told with its own line") {
   struct Case {
     const char *text, *says;
   };
@@ -80,7 +80,21 @@ TEST_CASE("a mistake in what the prose links to is told with the text's line") {
     const auto lesson = read_lesson(text, "small.toml");
     REQUIRE_FALSE(lesson.has_value());
     CHECK_MESSAGE(lesson.error().what.find(one.says) != std::string::npos, lesson.error().what);
-    const auto before = text.substr(0, text.find("text = "));
+    const auto before = text.substr(0, text.find(one.text));
+    CHECK(lesson.error().position == 1 + std::count(before.begin(), before.end(), '\n'));
+  }
+}
+
+TEST_CASE("in a long text the line is that of the mistake, whatever the quotes") {
+  for (const char* quotes : {"\"\"\"", "'''"}) {
+    CAPTURE(quotes);
+    std::string text =
+        small_lesson_with("text = \"\"\"\nA **term** stands here\nover two lines.\n\nAnother paragraph.\n\"\"\"",
+                          std::string("text = ") + quotes + "\n\nOne line.\nAnother [good](step:1).\n\n" +
+                              "A third\nwith a [bad](mesh:cow) link.\nThe end.\n" + quotes);
+    const auto lesson = read_lesson(text, "small.toml");
+    REQUIRE_FALSE(lesson.has_value());
+    const auto before = text.substr(0, text.find("with a [bad]"));
     CHECK(lesson.error().position == 1 + std::count(before.begin(), before.end(), '\n'));
   }
 }
