@@ -17,7 +17,8 @@ def words_of(lesson: dict) -> str:
     """Slides, headings, terms and algorithms, each once."""
     slides = [slide.split(": ", 1)[-1] for slide in lesson.get("covers", [])]
     sections = lesson.get("section", [])
-    terms = [term for section in sections for term in re.findall(r"\*\*(.+?)\*\*", section["text"], re.DOTALL)]
+    texts = [re.sub(r"\[([^\]]+)\]\(\w+:[^)]+\)", r"\1", section["text"]) for section in sections]  # a link's words alone
+    terms = [term for text in texts for term in re.findall(r"\*\*(.+?)\*\*", text, re.DOTALL) if "$" not in term]
     algorithms = [name.replace("_", " ") for name in lesson["algorithms"]]
     found = [*slides, *(section["title"] for section in sections), *terms, *algorithms]
     return " · ".join(dict.fromkeys(" ".join(words.split()) for words in found))

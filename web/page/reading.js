@@ -3,7 +3,7 @@ import { button, by_id, element, set_hidden, set_text, when_changed, whole_names
 import { link_of } from "./lesson_menu.js";
 import { notice } from "./messages.js";
 
-const kReads = 6000; // milliseconds: who has scrolled or moved over the prose reads it for so long
+const kReads = 6000; // milliseconds: who has scrolled the prose, or pressed a key in it, reads it for so long
 
 export class Reading {
   #words;
@@ -15,6 +15,7 @@ export class Reading {
   #sections = [];
   #words_of = []; // {mark, node}: what lights where the stage's handle is pointed at
   #read_at = -Infinity;
+  #pointed = false; // whether a mouse is over it
   #was_open = false; // the task, when it was last graded in this lesson
 
   /** start_task: lays out the points that the task begins with. formulas: {TeX: MathML}. follow({kind, target}): does
@@ -25,15 +26,19 @@ export class Reading {
     this.#formulas = formulas;
     this.#follow = follow;
     this.#light = light;
-    for (const sign of ["pointermove", "wheel", "touchmove", "keydown"])
-      by_id("read").addEventListener(sign, () => (this.#read_at = performance.now()), { passive: true });
+    const read = by_id("read");
+    for (const sign of ["pointermove", "pointerleave", "wheel", "touchmove", "keydown"])
+      read.addEventListener(sign, ({ type, pointerType }) => {
+        this.#read_at = performance.now();
+        this.#pointed = pointerType === "mouse" ? type === "pointermove" : this.#pointed;
+      }, { passive: true });
   }
 
   open(lesson) {
     for (const id of ["heading", "title"]) set_text(by_id(id), lesson.title);
     this.#words_of = [];
     this.#sections = lesson.sections.map(({ title, paragraphs }) => element("section", {}, element("h2", {}, title),
-      ...paragraphs.map((stretches) => element("p", {}, ...stretches.map((stretch) => this.#stretch(stretch))))));
+      ...paragraphs.map((stretches) => this.#paragraph(stretches))));
     by_id("prose").replaceChildren(...this.#sections);
     by_id("read").scrollTop = 0;
     this.#read_at = -Infinity;
@@ -46,17 +51,24 @@ export class Reading {
       ...(lesson.task.hint ? [element("details", {}, element("summary", {}, this.#words.hint), element("p", {}, lesson.task.hint))] : []));
   }
 
+  /** A formula alone stands on a line of its own. */
+  #paragraph(stretches) {
+    const [{ text, tex }] = stretches;
+    if (stretches.length === 1 && tex) return element("p", { class: "display" }, this.#formula(tex, text, `$$${tex}$$`));
+    return element("p", {}, ...stretches.map((stretch) => this.#stretch(stretch)));
+  }
+
   #stretch({ text, strong, tex, link }) {
     const words = tex ? this.#formula(tex, text) : link ? this.#link(text, link) : whole_names(text);
     return strong ? element("strong", {}, words) : words;
   }
 
   /** As the page was built with it; in one line where it was not. */
-  #formula(tex, plain) {
-    const typeset = this.#formulas[tex];
+  #formula(tex, plain, alone = tex) {
+    const typeset = this.#formulas[alone] ?? this.#formulas[tex];
     const math = typeset && new DOMParser().parseFromString(typeset, "text/html").querySelector("math");
     if (!math) return element("span", { class: "formula" }, plain);
-    math.setAttribute("alttext", plain);
+    math.setAttribute("aria-label", plain.replaceAll("\u00a0", " "));
     return math;
   }
 
@@ -86,7 +98,7 @@ export class Reading {
       else section.removeAttribute("aria-current");
     }
     const read = by_id("read"), section = this.#sections[now];
-    const reads = performance.now() - this.#read_at < kReads || read.contains(document.activeElement);
+    const reads = this.#pointed || performance.now() - this.#read_at < kReads || read.contains(document.activeElement);
     if (!section || reads || read.scrollHeight <= read.clientHeight) return; // on a phone the whole page scrolls
     const [box, place] = [read.getBoundingClientRect(), section.getBoundingClientRect()];
     if (place.top >= box.top && place.bottom <= box.bottom) return;
