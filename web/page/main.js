@@ -379,9 +379,14 @@ class Site {
     return course;
   }
 
+  /** Typeset ones; without them a formula is read in one line. */
+  async #formulas() {
+    return JSON.parse(await this.#downloads.text("formulas.json").catch(() => "{}"));
+  }
+
   async #bring_page(embed, attempt) {
     veil.loading();
-    const page = new Page({ door: await open_door(this.#downloads, attempt), downloads: this.#downloads, lessons: this.#course.lessons, formulas: JSON.parse(await this.#downloads.text("formulas.json")), settings: this.#settings,
+    const page = new Page({ door: await open_door(this.#downloads, attempt), downloads: this.#downloads, lessons: this.#course.lessons, formulas: await this.#formulas(), settings: this.#settings,
       kept: this.#kept, embed, go_to: (search) => this.go_to(search) });
     return page;
   }
