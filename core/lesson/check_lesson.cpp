@@ -1,6 +1,9 @@
 #include "lesson/check_lesson.hpp"
 
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <string>
 
 #include "lesson/ask.hpp"
 #include "lesson/names.hpp"
@@ -47,36 +50,63 @@ void check_sizes(const Lesson& lesson, const Subject& own, const TomlTable& root
   }
 }
 
-void check_runs(const Lesson& lesson, const Subject& own, Complaints& complaints) {
+/// The runs of the lesson's methods on what stands on its stage, each made when it is first asked for.
+class Runs {
+ public:
+  Runs(const Lesson& lesson, const Subject& own) : lesson_(lesson), own_(own) {}
+  [[nodiscard]] const Subject& own() const { return own_; }
+  /// Null where there are too many points for it.
+  const Run* of(const std::string& algorithm) {
+    const Method& method = *find_method(lesson_, algorithm);
+    if (!own_.suits(method)) return nullptr;
+    std::unique_ptr<Run>& run = runs_[algorithm];
+    if (run == nullptr) run = own_.run(method, nullptr);
+    return run.get();
+  }
+
+ private:
+  const Lesson& lesson_;
+  const Subject& own_;
+  std::map<std::string, std::unique_ptr<Run>> runs_;
+};
+
+void check_runs(const Lesson& lesson, Runs& runs, Complaints& complaints) {
   for (const std::string& name : lesson.algorithms)
-    if (const Method& method = *find_method(lesson, name); own.suits(method))
-      check_questions(lesson, method, own, *own.run(method, nullptr), complaints);
+    if (const Run* run = runs.of(name))
+      check_questions(lesson, *find_method(lesson, name), runs.own(), *run, complaints);
 }
 
-/// The steps of the run that a section speaks of.
-int steps_of(const Lesson& lesson, const Section& section, const Subject& own) {
-  const std::string& name = section.algorithm.empty() ? lesson.algorithms.front() : section.algorithm;
-  const Method& method = *find_method(lesson, name);
-  return own.suits(method) ? own.run(method, nullptr)->steps() : 0;
+void check_mark(const Lesson& lesson, const std::string& mark, int line, Runs& runs, Complaints& complaints) {
+  if (!is_mark(runs.own(), mark))
+    return complaints.add(line, "there is no mark " + mark + ": it is support, a step's name or a handle's");
+  const auto lights_there = [&](const std::string& algorithm) {
+    const Run* run = runs.of(algorithm);
+    return run != nullptr && lights(*run, runs.own(), mark);
+  };
+  if (std::none_of(lesson.algorithms.begin(), lesson.algorithms.end(), lights_there))
+    complaints.add(line, "the mark " + mark + " lights nothing at any step of the lesson's algorithms");
 }
 
-void check_link(const Lesson& lesson, const Section& section, const toml::table& table, const Link& link,
-                const Subject& own, Complaints& complaints) {
-  const int line = line_in_text(table, "text", ':' + link.target + ')');
-  if (link.kind == Link::Kind::kMark && !is_mark(own, link.target))
-    complaints.add(line, "there is no mark " + link.target + ": it is support, a step's name or a handle's");
-  if (link.kind != Link::Kind::kStep) return;
-  if (const int steps = steps_of(lesson, section, own); std::stoi(link.target) > steps)  // digits, as it was read
-    complaints.add(line, "there is no step " + link.target + ": the run has " + std::to_string(steps));
+/// A step is one of the run that the section speaks of.
+void check_step(const Lesson& lesson, const Section& section, const std::string& step, int line, Runs& runs,
+                Complaints& complaints) {
+  const Run* run = runs.of(section.algorithm.empty() ? lesson.algorithms.front() : section.algorithm);
+  if (const int steps = run != nullptr ? run->steps() : 0; std::stoi(step) > steps)  // digits, as it was read
+    complaints.add(line, "there is no step " + step + ": the run has " + std::to_string(steps));
 }
 
 /// Links that only a run can tell from mistakes.
-void check_links(const Lesson& lesson, const toml::table& toml, const Subject& own, Complaints& complaints) {
+void check_links(const Lesson& lesson, const toml::table& toml, Runs& runs, Complaints& complaints) {
   const toml::array& tables = *toml["section"].as_array();  // as they were read
   for (std::size_t i = 0; i < lesson.sections.size(); ++i)
     for (const Paragraph& paragraph : lesson.sections[i].paragraphs)
-      for (const Stretch& stretch : paragraph)
-        if (stretch.link) check_link(lesson, lesson.sections[i], *tables[i].as_table(), *stretch.link, own, complaints);
+      for (const Stretch& stretch : paragraph) {
+        if (!stretch.link) continue;
+        const auto& [kind, target] = *stretch.link;
+        const int line = line_in_text(*tables[i].as_table(), "text", ':' + target + ')');
+        if (kind == Link::Kind::kMark) check_mark(lesson, target, line, runs, complaints);
+        if (kind == Link::Kind::kStep) check_step(lesson, lesson.sections[i], target, line, runs, complaints);
+      }
 }
 
 }  // namespace
@@ -96,8 +126,9 @@ void check_lesson(const Lesson& lesson, const toml::table& toml, Complaints& com
   if (!complaints.first() && lesson.subject->check_first != nullptr)
     lesson.subject->check_first(lesson, **own, complaints);
   if (complaints.first()) return;
-  check_links(lesson, toml, **own, complaints);
-  if (lesson.subject->asks_of_steps) check_runs(lesson, **own, complaints);
+  Runs runs(lesson, **own);
+  check_links(lesson, toml, runs, complaints);
+  if (lesson.subject->asks_of_steps) check_runs(lesson, runs, complaints);
   if (lesson.subject->check != nullptr) lesson.subject->check(lesson, toml, **own, complaints);
 }
 

@@ -31,13 +31,17 @@ std::optional<FactMark> fact_mark(const SubjectRow& subject, std::string_view ma
   return FactMark{fact, static_cast<std::size_t>(which[1] - '0')};
 }
 
-std::vector<Index> handles_of(const FactMark& mark, const Session& session) {
-  for (int step = session.step(); step > 0; --step) {
-    if (session.run(0).fact(step - 1) != mark.fact) continue;
-    std::vector<Index> handles = session.run(0).handles(step - 1);
-    if (mark.which == 0) return handles;
-    return mark.which <= handles.size() ? std::vector<Index>{handles[mark.which - 1]} : std::vector<Index>{};
-  }
+/// Of step i, counted from 0, which is one of the mark's fact.
+std::vector<Index> handles_at(const FactMark& mark, const Run& run, int i) {
+  std::vector<Index> handles = run.handles(i);
+  if (mark.which == 0) return handles;
+  return mark.which <= handles.size() ? std::vector<Index>{handles[mark.which - 1]} : std::vector<Index>{};
+}
+
+/// Of the last one within so many steps.
+std::vector<Index> handles_within(const FactMark& mark, const Run& run, int steps) {
+  for (int i = steps; i-- > 0;)
+    if (run.fact(i) == mark.fact) return handles_at(mark, run, i);
   return {};
 }
 
@@ -66,7 +70,8 @@ std::optional<int> section_of(const Lesson& lesson, const Question& question) {
 std::vector<Index> marked_handles(const Session& session, std::string_view mark) {
   if (session.asked() != nullptr && session.asked()->on_stage) return {};
   if (mark == kSupport) return session.support(0);
-  if (const auto fact = fact_mark(*session.lesson().subject, mark)) return handles_of(*fact, session);
+  if (const auto fact = fact_mark(*session.lesson().subject, mark))
+    return handles_within(*fact, session.run(0), session.step());
   const auto handle = handle_named(session.subject(), mark);
   return handle ? std::vector<Index>{*handle} : std::vector<Index>{};
 }
@@ -89,6 +94,15 @@ std::vector<std::string_view> marks_at(const Session& session, Index handle) {
 
 bool is_mark(const Subject& subject, std::string_view mark) {
   return mark == kSupport || fact_mark(subject.row(), mark) || handle_named(subject, mark);
+}
+
+bool lights(const Run& run, const Subject& subject, std::string_view mark) {
+  if (mark == kSupport) return !run.support(run.steps()).empty();
+  const auto fact = fact_mark(subject.row(), mark);
+  if (!fact) return handle_named(subject, mark).has_value();
+  for (int i = 0; i < run.steps(); ++i)
+    if (run.fact(i) == fact->fact && !handles_at(*fact, run, i).empty()) return true;
+  return false;
 }
 
 std::optional<int> section_at(const Session& session) {

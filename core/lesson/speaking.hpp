@@ -18,8 +18,9 @@ namespace snug::lesson {
 [[nodiscard]] std::vector<std::string_view> marks_of(const Lesson& lesson);
 [[nodiscard]] std::vector<std::string_view> marks_at(const Session& session, Index handle);
 
-/// Whether that can be a mark of a lesson on that subject.
+/// Whether that can be a mark of a lesson on that subject; and whether it lights anything at some step of a run on it.
 [[nodiscard]] bool is_mark(const Subject& subject, std::string_view mark);
+[[nodiscard]] bool lights(const Run& run, const Subject& subject, std::string_view mark);
 
 /// The section that the open question is about, or else the step that was done last; counted from 0. None before the
 /// first step, and where none speaks of what was done.

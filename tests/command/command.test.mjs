@@ -320,6 +320,15 @@ test("a course says which lessons come in which order, and is checked with them"
   }
 });
 
+test("a link to a lesson that is not in the lesson's folder is refused with its line", () => {
+  const text = readFileSync(join(lessons, "sphere-ritter.toml"), "utf8").replace("Drag a point.", "Drag\na [point](lesson:beside-it).");
+  const line = 1 + text.split("\n").findIndex((row) => row.includes("lesson:beside-it"));
+  write("linked.toml", text);
+  refused(["lesson", "check", "linked.toml"], new RegExp(`^snug: linked\\.toml:${line}: "text" links to a lesson that is not there: beside-it`));
+  write("beside-it.toml", text.replace("lesson:beside-it", "lesson:linked"));
+  good(["lesson", "check", "linked.toml"]);
+});
+
 test("a lesson that is wrong is refused with its line, each in a line of its own", () => {
   const text = readFileSync(join(lessons, "sphere-ritter.toml"), "utf8");
   const line = text.split("\n").findIndex((row) => /^algorithms\b/.test(row));

@@ -62,6 +62,8 @@ TEST_CASE("a mistake in the prose is told with its own line") {
            {"[a](mesh:teapot)", "links to a mesh that is none of bunny: teapot"},
            {"[a](algorithm:aabb_center)", "links to an algorithm that is none of ritter, welzl or brute_force"},
            {"[a](step:12)", "there is no step 12: the run has 11"},
+           {"[a](mark:pair_chosen/3)", "the mark pair_chosen/3 lights nothing"},
+           {"[a](mark:mean_found)", "the mark mean_found lights nothing"},
            {"[a](mark:pair_chosen/0)", "there is no mark pair_chosen/0"},
            {"[$a$](step:1)", "has a formula within a link"},
            {"Words and $$a$$.", "has a $$ formula among words"},
