@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "desktop/cli/command.hpp"
+#include "desktop/cli/files.hpp"
 #include "desktop/cli/json.hpp"
 #include "desktop/cli/lesson_files.hpp"
 #include "lesson/play.hpp"
@@ -60,17 +61,29 @@ std::optional<InputError> fault_of(const LessonFile& file, const lesson::Played&
   return InputError{.what = "a model answer is graded as wrong", .file = file.path};
 }
 
+/// The line of a file on which some words stand, counted from 1; otherwise where they do not.
+int line_with(const std::string& path, const std::string& words, int otherwise) {
+  const auto text = read_file(path);
+  const std::size_t at = text ? text->find(words) : std::string::npos;
+  if (at == std::string::npos) return otherwise;
+  return 1 + static_cast<int>(std::count(text->begin(), text->begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
+bool is_beside(const std::string& path, const std::string& lesson) {
+  std::error_code ignored;
+  return std::filesystem::exists(std::filesystem::path(path).parent_path() / (lesson + ".toml"), ignored);
+}
+
 /// A link to a lesson that is not in the lesson's folder; none where all are.
 std::optional<InputError> lost_link(const LessonFile& file) {
   for (const lesson::Section& section : file.lesson.sections)
     for (const lesson::Paragraph& paragraph : section.paragraphs)
       for (const lesson::Stretch& stretch : paragraph) {
         if (!stretch.link || stretch.link->kind != lesson::Link::Kind::kLesson) continue;
-        const std::filesystem::path beside = std::filesystem::path(file.path).parent_path() / stretch.link->target;
-        std::error_code ignored;
-        if (!std::filesystem::exists(beside.string() + ".toml", ignored))
-          return InputError{"\"text\" links to a lesson that is not there: " + stretch.link->target, file.path,
-                            InputError::Unit::kLine, section.line};
+        const std::string& target = stretch.link->target;
+        if (!is_beside(file.path, target))
+          return InputError{"\"text\" links to a lesson that is not there: " + target, file.path,
+                            InputError::Unit::kLine, line_with(file.path, "(lesson:" + target + ")", section.line)};
       }
   return std::nullopt;
 }
