@@ -39,6 +39,7 @@ class Page {
   #settings;
   #menu;
   #points;
+  #question;
   #panels;
   #lesson = null;
   #view = null;
@@ -62,7 +63,7 @@ class Page {
     this.#embed = embed;
     const act = (what) => this.act(what);
     const next = (id) => lessons[lessons.findIndex((lesson) => lesson.id === id) + 1];
-    const question = new QuestionCard(door, act, { next, go: (id) => go_to(link_of(id)) });
+    const question = this.#question = new QuestionCard(door, act, { next, go: (id) => go_to(link_of(id)) });
     this.#points = new PointTools(door, act, (name) => this.#mesh(name));
     this.#panels = [new Reading(door.words(), { formulas, start_task: () => this.#start_task(), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) }), question, new Code(door, act), this.#points, new BoxTools(door, act), new CostTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs(), new Presentation(settings, lessons, go_to), new Invitations(kept, lessons[0]?.id, () => this.handles())];
     this.#menu = new LessonMenu(lessons, (id) => go_to(link_of(id)));
@@ -80,10 +81,12 @@ class Page {
   #follow({ kind, target }) {
     if (kind === "lesson") return this.#go_to(link_of(target));
     if (kind === "mesh") return this.#points.bring(target);
+    const { step } = this.#view;
     this.act(() => {
       const error = kind === "algorithm" ? this.#door.choose(0, target) : this.#door.go(Number(target));
       if (error) notice(`${error}.`);
     });
+    if (kind === "step" && this.#view.asked && this.#view.step === step) this.#question.show(); // which is in the way
   }
 
   /** On a phone the stage, where it is to be done, is far above the task. */
