@@ -27,6 +27,15 @@ test("a link changes the algorithm, by mouse; the mesh, by keyboard; and goes to
   await until(other, (now) => now.lesson === "obb-sat" && now.step === 3);
   await words(other, "Step through the test").click();
   await until(other, (now) => now.step === 1);
+  // One that a question stands before shows the question.
+  const phone = await visit(t, "?lesson=obb-sat&step=1", kPhone);
+  await until(phone, (now) => now.asked && now.step === 1);
+  await words(phone, "Step through the test").tap();
+  await phone.waitForFunction(() => {
+    const { top, bottom } = document.querySelector("#ask .predict").getBoundingClientRect();
+    return top < innerHeight && bottom > 0;
+  });
+  assert.equal((await state(phone)).step, 1);
 });
 
 test("a link leads to another lesson, and is one: it can be opened elsewhere", async (t) => {
