@@ -19,6 +19,7 @@ namespace {
 using app::Face;
 
 constexpr float kMargin = 28;
+constexpr double kReads = 6;  // seconds: who has scrolled the prose reads it for so long
 
 void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect) {
   float x = rect.x + kMargin;
@@ -118,7 +119,9 @@ void draw_lesson(Shell& shell, Column& column) {
   shell.links.clear();
   for (const PlacedLink& one : touch.links) shell.links.emplace_back(one.link->target, one.rect);
   shell.app().light(marks ? std::string_view(touch.hovered->target) : std::string_view());
-  follow_step(shell, now, top, bottom, ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem));
+  const bool pointed = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  if (pointed && ImGui::GetIO().MouseWheel != 0) shell.read_at = ImGui::GetTime();
+  follow_step(shell, now, top, bottom, pointed || ImGui::GetTime() - shell.read_at < kReads);
   column.gap(12);
   draw_task(shell, column);
   if (touch.clicked != nullptr) follow(shell, lesson::Link(*touch.clicked));  // another lesson has other links

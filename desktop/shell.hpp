@@ -61,6 +61,7 @@ class Shell {
   bool points_tab = false;
   std::vector<std::pair<std::string, app::Rect>> links;  // of the prose, by their targets, where they stand
   int section = -1;                                      // of the prose, that the step was about in the last frame
+  double read_at = -1e9;                                 // when the prose was last scrolled by hand, in ImGui's seconds
   float scroll_to = -1;                                  // where the prose is on its way to; less than 0: nowhere
   // As measured in the last frame: of the left column's lower part, of the right one's, and of the stage's foot, which
   // a question covers.

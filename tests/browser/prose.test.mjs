@@ -114,6 +114,17 @@ test("the section of the step comes into view and is marked, but not under the e
   assert.equal(await current(page), "Ritter's two passes");
   await page.waitForFunction(() => document.getElementById("read").scrollTop > 0);
   assert.ok(await in_view(page), "the question's section is in view");
+  // One who has just scrolled reads on, though the mouse is elsewhere by now.
+  const scroller = await load(t, "?lesson=sphere-ritter&step=0", { ...kLow, reducedMotion: "reduce" });
+  await scroller.mouse.move(150, 300);
+  await scroller.mouse.wheel(0, 40);
+  await scroller.waitForFunction(() => document.getElementById("read").scrollTop > 0);
+  const here = await scroller.evaluate(() => document.getElementById("read").scrollTop);
+  await scroller.mouse.move(700, 200);
+  await scroller.keyboard.press("PageDown");
+  await until(scroller, (now) => now.asked);
+  await still(scroller);
+  assert.equal(await scroller.evaluate(() => document.getElementById("read").scrollTop), here);
   // One who reads: the mouse rests over the prose.
   const reader = await load(t, "?lesson=sphere-ritter&step=0", { ...kLow, reducedMotion: "reduce" });
   await reader.mouse.move(150, 300);
