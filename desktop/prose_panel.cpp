@@ -94,6 +94,11 @@ void draw_lesson(Shell& shell, Column& column) {
   const lesson::Lesson& lesson = shell.session().lesson();
   const std::vector<std::string_view> lit = shell.app().marks_in_hand();
   const int now = lesson::section_at(shell.session()).value_or(-1);
+  if (shell.unread) {
+    ImGui::SetScrollY(0);
+    shell.section = -1, shell.scroll_to = -1, shell.unread = false, shell.measured_anew = true;
+  }
+  shell.scrolled = ImGui::GetScrollY();
   const float beginning = column.y() + ImGui::GetScrollY();
   float top = 0, bottom = 0;
   ProseTouch touch;

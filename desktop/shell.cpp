@@ -44,7 +44,7 @@ tl::expected<void, InputError> Shell::open(const std::string& id) {
     }
     auto opened = app_.open(file.lesson, std::move(mesh));
     hint_shown = false, typed = {};
-    if (opened) open_ = static_cast<std::size_t>(&file - lessons_.data());
+    if (opened) open_ = static_cast<std::size_t>(&file - lessons_.data()), unread = true;
     tell(opened);
     return opened;
   }

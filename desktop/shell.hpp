@@ -60,6 +60,8 @@ class Shell {
   std::array<char, 32> typed{};  // of the name that answers a question
   bool points_tab = false;
   std::vector<std::pair<std::string, app::Rect>> links;  // of the prose, by their targets, where they stand
+  bool unread = false;                                   // another lesson was opened: its prose begins at the beginning
+  float scrolled = 0;                                    // how far the prose was, in the last frame
   int section = -1;                                      // of the prose, that the step was about in the last frame
   double read_at = -1e9;                                 // when the prose was last scrolled by hand, in ImGui's seconds
   float scroll_to = -1;                                  // where the prose is on its way to; less than 0: nowhere

@@ -54,6 +54,7 @@ void StateFile::write(Shell& shell, const Extent& extent) {
   state["tally"] = {{"right", tally.right}, {"wrong", tally.wrong}, {"skipped", tally.skipped}, {"open", tally.open}};
   state["notice"] = shell.notice;
   state["section"] = shell.section;
+  state["scrolled"] = shell.scrolled;
   state["lit"] = app.lit();
   state["marks"] = app.marks_in_hand();
   state["scrolling"] = shell.scroll_to >= 0;

@@ -39,3 +39,13 @@ point_at $last
 sleep 0.2
 xdotool click 1
 until_state 's.algorithm === "pivot"'
+kill "$pid" && wait "$pid" 2>/dev/null || true
+
+# A link leads to another lesson, which is read from its beginning.
+open_window --lesson sphere-iterative
+xdotool mousemove --window "$window" 150 400 sleep 0.3 click 5 sleep 0.3
+until_state 's.scrolled > 0'
+point_at $(link sphere-ritter)
+sleep 0.2
+xdotool click 1
+until_state 's.lesson === "sphere-ritter" && s.scrolled === 0'
