@@ -110,3 +110,17 @@ test("the selectors of a question state show their labels", async (t) => {
     assert.ok(await page.getByRole("combobox", { name: label }).isVisible());
   }
 });
+
+test("prose is clean while a mark is lit, from either side, in every theme", async (t) => {
+  const page = await load(t, "?lesson=sphere-welzl&step=9999", { ...kWide, reducedMotion: "reduce" });
+  for (let theme = 0; theme < 4; ++theme) {
+    await page.locator("#theme").click();
+    await page.locator("#prose .speaks").first().hover();
+    const { lit } = await until(page, (now) => now.lit.mark === "support");
+    assert.deepEqual(await violations(page), [], `theme ${theme}, words`);
+    const { x, y } = (await page.evaluate(() => window.snug.handles())).find(({ id }) => lit.handles.includes(id));
+    await page.mouse.move(x, y);
+    await until(page, (now) => now.lit.words.includes("support"));
+    assert.deepEqual(await violations(page), [], `theme ${theme}, handle`);
+  }
+});
