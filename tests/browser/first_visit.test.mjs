@@ -1,7 +1,7 @@
 // A newcomer's first lesson: three invitations on its stage, one at a time, each gone once followed and never shown again.
 // And the lesson shown to others: presented, and as a figure in another page.
 import { after, before, test } from "node:test";
-import { assert, drag, handles, kFirst, lessons, load, ready, start, state, stop, until } from "./support.mjs";
+import { assert, drag, handles, kFirst, lessons, load, ready, start, state, still, stop, until } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -89,4 +89,19 @@ test("a figure of 400 by 300 has stage, sentence, step and play, and one link to
   const whole = new URL(await links[0].getAttribute("href"), page.url());
   assert.deepEqual([whole.searchParams.get("lesson"), whole.searchParams.get("step"), whole.searchParams.get("embed")], ["sphere-welzl", String(step - 1), null]);
   assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem("snug-course")).last), null); // a figure keeps nothing
+});
+
+test("a question in a figure of 400x300 leaves in sight what it asks about, and the way to answer it", async (t) => {
+  for (const lesson of ["obb-pca", "sphere-ritter", "swept-overlap"]) {
+    const page = await load(t, `?lesson=${lesson}&step=0&embed=1`, { viewport: { width: 400, height: 300 } });
+    await page.keyboard.press("End");
+    await until(page, (now) => now.asked);
+    await still(page);
+    const [stage, card, give] = await page.evaluate(() => ["#stage", "#ask", ".predict .commit .primary"].map((at) => {
+      const { top, bottom } = document.querySelector(at).getBoundingClientRect();
+      return { top, bottom };
+    }));
+    assert.ok(card.top - stage.top >= 120, `${lesson}: ${card.top - stage.top} pixels of the stage`);
+    assert.ok(give.bottom <= 300 && give.top >= card.top, `${lesson}: Answer stands from ${give.top} to ${give.bottom}`);
+  }
 });
