@@ -136,7 +136,7 @@ void draw_inspector(const Look& look, lesson::Session& session, const SubjectVie
     for (const auto& rival : session.rivals()) {
       const bool chosen = rival.method == session.method(0);
       column.rival(rival, widest * 1.08, chosen, rival.method == session.method(1),
-                   chosen && session.is_hidden(lesson::kResultFigure));
+                   session.hides_result(*rival.method));
     }
     column.gap(look.px(20));
   }

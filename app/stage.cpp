@@ -102,7 +102,7 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
   if (!first && seen_ == session.revision() && seen_optimum_ == settings.show_optimum) return;
   seen_ = session.revision();
   seen_optimum_ = settings.show_optimum;
-  view_->refresh(session, settings.show_optimum);
+  view_->refresh(session, settings.show_optimum && !session.predicting());
   if (!view_->can_move(session)) hands_.arrows = false;
   if (first) {
     framed_ball_ = view_->extent(session);

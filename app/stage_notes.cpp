@@ -45,7 +45,8 @@ void Stage::draw_tools(Brush& brush, Settings& settings, float y, float height) 
   right -= height + 8;
 
   // A cover's button stands in its place.
-  if (view_->offers_optimum() && look.tools_right == 0) draw_toggle(brush, settings, right, y, height);
+  if (view_->offers_optimum() && !brush.session.predicting() && look.tools_right == 0)
+    draw_toggle(brush, settings, right, y, height);
   keep_free(brush.canvas.obstacles, fit);
   if (look.tools_right > 0) keep_free(brush.canvas.obstacles, {right - look.tools_right, y, look.tools_right, height});
 }

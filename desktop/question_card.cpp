@@ -216,6 +216,15 @@ std::string draw_summary(Shell& shell, Column& column) {
   }
   app::rule(column.list(), column.x(), column.y(), column.width(), look->line);
   column.gap(12);
+  if (const auto waiting = session.waiting(); !waiting.empty()) {
+    column.words(lesson::kWaitingWord, Face::kRegular, 14);
+    column.gap(6);
+    std::vector<std::string> titles;
+    for (const lesson::Method* method : waiting) titles.emplace_back(method->title);
+    if (const int clicked = column.buttons("waiting", titles, -1); clicked >= 0)
+      command = "ask:" + std::string(waiting[static_cast<std::size_t>(clicked)]->name);
+    column.gap(10);
+  }
   const auto& all = shell.lessons();
   const auto at = std::find_if(all.begin(), all.end(),
                                [&](const LessonFile& file) { return file.lesson.id == session.lesson().id; });
@@ -232,9 +241,11 @@ std::string draw_summary(Shell& shell, Column& column) {
 
 /// What the summary leads to beside the app's own commands.
 void lead_on(Shell& shell, const std::string& command) {
-  constexpr std::string_view kOpen = "open:";
+  constexpr std::string_view kOpen = "open:", kAsk = "ask:";
   lesson::Session& session = shell.session();
   if (command.starts_with(kOpen)) static_cast<void>(shell.open(command.substr(kOpen.size())));
+  else if (command.starts_with(kAsk))
+    shell.tell(session.choose(0, command.substr(kAsk.size()))), shell.app().command("first");
   else if (command == "task") session.start_task();
   else if (command == "again") session.forget_answers(), shell.app().command("first");
   else if (!command.empty()) shell.app().command(command);

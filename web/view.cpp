@@ -199,7 +199,7 @@ void set_algorithms(val& object, const lesson::Session& session) {
                val row = val::object();
                row.set("name", text(rival.method->name));
                row.set("title", text(rival.method->title));
-               const bool hidden = rival.method == session.method(0) && session.is_hidden(lesson::kResultFigure);
+               const bool hidden = session.hides_result(*rival.method);
                row.set("size", hidden ? val::null() : val(rival.size));
                row.set("excess", rival.excess && !hidden ? val(*rival.excess) : val::null());
                return row;
@@ -309,6 +309,7 @@ val words_object() {
   object.set("go_on", text(lesson::kContinueWord));
   object.set("show", text(lesson::kShowMeWord));
   object.set("summary", text(lesson::kSummaryWord));
+  object.set("waiting", text(lesson::kWaitingWord));
   object.set("to_task", text(lesson::kToTaskWord));
   object.set("next_lesson", text(lesson::kNextLessonWord));
   object.set("close", text(lesson::kCloseWord));
@@ -336,6 +337,7 @@ val view_object(app::App& app, const lesson::Session& session) {
   object.set("predictions", predictions(session));
   object.set("tally", tally_object(session.tally()));
   object.set("summary", session.at_summary());
+  object.set("waiting", array_of(session.waiting(), [](const lesson::Method* method) { return text(method->name); }));
   object.set("outcomes", array_of(session.outcomes(), outcome_object));
   object.set("score", session.score());
   object.set("grade", grade_object(session.grade()));

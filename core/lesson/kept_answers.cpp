@@ -50,6 +50,7 @@ Outcome read_outcome(const toml::table& toml, Complaints& complaints) {
   outcome.right = table.flag_or("right", false);
   outcome.skipped = table.flag_or("skipped", false);
   outcome.passed = table.flag_or("passed", false);
+  outcome.pending = table.flag_or("pending", false);
   outcome.tries = outcome.skipped ? 0 : table.flag_or("second", false) ? 2 : 1;
   outcome.predicted = table.text_or("predicted", "");
   outcome.happened = table.text_or("happened", "");
@@ -63,7 +64,6 @@ Outcome read_outcome(const toml::table& toml, Complaints& complaints) {
 std::string kept_text(std::span<const Outcome> outcomes) {
   std::string out;
   for (const Outcome& outcome : outcomes) {
-    if (outcome.pending) continue;
     out += "[[answer]]\n";
     add_text(out, "question", outcome.question);
     add_text(out, "kind", kKinds[static_cast<std::size_t>(outcome.given.kind)]);
@@ -73,6 +73,7 @@ std::string kept_text(std::span<const Outcome> outcomes) {
     add_flag(out, "right", outcome.right);
     add_flag(out, "skipped", outcome.skipped);
     add_flag(out, "passed", outcome.passed);
+    add_flag(out, "pending", outcome.pending);
     add_flag(out, "second", outcome.tries > 1);
     add_text(out, "predicted", outcome.predicted);
     add_text(out, "happened", outcome.happened);

@@ -10,7 +10,7 @@
 
 namespace snug::lesson {
 
-/// TOML. Pending outcomes are left out: what was to be measured is measured anew.
+/// TOML. What is pending stays so: it is decided by the next measurement.
 [[nodiscard]] std::string kept_text(std::span<const Outcome> outcomes);
 
 /// What kept_text wrote, of which a device may have lost or damaged any part: then none.

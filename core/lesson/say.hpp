@@ -17,14 +17,17 @@ inline constexpr std::string_view kPredictWord = "Predict", kAnswerWord = "Answe
                                   kDismissWord = "Dismiss", kAlgorithmWord = "Algorithm", kCompareWord = "Compare with",
                                   kNoneWord = "(none)", kComparedWord = "Final result, compared",
                                   kContinueWord = "Continue", kShowMeWord = "Show me",
-                                  kSummaryWord = "Your predictions", kNextLessonWord = "Next lesson",
-                                  kToTaskWord = "To the task", kCloseWord = "Close";
+                                  kSummaryWord = "Your predictions", kWaitingWord = "More questions wait under",
+                                  kNextLessonWord = "Next lesson", kToTaskWord = "To the task", kCloseWord = "Close";
 
 /// After a wrong answer that has a second try; after the key that goes on, where a question stands.
 inline constexpr std::string_view kTryAgain = "Not that one. Try once more.",
                                   kTriedAlready = "You have tried that one. Choose another.",
                                   kPressToSkip = "Press again to skip this question.",
                                   kWatching = "Watch how it comes about. Any key or tap goes to the end.";
+
+/// In place of how the task stands, while a question does.
+inline constexpr std::string_view kTaskWaits = "The task is checked once the question is answered.";
 
 /// "Correct", "Correct at the second try", "Not quite", "Skipped", or "Not decided" before the chart is measured.
 [[nodiscard]] std::string_view verdict_text(const Outcome& outcome);

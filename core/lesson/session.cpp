@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "lesson/say.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::lesson {
@@ -123,6 +124,11 @@ std::optional<Grade> Session::grade() const {
   if (!lesson_->task) return std::nullopt;
   if (!grade_) grade_ = now_->grade(*lesson_, view(), found_);
   std::optional<Grade> now = grade_;
+  // The task is graded on the run's result, which would tell of the steps that are asked about.
+  if (!now->done && predicting() && is_own()) {
+    now->says = kTaskWaits;
+    return now;
+  }
   if (!now->done && !now_->moves_at(step_)) now->says += " " + std::string(now_->fixed_now());
   return now;
 }
@@ -141,6 +147,11 @@ std::string_view Session::asked_figure() const {
   return now == nullptr ? std::string_view() : std::string_view(now->hidden_figure());
 }
 
+bool Session::predicting() const {
+  const Asked* question = asked();
+  return question != nullptr && question->step != Asked::kAnytime;
+}
+
 Untold Session::untold() const {
   Untold untold;
   untold.now = asked_figure();
@@ -152,6 +163,11 @@ Untold Session::untold() const {
     seen.push_back(figure);
     if (step() < asked.until && open_question(asked)) untold.figures.push_back(figure);
   }
+  // What a run comes to tells too much of its way there, whatever is asked of it.
+  if (std::any_of(asked_.begin(), asked_.end(),
+                  [&](const Asked& asked) { return step() < asked.until && open_question(asked); }))
+    untold.figures.push_back(kResultFigure);
+  if (predicting()) untold.figures.push_back("excess");  // it is measured against the result of another run
   return untold;
 }
 

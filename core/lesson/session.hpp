@@ -196,6 +196,9 @@ class Session {
   [[nodiscard]] Tally tally() const { return tally_of(asked_, outcomes_); }
   /// How the predictions came out (score_text), once the run is through; else empty.
   [[nodiscard]] std::string score() const;
+  /// The lesson's other methods that have questions which are still open; none of a subject that was edited, for which
+  /// they may not arise.
+  [[nodiscard]] std::vector<const Method*> waiting() const;
   /// Whether the lesson ends here: the run is through, no question is open and each outcome was read. It can be closed.
   [[nodiscard]] bool at_summary() const;
   void close_summary();
@@ -215,6 +218,12 @@ class Session {
   /// stands.
   [[nodiscard]] bool is_hidden(std::string_view figure) const { return untold().hides(figure); }
   [[nodiscard]] Untold untold() const;
+  /// Whether a step's question stands here: what the whole run comes to is not shown then, in any way.
+  [[nodiscard]] bool predicting() const;
+  /// Whether a method's result is not told beside the others'.
+  [[nodiscard]] bool hides_result(const Method& of) const {
+    return predicting() || (&of == method(0) && is_hidden(kResultFigure));
+  }
   /// What is proven so far, and in the end the result's certificate.
   [[nodiscard]] std::vector<Proof> proofs(int slot = 0) const;
   /// Changes whenever anything that a view shows has changed.

@@ -148,6 +148,21 @@ bool Session::at_summary() const {
   return lesson_->subject->asks_of_steps && all.all() > 0 && all.open == 0;
 }
 
+std::vector<const Method*> Session::waiting() const {
+  std::vector<const Method*> methods;
+  if (!is_own()) return methods;
+  for (const std::string& name : lesson_->algorithms) {
+    const bool open = std::any_of(lesson_->questions.begin(), lesson_->questions.end(), [&](const Question& question) {
+      return question.gate.algorithm == name &&
+             std::none_of(outcomes_.begin(), outcomes_.end(),
+                          [&](const Outcome& it) { return it.question == question.id && !it.passed; });
+    });
+    const Method* offered = find_method(*lesson_, name);
+    if (open && offered != method(0)) methods.push_back(offered);
+  }
+  return methods;
+}
+
 void Session::close_summary() {
   summary_closed_ = true;
   ++revision_;

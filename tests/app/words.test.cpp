@@ -1,7 +1,9 @@
-// At every step of every lesson, on screens of three sizes: no words over others, none cut off.
+// At every step of every lesson, on screens of three sizes: no words over others, none cut off; and beside a question
+// none that tell its answer.
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -65,9 +67,14 @@ std::vector<lesson::Lesson> all_lessons() {
     auto lesson =
         lesson::read_lesson(bytes_of(entry.path()), entry.path().filename().string(), lesson::Checked::kAsWritten);
     REQUIRE(lesson.has_value());
-    lesson->questions.clear();
     lessons.push_back(*std::move(lesson));
   }
+  return lessons;
+}
+
+std::vector<lesson::Lesson> without_questions() {
+  std::vector<lesson::Lesson> lessons = all_lessons();
+  for (lesson::Lesson& lesson : lessons) lesson.questions.clear();
   return lessons;
 }
 
@@ -170,7 +177,7 @@ void walk(Bench& bench, const Screen& screen, const std::vector<std::string>& al
 
 TEST_CASE("no words stand over others, run off or are cut, at any step of any lesson") {
   Faults faults;
-  for (const lesson::Lesson& lesson : all_lessons())
+  for (const lesson::Lesson& lesson : without_questions())
     for (const Screen& screen : screens()) {
       Bench bench(lesson, screen.layout, mesh_of(lesson.points.mesh));
       walk(bench, screen, lesson.algorithms, lesson.id, faults);
@@ -182,7 +189,7 @@ TEST_CASE("no words stand over others, run off or are cut, at any step of any le
 
 TEST_CASE("nor among the points of a mesh, or of any scatter") {
   Faults faults;
-  for (const lesson::Lesson& lesson : all_lessons())
+  for (const lesson::Lesson& lesson : without_questions())
     for (const Screen& screen : screens()) {
       Bench bench(lesson, screen.layout, mesh_of(lesson.points.mesh));
       const std::vector<std::string> first{lesson.algorithms.front()};
@@ -196,6 +203,91 @@ TEST_CASE("nor among the points of a mesh, or of any scatter") {
     }
   INFO(faults.text());
   CHECK(faults.text().empty());
+}
+
+namespace {
+
+/// The numbers of a text that stand for nothing else: those with a fraction, and counts of three digits or more.
+std::set<std::string> telling_numbers(const std::string& text) {
+  std::set<std::string> numbers;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i;
+    while (end < text.size() && (std::isdigit(static_cast<unsigned char>(text[end])) != 0 ||
+                                 (end > i && (text[end] == '.' || text[end] == ','))))
+      ++end;
+    std::string number = text.substr(i, end - i);
+    while (!number.empty() && (number.back() == '.' || number.back() == ',')) number.pop_back();
+    if (number.size() > 2) numbers.insert(number);
+    i = std::max(end, i + 1);
+  }
+  return numbers;
+}
+
+/// What would tell the answer to a question: the figures of what happened that the question itself does not name, and
+/// the right choice's words, where they name no handle.
+std::set<std::string> secrets_of(const lesson::Asked& asked, const lesson::Session& session) {
+  const lesson::Truth truth = asked.asking->truth(asked, session.run(0));
+  std::string told = asked.prompt;
+  for (const std::string& choice : asked.choices) told += " " + choice;
+  std::set<std::string> secrets = telling_numbers(truth.happened + " " + truth.sentence);
+  for (const std::string& number : telling_numbers(told)) secrets.erase(number);
+  // How it stands so far may be known; what the question is about is no figure then.
+  for (const lesson::Figure& figure : session.figures())
+    for (const std::string& number : telling_numbers(figure.text)) secrets.erase(number);
+  for (const int choice : asked.on_axes ? std::vector<int>() : truth.choices)  // the axes stand in their table
+    if (const auto i = static_cast<std::size_t>(choice);
+        i < asked.choices.size() && (i >= asked.choice_handles.size() || asked.choice_handles[i].empty()) &&
+        asked.choices[i].size() > 4)
+      secrets.insert(asked.choices[i]);
+  return secrets;
+}
+
+bool tells(const std::string& words, const std::string& secret) {
+  return words == secret || telling_numbers(words).contains(secret);
+}
+
+/// Every question of an algorithm's run, as it stands; how many there were.
+int look_at_questions(Bench& bench, std::vector<DrawnWords>& drawn, const std::string& name) {
+  int seen = 0;
+  lesson::Session& session = bench.session();
+  for (session.first(); session.step() < session.steps() || session.asked() != nullptr;) {
+    const lesson::Asked* asked = session.asked();
+    if (asked == nullptr) {
+      session.forward();
+      continue;
+    }
+    if (asked->step == lesson::Asked::kAnytime) return seen;  // of a chart, before anything is measured
+    bench.frames(2);
+    ++seen;
+    for (const lesson::Rival& rival : session.rivals())
+      CHECK_MESSAGE(session.hides_result(*rival.method), name, asked->question->id);
+    for (const DrawnWords& words : drawn)
+      CHECK_MESSAGE(!words.words.starts_with("smallest"), name, asked->question->id, ": ", words.words);
+    for (const std::string& secret : secrets_of(*asked, session))
+      for (const DrawnWords& words : drawn)
+        CHECK_MESSAGE(!tells(words.words, secret), name, asked->question->id, ": ", words.words);
+    REQUIRE(session.answer(lesson::model_answer(*asked, session.run(0))));
+    session.acknowledge();
+  }
+  return seen;
+}
+
+}  // namespace
+
+TEST_CASE("while a question stands, no words on the stage or beside it tell the answer") {
+  int seen = 0;
+  for (const lesson::Lesson& lesson : all_lessons()) {
+    const Layout tall{{0, 0, 900, 700}, {0, 700, 900, 136}, {900, 0, 380, 4000}, false, 88};
+    Bench bench(lesson, tall, mesh_of(lesson.points.mesh));
+    std::vector<DrawnWords> drawn;
+    bench.app.note_words(&drawn);
+    bench.app.settings().show_optimum = true;
+    for (const std::string& algorithm : lesson.algorithms)
+      if (bench.session().choose(0, algorithm))
+        seen += look_at_questions(bench, drawn, lesson.id + ", " + algorithm + ": ");
+    bench.app.note_words(nullptr);
+  }
+  CHECK(seen > 40);
 }
 
 }  // namespace snug::app

@@ -153,7 +153,7 @@ export class QuestionCard {
   }
 
   /** The lesson's end: each prediction leads back to its reason. */
-  #summary_card({ score, predictions, lesson, grade }) {
+  #summary_card({ score, predictions, lesson, grade, waiting }) {
     const lines = predictions.map(({ id, prompt, kind, standing }) => element("li", {},
       element("button", { type: "button", class: `line ${kind}`, onclick: () => this.#do(`review:${id}`) },
         element("span", { class: "mark", "aria-hidden": "true" }, kMarks[kind]), element("span", { class: "what" }, whole_names(prompt)), element("b", {}, standing))));
@@ -162,10 +162,23 @@ export class QuestionCard {
     return element("div", { class: "card summary", tabindex: "-1" },
       element("div", { class: "head" }, kicker(this.#words.summary), quiet(this.#words.close, () => this.#do("close_summary"))),
       element("p", { class: "prompt" }, score), element("ol", { class: "lines-of" }, ...lines),
+      ...(waiting.length > 0 ? [row(element("span", {}, this.#words.waiting), ...waiting.map((name) => button(this.#title_of(name), () => this.#ask(name))))] : []),
       row(quiet(this.#words.again, () => this.#again()), element("span", { class: "gap" }),
         ...(grade ? [button(grade.done ? `${kMarks.right} ${this.#words.task}` : this.#words.to_task, to_task)] : []),
         ...(next ? [element("a", { class: "button primary", href: `?lesson=${encodeURIComponent(next.id)}`, "data-first": true, title: next.title,
           onclick: (event) => (event.preventDefault(), this.#after.go(next.id)) }, this.#words.next_lesson)] : [])));
+  }
+
+  #title_of(name) {
+    return this.#door.lesson().algorithms.find((algorithm) => algorithm.name === name)?.title ?? name;
+  }
+
+  /** From its first step on, the lesson's other questions. */
+  #ask(name) {
+    this.#act(() => {
+      this.#door.choose(0, name);
+      this.#door.command("first");
+    });
   }
 
   #again() {

@@ -78,21 +78,24 @@ struct Drawing {
     draw_projections(brush, {.dim = pair.dim, .boxes = {as_box(pair.held[0].volume), as_box(pair.held[1].volume)}},
                      fact);
   }
-  /// The line between the nearest points, and of it what either radius covers.
   void operator()(const query::CoresCompared& fact) const {
+    for (const int side : {0, 1}) core(side, brush.p.examined, 1.1f);
+    between_cores(fact.on_a, fact.on_b, fact.distance, fact.apart);
+  }
+  /// The line between the nearest points, and of it what either radius covers.
+  void between_cores(const Point3& on_a, const Point3& on_b, double distance, bool known_apart) const {
     const Palette& p = brush.p;
-    for (const int side : {0, 1}) core(side, p.examined, 1.1f);
-    const Point3 way = fact.on_b - fact.on_a;
+    const Point3 way = on_b - on_a;
     const double length = way.norm();
-    const ImVec2 from = brush.at(fact.on_a), to = brush.at(fact.on_b);
-    const Color color = fact.apart ? p.wrong : p.examined;
+    const ImVec2 from = brush.at(on_a), to = brush.at(on_b);
+    const Color color = known_apart ? p.wrong : p.examined;
     line(brush.list, from, to, Stroke::kSolid, color, brush.stroke(1.1f));
     brush.canvas.obstacles.segments.push_back({from.x, from.y, to.x, to.y});
     for (const int side : {0, 1}) {
       const double radius = lesson::radius_of(pair.held[side]);
       disc(brush.list, side == 0 ? from : to, 4.5f * p.mark, color);
       if (!(radius > 0) || !(length > 0)) continue;
-      const Point3 foot = side == 0 ? fact.on_a : fact.on_b, unit = way / (side == 0 ? length : -length);
+      const Point3 foot = side == 0 ? on_a : on_b, unit = way / (side == 0 ? length : -length);
       const ImVec2 a = brush.at(foot), b = brush.at(foot + unit * radius);
       line(brush.list, a, b, Stroke::kSolid, p.current, brush.stroke(1.8f));
       const ImVec2 middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
@@ -100,8 +103,8 @@ struct Drawing {
                   p.current_text, Face::kSemiBold, 13);
     }
     brush.label({(from.x + to.x) / 2, (from.y + to.y) / 2}, 8, {from.y - to.y, to.x - from.x},
-                "distance of the cores " + lesson::number_text(fact.distance),
-                fact.apart ? p.wrong_text : p.examined_text, Face::kSemiBold, 13);
+                "distance of the cores " + lesson::number_text(distance), known_apart ? p.wrong_text : p.examined_text,
+                Face::kSemiBold, 13);
   }
   void operator()(const query::NearestFound& fact) const {
     for (std::size_t i = 0; i < fact.corners.size(); i += 2) difference(fact.corners[i], fact.corners[i + 1], true);
@@ -115,7 +118,11 @@ struct Drawing {
     for (const ImVec2 at : {from, to}) ring(brush.list, at, 9 * p.mark, p.examined, brush.stroke());
     brush.canvas.obstacles.segments.push_back({from.x, from.y, to.x, to.y});
   }
-  void operator()(const query::DistanceFound&) const { nearest(); }
+  /// Of the cores alone: whether the volumes are apart, the next step decides.
+  void operator()(const query::DistanceFound&) const {
+    if (const auto apart = lesson::core_separation_of(pair))
+      between_cores(apart->on_a, apart->on_b, apart->distance, false);
+  }
   void operator()(const lesson::OverlapDecided& fact) const {
     if (!fact.overlap) nearest();
   }

@@ -166,7 +166,7 @@ class ScenePanel {
       y += look_.px(kLeading);
     }
     const std::array<std::string, 3> figures{std::to_string(one.run), std::to_string(one.skipped),
-                                             one.microseconds.empty() ? "—" : one.microseconds};
+                                             one.run == 0 || one.microseconds.empty() ? "—" : one.microseconds};
     for (int i = 0; i < 3; ++i)
       text_right(list_, look_, Face::kMono, kTiny, {right(i), middle_of(middle, look_.px(kTiny))}, look_->ink,
                  figures[i]);

@@ -195,3 +195,56 @@ TEST_CASE("a lesson ends with a summary once nothing is open, and each line of i
   session.forget_answers();
   CHECK(session.tally().open == all);
 }
+
+TEST_CASE("a summary names the algorithms whose questions are still open") {
+  const std::string other = R"([[question]]
+id = "other"
+algorithm = "welzl"
+before = "finished"
+asks = "choice"
+prompt = "Is it the smallest?"
+choices = ["yes", "no"]
+answer = "yes"
+because = "Welzl's is."
+
+[task])";
+  Session session = snug::test::open(snug::test::small_lesson_with("[task]", other));
+  snug::test::play_to_end(session);
+  while (session.acknowledge()) {
+  }
+  REQUIRE(session.at_summary());
+  REQUIRE(session.waiting().size() == 1);
+  CHECK(session.waiting().front()->name == "welzl");
+  REQUIRE(session.choose(0, "welzl").has_value());
+  CHECK(session.waiting().empty());
+  session.first();
+  snug::test::play_to_end(session);
+  REQUIRE(session.choose(0, "ritter").has_value());
+  CHECK(session.waiting().empty());
+  REQUIRE(session.move(0, {-2.5, 0, 0}).has_value());
+  session.forget_answers();
+  CHECK(session.waiting().empty());  // elsewhere the question may not arise
+}
+
+TEST_CASE("while a prediction is asked, nothing is told of what the run comes to") {
+  Session session = snug::test::open_small();
+  session.first();
+  REQUIRE(session.grade().has_value());
+  const std::string stands = session.grade()->says;
+  while (session.asked() == nullptr) session.forward();
+  REQUIRE(session.predicting());
+  CHECK(session.grade()->says == kTaskWaits);
+  CHECK(stands != kTaskWaits);
+  for (const Rival& rival : session.rivals()) CHECK(session.hides_result(*rival.method));
+  for (const Figure& figure : session.figures())
+    if (figure.key == "excess") CHECK_FALSE(figure.known);
+  REQUIRE(session.skip());
+  session.acknowledge();
+  if (session.asked() == nullptr)
+    for (const Rival& rival : session.rivals())
+      CHECK(session.hides_result(*rival.method) == (rival.method == session.method(0)));  // more is asked later
+  snug::test::play_to_end(session);
+  while (session.acknowledge()) {
+  }
+  for (const Rival& rival : session.rivals()) CHECK_FALSE(session.hides_result(*rival.method));
+}

@@ -24,7 +24,10 @@ TEST_CASE("answers are kept as they were given") {
   auto given = some();
   given.push_back(pending);
   const auto back = outcomes_of(kept_text(given));
-  REQUIRE(back.size() == 2);
+  REQUIRE(back.size() == 3);
+  CHECK(back[2].question == "front");
+  CHECK(back[2].pending);
+  CHECK_FALSE(back[1].pending);
   CHECK(back[0].question == "pair");
   CHECK(back[0].given.kind == Answer::Kind::kPoint);
   CHECK(back[0].given.value == 7);

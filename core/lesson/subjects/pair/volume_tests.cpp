@@ -124,4 +124,11 @@ std::optional<query::Separation<double, 3>> separation_of(const VolumePair& pair
                       });
 }
 
+std::optional<query::Separation<double, 3>> core_separation_of(const VolumePair& pair) {
+  Ignore ignore;
+  const auto found = query::separation_of<double, 3>({core_of(pair.held[0]), 0}, {core_of(pair.held[1]), 0},
+                                                     Point3::Zero(), false, ignore);
+  return found && !found->overlap ? found : std::nullopt;
+}
+
 }  // namespace snug::lesson

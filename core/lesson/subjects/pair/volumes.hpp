@@ -34,6 +34,8 @@ struct VolumePair {
 [[nodiscard]] double radius_of(const HeldVolume& held);
 /// The nearest points of both; none where they overlap.
 [[nodiscard]] std::optional<query::Separation<double, 3>> separation_of(const VolumePair& pair);
+/// The same of the cores alone, without the radii.
+[[nodiscard]] std::optional<query::Separation<double, 3>> core_separation_of(const VolumePair& pair);
 
 class VolumesSubject final : public Subject {
  public:
