@@ -11,7 +11,7 @@
 namespace snug::hierarchy {
 
 /// A node's bodies were divided: left and right are how many went to either side. axis: kNoIndex where all centres are
-/// in one place, and they were divided by index. position: that of the first centre on the right (median, exact sweep)
+/// in one place, and they were divided by index. position: that of the first centre on the right (median)
 /// or of the border of bins, scene units. cost: by the surface-area heuristic, in tests of a body; of the median 0.
 struct SplitChosen {
   static constexpr std::string_view kName = "split_chosen";

@@ -26,7 +26,7 @@ inline constexpr std::array<std::string_view, 6> kMedianPseudocode{
 inline constexpr std::array<std::string_view, 6> kSurfaceAreaPseudocode{
     "node ← all bodies",
     "few, and no split is cheaper: a leaf",
-    "for each axis and border between bodies",
+    "for each axis and border between bins",
     "  cost ← 2 + (area n left + right) / area",
     "split at the least cost; likewise below",
     "volume ← merged of both children",
@@ -37,10 +37,9 @@ enum class SplitRule : std::uint8_t { kMedian, kSurfaceArea };
 /// What the laying out tells, in order: splits and leaves.
 using TopDownFacts = std::vector<std::variant<SplitChosen, LeafMade>>;
 
-/// Bodies are told apart by their boxes' centres; among equal centres by index. Up to 8 bodies every border between two
-/// is tried, up to 64 fall into 8 bins an axis, more into 16, of more than 2048 a sample. Numbers are floats, about the
-/// node's own corner and in its own size once that is small: whatever the scene's size and place. From depth 40 on
-/// nodes are halved, so that no tree is much deeper. most_in_leaf: >= 1. facts: null, or what is told is added to it.
+/// Bodies are told apart by their boxes' centres; where a node's are all in one place, by index. The surface-area rule
+/// divides at the cheapest of the borders between 16 bins an axis, as wide as the node's centres spread; from depth 40
+/// on it halves, so that no tree is much deeper. most_in_leaf: >= 1. facts: null, or what is told is added to it.
 /// O(n log n) time.
 [[nodiscard]] Shape lay_out_top_down(const Layout& layout, SplitRule rule, Index most_in_leaf,
                                      TopDownFacts* facts = nullptr);

@@ -165,7 +165,7 @@ TEST_CASE("bodies in one place are divided by index") {
   const auto tree = hierarchy::build_median<Aabb<double, 3>>(boxes, {1});
   CHECK(tree.bodies == std::vector<Index>{0, 1, 2, 3, 4, 5, 6, 7});
   CHECK(tree.nodes.size() == 15);
-  // As near to one place as floats can tell apart no more.
+  // Near to one place, and told apart.
   std::vector<Aabb<double, 3>> near;
   for (int i = 0; i < 100; ++i) {
     const Vector<double, 3> low(1e-9 * (i % 7), 0, 0);
@@ -174,8 +174,8 @@ TEST_CASE("bodies in one place are divided by index") {
   CHECK(hierarchy::build_surface_area<Aabb<double, 3>>(near, {1}).depth() <= 9);
 }
 
-TEST_CASE("small scenes beside a far body are told apart: numbers of a node count from its own corner") {
-  // In one frame for all, a billionth of the scene would be one place, and the near bodies be divided by index.
+TEST_CASE("small scenes beside a far body are told apart") {
+  // In floats a billionth of the scene would be one place, and the near bodies be divided by index.
   auto boxes = test::spread<double, 3>(2000, 5, 20);
   const double alone = expected_cost(hierarchy::build_surface_area<Aabb<double, 3>>(boxes));
   boxes.push_back({Vector<double, 3>::Constant(1e12), Vector<double, 3>::Constant(1e12 + 1)});
