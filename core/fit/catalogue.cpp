@@ -43,7 +43,7 @@ const Algorithm* find_algorithm(std::string_view volume, std::string_view name) 
 }
 
 const Algorithm* exact_algorithm(std::string_view volume) {
-  // Three claim the smallest sphere; it is worked out by the fastest of them.
+  // Three algorithms find the smallest sphere: this is the fastest of them.
   if (volume == "sphere") return find_algorithm(volume, "pivot");
   for (const Algorithm& algorithm : algorithms_of(volume))
     if (algorithm.exact) return &algorithm;
@@ -64,7 +64,7 @@ Recording Algorithm::record(const AnyPointSet& points, const Options& options, R
 
 namespace {
 
-/// The measure of a lifted volume of that dimension.
+/// The measure of a volume that was lifted from that dimension.
 template <int Dim>
 struct Measure {
   double operator()(const Aabb<double, 3>& box) const { return (box.max - box.min).template head<Dim>().prod(); }

@@ -9,8 +9,8 @@
 namespace snug::fit {
 namespace {
 
-/// A radius below which no ball holds the support: that of the largest ball that a subset holds with its centre in
-/// the subset's hull.
+/// A lower bound on the radius of any ball that contains the support: the largest radius of a circumsphere of a subset
+/// whose centre lies in the subset's hull.
 template <class Scalar, int Dim>
 double support_lower_bound(const Support& support, PointSpan<Scalar, Dim> points) {
   double bound = 0;
@@ -32,7 +32,7 @@ Certificate certify(const Fit<Sphere<Scalar, Dim>>& fit, PointSpan<Scalar, Dim> 
     largest = std::max(largest, static_cast<double>(points[i].cwiseAbs().maxCoeff()));
     if (side_of_sphere(points[i], fit.volume) <= 0) continue;
     ++certificate.outside;
-    // An exact verdict may concern less than the distance's own rounding: then one ulp is what can be said.
+    // The exact verdict can be decided by less than the distance's own rounding error: report one ulp then.
     const double ulp = std::nextafter(radius, 2 * radius + 1) - radius;
     certificate.max_outside = std::max({certificate.max_outside, distance(i) - radius, ulp});
   }

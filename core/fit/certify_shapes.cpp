@@ -23,7 +23,7 @@ Certificate containment(const VolumeType& volume, PointSpan<Scalar, Dim> points)
   return certificate;
 }
 
-/// Which bounds the point holds: bit 2 i the least along axis i, the next the greatest.
+/// Which bounds the point lies on: bit 2 i for the least along axis i, bit 2 i + 1 for the greatest.
 template <class Scalar, int Dim>
 unsigned held_bounds(const Kdop<Scalar, Dim>& kdop, const Vector<Scalar, Dim>& p) {
   unsigned held = 0;
@@ -45,7 +45,7 @@ unsigned held_bounds(const Aabb<Scalar, Dim>& box, const Vector<Scalar, Dim>& p)
   return held;
 }
 
-/// bounds: how many the volume has.
+/// bounds: the number of bounds that the volume has.
 template <class VolumeType, class Scalar, int Dim>
 Certificate certify_bounds(const Fit<VolumeType>& fit, PointSpan<Scalar, Dim> points, int bounds, bool claims_optimal) {
   Certificate certificate = containment(fit.volume, points);

@@ -1,4 +1,4 @@
-// Reading a trace: the names of its facts, its hash, its lines of JSON. All go over the fields that facts list.
+// A trace as text: the names of its facts, its hash and its lines of JSON, all from the fields that facts list.
 #include <array>
 
 #include "fit/catalogue.hpp"
@@ -74,7 +74,7 @@ class Json {
   int dim_;
 };
 
-/// Eigenvectors one a row, and in 2-D without the added axis, which lift puts first.
+/// Writes one eigenvector in each row; in 2-D without the added axis, which lift puts first.
 void put_axes(Json& json, const AxesFound<double, 3>& fact, int dim) {
   Matrix<double, 3> rows = Matrix<double, 3>::Zero();
   Vector<double, 3> variances = Vector<double, 3>::Zero();
@@ -87,7 +87,7 @@ std::string_view volume_key(const Volume3& volume) {
   return std::holds_alternative<Sphere3>(volume) ? "ball" : kVolumeNames[volume.index()];
 }
 
-/// What every step begins with.
+/// The fields that every step begins with.
 Json json_of_step(std::string_view name, int line, const Volume3* volume, int dim) {
   Json json(dim);
   json("step", name);

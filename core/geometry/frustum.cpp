@@ -27,7 +27,7 @@ std::optional<std::string> wrong_with(const Plane<Scalar, Dim>& plane) {
   return std::nullopt;
 }
 
-/// Whether the determinant is zero, exactly, by the minors of the first two rows and those of the last two.
+/// Whether the determinant is exactly zero, from the minors of the first two rows and those of the last two.
 template <class Scalar>
 bool is_singular(std::span<const Scalar> column_major) {
   const auto at = [&](std::size_t row, std::size_t column) {

@@ -37,7 +37,7 @@ Dyadic determinant(const Numbers<3>& a, const Numbers<3>& b, const Numbers<3>& c
   return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/// Places of as many planes as meet in a point.
+/// The indices of as many planes as meet in a point.
 template <int Dim>
 using Meeting = std::array<std::size_t, static_cast<std::size_t>(Dim)>;
 
@@ -52,9 +52,9 @@ class CornerSearch {
     for (const auto& plane : frustum.planes()) planes_.emplace_back(plane);
   }
 
-  /// Why all corners inside of all planes, opposite planes that do not face the same way, and no other place inside of
-  /// all where planes meet are enough: on an edge that is not bounded, both of the opposite planes that end it would
-  /// face the same way and meet it in the same corner, and be parallel, since else others would meet there too.
+  /// Three checks are enough: all vertices are inside all planes, opposite planes face different ways, and planes meet
+  /// nowhere else inside all planes. At an unbounded edge, the two opposite planes that should end it would face the
+  /// same way, meet it in the same vertex, and be parallel, or others would meet there too.
   [[nodiscard]] tl::expected<All, InputError> find() const {
     All corners;
     for (std::size_t c = 0; c < corners.size(); ++c) {
@@ -90,10 +90,10 @@ class CornerSearch {
     return planes;
   }
 
-  /// By Cramer's rule.
+  /// The point where the planes meet, by Cramer's rule.
   [[nodiscard]] std::optional<Point> meet(const Meeting<Dim>& at) const {
     Point point;
-    std::array<Normals, static_cast<std::size_t>(Dim)> columns;  // of the matrix whose rows are the normals
+    std::array<Normals, static_cast<std::size_t>(Dim)> columns;  // the columns of the matrix whose rows are the normals
     Normals right;
     for (std::size_t row = 0; row < Dim; ++row) {
       for (std::size_t i = 0; i < Dim; ++i) columns[i][row] = planes_[at[row]].normal[i];
@@ -121,7 +121,7 @@ class CornerSearch {
     return std::nullopt;
   }
 
-  /// Opposite planes and others that meet inside of all planes.
+  /// Planes, two of them opposite, that meet inside all planes.
   [[nodiscard]] std::optional<Meeting<Dim>> other_corner() const {
     for (std::size_t i = 0; i < planes_.size(); i += 2)
       for (std::size_t other = 0; other < planes_.size(); ++other) {

@@ -25,7 +25,7 @@ double measure_of(const FacetCorners<3>& facet) {
   return scaled_norm<double, 3>(cross(facet[1] - facet[0], facet[2] - facet[0])) / 2;
 }
 
-/// Calls visit with the corners of each facet, from vertex 0; of a flat hull, with those of both its sides.
+/// Calls visit with the vertices of each facet, relative to vertex 0; for a flat hull, with those of both its sides.
 template <class Scalar, int Dim, class Visit>
 void for_facets(const ConvexHull<Scalar, Dim>& hull, Visit&& visit) {
   const auto at = [&](Index i) -> Vector<double, Dim> {

@@ -13,7 +13,7 @@ struct Edge {
   friend bool operator<(const Edge& a, const Edge& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; }
 };
 
-/// Every edge, both ways. A triangle gives its own way, and the one behind the edge the other.
+/// Every edge in both directions: each of the two facets at an edge gives one.
 template <class Scalar, int Dim>
 std::vector<Edge> edges_of(const ConvexHull<Scalar, Dim>& hull) {
   std::vector<Edge> edges;
@@ -24,7 +24,7 @@ std::vector<Edge> edges_of(const ConvexHull<Scalar, Dim>& hull) {
     return edges;
   }
   const auto n = static_cast<Index>(hull.vertices.size());
-  for (Index i = 0; i < n && n > 1; ++i) {  // a ring; of two vertices, there and back
+  for (Index i = 0; i < n && n > 1; ++i) {  // a ring; for two vertices, there and back
     const Index next = i + 1 < n ? i + 1 : 0;
     edges.push_back({i, next, kNoIndex});
     if (n > 2) edges.push_back({next, i, kNoIndex});

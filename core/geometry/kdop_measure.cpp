@@ -14,7 +14,7 @@ namespace {
 template <int Dim>
 using Polygon = std::vector<Vector<double, Dim>>;
 
-/// The k half-spaces, in double, seen from the middle of the first Dim slabs: a far k-DOP loses no digits.
+/// The k half-spaces, in double, relative to the middle of the first Dim slabs, so that a far k-DOP loses no digits.
 template <class Scalar, int Dim>
 std::vector<Plane<double, Dim>> half_spaces(const Kdop<Scalar, Dim>& kdop) {
   Vector<double, Dim> middle;
@@ -38,7 +38,7 @@ std::vector<Plane<double, Dim>> half_spaces(const Kdop<Scalar, Dim>& kdop) {
   return planes;
 }
 
-/// What of a convex polygon lies in the half-space.
+/// The part of a convex polygon that lies in the half-space.
 template <int Dim>
 Polygon<Dim> clipped(const Polygon<Dim>& polygon, const Plane<double, Dim>& plane) {
   Polygon<Dim> inside;
@@ -61,7 +61,7 @@ double area(const Polygon<2>& polygon) {
   return std::abs(twice) / 2;
 }
 
-/// The area times the length of the normal to which the polygon is perpendicular.
+/// The area of a polygon times the length of its normal.
 double area_along(const Vector<double, 3>& normal, const Polygon<3>& polygon) {
   double twice = 0;
   for (std::size_t i = 2; i < polygon.size(); ++i)
@@ -88,7 +88,7 @@ double measure_of(const std::vector<Plane<double, 2>>& planes) {
 }
 
 double measure_of(const std::vector<Plane<double, 3>>& planes) {
-  double reach = 0;  // of the box of the first three slabs, past its corners
+  double reach = 0;  // how far the vertices of the first three slabs' box reach, and a little more
   for (std::size_t i = 0; i < 6; ++i) reach += std::abs(planes[i].d);
   double volume = 0;
   for (std::size_t face = 0; face < planes.size(); ++face) {

@@ -16,7 +16,7 @@ namespace {
 __extension__ typedef __int128 Wide;
 using Integers = std::array<std::int64_t, 3>;
 
-/// The value's lowest bit that is set and the one above its highest, as powers of two. value: finite, not 0.
+/// The exponents of the value's lowest set bit and of the bit above its highest. value: finite, not 0.
 struct Bits {
   int low, high;
 };
@@ -29,10 +29,10 @@ Bits bits_used(double value) {
   return {exponent + std::countr_zero(mantissa), exponent + 64 - std::countl_zero(mantissa)};
 }
 
-/// How many bits coordinates may span for their differences to stay below 2^61, as sums of products of three want it.
+/// How many bits coordinates may span for their differences to stay below 2^61, which sums of products of three need.
 constexpr int kIntegerBits = 60;
 
-/// Points as whole numbers of a common unit; false where that takes too many bits.
+/// Converts points to integers in a common unit; false if that takes too many bits.
 template <int Dim, std::size_t kCount>
 bool to_integers(const std::array<const Vector<double, Dim>*, kCount>& points, std::array<Integers, kCount>& whole) {
   int low = 1100, high = -1100;
@@ -44,7 +44,7 @@ bool to_integers(const std::array<const Vector<double, Dim>*, kCount>& points, s
       high = std::max(high, used.high);
     }
   if (high - low > kIntegerBits) return false;
-  const int half = -low / 2;  // 2^-low itself may be more than a double holds
+  const int half = -low / 2;  // 2^-low itself may overflow a double
   const double scale = std::ldexp(1.0, half), rest = std::ldexp(1.0, -low - half);
   for (std::size_t i = 0; i < kCount; ++i)
     for (int axis = 0; axis < Dim; ++axis)
@@ -85,7 +85,7 @@ int orient3d_exact(detail::P3 a, detail::P3 b, detail::P3 c, detail::P3 d) {
   return (minor(1, 2) * g[0] + minor(2, 0) * g[1] + minor(0, 1) * g[2]).sign();
 }
 
-/// a - b times a power of two that makes it about 1 in size, which changes no sign of a product.
+/// a - b, scaled by a power of two to a size of about 1, which changes no sign of a product.
 Vector<double, 3> scaled_difference(const Vector<double, 3>& a, const Vector<double, 3>& b) {
   const bool may_overflow = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()) > 0x1p1022;
   Vector<double, 3> d = may_overflow ? Vector<double, 3>(a / 2 - b / 2) : Vector<double, 3>(a - b);
@@ -96,8 +96,8 @@ Vector<double, 3> scaled_difference(const Vector<double, 3>& a, const Vector<dou
   return d;
 }
 
-/// The filter once more, on differences of about unit size: none of its products overflows, and what underflows is
-/// small beside them.
+/// Applies the filter once more, to differences of about unit size: no product overflows, and what underflows is
+/// negligible.
 int orient3d_scaled(detail::P3 a, detail::P3 b, detail::P3 c, detail::P3 d) {
   const Vector<double, 3> e = scaled_difference(b, a), f = scaled_difference(c, a), g = scaled_difference(d, a);
   double value = 0, size = 0;

@@ -26,8 +26,8 @@ bool wide_is_sound(double square) {
   return square > tolerance::kSoundWideSquare && square < 1 / tolerance::kSoundWideSquare;
 }
 
-/// What twice a double's digits say of the side: nothing where that is in doubt. What each step rounds away is summed
-/// apart.
+/// The side in twice a double's digits; none if that is in doubt. What each step rounds away is summed
+/// separately.
 inline int side_in_double_double(const double* point, const double* center, double radius, int dim) noexcept {
   const DoubleDouble square = DoubleDouble::product(radius, radius);
   double sum = -square.high, rest = -square.low;
@@ -49,10 +49,10 @@ Index block_of(Index points) {
   return static_cast<Index>(block);
 }
 
-// Up to this many points near the boundary are decided exactly; with more, the radius is widened by its error bound.
+// Up to this many points near the boundary are decided exactly; beyond, the radius is widened by its error bound.
 constexpr Index kExactCandidates = 4096;
 
-/// Widens the radius until each of the points given holds; calls are few, for it starts within a few ulps.
+/// Widens the radius until the ball contains the given points, in few steps, as it starts within a few ulps.
 template <class Scalar, int Dim>
 void widen_to_hold(Sphere<Scalar, Dim>& sphere, const Vector<Scalar, Dim>& point) {
   while (side_of_sphere(point, sphere) > 0)
@@ -121,7 +121,7 @@ Scalar enclosing_radius(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim
   const Scalar threshold = most * (1 - 2 * kBound);
   Sphere<Scalar, Dim> sphere{center, std::sqrt(most)};
   const Vector<double, Dim> c = center.template cast<double>();
-  const bool wide = wide_is_sound(static_cast<double>(most));  // so near the boundary, the plain digits decide nothing
+  const bool wide = wide_is_sound(static_cast<double>(most));  // so near the boundary, plain doubles decide nothing
   Index candidates = 0;
   Index begin = 0;
   for (const auto& block : far.of_block) {

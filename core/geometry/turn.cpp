@@ -51,7 +51,7 @@ double sine_near_zero(DoubleDouble x) {
   return x.high + (x.high * square * polynomial(kSine, square) + x.low * (1 - square / 2));
 }
 
-/// What 1 - x^2/2 loses in rounding is put back with the smaller terms.
+/// The cosine for small x: what 1 - x^2/2 loses in rounding is added back with the smaller terms.
 double cosine_near_zero(DoubleDouble x) {
   const double square = x.high * x.high;
   const double half = square / 2;

@@ -12,7 +12,7 @@ constexpr std::string_view kKeywords[] = {
     "end",    "con",    "g",    "s",      "mg",     "o",    "bevel", "c_interp", "d_interp",   "lod",
     "usemtl", "mtllib", "call", "maplib", "usemap", "csh",  "ctech", "stech",    "shadow_obj", "trace_obj"};
 
-/// Lines that a backslash joins to the next are one statement, with the first one's number.
+/// Splits the text into statements. Lines joined by a backslash are one statement, with the first line's number.
 class Statements {
  public:
   explicit Statements(std::string_view text) : lines_(text) {}
@@ -70,7 +70,7 @@ class ObjReader {
            std::to_string(vertices());
   }
 
-  /// x y z, and perhaps a weight or a colour, which are checked and passed over. Empty, or what is wrong.
+  /// Reads x y z, and perhaps a weight or a colour, which are ignored. Returns what is wrong, or an empty text.
   std::string add_vertex(std::string_view rest) {
     Vector<double, 3> point;
     int count = 0;
@@ -85,7 +85,7 @@ class ObjReader {
     return {};
   }
 
-  /// Empty, or what is wrong.
+  /// Returns what is wrong, or an empty text.
   std::string add_face(std::string_view rest) {
     std::array<Index, 3> corners{};
     int count = 0;
@@ -100,7 +100,7 @@ class ObjReader {
     return count < 3 ? "a face has at least three vertices, and there are " + std::to_string(count) : std::string();
   }
 
-  /// The vertex that "v", "v/vt", "v//vn" or "v/vt/vn" names. One that is yet to come may be named: the end tells.
+  /// The vertex that "v", "v/vt", "v//vn" or "v/vt/vn" names. It may still be to come: that is checked at the end.
   tl::expected<Index, std::string> index_of(std::string_view word) {
     const auto reference = reference_of(word);
     if (!reference) return tl::unexpected(quoted(word) + " does not name a vertex");

@@ -18,7 +18,7 @@ bool is_polygon(const PlyProperty& property) {
   return property.name == "vertex_indices" || property.name == "vertex_index";
 }
 
-/// The dimension that the vertices' properties give. Errors: no vertices, no x and y, properties of no use as such.
+/// The dimension, from the vertices' properties. Errors: no vertices, no x and y, a coordinate that is a list.
 Read<int> dim_of(const PlyHeader& header) {
   for (const PlyElement& element : header.elements) {
     if (!is_vertices(element)) continue;
@@ -49,7 +49,7 @@ class PlyReader {
 
   Read<PointFile> read() {
     for (const PlyElement& element : header_.elements) {
-      // What is claimed is held against what is there before any memory is asked for.
+      // The claimed count is compared with the bytes that are there before any memory is allocated.
       if (element.count > 0 && element.count > body_.left() / Body::smallest(element))
         return at_line(element.line, "the header claims " + std::to_string(element.count) + " of " +
                                          quoted(element.name) + ", and the file is too short for that");

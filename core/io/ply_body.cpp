@@ -15,7 +15,7 @@ std::int64_t integer_of(PlyType type, std::uint64_t bits) {
     case PlyType::kInt8: return as_signed<std::int8_t>(bits);
     case PlyType::kInt16: return as_signed<std::int16_t>(bits);
     case PlyType::kInt32: return as_signed<std::int32_t>(bits);
-    default: return static_cast<std::int64_t>(bits);  // read from as many bytes as it has
+    default: return static_cast<std::int64_t>(bits);  // an integer, from as many bytes as the type has
   }
 }
 
@@ -32,7 +32,7 @@ double number_of(PlyType type, std::uint64_t bits) {
 PlyText::PlyText(const PlyHeader& header, std::string_view) : lines_(header.body, header.lines + 1) {}
 
 std::int64_t PlyText::smallest(const PlyElement& element) {
-  return 2 * static_cast<std::int64_t>(element.properties.size());  // a digit and what parts it from the next
+  return 2 * static_cast<std::int64_t>(element.properties.size());  // a digit and a separator
 }
 
 bool PlyText::begin(const PlyElement& element, std::int64_t instance) {

@@ -21,7 +21,7 @@ std::optional<PlyType> type_named(std::string_view name) {
   return std::nullopt;
 }
 
-/// Far beyond every real header, and few enough that comparing names pair by pair costs nothing.
+/// Far more than any real header has, and so few that comparing names pair by pair costs nothing.
 constexpr std::size_t kMost = 1000;
 
 class HeaderReader {
@@ -41,7 +41,7 @@ class HeaderReader {
   }
 
  private:
-  /// Empty, or what is wrong with the line.
+  /// Takes a line. Returns what is wrong with it, or an empty text.
   std::string take(std::string_view word, std::string_view rest) {
     if (word.empty() || word == "comment" || word == "obj_info") return {};
     if (word == "format") return take_format(rest);

@@ -1,4 +1,4 @@
-// Tells the formats apart, and gives every error the file's name.
+// Recognizes the format, and adds the file's name to every error.
 #include <algorithm>
 #include <array>
 
@@ -14,10 +14,10 @@ std::string extension_of(std::string_view name) {
   return dot == std::string_view::npos || name[dot] != '.' ? "" : lower_case(name.substr(dot + 1));
 }
 
-/// Text has no zero bytes; the start of a file is enough to see them.
+/// Text has no zero bytes; binary files have some near their start.
 bool looks_binary(std::string_view bytes) { return bytes.substr(0, 4096).find('\0') != std::string_view::npos; }
 
-/// The first line that holds more than a comment.
+/// The first line that has more than a comment.
 std::string_view first_content(std::string_view text) {
   Lines lines(text);
   while (lines.next_filled()) {
@@ -41,8 +41,8 @@ Format format_of_text(std::string_view text, std::string_view extension) {
   return rows;
 }
 
-/// Whether a file is of none of the formats by its name, and its first line is nothing that a person wrote: a picture,
-/// an archive. Latin-1 in a comment, or in a table that begins with a number, is let through.
+/// Whether a file has none of the formats' extensions, and its first line is not text that a person wrote: a picture or
+/// an archive, for instance. Latin-1 is accepted in a comment, or in a table that begins with a number.
 bool is_something_else(std::string_view bytes, std::string_view extension) {
   constexpr std::array<std::string_view, 6> kOurs{"xyz", "txt", "csv", "obj", "ply", "stl"};
   if (std::find(kOurs.begin(), kOurs.end(), extension) != kOurs.end()) return false;
@@ -52,7 +52,7 @@ bool is_something_else(std::string_view bytes, std::string_view extension) {
   return std::any_of(line.begin(), line.end(), [](char c) { return (c & 0x80) != 0 || (c < ' ' && c != '\t'); });
 }
 
-/// The content decides where it can: binary STL by its size, for its header may well begin with "solid".
+/// The content decides if it can: binary STL is recognized by its size, because its header may begin with "solid".
 Format format_of(std::string_view bytes, std::string_view extension) {
   const std::string_view start = bytes.substr(0, 4);
   if (start == "ply\n" || start == "ply\r") return Format::kPly;
@@ -74,9 +74,9 @@ Read<PointFile> read_as(Format format, std::string_view bytes) {
   return read_stl_binary(bytes);
 }
 
-/// The text behind a byte order mark, where there is one.
+/// The text without a byte order mark.
 Read<std::string_view> without_mark(std::string_view bytes) {
-  if (has_size_of_stl(bytes)) return bytes;  // whose header may hold anything
+  if (has_size_of_stl(bytes)) return bytes;  // its header may contain anything
   if (bytes.substr(0, 2) == "\xff\xfe" || bytes.substr(0, 2) == "\xfe\xff")
     return at_byte(0, "the text is UTF-16: save it as UTF-8");
   return bytes.substr(bytes.substr(0, 3) == "\xef\xbb\xbf" ? 3 : 0);

@@ -8,7 +8,7 @@
 namespace snug::io {
 namespace {
 
-/// The fields of a line, and how many: more than fit are not looked at.
+/// The fields of a line, and their number; fields beyond the capacity are only counted.
 struct Fields {
   std::array<std::string_view, 4> at;
   std::size_t count = 0;
@@ -20,8 +20,8 @@ struct Fields {
   [[nodiscard]] bool full() const { return count == at.size(); }
 };
 
-/// What parts a line's fields: a semicolon before a comma, for then the comma is a decimal sign, which is refused; '\0'
-/// stands for any run of blanks.
+/// The separator of a line's fields. A semicolon takes precedence over a comma, which is then a decimal comma and is
+/// refused. '\0' stands for any run of blanks.
 char separator_of(std::string_view line, bool csv) {
   for (const char c : {';', ','})
     if (line.find(c) != std::string_view::npos) return c;
@@ -44,7 +44,7 @@ Fields fields_of(std::string_view line, bool csv) {
   return fields;
 }
 
-/// Whether every field is a name: "1,5" is no number and yet no name, but one with a decimal comma.
+/// Whether every field is a name. "1,5" is not a name, but a number with a decimal comma.
 bool is_header(const Fields& fields) {
   constexpr std::string_view kNumberStarts = "0123456789+-.";
   for (const std::string_view field : std::span(fields.at).first(fields.count))
@@ -70,7 +70,7 @@ tl::expected<Vector<double, 3>, std::string> point_of(const Fields& fields) {
 
 Read<PointFile> read_rows(std::string_view text, bool csv) {
   PointFile file;
-  std::int64_t first_line = 0;  // that of the first point, which sets the dimension
+  std::int64_t first_line = 0;  // the line of the first point, which sets the dimension
   bool header_may_come = csv;
   for (Lines lines(text); lines.next();) {
     const std::string_view line = trim(lines.line().substr(0, lines.line().find('#')));

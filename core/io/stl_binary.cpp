@@ -5,8 +5,8 @@
 namespace snug::io {
 namespace {
 
-constexpr std::size_t kHeader = 80;    // of any content
-constexpr std::size_t kStart = 84;     // behind the count
+constexpr std::size_t kHeader = 80;    // may contain anything
+constexpr std::size_t kStart = 84;     // after the count
 constexpr std::size_t kTriangle = 50;  // normal, three corners, two bytes of attributes
 
 std::uint32_t word_at(std::string_view bytes, std::size_t at) {

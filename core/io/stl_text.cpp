@@ -31,7 +31,7 @@ class StlTextReader {
 
   bool read_facet() {
     if (!expect("normal")) return false;
-    for (int axis = 0; axis < 3; ++axis) {  // passed over, and often not a number where the triangle is flat
+    for (int axis = 0; axis < 3; ++axis) {  // ignored, and often not a number if the triangle is flat
       const std::string_view word = take_word(words_);
       if (!parse_number(word)) return fail(quoted(word) + " is not a number");
     }

@@ -71,7 +71,7 @@ std::optional<double> parse_number(std::string_view word) {
   double value = 0;
   const char* end = word.data() + word.size();
   const auto result = fast_float::from_chars(word.data(), end, value);
-  // Out of range still gives the nearest there is: an infinity, or zero for what is too small to tell from it.
+  // A number out of range still gives the nearest value: an infinity, or zero.
   if (result.ec == std::errc::invalid_argument || result.ptr != end) return std::nullopt;
   return value;
 }
@@ -92,7 +92,7 @@ tl::expected<double, std::string> parse_coordinate(std::string_view word) {
   const std::optional<double> value = parse_number(word);
   if (!value) return tl::unexpected(quoted(word) + " is not a number");
   std::string_view fault = fault_of_coordinate(*value);
-  // An infinity that was written in digits is a number, but one that no double holds.
+  // An infinity that was written in digits is a number that no double can represent.
   if (std::isinf(*value) && word.find_first_of("0123456789") != std::string_view::npos)
     fault = fault_of_coordinate(std::numeric_limits<double>::max());
   if (fault.empty()) return *value;

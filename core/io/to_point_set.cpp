@@ -6,7 +6,7 @@
 namespace snug::io {
 namespace {
 
-/// Before rounding, for beyond the range of float the result would be an infinity that nobody wrote.
+/// Checks before rounding, because beyond the range of float the result would be an infinity that is not in the file.
 template <class Scalar>
 std::optional<InputError> beyond_range(const std::vector<Vector<double, 3>>& points) {
   constexpr double kLargest = static_cast<double>(PointSet<Scalar, 3>::kLargest);

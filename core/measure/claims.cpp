@@ -26,7 +26,7 @@ constexpr std::string_view kPhysics = "Physics based animation, Lecture 09";
 
 constexpr std::string_view kHolds = "holds", kTypical = "typical", kFalse = "false";
 
-/// More of the student's points than this are sampled, for the exact box is asked for again and again.
+/// If the student has more points than this, they are sampled, because the exact box is fitted again and again.
 constexpr Index kMostPoints = 20'000;
 
 __attribute__((format(printf, 1, 2))) std::string said(const char* format, ...) {
@@ -64,7 +64,7 @@ void iterative(const ClaimContext& context, ClaimRow& row) { within("ritter_iter
 
 // ---- powers of n
 
-/// Points on a sphere, all of them on the hull: the most work that there is for what goes over hulls.
+/// Times on points on a sphere: all of them are on the hull, which is the most work for algorithms that use the hull.
 std::vector<GrowthRow> growth_of(std::string_view volume, std::string_view algorithm, Index most,
                                  const ClaimContext& context) {
   const fit::Options options{.seed = context.seed};
@@ -75,7 +75,7 @@ std::vector<GrowthRow> growth_of(std::string_view volume, std::string_view algor
   return run.rows();
 }
 
-/// claimed: the power of n, a logarithm left out. What grows more slowly keeps a bound.
+/// claimed: the power of n, without any logarithm. A time that grows more slowly is within the bound.
 void power(std::string_view volume, std::string_view algorithm, Index most, double claimed, const char* what,
            const ClaimContext& context, ClaimRow& row) {
   constexpr double kNoise = 0.15;
@@ -101,7 +101,7 @@ void orourke(const ClaimContext& context, ClaimRow& row) {
 
 void stack(const ClaimContext& context, ClaimRow& row) {
   constexpr int kPoints = 2000;
-  constexpr double kUsual = 8.0 * 1024 * 1024;  // of a thread on Linux; others give less
+  constexpr double kUsual = 8.0 * 1024 * 1024;  // a main thread's stack on Linux; other systems give less
   const auto set = PointSet<double, 3>::make(*generate("cube", kPoints, 3, context.seed));
   const RecursionDepth depth = naive_welzl_depth(set->span());
   row.figure = depth.bytes_per_call;
@@ -165,7 +165,7 @@ void tighter(const ClaimContext& context, ClaimRow& row) {
 
 // ---- boxes
 
-/// A cube's vertices, and a cluster along one of its diagonals, which draws the longest axis there.
+/// A cube's vertices, and a cluster along one of its diagonals, which pulls the longest axis to that diagonal.
 AnyPointSet clustered_diagonal(std::uint64_t seed) {
   Random random(seed);
   std::vector<Vector<double, 3>> points;

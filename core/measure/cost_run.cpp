@@ -19,10 +19,10 @@
 namespace snug::cost {
 namespace {
 
-/// In a full turn: each update follows one a few degrees before it, as from frame to frame.
+/// The number of poses in a full turn: each update follows one a few degrees before it, as from frame to frame.
 constexpr int kPoses = 64;
 
-/// The tight update of a fitted volume; null where there is none.
+/// The tight update of a fitted volume; null if there is none.
 const fit::UpdateStrategy* update_of(const fit::Algorithm& algorithm) {
   if (algorithm.volume == "aabb") return fit::find_update("aabb", "hill_climb");
   if (algorithm.volume == "kdop") return fit::find_update("kdop", std::string(algorithm.name) + "_hill_climb");
@@ -88,8 +88,8 @@ const fit::Volume3& CostRun::fitted(const fit::Algorithm& algorithm) {
   return place->second;
 }
 
-/// On a busy machine, or from one run alone, times seem to grow far too steeply: no more than theory's bound is
-/// foreseen.
+/// On a busy machine, or after a single run, times seem to grow far too steeply, so the extrapolation is limited to the
+/// theory's bound.
 double CostRun::whole_time(const Ladder& ladder) const {
   const double foreseen = ladder.foreseen_at(row_.of);
   const auto work = fit::work_of(algorithm().theory, fit::dim_of(points_));
@@ -171,7 +171,7 @@ bool CostRun::test_overlap() {
 bool CostRun::take_update() {
   if (!watch_) {
     const fit::UpdateStrategy* const strategy = update_of(algorithm());
-    // To begin, all have their body's hull made, and an oriented box.
+    // At the start, every update computes its body's hull and an oriented box.
     if (strategy == nullptr || ladder_of(*fit::find_algorithm("hull", "quickhull")).reached() < row_.points)
       return true;
     row_.update = strategy->name;

@@ -12,13 +12,13 @@ namespace snug::cost {
 namespace {
 
 constexpr Index kFewest = 10;
-/// In one decade of numbers or little more, five numbers say more than half decades.
+/// Below this ratio (little more than one decade), five sizes in equal steps say more than half decades.
 constexpr double kFewDecades = 32;
 constexpr int kFewSteps = 4;
 
-/// A power is told of so many times as many points, or more.
+/// The power is fitted only if the sizes span at least this ratio.
 constexpr double kLeastRange = 4;
-/// Every algorithm reads every point: where time seems to grow by less than this power, most of it does not grow yet.
+/// Every algorithm reads every point. If the time seems to grow by less than this power, most of it is still constant.
 constexpr double kLeastTold = 0.5;
 
 std::string why_stopped(Index points, double time) {
@@ -28,9 +28,9 @@ std::string why_stopped(Index points, double time) {
   return text.data();
 }
 
-/// The times that count: of the last decade and a half of numbers; of the last three where those are fewer. Of each
-/// number the least, which was disturbed the least: a machine that does other things as well bends the line of the
-/// medians.
+/// The times that the power is fitted through: those of the last decade and a half of sizes, or of the last three sizes
+/// if those are fewer. For each size it is the least time, which was disturbed the least: on a busy machine, medians
+/// bend the line.
 std::vector<SizedTime> tail_of(std::span<GrowthRow> rows) {
   std::vector<SizedTime> tail;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -40,7 +40,7 @@ std::vector<SizedTime> tail_of(std::span<GrowthRow> rows) {
   return tail;
 }
 
-/// None where the numbers of points are too few, too close together or too small to tell how the time grows.
+/// The fitted power; none if the sizes are too few, too close together or too small to tell how the time grows.
 std::optional<double> told_power(std::span<const SizedTime> tail) {
   const auto power = power_of(tail);
   const bool told = power && *power >= kLeastTold && tail.back().points >= kLeastRange * tail.front().points;

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 6> kKinds{"cube", "ball", "sphere", "gaus
 constexpr std::array kSizes{6, 12, 40, 200};
 constexpr int kSeeds = 5;
 constexpr int kHardPoints = 8, kTries = 1500;
-/// A try moves a point by so much of the cloud's size, now more, now less.
+/// The fractions of the cloud's size by which tries move a point.
 constexpr std::array kMoves{0.5, 0.1, 0.02};
 
 AnyPointSet set_of(Cloud cloud) { return *PointSet<double, 3>::make(std::move(cloud)); }  // finite, of about unit size

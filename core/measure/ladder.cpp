@@ -8,13 +8,13 @@ namespace snug::cost {
 namespace {
 
 constexpr Index kFirst = 8;
-/// The first run alone foretells the worst case if most of such a run is what no number of points changes.
+/// How far the prediction from one run may exceed the limit: it assumes the steepest growth, but part is constant.
 constexpr double kBold = 4;
 constexpr int kTriesBeforeStop = 2;
 constexpr double kLeastPower = 1, kMostPower = 4;
-/// The first run of a kind finds the caches empty, and in a browser code that is not yet compiled, which can take ten
-/// times as long: it counts only where it is longer than this. Else others do, for a browser's clock goes on by 0.1 ms,
-/// so many that they are not short. Of two such times the shorter counts where there is time for two. In ns.
+/// The first run of a kind, with cold caches and in a browser uncompiled code, can take ten times as long: it counts
+/// only from kLong on. Otherwise runs for kShort count, because a browser's clock has steps of 0.1 ms; below kTwice,
+/// the shorter of two such measurements. In ns.
 constexpr double kLong = 1e7, kShort = 5e5, kTwice = 2e6;
 constexpr int kMostAgain = 1000;
 
@@ -62,7 +62,7 @@ void Ladder::choose(const Limits& limits) {
     again_ = 0;
     return;
   }
-  // One run that something else held up is no reason to stop: the least of a few times counts.
+  // One delayed run is no reason to stop: the least of a few times counts.
   if (again_++ < kTriesBeforeStop) next_ = reached_;
   else done_ = true;
 }

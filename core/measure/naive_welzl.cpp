@@ -41,7 +41,7 @@ class NaiveWelzl {
     return ball_of(n - 1, with, depth + 1);
   }
 
-  /// Where on the stack a call stands, by a variable of its own.
+  /// Records how deep the stack is at a call, by the address of a local variable.
   __attribute__((noinline)) void see(Index depth) {
     volatile char here = 0;
     const auto place = reinterpret_cast<std::uintptr_t>(&here);

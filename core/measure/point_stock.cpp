@@ -8,7 +8,7 @@
 namespace snug::cost {
 namespace {
 
-/// In a browser about a millisecond's work.
+/// About a millisecond's work in a browser.
 constexpr Index kPiece = 10'000;
 
 template <class Points>
@@ -49,7 +49,7 @@ bool PointStock::make(Index n) {
           points.push_back(next_().template head<Dim>().template cast<Scalar>());
         if (static_cast<Index>(points.size()) < n) return false;
         kept_.emplace(n,
-                      *PointSet<Scalar, Dim>::make(std::move(points)));  // of unit size, or from a set: none is refused
+                      *PointSet<Scalar, Dim>::make(std::move(points)));  // never refused: of unit size, or from a set
         making_ = 0;
         return true;
       },

@@ -17,14 +17,14 @@ namespace {
 
 constexpr std::string_view kFirstLine = "# snug table: ";
 
-// ---- a row as names and values: the code below is the same for every row, and the page has it once
+// ---- a row as names and values: so the code below is compiled once for all kinds of rows
 
 using Value = std::variant<double*, int*, std::int64_t*, bool*, std::string*, std::optional<double>*,
                            std::optional<bool>*, std::optional<std::string>*>;
 struct Field {
   std::string name;
   Value value;
-  bool none = false;  // of a timing that has no repeats: nothing was timed
+  bool none = false;  // whether the timing has no repeats: nothing was timed
 
   /// "time_ns" of "time_ns.median"; empty of a name without a dot.
   [[nodiscard]] std::string level() const {
@@ -51,15 +51,15 @@ Fields fields_of(Row& row) {
   mark_none(fields);
   return fields;
 }
-/// To be read only.
+/// A row's fields, for reading only.
 template <class Row>
 Fields fields_of(const Row& row) {
   return fields_of(const_cast<Row&>(row));
 }
 
-// ---- values as text: shared by both formats but for what there is none of
+// ---- values as text: shared by both formats, except for missing values
 
-/// With as few digits as read back to the same bits. Empty where it is not finite.
+/// The shortest text that reads back to the same bits; empty if the value is not finite.
 std::string text_of(double value) {
   if (!std::isfinite(value)) return {};
   std::array<char, 32> buffer{};
@@ -112,7 +112,7 @@ void add_csv_row(std::string& text, const Fields& fields) {
   text += '\n';
 }
 
-/// An object of a row's fields. Names with a dot that follow each other are one object within, or null of what is none.
+/// Writes a row's fields as an object; consecutive names with the same part before a dot form an inner one, or null.
 void put_object(JsonWriter& json, const Fields& fields) {
   json.open_object();
   std::string level, null;
@@ -134,7 +134,7 @@ void put_object(JsonWriter& json, const Fields& fields) {
   json.close_object();
 }
 
-// ---- and back
+// ---- reading them back
 
 bool read_value(std::string_view text, double& value) {
   const auto number = io::parse_number(text);
@@ -166,7 +166,7 @@ bool read_value(std::string_view text, std::optional<Value>& value) {
   return text.empty() || read_value(text, value.emplace());
 }
 
-/// A line's fields; nothing where a quotation mark is not closed, or something stands behind one that is.
+/// A line's fields; none if a quotation mark is not closed, or if something follows a closing one.
 std::optional<std::vector<std::string>> fields_of_line(std::string_view line) {
   std::vector<std::string> fields(1);
   bool quoted = false, closed = false;
@@ -187,7 +187,7 @@ tl::unexpected<InputError> at(std::string_view name, std::int64_t line, std::str
   return tl::unexpected(InputError{std::move(what), std::string(name), InputError::Unit::kLine, line});
 }
 
-/// Sets the fields from texts by name, none of which may be missing. What was not timed has no repeats, and stays none.
+/// Sets the fields from texts by name; no name may be missing. A timing without repeats stays empty.
 std::optional<std::string> set_fields(const Fields& fields,
                                       const std::function<const std::string*(std::string_view)>& text_by_name) {
   for (const Field& field : fields) {
@@ -202,7 +202,7 @@ std::optional<std::string> set_fields(const Fields& fields,
   return std::nullopt;
 }
 
-/// The text that stands under a name in two lists of the same length; null where none does.
+/// The text with a name, from two lists of the same length; null if there is none.
 const std::string* find_text(const std::vector<std::string>& names, const std::vector<std::string>& texts,
                              std::string_view name) {
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -219,7 +219,7 @@ std::string csv_head(std::string_view table, const Fields& provenance, const Fie
 
 using Wrong = std::optional<tl::unexpected<InputError>>;
 
-/// columns: a row's, for their names. add_row: the fields of one more row.
+/// columns: a row's fields, for their names. add_row: returns the fields of one more row.
 Wrong read_lines(std::string_view text, std::string_view name, std::string_view table, const Fields& provenance,
                  const Fields& wanted, const std::function<Fields()>& add_row) {
   io::Lines lines(text);
@@ -227,7 +227,7 @@ Wrong read_lines(std::string_view text, std::string_view name, std::string_view 
   if (!lines.next() || io::trim(lines.line()) != first)
     return at(name, 1, "the first line of such a table is " + io::quoted(first));
 
-  std::vector<std::string> names, texts;  // of the provenance, then of the columns
+  std::vector<std::string> names, texts;  // those of the provenance, then of the columns
   bool more = lines.next();
   for (; more && lines.line().starts_with("# "); more = lines.next()) {
     const std::string_view line = lines.line().substr(2);

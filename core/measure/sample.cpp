@@ -8,7 +8,7 @@
 namespace snug::cost {
 namespace {
 
-/// One of part i of n equal parts of a set of so many points.
+/// The index of one point in part i of n equal parts of a set. size: that of the set.
 Index place_in(Index i, Index n, Index size, Random& random) {
   const auto begin = static_cast<Index>(std::int64_t{i} * size / n);
   const auto end = static_cast<Index>((std::int64_t{i} + 1) * size / n);

@@ -7,16 +7,16 @@
 namespace snug::cost {
 namespace {
 
-/// So often is a clock that stands still read before it is believed to.
+/// How often a clock is read before it counts as standing still.
 constexpr int kMostReadings = 2'000'000;
 constexpr int kSteps = 10;
 constexpr int kLargestBatch = 1 << 20;
-constexpr double kSurelyLongEnough = 1.1;  // of what a batch should be: runs differ
+constexpr double kSurelyLongEnough = 1.1;  // times a batch's length: runs differ
 constexpr double kStepsPerBatch = 100;
-constexpr double kFarTooShort = 0.4;  // of what a batch should be: less than what clocks and caches make of it
+constexpr double kFarTooShort = 0.4;  // times a batch's length: shorter than clock and caches can explain
 constexpr std::size_t kFewestRepeats = 3;
 
-/// Between the two that are nearest, where the share falls between places. sorted: at least one.
+/// Interpolates between the two nearest values. sorted: at least one value.
 double quantile(const std::vector<double>& sorted, double share) {
   const double place = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);
@@ -24,7 +24,7 @@ double quantile(const std::vector<double>& sorted, double share) {
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-/// The next to try after one that was too short: as many as will do, by its time, but no more than twice as many.
+/// The next batch to try after one that was too short: as many runs as its time suggests, but at most twice as many.
 int longer(int batch, double time, double wanted) {
   const double runs = time > 0 ? std::ceil(batch * kSurelyLongEnough * wanted / time) : kLargestBatch;
   return std::clamp(static_cast<int>(std::min<double>(runs, kLargestBatch)), batch + 1, 2 * batch);
@@ -52,7 +52,7 @@ Timing timing_of(std::vector<double> times, int batch) {
   std::sort(times.begin(), times.end());
   Timing timing{
       .median = quantile(times, 0.5), .min = times.front(), .repeats = static_cast<int>(times.size()), .batch = batch};
-  if (times.size() < 2) return timing;  // nobody knows how far another would be from it
+  if (times.size() < 2) return timing;  // the spread is unknown
   const double between = quantile(times, 0.75) - quantile(times, 0.25);
   timing.spread = timing.median > 0 ? between / timing.median : 0;
   timing.trusted = timing.median > 0 && *timing.spread <= kMostSpread;
@@ -69,7 +69,7 @@ void Stopwatch::step(const Clock& clock) {
     return;
   }
   if (time < options_.batch * kFarTooShort && batch_ < kLargestBatch) {
-    // It only seemed long enough: something else held up the one that was first to be.
+    // The batch only seemed long enough: the first one was delayed by something else.
     warm_ = false, spent_ = 0;
     times_.clear();
     batch_ = longer(batch_, time, options_.batch);

@@ -17,7 +17,7 @@ namespace snug::cost {
 namespace {
 
 constexpr int kPairs = 64;
-/// Fewer pairs for hulls: they have many points, and a test goes over them several times.
+/// Hulls get fewer pairs, because they have many points, and a test goes over them several times.
 constexpr int kHullPairs = 16;
 template <class VolumeType>
 inline constexpr int kPairsOf = kPairs;
@@ -26,10 +26,10 @@ inline constexpr int kPairsOf<ConvexHull<Scalar, Dim>> = kHullPairs;
 
 /// Halvings in the search for the distance at which two copies touch: to a millionth of it.
 constexpr int kHalvings = 20;
-/// So much of that distance copies are moved that touch, and that are apart.
+/// The fractions of that distance by which copies that overlap, and copies that are apart, are moved.
 constexpr double kTouching = 0.9, kApart = 1.1;
 
-// ---- copies: turned about their own middle where they can turn, then moved
+// ---- copies: rotated about their centre, if their kind can rotate, then moved
 
 template <class Scalar, int Dim>
 Sphere<Scalar, Dim> copied(Sphere<Scalar, Dim> v, const Pose<Scalar, Dim>& pose) {
@@ -72,7 +72,7 @@ Kdop<Scalar, Dim> copied(Kdop<Scalar, Dim> v, const Pose<Scalar, Dim>& pose) {
 template <class Scalar, int Dim>
 ConvexHull<Scalar, Dim> copied(ConvexHull<Scalar, Dim> v, const Pose<Scalar, Dim>& pose) {
   Vector<Scalar, Dim> middle = Vector<Scalar, Dim>::Zero();
-  v.indices.clear(), v.facets.clear();  // the tests look at the vertices alone
+  v.indices.clear(), v.facets.clear();  // the tests use the vertices only
   for (const auto& vertex : v.vertices) middle += vertex / static_cast<Scalar>(v.vertices.size());
   for (auto& vertex : v.vertices) vertex = middle + pose.rotation * (vertex - middle) + pose.translation;
   return v;
@@ -84,7 +84,7 @@ Pose<Scalar, Dim> random_turn(Random& random) {
   Pose<Scalar, Dim> pose;
   if constexpr (Dim == 2) pose.rotation = turn(radians).template cast<Scalar>();
   else
-    // In braces they are drawn one after the other, whatever the compiler.
+    // Braces fix the order in which the random numbers are drawn, whatever the compiler.
     pose.rotation =
         turn(Vector<double, 3>{random.normal(), random.normal(), random.normal()}, radians).template cast<Scalar>();
   return pose;
@@ -99,8 +99,8 @@ Vector<Scalar, Dim> random_direction(Random& random) {
   }
 }
 
-/// Copies from both sides of the place where they touch. They overlap where nothing is moved: a convex body and its
-/// copy share their middle.
+/// Copies just inside and just outside the distance at which they touch. Without any motion they overlap, because a
+/// convex body and its copy share their centre.
 template <class Scalar, int Dim, class VolumeType>
 std::vector<VolumeType> copies_of(const VolumeType& volume, double reach, Random& random) {
   std::vector<VolumeType> copies;
@@ -121,7 +121,7 @@ std::vector<VolumeType> copies_of(const VolumeType& volume, double reach, Random
   return copies;
 }
 
-/// Farther than any two of its points are apart.
+/// A distance greater than that between any two of its points.
 double reach_of(const fit::Volume3& volume, int dim) {
   struct Reach {
     int dim;
@@ -132,7 +132,7 @@ double reach_of(const fit::Volume3& volume, int dim) {
     double operator()(const Lozenge<double, 3>& v) const {
       return v.edges[0].norm() + v.edges[1].norm() + 2 * v.radius;
     }
-    double operator()(const Kdop<double, 3>& v) const {  // the first slabs are those of its box
+    double operator()(const Kdop<double, 3>& v) const {  // the first slabs are those of its AABB
       double sum = 0;
       for (std::size_t i = 0; i < static_cast<std::size_t>(dim); ++i) sum += v.max[i] - v.min[i];
       return sum;

@@ -8,7 +8,7 @@ namespace {
 
 using Digits = std::vector<std::uint32_t>;
 
-/// The digit that weighs 2^(32 place), of digits that begin at begin.
+/// The digit of weight 2^(32 place). begin: the place of the first digit.
 std::uint64_t digit_at(const Digits& digits, int begin, int place) {
   const int i = place - begin;
   return i < 0 || i >= static_cast<int>(digits.size()) ? 0 : digits[i];
@@ -65,7 +65,7 @@ Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, bool b_negative) {
   const int end =
       std::max(a.place_ + static_cast<int>(a.digits_.size()), b.place_ + static_cast<int>(b.digits_.size()));
   const bool same = a.negative_ == b_negative;
-  std::int64_t carry = 0;  // of |a| + |b|, or of |a| - |b|
+  std::int64_t carry = 0;  // in |a| + |b|, or in |a| - |b|
   for (int place = result.place_; place <= end; ++place) {
     const auto x = static_cast<std::int64_t>(digit_at(a.digits_, a.place_, place));
     const auto y = static_cast<std::int64_t>(digit_at(b.digits_, b.place_, place));

@@ -57,7 +57,7 @@ int ExactSum::sign() const noexcept {
   bool any = false;
   for (const std::int64_t digit : digits_) {
     const std::int64_t sum = digit + carry;
-    carry = sum >> 32;  // floor, so that what stays is in [0, 2^32)
+    carry = sum >> 32;  // rounds down, so that the rest is in [0, 2^32)
     any = any || (sum & static_cast<std::int64_t>(kLow)) != 0;
   }
   if (carry < 0) return -1;

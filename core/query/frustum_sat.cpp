@@ -26,7 +26,7 @@ double size_of_all(const std::array<double, Dim>& v) {
   return sum;
 }
 
-/// All center + sum s_i half_i axes_i, |s_i| <= 1, in one kind of number.
+/// The box of all center + sum s_i half_i axes_i, |s_i| <= 1, in one kind of number.
 template <class Number, int Dim>
 struct Box {
   Numbers<Number, Dim> center, half;
@@ -58,29 +58,29 @@ struct Box {
   }
 };
 
-/// An axis, and the size of the products it is a sum of.
+/// An axis, and the size of the products that are summed for it.
 template <class Number, int Dim>
 struct Axis {
   Numbers<Number, Dim> direction;
-  double size = 0;  // of rounded numbers only
+  double size = 0;  // for rounded numbers only
 };
 
-/// As long as a doubt is below this, no sum in it came near to the largest double.
+/// If an error bound is below this, no sum in it came near to the largest double.
 constexpr double kSoundDoubt = tolerance::kFrustumGap * (std::numeric_limits<double>::max() / 64);
 
-constexpr int kPairsOfSides = 12;  // in space, those of a frustum's planes that meet in an edge
+constexpr int kPairsOfSides = 12;  // in space: pairs of a frustum's planes that meet in an edge
 template <int Dim>
 constexpr int kAxes = 3 * Dim + (Dim == 3 ? 3 * kPairsOfSides : 0);
 
-/// The two planes of an edge: not opposite ones.
+/// The two planes that meet in an edge: two that are not opposite.
 std::array<std::size_t, 2> planes_of_edge(std::size_t edge) {
-  const std::size_t pair = edge / 4;  // of coordinates: which is left out
+  const std::size_t pair = edge / 4;  // which pair of opposite planes is left out
   const std::size_t i = pair == 0 ? 1 : 0, j = pair == 2 ? 1 : 2;
   return {2 * i + (edge & 1), 2 * j + (edge >> 1 & 1)};
 }
 
-/// The axis at a place: the frustum's normals, the box's, crosses of the box's edges and the frustum's. normal(i): of
-/// plane i, of any length.
+/// The axis with an index: the frustum's normals, the box's normals, then cross products of the box's and the frustum's
+/// edges. normal(i): that of plane i, of any length.
 template <class Number, int Dim>
 Axis<Number, Dim> cross_axis_at(const auto& normal, const Box<Number, Dim>& box, int place) {
   Axis<Number, Dim> axis;
@@ -96,7 +96,7 @@ Axis<Number, Dim> cross_axis_at(const auto& normal, const Box<Number, Dim>& box,
   } else if (place < 3 * Dim) {
     axis.direction = box.normal(static_cast<std::size_t>(place - 2 * Dim));
     own_size();
-    if (Dim == 3) axis.size += 4;  // of unit axes' products
+    if (Dim == 3) axis.size += 4;  // for the products of unit axes
   } else if constexpr (Dim == 3) {
     const auto rest = static_cast<std::size_t>(place - 9);
     const auto [i, j] = planes_of_edge(rest % kPairsOfSides);
@@ -107,7 +107,7 @@ Axis<Number, Dim> cross_axis_at(const auto& normal, const Box<Number, Dim>& box,
   return axis;
 }
 
-/// Whether the axis separates the corners from the box's span.
+/// Whether the axis separates the frustum's vertices from the box.
 template <int Dim>
 bool separates_exactly(const Numbers<Dyadic, Dim>& axis, const Box<Dyadic, Dim>& box,
                        const std::array<ExactPoint<Dim>, kFrustumCorners<Dim>>& corners) {

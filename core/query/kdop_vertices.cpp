@@ -1,5 +1,5 @@
-// Each edge is the line where two boundary planes meet (in 2-D each boundary line by itself), clipped by all other
-// slabs; the corners are the edges' ends. Source of the clipping: M. Cyrus, J. Beck, "Generalized two- and
+// Each edge is the line where two boundary planes meet (in 2-D, a boundary line), clipped by all other slabs. The
+// vertices are the ends of the edges. Source of the clipping: M. Cyrus, J. Beck, "Generalized two- and
 // three-dimensional clipping", 1978.
 #include "query/kdop_vertices.hpp"
 
@@ -33,14 +33,14 @@ Vector<double, Dim> vector_of(const SlabAxis<Dim>& axis) {
   return v;
 }
 
-/// The boundary planes that choose a line. A plane's place: that of its axis times two, plus one for max.
+/// The boundary planes that determine a line. A plane's index is twice that of its axis, plus one for max.
 template <int Dim>
 using Planes = std::array<int, Dim - 1>;
 
 template <int Dim>
 struct Line {
   Vector<double, Dim> point;
-  Vector<double, Dim> direction;  // small whole numbers
+  Vector<double, Dim> direction;  // small integers
 };
 
 template <class Scalar, int Dim>
@@ -61,7 +61,7 @@ class CornerSearch {
 
   std::vector<Vector<double, Dim>> find() {
     clip_all(tolerance::kKdopCorner<double> * size_);
-    // Flat slabs that were rounded one by one may miss each other by that much.
+    // The slabs of a flat k-DOP are rounded one by one, and may miss each other by that much.
     if (corners_.empty()) clip_all(static_cast<double>(tolerance::kKdopCorner<Scalar>) * given_size_);
     return std::move(corners_);
   }
@@ -70,7 +70,7 @@ class CornerSearch {
   [[nodiscard]] const SlabAxis<Dim>& axis(int plane) const { return axes_[plane / 2]; }
   [[nodiscard]] double bound(int plane) const { return bounds_[plane]; }
 
-  /// The point of the planes that is nearest to the origin, and the direction in which they go on.
+  /// The line where the planes meet: its point nearest to the origin, and its direction.
   [[nodiscard]] Line<Dim> line_of(const Planes<Dim>& planes) const {
     const Vector<double, Dim> n = vector_of<Dim>(axis(planes[0]));
     if constexpr (Dim == 2) {
@@ -127,8 +127,8 @@ class CornerSearch {
 
   std::span<const SlabAxis<Dim>> axes_;
   std::array<double, 2 * kMostSlabs<Dim>> bounds_{};
-  double size_ = 0, given_size_ = 0;  // the largest bound, moved and as given
-  double slack_ = 0;                  // what may be rounding
+  double size_ = 0, given_size_ = 0;  // the largest bound, relative to the origin and as given
+  double slack_ = 0;                  // what rounding may amount to
   std::vector<Vector<double, Dim>> corners_;
 };
 

@@ -80,7 +80,7 @@ Vector<double, Dim> approximate(const Numbers<Dyadic, Dim>& v) {
   return result;
 }
 
-/// In the units of the scene. axis: not zero, though perhaps smaller than any double.
+/// The axis and its gap in scene units. axis: not zero, though perhaps smaller than any double.
 template <class Scalar, int Dim>
 SatAxis<Scalar, Dim> separating_axis(int place, typename Pair<Dyadic, Dim>::Along along) {
   constexpr double kSmall = 0x1p-500, kLarge = 0x1p600;
@@ -104,7 +104,7 @@ void for_each_axis(AxisSet axes, auto&& visit) {
     if ((axes >> place & 1) != 0) visit(place);
 }
 
-/// Takes those axes out of the set along which, for all rounding in double, the projections overlap.
+/// Removes the axes from the set along which the projections certainly overlap, whatever double rounds.
 template <class Scalar, int Dim>
 AxisSet still_open(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, AxisSet axes) {
   const Pair<double, Dim> pair(a, b);

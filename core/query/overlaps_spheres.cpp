@@ -11,7 +11,7 @@ bool apart_exactly(const double* a, double radius_a, const double* b, double rad
   for (int i = 0; i < dim; ++i) square += (a[i] - b[i]) * (a[i] - b[i]);
   const double radii = radius_a + radius_b;
   const double larger = std::max(square, radii * radii);
-  // The sum of the radii is rounded once, and so counts 2u more once squared.
+  // The sum of the radii is rounded once, which adds 2u once it is squared.
   const double doubt = (tolerance::kSquaredDistance<double> + 4 * tolerance::kRoundoff<double>)*larger;
   if (larger > 0x1p-900 && larger < 0x1p1000 && std::abs(square - radii * radii) > doubt) return square > radii * radii;
   ExactSum sum;

@@ -5,7 +5,7 @@
 namespace snug::query {
 namespace {
 
-/// Every corner that agrees with one, but for edges along which the plane's value does not change within rounding.
+/// The vertex, and every other one joined to it by edges along which the plane's value is constant within rounding.
 template <class Scalar, int Dim, class Box>
 int corners_like(int corner, const Plane<Scalar, Dim>& plane, const Vector<Scalar, Dim>& normal, const Box& box) {
   const Scalar doubt = doubt_of(plane, size_of(box));

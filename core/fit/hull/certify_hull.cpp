@@ -19,7 +19,7 @@ using Point3 = Vector<double, 3>;
 
 // -- Flat -------------------------------------------------------------------------------------------------------------
 
-/// Whether the ring turns left at each corner, and just once around.
+/// Whether the ring turns left at each vertex, and goes around exactly once.
 bool is_convex_ring(const std::vector<Point2>& ring) {
   const std::size_t n = ring.size();
   if (n < 3) return false;
@@ -45,7 +45,7 @@ bool is_flat_polygon(const std::vector<Point3>& corners) {
 
 // -- Solid ------------------------------------------------------------------------------------------------------------
 
-/// The surface of a hull in space that may be anything; what is asked of it comes in the order below.
+/// The claimed surface of a hull in space, which may be anything. Call the checks below in their order.
 class Surface {
  public:
   using Facets = std::vector<std::array<Index, 3>>;
@@ -53,7 +53,7 @@ class Surface {
   Surface(std::vector<Point3> corners, const Facets& facets, HullNeighbors neighbors)
       : corners_(std::move(corners)), facets_(facets), neighbors_(std::move(neighbors)) {}
 
-  /// Whether it is closed, no edge bends inward, and it goes around its inside once.
+  /// Whether the surface is closed, no edge bends inward, and it goes around its inside once.
   bool is_convex() {
     if (!is_closed() || !bends_outward()) return false;
     find_center();
@@ -68,8 +68,8 @@ class Surface {
     return std::all_of(bent_edges_.begin(), bent_edges_.end(), [](Index edges) { return edges >= 3; });
   }
 
-  /// Whether the point lies inside a convex surface or on it. Walks from the facet found last towards the one through
-  /// which the centre sees the point.
+  /// Whether the point lies inside a convex surface or on it. Walks from the last facet found towards the facet that
+  /// the ray from the centre to the point passes through.
   [[nodiscard]] bool holds(const Point3& p) {
     if (has_center_)
       for (std::size_t steps = 0; steps < 2 * facets_.size(); ++steps) {
@@ -91,15 +91,15 @@ class Surface {
     return orient3d(center_, corner(f, e), corner(f, e + 1), p);
   }
 
-  /// An edge of the facet that the point lies beyond, as seen from the centre; 3 where there is none. Each step begins
-  /// at another edge, so that no ring of coplanar facets can hold the walk.
+  /// An edge of the facet beyond which the point lies, as seen from the centre; 3 if there is none. Each step begins at
+  /// another edge, so that the walk cannot circle for ever in a ring of coplanar facets.
   [[nodiscard]] std::size_t edge_towards(std::size_t f, const Point3& p, std::size_t step) const {
     for (std::size_t i = 0; i < 3; ++i)
       if (side_of_cone(f, (step + i) % 3, p) < 0) return (step + i) % 3;
     return 3;
   }
 
-  /// Whether each edge has one facet on either side; finds those.
+  /// Finds the facets on both sides of each edge, and returns whether there is exactly one on each side.
   bool is_closed() {
     if (facets_.size() < 4) return false;
     across_.resize(facets_.size());
@@ -107,7 +107,7 @@ class Surface {
       for (std::size_t e = 0; e < 3; ++e) {
         const Index from = facets_[f][e], to = facets_[f][(e + 1) % 3];
         const Index there = neighbors_.edge(from, to), back = neighbors_.edge(to, from);
-        if (back == kNoIndex || left_of(there) != f) return false;  // where it is there twice, one facet is not found
+        if (back == kNoIndex || left_of(there) != f) return false;  // an edge is there twice: one facet is missed
         across_[f][e] = left_of(back);
       }
     return true;
@@ -131,7 +131,7 @@ class Surface {
     return corner(g, 2);
   }
 
-  /// The corners' mean, if all facets see it from above.
+  /// Takes the mean of the vertices as the centre, if every facet has it on its inner side.
   void find_center() {
     center_ = Point3::Zero();
     for (const Point3& c : corners_) center_ += (c - corners_[0]) / static_cast<double>(corners_.size());
@@ -140,7 +140,7 @@ class Surface {
     for (std::size_t f = 0; f < facets_.size() && has_center_; ++f) has_center_ = side_of(f, center_) < 0;
   }
 
-  /// Whether a ray from the centre meets one facet only. None where there is no centre, or rounding leaves no ray
+  /// Whether a ray from the centre meets one facet only. None if there is no centre, or if rounding leaves no ray
   /// inside any facet.
   [[nodiscard]] std::optional<bool> is_met_once() const {
     for (std::size_t f = 0; f < facets_.size() && has_center_; ++f) {
@@ -157,7 +157,7 @@ class Surface {
     return std::nullopt;
   }
 
-  /// Then each facet is a part of the hull's surface, and as no edge is there twice, none of it is covered twice.
+  /// Whether no vertex is above a facet: then each is a part of the surface, and none overlap, as no edge occurs twice.
   [[nodiscard]] bool no_corner_above() const {
     for (std::size_t f = 0; f < facets_.size(); ++f) {
       if (collinear(corner(f, 0), corner(f, 1), corner(f, 2))) return false;
@@ -171,7 +171,7 @@ class Surface {
   const Facets& facets_;
   HullNeighbors neighbors_;
   std::vector<std::array<std::size_t, 3>> across_;
-  std::vector<Index> bent_edges_;  // of each corner
+  std::vector<Index> bent_edges_;  // for each vertex
   Point3 center_;
   bool has_center_ = false;
   std::size_t at_ = 0;
@@ -188,7 +188,7 @@ class VertexPlaces {
     std::sort(order_.begin(), order_.end(), [&](Index a, Index b) { return before(at(a), at(b)); });
   }
 
-  /// The vertex in that place; kNoIndex where there is none.
+  /// The vertex with these coordinates; kNoIndex if there is none.
   [[nodiscard]] Index find(const Vector<Scalar, Dim>& p) const {
     const auto found = std::lower_bound(order_.begin(), order_.end(), p,
                                         [&](Index a, const Vector<Scalar, Dim>& q) { return before(at(a), q); });
@@ -220,7 +220,7 @@ class Prover {
   }
 
  private:
-  /// Whether every index names something, and there are as many vertices and facets as the dimension asks for.
+  /// Whether every index is in range, and there are as many vertices and facets as the dimension asks for.
   [[nodiscard]] bool well_formed() const {
     const std::size_t n = hull_.vertices.size();
     const int dim = hull_.affine_dim;
@@ -243,7 +243,7 @@ class Prover {
   }
 
   void prove_shape() {
-    proof_.extreme = true;  // of what a ring or fewer points leave open there is nothing
+    proof_.extreme = true;  // a ring, or fewer points, leave nothing to check
     if (hull_.affine_dim < 2) {
       proof_.convex = hull_.affine_dim == 0 || hull_.vertices[0] != hull_.vertices[1];
       return;
@@ -262,7 +262,7 @@ class Prover {
     }
   }
 
-  /// If several points lie in one place, the vertex has to be the first of them.
+  /// Checks that all points are inside, and that each vertex is the point of its index, the first if some coincide.
   void hold_points() {
     proof_.of_points = true;
     const VertexPlaces<Scalar, Dim> places(hull_);

@@ -28,7 +28,7 @@ class FaceMerger {
   [[nodiscard]] Edge& edge(Index f, std::size_t e) { return edges_[f][e]; }
   [[nodiscard]] Index& place(Index point) { return place_[point]; }
 
-  /// On the way a point's place is the number of its sharp edges.
+  /// Counts each point's sharp edges in its place, until keep_extreme_points puts the vertex there.
   void judge_edges() {
     for (Index f = 0; f < static_cast<Index>(edges_.size()); ++f) {
       if (!facet(f).alive()) continue;
@@ -57,8 +57,8 @@ class FaceMerger {
     }
   }
 
-  /// Walks around the face on the left of a sharp edge, which is convex and so has one border, and cuts it into
-  /// triangles.
+  /// Walks around the face on the left of a sharp edge, and cuts it into triangles. A face is convex, so it has one
+  /// border.
   void cut_face(const Index first_facet, const std::size_t first_edge) {
     corners_.clear();
     bool merged = false;
@@ -83,8 +83,8 @@ class FaceMerger {
   const HullSurface<Scalar>& surface_;
   PointSpan<Scalar, 3> points_;
   std::vector<std::array<Edge, 3>> edges_;
-  std::vector<Index> place_;    // of a point among the hull's vertices
-  std::vector<Index> corners_;  // of the face at hand
+  std::vector<Index> place_;    // of each point among the hull's vertices
+  std::vector<Index> corners_;  // of the current face
   MergedFaces<Scalar> result_;
 };
 

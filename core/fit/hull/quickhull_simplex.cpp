@@ -32,7 +32,7 @@ class SimplexSearch {
 
  private:
   [[nodiscard]] Point at(Index i) const { return points_[i].template cast<double>(); }
-  /// Scaled, so that no product overflows and none that matters underflows.
+  /// The point relative to an origin, scaled so that no product overflows and none that matters underflows.
   [[nodiscard]] Point from(const Point& origin, Index i) const { return (at(i) - origin) * scale_; }
   [[nodiscard]] static Point across(const Point& p, const Point& q) {
     return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
@@ -62,7 +62,7 @@ class SimplexSearch {
     return pair;
   }
 
-  /// The point of the greatest value, if it is any good; else the first that is.
+  /// The point of the greatest value, if good() accepts it; else the first point that good() accepts.
   template <class Value, class Good>
   [[nodiscard]] Index most(Value&& value, Good&& good) const {
     Index best = 0;

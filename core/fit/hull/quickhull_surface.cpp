@@ -9,7 +9,7 @@
 namespace snug::fit {
 namespace {
 
-/// What a facet that was looked at from an eye is marked with.
+/// The mark on a facet that was tested against an eye.
 std::uint32_t mark_of(Index eye, bool sees) { return 2 * static_cast<std::uint32_t>(eye) + (sees ? 3 : 2); }
 
 Vector<double, 3> cross(const Vector<double, 3>& p, const Vector<double, 3>& q) {
@@ -30,7 +30,7 @@ HullSurface<Scalar>::HullSurface(PointSpan<Scalar, 3> points) : points_(points) 
   Vector<double, 3> scale;
   for (int axis = 0; axis < 3; ++axis) {
     const double reach = std::max(high[axis] - middle[axis], middle[axis] - low[axis]);
-    // A reach below 2^-1000 leaves too little to be scaled exactly; such a cloud is small beside the doubt.
+    // An extent below 2^-1000 cannot be scaled exactly; so small a cloud is within the error bound anyway.
     scale[axis] = reach == 0 ? 1 : std::ldexp(1.0, std::min(1000, -std::ilogb(reach) - 1));
   }
   sites_.resize(points.size());
@@ -73,7 +73,7 @@ bool HullSurface<Scalar>::flat(Index f, int edge) const {
   const auto& corners = facet(g).vertices;
   const Index from = facet(f).vertices[edge];
   const std::size_t at = corners[0] == from ? 0 : corners[1] == from ? 1 : 2;
-  const Index apex = corners[(at + 1) % 3];  // g has the edge the other way round, and ends it at from
+  const Index apex = corners[(at + 1) % 3];  // g has the edge the other way round, ending at from
   return height(facet(f), apex) >= -facet(f).doubt && side_exact(facet(f), apex) == 0;
 }
 
@@ -96,8 +96,8 @@ Index HullSurface<Scalar>::add_facet(const std::array<Index, 3>& vertices) {
   return place;
 }
 
-/// Gives the point to the first of the facets that sees it; false where none does. A list's head is its farthest point,
-/// of several as far the first in the set, so that of points in one place the first is taken.
+/// Assigns the point to the first of the facets that sees it; false if none does. A list's head is its farthest point
+/// (of equally far ones, the first in the set), so that of coincident points the first is taken.
 template <class Scalar>
 bool HullSurface<Scalar>::give(Index point, const std::vector<Index>& to) {
   for (const Index f : to) {
@@ -125,7 +125,7 @@ Index HullSurface<Scalar>::start(std::array<Index, 4>& simplex) {
   const auto at = [&](std::size_t i) -> Vector<double, 3> { return points_[simplex[i]].template cast<double>(); };
   if (orient3d(at(0), at(1), at(2), at(3)) > 0) std::swap(simplex[2], simplex[3]);
   const auto [a, b, c, d] = simplex;
-  // Facet i leaves out vertex i; the facet over an edge leaves out the one that is not on it.
+  // Facet i leaves out vertex i, so the facet across an edge is the one that leaves out the third vertex.
   const std::array<std::array<Index, 3>, 4> vertices{{{b, d, c}, {a, c, d}, {a, d, b}, {a, b, c}}};
   const std::array<std::array<Index, 3>, 4> across{{{2, 1, 3}, {3, 0, 2}, {1, 0, 3}, {2, 0, 1}}};
   added_.clear();

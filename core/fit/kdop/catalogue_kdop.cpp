@@ -7,7 +7,7 @@
 namespace snug::fit {
 namespace {
 
-/// A k belongs to one dimension. In the other there is no such volume: its row says so, and nobody asks.
+/// Each k belongs to one dimension. The row says so, so that no caller asks for it in the other.
 template <int kK>
 constexpr auto kFitter = []<class Scalar, int Dim>(PointSpan<Scalar, Dim> p, const Options&, auto& o) {
   return kdop_fit(p, kdop_axes<Dim>(kK).empty() ? 2 * Dim : kK, o);

@@ -6,7 +6,7 @@
 namespace snug::fit {
 namespace {
 
-/// A ball around the balls as they are seen along a direction: small, not always the smallest of more than two.
+/// A ball around the balls' projections along a direction; with more than two balls, not always the smallest.
 template <int Dim>
 Sphere<double, 2> seen_from(const Balls<Dim>& balls, const Matrix<double, Dim>& axes) {
   std::vector<Sphere<double, 2>> circles;
@@ -25,8 +25,8 @@ Sphere<double, 2> seen_from(const Balls<Dim>& balls, const Matrix<double, Dim>& 
   return around;
 }
 
-/// Around the line along the frame's first axis. Each ball needs the segment to reach within sqrt((R - r)^2 - its
-/// centre's distance from the line^2) of its centre.
+/// The capsule around the line along the frame's first axis. The segment must reach to within sqrt((R - r)^2 - d^2) of
+/// a ball's centre, where r is that ball's radius and d its centre's distance from the line.
 template <int Dim>
 Capsule<double, Dim> along_line(const Balls<Dim>& balls, const Matrix<double, Dim>& axes) {
   const Sphere<double, 2> around = seen_from<Dim>(balls, axes);
@@ -53,7 +53,7 @@ Matrix<double, Dim> frame_along(const Vector<double, Dim>& direction) {
   else return frame(direction, Vector<double, 3>::Zero());
 }
 
-/// balls: two of a, then two of b.
+/// balls: two from a, then two from b.
 template <int Dim>
 std::vector<Vector<double, Dim>> directions(const Balls<Dim>& balls) {
   const auto between = [&](std::size_t i, std::size_t j) -> Vector<double, Dim> {
@@ -87,7 +87,7 @@ Capsule<Scalar, Dim> merge(const Capsule<Scalar, Dim>& a, const Capsule<Scalar, 
     return direction.isZero(0) ? std::nullopt
                                : std::optional<Local>(along_line<Dim>(local.balls, frame_along<Dim>(direction)));
   });
-  // Where no direction is left, all centres are one, and either holds the other.
+  // If no direction is left, all centres coincide, and the larger ball contains the others.
   const Local chosen = least.value_or(Local{});
   Capsule<Scalar, Dim> merged{local.to_scene(chosen.a).template cast<Scalar>(),
                               local.to_scene(chosen.b).template cast<Scalar>()};

@@ -6,8 +6,8 @@
 namespace snug::fit {
 namespace {
 
-/// Whether each vertex of the merged hull is one of the second's, which follow `first` others in its point set. Of
-/// several in one place the set's first is the vertex, so that one of the others may be the second's as well.
+/// Whether each vertex of the merged hull is one of the second hull's, which follow `first` others in its point set. Of
+/// coincident points, the vertex is the first in the set, so the second hull may have it under another index.
 template <class Scalar, int Dim>
 bool is_second(const ConvexHull<Scalar, Dim>& merged, const ConvexHull<Scalar, Dim>& second, std::size_t first) {
   for (std::size_t i = 0; i < merged.vertices.size(); ++i) {

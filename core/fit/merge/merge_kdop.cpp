@@ -9,7 +9,7 @@ Kdop<Scalar, Dim> merge(const Kdop<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b) 
   const auto axes_a = kdop_axes<Dim>(a.k), axes_b = kdop_axes<Dim>(b.k);
   Kdop<Scalar, Dim> merged;
   std::size_t slabs = 0, j = 0;
-  // What is in both lists is in the same order there.
+  // Axes that are in both lists are in the same order there.
   for (std::size_t i = 0; i < axes_a.size(); ++i) {
     const auto found = std::find(axes_b.begin() + static_cast<std::ptrdiff_t>(j), axes_b.end(), axes_a[i]);
     if (found == axes_b.end()) continue;

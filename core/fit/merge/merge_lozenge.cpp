@@ -6,7 +6,7 @@
 namespace snug::fit {
 namespace {
 
-/// A lozenge of given axes around balls, in their frame.
+/// Fits a lozenge with given axes around balls, in the frame of these axes.
 template <int Dim>
 class LozengeAround {
  public:
@@ -29,8 +29,8 @@ class LozengeAround {
   }
 
  private:
-  /// In space the axis along which all balls reach least far, whose half is the radius; in the plane there is none, and
-  /// the largest of the radii is kept.
+  /// In space, chooses the axis along which the balls are thinnest; half of their extent is the radius. In the plane
+  /// there is no such axis, and the largest of the radii is kept.
   void choose_thin_axis() {
     for (const auto& ball : local_) radius_ = std::max(radius_, ball.radius);
     if constexpr (Dim == 2) return;
@@ -47,7 +47,7 @@ class LozengeAround {
     edge_axes_ = {(thin_ + 1) % 3, (thin_ + 2) % 3};
   }
 
-  /// How far from the rectangle, along it, the ball's centre may lie.
+  /// How far beyond the rectangle's side, along the rectangle, the ball's centre may lie.
   [[nodiscard]] double reach(const BallIn<Dim>& ball) const {
     const double left = radius_ - ball.radius;
     if constexpr (Dim == 2) return left;
@@ -65,7 +65,7 @@ class LozengeAround {
     low_[edge] = low, high_[edge] = high;
   }
 
-  /// Where the ball is within reach of two sides but not of their corner: the first edge grows until it is.
+  /// If the ball is within reach of two sides but not of the vertex between them, lengthens the first edge until it is.
   void take_corner(const BallIn<Dim>& ball) {
     const double x = ball.center[edge_axes_[0]], y = ball.center[edge_axes_[1]], most = reach(ball);
     const double past_y = std::max({low_[1] - y, y - high_[1], 0.0});
@@ -87,7 +87,7 @@ Matrix<double, Dim> frame_along(const Vector<double, Dim>& first, const Vector<d
   else return frame(first, second);
 }
 
-/// The middle, within rounding.
+/// The centre, within rounding.
 template <class Scalar, int Dim>
 Vector<double, Dim> middle_of(const Lozenge<Scalar, Dim>& lozenge) {
   return lozenge.origin.template cast<double>() + (lozenge.edges[0] / 2 + lozenge.edges[1] / 2).template cast<double>();

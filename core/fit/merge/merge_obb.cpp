@@ -15,11 +15,11 @@
 namespace snug::fit {
 namespace {
 
-/// How a box's numbers are read. With A its axes as columns, as the meeting of its slabs its points are its centre plus
-/// A^-T s, |s_i| <= h_i; as what its edges span, its centre plus A s. The two differ where A is not quite a rotation.
+/// How a box's numbers are read. With its axes as A's columns, the intersection of its slabs is its centre plus A^-T s,
+/// |s_i| <= h_i; the span of its edges is its centre plus A s. The two differ if A is not quite a rotation.
 enum class Read : std::uint8_t { kSlabs, kEdges };
 
-/// A box seen along any direction, however it is read.
+/// Projects a box onto any direction, read either way.
 template <int Dim>
 class BoxAlong {
  public:
@@ -28,7 +28,7 @@ class BoxAlong {
       : center_(box.center.template cast<double>()), half_(box.half_extents.template cast<double>()),
         edges_(box.axes.template cast<double>().transpose()), slabs_(box.axes.template cast<double>().inverse()) {}
 
-  /// The least and the greatest distance from a point along a direction of about unit length, rounded.
+  /// The least and the greatest projection, from a point, onto a direction of about unit length; rounded.
   [[nodiscard]] std::array<double, 2> extent(const Vector<double, Dim>& direction, const Vector<double, Dim>& from,
                                              Read read) const {
     const double middle = (center_ - from).dot(direction);
@@ -36,7 +36,7 @@ class BoxAlong {
         half_.dot(Vector<double, Dim>((read == Read::kSlabs ? slabs_ : edges_) * direction).cwiseAbs());
     return {middle - reach, middle + reach};
   }
-  /// How far from the point it reaches to either side, and certainly no farther.
+  /// An upper bound on how far it reaches from the point, to either side.
   [[nodiscard]] double reach_at_most(const Vector<double, Dim>& direction, const Vector<double, Dim>& from,
                                      Read read) const {
     const auto [low, high] = extent(direction, from, read);
@@ -47,12 +47,12 @@ class BoxAlong {
 
  private:
   Vector<double, Dim> center_, half_;
-  Matrix<double, Dim> edges_, slabs_;  // what a direction is multiplied with
+  Matrix<double, Dim> edges_, slabs_;  // what a direction is multiplied by
 };
 
-/// The half extents with which a box of these axes and this centre holds the other, for certain, both read as slabs or
-/// both as edges: along its axes, by which slabs are judged, and along the rows of their inverse, by which shares of
-/// edges are.
+/// Half extents with which a box of these axes and this centre certainly contains the other, whether both are
+/// read as slabs or both as edges. Slabs are judged along the axes, edges along the rows of the axes'
+/// inverse.
 template <class Scalar, int Dim>
 Vector<double, Dim> half_extents_around(const Vector<Scalar, Dim>& center, const Matrix<Scalar, Dim>& axes,
                                         const BoxAlong<Dim>& inner) {

@@ -9,7 +9,7 @@
 namespace snug::fit {
 namespace {
 
-/// Exactly: whether the distance of the centres is at most the radii's difference.
+/// Whether the larger sphere contains the smaller: the centres are at most the radii's difference apart, exactly.
 template <class Scalar, int Dim>
 bool holds(const Sphere<Scalar, Dim>& outer, const Sphere<Scalar, Dim>& inner) {
   return inner.radius <= outer.radius &&
@@ -33,7 +33,7 @@ Sphere<Scalar, Dim> merge(const Sphere<Scalar, Dim>& a, const Sphere<Scalar, Dim
   const Sphere<Scalar, Dim>& small = a_first ? b : a;
   if (holds(large, small)) return large;
 
-  // From the large one's back through both centres to the small one's.
+  // The diameter runs from the far side of the large ball through both centres to the far side of the small one.
   const Vector<double, Dim> from = large.center.template cast<double>();
   const Vector<double, Dim> way = small.center.template cast<double>() - from;
   const auto large_radius = static_cast<double>(large.radius), small_radius = static_cast<double>(small.radius);

@@ -52,7 +52,7 @@ bool support_on_faces(const Fit<Obb<Scalar, Dim>>& fit, PointSpan<Scalar, Dim> p
   return std::all_of(touched.begin(), touched.end(), [](bool t) { return t; });
 }
 
-/// How many dimensions points span, beyond rounding; at most 2, and -1 without any.
+/// The dimension of what the points span, beyond rounding: at most 2, and -1 if there are none.
 template <class Scalar, int Dim>
 int span_of(const std::vector<Index>& indices, PointSpan<Scalar, Dim> points, double rounding) {
   if (indices.empty()) return kNoIndex;
@@ -76,7 +76,7 @@ int span_of(const std::vector<Index>& indices, PointSpan<Scalar, Dim> points, do
   return off_line ? 2 : 1;
 }
 
-/// Times 2^-exponent, exactly but for underflow.
+/// The points times 2^-exponent, exact but for underflow.
 template <class Scalar, int Dim>
 Vector<double, Dim> scaled_lengths(const Obb<Scalar, Dim>& box, int exponent) {
   Vector<double, Dim> lengths;
@@ -84,8 +84,8 @@ Vector<double, Dim> scaled_lengths(const Obb<Scalar, Dim>& box, int exponent) {
   return lengths;
 }
 
-/// Below what no box is smaller, and how much shorter than the smallest found its lengths were taken for it; in units
-/// of 2^exponent of the hull's local points.
+/// A lower bound on the measure of any box, and how much its lengths were shortened for it relative to the smallest box
+/// found. In units of 2^exponent of the hull's local points.
 struct Bound {
   double measure = 0, shorter = 0;
 };

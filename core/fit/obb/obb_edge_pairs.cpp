@@ -24,7 +24,7 @@ Quartic product(const Quadratic& p, const Quadratic& q) {
           (p[1] * q[2] + p[2] * q[1]) / 2, p[2] * q[2]};
 }
 
-/// Where a linear function from p at 0 to q at 1 is zero; 0 where it is not in between.
+/// The zero of a linear function from p at 0 to q at 1; 0 if it has none in between.
 double root(double p, double q) { return (p < 0) == (q < 0) ? 0 : p / (p - q); }
 
 }  // namespace
@@ -65,8 +65,8 @@ PairTally EdgePairSearch::search(Index edge, const SeeSmaller& see, Count& count
     for (std::size_t second = later; second < arcs.size(); ++second) {
       const auto [from, to] = ends_[second];
       const double aa = with_a_[from], ab = with_a_[to], ba = with_b_[from], bb = with_b_[to];
-      // The dot product of two normals is bilinear in their places on the arcs: it is 0 somewhere, or has one sign at
-      // all four ends.
+      // The dot product of two normals is bilinear in their positions on the arcs: either it is 0 somewhere, or it has
+      // the same sign at all four ends.
       if (std::min(std::min(aa, ab), std::min(ba, bb)) > 0 || std::max(std::max(aa, ab), std::max(ba, bb)) < 0)
         continue;
       ++tally.pairs;
@@ -76,7 +76,7 @@ PairTally EdgePairSearch::search(Index edge, const SeeSmaller& see, Count& count
   return tally;
 }
 
-// A normal of the first arc is perpendicular to some normal of the second where its dot products with the second's ends
+// A normal of the first arc is perpendicular to some normal of the second if its dot products with the second's ends
 // have opposite signs.
 template <class Count>
 void EdgePairSearch::search_pair(const Pair& pair, PairTally& tally, const SeeSmaller& see, Count& count) {
@@ -105,7 +105,7 @@ void EdgePairSearch::halve(const Pair& pair, const Stretch& whole, PairTally& ta
   while (!open_.empty()) {
     const Stretch stretch = open_.back();
     open_.pop_back();
-    // The faster one's place is the parameter: the slower one's might tell places apart no more.
+    // The position of the faster normal is the parameter: the slower one's might not resolve the curve.
     const double first_turn = std::abs(stretch.to.t - stretch.from.t) * pair.first.angle;
     const double second_turn = std::abs(stretch.to.s - stretch.from.s) * pair.second.angle;
     const bool by_first = first_turn >= second_turn;
@@ -148,8 +148,8 @@ EdgePairSearch::Spans EdgePairSearch::spans_at(const Pair& pair, const Point& fi
           farthest(third) - farthest(-third)};
 }
 
-// The box is as long along its normals as the spans at least. With normals m and n, and their product as the third,
-// (p . m) (q . n) (r . (m x n)) is the volume between the spans times |m|^2 |n|^2: both sides are quartics in the
+// Along its normals, the box is at least as long as the spans. With normals m and n, and their cross product as the
+// third, (p . m) (q . n) (r . (m x n)) is the volume between the spans times |m|^2 |n|^2. Both are quartics in the
 // parameter.
 template <class Count>
 bool EdgePairSearch::all_larger(const Ends& ends, const Spans& spans, Count& count) const {
@@ -180,7 +180,7 @@ std::array<Index, 4> EdgePairSearch::vertices_of(const Pair& pair) const {
   return {e[0], e[1], f[0], f[1]};
 }
 
-// A normal m of the one arc is perpendicular to |m . b| a + |m . a| b of the other, from a to b.
+// A normal m of one arc is perpendicular to the normal |m . b| a + |m . a| b of the other arc, which goes from a to b.
 EdgePairSearch::Place EdgePairSearch::Pair::at_first(double t) const {
   const double with_a = std::abs(mix(aa, ba, t)), with_b = std::abs(mix(ab, bb, t));
   return {t, with_a + with_b > 0 ? with_a / (with_a + with_b) : 0};

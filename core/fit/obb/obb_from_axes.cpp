@@ -26,7 +26,7 @@ struct Reach {
   }
 };
 
-/// A half extent that grows until the slab holds each of the points it is given, exactly.
+/// A half extent that grows until the slab contains every point given to it, exactly.
 template <class Scalar, int Dim>
 class Slab {
  public:
@@ -67,7 +67,7 @@ class Slab {
   Vector<Scalar, Dim> center_, axis_;
   int exponent_;
   Scalar half_ = 0;
-  int exact_questions_ = 4096;  // so many; then the half extent is widened by the doubt, far below an ulp
+  int exact_questions_ = 4096;  // after so many, the error bound, far below an ulp, widens the half extent
 };
 
 template <class Scalar, int Dim>
@@ -116,7 +116,7 @@ class Around {
     const Vector<double, Dim> to_center = found_.box.center.template cast<double>() - origin_;
     const double middle = turn_.row(axis).dot(to_center);
     const double most = std::max(all_.greatest[axis] - middle, middle - all_.least[axis]);
-    // What the projections may be wrong by, twice over.
+    // Twice the error bound of the projections.
     const double doubt =
         tolerance::kExtremeProjection * (size_ + to_center.norm()) + 16 * std::numeric_limits<double>::denorm_min();
     const auto near = [&](double projection) { return std::abs(projection - middle) >= most - doubt; };
@@ -142,14 +142,14 @@ class Around {
 
   PointSpan<Scalar, Dim> points_;
   Vector<double, Dim> origin_;
-  Matrix<double, Dim> turn_;  // takes a direction into the box's frame
+  Matrix<double, Dim> turn_;  // rotates a direction into the box's frame
   std::vector<Reach<Dim>> blocks_;
   Reach<Dim> all_;
   double size_ = 0;
   BoxOnAxes<Scalar, Dim> found_;
 };
 
-/// Coordinates are their own projections, so that the faces are known exactly, and no point needs a second look.
+/// Coordinates are their own projections, so the faces are known exactly, and no point needs a second look.
 template <class Scalar, int Dim>
 BoxOnAxes<Scalar, Dim> box_along_coordinates(const Matrix<Scalar, Dim>& axes, PointSpan<Scalar, Dim> points) {
   Ignore ignore;

@@ -26,14 +26,14 @@ std::array<Number, 3> cross_of(const Point& a, const Point& b, const Point& c) {
   return {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
 }
 
-/// An edge with the facets on its two sides, left on the way from its first vertex to its second as seen from outside,
-/// and the right one's third vertex.
+/// An edge with the facets on its left and right, as seen from outside on the way from its first vertex to its second,
+/// and the right facet's third vertex.
 struct SharedEdge {
   HullSolid::Edge edge;
   Index left, right, beyond;
 };
 
-/// Sorts by the places of their vertices. facets: a closed surface, counter-clockwise as seen from outside.
+/// The edges, sorted by their vertices. facets: a closed surface, counter-clockwise as seen from outside.
 std::vector<SharedEdge> edges_of(const std::vector<std::array<Index, 3>>& facets) {
   struct Half {
     Index low, high, facet, third;
@@ -67,7 +67,7 @@ Point unit_normal(const Point& a, const Point& b, const Point& c) {
 
 template <class Count>
 void HullSolid::build(Corners corners, const std::vector<Triangle>& facets, Count& count) {
-  // Faces and edges come from the corners as they are, for moving them to the first would round; scaling does not.
+  // Faces and edges come from the vertices as they are: moving the origin to the first would round, scaling does not.
   for (Point& p : corners)
     for (int i = 0; i < 3; ++i) p[i] = std::ldexp(p[i], -local_.exponent);
   const std::vector<SharedEdge> edges = edges_of(facets);
@@ -110,7 +110,7 @@ Vector<double, 3> HullSolid::table_direction(int face, int row, int column) cons
 
 template <class Count>
 void HullSolid::make_table(Count& count) {
-  // About as many cells as vertices, so that a cell's neighbour is one of few.
+  // About as many cells as vertices, so that few vertices share a cell.
   cells_ = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(vertices().size()))), 8, 64);
   table_.reserve(6 * cells_ * cells_);
   Index at = 0;
@@ -127,7 +127,7 @@ void HullSolid::add_arc(const Point& along, Index from, Index to, Count& count) 
   count.count(Operation::kDotProducts, 1);
   count.count(Operation::kSquareRoots, 1);
   if (cosine < 0.5) {
-    // Where they are nearly opposite, their difference tells the middle better than their sum.
+    // If the normals are nearly opposite, their difference gives the middle more precisely than their sum.
     normals_.push_back(unit<3>(cosine > 0 ? Point(a + b) : Point(along.cross(a - b))));
     const auto middle = static_cast<Index>(normals_.size() - 1);
     add_arc(along, from, middle, count);
@@ -161,8 +161,8 @@ Index HullSolid::farthest(const Point& direction, Index near, Count& count) cons
   return near;
 }
 
-// From a vertex of the outline all others are reached along edges of it, which is a closed curve, with the sides of
-// faces that the direction lies in.
+// The outline is a closed curve, so all its vertices can be reached from one of them along its edges and the sides of
+// faces parallel to the direction.
 template <class Count>
 std::vector<Index> HullSolid::outline(const Point& direction, Count& count) const {
   const auto turned = [&](Index facet) { return direction.dot(normals_[facet]); };

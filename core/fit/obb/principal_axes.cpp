@@ -5,7 +5,7 @@
 namespace snug::fit {
 namespace {
 
-/// A covariance and the axes that it is given in, turned until nothing is left beside its diagonal.
+/// A covariance and the axes that it is expressed in, rotated until only its diagonal is left.
 /// Source: C. Ericson, Real-Time Collision Detection, 2005, 4.3.3; G. H. Golub, C. F. Van Loan, Matrix Computations,
 /// 1996, 8.4: Jacobi's method, cyclic by row.
 template <class Scalar, int Dim>
@@ -14,7 +14,7 @@ struct Jacobi {
   Matrix<Scalar, Dim> axes = Matrix<Scalar, Dim>::Identity();
 
   void diagonalise() {
-    constexpr int kSweeps = 16;  // five are the most that it was seen to take; the bound is for what rounding may do
+    constexpr int kSweeps = 16;  // five are the most that it was ever seen to take; the bound guards against rounding
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
       bool turned = false;
       for (int p = 0; p < Dim; ++p)
@@ -24,8 +24,8 @@ struct Jacobi {
   }
 
  private:
-  /// Turns axes p and q so that a(p, q) becomes 0; false where it is 0 within rounding, measured by its own two
-  /// variances: those of a thin set count as well as the great ones.
+  /// Rotates axes p and q so that a(p, q) becomes 0. Returns false if it is already 0 within rounding, relative to its
+  /// own two variances: so the small variances of a thin set count as much as the large ones.
   bool turn(int p, int q) {
     constexpr Scalar kNone = tolerance::kRoundoff<Scalar> * tolerance::kRoundoff<Scalar>;
     const Scalar beside = a(p, q);
@@ -59,7 +59,7 @@ struct Jacobi {
 template <class Scalar, int Dim>
 AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread) {
   const Scalar largest = spread.covariance.cwiseAbs().maxCoeff();
-  const int exponent = largest > 0 ? std::ilogb(largest) : 0;  // squares of what is near 1 are numbers
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;  // squares of numbers near 1 do not underflow
   Jacobi<Scalar, Dim> jacobi{spread.covariance.unaryExpr([&](Scalar x) { return std::ldexp(x, -exponent); })};
   jacobi.diagonalise();
 

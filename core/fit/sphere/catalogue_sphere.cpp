@@ -24,7 +24,7 @@ constexpr auto kBruteForce = [](auto p, const Options&, auto& o) { return brute_
 
 constexpr std::string_view kWelzlPaper = "E. Welzl, Smallest enclosing disks (balls and ellipsoids), 1991";
 
-// Its passes go over the points in random order: once they no longer fit the caches, each access takes longer.
+// Its passes visit the points in random order: each access takes longer once they no longer fit into the caches.
 constexpr Theory kRandomOrder{"O(n)", growth::linear, false, kFixedPasses.source};
 
 constexpr std::array kSphereRows{
@@ -39,7 +39,7 @@ constexpr std::array kSphereRows{
                        "welzl",
                        "Welzl",
                        kWelzlPaper,
-                       {"O(n) expected", growth::linear, false, kWelzlPaper},  // and a constant part at the start
+                       {"O(n) expected", growth::linear, false, kWelzlPaper},  // and a constant amount at the start
                        kWelzlPseudocode}),
     row<kPivot, true>({.volume = "sphere",
                        .name = "pivot",

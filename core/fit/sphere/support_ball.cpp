@@ -29,7 +29,7 @@ bool solve(std::array<std::array<Wide, N>, N>& gram, std::array<Wide, N>& right,
       if (at(largest, largest) < at(i, i)) largest = i;
     std::swap(order[k], order[largest]);
     if (!(at(k, k).high > tolerance::kDependentPivot)) return false;
-    at(k, k) = Wide(1) / at(k, k);  // a division takes as long as many products
+    at(k, k) = Wide(1) / at(k, k);  // a division takes as long as many multiplications
     for (int i = k + 1; i < n; ++i) {
       const Wide factor = at(i, k) * at(k, k);
       for (int j = k + 1; j < n; ++j) at(i, j) -= factor * at(k, j);
@@ -132,7 +132,7 @@ std::optional<SupportBall<Dim>> ball_through(PointSpan<Scalar, Dim> points, cons
 
 namespace {
 
-/// Whether it is the smallest around the others too, beyond rounding: no further subset needs to be looked at.
+/// Whether it is certainly the smallest ball around the other points too, so that no further subset needs to be tried.
 template <class Scalar, int Dim>
 bool surely_smallest(PointSpan<Scalar, Dim> points, const SupportBall<Dim>& ball, const Support& others) {
   for (int i = 0; i < ball.support.size(); ++i)

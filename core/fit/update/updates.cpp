@@ -38,8 +38,8 @@ struct Watch {
   void count(Operation operation, std::int64_t n) { counter.count(operation, n); }
 };
 
-// A struct for each update: what it keeps of a body from frame to frame, the volume where the body is now (volume_at),
-// and the measure of the tightest volume of its kind there.
+// Each update is a struct: what it keeps of a body from frame to frame, the volume at a pose (volume_at), and the
+// measure of the tightest volume of its kind there.
 
 template <class Scalar, int Dim>
 struct TransformedSphere {
@@ -75,7 +75,7 @@ struct UpdatedAabb {
 template <class Scalar, int Dim>
 struct LooseAabb : UpdatedAabb<Scalar, Dim> {
   LooseAabb(PointSpan<Scalar, Dim> points, int) : UpdatedAabb<Scalar, Dim>{points} {}
-  /// The first frame looks for the farthest point.
+  /// Finds the farthest point, in the first frame.
   void prepare(auto& watch) {
     if (!reach) reach = loose_reach(this->points, watch);
   }
@@ -101,14 +101,14 @@ struct RotatedAabb : UpdatedAabb<Scalar, Dim> {
   Aabb<Scalar, Dim> box;
 };
 
-/// The hull of a body, to climb over along k / 2 axes, each up and down.
+/// The hull of a body, and the climbs over it: along k / 2 axes, each both ways.
 template <class Scalar, int Dim>
 struct Climbed {
   Climbed(PointSpan<Scalar, Dim> points, int k)
       : hull(quickhull(points).volume), neighbors(hull_neighbors(hull)),
         climb(std::span<const Vector<Scalar, Dim>>(hull.vertices), neighbors, k,
               hull.vertices.size() == static_cast<std::size_t>(points.size())) {}
-  Climbed(const Climbed&) = delete;  // climb walks over hull
+  Climbed(const Climbed&) = delete;  // climb refers to hull
   Climbed& operator=(const Climbed&) = delete;
 
   ConvexHull<Scalar, Dim> hull;
@@ -131,7 +131,7 @@ struct ClimbedKdop : Climbed<Scalar, Dim> {
   auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) {
     return update_kdop_climb(this->climb, k, pose, watch).volume;
   }
-  /// 0 where a point is beyond the largest coordinate.
+  /// The tightest measure at a pose; 0 if a point is beyond the largest coordinate.
   [[nodiscard]] double tightest(const Pose<Scalar, Dim>& pose) const {
     std::vector<Vector<Scalar, Dim>> world;
     for (const auto& p : points) world.push_back(placed(pose, p));
@@ -143,7 +143,7 @@ struct ClimbedKdop : Climbed<Scalar, Dim> {
   int k;
 };
 
-/// Compiled once for each kind of volume, whichever update it is of.
+/// Compiled once for each kind of volume, whatever the update.
 template <class VolumeType, class Scalar, int Dim>
 UpdatedFrame frame_of(const VolumeType& volume, PointSpan<Scalar, Dim> points, const Pose<Scalar, Dim>& pose,
                       double tightest) {
@@ -158,7 +158,7 @@ double hull_measure(PointSpan<Scalar, Dim> points) {
   return measure_of(lift(quickhull(points).volume), Dim);
 }
 
-/// A body by one of these.
+/// A body that is updated by one of these.
 template <template <class, int> class Update, class Scalar, int Dim>
 class Body final : public MovingBody {
  public:
@@ -215,7 +215,7 @@ class Body final : public MovingBody {
 
   Update<Scalar, Dim> update_;
   PointSpan<Scalar, Dim> points_;
-  std::optional<double> hull_measure_;  // worked out when first asked for
+  std::optional<double> hull_measure_;  // computed when first needed
   std::vector<Pose<Scalar, Dim>> poses_;
 };
 

@@ -8,7 +8,7 @@
 #include "query/batch/lanes.hpp"
 #include "query/classify.hpp"
 
-// Nothing here passes a vector between functions that are not inlined, so no calling convention for it matters.
+// No vector is passed between functions that are not inlined, so its calling convention does not matter.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
@@ -23,7 +23,7 @@ template <class Scalar>
 struct UnitPlanes {
   struct Unit {
     Scalar normal[3], d;
-    std::size_t n_vertex[3], p_vertex[3];  // the fields of a box that they are in
+    std::size_t n_vertex[3], p_vertex[3];  // the fields of a box that hold their coordinates
   };
   Unit planes[6];
   Scalar largest_d = 0;
@@ -42,7 +42,7 @@ struct UnitPlanes {
     }
   }
 
-  /// Within what the values of the true planes, divided by their normals' lengths, are known where no coordinate is
+  /// The error bound on the distances from the true planes. reach: no coordinate is
   /// larger.
   [[nodiscard]] SNUG_INLINE Scalar doubt(Scalar reach) const {
     return tolerance::kUnitPlaneReach<Scalar> * (2 * reach + largest_d) + std::numeric_limits<Scalar>::min();
@@ -65,13 +65,13 @@ template <class Vec>
 SNUG_INLINE Vec smaller(const Vec& a, const Vec& b) {
   return a < b ? a : b;
 }
-/// Without the sign.
+/// The absolute value.
 template <class Vec>
 SNUG_INLINE Vec size_of_each(const Vec& v) {
   return larger(v, -v);
 }
 
-/// One block, in as many groups of lanes as it takes: each plane's numbers are read once for all of them.
+/// One block, in as many groups of lanes as it takes, so that each plane's numbers are read once for all of them.
 template <class Scalar, std::size_t kBytes>
 struct Blocks {
   using Vec = typename Lanes<Scalar, kBytes>::Vector;
@@ -82,7 +82,7 @@ struct Blocks {
   typedef std::uint8_t Bytes __attribute__((vector_size(kLanes)));
   using Verdicts = std::array<Culling, kBlock>;
 
-  /// The greatest over all planes of the distance of what three fields say.
+  /// The greatest distance, over all planes, of the point in three fields.
   template <class Fields, class Block>
   SNUG_INLINE static void farthest(const UnitPlanes<Scalar>& all, const Block& block, Fields fields, Groups& most) {
     for (std::size_t p = 0; p < 6; ++p) {
@@ -115,7 +115,7 @@ struct Blocks {
     return settle(low, high, doubt, verdicts);
   }
 
-  /// Judges spheres: the plane that the centre is farthest outside of decides.
+  /// Judges spheres, by the plane that the centre is farthest outside of.
   SNUG_INLINE static bool judge(const UnitPlanes<Scalar>& planes, const typename SphereArray<Scalar>::Block& block,
                                 Scalar doubt, Verdicts& verdicts) {
     Groups low, high;
@@ -129,7 +129,7 @@ struct Blocks {
     return settle(low, high, doubt, verdicts);
   }
 
-  /// Whether all lanes are greater. Selected, not masked: GCC 12 takes masks of 64 bytes apart, lane by lane.
+  /// Whether all lanes are greater. Selects instead of masking, because GCC 12 splits masks of 64 bytes into lanes.
   SNUG_INLINE static bool all_above(const Vec& v, Scalar bound) {
     const Mask below = v > bound ? Mask{} : Mask{} + 1;
     std::array<std::uint64_t, kBytes / 8> words;
@@ -139,9 +139,9 @@ struct Blocks {
     return any == 0;
   }
 
-  /// The verdicts, which are 0, 1 and 2. Returns whether rounding hides none of them.
+  /// Writes the verdicts, which are 0, 1 and 2. Returns whether all of them are certain despite rounding.
   SNUG_INLINE static bool settle(const Groups& low, const Groups& high, Scalar doubt, Verdicts& verdicts) {
-    Vec nearest{};  // of the distances to 0
+    Vec nearest{};  // the distances that are nearest to 0
     for (std::size_t g = 0; g < kGroups; ++g) {
       const Vec near = smaller(size_of_each(low[g]), size_of_each(high[g]));
       nearest = g == 0 ? near : smaller(nearest, near);
@@ -161,7 +161,7 @@ SNUG_INLINE void classify_in(const Frustum<Scalar, 3>& frustum, const Array& arr
     typename Own::Verdicts own;
     const bool known = Own::judge(planes, array.blocks()[block], planes.doubt(array.reach()[block]), own);
     const std::size_t begin = block * Own::kBlock, count = std::min(Own::kBlock, verdicts.size() - begin);
-    if (!known) [[unlikely]]  // the block's others come out the same
+    if (!known) [[unlikely]]  // the certain ones come out the same
       for (std::size_t i = 0; i < count; ++i) own[i] = classify(frustum, array[begin + i]).verdict;
     if (count == Own::kBlock) [[likely]]
       std::memcpy(verdicts.data() + begin, own.data(), Own::kBlock);
@@ -170,7 +170,7 @@ SNUG_INLINE void classify_in(const Frustum<Scalar, 3>& frustum, const Array& arr
 }
 
 #if defined(__x86_64__)
-// Lane by lane the same operations, so the same bits: this target has no fused multiply-add.
+// Each lane does the same operations, so the bits are the same: this target has no fused multiply-add.
 template <class Scalar, class Array>
 [[gnu::target("avx2")]] void classify_in_32_bytes(const Frustum<Scalar, 3>& frustum, const Array& array,
                                                   std::span<Culling> verdicts) {
