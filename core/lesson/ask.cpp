@@ -13,7 +13,7 @@ using Kind = Answer::Kind;
 
 bool contains(const auto& values, int value) { return std::find(values.begin(), values.end(), value) != values.end(); }
 
-/// The n-th step of that name that counts, or how many steps there are.
+/// The index of the n-th step of that name that counts; the number of steps if there is none.
 int find_fact(const Run& run, std::string_view name, int occurrence) {
   int i = 0;
   for (; i < run.steps(); ++i)
@@ -21,8 +21,8 @@ int find_fact(const Run& run, std::string_view name, int occurrence) {
   return i;
 }
 
-/// Just behind the last step of that name before a step, or the one that is counted; the step itself where there is
-/// none.
+/// The place just after the last step with the gate's `after` name before a given step, or after the one that after_nth
+/// counts; the given step itself if there is none.
 int place_after(const Run& run, const Gate& gate, int before) {
   if (gate.after == Gate::kStart) return 0;
   if (gate.after_nth > 0) return std::min(find_fact(run, gate.after, gate.after_nth) + 1, before);
@@ -61,8 +61,8 @@ const Asking* find_asking(std::string_view name, const Run& run, int fact) {
   return nullptr;
 }
 
-/// A tapped handle, in the words of a choice that names it beside others: "the y pair (P9)". One that is of two means
-/// the right one.
+/// What a tapped handle says, in the words of a choice that names several: "the y pair (P9)". A handle that belongs to
+/// two choices counts as the right one.
 std::string said_by_handle(const Asked& asked, const Truth& truth, Index handle) {
   const std::string* said = nullptr;
   for (std::size_t i = 0; i < asked.choices.size(); ++i) {
@@ -73,7 +73,7 @@ std::string said_by_handle(const Asked& asked, const Truth& truth, Index handle)
   return said == nullptr ? name : *said + " (" + name + ")";
 }
 
-/// The chosen of many, by their bits.
+/// The names of the chosen choices, by their bits.
 std::string names_of_bits(const Asked& asked, int bits) {
   std::string text;
   int left = __builtin_popcount(static_cast<unsigned>(bits));
@@ -94,7 +94,7 @@ bool is_right(const Asked& asked, const Answer& answer, const Truth& truth) {
   return answer.value == all;
 }
 
-/// A question that stands before the first step.
+/// A question that is asked before the first step.
 Asked asked_anytime(const Question& question, const SubjectRow& row, const Subject& subject, const Run& run) {
   Asked asked;
   asked.question = &question;
@@ -104,7 +104,7 @@ Asked asked_anytime(const Question& question, const SubjectRow& row, const Subje
   asked.asking = &kChoice;
   for (const auto& [fact, asking] : row.askings())
     if (asking->name == question.asks) asked.asking = asking;
-  put_words(asked, true);  // it is of the lesson's own points
+  put_words(asked, true);  // it is about the lesson's own points
   asked.asking->offer(asked, run);
   return asked;
 }

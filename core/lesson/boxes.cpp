@@ -19,20 +19,20 @@ using PlaceKind = Place::Kind;
 
 int knobs(int dim) { return dim - 1; }
 
-/// The shortest turn that takes one unit direction to another.
+/// The shortest rotation that takes one unit direction to another.
 Matrix<double, 3> turn_from_to(const V3& from, const V3& to) {
   const Quaternion half{1 + from.dot(to), from[1] * to[2] - from[2] * to[1], from[2] * to[0] - from[0] * to[2],
                         from[0] * to[1] - from[1] * to[0]};
   return matrix_of(normalized(half));
 }
 
-/// Opposite directions have no shortest turn: any half turn across them does.
+/// Opposite directions have no shortest rotation: a half turn about `across` will do.
 Matrix<double, 3> turn_to(const V3& from, const V3& to, const V3& across) {
   if (1 + from.dot(to) < 1e-12) return turn(across, 3.14159265358979323846);
   return turn_from_to(from, to);
 }
 
-/// The first knob turns its axis to the hand; the second turns the box about the first's.
+/// The first knob rotates its axis towards the hand; the second rotates the box about the first knob's axis.
 Box turned_to(const Box& box, int axis, const V3& hand) {
   V3 way = hand - box.center;
   if (axis == 1) way -= box.axes.col(0) * box.axes.col(0).dot(way);
@@ -44,12 +44,12 @@ Box turned_to(const Box& box, int axis, const V3& hand) {
   return turned;
 }
 
-/// How wide B is at its near or far end, of its half extents: what tapers is its sides, not its depth.
+/// A box's width at its near or far end, over its half extent: only B tapers, and only across its depth.
 double share_at(const BoxPair& pair, int box, int axis, bool far) {
   return box == 1 && axis > 0 && !far ? pair.taper : 1;
 }
 
-/// The corner at the hand, the opposite one where it was. A corner pulled past it makes the box flat.
+/// The box with a vertex moved to the hand and the opposite one fixed. Pulled past that one, the box becomes flat.
 Box stretched(const BoxPair& pair, int which, int bits, const V3& hand) {
   const Box& box = pair.boxes[which];
   Box stretched = box;

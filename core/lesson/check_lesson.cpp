@@ -24,8 +24,8 @@ void check_ids(const Lesson& lesson, Complaints& complaints) {
   }
 }
 
-/// The questions of one method on its run. A question must not stand where another is still open, for answering that
-/// one would pass it by.
+/// Checks the questions of one method on its run. A question must not come while another is still open, because
+/// answering that one would skip it.
 void check_questions(const Lesson& lesson, const Method& method, const Subject& subject, const Run& run,
                      Complaints& complaints) {
   std::string why;
@@ -40,7 +40,7 @@ void check_questions(const Lesson& lesson, const Method& method, const Subject& 
   }
 }
 
-/// What is shown from the start takes as many points as there are.
+/// Checks that the methods shown from the start can take all the points.
 void check_sizes(const Lesson& lesson, const Subject& own, const TomlTable& root, Complaints& complaints) {
   for (const std::string& name : lesson.algorithms) {
     const Method& method = *find_method(lesson, name);
@@ -50,12 +50,12 @@ void check_sizes(const Lesson& lesson, const Subject& own, const TomlTable& root
   }
 }
 
-/// The runs of the lesson's methods on what stands on its stage, each made when it is first asked for.
+/// The runs of the lesson's methods, each made when it is first needed.
 class Runs {
  public:
   Runs(const Lesson& lesson, const Subject& own) : lesson_(lesson), own_(own) {}
   [[nodiscard]] const Subject& own() const { return own_; }
-  /// Null where there are too many points for it.
+  /// Null if there are too many points for it.
   const Run* of(const std::string& algorithm) {
     const Method& method = *find_method(lesson_, algorithm);
     if (!own_.suits(method)) return nullptr;
@@ -87,17 +87,17 @@ void check_mark(const Lesson& lesson, const std::string& mark, int line, Runs& r
     complaints.add(line, "the mark " + mark + " lights nothing at any step of the lesson's algorithms");
 }
 
-/// A step is one of the run that the section speaks of.
+/// Checks that a link's step is one of the run that the section is about.
 void check_step(const Lesson& lesson, const Section& section, const std::string& step, int line, Runs& runs,
                 Complaints& complaints) {
   const Run* run = runs.of(section.algorithm.empty() ? lesson.algorithms.front() : section.algorithm);
-  if (const int steps = run != nullptr ? run->steps() : 0; std::stoi(step) > steps)  // digits, as it was read
+  if (const int steps = run != nullptr ? run->steps() : 0; std::stoi(step) > steps)  // only digits, as checked before
     complaints.add(line, "there is no step " + step + ": the run has " + std::to_string(steps));
 }
 
-/// Links that only a run can tell from mistakes.
+/// Checks the links that can only be checked on a run.
 void check_links(const Lesson& lesson, const toml::table& toml, Runs& runs, Complaints& complaints) {
-  const toml::array& tables = *toml["section"].as_array();  // as they were read
+  const toml::array& tables = *toml["section"].as_array();  // tables: that was checked when they were read
   for (std::size_t i = 0; i < lesson.sections.size(); ++i)
     for (const Paragraph& paragraph : lesson.sections[i].paragraphs)
       for (const Stretch& stretch : paragraph) {

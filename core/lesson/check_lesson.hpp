@@ -1,4 +1,4 @@
-// What must hold of a lesson as a whole: its questions on the trace of its own points, and its task.
+// Checks a lesson as a whole: its questions, on the trace of its own points, and its task.
 #pragma once
 
 #include "lesson/lesson.hpp"
@@ -6,8 +6,8 @@
 
 namespace snug::lesson {
 
-/// lesson: of a file that reads well. A lesson on a mesh is run by those who have the mesh: its questions are not
-/// checked against a trace here.
+/// lesson: read without errors. The questions of a lesson on a mesh are not checked here, because the mesh is not
+/// available.
 void check_lesson(const Lesson& lesson, const toml::table& toml, Complaints& complaints);
 
 }  // namespace snug::lesson

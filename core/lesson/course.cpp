@@ -11,13 +11,13 @@ namespace {
 
 constexpr std::int64_t kCourseVersion = 1;
 
-/// What of a course has been read: where each lesson stands.
+/// The lessons read so far, and where each was named.
 struct Seen {
   std::span<const std::string> ids;
   std::map<std::string, int, std::less<>> lines;  // by id
 };
 
-/// texts has seen to it that each is a text.
+/// The line of an item of "lessons", which texts() has checked.
 int line_of_item(const toml::table& chapter, std::size_t i) {
   return static_cast<int>(chapter["lessons"].as_array()->get(i)->source().begin.line);
 }

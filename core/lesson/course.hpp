@@ -1,4 +1,4 @@
-// The course: which lessons there are, in which order, under which chapters, as lessons/course.toml says it.
+// The course: its lessons in order, under their chapters, as in lessons/course.toml.
 #pragma once
 
 #include <span>
@@ -20,8 +20,8 @@ struct Course {
   std::vector<Chapter> chapters;
 };
 
-/// Reads a course file. name: for errors. ids: the lessons that there are. Errors: of TOML, of an unknown or missing
-/// key, of a lesson that there is not, stands twice or in no chapter; each with its line.
+/// Reads a course file. name: for errors. ids: those of the existing lessons. Errors, each with its line: of TOML, an
+/// unknown or missing key, a lesson that does not exist, is named twice or is in no chapter.
 [[nodiscard]] tl::expected<Course, InputError> read_course(std::string_view toml, std::string_view name,
                                                            std::span<const std::string> ids);
 

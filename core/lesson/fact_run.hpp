@@ -1,4 +1,4 @@
-// What a run of facts does: it asks each fact's entry. For the files that have a subject's entries.
+// The definitions of FactRun, which asks each fact's entry. Only files with all of a subject's entries include this.
 #pragma once
 
 #include "fit/field_hash.hpp"

@@ -1,4 +1,4 @@
-// How a subject says its facts. Each fact has one entry: what is said of it, which handles it speaks of, whether it is
+// How a subject describes its facts. Each fact has one entry: its sentence, the handles that it is about, whether it is
 // a mark on the timeline, and what can be asked of it. A fact without an entry does not compile.
 #pragma once
 
@@ -11,9 +11,9 @@
 
 namespace snug::lesson {
 
-/// The entry of a fact. Where: the step where it stands, as its subject's runs have it (Own::Where). It has
+/// The entry of a fact. Where: the step in its run (Own::Where). It has
 ///   static std::string sentence(const Fact&, const Where&)
-/// and what of the defaults below is otherwise.
+/// and redefines whichever of the defaults below it needs.
 template <class Fact>
 struct Entry;
 
@@ -28,7 +28,7 @@ struct EntryDefaults {
 /// A run whose steps are facts of a variant. Own: the run itself, with
 ///   std::span<const Recorder<Step>::Entry> trace() const
 ///   struct Where, made of the run, the step's place and Untold.
-/// What it does stands in fact_run.hpp, for the one file that has all entries and instantiates it.
+/// The definitions are in fact_run.hpp, for the one file that has all entries and instantiates it.
 template <class Own, class Step>
 class FactRun : public Run {
  public:
@@ -55,9 +55,9 @@ template <class Facts>
 struct FactList;
 template <class... Facts>
 struct FactList<std::variant<Facts...>> {
-  /// Their names, in their order.
+  /// The names of all facts, in order.
   static std::vector<std::string_view> names() { return {Facts::kName...}; }
-  /// What can be asked of any of them.
+  /// What can be asked of any of these facts.
   static std::vector<AskingOf> askings() {
     std::vector<AskingOf> all;
     const auto add = [&](std::string_view fact, const auto& some) {
@@ -68,7 +68,7 @@ struct FactList<std::variant<Facts...>> {
   }
 };
 
-/// The two answers of many a question.
+/// The answers of a yes-or-no question.
 inline const char* offer_yes_no(Asked& asked, const Run&) {
   asked.add_choice("yes");
   asked.add_choice("no");

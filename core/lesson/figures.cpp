@@ -33,7 +33,7 @@ std::string number_text(double value, int digits) {
   } else if (size < 1e-3 || size >= 1e6) {
     text = power_of_ten(printed("%.*e", digits - 1, size));
   } else {
-    const int before = static_cast<int>(std::floor(std::log10(size)));  // below 0 where zeros lead
+    const int before = static_cast<int>(std::floor(std::log10(size)));  // below 0 for numbers below 1
     text = printed("%.*f", std::max(0, before >= 0 ? digits - 1 - before : std::max(digits - 1, 1 - before)), size);
   }
   return value < 0 ? std::string("−").append(text) : text;
@@ -69,7 +69,7 @@ std::string percent_text(double ratio) {
 }
 
 std::string looseness_text(double ratio) {
-  constexpr double kLarge = 1, kMost = 1e12;  // tenths of a per cent say nothing above, and a count ends there
+  constexpr double kLarge = 1, kMost = 1e12;  // above the first, tenths mean nothing; the second is the largest count
   if (!(ratio >= kLarge)) return percent_text(ratio);
   return ratio > kMost ? "+" + number_text(100 * ratio) + " %" : "+" + count_text(std::llround(100 * ratio)) + " %";
 }

@@ -1,4 +1,4 @@
-// The figures of the inspector and the lines of the proof, and how numbers are written.
+// The figures of the inspector, the lines of the proof, and how numbers are formatted.
 #pragma once
 
 #include <cstdint>
@@ -9,45 +9,45 @@
 
 namespace snug::lesson {
 
-/// What the inspector shows, by name, in its order; values as text with their unit.
+/// A row of the inspector, with its value as text and unit.
 struct Figure {
   std::string name;  // "Radius so far"
   std::string key;   // "radius": the name in window.snug.state().readout
   std::string text;  // "2.118 units"
   double value = 0;
   std::string unit;   // "units", "%", "points"; empty for a count
-  bool known = true;  // false: there is no value to speak of yet, and the text is a dash; readouts leave it out
+  bool known = true;  // false: there is no value yet, the text is a dash, and readouts leave it out
 };
 
-/// A line of the proof: what is claimed of the volume, and whether it holds.
+/// A line of the proof: a statement about the volume, and whether it is true.
 struct Proof {
   std::string text;  // "contains all 26 points, exactly"
   bool holds = false;
-  bool claimed = false;  // whether the algorithm claims it; where it does not, holds says nothing against it
+  bool claimed = false;  // whether the algorithm guarantees it; if not, a false `holds` is no fault
 };
 
-/// Four significant digits, at most three decimals but where a small number would have fewer than two digits left:
-/// "2.118", "21.18", "0.042", "0.0042", "1.234 × 10¹⁰". The minus is a real one.
+/// Four significant digits and at most three decimals, or more if a small number would have fewer than two digits left:
+/// "2.118", "21.18", "0.042", "0.0042", "1.234 × 10¹⁰". The minus sign is U+2212.
 [[nodiscard]] std::string number_text(double value, int digits = 4);
 
-/// A count, n >= 0, with its thousands apart: "475", "1,839".
+/// A count, n >= 0, with thousands separators: "475", "1,839".
 [[nodiscard]] std::string count_text(std::int64_t n);
 
-/// The number of digits, four or more, that tells two numbers apart. Nine do not tell apart what differs by rounding
-/// alone: four then.
+/// The number of digits, at least four, with which two numbers differ. Four, if they are equal in nine digits: then
+/// they differ only by rounding.
 [[nodiscard]] int digits_apart(double a, double b);
 
-/// Two numbers with as many digits, four or more, as tell them apart: "0.9921" and "0.9917". Nine do not tell apart
-/// what differs by rounding alone: the texts are equal then.
+/// Two numbers with as many digits, at least four, as make them differ: "0.9921" and "0.9917". If they differ only by
+/// rounding, the texts are equal.
 [[nodiscard]] std::pair<std::string, std::string> number_texts_apart(double a, double b);
 
-/// How much larger a size is than the smallest, 0.1 for 10 per cent: 0 where both are, none where nothing is known.
+/// How much larger a size is than the smallest, 0.1 for 10 per cent: 0 if both are 0; none if unknown or infinite.
 [[nodiscard]] std::optional<double> excess_of(double size, std::optional<double> smallest);
 
 /// 0.091 as "+9.1 %".
 [[nodiscard]] std::string percent_text(double ratio);
 
-/// The same of a volume that is much larger than the tightest: "+35.0 %", "+385 %", "+1,885 %".
+/// The same for looseness, which can be large: "+35.0 %", "+385 %", "+1,885 %".
 [[nodiscard]] std::string looseness_text(double ratio);
 
 }  // namespace snug::lesson

@@ -24,12 +24,12 @@ constexpr auto kSymbols = std::to_array<Name>({
     {"quad", " "},       {",", " "},      {";", " "},     {" ", " "},     {"{", "{"},       {"}", "}"},
     {"|", "‖"},
 });
-/// What only changes the face of its argument.
+/// Commands that only change the typeface of their argument.
 constexpr auto kFaces = std::to_array<std::string_view>({"mathbf", "mathrm", "mathit", "text", "operatorname"});
-/// Between which and their neighbours TeX leaves a space.
+/// Relations, which TeX separates from their neighbours by spaces.
 constexpr auto kRelations = std::to_array<std::string_view>(
     {"+", "−", "=", "<", ">", "≤", "≥", "≠", "≈", "≡", "∈", "∉", "→", "⇒", "±", "·", "×", "∩", "∪"});
-/// What takes the words behind it, and stands apart from them.
+/// Operators, which are separated by a space from what they apply to.
 constexpr auto kOperators = std::to_array<std::string_view>({"min", "max", "cos", "sin", "log", "∑", "∏"});
 constexpr auto kRaised = std::to_array<Name>({{"0", "⁰"},
                                               {"1", "¹"},
@@ -59,7 +59,7 @@ constexpr auto kLowered = std::to_array<Name>({{"0", "₀"},
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// A character of UTF-8 off the front.
+/// Takes one UTF-8 character off the front.
 std::string_view next_character(std::string_view& rest) {
   std::size_t length = 1;
   while (length < rest.size() && (static_cast<unsigned char>(rest[length]) & 0xc0) == 0x80) ++length;
@@ -68,7 +68,7 @@ std::string_view next_character(std::string_view& rest) {
   return one;
 }
 
-/// Every character by its own of a script; empty where one has none.
+/// The words as superscripts or subscripts; empty if a character has none.
 std::string in_script(std::string_view words, const auto& script) {
   std::string out;
   while (!words.empty()) {
@@ -94,7 +94,7 @@ class Formula {
   }
 
  private:
-  /// Up to the end, or to the brace that closes it.
+  /// Reads up to the end, or to the closing brace.
   std::string list(bool in_braces) {
     std::string out;
     while (error_.empty() && !rest_.empty() && rest_.front() != '}') add(out);
@@ -111,7 +111,7 @@ class Formula {
     const std::string atom = this->atom();
     if (std::find(kRelations.begin(), kRelations.end(), atom) != kRelations.end()) {
       const bool begins = out.empty() || out.back() == ' ' || out.back() == '(';
-      const bool sign = begins && (atom == "−" || atom == "+" || atom == "±");  // of a number
+      const bool sign = begins && (atom == "−" || atom == "+" || atom == "±");  // the sign of a number
       if (!begins) out += ' ';
       out += atom;
       if (!sign) out += ' ';
@@ -122,7 +122,7 @@ class Formula {
     }
   }
 
-  /// With its own scripts, so that no letter behind it is taken for one of them.
+  /// Appends an operator with its scripts, and then a space, so that the next letter does not look like a script.
   void add_operator(std::string& out, const std::string& name) {
     if (!out.empty() && out.back() != ' ' && out.back() != '(' && out.back() != '|') out += ' ';
     out += name;
@@ -140,7 +140,7 @@ class Formula {
     else (out += raised ? '^' : '_') += is_compound(words) ? '(' + words + ')' : words;
   }
 
-  /// A group in braces, or the next atom.
+  /// Reads an argument: a group in braces, or the next atom.
   std::string argument() {
     while (!rest_.empty() && rest_.front() == ' ') rest_.remove_prefix(1);
     if (!rest_.empty() && rest_.front() != '}') return atom();
@@ -152,7 +152,7 @@ class Formula {
     if (rest_.front() == '\\') return command();
     if (rest_.front() == '{') return rest_.remove_prefix(1), list(true);
     const std::string_view one = next_character(rest_);
-    if (one == " ") return {};  // of TeX's source
+    if (one == " ") return {};  // a space in the TeX source
     if (one == "'") return "′";
     return one == "-" ? "−" : std::string(one);
   }

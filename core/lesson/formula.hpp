@@ -1,4 +1,4 @@
-// Formulas of the prose. The page has them typeset from TeX when it is built; everything else shows them in one line.
+// Formulas in the prose. The page typesets them from TeX when it is built; everything else shows them in one line.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace snug::lesson {
 
-/// TeX in a line of Unicode: \sum_i x_i^2 becomes "∑ᵢ xᵢ²". Sub- and superscripts that have no characters of their own
-/// keep their _ and ^; fractions and roots are written with / and √. Errors: a command that is none of those that are
-/// known here, a brace without a partner.
+/// TeX in a line of Unicode: \sum_i x_i^2 becomes "∑ᵢ xᵢ²". Sub- and superscripts without Unicode characters
+/// keep their _ and ^; fractions and roots are written with / and √. Errors: an unknown command, an unmatched
+/// brace.
 [[nodiscard]] tl::expected<std::string, std::string> plain_formula(std::string_view tex);
 
 }  // namespace snug::lesson

@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kKinds{"point", "choice", "skipped"};
 constexpr std::int64_t kMost = std::numeric_limits<int>::max();
 
-/// A basic string of TOML.
+/// The text as a basic string of TOML.
 std::string quoted(std::string_view text) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string out = "\"";

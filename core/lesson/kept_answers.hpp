@@ -1,4 +1,4 @@
-// Answers as a text that a device may keep until the next visit: in a page's storage, in a window's state file.
+// Answers as a text that a device keeps until the next visit, in the page's storage or in the window's state file.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace snug::lesson {
 
-/// TOML. What is pending stays so: it is decided by the next measurement.
+/// The answers as TOML. Pending ones stay pending: the next measurement decides them.
 [[nodiscard]] std::string kept_text(std::span<const Outcome> outcomes);
 
-/// What kept_text wrote, of which a device may have lost or damaged any part: then none.
+/// Reads what kept_text wrote. Returns none if the text is damaged.
 [[nodiscard]] std::vector<Outcome> outcomes_of(std::string_view kept);
 
 }  // namespace snug::lesson

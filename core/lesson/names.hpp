@@ -1,4 +1,4 @@
-// Names that a lesson's file may choose from.
+// Names that a lesson's file may use.
 #pragma once
 
 #include <algorithm>
@@ -24,13 +24,13 @@ namespace snug::lesson {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Complains of a name that is none of these. An empty one was complained of when it was read.
+/// Complains about a name that is not one of these. An empty name was reported when it was read.
 void check_name(TomlTable& table, std::string_view key, std::string_view name, const auto& names) {
   if (!name.empty() && !is_among(names, name))
     table.wrong(key, "is none of " + one_of(names) + ": " + std::string(name));
 }
 
-/// A list of names, each one of these and none twice.
+/// Reads a list of names, each one of these and none twice.
 [[nodiscard]] std::vector<std::string> read_names(TomlTable& table, std::string_view key, std::size_t least,
                                                   const auto& names) {
   std::vector<std::string> all = table.texts(key, least);

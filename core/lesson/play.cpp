@@ -7,7 +7,7 @@
 namespace snug::lesson {
 namespace {
 
-/// Answers what is asked, or takes a step. false: neither could be done.
+/// Answers the open question, or takes a step. false: it could do neither.
 bool advance(Session& session, std::vector<Outcome>& outcomes) {
   const int step = session.step();
   if (const Asked* asked = session.asked()) {
@@ -26,7 +26,7 @@ tl::expected<Played::Algorithm, InputError> play_algorithm(Session& session, con
   if (const auto chosen = session.choose(0, name); !chosen) return tl::unexpected(chosen.error());
   Played::Algorithm played{name, session.steps(), {}};
   session.first();
-  // Every turn answers a question or takes a step, so that more turns than both are one too many.
+  // Every iteration answers a question or takes a step, so there are at most as many as both together.
   std::size_t turns = session.questions().size() + static_cast<std::size_t>(session.steps());
   while (session.step() < session.steps() || session.asked() != nullptr)
     if (turns-- == 0 || !advance(session, played.outcomes))

@@ -1,4 +1,4 @@
-// A lesson played by one who knows the answers: what a teacher checks a lesson with, and every test run.
+// Plays a lesson with the right answers: teachers check a lesson this way, and so do the tests.
 #pragma once
 
 #include <string>
@@ -8,27 +8,27 @@
 
 namespace snug::lesson {
 
-/// The algorithms that the lesson offers, in its order, but for those that do not take as many points as there are.
+/// The algorithms that the lesson offers, in order, without those that cannot take so many points.
 [[nodiscard]] std::vector<std::string> playable(const Session& session);
 
 struct Played {
   struct Algorithm {
     std::string name;
     int steps = 0;
-    std::vector<Outcome> outcomes;  // of its questions, in the timeline's order
+    std::vector<Outcome> outcomes;  // one for each question, in the timeline's order
   };
   std::vector<Algorithm> algorithms;
   std::vector<std::string> not_asked;  // ids of questions whose step did not come on these points
-  std::optional<Grade> grade;          // of the task's model answer
+  std::optional<Grade> grade;          // that of the task's model answer
 
-  /// Whether every question was asked and its model answer right, and the model answer does the task.
+  /// Whether every question was asked and its model answer was right, and the model answer solves the task.
   [[nodiscard]] bool sound() const;
 };
 
-/// Plays each algorithm that is playable from the first step to the last, gives each question its model answer,
-/// and has the task's model answer graded. The session is left with those points. There is no clock: a lesson with the
-/// chart of costs is played by counted operations, and what is said of it speaks of them. Errors: of choose and load; a
-/// player that does not move on.
+/// Plays each playable algorithm from the first step to the last, gives each question its model answer, and grades the
+/// task's model answer. The session is left with the points of that answer. There is no clock: a lesson with the cost
+/// chart is played by counted operations, and its sentences mention them. Errors: those of choose and load; a player
+/// that does not move on.
 [[nodiscard]] tl::expected<Played, InputError> play(Session& session);
 
 }  // namespace snug::lesson

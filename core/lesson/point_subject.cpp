@@ -82,7 +82,7 @@ AnyPointSet start_of_task(const Lesson& lesson, const AnyPointSet& own) {
   const Index count = std::min(fit::size_of(own), Index{lesson.task->points});
   std::vector<Point3> points;
   for (Index i = 0; i < count; ++i) points.push_back(fit::point_of(own, i));
-  return *to_set(points, fit::dim_of(own));  // of points that were accepted before
+  return *to_set(points, fit::dim_of(own));  // these points were accepted before
 }
 
 std::optional<AnyPointSet> check_point_task(const Lesson& lesson, const AnyPointSet& own, const TomlTable& task,
@@ -166,7 +166,7 @@ Done PointSubject::load(const io::PointFile& file, std::string_view name) {
   return {};
 }
 
-/// Expects a kind that exists, and a count and dimension in range.
+/// kind: an existing one; count and dim: in range.
 void PointSubject::generate_points(std::string_view kind, int count, int dim, std::uint64_t seed, bool edited) {
   origin_ = {std::string(kind), count, seed, edited};
   become(*to_set(*generate(kind, count, dim, seed), dim), nullptr);
@@ -181,7 +181,7 @@ Done PointSubject::set_generator(std::string_view kind, int count, int dim, std:
   if (count < 1 || count > kMostGenerated)
     return tl::unexpected(InputError{.what = "a set has 1 to " + std::to_string(kMostGenerated) + " points"});
   if (dim != 2 && dim != 3) return tl::unexpected(InputError{.what = "the dimension is 2 or 3"});
-  // At the lesson's seed an address means the lesson's own points, which a list of them would not be.
+  // At the lesson's seed an address means the lesson's own points, which generated ones are not if it has a list.
   const bool own = is_as_own(kind, count, dim) && (seed != recipe_->seed || !recipe_->own_list);
   generate_points(kind, count, dim, seed, !own);
   return {};

@@ -1,4 +1,4 @@
-// What subjects that are made of points share: the points and how they are edited, scattered and loaded.
+// What subjects with points share: the points, and how they are edited, scattered and loaded.
 #pragma once
 
 #include <memory>
@@ -12,29 +12,29 @@
 
 namespace snug::lesson {
 
-/// How many points a set may be generated with.
+/// The most points that can be generated.
 inline constexpr int kMostGenerated = 100000;
 
-/// "P9": how a point is called, everywhere.
+/// The name of a point, "P9", used everywhere.
 [[nodiscard]] std::string point_name(Index i);
-/// "P3", "P3 and P9", "P3, P9 and P12"; "no point" of none.
+/// "P3", "P3 and P9", "P3, P9 and P12"; "no point" for none.
 [[nodiscard]] std::string point_names(std::span<const Index> points);
 
-/// A set in double. dim: 2 (z is dropped) or 3. Errors: as of PointSet::make.
+/// A set in double. dim: 2 (z is dropped) or 3. Errors: those of PointSet::make.
 [[nodiscard]] tl::expected<AnyPointSet, InputError> to_set(const std::vector<Point3>& points, int dim);
 
-/// [points] of a lesson's file.
+/// Reads [points] of a lesson's file.
 [[nodiscard]] Points read_points(const toml::table& toml, Complaints& complaints);
 
-/// The lesson's own points at its seed; of a mesh, the file's. Errors: as of PointSet::make; a mesh that is missing.
+/// The lesson's own points at its seed, or a mesh's vertices. Errors: those of PointSet::make; a missing mesh.
 [[nodiscard]] tl::expected<AnyPointSet, InputError> own_points(const Lesson& lesson,
                                                                const std::optional<io::PointFile>& mesh);
 
-/// The first of a set's points, as many as the lesson's task is for (or all, where it has fewer).
+/// The first points of a set, as many as the lesson's task is for (or all, if there are fewer).
 [[nodiscard]] AnyPointSet start_of_task(const Lesson& lesson, const AnyPointSet& own);
 
-/// A task whose solution is points: the points that it begins with are enough, the lesson offers its algorithm, and
-/// the model, which solves it, makes a set. Complains of what does not hold; returns the model.
+/// Checks a task whose solution is points: there are enough points to begin with, the lesson offers its algorithm, and
+/// the model is a valid set. Complains about what is wrong, and returns the model.
 [[nodiscard]] std::optional<AnyPointSet> check_point_task(const Lesson& lesson, const AnyPointSet& own,
                                                           const TomlTable& task, Complaints& complaints);
 
@@ -54,22 +54,22 @@ class PointSubject : public Subject {
   Done remove(Index i) override;
   /// Errors: as of io::to_point_set.
   Done load(const io::PointFile& file, std::string_view name) override;
-  /// Errors: unknown kind, a count out of 1 … kMostGenerated, a dimension other than 2 and 3.
+  /// Errors: an unknown kind, a count outside 1 … kMostGenerated, a dimension other than 2 and 3.
   Done set_generator(std::string_view kind, int count, int dim, std::uint64_t seed, const Subject& own) override;
-  /// Of the kind that the points are now; those of a mesh, file or list give way to as many of the lesson's generator
-  /// as the lesson has points. The lesson's own seed brings a lesson's own list back.
+  /// Scatters points of the same kind as now. Points from a mesh, a file or a list are replaced by the lesson's
+  /// generator, as many as the lesson has. The lesson's own seed restores the lesson's own list.
   void scatter(std::uint64_t seed, const Subject& own) override;
   void begin_task(const Lesson& lesson, const Subject& own) override;
 
  protected:
   using Triangles = std::vector<std::array<Index, 3>>;
-  /// How the lesson's points are scattered: by its own generator, or as many of another kind as it has points.
+  /// How the lesson's points are scattered: by its own generator, or by another kind with as many points.
   struct Recipe {
     std::string kind;
     int count = 0;
     int dim = 2;
-    bool own_list = false;   // the lesson's own points are a list or a mesh
-    std::string mesh;        // its name, where they are
+    bool own_list = false;   // whether the lesson's own points are a list or a mesh
+    std::string mesh;        // its name, if they are a mesh
     std::uint64_t seed = 1;  // the lesson's
     friend bool operator==(const Recipe&, const Recipe&) = default;
   };
@@ -78,7 +78,7 @@ class PointSubject : public Subject {
   PointSubject(const PointSubject&) = default;
   PointSubject& operator=(const PointSubject&) = default;
 
-  /// The points are no longer those that anything was worked out of.
+  /// Called when the points have changed, and cached results are stale.
   virtual void points_changed() {}
   void become(AnyPointSet points, std::shared_ptr<const Triangles> triangles);
   void generate_points(std::string_view kind, int count, int dim, std::uint64_t seed, bool edited);
@@ -87,7 +87,7 @@ class PointSubject : public Subject {
   [[nodiscard]] bool is_as_own(std::string_view kind, int count, int dim) const;
 
   AnyPointSet points_;
-  std::shared_ptr<const Triangles> triangles_;  // shared, so that a snapshot is small
+  std::shared_ptr<const Triangles> triangles_;  // shared, to keep snapshots small
   std::shared_ptr<const Recipe> recipe_;
 };
 

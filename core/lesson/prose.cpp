@@ -18,7 +18,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// One space for each run of white space.
+/// Replaces each run of white space by one space.
 std::string joined(std::string_view text) {
   std::string line;
   bool space = false;
@@ -34,8 +34,8 @@ std::string joined(std::string_view text) {
   return line;
 }
 
-constexpr std::string_view kKeptSpace = "\u00a0";  // no line is broken at it
-constexpr std::size_t kShortFormula = 28;          // bytes: it stands on one line
+constexpr std::string_view kKeptSpace = "\u00a0";  // no line breaks at it
+constexpr std::size_t kShortFormula = 28;          // bytes: up to this length, a formula is not broken
 
 std::string with_kept_spaces(std::string_view words) {
   std::string out;
@@ -45,7 +45,7 @@ std::string with_kept_spaces(std::string_view words) {
   return out;
 }
 
-/// With spaces that no line is broken at within a sum of radii and before a per cent sign.
+/// Puts no-break spaces within a sum of radii and before a per cent sign.
 std::string kept_together(std::string line) {
   for (const std::string_view whole : {"r_A + r_B", " %"})
     for (auto at = line.find(whole); at != std::string::npos; at = line.find(whole, at + 1))
@@ -60,7 +60,7 @@ constexpr std::array<std::pair<std::string_view, Link::Kind>, 5> kLinkKinds{{{"l
                                                                              {"step", Link::Kind::kStep},
                                                                              {"mark", Link::Kind::kMark}}};
 
-/// A line of prose, taken apart from left to right.
+/// Parses a paragraph of prose, from left to right.
 class Line {
  public:
   Line(std::string_view rest, ProseFault& fault) : rest_(rest), fault_(fault) {}
@@ -107,7 +107,7 @@ class Line {
     paragraph_.push_back({.text = std::move(*plain), .strong = strong_, .tex = std::string(tex)});
   }
 
-  /// [words](kind:target). Brackets alone are brackets.
+  /// Parses [words](kind:target). Other brackets are plain text.
   bool link() {
     if (rest_.front() != '[') return false;
     const auto middle = rest_.find(']');
@@ -138,11 +138,11 @@ class Line {
   ProseFault& fault_;
   std::string plain_;
   bool strong_ = false;
-  bool displayed_ = false;  // a formula that stands on a line of its own
+  bool displayed_ = false;  // whether the paragraph is a formula on its own line
   Paragraph paragraph_;
 };
 
-/// Takes the lines up to an empty one off the text.
+/// Takes the lines up to the next empty line off the text.
 std::string_view next_block(std::string_view& text) {
   std::size_t end = 0;
   while (end < text.size()) {

@@ -1,4 +1,4 @@
-// The lessons' prose: paragraphs apart by an empty line, **strong** words, [words](kind:target) that speak to the
+// The lessons' prose: paragraphs separated by empty lines, **strong** words, [words](kind:target) that link to the
 // stage, and $formulas$ in TeX.
 #pragma once
 
@@ -10,16 +10,16 @@
 
 namespace snug::lesson {
 
-/// The first thing wrong with a text ("has a ** without a partner"), in which of its paragraphs, by that one's first
-/// line, and the words that are at fault. All empty for nothing.
+/// The first thing wrong with a text ("has a ** without a partner"), the first line of the paragraph that has it, and
+/// the faulty words. All empty if nothing is wrong.
 struct ProseFault {
   std::string what, paragraph, words;
 };
 
-/// Line ends within a paragraph are spaces.
+/// Splits a text into paragraphs. Line ends within a paragraph become spaces.
 [[nodiscard]] std::vector<Paragraph> paragraphs_of(std::string_view text, ProseFault& fault);
 
-/// Its words alone.
+/// The words of a paragraph, without markup.
 [[nodiscard]] std::string plain_text(const Paragraph& paragraph);
 
 }  // namespace snug::lesson

@@ -1,4 +1,4 @@
-// Reads a lesson's TOML into a Lesson. What its numbers and names mean together is checked in check_lesson.cpp.
+// Reads a lesson's TOML into a Lesson. check_lesson.cpp checks it as a whole.
 #include <algorithm>
 
 #include "geometry/generate.hpp"
@@ -15,7 +15,7 @@ namespace {
 constexpr std::int64_t kVersion = 1;
 constexpr std::int64_t kMostMinutes = 240;
 
-/// What a lesson's "volume" may be.
+/// The possible values of a lesson's "volume".
 std::vector<std::string_view> volumes() {
   std::vector<std::string_view> names;
   for (const SubjectRow* row : subjects())
@@ -49,7 +49,7 @@ std::vector<std::string_view> section_titles(const Lesson& lesson) {
   return titles;
 }
 
-/// What can be said of a link without running the lesson.
+/// Checks what can be checked of a link without running the lesson.
 void check_link(const toml::table& section, const Link& link, const Lesson& lesson, Complaints& complaints) {
   const auto wrong = [&](const std::string& what) {
     complaints.add(line_in_text(section, "text", ':' + link.target + ')'), "\"text\" links to " + what);
@@ -96,7 +96,7 @@ void read_choices(TomlTable& table, Question& question) {
   question.answer = static_cast<int>(found - question.choices.begin());
 }
 
-/// Which step it speaks of.
+/// Reads which step a question is about.
 Gate read_gate(TomlTable& table, const Lesson& lesson) {
   const auto facts = lesson.subject->facts();
   Gate gate;
@@ -112,7 +112,7 @@ Gate read_gate(TomlTable& table, const Lesson& lesson) {
   return gate;
 }
 
-/// What is asked, with the keys that only that has.
+/// Reads what is asked, with the keys for that kind of question.
 void read_asking(TomlTable& table, const Lesson& lesson, Question& question) {
   question.asks = table.text("asks");
   std::vector<std::string_view> names{"choice"};
@@ -191,7 +191,7 @@ void read_head(TomlTable& table, Lesson& lesson) {
   lesson.subject = find_subject(lesson.volume, chart);
   if (lesson.subject == nullptr) {
     table.wrong("chart", "is not of that volume");
-    lesson.subject = subjects().front();  // for what is read on
+    lesson.subject = subjects().front();  // so that reading can go on
   }
   lesson.algorithms = read_names(table, "algorithms", 1, algorithm_names(lesson));
   if (table.has("compare")) lesson.compare = read_algorithm(table, "compare", lesson);

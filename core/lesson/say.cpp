@@ -8,9 +8,9 @@
 namespace snug::lesson {
 namespace {
 
-constexpr std::size_t kMostNamed = 8;  // more names than these are no help
+constexpr std::size_t kMostNamed = 8;  // longer lists of names do not help
 
-/// "B0, B1, B2 or B3"; empty where there are too many.
+/// "B0, B1, B2 or B3"; empty if there are too many.
 std::string choice_of(std::span<const std::string> names) {
   return names.size() > kMostNamed ? std::string() : one_of(names);
 }

@@ -1,5 +1,5 @@
-// What a student reads of questions, answers and tasks. The page and the window print these words and write none of
-// their own, so that the same outcome is worded alike in both.
+// What a student reads about questions, answers and tasks. The page and the window show these words and add none of
+// their own, so that both say the same.
 #pragma once
 
 #include <span>
@@ -20,33 +20,33 @@ inline constexpr std::string_view kPredictWord = "Predict", kAnswerWord = "Answe
                                   kSummaryWord = "Your predictions", kWaitingWord = "More questions wait under",
                                   kNextLessonWord = "Next lesson", kToTaskWord = "To the task", kCloseWord = "Close";
 
-/// After a wrong answer that has a second try; after the key that goes on, where a question stands.
+/// After a wrong answer that has a second try; and after the "next" key at a question.
 inline constexpr std::string_view kTryAgain = "Not that one. Try once more.",
                                   kTriedAlready = "You have tried that one. Choose another.",
                                   kPressToSkip = "Press again to skip this question.",
                                   kWatching = "Watch how it comes about. Any key or tap goes to the end.";
 
-/// In place of how the task stands, while a question does.
+/// Replaces the task's state while a question is open.
 inline constexpr std::string_view kTaskWaits = "The task is checked once the question is answered.";
 
 /// "Correct", "Correct at the second try", "Not quite", "Skipped", or "Not decided" before the chart is measured.
 [[nodiscard]] std::string_view verdict_text(const Outcome& outcome);
 /// "Tap one of the ringed points, or type its name."
 [[nodiscard]] std::string how_to_answer(const Asked& asked);
-/// That an answer is chosen and not given yet: "B2 chosen. Tap it again or press Enter to answer." name: of the handle
-/// that is chosen, empty where a choice is.
+/// "B2 chosen. Tap it again or press Enter to answer." name: that of the chosen handle; empty if a choice is
+/// chosen.
 [[nodiscard]] std::string chosen_text(const Asked& asked, const Answer& answer, const std::string& name);
-/// That a handle cannot be the answer, and which can. targets: their names.
+/// Says that a handle cannot be the answer, and which ones can. targets: their names.
 [[nodiscard]] std::string no_target_text(const std::string& name, std::span<const std::string> targets);
-/// That nothing is called so. targets: as above.
+/// Says that nothing has the typed name. targets: as above.
 [[nodiscard]] std::string no_such_name_text(std::string_view typed, std::span<const std::string> targets);
-/// "2 of 4 predictions correct (1 at the second try), 1 wrong, 1 skipped."; empty where none was given or skipped.
+/// "2 of 4 predictions correct (1 at the second try), 1 wrong, 1 skipped."; empty if none was answered or skipped.
 [[nodiscard]] std::string score_text(const Tally& tally);
-/// One word for a line of the summary: "right", "right at the second try", "wrong", "skipped", "open".
+/// The state of a question in the summary: "right", "right at the second try", "wrong", "skipped", "open".
 [[nodiscard]] std::string_view standing_text(const Outcome* outcome);
-/// "3 of 5": which of the lesson's questions on this run it is.
+/// "3 of 5": the question's number among those of this run.
 [[nodiscard]] std::string place_text(const Asked& asked, std::span<const Asked> all);
-/// The button that lays out what the task begins with: "Start with 4 points"; of two boxes "Start".
+/// The words on the button that starts the task: "Start with 4 points"; for two boxes, "Start".
 [[nodiscard]] std::string start_task_text(const Session& session);
 
 }  // namespace snug::lesson

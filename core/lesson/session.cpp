@@ -1,4 +1,4 @@
-// Opening a session, its methods, and what is worked out when asked for.
+// Opens a session, chooses its methods, and computes what is computed on demand.
 #include "lesson/session.hpp"
 
 #include <algorithm>
@@ -81,7 +81,7 @@ const Method* Session::first_that_suits(const Subject& subject) const {
   return nullptr;
 }
 
-/// A method that does not take so many points gives way: the main one to the first of the lesson's that does.
+/// Replaces methods that cannot take so many points: the main one by the first of the lesson's that can.
 Done Session::make_room_for(const Subject& next) {
   if (!next.suits(*slots_[0].method)) {
     const Method* fits = first_that_suits(next);
@@ -124,7 +124,7 @@ std::optional<Grade> Session::grade() const {
   if (!lesson_->task) return std::nullopt;
   if (!grade_) grade_ = now_->grade(*lesson_, view(), found_);
   std::optional<Grade> now = grade_;
-  // The task is graded on the run's result, which would tell of the steps that are asked about.
+  // The grade comes from the run's result, which would give away the steps that are asked about.
   if (!now->done && predicting() && is_own()) {
     now->says = kTaskWaits;
     return now;
@@ -143,7 +143,7 @@ std::string Session::caption() const {
 }
 
 std::string_view Session::asked_figure() const {
-  const Asked* now = standing();  // also while the outcome of another is told
+  const Asked* now = standing();  // also while another question's outcome is shown
   return now == nullptr ? std::string_view() : std::string_view(now->hidden_figure());
 }
 
@@ -163,11 +163,11 @@ Untold Session::untold() const {
     seen.push_back(figure);
     if (step() < asked.until && open_question(asked)) untold.figures.push_back(figure);
   }
-  // What a run comes to tells too much of its way there, whatever is asked of it.
+  // A run's result gives too much of the run away, whatever is asked.
   if (std::any_of(asked_.begin(), asked_.end(),
                   [&](const Asked& asked) { return step() < asked.until && open_question(asked); }))
     untold.figures.push_back(kResultFigure);
-  if (predicting()) untold.figures.push_back("excess");  // it is measured against the result of another run
+  if (predicting()) untold.figures.push_back("excess");  // it is relative to the result of another run
   return untold;
 }
 

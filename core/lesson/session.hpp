@@ -1,6 +1,6 @@
-// A student in a lesson: what stands on the stage as edited, the runs on it, the place in the timeline, the answers
-// given. The page and the desktop window are thin views of this; no rule of an exercise is written anywhere else. What
-// the stage is about, its subject knows (subject.hpp).
+// A student in a lesson: the stage as edited, the runs on it, the place in the timeline, and the answers given. The
+// page and the desktop window are thin views of this; no rule of an exercise is written anywhere else. The subject
+// knows what the stage is about (subject.hpp).
 #pragma once
 
 #include <array>
@@ -20,19 +20,19 @@ namespace snug::lesson {
 
 class Session {
  public:
-  /// mesh: what lesson.points.mesh names, where it names one. clock: by which effects are timed. Errors: as of the
-  /// subject's open; no method of the lesson takes as many points.
+  /// mesh: the one that lesson.points.mesh names, if any. clock: times the effects. Errors: those of the subject's
+  /// open; no method of the lesson takes so many points.
   [[nodiscard]] static tl::expected<Session, InputError> open(Lesson lesson, std::optional<io::PointFile> mesh = {},
                                                               Clock clock = nullptr);
-  // Asked points into the lesson, which a move leaves in place and a copy would not.
+  // Asked refers to the lesson, which stays in place when it is moved but not when it is copied.
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
-  ~Session();  // not inline: this room has no type information, which a sanitizer would look for in other rooms
+  ~Session();  // not inline: a sanitizer would look for type information in other rooms, and this room has none
 
   [[nodiscard]] const Lesson& lesson() const { return *lesson_; }
-  /// What stands on the stage.
+  /// The subject as it is on the stage.
   [[nodiscard]] const Subject& subject() const { return *now_; }
 
   // ---- its handles ------------------------------------------------------------------------------------------
@@ -42,12 +42,12 @@ class Session {
   [[nodiscard]] std::string name_of(Index i) const { return now_->name_of(i); }
   [[nodiscard]] std::uint64_t seed() const { return now_->origin().seed; }
   [[nodiscard]] const std::string& source() const { return now_->origin().source; }
-  /// Whether it is other than the lesson's own for this seed (an address cannot restore it then).
+  /// Whether it differs from the lesson's own for this seed, so that an address cannot restore it.
   [[nodiscard]] bool edited() const { return now_->origin().edited; }
 
-  /// Edits. Each runs the methods anew at once and is one entry of undo; a drag is one entry from begin to end. The
-  /// player stays at its step, or at the last one where the new run is shorter; at the end it stays at the end. Errors:
-  /// as of the subject's; more points than any method of the lesson takes.
+  /// Edits. Each reruns the methods at once, and is one entry of undo; a whole drag is one entry. The player stays at
+  /// its step, or at the last step if the new run is shorter; at the end it stays at the end. Errors: those of the
+  /// subject; more points than any method of the lesson takes.
   Done move(Index i, const Point3& to);
   Done add(const Point3& at);
   Done remove(Index i);
@@ -55,11 +55,11 @@ class Session {
   Done set_generator(std::string_view kind, int count, int dim, std::uint64_t seed);
   Done set_boxes(const BoxPair& pair);
   void scatter(std::uint64_t seed);
-  /// The lesson's own again.
+  /// Restores the lesson's own.
   void reset();
-  /// Another of the same subject.
+  /// Replaces the subject by another of the same kind.
   Done become(std::unique_ptr<Subject> next);
-  /// What the task begins with, its algorithm in slot 0, and its result.
+  /// Starts the task: sets its points or boxes, its algorithm in slot 0, and shows the result.
   void start_task();
   void begin_drag();
   void end_drag();
@@ -67,9 +67,9 @@ class Session {
   [[nodiscard]] bool can_redo() const { return !future_.empty(); }
   void undo();
   void redo();
-  /// Whether it is the lesson's own: what a lesson says of its own run is true then, unless an effect is off.
+  /// Whether it is the lesson's own: then the lesson's words about its own run are true, unless an effect is off.
   [[nodiscard]] bool is_own() const;
-  /// Tells the subject something that changes no run, as what was measured on it: pending answers are decided anew.
+  /// Gives the subject information that changes no run, such as measurements, and decides pending answers again.
   template <class Type, class Tell>
   bool inform(Tell tell) {
     if (as<Type>(*now_) == nullptr) return false;
@@ -79,154 +79,154 @@ class Session {
   }
 
   // ---- the methods ------------------------------------------------------------------------------------------
-  /// slot 0 is the main one, which the timeline, sentence and pseudocode speak of; slot 1 stands beside it, or is null.
+  /// Slot 0 is the main one, for the timeline, sentence and pseudocode; slot 1 is for comparison, or null.
   [[nodiscard]] const Method* method(int slot) const { return slots_[slot].method; }
   [[nodiscard]] const Run& run(int slot) const { return *slots_[slot].run; }
-  /// Of a slot that has a method.
+  /// The view of a slot that has a method.
   [[nodiscard]] View view(int slot = 0) const;
   /// An empty name clears slot 1; slot 0 must have one. Errors: too many points for it; unknown name.
   Done choose(int slot, std::string_view name);
   /// The lesson's own pseudocode of that slot's method, or the catalogue's.
   [[nodiscard]] std::span<const std::string_view> pseudocode(int slot) const { return slots_[slot].pseudocode; }
-  /// Every method that the lesson offers, with its result. Run when first asked for after an edit.
+  /// Every method that the lesson offers, with its result; computed when first needed after an edit.
   [[nodiscard]] const std::vector<Rival>& rivals() const;
   [[nodiscard]] std::vector<Switch> switches() const { return now_->switches(view()); }
-  /// Switches a part off from the step that stands, or on again for all. false: that cannot be. Grades know no
-  /// switches.
+  /// Switches a part off from the current step on, or on again for all steps. Returns false if that is impossible.
+  /// Grades ignore switches.
   bool turn(std::string_view name, bool on);
 
   // ---- the player -------------------------------------------------------------------------------------------
-  /// Steps of slot 0: 0 is before the first, steps() is after the last. step() shows the state after that many steps.
+  /// The number of steps shown of slot 0: 0 is before the first, steps() after the last.
   [[nodiscard]] int step() const { return step_; }
   [[nodiscard]] int steps() const { return run(0).steps(); }
-  /// Slot 1's place is at the same share of its own run.
+  /// The step of a slot: slot 1 is at the same fraction of its own run.
   [[nodiscard]] int step_of(int slot) const;
   /// The line of the pseudocode that the step just done belongs to; -1 before the first.
   [[nodiscard]] int line() const { return step_ > 0 ? run(0).line(step_ - 1) : -1; }
-  /// The sentence of where it stands.
+  /// The sentence for the current step.
   [[nodiscard]] std::string caption() const;
-  /// The volume as it stands; null where there is none.
+  /// The volume at the current step; null if there is none.
   [[nodiscard]] const fit::Volume3* volume(int slot) const {
     return method(slot) != nullptr ? run(slot).volume(step_of(slot)) : nullptr;
   }
-  /// The handles that support the volume as it stands: those it touches by construction, or the result's in the end;
-  /// none where the slot has no method.
+  /// The handles that support the volume at the current step: those that it touches by construction, or the result's
+  /// support set at the end. None if the slot has no method.
   [[nodiscard]] std::vector<Index> support(int slot) const {
     return method(slot) != nullptr ? run(slot).support(step_of(slot)) : std::vector<Index>{};
   }
-  /// Goes to a step; forward only up to the first unanswered question's gate. jump goes past gates: their questions
-  /// then count as skipped (an address names a step), and are asked when the player comes to them again.
+  /// Goes to a step, but forward only up to the first unanswered question. jump goes past questions (because an address
+  /// names a step): they count as skipped, and are asked when the player comes to them again.
   void go(int step);
   void jump(int step);
   void first() { go(0); }
-  /// The next step; where an outcome is told, it is acknowledged first, and that is all.
+  /// Goes to the next step; if an outcome is shown, only acknowledges it.
   void forward();
   void back() { go(step_ - 1); }
   void last() { go(steps()); }
-  /// Whether the result is shown before the player was used: a lesson that starts at its end. Edits keep it so. No
-  /// question was passed then: to step forward (or play) shows step 1, to scrub back stops at the first gate. A
-  /// question that stands before step 1 stops both.
+  /// Whether the result is shown before the player was used, in a lesson that starts at its end. Edits do not change
+  /// that. No question counts as passed: stepping forward or playing shows step 1, and scrubbing back stops at the
+  /// first question. A question before step 1 stops both.
   [[nodiscard]] bool previewing() const { return previewing_; }
   [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }
-  /// The next or previous mark from here, or the end or start.
+  /// The next or previous mark, or the end or start.
   [[nodiscard]] int next_mark() const;
   [[nodiscard]] int previous_mark() const;
 
   // ---- questions and the task -------------------------------------------------------------------------------
-  // A question is a conversation: asked, answered (a wrong answer may have a second try), decided (what was skipped is
-  // played), told, and acknowledged; only then the next one is asked.
-  /// The question that stands here and has no answer yet, unless an outcome is told; playing waits for it.
+  // A question is asked, answered (a wrong answer may have a second try), decided (the steps up to there are played),
+  // told, and acknowledged; only then is the next one asked.
+  /// The open question at the current step; null while an outcome is shown. Playing waits for it.
   [[nodiscard]] const Asked* asked() const;
-  /// Every question of this run in the timeline's order. Questions whose gate the run does not have are left out.
+  /// Every question of this run in the timeline's order, without those whose step the run does not have.
   [[nodiscard]] const std::vector<Asked>& questions() const { return asked_; }
-  /// Gives an answer for good and goes to where it is decided, so that what happened stands beside what was predicted.
-  /// false: nothing is asked, or that is no answer to it (a handle that is none of the choices); nothing changes then.
+  /// Gives a final answer and goes to the step that decides it, so that prediction and result can be compared. Returns
+  /// false, and changes nothing, if nothing is asked or if this cannot be an answer (a handle that is no choice).
   bool answer(const Answer& answer);
-  /// Whether what lies between a question and its outcome is played by who shows it, where commit and skip lead there:
-  /// they then leave the player where it stands, on its way. Off: they go there at once.
+  /// Whether the app plays the steps between a question and its outcome. If on, commit and skip leave the player where
+  /// it is; if off, they go to the outcome at once.
   void play_answers(bool on) { play_answers_ = on; }
-  /// Chooses an answer without giving it yet; chosen once more, it is given. Of a question that takes many choices, one
-  /// is chosen, or no longer. false: nothing is asked, or that is no answer to it: answer_says tells which are.
+  /// Chooses an answer; choosing it again gives it. If a question takes many choices, selects or deselects one. Returns
+  /// false if nothing is asked, or if this cannot be an answer: answer_says then tells what can.
   bool pick(const Answer& answer);
-  /// A handle by its name, as one types it ("B2", "p7").
+  /// The same for a handle by its typed name ("B2", "p7").
   bool pick(std::string_view name);
-  /// The answer that is chosen to the question that stands; null where none is.
+  /// The chosen answer to the open question; null if there is none.
   [[nodiscard]] const Answer* picked() const;
   void unpick();
-  /// Gives the answer that is chosen: a first wrong one is only told to be wrong, where there is a second try. false:
+  /// Gives the chosen answer. If there is a second try, a wrong first answer is only called wrong. Returns false if
   /// none is chosen.
   bool commit();
-  /// Goes on without an answer. false: nothing is asked.
+  /// Skips the open question. Returns false if nothing is asked.
   bool skip();
-  /// The key that goes on, at a question: says that a second press skips it, and then skips it. false: nothing is
-  /// asked.
+  /// The "next" key at a question: the first press announces that a second one skips the question, the second skips it.
+  /// Returns false if nothing is asked.
   bool pass_by();
-  /// The answer that was wrong at the first try, while the question waits for the second; null otherwise.
+  /// The wrong first answer, while the question waits for the second; null otherwise.
   [[nodiscard]] const Answer* tried() const;
-  /// The outcome of an answer that was given, on the way to where it is decided; null otherwise.
+  /// The outcome of a given answer, while the steps up to its decision are played; null otherwise.
   [[nodiscard]] const Outcome* deciding() const;
-  /// Goes there at once.
+  /// Goes at once to the step where it is decided.
   void decide();
-  /// What there is to say of the last pick: that it is chosen, or why it cannot be the answer. Empty for nothing.
+  /// What to say about the last pick: that it is chosen, or why it cannot be the answer. Empty for nothing.
   [[nodiscard]] const std::string& answer_says() const { return answer_says_; }
-  /// The handles that can be the answer to what is asked, rising; none where it is not answered on the stage.
+  /// The handles that can be the answer to the open question, in rising order; none if it is not answered on the stage.
   [[nodiscard]] std::vector<Index> targets() const;
   [[nodiscard]] std::vector<std::string> target_names() const;
-  /// The outcome that is told: from where it is decided until it is acknowledged or the player is elsewhere; null
-  /// otherwise.
+  /// The outcome that is shown: from the step where it is decided, until it is acknowledged or the player moves away;
+  /// null otherwise.
   [[nodiscard]] const Outcome* outcome() const;
-  /// That it was read. false: none is told.
+  /// Marks the outcome as read. Returns false if none is shown.
   bool acknowledge();
-  /// Goes back to where its question was asked, on the way to where it is decided. false: nothing lies between.
+  /// Goes back to where its question was asked, and plays on. Returns false if there are no steps between.
   bool watch_outcome();
-  /// Tells a question's outcome again, where it is decided. false: it has none.
+  /// Shows a question's outcome again, at the step where it was decided. Returns false if it has none.
   bool review(std::string_view question);
-  /// After a wrong answer: whether the right one can be marked, marks it, and whether it is.
+  /// After a wrong answer: whether the right one can be marked; marks it; whether it is marked.
   [[nodiscard]] bool can_show_answer() const;
   bool show_answer();
   [[nodiscard]] bool answer_shown() const { return answer_shown_ && outcome() != nullptr; }
-  /// The choices that are right, of the outcome that is told; none where it is told of handles alone.
+  /// The right choices of the outcome that is shown; none if its answers are handles only.
   [[nodiscard]] std::vector<int> right_choices() const;
-  /// The question of an outcome; null where this run does not have it.
+  /// The question of an outcome; null if this run does not have it.
   [[nodiscard]] const Asked* question_of(const Outcome& outcome) const;
   /// The outcome of a question of this run; null for none.
   [[nodiscard]] const Outcome* outcome_of(const Asked& asked) const;
   [[nodiscard]] const std::vector<Outcome>& outcomes() const { return outcomes_; }
-  /// How it stands with the questions of this run.
+  /// The state of this run's questions, counted.
   [[nodiscard]] Tally tally() const { return tally_of(asked_, outcomes_); }
-  /// How the predictions came out (score_text), once the run is through; else empty.
+  /// The score of the predictions (score_text), once the run is finished; otherwise empty.
   [[nodiscard]] std::string score() const;
-  /// The lesson's other methods that have questions which are still open; none of a subject that was edited, for which
-  /// they may not arise.
+  /// The lesson's other methods that still have open questions; none if the subject was edited, because then the
+  /// questions may not come.
   [[nodiscard]] std::vector<const Method*> waiting() const;
-  /// Whether the lesson ends here: the run is through, no question is open and each outcome was read. It can be closed.
+  /// Whether the summary is shown: the run is finished, each question done and its outcome read. It can be closed.
   [[nodiscard]] bool at_summary() const;
   void close_summary();
-  /// None where the lesson has no task.
+  /// The grade of the task; none if the lesson has no task.
   [[nodiscard]] std::optional<Grade> grade() const;
-  /// All questions anew.
+  /// Forgets all answers.
   void forget_answers();
-  /// The outcomes of an earlier session of this lesson; those of questions that it does not have are left out.
+  /// Takes over the outcomes of an earlier session of this lesson, without those of unknown questions.
   void take_up_answers(std::vector<Outcome> outcomes);
 
   // ---- figures ----------------------------------------------------------------------------------------------
   using Figure = lesson::Figure;
   [[nodiscard]] std::vector<Figure> figures(int slot = 0) const;
-  /// The key of the figure that is asked for, which is not told beside the question; empty for none.
+  /// The key of the figure that the open question asks for, which is hidden meanwhile; empty for none.
   [[nodiscard]] std::string_view asked_figure() const;
-  /// Whether a figure is not told: it is asked for, or the first question about it is still open, ahead of where one
-  /// stands.
+  /// Whether a figure is hidden: it is asked for, or the first question about it is still open, further
+  /// on.
   [[nodiscard]] bool is_hidden(std::string_view figure) const { return untold().hides(figure); }
   [[nodiscard]] Untold untold() const;
-  /// Whether a step's question stands here: what the whole run comes to is not shown then, in any way.
+  /// Whether a question about a step is open: the result of the run is then hidden everywhere.
   [[nodiscard]] bool predicting() const;
-  /// Whether a method's result is not told beside the others'.
+  /// Whether a method's result is hidden in the comparison.
   [[nodiscard]] bool hides_result(const Method& of) const {
     return predicting() || (&of == method(0) && is_hidden(kResultFigure));
   }
-  /// What is proven so far, and in the end the result's certificate.
+  /// What is proven so far; at the end, the result's certificate.
   [[nodiscard]] std::vector<Proof> proofs(int slot = 0) const;
-  /// Changes whenever anything that a view shows has changed.
+  /// A number that changes whenever anything that a view shows has changed.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   /// The hash of slot 0's run.
   [[nodiscard]] std::uint64_t trace_hash() const;
@@ -259,14 +259,14 @@ class Session {
   Outcome& outcome_for(const std::string& id);
 
   std::unique_ptr<const Lesson> lesson_;
-  Snapshot own_;  // the lesson's own, for reset
+  Snapshot own_;  // the lesson's own subject, for reset
   Snapshot now_;
   std::vector<Snapshot> past_;
   std::vector<Snapshot> future_;
-  Snapshot drag_;  // where the drag began
+  Snapshot drag_;  // the subject when the drag began
   bool drag_moved_ = false;
   std::array<Used, 2> slots_;
-  // What is worked out when asked for, and forgotten with the next edit.
+  // Computed on demand, and forgotten with the next edit.
   mutable std::optional<std::vector<Rival>> rivals_;
   mutable std::optional<Grade> grade_;
   mutable std::optional<std::uint64_t> hash_;
@@ -275,19 +275,19 @@ class Session {
   std::vector<Mark> marks_;
   std::vector<Asked> asked_;
   std::vector<Outcome> outcomes_;
-  mutable std::vector<bool> found_;  // of a task's goals, since it was begun
+  mutable std::vector<bool> found_;  // which of a task's goals were reached since it was started
   std::optional<Answer> picked_;     // chosen and not given yet
   std::string answer_says_;
   struct Tried {
     std::string question;  // its id
     Answer answer;
   };
-  std::optional<Tried> tried_;  // wrong at the first try
-  bool skips_next_ = false;     // it was said that a second press skips
+  std::optional<Tried> tried_;  // the wrong first answer
+  bool skips_next_ = false;     // it was announced that a second press skips
   bool play_answers_ = false;
-  int shown_outcome_ = -1;  // of outcomes_, at step shown_at_, once that is reached
+  int shown_outcome_ = -1;  // index into outcomes_, shown once step shown_at_ is reached
   int shown_at_ = -1;
-  bool deciding_ = false;  // on the way there
+  bool deciding_ = false;  // whether the steps up to there are being played
   bool answer_shown_ = false;
   bool summary_closed_ = false;
   std::uint64_t revision_ = 1;

@@ -7,11 +7,11 @@
 namespace snug::lesson {
 namespace {
 
-constexpr std::size_t kMostUndo = 200;  // of a bunny, 10 MB
+constexpr std::size_t kMostUndo = 200;  // for the bunny, 10 MB
 
 }  // namespace
 
-/// One entry of undo. Where it is refused, nothing changes.
+/// Makes an edit, as one entry of undo. If it is refused, nothing changes.
 template <class Edit>
 Done Session::edit(Edit edit) {
   Snapshot next = now_->clone();
@@ -73,7 +73,7 @@ void Session::start_task() {
   found_.clear();
   static_cast<void>(edit([&](Subject& next) { return next.begin_task(*lesson_, *own_), Done(); }));
   static_cast<void>(choose(0, lesson_->task->algorithm));
-  // Who builds an example looks at results, and was asked nothing yet. Bodies are placed where they begin.
+  // A student who builds an example looks at results, and was asked nothing yet. Bodies are placed at their start.
   previewing_ = now_->task_begins_at_end();
   step_ = previewing_ ? steps() : 0;
   ++revision_;
@@ -103,7 +103,7 @@ void Session::end_drag() {
 
 void Session::restore(std::vector<Snapshot>& from, std::vector<Snapshot>& to) {
   if (from.empty()) return;
-  // Each was accepted once, when the lesson's methods could take it.
+  // Every snapshot was accepted before, so the lesson's methods can take it.
   static_cast<void>(make_room_for(*from.back()));
   to.push_back(std::exchange(now_, std::move(from.back())));
   from.pop_back();

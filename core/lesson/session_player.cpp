@@ -18,7 +18,7 @@ std::vector<Mark> marks_of(const Run& run, const std::vector<Asked>& questions) 
 
 }  // namespace
 
-/// Gates and marks of a new run. at_end: whether the player stood at the old one's end.
+/// Computes the gates and marks of a new run. at_end: whether the player was at the old run's end.
 void Session::run_changed(bool at_end) {
   asked_ = asked_on(*lesson_, method(0)->name, *now_, run(0), is_own() && !now_->has_switched_off());
   marks_ = marks_of(run(0), asked_);
@@ -51,7 +51,7 @@ void Session::stand(int step) {
 void Session::go(int step) {
   if (previewing_ && step == steps()) return;
   if (step != step_) acknowledge();
-  if (deciding_) {  // a step on the way; elsewhere it is left
+  if (deciding_) {  // a step on the way there; any other step ends it
     if (step > step_) return stand(std::min(step, shown_at_));
     deciding_ = false;
   }

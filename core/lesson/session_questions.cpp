@@ -1,4 +1,4 @@
-// The questions of a session and the answers given.
+// A session's questions and the given answers.
 #include <algorithm>
 #include <numeric>
 
@@ -9,7 +9,7 @@
 namespace snug::lesson {
 namespace {
 
-/// A name as it is compared with what was typed: without blanks, capitals alike, and a hyphen for a minus sign.
+/// A name as typed names are compared: without blanks, in lower case, and with a hyphen for a minus sign.
 std::string plain_name(std::string_view name) {
   constexpr std::string_view kMinus = "−";
   std::string plain;
@@ -269,7 +269,7 @@ std::vector<int> Session::right_choices() const {
   return question != nullptr ? question->asking->truth(*question, run(0)).choices : std::vector<int>();
 }
 
-/// What was predicted before anything was known is decided, and anew whenever more is known.
+/// Decides predictions that were made before anything was known, again whenever more is known.
 void Session::informed() {
   grade_.reset();
   for (const Asked& asked : asked_)

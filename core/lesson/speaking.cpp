@@ -16,7 +16,7 @@ std::optional<Index> handle_named(const Subject& subject, std::string_view name)
   return std::nullopt;
 }
 
-/// A fact's name, and which of the handles that it names; 0: all of them.
+/// A mark that is a fact: its name, and which of its handles; 0: all of them.
 struct FactMark {
   std::string_view fact;
   std::size_t which = 0;
@@ -31,14 +31,14 @@ std::optional<FactMark> fact_mark(const SubjectRow& subject, std::string_view ma
   return FactMark{fact, static_cast<std::size_t>(which[1] - '0')};
 }
 
-/// Of step i, counted from 0, which is one of the mark's fact.
+/// The handles of a mark at step i, counted from 0, which has the mark's fact.
 std::vector<Index> handles_at(const FactMark& mark, const Run& run, int i) {
   std::vector<Index> handles = run.handles(i);
   if (mark.which == 0) return handles;
   return mark.which <= handles.size() ? std::vector<Index>{handles[mark.which - 1]} : std::vector<Index>{};
 }
 
-/// Of the last one within so many steps.
+/// The handles at the last step with the mark's fact, among the first so many steps.
 std::vector<Index> handles_within(const FactMark& mark, const Run& run, int steps) {
   for (int i = steps; i-- > 0;)
     if (run.fact(i) == mark.fact) return handles_at(mark, run, i);
@@ -49,7 +49,7 @@ bool is_among_handles(const std::vector<Index>& handles, Index handle) {
   return std::find(handles.begin(), handles.end(), handle) != handles.end();
 }
 
-/// The first section that names the fact, of those that speak of the algorithm.
+/// The first section about this algorithm that names the fact.
 std::optional<int> section_of(const Lesson& lesson, std::string_view fact, std::string_view algorithm) {
   for (std::size_t i = 0; i < lesson.sections.size(); ++i) {
     const Section& section = lesson.sections[i];

@@ -1,5 +1,5 @@
-// What a lesson's stage is about: what stands there, the handles by which a hand takes it, and what a run of a method
-// on it says, step by step. Each has its folder under subjects/; a session knows all of them by this header alone.
+// What a lesson's stage is about: what is on it, the handles for dragging it, and what each step of a method's run
+// says. Each subject has its folder under subjects/; a session knows them only through this header.
 #pragma once
 
 #include <array>
@@ -29,20 +29,20 @@ struct SubjectRow;
 struct BoxPair;
 
 using Point3 = Vector<double, 3>;
-/// Nanoseconds from any beginning; null for none.
+/// Nanoseconds since some moment; null for no clock.
 using Clock = double (*)();
 /// Nothing, or why it could not be done.
 using Done = tl::expected<void, InputError>;
 
 /// Something whose steps can be watched: an algorithm, a test, an update.
 struct Method {
-  std::string_view volume;                                  // a lesson's, by which it is offered
+  std::string_view volume;                                  // the lesson's volume that it belongs to
   std::string_view name;                                    // as scripts say it: "ritter_iterative"
   std::string_view title;                                   // as people say it: "Iterative Ritter"
   std::string_view source;                                  // author, title, year
   std::span<const std::string_view> pseudocode;             // steps name its lines, counted from 0
-  std::span<const std::string_view> plane_pseudocode = {};  // in 2-D, where that differs; empty otherwise
-  bool exact = false;                                       // whether it claims the smallest volume of its kind
+  std::span<const std::string_view> plane_pseudocode = {};  // in 2-D, if that differs; empty otherwise
+  bool exact = false;                                       // whether it guarantees the smallest volume of its kind
   Index max_points = std::numeric_limits<Index>::max();     // more are refused
 };
 
@@ -55,21 +55,21 @@ struct Mark {
   int step = 0;
   enum class Kind {
     kGrew,      // there is a volume, or it grew
-    kReplaced,  // the support set was replaced, or a verdict reached
-    kQuestion,  // a question stands here
+    kReplaced,  // the support set was replaced, or a verdict was reached
+    kQuestion,  // a question is asked here
     kBest,      // the volume became the best so far, or an axis or a plane decides
   } kind = Kind::kGrew;
 };
 
-/// The keys of figures that must not be told, for a question about them is still open; now: of the one that stands.
+/// The keys of figures that are hidden while a question about them is open; now: the one that is asked for now.
 struct Untold {
   std::vector<std::string_view> figures;
   std::string_view now;
   [[nodiscard]] bool hides(std::string_view figure) const;
 };
 
-/// A watched run of a method: its steps, which are facts, and all that a lesson says of them. It speaks of the subject
-/// that it was made on, which must stay as it was.
+/// A recorded run of a method: its steps, which are facts, and everything that a lesson says about them. It refers to
+/// the subject that it was made on, which must not change.
 class Run {
  public:
   Run() = default;
@@ -78,40 +78,40 @@ class Run {
   virtual ~Run();
 
   [[nodiscard]] virtual int steps() const = 0;
-  // Of step i, counted from 0.
+  // For step i, counted from 0:
   [[nodiscard]] virtual std::string_view fact(int i) const = 0;  // its name: "ball_grown"
   [[nodiscard]] virtual int line(int i) const = 0;               // of the pseudocode
   [[nodiscard]] virtual std::string sentence(int i, const Untold& untold) const = 0;
-  /// The handles that it speaks of, any of which is a right answer to "which".
+  /// The handles that it is about, any of which is a right answer to "which".
   [[nodiscard]] virtual std::vector<Index> handles(int i) const = 0;
-  /// What it does with them, in the present tense: "is chosen"; plural: "are chosen".
+  /// What happens to them, in the present tense: "is chosen"; plural: "are chosen".
   [[nodiscard]] virtual std::string predicate(int i, bool plural) const = 0;
   [[nodiscard]] virtual std::optional<Mark::Kind> mark(int i) const = 0;
-  /// What can be asked of it, beside "point" and "choice", which can be asked of any step.
+  /// What can be asked of it, besides "point" and "choice", which can be asked of any step.
   [[nodiscard]] virtual std::span<const Asking> askings(int i) const = 0;
-  /// Whether gates count it: of a recursion only the outermost calls.
+  /// Whether gates count it: of a recursion, only the outermost calls count.
   [[nodiscard]] virtual bool counts(int i) const = 0;
-  /// The handles that a tap can mean where the step is asked for "point"; empty: any of them.
+  /// The handles that can be tapped when the step is asked for "point"; empty: all of them.
   [[nodiscard]] virtual std::vector<Index> candidates(int i) const;
-  /// Over every number of every step, in order.
+  /// A hash over every number of every step, in order.
   [[nodiscard]] virtual std::uint64_t hash() const = 0;
-  /// The volume as it stands after the first so many steps; null where there is none.
+  /// The volume after the first `steps` steps; null if there is none.
   [[nodiscard]] virtual const fit::Volume3* volume(int steps) const = 0;
-  /// The handles that hold the volume after the first so many steps: those that it touches by construction.
+  /// The handles that support the volume after the first `steps` steps: those that it touches by construction.
   [[nodiscard]] virtual std::vector<Index> support(int steps) const;
 };
 
-/// What a session shows in a slot. method is null where there is none.
+/// What a session shows in a slot. method is null if the slot is empty.
 struct Slot {
   const Method* method = nullptr;
   const Run* run = nullptr;
 };
 
-/// Where a session stands, for those who say something of it.
+/// The current place in a session, for whoever describes it.
 struct View {
-  std::array<Slot, 2> slots;  // the main one, and the one beside it
-  int slot = 0;               // which is meant, and
-  int step = 0;               // after how many of its steps
+  std::array<Slot, 2> slots;  // the main one, and the one for comparison
+  int slot = 0;               // which slot is meant, and
+  int step = 0;               // how many of its steps are shown
   [[nodiscard]] const Method& method() const { return *slots[slot].method; }
   [[nodiscard]] const Run& run() const { return *slots[slot].run; }
   [[nodiscard]] bool at_end() const { return step == run().steps(); }
@@ -120,26 +120,26 @@ struct View {
 /// One of the lesson's methods with its result: "Final result, compared".
 struct Rival {
   const Method* method = nullptr;
-  double size = 0;               // of a ball the radius, of others the area or volume
-  std::optional<double> excess;  // over the optimum, 0.1 for 10 per cent; none where that is not known
+  double size = 0;               // a ball's radius; for any other volume its area or volume
+  std::optional<double> excess;  // over the optimum, 0.1 for 10 per cent; none if that is unknown
 };
 
-/// A part of the subject that the student may switch off and on, with what it did so far.
+/// A part of the subject that the student can switch off and on, and what it did so far.
 struct Switch {
   std::string name;
   bool on = true;
   std::int64_t constructed = 0, run = 0, skipped = 0;
-  std::string microseconds;  // what a run takes; of no step, figure or hash: they are the same everywhere
+  std::string microseconds;  // the time of a run; kept out of steps, figures and hashes, which are the same everywhere
 };
 
 class Subject {
  public:
-  /// How it came about.
+  /// Where the subject came from.
   struct Origin {
     std::string source = "own";  // a generator's kind, a mesh's or file's name, "own" for the lesson's own, "task"
-    int generated = 0;           // how many points the source's generator made; 0 where there is none
+    int generated = 0;           // how many points the source's generator made; 0 without one
     std::uint64_t seed = 1;
-    bool edited = false;  // whether it is other than the lesson's own for this seed
+    bool edited = false;  // whether it differs from the lesson's own for this seed
     friend bool operator==(const Origin&, const Origin&) = default;
   };
 
@@ -148,20 +148,20 @@ class Subject {
   [[nodiscard]] virtual std::unique_ptr<Subject> clone() const = 0;
   [[nodiscard]] const Origin& origin() const { return origin_; }
   [[nodiscard]] virtual int dim() const = 0;
-  /// Whose runs it shows: a chart's are those of the cloud that it is about.
+  /// The subject whose runs it shows: for a chart, its cloud.
   [[nodiscard]] virtual const Subject& shape() const { return *this; }
 
-  // ---- handles: what can be dragged, turned, tapped -----------------------------------------------------------
+  // ---- handles: what can be dragged, rotated, tapped -----------------------------------------------------------
   [[nodiscard]] virtual Index size() const = 0;
   [[nodiscard]] virtual Point3 at(Index i) const = 0;
   [[nodiscard]] virtual std::string name_of(Index i) const = 0;  // "P3", "A turn", "B2"
-  /// What a handle that stands for something is called, one and many: "point", "points".
+  /// What a handle is called, in singular and plural: "point", "points".
   [[nodiscard]] virtual std::array<std::string_view, 2> handle_words() const { return {"point", "points"}; }
-  /// What the tools that change it by numbers are called, in short, and what they are headed.
+  /// The short name of the tools that edit it by numbers, and their heading.
   [[nodiscard]] virtual std::string_view tools_word() const { return "Points"; }
   [[nodiscard]] virtual std::string_view tools_title() const { return tools_word(); }
 
-  // ---- edits: where one is refused, everything stays as it was ------------------------------------------------
+  // ---- edits: if one is refused, nothing changes ------------------------------------------------
   virtual Done move(Index i, const Point3& to) = 0;
   virtual Done add(const Point3& at);
   virtual Done remove(Index i);
@@ -171,40 +171,40 @@ class Subject {
   virtual void scatter(std::uint64_t seed, const Subject& own) = 0;
   /// Becomes what the lesson's task begins with.
   virtual void begin_task(const Lesson& lesson, const Subject& own) = 0;
-  /// Whether the player then stands at the end, for who builds an example looks at results.
+  /// Whether the player then stands at the end, because a student who builds an example looks at results.
   [[nodiscard]] virtual bool task_begins_at_end() const { return true; }
-  /// Whether things can be moved at a step, and why not.
+  /// Whether things can be moved at a step, and if not, why.
   [[nodiscard]] virtual bool moves_at(int step) const { return step >= 0; }
   [[nodiscard]] virtual std::string_view fixed_now() const { return {}; }
 
-  /// The points, of a subject that is made of them; null otherwise.
+  /// The points, if the subject has points; null otherwise.
   [[nodiscard]] virtual const AnyPointSet* points() const { return nullptr; }
-  /// Triangles of the mesh that the points are vertices of; empty otherwise.
+  /// The triangles of the mesh whose vertices the points are; empty otherwise.
   [[nodiscard]] virtual std::span<const std::array<Index, 3>> triangles() const { return {}; }
 
-  /// The two boxes, of a subject that is made of boxes; null otherwise. To set them, others in their place.
+  /// The two boxes, if the subject has boxes, null otherwise; and replacing them.
   [[nodiscard]] virtual const BoxPair* boxes() const { return nullptr; }
   virtual Done set_boxes(const BoxPair& pair);
 
   // ---- runs ---------------------------------------------------------------------------------------------------
-  /// earlier: a run given up for its memory, or null.
+  /// earlier: a run whose memory is reused, or null.
   [[nodiscard]] virtual std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const = 0;
-  /// Whether the method takes as many as there are.
+  /// Whether the method can take so many points.
   [[nodiscard]] bool suits(const Method& method) const { return size() <= method.max_points || points() == nullptr; }
   /// The sentence before the first step.
   [[nodiscard]] virtual std::string opening(const Method& method) const = 0;
 
-  // ---- what is said of a run ----------------------------------------------------------------------------------
+  // ---- what is said about a run ----------------------------------------------------------------------------------
   [[nodiscard]] virtual std::vector<Figure> figures(const View& view) const = 0;
   [[nodiscard]] virtual std::vector<Proof> proofs(const View& view) const = 0;
-  /// Of the lesson's methods, in its order; none where there is nothing to compare.
+  /// The lesson's methods with their results, in order; none if there is nothing to compare.
   [[nodiscard]] virtual std::vector<Rival> rivals(const Lesson& lesson, const View& view) const;
   /// found: which of the task's goals were reached before; those that are reached now are added.
   [[nodiscard]] virtual Grade grade(const Lesson& lesson, const View& view, std::vector<bool>& found) const = 0;
   [[nodiscard]] virtual std::vector<Switch> switches(const View& view) const;
-  /// Switches a part off after that many steps, or on again for all. false: that cannot be.
+  /// Switches a part off after view.step steps, or on again for all. Returns false if that is impossible.
   virtual bool turn(std::string_view name, bool on, const View& view);
-  /// Whether parts are switched off: what a lesson says of its own run is not true then.
+  /// Whether parts are switched off: then what the lesson says about its own run is not true.
   [[nodiscard]] virtual bool has_switched_off() const { return false; }
 
  protected:
@@ -214,7 +214,7 @@ class Subject {
   Origin origin_;
 };
 
-/// The subject as what it is, null where it is another. Type: with kRow, its row.
+/// The subject as a Type, or null if it is another kind. Type: has kRow, its row.
 template <class Type>
 [[nodiscard]] const Type* as(const Subject& subject) {
   return &subject.row() == &Type::kRow ? static_cast<const Type*>(&subject) : nullptr;

@@ -17,9 +17,9 @@ int line_in_text(const toml::table& table, std::string_view key, std::string_vie
   const std::size_t found = text.find(words, beginning);
   if (found == std::string::npos && from.empty()) return first;
   const auto at = text.begin() + static_cast<std::ptrdiff_t>(found == std::string::npos ? beginning : found);
-  // From its end: of a text within three quotes the parser leaves out the first line end.
+  // Counts from the text's end, because the parser drops the first line end of a text in triple quotes.
   const int line = last - static_cast<int>(std::count(at, text.end(), '\n'));
-  return std::clamp(line, first, last);  // line ends may be written as \n
+  return std::clamp(line, first, last);  // clamped, because line ends may be written as \n
 }
 
 }  // namespace snug::lesson

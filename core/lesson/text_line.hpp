@@ -1,4 +1,4 @@
-// Where in a lesson's file a text has what is wrong with it.
+// Finds the line of an error within a text of a lesson's file.
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,8 @@
 
 namespace snug::lesson {
 
-/// The line, counted from 1, on which the words stand in the text of that key; from the beginning of a stretch of it
-/// on, where that is given. Where the text has not got them, the line of that stretch, or of the text.
+/// The line, counted from 1, of some words in the text of a key; searched from the start of a stretch of it, if that is
+/// given. If the text does not contain them, the line of that stretch, or of the text.
 [[nodiscard]] int line_in_text(const toml::table& table, std::string_view key, std::string_view words,
                                std::string_view from = {});
 

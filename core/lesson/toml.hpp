@@ -1,5 +1,5 @@
-// toml++. It reads and writes numbers by <charconv> where the standard library can, and else by streams, whose locales
-// are a twentieth of the page. Emscripten's library can for whole numbers alone; what it lacks for others stands here.
+// Includes toml++, which reads and writes numbers with <charconv> if the library has it, and else with streams, whose
+// locales are a twentieth of the page. Emscripten's library has it only for integers; the rest is here.
 #pragma once
 
 #include <charconv>
@@ -9,14 +9,14 @@
 
 #include <cstdio>
 
-namespace std {  // NOLINT: where toml++ looks for it
+namespace std {  // NOLINT: toml++ looks for them here
 
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
   const auto read = fast_float::from_chars(first, last, value);
   return {read.ptr, read.ec};
 }
 
-/// For messages alone: enough digits to tell any two numbers apart.
+/// Only for messages: enough digits to tell any two numbers apart.
 inline to_chars_result to_chars(char* first, char* last, double value) {
   const int written = snprintf(first, static_cast<size_t>(last - first), "%.17g", value);
   return {first + written, errc{}};
@@ -31,8 +31,8 @@ inline to_chars_result to_chars(char* first, char* last, double value, chars_for
 #define TOML_FLOAT_CHARCONV 1
 #endif
 
-// Its parser asserts what a damaged file breaks ("[[=" has no key), and reports the error right after: without the
-// assertion it is a message, with NDEBUG it would be undefined behaviour.
+// Its parser asserts conditions that a damaged file can break ("[[=" has no key), although it reports the error right
+// after. Without the assertion there is a message; with NDEBUG it would be undefined behaviour.
 #include <toml++/impl/preprocessor.h>
 #undef TOML_ASSERT_ASSUME
 #define TOML_ASSERT_ASSUME(...) static_assert(true)

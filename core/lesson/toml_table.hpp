@@ -1,5 +1,5 @@
-// A table of a lesson file, read key by key: the first thing wrong is kept with its line, and what nobody asked for is
-// wrong as well. Reading goes on after an error with empty values, so that those who read need not stop and ask.
+// A table of a lesson file, read key by key. It keeps the first error with its line; keys that nobody asked for are
+// errors too. After an error, reading continues with empty values, so that callers need not check each time.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class Complaints {
 
 class TomlTable {
  public:
-  /// name: what the table is called in errors: "the lesson", "[points]", "[[question]]".
+  /// name: the table's name in errors: "the lesson", "[points]", "[[question]]".
   TomlTable(const toml::table& table, std::string name, Complaints& complaints);
 
   [[nodiscard]] int line() const { return line_; }
@@ -37,30 +37,30 @@ class TomlTable {
   [[nodiscard]] int line_of(std::string_view key) const;
   [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
 
-  // Required where no default is given. Text is trimmed, and must not be empty.
+  // A key is required if no default is given. Text is trimmed, and must not be empty.
   std::string text(std::string_view key);
   std::string text_or(std::string_view key, std::string_view otherwise);
   std::int64_t integer(std::string_view key, std::int64_t least, std::int64_t most);
   std::int64_t integer_or(std::string_view key, std::int64_t least, std::int64_t most, std::int64_t otherwise);
-  /// Greater than 0.
+  /// A number greater than 0.
   double number(std::string_view key, double most);
   bool flag_or(std::string_view key, bool otherwise);
-  /// A list of texts, with at least so many.
+  /// A list of at least `least` texts.
   std::vector<std::string> texts(std::string_view key, std::size_t least);
-  /// Whatever it is, a NaN as well; otherwise where it is none.
+  /// Any number, even a NaN; `otherwise` if it is missing.
   double any_number(std::string_view key, double otherwise);
   /// A number, or a list of them; any sign.
   std::vector<double> numbers(std::string_view key);
   /// A list of points of dim numbers each.
   std::vector<Vector<double, 3>> points(std::string_view key, int dim);
-  /// Null where it is not there.
+  /// Null if it is missing.
   const toml::table* table(std::string_view key);
-  /// An array of tables; empty where it is not there.
+  /// An array of tables; empty if it is missing.
   std::vector<const toml::table*> tables(std::string_view key);
 
-  /// A complaint about a key's value.
+  /// Complains about a key's value.
   void wrong(std::string_view key, const std::string& what);
-  /// A complaint about every key that was not asked for above.
+  /// Complains about every key that was not asked for.
   void refuse_others();
 
  private:

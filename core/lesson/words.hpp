@@ -1,4 +1,4 @@
-// What volumes are called: of a ball a student reads "circle" in the plane and "sphere" in space.
+// The names of volumes: for a ball, a student reads "circle" in the plane and "sphere" in space.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace snug::lesson {
 [[nodiscard]] inline const char* ball_word(int dim) { return dim == 2 ? "circle" : "sphere"; }
 
 /// "circle", "sphere", "box", "capsule" …
-/// name: of kVolumeNames.
+/// name: one of kVolumeNames.
 [[nodiscard]] std::string_view volume_word(std::string_view name, int dim);
 
-/// A text that was written of the plane, for points of that dimension: in space its circles are spheres.
+/// A text written for the plane, in words for another dimension: in space, its circles are spheres.
 [[nodiscard]] std::string in_words_of(int dim, std::string_view text);
 
 }  // namespace snug::lesson

@@ -87,9 +87,9 @@ Grade CloudSubject::grade(const Lesson& lesson, const View&, std::vector<bool>&)
   return grade_points(lesson, *points(), origin_.seed);
 }
 
-/// Null where there is none, where it does not take so many points, or where it is not told.
+/// The exact algorithm; null if there is none, if it cannot take so many points, or if its result is hidden.
 const fit::Algorithm* CloudSubject::exact() const {
-  // k-DOPs of other directions are other volumes: none of them is the smallest of all.
+  // k-DOPs with different directions are different kinds of volume, so none of them is the smallest of all.
   const bool one_kind = volume_ != "kdop";
   const fit::Algorithm* exact = tells_optimum_ && one_kind ? fit::exact_algorithm(volume_) : nullptr;
   return exact != nullptr && size() <= exact->max_points ? exact : nullptr;
@@ -112,7 +112,7 @@ std::optional<double> CloudSubject::smallest_size(const View& view) const {
   return worked_.smallest_size;
 }
 
-/// What a slot shows already is not run again.
+/// The size of an algorithm's volume. A run that a slot shows is not repeated.
 double CloudSubject::size_of(const fit::Algorithm& algorithm, const View& view) const {
   for (const Slot& slot : view.slots)
     if (slot.method != nullptr && &algorithm_of(*slot.method) == &algorithm)

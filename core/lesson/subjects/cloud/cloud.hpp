@@ -1,4 +1,4 @@
-// A cloud of points, and the volume that an algorithm fits round it.
+// A cloud of points, and the volume that an algorithm fits around it.
 #pragma once
 
 #include <memory>
@@ -13,10 +13,10 @@ namespace snug::lesson {
 
 extern const SubjectRow kCloudRow;
 
-/// What a task on a cloud asks for.
+/// What a task on a cloud requires.
 struct CloudTask : Tables {
   double excess_at_least = 0;  // the algorithm's size / the smallest - 1
-  int support_size = 0;        // how many points must hold the smallest ball; 0 where the task does not say
+  int support_size = 0;        // how many points must support the smallest ball; 0 if that does not matter
 };
 
 class CloudSubject final : public PointSubject {
@@ -33,10 +33,10 @@ class CloudSubject final : public PointSubject {
   [[nodiscard]] std::vector<Rival> rivals(const Lesson& lesson, const View& view) const override;
   [[nodiscard]] Grade grade(const Lesson& lesson, const View& view, std::vector<bool>& found) const override;
 
-  /// The smallest volume of the points, watched: run when first asked for after an edit, unless the view shows it. Null
-  /// where no algorithm finds it, or none takes so many points. For the size alone, smallest_size is cheaper.
+  /// The recording of the smallest volume: computed when first needed after an edit, unless the view shows it. Null if
+  /// no algorithm finds it or none can take so many points. smallest_size is cheaper if only the size is needed.
   [[nodiscard]] const fit::Recording* optimum(const View& view) const;
-  /// Its fit::size_of.
+  /// The smallest volume's fit::size_of.
   [[nodiscard]] std::optional<double> smallest_size(const View& view) const;
 
  protected:
@@ -51,13 +51,13 @@ class CloudSubject final : public PointSubject {
   [[nodiscard]] double size_of(const fit::Algorithm& algorithm, const View& view) const;
 
   std::string volume_;         // the lesson's
-  bool tells_optimum_ = true;  // a chart of costs is to tell it
-  mutable Worked worked_;      // out when asked for, and forgotten with the next edit
+  bool tells_optimum_ = true;  // false while a cost chart is to reveal it
+  mutable Worked worked_;      // computed on demand, and forgotten with the next edit
 };
 
-/// A slot's recording, of a subject whose methods fit volumes; null otherwise, and where the slot is empty.
+/// A slot's recording, if the subject's methods fit volumes; null otherwise, or if the slot is empty.
 [[nodiscard]] const fit::Recording* recording_of(const Session& session, int slot);
-/// The smallest volume, watched, of a lesson about a cloud; null otherwise, and as of CloudSubject::optimum.
+/// CloudSubject::optimum of a lesson about a cloud; null for other lessons.
 [[nodiscard]] const fit::Recording* optimum_of(const Session& session);
 
 /// The catalogue's algorithms of a volume.
@@ -71,7 +71,7 @@ class CloudSubject final : public PointSubject {
 [[nodiscard]] std::vector<Proof> fit_proofs(const View& view, const FitRun& run);
 void read_cloud_task(TomlTable& table, Lesson& lesson, Complaints& complaints);
 void check_cloud_task(const Lesson& lesson, const toml::table& toml, const Subject& own, Complaints& complaints);
-/// seed: of the algorithm's random order.
+/// seed: that of the algorithm's random order.
 [[nodiscard]] Grade grade_points(const Lesson& lesson, const AnyPointSet& points, std::uint64_t seed);
 
 }  // namespace snug::lesson

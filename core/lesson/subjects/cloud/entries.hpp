@@ -1,4 +1,4 @@
-// The entries of all facts that fitters tell.
+// The entries of all facts that fitters report.
 #pragma once
 
 #include "lesson/subjects/cloud/entries_box.hpp"

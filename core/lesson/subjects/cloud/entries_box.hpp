@@ -1,4 +1,4 @@
-// The entries of the facts that fitters of boxes, swept volumes and k-DOPs tell.
+// The entries of the facts that fitters of boxes, sphere-swept volumes and k-DOPs report.
 #pragma once
 
 #include "lesson/subjects/cloud/entries_sphere.hpp"

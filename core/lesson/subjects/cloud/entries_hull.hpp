@@ -1,4 +1,4 @@
-// The entries of the facts that Quickhull tells.
+// The entries of the facts that Quickhull reports.
 #pragma once
 
 #include "lesson/subjects/cloud/entries_sphere.hpp"

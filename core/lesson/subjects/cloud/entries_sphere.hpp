@@ -1,4 +1,4 @@
-// The entries of the facts that fitters of balls tell, and of those that they share with other fitters.
+// The entries of the facts that sphere fitters report, and of those that they share with other fitters.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using FitWhere = FitRun::Where;
 
 [[nodiscard]] inline std::vector<Index> list_of(const auto& points) { return {points.begin(), points.end()}; }
 
-/// Those of a fact's points that there are, each once.
+/// A fact's points without kNoIndex, each once.
 [[nodiscard]] inline std::vector<Index> points_of(std::initializer_list<std::span<const Index>> some) {
   std::vector<Index> all;
   for (const std::span<const Index> points : some)
@@ -203,7 +203,7 @@ struct Entry<fit::BoundaryForced> : FitEntry {
   static std::optional<Mark::Kind> mark(const Fact& fact, const FitWhere& where) {
     return fact.depth == 1 ? std::optional(Mark::Kind::kReplaced) : first(where);
   }
-  /// The outermost, at which a point lies outside the smallest ball of all before it.
+  /// Only the outermost calls count: there, a point lies outside the smallest ball of all points before it.
   static bool counts(const Fact& fact) { return fact.depth == 1; }
   static std::optional<std::vector<Index>> support(const Fact& fact) { return fact.boundary.list(); }
 };
@@ -311,7 +311,7 @@ struct Entry<fit::Finished> : FitEntry {
   using Fact = fit::Finished;
   static constexpr std::array kAskings{kHolds, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
-    // The iterative method starts from Ritter's result: the same fact, but not the end.
+    // The iterative algorithm starts from Ritter's result: the same fact, but not the end.
     if (where.next() != nullptr)
       return "It starts from Ritter's " + where.ball() + ", with radius " + number_text(where.radius()) + ".";
     const std::string done = "Done: " + where.size(), names = point_names(fact.support);

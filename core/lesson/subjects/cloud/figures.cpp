@@ -19,7 +19,7 @@ std::string things_text(std::int64_t n, std::string_view one, std::string_view m
   return lesson::count_text(n) + " " + std::string(n == 1 ? one : many);
 }
 
-/// Collects the figures of one place in a run.
+/// Collects the figures at one step of a run.
 class FitBoard {
  public:
   FitBoard(const View& view, const FitRun& run, std::optional<double> smallest)
@@ -54,7 +54,7 @@ class FitBoard {
     if (const auto over = excess_of(own, smallest_)) excess(*over, outside == 0);
     of_all("Points outside", "outside", outside);
     const auto holding = static_cast<int>(run_.support(view_.step).size());
-    // On the way no point may fix the volume yet: nothing is said then.
+    // Before the end there may be no support set yet: a dash is shown then.
     add(run_.exact() ? "Support set" : "On the boundary", "support",
         holding > 0 ? things_text(holding, "point", "points") : "—", holding, "points");
     figures_.back().known = holding > 0;
@@ -73,7 +73,7 @@ class FitBoard {
     figures_.back().known = holds_all;
   }
 
-  /// How far the pass over the points has come; Welzl's recursion goes over some again, which does not count.
+  /// How far the pass over the points has come. Points that Welzl's recursion visits again do not count.
   void seen() {
     if (entry_ == nullptr) return;
     int seen = 0;
@@ -95,7 +95,7 @@ class FitBoard {
       length("Outside by", "outside_by", examined->distance - ball->radius);
   }
 
-  /// So many that a radius is told from what it is compared with.
+  /// The number of digits with which a radius differs from the one that it is compared with.
   [[nodiscard]] int digits_beside_best(double radius) const {
     const auto before = best_before(trace_, view_.step), best = best_so_far(trace_, view_.step);
     return before ? digits_apart(radius, *before) : best ? digits_apart(radius, *best) : 4;
@@ -133,7 +133,7 @@ class FitBoard {
       length(std::string("Mean ") + "xyz"[i], std::string("mean_") + "xyz"[i], mean[i]);
   }
 
-  /// Those that the algorithm spends at all, so that the rows stay the same from step to step.
+  /// Lists the operations that the algorithm uses at all, so that the rows stay the same from step to step.
   void operations() {
     for (std::size_t i = 0; i < kOperations; ++i) {
       if (run_.recording().counts[i] == 0) continue;

@@ -18,7 +18,7 @@ const Fact& fact_of(const Asked& asked, const Run& run) {
   return *std::get_if<Fact>(&fit_run(run).trace()[asked.fact].step.fact);
 }
 
-/// Whether a radius grew by more than the last digits that a check of the result may widen it by.
+/// Whether a radius grew by more than the last digits that the final check may add.
 bool grew(double before, double after) {
   return after - before > tolerance::kBoundaryRoundoffs * tolerance::kRoundoff<double> * after;
 }

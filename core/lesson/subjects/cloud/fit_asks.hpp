@@ -1,4 +1,4 @@
-// What can be asked of the facts of fitters, beside "point" and "choice".
+// What can be asked of the facts of fitters, besides "point" and "choice".
 #pragma once
 
 #include "lesson/facts.hpp"
@@ -8,17 +8,17 @@ namespace snug::lesson {
 /// "axis": which pair of extremes; the choices are the pairs.
 const char* offer_axes(Asked& asked, const Run& run);
 Truth axis_truth(const Asked& asked, const Run& run);
-/// "grows": whether the radius is larger after the step than where the question stands.
+/// "grows": whether the radius is larger after the step than where the question is asked.
 Truth grows_truth(const Asked& asked, const Run& run);
-/// "leaves": which point leaves the support; the choices are its points and none.
+/// "leaves": which point leaves the support set; the choices are its points, and none.
 const char* offer_support(Asked& asked, const Run& run);
 Truth leaves_truth(const Asked& asked, const Run& run);
 /// "better": whether the ball becomes the best so far.
 Truth better_truth(const Asked& asked, const Run& run);
-/// "holds": how many points hold the ball.
+/// "holds": how many points support the ball.
 const char* offer_counts(Asked& asked, const Run& run);
 Truth holds_truth(const Asked& asked, const Run& run);
-/// Behind the step; of a point forced onto the boundary, behind the end of its recursion.
+/// The place after the step; for a point forced onto the boundary, after the end of its recursion.
 int after_recursion(const Run& run, int fact);
 
 inline constexpr Asking kGrows{"grows", &offer_yes_no, &grows_truth, &after_recursion};

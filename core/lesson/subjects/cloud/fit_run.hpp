@@ -1,4 +1,4 @@
-// A run of an algorithm that fits a volume to points, as a lesson tells it.
+// A run of an algorithm that fits a volume to points, as a lesson presents it.
 #pragma once
 
 #include <optional>
@@ -13,35 +13,35 @@ using FitTrace = std::span<const Recorder<fit::Step3>::Entry>;
 
 class FitRun final : public FactRun<FitRun, fit::Step3> {
  public:
-  /// points: those that it was made of, which outlive it.
+  /// points: those of the run; they must outlive it.
   FitRun(const AnyPointSet& points, bool exact, fit::Recording recording)
       : points_(points), exact_(exact), recording_(std::move(recording)) {}
 
   [[nodiscard]] FitTrace trace() const { return recording_.steps; }
   [[nodiscard]] const fit::Recording& recording() const { return recording_; }
-  /// The recording, for its memory: the run is over then.
+  /// Gives up the recording for its memory: the run cannot be used afterwards.
   [[nodiscard]] fit::Recording give_up() { return std::move(recording_); }
   [[nodiscard]] const AnyPointSet& points() const { return points_; }
   [[nodiscard]] int dim() const { return fit::dim_of(points_); }
   [[nodiscard]] bool exact() const { return exact_; }
   [[nodiscard]] std::vector<Index> support(int steps) const override;
 
-  /// A step where it stands in the run.
+  /// A step in the run.
   struct Where {
     const FitRun& run;
     int i;
     const Untold* untold;
     [[nodiscard]] const fit::Step3& step() const { return run.trace()[i].step; }
-    /// The step after it and the one before it; null where there is none.
+    /// The step after it and the one before it; null if there is none.
     [[nodiscard]] const fit::Step3* next() const { return i + 1 < run.steps() ? &run.trace()[i + 1].step : nullptr; }
     [[nodiscard]] const fit::Step3* before() const { return i > 0 ? &run.trace()[i - 1].step : nullptr; }
     [[nodiscard]] int dim() const { return run.dim(); }
-    /// Whether there was no volume before it.
+    /// Whether it brings the first volume.
     [[nodiscard]] bool is_first_volume() const {
       return step().has_volume && (before() == nullptr || !before()->has_volume);
     }
     [[nodiscard]] std::string ball() const;  // "circle", "sphere"
-    [[nodiscard]] double radius() const;     // of the step's ball; 0 where it has none
+    [[nodiscard]] double radius() const;     // that of the step's ball; 0 if it has none
     [[nodiscard]] std::string size() const;  // "radius 2.1", "area 3.4"
     [[nodiscard]] std::string size_word() const { return dim() == 2 ? "area " : "volume "; }
     [[nodiscard]] std::string outline_word() const { return dim() == 2 ? "outline" : "surface"; }
@@ -58,14 +58,14 @@ extern template class FactRun<FitRun, fit::Step3>;
 /// The run of a subject whose methods fit volumes.
 [[nodiscard]] inline const FitRun& fit_run(const Run& run) { return static_cast<const FitRun&>(run); }
 
-/// What entries of fitters' facts may leave out beside: most steps are asked at most whether the volume grows, support
-/// what they name, and matter where they bring the first volume.
+/// Defaults for the entries of fitters' facts: the only question is whether the volume grows, the support set stays as
+/// it was, and a step is a mark if it brings the first volume.
 struct FitEntry : EntryDefaults {
   static std::string predicate(const auto&, const FitRun::Where& where, bool plural) {
     return (plural ? "support the " : "supports the ") + where.ball();
   }
   static std::optional<Mark::Kind> mark(const auto&, const FitRun::Where& where) { return first(where); }
-  /// The support as the fact states it; nothing where it leaves it as it was.
+  /// The support set that the fact states; none if it stays as it was.
   static std::optional<std::vector<Index>> support(const auto&) { return std::nullopt; }
   static constexpr std::array kAskings{kGrows};
 

@@ -8,7 +8,7 @@ std::optional<double> best_so_far(FitTrace trace, int steps) {
   for (int i = steps; i-- > 0;) {
     const fit::Step3& step = trace[i].step;
     if (const auto* pass = std::get_if<PassJudged<double, 3>>(&step.fact)) return pass->best.radius;
-    // Not the end, of which nobody asks: the ball that the passes begin with.
+    // Finished at the start, not at the end: the ball that the passes begin with.
     const bool starts = std::holds_alternative<fit::Finished>(step.fact) && i + 1 < static_cast<int>(trace.size());
     if (starts && ball_of(step) != nullptr) return ball_of(step)->radius;
   }

@@ -13,7 +13,7 @@ std::string none_smaller(const Method& method, int dim) {
   return "no smaller " + std::string(method.volume == "aabb" ? "AABB" : volume_word(method.volume, dim));
 }
 
-/// Why nothing of its kind is smaller: only an oriented box has orientations to choose from.
+/// Why no volume of its kind is smaller. Only an oriented box has orientations to choose from.
 std::string smallest_text(const Method& method, int dim) {
   if (method.volume == "hull") return "no smaller convex set contains the points";
   const std::string none = none_smaller(method, dim);
@@ -39,7 +39,7 @@ std::vector<Proof> of_result(const Method& method, const FitRun& run) {
           smallest(certificate, method, run.dim())};
 }
 
-/// On the way nothing is promised of the points yet, and of a ball only what its support says.
+/// Before the end, containment is not guaranteed yet, and only the ball's support set can be checked.
 std::vector<Proof> on_the_way(const View& view, const FitRun& run, const Step3& step) {
   const Index n = size_of(run.points());
   const Index outside = count_outside(run.points(), step.volume);

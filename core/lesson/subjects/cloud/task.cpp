@@ -19,14 +19,14 @@ std::string plain_percent(double excess) {
   return text.front() == '+' ? text.substr(1) : text;
 }
 
-/// "9.96 %", rounded down: what is not reached does not look as if it were.
+/// "9.96 %", rounded down, so that a value below the goal does not look as if it had reached it.
 std::string closer_percent(double excess) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%.2f %%", std::floor(10000 * excess) / 100);
   return text.data();
 }
 
-/// What is reached of a measure, and what is asked for.
+/// The sentence about the excess: what is reached, and what is required.
 std::string excess_sentence(const CloudTask& task, const fit::Algorithm& algorithm, double excess, int dim) {
   const bool done = excess >= task.excess_at_least;
   const std::string asked_for = plain_percent(task.excess_at_least);

@@ -11,7 +11,7 @@
 namespace snug::lesson {
 namespace {
 
-/// The rounding that a ball's numbers carry.
+/// The rounding error of a ball's numbers.
 template <class Scalar>
 double roundoff(const fit::Sphere3& ball) {
   return tolerance::roundoff<Scalar>(ball.radius + ball.center.cwiseAbs().maxCoeff());
@@ -27,13 +27,13 @@ Index outside(const PointSet<Scalar, Dim>& set, const fit::Sphere3& ball) {
   return outside;
 }
 
-/// A hull is made of the points themselves, and stands at the end alone.
+/// None: a hull consists of the points themselves, and comes only at the end.
 template <class Scalar, int Dim>
 Index outside(const PointSet<Scalar, Dim>&, const ConvexHull<double, 3>&) {
   return 0;
 }
 
-/// The slabs of the plane are slabs of the plane still.
+/// A lifted planar k-DOP is converted back, because its slabs are those of the plane.
 template <class Scalar, int Dim>
 Index outside(const PointSet<Scalar, Dim>& set, const Kdop<double, 3>& kdop) {
   const Kdop<double, Dim> own = converted<double, Dim>(kdop);
@@ -42,7 +42,7 @@ Index outside(const PointSet<Scalar, Dim>& set, const Kdop<double, 3>& kdop) {
   return outside;
 }
 
-/// In 2-D both have z = 0.
+/// In 2-D, volume and points have z = 0.
 template <class Scalar, int Dim, class VolumeType>
 Index outside(const PointSet<Scalar, Dim>& set, const VolumeType& volume) {
   Index outside = 0;

@@ -7,8 +7,8 @@ namespace {
 
 using namespace fit;
 
-/// The list as the recursion begins with it: the outermost call goes through all of it, and what moves to the front
-/// moves among those that it has been through. Empty of any trace but Welzl's.
+/// The list at the start of the recursion. The outermost call visits its points in this order, because points only move
+/// to the front among those already visited. Empty if the trace is not Welzl's.
 std::vector<Index> shuffled_list(FitTrace trace) {
   std::vector<Index> list;
   bool forces = false;
@@ -20,14 +20,14 @@ std::vector<Index> shuffled_list(FitTrace trace) {
   return forces ? list : std::vector<Index>{};
 }
 
-/// Follows the facts from the beginning on.
+/// Follows the facts from the beginning.
 struct CallFollower {
   WelzlState state;
 
   void operator()(const PointExamined& fact) {
     state.moved = kNoIndex;
     WaitingCall& call = running(fact.depth);
-    if (state.list[call.done] != fact.point) ++call.done;  // no call came of the point before it
+    if (state.list[call.done] != fact.point) ++call.done;  // the point before it led to no call
     call.at = fact.point;
     if (!fact.outside) ++call.done;
   }
@@ -49,7 +49,7 @@ struct CallFollower {
   void operator()(const Finished&) { state.moved = kNoIndex, state.calls.clear(); }
   void operator()(const auto&) {}
 
-  /// The call of that depth; those that it had called are over.
+  /// The call at that depth; the calls below it have ended.
   WaitingCall& running(int depth) {
     state.calls.resize(static_cast<std::size_t>(depth) + 1);
     return state.calls.back();

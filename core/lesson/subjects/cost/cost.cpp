@@ -20,7 +20,7 @@ constexpr std::array kCostAskings{
 
 const SubjectRow& cloud_row() { return *subject_named("cloud"); }
 
-/// Of volumes that points are fitted with, of which one is the smallest.
+/// The volumes that are fitted to points and that have an exact algorithm.
 std::vector<std::string_view> charted_volumes() {
   std::vector<std::string_view> names = cloud_row().volumes();
   std::erase_if(names, [](std::string_view volume) { return fit::exact_algorithm(volume) == nullptr; });
@@ -48,8 +48,8 @@ void read_cost_task(TomlTable& table, Lesson& lesson, Complaints&) {
   lesson.task->terms = std::move(terms);
 }
 
-/// On the model's points something is as much smaller as the task asks. What takes the least time to be so is for the
-/// student's machine to say.
+/// Checks that on the model's points some algorithm is smaller by as much as the task asks. Which of them is fastest
+/// depends on the student's machine.
 void check_costs(const Lesson& lesson, const toml::table& toml, const Subject&, Complaints& complaints) {
   if (!lesson.task) return;
   const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
@@ -70,7 +70,7 @@ tl::expected<std::unique_ptr<Subject>, InputError> open_chart(const Lesson& less
   return std::make_unique<CostSubject>(*std::move(cloud), std::move(methods));
 }
 
-/// There is no clock: what is said speaks of counted operations.
+/// Without a clock, answers and grades are based on counted operations, and say so.
 void count_costs(Session& session) {
   auto rows = counted_costs(session.lesson(), *session.subject().points());
   session.inform<CostSubject>([&](CostSubject& subject) { subject.measured(std::move(rows)); });

@@ -1,5 +1,5 @@
-// A chart of what methods cost and how tight their volumes are, on a cloud: what is asked is decided by what was
-// measured, a row a method.
+// A chart of what methods cost and how tight their volumes are, on a cloud of points. The measurement, with a row for
+// each method, decides the answers.
 #pragma once
 
 #include "lesson/session.hpp"
@@ -14,7 +14,7 @@ using Costs = std::span<const cost::CostRow>;
 
 /// "So much smaller than that, for how much time?"
 struct CostTask : Tables {
-  double tighter_by = 0;  // what is to be found is smaller than the task's algorithm's by such a share
+  double tighter_by = 0;  // the fraction by which the volume must be smaller than that of the task's algorithm
 };
 
 class CostSubject final : public Subject {
@@ -27,11 +27,11 @@ class CostSubject final : public Subject {
   CostSubject(const CostSubject& other)
       : Subject(other), cloud_(other.cloud_->clone()), methods_(other.methods_), rows_(other.rows_) {}
 
-  /// What was measured on the points as they stand, a row an algorithm: it decides what was predicted.
+  /// Takes the measurement on the current points, a row for each algorithm: it decides the predictions.
   void measured(std::vector<cost::CostRow> rows) { rows_ = std::move(rows); }
-  /// Null where these points have not been measured.
+  /// Null if these points have not been measured.
   [[nodiscard]] const std::vector<cost::CostRow>* costs() const { return rows_ ? &*rows_ : nullptr; }
-  /// The lesson's, in its order.
+  /// The lesson's methods, in order.
   [[nodiscard]] const std::vector<const Method*>& methods() const { return methods_; }
 
   [[nodiscard]] const SubjectRow& row() const override { return kRow; }
@@ -40,7 +40,7 @@ class CostSubject final : public Subject {
   [[nodiscard]] Grade grade(const Lesson& lesson, const View& view, std::vector<bool>& found) const override;
   void begin_task(const Lesson& lesson, const Subject& own) override;
 
-  // The cloud's own; an edit forgets what was measured.
+  // The cloud's; an edit discards the measurement.
   [[nodiscard]] int dim() const override { return cloud_->dim(); }
   [[nodiscard]] Index size() const override { return cloud_->size(); }
   [[nodiscard]] Point3 at(Index i) const override { return cloud_->at(i); }
@@ -73,16 +73,16 @@ class CostSubject final : public Subject {
   std::optional<std::vector<cost::CostRow>> rows_;
 };
 
-/// Null where there is no chart, or its points have not been measured.
+/// Null if there is no chart, or if its points have not been measured.
 [[nodiscard]] const std::vector<cost::CostRow>* costs_of(const Session& session);
 
-/// chosen: the method that stands on the stage. rows: those of the task's points.
+/// chosen: the method shown on the stage. rows: those measured on the task's points.
 [[nodiscard]] Grade grade_costs(const Lesson& lesson, Costs rows, std::string_view chosen);
-/// The least time that is smaller by as much as the task asks; empty where none is.
+/// The fastest algorithm whose volume is smaller by as much as the task asks; empty if there is none.
 [[nodiscard]] std::string_view cheapest_of(const Task& task, Costs rows);
 
-/// The rows with operations in the place of nanoseconds, and no repeats, for who has no clock: a check of the lesson.
-/// All on all points. What is decided and graded by them speaks of operations.
+/// Rows with operations instead of nanoseconds, and no repeats, for checks of the lesson without a clock. All
+/// algorithms run on all points. Answers and grades that are based on them mention operations.
 [[nodiscard]] std::vector<cost::CostRow> counted_costs(const Lesson& lesson, const AnyPointSet& points);
 
 }  // namespace snug::lesson

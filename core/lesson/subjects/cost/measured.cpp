@@ -1,4 +1,4 @@
-// What measured rows say: the answers to the chart's questions, and the grade of its task.
+// The answers to the chart's questions and the grade of its task, from measured rows.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,13 +23,13 @@ std::string title_of(const cost::CostRow& row) {
   return std::string(algorithm != nullptr ? algorithm->title : std::string_view(row.algorithm));
 }
 
-/// One run on all points, measured or foreseen.
+/// The time of one run on all points, measured or extrapolated.
 double whole_time(const cost::CostRow& row) { return row.whole_ns.value_or(row.time.median); }
 
-/// Whether operations stand in the place of times: nothing was timed (counted_costs).
+/// Whether the row has operations instead of times, because nothing was timed (counted_costs).
 bool is_counted(const cost::CostRow& row) { return row.time.repeats == 0; }
 
-/// "12", "1.3", "4,700": what is counted in times needs no third digit.
+/// "12", "1.3", "4,700": a ratio with two digits.
 std::string times_text(double ratio) {
   if (ratio >= 1000) {
     const double last = std::pow(10, std::floor(std::log10(ratio)) - 1);
@@ -40,14 +40,14 @@ std::string times_text(double ratio) {
   return text.data();
 }
 
-/// That a time was not taken of all points, but worked out; nothing where it was.
+/// Says that a time was extrapolated from fewer points; empty if it was measured on all.
 std::string foretold(const cost::CostRow& row) {
   if (!row.whole_ns) return "";
   return " A run on all points would have made you wait: it was timed on " + count_text(row.points) + " of the " +
          count_text(row.of) + " and extrapolated.";
 }
 
-/// Whether the machine was too busy to tell how long it takes: on the chart such a mark is hollow.
+/// Whether the machine was too busy to measure the time: on the chart such a mark is hollow.
 bool measured_badly(const cost::CostRow& row) { return !is_counted(row) && !row.time.trusted; }
 
 Costs rows_of(const Asked& asked) {
@@ -73,8 +73,8 @@ std::string slower_sentence(Costs rows) {
          (is_counted(most) ? "many operations as " : "long as ") + title_of(least) + "." + foretold(most);
 }
 
-/// A row that the front rests on and that was measured badly; null where there is none. Whoever is slowest is so by
-/// far, but the front is decided by any two that are close.
+/// A badly measured row that could change the front; null if there is none. The slowest is slowest by far, but the
+/// front depends on any two that are close.
 const cost::CostRow* doubtful_row(Costs rows) {
   const auto found = std::find_if(rows.begin(), rows.end(),
                                   [](const cost::CostRow& row) { return row.points == row.of && measured_badly(row); });
@@ -155,7 +155,7 @@ Truth measured_choice_truth(const Asked& asked, const Run& run) {
 std::string_view cheapest_of(const Task& task, Costs rows) {
   const double tighter_by = static_cast<const CostTask&>(*task.terms).tighter_by;
   const cost::CostRow* const than = find_row(rows, task.algorithm);
-  const bool known = than != nullptr && !than->is_flat();  // of a flat shape sizes are nothing but rounding
+  const bool known = than != nullptr && !than->is_flat();  // the sizes of a flat shape are only rounding
   const cost::CostRow* best = nullptr;
   for (const cost::CostRow& row : rows) {
     const bool smaller = known && of_same_points(row, *than) && row.size <= (1 - tighter_by) * than->size;

@@ -1,4 +1,4 @@
-// What can be asked of a test of a box against a frustum.
+// What can be asked about a test of a box against a frustum.
 #include "lesson/subjects/frustum/entries.hpp"
 
 namespace snug::lesson {
@@ -10,7 +10,7 @@ const query::PlaneTested<double, 3>& plane_of(const Asked& asked, const Run& run
   return *std::get_if<query::PlaneTested<double, 3>>(&frustum_run(run).trace()[asked.fact].step.fact);
 }
 
-/// Every vertex that is as far is right.
+/// The truth about the p- or n-vertex: every vertex that is equally far is right.
 Truth vertex_truth(const Asked& asked, const query::PlaneTested<double, 3>& tested, bool along) {
   Truth truth;
   const int vertices = along ? tested.p_corners : tested.n_corners;

@@ -1,4 +1,4 @@
-// The entries of the facts that tests of a box against a frustum tell.
+// The entries of the facts that tests of a box against a frustum report.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ using FrustumWhere = FrustumRun::Where;
   return std::string(query::kCullingNames[static_cast<std::size_t>(culling)]);
 }
 
-const char* offer_vertices(Asked& asked, const Run& run);  // the box's
+const char* offer_vertices(Asked& asked, const Run& run);  // the vertices of the box
 const char* offer_cullings(Asked& asked, const Run& run);  // inside, intersecting, outside
 Truth p_vertex_truth(const Asked& asked, const Run& run);
 Truth n_vertex_truth(const Asked& asked, const Run& run);

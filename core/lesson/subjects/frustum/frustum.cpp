@@ -11,7 +11,7 @@ template class FactRun<FrustumRun, FrustumStep>;
 
 namespace {
 
-/// A place where that test loses a box that shares a point with the frustum.
+/// The goals: a box that this wrong test loses, although it shares a point with the frustum.
 constexpr std::array<std::string_view, 1> kFrustumGoals{"corners_outside"};
 
 std::vector<std::string_view> frustum_volumes() { return {kFrustumBox}; }
@@ -53,7 +53,7 @@ void read_frustum_task(TomlTable& table, Lesson& lesson, Complaints& complaints)
   read_box_task(table, lesson, complaints, kFrustumGoals, &read_frustum_model);
 }
 
-/// The wrong test calls the box outside, and it is not.
+/// Whether the wrong test calls a box outside that is not.
 bool loses_box(std::string_view, const BoxPair& pair) {
   return says_of_box("corners_outside", pair) == query::Culling::kOutside && share_a_point(pair).value_or(false);
 }

@@ -1,4 +1,4 @@
-// A box and a frustum, and the tests of where the box is.
+// A box and a frustum, and the tests that classify the box.
 #pragma once
 
 #include "lesson/boxes.hpp"

@@ -11,7 +11,7 @@ using Corner = query::CornerTested<double, 3>;
 
 std::string word(Culling culling) { return std::string(query::kCullingNames[static_cast<std::size_t>(culling)]); }
 
-/// Collects the figures of one place in a run.
+/// Collects the figures at one step of a run.
 class FrustumBoard {
  public:
   FrustumBoard(const View& view, int dim) : view_(view), steps_(frustum_run(view.run()).trace()), dim_(dim) {
@@ -57,12 +57,12 @@ class FrustumBoard {
 
   [[nodiscard]] std::string name_of(int corner) const { return " " + sign_name(dim_, corner); }
 
-  /// An empty text: there is no value yet.
+  /// Adds a figure; an empty text means that there is no value yet.
   void add(std::string name, std::string key, std::string text, double value, std::string unit) {
     const bool known = !text.empty();
     figures_.push_back({std::move(name), std::move(key), known ? std::move(text) : "—", value, std::move(unit), known});
   }
-  /// Signed, above 0 outside.
+  /// Adds a signed distance, above 0 outside.
   void length(std::string name, std::string key, double value, bool known) {
     add(std::move(name), std::move(key), known ? (value > 0 ? "+" : "") + number_text(value) + " units" : "", value,
         "units");

@@ -28,7 +28,7 @@ FrustumStep in_space(const query::ClassifyStep<double, Dim>& step) {
   }
 }
 
-/// A lesson's box has no parent, so no plane is ever skipped: the line that says so is left out.
+/// A lesson's box has no parent, so no plane is ever skipped: this leaves out the line about skipping.
 constexpr auto kOneBoxPseudocode = [] {
   std::array<std::string_view, query::kClassifyBoxPseudocode.size() - 1> lines;
   for (std::size_t i = 0; i < lines.size(); ++i)

@@ -12,10 +12,10 @@
 
 namespace snug::lesson {
 
-/// A lesson's volume where it has a box and a frustum.
+/// The volume of a lesson about a box and a frustum.
 inline constexpr std::string_view kFrustumBox = "frustum_box";
 
-/// In 3-D: in 2-D z is 0, and vertices keep their bits.
+/// A step in 3-D; from 2-D it has z = 0, and vertices keep their bits.
 using FrustumStep = query::ClassifyStep<double, 3>;
 using FrustumTrace = std::vector<Recorder<FrustumStep>::Entry>;
 using FrustumSteps = std::span<const Recorder<FrustumStep>::Entry>;
@@ -28,7 +28,7 @@ using FrustumSteps = std::span<const Recorder<FrustumStep>::Entry>;
 /// What that test says of the box.
 [[nodiscard]] query::Culling says_of_box(std::string_view test, const BoxPair& pair);
 
-/// Whether box and frustum share a point, exactly. None where the frustum is so thin that it has no corners.
+/// Whether the box and the frustum share a point, exactly. None if the frustum is so thin that it has no vertices.
 [[nodiscard]] std::optional<bool> share_a_point(const BoxPair& pair);
 
 }  // namespace snug::lesson

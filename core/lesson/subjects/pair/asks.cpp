@@ -1,4 +1,4 @@
-// What can be asked of a test of two boxes.
+// What can be asked about a test of two boxes.
 #include "lesson/subjects/pair/entries.hpp"
 
 namespace snug::lesson {

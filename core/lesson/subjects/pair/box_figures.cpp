@@ -9,7 +9,7 @@ namespace {
 
 using Axis = query::AxisTested<double, 3>;
 
-/// shown: what stands there of the value, which may be without its sign.
+/// shown: the value to display, possibly without its sign.
 Figure length(std::string name, std::string key, double value, double shown, bool known) {
   return {std::move(name), std::move(key), known ? number_text(shown) + " units" : "—", value, "units", known};
 }
@@ -18,7 +18,7 @@ const query::Verdict<double, 3>* verdict_of(PairSteps steps) {
   return steps.empty() ? nullptr : std::get_if<query::Verdict<double, 3>>(&steps.back().step.fact);
 }
 
-/// Whether some axes were too close to call for rounded numbers.
+/// Whether some axes were too close to call in floating point.
 bool looked_closer(PairSteps steps) {
   return std::any_of(steps.begin(), steps.end(),
                      [](const auto& entry) { return std::holds_alternative<query::LookedCloser>(entry.step.fact); });

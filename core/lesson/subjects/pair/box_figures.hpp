@@ -12,14 +12,14 @@ namespace snug::lesson {
 /// The axes that a trace has tested, in its order.
 [[nodiscard]] std::vector<query::AxisTested<double, 3>> axes_seen(PairSteps steps);
 
-/// The axis that the last of these steps speaks of: the one that was just tested, or the one that a verdict rests on,
-/// as the verdict has it. None where it speaks of none, as of boxes that overlap where the test ends at the first gap.
+/// The axis that the last of these steps is about: the one just tested, or the one that a verdict rests on. None if
+/// there is no such axis, for example when boxes overlap and the test ends at the first gap.
 [[nodiscard]] std::optional<query::AxisTested<double, 3>> axis_at(PairSteps steps);
 
-/// Keys: axis distance radius_a radius_b gap tests. All but tests are of axis_at.
+/// Keys: axis distance radius_a radius_b gap tests. All but tests are about axis_at.
 [[nodiscard]] std::vector<Figure> box_figures(const View& view, const BoxPair& pair);
 
-/// Those at the end of the run; none before.
+/// The proofs at the end of the run; none before.
 [[nodiscard]] std::vector<Proof> box_proofs(const View& view, const BoxPair& pair);
 
 }  // namespace snug::lesson

@@ -22,7 +22,7 @@ constexpr std::array kTests{
     Method{kBoxPair, "corners_only", "Vertices only (wrong)", kWrong, query::kCornersOnlyPseudocode},
 };
 
-/// Calls with both boxes in their own dimension.
+/// Calls a function with both boxes in their own dimension.
 template <class Call>
 auto in_dimension(const BoxPair& pair, Call call) {
   return pair.dim == 2 ? call(flat(pair.boxes[0]), flat(pair.boxes[1])) : call(pair.boxes[0], pair.boxes[1]);

@@ -19,8 +19,8 @@
 
 namespace snug::lesson {
 
-/// The end of a test of two volumes that has none of its own. direction: the separating axis, unit, from A towards B;
-/// zero where they overlap. gap, distance: along it and at all, scene units; distance is below 0 where the test does
+/// The end of a test of two volumes that has no such fact itself. direction: the separating axis, unit, from A towards
+/// B; zero if they overlap. gap: along that axis, scene units; distance: between the volumes, below 0 if the test does
 /// not find it.
 struct OverlapDecided {
   static constexpr std::string_view kName = "overlap_decided";
@@ -31,7 +31,7 @@ struct OverlapDecided {
   static auto tie(auto& own) { return std::tie(own.overlap, own.gap, own.distance, own.direction); }
 };
 
-/// A step of any of the tests, in 3-D: in 2-D z is 0, and the third axis z.
+/// A step of any of the tests, in 3-D; from 2-D it has z = 0, and the third axis is z.
 struct PairStep {
   int line = 0;  // of the test's pseudocode, counted from 0
   std::variant<query::FramesRelated<double, 3>, query::AxisTested<double, 3>, query::LookedCloser,
@@ -47,7 +47,7 @@ using PairSteps = std::span<const Recorder<PairStep>::Entry>;
 struct RecordPair {
   PairTrace trace;
   OperationCounts counts{};
-  int gjk_line = 0;  // of the pseudocode, where GJK's begins
+  int gjk_line = 0;  // the line where GJK's pseudocode begins
   void operator()(const query::GjkStep& step) { keep(step.line + gjk_line, step.fact); }
   void operator()(const auto& step) { keep(step.line, step.fact); }
   void count(Operation operation, std::int64_t n) { counts[static_cast<std::size_t>(operation)] += n; }
@@ -74,8 +74,8 @@ struct RecordPair {
 /// Whether that test says that the boxes overlap.
 [[nodiscard]] bool says_overlap(std::string_view test, const BoxPair& pair);
 
-/// One of the test's axes, in the order in which it goes through them: those of A's faces, of B's, then the edges'
-/// products.
+/// One of the test's axes, in the order in which they are tested: those of A's faces, of B's faces, then the cross
+/// products of edges.
 struct AxisName {
   std::string text;  // "A x", "B y", "A x × B z"
   query::AxisKind kind = query::AxisKind::kNone;
@@ -83,9 +83,9 @@ struct AxisName {
 };
 /// 4 in 2-D, 15 in 3-D.
 [[nodiscard]] std::span<const AxisName> axis_names(int dim);
-/// Its place among axis_names(dim), -1 for none.
+/// The axis's index in axis_names(dim), -1 for none.
 [[nodiscard]] int axis_index(int dim, const query::SatAxis<double, 3>& axis);
-/// Its name there, empty for none.
+/// The axis's name there, empty for none.
 [[nodiscard]] std::string axis_text(int dim, const query::SatAxis<double, 3>& axis);
 
 }  // namespace snug::lesson

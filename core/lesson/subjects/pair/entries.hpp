@@ -1,4 +1,4 @@
-// The entries of the facts that tests of two boxes tell.
+// The entries of the facts that tests of two volumes report.
 #pragma once
 
 #include <algorithm>
@@ -93,7 +93,7 @@ struct Entry<query::Claimed> : EntryDefaults {
   static std::optional<Mark::Kind> mark(const Fact&, const PairWhere&) { return Mark::Kind::kReplaced; }
 };
 
-/// "which_axis": which axis separates the boxes; the choices are the test's axes and none.
+/// "which_axis": which axis separates the boxes; the choices are the test's axes, and none.
 const char* offer_tested_axes(Asked& asked, const Run& run);
 Truth which_axis_truth(const Asked& asked, const Run& run);
 
@@ -118,7 +118,7 @@ struct Entry<query::Verdict<double, 3>> : EntryDefaults {
 
 // ---- the tests of any two volumes ------------------------------------------------------------------------------
 
-/// "separates" of an interval, "apart" of two cores or in the end: yes or no.
+/// "separates" asks about an interval, "apart" about two cores or the end result: yes or no.
 Truth slab_truth(const Asked& asked, const Run& run);
 Truth cores_truth(const Asked& asked, const Run& run);
 Truth overlap_truth(const Asked& asked, const Run& run);

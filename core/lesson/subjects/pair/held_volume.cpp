@@ -15,7 +15,7 @@ namespace {
 using Kind = Handle::Kind;
 using Box = Obb<double, 3>;
 using Handles = std::vector<Handle>;
-/// Nothing, or why it cannot be.
+/// Empty, or why the move is impossible.
 using Moved = std::string_view;
 
 constexpr std::string_view kEmptySlabs = "the slabs would have no point in common";
@@ -27,7 +27,7 @@ void add_knobs(Handles& handles, int dim) {
   for (int axis = 0; axis < dim - 1; ++axis) handles.push_back({Kind::kTurn, axis});
 }
 
-/// A unit direction across another one; in the plane the one to its left.
+/// A unit direction perpendicular to another; in the plane, the one to its left.
 Point3 across(const Point3& way, int dim) {
   if (!(way.norm() > 0)) return Point3::UnitY();
   Point3 across(-way[1], way[0], 0);
@@ -41,7 +41,7 @@ Point3 across(const Point3& way, int dim) {
   return across.normalized();
 }
 
-// ---- what each kind's handles are, where they stand, and what moving one does -----------------------------------
+// ---- each kind's handles: which and where they are, and what moving one does -----------------------------------
 
 template <class Volume>
 struct Grip;
@@ -87,7 +87,7 @@ struct Grip<Aabb<double, 3>> {
   }
 };
 
-/// As the boxes of other lessons are held.
+/// Has the same handles as the boxes of other lessons.
 template <>
 struct Grip<Box> {
   using Volume = Box;
@@ -114,7 +114,7 @@ struct Grip<Box> {
     box.axes = orthonormal<double, 3>(rotation * box.axes);
   }
   static Moved move(Volume& box, HeldVolume& held, const Handle& handle, const Point3& to) {
-    box = lesson::moved(pair_of(box, held), place(held, handle), to)->boxes[0];  // to is finite: it was looked at
+    box = lesson::moved(pair_of(box, held), place(held, handle), to)->boxes[0];  // to was checked to be finite
     return {};
   }
 };
@@ -145,7 +145,7 @@ struct Grip<Capsule<double, 3>> {
 template <>
 struct Grip<Lozenge<double, 3>> {
   using Volume = Lozenge<double, 3>;
-  /// The rectangle as a box without depth.
+  /// The lozenge's rectangle as a box without depth.
   static Box core(const Volume& lozenge, int dim) {
     Box box{lozenge.origin + (lozenge.edges[0] + lozenge.edges[1]) / 2};
     const double u = lozenge.edges[0].norm(), v = lozenge.edges[1].norm();
@@ -166,7 +166,7 @@ struct Grip<Lozenge<double, 3>> {
     const Box box = core(lozenge, held.dim);
     return {.dim = held.dim, .boxes = {box, box}, .knob = held.knob + lozenge.radius};
   }
-  /// Where the radius is taken: off the rectangle in space, off its lower side in the plane.
+  /// Where the handle of the radius is attached: above the rectangle in space, at its lower side in the plane.
   static Point3 foot(const Box& box, int dim) {
     return dim == 3 ? box.center : Point3(box.center - box.half_extents[1] * box.axes.col(1));
   }
@@ -253,7 +253,7 @@ struct Grip<Kdop<double, 3>> {
     for (const Point3& vertex : all) sum += vertex;
     return sum / static_cast<double>(std::max<std::size_t>(all.size(), 1));
   }
-  /// The centre's foot on the bound's plane.
+  /// The projection of the centre onto the bound's plane.
   static Point3 at(const Volume& kdop, const HeldVolume& held, const Handle& handle) {
     const Point3 middle = center(kdop, held), n = axis(kdop, held.dim, handle.number / 2);
     const double bound = handle.number % 2 == 1 ? kdop.max[handle.number / 2] : kdop.min[handle.number / 2];
@@ -278,7 +278,7 @@ struct Grip<Kdop<double, 3>> {
 template <>
 struct Grip<ConvexHull<double, 3>> {
   using Volume = ConvexHull<double, 3>;
-  /// Around the points as they are now.
+  /// Computes the hull of the points as they are now.
   static void wrap(Volume& hull, const HeldVolume& held) {
     const auto wrapped = [&]<int Dim>(std::integral_constant<int, Dim>) {
       std::vector<Vector<double, Dim>> own;

@@ -1,4 +1,4 @@
-// A volume as a hand takes it: the handles by which it is moved, turned and changed. Each kind of volume has its own.
+// A volume with handles to move, rotate and change it. Each kind of volume has its own handles.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@
 
 namespace snug::lesson {
 
-/// What a handle is of its volume.
+/// What a handle does to its volume.
 struct Handle {
   enum class Kind {
-    kCenter,  // takes the volume along
-    kTurn,    // turns it; number: the axis that the knob stands on
-    kVertex,  // of the volume's core, in the order of query::core_corners; of a hull one of its points
+    kCenter,  // moves the whole volume
+    kTurn,    // rotates it; number: the axis of the knob
+    kVertex,  // a vertex of the core, in the order of query::core_corners; for a hull, one of its points
     kRadius,  // a place on the boundary
-    kBound,   // of a k-DOP; number: twice the slab, 1 more for its greater bound
+    kBound,   // of a k-DOP; number: twice the slab's index, plus 1 for its greater bound
   } kind = Kind::kCenter;
   int number = 0;
   friend bool operator==(const Handle&, const Handle&) = default;
@@ -27,14 +27,14 @@ struct Handle {
 struct HeldVolume {
   fit::Volume3 volume;
   int dim = 2;
-  std::vector<Point3> points;  // of a hull: those that it is the hull of
-  double knob = 0.5;           // how far a knob stands off, scene units
+  std::vector<Point3> points;  // for a hull: the points that it is the hull of
+  double knob = 0.5;           // the distance of a knob, scene units
 };
 
-/// In their order: the centre, the knobs, all others.
+/// The handles in order: the centre, the knobs, all others.
 [[nodiscard]] std::vector<Handle> handles_of(const HeldVolume& held);
 [[nodiscard]] Point3 at_handle(const HeldVolume& held, const Handle& handle);
-/// "", " turn", "3", " radius", " +x−y": what stands after the volume's name.
+/// What follows the volume's name in a handle's name: "", " turn", "3", " radius", " +x−y".
 [[nodiscard]] std::string handle_name(const HeldVolume& held, const Handle& handle);
 
 /// The volume with a handle moved to a place. Errors: a coordinate that is not finite or too large; slabs that would
@@ -42,13 +42,13 @@ struct HeldVolume {
 [[nodiscard]] tl::expected<HeldVolume, InputError> moved(const HeldVolume& held, const Handle& handle,
                                                          const Point3& to);
 
-/// What is wrong with a volume that was read, in one fragment; empty for nothing.
+/// What is wrong with a volume that was read, as a sentence fragment; empty for nothing.
 [[nodiscard]] std::string fault_of(const HeldVolume& held);
 
-/// Turned about its centre, as far as its kind can be, and moved.
+/// The volume rotated about its centre, if its kind can rotate, and moved.
 [[nodiscard]] HeldVolume placed(const HeldVolume& held, const Matrix<double, 3>& rotation, const Point3& by);
 
-/// What stands for a direction of a k-DOP: "+x−y"; and for its axis: "x−y".
+/// The name of a k-DOP's direction, "+x−y"; and of its axis, "x−y".
 [[nodiscard]] std::string direction_name(const Point3& direction);
 [[nodiscard]] std::string axis_name(const Point3& direction);
 

@@ -57,7 +57,7 @@ const SubjectRow kPairRow{.name = "pair",
 std::vector<std::string_view> pair_facts() { return FactList<decltype(PairStep::fact)>::names(); }
 std::vector<AskingOf> pair_askings() { return FactList<decltype(PairStep::fact)>::askings(); }
 
-/// Every vertex of the boxes that the answer is of; of other volumes every vertex.
+/// Every vertex of the box that the answer is on; for other volumes, every vertex.
 std::vector<Index> PairRun::candidates(int i) const {
   std::vector<Index> all;
   const std::vector<Index> named = handles(i);

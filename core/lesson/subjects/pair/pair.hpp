@@ -9,14 +9,14 @@ namespace snug::lesson {
 
 extern const SubjectRow kPairRow;
 
-/// What tests of two boxes, and of any two volumes, tell, and what can be asked of it.
+/// The facts that tests of two boxes, and of any two volumes, report; and what can be asked about them.
 [[nodiscard]] std::vector<std::string_view> pair_facts();
 [[nodiscard]] std::vector<AskingOf> pair_askings();
 
-/// A lesson's volume where it has two boxes.
+/// The volume of a lesson about two boxes.
 inline constexpr std::string_view kBoxPair = "box_pair";
 
-/// A vertex of a volume's core: what it is called, and its handle, kNoIndex where it has none.
+/// A vertex of a volume's core: its name, and its handle; kNoIndex if it has none.
 struct CoreVertex {
   std::string name;
   Index handle = kNoIndex;
@@ -24,7 +24,7 @@ struct CoreVertex {
 
 class PairRun final : public FactRun<PairRun, PairStep> {
  public:
-  /// Those of A and of B, of tests that speak of them.
+  /// The vertices of A and of B, for tests that mention them.
   using Vertices = std::array<std::vector<CoreVertex>, 2>;
 
   PairRun(int dim, PairTrace trace) : dim_(dim), trace_(std::move(trace)) {}
@@ -63,8 +63,8 @@ class PairSubject final : public BoxSubject {
   [[nodiscard]] Grade grade(const Lesson& lesson, const View& view, std::vector<bool>& found) const override;
 };
 
-/// "extents_only", "corners_only": a place where that test is wrong; "only_edges", "last_axis": where edge axes alone,
-/// or the last axis alone, separate the boxes.
+/// "extents_only", "corners_only": boxes on which that test is wrong; "only_edges", "last_axis": boxes that only edge
+/// axes, or only the last axis, separate.
 inline constexpr std::array<std::string_view, 4> kPairGoals{"extents_only", "corners_only", "only_edges", "last_axis"};
 extern const BoxGoals kReachPairGoals;
 

@@ -15,7 +15,7 @@ constexpr double kLargest = 1e6;
 struct FieldReader {
   TomlTable& table;
   int dim;
-  int k = 0;  // of a k-DOP
+  int k = 0;  // for a k-DOP
 
   void operator()(std::string_view name, double& length) const { length = table.number(name, kLargest); }
   void operator()(std::string_view name, Point3& point) const {
@@ -31,7 +31,7 @@ struct FieldReader {
     if (std::abs(edges[0].dot(edges[1])) > 1e-9 * edges[0].norm() * edges[1].norm())
       table.wrong(name, "must be perpendicular");
   }
-  /// Degrees: in space about x, then y, then z.
+  /// Reads degrees: in space about x, then y, then z.
   void operator()(std::string_view, Matrix<double, 3>& axes) const {
     const auto degrees = table.numbers("turn");
     if (degrees.size() != (dim == 2 ? 1u : 3u))
@@ -59,7 +59,7 @@ struct FieldReader {
   void operator()(std::string_view, std::vector<Item>&) const {}  // of a hull: worked out
 };
 
-/// An empty volume of the kind with that place in kVolumeNames.
+/// An empty volume of the kind with that index in kVolumeNames.
 template <std::size_t at = 0>
 fit::Volume3 volume_of_kind(std::size_t kind) {
   if constexpr (at + 1 < kVolumeNames.size())

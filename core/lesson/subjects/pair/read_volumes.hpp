@@ -8,14 +8,14 @@ namespace snug::lesson {
 
 struct VolumeTables : Tables {
   VolumePair pair;
-  int line = 1;  // of the table
+  int line = 1;  // that of the table
 };
 
-/// a, b: each a table with the kind of the volume, whose fields are named as in `snug overlap`; but for an oriented
-/// box, which has "turn" in degrees in the place of its axes.
+/// Reads a and b: each is a table with the kind of the volume, whose fields are named as in `snug overlap`. But an
+/// oriented box has "turn", in degrees, instead of its axes.
 void read_volumes(TomlTable& table, Lesson& lesson, Complaints& complaints);
 void refuse_volume_task(TomlTable& table, Lesson& lesson, Complaints& complaints);
-/// Every algorithm is the pair's own test, or GJK.
+/// Checks that every algorithm is the pair's own test or GJK.
 void check_volume_tests(const Lesson& lesson, const Subject& own, Complaints& complaints);
 
 }  // namespace snug::lesson

@@ -1,11 +1,11 @@
-// A task on two boxes: a counter-example is found, and then another.
+// Tasks on two boxes: the student finds counter-examples, one after the other.
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/pair/pair.hpp"
 
 namespace snug::lesson {
 namespace {
 
-/// Apart, and along no axis before that one in the test's order.
+/// Whether the boxes are apart, but no axis before `first` in the test's order separates them.
 bool only_from(const BoxPair& pair, int first) {
   bool apart = false;
   for (const auto& entry : record("sat_all", pair)) {
@@ -32,7 +32,7 @@ std::string sentence(std::string_view goal, const BoxPair& pair, bool now, bool 
   }
   const Method& test = *find_method(box_tests(), goal);
   const std::string title =
-      "“" + std::string(test.title.substr(0, test.title.find(" ("))) + "”";  // that it is wrong is to be said
+      "“" + std::string(test.title.substr(0, test.title.find(" ("))) + "”";  // without "(wrong)", which is said below
   if (now)
     return title + " is wrong here: it says that the boxes " + (says_overlap(goal, pair) ? "overlap" : "are apart") +
            ".";

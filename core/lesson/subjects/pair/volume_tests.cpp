@@ -8,7 +8,7 @@ namespace {
 
 using query::PairTest;
 
-/// GJK's lines stand behind those of the slabs, of which the last gives way to them.
+/// GJK's lines follow those of the slabs and replace the last one.
 constexpr int kSlabLines = 3;
 constexpr auto kSlabsThenGjkPseudocode = [] {
   std::array<std::string_view, kSlabLines + query::kGjkPseudocode.size()> all;
@@ -44,7 +44,7 @@ constexpr std::array kVolumeTests{
     row(PairTest::kGjk, "GJK", kGjk, query::kGjkPseudocode),
 };
 
-/// Calls with both volumes in their own dimension.
+/// Calls a function with both volumes in their own dimension.
 template <class Call>
 auto in_dimension(const VolumePair& pair, Call call) {
   const auto own = [&]<int Dim>(std::integral_constant<int, Dim>) {

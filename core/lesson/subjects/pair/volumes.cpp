@@ -21,11 +21,11 @@ tl::expected<std::unique_ptr<Subject>, InputError> open_volumes(const Lesson& le
   return std::make_unique<VolumesSubject>(static_cast<const VolumeTables&>(*lesson.tables).pair, lesson.seed);
 }
 
-/// Where the last of these steps that is such a fact says how the test stands.
+/// The state of the test after some steps, from the last step of each fact.
 struct SoFar {
   int tests = 0;
   double radii = 0;
-  std::optional<double> lower, upper;  // of the cores' distance
+  std::optional<double> lower, upper;  // bounds on the cores' distance
   const OverlapDecided* end = nullptr;
 
   void operator()(const query::SlabTested&) { ++tests; }
@@ -87,7 +87,7 @@ Done VolumesSubject::move(Index i, const Point3& to) {
   return {};
 }
 
-/// The lesson's own volumes, placed and, as far as their kind can be, turned at random.
+/// Scatters the lesson's own volumes: random positions and, if their kind can rotate, random orientations.
 void VolumesSubject::scatter(std::uint64_t seed, const Subject& own) {
   pair_ = as<VolumesSubject>(own)->pair_;
   origin_ = own.origin();
@@ -105,8 +105,8 @@ void VolumesSubject::scatter(std::uint64_t seed, const Subject& own) {
   }
 }
 
-/// The vertices of both cores, with their handles. A hull's are some of the points that it is held by, a k-DOP's have
-/// none.
+/// The vertices of both cores, with their handles. A hull's vertices are some of its points, and have their handles; a
+/// k-DOP's have none.
 PairRun::Vertices VolumesSubject::vertices() const {
   PairRun::Vertices all;
   for (const int side : {0, 1}) {

@@ -9,10 +9,10 @@ namespace snug::lesson {
 
 extern const SubjectRow kVolumesRow;
 
-/// A lesson's volume where it has any two.
+/// The volume of a lesson about any two volumes.
 inline constexpr std::string_view kVolumePair = "volume_pair";
 
-/// In 2-D z is 0. A's kind does not stand after B's in kVolumeNames: so the tests take A first.
+/// Two volumes; in 2-D z is 0. A's kind does not come after B's in kVolumeNames, so that the tests take A first.
 struct VolumePair {
   int dim = 2;
   std::array<HeldVolume, 2> held;
@@ -23,18 +23,18 @@ struct VolumePair {
   return query::kPairTests[pair.held[0].volume.index()][pair.held[1].volume.index()];
 }
 
-/// Each of query::PairTest, by its name there. GJK suits every pair, the others those that they are the test of.
+/// A method for each query::PairTest, with its name. GJK suits every pair, each other test its own pairs.
 [[nodiscard]] std::span<const Method> volume_tests();
-/// The pair's own test, or GJK.
+/// Records the pair's own test, or GJK.
 [[nodiscard]] PairTrace record(std::string_view test, const VolumePair& pair);
 
 /// The vertices of a volume's core, as GJK knows them.
 [[nodiscard]] std::vector<Point3> core_of(const HeldVolume& held);
 /// The radius around the core.
 [[nodiscard]] double radius_of(const HeldVolume& held);
-/// The nearest points of both; none where they overlap.
+/// The nearest points of both; none if they overlap.
 [[nodiscard]] std::optional<query::Separation<double, 3>> separation_of(const VolumePair& pair);
-/// The same of the cores alone, without the radii.
+/// The same for the cores alone, without the radii.
 [[nodiscard]] std::optional<query::Separation<double, 3>> core_separation_of(const VolumePair& pair);
 
 class VolumesSubject final : public Subject {
@@ -71,7 +71,7 @@ class VolumesSubject final : public Subject {
 
   std::uint64_t lesson_seed_;
   VolumePair pair_;
-  std::vector<Own> handles_;  // of A, then of B
+  std::vector<Own> handles_;  // those of A, then those of B
 };
 
 }  // namespace snug::lesson

@@ -1,11 +1,11 @@
-// The entry of the one fact that a scene tells.
+// The entry of the one fact that a scene reports.
 #pragma once
 
 #include "lesson/subjects/scene/scene.hpp"
 
 namespace snug::lesson {
 
-/// "figure": between which bounds a figure of the scene lies; the choices are the ranges.
+/// "figure": in which range a figure of the scene lies; the choices are the ranges.
 const char* offer_ranges(Asked& asked, const Run& run);
 Truth range_truth(const Asked& asked, const Run& run);
 

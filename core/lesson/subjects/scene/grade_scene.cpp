@@ -1,4 +1,4 @@
-// The grading of a task on a scene: what the last frame's figures come to.
+// Grades a task on a scene by the figures of its last frame.
 #include "lesson/subjects/scene/scene.hpp"
 #include "lesson/subjects/scene/scene_figures.hpp"
 

@@ -25,7 +25,7 @@ V3 vector_or(TomlTable& table, std::string_view key, const V3& otherwise) {
 constexpr double kMostLength = 1e9;
 double length(TomlTable& table, std::string_view key) { return table.number(key, kMostLength); }
 
-/// Each of them a length, as a radius is.
+/// Reads half extents; each must be a length, like a radius.
 V3 half_extents(TomlTable& table) {
   const V3 half = vector_or(table, "half_extents", V3::Constant(0.5));
   for (int axis = 0; axis < 3; ++axis)
@@ -34,7 +34,7 @@ V3 half_extents(TomlTable& table) {
   return half;
 }
 
-/// Degrees about x, then y, then z.
+/// An orientation from degrees about x, then y, then z.
 Quaternion turned_by(const V3& degrees) {
   Quaternion turn;
   for (int axis = 0; axis < 3; ++axis)
@@ -42,7 +42,7 @@ Quaternion turned_by(const V3& degrees) {
   return turn;
 }
 
-/// A shape by its name, about the body's origin.
+/// Reads a shape by its name, about the body's origin.
 void read_shape(TomlTable& table, SceneBody& one, bool has_mesh) {
   const std::string shape = table.text("shape");
   if (shape == "sphere") {
@@ -80,7 +80,7 @@ SceneBody read_body(const toml::table& toml, bool has_mesh, Complaints& complain
   return one;
 }
 
-/// Places are lists of three numbers; a setting keeps them one after the other.
+/// Reads a setting. Places are lists of three numbers, which a setting keeps one after the other.
 scene::Setting read_setting(TomlTable& table, const std::string& key, const toml::node& node) {
   if (node.is_string()) return {key, {}, table.text(key)};
   if (key != "places") return {key, table.numbers(key), {}};
@@ -135,7 +135,7 @@ void read_ranges(TomlTable& table, Question& question) {
   double last = -std::numeric_limits<double>::infinity();
   const auto rises = [&](double bound) {
     return bound > std::exchange(last, bound) && std::isfinite(bound);
-  };  // no NaN does
+  };  // false for a NaN
   if (question.bounds.empty() || !std::all_of(question.bounds.begin(), question.bounds.end(), rises))
     table.wrong("bounds", "must be numbers that rise"), question.bounds = {0};
 }

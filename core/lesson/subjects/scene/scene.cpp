@@ -40,14 +40,14 @@ tl::expected<std::unique_ptr<Subject>, InputError> open_scene(const Lesson& less
   return std::make_unique<SceneSubject>(lesson, *std::move(points), std::move(mesh), clock);
 }
 
-/// No method has too many pairs.
+/// Checks that no method has too many pairs.
 void check_frames(const Lesson& lesson, const Subject& own, Complaints& complaints) {
   for (const std::string& name : lesson.algorithms)
     if (const Done kept = check_pairs(set_of(lesson), name, *own.points(), lesson.seed); !kept)
       return complaints.add(static_cast<int>(kept.error().position), kept.error().what);
 }
 
-/// The model does the task, which the beginning does not.
+/// Checks that the model solves the task, and that the start does not.
 void check_scene_task(const Lesson& lesson, const toml::table& toml, const Subject& own, Complaints& complaints) {
   if (!lesson.task) return;
   const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
@@ -64,7 +64,7 @@ void check_scene_task(const Lesson& lesson, const toml::table& toml, const Subje
     complaints.add(task.line_of("model"), "the model does not solve the task: " + grade.says);
 }
 
-/// Where an effect that makes the figures is off: which of them are still those of an earlier frame.
+/// If an effect behind the figures is off: says which of them are still those of an earlier frame.
 std::string still_words(const SceneRun::Where& where, bool pairs) {
   const std::array<std::pair<const char*, const char*>, 3> makers{
       {{"refit", pairs ? "the AABBs are still those" : "the volume is still that"},
@@ -79,7 +79,7 @@ std::string still_words(const SceneRun::Where& where, bool pairs) {
 /// "the update examines 80 points; the volume is 35.0 % larger than the tightest of its kind, and 3.421 times the
 /// hull’s."
 std::string update_words(const FrameTaken& fact, const SceneRun::Where& where) {
-  constexpr double kShown = 0.0005;  // what is less is 0.0 %
+  constexpr double kShown = 0.0005;  // less is shown as 0.0 %
   const bool slack = !where.hides("slack"), cost = !where.hides("cost");
   std::string words;
   if (cost) words += "the update examines " + (fact.cost == 0 ? "no point" : scene_figure_text("cost", fact.cost));
@@ -94,7 +94,7 @@ std::string update_words(const FrameTaken& fact, const SceneRun::Where& where) {
 
 std::string count_of_pairs(double n) { return count_text(static_cast<std::int64_t>(n)); }
 
-/// "It is 4.8 times the tightest (+385 %)."; of counts "It is 42 points.", or "There are none."
+/// "It is 4.8 times the tightest (+385 %)."; for counts "It is 42 points." or "There are none."
 std::string range_sentence(std::string_view figure, double value, const std::string& text) {
   if (figure != "slack") return text == "none" ? "There are none." : "It is " + text + ".";
   return percent_text(value / 100) == "0.0 %" ? "It is as tight as the tightest."
@@ -115,7 +115,7 @@ std::string pair_words(const FrameTaken& fact, const SceneRun::Where& where) {
 
 std::string Entry<FrameTaken>::sentence(const FrameTaken& fact, const SceneRun::Where& where) {
   const std::string words = "Frame " + std::to_string(fact.frame) + ": ";
-  // Beside a question the sentence would tell nearly what is asked of a later frame.
+  // Beside a question, the sentence would nearly give away what is asked about a later frame.
   const bool asked = where.untold != nullptr && !where.untold->now.empty();
   if (asked || (fact.all_pairs == 0 && where.hides("slack") && where.hides("cost")))
     return words + "predict what comes next.";
@@ -131,7 +131,7 @@ const char* offer_ranges(Asked& asked, const Run&) {
   return nullptr;
 }
 
-/// The range that the figure lies in.
+/// The truth of "figure": the range that the figure lies in.
 Truth range_truth(const Asked& asked, const Run& run) {
   const Question& question = *asked.question;
   const auto& frame = *std::get_if<FrameTaken>(&scene_run(run).trace()[asked.fact].step.fact);
@@ -165,7 +165,7 @@ std::string_view SceneSubject::fixed_now() const {
   return set().at_points() ? "Bodies can only be moved before frame 1." : "Points can only be moved before frame 1.";
 }
 
-/// The lesson's own scene was opened when it was read; what an edit makes of it may be refused, and has no frame then.
+/// The lesson's own scene was opened when it was read. An edited scene may be refused, and then has no frames.
 std::unique_ptr<Run> SceneSubject::run(const Method& method, std::unique_ptr<Run>) const {
   auto run = run_scene(set(), method.name, *points(), origin_.seed, clock_, off_);
   return std::make_unique<SceneRun>(*this, run ? *std::move(run) : SceneRecording());
@@ -183,7 +183,7 @@ std::vector<Figure> SceneSubject::figures(const View& view) const {
   return scene_figures(scene_run(view.run()).trace()[view.step - 1].step, *points());
 }
 
-/// Its figures are counts: there is nothing to prove.
+/// None: its figures are counts.
 std::vector<Proof> SceneSubject::proofs(const View&) const { return {}; }
 
 Grade SceneSubject::grade(const Lesson& lesson, const View&, std::vector<bool>&) const {
@@ -213,7 +213,7 @@ std::vector<Switch> SceneSubject::switches(const View& view) const {
   return all;
 }
 
-/// At the beginning there is nothing that what reads the effect could go on with.
+/// Before the first frame an effect cannot be switched off: its readers would have nothing to work with.
 bool SceneSubject::turn(std::string_view name, bool on, const View& view) {
   if (view.step == 0 && !on) return false;
   const std::vector<Switch> all = switches(view);

@@ -61,7 +61,7 @@ class SceneSubject final : public PointSubject {
   [[nodiscard]] bool has_switched_off() const override { return !off_.empty(); }
 
   [[nodiscard]] const SceneSet& set() const { return *set_; }
-  /// The step after which an effect was switched off; -1 where it is on, or was in that step.
+  /// The step after which an effect was switched off; -1 if it is on, or was on in the given step.
   [[nodiscard]] int off_since(std::string_view effect, int step) const;
 
  private:
@@ -73,12 +73,12 @@ class SceneSubject final : public PointSubject {
   std::vector<SwitchedOff> off_;
 };
 
-/// What was recorded of a slot's run, of a lesson about a scene; null otherwise. Frame step_of(slot) is the one that
-/// stands.
+/// The recording of a slot's run, in a lesson about a scene; null otherwise. Its current frame is
+/// step_of(slot).
 [[nodiscard]] const SceneRecording* recorded_scene(const Session& session, int slot);
-/// The frame of slot 0 that stands, until another is asked for; null where there is none.
+/// The current frame of slot 0, valid until another is requested; null if there is none.
 [[nodiscard]] const SceneFrame* frame_of(const Session& session);
-// Of a lesson that is about a scene.
+// The scene of a lesson about a scene.
 [[nodiscard]] inline const SceneSet& set_of(const Session& session) {
   return static_cast<const SceneSubject&>(session.subject()).set();
 }
@@ -86,7 +86,7 @@ class SceneSubject final : public PointSubject {
   return scene_run(session.run(0)).recording().members;
 }
 
-/// Grades a scene on its last frame. seed: of what the scene scatters.
+/// Grades a scene by its last frame. seed: for what the scene scatters.
 [[nodiscard]] Grade grade_scene(const Lesson& lesson, const SceneSet& scene, const AnyPointSet& points,
                                 std::uint64_t seed);
 

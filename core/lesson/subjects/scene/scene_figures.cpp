@@ -30,7 +30,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kTitles{
      {"cost", "Points examined"},
      {"energy", "Energy"}}};
 
-/// What a figure counts, "" where it is no count.
+/// What a figure counts; "" if it is not a count.
 std::string counted_thing(std::string_view figure, bool one) {
   if (figure == "slack" || figure == kOverHull || figure == "energy") return {};
   return figure == "cost" ? (one ? "point" : "points") : (one ? "pair" : "pairs");
@@ -52,7 +52,7 @@ std::string scene_figure_text(std::string_view figure, double value) {
 }
 
 std::string looser_words(double slack, std::string_view than) {
-  constexpr double kFew = 1, kMany = 99;  // above, times say more than per cent; and then tenths say nothing
+  constexpr double kFew = 1, kMany = 99;  // above, a factor is clearer than per cent; and its tenths mean nothing
   const std::string loose = looseness_text(slack), tightest(than);
   if (slack < kFew) return loose.substr(loose.front() == '+' ? 1 : 0) + " larger than " + tightest;
   return fixed_text(1 + slack, slack < kMany ? 1 : 0) + " times " + tightest + " (" + loose + ")";

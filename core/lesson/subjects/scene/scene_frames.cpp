@@ -5,8 +5,8 @@
 namespace snug::lesson {
 namespace {
 
-// Where not all frames are kept, this share of the memory serves for those that are: the scene's snapshots take some as
-// well (kMostSnapshotBytes in scene/scene.cpp). bench_frames measures both together.
+// If not all frames are kept, those that are kept get this fraction of the memory, because the scene's snapshots take
+// some as well (kMostSnapshotBytes in scene/scene.cpp). bench_frames measures both together.
 constexpr std::size_t kShareBesideSnapshots = 7;
 
 template <class Value>
@@ -68,7 +68,7 @@ const SceneFrame& SceneFrames::operator[](std::size_t frame) const {
   return kept_[frame - first_];
 }
 
-/// With the frames before it, from where the scene begins to take them: who steps back comes to these next.
+/// Computes a frame again, with those before it from the nearest snapshot on: who steps back needs them next.
 void SceneFrames::take_anew(std::size_t frame) const {
   const auto wanted = static_cast<int>(frame);
   const int start = scene_->start_of(wanted);

@@ -11,7 +11,7 @@
 
 namespace snug::lesson {
 
-/// What of a frame is drawn. Hundreds of frames are kept: nothing stands here that nobody looks at.
+/// The part of a frame that is drawn. Hundreds of frames are kept, so it has nothing that nobody uses.
 struct SceneFrame {
   struct Placed {
     scene::V3 position;
@@ -23,30 +23,30 @@ struct SceneFrame {
   std::vector<scene::Pair> pairs, near, touching;
   std::vector<std::vector<scene::V3>> shadows, trails;
   std::vector<scene::Ray> rays;
-  int swept_along = -1;  // the axis that boxes were sorted along; -1: none
+  int swept_along = -1;  // the axis that AABBs were sorted along; -1: none
 };
 
-// 2,000 bodies in 125 frames, each of which overlaps six others.
+// Enough for 2,000 bodies in 125 frames, each body overlapping six others.
 inline constexpr std::size_t kMostFrameBytes = 56 << 20;
 
-/// The frames of a scene, taken one by one up to the last, and looked at in any order then. All of them are kept where
-/// they take no more than so many bytes; of a longer run those next to the one that was looked at last, and any other
-/// is taken anew from the scene's nearest snapshot, to the same bits.
+/// The frames of a scene, which are computed one by one up to the last, and then accessed in any order. All are kept if
+/// they fit into kMostFrameBytes. Of a longer run, those near the last accessed frame are kept, and any other is
+/// computed again from the scene's nearest snapshot, with the same bits.
 class SceneFrames {
  public:
   SceneFrames() = default;  // none
   explicit SceneFrames(scene::Scene scene, std::size_t most = kMostFrameBytes);
 
-  /// Takes the next frame.
+  /// Computes the next frame.
   void step();
-  /// No more frames are taken.
+  /// Says that no more frames are to come.
   void finish();
-  /// As it stands at the last frame that was taken. Before finish.
+  /// The scene at the last computed frame. Only before finish.
   [[nodiscard]] scene::Scene& scene() { return *scene_; }
 
-  /// With the beginning, which is frame 0.
+  /// The number of frames, including frame 0, the start.
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// frame < size(). It stays until another is asked for.
+  /// frame < size(). The reference is valid until another frame is requested.
   [[nodiscard]] const SceneFrame& operator[](std::size_t frame) const;
   [[nodiscard]] std::size_t kept() const { return kept_.size(); }
 
@@ -55,10 +55,10 @@ class SceneFrames {
   void take_anew(std::size_t frame) const;
   void drop(bool front) const;
 
-  // What is kept changes with what is looked at, and nothing else does.
-  mutable std::optional<scene::Scene> scene_;  // none where all frames are kept
-  mutable std::deque<SceneFrame> kept_;        // frames in a row
-  mutable std::size_t first_ = 0;              // the frame of the first of them
+  // Access changes only which frames are kept.
+  mutable std::optional<scene::Scene> scene_;  // none if all frames are kept
+  mutable std::deque<SceneFrame> kept_;        // consecutive frames
+  mutable std::size_t first_ = 0;              // the number of the first of them
   mutable std::size_t bytes_ = 0;
   std::size_t size_ = 0, most_ = 0;
 };

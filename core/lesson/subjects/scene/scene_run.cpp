@@ -25,7 +25,7 @@ Method scene_method(std::string_view name, std::string_view title, std::span<con
 constexpr std::array<std::string_view, 8> kFigures{"all_pairs", "compared", "after_broad", "after_loose",
                                                    "touching",  "slack",    "cost",        "energy"};
 
-/// Lessons' names of updates: with the volume where it is no AABB.
+/// The name of an update in lessons: with the volume, if that is not an AABB.
 std::string name_of(const fit::UpdateStrategy& strategy) {
   if (strategy.volume == "aabb") return std::string(strategy.name);
   return strategy.k > 0 ? "k" + std::to_string(strategy.k) : std::string(strategy.volume);
@@ -35,7 +35,7 @@ std::vector<Method> methods_of_scenes() {
   std::vector<Method> all{scene_method("sweep_and_prune", "Sort and sweep", scene::kSweepAndPrunePseudocode),
                           scene_method("tree", "Tree (BVH)", scene::kTreePairsPseudocode),
                           scene_method("all_pairs", "All pairs", scene::kAllPairsPseudocode)};
-  static std::vector<std::string> names;  // the rows only point at them
+  static std::vector<std::string> names;  // the rows only refer to them
   for (const fit::UpdateStrategy& strategy : fit::update_strategies()) names.push_back(name_of(strategy));
   for (std::size_t i = 0; i < names.size(); ++i) {
     const fit::UpdateStrategy& strategy = fit::update_strategies()[i];
@@ -44,7 +44,7 @@ std::vector<Method> methods_of_scenes() {
   return all;
 }
 
-/// Sets a word of the call of an effect.
+/// Sets a word in the call of an effect.
 void set(scene::EffectCall& call, std::string_view key, std::string_view word) {
   std::erase_if(call.settings, [&](const scene::Setting& setting) { return setting.key == key; });
   call.settings.push_back({std::string(key), {}, std::string(word)});
@@ -60,7 +60,7 @@ void hold(Aabb<double, 3>& box, const scene::V3& least, const scene::V3& greates
   box = {box.min.cwiseMin(least), box.max.cwiseMax(greatest)};
 }
 
-/// What is told of all frames, with the one that stands.
+/// Adds the current frame to the recording.
 void add_frame(SceneRecording& run, const scene::Scene& scene) {
   const scene::World& world = scene.world();
   for (std::size_t i = 0; i < world.size(); ++i) {

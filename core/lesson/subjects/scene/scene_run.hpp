@@ -1,4 +1,4 @@
-// A scene's runs: what a lesson lets the student choose of it, and every frame of it, recorded.
+// The runs of a scene: the methods that a lesson offers for it, and the recording of every frame.
 #pragma once
 
 #include <span>
@@ -12,58 +12,58 @@
 
 namespace snug::lesson {
 
-/// The searches for pairs, which broad_phase then makes, and the updates of volumes, which refit then makes.
+/// The searches for pairs, for broad_phase, and the updates of volumes, for refit.
 [[nodiscard]] std::span<const Method> scene_methods();
 
-/// What an effect did by a frame.
+/// What an effect had done by a frame.
 struct EffectCount {
   std::int64_t run = 0, skipped = 0;
 };
 
 struct SceneRecording {
-  std::vector<Recorder<FrameStep>::Entry> steps;  // one a frame
+  std::vector<Recorder<FrameStep>::Entry> steps;  // one for each frame
   SceneFrames frames;
   std::vector<scene::Member> members;
-  std::vector<scene::Tally> tallies;  // at the end
-  std::vector<EffectCount> counts;    // of the effects in the order of tallies, frame by frame, the beginning first
-  Aabb<double, 3> bodies, volumes;    // around all bodies of all frames, however they turn, and around all volumes
+  std::vector<scene::Tally> tallies;  // those at the end
+  std::vector<EffectCount> counts;    // for each frame, the start first: the effects in the order of tallies
+  Aabb<double, 3> bodies, volumes;    // around all bodies in all frames and orientations, and around all volumes
 };
 
-/// An effect that the student switched off: it runs up to this frame, and no more.
+/// An effect that the student switched off: it runs only up to this frame.
 struct SwitchedOff {
-  std::string effect;  // as its tally has it
+  std::string effect;  // as in its tally
   int after = 0;
 };
 
-/// method: of scene_methods(). Errors: of scene::Scene::open, with lines of the lesson's file; an effect that the
-/// method is about and the scene does not call for.
+/// method: one of scene_methods(). Errors: those of scene::Scene::open, with lines of the lesson's file; an effect that
+/// the method is about but that the scene does not call for.
 [[nodiscard]] tl::expected<SceneRecording, InputError> run_scene(const SceneSet& set, std::string_view method,
                                                                  const AnyPointSet& points, std::uint64_t seed,
                                                                  scene::Clock clock = nullptr,
                                                                  std::span<const SwitchedOff> off = {});
 
-/// The figures of the last frame alone. Errors: as of run_scene.
+/// The figures of the last frame only. Errors: those of run_scene.
 [[nodiscard]] tl::expected<FrameTaken, InputError> last_frame(const SceneSet& set, std::string_view method,
                                                               const AnyPointSet& points, std::uint64_t seed);
 
-/// Whether the scene can be run by each of the methods. Errors: as of run_scene; too many frames of too many bodies.
+/// Checks that each method can run the scene. Errors: those of run_scene; too many frames of too many bodies.
 [[nodiscard]] tl::expected<void, InputError> check_scene_opens(const SceneSet& set,
                                                                std::span<const std::string> methods,
                                                                const AnyPointSet& points, std::uint64_t seed);
 
-/// Whether the pairs of all frames are not too many. Frames are taken one by one, where they could be. Errors: too many
-/// pairs, with the line of what looks for them.
+/// Checks that all frames together do not have too many pairs, and computes frames only if they could. Errors: too many
+/// pairs, with the line of the effect that searches for them.
 [[nodiscard]] tl::expected<void, InputError> check_pairs(const SceneSet& set, std::string_view method,
                                                          const AnyPointSet& points, std::uint64_t seed);
 
-/// The scene as the method has it: what run_scene opens.
+/// The scene's declaration with the method applied: what run_scene opens.
 [[nodiscard]] tl::expected<scene::Declaration, InputError>
 declaration_with(const SceneSet& set, std::string_view method, const AnyPointSet& points, std::uint64_t seed);
 
-/// The figures of a scene as it stands: what a frame's step says.
+/// The figures of a scene at its current frame: the fact of that frame.
 [[nodiscard]] FrameTaken frame_of(const scene::Scene& scene);
 
-/// figure: of scene_figure_names(); 0 of any other.
+/// A frame's figure by name. figure: one of scene_figure_names(); any other gives 0.
 [[nodiscard]] double figure_of(const FrameTaken& frame, std::string_view figure);
 
 }  // namespace snug::lesson

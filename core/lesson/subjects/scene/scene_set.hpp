@@ -15,13 +15,13 @@
 
 namespace snug::lesson {
 
-/// A lesson's volume where a scene moves.
+/// The volume of a lesson about a scene.
 inline constexpr std::string_view kScene = "scene";
 
 struct SceneBody {
   scene::Body body;
-  bool of_points = false;  // its shape is all of the lesson's points, which may be a mesh's
-  bool at_points = false;  // there is one such body at each of the points
+  bool of_points = false;  // whether its shape is all of the lesson's points, which may be a mesh's
+  bool at_points = false;  // whether there is one such body at each of the points
 };
 
 struct SceneSet : Tables {
@@ -29,7 +29,7 @@ struct SceneSet : Tables {
   std::vector<scene::EffectCall> effects;
   double step = 1.0 / 60;         // seconds a frame
   int frames = 120;               // how many are shown
-  int line = 0, frames_line = 0;  // of the file, for errors: of [scene], and of its key
+  int line = 0, frames_line = 0;  // in the file, for errors: those of [scene] and of its key
 
   /// Whether there are too many frames of too many bodies (kMostBodyFrames).
   [[nodiscard]] bool is_too_long(std::int64_t points) const;
@@ -39,23 +39,23 @@ struct SceneSet : Tables {
   }
 };
 
-/// How many bodies times frames a lesson's scene may have. All frames are run through before the first is shown: a body
-/// takes a microsecond in each, in a crowd of 2,000 some 25 us. So a scene is ready after 6 s. Memory is no matter
-/// here: SceneFrames bounds it. Held by "a scene with too many frames of too many bodies is refused before it is run".
+/// The greatest number of bodies times frames in a lesson's scene. All frames are computed before the first is shown; a
+/// body takes a microsecond in each, or about 25 us in a crowd of 2,000, so a scene is ready within 6 s. SceneFrames
+/// bounds the memory. Tested by "a scene with too many frames of too many bodies is refused before it is run".
 inline constexpr std::int64_t kMostBodyFrames = 250'000;
 
-/// How many places of trails count as a body.
+/// How many places of a trail count as one body.
 inline constexpr std::int64_t kPlacesOfBody = 10;
 
-/// How many pairs all frames together may have: 50 for each body's frame.
+/// The greatest number of pairs in all frames together: 50 for each body in each frame.
 inline constexpr std::int64_t kMostPairs = 50 * kMostBodyFrames;
 
-/// How many places a trail keeps in a frame; what no trail may have, its effect refuses.
+/// How many places a trail keeps in a frame. Its effect refuses invalid lengths.
 inline std::int64_t places_of(const scene::EffectCall& trail, int frames) {
   double length = scene::limits::kTrailPlaces;
   for (const scene::Setting& setting : trail.settings)
     if (setting.key == "length" && !setting.numbers.empty()) length = setting.numbers.front();
-  return length < frames ? static_cast<std::int64_t>(std::max(0.0, length)) : frames;  // a NaN: frames
+  return length < frames ? static_cast<std::int64_t>(std::max(0.0, length)) : frames;  // for a NaN: frames
 }
 
 inline bool SceneSet::is_too_long(std::int64_t points) const {
@@ -71,7 +71,7 @@ inline bool SceneSet::is_too_long(std::int64_t points) const {
          ", and " + std::to_string(kPlacesOfBody) + " places of a trail count as a body";
 }
 
-/// The scene with the points as they stand.
+/// The scene's declaration with the current points.
 [[nodiscard]] scene::Declaration declaration_of(const SceneSet& set, const AnyPointSet& points, std::uint64_t seed);
 
 /// "all_pairs", "compared", "after_broad", "after_loose", "touching", "slack" (in per cent), "cost", "energy".

@@ -1,4 +1,4 @@
-// What stands on the stage of a lesson that declares no scene, as one: nothing moves it.
+// The stage of a lesson that declares no scene, as a scene in which nothing moves.
 #pragma once
 
 #include "lesson/subject.hpp"
@@ -6,10 +6,10 @@
 
 namespace snug::lesson {
 
-/// Fixed bodies, of its points or of its two boxes' vertices, and no effect, for it calls for none. In 2-D z is 0.
+/// Fixed bodies, made of its points or of its two boxes' vertices, without any effect. In 2-D z is 0.
 [[nodiscard]] scene::Declaration still_scene(const Subject& subject);
 
-/// The scene of any lesson, as a method of its subject has it: of one that declares none, still_scene. Errors: as of
+/// The scene of any lesson with a method applied; still_scene, if the lesson declares none. Errors: those of
 /// declaration_with.
 [[nodiscard]] tl::expected<scene::Declaration, InputError> declared(const Subject& subject, std::string_view method);
 
