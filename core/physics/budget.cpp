@@ -23,8 +23,8 @@ Budgets::Budgets(System& system, Islands& islands, const Surface& surface, const
   if (bounces) before_ = system.bodies, unsolved_ = rows;
 }
 
-/// A driven body pushes however hard it must, and far. The part of that push which moves nothing into a fixed body: one
-/// may have no contact yet.
+/// A driven body pushes as hard and as far as it must. This is the fraction of that push that moves nothing into a
+/// fixed body, which may have no contact yet.
 double Budgets::part_before_walls(const Shift& shift) const {
   const Motion& motion = system_.bodies[shift.body];
   const Shape& shape = system_.members[shift.body].shape;

@@ -141,7 +141,7 @@ std::vector<ContactRow> rows_of(const System& system, const Surface& surface) {
     const Manifold manifold = manifold_of(system.members[a].shape, pose_of(system.bodies[a]), system.members[b].shape,
                                           pose_of(system.bodies[b]), system.margin(a) + system.margin(b));
     std::vector<Impulse> held = held_by(system, contact.pair);
-    const bool lone = held.size() == 1 && manifold.count == 1;  // a ball rolls on
+    const bool lone = held.size() == 1 && manifold.count == 1;  // a rolling ball's contact moves
     const double most =
         lone ? std::numeric_limits<double>::infinity() : limits::kSamePoint * system.thinner(contact.pair);
     double approach = 0;
@@ -178,7 +178,7 @@ double settle(System& system, ContactRow& row, const Surface& surface) {
   const V3 sliding = approach_velocity(system, row);
   double first = row.impulse.first - row.mass_first * sliding.dot(row.first),
          second = row.impulse.second - row.mass_second * sliding.dot(row.second);
-  const double length = std::sqrt(first * first + second * second);  // hypot has other bits elsewhere
+  const double length = std::sqrt(first * first + second * second);  // hypot gives other bits on other platforms
   const double part = length > most ? most / length : 1;
   first *= part, second *= part;
   push(system, row, row.first * (first - row.impulse.first) + row.second * (second - row.impulse.second));

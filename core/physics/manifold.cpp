@@ -74,7 +74,7 @@ void consider(Widest& widest, const Shape& a, const PoseAt& at_a, const Shape& b
 }
 
 Widest widest_axis(const Shape& a, const PoseAt& at_a, const Shape& b, const PoseAt& at_b) {
-  // The later face has to be better by a little, or rounding would choose between equal ones.
+  // A later face has to be better by a little; otherwise rounding would choose between equal ones.
   const double thinner = std::min(a.thinnest, b.thinnest), slight = limits::kSlop * thinner / 16;
   Widest faces;
   for (int i = 0; i < 3; ++i) consider(faces, a, at_a, b, at_b, at_a.rotation.col(i), i, i == 0 ? 0 : slight);

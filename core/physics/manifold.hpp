@@ -21,15 +21,15 @@ struct Manifold {
   [[nodiscard]] std::span<const ManifoldPoint> all() const { return std::span(points).first(count); }
 };
 
-/// Empty where they are farther apart than margin. Spheres and boxes only (has_manifolds); of boxes the axis of least
-/// overlap by the separating-axis test, and there the faces clipped against each other.
+/// Empty if they are farther apart than margin. Spheres and boxes only (has_manifolds). For boxes, the separating-axis
+/// test finds the axis of least overlap, and the faces there are clipped against each other.
 /// Source: C. Ericson, "Real-Time Collision Detection", 2005, 4.4.1 and 8.3.4; D. Gregorius, "The Separating Axis
 /// Test", 2013.
 [[nodiscard]] Manifold manifold_of(const Shape& a, const Pose<double, 3>& at_a, const Shape& b,
                                    const Pose<double, 3>& at_b, double margin);
 
-/// How far they are apart, or less; where they share a point, minus how far one has to be moved at least to be apart.
-/// The separation that manifold_of finds. When no point of either moves farther than a length, it changes by no more.
+/// manifold_of's separation: the distance or a lower bound; if the shapes share a point, minus the least way that one
+/// has to move to be apart. If no point of either moves farther than a length, it changes by no more.
 [[nodiscard]] double separation_of(const Shape& a, const Pose<double, 3>& at_a, const Shape& b,
                                    const Pose<double, 3>& at_b);
 

@@ -1,4 +1,4 @@
-// How far along its path a body can go: by conservative advancement.
+// Finds how far along its path a body can go, by conservative advancement.
 #pragma once
 
 #include <algorithm>
@@ -7,10 +7,10 @@
 
 namespace snug::physics {
 
-/// The last part of a way up to which a separation stays at or above the deepest that is allowed, at most so much.
-/// start: the separation at part 0. separation(part): changes by no more than length from part 0 to 1. Each look is as
-/// far on from the one before as that is above the deepest, or a stride: so what lasts for a stride is not missed.
-/// Source: B. Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996, 2.3.
+/// The greatest fraction of a path up to which the separation stays at or above the deepest allowed. start: the
+/// separation at fraction 0. separation(part): changes by no more than length from 0 to 1. Each step is as long as the
+/// separation is above the deepest, or one stride, so that nothing that lasts for a stride is missed. Source: B.
+/// Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996, 2.3.
 template <class Separation>
 [[nodiscard]] double part_above(double deepest, double start, const Separation& separation, double length,
                                 double stride, double most) {

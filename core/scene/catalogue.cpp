@@ -7,7 +7,7 @@ namespace {
 
 using enum Slot;
 
-// What drag does goes through velocities, and those of a body that another effect drives move nothing.
+// drag acts through velocities, so it has no effect on a body whose pose another effect drives.
 constexpr EffectKind kKinds[] = {
     {"spin", "rotates a body about an axis", slots(kTime), 0, 0, slots(kPoses), "", true, make_spin, kTurn},
     {"orbit", "moves a body around a centre", slots(kTime), 0, 0, slots(kPoses), "", true, make_orbit, kPlace},

@@ -18,9 +18,9 @@ constexpr double kLargest = 1e12;
 /// Below it, squares of lengths and what divides by masses and steps would vanish or overflow. A length may be 0.
 constexpr double kSmallest = 1e-12, kShortestStep = 1e-9;
 
-bool is_sound(double number) { return std::abs(number) <= kLargest; }  // not of a NaN
+bool is_sound(double number) { return std::abs(number) <= kLargest; }  // false for a NaN
 bool is_sound(const V3& v) { return is_sound(v[0]) && is_sound(v[1]) && is_sound(v[2]); }
-/// That every number of a volume is sound, and no radius or half extent below 0.
+/// Whether every number of a volume is sound, and no radius or half extent is below 0.
 template <template <class, int> class Kind>
 bool has_sound_fields(const Kind<double, 3>& volume) {
   bool sound = true;
@@ -97,13 +97,13 @@ std::string name_of(const Declaration& declaration, std::size_t i) {
   return name.empty() ? "body " + std::to_string(i) : name;
 }
 
-/// What of a pose an effect drives. None of an unknown one, which is refused where effects are planned.
+/// The part of a pose that an effect drives; nothing for an unknown effect, which is refused when effects are planned.
 PosePart driven_by(const EffectCall& call) {
   const EffectKind* kind = find_effect(catalogue(), call.name);
   return kind != nullptr ? kind->drives : 0;
 }
 
-/// Whom both are about; nothing where no body need be. A call without a body is about all that are not fixed.
+/// The body that both calls are about; none if there need be none. A call without a body is about all unfixed ones.
 std::optional<std::string> common_body(const EffectCall& a, const EffectCall& b) {
   if (a.body.empty() && b.body.empty()) return "every body";
   if (a.body.empty() || b.body.empty() || a.body == b.body) return a.body.empty() ? b.body : a.body;

@@ -1,5 +1,5 @@
-// What a scene is made of, as its author declares it: bodies, and the effects that it calls for. Nothing else is ever
-// built or run.
+// A scene as its author declares it: bodies, and the effects that it calls for. Nothing else is ever built or
+// run.
 #pragma once
 
 #include <cstdint>
@@ -24,15 +24,15 @@ using Cloud = std::vector<V3>;
 
 /// Lengths in scene units, metres where gravity is to look right; kilograms and seconds.
 struct Body {
-  std::string name;                    // effects name it by this; none need have one
+  std::string name;                    // effects refer to it by this name; it may be empty
   std::variant<Volume3, Cloud> shape;  // in its own frame
-  Quaternion orientation;              // of any length but 0
+  Quaternion orientation;              // of any length except 0
   V3 position = V3::Zero();            // of its frame's origin
-  double mass = 1;                     // finite and > 0, where fixed as well, though nothing comes of it there
+  double mass = 1;                     // finite and > 0, even for a fixed body, where it has no effect
   bool fixed = false;                  // nothing moves it
   V3 velocity = V3::Zero();
   V3 turning = V3::Zero();  // angular velocity, radians a second about the world's axes
-  int line = 0;             // of the file that declares it, for errors; 0: none
+  int line = 0;             // in the file that declares it, for errors; 0: none
 };
 
 /// A setting of an effect: numbers or a word.
@@ -43,8 +43,8 @@ struct Setting {
 };
 
 struct EffectCall {
-  std::string name;  // of catalogue()
-  std::string body;  // whom it is about; empty: every body that is not fixed
+  std::string name;  // one of catalogue()
+  std::string body;  // the body that it is about; empty: every body that is not fixed
   std::vector<Setting> settings;
   int line = 0;
 };
@@ -56,13 +56,13 @@ struct Declaration {
   double step = 1.0 / 60;  // seconds a frame, > 0 and at most 1
 };
 
-/// The declaration, where each of its numbers makes sense. Errors, each with the body's or effect's name and line: no
-/// body; a name twice; a mass that is 0, negative, infinite or no number; a pose, velocity, shape or step that is no
-/// number, too large or too small; an empty shape; two effects that drive the pose of one body, where the later would
-/// undo the other.
+/// Checks that a declaration makes sense. Errors, each with the body's or effect's name and line: no body; a repeated
+/// name; a mass that is 0, negative, infinite or NaN; a pose, velocity, shape or step that is NaN, too large or too
+/// small; an empty shape; two effects that drive the same part of one body's pose, so that the later would undo the
+/// earlier.
 [[nodiscard]] tl::expected<void, InputError> check(const Declaration& declaration);
 
-/// An error about what stands in a line of the file; 0: none.
+/// An error about a line of the file; 0: no line.
 [[nodiscard]] InputError error_at(int line, std::string what);
 
 }  // namespace snug::scene

@@ -1,4 +1,4 @@
-// An effect: what a scene may call for. What it reads and writes decides when it runs, and whether.
+// The effects that a scene may call for. What an effect reads and writes decides when it runs, and whether it does.
 #pragma once
 
 #include <memory>
@@ -17,15 +17,15 @@ class Effect {
   Effect(const Effect&) = delete;
   Effect& operator=(const Effect&) = delete;
 
-  /// One frame. Says World::state.changed of each slot in which it left something other than was there.
+  /// Runs one frame. Calls World::state.changed for each slot whose content it changed.
   virtual void run(World& world) = 0;
-  /// Whether time alone, with all else as it was, would have it change nothing. Asked of effects that read time.
+  /// Whether the effect would change nothing if only time has changed. Only called for effects that read time.
   [[nodiscard]] virtual bool idle(const World&) const { return false; }
-  /// The state is an earlier one: what the effect keeps from frame to frame is to be as it was then.
+  /// Called when the state was reset to an earlier one: resets what the effect keeps from frame to frame.
   virtual void restored(World&) {}
 };
 
-/// What of a body's pose an effect says itself, bits: what others would make of it is lost.
+/// The parts of a body's pose that an effect sets itself, as bits: what other effects did to them is lost.
 using PosePart = unsigned;
 inline constexpr PosePart kPlace = 1, kTurn = 2, kWholePose = kPlace | kTurn;
 
@@ -33,19 +33,19 @@ inline constexpr PosePart kPlace = 1, kTurn = 2, kWholePose = kPlace | kTurn;
 struct EffectKind {
   std::string_view name;
   std::string_view says;   // what it does, in half a sentence
-  SlotSet reads = 0;       // as they are in this frame: it runs after all that write or revise them
+  SlotSet reads = 0;       // as of this frame: it runs after all effects that write or revise them
   SlotSet reads_last = 0;  // as the last frame left them
-  SlotSet revises = 0;     // changes what others wrote: it runs after those, and before all that read
+  SlotSet revises = 0;     // changes what others wrote: it runs after those, and before all readers
   SlotSet writes = 0;
-  std::string_view calls_for;  // another effect that comes along with it; empty for none
+  std::string_view calls_for;  // another effect that is added with it; empty for none
   bool many = false;           // whether a scene may call for it more than once, for several bodies
   tl::expected<std::unique_ptr<Effect>, InputError> (*make)(const EffectCall& call, World& world) = nullptr;
-  PosePart drives = 0;  // of the bodies that it is about; two effects drive no common part of one body
+  PosePart drives = 0;  // of the bodies that it is about; no two effects may drive the same part of one body
 };
 
-/// Every effect that there is. A new one is its file in effects/ and its row here.
+/// All effects. A new one is its file in effects/ and its row here.
 [[nodiscard]] std::span<const EffectKind> catalogue();
-/// Null where there is none of that name.
+/// The effect with that name; null if there is none.
 [[nodiscard]] const EffectKind* find_effect(std::span<const EffectKind> kinds, std::string_view name);
 
 /// Reads a call's settings, and keeps the first thing that is wrong with them.
@@ -55,17 +55,17 @@ class Settings {
   /// least <= the number <= most.
   double number(std::string_view key, double otherwise, double least, double most);
   V3 vector(std::string_view key, const V3& otherwise);
-  /// Places, three numbers each, one after the other.
+  /// A list of places, stored as three numbers each.
   std::vector<V3> places(std::string_view key);
-  /// One of the words, the first where the call has none; its place among them.
+  /// The index of a word; 0, the first, if the call has none.
   std::size_t word(std::string_view key, std::span<const std::string_view> words);
-  /// Those that the call is about: one, or all that are not fixed.
+  /// The bodies that the call is about: one, or all that are not fixed.
   std::vector<std::size_t> bodies();
-  /// The one that a call must name; 0 where it is refused.
+  /// The body that a call must name; 0 if the call is refused.
   std::size_t body();
   void refuse(std::string what);
 
-  /// The effect, unless something was wrong or a setting was not asked for.
+  /// Makes the effect, unless something was wrong or a setting was unknown.
   template <class Kind, class... Arguments>
   tl::expected<std::unique_ptr<Effect>, InputError> make(Arguments&&... arguments) {
     if (auto error = fault()) return tl::unexpected(*std::move(error));
@@ -82,7 +82,7 @@ class Settings {
   std::optional<InputError> wrong_;
 };
 
-/// What the rows call.
+/// What the rows' makers return.
 using MadeEffect = tl::expected<std::unique_ptr<Effect>, InputError>;
 [[nodiscard]] MadeEffect make_spin(const EffectCall& call, World& world);
 [[nodiscard]] MadeEffect make_orbit(const EffectCall& call, World& world);

@@ -1,9 +1,9 @@
-// What effects keep where their declaration does not say.
+// Defaults of effects.
 #pragma once
 
 namespace snug::scene::limits {
 
-/// How many places a trail keeps where its length is not declared.
+/// How many places a trail keeps if its length is not declared.
 inline constexpr int kTrailPlaces = 60;
 
 }  // namespace snug::scene::limits

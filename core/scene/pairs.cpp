@@ -13,7 +13,7 @@ using Box = Aabb<double, 3>;
 
 Pair pair_of(Index i, Index j) { return {std::min(i, j), std::max(i, j)}; }
 
-/// The axis along which the boxes' middles vary most.
+/// The axis along which the boxes' centres vary most.
 int widest_axis(std::span<const Box> boxes) {
   V3 sum = V3::Zero(), squares = V3::Zero();
   const V3 origin = boxes.front().min;
@@ -28,7 +28,7 @@ int widest_axis(std::span<const Box> boxes) {
   return axis;
 }
 
-/// A box beside its body: what follows in the sweep lies next in memory.
+/// A box with its body's index, so that the sweep reads memory in order.
 struct Swept {
   Box box;
   Index body;
@@ -45,8 +45,8 @@ PairsFound sweep_and_prune(std::span<const Box> boxes) {
     return a.box.min[axis] != b.box.min[axis] ? a.box.min[axis] < b.box.min[axis] : a.body < b.body;
   });
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  // All four comparisons at once: which of them fails is a toss of a coin, and a branch on each would be guessed
-  // wrongly.
+  // All four comparisons at once: which of them fails is random, so branches would be
+  // mispredicted.
   const auto overlap = [u, v](const Box& a, const Box& b) {
     return int{a.min[u] > b.max[u]} + int{b.min[u] > a.max[u]} + int{a.min[v] > b.max[v]} + int{b.min[v] > a.max[v]} ==
            0;
@@ -64,7 +64,7 @@ PairsFound by_tree(std::span<const Box> boxes) {
   PairsFound found;
   const hierarchy::Tree<Box> tree = hierarchy::build_median<Box>(boxes);
   const auto counts = hierarchy::overlapping_pairs(tree, boxes, tree, boxes, [&](Index i, Index j) {
-    if (i < j) found.pairs.push_back({i, j});  // each is met both ways round
+    if (i < j) found.pairs.push_back({i, j});  // each pair is found twice
   });
   found.compared = counts.volume_tests();
   return found;

@@ -1,4 +1,4 @@
-// All pairs of boxes that overlap, found in three ways.
+// Finds all pairs of boxes that overlap, in three ways.
 #pragma once
 
 #include <array>
@@ -40,9 +40,9 @@ inline constexpr std::array<std::string_view, 4> kAllPairsPseudocode{
 };
 
 struct PairsFound {
-  std::vector<Pair> pairs;    // by rising a, then b; the same whichever way they are found
-  std::int64_t compared = 0;  // pairs of boxes that were compared, of the tree's nodes as well
-  int axis = -1;              // along which boxes were sorted; -1: along none
+  std::vector<Pair> pairs;    // by rising a, then b; the same for every search
+  std::int64_t compared = 0;  // how many pairs of boxes were compared, including the tree's nodes
+  int axis = -1;              // the axis along which boxes were sorted; -1: none
 };
 
 /// Touching boxes overlap.

@@ -5,7 +5,7 @@
 namespace snug::scene {
 namespace {
 
-// 2,000 bodies and 2,000 frames have a snapshot every 16 frames within it, where bodies do not bounce.
+// Enough for a snapshot every 16 frames with 2,000 bodies and 2,000 frames, if bodies do not bounce.
 constexpr std::size_t kMostSnapshotBytes = 80 << 20;
 
 template <class Value>
@@ -25,13 +25,13 @@ std::size_t bytes_of(const physics::Moving& moving, const State& state) {
          bytes_of(state.trails) + bytes_of(state.rays);
 }
 
-/// What velocities and contacts come from.
+/// The slots that velocities and contacts depend on.
 constexpr SlotSet kLoop = slots(Slot::kVelocities, Slot::kVolumes, Slot::kPairs, Slot::kContacts);
 
 SlotSet made_by(const EffectKind& kind) { return kind.writes | kind.revises; }
 
-/// Whether it runs in that round of a frame: what velocities and contacts come from in each, what leads bodies by time
-/// alone in the first, and what only looks at them in the last.
+/// Whether an effect runs in a round of a frame. Effects that velocities and contacts depend on run in every round,
+/// those that move bodies by time alone in the first, and those that only read in the last.
 bool is_of_round(const EffectKind& kind, int round, int rounds) {
   const SlotSet made = made_by(kind);
   if ((made & kLoop) != 0 || has(kind.reads, Slot::kVelocities)) return true;
@@ -78,12 +78,12 @@ void Scene::run(std::size_t i) {
   runners_[i].ran = true;
 }
 
-/// What is turned in the frame that stands.
+/// Applies the switches that are due in the current frame.
 void Scene::turn_due() {
   for (const Turn& turn : turns_) {
     if (turn.frame != world_.state.frame) continue;
     tallies_[turn.effect].on = turn.on;
-    // What it led away, or no longer tells of, may have held up a sleeper.
+    // A sleeping body may rest on something that this effect moved, or no longer reports.
     if ((made_by(*runners_[turn.effect].kind) & (kLoop | bit(Slot::kPoses))) != 0)
       for (Motion& motion : world_.bodies) motion.wake();
   }
@@ -103,7 +103,7 @@ void Scene::step() {
   for (std::size_t i = 0; i < runners_.size(); ++i)
     if (tallies_[i].on) ++(ran[i] ? tallies_[i].run : tallies_[i].skipped);
   resting_ = std::find(ran.begin(), ran.end(), true) == ran.end();
-  changed_ = !std::equal(before.begin() + 1, before.end(), state.revisions.begin() + 1);  // but for time
+  changed_ = !std::equal(before.begin() + 1, before.end(), state.revisions.begin() + 1);  // all slots except time
   keep_snapshot();
 }
 
@@ -113,7 +113,7 @@ void Scene::take_snapshot() {
   snapshots_.push_back(std::move(snapshot));
 }
 
-/// Something was set from outside: the frames from here on are others, and this one is what they begin from.
+/// Called when something was set from outside: the frames from here on change, and this frame is their start.
 void Scene::set_anew() {
   ++set_;
   resting_ = false;
@@ -123,7 +123,7 @@ void Scene::set_anew() {
   take_snapshot();
 }
 
-/// Every so many frames, and where they take too much memory, every other one is dropped.
+/// Takes a snapshot every `every_` frames. If snapshots take too much memory, drops every other one.
 void Scene::keep_snapshot() {
   const int frame = world_.state.frame;
   if (frame % every_ != 0 || (!snapshots_.empty() && snapshots_.back().state.frame >= frame)) return;
@@ -165,7 +165,7 @@ void Scene::go(int frame) {
   frame = std::max(frame, 0);
   const std::size_t i = snapshot_before(frame);
   if (start_of(frame) != world_.state.frame) {
-    if (snapshots_[i].set != set_) {  // what was taken after it does not follow from it any more
+    if (snapshots_[i].set != set_) {  // the frames after it no longer follow from it
       snapshots_.erase(snapshots_.begin() + static_cast<std::ptrdiff_t>(i) + 1, snapshots_.end());
       snapshots_.back().set = set_;
     }

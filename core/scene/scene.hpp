@@ -1,4 +1,4 @@
-// A scene that runs: frame by frame, only what it calls for, and of that only what has something new to read.
+// A running scene: in each frame, only the effects that it calls for, and of these only those with changed inputs.
 #pragma once
 
 #include <memory>
@@ -10,45 +10,45 @@
 
 namespace snug::scene {
 
-/// Nanoseconds of a clock that only goes forward. This room knows no clock of its own.
+/// Nanoseconds of a clock that never goes back. This room has no clock itself.
 using Clock = double (*)();
 
-/// What one effect did, since the scene was opened; going back does not take it back.
+/// What one effect did since the scene was opened; going back to an earlier frame does not reset it.
 struct Tally {
-  std::string effect;  // its name, and the body's where it is about one
+  std::string effect;  // its name, and the body's if it is about one
   int constructed = 0;
   std::int64_t run = 0;
-  std::int64_t skipped = 0;  // its inputs had not changed
+  std::int64_t skipped = 0;  // frames in which its inputs had not changed
   double nanoseconds = 0;    // 0 without a clock
   bool on = true;
 };
 
 class Scene {
  public:
-  /// Errors: of check, of plan, and what an effect refuses of its settings, each by name and line. kinds: catalogue(),
-  /// but for tests.
+  /// Errors: those of check and plan, and settings that an effect refuses, each with name and line. kinds: catalogue(),
+  /// except in tests.
   [[nodiscard]] static tl::expected<Scene, InputError> open(const Declaration& declaration, Clock clock = nullptr,
                                                             std::span<const EffectKind> kinds = catalogue());
 
-  /// The next frame.
+  /// Runs the next frame.
   void step();
-  /// To a frame, 0 for the beginning: from the nearest snapshot before it, or from where the scene stands, whichever is
-  /// nearer. Frames are taken again from there, to the same bits.
+  /// Goes to a frame; 0 is the start. Runs frames again from the nearest snapshot before it, or from the current frame,
+  /// whichever is nearer, with the same bits.
   void go(int frame);
-  /// The frame from which go would take frames.
+  /// The frame from which go(frame) would start.
   [[nodiscard]] int start_of(int frame) const;
   [[nodiscard]] int frame() const { return world_.state.frame; }
   [[nodiscard]] const World& world() const { return world_; }
   [[nodiscard]] std::span<const Tally> tallies() const { return tallies_; }
-  /// Whether the last frame ran nothing: the next one will not either, and none need be drawn.
+  /// Whether the last frame ran nothing. Then the next ones will not either, and need not be drawn.
   [[nodiscard]] bool resting() const { return resting_; }
-  /// Whether the last frame changed anything that can be seen.
+  /// Whether the last frame changed anything visible.
   [[nodiscard]] bool changed() const { return changed_; }
-  /// From the frame that stands, an effect does not run, or runs again; what reads it sees nothing new while it is off.
-  /// The scene keeps when that was, and what was to be turned in later frames is forgotten. effect: its place in
+  /// Switches an effect off or on from the current frame; while it is off, its readers see no changes.
+  /// The scene remembers the frame, and forgets switches in later frames. effect: its index in
   /// tallies().
   void turn(std::size_t effect, bool on);
-  /// Where drag pulls. Frames that were taken with another point are taken anew when gone back to.
+  /// Sets the point that drag pulls to. Frames computed with another point are computed again when gone back to.
   void pull_to(const V3& point);
 
  private:
@@ -56,7 +56,7 @@ class Scene {
     const EffectKind* kind;
     std::unique_ptr<Effect> effect;
     std::array<std::uint64_t, kSlots> seen{};  // revisions when it last ran
-    bool ran = false;                          // ever, in this line of frames
+    bool ran = false;                          // whether it has run in this sequence of frames
   };
   struct Snapshot {
     physics::Moving moving;
@@ -64,7 +64,7 @@ class Scene {
     std::vector<std::array<std::uint64_t, kSlots>> seen;
     std::vector<bool> ran;
     bool resting = false;
-    int set = 0;  // what was set from outside when it was taken, by number
+    int set = 0;  // the value of Scene::set_ when it was taken
     std::size_t bytes = 0;
   };
   struct Turn {
@@ -85,7 +85,7 @@ class Scene {
   World world_;
   std::vector<Runner> runners_;
   std::vector<Tally> tallies_;
-  std::vector<Snapshot> snapshots_;  // by rising frame, the beginning first
+  std::vector<Snapshot> snapshots_;  // by rising frame, the start first
   std::vector<Turn> turns_;          // by rising frame
   int set_ = 0;                      // how often pull_to changed something
   int every_ = 16;                   // frames between snapshots

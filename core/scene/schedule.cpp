@@ -5,7 +5,7 @@
 namespace snug::scene {
 namespace {
 
-/// What every scene has from the start: its bodies, and time.
+/// The slots that every scene has from the start: its bodies, and time.
 constexpr SlotSet kGiven = slots(Slot::kTime, Slot::kPoses, Slot::kVelocities);
 
 bool calls(std::span<const Planned> planned, std::string_view name) {

@@ -1,4 +1,4 @@
-// Which effects a scene needs, and in which order: from what each reads and writes, and nothing else.
+// Decides which effects a scene needs, and their order, only from what each reads and writes.
 #pragma once
 
 #include <span>
@@ -8,16 +8,16 @@
 
 namespace snug::scene {
 
-/// An effect with its place in the frame.
+/// An effect in the order of the frame.
 struct Planned {
   const EffectKind* kind = nullptr;
-  EffectCall call;  // of what came along: its name alone, with the line of what called for it
+  EffectCall call;  // for an added effect: only its name, with the line of the call that added it
 };
 
-/// The calls and those that come along with them, in the order in which a frame runs them: what writes a slot, what
-/// revises it, what reads it; and where that leaves a choice, in the order of kinds, then of calls. kinds: catalogue(),
-/// but for tests. Errors, with the call's line: an unknown name, an effect twice that may stand once, one that reads
-/// what nobody makes, and effects that wait for each other.
+/// The called effects and those added with them, in the order in which a frame runs them: those that write a slot, that
+/// revise it, that read it. Where that leaves a choice, the order is that of kinds, then of calls. kinds: catalogue(),
+/// except in tests. Errors, with the call's line: an unknown name, a repeated effect that may occur only once, an
+/// effect that reads what no effect writes, and effects that wait for each other.
 [[nodiscard]] tl::expected<std::vector<Planned>, InputError> plan(std::span<const EffectCall> calls,
                                                                   std::span<const EffectKind> kinds);
 

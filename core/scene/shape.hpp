@@ -1,4 +1,4 @@
-// From the shape that a body is declared with to the one that the scene works with, and the exact test between two.
+// Converts the declared shape of a body into the one that the scene uses, and tests two such shapes exactly.
 #pragma once
 
 #include <variant>
@@ -11,8 +11,8 @@ namespace snug::scene {
 
 using physics::Shape;
 
-/// The shape about its centre: where that lies in the declared frame, and how the declared frame's axes turn into the
-/// shape's. Boxes are taken about their middles, along their own axes.
+/// A shape about its centre, with that centre in the declared frame, and the rotation from the declared frame's axes to
+/// the shape's. A box is centred, and along its own axes.
 struct Centered {
   Shape shape;
   V3 center = V3::Zero();
@@ -20,7 +20,7 @@ struct Centered {
 };
 [[nodiscard]] Centered centered(const std::variant<Volume3, Cloud>& declared);
 
-/// Whether two placed shapes share a point, as query/overlaps.hpp has it.
+/// Whether two placed shapes share a point, by query/overlaps.hpp.
 [[nodiscard]] bool touch(const Shape& a, const Pose<double, 3>& at_a, const Shape& b, const Pose<double, 3>& at_b);
 
 }  // namespace snug::scene

@@ -7,7 +7,7 @@
 namespace snug::scene {
 namespace {
 
-/// The quaternion of a rotation matrix, by the largest of its four squares.
+/// The quaternion of a rotation matrix, computed from the largest of its four squares.
 /// Source: S. W. Shepperd, "Quaternion from rotation matrix", 1978.
 Quaternion quaternion_of(const Matrix<double, 3>& m) {
   const double x = m(0, 0), y = m(1, 1), z = m(2, 2);

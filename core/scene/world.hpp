@@ -1,4 +1,4 @@
-// What effects read and write: the bodies as they stand, and what was made of them, in slots that know when they
+// What effects read and write: the bodies, and what is derived from them, in slots that record when they
 // changed.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace snug::scene {
 
-/// What effects hand to each other. time changes with every frame.
+/// The slots through which effects exchange data. Time changes in every frame.
 enum class Slot : std::uint8_t {
   kTime,
   kPoses,
@@ -46,18 +46,18 @@ using physics::Motion;
 using physics::Pair;
 using physics::Shape;
 
-/// How many pairs each stage left, how many the first one had to compare for it, and along which axis it sorted (-1:
+/// How many pairs each stage left, how many the broad phase compared, and the axis along which it sorted (-1:
 /// none).
 struct Funnel {
   std::int64_t all = 0, compared = 0, after_broad = 0, after_loose = 0, touching = 0;
   int axis = -1;
 };
 
-/// What the volumes came to when they were last updated.
+/// The figures of the last update of the volumes.
 struct Refitted {
-  double slack = 0;  // of all measured together, over the tightest
-  double cost = 0;   // points looked at
-  Volume3 first;     // the first body's volume, in the world
+  double slack = 0;  // that of all measured volumes together
+  double cost = 0;   // points examined
+  Volume3 first;     // the first body's volume, in the world frame
 };
 
 /// A projection: from a body's centre to its foot on the ground.
@@ -65,15 +65,15 @@ struct Ray {
   V3 from = V3::Zero(), to = V3::Zero();
 };
 
-/// What changes, but for the bodies themselves: what effects made of them. A copy of it and of the Moving is a
-/// snapshot.
+/// Everything that changes except the bodies themselves: what effects derived from them. A copy of it and of Moving is
+/// a snapshot.
 struct State {
   int frame = 0;
   std::array<std::uint64_t, kSlots> revisions{};
   std::vector<Aabb<double, 3>> volumes;
   Refitted refitted;
-  std::vector<Pair> pairs;  // whose boxes overlap
-  std::vector<Pair> near;   // of those, whose loose spheres do
+  std::vector<Pair> pairs;  // pairs whose AABBs overlap
+  std::vector<Pair> near;   // those of them whose bounding spheres overlap
   Funnel funnel;
   std::vector<std::uint8_t> visibility;  // query::Culling, by body
   std::vector<std::vector<V3>> shadows;  // by body, a convex polygon on the ground
@@ -84,13 +84,13 @@ struct State {
   [[nodiscard]] std::uint64_t revision(Slot slot) const { return revisions[static_cast<std::size_t>(slot)]; }
 };
 
-/// The bodies of a scene, and what its effects share.
+/// The bodies of a scene, and the data that its effects share.
 struct World : physics::System {
   std::uint64_t seed = 1;
-  V3 pulled_to = V3::Zero();  // where drag pulls
+  V3 pulled_to = V3::Zero();  // the point that drag pulls to
   State state;
 
-  /// A hash over every number of the bodies and of what their contacts remember.
+  /// A hash over every number of the bodies and of their contacts' memory.
   [[nodiscard]] std::uint64_t hash() const;
 };
 

@@ -1,4 +1,4 @@
-// Bodies push each other: impulses with restitution and friction where they touch.
+// bounce: impulses with restitution and friction where bodies touch.
 #include <algorithm>
 
 #include "physics/budget.hpp"

@@ -1,4 +1,4 @@
-// Which pairs are worth a closer look: those whose boxes overlap.
+// broad_phase: finds the pairs whose AABBs overlap.
 #include <utility>
 
 #include "geometry/tolerance.hpp"
@@ -15,7 +15,7 @@ class BroadPhase final : public Effect {
   void run(World& world) override {
     std::vector<Aabb<double, 3>> boxes = world.state.volumes;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      // What rounding may have put outside of the box, and where the body may be before the next look.
+      // Room for points that rounding may have put outside the box, and for the body's motion until the next test.
       const double room = world.margin(i) + tolerance::kPlaced<double> * (boxes[i].min.cwiseAbs().maxCoeff() +
                                                                           boxes[i].max.cwiseAbs().maxCoeff());
       boxes[i].min -= V3::Constant(room), boxes[i].max += V3::Constant(room);

@@ -1,4 +1,4 @@
-// Which bodies a camera may see: each body's box against the view frustum.
+// cull: tests each body's AABB against a camera's view frustum.
 #include "query/classify.hpp"
 #include "scene/effect.hpp"
 
@@ -23,7 +23,7 @@ class Cull final : public Effect {
   Frustum<double, 3> frustum_;
 };
 
-/// Columns right, up and back of one who looks that way with y as far up as it goes.
+/// The axes of a camera that looks in a direction, as columns: right, up and back, with y as far up as possible.
 Matrix<double, 3> axes_looking(const V3& way) {
   Matrix<double, 3> axes;
   axes.col(2) = -way / way.norm();

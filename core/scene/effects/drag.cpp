@@ -1,4 +1,4 @@
-// A body is pulled to a point by a spring, damped so that it comes there without swinging.
+// drag: pulls a body to a point by a critically damped spring, so that it arrives without oscillating.
 #include <cmath>
 
 #include "scene/effect.hpp"
@@ -13,7 +13,7 @@ class Drag final : public Effect {
   void run(World& world) override {
     if (!world.awake(body_)) return;
     Motion& motion = world.bodies[body_];
-    // Implicit in the velocity, so that no stiffness makes it swing up.
+    // Implicit in the velocity, so that no stiffness makes it unstable.
     const double seconds = world.round(), pull = stiffness_ * seconds, damping = 2 * std::sqrt(stiffness_) * seconds;
     motion.velocity = (motion.velocity + pull * (world.pulled_to - motion.position)) / (1 + damping + pull * seconds);
     world.state.changed(Slot::kVelocities);

@@ -1,5 +1,5 @@
-// Gravity: velocities first, places after (move.cpp), which is semi-implicit Euler. Of a body in free fall a step so
-// loses m (g step)^2 / 2 of its energy, and never gains.
+// fall: gravity. Velocities change first and positions after them (move.cpp), which is semi-implicit Euler. In each
+// step, a body in free fall loses m (g step)^2 / 2 of its energy, and never gains any.
 #include <algorithm>
 
 #include "scene/effect.hpp"

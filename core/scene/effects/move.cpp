@@ -1,4 +1,4 @@
-// Bodies go where their velocities take them (physics/advance.hpp).
+// move: moves bodies by their velocities (physics/advance.hpp).
 #include "physics/advance.hpp"
 #include "scene/effect.hpp"
 

@@ -1,4 +1,4 @@
-// Which of the remaining pairs touch: first by the spheres that contain each body however it is turned, then exactly.
+// narrow_phase: finds the remaining pairs that touch: by spheres around each body in every orientation, then exactly.
 #include "geometry/tolerance.hpp"
 #include "scene/effect.hpp"
 #include "scene/shape.hpp"

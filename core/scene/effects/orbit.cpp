@@ -1,4 +1,4 @@
-// Bodies go round a centre, each at its own distance.
+// orbit: moves bodies around a centre, each at its own distance.
 #include <numbers>
 
 #include "geometry/random.hpp"
@@ -12,7 +12,7 @@ struct Course {
   std::size_t body;
   V3 arm;  // from the centre at the start
   V3 axis;
-  double turns;  // a second
+  double turns;  // per second
 };
 
 class Orbit final : public Effect {
@@ -49,7 +49,7 @@ MadeEffect make_orbit(const EffectCall& call, World& world) {
   const V3 center = settings.vector("center", V3::Zero());
   const V3 axis = settings.vector("axis", V3::UnitY());
   const double turns = settings.number("turns_per_second", 0.05, -100, 100);
-  const double vary = settings.number("vary", 0, 0, 1);  // by which part speeds and axes differ from body to body
+  const double vary = settings.number("vary", 0, 0, 1);  // how much speeds and axes differ between bodies, 0 to 1
   if (axis == V3::Zero()) settings.refuse("its axis has no direction");
   Random random(world.seed);
   std::vector<Course> courses;

@@ -1,4 +1,4 @@
-// A body goes from place to place in straight lines, at one speed, to the last or round and round.
+// path: moves a body from place to place in straight lines at constant speed, to the last place or round and round.
 #include <cmath>
 
 #include "scene/effect.hpp"
@@ -37,7 +37,7 @@ class Path final : public Effect {
 
   std::size_t body_;
   std::vector<V3> places_;
-  std::vector<double> ends_;  // how long the way is to each place
+  std::vector<double> ends_;  // the length of the way to each place
   double speed_;
   bool round_;
 };
@@ -51,7 +51,7 @@ MadeEffect make_path(const EffectCall& call, World& world) {
   const double speed = settings.number("speed", 1, 0, 1e6);
   constexpr std::string_view kEnds[] = {"stop", "round"};
   const bool round = settings.word("then", kEnds) == 1;
-  if (places.empty()) places.push_back(V3::Zero());  // which was refused
+  if (places.empty()) places.push_back(V3::Zero());  // an empty list was refused
   return settings.make<Path>(body, world, std::move(places), speed, round);
 }
 

@@ -1,4 +1,4 @@
-// From each body straight down to its foot on the ground, by which the eye finds where it is in space.
+// projection_rays: lines from each body straight down to the ground, which show where it is in space.
 #include "scene/effect.hpp"
 
 namespace snug::scene {

@@ -1,5 +1,5 @@
-// Volumes follow the bodies: each body's box in the world, by one of the updates of fit/. Of bodies that were declared
-// as points any update serves, and what it costs and how loose it is are figures of the scene.
+// refit: updates each body's AABB in the world frame, by one of the updates of fit/. Bodies declared as points can use
+// any update, and its cost and looseness are figures of the scene.
 #include <algorithm>
 
 #include "fit/update/update_rotated_box.hpp"
@@ -11,7 +11,7 @@
 namespace snug::scene {
 namespace {
 
-/// The box of a sphere or a box, or of corners within a radius, in constant time.
+/// The AABB of a sphere, a box or vertices with a radius, in constant time.
 Aabb<double, 3> plain_box(const Shape& shape, const Pose<double, 3>& pose, bool loose) {
   if (loose || shape.kind == Shape::Kind::kSphere) {
     const V3 reach = V3::Constant(shape.kind == Shape::Kind::kSphere ? shape.radius : shape.reach);
@@ -53,7 +53,7 @@ class Refit final : public Effect {
     state.changed(Slot::kVolumes);
   }
 
-  /// A walk uphill begins where the last one ended.
+  /// A climb begins where the last one ended, so it must be reset.
   void restored(World& world) override {
     done_ = 0;
     for (std::size_t i = 0; i < world.size(); ++i)
@@ -62,8 +62,8 @@ class Refit final : public Effect {
 
  private:
   bool loose_, watched_ = false;
-  std::vector<fit::UpdateBody> updates_;  // by body; none where the shape is plain
-  std::uint64_t done_ = 0;                // World::moves of which the volumes are; 0: of none
+  std::vector<fit::UpdateBody> updates_;  // by body; none if the shape is simple
+  std::uint64_t done_ = 0;                // World::moves at the last update; 0: none yet
 };
 
 }  // namespace
@@ -79,7 +79,7 @@ MadeEffect make_refit(const EffectCall& call, World& world) {
   const std::string_view volume = volumes[settings.word("volume", volumes)];
   for (const fit::UpdateStrategy& strategy : fit::update_strategies())
     if (strategy.volume == volume && strategy.space) names.push_back(strategy.name);
-  if (volume == "aabb") std::rotate(names.begin(), names.end() - 1, names.end());  // rotated_box, which costs least
+  if (volume == "aabb") std::rotate(names.begin(), names.end() - 1, names.end());  // rotated_box first, the cheapest
   const std::string_view name = names[settings.word("strategy", names)];
   return settings.make<Refit>(world, *fit::find_update(volume, name));
 }

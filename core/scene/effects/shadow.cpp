@@ -1,5 +1,5 @@
-// Shadows on the ground: what of each body the light does not let through, as a convex polygon. Corners are exact;
-// around a radius stand so many points of the outline.
+// shadow: each body's shadow on the ground, as a convex polygon. Vertices are exact; a radius is approximated by a
+// number of points.
 #include <numbers>
 
 #include "fit/hull/quickhull.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kOutline = 24;
 
-/// Points that all lie on the ground. Empty where the light throws them farther than numbers reach.
+/// The hull of points on the ground. Empty if the light projects them farther than numbers reach.
 std::vector<V3> hull_on_ground(const std::vector<V3>& points) {
   std::vector<Vector<double, 2>> from_above;
   for (const V3& p : points) from_above.emplace_back(p[2], p[0]);

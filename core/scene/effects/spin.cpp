@@ -1,4 +1,4 @@
-// A body turns about an axis through its centre, as fast as it is told to.
+// spin: rotates a body about an axis through its centre, at constant speed.
 #include <numbers>
 
 #include "scene/effect.hpp"
@@ -27,7 +27,7 @@ class Spin final : public Effect {
   }
 
  private:
-  /// The angle in whole turns.
+  /// The angle at a frame, in turns.
   [[nodiscard]] double turned_at(const World& world, int frame) const {
     const double turned = turns_ * world.step * frame;
     return most_ > 0 && std::abs(turned) > most_ ? std::copysign(most_, turned) : turned;
@@ -46,7 +46,7 @@ MadeEffect make_spin(const EffectCall& call, World& world) {
   auto bodies = settings.bodies();
   const V3 axis = settings.vector("axis", V3::UnitY());
   const double turns = settings.number("turns_per_second", 0.1, -100, 100);
-  const double degrees = settings.number("degrees", 0, 0, 1e6);  // where it stops; 0: never
+  const double degrees = settings.number("degrees", 0, 0, 1e6);  // the angle at which it stops; 0: never
   if (axis == V3::Zero()) settings.refuse("its axis has no direction");
   return settings.make<Spin>(std::move(bodies), world, axis, turns, degrees);
 }

@@ -1,4 +1,4 @@
-// Where bodies have been: the centres of the last frames in which they moved.
+// trail: the centres of bodies in the last frames in which they moved.
 #include <cmath>
 
 #include "scene/effect.hpp"
