@@ -18,7 +18,7 @@
 namespace snug::app {
 namespace {
 
-// That the way to an outcome is shown in: at least, and at most.
+// The shortest and the longest time for playing the steps up to an outcome.
 constexpr double kWatchedSeconds = 2, kLongestWatched = 4;
 constexpr int kSettleFrames = 2;  // ImGui answers an input over this many frames
 constexpr double kOrbitStep = 0.2, kZoomStep = 1.25;
@@ -36,8 +36,8 @@ bool same(const Settings& a, const Settings& b) {
          a.prose_in_canvas == b.prose_in_canvas && a.tools == b.tools && a.show_optimum == b.show_optimum;
 }
 
-/// What a new texture of letters leaves empty becomes white: it is transparent all the same, and where letters stand
-/// between pixels their edges are mixed with it, so that of the black that comes with it a pale halo had grey seams.
+/// Makes the empty pixels of a new font texture white. They stay transparent, but the edges of letters between pixels
+/// are blended with them: with the default black, a pale halo had grey seams.
 void whiten(const ImFontAtlas& atlas) {
   for (ImTextureData* texture : atlas.TexList) {
     if (texture->Status != ImTextureStatus_WantCreate || texture->BytesPerPixel != 4) continue;
@@ -52,11 +52,11 @@ void whiten(const ImFontAtlas& atlas) {
 struct App::State {
   Platform platform;
   Settings settings, drawn_settings;
-  std::array<std::string, 4> font_bytes;  // ImGui reads glyphs from them when it first needs them
+  std::array<std::string, 4> font_bytes;  // ImGui reads glyphs from them on demand
   Look look;
   std::optional<lesson::Session> session;
-  std::map<std::string, std::vector<lesson::Outcome>> answers;  // of lessons that were left, by their ids
-  const SubjectRow* subject = nullptr;                          // of the session, and what it is seen by
+  std::map<std::string, std::vector<lesson::Outcome>> answers;  // those of lessons that were left, by id
+  const SubjectRow* subject = nullptr;                          // the session's subject, and its view
   std::unique_ptr<SubjectView> view;
   std::unique_ptr<Cover> cover;
   Stage stage;
@@ -64,9 +64,9 @@ struct App::State {
   bool playing = false;
   float speed = 1;
   double next_step_at = 0;
-  double watched_pause = 0;  // seconds, from step to step of the way to an outcome; 0: none is watched
-  double watched_until = 0;  // when it ends, however far it came
-  bool press_ends = false;   // the press that ended it means nothing else
+  double watched_pause = 0;  // seconds per step while the way to an outcome is played; 0: none is played
+  double watched_until = 0;  // when that ends, even if not all steps were shown
+  bool press_ends = false;   // the press that ended it does nothing else
   double now = 0;
   std::uint64_t drawn_revision = 0;
   int drawn_cover = 0, drawn_percent = 0;
@@ -128,14 +128,14 @@ void App::State::refresh_look(bool fingers) {
   apply_style(look);
 }
 
-/// An answer was given: what was skipped is played, as fast as it takes for all of it to be seen in time. Who wants no
-/// motion sees it when asking for it.
+/// After an answer: plays the skipped steps, fast enough to show all of them in time. With reduced motion, they are
+/// played only on request.
 void App::State::watch() {
   session->play_answers(!settings.reduced_motion);
   const lesson::Outcome* const outcome = session->deciding();
   if (outcome == nullptr) watched_pause = 0;
   if (outcome == nullptr || (watched_pause > 0 && now < watched_until)) return;
-  if (watched_pause > 0) return end_watching();  // and takes no step more, which would continue
+  if (watched_pause > 0) return end_watching();  // without one more step, which would continue
   const int steps = std::max(1, outcome->step - session->step());
   watched_pause = std::min(view->seconds_of_step(*session, kWatchedSeconds / steps), kLongestWatched / steps);
   watched_until = now + kLongestWatched;
@@ -154,7 +154,7 @@ void App::State::end_watching() {
 void App::State::play_on() {
   watch();
   if (!playing) return;
-  if (now - next_step_at > 1) next_step_at = now;  // nobody drew for a while: don't catch up
+  if (now - next_step_at > 1) next_step_at = now;  // nothing was drawn for a while: do not catch up
   while (playing && now >= next_step_at) {
     session->forward();
     next_step_at += pause();
@@ -176,7 +176,7 @@ void App::State::next_mark() {
   else session->go(session->next_mark());
 }
 
-/// The keys and buttons that go on continue where an outcome is told, and skip a question at their second press.
+/// The "next" keys and buttons: they continue from an outcome, and skip a question at their second press.
 bool App::State::go_on(std::string_view name) {
   const bool steps = name == "next_mark" || name == "step";
   if (steps || name == "play" || name == "commit_answer" || name == "continue")
@@ -230,7 +230,7 @@ bool App::State::edit(std::string_view name) {
   return false;
 }
 
-/// Goes on among what can be the answer to the question that stands; false where it is not answered on the stage.
+/// Selects the next or previous possible answer among the handles; false if the question is not answered on the stage.
 bool App::State::choose_target(int by) {
   const std::vector<Index> targets = session->targets();
   if (targets.empty()) return false;
@@ -281,7 +281,7 @@ bool App::State::move(std::string_view name) {
   return false;
 }
 
-/// The stage or its cover, and a button that leads from one to the other.
+/// Draws the stage or its cover, and the button that switches between them.
 void App::State::draw_stage(const Rect& rect) {
   const std::string_view words = cover != nullptr ? cover->button_words() : "";
   const float height = look.fingers ? 44.0f : look.px(32);
@@ -370,7 +370,7 @@ bool App::command(std::string_view name) {
   const bool done = name.starts_with(kTurn)
                         ? turn(name.substr(kTurn.size()))
                         : s.player(name) || s.edit(name) || s.select(name) || s.look_around(name) || s.move(name);
-  if (s.covered() && (s.playing || s.session->step() != step)) s.cover->show(false);  // a step is of the stage
+  if (s.covered() && (s.playing || s.session->step() != step)) s.cover->show(false);  // a step is shown on the stage
   if (done) s.settle = std::max(s.settle, 1);
   return done;
 }
@@ -426,7 +426,7 @@ void App::frame(const Layout& layout, double now) {
   const auto any = [](const bool(&of)[5]) { return std::any_of(std::begin(of), std::end(of), std::identity{}); };
   if (any(io.MouseClicked) && s.session->deciding() != nullptr) s.end_watching(), s.press_ends = true;
   const auto shows = [](const Rect& rect) { return rect.width >= 1 && rect.height >= 1; };
-  // The timeline and the stage change the session; the inspector comes last and says the same frame's figures.
+  // The timeline and the stage change the session; the inspector comes last, with the figures of the same frame.
   if (shows(layout.timeline)) {
     const Pane pane("##timeline", layout.timeline);
     const PlayerWish wish = draw_timeline(s.look, *s.session, *s.view, layout.timeline, {s.playing, s.speed});
@@ -442,7 +442,7 @@ void App::frame(const Layout& layout, double now) {
     draw_inspector(s.look, *s.session, *s.view, layout.inspector);
   }
   if (!any(io.MouseDown)) s.press_ends = false;
-  whiten(*ImGui::GetIO().Fonts);  // which may have grown
+  whiten(*ImGui::GetIO().Fonts);  // the atlas may have grown
   s.drawn_cover = s.cover ? s.cover->version() : 0;
   s.drawn_percent = s.percent();
   s.drawn_revision = s.session->revision();
@@ -463,11 +463,11 @@ bool App::wants_frame(double now) const {
   const State& s = *state_;
   if (s.settle > 0 || !same(s.settings, s.drawn_settings)) return true;
   if (!s.session) return false;
-  const bool moving = !s.covered() && s.stage.moving();  // under its cover, the stage waits
+  const bool moving = !s.covered() && s.stage.moving();  // the stage waits while it is covered
   const bool due = (s.playing && now >= s.next_step_at) || moving || s.session->revision() != s.drawn_revision;
   if (due || s.cover == nullptr) return due;
   const bool advanced =
-      s.settings.prose_in_canvas && s.percent() != s.drawn_percent;  // a page has its bar outside the canvas
+      s.settings.prose_in_canvas && s.percent() != s.drawn_percent;  // the page has its progress bar outside the canvas
   return advanced || s.cover->version() != s.drawn_cover;
 }
 

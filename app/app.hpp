@@ -1,5 +1,5 @@
 // The front end that both doors share: a lesson on a stage, its timeline and its inspector.
-// A door gives it a GL context, an ImGui context that it feeds with input, fonts, and rectangles to draw in.
+// A door (the page or the window) provides a GL context, an ImGui context with input, fonts, and rectangles to draw in.
 #pragma once
 
 #include <memory>
@@ -19,14 +19,14 @@ struct Rect {
   float x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Where things stand. An empty rectangle leaves its part out (a phone shows the inspector on a tab of its own).
+/// Where the parts are. An empty rectangle leaves its part out (a phone shows the inspector on a separate tab).
 struct Layout {
   Rect stage;
   Rect timeline;
   Rect inspector;
   bool fingers = false;  // large targets: 44 px
   float tools = 0;       // how far the door's own buttons reach from the stage's left edge, in its top corner
-  float foot = 0;        // how much of the stage's foot the door covers with a question: the stage frames itself above
+  float foot = 0;        // how much of the stage's foot a question covers: the stage frames itself above
 };
 
 enum class Theme { kLight, kDark, kHighContrast, kProjector };
@@ -36,8 +36,8 @@ struct Settings {
   float text_scale = 1;  // 1 is 15 px prose
   bool reduced_motion = false;
   bool prose_in_canvas = false;  // the step's sentence on the stage; the page has it as HTML above the canvas instead
-  bool tools = true;             // the stage's own buttons; a picture of the stage has none
-  bool show_optimum = false;     // the smallest ball beside the current one before the end; there it always shows
+  bool tools = true;             // whether the stage has its buttons; a picture of it has none
+  bool show_optimum = false;     // whether the smallest volume is shown before the end; at the end it always is
 };
 
 /// What differs between the doors.
@@ -46,15 +46,15 @@ struct Platform {
   std::string (*font)(std::string_view name) = nullptr;
   /// The first line of each shader: "#version 330 core" or "#version 300 es".
   const char* glsl_version = "#version 330 core";
-  /// Nanoseconds since some moment, only forward: costs and the effects of scenes are timed by it. Null: nothing is.
+  /// Nanoseconds since some moment, never going back: it times costs and the effects of scenes. Null: nothing is timed.
   double (*clock)() = nullptr;
-  /// How long one run may take where growth is followed, ns: a page keeps no frame waiting, a window does for a moment.
+  /// How long one run may take on the growth chart, ns: a page must not delay a frame, a window may for a moment.
   double longest_run = 12e6;
-  /// What is told of this program and machine with what was measured; what of, and the clock's step, are found here.
+  /// Describes this program and machine for measurements; what was measured and the clock's step are added here.
   cost::Provenance here;
 };
 
-/// A draggable thing, at its place on the canvas.
+/// A draggable handle, at its place on the canvas.
 struct Handle {
   std::string id;  // "P0", "P1" …; in 3-D only those in front of the camera
   float x = 0, y = 0;
@@ -72,61 +72,61 @@ class App {
   App(const App&) = delete;
   App& operator=(const App&) = delete;
 
-  /// Makes what lives in the GL context; again after a lost context. false: the shaders did not build (see
+  /// Creates the GL objects; again after a lost context. Returns false if the shaders did not build (see
   /// graphics_error).
   bool create_graphics();
-  /// Forgets GL objects of a context that is lost.
+  /// Forgets the GL objects of a lost context.
   void abandon_graphics();
   [[nodiscard]] const std::string& graphics_error() const;
 
-  /// Opens a lesson at its start, with the answers that were given when it was open before. Errors: as of
-  /// Session::open; what was open then stays.
+  /// Opens a lesson at its start, with the answers given when it was open before. Errors: those of Session::open; the
+  /// lesson that was open then stays.
   tl::expected<void, InputError> open(lesson::Lesson lesson, std::optional<io::PointFile> mesh = {});
-  /// The answers of an earlier visit to a lesson, for when it is opened; and all answers, of every lesson, away.
+  /// Keeps the answers of an earlier visit for when the lesson is opened; and forgets all answers of all lessons.
   void keep_answers(const std::string& lesson, std::vector<lesson::Outcome> outcomes);
   void forget_answers();
-  /// A file's points, in the open lesson. Errors: as of Session::load, and of the cover's.
+  /// Loads a file's points into the open lesson. Errors: those of Session::load and of the cover.
   tl::expected<void, InputError> load(const io::PointFile& file, std::string_view name);
-  /// The name of what the open lesson is about, as app/subjects has it; "" before the first open.
+  /// The name of the open lesson's subject, as in app/subjects; "" before the first open.
   [[nodiscard]] std::string_view subject() const;
-  /// What can stand in the stage's place; null where nothing can.
+  /// What can replace the stage; null if nothing can.
   [[nodiscard]] Cover* cover();
-  /// One slice of what the cover has to do, for a door to call between frames. ns.
+  /// Does a slice of the cover's work, for a door to call between frames. budget: ns.
   void measure(double budget);
   /// Null before the first open.
   [[nodiscard]] lesson::Session* session();
 
   [[nodiscard]] Settings& settings();
-  /// Fonts and palette as of the last frame, for a door that draws more (app/look.hpp).
+  /// The fonts and palette of the last frame, for a door that draws more (app/look.hpp).
   [[nodiscard]] const Look& look() const;
 
-  /// Does what a button or key says. Names: those of the cover, and first back step play last next_mark
+  /// Runs the command of a button or key. Names: those of the cover, and first back step play last next_mark
   /// previous_mark faster slower undo redo add_point delete_point scatter reset_points reset_view skip_question
   /// commit_answer
-  /// select_next select_previous select_none move_left move_right move_up move_down move_nearer move_farther (the
-  /// selected point; "_fine" behind it for a tenth), zoom_in zoom_out orbit_left orbit_right orbit_up orbit_down
-  /// toggle_optimum watch_outcome continue show_answer close_summary; review:QUESTION, which tells its outcome again;
-  /// and turn:EFFECT, which switches an effect of the scene off, and on again. At a question, next_mark and step say
-  /// that a second press skips it: a clicker has no other key. Where an outcome is told, they and play and
-  /// commit_answer continue. While the way to an outcome is played, any command ends it. watch_outcome goes back to
-  /// where the outcome's question was asked and plays on to the outcome; it cannot where nothing lies between. Returns
-  /// false where the name is unknown or it cannot be done now (undo with nothing to undo).
+  /// select_next select_previous select_none move_left move_right move_up move_down move_nearer move_farther (for the
+  /// selected point; with "_fine" added, by a tenth), zoom_in zoom_out orbit_left orbit_right orbit_up orbit_down
+  /// toggle_optimum watch_outcome continue show_answer close_summary; review:QUESTION, which shows its outcome again;
+  /// and turn:EFFECT, which switches an effect of the scene off, and on again. At a question, next_mark and step
+  /// announce that a second press skips it, because a clicker has no other key. At an outcome, they, play and
+  /// commit_answer continue. While the way to an outcome is played, any command ends that. watch_outcome goes back to
+  /// the question and plays up to the outcome; it fails if no steps lie between. Returns false if the name is unknown
+  /// or the command impossible now (undo with nothing to undo).
   bool command(std::string_view name);
   /// The command of a key, as the browser names keys ("ArrowRight", "PageDown", " ", "Home", "z"); empty for none.
-  /// Arrow keys move the selected point where it was selected by a key, by select() or by a click that moved nothing,
-  /// and step otherwise: after a drag or an answer they step.
+  /// Arrow keys move the selected point if it was selected by a key, by select() or by a click without a drag.
+  /// Otherwise, as after a drag or an answer, they step.
   [[nodiscard]] std::string_view command_of_key(std::string_view key, bool shift, bool control) const;
 
   /// The selected point, kNoIndex for none.
   [[nodiscard]] Index selected() const;
   void select(Index point);
-  /// Lights a mark that the prose links to (lesson/speaking.hpp), "" for none; and the marks of the prose that the
-  /// handle under the pointer belongs to, whose words a door lights.
+  /// Lights a mark that the prose links to (lesson/speaking.hpp), "" for none; and the marks that the handle under the
+  /// pointer belongs to, whose words the door lights.
   void light(std::string_view mark);
   [[nodiscard]] std::string_view lit() const;
   [[nodiscard]] std::vector<std::string_view> marks_in_hand() const;
   [[nodiscard]] bool playing() const;
-  [[nodiscard]] float speed() const;  // steps a second are 2 * speed, a scene's its own frames a second * speed
+  [[nodiscard]] float speed() const;  // steps a second are 2 * speed; for a scene, its frames a second * speed
 
   /// Two fingers on the stage: factor > 1 as they part, around their middle (canvas coordinates), which moved by
   /// (dx, dy) since the last call.
@@ -135,19 +135,19 @@ class App {
   /// Draws into the rectangles and answers ImGui's input; call between ImGui::NewFrame and ImGui::Render, then
   /// draw_3d_behind with the framebuffer bound, then ImGui's own drawing. now: seconds, rising.
   void frame(const Layout& layout, double now);
-  /// Takes the steps that are due while it plays: frame without drawing, for a door that has nothing to draw on.
+  /// Takes the steps that are due while playing: frame without drawing, for a door that cannot draw.
   void advance(double now);
-  /// Until the next playing step, in seconds; infinity where nothing plays.
+  /// The time until the next playing step, in seconds; infinity if nothing plays.
   [[nodiscard]] double seconds_until_step(double now) const;
-  /// The GL part of the stage, beneath ImGui's; the door clears all before, in the panels' colour and with the
-  /// depth. Framebuffer size in device pixels, scale: device pixels per page pixel.
+  /// Draws the GL part of the stage, beneath ImGui's. The door first clears colour (to that of the panels) and depth.
+  /// The framebuffer's size is in device pixels; scale: device pixels per page pixel.
   void draw_3d_behind(int framebuffer_width, int framebuffer_height, float scale);
   /// Whether another frame is due without any input: something moves, plays, or the session changed since the last.
   [[nodiscard]] bool wants_frame(double now) const;
-  /// For a door that sleeps between frames: 0 when one is due now, the seconds until the next playing step, or infinity
-  /// when nothing changes without input.
+  /// For a door that sleeps between frames: 0 if one is due now, the seconds until the next playing step, or infinity
+  /// if nothing changes without input.
   [[nodiscard]] double seconds_until_due(double now) const;
-  /// From now on each frame's words are noted there, until null is given: for tests of where they stand.
+  /// Records each frame's words there from now on, until called with null: for tests of where words are drawn.
   void note_words(std::vector<DrawnWords>* drawn);
   /// How many frames were drawn.
   [[nodiscard]] long frames_drawn() const;

@@ -12,7 +12,7 @@ void draw_center(Brush& brush, const Point3& at, Color color) {
 
 void draw_knob(Brush& brush, const Point3& foot, const Point3& knob, bool turns) {
   const Palette& p = brush.p;
-  const float dimmed = answered_on_stage(brush.session) ? 0.35f : 1;  // what cannot be the answer stands back
+  const float dimmed = answered_on_stage(brush.session) ? 0.35f : 1;  // what cannot be the answer is dimmed
   const ImVec2 from = brush.at(foot), to = brush.at(knob);
   const Color stalk = with_alpha(p.muted, dimmed);
   line(brush.list, from, to, Stroke::kSolid, stalk, brush.stroke(0.6f));
@@ -25,7 +25,7 @@ void draw_knob(Brush& brush, const Point3& foot, const Point3& knob, bool turns)
   brush.list->PathStroke(stalk, 0, brush.stroke(0.7f));
 }
 
-/// A knob stands off its face on a stalk; an arc says that it turns.
+/// A knob is drawn off its face on a stalk; an arc shows that it rotates the box.
 void draw_knobs(Brush& brush, const lesson::BoxPair& pair, int i) {
   for (int axis = 0; axis < pair.dim - 1; ++axis) {
     const Index knob = lesson::index_of(pair.dim, {lesson::Place::Kind::kTurn, i, axis});

@@ -1,4 +1,4 @@
-// What is drawn alike of the boxes that a hand takes hold of.
+// How the handles of boxes are drawn, in every subject.
 #pragma once
 
 #include "app/brush.hpp"
@@ -6,11 +6,11 @@
 
 namespace snug::app {
 
-/// A cross where a box's centre is.
+/// Draws a cross at a box's centre.
 void draw_center(Brush& brush, const Point3& center, Color color);
-/// A knob, on a stalk from a place of its volume; an arc where it turns that.
+/// Draws a knob on a stalk from a place of its volume, and an arc if it rotates the volume.
 void draw_knob(Brush& brush, const Point3& from, const Point3& knob, bool turns);
-/// The knobs that turn one of the pair's boxes.
+/// Draws the knobs that rotate one of the pair's boxes.
 void draw_knobs(Brush& brush, const lesson::BoxPair& pair, int box);
 
 }  // namespace snug::app

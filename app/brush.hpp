@@ -1,4 +1,4 @@
-// What the stage's drawing passes around for the length of a frame.
+// What the stage's drawing functions share during a frame.
 #pragma once
 
 #include <span>
@@ -17,12 +17,12 @@ struct Label {
   Color color = 0;
 };
 
-/// What the hands on the stage are at.
+/// What the user is doing on the stage.
 struct Hands {
   Index selected = kNoIndex, hovered = kNoIndex;
   bool arrows = false;    // whether the arrow keys move the selected handle
-  bool grabs = false;     // whether a press where the pointer is would grab a handle
-  bool dragging = false;  // the selected one
+  bool grabs = false;     // whether a press at the pointer would grab a handle
+  bool dragging = false;  // whether the selected handle is being dragged
 };
 
 struct Brush {
@@ -34,9 +34,9 @@ struct Brush {
   Rect rect;
   Canvas canvas;
   Hands hands;
-  std::span<const ScreenPoint> handles;  // where each stands on the screen
+  std::span<const ScreenPoint> handles;  // where each handle is on the screen
   float point_radius = 5;
-  std::optional<fit::Volume3> volume;  // on its way to where the step has it
+  std::optional<fit::Volume3> volume;  // moving towards the step's volume
   std::vector<Label> labels;
 
   [[nodiscard]] int dim() const { return canvas.camera.dim(); }
@@ -44,7 +44,7 @@ struct Brush {
   [[nodiscard]] ImVec2 at(const Point3& point) const { return canvas.at(point); }
   [[nodiscard]] Point3 point(Index i) const { return view.place_of(session, i); }
 
-  /// A label beside a place of the screen. The anchor's own mark is gap / 2 across.
+  /// Requests a label beside a place on the screen. The anchor's mark is gap / 2 across.
   void label(ImVec2 anchor, float gap, ImVec2 toward, std::string words, Color color, Face face = Face::kSemiBold,
              float size = 14, bool optional = false) {
     const ImVec2 extent = measure(look, face, size, words);
@@ -56,17 +56,17 @@ struct Brush {
   }
 };
 
-/// Whether the question that stands is answered on the stage.
+/// Whether the open question is answered on the stage.
 [[nodiscard]] inline bool answered_on_stage(const lesson::Session& session) {
   return session.asked() != nullptr && session.asked()->on_stage;
 }
 
-/// Whether a name is of plus and minus alone, as a corner's is; a halo would close it up.
+/// Whether a name consists of plus and minus signs, like a vertex's; a halo would make it unreadable.
 [[nodiscard]] inline bool is_of_signs(std::string_view words) {
   return words.find_first_not_of("+\u2212") == std::string_view::npos;
 }
 
-/// A sentence on a pill at the stage's foot, which is then among the obstacles.
+/// Draws a sentence on a pill at the stage's foot, and adds it to the obstacles.
 void draw_sentence(ImDrawList* list, const Look& look, Obstacles& obstacles, const Rect& stage,
                    std::string_view sentence);
 

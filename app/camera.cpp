@@ -11,10 +11,10 @@ namespace {
 
 using V3 = Vector<double, 3>;
 
-constexpr double kFieldOfView = 30 * std::numbers::pi / 180;  // long enough a lens that spheres look round
+constexpr double kFieldOfView = 30 * std::numbers::pi / 180;  // narrow enough that spheres look round
 constexpr double kSteepest = 85 * std::numbers::pi / 180;
 constexpr double kRadiansPerPixel = 0.008;
-constexpr double kEaseSeconds = 0.06;  // the time in which the way left falls to 1/e: at rest after about 0.3 s
+constexpr double kEaseSeconds = 0.06;  // the time in which the remaining way falls to 1/e: at rest after about 0.3 s
 constexpr double kArrived = 1e-3;      // of the view's height
 
 const double kTanHalf = std::tan(kFieldOfView / 2);
@@ -48,7 +48,7 @@ void Camera::frame(const Sphere<double, 3>& ball, bool at_once) {
   double radius = ball.radius > 0 ? ball.radius : std::max(ball.center.cwiseAbs().maxCoeff() * 1e-3, 1e-300);
   if (ball.radius <= 0 && ball.center.isZero()) radius = 1;
   goal_.target = ball.center;
-  // A ball of radius r has its silhouette at r / sqrt(1 - (r/d)^2) of the plane through its centre.
+  // In the plane through its centre, the silhouette of a ball of radius r has the radius r / sqrt(1 - (r/d)^2).
   const double fit = std::min(1.0, free_width() / free_height());
   goal_.height = 2 * radius / fit * (dim_ == 3 ? 1.0 / std::cos(kFieldOfView / 2 * fit) : 1.0);
   if (dim_ == 3 && framed_ && now_.yaw == 0 && now_.pitch == 0) goal_.yaw = 0.55, goal_.pitch = 0.32;

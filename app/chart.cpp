@@ -17,10 +17,10 @@ namespace {
 
 constexpr float kSize = 12, kTitle = 15, kMark = 5, kReach = 14;
 constexpr double kPadding = 0.06;
-constexpr double kNothing = 1e-7;       // of a share: what rounding leaves
-constexpr float kLittleRoom = 360;      // so low a chart of lines goes without its note, which its file has as well
-constexpr std::size_t kMostMarks = 20;  // on a line, or little more
-/// A log axis of fewer decades has 2 and 5 between its powers of ten; of a smaller factor, even steps.
+constexpr double kNothing = 1e-7;       // a fraction below this is only rounding
+constexpr float kLittleRoom = 360;      // a line chart lower than this has no note; its file has the note as well
+constexpr std::size_t kMostMarks = 20;  // on a line, roughly
+/// A log axis of fewer decades has ticks at 2 and 5 between its powers of ten; of a smaller factor, even steps.
 constexpr double kFewDecades = 2, kNoDecade = 5;
 
 template <class... Values>
@@ -43,7 +43,7 @@ std::string time_figure(double ns) {
   return said("%.3g s", ns / 1e9);
 }
 
-/// A stretch of numbers on a stretch of pixels.
+/// Maps a range of numbers to a range of pixels.
 struct Scale {
   bool log = false;
   double from = 0, to = 1;
@@ -56,7 +56,7 @@ struct Scale {
   }
 };
 
-/// What the axis of an empty chart goes over.
+/// The range of an axis of an empty chart.
 std::pair<double, double> usual_range(const ChartAxis& axis) {
   switch (axis.unit) {
     case ChartUnit::kTime: return {1e3, 1e9};
@@ -68,7 +68,7 @@ std::pair<double, double> usual_range(const ChartAxis& axis) {
   return {1, 2};
 }
 
-/// With room at both ends, so that no mark lies on the frame.
+/// The scale of an axis, with room at both ends, so that no mark lies on the frame.
 Scale scale_of(const Chart& chart, bool is_x) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const ChartSeries& series : chart.series)
@@ -145,11 +145,11 @@ void draw_mark(ImDrawList* list, const Look& look, ImVec2 at, const ChartSeries&
   }
 }
 
-/// What the marks of lines mean, below the axes: there is no room for names beside lines that lie close, nor beside
-/// very many marks.
+/// The legend below the axes: close lines and very many marks leave no room for names beside
+/// them.
 class Legend {
  public:
-  /// The whole names where they take few rows, else without what the figures are held against.
+  /// Shows the whole names if they take few rows, otherwise without the comparison.
   Legend(const Look& look, const Chart& chart, float width) : look_(look), chart_(chart) {
     const auto named = [](const ChartSeries& one) { return !one.name.empty(); };
     const bool many = std::count_if(chart.series.begin(), chart.series.end(), named) > kMostBeside;
@@ -201,10 +201,10 @@ class Legend {
   const Chart& chart_;
   std::vector<Entry> entries_;
   int rows_ = 0;
-  bool rimmed_ = false;  // rims want room between the rows
+  bool rimmed_ = false;  // rims need room between the rows
 };
 
-/// The chart on its way to the screen.
+/// Draws a chart.
 struct Plot {
   ImDrawList* list;
   const Look& look;
@@ -235,7 +235,7 @@ struct Plot {
                chart.x.title);
   }
 
-  /// Along the time from one offer to the next nothing smaller is to be had: so it goes down in steps.
+  /// Draws the front as steps: between the times of two offers, nothing smaller is available.
   void front() const {
     std::vector<ImVec2> way;
     for (const ChartPoint& p : chart.front) {
@@ -264,7 +264,7 @@ struct Plot {
     }
   }
 
-  /// One a series, beside its last point. Bars of spread are lines that labels keep clear of.
+  /// Draws the name of each series beside its last point. Labels keep clear of the bars of spread.
   void names() const {
     std::vector<LabelRequest> requests;
     Obstacles obstacles;
@@ -302,7 +302,7 @@ struct Plot {
     return hit;
   }
 
-  /// The power that a line is held against, from where the line begins to where it ends.
+  /// Draws the power that a line is compared with, from the line's start to its end.
   void slope(const ChartSeries& one) const {
     const ChartPoint& last = one.points.back();
     const double first = one.points.front().x;

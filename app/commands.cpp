@@ -57,7 +57,7 @@ std::string_view found(const auto& rows, std::string_view key) {
 }  // namespace
 
 std::string_view command_for(std::string_view key, bool shift, bool control, bool has_selection) {
-  // Shift with Z is another letter on some keyboards' way to say it, and the same one with Caps Lock on.
+  // Shift and Z usually give "Z", but with Caps Lock on they give "z".
   if (control) return key == "z" && shift ? "redo" : key == "Z" && !shift ? "undo" : found(kWithControl, key);
   if (has_selection) {
     const std::string_view move = shift ? found(kMovingFine, key) : found(kMoving, key);

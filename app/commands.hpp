@@ -1,15 +1,15 @@
-// The names of what keys and buttons do, and the keys that say them.
+// The commands of keys and buttons, and the keys for them.
 #pragma once
 
 #include <string_view>
 
 namespace snug::app {
 
-/// The command of a key, as the browser names keys; empty for none. has_selection: whether a point is selected that
-/// the arrow keys move then.
+/// The command of a key, as the browser names keys; empty for none. has_selection: whether a point is selected, so that
+/// arrow keys move it.
 [[nodiscard]] std::string_view command_for(std::string_view key, bool shift, bool control, bool has_selection);
 
-/// What the keys do, for people: pairs of keys and words, in the order of a help card.
+/// The help card: pairs of keys and words, in order.
 struct KeyHelp {
   std::string_view keys, does;
 };

@@ -1,4 +1,4 @@
-// What can stand in the stage's place, of subjects that have more to show than the stage can.
+// What can replace the stage, for subjects that have more to show than the stage can.
 #pragma once
 
 #include <string>
@@ -16,29 +16,29 @@ class Cover {
   Cover(const Cover&) = delete;
   Cover& operator=(const Cover&) = delete;
 
-  /// Whether it stands in the stage's place now.
+  /// Whether it is shown instead of the stage now.
   [[nodiscard]] virtual bool shown() const = 0;
   virtual void show(bool on) = 0;
-  /// The words on the button that leads to the other of the two.
+  /// The words on the button that switches to the other of the two.
   [[nodiscard]] virtual std::string_view button_words() const = 0;
-  /// In the current pane.
+  /// Draws in the current pane.
   virtual void draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence) = 0;
   [[nodiscard]] virtual std::string caption(const lesson::Session& session) const = 0;
   [[nodiscard]] virtual std::vector<Handle> handles() const = 0;
 
-  /// Its own commands, before all others. false: there is none of that name, or it cannot be done now.
+  /// Runs one of its own commands, which take precedence. Returns false if it is unknown or impossible now.
   virtual bool command(lesson::Session& session, std::string_view name) = 0;
-  /// Its own keys, before all others; empty for none.
+  /// The command of one of its own keys, which take precedence; empty for none.
   [[nodiscard]] virtual std::string_view command_of_key(std::string_view key) const = 0;
-  /// A file's points. Errors: as of Session::load.
+  /// Loads a file's points. Errors: those of Session::load.
   virtual tl::expected<void, InputError> load(lesson::Session& session, const io::PointFile& file,
                                               std::string_view name) = 0;
-  /// Goes on with what is under way for so many nanoseconds, or one piece that cannot be cut.
+  /// Continues its work for budget nanoseconds, or by one indivisible piece.
   virtual void work(lesson::Session& session, double budget) = 0;
-  /// Whether something is under way, and how much of it is done, from 0 to 1.
+  /// Whether work is in progress, and how much of it is done, from 0 to 1.
   [[nodiscard]] virtual bool running() const = 0;
   [[nodiscard]] virtual double progress() const = 0;
-  /// Changes with whatever it shows.
+  /// A number that changes with whatever it shows.
   [[nodiscard]] virtual int version() const = 0;
 };
 

@@ -12,7 +12,7 @@ namespace {
 /// "area 2.118", "volume 3.2"
 std::string size_text(double size, int dim) { return (dim == 2 ? "area " : "volume ") + lesson::number_text(size); }
 
-/// Where a volume's label stands: at its top, or to one side of it on the screen.
+/// The place of a volume's label: at its top, or on one side of it on the screen.
 Point3 top_of(const Camera& camera, const fit::Volume3& volume, double right) {
   return farthest_in(volume, camera.up() * std::sqrt(1 - right * right) + camera.right() * right, camera.dim());
 }
@@ -24,7 +24,7 @@ void draw_radius(Brush& brush, const Shown& shown, const fit::Sphere3& ball) {
   plus(brush.list, center, 5 * p.mark, p.current, brush.stroke(0.7f));
   canvas.obstacles.discs.push_back({center.x, center.y, 7});
   if (ball.radius <= 0) return;
-  // To a point that holds the ball, preferably one on the right, where its label reads as the line's.
+  // The radius is drawn to a support point, preferably one on the right, where its label is next to the line.
   Point3 rim = ball.center + canvas.camera.right() * ball.radius;
   double best = -2;
   for (const Index i : shown.support) {
@@ -39,7 +39,7 @@ void draw_radius(Brush& brush, const Shown& shown, const fit::Sphere3& ball) {
   if (length < 36) return;
   const ImVec2 along{(end.x - center.x) / length, (end.y - center.y) / length};
   const ImVec2 aside = along.x >= 0 ? ImVec2{along.y, -along.x} : ImVec2{-along.y, along.x};  // upwards
-  const fit::Sphere3* goal = ball_in(shown.volume);  // which the ball is on its way to
+  const fit::Sphere3* goal = ball_in(shown.volume);  // the ball that the motion ends at
   brush.label({center.x + (end.x - center.x) * 0.55f, center.y + (end.y - center.y) * 0.55f}, 4, aside,
               "r = " + lesson::number_text(goal != nullptr ? goal->radius : ball.radius), p.current_text);
 }

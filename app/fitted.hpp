@@ -1,13 +1,13 @@
-// The volume that is fitted, and those that it is compared with: what subjects draw alike.
+// Draws the fitted volume and those that it is compared with, in every subject.
 #pragma once
 
 #include "app/brush.hpp"
 
 namespace snug::app {
 
-/// The volume as it stands; a ball with its centre and radius.
+/// Draws the current volume; a ball with its centre and radius.
 void draw_fitted(Brush& brush, const Shown& shown);
-/// The other algorithm's volume and the smallest.
+/// Draws the other algorithm's volume and the smallest one.
 void draw_compared(Brush& brush, const Shown& shown);
 
 }  // namespace snug::app

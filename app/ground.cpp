@@ -8,15 +8,15 @@
 namespace snug::app {
 namespace {
 
-constexpr float kMostLines = 400;  // of one direction
-constexpr int kPieces = 12;        // of a line on the plane, which fades from piece to piece
+constexpr float kMostLines = 400;  // in one direction
+constexpr int kPieces = 12;        // pieces of a line on the plane, which fades from piece to piece
 
 float smooth(float low, float high, float at) {
   const float t = std::clamp((at - low) / (high - low), 0.0f, 1.0f);
   return t * t * (3 - 2 * t);
 }
 
-/// A place on the stage, in device pixels from its middle, and how much of a line is left there.
+/// A place on the stage, in device pixels from its middle, and the opacity of a line there.
 struct End {
   float x, y, share;
 };
@@ -56,7 +56,7 @@ void flat(const GlScene& scene, int width, int height, float scale, Strips& stri
   }
 }
 
-/// The plane seen in perspective.
+/// The ground plane in perspective.
 class GroundPlane {
  public:
   GroundPlane(const GlScene& scene, int width, int height)
@@ -74,7 +74,7 @@ class GroundPlane {
     return {row(0) * half_width_, row(1) * half_height_, row(3)};
   }
 
-  /// How much of a line along one axis is left at a place: cells of a few pixels would shimmer and fade before.
+  /// The opacity of a line along one axis at a place: lines fade out before their cells would shimmer.
   [[nodiscard]] float share(float x, float z, bool along_z) const {
     const Seen at = seen(x, z);
     const float step = 0.01f * scene_.plane_step;

@@ -1,4 +1,4 @@
-// The grid that the points stand on, as thin strips of triangles in the stage's clip space.
+// The grid of the ground, as thin strips of triangles in the stage's clip space.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@ namespace snug::app {
 struct GroundVertex {
   float x, y;    // clip space
   float across;  // device pixels from the line's middle
-  float share;   // of the line's colour: it fades with the distance
+  float share;   // opacity: lines fade with the distance
 };
 
-/// Three vertices a triangle. width and height of the stage and thick, of a line, in device pixels.
+/// The grid's triangles, three vertices each. width, height: of the stage, and thick: of a line, in device pixels.
 std::vector<GroundVertex> ground_lines(const GlScene& scene, int width, int height, float scale, float thick);
 
 }  // namespace snug::app

@@ -25,7 +25,7 @@ class Column {
     y_ += look_.px(24);
   }
 
-  /// A name too long for its row is broken: it is never cut.
+  /// Draws a figure. A name too long for its row is wrapped, never cut.
   void figure(const lesson::Figure& figure) {
     const float row = look_.px(30), size = 14, small = 13, leading = 18;
     const float value = measure(look_, Face::kMonoBold, small, figure.text).x;
@@ -94,7 +94,7 @@ class Column {
   float x_, width_, y_;
 };
 
-/// What two methods are compared by.
+/// The figures by which two methods are compared.
 constexpr std::array<std::string_view, 9> kCompared{"radius", "measure",   "excess", "corners", "verdict",
                                                     "slack",  "over_hull", "cost",   "compared"};
 

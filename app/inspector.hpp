@@ -1,4 +1,4 @@
-// The numbers beside the stage: of the step, of the algorithms beside each other, and of the proof.
+// The numbers beside the stage: the step's figures, the comparison of algorithms, and the proof.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace snug::app {
 
-/// What is said of the algorithm beside the main one: how far it is, its radius and excess. Empty where there is none.
+/// The figures of the algorithm for comparison: its step, radius and excess. Empty if there is none.
 [[nodiscard]] std::vector<lesson::Figure> figures_beside(const lesson::Session& session);
 
-/// Draws into the current pane, which scrolls where it does not fit.
+/// Draws into the current pane, which scrolls if the content does not fit.
 void draw_inspector(const Look& look, lesson::Session& session, const SubjectView& view, const Rect& rect);
 
 }  // namespace snug::app

@@ -15,8 +15,8 @@ constexpr float kLineCost = 4;   // a line through a label makes it hard to read
 constexpr float kPointCost = 3;  // a point beneath it only hides that point
 constexpr float kClearPointCost = 12;
 constexpr std::array kRingCosts{0.0f, 1.0f, 2.5f,
-                                5.0f, 9.0f, 14.0f};  // far from what it names, a label is better over a line
-constexpr float kTurnCost = 0.6f;                    // for each radian away from where it would stand
+                                5.0f, 9.0f, 14.0f};  // farther out than this, a label prefers to cover a line
+constexpr float kTurnCost = 0.6f;                    // for each radian away from its preferred direction
 constexpr float kMostOfOptional = 3;
 
 float clamp_to(float value, float low, float high) { return std::max(low, std::min(value, high)); }
@@ -50,7 +50,7 @@ Rect at(const LabelRequest& request, float angle, float gap) {
           request.y + dy * (gap + request.height / 2) - request.height / 2, request.width, request.height};
 }
 
-/// The points that could come to lie under a label of this request: of a thousand, a handful.
+/// The obstacles that a label of this request could cover: a handful of points out of a thousand.
 Obstacles near(const LabelRequest& request, const Obstacles& all) {
   Obstacles found{all.circles, all.segments, {}, {}};
   const float reach = request.gap + kRings.back() + std::hypot(request.width, request.height);
@@ -95,7 +95,7 @@ bool crosses(const Rect& rect, const Obstacles::Circle& circle) {
   return std::hypot(near_x, near_y) <= circle.radius && circle.radius <= std::hypot(far_x, far_y);
 }
 
-// Clips the segment against the four sides; what is left over is inside.
+// Clips the segment against the four sides; any remaining part is inside.
 bool crosses(const Rect& rect, const Obstacles::Segment& segment) {
   const float dx = segment.bx - segment.ax, dy = segment.by - segment.ay;
   const std::array<std::array<float, 2>, 4> sides{{{-dx, segment.ax - rect.x},

@@ -1,4 +1,4 @@
-// Where labels stand so that they cover neither each other nor, where it can be helped, a point or a line.
+// Places labels so that they cover neither each other nor, if possible, a point or a line.
 #pragma once
 
 #include <optional>
@@ -14,22 +14,22 @@ struct LabelRequest {
   float x = 0, y = 0;  // the anchor
   float gap = 8;       // clear space between anchor and label
   float width = 0, height = 0;
-  float toward_x = 1, toward_y = -1;  // where it would rather stand, seen from the anchor
-  bool optional = false;              // left out where nothing is free; others take the least bad place
-  bool clear_of_points = false;       // goes farther out rather than over a point
+  float toward_x = 1, toward_y = -1;  // its preferred direction, seen from the anchor
+  bool optional = false;              // left out if no place is free; others take the least bad place
+  bool clear_of_points = false;       // moves farther out rather than cover a point
 };
 
 /// What labels keep clear of.
 struct Obstacles {
   struct Circle {
     float x, y, radius;
-  };  // the line, not what is inside
+  };  // only the line, not its inside
   struct Segment {
     float ax, ay, bx, by;
   };
   struct Disc {
     float x, y, radius;
-  };  // a point with what is drawn around it
+  };  // a point with its mark
   std::vector<Circle> circles;
   std::vector<Segment> segments;
   std::vector<Disc> discs;
@@ -41,7 +41,7 @@ struct Obstacles {
                                                             const Obstacles& obstacles, const Rect& bounds);
 
 [[nodiscard]] bool overlap(const Rect& a, const Rect& b);
-/// Whether the circle's line passes through the rectangle.
+/// Whether the circle's outline passes through the rectangle.
 [[nodiscard]] bool crosses(const Rect& rect, const Obstacles::Circle& circle);
 [[nodiscard]] bool crosses(const Rect& rect, const Obstacles::Segment& segment);
 

@@ -9,7 +9,7 @@ float advance(ImFont* font, float size, const char* begin, const char* end) {
   return font->CalcTextSizeA(size, FLT_MAX, 0, begin, end).x;
 }
 
-// ImGui's size of a font is from its ascender to its descender; everyone else's is the em, which our sizes are in.
+// ImGui measures a font's size from ascender to descender; our sizes are in em, as everywhere else.
 constexpr float kInterBox = 1.21f, kJetBrainsMonoBox = 1.32f;
 constexpr float kAboveCapitals = 0.1f;  // of the em, from the top of a line's box to that of its capitals
 
@@ -22,7 +22,7 @@ float font_size(const Look& look, Face face, float size) {
 }
 
 ImVec2 measure(const Look& look, Face face, float size, std::string_view words) {
-  if (words.empty()) return {0, look.px(size)};  // an end of null is one that ImGui looks for itself
+  if (words.empty()) return {0, look.px(size)};  // ImGui would look for the end of a null text
   return {advance(look.font(face), font_size(look, face, size), words.data(), words.data() + words.size()),
           look.px(size)};
 }

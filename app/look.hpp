@@ -1,4 +1,4 @@
-// How things are drawn just now: palette, fonts, sizes; and words on a draw list. Everything drawn goes through it.
+// The current look: palette, fonts and sizes; and text on a draw list. Everything that is drawn uses it.
 #pragma once
 
 #include <imgui.h>
@@ -14,8 +14,8 @@ namespace snug::app {
 
 enum class Face { kRegular, kSemiBold, kMono, kMonoBold };
 
-/// Words where they were drawn, on the canvas. Of the box, low and high are what the letters fill; clip is what the
-/// list showed there.
+/// Words that were drawn, and where. low and high: the box that the letters fill; clip: the visible rectangle
+/// there.
 struct DrawnWords {
   std::string words;
   ImVec2 low, high, clip_low, clip_high;
@@ -26,11 +26,11 @@ struct Look {
   std::array<ImFont*, 4> fonts{};
   float text_scale = 1;
   bool fingers = false;
-  bool still = false;     // no motion
-  float tools = 0;        // as Layout has it
-  float foot = 0;         // as Layout has it
+  bool still = false;     // reduced motion
+  float tools = 0;        // as in Layout
+  float foot = 0;         // as in Layout
   float tools_right = 0;  // how wide the front end's own button is, beside the stage's in its other top corner
-  std::vector<DrawnWords>* drawn = nullptr;  // where tests ask for it, all words of the frame
+  std::vector<DrawnWords>* drawn = nullptr;  // receives all words of the frame, for tests
 
   [[nodiscard]] ImFont* font(Face face) const { return fonts[static_cast<std::size_t>(face)]; }
   /// A size of words in page pixels, from its size at scale 1.
@@ -49,16 +49,16 @@ void text_right(ImDrawList* list, const Look& look, Face face, float size, ImVec
                 std::string_view words);
 void text_middle(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color,
                  std::string_view words);
-/// The part of it that fits, with an ellipsis if some does not.
+/// The part of the words that fits, with an ellipsis if some does not.
 [[nodiscard]] std::string shortened(const Look& look, Face face, float size, std::string_view words, float width);
-/// Its lines at a width. Words longer than a line are broken.
+/// The lines of a text at a width. Words longer than a line are broken.
 [[nodiscard]] std::vector<std::string_view> lines_of(const Look& look, Face face, float size, std::string_view words,
                                                      float width);
 /// Draws lines and returns their height. leading: at text scale 1.
 float paragraph(ImDrawList* list, const Look& look, Face face, float size, float leading, ImVec2 at, float width,
                 Color color, std::string_view words);
 
-/// Where the words' middle stands for a line box of this size: Inter's capitals sit a little above the box's middle.
+/// The top of a line box of this size whose words are centred at y.
 [[nodiscard]] inline float middle_of(float y, float size) { return y - size / 2; }
 
 /// ImGui's own colours and measures, for the few of its widgets that are used (text fields, scroll bars, popups).

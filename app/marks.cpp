@@ -11,7 +11,7 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kDotPitch = 6.5f, kDash = 8, kDashGap = 5, kLongDash = 22, kLongGap = 7;  // page pixels at a width of 2
 constexpr float kFlat = 0.1f;                                                             // device pixels
-constexpr std::size_t kMostParts = 4000;                                                  // of one patterned path
+constexpr std::size_t kMostParts = 4000;                                                  // in one patterned path
 
 bool near_clip(const ImDrawList* list, ImVec2 p, float reach) {
   const ImVec2 low = list->GetClipRectMin(), high = list->GetClipRectMax();
@@ -23,7 +23,7 @@ ImVec2 between(ImVec2 a, ImVec2 b, float share) { return {a.x + (b.x - a.x) * sh
 /// Walks a path and calls part(from, to) for each stretch of `on` pixels, `off` pixels apart.
 template <class Part>
 void walk(std::span<const ImVec2> points, bool closed, float on, float off, Part part) {
-  float left = on;  // of the present stretch or gap
+  float left = on;  // of the current stretch or gap
   bool drawing = true;
   std::size_t parts = 0;
   for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size() && parts < kMostParts; ++i) {
@@ -50,7 +50,7 @@ void patterned(ImDrawList* list, std::span<const ImVec2> points, bool closed, St
          });
     return;
   }
-  // A dot is a stretch of no length: the walk's parts of a hair's breadth give its place.
+  // A dot is a stretch of almost no length, so the walk gives its place.
   walk(points, closed, 0.01f, kDotPitch * scale, [&](ImVec2 a, ImVec2) {
     if (near_clip(list, a, 4)) list->AddCircleFilled(a, std::max(1.1f, width * 0.62f), color, 8);
   });
@@ -85,7 +85,7 @@ void circle(ImDrawList* list, ImVec2 center, float radius, Stroke stroke, Color 
     const float half = std::min(kPi, 1.2f * across / radius);
     from = towards - half, to = towards + half;
   }
-  // Chords leave the arc by at most kFlat: more of them would be so many triangles without a difference.
+  // Chords deviate from the arc by at most kFlat; more of them would make no visible difference.
   const float flat = kFlat / std::max(1.0f, ImGui::GetIO().DisplayFramebufferScale.x);
   const int count = std::clamp(static_cast<int>((to - from) / 2 * std::sqrt(radius / (2 * flat))), 24, 512);
   std::vector<ImVec2> points(static_cast<std::size_t>(count));

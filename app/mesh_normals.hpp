@@ -1,4 +1,4 @@
-// Directions that a mesh's vertices face.
+// The normals of a mesh's vertices.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace snug::app {
 
-/// Area-weighted and of unit length, one per vertex; zero where no triangle says anything.
+/// One unit normal for each vertex, weighted by area; zero if no triangle has the vertex.
 [[nodiscard]] std::vector<Vector<float, 3>> mesh_normals(std::span<const Vector<float, 3>> points,
                                                          std::span<const std::array<Index, 3>> triangles);
 

@@ -19,14 +19,14 @@ bool same(const Obb<double, 3>& a, const Obb<double, 3>& b) {
 fit::Volume3 between(const fit::Sphere3& a, const fit::Sphere3& b, double share) {
   return fit::Sphere3{a.center + (b.center - a.center) * share, a.radius + (b.radius - a.radius) * share};
 }
-/// The axes turn the short way.
+/// Interpolates a box; the axes rotate the short way.
 fit::Volume3 between(const Obb<double, 3>& a, const Obb<double, 3>& b, double share) {
   const Eigen::Quaterniond from(Eigen::Matrix3d(a.axes)), to(Eigen::Matrix3d(b.axes));
   return Obb<double, 3>{a.center + (b.center - a.center) * share, from.slerp(share, to).toRotationMatrix(),
                         a.half_extents + (b.half_extents - a.half_extents) * share};
 }
 
-/// Volumes of one kind that can pass into each other; others jump.
+/// Interpolates volumes of a kind that can be interpolated; other volumes jump.
 template <class Kind>
 constexpr bool kMoves = std::is_same_v<Kind, fit::Sphere3> || std::is_same_v<Kind, Obb<double, 3>>;
 bool moves(const fit::Volume3& volume) {

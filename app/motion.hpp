@@ -1,4 +1,4 @@
-// How a volume passes from one step to the next.
+// How a volume moves from one step to the next.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace snug::app {
 
-/// The volume on its short way from one step's place to the next one's.
+/// Animates a volume from one step's to the next one's.
 class Motion {
  public:
   /// The volume to draw. jump: go there at once.

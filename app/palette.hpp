@@ -25,7 +25,7 @@ struct Palette {
   Color panel;
   Color raised;  // buttons and cards on a panel
   Color lit;     // the pseudocode line that is lit
-  Color track;   // what a bar or a slider runs on
+  Color track;   // the track of a bar or slider
   // Ink.
   Color ink;
   Color muted;
@@ -34,13 +34,13 @@ struct Palette {
   Color point;
   Color surface;  // meshes, before the light
   // Meanings.
-  Color current;   // the volume as it stands
-  Color previous;  // the one before, or a rival's
+  Color current;   // the current volume
+  Color previous;  // the previous volume, or a rival's
   Color support;   // touching, chosen
   Color examined;  // being examined, outside
   Color optimum;   // proof, right
   Color wrong;     // wrong, separated, culled
-  // The same where they are words: the mark's colour needs 3:1, words need 4.5:1.
+  // The same for words: marks need a contrast of 3:1, words need 4.5:1.
   Color current_text;
   Color previous_text;
   Color support_text;

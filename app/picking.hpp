@@ -1,4 +1,4 @@
-// Which point a pointer means.
+// Finds the point that a pointer means.
 #pragma once
 
 #include <span>
@@ -12,18 +12,18 @@ namespace snug::app {
 inline constexpr float kMouseReach = 11;
 inline constexpr float kFingerReach = 22;
 
-/// Among more points than this in space one means to turn the view, not to pull a point: a press grabs only one that it
-/// hits right in its middle, or the selected one.
+/// Among more points than this in space, a drag is meant to rotate the view. So a press grabs only a point that it hits
+/// right in its middle, or the selected one.
 inline constexpr Index kSparse = 60;
 inline constexpr float kExactReach = 1.5f, kSelectedReach = 6;
 
-/// The point that a drag from (x, y) moves; kNoIndex: it moves the view. A finger cannot hit the middle of a point: in
-/// dense space it drags the selected one alone.
+/// The point that a drag from (x, y) moves; kNoIndex if it moves the view. A finger cannot hit the middle of a point,
+/// so among many points it drags only the selected one.
 [[nodiscard]] Index grab(std::span<const ScreenPoint> points, bool space, Index selected, float x, float y,
                          bool finger);
 
-/// The point nearest to (x, y) within reach; of those that are as near to within a pixel, the one in front.
-/// kNoIndex for none. points: those that are not visible cannot be picked.
+/// The visible point nearest to (x, y) within reach; of several within a pixel, the one in front; kNoIndex for
+/// none.
 [[nodiscard]] Index pick(std::span<const ScreenPoint> points, float x, float y, float reach);
 
 }  // namespace snug::app

@@ -11,25 +11,25 @@ namespace snug::app {
 /// The distance from the middle of the mark to its edge, pixels.
 inline constexpr float kDiamond = 7.5f, kRing = 11;
 
-/// A diamond that labels keep clear of: the point was chosen, or holds the volume.
+/// Draws a diamond that labels keep clear of: the point was chosen, or supports the volume.
 void mark_point(Brush& brush, Index i);
-/// The points that hold the volume.
+/// Marks the points that support the volume.
 void draw_support(Brush& brush, const Shown& shown);
-/// What the step speaks of.
+/// Marks the points that the step is about.
 void draw_spoken_of(Brush& brush, const Shown& shown);
-/// The one that is examined. marked: whether it has a diamond already.
+/// Marks the examined point. marked: whether it already has a diamond.
 void draw_examined(Brush& brush, const Shown& shown, bool marked);
 
 [[nodiscard]] bool among(const std::vector<Index>& points, Index i);
 
-/// Names beside handles, away from the middle of the picture; each handle has one, the first that is asked for.
+/// Names beside handles, away from the middle of the picture. Each handle is named once, as first requested.
 class PointNames {
  public:
   PointNames(Brush& brush, const Point3& middle);
   void name(Index i, std::string words, Color color, Face face, float gap, float size = 14, bool optional = false);
-  /// The name of one that the step speaks of.
+  /// Names a handle that the step is about.
   void plain(Index i);
-  /// It is named elsewhere.
+  /// Leaves out a handle that is named elsewhere.
   void skip(Index i) { named_[i] = true; }
 
   Brush& brush;

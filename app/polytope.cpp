@@ -14,7 +14,7 @@ namespace {
 
 using V3 = Vector<double, 3>;
 
-/// A box's corners by their bits (1: +x, 2: +y, 4: +z) and its faces.
+/// A box's vertices by their bits (1: +x, 2: +y, 4: +z) and its faces.
 Polytope box(const V3& center, const Matrix<double, 3>& half_axes, int dim) {
   Polytope polytope;
   const int corners = dim == 2 ? 4 : 8;
@@ -28,7 +28,7 @@ Polytope box(const V3& center, const Matrix<double, 3>& half_axes, int dim) {
   return polytope;
 }
 
-/// The edges of the plane in the order in which they join.
+/// The vertices of planar edges, in the order in which the edges join.
 std::vector<int> joined(const std::vector<std::array<Index, 3>>& edges, std::size_t corners) {
   std::vector<int> next(corners, -1), around;
   for (const auto& edge : edges) next[edge[0]] = edge[1];
@@ -37,7 +37,7 @@ std::vector<int> joined(const std::vector<std::array<Index, 3>>& edges, std::siz
   return around;
 }
 
-/// The hull of a few points; they were accepted before.
+/// The hull of a few points, which were accepted before.
 template <int Dim>
 Polytope hull_of(std::vector<Vector<double, Dim>> corners) {
   const auto set = PointSet<double, Dim>::make(std::move(corners));
@@ -55,7 +55,7 @@ Polytope polytope_of(const Aabb<double, 3>& aabb, int dim) {
   return box(aabb.min + half, half.asDiagonal(), dim);
 }
 
-/// Through its vertices: those that touch a slab's side are a face, in order around it.
+/// A k-DOP's faces from its vertices: those that touch one side of a slab form a face, in order around it.
 Polytope polytope_of(const Kdop<double, 3>& kdop, int dim) {
   if (dim == 2) {
     return hull_of<2>(query::kdop_vertices(converted<double, 2>(kdop)));

@@ -3,7 +3,7 @@
 namespace snug::app {
 namespace {
 
-/// The handles that an answer means, of a question that is about handles.
+/// The handles that an answer means, if the question is about handles.
 std::vector<Index> handles_of(const lesson::Asked& asked, const lesson::Answer& answer) {
   if (answer.kind == lesson::Answer::Kind::kPoint) return {answer.value};
   const auto choice = static_cast<std::size_t>(answer.value);
@@ -19,7 +19,7 @@ void show_outcome(Shown& shown, const lesson::Session& session) {
     if (asked.question->id != outcome->question) continue;
     const std::vector<Index> given = handles_of(asked, outcome->given);
     if (!outcome->right) shown.guessed_wrong = given;
-    // If several answers are right, the one that was given; after a wrong one, when it is asked for.
+    // If several answers are right, marks the one that was given; after a wrong one, marks the right one on request.
     if (outcome->right && !given.empty()) shown.right = given;
     else if (outcome->right || session.answer_shown())
       shown.right = handles_of(asked, lesson::model_answer(asked, session.run(0)));
@@ -37,7 +37,7 @@ Shown shown_at(const lesson::Session& session) {
     shown.finished = session.step() == session.steps();
   }
   show_outcome(shown, session);
-  // An exact method's result is the optimum: no second run says it better.
+  // An exact method's result is the optimum, so no second run is needed.
   if (shown.finished && session.method(0)->exact) shown.optimum = shown.volume;
   return shown;
 }

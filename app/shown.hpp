@@ -1,5 +1,5 @@
-// What the stage shows at a step, of any subject, in geometric words: the picture before it has colours. No screen is
-// needed for it. What only one subject shows is added in its folder.
+// What the stage shows at a step of any subject, in geometric terms, without colours or a screen. What only one subject
+// shows is added in its folder.
 #pragma once
 
 #include <optional>
@@ -14,24 +14,24 @@ namespace snug::app {
 using Point3 = Vector<double, 3>;
 
 struct Shown {
-  std::optional<fit::Volume3> volume;   // as it stands
-  std::optional<fit::Volume3> rival;    // of slot 1, at the same share of its trace
-  std::optional<fit::Volume3> optimum;  // where it is known and wanted, or at the end
+  std::optional<fit::Volume3> volume;   // the current one
+  std::optional<fit::Volume3> rival;    // that of slot 1, at the same fraction of its trace
+  std::optional<fit::Volume3> optimum;  // if it is known and wanted, or at the end
   bool finished = false;
 
-  std::vector<Index> support;  // what holds the volume, in this trace so far
-  /// The handles that the step speaks of, and the one that it examines.
+  std::vector<Index> support;  // what supports the volume so far
+  /// The handles that the step is about, and the one that it examines.
   std::vector<Index> spoken_of;
   Index examined = kNoIndex;
 
-  /// The handles of a guess that was wrong, at its first try too; and those that are right, once that is told.
+  /// The handles of a wrong answer, even at the first try; and the right ones, once they are revealed.
   std::vector<Index> guessed_wrong, right;
 };
 
-/// At the session's step, without the handles, which are the subject's to choose.
+/// What is shown at the session's step, without the handles, which the subject chooses.
 [[nodiscard]] Shown shown_at(const lesson::Session& session);
 
-/// The last fact of a kind among steps; null where there is none.
+/// The last fact of a kind among steps; null if there is none.
 template <class Fact, class Entry>
 [[nodiscard]] const Fact* last_fact(std::span<const Entry> steps) {
   for (auto entry = steps.rbegin(); entry != steps.rend(); ++entry)
@@ -39,10 +39,10 @@ template <class Fact, class Entry>
   return nullptr;
 }
 
-/// The handles that the step names: what is marked of a fact that has no picture of its own.
+/// The handles that the step names: they are marked if the fact has no picture of its own.
 [[nodiscard]] std::vector<Index> named_now(const lesson::Session& session);
 
-/// The ball that a volume is; null where it is none.
+/// The volume as a ball; null if it is not one.
 [[nodiscard]] inline const fit::Sphere3* ball_in(const std::optional<fit::Volume3>& volume) {
   return volume ? std::get_if<fit::Sphere3>(&*volume) : nullptr;
 }

@@ -12,9 +12,9 @@ namespace snug::app {
 namespace {
 
 constexpr float kToolsHeight = 60;
-constexpr double kFootSeconds = 0.06;  // in which what is left of the way to another foot falls to 1/e, as the camera's
+constexpr double kFootSeconds = 0.06;  // the time in which the remaining way falls to 1/e, as for the camera
 constexpr float kFootMargin = 16;
-constexpr double kRoomy = 0.55, kTight = 1.06;  // shares of the free room at which an automatic view is set anew
+constexpr double kRoomy = 0.55, kTight = 1.06;  // fractions of the free room at which an automatic view is framed again
 
 float radius_for(Index points, bool has_surface) {
   if (has_surface) return 1.7f;
@@ -33,7 +33,7 @@ std::array<float, 16> matrix_of(const Camera& camera, const Frame& frame) {
     m(1, 1) = 2 * frame.unit * scale / height, m(1, 3) = y + 2 * offset[1] / height;
     m(3, 3) = 1;
   } else {
-    // In stage units: what is nearer than a fiftieth of the view's height, or farther than a hundred, is not drawn.
+    // In stage units: only what is from a fiftieth of the view's height to a hundred heights away is drawn.
     const double view = camera.view().height / frame.unit, near = view / 50, far = view * 100;
     const Point3 eye = (camera.eye() - frame.origin) / frame.unit;
     const auto row = [&](const Point3& axis) { return Eigen::RowVector4d(axis[0], axis[1], axis[2], -axis.dot(eye)); };
@@ -53,7 +53,7 @@ std::array<float, 16> matrix_of(const Camera& camera, const Frame& frame) {
 void Stage::open(const lesson::Session& session, SubjectView& view) {
   const std::uint64_t version = scene_.points_version;
   *this = Stage();
-  scene_.points_version = version;  // the graphics, which stay, have uploaded the last lesson's points under it
+  scene_.points_version = version;  // the graphics persist, and have uploaded the last lesson's points as this version
   view_ = &view;
   camera_ = Camera(session.dim());
   framed_ball_ = view.extent(session);
@@ -74,13 +74,13 @@ bool Stage::orbit_by(double yaw, double pitch) {
 void Stage::set_room(const Rect& rect, const Settings& settings) {
   const bool wide = rect.width >= 560;
   const float words = settings.text_scale * palette_of(settings.theme).text;
-  // Buttons stand at the top; on a narrow stage they take most of its width.
+  // Buttons are at the top; on a narrow stage they take most of its width.
   const float below = wide ? 92.0f * words : 28;
   camera_.set_stage(rect, wide ? 52.0f * words : kToolsHeight, wide ? 56.0f : 28,
                     foot_ > 0 ? std::max(below, foot_ + kFootMargin) : below);
 }
 
-/// A card comes and goes, and the stage moves out of its way.
+/// Moves the picture out of the way when a card comes or goes.
 void Stage::ease_foot(const Look& look, double dt) {
   foot_goal_ = look.foot;
   if (foot_ == foot_goal_) return;
@@ -88,7 +88,7 @@ void Stage::ease_foot(const Look& look, double dt) {
   foot_ = look.still || scene_.points.empty() || std::abs(left) < 0.5f ? foot_goal_ : foot_goal_ - left;
 }
 
-/// Takes over what changed in the session since the last frame.
+/// Updates what changed in the session since the last frame.
 void Stage::sync(const lesson::Session& session, const Settings& settings) {
   if (camera_.dim() != session.dim()) {
     const Rect stage = camera_.stage();
@@ -126,7 +126,7 @@ void Stage::upload_points(const lesson::Session& session) {
   ++scene_.points_version;
 }
 
-/// An automatic view follows the points when they outgrow it or shrink away; never under a hand.
+/// An automatic view follows the points when they outgrow it or shrink, but never during a drag.
 void Stage::keep_framed(const lesson::Session& session) {
   if (hands_.dragging) return;
   const fit::Sphere3 all = view_->extent(session);
@@ -141,7 +141,7 @@ void Stage::keep_framed(const lesson::Session& session) {
   const double unit = all.radius > 0 ? all.radius : 1;
   const bool off = (all.center - frame_.origin).norm() > 4 * frame_.unit;
   if (scene_.points.empty() || off || unit > 4 * frame_.unit || unit < frame_.unit / 4) {
-    frame_ = {all.center, unit};  // floats hold what lies around it
+    frame_ = {all.center, unit};  // so that floats are precise enough around it
     scene_.points.clear();
   }
 }
@@ -153,7 +153,7 @@ void Stage::project_points(const lesson::Session& session) {
   for (Index i = 0; i < session.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     screen_[k] = camera_.project(view_->place_of(session, i));
-    // A vertex on the far side of a closed surface cannot be seen, nor meant.
+    // A vertex on the far side of a closed surface can be neither seen nor picked.
     if (surface && scene_.normals[k].dot(eye - scene_.points[k]) < 0) screen_[k].visible = false;
   }
 }
@@ -188,7 +188,7 @@ void Stage::fill_scene(const Look& look, const Rect& rect, float point_radius, b
   scene_.plane_reach = 5;
 }
 
-/// The volume on its way to where the step has it, or there.
+/// The volume, possibly moving towards the step's volume.
 std::optional<fit::Volume3> Stage::volume_drawn(const Look& look, const lesson::Session& session, double now) {
   const bool stepped = session.step() != seen_step_ && seen_run_ == session.method(0) && !points_moved_;
   const bool jump = !view_->glides() || look.still || hands_.dragging || (!stepped && !motion_.moving());
@@ -200,7 +200,7 @@ std::optional<fit::Volume3> Stage::volume_drawn(const Look& look, const lesson::
 void Stage::draw(const Look& look, Settings& settings, lesson::Session& session, const Rect& rect, double now) {
   const double dt = std::clamp(now - last_now_, 0.0, 0.05);
   const float foot = foot_;
-  if (!hands_.dragging) ease_foot(look, dt);  // what is in hand stays under it
+  if (!hands_.dragging) ease_foot(look, dt);  // what is dragged stays under the pointer
   set_room(rect, settings);
   if (foot_ != foot && camera_.framed() && framed_ball_.radius > 0) camera_.frame(framed_ball_, !camera_.moving());
   if (camera_.dim() == session.dim()) {
@@ -239,7 +239,7 @@ void Stage::draw(const Look& look, Settings& settings, lesson::Session& session,
 
 void Stage::draw_picture(Brush& brush) const {
   view_->draw(brush);
-  // The farthest first, so that the nearer ones tint what lies behind them.
+  // The farthest first, so that nearer volumes are blended over farther ones.
   auto& volumes = brush.canvas.gl.volumes;
   std::sort(volumes.begin(), volumes.end(), [&](const GlVolume& a, const GlVolume& b) {
     return (a.center - scene_.eye).squaredNorm() > (b.center - scene_.eye).squaredNorm();

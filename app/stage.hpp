@@ -1,4 +1,4 @@
-// The stage: where the subject's picture is drawn, and the hands on its handles.
+// The stage: draws the subject's picture, and handles the pointer.
 #pragma once
 
 #include <vector>
@@ -10,14 +10,14 @@ namespace snug::app {
 
 class Stage {
  public:
-  /// Frames a session that was just opened, and forgets the selection. view: of the session, as long as that is open.
+  /// Frames a session that was just opened, and forgets the selection. view: that of the session; it must live as long.
   void open(const lesson::Session& session, SubjectView& view);
   void draw(const Look& look, Settings& settings, lesson::Session& session, const Rect& rect, double now);
-  /// Whether something on it is under way without any input.
+  /// Whether something on it moves without any input.
   [[nodiscard]] bool moving() const { return motion_.moving() || camera_.moving() || foot_ != foot_goal_; }
   [[nodiscard]] const GlScene& scene() const { return scene_; }
 
-  /// Moves the selected point by the arrow keys' step; directions on the screen. away: into it, in 3-D.
+  /// Moves the selected point by the arrow keys' step; directions on the screen. away: into the screen, in 3-D.
   bool nudge(lesson::Session& session, int right, int up, int away, bool fine);
   bool add_point(lesson::Session& session);
   bool delete_point(lesson::Session& session);
@@ -28,10 +28,10 @@ class Stage {
 
   [[nodiscard]] Index selected() const { return hands_.selected; }
   [[nodiscard]] Index hovered() const { return hands_.hovered; }
-  /// Lights a mark of the prose (lesson/speaking.hpp), until another one or none, "", is lit.
+  /// Lights a mark of the prose (lesson/speaking.hpp) until another is lit; "" lights none.
   void light(std::string_view mark) { lit_ = mark; }
   [[nodiscard]] const std::string& lit() const { return lit_; }
-  /// Deliberately: the arrow keys move it from now on.
+  /// Selects a point deliberately: the arrow keys move it from now on.
   void select(Index point) {
     hands_.selected = point;
     hands_.arrows = point != kNoIndex;
@@ -39,7 +39,7 @@ class Stage {
   /// Whether the arrow keys move the selected point. A drag or an answer leaves them to the player.
   [[nodiscard]] bool arrows_move() const { return hands_.arrows && hands_.selected != kNoIndex; }
   [[nodiscard]] std::vector<Handle> handles(const lesson::Session& session) const;
-  /// A point's place on the screen as last drawn.
+  /// The camera of the last frame.
   [[nodiscard]] const Camera& camera() const { return camera_; }
   [[nodiscard]] bool dragging() const { return hands_.dragging; }
 
@@ -86,22 +86,22 @@ class Stage {
   Motion motion_;
   std::vector<ScreenPoint> screen_;
 
-  std::uint64_t seen_ = 0;  // the session's revision that the view was refreshed for
+  std::uint64_t seen_ = 0;  // the session's revision at the last refresh
   bool seen_optimum_ = false;
   bool points_moved_ = false;
   int seen_step_ = -1;
   const void* seen_run_ = nullptr;
   double last_now_ = 0;
-  float foot_ = 0, foot_goal_ = 0;  // as Layout has it: on its way, and where it leads
+  float foot_ = 0, foot_goal_ = 0;  // as in Layout: the current value, and the one that it moves to
 
   Hands hands_;
   std::string lit_;
-  Index pressed_ = kNoIndex;  // what a drag from the press moves
-  Index tapped_ = kNoIndex;   // what the press means if it does not travel
-  bool pressing_ = false;     // a button is down that went down on the stage
+  Index pressed_ = kNoIndex;  // the handle that a drag from the press moves
+  Index tapped_ = kNoIndex;   // the handle that the press means if it is no drag
+  bool pressing_ = false;     // whether a button that was pressed on the stage is down
   bool panning_ = false;
   float press_x_ = 0, press_y_ = 0, grab_x_ = 0, grab_y_ = 0;
-  bool travelled_ = false;  // since the press
+  bool travelled_ = false;  // whether the pointer has moved since the press
 };
 
 }  // namespace snug::app

@@ -12,10 +12,10 @@
 namespace snug::app {
 namespace {
 
-// ---- shaders: each is put behind the door's version line and a precision that desktop GL ignores -------------------
+// ---- shaders: each follows the door's version line and a precision that desktop GL ignores -------------------
 
-// A renderer without a GPU pays for every pixel that a shader runs on: what can be lines is not a shader over the whole
-// stage, and light is computed where there are vertices.
+// A renderer without a GPU pays for every pixel that a shader runs on. So grids are lines, not a shader over the whole
+// stage, and light is computed for vertices.
 
 constexpr const char* kLineVertex = R"(
 in vec4 position;  // z: pixels from the line's middle, w: how much of the line is left
@@ -101,8 +101,8 @@ out vec4 result;
 void main() { result = tint; }
 )";
 
-// A point is a point sprite, not an instance of a quad: renderers without a GPU take each instance as a draw of its
-// own.
+// Points are point sprites, not instanced quads, because renderers without a GPU draw each instance
+// separately.
 constexpr const char* kPointVertex = R"(
 uniform mat4 view_projection;
 uniform vec3 eye;
@@ -168,7 +168,7 @@ void attribute(int slot, int size, std::size_t stride, std::size_t offset) {
                         reinterpret_cast<const void*>(offset));
 }
 
-/// A unit sphere of rings: fine enough that its polygon hides beneath the outline.
+/// A unit sphere made of rings, fine enough that its polygonal edge is hidden by the outline.
 void unit_sphere(std::vector<Point3f>& vertices, std::vector<std::uint32_t>& indices) {
   constexpr int kRings = 24, kSectors = 48;
   constexpr float kPi = std::numbers::pi_v<float>;
@@ -341,7 +341,7 @@ void StageGl::draw_fills(const GlScene& scene) const {
   if (scene.fills.empty()) return;
   glUseProgram(programs_[kFill]);
   glBindVertexArray(circle_.array);
-  // From page pixels of the stage to its clip space.
+  // Scales from page pixels of the stage to clip space.
   const float across = 2 / scene.stage.width, up = -2 / scene.stage.height;
   for (const GlFill& fill : scene.fills) {
     set_color(kFill, "color", fill.color);
@@ -370,7 +370,7 @@ void StageGl::draw_volumes(const GlScene& scene) const {
   for (const GlVolume& volume : scene.volumes) {
     const Eigen::Matrix3f axes = volume.axes;
     const Eigen::Matrix3f inverse_transposed = axes.inverse().transpose();
-    // From inside, the half towards the eye is all there is, and it shows its back.
+    // From inside, only the half towards the eye is drawn, and its back faces are visible.
     const bool inside = (axes.inverse() * (scene.eye - volume.center)).squaredNorm() < 1;
     glFrontFace((axes.determinant() < 0) != inside ? GL_CW : GL_CCW);
     glUniformMatrix3fv(uniform(kVolume, "axes"), 1, GL_FALSE, axes.data());
@@ -409,7 +409,7 @@ void StageGl::draw(const GlScene& scene, int width, int height, float scale) {
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
   glClearColor(ground.r, ground.g, ground.b, 1);
-  glClear(GL_COLOR_BUFFER_BIT);  // of the stage alone: the rest, and all depth, is the door's
+  glClear(GL_COLOR_BUFFER_BIT);  // only the stage: the door clears the rest, and the depth
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

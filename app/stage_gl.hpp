@@ -1,5 +1,5 @@
-// What of the stage OpenGL draws, beneath ImGui's draw lists: grounds, grids, meshes, translucent volumes, points.
-// It knows no lesson and no ImGui: plain buffers in, pixels out.
+// The part of the stage that OpenGL draws, beneath ImGui's draw lists: grounds, grids, meshes, translucent volumes,
+// points. It knows neither lessons nor ImGui: it turns plain buffers into pixels.
 #pragma once
 
 #include <array>
@@ -14,15 +14,15 @@ namespace snug::app {
 
 using Point3f = Vector<float, 3>;
 
-/// A ball or an ellipsoid: where the unit sphere goes, in the stage's own units.
+/// A ball or an ellipsoid, as the image of the unit sphere in stage units.
 struct GlVolume {
   Matrix<float, 3> axes = Matrix<float, 3>::Identity();  // columns: half axes
   Point3f center = Point3f::Zero();
   Color color = 0;
-  float fill = 0.09f;  // alpha where one looks straight through one side; the rim has more
+  float fill = 0.09f;  // alpha looking straight through one side; higher at the rim
 };
 
-/// A translucent ellipse of the plane, in page pixels: its centre and two half axes.
+/// A translucent planar ellipse, in page pixels: its centre and two half axes.
 struct GlFill {
   float x = 0, y = 0, ux = 0, uy = 0, vx = 0, vy = 0;
   Color color = 0;
@@ -35,15 +35,15 @@ struct GlScene {
   std::array<float, 16> view_projection{};  // column-major, into the stage's rectangle
   Point3f eye = Point3f::Zero();
   float eye_to_target = 1;           // 3-D: stage units
-  Point3f light = Point3f::UnitY();  // towards it
+  Point3f light = Point3f::UnitY();  // direction towards the light
 
   float grid_step = 40;          // 2-D: page pixels
-  float grid_x = 0, grid_y = 0;  // 2-D: where a line stands, page pixels from the stage's left and bottom
+  float grid_x = 0, grid_y = 0;  // 2-D: the place of one line, page pixels from the stage's left and bottom
   float plane_height = -1, plane_step = 0.25f, plane_reach = 4;  // 3-D: stage units
 
   std::vector<Point3f> points;
   std::vector<std::array<Index, 3>> triangles;
-  std::vector<Point3f> normals;      // one per point where there are triangles
+  std::vector<Point3f> normals;      // one per point if there are triangles
   std::uint64_t points_version = 0;  // changes with the points or the triangles
   float point_radius = 5;            // page pixels
   std::vector<GlVolume> volumes;     // 3-D: the farthest first
@@ -52,15 +52,15 @@ struct GlScene {
 
 class StageGl {
  public:
-  /// Compiles and allocates; what it made before is forgotten. false: see error().
+  /// Compiles and allocates, and forgets what it made before. Returns false on failure: see error().
   bool create(const char* glsl_version);
-  /// Forgets every object, without freeing any: their context is gone.
+  /// Forgets every object without freeing it, because the context is gone.
   void abandon();
   void destroy();
   [[nodiscard]] bool ready() const { return programs_[0] != 0; }
   [[nodiscard]] const std::string& error() const { return error_; }
 
-  /// The framebuffer's depth is cleared before. Its size is in device pixels; scale: device pixels per page pixel.
+  /// Draws; the depth is cleared. The framebuffer's size is in device pixels; scale: device pixels per page pixel.
   void draw(const GlScene& scene, int framebuffer_width, int framebuffer_height, float scale);
 
  private:

@@ -1,4 +1,4 @@
-// What the hands do to the handles, and all of their names.
+// Draws the state of the handles (hovered, selected, answered), and their names.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@
 namespace snug::app {
 namespace {
 
-constexpr Index kNameAll = 30;           // so many points have room for all their names
+constexpr Index kNameAll = 30;           // up to this many points have room for all their names
 constexpr std::size_t kInviteAll = 250;  // more rings than this hide the points
 
 std::string coordinates(const Point3& p, int dim) {
@@ -19,7 +19,7 @@ std::string coordinates(const Point3& p, int dim) {
   return text + ")";
 }
 
-/// Four heads around a point: the arrow keys move it.
+/// Draws four arrow heads around a point that the arrow keys move.
 void arrow_heads(ImDrawList* list, ImVec2 at, float from, Color color, Color halo) {
   for (const ImVec2 way : {ImVec2{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
     const auto head = [&](float base, float length, float half, Color fill) {
@@ -35,7 +35,7 @@ void arrow_heads(ImDrawList* list, ImVec2 at, float from, Color color, Color hal
 }  // namespace
 
 void Stage::draw_handles(Brush& brush) const {
-  // On a mesh of thousands, labels keep clear of the surface's marked points alone.
+  // On a mesh of thousands of points, labels keep clear only of the marked ones.
   if (screen_.size() <= 1500 && scene_.triangles.empty())
     for (const ScreenPoint& point : screen_)
       if (point.visible)
@@ -50,7 +50,7 @@ void Stage::draw_handles(Brush& brush) const {
   name_handles(brush);
 }
 
-/// Rings that say "tap me", while a question is answered on the stage; a strong one round what is chosen.
+/// While a question is answered on the stage: rings around the possible answers, a strong one around the chosen.
 void Stage::draw_invitation(Brush& brush) const {
   if (!answered_on_stage(brush.session)) return;
   const Palette& p = brush.p;
@@ -68,7 +68,7 @@ void Stage::draw_invitation(Brush& brush) const {
   }
 }
 
-/// While an outcome stands: a cross beside each point of a wrong guess, a tick beside those that were right.
+/// While an outcome is shown, draws a cross beside each point of a wrong answer and a tick beside the right ones.
 void Stage::draw_verdict(Brush& brush) const {
   const Palette& p = brush.p;
   const auto badge = [&](Index i, bool right) {
@@ -86,7 +86,7 @@ void Stage::draw_verdict(Brush& brush) const {
   for (const Index i : view_->shown().right) badge(i, true);
 }
 
-/// The handle under the pointer.
+/// Draws the handle under the pointer.
 void Stage::draw_hovered(Brush& brush) const {
   const Palette& p = brush.p;
   const Shown& shown = view_->shown();
@@ -99,7 +99,7 @@ void Stage::draw_hovered(Brush& brush) const {
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
-/// What a word of the prose speaks of, while it is pointed at.
+/// Draws what a link in the prose marks, while it is pointed at.
 void Stage::draw_lit(Brush& brush) const {
   if (lit_.empty()) return;
   const Palette& p = brush.p;
@@ -111,7 +111,7 @@ void Stage::draw_lit(Brush& brush) const {
   }
 }
 
-/// The selected one with its ring and, while it is dragged, its coordinates.
+/// Draws the selected handle with its ring and, while it is dragged, its coordinates.
 void Stage::draw_selected(Brush& brush) const {
   const Palette& p = brush.p;
   if (hands_.selected == kNoIndex || hands_.selected >= brush.session.size()) return;
@@ -123,14 +123,14 @@ void Stage::draw_selected(Brush& brush) const {
   if (arrows_move()) arrow_heads(brush.list, at, radius + 5, p.ink, p.ground);
   brush.canvas.obstacles.discs.push_back({at.x, at.y, radius + (arrows_move() ? 11 : 2)});
   if (!hands_.dragging) return;
-  // A finger covers what is below it.
+  // A finger covers what is below it, so the label is above.
   const bool finger = brush.look.fingers;
   brush.label(at, radius + (finger ? 26 : 4), {0.3f, finger ? -1.0f : 1.0f}, coordinates(place, brush.session.dim()),
               p.ink, Face::kMono, 13);
   brush.labels.back().request.clear_of_points = true;
 }
 
-/// Names of what the step speaks of and of what is in hand; all others where there is room for them.
+/// Names the handles that the step is about and the one in use; and all others, if there is room.
 void Stage::name_handles(Brush& brush) const {
   const Palette& p = brush.p;
   const lesson::Session& session = brush.session;
@@ -148,9 +148,9 @@ void Stage::name_handles(Brush& brush) const {
   const bool asked = answered_on_stage(session), alone = asked && view_->names_answers_alone();
   const std::vector<Index> targets = alone ? session.targets() : std::vector<Index>{};
   for (Index i = 0; i < session.size(); ++i) {
-    const bool must = among(targets, i);  // what an answer names bears its name
+    const bool must = among(targets, i);  // the possible answers are always named
     if (!view_->bears_name(session, i) || (alone && !must)) continue;
-    const bool signs = is_of_signs(session.name_of(i));  // thin strokes on a volume's fill
+    const bool signs = is_of_signs(session.name_of(i));  // signs are thin strokes on a volume's fill
     names.name(i, session.name_of(i),
                must    ? p.current_text
                : signs ? p.ink

@@ -1,4 +1,4 @@
-// Hands on the stage: handles are selected, dragged and answered with; the view is panned, orbited and zoomed.
+// The pointer on the stage: selects, drags and taps handles, and pans, orbits and zooms the view.
 #include <cmath>
 
 #include "app/numbers.hpp"
@@ -9,8 +9,8 @@
 namespace snug::app {
 namespace {
 
-constexpr float kTravel = 3;         // pixels a pointer may tremble without it being a drag
-constexpr double kNudgePixels = 12;  // an arrow key's step is the round number next above
+constexpr float kTravel = 3;         // pixels that a pointer may move before it counts as a drag
+constexpr double kNudgePixels = 12;  // an arrow key's step is the next round number above this
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void Stage::take(lesson::Session& session, const Look& look, const Rect& rect) {
                                                io.MousePos.y, look.fingers) != kNoIndex);
   if (pressed_ != kNoIndex) hands_.hovered = pressed_;
   if (ImGui::IsItemActivated()) press(session, look);
-  // Also of the frame that it ends in: between two slow frames a whole drag finds room.
+  // Also in the frame in which it ends, because a whole drag can happen between two slow frames.
   if (pressing_ && ImGui::IsMousePosValid()) drag(session);
   if (pressing_ && !ImGui::IsItemActive()) release(session);
   if (over) steer_camera();
@@ -40,7 +40,7 @@ void Stage::take(lesson::Session& session, const Look& look, const Rect& rect) {
   }
 }
 
-/// What a tap means there: while a question is answered on the stage, of what can be an answer alone.
+/// The handle that a tap at a place means; while a question is answered on the stage, only possible answers.
 Index Stage::meant_at(const lesson::Session& session, float x, float y, float reach) const {
   if (!answered_on_stage(session) || session.asked()->stage_points.empty()) return pick(screen_, x, y, reach);
   const std::vector<Index> targets = session.targets();
@@ -75,7 +75,7 @@ void Stage::drag(lesson::Session& session) {
   const bool begins = !travelled_;
   travelled_ = true;
   if (pressed_ == kNoIndex) {
-    // The first few pixels, by which a drag was told from a click, are part of the way.
+    // The first few pixels, which distinguish a drag from a click, are part of the motion.
     const float dx = begins ? io.MousePos.x - press_x_ : io.MouseDelta.x,
                 dy = begins ? io.MousePos.y - press_y_ : io.MouseDelta.y;
     if (panning_) camera_.pan(dx, dy);
@@ -85,12 +85,12 @@ void Stage::drag(lesson::Session& session) {
   if (begins) {
     session.begin_drag();
     hands_.dragging = true;
-    hands_.selected = pressed_;  // its numbers are shown; the arrow keys stay the player's
+    hands_.selected = pressed_;  // shows its numbers; the arrow keys still step the player
     hands_.arrows = false;
   }
   if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0 && !begins) return;
   const Point3 to = camera_.unproject(io.MousePos.x + grab_x_, io.MousePos.y + grab_y_, session.point(pressed_));
-  static_cast<void>(session.move(pressed_, to));  // refused beyond the largest coordinate: the point stays
+  static_cast<void>(session.move(pressed_, to));  // if refused, beyond the largest coordinate, the point stays
 }
 
 void Stage::release(lesson::Session& session) {
@@ -104,8 +104,8 @@ void Stage::release(lesson::Session& session) {
   pressed_ = tapped_ = kNoIndex;
 }
 
-/// A press that moved nothing: it chooses an answer, where one is asked for on the stage, or a point. Only where no
-/// question stands do the arrow keys go to the point: they step past the question else.
+/// A press without a drag: it chooses an answer, if a question is answered on the stage, or selects a point. The arrow
+/// keys then move the point only if no question is open; otherwise they still step.
 void Stage::tap(lesson::Session& session) {
   if (answered_on_stage(session)) {
     if (tapped_ != kNoIndex) static_cast<void>(session.pick({lesson::Answer::Kind::kPoint, tapped_}));

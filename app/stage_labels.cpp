@@ -1,4 +1,4 @@
-// The labels that were asked for, where there is room for them.
+// Draws the requested labels where there is room.
 #include <algorithm>
 #include <cmath>
 
@@ -7,9 +7,9 @@
 namespace snug::app {
 namespace {
 
-constexpr float kTied = 14;  // a label so much farther out than it would stand has a line to what it names, pixels
+constexpr float kTied = 14;  // a label this much farther out than preferred gets a leader line, pixels
 
-/// A label that had to go far out is tied to what it names.
+/// Draws a line from a label far out to what it names.
 void draw_leader(ImDrawList* list, float width, const Label& label, const Rect& place) {
   const ImVec2 anchor{label.request.x, label.request.y};
   const ImVec2 from{std::clamp(anchor.x, place.x, place.x + place.width),
@@ -32,7 +32,7 @@ void Stage::draw_labels(Brush& brush) {
     const Label& label = brush.labels[i];
     const ImVec2 at{places[i]->x + 3, places[i]->y + 1};
     draw_leader(brush.list, brush.p.mark, label, *places[i]);
-    // A name that is only shown where it is clear of everything needs no halo.
+    // A name that is shown only if it is clear of everything needs no halo.
     if (is_of_signs(label.words) || (label.request.optional && brush.dim() == 2))
       text(brush.list, brush.look, label.face, label.size, at, label.color, label.words);
     else halo_text(brush.list, brush.look, label.face, label.size, at, label.color, brush.p.ground, label.words);

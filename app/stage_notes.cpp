@@ -1,5 +1,5 @@
-// What stands over the stage: the sentence, two buttons, the axis cross. All of it is kept free of
-// labels.
+// Draws what is over the stage: the sentence, two buttons, the axis cross. Labels keep clear of
+// it.
 #include <algorithm>
 
 #include "app/stage.hpp"
@@ -44,7 +44,7 @@ void Stage::draw_tools(Brush& brush, Settings& settings, float y, float height) 
     reset_view(brush.session);
   right -= height + 8;
 
-  // A cover's button stands in its place.
+  // A cover's button takes its place.
   if (view_->offers_optimum() && !brush.session.predicting() && look.tools_right == 0)
     draw_toggle(brush, settings, right, y, height);
   keep_free(brush.canvas.obstacles, fit);
@@ -57,7 +57,7 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
   const float y = brush.rect.y + 12;
   if (settings.tools) draw_tools(brush, settings, y, height);
 
-  // The page's undo and redo stand in the other corner.
+  // The page's undo and redo buttons are in the other corner.
   const float tools = look.tools;
   if (tools > 0) keep_free(brush.canvas.obstacles, {brush.rect.x, brush.rect.y, tools, height + 16});
 
@@ -71,7 +71,7 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
     draw_sentence(brush.list, look, brush.canvas.obstacles, brush.rect, brush.session.caption());
 }
 
-/// "Smallest": whether the smallest volume is shown before the end.
+/// Draws the "Smallest" button, which shows the smallest volume before the end.
 void Stage::draw_toggle(Brush& brush, Settings& settings, float right, float y, float height) {
   const Palette& p = brush.p;
   const Look& look = brush.look;
@@ -88,10 +88,10 @@ void Stage::draw_toggle(Brush& brush, Settings& settings, float right, float y, 
   keep_free(brush.canvas.obstacles, toggle);
 }
 
-/// The axis that is in use is thicker.
+/// Draws the axis cross; the axis in use is thicker.
 void Stage::draw_axis_cross(Brush& brush) const {
   constexpr float kLength = 22;
-  // Above the room that a sentence takes.
+  // Above the room for the sentence.
   const ImVec2 origin{brush.rect.x + 44, camera_.free_bottom() - 30};
   std::array<int, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(), [&](int a, int b) { return camera_.forward()[a] > camera_.forward()[b]; });
@@ -104,7 +104,7 @@ void Stage::draw_axis_cross(Brush& brush) const {
     brush.list->AddLine(origin, {origin.x + dx, origin.y + dy}, color, used ? 4.0f : 1.5f);
     const ImVec2 end{origin.x + dx * 1.5f, origin.y + dy * 1.5f};
     const float size = brush.look.px(12);
-    const bool towards = dx * dx + dy * dy < 0.06f * kLength * kLength;  // it would stand on the origin
+    const bool towards = dx * dx + dy * dy < 0.06f * kLength * kLength;  // its label would cover the origin
     if (!towards)
       text_middle(brush.list, brush.look, Face::kSemiBold, 12, {end.x, end.y - size / 2}, color,
                   std::string_view("xyz").substr(axis, 1));

@@ -1,5 +1,5 @@
-// The app's side of a subject: what is drawn at a step, how its handles stand and move, what its panels say. Each has
-// its folder in app/subjects; this is all that the stage, the inspector and the timeline know of any of them.
+// The app's side of a subject: what is drawn at a step, where its handles are and move, what its panels show. Each has
+// its folder in app/subjects; the stage, the inspector and the timeline know only this interface.
 #pragma once
 
 #include <string>
@@ -13,13 +13,13 @@ namespace snug::app {
 struct Brush;
 class PointNames;
 
-/// What the timeline's marks are called in its legend.
+/// The names of the timeline's marks in its legend.
 struct MarkWords {
   std::string grew = "first volume", replaced = "new support", best = "best so far";
 };
 
-/// One is made for each lesson that is opened. Where nothing else is said, a subject shows points, the volume that is
-/// fitted to them, and the handles that the step names.
+/// The view of a subject; one is made for each opened lesson. By default it shows points, the volume fitted to them,
+/// and the handles that the step names.
 class SubjectView {
  public:
   SubjectView() = default;
@@ -28,49 +28,49 @@ class SubjectView {
   SubjectView& operator=(const SubjectView&) = delete;
 
   // ---- the picture --------------------------------------------------------------------------------------------
-  /// Works out what the session's step shows. want_optimum: as of shown_at.
+  /// Computes what the session's step shows. want_optimum: as for shown_at.
   virtual void refresh(const lesson::Session& session, bool want_optimum) = 0;
-  /// What the last refresh found.
+  /// The result of the last refresh.
   [[nodiscard]] virtual const Shown& shown() const = 0;
-  /// The geometry that the step speaks of. brush.volume is shown().volume, on its way there.
+  /// Draws the geometry that the step is about. brush.volume is shown().volume, possibly still moving.
   virtual void draw(Brush& brush) const;
-  /// The marks on the handles, over the geometry.
+  /// Draws the marks on the handles, over the geometry.
   virtual void draw_marks(Brush& brush) const;
-  /// The names of those marks: they have their places before all other names.
+  /// Names those marks; their names are placed before all others.
   virtual void name_marks(PointNames& names) const;
-  /// A second picture in the corner of the stage below a height. Returns the room that it takes; empty for none.
+  /// Draws a second picture in the corner of the stage, below a height. Returns the room that it takes; empty for none.
   [[nodiscard]] virtual Rect draw_inset(Brush& brush, float top) const;
-  /// What the view has to have room for.
+  /// The ball that the view has to show.
   [[nodiscard]] virtual fit::Sphere3 extent(const lesson::Session& session);
-  /// Whether the volume passes from one step's place to the next one's; it jumps where what it encloses moves.
+  /// Whether the volume moves smoothly from one step to the next; it jumps if the points inside move.
   [[nodiscard]] virtual bool glides() const { return true; }
   /// Whether the smallest volume can be shown before the end.
   [[nodiscard]] virtual bool offers_optimum() const { return false; }
-  /// The world axis that the step works along, 0 to 2; -1 for none.
+  /// The coordinate axis that the step works along, 0 to 2; -1 for none.
   [[nodiscard]] virtual int axis_in_use(const lesson::Session& session) const;
 
   // ---- the handles --------------------------------------------------------------------------------------------
-  /// Where a handle stands at the step.
+  /// Where a handle is at the step.
   [[nodiscard]] virtual Point3 place_of(const lesson::Session& session, Index i) const;
   /// Whether handles can be moved at the step.
   [[nodiscard]] virtual bool can_move(const lesson::Session& session) const;
-  /// Whether each is drawn as a point.
+  /// Whether each handle is drawn as a point.
   [[nodiscard]] virtual bool shows_points(const lesson::Session& session) const;
-  /// Whether a handle bears its name where there is room for all names.
+  /// Whether a handle is named if there is room for all names.
   [[nodiscard]] virtual bool bears_name(const lesson::Session& session, Index i) const;
-  /// Whether, while a question is answered on the stage, what can be the answer bears its name, and nothing else.
+  /// Whether only possible answers are named while a question is answered on the stage.
   [[nodiscard]] virtual bool names_answers_alone() const { return false; }
 
   // ---- the inspector and the timeline -------------------------------------------------------------------------
   /// Draws the subject's own panels at a place of the current pane and returns how high they are.
   virtual float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const;
-  /// Whether a panel says the figure already.
+  /// Whether a panel shows the figure already.
   [[nodiscard]] virtual bool in_panels(const lesson::Figure& figure) const;
   [[nodiscard]] virtual MarkWords mark_words(const lesson::Session& session) const;
-  /// The word on the button that goes on by one.
+  /// The word on the button for one step.
   [[nodiscard]] virtual std::string_view step_button() const { return "Step"; }
-  /// Seconds that a step takes while it plays at speed 1. watched: where the way to an outcome is watched, what each
-  /// step of it takes at least; else 0.
+  /// Seconds per step while playing at speed 1. watched: the least time per step while the steps up to an outcome are
+  /// played; otherwise 0.
   [[nodiscard]] virtual double seconds_of_step(const lesson::Session& session, double watched) const;
 };
 

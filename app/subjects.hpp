@@ -10,12 +10,12 @@
 namespace snug::app {
 
 struct SubjectRow {
-  std::string_view name;  // of its folder
+  std::string_view name;  // that of its folder
   std::unique_ptr<SubjectView> (*view)();
-  std::unique_ptr<Cover> (*cover)(const Platform& platform);  // null: nothing but the stage
+  std::unique_ptr<Cover> (*cover)(const Platform& platform);  // null: only the stage
 };
 
-/// How what a lesson's stage is about is seen.
+/// The view of a lesson's subject.
 [[nodiscard]] const SubjectRow& subject_of(const lesson::Lesson& lesson);
 
 }  // namespace snug::app

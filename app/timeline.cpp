@@ -31,13 +31,13 @@ void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, bool op
       tick(list, at, 5 * p.mark, p.optimum, 2.25f);
       break;
     case Kind::kQuestion: {
-      // A gate: a flag above the track, closed (filled) until it is answered.
+      // A gate: a flag above the track, filled until the question is answered.
       const float height = 17, width = 15;
       const ImVec2 low{at.x - width / 2, at.y - height - 7};
       list->AddLine({at.x, at.y - 8}, {at.x, at.y + 5}, p.current, 2);
       list->AddRectFilled(low, {low.x + width, low.y + height}, open ? p.current : p.panel, 4);
       list->AddRect(low, {low.x + width, low.y + height}, p.current, 4, 0, 1.5f);
-      const float size = 12 / look.text_scale;  // a mark, not a word: it does not grow with the text
+      const float size = 12 / look.text_scale;  // a mark does not grow with the text
       text_middle(list, look, Face::kSemiBold, size, {at.x, low.y + height / 2 - 6},
                   open ? p.on_current : p.current_text, "?");
       break;
@@ -65,7 +65,7 @@ void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, co
   disc(list, {thumb, y}, radius, p.current);
 }
 
-/// What the marks mean, of those that there are; from the right.
+/// Draws the legend of the marks that occur, from the right.
 void draw_legend(ImDrawList* list, const Look& look, const lesson::Session& session, const MarkWords& meanings,
                  float right, float y, float room) {
   constexpr float kSize = 13;
@@ -89,7 +89,7 @@ std::string speed_text(float speed) {
   return text.data();
 }
 
-/// The choice of speeds, above its button.
+/// Draws the menu of speeds above its button.
 float speed_menu(const Look& look, const Rect& anchor, float current) {
   float chosen = 0;
   const float row = look.fingers ? 44.0f : look.px(30), width = look.px(80);
@@ -128,7 +128,7 @@ float row_width(const Controls& c) { return 3 * c.small + 2 * c.wide + 4 * c.gap
 Controls sizes(const Look& look, float width, bool low) {
   const float gap = 6;
   if (!look.fingers && width >= look.px(324) + 4 * gap) return {look.px(36), look.px(44), look.px(96), gap};
-  // Under the thumb: as wide as there is room for, two small, two large, one small.
+  // Buttons for the thumb, over the whole width: two small, two large, one small.
   const float unit = (width - 4 * gap) / 7.4f;
   return {!look.fingers ? look.px(36) : low ? 44.0f : 52.0f, unit, unit * 2.2f, gap};
 }
@@ -193,8 +193,8 @@ PlayerWish draw_timeline(const Look& look, lesson::Session& session, const Subje
 
   const std::string speed = speed_text(player.speed);
   const float speed_width = look.px(48), speed_height = look.fingers ? 40 : look.px(32), foot = low ? 8 : 14;
-  // Where the buttons leave no room in their row (a phone, a narrow window), the speed stands beside the step; on a
-  // phone's side there is no such line.
+  // If the buttons leave no room in their row (on a phone or in a narrow window), the speed is beside the step number;
+  // a phone in landscape has no such line.
   const Rect buttons{rect.x, rect.y, low ? rect.width - speed_width - 4 : rect.width, rect.height};
   const Controls controls = sizes(look, buttons.width - 16, low);
   const bool above = !low && (rect.width + row_width(controls)) / 2 + 8 > margin + map.width - speed_width + 8;

@@ -12,7 +12,7 @@ struct PlayerView {
   float speed = 1;
 };
 
-/// What was asked for: a command's name or empty; a speed or 0.
+/// What the user asked for: a command's name, or empty; a speed, or 0.
 struct PlayerWish {
   std::string_view command;
   float speed = 0;
@@ -21,11 +21,11 @@ struct PlayerWish {
 /// The speeds that can be chosen, slowest first.
 inline constexpr std::array kSpeeds{0.25f, 0.5f, 1.0f, 2.0f, 4.0f, 8.0f, 16.0f, 32.0f};
 
-/// Draws into the rectangle of the current pane. Scrubbing goes to steps of the session by itself.
+/// Draws into a rectangle of the current pane. Scrubbing moves the session directly.
 [[nodiscard]] PlayerWish draw_timeline(const Look& look, lesson::Session& session, const SubjectView& view,
                                        const Rect& rect, const PlayerView& player);
 
-/// The height in which everything has its place.
+/// The height that the timeline needs.
 [[nodiscard]] float timeline_height(const Look& look);
 
 }  // namespace snug::app

@@ -25,7 +25,7 @@ bool is_open(const lesson::Session& session, int step) {
 }
 
 std::vector<lesson::Mark> marks_to_show(const lesson::Session& session) {
-  int known = session.previewing() ? 0 : session.step();  // up to here the trace was shown
+  int known = session.previewing() ? 0 : session.step();  // up to here the trace was shown to the student
   int gate = session.steps();
   for (const lesson::Asked& asked : session.questions())
     if (is_open(session, asked.step)) gate = std::min(gate, asked.step);

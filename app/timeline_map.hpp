@@ -1,4 +1,4 @@
-// Steps along the timeline's track, and which of its marks have room.
+// Maps steps to the timeline's track, and chooses the marks that have room.
 #pragma once
 
 #include <span>
@@ -18,15 +18,15 @@ struct TimelineMap {
   [[nodiscard]] int step_at(float x) const;
 };
 
-/// Whether the question at that place has no answer yet; one that a jump passed has none.
+/// Whether the question at that step has no answer yet; a question that a jump passed has none.
 [[nodiscard]] bool is_open(const lesson::Session& session, int step);
 
-/// The marks that give no answer away: every question, and of the others those that were passed or that stand before
-/// the first question without an answer.
+/// The marks that give no answer away: every question, and other marks up to the shown step or the first unanswered
+/// question.
 [[nodiscard]] std::vector<lesson::Mark> marks_to_show(const lesson::Session& session);
 
-/// The marks that are drawn: every question, every best, and of the others those that stand clear of these and of the
-/// one before by `apart` pixels.
+/// The marks that are drawn: every question, every best, and those others that are at least `apart` pixels from these
+/// and from the mark before.
 [[nodiscard]] std::vector<lesson::Mark> marks_with_room(std::span<const lesson::Mark> marks, const TimelineMap& map,
                                                         float apart);
 

@@ -14,14 +14,14 @@ namespace {
 using V3 = Vector<double, 3>;
 
 constexpr int kParts = 128;                            // of an ellipse
-constexpr int kStride = 2;                             // so many of them to a piece of a great circle, which is fainter
-constexpr float kFrontLine = 0.42f, kBackLine = 0.2f;  // alphas of great circles
+constexpr int kStride = 2;                             // of them for each piece of a great circle
+constexpr float kFrontLine = 0.42f, kBackLine = 0.2f;  // alpha of the front and back of great circles
 
 float bounded(double value) { return static_cast<float>(std::clamp(value, -1e30, 1e30)); }
 
 bool is_flat(const Canvas& canvas) { return canvas.camera.dim() == 2; }
 
-/// Points of center + u cos t + v sin t.
+/// The points center + u cos t + v sin t.
 std::vector<V3> ellipse(const V3& center, const V3& u, const V3& v) {
   std::vector<V3> points;
   for (int i = 0; i < kParts; ++i) {
@@ -44,7 +44,7 @@ void add_obstacle(const Canvas& canvas, const std::vector<ImVec2>& outline) {
   }
 }
 
-/// Where the line of sight just touches the ellipsoid: an ellipse, found on the unit sphere that it is a stretching of.
+/// The silhouette of an ellipsoid: an ellipse, computed on the unit sphere whose image the ellipsoid is.
 std::vector<V3> silhouette(const V3& center, const Eigen::Matrix3d& axes, const V3& unit_eye) {
   const double square = unit_eye.squaredNorm();
   if (square <= 1.0001) return {};  // the eye is inside
@@ -55,7 +55,7 @@ std::vector<V3> silhouette(const V3& center, const Eigen::Matrix3d& axes, const 
                  axes * (direction.cross(aside) * radius));
 }
 
-/// A great circle, its far half thinner and paler.
+/// Draws a great circle, with its far half thinner and paler.
 void great_circle(const Canvas& canvas, const V3& center, const Eigen::Matrix3d& axes, const V3& unit_eye, int a, int b,
                   Color color) {
   const std::vector<V3> points = ellipse(center, axes.col(a), axes.col(b));
@@ -130,7 +130,7 @@ void draw_face(const Canvas& canvas, const std::vector<ImVec2>& outline, const V
   if (front) add_sides(canvas, outline);
 }
 
-/// A ball swept over a core: what is seen is the hull of the balls at its corners, and the core itself.
+/// Draws a ball swept over a core: the hull of the balls at the core's vertices, and the core itself.
 void draw_swept(const Canvas& canvas, const std::vector<V3>& core, double radius, const VolumeStyle& style) {
   std::vector<ImVec2> rims;
   for (const V3& corner : core) {
@@ -216,7 +216,7 @@ void draw_volume(const Canvas& canvas, const Polytope& polytope, const VolumeSty
     add_sides(canvas, outline);
     return;
   }
-  // Where one face that looks this way meets another that does or does not, the edge is in front.
+  // An edge is in front if at least one of its faces faces the eye.
   const std::vector<bool> front = faces_in_front(canvas, polytope);
   for (const bool near : {false, true})
     for (std::size_t f = 0; f < polytope.faces.size(); ++f)

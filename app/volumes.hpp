@@ -1,4 +1,4 @@
-// How each kind of volume is drawn, in 2-D and in 3-D: the outline on ImGui's draw list, the body by OpenGL.
+// Draws each kind of volume, in 2-D and in 3-D: the outline on ImGui's draw list, the body with OpenGL.
 // A new volume is one more overload of draw_volume.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace snug::app {
 
-/// The scene's place and size for OpenGL's floats: scene = origin + unit * stage.
+/// The origin and unit of stage coordinates, so that OpenGL's floats are precise: scene = origin + unit * stage.
 struct Frame {
   Vector<double, 3> origin = Vector<double, 3>::Zero();
   double unit = 1;
@@ -18,7 +18,7 @@ struct Frame {
   [[nodiscard]] Point3f to_stage(const Vector<double, 3>& p) const;
 };
 
-/// What is drawn on.
+/// What volumes are drawn on.
 struct Canvas {
   ImDrawList* list;
   const Look& look;
@@ -42,24 +42,24 @@ struct VolumeStyle {
 
 struct Ellipsoid {
   Vector<double, 3> center;
-  Matrix<double, 3> half_axes;  // columns; in 2-D those with a z are left out
+  Matrix<double, 3> half_axes;  // as columns; in 2-D those with a z are left out
 };
 
 void draw_volume(const Canvas& canvas, const Sphere<double, 3>& ball, const VolumeStyle& style);
 void draw_volume(const Canvas& canvas, const Ellipsoid& ellipsoid, const VolumeStyle& style);
-/// Faces that look away are thinner and paler.
+/// Faces that face away have thinner and paler edges.
 void draw_volume(const Canvas& canvas, const Polytope& polytope, const VolumeStyle& style);
 void draw_volume(const Canvas& canvas, const Capsule<double, 3>& capsule, const VolumeStyle& style);
 void draw_volume(const Canvas& canvas, const Lozenge<double, 3>& lozenge, const VolumeStyle& style);
-/// Any of them.
+/// Draws any kind of volume.
 void draw_volume(const Canvas& canvas, const fit::Volume3& volume, const VolumeStyle& style);
-/// The corners of the points' convex hull, in order around it.
+/// The vertices of the points' convex hull, in order around it.
 /// Source: A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
 [[nodiscard]] std::vector<ImVec2> convex_outline(std::vector<ImVec2> points);
-/// An axis-aligned box's edges.
+/// Draws the edges of an axis-aligned box.
 void draw_box(const Canvas& canvas, const Vector<double, 3>& least, const Vector<double, 3>& greatest,
               const VolumeStyle& style);
-/// A straight line of the scene, and an obstacle to labels.
+/// Draws a straight line of the scene, which labels keep clear of.
 void draw_line(const Canvas& canvas, const Vector<double, 3>& a, const Vector<double, 3>& b, const VolumeStyle& style);
 
 }  // namespace snug::app

@@ -18,7 +18,7 @@ void triangle(ImDrawList* list, ImVec2 m, float size, float direction, Color col
   else list->AddTriangleFilled({m.x - w, m.y + h}, {m.x + w, m.y}, {m.x - w, m.y - h}, color);
 }
 
-/// One step, as against playing on.
+/// The sign for one step.
 void chevron(ImDrawList* list, ImVec2 m, float size, float direction, Color color) {
   const float w = size * 0.26f * direction, h = size * 0.5f;
   list->PathLineTo({m.x - w, m.y - h});

@@ -7,7 +7,7 @@
 
 namespace snug::app {
 
-/// A part of the canvas: an ImGui window without anything of a window about it.
+/// A part of the canvas: an ImGui window without decoration.
 class Pane {
  public:
   enum class Kind { kStill, kScrolls, kOver };  // kOver: above all others, from when it appears
@@ -54,7 +54,7 @@ struct Button {
   Icon icon = Icon::kNone;
   ButtonKind kind = ButtonKind::kPlain;
   bool enabled = true;
-  float size = 14;  // of the words
+  float size = 14;  // size of the words
 };
 /// Draws it and returns whether it was clicked.
 bool button(ImDrawList* list, const Look& look, const Button& button);

@@ -15,7 +15,7 @@ namespace {
 using lesson::WaitingCall;
 using lesson::WelzlState;
 
-/// Always one line, so that what stands below stays where it is.
+/// A note of always one line, so that what is below does not move.
 std::string list_note(const WelzlState& state) {
   const auto place = [](int at) { return std::to_string(at + 1); };
   if (state.moved != kNoIndex && state.moved_from == 0) return lesson::point_name(state.moved) + " is at the front.";
@@ -41,7 +41,7 @@ class CallPanel {
     y_ += look_.px(28);
   }
 
-  /// The points in the list's order, line by line. What the running call goes through lies on a band.
+  /// Draws the points in the list's order, line by line. The running call's part of the list lies on a band.
   void cells() {
     const int size = static_cast<int>(state_.list.size());
     const int end = state_.calls.empty() ? 0 : state_.calls.back().length;
@@ -63,7 +63,7 @@ class CallPanel {
     y_ += high + look_.px(8);
   }
 
-  /// The outermost call first, each set in by its depth; as many as there can be have their place.
+  /// Draws the calls, the outermost first, each indented by its depth. There is room for as many as there can be.
   void calls() {
     const int most = session_.dim() + 2, running = static_cast<int>(state_.calls.size()) - 1;
     for (int depth = 0; depth < most; ++depth) {

@@ -1,4 +1,4 @@
-// The geometry that a fitter's step speaks of, and its marks on the points.
+// Draws the geometry that a fitter's step is about, and its marks on the points.
 #include "app/subjects/cloud/draw.hpp"
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr ImVec2 kRightUp{1, -0.6f};
 
-/// The convex hull of which a box fitter knows the corners: in 2-D its outline, in 3-D a ring around each corner.
+/// Draws the convex hull of a box fitter: in 2-D its outline, in 3-D a ring around each vertex.
 void draw_hull(Brush& brush, const CloudShown& shown) {
   std::vector<ImVec2> corners;
   for (const Index i : shown.hull) corners.push_back(brush.at(brush.session.point(i)));
@@ -21,7 +21,7 @@ void draw_hull(Brush& brush, const CloudShown& shown) {
   for (const ImVec2 at : corners) ring(brush.list, at, 4 * brush.p.mark, brush.p.ink, brush.stroke(0.6f));
 }
 
-/// A volume that was tried and is not kept.
+/// Draws a volume that was tried but not kept.
 void draw_candidate(Brush& brush, const CloudShown& shown) {
   if (!shown.candidate) return;
   const Palette& p = brush.p;
@@ -39,7 +39,7 @@ void draw_candidate(Brush& brush, const CloudShown& shown) {
   brush.label(at, 12, kRightUp, brush.session.name_of(shown.left_outside) + " outside", p.wrong_text);
 }
 
-/// The extreme points, axis by axis, until there is a volume: from then on what holds it matters alone.
+/// The extreme points, axis by axis, until there is a volume; from then on only its support set matters.
 std::vector<Index> extremes_alone(const Brush& brush, const CloudShown& shown) {
   std::vector<Index> points;
   if (!shown.extremes || shown.volume) return points;
@@ -48,7 +48,7 @@ std::vector<Index> extremes_alone(const Brush& brush, const CloudShown& shown) {
   return points;
 }
 
-/// Short strokes across an axis, at a point that is extreme along it.
+/// Draws short strokes perpendicular to an axis, at a point that is extreme along it.
 void draw_strokes_across(Brush& brush, const Point3& at, int axis) {
   for (int other = 0; other < brush.dim(); ++other) {
     if (other == axis) continue;
@@ -58,7 +58,7 @@ void draw_strokes_across(Brush& brush, const Point3& at, int axis) {
   }
 }
 
-/// The box that the extreme points span, with its midpoint; and those points, until there is a volume.
+/// Draws the AABB of the extreme points with its centre; and these points, until there is a volume.
 void draw_extremes(Brush& brush, const CloudShown& shown) {
   const Palette& p = brush.p;
   if (shown.box) {

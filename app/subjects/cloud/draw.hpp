@@ -1,4 +1,4 @@
-// What a step of a fitter draws; for this folder.
+// What a fitter's step draws; for this folder only.
 #pragma once
 
 #include "app/point_marks.hpp"
@@ -10,9 +10,9 @@ void draw_cloud(Brush& brush, const CloudShown& shown);
 void mark_cloud(Brush& brush, const CloudShown& shown);
 void name_cloud(PointNames& names, const CloudShown& shown);
 
-/// Mean, covariance and axes.
+/// Draws mean, covariance and axes.
 void draw_spread(Brush& brush, const CloudShown& shown);
-/// The first diameter; along the main axis with the projections that chose it.
+/// Draws the first diameter; along the main axis, with the projections that determined it.
 void draw_axis_ends(Brush& brush, const CloudShown& shown);
 
 }  // namespace snug::app

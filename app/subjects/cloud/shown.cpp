@@ -10,7 +10,7 @@
 namespace snug::app {
 namespace {
 
-/// The ball before the last step, where that step changed it.
+/// The ball before the last step, if that step changed it.
 std::optional<fit::Volume3> ball_before(lesson::FitTrace steps) {
   if (steps.size() < 2) return std::nullopt;
   const fit::Sphere3* now = ball_of(steps[steps.size() - 1].step);
@@ -22,11 +22,11 @@ std::optional<fit::Volume3> ball_before(lesson::FitTrace steps) {
 
 Point3 deviations(const Point3& variances) { return variances.cwiseMax(0).cwiseSqrt(); }
 
-/// Fills in what has a picture of its own.
+/// Fills in what facts show beyond marks on points.
 struct CloudFiller {
   CloudShown& shown;
   const fit::Step3& step;
-  lesson::FitTrace steps;  // up to and with this one
+  lesson::FitTrace steps;  // up to and including this one
   const lesson::Session& session;
 
   void operator()(const auto&) const { named(); }
@@ -121,13 +121,13 @@ struct CloudFiller {
   }
   void operator()(const fit::EdgeSplit& fact) const { shown.spoken_of = {fact.a, fact.point, fact.b}; }
   void operator()(const fit::FacetsReplaced& fact) const { shown.spoken_of = {fact.eye}; }
-  void operator()(const fit::Finished&) const {}  // its support is marked as such
+  void operator()(const fit::Finished&) const {}  // its support set is marked anyway
 
   void named() const { shown.spoken_of = named_now(session); }
   void hull() const {
     if (const auto* found = last_fact<fit::HullFound>(steps)) shown.hull = found->vertices;
   }
-  /// Mean and axes stay in sight where the box is built on them.
+  /// Keeps mean and axes visible while the box is built on them.
   void spread_of_points() const {
     const auto* axes = last_fact<fit::AxesFound<double, 3>>(steps);
     if (axes == nullptr) return;
@@ -135,7 +135,7 @@ struct CloudFiller {
     shown.spread = {axes->axes, deviations(axes->variances), true, false};
   }
 
-  /// The first `depth` points of the boundary are forced while a frame of that depth runs.
+  /// Marks the first `depth` points of the boundary as forced, while a call of that depth runs.
   void force(int depth) const {
     shown.depth = depth;
     const auto* boundary = last_fact<fit::BoundaryForced>(steps);

@@ -1,4 +1,4 @@
-// What a step of a fitter shows beside its volume.
+// What a fitter's step shows besides its volume.
 #pragma once
 
 #include <array>
@@ -9,16 +9,16 @@
 namespace snug::app {
 
 struct CloudShown : Shown {
-  std::optional<fit::Volume3> before;     // the one that this step replaced
-  std::optional<fit::Volume3> candidate;  // tried by this step, other than the volume
+  std::optional<fit::Volume3> before;     // the volume that this step replaced
+  std::optional<fit::Volume3> candidate;  // a volume that this step tried, if it is not the current one
   bool candidate_fails = false;
   Index left_outside = kNoIndex;  // the point that the candidate leaves outside
 
-  fit::Support forced;  // of the support, what Welzl's recursion has forced onto the boundary
+  fit::Support forced;  // the part of the support set that Welzl's recursion has forced onto the boundary
   int depth = 0;
 
   bool examined_outside = false;
-  double outside_by = 0;  // of the point that is examined; < 0 inside, scene units
+  double outside_by = 0;  // for the examined point; < 0 inside, scene units
 
   struct Extremes {
     std::array<Index, 3> least, greatest;
@@ -33,14 +33,14 @@ struct CloudShown : Shown {
   struct Spread {
     Matrix<double, 3> axes;  // columns, by rising sigma
     Point3 sigma;            // standard deviations, scene units
-    bool named = false;      // whether the axes themselves were found yet
-    bool ends = false;       // whether the extreme points along the main axis were
+    bool named = false;      // whether the axes have been found
+    bool ends = false;       // whether the extreme points along the main axis have been found
   };
   std::optional<Spread> spread;
-  std::vector<Index> hull;  // its vertices, where a box fitter knows them
+  std::vector<Index> hull;  // its vertices, if a box fitter has computed them
 };
 
-/// want_optimum: as of shown_at.
+/// want_optimum: as for shown_at.
 [[nodiscard]] CloudShown cloud_shown_at(const lesson::Session& session, bool want_optimum);
 
 }  // namespace snug::app

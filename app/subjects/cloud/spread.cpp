@@ -1,4 +1,4 @@
-// How the points are spread: their mean, its ellipsoids and axes, and what of the main axis is chosen.
+// Draws how the points spread: their mean, the ellipsoids and axes, and what is chosen along the main axis.
 #include <cmath>
 
 #include "app/subjects/cloud/draw.hpp"
@@ -49,7 +49,7 @@ void draw_axis_ends(Brush& brush, const CloudShown& shown) {
   const auto foot = [&](const Point3& point) { return Point3(*shown.mean + axis * axis.dot(point - *shown.mean)); };
   const Point3 from = foot(a), to = foot(b);
   const Point3 beyond = (to - from) * 0.06;
-  // On both sides of the eigenvector's arrow.
+  // Drawn on both sides of the eigenvector's arrow.
   const VolumeStyle dashes{Stroke::kDashed, p.muted, brush.stroke(0.7f)};
   draw_line(brush.canvas, from - beyond, *shown.mean, dashes);
   draw_line(brush.canvas, *shown.mean + axis * shown.spread->sigma[2], to + beyond, dashes);

@@ -1,4 +1,4 @@
-// A cloud of points and what is fitted round it.
+// A cloud of points and the volume fitted around it.
 #pragma once
 
 #include <memory>

@@ -27,14 +27,14 @@ double most_slack(std::span<const cost::TurnRow> line) {
   return cost::slack_range(line).value_or(cost::SlackRange{}).most;
 }
 
-/// A point of a chart's line is one whose slack is known.
+/// The row of a point on a chart's line. The line has only rows with known looseness.
 const cost::TurnRow& row_at(std::span<const cost::TurnRow> line, std::size_t point) {
   for (const cost::TurnRow& row : line)
     if (row.slack && point-- == 0) return row;
   return line.back();
 }
 
-/// What is said of the updates that are always tight.
+/// The sentence about the updates that are always tight.
 std::string tight_caption(const std::vector<std::span<const cost::TurnRow>>& lines, int tight) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const auto& line : lines) {

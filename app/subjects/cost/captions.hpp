@@ -1,4 +1,4 @@
-// What is said below a chart of costs.
+// The sentences below a cost chart.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace snug::app {
 
-/// all: 0 where that is not said.
+/// all: 0 if it is not mentioned.
 [[nodiscard]] std::string measuring_caption(int done, int all);
 /// The sentences of one row, and of all rows.
 [[nodiscard]] std::string accuracy_caption(const cost::CostRow& row);

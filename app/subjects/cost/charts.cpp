@@ -14,7 +14,7 @@
 namespace snug::app {
 namespace {
 
-/// A volume that is larger by less is the tightest, for all that is seen.
+/// A volume that is larger by less counts as the tightest.
 constexpr double kRounding = 1e-6;
 
 std::string one_number(const char* format, double value) {
@@ -23,21 +23,21 @@ std::string one_number(const char* format, double value) {
   return text.data();
 }
 
-/// Shapes go round, then rims: what is told apart by them keeps its colour for what it means.
+/// Cycles through shapes, then rims, so that colours are free for their meanings.
 void set_look(Chart& chart, ChartSeries& series, std::size_t i) {
   chart.looks = std::max(chart.looks, static_cast<int>(i) + 1);
   series.shape = static_cast<ChartShape>(i % kChartShapes);
   series.rim = static_cast<ChartRim>(i / kChartShapes % kChartRims);
 }
 
-/// The place of the first row of a series that is the same thing; those that only the earlier result has come after.
+/// The index of the matching series in the current result; series that only the earlier result has come after those.
 template <class Series, class Same>
 std::size_t look_index(const Series& now, const typename Series::value_type& own, std::size_t i, Same same) {
   const auto found = std::find_if(now.begin(), now.end(), [&](const auto& one) { return same(one, own); });
   return found != now.end() ? static_cast<std::size_t>(found - now.begin()) : now.size() + i;
 }
 
-/// Without how many points there are, which the axis or the table says: "cube" of "cube:1000".
+/// The title without the number of points, which the axis or the table shows: "cube" for "cube:1000".
 std::string title_of(const std::string& what, const cost::Provenance& p) {
   return p.points.empty() ? what : what + ", " + p.points.substr(0, p.points.find(':'));
 }
@@ -61,19 +61,19 @@ std::string heading_of(const std::string& volume) {
   return static_cast<char>(std::toupper(static_cast<unsigned char>(volume[0]))) + volume.substr(1);
 }
 
-/// Half of the spread to either side; where there is none, no bar.
+/// A point with a bar of half the spread to either side; without a spread, no bar.
 ChartPoint point_of(const cost::Timing& time, double y) {
   if (!time.spread) return {time.median, y, time.median, time.median};
   return {time.median, y, time.median * (1 - std::min(*time.spread, 1.8) / 2), time.median * (1 + *time.spread / 2)};
 }
 
-/// What a size is held against: the smallest of its kind, the hull, or the smallest that there is in the table.
+/// What a size is compared with: the smallest of its kind, the hull, or the smallest in the table.
 enum class Against : std::uint8_t { kSmallest, kHull, kFound };
 
 struct CostLook {
   bool one;  // volume
   Against against;
-  double found;  // the smallest measure of a row
+  double found;  // the smallest measure in the table
   [[nodiscard]] std::optional<double> y(const cost::CostRow& row) const {
     if (against == Against::kFound) return row.is_flat() ? std::nullopt : std::optional(row.measure / found);
     return against == Against::kSmallest ? row.tightness : row.over_hull;
@@ -84,7 +84,7 @@ struct CostLook {
   }
 };
 
-/// What is known of every row: where a run takes too long, the exact one is known of few of the points alone.
+/// What is known for every row: if an exact run takes too long, the smallest volume is known only for fewer points.
 CostLook look_of(const std::vector<cost::CostRow>& rows) {
   const auto all = [&](auto known) { return std::all_of(rows.begin(), rows.end(), known); };
   CostLook look{of_one_volume(rows), Against::kFound, std::numeric_limits<double>::infinity()};
@@ -101,7 +101,7 @@ bool of_same_algorithm(const cost::CostRow& a, const cost::CostRow& b) {
   return a.volume == b.volume && a.algorithm == b.algorithm;
 }
 
-/// then: whether the rows are an earlier result's; now: the present one's, whose looks they share.
+/// then: whether the rows are from an earlier result; now: those of the current result, whose looks they share.
 void add_costs(Chart& chart, const std::vector<cost::CostRow>& rows, const CostLook& look,
                const std::vector<cost::CostRow>& now, bool then) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -126,7 +126,7 @@ void add_costs(Chart& chart, const std::vector<cost::CostRow>& rows, const CostL
   }
 }
 
-/// What two neighbours in a table have in common says whether they are of one line.
+/// Splits a table into lines: consecutive rows that are the same by `same`.
 template <class Row, class Same>
 std::vector<std::span<const Row>> cut(const std::vector<Row>& rows, Same same) {
   std::vector<std::span<const Row>> lines;
@@ -137,7 +137,7 @@ std::vector<std::span<const Row>> cut(const std::vector<Row>& rows, Same same) {
   return lines;
 }
 
-/// look: which of the looks it has.
+/// look: the index of its look.
 ChartSeries line_series(Chart& chart, std::size_t line, std::size_t look, bool then) {
   ChartSeries series{
       .role = then ? ChartRole::kThen : ChartRole::kChosen, .line = true, .row = then ? -1 : static_cast<int>(line)};

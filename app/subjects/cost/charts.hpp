@@ -1,4 +1,4 @@
-// What accuracy costs, as charts: from the tables that core/measure makes.
+// Turns the tables of core/measure into charts of what accuracy costs.
 #pragma once
 
 #include <span>
@@ -11,30 +11,30 @@
 
 namespace snug::app {
 
-/// Accuracy against time, a mark an algorithm, with the front that none undercuts. then: an earlier result that lies
-/// over it; null for none. Rows of more than one volume are compared by the hull's measure, of one by the smallest of
-/// its kind.
+/// Accuracy against time, with a mark for each algorithm and the Pareto front. then: an earlier result to show over it;
+/// null for none. Rows of more than one kind of volume are compared with the hull, those of one kind with the smallest
+/// of its kind.
 [[nodiscard]] Chart cost_chart(const cost::Table<cost::CostRow>& now, const cost::Table<cost::CostRow>* then = nullptr);
 
-/// Time against the number of points, a line an algorithm, with the fitted power beside theory's.
+/// Time against the number of points, with a line for each algorithm, and the fitted power compared with the theory's.
 [[nodiscard]] Chart growth_chart(const cost::Table<cost::GrowthRow>& now,
                                  const cost::Table<cost::GrowthRow>* then = nullptr);
 
-/// Slack over a full turn, a line an update; those that are always tight are one.
+/// Looseness over a full turn, with a line for each update; the updates that are always tight share one.
 [[nodiscard]] Chart turn_chart(const cost::Table<cost::TurnRow>& now, const cost::Table<cost::TurnRow>* then = nullptr);
 
-/// The rows of one algorithm, or of one update, as they follow each other: a chart's line.
+/// The rows of each algorithm, or of each update, which are consecutive: one line of the chart each.
 [[nodiscard]] std::vector<std::span<const cost::GrowthRow>> lines_of(const std::vector<cost::GrowthRow>& rows);
 [[nodiscard]] std::vector<std::span<const cost::TurnRow>> lines_of(const std::vector<cost::TurnRow>& rows);
-/// Whether the line is measured to its end, and its power was looked for.
+/// Whether the line is measured to its end, so that its power was fitted.
 [[nodiscard]] bool is_fitted(std::span<const cost::GrowthRow> line);
 /// Whether the update's volume is the tightest of its kind at every angle.
 [[nodiscard]] bool always_tight(std::span<const cost::TurnRow> line);
 
-/// As people say them: "PCA of the points", "AABB, hill climbing". What there is none of by that name keeps it.
+/// Titles for people: "PCA of the points", "AABB by hill climbing". An unknown name is returned as it is.
 [[nodiscard]] std::string algorithm_title(std::string_view volume, std::string_view algorithm);
 [[nodiscard]] std::string update_title(std::string_view volume, std::string_view strategy);
-/// "theory 1.00", or of what is a mere bound "theory at most 2.00"; empty where there is none.
+/// "theory 1.00", or for an upper bound "theory at most 2.00"; empty if there is none.
 [[nodiscard]] std::string theory_words(const cost::GrowthRow& row);
 
 }  // namespace snug::app

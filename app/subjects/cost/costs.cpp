@@ -13,19 +13,19 @@
 namespace snug::app {
 namespace {
 
-/// More points than this every frame would be late for; the chart needs no more of them on the stage.
+/// With more points on the stage, every frame would be late; the chart needs no more.
 constexpr Index kMostShown = 5'000;
-/// A batch that any browser's clock can tell, and the longest runs that leave a frame its time, ns; the watched one is
-/// done once or twice.
+/// The length of a batch that any browser's clock can measure, and the longest runs that do not delay a frame, ns; the
+/// run with an observer is done only once or twice.
 constexpr double kLeastBatch = 10e6, kMostBatch = 15e6, kLongest = 24e6, kLongestWatched = 28e6;
 constexpr int kRepeats = 9;
-/// A line has many points: each has fewer batches, and where those are long, three.
+/// A line has many points, so each gets fewer batches, and only three if those are long.
 constexpr int kRepeatsOnLine = 5;
 constexpr double kEnoughOnLine = 1e9;
-/// How far growth is followed; a set of fewer points than the least says little of it, and others stand in.
+/// The most points for growth; a set with fewer than the least says little, and generated points replace it.
 constexpr Index kMostGrown = 1'000'000, kFewestGrown = 10'000;
 constexpr std::string_view kStandIn = "cube";
-constexpr int kFrames = 72;  // of a turn
+constexpr int kFrames = 72;  // of a full turn
 
 using AccuracySheet = CostSheetOf<cost::CostRun, cost::CostRow>;
 using GrowthSheet = CostSheetOf<cost::GrowthRun, cost::GrowthRow>;
@@ -46,7 +46,7 @@ std::vector<const fit::Algorithm*> algorithms_of(const lesson::Session& session)
   return algorithms;
 }
 
-/// The kind that the session's points are of, if they are of one.
+/// The generator of the session's points, if they have one.
 std::string generated_kind(const lesson::Session& session) {
   const auto kinds = generator_kinds();
   return std::find(kinds.begin(), kinds.end(), session.source()) != kinds.end() ? session.source() : std::string();
@@ -150,7 +150,7 @@ void Costs::start_accuracy(const lesson::Session& session, cost::Provenance abou
       .start(std::make_unique<cost::CostRun>(*subject_, algorithms_of(session), options_, clock_), std::move(about));
 }
 
-/// Generated points can be as many as one likes; a mesh or a file has only its own.
+/// Starts the growth measurement. Generated points come in any number; a mesh or a file has only its own.
 void Costs::start_growth(const lesson::Session& session, cost::Provenance about) {
   std::string kind = generated_kind(session);
   if (kind.empty() && fit::size_of(*subject_) < kFewestGrown) kind = kStandIn;
@@ -178,7 +178,7 @@ void Costs::start_turn(cost::Provenance about) {
              std::move(about));
 }
 
-/// What is ready goes onto the chart.
+/// Puts the finished rows onto the chart.
 void Costs::take_rows() {
   chart_ = sheet().chart();
   places_.clear();
@@ -193,7 +193,7 @@ void Costs::work(lesson::Session& session, double budget) {
   if (sheet.done()) finish(session);
 }
 
-/// Whole results alone are told to the session, if its points are still those.
+/// Reports a complete result to the session, if its points are still the same.
 void Costs::finish(lesson::Session& session) {
   const CostView done = *std::exchange(at_work_, std::nullopt);
   of(done).stop();

@@ -1,4 +1,4 @@
-// The chart on the stage: what of it has the focus, what is said of it, and how one gets about.
+// The chart on the stage: which point has the focus, what its caption says, and how the keys move.
 #include <algorithm>
 #include <utility>
 
@@ -11,7 +11,7 @@
 namespace snug::app {
 namespace {
 
-constexpr double kLongestLoaded = 0.3e9;  // what a click may take, ns
+constexpr double kLongestLoaded = 0.3e9;  // how long a click may take, ns
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kKeys{{{"ArrowRight", "chart_next"},
                                                                               {"ArrowDown", "chart_down"},
@@ -19,7 +19,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kKeys{{{"
                                                                               {"ArrowUp", "chart_up"},
                                                                               {"Enter", "chart_load"}}};
 
-/// Whether there are predictions that wait for the measurement.
+/// Whether predictions wait for the measurement.
 bool awaits_measuring(const lesson::Session& session) {
   const auto& outcomes = session.outcomes();
   return std::any_of(outcomes.begin(), outcomes.end(), [](const lesson::Outcome& outcome) { return outcome.pending; });
@@ -36,8 +36,8 @@ std::optional<ChartHit> Costs::focused() const {
   return std::nullopt;
 }
 
-/// The chart's points in the order of the keys: by rising time, along a line and on along the next, or from line to
-/// line.
+/// The chart's points in the order in which keys visit them: by rising time; along one line and then the next; or from
+/// line to line.
 std::vector<ChartHit> Costs::stops(bool to_line) const {
   std::vector<ChartHit> stops;
   const auto x_of = [&](const ChartHit& hit) { return chart_.series[hit.series].points[hit.point].x; };
@@ -56,7 +56,7 @@ std::vector<ChartHit> Costs::stops(bool to_line) const {
   return stops;
 }
 
-/// Round and round.
+/// Moves the focus, and wraps around at the ends.
 void Costs::move_focus(int by, bool to_line) {
   const std::vector<ChartHit> order = stops(to_line);
   if (order.empty()) return;
@@ -112,7 +112,7 @@ std::string Costs::caption(const lesson::Session& session) const {
   if (!refused_.empty()) return refused_;
   if (running() && *at_work_ != view_) return "Another chart is being measured: this one waits for it.";
   if (running()) {
-    const int begun = count() + (view_ == CostView::kAccuracy ? 1 : 0);  // a line grows while it is measured
+    const int begun = count() + (view_ == CostView::kAccuracy ? 1 : 0);  // a line is shown while it is measured
     const auto all = view_ == CostView::kTurn ? 0 : session.lesson().algorithms.size();
     return measuring_caption(std::max(0, begun - 1), static_cast<int>(all));
   }
@@ -133,7 +133,7 @@ std::string Costs::caption(const lesson::Session& session) const {
 void Costs::draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->ground);
-  // The buttons stand above it, the sentence below.
+  // The buttons are above it, the sentence below.
   const float above = look.fingers ? 60 : look.px(44), below = rect.width >= 560 ? look.px(76) : 4;
   const Rect room{rect.x, rect.y + above, rect.width, rect.height - above - below};
   const Touch touch = touch_area("chart", room);

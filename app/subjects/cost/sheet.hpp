@@ -1,4 +1,4 @@
-// A table that is measured piece by piece, as a chart and as a file, and an earlier one that lies over it.
+// A table that is measured piece by piece, shown as a chart and saved as a file, with an earlier one over it.
 #pragma once
 
 #include <cstdint>
@@ -20,23 +20,23 @@ inline constexpr int kCostViews = 3;
 class CostSheet {
  public:
   virtual ~CostSheet() = default;
-  /// Some nanoseconds of it, or one piece that cannot be cut. Whether there are more rows for that.
+  /// Works for budget nanoseconds, or by one indivisible piece. Returns whether there are new rows.
   virtual bool work(const cost::Clock& clock, double budget) = 0;
   /// Progress from 0 to 1; 1 if nothing runs.
   [[nodiscard]] virtual double progress() const = 0;
   [[nodiscard]] virtual bool done() const = 0;
-  /// Ends the run; what is ready stays.
+  /// Ends the run; the finished rows stay.
   virtual void stop() = 0;
-  /// Nothing is measured, nothing lies over it.
+  /// Discards the measurement and the earlier result.
   virtual void clear() = 0;
   [[nodiscard]] virtual std::size_t rows() const = 0;
   [[nodiscard]] virtual Chart chart() const = 0;
   /// The format of `snug cost`.
   [[nodiscard]] virtual std::string csv() const = 0;
   [[nodiscard]] virtual std::string json() const = 0;
-  /// What was measured, and where and how.
+  /// The provenance of the measurement.
   [[nodiscard]] virtual const cost::Provenance& about() const = 0;
-  /// Where the earlier result comes from; null where there is none.
+  /// The provenance of the earlier result; null if there is none.
   [[nodiscard]] virtual const cost::Provenance* then() const = 0;
 };
 
@@ -76,7 +76,7 @@ class CostSheetOf final : public CostSheet {
   [[nodiscard]] const cost::Provenance& about() const override { return table.provenance; }
   [[nodiscard]] const cost::Provenance* then() const override { return then_ ? &then_->provenance : nullptr; }
 
-  Table table;  // what is ready
+  Table table;  // the finished rows
 
  private:
   void take() {

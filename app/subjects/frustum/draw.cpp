@@ -1,4 +1,4 @@
-// A box and a frustum: the plane at hand with its normal, the corners that it chooses, and how far they are from it.
+// Draws a box and a frustum: the current plane, its normal, the vertices that this selects, and their distances.
 #include "app/subjects/frustum/draw.hpp"
 
 #include <algorithm>
@@ -14,16 +14,16 @@ using query::Culling;
 using Plane = query::PlaneTested<double, 3>;
 using Corner = query::CornerTested<double, 3>;
 
-constexpr double kNormal = 0.3;     // of the frustum's half depth
+constexpr double kNormal = 0.3;     // as a fraction of the frustum's half depth
 constexpr float kLeastNormal = 28;  // pixels
-constexpr float kVertex = 13;       // of a p- or n-vertex's mark, pixels
+constexpr float kVertex = 13;       // size of a p- or n-vertex's mark, pixels
 
 struct Side {
-  std::vector<Point3> corners;  // in order around it; in 2-D the two ends of an edge
+  std::vector<Point3> corners;  // in order around the face; in 2-D the two ends of an edge
   Point3 middle;
 };
 
-/// Its corners and faces are in the order of a box's.
+/// The frustum's vertices and faces, in the order of a box's.
 Polytope solid_of(const lesson::BoxPair& pair) {
   Polytope frustum = polytope_of(pair.boxes[1], pair.dim);
   for (std::size_t bits = 0; bits < frustum.corners.size(); ++bits)
@@ -45,7 +45,7 @@ Side side_of(const lesson::BoxPair& pair, int plane) {
   return face;
 }
 
-/// Unit, out of the frustum.
+/// The unit normal of a side, pointing out of the frustum.
 Point3 normal_of(const Side& face, const lesson::BoxPair& pair) {
   const Point3 along = face.corners[1] - face.corners[0];
   Point3 normal =
@@ -54,7 +54,7 @@ Point3 normal_of(const Side& face, const lesson::BoxPair& pair) {
   return normal.normalized();
 }
 
-/// Where on a face its normal stands: not where the box is.
+/// Where the normal is drawn on a face: away from the box.
 Point3 clear_of(const Side& face, const Point3& box) {
   Point3 best = face.middle;
   for (const Point3& corner : face.corners) {
@@ -96,7 +96,7 @@ std::string verdict_words(const FrustumShown& shown) {
          (shown.finished ? "" : " so far");
 }
 
-/// Where the frustum's sides meet.
+/// Draws the camera, where the frustum's sides meet.
 void draw_camera(Brush& brush, const lesson::BoxPair& pair) {
   const Palette& p = brush.p;
   const Point3 eye = lesson::camera_of(pair).position;
@@ -111,7 +111,7 @@ void draw_camera(Brush& brush, const lesson::BoxPair& pair) {
   brush.label(at, 10, away, "camera", p.previous_text, Face::kRegular, 13);
 }
 
-/// The axes that the signs speak of.
+/// Draws the box's axes, which the signs refer to.
 void draw_box_axes(Brush& brush, const lesson::BoxPair& pair) {
   const Palette& p = brush.p;
   const Obb<double, 3>& box = pair.boxes[0];
@@ -125,7 +125,7 @@ void draw_box_axes(Brush& brush, const lesson::BoxPair& pair) {
   }
 }
 
-/// In 2-D, the line that an edge lies on, with strokes on its outer side.
+/// In 2-D, draws the line that an edge lies on, with strokes in its positive half-space.
 void draw_whole_line(Brush& brush, const std::vector<ImVec2>& edge, ImVec2 middle, ImVec2 tip) {
   const Color color = brush.p.examined;
   const ImVec2 along = way_between(edge[0], edge[1]), out = way_between(middle, tip);
@@ -139,7 +139,7 @@ void draw_whole_line(Brush& brush, const std::vector<ImVec2>& edge, ImVec2 middl
   brush.canvas.obstacles.segments.push_back({edge[0].x, edge[0].y, edge[1].x, edge[1].y});
 }
 
-/// The plane at hand: its part of the frustum's border, and its normal.
+/// Draws the current plane: its side of the frustum, and its normal.
 void draw_plane(Brush& brush, const lesson::BoxPair& pair, const FrustumShown& shown) {
   const Palette& p = brush.p;
   const Side face = side_of(pair, shown.plane_at);
@@ -148,7 +148,7 @@ void draw_plane(Brush& brush, const lesson::BoxPair& pair, const FrustumShown& s
   const Point3 foot = clear_of(face, pair.boxes[0].center);
   const Point3 normal = normal_of(face, pair) * (kNormal * pair.boxes[1].half_extents[0]);
   const ImVec2 middle = brush.at(foot), end = brush.at(foot + normal);
-  // One that nearly runs along the view is drawn longer, for its direction is what is asked of it.
+  // A normal that is nearly along the view is drawn longer, because students need its direction.
   const double longer =
       std::clamp(kLeastNormal / std::max(std::hypot(end.x - middle.x, end.y - middle.y), 1.0f), 1.0f, 4.0f);
   const ImVec2 tip = brush.at(foot + normal * longer);
@@ -183,7 +183,7 @@ void draw_distances(Brush& brush, const lesson::BoxPair& pair, const Plane& plan
   }
 }
 
-/// For tests by vertices: a ring where a vertex is outside, a tick where it is not; the last one says of which plane.
+/// For tests by vertices: a ring at a vertex that is outside, a tick at one that is not; the last one names the plane.
 void draw_corners(Brush& brush, const FrustumShown& shown) {
   const Palette& p = brush.p;
   for (const Corner& corner : shown.corners) {
@@ -223,7 +223,7 @@ void draw_frustum(Brush& brush, const FrustumShown& shown) {
   if (shown.plane_at >= 0) draw_plane(brush, pair, shown);
   if (shown.plane && !shown.plane_asked) draw_distances(brush, pair, *shown.plane);
   draw_corners(brush, shown);
-  const ImVec2 end = brush.at(lesson::corner_of(pair, 1, 0b011));  // far, and off the camera's way
+  const ImVec2 end = brush.at(lesson::corner_of(pair, 1, 0b011));  // at the far end, and away from the camera's axis
   brush.label(end, 10, way_between(brush.at(pair.boxes[1].center), end), "Frustum", p.previous_text, Face::kSemiBold,
               15);
 }
@@ -233,7 +233,7 @@ void mark_frustum(Brush& brush, const FrustumShown& shown) {
   for (const Index& i : shown.vertices) {
     const ImVec2 place = brush.at(brush.point(i));
     diamond(brush.list, place, kVertex * p.mark, p.support, p.ground);
-    const float size = kVertex * p.mark / brush.look.text_scale;  // a mark, not a word: it does not grow with the text
+    const float size = kVertex * p.mark / brush.look.text_scale;  // a mark does not grow with the text
     text_middle(brush.list, brush.look, Face::kSemiBold, size, {place.x, place.y - 0.6f * kVertex * p.mark}, p.ground,
                 &i == shown.vertices.data() ? "p" : "n");
     brush.canvas.obstacles.discs.push_back({place.x, place.y, kVertex * p.mark});

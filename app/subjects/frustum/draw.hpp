@@ -1,4 +1,4 @@
-// What a step of a test of a box against a frustum draws; for this folder.
+// What a step of a test of a box against a frustum draws; for this folder only.
 #pragma once
 
 #include "app/point_marks.hpp"
@@ -8,9 +8,9 @@
 namespace snug::app {
 
 void draw_frustum(Brush& brush, const FrustumShown& shown);
-/// The p- and the n-vertex, with their letters.
+/// Marks the p- and the n-vertex with their letters.
 void mark_frustum(Brush& brush, const FrustumShown& shown);
-/// Their names, away from the box.
+/// Names them, away from the box.
 void name_frustum(PointNames& names, const FrustumShown& shown);
 /// See SubjectView::draw_inset.
 [[nodiscard]] Rect draw_from_camera(Brush& brush, const FrustumShown& shown, float top);

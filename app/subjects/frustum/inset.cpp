@@ -1,5 +1,5 @@
-// The same from the frustum's camera: a small picture in a corner of the stage, with a margin around what the camera
-// sees.
+// The box and the frustum from the frustum's camera: a small picture in a corner of the stage, with a margin around
+// what the camera sees.
 #include "app/subjects/frustum/draw.hpp"
 
 #include <algorithm>
@@ -10,10 +10,10 @@
 namespace snug::app {
 namespace {
 
-constexpr double kAround = 0.45;  // of half the image, on every side
-constexpr float kPad = 8;         // between the panel's rim and what is in it, pixels
+constexpr double kAround = 0.45;  // the margin on every side, as a fraction of half the image
+constexpr float kPad = 8;         // between the panel's rim and its content, pixels
 
-/// The camera's eye: a point's place sideways and upwards over its depth is its place in the image, from -1 to 1.
+/// The camera: a point's offset sideways and upwards, divided by its depth, is its place in the image, from -1 to 1.
 struct Eye {
   FrustumCamera<double, 3> camera;
 
@@ -28,7 +28,7 @@ struct Piece {
   Point3 a, b;
 };
 
-/// What of a line is in front of the near plane.
+/// The part of a line in front of the near plane.
 std::optional<Piece> clipped(const Eye& eye, Point3 a, Point3 b) {
   if (!eye.in_front(a) && !eye.in_front(b)) return std::nullopt;
   const Point3 cut = a + (b - a) * ((eye.camera.near - a[2]) / (b[2] - a[2]));
@@ -37,7 +37,7 @@ std::optional<Piece> clipped(const Eye& eye, Point3 a, Point3 b) {
   return Piece{a, b};
 }
 
-/// The box's edges as the eye sees them.
+/// The box's edges as the camera sees them.
 std::vector<Piece> edges_seen(const Eye& eye, const lesson::BoxPair& pair) {
   std::vector<Piece> pieces;
   for (int from = 0; from < 1 << pair.dim; ++from)
@@ -49,7 +49,7 @@ std::vector<Piece> edges_seen(const Eye& eye, const lesson::BoxPair& pair) {
   return pieces;
 }
 
-/// The least and the greatest depth of the box's corners.
+/// The least and the greatest depth of the box's vertices.
 std::array<double, 2> depths(const Eye& eye, const lesson::BoxPair& pair) {
   double least = 1e300, greatest = -1e300;
   for (int bits = 0; bits < 1 << pair.dim; ++bits) {
@@ -59,9 +59,9 @@ std::array<double, 2> depths(const Eye& eye, const lesson::BoxPair& pair) {
   return {least, greatest};
 }
 
-/// Where the image stands on the screen.
+/// Where the image is on the screen.
 struct Picture {
-  ImVec2 middle, half;  // half: of what the camera sees
+  ImVec2 middle, half;  // half: half of the part that the camera sees
   int dim;
 
   [[nodiscard]] ImVec2 at(const Point3& seen) const {
@@ -72,7 +72,7 @@ struct Picture {
   [[nodiscard]] Rect image() const { return {middle.x - half.x, middle.y - half.y, 2 * half.x, 2 * half.y}; }
 };
 
-/// Draws twice: pale all over the picture, and, where it is seen at all, as it is within the image.
+/// Draws twice: pale over the whole picture and, if visible to the camera, in full colour within the image.
 template <class Draw>
 void in_and_out(ImDrawList* list, const Rect& image, bool seen, const Draw& draw) {
   draw(0.4f);
@@ -82,7 +82,7 @@ void in_and_out(ImDrawList* list, const Rect& image, bool seen, const Draw& draw
   list->PopClipRect();
 }
 
-/// The image's side that a plane is seen as; all of them for near and far.
+/// The side of the image that a plane appears as; all sides for near and far.
 std::vector<ImVec2> side_in(const Rect& image, int dim, int plane) {
   const float right = image.x + image.width, bottom = image.y + image.height;
   if (plane >= 2 * dim - 2)
@@ -91,7 +91,7 @@ std::vector<ImVec2> side_in(const Rect& image, int dim, int plane) {
   return {{image.x, plane == 2 ? bottom : image.y}, {right, plane == 2 ? bottom : image.y}};
 }
 
-/// Where its parts stand.
+/// Where the inset's parts are.
 struct Inset {
   const lesson::BoxPair& pair;
   Eye eye;
@@ -133,7 +133,7 @@ void draw_ground(Brush& brush, const Inset& inset) {
   brush.list->AddRectFilled({image.x, image.y}, {image.x + image.width, image.y + image.height}, p.ground);
 }
 
-/// What the box covers of the image: in 2-D, where there is no height, a band.
+/// The part of the image that the box covers: in 2-D, where there is no height, a band.
 std::vector<ImVec2> outline_of(const Inset& inset, const std::vector<ImVec2>& ends) {
   if (!inset.flat()) return convex_outline(ends);
   const auto [least, most] =
@@ -142,7 +142,7 @@ std::vector<ImVec2> outline_of(const Inset& inset, const std::vector<ImVec2>& en
   return {{least->x, middle - half}, {most->x, middle - half}, {most->x, middle + half}, {least->x, middle + half}};
 }
 
-/// ends: of its edges, two by two.
+/// ends: those of its edges, in pairs.
 void draw_box_seen(Brush& brush, const Inset& inset, const std::vector<ImVec2>& ends, bool seen, Color color) {
   if (ends.empty()) return;
   const bool flat = inset.flat();
@@ -172,7 +172,7 @@ void name_vertex(Brush& brush, const Inset& inset, const Point3& seen, bool high
   text_middle(brush.list, look, Face::kSemiBold, 12, {at.x, higher ? above : below}, brush.p.support_text, word);
 }
 
-/// They may lie in one line of sight: the higher one is named above it, the other below.
+/// Names the p- and n-vertex. They may lie in one line of sight, so the higher one is named above, the other below.
 void name_vertices(Brush& brush, const Inset& inset, const query::PlaneTested<double, 3>& plane) {
   const Point3 p_seen = inset.eye.seen(plane.p_point), n_seen = inset.eye.seen(plane.n_point);
   const bool p_higher = inset.flat() || inset.picture.at(p_seen).y <= inset.picture.at(n_seen).y;
@@ -182,7 +182,7 @@ void name_vertices(Brush& brush, const Inset& inset, const query::PlaneTested<do
 
 }  // namespace
 
-/// Empty where the stage has no room for it.
+/// Empty if the stage has no room for it.
 Rect draw_from_camera(Brush& brush, const FrustumShown& shown, float top) {
   const Inset inset = inset_below(brush, top);
   const Palette& p = brush.p;

@@ -7,7 +7,7 @@ namespace {
 
 using Corner = query::CornerTested<double, 3>;
 
-/// Those of this round: the corners are gone through in order, for each plane or once.
+/// The vertices tested for the current plane, or for all planes: they are tested in order.
 std::vector<Corner> corners_tested(lesson::FrustumSteps up_to) {
   std::vector<Corner> corners;
   for (; !up_to.empty(); up_to = up_to.first(up_to.size() - 1)) {
@@ -32,8 +32,8 @@ struct FrustumFiller {
       shown.vertices.push_back(lesson::index_of(session.dim(), {lesson::Place::Kind::kCorner, 0, corner}));
   }
   void operator()(const Corner&) const { shown.corners = corners_tested(steps); }
-  /// With the plane that all of the box is outside of. Of all planes together, the corners tested against the last one
-  /// alone say nothing.
+  /// Keeps the plane that the whole box is outside of. Without such a plane, the vertices tested last mean nothing, and
+  /// are dropped.
   void operator()(const query::Classified& fact) const {
     const lesson::FrustumSteps before = steps.first(steps.size() - 1);
     const std::size_t once = std::size_t{1} << session.dim();
@@ -44,7 +44,7 @@ struct FrustumFiller {
   }
 };
 
-/// A question about a plane shows which one it means, and leaves the answer to be found.
+/// While a question about a plane is open, shows only the plane, and hides the answer.
 void show_plane_asked(FrustumShown& shown, const lesson::Session& session) {
   const lesson::Asked* asked = session.asked();
   if (asked == nullptr) return;

@@ -7,15 +7,15 @@
 namespace snug::app {
 
 struct FrustumShown : Shown {
-  /// The plane that the step speaks of (lesson::plane_at), -1 for none, and what is known of it; nothing of that is
-  /// shown while a question asks about it.
+  /// The plane that the step is about (lesson::plane_at), -1 for none, and the result of its test, which is hidden
+  /// while a question asks about it.
   int plane_at = -1;
   std::optional<query::PlaneTested<double, 3>> plane;
   bool plane_asked = false;
-  std::vector<Index> vertices;  // the plane's p-vertex, then its n-vertex; none while it is asked
-  /// Those tested against that plane, or against all planes, the current one last.
+  std::vector<Index> vertices;  // the plane's p-vertex, then its n-vertex; none while a question asks about it
+  /// The vertices tested against that plane, or against all planes, the current one last.
   std::vector<query::CornerTested<double, 3>> corners;
-  std::optional<query::Culling> verdict;  // so far
+  std::optional<query::Culling> verdict;  // the verdict so far
 };
 
 [[nodiscard]] FrustumShown frustum_shown_at(const lesson::Session& session);

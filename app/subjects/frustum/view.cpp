@@ -23,7 +23,7 @@ class FrustumView final : public SubjectView {
     const auto ball = [&](int box) { return ball_around(pair.boxes[box], session.dim()); };
     return ball_around(ball_around({lesson::camera_of(pair).position, 0}, ball(1)), ball(0));
   }
-  /// A centre bears its box's name, a knob its arc, and nobody speaks of the frustum's vertices.
+  /// A centre has its box's name and a knob its arc; the frustum's vertices need no names.
   [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override {
     const lesson::Place place = lesson::place_of(session.dim(), i);
     return place.kind == lesson::Place::Kind::kCorner && place.box == 0;

@@ -16,9 +16,9 @@ using Axis = query::AxisTested<double, 3>;
 
 constexpr float kCell = 12, kRow = 24;
 constexpr std::array<const char*, 4> kHeads{"distance", "r_A", "r_B", "separation"};
-constexpr std::array<float, 4> kRight{0.42f, 0.575f, 0.73f, 1.0f};  // where each column ends, of the width
+constexpr std::array<float, 4> kRight{0.42f, 0.575f, 0.73f, 1.0f};  // each column's end, as a fraction of the width
 
-/// The rows that were tested, by the axis's place in the table.
+/// The tested axes, by their row in the table.
 std::vector<const Axis*> rows_of(const std::vector<Axis>& seen, int dim) {
   std::vector<const Axis*> rows(lesson::axis_names(dim).size(), nullptr);
   for (const Axis& axis : seen) rows[lesson::axis_index(dim, axis.axis)] = &axis;
@@ -50,11 +50,11 @@ struct AxisTable {
     const std::array<double, 4> figures{axis->distance, axis->radius_a, axis->radius_b, axis->axis.gap};
     for (int i = 0; i < 4; ++i)
       text_right(list, look, i == 3 ? Face::kMonoBold : Face::kMono, kCell, {right(i), middle},
-                 i == 3 ? ink : look->ink, lesson::number_text(figures[i], i == 3 ? 4 : 3));  // the gap as elsewhere
+                 i == 3 ? ink : look->ink, lesson::number_text(figures[i], i == 3 ? 4 : 3));  // as elsewhere
   }
 };
 
-/// The frame of a row that can be chosen, and whether it was clicked.
+/// Draws the frame of a row that can be chosen, and returns whether it was clicked.
 bool choice_clicked(const AxisTable& table, const lesson::Session& session, int row, float y) {
   const Look& look = table.look;
   const float height = look.px(kRow);
@@ -71,7 +71,7 @@ bool choice_clicked(const AxisTable& table, const lesson::Session& session, int 
   return clicked;
 }
 
-/// Returns how high it is.
+/// Draws the table and returns its height.
 float draw_table(const Look& look, lesson::Session& session, ImVec2 at, float width) {
   const int dim = session.dim();
   const std::vector<Axis> seen = lesson::axes_seen(steps_shown(session));
@@ -86,7 +86,7 @@ float draw_table(const Look& look, lesson::Session& session, ImVec2 at, float wi
   for (int i = 0; i < static_cast<int>(names.size()); ++i, y += look.px(kRow)) {
     if (choosing && choice_clicked(table, session, i, y)) {
       static_cast<void>(session.pick({lesson::Answer::Kind::kChoice, i}));
-      return y - at.y;  // the question may be no more
+      return y - at.y;  // the click may have closed the question
     }
     table.row(y, names[i], rows[i], i == at_hand);
   }

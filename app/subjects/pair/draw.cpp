@@ -1,4 +1,4 @@
-// Two boxes, and the axis or the vertex that the step speaks of.
+// Draws two boxes, and the axis or the vertex that the step is about.
 #include "app/subjects/pair/draw.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace snug::app {
 namespace {
 
-/// What a wrong test looks at: the boxes' AABBs, or a vertex.
+/// Draws what a wrong test examines: the boxes' AABBs, or a vertex.
 void draw_wrong_test(Brush& brush, const lesson::BoxPair& pair, const PairShown& shown) {
   const Palette& p = brush.p;
   if (brush.session.method(0)->name == "extents_only" && brush.session.step() > 0)
@@ -27,7 +27,7 @@ void draw_wrong_test(Brush& brush, const lesson::BoxPair& pair, const PairShown&
               p.examined_text);
 }
 
-/// The axis that is asked about, through A's centre: its direction, and nothing of what comes of it.
+/// Draws the axis that a question asks about, through A's centre: only its direction, not the projections.
 void draw_asked_axis(Brush& brush, const lesson::BoxPair& pair, const query::AxisTested<double, 3>& axis) {
   if (axis.skipped) return;
   const Point3& center = pair.boxes[0].center;

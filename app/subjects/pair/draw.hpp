@@ -1,4 +1,4 @@
-// What a step of a test of two boxes draws; for this folder.
+// What a step of a test of two volumes draws; for this folder only.
 #pragma once
 
 #include "app/brush.hpp"
@@ -8,12 +8,12 @@ namespace snug::app {
 
 void draw_pair(Brush& brush, const PairShown& shown);
 
-/// Both projections on the axis: each centre with its projected radius to either side, solid towards the other box; and
-/// the distance of the centres, so that one sees whether it is greater than both radii together.
+/// Draws both projections onto the axis: each centre with its projected radius to either side, solid towards the other
+/// box; and the distance between the centres, so that students see whether it is greater than the sum of the radii.
 void draw_projections(Brush& brush, const lesson::BoxPair& pair, const query::AxisTested<double, 3>& axis);
 
-/// What two volumes cover of a direction. ends: least and greatest, scene units along it; farthest: the points that lie
-/// there. reach: what the axis stands clear of, a point of A first.
+/// The projections of two volumes onto a direction. ends: least and greatest, scene units along it; farthest: the
+/// points there. reach: points that the axis is drawn clear of, a point of A first.
 struct Intervals {
   Point3 direction;  // unit
   std::array<std::array<double, 2>, 2> ends;
@@ -24,11 +24,11 @@ struct Intervals {
 };
 void draw_intervals(Brush& brush, const Intervals& both);
 
-/// Two volumes of any kind, and what the last of the steps speaks of.
+/// Draws two volumes of any kind, and what the last of the steps is about.
 void draw_volumes(Brush& brush, lesson::PairSteps steps);
 
-/// The difference A - B of both cores in the plane, the origin and the simplex: in a corner of the stage below a
-/// height. Returns the room that it takes; empty where there is none for it.
+/// Draws the difference A - B of both cores in the plane, the origin and the simplex, in a corner of the stage below a
+/// height. Returns the room that it takes; empty if there is not enough.
 [[nodiscard]] Rect draw_difference(Brush& brush, lesson::PairSteps steps, float top);
 
 }  // namespace snug::app

@@ -1,4 +1,4 @@
-// Two volumes of any kind, and what the step of their test speaks of.
+// Draws two volumes of any kind, and what the step of their test is about.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ using lesson::Handle;
 using lesson::HeldVolume;
 using Kind = Handle::Kind;
 
-/// A box of a pair that the separating axes test, as such.
+/// A box, axis-aligned or not, as an oriented box for the separating-axis test.
 Obb<double, 3> as_box(const fit::Volume3& volume) {
   if (const auto* box = std::get_if<Obb<double, 3>>(&volume)) return *box;
   const auto& upright = *std::get_if<Aabb<double, 3>>(&volume);
@@ -49,7 +49,7 @@ struct Drawing {
     draw_knob(brush, handle.kind == Kind::kTurn ? center : at, at, handle.kind == Kind::kTurn);
   }
 
-  /// What the radius is around.
+  /// Draws the core.
   void core(int side, Color color, float width) const {
     const std::vector<Point3>& all = cores[side];
     const VolumeStyle style{Stroke::kDashed, color, brush.stroke(width)};
@@ -82,7 +82,7 @@ struct Drawing {
     for (const int side : {0, 1}) core(side, brush.p.examined, 1.1f);
     between_cores(fact.on_a, fact.on_b, fact.distance, fact.apart);
   }
-  /// The line between the nearest points, and of it what either radius covers.
+  /// Draws the line between the nearest points, and the parts of it that the radii cover.
   void between_cores(const Point3& on_a, const Point3& on_b, double distance, bool known_apart) const {
     const Palette& p = brush.p;
     const Point3 way = on_b - on_a;
@@ -110,7 +110,7 @@ struct Drawing {
     for (std::size_t i = 0; i < fact.corners.size(); i += 2) difference(fact.corners[i], fact.corners[i + 1], true);
   }
   void operator()(const query::SupportFound& fact) const { difference(fact.a, fact.b, false); }
-  /// A vertex of A - B: the two that it is the difference of.
+  /// Draws a vertex of A - B as the two vertices whose difference it is.
   void difference(Index a, Index b, bool kept) const {
     const Palette& p = brush.p;
     const ImVec2 from = brush.at(cores[1][b]), to = brush.at(cores[0][a]);
@@ -118,7 +118,7 @@ struct Drawing {
     for (const ImVec2 at : {from, to}) ring(brush.list, at, 9 * p.mark, p.examined, brush.stroke());
     brush.canvas.obstacles.segments.push_back({from.x, from.y, to.x, to.y});
   }
-  /// Of the cores alone: whether the volumes are apart, the next step decides.
+  /// Shows only the cores: the next step decides whether the volumes are apart.
   void operator()(const query::DistanceFound&) const {
     if (const auto apart = lesson::core_separation_of(pair))
       between_cores(apart->on_a, apart->on_b, apart->distance, false);
@@ -143,7 +143,7 @@ struct Drawing {
 
 constexpr float kPad = 10;
 
-/// The picture of the plane in which A - B lies.
+/// Maps the plane of A - B to the picture.
 struct Plane {
   ImVec2 middle;
   float scale;
@@ -154,7 +154,7 @@ struct Plane {
   }
 };
 
-/// What GJK has of the difference at a step.
+/// What GJK knows about the difference at a step.
 struct Simplex {
   const std::array<std::vector<Point3>, 2>& cores;
   std::vector<Point3> kept;       // its vertices
@@ -196,7 +196,7 @@ Rect draw_difference(Brush& brush, lesson::PairSteps steps, float top) {
   text(brush.list, look, Face::kSemiBold, 12, {low.x + kPad, low.y + look.px(5)}, p.muted,
        lesson::radius_of(pair.held[0]) + lesson::radius_of(pair.held[1]) > 0 ? "Cores: A − B" : "A − B");
 
-  Point3 least = Point3::Zero(), greatest = Point3::Zero();  // the origin is in the picture
+  Point3 least = Point3::Zero(), greatest = Point3::Zero();  // starts at the origin, which is in the picture
   std::vector<Point3> all;
   for (const Point3& a : cores[0])
     for (const Point3& b : cores[1]) {
@@ -222,7 +222,7 @@ Rect draw_difference(Brush& brush, lesson::PairSteps steps, float top) {
   const ImVec2 origin = plane.at(Point3::Zero());
   plus(brush.list, origin, 6, p.ink, brush.stroke(0.9f));
   const float words = measure(look, Face::kRegular, 11, "origin").x;
-  const bool before = origin.x + 7 + words > high.x - 4;  // where there is no room behind it
+  const bool before = origin.x + 7 + words > high.x - 4;  // if there is no room after it
   text(brush.list, look, Face::kRegular, 11, {before ? origin.x - 7 - words : origin.x + 7, origin.y + 3}, p.ink,
        "origin");
   return panel;

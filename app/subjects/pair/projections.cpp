@@ -1,4 +1,4 @@
-// Both boxes projected onto an axis that stands beside them.
+// Draws both boxes' projections onto an axis beside them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,27 +15,27 @@ namespace {
 using Axis = query::AxisTested<double, 3>;
 using Box = Obb<double, 3>;
 
-// Pixels from the axis: towards the boxes the two projections, away from them the distance.
+// Pixels from the axis: the projections are on the side of the boxes, the distance on the other side.
 constexpr float kLaneA = -6, kLaneB = -14, kLaneDistance = 14, kInner = -20;
-constexpr float kToAxis = 46;  // from the boxes to the axis: a row of words stands between
+constexpr float kToAxis = 46;  // from the boxes to the axis, with room for a row of words
 
 ImVec2 shifted(ImVec2 at, ImVec2 by, float length) { return {at.x + by.x * length, at.y + by.y * length}; }
 
-/// A mask's first corner.
+/// The first vertex of a mask.
 int first_of(int corners) {
   int bits = 0;
   while (bits < 7 && (corners >> bits & 1) == 0) ++bits;
   return bits;
 }
 
-/// Where the axis is drawn: beside both boxes, so that its bars and words stand clear of them.
+/// Where the axis is drawn: beside both boxes, so that its bars and words are clear of them.
 struct Line {
   Point3 base;  // the projected centre of A
   Point3 direction;
   [[nodiscard]] Point3 at(double t) const { return base + direction * t; }
 };
 
-/// base: a point of A, where the axis's place 0 is projected from. points: what it stands clear of.
+/// base: a point of A, which projects to 0 on the axis. points: what the axis is drawn clear of.
 Line line_beside(const Point3& base, const Point3& direction, int dim, std::span<const Point3> points,
                  const Camera& camera, float margin) {
   Point3 away = dim == 2 ? Point3(direction[1], -direction[0], 0) : Point3(-camera.up());
@@ -55,13 +55,13 @@ std::vector<Point3> corners_of(const lesson::BoxPair& pair) {
   return corners;
 }
 
-/// The axis on the screen, and places beside it.
+/// The axis on the screen, and what is drawn along it.
 struct Ruler {
   Brush& brush;
   Line on;
   ImVec2 aside;  // unit, away from the boxes
 
-  /// last: the greatest place that is looked at.
+  /// last: the greatest coordinate that is drawn.
   Ruler(Brush& b, const Line& line, const Point3& base, double last) : brush(b), on(line) {
     const ImVec2 from = brush.at(on.at(0)), to = brush.at(on.at(last)), center = brush.at(base);
     const float length = std::max(1e-3f, std::hypot(to.x - from.x, to.y - from.y));
@@ -71,7 +71,7 @@ struct Ruler {
   [[nodiscard]] ImVec2 at(double t, float lane) const {
     return shifted(brush.at(on.at(t)), aside, lane * brush.p.mark);
   }
-  /// A bar from one place to another, with a stroke across each of its ends.
+  /// Draws a bar from one coordinate to another, with a stroke across each end.
   void bar(double from, double to, float lane, Color color, float width) const {
     const ImVec2 a = at(from, lane), b = at(to, lane);
     line(brush.list, a, b, Stroke::kSolid, color, brush.stroke(width));
@@ -80,19 +80,19 @@ struct Ruler {
            color, brush.stroke(0.8f));
     brush.canvas.obstacles.segments.push_back({a.x, a.y, b.x, b.y});
   }
-  /// Beside the middle between two places. outer: on the side away from the boxes.
+  /// Labels the middle between two coordinates. outer: on the side away from the boxes.
   void label(double from, double to, bool outer, std::string words, Color color) const {
     const float side = outer ? 1.0f : -1.0f;
     brush.label(at((from + to) / 2, outer ? kLaneDistance : kInner), 5, {aside.x * side, aside.y * side},
                 std::move(words), color, Face::kSemiBold, 13);
   }
-  /// Where a place of the scene is projected to.
+  /// Draws the projection of a point of the scene.
   void drop(const Point3& from, double t, float share) const {
     line(brush.list, brush.at(from), at(t, 0), Stroke::kDotted, brush.p.muted, brush.stroke(share));
   }
 };
 
-/// Between the ends of two projections: hatched where they are apart, a band where they overlap.
+/// Draws what is between the ends of two projections: hatching if they are apart, a band if they overlap.
 void draw_gap(const Ruler& ruler, const std::array<double, 2>& ends, bool separates) {
   const Brush& brush = ruler.brush;
   const ImVec2 from = ruler.at(ends[0], 0), to = ruler.at(ends[1], 0), from_in = ruler.at(ends[0], kInner),
@@ -140,7 +140,7 @@ void draw_projections(Brush& brush, const lesson::BoxPair& pair, const Axis& axi
   project(0, 0, axis.radius_a, axis.near_a, kLaneA);
   project(1, axis.distance, axis.radius_b, axis.near_b, kLaneB);
   const double from = axis.radius_a, to = axis.distance - axis.radius_b;
-  ruler.label(from, to, true,  // where no radius is drawn
+  ruler.label(from, to, true,  // on the side without radii
               (axis.separates ? "separation " : "penetration ") + lesson::number_text(std::abs(axis.axis.gap)),
               axis.separates ? p.wrong_text : p.examined_text);
   ruler.bar(0, axis.distance, kLaneDistance, p.ink, 1.2f);
@@ -161,7 +161,7 @@ void draw_intervals(Brush& brush, const Intervals& both) {
   const ImVec2 tip = ruler.at(last + beyond, 0), tail = ruler.at(first - beyond, 0);
   arrow(brush.list, tail, tip, both.separates ? p.wrong : p.muted, brush.stroke(0.8f));
   brush.canvas.obstacles.segments.push_back({tail.x, tail.y, tip.x, tip.y});
-  const int low = place(0, 0) <= place(1, 0) ? 0 : 1;  // whose interval begins first
+  const int low = place(0, 0) <= place(1, 0) ? 0 : 1;  // the one whose interval begins first
   const std::array<double, 2> gap{place(low, 1), place(1 - low, 0)};
   draw_gap(ruler, gap, both.separates);
   for (const int side : {0, 1}) {

@@ -5,7 +5,7 @@
 namespace snug::app {
 namespace {
 
-/// Fills in what has a picture of its own.
+/// Fills in what facts show beyond marks on vertices.
 struct PairFiller {
   PairShown& shown;
   const lesson::Session& session;
@@ -16,7 +16,7 @@ struct PairFiller {
   void operator()(const query::CornerTried& fact) const { shown.corner = fact; }
 };
 
-/// A question about an axis shows which one it means, and leaves the answer to be found.
+/// While a question about an axis is open, shows only the axis, and hides the answer.
 void show_axis_asked(PairShown& shown, const lesson::Session& session) {
   const lesson::Asked* asked = session.asked();
   if (asked == nullptr) return;

@@ -7,15 +7,15 @@
 namespace snug::app {
 
 struct PairShown : Shown {
-  /// The axis that the step speaks of (lesson::axis_at), and the one that a question asks about.
+  /// The axis that the step is about (lesson::axis_at), and the one that a question asks about.
   std::optional<query::AxisTested<double, 3>> axis, axis_asked;
-  std::optional<query::OutlinesCompared> outlines;  // of the wrong tests
+  std::optional<query::OutlinesCompared> outlines;  // for the wrong tests
   std::optional<query::CornerTried> corner;
 };
 
 [[nodiscard]] PairShown pair_shown_at(const lesson::Session& session);
 
-/// The steps up to and with the one that stands; none before the first.
+/// The steps up to and including the current one; none before the first.
 [[nodiscard]] lesson::PairSteps steps_shown(const lesson::Session& session);
 
 }  // namespace snug::app

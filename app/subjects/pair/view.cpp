@@ -8,7 +8,7 @@
 namespace snug::app {
 namespace {
 
-constexpr double kRoomForAxis = 1.15;  // beside the boxes stands the axis with its bars
+constexpr double kRoomForAxis = 1.15;  // room for the axis with its bars beside the boxes
 
 class PairView final : public SubjectView {
  public:
@@ -21,7 +21,7 @@ class PairView final : public SubjectView {
     const fit::Sphere3 both = ball_around(ball(0), ball(1));
     return {both.center, kRoomForAxis * both.radius};
   }
-  /// A centre bears its box's name, a knob its arc.
+  /// A centre has its box's name, a knob its arc.
   [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override {
     return lesson::place_of(session.dim(), i).kind == lesson::Place::Kind::kCorner;
   }
@@ -38,7 +38,7 @@ class PairView final : public SubjectView {
   PairShown shown_;
 };
 
-/// Any two volumes and the test that is theirs.
+/// Any two volumes and their test.
 class VolumesView final : public SubjectView {
  public:
   void refresh(const lesson::Session& session, bool) override {

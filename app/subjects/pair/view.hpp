@@ -1,4 +1,4 @@
-// Two boxes and the tests between them; two volumes of any kind and theirs.
+// Two boxes and their tests; two volumes of any kind and theirs.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
-// A scene that moves: its bodies where they are in the frame that stands, their loose volumes, and which pairs each
-// stage of the funnel left.
+// Draws a moving scene: its bodies in the current frame, their loose volumes, and the pairs that each stage of the
+// funnel left.
 #include "app/subjects/scene/draw.hpp"
 
 #include <Eigen/Geometry>
@@ -18,13 +18,13 @@ namespace {
 using lesson::SceneFrame;
 
 constexpr std::size_t kBoxesOfAll =
-    60;  // more boxes than these hide what they hold: then only those in pairs are drawn
-// More bodies than these have neither edges nor boxes, but for the box of the one at hand, and lines only where they
-// touch: all of that took eight times as many vertices.
+    60;  // more boxes than these hide what is inside them: then only those in pairs are drawn
+// With more bodies than these, edges and boxes are left out, except for the selected body's box, and only touching
+// pairs have lines: all of that would take eight times as many vertices.
 constexpr std::size_t kCrowd = 400;
-constexpr int kRim = 24;  // points of the outline around a corner's radius
+constexpr int kRim = 24;  // points of the outline around a vertex with a radius
 
-/// A colour with the light on it.
+/// A colour under the light.
 Color shaded(Color color, double share) {
   const auto part = [&](int shift) {
     return static_cast<Color>(std::clamp(static_cast<double>(color >> shift & 0xff) * share, 0.0, 255.0)) << shift;
@@ -32,7 +32,7 @@ Color shaded(Color color, double share) {
   return (color & 0xff000000u) | part(0) | part(8) | part(16);
 }
 
-/// So much of the second colour in the first.
+/// Mixes a fraction of the second colour into the first.
 Color mixed(Color a, Color b, double share) {
   const auto part = [&](int shift) {
     const double from = a >> shift & 0xff, to = b >> shift & 0xff;
@@ -48,7 +48,7 @@ std::vector<bool> in_pairs(std::size_t bodies, const std::vector<scene::Pair>& p
   return flags;
 }
 
-/// Shadows, trails and rays of those bodies that have them.
+/// Draws the shadows, trails and rays of bodies.
 void draw_traces(Brush& brush, const SceneFrame& frame) {
   const Palette& p = brush.p;
   for (const auto& shadow : frame.shadows) {
@@ -70,7 +70,7 @@ void draw_traces(Brush& brush, const SceneFrame& frame) {
   }
 }
 
-/// Before the first frame no volume was made; a question about them shows those of the bodies as they stand.
+/// Before the first frame there are no volumes; for a question about them, draws those of the bodies at their start.
 void draw_loose_to_come(Brush& brush, const SceneFrame& frame) {
   const auto& members = lesson::members_of(brush.session);
   const auto& effects = lesson::set_of(brush.session).effects;
@@ -83,12 +83,12 @@ void draw_loose_to_come(Brush& brush, const SceneFrame& frame) {
     draw_box(brush.canvas, frame.bodies[i].position - half, frame.bodies[i].position + half,
              {Stroke::kSolid, with_alpha(brush.p.current, 0.35f), brush.stroke(0.4f)});
   }
-  brush.canvas.obstacles.segments.clear();  // names may stand over so many edges
+  brush.canvas.obstacles.segments.clear();  // names may cover so many edges
 }
 
-/// The boxes that the broad phase compares, paler where none overlaps; and of the body at hand its sphere as well.
+/// Draws the AABBs that the broad phase compares, paler if nothing overlaps them; and the selected body's sphere.
 void draw_loose(Brush& brush, const SceneFrame& frame) {
-  if (brush.view.shows_points(brush.session)) return;  // it is drawn for itself
+  if (brush.view.shows_points(brush.session)) return;  // its volume is drawn separately
   if (brush.session.step() == 0) return draw_loose_to_come(brush, frame);
   const Palette& p = brush.p;
   const std::vector<bool> paired = in_pairs(frame.bodies.size(), frame.pairs);
@@ -106,15 +106,15 @@ void draw_loose(Brush& brush, const SceneFrame& frame) {
     const fit::Sphere3 ball{frame.bodies[i].position, lesson::members_of(brush.session)[i].shape.reach};
     draw_volume(brush.canvas, ball, {Stroke::kDotted, p.previous, brush.stroke(0.8f)});
   }
-  brush.canvas.obstacles.segments.clear();  // names may stand over so many edges
+  brush.canvas.obstacles.segments.clear();  // names may cover so many edges
 }
 
-/// Draws the faces of a box that are turned towards the eye, with the light on them. There may be thousands of boxes,
-/// so nothing here allocates.
+/// Draws the faces of a box that face the eye, shaded. There may be thousands of boxes, so nothing here
+/// allocates.
 void draw_faces(Brush& brush, const scene::Shape& shape, const SceneFrame::Placed& body, Color fill, Color edge,
                 float width) {
   const Matrix<double, 3> rotation = body.rotation();
-  std::array<ImVec2, 8> places;  // of the corners, by their bits (1: +x, 2: +y, 4: +z)
+  std::array<ImVec2, 8> places;  // of the vertices, by their bits (1: +x, 2: +y, 4: +z)
   for (int bits = 0; bits < 8; ++bits) {
     const Point3 own((bits & 1) != 0 ? 1 : -1, (bits & 2) != 0 ? 1 : -1, (bits & 4) != 0 ? 1 : -1);
     places[bits] = brush.at(body.position + rotation * own.cwiseProduct(shape.half_extents));
@@ -135,7 +135,7 @@ void draw_faces(Brush& brush, const scene::Shape& shape, const SceneFrame::Place
   }
 }
 
-/// Solid: faces of a box; of any other shape its outline.
+/// Draws a solid body: the faces of a box, or the outline of any other shape.
 void draw_body(Brush& brush, const scene::Shape& shape, const SceneFrame::Placed& body, bool touching) {
   const Palette& p = brush.p;
   const Color fill = touching ? mixed(p.surface, p.support, 0.35) : p.surface;
@@ -154,7 +154,7 @@ void draw_body(Brush& brush, const scene::Shape& shape, const SceneFrame::Placed
     const double apart = (brush.canvas.camera.eye() - at).norm();
     const double sine = shape.radius / std::max(apart, shape.radius);
     const double seen =
-        sine < 1 ? shape.radius / std::sqrt(1 - sine * sine) : shape.radius;  // its silhouette's, from the eye
+        sine < 1 ? shape.radius / std::sqrt(1 - sine * sine) : shape.radius;  // the radius of its silhouette
     const auto radius = static_cast<float>(seen * brush.canvas.camera.scale_at(at));
     for (int k = 0; k < (shape.radius > 0 ? kRim : 1); ++k) {
       const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / kRim;
@@ -166,7 +166,7 @@ void draw_body(Brush& brush, const scene::Shape& shape, const SceneFrame::Placed
   if (width > 0) path(brush.list, outline, true, Stroke::kSolid, edge, width);
 }
 
-/// The farthest first: what is nearer covers it.
+/// Draws the farthest bodies first, so that nearer ones cover them.
 void draw_bodies(Brush& brush, const SceneFrame& frame) {
   const std::span<const scene::Member> members = lesson::members_of(brush.session);
   std::vector<std::pair<double, std::size_t>> order;
@@ -177,7 +177,7 @@ void draw_bodies(Brush& brush, const SceneFrame& frame) {
   const std::vector<bool> touching = in_pairs(members.size(), frame.touching);
   const ImDrawListFlags flags = brush.list->Flags;
   if (members.size() > kCrowd)
-    brush.list->Flags &= ~ImDrawListFlags_AntiAliasedFill;  // whose fringe is half of their triangles
+    brush.list->Flags &= ~ImDrawListFlags_AntiAliasedFill;  // the antialiased fringe is half of their triangles
   for (const auto& [nearness, i] : order) draw_body(brush, members[i].shape, frame.bodies[i], touching[i]);
   brush.list->Flags = flags;
 }

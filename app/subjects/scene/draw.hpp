@@ -1,11 +1,11 @@
-// A scene's frame; for this folder.
+// Draws a scene's frame; for this folder only.
 #pragma once
 
 #include "app/brush.hpp"
 
 namespace snug::app {
 
-/// The bodies where the frame has them, their loose volumes, and which pairs each stage of the funnel left.
+/// Draws the bodies in the frame, their loose volumes, and the pairs that each stage of the funnel left.
 void draw_scene(Brush& brush);
 
 }  // namespace snug::app

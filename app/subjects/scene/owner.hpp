@@ -1,4 +1,4 @@
-// Which bodies a scene's points are of.
+// Which bodies a scene's points belong to.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace snug::app {
 
-/// Where the lesson's points are in the declaration: the first body of all of them, or the first of one at each.
+/// Where the lesson's points are in the declaration: the body made of all of them, or the first of those at each.
 struct Owner {
   std::size_t body = 0;
   bool of_points = false, at_points = false;

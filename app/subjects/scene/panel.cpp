@@ -16,7 +16,7 @@ namespace snug::app {
 namespace {
 
 constexpr float kText = 14, kSmall = 13, kTiny = 12;
-constexpr double kLeastSlack = 0.01;  // that the scale ends at: less is mostly rounding
+constexpr double kLeastSlack = 0.01;  // the smallest end of the scale: less is mostly rounding
 constexpr float kEffectRow = 26, kLeading = 16, kIndent = 20, kPlot = 84;
 
 const lesson::FrameTaken* taken(const lesson::Session& session, int slot, int step) {
@@ -36,8 +36,8 @@ class ScenePanel {
     y_ += look_.px(28);
   }
 
-  /// A stage of the funnel: its stroke as on the stage, its name, what it left, and a bar of that share of all pairs.
-  /// hidden: it is still to be predicted.
+  /// Draws a stage of the funnel: its stroke as on the stage, its name, how many pairs it left, and a bar of their
+  /// fraction of all pairs. hidden: it is still to be predicted.
   void stage(std::string_view name, double left, double all, bool hidden, Stroke stroke, Color color, bool sampled) {
     const float middle = y_ + look_.px(9);
     float x = x_;
@@ -57,7 +57,7 @@ class ScenePanel {
     y_ += look_.px(40);
   }
 
-  /// What is no stage: the work that the first one takes.
+  /// Draws a figure that is not a stage: the work of the first one.
   void figure(std::string_view name, const std::string& value) {
     const float middle = y_ + look_.px(9);
     text(list_, look_, Face::kRegular, kText, {x_, middle_of(middle, look_.px(kText))}, look_->muted, name);
@@ -82,7 +82,7 @@ class ScenePanel {
     y_ += look_.px(16);
   }
 
-  /// The slack of each frame so far, against the whole run's length; slot 1's dashed.
+  /// Draws the looseness of each frame so far, over the whole run; slot 1's is dashed.
   void slack(const lesson::Session& session) {
     heading("Looseness, frame by frame");
     double most = kLeastSlack;
@@ -153,7 +153,7 @@ class ScenePanel {
     return x_ + width_ * kShares[column];
   }
 
-  /// lines: of its name, which is broken where it is too long for the row, and never cut.
+  /// lines: those of its name, which is wrapped if it is too long for the row, and never cut.
   void effect(const lesson::Switch& one, const std::vector<std::string_view>& lines) {
     const float middle = y_ + look_.px(kEffectRow) / 2;
     const float box = 6;

@@ -1,4 +1,4 @@
-// What a scene's frame came to: how many pairs each stage left, how loose the volume was over time, and what each
+// The panel of a scene's frame: how many pairs each stage left, how loose the volume was over time, and what each
 // effect did.
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace snug::app {
 
-/// The effects' rows switch them off and on. Draws at a place of the current pane, as wide as width, and returns the
-/// height.
+/// Draws the panel in the current pane and returns its height. The effects' rows switch them off and
+/// on.
 float draw_scene_panel(const Look& look, lesson::Session& session, ImVec2 at, float width);
 
 }  // namespace snug::app

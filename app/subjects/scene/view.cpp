@@ -24,14 +24,14 @@ class SceneView final : public SubjectView {
     SubjectView::draw(brush);
   }
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override;
-  /// The bodies are where the frame has them, and so is what encloses them.
+  /// No: volumes jump with the bodies that they enclose.
   [[nodiscard]] bool glides() const override { return false; }
   [[nodiscard]] int axis_in_use(const lesson::Session& session) const override {
     return frame_of(session)->swept_along;
   }
 
   [[nodiscard]] Point3 place_of(const lesson::Session& session, Index i) const override;
-  /// Where a body stands at each point, it is drawn in the point's place.
+  /// Not if there is a body at each point, which is drawn instead.
   [[nodiscard]] bool shows_points(const lesson::Session& session) const override {
     return owner_of(lesson::set_of(session)).of_points;
   }
@@ -39,10 +39,10 @@ class SceneView final : public SubjectView {
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
     return draw_scene_panel(look, session, at, width);
   }
-  /// The funnel's.
+  /// The figures of the funnel.
   [[nodiscard]] bool in_panels(const lesson::Figure& figure) const override { return figure.unit == "pairs"; }
   [[nodiscard]] std::string_view step_button() const override { return "Next"; }
-  /// The time that a frame simulates, but where its outcome is watched: a third of a second nobody sees.
+  /// The time that a frame simulates; longer while the way to an outcome is played, which would be too short to see.
   [[nodiscard]] double seconds_of_step(const lesson::Session& session, double watched) const override {
     return std::max(lesson::set_of(session).step, watched);
   }
@@ -56,10 +56,10 @@ class SceneView final : public SubjectView {
   };
 
   Shown shown_;
-  std::optional<Extent> extent_;  // worked out once a run: of thousands of bodies in all frames
+  std::optional<Extent> extent_;  // computed once for each run, over all bodies and frames
 };
 
-/// With the body that it is of, or that stands at it.
+/// The point moves with the body that it belongs to, or with the body at it.
 Point3 SceneView::place_of(const lesson::Session& session, Index i) const {
   const SceneFrame& frame = *frame_of(session);
   const Owner owner = owner_of(lesson::set_of(session));
@@ -77,16 +77,16 @@ fit::Sphere3 SceneView::extent(const lesson::Session& session) {
   return extent_->ball;
 }
 
-/// What the scene takes up in all of its frames.
+/// A ball around the scene in all of its frames.
 fit::Sphere3 SceneView::whole_run(const lesson::Session& session) const {
   auto [least, greatest] = lesson::recorded_scene(session, 0)->bodies;
-  if (shows_points(session)) {  // the volumes are what is looked at
+  if (shows_points(session)) {  // the volumes are what students look at
     for (const int slot : {0, 1})
       if (const auto* run = lesson::recorded_scene(session, slot))
         least = least.cwiseMin(run->volumes.min), greatest = greatest.cwiseMax(run->volumes.max);
     return {least / 2 + greatest / 2, 0.5 * (greatest - least).norm()};
   }
-  // Not the ball around the box: its corners are empty in nearly every frame.
+  // Not the ball around the box, whose corners are empty in nearly every frame.
   return {least / 2 + greatest / 2, 0.5 * (greatest - least).maxCoeff()};
 }
 
