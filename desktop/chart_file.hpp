@@ -1,4 +1,4 @@
-// A chart of what `snug cost` wrote to a file.
+// Makes a chart from a file that `snug cost` wrote.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace snug::desktop {
 
-/// path: costs, growth or a turn, as CSV or JSON. then: another of the same kind to lie over it; empty for
-/// none. Errors: of reading either; a table that no chart is drawn of.
+/// path: a table of costs, growth or a turn, as CSV or JSON. then: another of the same kind to show over it; empty for
+/// none. Errors: those of reading either; a table for which there is no chart.
 [[nodiscard]] tl::expected<app::Chart, InputError> read_chart(const std::string& path, const std::string& then);
 
 }  // namespace snug::desktop

@@ -66,7 +66,7 @@ int Column::chooser(const char* id, float from, float width, const std::vector<s
                      chosen);
 }
 
-// The card's ground is drawn beneath what stands on it, though its height is known only afterwards.
+// The card's ground is drawn beneath its content, although its height is known only afterwards.
 void Column::begin_card() {
   list_->ChannelsSplit(2);
   list_->ChannelsSetCurrent(1);

@@ -1,4 +1,4 @@
-// Writing from top to bottom in a panel.
+// Writes from top to bottom in a panel.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace snug::desktop {
 
-/// A place that moves down as things are written.
+/// A column, with a position that moves down as things are written.
 class Column {
  public:
   Column(const app::Look& look, float x, float y, float width)
@@ -26,14 +26,14 @@ class Column {
   void title(std::string_view words);
   void heading(std::string_view words, app::Color color = 0);
   void words(std::string_view words, app::Face face = app::Face::kRegular, float size = 15, app::Color color = 0);
-  /// Buttons in rows, as many as fit in each. Returns the one that was clicked, or -1. chosen: the one that is on.
-  /// enabled: of each; none for all.
+  /// Draws buttons in rows, as many as fit in each. Returns the one that was clicked, or -1. chosen: the one that is
+  /// on. enabled: for each; empty for all.
   int buttons(const char* id, const std::vector<std::string>& words, int chosen = -1,
               const std::vector<bool>& enabled = {});
-  /// A button for a choice among many, which opens a list; within the row that starts here, which the caller leaves.
-  /// Returns the one that was chosen, or -1.
+  /// Draws a button that opens a list of choices, in the current row, which the caller ends. Returns the choice that
+  /// was made, or -1.
   int chooser(const char* id, float from, float width, const std::vector<std::string>& words, int chosen);
-  /// What is written until end_card stands on a card.
+  /// Begins a card: what is written until end_card is on it.
   void begin_card();
   void end_card();
 
@@ -44,7 +44,7 @@ class Column {
   float card_top_ = 0;
 };
 
-/// The list of a choice, at a place; to be opened by ImGui::OpenPopup(id). Returns the one that was chosen, or -1.
+/// Draws the list of choices, if ImGui::OpenPopup(id) has opened it. Returns the choice that was made, or -1.
 int choice_list(const app::Look& look, const char* id, ImVec2 at, float width, const std::vector<std::string>& words,
                 int chosen);
 

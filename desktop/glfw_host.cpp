@@ -44,14 +44,14 @@ std::string utf8(unsigned code) { return code < 0x80 ? std::string(1, static_cas
 
 }  // namespace
 
-/// GLFW knows functions alone: each finds its host in the window's user pointer.
+/// GLFW's callbacks are plain functions, which find their host in the window's user pointer.
 struct GlfwHost::Callbacks {
   static GlfwHost& host(GLFWwindow* window) {
     GlfwHost& found = *static_cast<GlfwHost*>(glfwGetWindowUserPointer(window));
     found.dirty_ = true;
     return found;
   }
-  // ImGui works in page pixels, GLFW in the window system's.
+  // ImGui works in page pixels, GLFW in those of the window system.
   static void cursor(GLFWwindow* window, double x, double y) {
     const double per_page = static_cast<double>(host(window).extent().window_per_page);
     ImGui_ImplGlfw_CursorPosCallback(window, x / per_page, y / per_page);
@@ -78,7 +78,7 @@ struct GlfwHost::Callbacks {
     if (action == GLFW_RELEASE || !self.on_key || ImGui::GetIO().WantTextInput) return;
     const bool control = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0, shift = (mods & GLFW_MOD_SHIFT) != 0;
     std::string name = named(key);
-    if (name.empty() && control)  // letters come as characters, but not with Control
+    if (name.empty() && control)  // letters come as characters, except with Control
       if (const char* letter = glfwGetKeyName(key, scancode)) name = letter;
     if (!name.empty()) self.on_key(name, shift, control);
   }
@@ -104,8 +104,8 @@ tl::expected<std::unique_ptr<GlfwHost>, std::string> GlfwHost::make(const Size& 
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);  // not before it has its size
-  for (const int samples : {4, 0}) {         // without it where the driver has none
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);  // hidden until it has its size
+  for (const int samples : {4, 0}) {         // without multisampling if the driver has none
     glfwWindowHint(GLFW_SAMPLES, samples);
     host->window_ = glfwCreateWindow(size.width, size.height, "Snug", nullptr, nullptr);
     if (host->window_ != nullptr) break;
@@ -120,9 +120,9 @@ tl::expected<std::unique_ptr<GlfwHost>, std::string> GlfwHost::make(const Size& 
   return host;
 }
 
-/// A window that is larger than what the screen has free beside its bars shrinks to that, its frame and title included.
+/// Shrinks a window, including its frame and title, to the screen's free area.
 void GlfwHost::fit_screen() {
-  constexpr int kTitle = 40;  // of a frame that the system does not tell before the window is shown
+  constexpr int kTitle = 40;  // for a frame whose size is unknown before the window is shown
   GLFWmonitor* monitor = glfwGetPrimaryMonitor();
   if (monitor == nullptr) return;
   int x = 0, y = 0, width = 0, height = 0, left = 0, top = 0, right = 0, bottom = 0, own_width = 0, own_height = 0;

@@ -1,4 +1,4 @@
-// A GLFW window with its OpenGL context and ImGui's input: what the system has, as the rest of the program wants it.
+// A GLFW window with its OpenGL context and ImGui's input: the operating system's side of the window.
 #pragma once
 
 #include <functional>
@@ -24,13 +24,13 @@ class GlfwHost {
     int width, height;
     bool asked_for;  // else a window that is larger than what the screen has free shrinks to that
   };
-  /// Errors, as one sentence: no display, no OpenGL 3.3.
+  /// Errors, each one sentence: no display, no OpenGL 3.3.
   static tl::expected<std::unique_ptr<GlfwHost>, std::string> make(const Size& size, bool visible);
   ~GlfwHost();
   GlfwHost(const GlfwHost&) = delete;
   GlfwHost& operator=(const GlfwHost&) = delete;
 
-  /// A key as browsers name it, and the modifiers; not while a text field takes them.
+  /// Receives a key, as browsers name it, and the modifiers; not while a text field has the focus.
   std::function<void(const std::string& key, bool shift, bool control)> on_key;
   std::function<void(const std::vector<std::string>& paths)> on_drop;
 
@@ -41,9 +41,9 @@ class GlfwHost {
   [[nodiscard]] Extent extent() const;
   [[nodiscard]] double now() const;
 
-  /// Waits for something to happen, seconds < 0: as long as it takes. Returns whether anything did.
+  /// Waits for an event, at most so many seconds; seconds < 0: without limit. Returns whether there was one.
   bool wait(double seconds);
-  /// ImGui's frame; between them things are drawn on it.
+  /// Begins and ends an ImGui frame; drawing happens in between.
   void begin_frame();
   void swap();
 
@@ -55,7 +55,7 @@ class GlfwHost {
 
   GLFWwindow* window_ = nullptr;
   bool imgui_ = false;
-  bool dirty_ = true;  // an input came that has not been drawn
+  bool dirty_ = true;  // whether there was input since the last frame
   int windowed_[4] = {0, 0, 1280, 800};
 };
 

@@ -103,7 +103,7 @@ void draw_keys(Shell& shell, const app::Rect& window) {
   rows.push_back({"F2", "the course, and back to the lesson"});
   const float width = std::min(look.px(620), window.width - 32);
   const float row = std::min(look.px(28), (window.height - 16 - look.px(84)) /
-                                              static_cast<float>(rows.size()));  // all of it, on a low window
+                                              static_cast<float>(rows.size()));  // all of it, even in a low window
   const float height = row * static_cast<float>(rows.size()) + look.px(84);
   const app::Rect card{window.x + (window.width - width) / 2, window.y + std::max(8.0f, (window.height - height) / 2),
                        width, height};

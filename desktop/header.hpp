@@ -1,4 +1,4 @@
-// The bar on top of the window: which lesson, which size of text, which theme; and the keys' help card.
+// The bar at the top of the window: lesson, text size and theme; and the help card of the keys.
 #pragma once
 
 #include "desktop/shell.hpp"
@@ -6,9 +6,9 @@
 namespace snug::desktop {
 
 void draw_header(Shell& shell, const app::Rect& rect);
-/// What the keys do, over everything, while it is asked for.
+/// Draws the help card over everything, while it is open.
 void draw_keys(Shell& shell, const app::Rect& window);
-/// What went wrong, over the stage, until it is clicked away.
+/// Draws the notice over the stage, until it is dismissed.
 void draw_notice(Shell& shell, const app::Rect& stage);
 
 }  // namespace snug::desktop

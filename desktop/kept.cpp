@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kVersion = 1;
 constexpr std::size_t kMostBytes = 1 << 22;
 
-/// The specification wants an absolute path, and any other ignored.
+/// The specification requires an absolute path, and that others are ignored.
 fs::path folder_of(const char* variable) {
   const char* name = std::getenv(variable);
   const fs::path folder = name != nullptr ? name : "";
@@ -64,7 +64,7 @@ void Kept::read(const std::string& text) {
   const Json state = Json::parse(text, nullptr, false);
   if (!state.is_object()) return;
   const int version = count(state, "version");
-  if (version > kVersion) path_.clear();  // a later program's is left as it is
+  if (version > kVersion) path_.clear();  // the file of a later program is left as it is
   if (version != kVersion) return;
   last_ = member<std::string>(state, "last", "", &Json::is_string);
   invited = count(state, "invited");
@@ -96,7 +96,7 @@ void Kept::keep(const lesson::Session& session) {
   const bool through = asked > 0 ? std::count_if(outcomes.begin(), outcomes.end(), decided) >= asked
                                  : begun && session.step() == session.steps();
   const auto grade = session.grade();
-  // Once done, it stays so: who looks at it again has not lost it.
+  // A lesson once done stays done, even if it is opened again.
   now.done = through || (before != nullptr && before->done);
   now.task = (grade && grade->done) || (before != nullptr && before->task);
   now.answers = lesson::kept_text(outcomes);
@@ -121,7 +121,7 @@ void Kept::write() {
   std::error_code error;
   if (last_.empty() && lessons_.empty() && !fs::exists(path_, error)) return;  // nothing was begun yet
   fs::create_directories(path_.parent_path(), error);
-  static_cast<void>(write_file(path_.string(), text));  // once more with the next change, if it could not be written
+  static_cast<void>(write_file(path_.string(), text));  // tried again with the next change, if it failed
   written_ = std::move(text);
 }
 

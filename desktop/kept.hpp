@@ -1,5 +1,5 @@
-// What the window keeps until it is opened again: how far each lesson is, where one was in it, the answers given. A
-// file of its own beside other programs' state; without it, or with one that is damaged, one starts anew.
+// What the window keeps until it is opened again: the progress in each lesson, the place in it, and the answers. It is
+// a separate file beside other programs' state; if it is missing or damaged, everything starts anew.
 #pragma once
 
 #include <cstdint>
@@ -21,23 +21,23 @@ struct KeptLesson {
 
 class Kept {
  public:
-  /// Reads course.json of $XDG_STATE_HOME/snug, else of ~/.local/state/snug. Where neither variable names a folder,
+  /// Reads course.json in $XDG_STATE_HOME/snug, or else in ~/.local/state/snug. If neither variable names a folder,
   /// nothing is kept.
   Kept();
-  /// Keeps nothing, for a picture.
+  /// For pictures: keeps nothing.
   struct Nothing {};
   explicit Kept(Nothing) {}
 
-  /// The lesson that one was in; empty before the first.
+  /// The last lesson; empty before the first.
   [[nodiscard]] const std::string& last() const { return last_; }
-  /// Null where it was not begun.
+  /// A lesson's state; null if it was not begun.
   [[nodiscard]] const KeptLesson* lesson(const std::string& id) const;
-  /// Where a session stands, once something was done in it. In memory until write.
+  /// Keeps a session's state, once something was done in it; in memory until write.
   void keep(const lesson::Session& session);
   void erase();
-  /// The invitations on the first lesson's stage that were followed.
+  /// How many invitations on the first lesson's stage were followed.
   int invited = 0;
-  /// Writes what has changed. A file that cannot be written costs no more than what it would have kept.
+  /// Writes what has changed. If the file cannot be written, only its content is lost.
   void write();
 
  private:

@@ -51,7 +51,7 @@ std::string OffScreen::png() const {
   image.width = static_cast<png_uint_32>(width_);
   image.height = static_cast<png_uint_32>(height_);
   image.format = PNG_FORMAT_RGB;
-  const png_int_32 upwards = -width_ * 3;  // OpenGL's first row is the lowest
+  const png_int_32 upwards = -width_ * 3;  // OpenGL's first row is the bottom one
   png_alloc_size_t size = 0;
   if (!png_image_write_to_memory(&image, nullptr, &size, 0, pixels.data(), upwards, nullptr)) return {};
   std::string bytes(size, '\0');

@@ -1,4 +1,4 @@
-// A frame drawn off the screen, as a PNG file.
+// Draws a frame off the screen, as a PNG file.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace snug::desktop {
 
-/// A framebuffer of its own, so that what is drawn does not depend on a window being in front.
+/// A separate framebuffer, so that the picture does not depend on the window being in front.
 class OffScreen {
  public:
   OffScreen(int width, int height);
@@ -18,7 +18,7 @@ class OffScreen {
   OffScreen& operator=(const OffScreen&) = delete;
   [[nodiscard]] bool complete() const { return complete_; }
   void bind() const;
-  /// The pixels as PNG bytes; empty where they could not be encoded.
+  /// The pixels as PNG bytes; empty if they could not be encoded.
   [[nodiscard]] std::string png() const;
 
  private:
@@ -27,7 +27,7 @@ class OffScreen {
   std::uint32_t drawn_ = 0, color_ = 0, depth_ = 0, resolved_ = 0, resolved_color_ = 0;
 };
 
-/// A PNG file's picture as a texture; 0 where it is none.
+/// A texture from a PNG file; 0 if it is not one.
 [[nodiscard]] std::uint32_t texture_of_png(const std::string& png);
 
 }  // namespace snug::desktop

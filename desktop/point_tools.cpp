@@ -1,4 +1,4 @@
-// The tools for the points: by button what the stage does by hand, and by number what a hand cannot.
+// The tools for points and boxes: buttons for what the pointer does on the stage, and number fields for exact values.
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -16,7 +16,7 @@ namespace {
 
 using app::Face;
 
-/// A row of ImGui's number fields, in the palette and with figures of equal width.
+/// A row of ImGui number fields, in the palette and with tabular figures.
 class Fields {
  public:
   Fields(Column& column, const char* id) : column_(column) {
@@ -89,7 +89,7 @@ void draw_selected(Shell& shell, Column& column) {
   if (entered) shell.tell(session.move(selected, at));
 }
 
-/// A box by its numbers; in space it turns by so many degrees about the world's axes.
+/// Draws the number fields of a box; in space, buttons rotate it about the world axes.
 void draw_box(Shell& shell, Column& column, int i) {
   constexpr std::array<const char*, 3> kCenter{"centre x", "centre y", "centre z"}, kHalf{"half x", "half y", "half z"};
   constexpr std::array<const char*, 3> kTurns{"Turn 15° x", "Turn 15° y", "Turn 15° z"};

@@ -15,7 +15,7 @@ std::string mesh_path(const std::string& name) {
   return (program_folder() / "assets" / "meshes" / (name + ".ply")).string();
 }
 
-/// stem.csv in that folder, or stem-2.csv, stem-3.csv …: the first that is not there, so that nothing is overwritten.
+/// A new file in a folder: stem.csv, stem-2.csv, stem-3.csv …, the first that does not exist; nothing is overwritten.
 std::filesystem::path new_name(const std::filesystem::path& folder, const std::string& stem,
                                const std::string& extension) {
   std::error_code ignored;
@@ -25,7 +25,7 @@ std::filesystem::path new_name(const std::filesystem::path& folder, const std::s
   return path;
 }
 
-/// Which table of what was measured the file begins as; empty for none.
+/// The name of the table of measurements that a file begins with; empty for none.
 std::string result_in(const std::string& path) {
   const auto text = read_file(path);
   return text ? table_name(*text) : std::string();

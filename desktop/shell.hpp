@@ -1,4 +1,4 @@
-// What the desktop window holds besides the app: its lessons, its notices, and what its panels ask for.
+// What the desktop window has besides the app: its lessons, its notices, and the state of its panels.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace snug::desktop {
 
 class Shell {
  public:
-  /// kept: from earlier visits.
+  /// kept: what was kept from earlier visits.
   Shell(app::App& app, std::vector<LessonFile> lessons, Kept kept)
       : app_(app), lessons_(std::move(lessons)), kept_(std::move(kept)) {}
 
@@ -28,49 +28,49 @@ class Shell {
 
   [[nodiscard]] const Kept& kept() const { return kept_; }
 
-  /// Where to start or to continue, and the word for it.
+  /// The lesson to start or continue with, and the words for it.
   [[nodiscard]] std::pair<std::size_t, std::string> lead() const;
-  /// Opens a lesson where it was left, or on what stands before its first step.
+  /// Opens a lesson at the place where it was left, or at its start.
   void open_at_place(std::size_t lesson);
-  /// Where the open lesson was left, if it was.
+  /// Goes to the place where the open lesson was left, if it was.
   void go_to_kept_place();
   void show_course();
-  /// Keeps where the open lesson stands, unless it is on the move.
+  /// Keeps the open lesson's place, unless it is moving.
   void keep();
   void erase_answers();
 
-  /// Errors are kept as the notice too.
+  /// Errors are also shown as the notice.
   tl::expected<void, InputError> open(const std::string& id);
-  /// A mesh of the program's own by name, or a point file by path, instead of the points that are there.
+  /// Replaces the points by one of the program's meshes, by name, or by a point file, by path.
   void use_mesh(const std::string& name);
   void use_file(const std::string& path);
 
-  /// What was measured of the chart that is shown, as a new file in the folder that the program was started in; the
-  /// notice says which, or why not. format: csv or json.
+  /// Saves the shown chart's measurement as a new file in the folder that the program was started in; the notice says
+  /// which file, or why it failed. format: csv or json.
   void save_costs(const std::string& format);
 
-  bool course_shown = false;  // in the place of the lesson
+  bool course_shown = false;  // instead of the lesson
   CourseScreen course;
-  bool erase_asked = false;  // a second press erases
+  bool erase_asked = false;  // whether a second press erases
 
-  /// One sentence that stands until it is clicked away; empty for none.
+  /// One sentence that is shown until it is dismissed; empty for none.
   std::string notice;
   bool keys_shown = false;
-  bool hint_shown = false;       // of the task
-  std::array<char, 32> typed{};  // of the name that answers a question
+  bool hint_shown = false;       // the hint of the task
+  std::array<char, 32> typed{};  // the typed name that answers a question
   bool points_tab = false;
-  std::vector<std::pair<std::string, app::Rect>> links;  // of the prose, by their targets, where they stand
-  bool unread = false;                                   // another lesson was opened: its prose begins at the beginning
-  float scrolled = 0;                                    // how far the prose was, in the last frame
-  int section = -1;                                      // of the prose, that the step was about in the last frame
+  std::vector<std::pair<std::string, app::Rect>> links;  // the links of the prose: their targets and places
+  bool unread = false;                                   // another lesson was opened: its prose starts at the top
+  float scrolled = 0;                                    // how far the prose was scrolled in the last frame
+  int section = -1;                                      // the section that the step was about in the last frame
   double read_at = -1e9;                                 // when the prose was last scrolled by hand, in ImGui's seconds
-  float scroll_to = -1;                                  // where the prose is on its way to; less than 0: nowhere
-  // As measured in the last frame: of the left column's lower part, of the right one's, and of the stage's foot, which
-  // a question covers.
+  float scroll_to = -1;                                  // where the prose is scrolling to; less than 0: nowhere
+  // Heights measured in the last frame: of the lower parts of the left and the right column, and of the stage's foot
+  // that a question covers.
   float pinned_height = 300, code_height = 300, foot = 0;
-  bool measured_anew = false;  // it was other than thought: one more frame is due
+  bool measured_anew = false;  // whether a height differed from the expected one, so that another frame is due
 
-  /// Keeps what went wrong as the notice; returns whether it went right.
+  /// Shows an error as the notice; returns whether there was none.
   template <class T>
   bool tell(const tl::expected<T, InputError>& result) {
     if (!result) notice = result.error().message();
@@ -83,9 +83,9 @@ class Shell {
 
   app::App& app_;
   std::vector<LessonFile> lessons_;
-  std::size_t open_ = 0;  // which of them
+  std::size_t open_ = 0;  // index into lessons_
   Kept kept_;
-  std::uint64_t kept_revision_ = 0;  // of the session
+  std::uint64_t kept_revision_ = 0;  // the session's revision when it was last kept
 };
 
 }  // namespace snug::desktop

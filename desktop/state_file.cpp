@@ -68,14 +68,14 @@ void StateFile::write(Shell& shell, const Extent& extent) {
   for (const auto& figure : session->figures())
     if (figure.known) state["readout"][figure.key] = figure.value;
   state["handles"] = nlohmann::ordered_json::array();
-  for (const app::Handle& handle : app.handles())  // in the window system's pixels, where a mouse would find them
+  for (const app::Handle& handle : app.handles())  // in the window system's pixels, for a real mouse
     state["handles"].push_back(
         {{"id", handle.id}, {"x", handle.x * extent.window_per_page}, {"y", handle.y * extent.window_per_page}});
   std::string text = state.dump();
   if (text == written_) return;
   written_ = std::move(text);
   state["framesDrawn"] = app.frames_drawn();
-  static_cast<void>(write_file(path_, state.dump() + "\n"));  // a state that cannot be written must not end a lesson
+  static_cast<void>(write_file(path_, state.dump() + "\n"));  // a failure to write must not end the lesson
 }
 
 }  // namespace snug::desktop

@@ -1,5 +1,5 @@
-// The window's state as a file, for tests and lab scripts: where SNUG_STATE names one, it is written anew with each
-// frame that shows something new. The same object as the page's window.snug.state(), with its handles.
+// The window's state as a file, for tests and lab scripts: if SNUG_STATE names a file, it is rewritten with each frame
+// that shows something new. It is the same object as the page's window.snug.state(), plus its handles.
 #pragma once
 
 #include <string>

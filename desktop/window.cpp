@@ -28,10 +28,9 @@ namespace snug::desktop {
 namespace {
 
 constexpr int kBadInput = 2;
-constexpr double kTick = 0.008;  // seconds between looks at the clock while something plays
-constexpr double kSlice = 8e6;   // nanoseconds of measuring between two frames
-constexpr double kLongestRun =
-    1e9;  // nanoseconds of one run where growth is followed: so long a window may stand still
+constexpr double kTick = 0.008;       // seconds between looks at the clock while something plays
+constexpr double kSlice = 8e6;        // nanoseconds of measuring between two frames
+constexpr double kLongestRun = 1e9;   // nanoseconds of one run on the growth chart: a window may stand still that long
 constexpr int kFramesForPicture = 6;  // until ImGui has measured everything once
 
 int stop(const std::string& why) {
@@ -71,7 +70,7 @@ Parts parts_of(const Extent& extent, const app::Look& look, const Shell& shell) 
   return parts;
 }
 
-/// What ImGui has been given, over the stage's own 3-D and the panels' colour.
+/// Renders the frame: the panels' colour, the stage's 3-D, and ImGui's drawing over both.
 void finish(const Extent& extent, app::App& app, app::Color ground) {
   ImGui::Render();
   const ImVec4 color = ImGui::ColorConvertU32ToFloat4(ground);
@@ -83,7 +82,7 @@ void finish(const Extent& extent, app::App& app, app::Color ground) {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-/// Draws the stage alone into what is bound.
+/// Draws only the stage into the bound framebuffer.
 void draw_stage(GlfwHost& host, app::App& app, double now) {
   host.begin_frame();
   const Extent extent = host.extent();
@@ -91,22 +90,22 @@ void draw_stage(GlfwHost& host, app::App& app, double now) {
   finish(extent, app, app.look()->ground);
 }
 
-/// Draws the whole window once into what is bound.
+/// Draws the whole window once into the bound framebuffer.
 void draw(GlfwHost& host, Shell& shell, double now) {
   host.begin_frame();
   const Extent extent = host.extent();
   const Parts parts = parts_of(extent, shell.app().look(), shell);
   shell.measured_anew = false;
   if (shell.course_shown) {
-    shell.app().frame({}, now);  // its fonts and palette
+    shell.app().frame({}, now);  // sets the fonts and palette
     draw_header(shell, parts.header);
     shell.course.draw(shell, {0, parts.header.height, extent.width, extent.height - parts.header.height});
     draw_notice(shell, parts.window);
     draw_keys(shell, parts.window);
     return finish(extent, shell.app(), shell.app().look()->ground);
   }
-  shell.app().advance(now);  // the panels show the step that the stage does
-  // The panels first: what they change of the session, the stage shows in this same frame.
+  shell.app().advance(now);  // so that panels and stage show the same step
+  // The panels come first, so that the stage shows their changes in the same frame.
   draw_header(shell, parts.header);
   draw_prose_panel(shell, parts.column);
   draw_code_panel(shell, parts.code);
@@ -120,10 +119,10 @@ void draw(GlfwHost& host, Shell& shell, double now) {
   finish(extent, shell.app(), look->panel);
 }
 
-/// Draws the chart alone into what is bound.
+/// Draws only the chart into the bound framebuffer.
 void draw(GlfwHost& host, app::App& app, const app::Chart& chart) {
   host.begin_frame();
-  app.frame({}, host.now());  // its fonts and palette
+  app.frame({}, host.now());  // sets the fonts and palette
   const Extent extent = host.extent();
   const app::Look& look = app.look();
   ImDrawList* const list = ImGui::GetBackgroundDrawList();
@@ -137,7 +136,7 @@ void draw(GlfwHost& host, app::App& app, const app::Chart& chart) {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-/// What draw puts on the screen, as a file.
+/// Writes what draw draws to a file.
 template <class Draw>
 int take_picture(GlfwHost& host, const std::string& path, Draw&& draw) {
   const Extent extent = host.extent();
@@ -163,7 +162,7 @@ app::Theme theme_of_environment() {
                                 : app::Theme::kLight;
 }
 
-/// Whether a digit chose an answer of the question that stands.
+/// Chooses an answer to the open question by a digit. Returns whether it did.
 bool choose(Shell& shell, const std::string& key) {
   const lesson::Asked* asked = shell.session().asked();
   if (asked == nullptr || key.size() != 1 || key[0] < '1' || key[0] > '9') return false;
@@ -186,7 +185,7 @@ void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift
   shell.app().command(shell.app().command_of_key(key, shift, control));
 }
 
-/// Draws when there is something to draw, and sleeps else.
+/// Draws if there is something to draw, and otherwise sleeps.
 void run(GlfwHost& host, Shell& shell) {
   host.on_key = [&](const std::string& key, bool shift, bool control) { answer_key(host, shell, key, shift, control); };
   host.on_drop = [&](const std::vector<std::string>& paths) {
@@ -230,10 +229,10 @@ int open_first(Shell& shell, const WindowOptions& options) {
     shell.use_file(options.points_file);
     if (!shell.notice.empty()) return stop(shell.notice);
   }
-  // A window opens where its lesson starts; a picture is of the step that was asked for.
+  // A window opens at the lesson's start; a picture shows the requested step.
   if (options.step > 0 || !options.screenshot.empty()) shell.session().jump(options.step);
   if (app::Cover* const cover = shell.app().cover(); cover != nullptr && options.step > 0)
-    cover->show(false);  // a step is of the points
+    cover->show(false);  // a step is shown on the stage
   return 0;
 }
 

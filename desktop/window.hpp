@@ -1,4 +1,4 @@
-// The window door: one lesson on the screen, or one step of it in a picture.
+// The window: a lesson on the screen, or one step of it as a picture.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,19 @@ namespace snug::desktop {
 struct WindowOptions {
   std::string lesson;  // its id; empty for the first
   int step = 0;
-  std::optional<std::uint64_t> seed;  // the lesson's own where there is none
-  std::string points_file;            // shown instead of the lesson's points; empty for none
-  std::string screenshot;             // where to write one frame as PNG and leave; empty to stay open
-  std::string chart, chart_then;      // a result of `snug cost` to draw in place of a lesson, and one that lies over it
-  bool stage_alone = false;           // the picture has no panels, buttons or sentence
+  std::optional<std::uint64_t> seed;  // none: the lesson's own
+  std::string points_file;            // a file shown instead of the lesson's points; empty for none
+  std::string screenshot;             // where to write one frame as PNG before closing; empty to stay open
+  std::string chart, chart_then;      // a `snug cost` result to draw instead of a lesson; an earlier one over it
+  bool stage_alone = false;           // whether the picture is without panels, buttons and sentence
   int width = 1280, height = 800;
-  bool sized = false;  // they were asked for: a window does not shrink to the screen then
+  bool sized = false;  // whether a size was requested: the window then does not shrink to the screen
 };
 
 /// A window's least size: below it panels would print over each other.
 inline constexpr int kLeastWidth = 900, kLeastHeight = 600;
 
-/// Returns the exit status of the program; what went wrong is said on stderr.
+/// Returns the program's exit status; errors are printed on stderr.
 int run_window(const WindowOptions& options);
 
 }  // namespace snug::desktop

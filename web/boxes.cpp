@@ -14,7 +14,7 @@ using emscripten::val;
 using Box = Obb<double, 3>;
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kUnitWithin = 1e-9;  // an address carries every digit: more is a hand's mistake
+constexpr double kUnitWithin = 1e-9;  // an address has every digit, so a larger error is a typing mistake
 
 std::string sentence(const tl::expected<void, InputError>& result) { return result ? "" : result.error().message(); }
 
@@ -28,7 +28,7 @@ Vector<double, 3> taken(const val& row, int& at, int dim) {
   return v;
 }
 
-/// Whether the axes are those of a box.
+/// Whether these are the axes of a box: unit and perpendicular.
 bool are_axes(const Matrix<double, 3>& axes) {
   return (axes.transpose() * axes - Matrix<double, 3>::Identity()).cwiseAbs().maxCoeff() < kUnitWithin &&
          axes.col(0).cross(axes.col(1)).dot(axes.col(2)) > 0;

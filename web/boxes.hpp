@@ -1,4 +1,4 @@
-// A lesson's two boxes as the page reads and writes them.
+// A lesson's two boxes, for the page to read and write.
 #pragma once
 
 #include <emscripten/val.h>
@@ -9,21 +9,21 @@
 
 namespace snug::web {
 
-/// [{center, half_extents, degrees}] of A and B; null where there are points. degrees: in 2-D, of the first axis.
+/// [{center, half_extents, degrees}] for A and B; null if there are points. degrees: in 2-D, of the first axis.
 [[nodiscard]] emscripten::val boxes_object(const lesson::Session& session);
 
-/// For an address, so that it leads to the same bits: a row for each box, of its centre, its half extents, and its axes
-/// (in 2-D of the first alone).
+/// The boxes for an address, exact to the last bit: a row for each box, with its centre, its half extents, and its axes
+/// (in 2-D only the first).
 [[nodiscard]] emscripten::val box_rows(const lesson::Session& session);
 
-/// What an address says. An error is a sentence; "" is none.
+/// Sets the boxes from an address. Returns an error as a sentence, or "".
 [[nodiscard]] std::string set_box_rows(lesson::Session& session, const emscripten::val& rows);
 
 /// Sets a box's numbers. values: as long as the centre or the half extents.
 [[nodiscard]] std::string set_box(lesson::Session& session, int box, const std::string& what,
                                   const emscripten::val& values);
 
-/// Counter-clockwise about a world axis (0 … 2; in 2-D 2): by so many degrees, or in 2-D to so many.
+/// Rotates a box counter-clockwise about a world axis (0 … 2; in 2-D 2), by some degrees or, in 2-D, to an angle.
 [[nodiscard]] std::string turn_box(lesson::Session& session, int box, int axis, double degrees, bool to);
 
 }  // namespace snug::web

@@ -11,7 +11,7 @@
 namespace snug::web {
 namespace {
 
-// ImGui answers an event over up to this many frames: it takes a press and its release apart, then draws the result.
+// ImGui handles an event over up to this many frames: it separates a press from its release, and then draws the result.
 constexpr int kFramesAfterInput = 3;
 int g_frames_owed = 0;
 
@@ -47,7 +47,7 @@ void begin_frame(float css_width, float css_height, float scale, float seconds) 
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {css_width, css_height};
   io.DisplayFramebufferScale = {scale, scale};
-  io.DeltaTime = std::clamp(seconds, 1e-4F, 0.25F);  // ImGui refuses 0, and a page that slept must not leap
+  io.DeltaTime = std::clamp(seconds, 1e-4F, 0.25F);  // ImGui refuses 0, and motion must not jump after a pause
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   if (g_frames_owed > 0) --g_frames_owed;
@@ -68,9 +68,9 @@ void pointer_left() {
 
 void pointer_button(int button, bool down, const std::string& source) {
   if (button < 0 || button > 2) return;
-  // A press where nothing was hovered before (a tap, a pen, a script's click) would be lost: ImGui lets an item that
-  // others may overlap be pressed only a frame after it was hovered, and waits that frame only for presses of a touch
-  // screen.
+  // A press where nothing was hovered before (a tap, a pen, a script's click) would be lost: an item that others
+  // may overlap can be pressed only a frame after it was hovered, and ImGui waits for that frame only with touch
+  // input.
   name_source(down ? "touch" : source);
   const int as_imgui_counts = button == 0   ? ImGuiMouseButton_Left
                               : button == 1 ? ImGuiMouseButton_Middle

@@ -29,7 +29,7 @@ val row_object(const cost::CostRow& row) {
   return object;
 }
 
-/// A line's last point, and its power.
+/// A line as an object: its last point and its power.
 val row_object(std::span<const cost::GrowthRow> line) {
   const cost::GrowthRow& last = line.back();
   val object = val::object();
@@ -46,7 +46,7 @@ val row_object(std::span<const cost::GrowthRow> line) {
   return object;
 }
 
-/// A line's least and greatest looseness.
+/// A line as an object: its least and greatest looseness.
 val row_object(std::span<const cost::TurnRow> line) {
   const auto range = cost::slack_range(line);
   val object = val::object();
@@ -72,7 +72,7 @@ val shown_rows(const app::Costs& costs) {
   return array_of_rows(costs.table().rows);
 }
 
-/// "" or why it cannot be.
+/// Shows an earlier result. Returns "" or why that is impossible.
 template <class Row>
 std::string lay_over_as(app::App& app, const std::string& csv, const std::string& name) {
   auto table = cost::read_csv<Row>(csv, name);

@@ -1,9 +1,9 @@
-// Answers what the GL state is without asking the GPU.
+// Answers queries of the GL state without asking the GPU.
 //
-// ImGui's renderer reads a dozen pieces of state before it draws and restores them behind itself. In a browser each
-// reading waits until the GPU has caught up, which took 85 per cent of a dragged frame. Here a frame starts from the
-// state of a new context and nobody but the door and the stage draws, so that all answers but the viewport are known
-// beforehand. The linker sends glGetIntegerv and glViewport here (--wrap in CMakeLists.txt).
+// ImGui's renderer reads a dozen pieces of state before it draws, and restores them afterwards. In a browser each query
+// waits for the GPU, which took 85 per cent of a frame during a drag. Here every frame starts from the state of a new
+// context, and only the door and the stage draw, so all answers except the viewport are known in advance. The linker
+// redirects glGetIntegerv and glViewport to this file (--wrap in CMakeLists.txt).
 #include <algorithm>
 #include <array>
 
@@ -41,7 +41,7 @@ void __wrap_glGetIntegerv(GLenum name, GLint* values) {
     case GL_BLEND_DST_ALPHA: *values = GL_ZERO; return;
     case GL_BLEND_EQUATION_RGB:
     case GL_BLEND_EQUATION_ALPHA: *values = GL_FUNC_ADD; return;
-    default: __real_glGetIntegerv(name, values);  // limits and versions, asked once
+    default: __real_glGetIntegerv(name, values);  // limits and versions, which are queried once
   }
 }
 

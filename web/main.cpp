@@ -1,5 +1,5 @@
-// The browser's door: it gives the front end a canvas, input and files, and hands the page what its HTML shows.
-// The page's own half is page/door.js; every function here is one that it calls.
+// The browser's door: gives the front end a canvas, input and files, and gives the page the data for its HTML. The
+// page's side is page/door.js, which calls every function here.
 #include <emscripten.h>
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
@@ -48,7 +48,7 @@ Door& door() {
 /// Null before the first lesson is open.
 lesson::Session* session() { return door().app ? door().app->session() : nullptr; }
 
-/// An error's sentence; "" for none: the page tells them apart by that.
+/// An error's sentence; "" for none, which tells the page that there was no error.
 template <class Value>
 std::string sentence(const tl::expected<Value, InputError>& result) {
   return result ? std::string() : result.error().message();
@@ -58,7 +58,7 @@ std::string sentence(const tl::expected<Value, InputError>& result) {
 
 void give_font(const std::string& name, const std::string& bytes) { door().fonts[name] = bytes; }
 
-/// "" or why nothing can be drawn; the lesson itself works either way.
+/// Returns "" or why nothing can be drawn; the lesson works in either case.
 std::string start_graphics() {
   web::start_renderer();
   door().graphics = door().app->create_graphics();
@@ -72,7 +72,7 @@ void stop_graphics() {
   web::abandon_renderer();
 }
 
-/// processor: as far as the browser tells. smooth: several samples a pixel. Lines and points are antialiased in any
+/// processor: as far as the browser tells. smooth: several samples a pixel; lines and points are antialiased in any
 /// case.
 std::string start(const std::string& selector, bool smooth, const std::string& processor) {
   ImGui::CreateContext();
@@ -116,7 +116,7 @@ void set_settings(val from) {
   for (int channel = 0; channel < 3; ++channel) door().ground[channel] = from["ground"][channel].as<float>();
 }
 
-/// Draws one frame, where there is something to draw on, or plays on without. now: in seconds.
+/// Draws one frame, or only plays on if nothing can be drawn. now: in seconds.
 void frame(double now) {
   Door& d = door();
   if (!d.graphics) return d.app->advance(now);
@@ -135,20 +135,20 @@ void frame(double now) {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-/// Seconds; infinity for none.
+/// The seconds until a frame is due; infinity for none.
 double seconds_until_due(double now) {
   if (!door().graphics) return door().app->seconds_until_step(now);
   return web::input_pending() ? 0 : door().app->seconds_until_due(now);
 }
 
-/// Whether a menu of the canvas is open, which the page's own layers must not cover.
+/// Whether a menu on the canvas is open, which the page's layers must not cover.
 bool menu_open() {
   return ImGui::GetCurrentContext() != nullptr && ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
 }
 
 // ---- lessons --------------------------------------------------------------------------------------------------
 
-/// {error} or {mesh}: the mesh that the page must bring to open_lesson, "" for none.
+/// {error} or {mesh}: the mesh that the page must load for open_lesson, "" for none.
 val check_lesson(const std::string& toml, const std::string& name) {
   val answer = val::object();
   const auto lesson = lesson::read_lesson(toml, name);
@@ -192,7 +192,7 @@ val handles() {
 
 // ---- what the user does ---------------------------------------------------------------------------------------
 
-/// Remembers that an address can lead to the points as they stand, by the words that it needs for that.
+/// Remembers how an address can describe the current points.
 void remember_points() { door().shared.remember(*session()); }
 
 bool command(const std::string& name) {
@@ -205,16 +205,16 @@ std::string command_of_key(const std::string& key, bool shift, bool control) {
   return door().app ? std::string(door().app->command_of_key(key, shift, control)) : std::string();
 }
 
-/// Chooses an answer by its number; the same once more gives it.
+/// Chooses an answer by its number; choosing it again gives it.
 void pick_choice(int choice) {
   if (session()) session()->pick({lesson::Answer::Kind::kChoice, choice});
 }
-/// A handle's name as it was typed. false: it cannot be the answer.
+/// Chooses a handle by its typed name. Returns false if it cannot be the answer.
 bool pick_name(const std::string& name) { return session() && session()->pick(std::string_view(name)); }
-/// The names of the handles that can be the answer: of a mesh thousands, so they are no part of view().
+/// The names of the handles that can be the answer. A mesh has thousands, so they are not part of view().
 val targets() { return session() ? web::target_names(*session()) : val::array(); }
 
-/// Two fingers: factor > 1 as they part, around (x, y), which moved by (dx, dy).
+/// A pinch: factor > 1 as the fingers part, around (x, y), which moved by (dx, dy).
 void pinch(float factor, float x, float y, float dx, float dy) { door().app->pinch(factor, x, y, dx, dy); }
 
 void go(int step) {
@@ -228,22 +228,22 @@ void jump(int step) {
 void forget_answers() {
   if (!session()) return;
   session()->forget_answers();
-  if (app::Cover* const cover = door().app->cover()) cover->show(false);  // it would give the answers away
+  if (app::Cover* const cover = door().app->cover()) cover->show(false);  // the chart would give the answers away
 }
 
-/// The answers given, for the device to keep; and those of an earlier visit to a lesson, before it is opened.
+/// The given answers, for the device to keep; and those of an earlier visit, passed in before the lesson is opened.
 std::string kept_answers() { return session() ? lesson::kept_text(session()->outcomes()) : ""; }
 void keep_answers(const std::string& lesson, const std::string& kept) {
   door().app->keep_answers(lesson, lesson::outcomes_of(kept));
 }
-/// Those of every lesson.
+/// Erases the answers to all lessons.
 void erase_answers() {
   if (!door().app) return;
   door().app->forget_answers();
   if (app::Cover* const cover = door().app->cover()) cover->show(false);
 }
 
-/// name: "" clears the one beside.
+/// name: "" clears the comparison.
 std::string choose(int slot, const std::string& name) {
   return session() ? sentence(session()->choose(slot, name)) : "";
 }
@@ -257,7 +257,7 @@ std::string move_point(int point, double x, double y, double z) {
   return sentence(session()->move(point, {x, y, session()->dim() == 2 ? 0 : z}));
 }
 
-/// Many moves as one entry of undo: [[point, x, y(, z)] …].
+/// Makes many moves as one entry of undo: [[point, x, y(, z)] …].
 std::string move_points(val rows) {
   if (!session()) return "";
   std::string error;
@@ -273,14 +273,14 @@ std::string move_points(val rows) {
 
 std::uint64_t whole(double seed) { return static_cast<std::uint64_t>(std::clamp(seed, 0.0, 0x1p53)); }
 
-/// Points anew from a seed, of the kind that they are now.
+/// Scatters points of the same kind again, from a seed.
 void scatter(double seed) {
   if (!session()) return;
   session()->scatter(whole(seed));
   remember_points();
 }
 
-/// Points of another kind.
+/// Scatters points of another kind.
 std::string set_generator(const std::string& kind, int count, double seed) {
   if (!session()) return "";
   const auto set = session()->set_generator(kind, count, session()->dim(), whole(seed));
@@ -288,7 +288,7 @@ std::string set_generator(const std::string& kind, int count, double seed) {
   return sentence(set);
 }
 
-/// A point file of any of the formats.
+/// Loads a point file in any of the formats.
 std::string load_file(const std::string& bytes, const std::string& name) {
   if (!session()) return "";
   const auto file = io::read_points(bytes, name);
@@ -298,10 +298,10 @@ std::string load_file(const std::string& bytes, const std::string& name) {
   return sentence(loaded);
 }
 
-/// A slice of the measurement that runs. milliseconds: the budget.
+/// Does a slice of the running measurement. milliseconds: the budget.
 void measure_slice(double milliseconds) { door().app->measure(milliseconds * 1e6); }
 bool measuring() { return door().app->cover() != nullptr && door().app->cover()->running(); }
-/// How much of the run is done, from 0 to 1.
+/// The progress of the measurement, from 0 to 1.
 double measured() { return door().app->cover() != nullptr ? door().app->cover()->progress() : 1; }
 std::string costs_file(const std::string& format) { return web::costs_file(*door().app, format); }
 std::string lay_over(const std::string& csv, const std::string& name) {

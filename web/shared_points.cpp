@@ -12,7 +12,7 @@ namespace {
 
 using emscripten::val;
 
-constexpr std::size_t kMostInAddress = 64;  // of full precision: some 4000 characters, which every browser takes
+constexpr std::size_t kMostInAddress = 64;  // in full precision: about 4000 characters, which every browser accepts
 constexpr std::size_t kMostKnown = 16;
 
 std::vector<Vector<double, 3>> points_of(const lesson::Session& session) {
@@ -33,7 +33,7 @@ bool is_one_of(const auto& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// How an address names the points, the seed aside; nothing where it cannot.
+/// How an address names the points, apart from the seed; none if it cannot.
 std::optional<std::string> words_for(const lesson::Session& session) {
   const lesson::Points& own = session.lesson().points;
   const std::string& source = session.source();
@@ -66,7 +66,7 @@ val SharedPoints::describe(const lesson::Session& session) const {
     if (session.edited()) object.set("boxes", box_rows(session));
     return object;
   }
-  if (session.subject().points() == nullptr) return object;  // nothing that an address could carry
+  if (session.subject().points() == nullptr) return object;  // nothing for an address
   const auto points = points_of(session);
   const Known* nearest = nullptr;
   std::vector<Index> fewest;

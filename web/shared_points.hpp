@@ -1,4 +1,4 @@
-// What an address must say so that the points come out as they stand: nothing, the points that were moved, or all.
+// What an address needs to restore the current points: nothing, the moved points, or all of them.
 #pragma once
 
 #include <emscripten/val.h>
@@ -12,13 +12,13 @@ namespace snug::web {
 
 class SharedPoints {
  public:
-  /// The session's points as they stand come from somewhere that an address can name: the lesson, a generator, a mesh,
-  /// the start of the task. Points of the user's own file do not, and are passed over.
+  /// Remembers the session's current points, if they come from a source that an address can name: the lesson, a
+  /// generator, a mesh, or the start of the task. Points from the user's file are ignored.
   void remember(const lesson::Session& session);
   void forget() { known_.clear(); }
 
-  /// {how, moved: [[i, x, y(, z)] …]} against the nearest of the known sets, {points: [[x, y(, z)] …]} where none is
-  /// near and there are few, or {} where an address cannot hold them. how: "" for the lesson's own, "clusters:200",
+  /// {how, moved: [[i, x, y(, z)] …]} relative to the nearest known set; {points: [[x, y(, z)] …]} if no set is near
+  /// and there are few points; or {} if an address cannot hold them. how: "" for the lesson's own, "clusters:200",
   /// "bunny", "task".
   [[nodiscard]] emscripten::val describe(const lesson::Session& session) const;
 

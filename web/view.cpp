@@ -21,7 +21,7 @@ using emscripten::val;
 
 val text(std::string_view words) { return val(std::string(words)); }
 
-/// An array of what make(item) makes of each item.
+/// An array of make(item) for each item.
 template <class Items, class Make>
 val array_of(const Items& items, Make make) {
   val array = val::array();
@@ -64,7 +64,7 @@ val algorithm_object(const lesson::Lesson& lesson, std::string_view name) {
   return object;
 }
 
-/// An answer, chosen or tried: of a handle its name, of choices their numbers.
+/// A chosen or tried answer: a handle's name, or the numbers of choices.
 val answer_object(const lesson::Asked& asked, const lesson::Session& session, const lesson::Answer* answer) {
   if (answer == nullptr) return val::null();
   val object = val::object(), chosen = val::array();
@@ -122,7 +122,7 @@ val outcome_object(const lesson::Outcome& outcome) {
   return object;
 }
 
-/// The outcome that is told, or on the way to being told, with its question.
+/// The outcome that is shown, or about to be shown, with its question.
 val told_object(const lesson::Session& session, const lesson::Outcome* outcome) {
   if (outcome == nullptr) return val::null();
   val object = outcome_object(*outcome);
@@ -140,7 +140,7 @@ val told_object(const lesson::Session& session, const lesson::Outcome* outcome) 
   return object;
 }
 
-/// Every question of the run, in its order, and how it stands with it.
+/// Every question of the run, in order, with its state.
 val predictions(const lesson::Session& session) {
   return array_of(session.questions(), [&](const lesson::Asked& asked) {
     const lesson::Outcome* outcome = session.outcome_of(asked);
@@ -173,7 +173,7 @@ val grade_object(const std::optional<lesson::Grade>& grade) {
   return object;
 }
 
-/// What the two boxes of a subject are called; null where it is not made of boxes.
+/// The names of a subject's two boxes; null if it has none.
 val box_words(const lesson::Subject& subject) {
   const lesson::BoxSubject* boxes = lesson::as_boxes(subject);
   if (boxes == nullptr) return val::null();
@@ -243,7 +243,7 @@ val coordinates(const Vector<double, 3>& point, int dim) {
   return array_of(std::span(point.data(), static_cast<std::size_t>(dim)), [](double number) { return val(number); });
 }
 
-/// What the prose and the stage light of each other.
+/// What the prose lights on the stage, and the stage in the prose.
 static val lit_object(const app::App& app, const lesson::Session& session) {
   val object = val::object();
   object.set("mark", text(app.lit()));

@@ -1,4 +1,4 @@
-// A lesson and its session as plain JavaScript objects, for the page's HTML and for window.snug.
+// Turns a lesson and its session into plain JavaScript objects, for the page's HTML and for window.snug.
 #pragma once
 
 #include <emscripten/val.h>
@@ -8,13 +8,13 @@
 
 namespace snug::web {
 
-/// What does not change while the lesson is open: {id, group, title, dim, sections, task, algorithms, points …}.
+/// What stays constant while the lesson is open: {id, group, title, dim, sections, task, algorithms, points …}.
 emscripten::val lesson_object(const lesson::Session& session);
 
-/// What does: {step, steps, caption, asked, outcome, grade, algorithms, code, rivals, readout, selected …}.
+/// What changes: {step, steps, caption, asked, outcome, grade, algorithms, code, rivals, readout, selected …}.
 emscripten::val view_object(app::App& app, const lesson::Session& session);
 
-/// The names of the handles that can be the answer to what is asked.
+/// The names of the handles that can be the answer to the open question.
 emscripten::val target_names(const lesson::Session& session);
 
 /// The headings and buttons that page and window share (lesson/say.hpp).

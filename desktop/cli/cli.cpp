@@ -24,7 +24,7 @@ constexpr const char* kFooter =
     "error, \"snug: FILE:LINE: what is wrong\", and nothing on standard output.\n"
     "`snug COMMAND --help` describes a command in full.";
 
-/// One line, whatever the message was.
+/// Prints a message as one line.
 void complain(std::string what) {
   std::replace(what.begin(), what.end(), '\n', ' ');
   std::fprintf(stderr, "snug: %s\n", what.c_str());
@@ -50,8 +50,8 @@ bool is_number(const std::string& text) {
   return !text.empty() && *end == '\0';
 }
 
-/// "--axis 0 0 1 FILE" as "--axis=0,0,1 FILE", last argument first as the parser takes them: by itself it would take
-/// FILE for one more number.
+/// Turns "--axis 0 0 1 FILE" into "--axis=0,0,1 FILE", because the parser would take FILE for another number. The
+/// arguments are returned last first, as the parser needs them.
 std::vector<std::string> joined_numbers(int argc, const char* const* argv) {
   std::vector<std::string> joined;
   bool is_list = false;
@@ -68,7 +68,7 @@ std::vector<std::string> joined_numbers(int argc, const char* const* argv) {
   return joined;
 }
 
-/// "snug lesson check", as far as the subcommands were read.
+/// The subcommands read so far: "snug lesson check".
 std::string command_line_of(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
   return app.get_name() + (chosen.empty() ? "" : " " + command_line_of(*chosen.front()));

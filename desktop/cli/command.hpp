@@ -1,4 +1,4 @@
-// What the subcommands share: how one registers itself, and what it gives back.
+// What the subcommands share: how one registers itself, and what it returns.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,13 +14,13 @@
 
 namespace snug::desktop {
 
-/// What goes to stdout in the end: a command that fails half way has printed nothing.
+/// The output for stdout. It is printed at the end, so that a command that fails half way prints nothing.
 struct Printed {
   std::string text;
-  int status = 0;  // 1 where a check says no
+  int status = 0;  // 1 if a check says no
 };
 
-/// Each error is a line on stderr, and the status is 2.
+/// The output, or errors: each is a line on stderr, and the status is 2.
 using CommandResult = tl::expected<Printed, std::vector<InputError>>;
 
 [[nodiscard]] inline tl::unexpected<std::vector<InputError>> bad_input(InputError error) {
@@ -30,15 +30,15 @@ using CommandResult = tl::expected<Printed, std::vector<InputError>>;
   return bad_input(InputError{.what = std::move(what)});
 }
 
-/// The program as it is put together: each group of subcommands adds itself, and says what to run when it is chosen.
+/// The program under construction: each group of subcommands adds itself, and sets what to run when it is chosen.
 struct Commands {
   CLI::App& app;
   int (*open_window)(const WindowOptions&);
   std::function<CommandResult()> chosen;
 };
 
-/// The parser's own reading of numbers wraps -1 around, takes 010 for 8 and lets what is too large pass. To be had with
-/// transform, which hands it the number as it is meant.
+/// Checks a whole number, because the parser's own reading wraps -1 around, takes 010 for 8 and accepts numbers that
+/// are too large. Use it with transform, which passes the checked number on.
 inline CLI::Validator whole_number(std::uint64_t least = 0,
                                    std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
   const auto read = [least, most](std::string& text) {
@@ -65,7 +65,7 @@ void add_lesson(Commands& commands);
 void add_trace_hash(Commands& commands);
 void add_render(Commands& commands);
 
-/// A subcommand with options of its own, which live as long as the parser may write to them.
+/// Adds a subcommand with its options, which live as long as the parser may write to them.
 template <class Options, class Run>
 std::shared_ptr<Options> add_command(Commands& commands, CLI::App& command, Run run) {
   auto options = std::make_shared<Options>();

@@ -18,14 +18,14 @@
 namespace snug::desktop {
 namespace {
 
-/// Above it a table would take minutes, and memory that not every machine has.
+/// With more points a table would take minutes, and memory that not every machine has.
 constexpr Index kMostPoints = 2'000'000;
-/// The frames of a turn are held against every point.
+/// Every frame of a turn is tested against every point.
 constexpr Index kMostTurned = 100'000;
 constexpr int kFrames = 72;
-/// A watched and proven run may take so much longer than the one that is timed.
+/// How many times as long a run with an observer and a proof may take as the timed one.
 constexpr double kWatchedLonger = 10;
-/// Where this much time has gone into an algorithm, three batches are enough, ns.
+/// Once this much time has gone into an algorithm, three batches are enough, ns.
 constexpr double kEnough = 2e9;
 
 struct CostOptions {
@@ -44,10 +44,10 @@ struct CostOptions {
   std::string out;
 };
 
-/// What is measured.
+/// The points that are measured.
 struct Subject {
   std::string name;  // "cube:1000", or the file's
-  std::string kind;  // where generated; empty of a file
+  std::string kind;  // if generated; empty for a file
   AnyPointSet points;
 };
 
@@ -89,12 +89,12 @@ tl::expected<Subject, InputError> subject_of(const CostOptions& options) {
   return Subject{options.file, "", std::move(*points)};
 }
 
-/// Whether "pca" or "obb:pca" means this one.
+/// Whether a name, "pca" or "obb:pca", means this algorithm.
 bool is_named(const fit::Algorithm& algorithm, const std::string& name) {
   return name == algorithm.name || name == std::string(algorithm.volume) + ":" + std::string(algorithm.name);
 }
 
-/// In the catalogue's order, whatever the order of the names.
+/// The chosen algorithms, in the catalogue's order, whatever the order of the names.
 tl::expected<std::vector<const fit::Algorithm*>, InputError> algorithms_of(const CostOptions& options, int dim) {
   const bool known = std::find(kVolumeNames.begin(), kVolumeNames.end(), options.volume) != kVolumeNames.end();
   if (!options.volume.empty() && !known) return wrong("there is no volume \"" + options.volume + "\"");
@@ -113,7 +113,7 @@ tl::expected<std::vector<const fit::Algorithm*>, InputError> algorithms_of(const
   return chosen;
 }
 
-/// Goes on until all is done, with a bar for those who wait.
+/// Runs to the end, with a progress bar.
 template <class Run>
 void finish(Run& run) {
   constexpr int kParts = 1000;
@@ -124,7 +124,7 @@ void finish(Run& run) {
   }
 }
 
-/// A table in the form that was asked for.
+/// A table in the requested format.
 template <class Row>
 std::string printed(const CostOptions& options, const cost::Provenance& provenance, const std::vector<Row>& rows) {
   const std::span<const Row> all(rows);
@@ -262,7 +262,7 @@ tl::expected<Measured, InputError> measured(const CostOptions& options) {
   return costs(options, *subject, *algorithms);
 }
 
-/// The format follows the file's ending; on standard output and in .txt it is what the flags say.
+/// Sets the format by the file's ending; standard output and .txt use the flags.
 tl::expected<CostOptions, InputError> with_format(CostOptions options) {
   const std::string ending = is_standard_output(options.out) ? "" : ending_of(options.out);
   if (ending != "csv" && ending != "json") {
@@ -280,7 +280,7 @@ CommandResult run_cost(const CostOptions& given) {
   const auto formatted = with_format(given);
   if (!formatted) return bad_input(formatted.error());
   const CostOptions& options = *formatted;
-  std::optional<NewFile> file;  // before what takes long: a file that cannot be is known at once
+  std::optional<NewFile> file;  // created before the long work, so that an impossible file is reported at once
   if (!options.out.empty() && !is_standard_output(options.out)) {
     auto created = NewFile::create(options.out);
     if (!created) return bad_input(created.error());

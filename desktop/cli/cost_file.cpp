@@ -8,7 +8,7 @@
 namespace snug::desktop {
 namespace {
 
-/// JSON has no infinity: what is too large for a double is null there.
+/// Reads a number. JSON has no infinity, so null stands for it.
 bool read(const Json& json, double& value) {
   value = json.is_number() ? json.get<double>() : std::numeric_limits<double>::infinity();
   return json.is_number() || json.is_null();
@@ -30,7 +30,7 @@ bool read(const Json& json, std::optional<Value>& value) {
   return json.is_null() || read(json, value.emplace());
 }
 
-/// What stands at "time_ns.median"; null where nothing does.
+/// The value at a path such as "time_ns.median"; null if there is none.
 const Json* find(const Json& json, std::string_view name) {
   const std::size_t dot = name.find('.');
   const auto found = json.find(std::string(name.substr(0, dot)));
@@ -38,7 +38,7 @@ const Json* find(const Json& json, std::string_view name) {
   return dot == std::string_view::npos ? &*found : find(*found, name.substr(dot + 1));
 }
 
-/// Whether the field stands within a level that is null: what was not timed.
+/// Whether the field is within an object that is null, because nothing was timed.
 bool is_none(const Json& json, std::string_view name) {
   const std::size_t dot = name.find('.');
   if (dot == std::string_view::npos || !name.substr(0, dot).ends_with("_ns")) return false;
@@ -46,7 +46,7 @@ bool is_none(const Json& json, std::string_view name) {
   return level != nullptr && level->is_null();
 }
 
-/// Empty where all fields are there.
+/// Reads a row. Returns what is wrong, or an empty text.
 template <class Row>
 std::string set_fields(Row& row, const Json& json, const std::string& where) {
   std::string wrong;
@@ -61,7 +61,7 @@ std::string set_fields(Row& row, const Json& json, const std::string& where) {
   return wrong;
 }
 
-/// Empty where the whole table is read.
+/// Reads the table. Returns what is wrong, or an empty text.
 template <class Row>
 std::string set_table(cost::Table<Row>& table, const Json& json) {
   const Json* const name = find(json, "table");

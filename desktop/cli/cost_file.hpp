@@ -1,4 +1,4 @@
-// A result of `snug cost` read back, in either of its forms.
+// Reads a result of `snug cost`, in either format.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,17 @@
 
 namespace snug::desktop {
 
-/// A table as CSV or JSON, told apart by the first character. Row: CostRow, GrowthRow or TurnRow. Errors: of reading;
-/// in CSV with the line, in JSON with the field.
+/// Reads a table in CSV or JSON, which differ in the first character. Row: CostRow, GrowthRow or TurnRow. Errors: in
+/// CSV with the line, in JSON with the field.
 template <class Row>
 [[nodiscard]] tl::expected<cost::Table<Row>, InputError> read_table(const std::string& path);
 
-/// "growth" of a text that begins as such a table; empty where it begins as none.
+/// The name of the table that a text begins with, such as "growth"; empty if it is not a table.
 [[nodiscard]] std::string table_name(std::string_view text);
 
-/// What is wrong with laying an earlier result over one of other points; nothing where they are the same, by name, kind
-/// and number, dimension and, where they are generated, seed. Of growth, which has points in any number, kinds alone
-/// are compared. path: of the earlier result.
+/// The error if an earlier result is on other points; none if the points are the same: in name, kind, number, dimension
+/// and, if they are generated, seed. For growth, which has any number of points, only kinds are compared. path: that of
+/// the earlier result.
 [[nodiscard]] std::optional<InputError> of_other_points(const cost::Provenance& now, const cost::Provenance& then,
                                                         const std::string& path, bool any_number = false);
 

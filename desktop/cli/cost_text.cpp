@@ -20,7 +20,7 @@ std::string said(const char* format, Values... values) {
   return text.data();
 }
 
-/// Three digits and the unit that suits.
+/// A time with three digits and a suitable unit.
 std::string time_text(double ns) {
   constexpr double kYear = 365.25 * 24 * 3600 * 1e9;
   if (ns < 999.5) return said("%.3g ns", ns);
@@ -30,7 +30,7 @@ std::string time_text(double ns) {
   return said("%.2g years", ns / kYear);
 }
 
-/// What this machine could not measure well is marked.
+/// A time, marked if this machine could not measure it well.
 std::string time_text(const cost::Timing& timing) {
   if (timing.repeats == 0) return "-";
   return time_text(timing.median) + (timing.trusted ? "" : " ?");
@@ -42,7 +42,7 @@ std::string ratio_text(const std::optional<double>& ratio, const char* format) {
   return ratio ? said(format, *ratio) : "-";
 }
 
-/// Columns as wide as what stands in them: the first two to the left, figures to the right, the last as it comes.
+/// Columns as wide as their content: the first two left-aligned, figures right-aligned, the last as it is.
 class Columns {
  public:
   explicit Columns(std::vector<std::string> header) { add(std::move(header)); }
@@ -103,7 +103,7 @@ const cost::CostRow* find_row(const cost::Table<cost::CostRow>& table, const cos
   return found == table.rows.end() ? nullptr : &*found;
 }
 
-/// The rows of one algorithm or strategy, which follow each other.
+/// The rows of each algorithm or strategy, which are consecutive.
 template <class Row, class Same>
 std::vector<std::span<const Row>> groups_of(std::span<const Row> rows, Same same) {
   std::vector<std::span<const Row>> groups;

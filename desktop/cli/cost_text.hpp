@@ -1,4 +1,4 @@
-// What `snug cost` prints for people: tables of words and figures with units.
+// The tables that `snug cost` prints for people, with units.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace snug::desktop {
 
-/// then: an earlier result to lie over this one; empty where there is none.
+/// then: an earlier result to compare with; empty if there is none.
 [[nodiscard]] std::string text_of(const cost::Provenance& provenance, std::span<const cost::CostRow> rows,
                                   const cost::Table<cost::CostRow>* then);
 [[nodiscard]] std::string text_of(const cost::Provenance& provenance, std::span<const cost::GrowthRow> rows);

@@ -29,7 +29,7 @@ using Rows = std::vector<std::vector<double>>;
 
 tl::unexpected<std::string> fault(std::string what) { return tl::unexpected(std::move(what)); }
 
-/// That an object has these fields and no others.
+/// Checks that an object has exactly these fields.
 tl::expected<void, std::string> has_just(const Json& json, const std::string& self,
                                          const std::vector<std::string>& fields) {
   std::string listed;
@@ -41,7 +41,7 @@ tl::expected<void, std::string> has_just(const Json& json, const std::string& se
   return {};
 }
 
-/// So many numbers that are all within what the scalar takes.
+/// Reads a number of numbers, all in the range of the scalar.
 tl::expected<std::vector<double>, std::string> numbers_of(const Json& json, const std::string& self, std::size_t count,
                                                           bool as_float) {
   if (!json.is_array()) return fault(self + " is not a list of numbers");
@@ -59,7 +59,7 @@ tl::expected<std::vector<double>, std::string> numbers_of(const Json& json, cons
   return numbers;
 }
 
-/// Planes in rows: 6 of 4 numbers, or in 2-D 4 of 3; or one row of a matrix's 16.
+/// Reads planes as rows: 6 of 4 numbers, or in 2-D 4 of 3; or a matrix as one row of 16.
 tl::expected<Rows, std::string> rows_of(const Json& frustum, const CullOptions& options) {
   const bool as_float = options.scalar == "float";
   if (const auto fields = has_just(frustum, "frustum", {"planes", "view_projection"}); !fields)
@@ -103,7 +103,7 @@ tl::expected<Frustum<Scalar, Dim>, InputError> frustum_of(const Rows& rows) {
   return Frustum<Scalar, Dim>::make(planes);
 }
 
-/// What is so, whatever the planes say one by one; null where this is not found out.
+/// The true class, whatever the single planes say; null if it is unknown.
 template <class Scalar, int Dim>
 Json exact_class(const Frustum<Scalar, Dim>& frustum, const Volume<Scalar, Dim>& volume, query::Culling verdict) {
   const auto named = [](query::Culling culling) { return query::kCullingNames[static_cast<std::size_t>(culling)]; };
@@ -136,7 +136,7 @@ Json plane_json(const query::PlaneTested<Scalar, Dim>& fact) {
           {"n_distance", static_cast<double>(fact.n_distance)}};
 }
 
-/// Tests the box's vertices, as --test says. Errors: it is no box.
+/// Tests the box's vertices, as --test says. Errors: it is not a box.
 template <class Scalar, int Dim>
 tl::expected<query::CullResult, std::string> by_corners(const std::string& test, const Frustum<Scalar, Dim>& frustum,
                                                         const Volume<Scalar, Dim>& volume,
@@ -150,11 +150,11 @@ tl::expected<query::CullResult, std::string> by_corners(const std::string& test,
   return fault("volume is neither aabb nor obb, which --test " + test + " needs");
 }
 
-/// What one line is asked by.
+/// How a line is tested.
 struct Asked {
   const std::string& test;
-  NewFile* trace;       // null where nobody watches
-  std::int64_t number;  // of the answer, counted from 1
+  NewFile* trace;       // null without --steps
+  std::int64_t number;  // that of the answer, counted from 1
 };
 
 template <class Scalar, int Dim>
@@ -216,7 +216,7 @@ tl::expected<Json, std::string> answer_line(const Json& json, const CullOptions&
 
 // ---- by a tree
 
-/// Where a volume of the plane or of space is among kVolumeNames.
+/// The index of a volume's kind in kVolumeNames.
 std::size_t kind_of(const AnyVolume& volume) {
   return std::visit([](const auto& v) { return v.index(); }, volume);
 }
@@ -227,12 +227,12 @@ tl::expected<void, InputError> takes_frustum(const Rows& rows, bool as_float) {
   return as_float ? frustum_of<float, Dim>(rows).map(nothing) : frustum_of<double, Dim>(rows).map(nothing);
 }
 
-/// That the line's planes make a frustum in the arithmetic that is asked for.
+/// Checks that the line's planes make a frustum in the requested arithmetic.
 tl::expected<void, InputError> takes_frustum(const CullLine& line, bool as_float) {
   return line.dim == 2 ? takes_frustum<2>(line.frustum, as_float) : takes_frustum<3>(line.frustum, as_float);
 }
 
-/// All lines are one scene: one frustum, one kind of volume.
+/// Reads all lines as one scene, with one frustum and one kind of volume.
 tl::expected<std::vector<CullLine>, std::vector<InputError>> scene_of(const CullOptions& options) {
   std::vector<CullLine> scene;
   const auto read = answer_lines(options.file, [&](const Json& json) -> tl::expected<Json, std::string> {
@@ -258,7 +258,7 @@ Json json_of_cost(const CullCost& cost) {
 
 template <class Scalar, int Dim>
 CommandResult cull_scene(const std::vector<CullLine>& scene, const std::string& rule, TraceFile& trace) {
-  const auto frustum = *frustum_of<Scalar, Dim>(scene[0].frustum);  // scene_of() has seen that it is one
+  const auto frustum = *frustum_of<Scalar, Dim>(scene[0].frustum);  // scene_of() has checked it
   std::vector<Volume<Scalar, Dim>> volumes;
   for (const CullLine& line : scene) {
     const Volume<double, Dim>& volume = std::get<static_cast<std::size_t>(Dim - 2)>(line.volume);

@@ -1,4 +1,4 @@
-// Culling by a tree over the volumes, beside culling one by one.
+// Culls with a tree over the volumes, and compares that with culling one by one.
 #pragma once
 
 #include <span>
@@ -14,19 +14,19 @@ namespace snug::desktop {
 
 inline const std::vector<std::string> kTreeRules{"median", "surface_area", "bottom_up", "insertion"};
 
-/// What was spent on all volumes together.
+/// The cost of all volumes together.
 struct CullCost {
   std::int64_t volume_tests = 0;
   std::int64_t planes_tested = 0;
 };
 
 struct CulledByTree {
-  std::vector<query::Culling> classes;  // of the volumes
+  std::vector<query::Culling> classes;  // those of the volumes
   std::int64_t nodes = 0, nodes_visited = 0;
   CullCost by_tree, without_masks, one_by_one;
 };
 
-/// rule: of kTreeRules. volumes: all of one kind. trace: gets the steps of building and of the traversal.
+/// rule: one of kTreeRules. volumes: all of one kind. trace: receives the steps of building and of the traversal.
 template <class Scalar, int Dim>
 [[nodiscard]] CulledByTree cull_by_tree(const std::string& rule, const Frustum<Scalar, Dim>& frustum,
                                         std::span<const Volume<Scalar, Dim>> volumes, TraceFile& trace);

@@ -1,4 +1,4 @@
-// The steps of queries as JSON: by the fields that their facts list.
+// Writes the steps of queries as JSON, from the fields that their facts list.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace snug::desktop {
 
-/// Adds a fact's fields. dim: how many coordinates of vectors of space are said; those of the plane have two.
+/// Adds a fact's fields. dim: how many coordinates of 3-D vectors are written; planar vectors have two.
 template <class Fact>
 void add_fields(Json& json, const Fact& fact, int dim) {
   const auto list_of = [dim](const auto& vector) {
@@ -37,8 +37,8 @@ void add_fields(Json& json, const Fact& fact, int dim) {
   });
 }
 
-/// A step as one line of a trace with its line feed. about: what it is a step of, said first. Step: has a line and a
-/// fact.
+/// A step as one line of a trace, with its line feed. about: what it is a step of, written first. Step: has a line and
+/// a fact.
 template <class Step>
 [[nodiscard]] std::string trace_line(Json about, const Step& step, int dim) {
   std::visit(

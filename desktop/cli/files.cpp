@@ -37,7 +37,7 @@ tl::expected<std::string, InputError> read_all(std::FILE* file, const std::strin
   return bytes;
 }
 
-/// The name of the file that is not whole yet. A signal's handler may not ask for memory.
+/// The name of the unfinished file, in static memory, because a signal handler must not allocate.
 std::array<char, PATH_MAX> unfinished{};
 
 extern "C" void remove_unfinished(int signal) {
@@ -46,7 +46,7 @@ extern "C" void remove_unfinished(int signal) {
   std::raise(signal);
 }
 
-/// Nothing is left of the file when the program is told to end before it is whole.
+/// Removes the unfinished file if a signal ends the program.
 void remove_when_told_to_end(const fs::path& part) {
   std::snprintf(unfinished.data(), unfinished.size(), "%s", part.c_str());
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
@@ -83,7 +83,7 @@ tl::expected<NewFile, InputError> NewFile::create(const std::string& path) {
   const fs::file_status status = fs::status(path, error);
   if (fs::is_directory(status)) return tl::unexpected(InputError{.what = "is a directory", .file = path});
   const bool exists = fs::exists(status);
-  // Through a link to what it leads to, so that the link stays one.
+  // Follows a link to its target, so that the link itself stays.
   const fs::path target = exists ? fs::canonical(path, error) : fs::path(path);
   fs::path part = target;
   const bool aside = !exists || fs::is_regular_file(status);

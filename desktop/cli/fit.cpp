@@ -19,7 +19,7 @@ struct FitOptions {
   std::string file;
 };
 
-/// The volumes, or one volume's algorithms, as a sentence lists them.
+/// The volumes, or one volume's algorithms, as a list for a sentence.
 std::string names(std::string_view volume) {
   std::string list;
   std::string_view last;
@@ -57,7 +57,7 @@ tl::expected<AnyPointSet, InputError> points_of(const FitOptions& options, const
   return points;
 }
 
-/// The run that counts, with its trace in a file where one is asked for. Each step is written as it happens, for a
+/// Runs with counts, and writes the trace to a file if one is given. Each step is written as it happens, because a
 /// trace can be far larger than memory.
 tl::expected<fit::Watched, InputError> watch(const FitOptions& options, const fit::Algorithm& algorithm,
                                              const AnyPointSet& points) {

@@ -1,5 +1,5 @@
-// Volumes as float has them: each number rounded, bounds, half extents and radii outward, so that no box or k-DOP loses
-// a point.
+// Converts volumes to float. Bounds, half extents and radii are rounded outward, so that no box or k-DOP loses a
+// point.
 #pragma once
 
 #include <cmath>
@@ -28,7 +28,7 @@ void round_field(To& to, const From& from, RoundTo round) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(from.size()); ++i) to[i] = round(from[i]);
 }
 
-/// Which way a field of that name is rounded; null: to the nearest.
+/// The direction in which a field with that name is rounded; null: to the nearest.
 constexpr RoundTo outward(std::string_view field) {
   if (field == "min") return &float_below;
   return field == "max" || field == "radius" || field == "half_extents" ? &float_above : nullptr;

@@ -1,4 +1,4 @@
-// JSON as the contract has it: keys in their order, numbers that read back to the same bits.
+// JSON output: keys in a fixed order, and numbers that read back to the same bits.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,14 +18,14 @@ using Json = nlohmann::ordered_json;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-/// The first dim coordinates.
+/// The first dim coordinates of a vector.
 [[nodiscard]] inline Json json_of(const Vector<double, 3>& v, int dim) {
   Json list = Json::array();
   for (int axis = 0; axis < dim; ++axis) list.push_back(v[axis]);
   return list;
 }
 
-/// A number as it is, a vector by its first dim coordinates, a matrix by rows, a list of any of them.
+/// A number as it is, a vector by its first dim coordinates, a matrix by rows, or a list of any of these.
 [[nodiscard]] inline Json json_of(double value, int) { return value; }
 [[nodiscard]] inline Json json_of(int value, int) { return value; }
 [[nodiscard]] inline Json json_of(const Matrix<double, 3>& m, int dim) {
@@ -40,7 +40,7 @@ template <class Item>
   return list;
 }
 
-/// What stands behind the volume's name. volume: lifted, of that dimension.
+/// The fields of a volume. volume: lifted from that dimension.
 [[nodiscard]] inline Json json_of(const fit::Volume3& volume, int dim) {
   Json json;
   const auto see = [&](std::string_view name, const auto& value) { json[std::string(name)] = json_of(value, dim); };

@@ -9,10 +9,10 @@
 namespace snug::desktop {
 namespace {
 
-/// One line's JSON. Errors: what is wrong with it as JSON, a key that is there twice included.
+/// Parses one line of JSON. Errors: invalid JSON, including a repeated key.
 tl::expected<Json, std::string> json_line(const std::string& line) {
   if (line.find('\0') != std::string::npos)
-    return tl::unexpected(std::string("not JSON: it has a NUL byte"));  // to the library, an end
+    return tl::unexpected(std::string("not JSON: it has a NUL byte"));  // the library would end there
   std::vector<std::set<std::string>> open;
   std::string twice;
   const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
@@ -28,7 +28,7 @@ tl::expected<Json, std::string> json_line(const std::string& line) {
     return json;
   } catch (const Json::exception& error) {
     const std::string what = error.what();
-    const std::size_t from = what.find("] ");  // behind the library's own name for it
+    const std::size_t from = what.find("] ");  // after the library's error code
     return tl::unexpected("not JSON: " + (from == std::string::npos ? what : what.substr(from + 2)));
   }
 }

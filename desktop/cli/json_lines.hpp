@@ -1,4 +1,4 @@
-// Commands that read JSON Lines and answer each with a line.
+// For commands that read JSON Lines and answer each line with a line.
 #pragma once
 
 #include <functional>
@@ -10,12 +10,12 @@
 
 namespace snug::desktop {
 
-/// Answers every line of a file ("-" is standard input) but empty ones. Errors: of reading it; a line that is not JSON
-/// or has a key twice; what answer says is wrong with one. The first ends it, with the line's number.
+/// Answers every line of a file ("-" is standard input) that is not empty. Stops at the first error, and reports its
+/// line number. Errors: those of reading the file; a line that is not JSON or repeats a key; those of answer.
 [[nodiscard]] CommandResult answer_lines(const std::string& file,
                                          const std::function<tl::expected<Json, std::string>(const Json&)>& answer);
 
-/// What --help says of volumes in JSON.
+/// What --help says about volumes in JSON.
 inline constexpr const char* kVolumesInJson =
     R"(  V                {"sphere":{"center":[x,y,z],"radius":r}}
                    {"aabb":{"min":[..],"max":[..]}}, {"aabb":{"min":[..],"widths":[..]}} or

@@ -18,7 +18,7 @@ struct LessonOptions {
   std::vector<std::string> files;
 };
 
-/// What decides a lesson that is checked and played without a clock.
+/// Adds what decides the lesson's answers without a clock.
 void add_decided_by(Json& json, const lesson::Lesson& lesson) {
   if (!lesson.subject->decided_by.empty()) json["decided_by"] = lesson.subject->decided_by;
 }
@@ -50,7 +50,7 @@ tl::expected<lesson::Played, InputError> play(const LessonFile& file) {
   return played;
 }
 
-/// The first thing that playing found and reading could not: on a mesh's points only playing tells what is asked.
+/// The first error that only playing can find: on a mesh's points, questions are known only from playing.
 std::optional<InputError> fault_of(const LessonFile& file, const lesson::Played& played) {
   for (const lesson::Question& question : file.lesson.questions)
     for (const std::string& id : played.not_asked)
@@ -61,7 +61,7 @@ std::optional<InputError> fault_of(const LessonFile& file, const lesson::Played&
   return InputError{.what = "a model answer is graded as wrong", .file = file.path};
 }
 
-/// The line of a file on which some words stand, counted from 1; otherwise where they do not.
+/// The line of a file that has some words, counted from 1; `otherwise` if none has.
 int line_with(const std::string& path, const std::string& words, int otherwise) {
   const auto text = read_file(path);
   const std::size_t at = text ? text->find(words) : std::string::npos;
@@ -74,7 +74,7 @@ bool is_beside(const std::string& path, const std::string& lesson) {
   return std::filesystem::exists(std::filesystem::path(path).parent_path() / (lesson + ".toml"), ignored);
 }
 
-/// A link to a lesson that is not in the lesson's folder; none where all are.
+/// The error of a link to a lesson that is not in the lesson's folder; none if all are.
 std::optional<InputError> lost_link(const LessonFile& file) {
   for (const lesson::Section& section : file.lesson.sections)
     for (const lesson::Paragraph& paragraph : section.paragraphs)

@@ -24,7 +24,7 @@ tl::expected<std::vector<std::string>, InputError> toml_files(const fs::path& fo
   if (error)
     return tl::unexpected(
         InputError{.what = "lessons cannot be read from there: " + error.message(), .file = folder.string()});
-  std::sort(paths.begin(), paths.end());  // so that of several errors it is always the same that is told
+  std::sort(paths.begin(), paths.end());  // so that of several errors the same one is always reported
   return paths;
 }
 
@@ -43,7 +43,7 @@ tl::expected<lesson::Course, InputError> course_of(const fs::path& folder, const
   });
 }
 
-/// In the course's order, each with its chapter; those of no chapter, which only a folder without a course has, last.
+/// Sorts lessons into the course's order with their chapters; those without one (if there is no course) come last.
 std::vector<LessonFile> in_order(std::vector<LessonFile> lessons, const lesson::Course& course) {
   std::vector<LessonFile> sorted;
   for (const lesson::Chapter& chapter : course.chapters)
@@ -59,7 +59,7 @@ std::vector<LessonFile> in_order(std::vector<LessonFile> lessons, const lesson::
   return sorted;
 }
 
-/// Nothing where the lesson has no mesh.
+/// The lesson's mesh; none if it has none.
 tl::expected<std::optional<io::PointFile>, InputError> mesh_of(const lesson::Lesson& lesson) {
   if (lesson.points.mesh.empty()) return std::nullopt;
   const fs::path path = program_folder() / "assets" / "meshes" / (lesson.points.mesh + ".ply");

@@ -64,7 +64,7 @@ Json json_of_result(const query::OverlapResult<Scalar, Dim>& result) {
   return json;
 }
 
-/// Writes the steps of a pair's test. pair: which line of the answers is its own, counted from 1.
+/// Writes the steps of a pair's test. pair: the line of its answer, counted from 1.
 class Trace {
  public:
   Trace(NewFile& file, std::int64_t pair, int dim) : file_(file), pair_(pair), dim_(dim) {}
@@ -79,7 +79,7 @@ class Trace {
   }
   void count(Operation, std::int64_t) {}
 
-  bool turned = false;  // whether the steps' first volume is the pair's second
+  bool turned = false;  // whether the steps call the pair's second volume a
 
  private:
   template <class Step>

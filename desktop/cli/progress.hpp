@@ -1,11 +1,11 @@
-// A progress bar on stderr, for work that lets itself be waited for.
+// A progress bar on stderr, for long work.
 #pragma once
 
 #include <chrono>
 
 namespace snug::desktop {
 
-/// Shown only on a terminal and only when the work is long; gone when done.
+/// It is shown only on a terminal, only if the work is long, and removed when done.
 class Progress {
  public:
   /// label: a word that outlives it. total: how many times advance will be called.

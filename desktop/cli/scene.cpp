@@ -1,4 +1,4 @@
-// snug scene: a lesson's scene without a screen, and what each of its effects did.
+// snug scene: runs a lesson's scene without a screen, and reports what each of its effects did.
 #include <algorithm>
 
 #include "desktop/cli/command.hpp"
@@ -48,13 +48,13 @@ tl::expected<scene::Scene, InputError> open(const SceneOptions& options, const L
 }
 
 CommandResult run_scene(const SceneOptions& options) {
-  // Its questions and task are for `snug lesson check`, which runs every method that the lesson offers to see to them.
+  // Its questions and its task are not checked here: `snug lesson check` does that, and runs every method for it.
   const auto file = find_lesson(options.folder, options.id, lesson::Checked::kAsWritten);
   if (!file) return bad_input(file.error());
   auto scene = open(options, *file);
   if (!scene) return bad_input(scene.error());
   Printed printed;
-  int drawn = 1;  // the beginning is
+  int drawn = 1;  // the start counts
   for (int frame = 0; frame < options.frames; ++frame) {
     scene->step();
     drawn += scene->changed() ? 1 : 0;

@@ -1,4 +1,4 @@
-// How long something takes here: core/measure with this machine's clock, and what is to be known of the machine.
+// Times things with core/measure and this machine's clock, and describes the machine.
 #pragma once
 
 #include <functional>
@@ -9,14 +9,14 @@
 
 namespace snug::desktop {
 
-/// One that only goes forward, ns.
+/// The time of a clock that never goes back, ns.
 [[nodiscard]] double native_now();
 [[nodiscard]] cost::Clock native_clock();
 
-/// How times are taken by that clock: batches of a millisecond, ten thousand times what reading it costs.
+/// Options for timing with that clock: batches of a millisecond, ten thousand times the cost of reading it.
 [[nodiscard]] cost::TimingOptions native_timing(int repeats);
 
-/// Takes the time of run, with a progress bar where it is long. repeats: at least 1.
+/// Times run, with a progress bar if it is long. repeats: at least 1.
 [[nodiscard]] cost::Timing time_of(std::function<void()> run, int repeats);
 
 /// The provenance of this program on this machine; the caller adds what was measured.

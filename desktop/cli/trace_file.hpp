@@ -11,10 +11,10 @@ namespace snug::desktop {
 
 using TraceFile = std::optional<NewFile>;
 
-/// None where no path is given. Errors: as of NewFile; that the answers go there.
+/// Creates the trace file; none if no path is given. Errors: those of NewFile; standard output, where the answers go.
 [[nodiscard]] tl::expected<TraceFile, InputError> trace_file(const std::string& path);
 
-/// What a command answers, once its trace is in place. Of a command that failed nothing is left.
+/// Puts the trace in place and returns the command's answers. A failed command leaves no trace.
 [[nodiscard]] CommandResult with_trace(CommandResult printed, TraceFile& trace);
 
 }  // namespace snug::desktop

@@ -60,7 +60,7 @@ tl::expected<AnyPointSet, InputError> points_of(const UpdateOptions& options, co
   return points;
 }
 
-/// Where the body is at a share of its way. In 2-D it turns about the origin.
+/// The body's pose at a fraction of its motion. In 2-D it rotates about the origin.
 Pose<double, 3> pose_at(const UpdateOptions& options, int dim, double share) {
   const double radians = options.degrees * share * std::numbers::pi / 180;
   Pose<double, 3> pose;
@@ -84,7 +84,7 @@ std::optional<std::string> wrong_with(const UpdateOptions& options, int dim) {
   return std::nullopt;
 }
 
-/// noise: a measure that is no larger is nothing but rounding.
+/// noise: a measure no larger than this is only rounding.
 Json json_of_frame(const fit::UpdateStrategy& strategy, const fit::UpdatedFrame& frame, int number, double degrees,
                    int dim, double noise) {
   Json json{{"frame", number}, {"degrees", degrees}};

@@ -31,8 +31,8 @@ std::string counted(std::size_t n, const char* what) { return std::to_string(n) 
 
 std::string place(std::size_t i) { return "[" + std::to_string(i) + "]"; }
 
-/// Reads fields of an object, and keeps the first thing that is wrong; what is read after it does not matter. Points of
-/// the plane have z = 0.
+/// Reads the fields of an object, and keeps the first error; what is read after it does not matter. Planar points have
+/// z = 0.
 class Fields {
  public:
   explicit Fields(const VolumeWanted& wanted) : wanted_(wanted), dim_(wanted.dim), path_(wanted.name) {}
@@ -45,7 +45,7 @@ class Fields {
     if (error_.empty()) error_ = std::move(what);
   }
 
-  /// Goes into the one volume that an object holds, and says its kind.
+  /// Enters the only volume in an object, and returns its kind.
   std::string enter(const Json& json) {
     const std::string self = path_.empty() ? "the volume" : path_;
     if (!json.is_object() || json.size() != 1) {
@@ -63,7 +63,7 @@ class Fields {
 
   [[nodiscard]] bool has(const char* name) const { return error_.empty() && object_->contains(name); }
 
-  /// That these fields are there, and no others.
+  /// Checks that exactly these fields are there.
   void expect(std::initializer_list<std::string_view> names) {
     if (!error_.empty()) return;
     for (const auto& item : object_->items())
@@ -112,7 +112,7 @@ class Fields {
     return numbers;
   }
 
-  /// The k of a k-DOP, which says the dimension where that is not yet known.
+  /// The k of a k-DOP, which determines the dimension if that is not known yet.
   int k() {
     if (!error_.empty()) return 0;
     const Json& json = (*object_)["k"];
@@ -182,7 +182,7 @@ Aabb<double, 3> aabb_of(Fields& fields) {
   return box;
 }
 
-/// Columns from rows that are unit, perpendicular and right-handed: as they are within rounding, else made so.
+/// Reads axes as rows that are unit, perpendicular and right-handed: kept if they are so within rounding, else made so.
 Matrix<double, 3> axes_of(Fields& fields) {
   const std::vector<Point> rows = fields.points("axes");
   const auto dim = static_cast<std::size_t>(fields.dim());
@@ -220,7 +220,7 @@ Capsule<double, 3> capsule_of(Fields& fields) {
   return {a, b, fields.not_negative("radius")};
 }
 
-/// Edges as they are where they are perpendicular within rounding, else the second made so.
+/// Reads a lozenge. Edges that are perpendicular within rounding are kept; otherwise the second is made so.
 Lozenge<double, 3> lozenge_of(Fields& fields) {
   fields.expect({"origin", "edges", "radius"});
   Lozenge<double, 3> lozenge{fields.point("origin")};
@@ -264,7 +264,7 @@ ConvexHull<double, 3> hull_of(Fields& fields) {
   return hull;
 }
 
-/// A volume that was read with room for z, in its own dimension.
+/// Converts a volume that was read in 3-D to its own dimension.
 template <int Dim>
 struct InDimension {
   Fields& fields;

@@ -1,4 +1,4 @@
-// Volumes from JSON in the contract's form; desktop/cli/json.hpp writes them.
+// Reads volumes from JSON; desktop/cli/json.hpp writes them.
 #pragma once
 
 #include <limits>
@@ -17,23 +17,23 @@ using AnyVolume = std::variant<Volume<double, 2>, Volume<double, 3>>;
 
 [[nodiscard]] inline int dim_of(const AnyVolume& volume) { return volume.index() == 0 ? 2 : 3; }
 
-/// What a volume is read as.
+/// How a volume is read.
 struct VolumeWanted {
-  std::string name;  // of the volume in what goes wrong, as "a" in "a.sphere.radius is missing"; may be empty
-  int dim = 0;       // 2 or 3; 0: as the volume itself has it, and a 6-DOP, which both have, in 3-D
+  std::string name;  // the volume's name in errors, as "a" in "a.sphere.radius is missing"; may be empty
+  int dim = 0;       // 2 or 3; 0: that of the volume itself (3-D for a 6-DOP, which exists in both)
   double largest = PointSet<double, 3>::kLargest;  // absolute value of any number
   const char* largest_said = "8.3e152";
 };
 
-/// scalar: "double" or "float", which takes less.
+/// scalar: "double" or "float", whose range is smaller.
 [[nodiscard]] VolumeWanted volume_wanted(std::string name, int dim, const std::string& scalar);
 
-/// A volume: {"sphere":{"center":[x,y,z],"radius":r}} and so on, an AABB in any of its three forms (it never shrinks),
-/// a hull by its points, of which the vertices stay. Axes and a lozenge's edges may be as rough as float makes them
-/// (kAxesAsGiven), and are then made unit and perpendicular within rounding.
-/// Errors: one sentence fragment that names the field: unknown, missing and superfluous ones, what is no number or too
-/// large, the wrong number of numbers, negative radii and extents, min above max, axes that are not unit, perpendicular
-/// and right-handed, slabs that do not meet.
+/// Reads a volume, {"sphere":{"center":[x,y,z],"radius":r}} and so on: an AABB in any of its three forms (which never
+/// shrink it), a hull by its points, of which only the vertices are kept. Axes and a lozenge's edges may be as
+/// imprecise as float makes them (kAxesAsGiven), and are then made unit and perpendicular within rounding.
+/// Errors, each a sentence fragment that names the field: unknown, missing and superfluous fields, values that are not
+/// numbers or are too large, the wrong number of numbers, negative radii and extents, min above max, axes that are not
+/// unit, perpendicular and right-handed, slabs that do not meet.
 [[nodiscard]] tl::expected<AnyVolume, std::string> read_volume(const Json& json, const VolumeWanted& wanted = {});
 
 /// Whether a volume could be of either dimension: a 6-DOP, which has three slabs in both.

@@ -1,4 +1,4 @@
-// What opens the window: no subcommand, and render, which draws into a picture instead.
+// The commands that use the window: no subcommand, and render and chart, which draw a picture instead.
 #include <optional>
 
 #include "desktop/cli/command.hpp"
@@ -8,7 +8,7 @@
 namespace snug::desktop {
 namespace {
 
-/// What can be seen to be wrong before there is a window is said without one.
+/// Reports what can be found wrong before there is a window, and then opens it.
 CommandResult open_on(const WindowOptions& options, int (*open_window)(const WindowOptions&)) {
   if (!options.lesson.empty())
     if (const auto file = find_lesson("", options.lesson); !file) return bad_input(file.error());
@@ -17,14 +17,14 @@ CommandResult open_on(const WindowOptions& options, int (*open_window)(const Win
   return Printed{"", open_window(options)};
 }
 
-/// Nothing where a picture can be written there.
+/// The error if a picture cannot be written there; none if it can.
 std::optional<InputError> wrong_picture(const std::string& path) {
   if (is_standard_output(path) || ending_of(path) == "png") return std::nullopt;
   return InputError{.what = "pictures are written as PNG: the name must end in .png, or be - for standard output",
                     .file = path};
 }
 
-/// "1280x800" as two numbers.
+/// Parses "1280x800" as two numbers.
 std::string parse_size(const std::string& text, WindowOptions& options) {
   int width = 0, height = 0;
   char x = 0, more = 0;
