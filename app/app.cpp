@@ -72,6 +72,7 @@ struct App::State {
   int drawn_cover = 0, drawn_percent = 0;
   int settle = kSettleFrames;
   long frames = 0;
+  float figures_height = 0;
 
   void load_fonts();
   void refresh_look(bool fingers);
@@ -403,6 +404,8 @@ std::vector<std::string_view> App::marks_in_hand() const {
   if (!state_->session || hovered == kNoIndex || hovered >= state_->session->size()) return {};
   return lesson::marks_at(*state_->session, hovered);
 }
+float App::figures_height() const { return state_->figures_height; }
+bool App::figures_fill() const { return state_->session && state_->view->fills_column(*state_->session); }
 bool App::playing() const { return state_->playing; }
 float App::speed() const { return state_->speed; }
 
@@ -437,9 +440,10 @@ void App::frame(const Layout& layout, double now) {
     const Pane pane("##stage", layout.stage);
     s.draw_stage(layout.stage);
   }
+  s.figures_height = 0;
   if (shows(layout.inspector)) {
     const Pane pane("##inspector", layout.inspector, Pane::Kind::kScrolls);
-    draw_inspector(s.look, *s.session, *s.view, layout.inspector);
+    s.figures_height = draw_inspector(s.look, *s.session, *s.view, layout.inspector);
   }
   if (!any(io.MouseDown)) s.press_ends = false;
   whiten(*ImGui::GetIO().Fonts);  // the atlas may have grown

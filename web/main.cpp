@@ -214,6 +214,9 @@ bool pick_name(const std::string& name) { return session() && session()->pick(st
 /// The names of the handles that can be the answer. A mesh has thousands, so they are not part of view().
 val targets() { return session() ? web::target_names(*session()) : val::array(); }
 
+bool figures_fill() { return door().app && door().app->figures_fill(); }
+double figures_height() { return door().app ? static_cast<double>(door().app->figures_height()) : 0; }
+
 /// A pinch: factor > 1 as the fingers part, around (x, y), which moved by (dx, dy).
 void pinch(float factor, float x, float y, float dx, float dy) { door().app->pinch(factor, x, y, dx, dy); }
 
@@ -342,6 +345,8 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("frame", &frame);
   function("seconds_until_due", &seconds_until_due);
   function("menu_open", &menu_open);
+  function("figures_height", &figures_height);
+  function("figures_fill", &figures_fill);
   function("pointer_moved", &web::pointer_moved);
   function("pointer_left", &web::pointer_left);
   function("pointer_button", &web::pointer_button);

@@ -68,7 +68,11 @@ void Session::forward() {
 }
 
 void Session::jump(int step) {
-  if (previewing_ && step >= steps()) return;
+  const auto stands = [](const Asked& asked) { return asked.step != Asked::kAnytime; };
+  const auto open = [&](const Asked& asked) { return stands(asked) && open_question(asked); };
+  const bool through =
+      std::any_of(asked_.begin(), asked_.end(), stands) && std::none_of(asked_.begin(), asked_.end(), open);
+  if (previewing_ && step >= steps() && !through) return;  // the result shows; nothing was passed on the way to it
   deciding_ = false;
   const int to = std::clamp(step, 0, steps());
   const int from = previewing_ ? 0 : step_;
