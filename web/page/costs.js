@@ -68,7 +68,7 @@ export class CostTools {
     this.#door = door;
     this.#act = act;
     this.#request = request;
-    this.#section = element("section", { class: "ask costs", "aria-label": "Measurement", hidden: true },
+    this.#section = element("section", { class: "costs", "aria-label": "Measurement", hidden: true },
       element("fieldset", { class: "segments" }, element("legend", { class: "unseen" }, "Chart"), ...this.#choices.map(([, , label]) => label)),
       element("div", { class: "row" }, this.#measure, this.#stop, this.#view), this.#bar,
       element("div", { class: "row costs-says" }, this.#says, ...this.#files),
