@@ -3,6 +3,23 @@
 #include "scene/effect.hpp"
 
 namespace snug::scene {
+
+// Each in its effect's file.
+MadeEffect make_spin(const EffectCall& call, World& world);
+MadeEffect make_orbit(const EffectCall& call, World& world);
+MadeEffect make_path(const EffectCall& call, World& world);
+MadeEffect make_fall(const EffectCall& call, World& world);
+MadeEffect make_drag(const EffectCall& call, World& world);
+MadeEffect make_bounce(const EffectCall& call, World& world);
+MadeEffect make_move(const EffectCall& call, World& world);
+MadeEffect make_refit(const EffectCall& call, World& world);
+MadeEffect make_broad_phase(const EffectCall& call, World& world);
+MadeEffect make_narrow_phase(const EffectCall& call, World& world);
+MadeEffect make_cull(const EffectCall& call, World& world);
+MadeEffect make_shadow(const EffectCall& call, World& world);
+MadeEffect make_trail(const EffectCall& call, World& world);
+MadeEffect make_projection_rays(const EffectCall& call, World& world);
+
 namespace {
 
 using enum Slot;

@@ -84,19 +84,5 @@ class Settings {
 
 /// What the rows' makers return.
 using MadeEffect = tl::expected<std::unique_ptr<Effect>, InputError>;
-[[nodiscard]] MadeEffect make_spin(const EffectCall& call, World& world);
-[[nodiscard]] MadeEffect make_orbit(const EffectCall& call, World& world);
-[[nodiscard]] MadeEffect make_path(const EffectCall& call, World& world);
-[[nodiscard]] MadeEffect make_fall(const EffectCall& call, World& world);
-[[nodiscard]] MadeEffect make_drag(const EffectCall& call, World& world);
-[[nodiscard]] MadeEffect make_bounce(const EffectCall& call, World& world);
-[[nodiscard]] MadeEffect make_move(const EffectCall& call, World& world);
-[[nodiscard]] MadeEffect make_refit(const EffectCall& call, World& world);
-[[nodiscard]] MadeEffect make_broad_phase(const EffectCall& call, World& world);
-[[nodiscard]] MadeEffect make_narrow_phase(const EffectCall& call, World& world);
-[[nodiscard]] MadeEffect make_cull(const EffectCall& call, World& world);
-[[nodiscard]] MadeEffect make_shadow(const EffectCall& call, World& world);
-[[nodiscard]] MadeEffect make_trail(const EffectCall& call, World& world);
-[[nodiscard]] MadeEffect make_projection_rays(const EffectCall& call, World& world);
 
 }  // namespace snug::scene
