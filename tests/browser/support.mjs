@@ -253,6 +253,15 @@ export async function pixels_of(page, clip) {
   return new Uint8Array(Buffer.from(text, "base64"));
 }
 
+/** How many pixels of the stage have the colour that volumes are drawn in. */
+export async function pixels_of_volume(page) {
+  const data = await pixels_of(page, await page.locator("#stage").boundingBox());
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4)
+    if (Math.abs(data[i] - 0x0A) < 12 && Math.abs(data[i + 1] - 0x5F) < 12 && Math.abs(data[i + 2] - 0xBF) < 12) ++count;
+  return count;
+}
+
 /** Gives an answer to what is asked, as a hand would: chooses it, sees it said, chooses it again. One that is wrong at
  *  the first try is followed by another, if there is a second.
  *  what: a choice by its words or its number from 0, or a handle by its name (null: the first that can be the answer);

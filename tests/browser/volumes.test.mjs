@@ -1,6 +1,7 @@
-// What `snug lesson check` accepts, the page opens: a small lesson of each volume, whatever the site's own lessons have.
+// What `snug lesson check` accepts, the page opens: a small lesson of each volume in both dimensions, whatever the site's
+// own lessons have.
 import { after, before, test } from "node:test";
-import { add_lesson, assert, pixels_of, ready, start, state, still, stop, until, visit } from "./support.mjs";
+import { add_lesson, assert, pixels_of_volume, ready, start, state, still, stop, until, visit } from "./support.mjs";
 
 before(async () => {
   await start();
@@ -13,7 +14,9 @@ after(stop);
 const kVolumes = {
   sphere: "welzl", aabb: "min_max", obb: "pca", capsule: "pca", lozenge: "pca", kdop: "k14", hull: "quickhull",
 };
-const kFlatVolumes = { sphere: "ritter", aabb: "min_max", obb: "exact", capsule: "pca", kdop: "k8", hull: "quickhull" };
+const kFlatVolumes = {
+  sphere: "ritter", aabb: "min_max", obb: "exact", capsule: "pca", lozenge: "pca", kdop: "k8", hull: "quickhull",
+};
 const kEach = [[3, kVolumes], [2, kFlatVolumes]];
 
 const small_lesson = (volume, algorithm, dim) => `version = 1
@@ -32,15 +35,6 @@ count = 24
 title = "A volume"
 text = "It is fitted around the points."
 `;
-
-/** How many pixels of the stage have the colour that the current volume is drawn in. */
-async function pixels_of_volume(page) {
-  const data = await pixels_of(page, await page.locator("#stage").boundingBox());
-  let count = 0;
-  for (let i = 0; i < data.length; i += 4)
-    if (Math.abs(data[i] - 0x0A) < 12 && Math.abs(data[i + 1] - 0x5F) < 12 && Math.abs(data[i + 2] - 0xBF) < 12) ++count;
-  return count;
-}
 
 for (const [dim, volumes] of kEach) {
   for (const [volume, algorithm] of Object.entries(volumes)) {
