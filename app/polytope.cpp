@@ -6,7 +6,7 @@
 #include "fit/hull/quickhull.hpp"
 #include "fit/lift.hpp"
 #include "geometry/convert.hpp"
-#include "query/kdop_vertices.hpp"
+#include "geometry/kdop.hpp"
 #include "query/support_function.hpp"
 
 namespace snug::app {
@@ -58,9 +58,9 @@ Polytope polytope_of(const Aabb<double, 3>& aabb, int dim) {
 /// A k-DOP's faces from its vertices: those that touch one side of a slab form a face, in order around it.
 Polytope polytope_of(const Kdop<double, 3>& kdop, int dim) {
   if (dim == 2) {
-    return hull_of<2>(query::kdop_vertices(converted<double, 2>(kdop)));
+    return hull_of<2>(kdop_vertices(converted<double, 2>(kdop)));
   }
-  return hull_of<3>(query::kdop_vertices(kdop));
+  return hull_of<3>(kdop_vertices(kdop));
 }
 
 Polytope polytope_of(const ConvexHull<double, 3>& hull, int dim) {

@@ -8,6 +8,9 @@
 #include <numbers>
 #include <vector>
 
+#include "geometry/convert.hpp"
+#include "query/support_function.hpp"
+
 namespace snug::app {
 namespace {
 
@@ -130,22 +133,56 @@ void draw_face(const Canvas& canvas, const std::vector<ImVec2>& outline, const V
   if (front) add_sides(canvas, outline);
 }
 
-/// Draws a ball swept over a core: the hull of the balls at the core's vertices, and the core itself.
-void draw_swept(const Canvas& canvas, const std::vector<V3>& core, double radius, const VolumeStyle& style) {
-  std::vector<ImVec2> rims;
-  for (const V3& corner : core) {
-    const double scale = radius > 0 ? 1 / radius : 0;
-    const std::vector<V3> rim = is_flat(canvas)
-                                    ? ellipse(corner, V3::UnitX() * radius, V3::UnitY() * radius)
-                                    : silhouette(corner, Eigen::Matrix3d(Eigen::Matrix3d::Identity() * radius),
-                                                 (canvas.camera.eye() - corner) * scale);
-    for (const ImVec2 at : projected(canvas, rim)) rims.push_back(at);
-    rims.push_back(canvas.at(corner));
+/// Finds the points where lines of sight just touch a convex volume, in order around it; none where the eye is inside.
+/// For each direction on the screen, Newton's method tilts a tangent plane until it goes through the eye.
+template <template <class, int> class Kind>
+std::vector<V3> tangent_points(const Kind<double, 3>& volume, const V3& eye) {
+  constexpr int kTilts = 8;
+  const Aabb<double, 3> box = query::box_around(volume);
+  const V3 to_eye = (eye - (box.min + box.max) / 2).normalized();
+  if (!(to_eye.dot(eye - query::support(volume, to_eye)) > 0)) return {};
+  const V3 aside = to_eye.cross(std::abs(to_eye[1]) < 0.9 ? V3(V3::UnitY()) : V3(V3::UnitX())).normalized();
+  const V3 up = to_eye.cross(aside);
+  std::vector<V3> points;
+  for (int i = 0; i < kParts; ++i) {
+    const double around = 2 * std::numbers::pi * i / kParts;
+    const V3 outward = aside * std::cos(around) + up * std::sin(around);
+    V3 touched = V3::Zero();
+    double tilt = 0;
+    for (int step = 0; step < kTilts; ++step) {
+      const V3 normal = outward * std::cos(tilt) + to_eye * std::sin(tilt);
+      touched = query::support(volume, normal);
+      const double beyond = normal.dot(eye - touched);
+      const double slope = (to_eye * std::cos(tilt) - outward * std::sin(tilt)).dot(eye - touched);
+      if (slope > 0) tilt = std::clamp(tilt - beyond / slope, -1.5, 1.5);
+    }
+    points.push_back(touched);
   }
-  const std::vector<ImVec2> outline = convex_outline(std::move(rims));
+  return points;
+}
+
+/// The border of a convex volume of the plane.
+template <template <class, int> class Kind>
+std::vector<V3> border_points(const Kind<double, 3>& volume) {
+  const auto own = converted<double, 2>(volume);
+  std::vector<V3> points;
+  for (const V3& direction : ellipse(V3::Zero(), V3::UnitX(), V3::UnitY()))
+    convert_into(points.emplace_back(), query::support(own, direction.head<2>()));
+  return points;
+}
+
+/// Draws the outline of any convex volume.
+template <template <class, int> class Kind>
+void draw_volume(const Canvas& canvas, const Kind<double, 3>& volume, const VolumeStyle& style) {
+  const std::vector<ImVec2> outline =
+      projected(canvas, is_flat(canvas) ? border_points(volume) : tangent_points(volume, canvas.camera.eye()));
   fill_convex(canvas, outline, style, 1);
   path(canvas.list, outline, true, style.stroke, style.color, style.width);
-  add_sides(canvas, outline);
+  add_obstacle(canvas, outline);
+}
+
+/// Draws what a sphere was swept over.
+void draw_core(const Canvas& canvas, const std::vector<V3>& core, const VolumeStyle& style) {
   if (style.fill > 0)
     path(canvas.list, projected(canvas, core), core.size() > 2, Stroke::kDashed, with_alpha(style.color, 0.5f), 1);
 }
@@ -224,13 +261,14 @@ void draw_volume(const Canvas& canvas, const Polytope& polytope, const VolumeSty
 }
 
 void draw_volume(const Canvas& canvas, const Capsule<double, 3>& capsule, const VolumeStyle& style) {
-  draw_swept(canvas, {capsule.a, capsule.b}, capsule.radius, style);
+  draw_volume<Capsule>(canvas, capsule, style);
+  draw_core(canvas, {capsule.a, capsule.b}, style);
 }
 
 void draw_volume(const Canvas& canvas, const Lozenge<double, 3>& lozenge, const VolumeStyle& style) {
   const auto& [u, v] = lozenge.edges;
-  draw_swept(canvas, {lozenge.origin, lozenge.origin + u, lozenge.origin + u + v, lozenge.origin + v}, lozenge.radius,
-             style);
+  draw_volume<Lozenge>(canvas, lozenge, style);
+  draw_core(canvas, {lozenge.origin, lozenge.origin + u, lozenge.origin + u + v, lozenge.origin + v}, style);
 }
 
 void draw_volume(const Canvas& canvas, const fit::Volume3& volume, const VolumeStyle& style) {

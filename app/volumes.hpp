@@ -1,5 +1,5 @@
 // Draws each kind of volume, in 2-D and in 3-D: the outline on ImGui's draw list, the body with OpenGL.
-// A new volume is one more overload of draw_volume.
+// Any volume is drawn by its outline; a kind that shows more has an overload of draw_volume.
 #pragma once
 
 #include "app/camera.hpp"

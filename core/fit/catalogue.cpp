@@ -13,12 +13,10 @@ namespace {
 std::vector<Algorithm> all_rows() {
   std::vector<Algorithm> all;
   const auto add = [&](std::span<const Algorithm> rows) { all.insert(all.end(), rows.begin(), rows.end()); };
-  add(sphere_rows());
-  add(aabb_rows());
-  add(obb_rows());
-  add(swept_rows());
-  add(kdop_rows());
-  add(hull_rows());
+  const auto add_each = [&]<class... Kinds>(const std::variant<Kinds...>*) {
+    (add(rows_of(static_cast<const Kinds*>(nullptr))), ...);
+  };
+  add_each(static_cast<const Volume3*>(nullptr));
   return all;
 }
 

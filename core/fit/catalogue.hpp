@@ -1,5 +1,5 @@
 // Every algorithm by its name: what the command line, lessons and charts choose from.
-// A new fitter is its own file and one row in catalogue.cpp.
+// A new fitter is its own file and one row in the catalogue of its folder.
 #pragma once
 
 #include <cstdint>

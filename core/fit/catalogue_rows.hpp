@@ -1,4 +1,4 @@
-// How a fitter becomes a row of the catalogue. For the catalogue's own files, one a kind of volume.
+// How a fitter becomes a row of the catalogue. For the catalogue's own files, one in each folder of volumes.
 #pragma once
 
 #include <limits>
@@ -95,13 +95,5 @@ constexpr Algorithm row(const About& about) {
 // Books that several rows name.
 inline constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
 inline constexpr std::string_view kRomanick = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007";
-
-// Each in its file.
-[[nodiscard]] std::span<const Algorithm> sphere_rows();
-[[nodiscard]] std::span<const Algorithm> aabb_rows();
-[[nodiscard]] std::span<const Algorithm> obb_rows();
-[[nodiscard]] std::span<const Algorithm> swept_rows();
-[[nodiscard]] std::span<const Algorithm> kdop_rows();
-[[nodiscard]] std::span<const Algorithm> hull_rows();
 
 }  // namespace snug::fit

@@ -14,7 +14,7 @@
 
 namespace snug::fit {
 
-/// A few points of the set, by index, without memory of its own: at most Dim + 1 hold a ball, and one may enter.
+/// A few points of the set, by index, without memory of its own: at most Dim + 1 support a ball, and one may enter.
 class Support {
  public:
   constexpr Support() = default;
@@ -38,7 +38,7 @@ class Support {
   int size_ = 0;
 };
 
-/// How many points can hold a volume in place is bounded for a ball alone.
+/// The number of points that support a volume is bounded for a ball alone.
 template <class Volume>
 struct SupportOf {
   using Type = std::vector<Index>;
@@ -48,8 +48,7 @@ struct SupportOf<Sphere<Scalar, Dim>> {
   using Type = Support;
 };
 
-/// A volume that holds every point, and the points that hold it in place (that touch it). Nothing that can be
-/// recomputed.
+/// A volume that contains every point, and the points that support it (that touch it). Nothing that can be recomputed.
 template <class Volume>
 struct Fit {
   Volume volume;
@@ -66,6 +65,9 @@ struct Step {
   Volume volume;            // as it stands after this step
   Fact fact;
 };
+
+/// A row of the catalogue (fit/catalogue.hpp). Beside its step, each kind of volume declares rows_of, its own.
+struct Algorithm;
 
 /// What a caller may choose; each fitter takes what it knows.
 struct Options {

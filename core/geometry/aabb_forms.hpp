@@ -27,6 +27,16 @@ struct AabbCenterExtents {
   Vector<Scalar, Dim> half_extents = Vector<Scalar, Dim>::Zero();  // >= 0
 };
 
+template <class Number, class Scalar, int Dim>
+[[nodiscard]] Span<Number> core_span(const Plane<Scalar, Dim>& plane, const AabbCenterExtents<Scalar, Dim>& box) {
+  const Vector<Scalar, Dim> sizes = plane.normal.cwiseAbs();
+  return around<Number>(plane, box.center, dot_as<Number, Scalar, Dim>(sizes, box.half_extents));
+}
+template <class Scalar, int Dim>
+[[nodiscard]] Scalar size_of(const AabbCenterExtents<Scalar, Dim>& box) {
+  return largest<Scalar, Dim>(box.center) + largest<Scalar, Dim>(box.half_extents);
+}
+
 template <class Scalar, int Dim>
 [[nodiscard]] AabbMinWidths<Scalar, Dim> min_widths_of(const Aabb<Scalar, Dim>& box) {
   AabbMinWidths<Scalar, Dim> result{box.min, {}};

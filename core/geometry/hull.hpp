@@ -6,6 +6,8 @@
 #include <tuple>
 #include <vector>
 
+#include "geometry/core.hpp"
+#include "geometry/reach.hpp"
 #include "geometry/vector.hpp"
 
 namespace snug {
@@ -23,5 +25,49 @@ struct ConvexHull {
   static constexpr std::array<std::string_view, 4> kFields{"vertices", "indices", "facets", "affine_dim"};
   static auto tie(auto& own) { return std::tie(own.vertices, own.indices, own.facets, own.affine_dim); }
 };
+
+template <class Scalar, int Dim>
+[[nodiscard]] Vector<Scalar, Dim> anchor(const ConvexHull<Scalar, Dim>& hull) {
+  return hull.vertices.empty() ? Vector<Scalar, Dim>(Vector<Scalar, Dim>::Zero()) : hull.vertices.front();
+}
+
+template <class Scalar, int Dim>
+[[nodiscard]] Corners<Dim> core_corners(const ConvexHull<Scalar, Dim>& hull, const Vector<Scalar, Dim>& origin) {
+  Corners<Dim> corners;
+  corners.reserve(hull.vertices.size());
+  for (const auto& vertex : hull.vertices) corners.push_back(difference(vertex, origin));
+  return corners;
+}
+
+template <class Number, class Scalar, int Dim>
+[[nodiscard]] Span<Number> core_span(const Plane<Scalar, Dim>& plane, const ConvexHull<Scalar, Dim>& hull) {
+  Span<Number> span = core_span<Number>(plane, hull.vertices.front());
+  for (const auto& vertex : hull.vertices) {
+    const Number value = value_at<Number>(plane, vertex);
+    if (value < span.low) span.low = value;
+    if (span.high < value) span.high = value;
+  }
+  return span;
+}
+template <class Scalar, int Dim>
+[[nodiscard]] Scalar size_of(const ConvexHull<Scalar, Dim>& hull) {
+  Scalar most = 0;
+  for (const auto& vertex : hull.vertices) most = std::max(most, largest<Scalar, Dim>(vertex));
+  return most;
+}
+
+template <class Scalar, int Dim>
+[[nodiscard]] ConvexHull<Scalar, Dim> moved(ConvexHull<Scalar, Dim> hull, const Vector<Scalar, Dim>& by) {
+  for (auto& vertex : hull.vertices) vertex += by;
+  return hull;
+}
+/// About the mean of its vertices.
+template <class Scalar, int Dim>
+[[nodiscard]] ConvexHull<Scalar, Dim> turned(ConvexHull<Scalar, Dim> hull, const Matrix<Scalar, Dim>& rotation) {
+  Vector<Scalar, Dim> middle = Vector<Scalar, Dim>::Zero();
+  for (const auto& vertex : hull.vertices) middle += vertex / static_cast<Scalar>(hull.vertices.size());
+  for (auto& vertex : hull.vertices) vertex = middle + rotation * (vertex - middle);
+  return hull;
+}
 
 }  // namespace snug

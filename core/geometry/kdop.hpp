@@ -5,7 +5,10 @@
 #include <span>
 #include <string_view>
 #include <tuple>
+#include <vector>
 
+#include "geometry/core.hpp"
+#include "geometry/reach.hpp"
 #include "geometry/vector.hpp"
 
 namespace snug {
@@ -21,6 +24,17 @@ inline constexpr int kMostSlabs = Dim == 2 ? 4 : 13;
 template <int Dim>
 [[nodiscard]] std::span<const std::array<int, Dim>> kdop_axes(int k) noexcept;
 
+template <int Dim>
+using KdopAxis = std::array<int, static_cast<std::size_t>(Dim)>;
+
+/// p . axis, each sum rounded.
+template <class Scalar, int Dim>
+[[nodiscard]] Scalar project(const KdopAxis<Dim>& axis, const Vector<Scalar, Dim>& p) {
+  Scalar sum = 0;
+  for (int i = 0; i < Dim; ++i) sum += static_cast<Scalar>(axis[i]) * p[i];
+  return sum;
+}
+
 /// All p with min_i <= p . axis_i <= max_i for each of the k/2 axes.
 template <class Scalar, int Dim>
 struct Kdop {
@@ -30,5 +44,47 @@ struct Kdop {
   static constexpr std::array<std::string_view, 3> kFields{"k", "min", "max"};
   static auto tie(auto& own) { return std::tie(own.k, own.min, own.max); }
 };
+
+/// The corners, each once, relative to an origin (subtracted before anything is rounded, so that far k-DOPs lose no
+/// digits), in scene units. Slabs that touch nothing add none; none at all where the slabs have no point in common, and
+/// miss having one by more than the rounding of their bounds. Each lies in all slabs within kKdopCorner. kdop.k: one of
+/// the known.
+template <class Scalar, int Dim>
+[[nodiscard]] Corners<Dim> kdop_vertices(const Kdop<Scalar, Dim>& kdop,
+                                         const Vector<Scalar, Dim>& origin = Vector<Scalar, Dim>::Zero());
+
+template <class Scalar, int Dim>
+[[nodiscard]] Vector<Scalar, Dim> anchor(const Kdop<Scalar, Dim>& kdop) {
+  Vector<Scalar, Dim> least;  // the first axes are those of the coordinates
+  for (int i = 0; i < Dim; ++i) least[i] = kdop.min[i];
+  return least;
+}
+
+template <class Scalar, int Dim>
+[[nodiscard]] Corners<Dim> core_corners(const Kdop<Scalar, Dim>& kdop, const Vector<Scalar, Dim>& origin) {
+  return kdop_vertices(kdop, origin);
+}
+
+/// In kdop_reach.hpp.
+template <class Number, class Scalar, int Dim>
+[[nodiscard]] Span<Number> core_span(const Plane<Scalar, Dim>& plane, const Kdop<Scalar, Dim>& kdop);
+/// The span is a sum of bounds whose weights' sizes sum up to no more than 6 times the normal's (kdop_reach.hpp).
+template <class Scalar, int Dim>
+[[nodiscard]] Scalar size_of(const Kdop<Scalar, Dim>& kdop) {
+  Scalar most = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(kdop.k / 2); ++i)
+    most = std::max({most, std::abs(kdop.min[i]), std::abs(kdop.max[i])});
+  return 6 * most;
+}
+
+template <class Scalar, int Dim>
+[[nodiscard]] Kdop<Scalar, Dim> moved(Kdop<Scalar, Dim> kdop, const Vector<Scalar, Dim>& by) {
+  const auto axes = kdop_axes<Dim>(kdop.k);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const Scalar along = project<Scalar, Dim>(axes[i], by);
+    kdop.min[i] += along, kdop.max[i] += along;
+  }
+  return kdop;
+}
 
 }  // namespace snug

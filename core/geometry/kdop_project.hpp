@@ -8,17 +8,6 @@
 
 namespace snug {
 
-template <int Dim>
-using KdopAxis = std::array<int, static_cast<std::size_t>(Dim)>;
-
-/// p . axis, each sum rounded.
-template <class Scalar, int Dim>
-[[nodiscard]] Scalar project(const KdopAxis<Dim>& axis, const Vector<Scalar, Dim>& p) {
-  Scalar sum = 0;
-  for (int i = 0; i < Dim; ++i) sum += static_cast<Scalar>(axis[i]) * p[i];
-  return sum;
-}
-
 /// The least Scalar that is not below p . axis. p: finite, and small enough that the sum of its coordinates is.
 template <class Scalar, int Dim>
 [[nodiscard]] Scalar project_up(const KdopAxis<Dim>& axis, const Vector<Scalar, Dim>& p) {

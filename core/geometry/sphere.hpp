@@ -1,4 +1,4 @@
-// The sphere (in 2-D the circle), and the exact question whether it holds a point.
+// The sphere (in 2-D the circle), and whether it contains a point, decided exactly.
 #pragma once
 
 #include <array>
@@ -8,7 +8,9 @@
 #include <tuple>
 #include <vector>
 
+#include "geometry/core.hpp"
 #include "geometry/point_set.hpp"
+#include "geometry/reach.hpp"
 #include "geometry/vector.hpp"
 
 namespace snug {
@@ -59,7 +61,7 @@ struct FarthestPoints {
 template <class Scalar, int Dim>
 [[nodiscard]] FarthestPoints<Scalar> farthest_points(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim> points);
 
-/// The smallest radius, within kSquaredDistance, with which a sphere around center holds every point exactly.
+/// The smallest radius, within kSquaredDistance, with which a sphere around center contains every point exactly.
 /// far: of the same centre and points. Looks again at just those blocks that reach the boundary.
 template <class Scalar, int Dim>
 [[nodiscard]] Scalar enclosing_radius(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim> points,
@@ -70,6 +72,40 @@ template <class Scalar, int Dim>
 [[nodiscard]] double measure(const Sphere<Scalar, Dim>& sphere) {
   const double r = static_cast<double>(sphere.radius);
   return Dim == 2 ? std::numbers::pi * r * r : 4.0 / 3.0 * std::numbers::pi * r * r * r;
+}
+
+template <class Scalar, int Dim>
+[[nodiscard]] Vector<Scalar, Dim> anchor(const Sphere<Scalar, Dim>& sphere) {
+  return sphere.center;
+}
+
+/// The core is the centre.
+template <class Scalar, int Dim>
+[[nodiscard]] Corners<Dim> core_corners(const Sphere<Scalar, Dim>& sphere, const Vector<Scalar, Dim>& origin) {
+  return {difference(sphere.center, origin)};
+}
+template <class Scalar, int Dim>
+[[nodiscard]] Scalar core_radius(const Sphere<Scalar, Dim>& sphere) {
+  return sphere.radius;
+}
+
+template <class Number, class Scalar, int Dim>
+[[nodiscard]] Span<Number> core_span(const Plane<Scalar, Dim>& plane, const Sphere<Scalar, Dim>& sphere) {
+  return core_span<Number>(plane, sphere.center);
+}
+template <class Scalar, int Dim>
+[[nodiscard]] Scalar size_of(const Sphere<Scalar, Dim>& sphere) {
+  return largest<Scalar, Dim>(sphere.center) + sphere.radius;
+}
+
+template <class Scalar, int Dim>
+[[nodiscard]] bool contains(const Sphere<Scalar, Dim>& sphere, const std::type_identity_t<Vector<Scalar, Dim>>& point) {
+  return side_of_sphere(point, sphere) <= 0;
+}
+
+template <class Scalar, int Dim>
+[[nodiscard]] Sphere<Scalar, Dim> moved(const Sphere<Scalar, Dim>& sphere, const Vector<Scalar, Dim>& by) {
+  return {sphere.center + by, sphere.radius};
 }
 
 }  // namespace snug

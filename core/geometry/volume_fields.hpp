@@ -1,5 +1,5 @@
-// Each volume's fields as files and scripts know them: as they stand in its header, but for what is said otherwise
-// here.
+// Each volume's fields as files and scripts know them, to be written and to be read: as they stand in its header, but
+// for what is said otherwise here.
 #pragma once
 
 #include <span>
@@ -13,6 +13,12 @@ namespace snug {
 template <template <class, int> class Kind, class Scalar, int Dim>
 requires Listed<Kind<Scalar, Dim>>
 void fields_of(const Kind<Scalar, Dim>& volume, auto&& see) { see_fields(volume, see); }
+
+/// Calls see(name, field) for each field that a file may set, in order.
+template <template <class, int> class Kind, class Scalar, int Dim>
+void fields_to_read(Kind<Scalar, Dim>& volume, auto&& see) {
+  see_fields(volume, see);
+}
 
 /// The axes as rows.
 template <class Scalar, int Dim>
@@ -39,6 +45,10 @@ void fields_of(const Kdop<Scalar, Dim>& kdop, auto&& see) {
 /// The vertices alone: all else follows from them.
 template <class Scalar, int Dim>
 void fields_of(const ConvexHull<Scalar, Dim>& hull, auto&& see) {
+  see("points", hull.vertices);
+}
+template <class Scalar, int Dim>
+void fields_to_read(ConvexHull<Scalar, Dim>& hull, auto&& see) {
   see("points", hull.vertices);
 }
 

@@ -8,10 +8,15 @@
 #include <span>
 #include <vector>
 
-#include "geometry/volume.hpp"
+#include "query/support_function.hpp"
 
 namespace snug::hierarchy {
 
+/// For any volume; what follows is faster. The volume must not be empty.
+template <template <class, int> class Kind, class Scalar, int Dim>
+[[nodiscard]] Aabb<double, Dim> bounds_of(const Kind<Scalar, Dim>& volume) {
+  return query::box_around(volume);
+}
 template <class Scalar, int Dim>
 [[nodiscard]] Aabb<double, Dim> bounds_of(const Aabb<Scalar, Dim>& box) {
   return {box.min.template cast<double>(), box.max.template cast<double>()};
@@ -67,7 +72,7 @@ struct Box {
   std::array<double, 3> low{}, high{};
 };
 
-/// Half of the surface, and the edges' lengths summed; in the plane the area is 0. Of things of no area the length
+/// Half of the surface, and the edges' lengths summed; in the plane the area is 0. Where there is no area, the length
 /// decides.
 struct Size {
   double area = 0, length = 0;

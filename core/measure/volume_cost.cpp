@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "geometry/convert.hpp"
-#include "geometry/kdop_project.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
 #include "geometry/volume_bytes.hpp"
 #include "query/overlaps.hpp"
+#include "query/support_function.hpp"
 
 namespace snug::cost {
 namespace {
@@ -28,55 +28,6 @@ inline constexpr int kPairsOf<ConvexHull<Scalar, Dim>> = kHullPairs;
 constexpr int kHalvings = 20;
 /// The fractions of that distance by which copies that overlap, and copies that are apart, are moved.
 constexpr double kTouching = 0.9, kApart = 1.1;
-
-// ---- copies: rotated about their centre, if their kind can rotate, then moved
-
-template <class Scalar, int Dim>
-Sphere<Scalar, Dim> copied(Sphere<Scalar, Dim> v, const Pose<Scalar, Dim>& pose) {
-  return v.center += pose.translation, v;
-}
-
-template <class Scalar, int Dim>
-Aabb<Scalar, Dim> copied(const Aabb<Scalar, Dim>& v, const Pose<Scalar, Dim>& pose) {
-  return {v.min + pose.translation, v.max + pose.translation};
-}
-
-template <class Scalar, int Dim>
-Obb<Scalar, Dim> copied(const Obb<Scalar, Dim>& v, const Pose<Scalar, Dim>& pose) {
-  return {v.center + pose.translation, orthonormal<Scalar, Dim>(pose.rotation * v.axes), v.half_extents};
-}
-
-template <class Scalar, int Dim>
-Capsule<Scalar, Dim> copied(const Capsule<Scalar, Dim>& v, const Pose<Scalar, Dim>& pose) {
-  const Vector<Scalar, Dim> middle = (v.a + v.b) / 2, half = pose.rotation * ((v.b - v.a) / 2);
-  return {middle - half + pose.translation, middle + half + pose.translation, v.radius};
-}
-
-template <class Scalar, int Dim>
-Lozenge<Scalar, Dim> copied(const Lozenge<Scalar, Dim>& v, const Pose<Scalar, Dim>& pose) {
-  const Vector<Scalar, Dim> middle = v.origin + (v.edges[0] + v.edges[1]) / 2;
-  const Vector<Scalar, Dim> a = pose.rotation * v.edges[0], b = pose.rotation * v.edges[1];
-  return {middle - (a + b) / 2 + pose.translation, {a, b}, v.radius};
-}
-
-template <class Scalar, int Dim>
-Kdop<Scalar, Dim> copied(Kdop<Scalar, Dim> v, const Pose<Scalar, Dim>& pose) {
-  const auto axes = kdop_axes<Dim>(v.k);
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    const Scalar by = project<Scalar, Dim>(axes[i], pose.translation);
-    v.min[i] += by, v.max[i] += by;
-  }
-  return v;
-}
-
-template <class Scalar, int Dim>
-ConvexHull<Scalar, Dim> copied(ConvexHull<Scalar, Dim> v, const Pose<Scalar, Dim>& pose) {
-  Vector<Scalar, Dim> middle = Vector<Scalar, Dim>::Zero();
-  v.indices.clear(), v.facets.clear();  // the tests use the vertices only
-  for (const auto& vertex : v.vertices) middle += vertex / static_cast<Scalar>(v.vertices.size());
-  for (auto& vertex : v.vertices) vertex = middle + pose.rotation * (vertex - middle) + pose.translation;
-  return v;
-}
 
 template <class Scalar, int Dim>
 Pose<Scalar, Dim> random_turn(Random& random) {
@@ -99,17 +50,19 @@ Vector<Scalar, Dim> random_direction(Random& random) {
   }
 }
 
-/// Copies just inside and just outside the distance at which they touch. Without any motion they overlap, because a
-/// convex body and its copy share their centre.
+/// Copies just inside and just outside the distance at which they touch, rotated if their kind can rotate. Without any
+/// motion they overlap, because a convex body and its copy share their centre.
 template <class Scalar, int Dim, class VolumeType>
-std::vector<VolumeType> copies_of(const VolumeType& volume, double reach, Random& random) {
+std::vector<VolumeType> copies_of(const VolumeType& volume, Random& random) {
+  const Aabb<double, Dim> box = query::box_around(volume);
+  const double reach = 2 * (box.max - box.min).norm();  // farther than any two points of the volume are apart
   std::vector<VolumeType> copies;
   for (int i = 0; i < kPairsOf<VolumeType>; ++i) {
     Pose<Scalar, Dim> pose = random_turn<Scalar, Dim>(random);
     const Vector<Scalar, Dim> direction = random_direction<Scalar, Dim>(random);
     const auto at = [&](double distance) {
       pose.translation = direction * static_cast<Scalar>(distance);
-      return copied(volume, pose);
+      return placed(volume, pose);
     };
     double touching = 0, apart = reach;
     for (int halving = 0; halving < kHalvings; ++halving) {
@@ -121,31 +74,6 @@ std::vector<VolumeType> copies_of(const VolumeType& volume, double reach, Random
   return copies;
 }
 
-/// A distance greater than that between any two of its points.
-double reach_of(const fit::Volume3& volume, int dim) {
-  struct Reach {
-    int dim;
-    double operator()(const Sphere<double, 3>& v) const { return v.radius; }
-    double operator()(const Aabb<double, 3>& v) const { return (v.max - v.min).norm(); }
-    double operator()(const Obb<double, 3>& v) const { return 2 * v.half_extents.norm(); }
-    double operator()(const Capsule<double, 3>& v) const { return (v.b - v.a).norm() + 2 * v.radius; }
-    double operator()(const Lozenge<double, 3>& v) const {
-      return v.edges[0].norm() + v.edges[1].norm() + 2 * v.radius;
-    }
-    double operator()(const Kdop<double, 3>& v) const {  // the first slabs are those of its AABB
-      double sum = 0;
-      for (std::size_t i = 0; i < static_cast<std::size_t>(dim); ++i) sum += v.max[i] - v.min[i];
-      return sum;
-    }
-    double operator()(const ConvexHull<double, 3>& v) const {
-      double most = 0;
-      for (const auto& vertex : v.vertices) most = std::max(most, (vertex - v.vertices[0]).norm());
-      return 2 * most;
-    }
-  };
-  return 4 * std::visit(Reach{dim}, volume);
-}
-
 template <class Scalar, int Dim>
 OverlapWork work_of(const fit::Volume3& lifted, std::uint64_t seed) {
   return std::visit(
@@ -153,8 +81,7 @@ OverlapWork work_of(const fit::Volume3& lifted, std::uint64_t seed) {
         Random random(seed);
         const auto volume = converted<Scalar, Dim>(kind);
         using VolumeType = std::remove_const_t<decltype(volume)>;
-        auto copies =
-            std::make_shared<std::vector<VolumeType>>(copies_of<Scalar, Dim>(volume, reach_of(lifted, Dim), random));
+        auto copies = std::make_shared<std::vector<VolumeType>>(copies_of<Scalar, Dim>(volume, random));
         return {[volume, copies] {
                   int overlapping = 0;
                   for (const VolumeType& copy : *copies) overlapping += query::overlaps(volume, copy) ? 1 : 0;

@@ -4,16 +4,16 @@
 //
 // All answers are those of exact arithmetic on the numbers as they are, in float as in double: a volume is outside just
 // where all of it is on the outer side of one plane, and inside where none of it is on the outer side of any. So
-// nothing that touches the frustum is ever called outside, and nothing that sticks out inside. But what is outside
-// without being so of one plane (near the frustum's edges and corners) is called intersecting: frustum_sat.hpp tells
-// how often.
+// nothing that touches the frustum is ever called outside, and nothing that sticks out inside. (A kind of volume whose
+// header gives a support mapping alone is promised that and no more: within rounding of a plane it is called
+// intersecting.) But what is outside without being so of one plane (near the frustum's edges and corners) is called
+// intersecting: frustum_sat.hpp tells how often.
 #pragma once
 
 #include <type_traits>
 
 #include "query/classify_steps.hpp"
 #include "query/plane_reach.hpp"
-#include "query/plane_reach_kdop.hpp"
 #include "query/vertices_along.hpp"
 #include "trace/observer.hpp"
 
@@ -34,7 +34,7 @@ template <class Scalar, int Dim, class Shape, class Observer>
 class Classify {
  public:
   Classify(const Frustum<Scalar, Dim>& frustum, const Shape& volume, const CullPlan& plan, Observer& observe)
-      : frustum_(frustum), volume_(volume), plan_(plan), observe_(observe), size_(size_of(volume)) {}
+      : frustum_(frustum), volume_(volume), plan_(plan), observe_(observe), size_(span_size(volume)) {}
 
   CullResult run() {
     const bool has_first = plan_.first >= 0 && plan_.first < kFrustumPlanes<Dim>;
@@ -88,13 +88,14 @@ class Classify {
     return side == Culling::kOutside && plan_.extent == CullExtent::kFirst;
   }
 
-  /// Decided by rounded numbers where no rounding can change the answer, and exactly otherwise.
+  /// Decided by rounded numbers where no rounding can change the answer, and exactly otherwise (signs_of).
   [[nodiscard]] Sided sided(const Plane<Scalar, Dim>& plane, const Span<Scalar>& span, Scalar doubt) const {
     if (span.low > doubt) return {Culling::kOutside, false};
     if (span.high < -doubt) return {Culling::kInside, false};
     if (span.low < -doubt && span.high > doubt) return {Culling::kIntersecting, false};
     const Span<int> signs = signs_of(plane, volume_);
-    return {signs.low > 0 ? Culling::kOutside : signs.high > 0 ? Culling::kIntersecting : Culling::kInside, true};
+    const Culling side = signs.low > 0 ? Culling::kOutside : signs.high > 0 ? Culling::kIntersecting : Culling::kInside;
+    return {side, ReachesExactly<Shape, Plane<Scalar, Dim>>};
   }
 
   void report(const PlaneTested<Scalar, Dim>& fact, int line) { observe_(Step{line, fact}); }
@@ -107,10 +108,10 @@ class Classify {
   CullResult result_;
 };
 
-/// volume: a point (Vector), a Sphere, an Aabb, an AabbCenterExtents, an Obb, a Capsule, a Lozenge, a Kdop or a
-/// ConvexHull; not empty; coordinates finite, no larger than PointSet takes. As exact arithmetic has them, an OBB is
-/// all center + sum s_i h_i u_i with |s_i| <= 1 and a lozenge what is near its parallelogram, whether or not their axes
-/// and edges are quite perpendicular. Observers count an orientation test for each vertex that is held against a plane.
+/// volume: a point (Vector), an AabbCenterExtents or any kind of volume; not empty; coordinates finite, no larger than
+/// PointSet takes. As exact arithmetic has them, an OBB is all center + sum s_i h_i u_i with |s_i| <= 1 and a lozenge
+/// what is near its parallelogram, whether or not their axes and edges are quite perpendicular. Observers count an
+/// orientation test for each vertex that is compared with a plane.
 template <class Scalar, int Dim, class Shape, StepObserver<ClassifyStep<Scalar, Dim>> Observer = Ignore>
 CullResult classify(const Frustum<Scalar, Dim>& frustum, const Shape& volume, const CullPlan& plan = {},
                     Observer&& observe = {}) {
@@ -132,14 +133,8 @@ using ClassifyRecorder = Recorder<ClassifyStep<Scalar, Dim>>;
   EXTERN template class Classify<Scalar, Dim, Shape<Scalar, Dim>, ClassifyRecorder<Scalar, Dim>>;
 #define SNUG_CLASSIFY(EXTERN, Scalar, Dim)                                                                             \
   SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Vector)                                                                     \
-  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Sphere)                                                                     \
-  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Aabb)                                                                       \
   SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, AabbCenterExtents)                                                          \
-  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Obb)                                                                        \
-  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Capsule)                                                                    \
-  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Lozenge)                                                                    \
-  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Kdop)                                                                       \
-  SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, ConvexHull)
+  SNUG_EACH_VOLUME(SNUG_CLASSIFY_SHAPE, EXTERN, Scalar, Dim)
 SNUG_CLASSIFY(extern, float, 2)
 SNUG_CLASSIFY(extern, float, 3)
 SNUG_CLASSIFY(extern, double, 2)

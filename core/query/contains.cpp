@@ -16,12 +16,6 @@
 namespace snug::query {
 namespace {
 
-/// What is left of an excess that only exact arithmetic saw: the last digit of the size it was held against.
-double at_least_a_digit(double excess, double size) {
-  return std::max({excess, std::nextafter(size, std::numeric_limits<double>::infinity()) - size,
-                   std::numeric_limits<double>::denorm_min()});
-}
-
 // -- Slabs ------------------------------------------------------------------------------------------------------------
 
 template <int Dim>
@@ -225,16 +219,6 @@ int side_of_slab(const Vector<Scalar, Dim>& point, const Vector<Scalar, Dim>& ce
 }
 
 template <class Scalar, int Dim>
-bool contains(const Sphere<Scalar, Dim>& sphere, const Point<Scalar, Dim>& point) {
-  return side_of_sphere(point, sphere) <= 0;
-}
-
-template <class Scalar, int Dim>
-bool contains(const Aabb<Scalar, Dim>& box, const Point<Scalar, Dim>& point) {
-  return (point.array() >= box.min.array()).all() && (point.array() <= box.max.array()).all();
-}
-
-template <class Scalar, int Dim>
 bool contains(const Obb<Scalar, Dim>& box, const Point<Scalar, Dim>& point) {
   for (int i = 0; i < Dim; ++i)
     if (side_of_slab<Scalar, Dim>(point, box.center, box.axes.col(i), box.half_extents[i]) > 0) return false;
@@ -318,14 +302,16 @@ double outside_by(const Kdop<Scalar, Dim>& kdop, const Point<Scalar, Dim>& point
   return most;
 }
 
+#define SNUG_INSTANTIATE_OUTSIDE(Volume, Scalar, Dim)                                                                  \
+  template double outside_by(const Volume<Scalar, Dim>&, const Point<Scalar, Dim>&);
 #define SNUG_INSTANTIATE_VOLUME(Volume, Scalar, Dim)                                                                   \
   template bool contains(const Volume<Scalar, Dim>&, const Point<Scalar, Dim>&);                                       \
-  template double outside_by(const Volume<Scalar, Dim>&, const Point<Scalar, Dim>&);
+  SNUG_INSTANTIATE_OUTSIDE(Volume, Scalar, Dim)
 #define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
   template int side_of_slab(const Vector<Scalar, Dim>&, const Vector<Scalar, Dim>&, const Vector<Scalar, Dim>&,        \
                             std::type_identity_t<Scalar>) noexcept;                                                    \
-  SNUG_INSTANTIATE_VOLUME(Sphere, Scalar, Dim)                                                                         \
-  SNUG_INSTANTIATE_VOLUME(Aabb, Scalar, Dim)                                                                           \
+  SNUG_INSTANTIATE_OUTSIDE(Sphere, Scalar, Dim)                                                                        \
+  SNUG_INSTANTIATE_OUTSIDE(Aabb, Scalar, Dim)                                                                          \
   SNUG_INSTANTIATE_VOLUME(Obb, Scalar, Dim)                                                                            \
   SNUG_INSTANTIATE_VOLUME(Capsule, Scalar, Dim)                                                                        \
   SNUG_INSTANTIATE_VOLUME(Lozenge, Scalar, Dim)                                                                        \
@@ -336,5 +322,6 @@ SNUG_INSTANTIATE(double, 2)
 SNUG_INSTANTIATE(double, 3)
 #undef SNUG_INSTANTIATE
 #undef SNUG_INSTANTIATE_VOLUME
+#undef SNUG_INSTANTIATE_OUTSIDE
 
 }  // namespace snug::query

@@ -1,15 +1,13 @@
-// Whether a volume holds a point, in exact arithmetic on the numbers as they are; and if not, how far it lies outside.
-// For the convex hull see query/contains_hull.hpp.
+// Whether a volume contains a point, in exact arithmetic on the numbers as they are; and if not, how far it lies
+// outside. For the convex hull see query/contains_hull.hpp.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <type_traits>
 
-#include "geometry/aabb.hpp"
-#include "geometry/capsule.hpp"
-#include "geometry/kdop.hpp"
-#include "geometry/lozenge.hpp"
-#include "geometry/obb.hpp"
-#include "geometry/sphere.hpp"
+#include "query/gjk.hpp"
 
 namespace snug::query {
 
@@ -19,13 +17,10 @@ template <class Scalar, int Dim>
 [[nodiscard]] int side_of_slab(const Vector<Scalar, Dim>& point, const Vector<Scalar, Dim>& center,
                                const Vector<Scalar, Dim>& axis, std::type_identity_t<Scalar> half_extent) noexcept;
 
-/// Whether the volume holds the point; the boundary belongs to it. An OBB is the meeting of its slabs, a lozenge what
-/// is near its parallelogram, whether or not its edges are quite perpendicular. All coordinates finite, and small
-/// enough that their differences are.
-template <class Scalar, int Dim>
-[[nodiscard]] bool contains(const Sphere<Scalar, Dim>&, const std::type_identity_t<Vector<Scalar, Dim>>& point);
-template <class Scalar, int Dim>
-[[nodiscard]] bool contains(const Aabb<Scalar, Dim>&, const std::type_identity_t<Vector<Scalar, Dim>>& point);
+/// Whether the volume contains the point; the boundary belongs to it. An OBB is the meeting of its slabs, a lozenge
+/// what is near its parallelogram, whether or not its edges are quite perpendicular. All coordinates finite, and small
+/// enough that their differences are. Other volumes say it in their own headers.
+using snug::contains;
 template <class Scalar, int Dim>
 [[nodiscard]] bool contains(const Obb<Scalar, Dim>&, const std::type_identity_t<Vector<Scalar, Dim>>& point);
 template <class Scalar, int Dim>
@@ -35,9 +30,24 @@ template <class Scalar, int Dim>
 template <class Scalar, int Dim>
 [[nodiscard]] bool contains(const Kdop<Scalar, Dim>&, const std::type_identity_t<Vector<Scalar, Dim>>& point);
 
+/// What is left of an excess that only exact arithmetic saw: the last digit of the size that it was compared with.
+[[nodiscard]] inline double at_least_a_digit(double excess, double size) {
+  return std::max({excess, std::nextafter(size, std::numeric_limits<double>::infinity()) - size,
+                   std::numeric_limits<double>::denorm_min()});
+}
+
 /// How far outside the volume the point lies, scene units, within a few roundings of the coordinates: 0 just where the
-/// volume contains it, and positive elsewhere even if only exact arithmetic tells. Of a k-DOP: how far outside that
-/// slab which it is farthest out of, which is no more than the distance.
+/// volume contains it, and positive elsewhere even if only exact arithmetic tells. For any kind of volume by GJK; the
+/// kinds below have their own. A k-DOP's is how far the point lies outside that slab which it is farthest out of, which
+/// is no more than the distance.
+template <template <class, int> class Kind, class Scalar, int Dim>
+[[nodiscard]] double outside_by(const Kind<Scalar, Dim>& volume,
+                                const std::type_identity_t<Vector<Scalar, Dim>>& point) {
+  if (contains(volume, point)) return 0;
+  const auto apart = gjk(Sphere<Scalar, Dim>{point, 0}, volume);
+  if (!apart) return std::numeric_limits<double>::infinity();
+  return at_least_a_digit(static_cast<double>(apart->distance), difference(point, anchor(volume)).norm());
+}
 template <class Scalar, int Dim>
 [[nodiscard]] double outside_by(const Sphere<Scalar, Dim>&, const std::type_identity_t<Vector<Scalar, Dim>>& point);
 template <class Scalar, int Dim>

@@ -37,15 +37,36 @@ SupportMapping support_mapping(const Corners<3>& corners) {
   return {&corners, farthest, {corners.front(), 0}, static_cast<std::int64_t>(corners.size())};
 }
 
+SupportMapping support_mapping(const GrownCore& core) {
+  if (!core.farthest) return support_mapping(core.corners);
+  const auto farthest = [](const void* smooth, const Vector<double, 3>& direction) {
+    return Supported{static_cast<const GrownCore*>(smooth)->farthest(direction), kNoIndex};
+  };
+  return {&core, farthest, farthest(&core, Vector<double, 3>::UnitX())};
+}
+
+namespace {
+
+double largest_coordinate(const GrownCore& core) {
+  double largest = std::max(core.radius, core.reach);
+  for (const auto& corner : core.corners) largest = std::max(largest, corner.cwiseAbs().maxCoeff());
+  return largest;
+}
+
+void divide(GrownCore& core, double unit) {
+  core.radius /= unit, core.reach /= unit;
+  for (auto& corner : core.corners) corner *= 1 / unit;
+  if (core.farthest)
+    core.farthest = [whole = std::move(core.farthest), unit](const Vector<double, 3>& direction) {
+      return Vector<double, 3>(whole(direction) / unit);
+    };
+}
+
+}  // namespace
+
 double scale_to_unit(GrownCore& a, GrownCore& b) {
-  double largest = std::max(a.radius, b.radius);
-  for (const GrownCore* core : {&a, &b})
-    for (const auto& corner : core->corners) largest = std::max(largest, corner.cwiseAbs().maxCoeff());
-  const double unit = power_of_two_above(largest);
-  for (GrownCore* core : {&a, &b}) {
-    core->radius /= unit;
-    for (auto& corner : core->corners) corner *= 1 / unit;
-  }
+  const double unit = power_of_two_above(std::max(largest_coordinate(a), largest_coordinate(b)));
+  for (GrownCore* core : {&a, &b}) divide(*core, unit);
   return unit;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -86,14 +87,14 @@ struct SupportMapping {
   std::int64_t dot_products = 1;  // that a call takes
 };
 
-/// Of the convex hull of corners; at least one.
+/// That of the convex hull of corners, of which there is at least one.
 [[nodiscard]] SupportMapping support_mapping(const Corners<3>& corners);
 
 /// One run between two convex cores, known by their support mappings alone, at most 1 in every coordinate; those of the
 /// plane at z = 0. Each turn proves two bounds: the nearest point of the simplex is one of a - b, and no point of a - b
-/// lies below the plane across v through the supporting points. v comes strictly nearer. Of polytopes there are
-/// finitely many simplices, so that this ends; of smooth cores it ends where the bounds meet. Where rounding keeps v
-/// from coming nearer before that, it goes on from there with twice the digits.
+/// lies below the plane across v through the supporting points. v comes strictly nearer. Polytopes have finitely many
+/// simplices, so that this ends; with smooth cores it ends where the bounds meet. Where rounding keeps v from coming
+/// nearer before that, it goes on from there with twice the digits.
 template <class Observer>
 class Gjk {
  public:
@@ -168,7 +169,7 @@ class Gjk {
   static double rounded(double value) { return value; }
   static double rounded(const DoubleDouble& value) { return value.value(); }
 
-  /// Keeps the corners that hold the nearest point, and what follows from it.
+  /// Keeps the corners that support the nearest point, and what follows from them.
   template <class Real>
   void keep(Simplex<Real>& simplex, const Nearest<Real>& nearest) {
     const auto pairs = pairs_;
@@ -231,32 +232,53 @@ struct Separation {
   int turns = 0;  // simplices looked at
 };
 
-/// A volume as GJK sees it: the convex hull of corners in space, relative to some origin, grown by a radius.
+/// A volume as GJK sees it, in space and relative to some origin: a convex core grown by a radius. The core is the hull
+/// of corners; a smooth one has none, but a support mapping, which refers to the volume.
 struct GrownCore {
   Corners<3> corners;
   double radius = 0;
+  std::function<Vector<double, 3>(const Vector<double, 3>& direction)> farthest = nullptr;
+  double reach = 0;  // of a smooth core: its largest coordinate
+
+  [[nodiscard]] bool is_empty() const { return corners.empty() && farthest == nullptr; }
 };
 
-template <template <class, int> class Volume, class Scalar, int Dim>
-[[nodiscard]] GrownCore grown_core(const Volume<Scalar, Dim>& volume, const Vector<Scalar, Dim>& origin) {
-  const Corners<Dim> corners = core_corners(volume, origin);
-  GrownCore core{Corners<3>(corners.size(), Vector<double, 3>::Zero()), static_cast<double>(core_radius(volume))};
-  for (std::size_t i = 0; i < corners.size(); ++i) core.corners[i].template head<Dim>() = corners[i];
+/// The volume has to outlive it.
+template <template <class, int> class Kind, class Scalar, int Dim>
+[[nodiscard]] GrownCore grown_core(const Kind<Scalar, Dim>& volume, const Vector<Scalar, Dim>& origin) {
+  GrownCore core{.radius = static_cast<double>(radius_of(volume))};
+  if constexpr (HasCorners<Kind<Scalar, Dim>>) {
+    const Corners<Dim> corners = core_corners(volume, origin);
+    core.corners.assign(corners.size(), Vector<double, 3>::Zero());
+    for (std::size_t i = 0; i < corners.size(); ++i) core.corners[i].template head<Dim>() = corners[i];
+  } else {
+    core.farthest = [&volume, origin](const Vector<double, 3>& direction) {
+      Vector<double, 3> point = Vector<double, 3>::Zero();
+      point.template head<Dim>() = core_support(volume, origin, Vector<double, Dim>(direction.template head<Dim>()));
+      return point;
+    };
+    for (int i = 0; i < Dim; ++i)
+      for (const double sign : {-1.0, 1.0})
+        core.reach = std::max(core.reach, std::abs(core.farthest(sign * Vector<double, 3>::Unit(i))[i]));
+  }
   return core;
 }
 
 /// Divides both cores by a power of two, which is returned, so that coordinates and radii are at most 1.
 double scale_to_unit(GrownCore& a, GrownCore& b);
 
+/// The core has to outlive it.
+[[nodiscard]] SupportMapping support_mapping(const GrownCore& core);
+
 /// The distance of two cores around an origin, in scene units. Nothing where one is empty.
 template <class Scalar, int Dim, class Observer>
 std::optional<Separation<Scalar, Dim>> separation_of(GrownCore a, GrownCore b, const Vector<Scalar, Dim>& origin,
                                                      bool only_whether, Observer& observe) {
-  if (a.corners.empty() || b.corners.empty()) return std::nullopt;
+  if (a.is_empty() || b.is_empty()) return std::nullopt;
   const double unit = scale_to_unit(a, b);
   const double radii = a.radius + b.radius;
   const double touching = radii + static_cast<double>(tolerance::kTouching<Scalar>);
-  Gjk<Observer> run(support_mapping(a.corners), support_mapping(b.corners), unit, observe);
+  Gjk<Observer> run(support_mapping(a), support_mapping(b), unit, observe);
   run.run(only_whether ? std::optional(touching) : std::nullopt);
 
   Separation<Scalar, Dim> result{.overlap = run.least <= touching, .turns = run.turns};

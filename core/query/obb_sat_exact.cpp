@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/reach.hpp"
 #include "geometry/sphere.hpp"
 #include "geometry/tolerance.hpp"
 #include "number/dyadic.hpp"
@@ -12,9 +13,6 @@
 
 namespace snug::query {
 namespace {
-
-double magnitude(double x) { return std::abs(x); }
-Dyadic magnitude(const Dyadic& x) { return x.sign() < 0 ? -x : x; }
 
 /// A pair of boxes in one kind of number.
 template <class Number, int Dim>

@@ -1,5 +1,5 @@
 // The overlap test of two volumes whose kinds only the running program knows. It is compiled once for each test, and
-// not once for each of the 49 pairs.
+// not once for each pair of kinds.
 #pragma once
 
 #include "query/overlaps.hpp"
@@ -73,8 +73,7 @@ template <class Scalar, int Dim, class Observer>
     case PairTest::kSeparatingAxes:
       return among<Aabb, Obb>(
           a, [&](const auto& box) { return test_boxes(box, *std::get_if<Obb<Scalar, Dim>>(&b), observe); });
-    case PairTest::kGjk:
-    case PairTest::kMissing: break;
+    case PairTest::kGjk: break;
   }
   return by_gjk(a, b, observe);
 }

@@ -14,9 +14,6 @@
 
 namespace snug::query {
 
-template <int Dim>
-using KdopAxis = std::array<int, static_cast<std::size_t>(Dim)>;
-
 /// The extent of a volume along one of the k-DOP axes (whose entries are -1, 0 and 1), with twice the digits: of an
 /// AABB or a slab of the k-DOP itself that is exact.
 struct Interval {

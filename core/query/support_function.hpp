@@ -1,140 +1,48 @@
-// Supporting points, and the split of a volume into a core of corners and a radius around it.
-// Source: G. van den Bergen, "A fast and robust GJK implementation for collision detection of convex objects", 1999.
+// The points of any volume that lie farthest in a direction, from its own header alone (geometry/volume.hpp).
 #pragma once
 
+#include <algorithm>
 #include <limits>
-#include <vector>
+#include <type_traits>
 
-#include "geometry/sphere.hpp"
 #include "geometry/volume.hpp"
-#include "query/kdop_vertices.hpp"
 
 namespace snug::query {
 
-/// Some point of the volume around which coordinates are to be taken, so that far volumes lose no digits.
-template <class Scalar, int Dim>
-[[nodiscard]] Vector<Scalar, Dim> anchor(const Sphere<Scalar, Dim>& sphere) {
-  return sphere.center;
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Vector<Scalar, Dim> anchor(const Aabb<Scalar, Dim>& box) {
-  return box.min;
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Vector<Scalar, Dim> anchor(const Obb<Scalar, Dim>& box) {
-  return box.center;
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Vector<Scalar, Dim> anchor(const Capsule<Scalar, Dim>& capsule) {
-  return capsule.a;
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Vector<Scalar, Dim> anchor(const Lozenge<Scalar, Dim>& lozenge) {
-  return lozenge.origin;
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Vector<Scalar, Dim> anchor(const Kdop<Scalar, Dim>& kdop) {
-  Vector<Scalar, Dim> least;  // the first axes are those of the coordinates
-  for (int i = 0; i < Dim; ++i) least[i] = kdop.min[i];
-  return least;
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Vector<Scalar, Dim> anchor(const ConvexHull<Scalar, Dim>& hull) {
-  return hull.vertices.empty() ? Vector<Scalar, Dim>(Vector<Scalar, Dim>::Zero()) : hull.vertices.front();
-}
+/// A volume's scalar, dimension and place in Volume and kVolumeNames.
+template <class Kind>
+struct VolumeKind;
+template <template <class, int> class Kind, class ScalarType, int dim>
+struct VolumeKind<Kind<ScalarType, dim>> {
+  using Scalar = ScalarType;
+  static constexpr int kDim = dim;
+  static constexpr std::size_t kIndex = [] {
+    const auto place = []<class... Kinds>(const std::variant<Kinds...>*) {
+      std::size_t i = 0;
+      (void)((std::is_same_v<Kinds, Kind<Scalar, kDim>> || (++i, false)) || ...);
+      return i;
+    };
+    return place(static_cast<const Volume<Scalar, kDim>*>(nullptr));
+  }();
+};
 
-/// The radius around the core: 0 of all that have corners of their own.
-template <class Scalar, int Dim>
-[[nodiscard]] Scalar core_radius(const Sphere<Scalar, Dim>& sphere) {
-  return sphere.radius;
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Scalar core_radius(const Capsule<Scalar, Dim>& capsule) {
-  return capsule.radius;
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Scalar core_radius(const Lozenge<Scalar, Dim>& lozenge) {
-  return lozenge.radius;
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Scalar core_radius(const Aabb<Scalar, Dim>&) {
-  return 0;
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Scalar core_radius(const Obb<Scalar, Dim>&) {
-  return 0;
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Scalar core_radius(const Kdop<Scalar, Dim>&) {
-  return 0;
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Scalar core_radius(const ConvexHull<Scalar, Dim>&) {
-  return 0;
-}
+/// A volume whose core is the hull of corners; those of all others are smooth.
+template <class Kind>
+concept HasCorners = requires(const Kind& volume) {
+  core_corners(volume, anchor(volume));
+};
 
-template <int Dim>
-using Corners = std::vector<Vector<double, Dim>>;
+/// A volume that is its core grown by a radius.
+template <class Kind>
+concept HasRadius = requires(const Kind& volume) {
+  core_radius(volume);
+};
 
-/// a - b, rounded once.
-template <class Scalar, int Dim>
-[[nodiscard]] Vector<double, Dim> difference(const Vector<Scalar, Dim>& a, const Vector<Scalar, Dim>& b) {
-  return a.template cast<double>() - b.template cast<double>();
-}
-
-/// The corners of the volume's core (a point of a sphere, a segment of a capsule, a rectangle of a lozenge, else all of
-/// it) relative to an origin, in scene units. The volume is its core's convex hull grown by its core_radius. None where
-/// the volume is empty: a hull without vertices, a k-DOP whose slabs do not meet.
-template <class Scalar, int Dim>
-[[nodiscard]] Corners<Dim> core_corners(const Sphere<Scalar, Dim>& sphere, const Vector<Scalar, Dim>& origin) {
-  return {difference(sphere.center, origin)};
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Corners<Dim> core_corners(const Capsule<Scalar, Dim>& capsule, const Vector<Scalar, Dim>& origin) {
-  return {difference(capsule.a, origin), difference(capsule.b, origin)};
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Corners<Dim> core_corners(const Lozenge<Scalar, Dim>& lozenge, const Vector<Scalar, Dim>& origin) {
-  const Vector<double, Dim> corner = difference(lozenge.origin, origin);
-  const Vector<double, Dim> e = lozenge.edges[0].template cast<double>();
-  const Vector<double, Dim> f = lozenge.edges[1].template cast<double>();
-  return {corner, corner + e, corner + f, corner + (e + f)};
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Corners<Dim> core_corners(const Aabb<Scalar, Dim>& box, const Vector<Scalar, Dim>& origin) {
-  const Vector<double, Dim> least = difference(box.min, origin);
-  const Vector<double, Dim> greatest = difference(box.max, origin);
-  Corners<Dim> corners;
-  for (int choice = 0; choice < (1 << Dim); ++choice) {
-    Vector<double, Dim>& corner = corners.emplace_back(least);
-    for (int i = 0; i < Dim; ++i)
-      if ((choice >> i & 1) != 0) corner[i] = greatest[i];
-  }
-  return corners;
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Corners<Dim> core_corners(const Obb<Scalar, Dim>& box, const Vector<Scalar, Dim>& origin) {
-  const Vector<double, Dim> center = difference(box.center, origin);
-  const Matrix<double, Dim> edges =
-      box.axes.template cast<double>() * box.half_extents.template cast<double>().asDiagonal();
-  Corners<Dim> corners;
-  for (int choice = 0; choice < (1 << Dim); ++choice) {
-    Vector<double, Dim> arm = Vector<double, Dim>::Zero();  // summed by itself, so that opposite corners are opposite
-    for (int i = 0; i < Dim; ++i) arm += edges.col(i) * ((choice >> i & 1) != 0 ? 1 : -1);
-    corners.push_back(center + arm);
-  }
-  return corners;
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Corners<Dim> core_corners(const Kdop<Scalar, Dim>& kdop, const Vector<Scalar, Dim>& origin) {
-  return kdop_vertices(kdop, origin);
-}
-template <class Scalar, int Dim>
-[[nodiscard]] Corners<Dim> core_corners(const ConvexHull<Scalar, Dim>& hull, const Vector<Scalar, Dim>& origin) {
-  Corners<Dim> corners;
-  corners.reserve(hull.vertices.size());
-  for (const auto& vertex : hull.vertices) corners.push_back(difference(vertex, origin));
-  return corners;
+/// The radius around the core: 0 where a volume has none.
+template <class Kind>
+[[nodiscard]] auto radius_of(const Kind& volume) {
+  if constexpr (HasRadius<Kind>) return core_radius(volume);
+  else return typename VolumeKind<Kind>::Scalar(0);
 }
 
 /// The corner farthest along a direction; the first of several. corners: at least one.
@@ -149,18 +57,45 @@ template <int Dim>
   return farthest;
 }
 
+/// The core's point farthest along a direction, within rounding, relative to an origin. direction: of a size near 1.
+/// The volume must not be empty.
+template <template <class, int> class Kind, class Scalar, int Dim>
+[[nodiscard]] Vector<double, Dim> farthest_of_core(const Kind<Scalar, Dim>& volume, const Vector<Scalar, Dim>& origin,
+                                                   const Vector<double, Dim>& direction) {
+  if constexpr (HasCorners<Kind<Scalar, Dim>>) {
+    const Corners<Dim> corners = core_corners(volume, origin);
+    return corners[farthest_corner<Dim>(corners, direction)];
+  } else {
+    return core_support(volume, origin, direction);
+  }
+}
+
 /// A point of the volume farthest along a direction, within rounding. direction: any but zero, need not be unit. The
 /// volume must not be empty.
-template <template <class, int> class Volume, class Scalar, int Dim>
-[[nodiscard]] Vector<Scalar, Dim> support(const Volume<Scalar, Dim>& volume,
+template <template <class, int> class Kind, class Scalar, int Dim>
+[[nodiscard]] Vector<Scalar, Dim> support(const Kind<Scalar, Dim>& volume,
                                           const std::type_identity_t<Vector<Scalar, Dim>>& direction) {
   const Vector<Scalar, Dim> origin = anchor(volume);
-  const Corners<Dim> corners = core_corners(volume, origin);
   const Vector<double, Dim> towards =
       direction.template cast<double>() / direction.template cast<double>().cwiseAbs().maxCoeff();
-  const Vector<double, Dim> point = corners[farthest_corner<Dim>(corners, towards)] +
-                                    static_cast<double>(core_radius(volume)) / towards.norm() * towards;
+  const Vector<double, Dim> point =
+      farthest_of_core(volume, origin, towards) + static_cast<double>(radius_of(volume)) / towards.norm() * towards;
   return (origin.template cast<double>() + point).template cast<Scalar>();
+}
+
+/// The axis-aligned box around a volume, within rounding. The volume must not be empty.
+template <template <class, int> class Kind, class Scalar, int Dim>
+[[nodiscard]] Aabb<double, Dim> box_around(const Kind<Scalar, Dim>& volume) {
+  const Vector<Scalar, Dim> origin = anchor(volume);
+  const Vector<double, Dim> at = origin.template cast<double>();
+  const auto radius = static_cast<double>(radius_of(volume));
+  Aabb<double, Dim> box;
+  for (int i = 0; i < Dim; ++i) {
+    const Vector<double, Dim> axis = Vector<double, Dim>::Unit(i);
+    box.min[i] = at[i] + farthest_of_core(volume, origin, Vector<double, Dim>(-axis))[i] - radius;
+    box.max[i] = at[i] + farthest_of_core(volume, origin, axis)[i] + radius;
+  }
+  return box;
 }
 
 }  // namespace snug::query

@@ -46,14 +46,8 @@ PlaneTested<Scalar, Dim> vertices_along(const Plane<Scalar, Dim>& plane, const S
   template PlaneTested<Scalar, Dim> vertices_along(const Plane<Scalar, Dim>&, const Shape<Scalar, Dim>&);
 #define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
   SNUG_SHAPE(Scalar, Dim, Vector)                                                                                      \
-  SNUG_SHAPE(Scalar, Dim, Sphere)                                                                                      \
-  SNUG_SHAPE(Scalar, Dim, Aabb)                                                                                        \
   SNUG_SHAPE(Scalar, Dim, AabbCenterExtents)                                                                           \
-  SNUG_SHAPE(Scalar, Dim, Obb)                                                                                         \
-  SNUG_SHAPE(Scalar, Dim, Capsule)                                                                                     \
-  SNUG_SHAPE(Scalar, Dim, Lozenge)                                                                                     \
-  SNUG_SHAPE(Scalar, Dim, Kdop)                                                                                        \
-  SNUG_SHAPE(Scalar, Dim, ConvexHull)
+  SNUG_EACH_VOLUME(SNUG_SHAPE, Scalar, Dim)
 SNUG_INSTANTIATE(float, 2)
 SNUG_INSTANTIATE(float, 3)
 SNUG_INSTANTIATE(double, 2)

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "geometry/tolerance.hpp"
+#include "query/support_function.hpp"
 #include "scene/effect.hpp"
 #include "scene/shape.hpp"
 #include "trace/fields.hpp"
@@ -20,13 +21,13 @@ constexpr double kSmallest = 1e-12, kShortestStep = 1e-9;
 
 bool is_sound(double number) { return std::abs(number) <= kLargest; }  // false for a NaN
 bool is_sound(const V3& v) { return is_sound(v[0]) && is_sound(v[1]) && is_sound(v[2]); }
-/// Whether every number of a volume is sound, and no radius or half extent is below 0.
+/// Whether every number of a volume is sound, and no length or half extent is below 0.
 template <template <class, int> class Kind>
 bool has_sound_fields(const Kind<double, 3>& volume) {
   bool sound = true;
   see_fields(volume, [&](std::string_view name, const auto& field) {
     using Field = std::remove_cvref_t<decltype(field)>;
-    if constexpr (std::is_same_v<Field, double>) sound = sound && is_sound(field) && (name != "radius" || field >= 0);
+    if constexpr (std::is_same_v<Field, double>) sound = sound && is_sound(field) && field >= 0;
     if constexpr (std::is_same_v<Field, V3>)
       sound = sound && is_sound(field) && (name != "half_extents" || field.minCoeff() >= 0);
   });
@@ -63,6 +64,12 @@ bool has_sound_shape(const Body& body) {
   return std::visit([](const auto& volume) { return is_sound(volume); }, *std::get_if<Volume3>(&body.shape));
 }
 
+bool has_smooth_shape(const Body& body) {
+  const auto is_smooth = []<class Kind>(const Kind&) { return !query::HasCorners<Kind>; };
+  const auto* volume = std::get_if<Volume3>(&body.shape);
+  return volume != nullptr && std::visit(is_smooth, *volume);
+}
+
 bool has_tiny_lengths(const Body& body) {
   if (std::holds_alternative<Cloud>(body.shape)) return false;
   const Shape shape = centered(body.shape).shape;
@@ -87,6 +94,7 @@ const char* fault_of(const Body& body) {
   if (!is_sound(V3(q.x, q.y, q.z)) || !is_sound(q.w)) return "its orientation is not finite";
   if (q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0) return "its orientation is no rotation";
   if (!is_sound(body.velocity) || !is_sound(body.turning)) return "its velocity is not finite, or too large";
+  if (has_smooth_shape(body)) return "its shape is smooth: a scene takes polytopes, and spheres swept over them";
   if (!has_sound_shape(body)) return "its shape is empty, not finite, or too large";
   if (has_tiny_lengths(body)) return "its shape is too small";
   return fault_of_mass(body.mass, body.fixed);

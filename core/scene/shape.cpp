@@ -36,11 +36,17 @@ struct Center {
     return box(aabb.min / 2 + aabb.max / 2, Matrix<double, 3>::Identity(), (aabb.max - aabb.min) / 2);
   }
   Centered operator()(const Obb<double, 3>& obb) const { return box(obb.center, obb.axes, obb.half_extents); }
-  Centered operator()(const auto& volume) const {
+  template <query::HasCorners Kind>
+  Centered operator()(const Kind& volume) const {
     const V3 origin = V3::Zero();
-    std::vector<V3> corners = query::core_corners(volume, origin);
-    if (corners.empty()) corners = {query::anchor(volume)};
-    return core(std::move(corners), query::core_radius(volume));
+    std::vector<V3> corners = core_corners(volume, origin);
+    if (corners.empty()) corners = {anchor(volume)};
+    return core(std::move(corners), query::radius_of(volume));
+  }
+  /// What is smooth is refused before (scene/declaration.cpp).
+  template <class Kind>
+  Centered operator()(const Kind& volume) const {
+    return core({anchor(volume)}, 0);
   }
   Centered operator()(const Cloud& points) const { return core(points, 0); }
 };

@@ -265,16 +265,19 @@ CommandResult cull_scene(const std::vector<CullLine>& scene, const std::string& 
     if constexpr (std::is_same_v<Scalar, float>) volumes.push_back(in_float<Dim>(volume));
     else volumes.push_back(volume);
   }
-  const CulledByTree culled = cull_by_tree<Scalar, Dim>(rule, frustum, volumes, trace);
+  const auto culled = cull_by_tree<Scalar, Dim>(rule, frustum, volumes, trace);
+  if (!culled)
+    return bad_input("--tree takes no volume of the kind " + std::string(kVolumeNames[kind_of(scene[0].volume)]) +
+                     ": two of them do not merge into one");
   Printed printed;
-  for (const query::Culling culling : culled.classes)
+  for (const query::Culling culling : culled->classes)
     printed.text += line_of({{"class", query::kCullingNames[static_cast<std::size_t>(culling)]}});
   printed.text += line_of({{"tree", rule},
-                           {"nodes", culled.nodes},
-                           {"nodes_visited", culled.nodes_visited},
-                           {"by_tree", json_of_cost(culled.by_tree)},
-                           {"without_masks", json_of_cost(culled.without_masks)},
-                           {"one_by_one", json_of_cost(culled.one_by_one)}});
+                           {"nodes", culled->nodes},
+                           {"nodes_visited", culled->nodes_visited},
+                           {"by_tree", json_of_cost(culled->by_tree)},
+                           {"without_masks", json_of_cost(culled->without_masks)},
+                           {"one_by_one", json_of_cost(culled->one_by_one)}});
   return printed;
 }
 
@@ -338,7 +341,7 @@ Exit status: 0 done, 2 bad input or usage: one line on stderr that names the fie
 
 void add_cull(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("cull", "Classify volumes against view frusta");
-  command.footer(std::string(kCullFooter) + kVolumesInJson + kCullFooterEnd);
+  command.footer(std::string(kCullFooter) + volumes_in_json() + kCullFooterEnd);
   const auto options = add_command<CullOptions>(commands, command, run_cull);
   command.add_option("--scalar", options->scalar, "Number type: double or float")
       ->check(CLI::IsMember({"double", "float"}))

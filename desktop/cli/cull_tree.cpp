@@ -9,6 +9,12 @@ namespace {
 
 using hierarchy::Step;
 
+/// A kind of which a tree can be built: two of its volumes merge into one.
+template <class Kind>
+concept Mergeable = requires(const Kind& a, const Kind& b) {
+  fit::merge(a, b);
+};
+
 template <class Kind>
 hierarchy::Tree<Kind> build(const std::string& rule, std::span<const Kind> volumes, Recorder<Step>& steps) {
   if (rule == "median") return hierarchy::build_median<Kind>(volumes, {}, steps);
@@ -51,25 +57,28 @@ CulledByTree cull_kind(const std::string& rule, const Frustum<Scalar, Dim>& frus
 }  // namespace
 
 template <class Scalar, int Dim>
-CulledByTree cull_by_tree(const std::string& rule, const Frustum<Scalar, Dim>& frustum,
-                          std::span<const Volume<Scalar, Dim>> volumes, TraceFile& trace) {
-  if (volumes.empty()) return {};
+std::optional<CulledByTree> cull_by_tree(const std::string& rule, const Frustum<Scalar, Dim>& frustum,
+                                         std::span<const Volume<Scalar, Dim>> volumes, TraceFile& trace) {
+  if (volumes.empty()) return CulledByTree();
   return std::visit(
-      [&]<class Kind>(const Kind&) {
-        std::vector<Kind> of_kind;
-        for (const auto& volume : volumes) of_kind.push_back(*std::get_if<Kind>(&volume));
-        return cull_kind(rule, frustum, of_kind, trace);
+      [&]<class Kind>(const Kind&) -> std::optional<CulledByTree> {
+        if constexpr (!Mergeable<Kind>) return std::nullopt;
+        else {
+          std::vector<Kind> of_kind;
+          for (const auto& volume : volumes) of_kind.push_back(*std::get_if<Kind>(&volume));
+          return cull_kind(rule, frustum, of_kind, trace);
+        }
       },
       volumes.front());
 }
 
-template CulledByTree cull_by_tree(const std::string&, const Frustum<float, 2>&, std::span<const Volume<float, 2>>,
-                                   TraceFile&);
-template CulledByTree cull_by_tree(const std::string&, const Frustum<float, 3>&, std::span<const Volume<float, 3>>,
-                                   TraceFile&);
-template CulledByTree cull_by_tree(const std::string&, const Frustum<double, 2>&, std::span<const Volume<double, 2>>,
-                                   TraceFile&);
-template CulledByTree cull_by_tree(const std::string&, const Frustum<double, 3>&, std::span<const Volume<double, 3>>,
-                                   TraceFile&);
+template std::optional<CulledByTree> cull_by_tree(const std::string&, const Frustum<float, 2>&,
+                                                  std::span<const Volume<float, 2>>, TraceFile&);
+template std::optional<CulledByTree> cull_by_tree(const std::string&, const Frustum<float, 3>&,
+                                                  std::span<const Volume<float, 3>>, TraceFile&);
+template std::optional<CulledByTree> cull_by_tree(const std::string&, const Frustum<double, 2>&,
+                                                  std::span<const Volume<double, 2>>, TraceFile&);
+template std::optional<CulledByTree> cull_by_tree(const std::string&, const Frustum<double, 3>&,
+                                                  std::span<const Volume<double, 3>>, TraceFile&);
 
 }  // namespace snug::desktop

@@ -1,6 +1,7 @@
 // Culls with a tree over the volumes, and compares that with culling one by one.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,8 +28,9 @@ struct CulledByTree {
 };
 
 /// rule: one of kTreeRules. volumes: all of one kind. trace: receives the steps of building and of the traversal.
+/// Returns nothing for a kind whose volumes do not merge: there are no trees of it.
 template <class Scalar, int Dim>
-[[nodiscard]] CulledByTree cull_by_tree(const std::string& rule, const Frustum<Scalar, Dim>& frustum,
-                                        std::span<const Volume<Scalar, Dim>> volumes, TraceFile& trace);
+[[nodiscard]] std::optional<CulledByTree> cull_by_tree(const std::string& rule, const Frustum<Scalar, Dim>& frustum,
+                                                       std::span<const Volume<Scalar, Dim>> volumes, TraceFile& trace);
 
 }  // namespace snug::desktop

@@ -1,4 +1,4 @@
-// Converts volumes to float. Bounds, half extents and radii are rounded outward, so that no box or k-DOP loses a
+// Converts volumes to float. Bounds, half extents and lengths are rounded outward, so that no box or k-DOP loses a
 // point.
 #pragma once
 
@@ -6,6 +6,7 @@
 #include <limits>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 
 #include "geometry/convert.hpp"
 #include "geometry/volume.hpp"
@@ -28,10 +29,11 @@ void round_field(To& to, const From& from, RoundTo round) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(from.size()); ++i) to[i] = round(from[i]);
 }
 
-/// The direction in which a field with that name is rounded; null: to the nearest.
+/// The direction in which a field with that name is rounded; null: to the nearest. A single number is a length.
+template <class Field>
 constexpr RoundTo outward(std::string_view field) {
   if (field == "min") return &float_below;
-  return field == "max" || field == "radius" || field == "half_extents" ? &float_above : nullptr;
+  return std::is_same_v<Field, double> || field == "max" || field == "half_extents" ? &float_above : nullptr;
 }
 
 template <int Dim>
@@ -40,7 +42,8 @@ template <int Dim>
     auto result = converted<float, Dim>(own);
     [&]<std::size_t... kAt>(std::index_sequence<kAt...>, auto to, auto from) {
       const auto field = [&]<std::size_t at>(std::integral_constant<std::size_t, at>) {
-        constexpr RoundTo kRound = outward(Kind<double, Dim>::kFields[at]);
+        using Field = std::remove_cvref_t<std::tuple_element_t<at, decltype(from)>>;
+        constexpr RoundTo kRound = outward<Field>(Kind<double, Dim>::kFields[at]);
         if constexpr (kRound != nullptr) round_field(std::get<at>(to), std::get<at>(from), kRound);
       };
       (field(std::integral_constant<std::size_t, kAt>()), ...);

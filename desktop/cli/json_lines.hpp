@@ -15,16 +15,4 @@ namespace snug::desktop {
 [[nodiscard]] CommandResult answer_lines(const std::string& file,
                                          const std::function<tl::expected<Json, std::string>(const Json&)>& answer);
 
-/// What --help says about volumes in JSON.
-inline constexpr const char* kVolumesInJson =
-    R"(  V                {"sphere":{"center":[x,y,z],"radius":r}}
-                   {"aabb":{"min":[..],"max":[..]}}, {"aabb":{"min":[..],"widths":[..]}} or
-                   {"aabb":{"center":[..],"half_extents":[..]}}
-                   {"obb":{"center":[..],"axes":[[..],[..],[..]],"half_extents":[..]}}; axes are unit rows, right-handed
-                   {"capsule":{"a":[..],"b":[..],"radius":r}}
-                   {"lozenge":{"origin":[..],"edges":[[..],[..]],"radius":r}}; the edges are perpendicular
-                   {"kdop":{"k":14,"min":[..],"max":[..]}}; k is 6, 14, 18 or 26, in 2-D 4, 6 or 8
-                   {"hull":{"points":[[..],..]}}
-                   In 2-D there are two numbers instead of three. )";
-
 }  // namespace snug::desktop

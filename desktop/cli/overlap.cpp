@@ -142,7 +142,7 @@ Exit status: 0 done, 2 bad input or usage: one line on stderr that names the fie
 
 void add_overlap(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("overlap", "Test pairs of volumes for overlap");
-  command.footer(std::string(kOverlapFooter) + kVolumesInJson + kOverlapFooterEnd);
+  command.footer(std::string(kOverlapFooter) + volumes_in_json() + kOverlapFooterEnd);
   const auto options = add_command<OverlapOptions>(commands, command, run_overlap);
   command.add_option("--scalar", options->scalar, "Number type: double or float")
       ->check(CLI::IsMember({"double", "float"}))

@@ -11,9 +11,10 @@
 #include "fit/hull/quickhull.hpp"
 #include "geometry/aabb_forms.hpp"
 #include "geometry/convert.hpp"
+#include "geometry/kdop.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/tolerance.hpp"
-#include "query/kdop_vertices.hpp"
+#include "geometry/volume_fields.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -64,48 +65,45 @@ class Fields {
   [[nodiscard]] bool has(const char* name) const { return error_.empty() && object_->contains(name); }
 
   /// Checks that exactly these fields are there.
-  void expect(std::initializer_list<std::string_view> names) {
+  void expect(Names names) {
     if (!error_.empty()) return;
     for (const auto& item : object_->items())
       if (std::find(names.begin(), names.end(), item.key()) == names.end())
-        fail(path_ + " has an unknown field " + Json(item.key()).dump() + "; it takes " +
-             listed(Names(names.begin(), names.size())));
+        fail(path_ + " has an unknown field " + Json(item.key()).dump() + "; it takes " + listed(names));
     for (const std::string_view name : names)
       if (!object_->contains(std::string(name))) fail(field(name) + " is missing");
   }
 
-  double not_negative(const char* name) {
+  double not_negative(std::string_view name) {
     if (!error_.empty()) return 0;
-    const double value = number_of((*object_)[name], field(name));
+    const double value = number_of(at(name), field(name));
     if (value < 0) fail(field(name) + " is negative");
     return value;
   }
 
-  Point point(const char* name) {
-    return error_.empty() ? point_of((*object_)[name], field(name)) : Point(Point::Zero());
-  }
+  Point point(std::string_view name) { return error_.empty() ? point_of(at(name), field(name)) : Point(Point::Zero()); }
 
-  Point not_negative_each(const char* name) {
+  Point not_negative_each(std::string_view name) {
     const Point value = point(name);
     for (int i = 0; i < 3; ++i)
       if (value[i] < 0) fail(field(name) + place(static_cast<std::size_t>(i)) + " is negative");
     return value;
   }
 
-  std::vector<Point> points(const char* name) {
+  std::vector<Point> points(std::string_view name) {
     std::vector<Point> points;
     if (!error_.empty()) return points;
-    const Json& list = (*object_)[name];
+    const Json& list = at(name);
     if (!list.is_array()) fail(field(name) + " is not a list of points");
     for (std::size_t i = 0; i < list.size() && error_.empty(); ++i)
       points.push_back(point_of(list[i], field(name) + place(i)));
     return points;
   }
 
-  std::vector<double> numbers(const char* name) {
+  std::vector<double> numbers(std::string_view name) {
     std::vector<double> numbers;
     if (!error_.empty()) return numbers;
-    const Json& list = (*object_)[name];
+    const Json& list = at(name);
     if (!list.is_array()) fail(field(name) + " is not a list of numbers");
     for (std::size_t i = 0; i < list.size() && error_.empty(); ++i)
       numbers.push_back(number_of(list[i], field(name) + place(i)));
@@ -115,7 +113,7 @@ class Fields {
   /// The k of a k-DOP, which determines the dimension if that is not known yet.
   int k() {
     if (!error_.empty()) return 0;
-    const Json& json = (*object_)["k"];
+    const Json& json = at("k");
     const double value = json.is_number() ? json.get<double>() : 0;
     const int k = value > 0 && value < 100 && std::floor(value) == value ? static_cast<int>(value) : 0;
     if (dim_ == 0) dim_ = kdop_axes<3>(k).empty() && !kdop_axes<2>(k).empty() ? 2 : 3;
@@ -128,6 +126,8 @@ class Fields {
   }
 
  private:
+  [[nodiscard]] const Json& at(std::string_view name) const { return (*object_)[std::string(name)]; }
+
   double number_of(const Json& json, const std::string& where) {
     if (!json.is_number()) fail(where + " is not a number");
     const double value = json.is_number() ? json.get<double>() : 0;
@@ -155,38 +155,11 @@ class Fields {
   std::string error_;
 };
 
-Sphere<double, 3> sphere_of(Fields& fields) {
-  fields.expect({"center", "radius"});
-  const Point center = fields.point("center");
-  return {center, fields.not_negative("radius")};
-}
-
-Aabb<double, 3> aabb_of(Fields& fields) {
-  if (fields.has("center") || fields.has("half_extents")) {
-    fields.expect({"center", "half_extents"});
-    const Point center = fields.point("center");
-    return min_max_of(AabbCenterExtents<double, 3>{center, fields.not_negative_each("half_extents")});
-  }
-  if (fields.has("widths")) {
-    fields.expect({"min", "widths"});
-    const Point min = fields.point("min");
-    return min_max_of(AabbMinWidths<double, 3>{min, fields.not_negative_each("widths")});
-  }
-  fields.expect({"min", "max"});
-  Aabb<double, 3> box{fields.point("min"), Point::Zero()};
-  box.max = fields.point("max");
-  for (int i = 0; i < 3; ++i)
-    if (box.min[i] > box.max[i])
-      fields.fail(fields.field("min") + place(static_cast<std::size_t>(i)) + " is above max" +
-                  place(static_cast<std::size_t>(i)));
-  return box;
-}
-
 /// Reads axes as rows that are unit, perpendicular and right-handed: kept if they are so within rounding, else made so.
-Matrix<double, 3> axes_of(Fields& fields) {
-  const std::vector<Point> rows = fields.points("axes");
+Matrix<double, 3> axes_of(Fields& fields, std::string_view field) {
+  const std::vector<Point> rows = fields.points(field);
   const auto dim = static_cast<std::size_t>(fields.dim());
-  const std::string name = fields.field("axes");
+  const std::string name = fields.field(field);
   if (rows.size() != dim)
     fields.fail(name + " has " + counted(rows.size(), "row") + " instead of " + std::to_string(dim));
   Matrix<double, 3> axes = Matrix<double, 3>::Identity();
@@ -206,62 +179,82 @@ Matrix<double, 3> axes_of(Fields& fields) {
   return most_off <= tolerance::kObbAxes<double> || !fields.error().empty() ? axes : orthonormal<double, 3>(axes);
 }
 
-Obb<double, 3> obb_of(Fields& fields) {
-  fields.expect({"center", "axes", "half_extents"});
-  const Point center = fields.point("center");
-  const Matrix<double, 3> axes = axes_of(fields);
-  return {center, axes, fields.not_negative_each("half_extents")};
-}
-
-Capsule<double, 3> capsule_of(Fields& fields) {
-  fields.expect({"a", "b", "radius"});
-  const Point a = fields.point("a");
-  const Point b = fields.point("b");
-  return {a, b, fields.not_negative("radius")};
-}
-
-/// Reads a lozenge. Edges that are perpendicular within rounding are kept; otherwise the second is made so.
-Lozenge<double, 3> lozenge_of(Fields& fields) {
-  fields.expect({"origin", "edges", "radius"});
-  Lozenge<double, 3> lozenge{fields.point("origin")};
-  const std::vector<Point> edges = fields.points("edges");
-  lozenge.radius = fields.not_negative("radius");
-  if (edges.size() != 2) fields.fail(fields.field("edges") + " has " + counted(edges.size(), "row") + " instead of 2");
-  if (!fields.error().empty()) return lozenge;
-  lozenge.edges = {edges[0], edges[1]};
+/// Reads a lozenge's edges. Edges that are perpendicular within rounding are kept; otherwise the second is made so.
+std::array<Point, 2> edges_of(Fields& fields, std::string_view field) {
+  std::vector<Point> edges = fields.points(field);
+  if (edges.size() != 2) fields.fail(fields.field(field) + " has " + counted(edges.size(), "row") + " instead of 2");
+  edges.resize(2, Point::Zero());
   const double length = scaled_norm<double, 3>(edges[0]);
   const double other = scaled_norm<double, 3>(edges[1]);
-  if (length == 0 || other == 0) return lozenge;
-  const Point along = edges[0] / length;
-  const double cosine = std::abs(along.dot(edges[1] / other));
-  if (cosine > tolerance::kAxesAsGiven) fields.fail(fields.field("edges") + " are not perpendicular");
-  if (cosine > tolerance::kObbAxes<double>) lozenge.edges[1] -= along * along.dot(edges[1]);
-  return lozenge;
+  if (length > 0 && other > 0) {
+    const Point along = edges[0] / length;
+    const double cosine = std::abs(along.dot(edges[1] / other));
+    if (cosine > tolerance::kAxesAsGiven) fields.fail(fields.field(field) + " are not perpendicular");
+    if (cosine > tolerance::kObbAxes<double>) edges[1] -= along * along.dot(edges[1]);
+  }
+  return {edges[0], edges[1]};
 }
 
-Kdop<double, 3> kdop_of(Fields& fields) {
-  fields.expect({"k", "min", "max"});
-  Kdop<double, 3> kdop{.k = fields.k()};
-  const auto slabs = static_cast<std::size_t>(kdop.k / 2);
-  const std::vector<double> min = fields.numbers("min");
-  const std::vector<double> max = fields.numbers("max");
-  for (const auto& [name, bounds] : {std::pair("min", &min), std::pair("max", &max)})
-    if (bounds->size() != slabs)
-      fields.fail(fields.field(name) + " has " + counted(bounds->size(), "number") + ", and a " +
-                  std::to_string(kdop.k) + "-DOP has " + counted(slabs, "slab"));
-  if (!fields.error().empty()) return kdop;
-  std::copy(min.begin(), min.end(), kdop.min.begin());
-  std::copy(max.begin(), max.end(), kdop.max.begin());
-  for (std::size_t i = 0; i < slabs; ++i)
-    if (min[i] > max[i]) fields.fail(fields.field("min") + place(i) + " is above max" + place(i));
-  return kdop;
+/// Reads a volume's fields by their names, each by its kind. A number is a length, and so not negative.
+struct FieldReader {
+  Fields& fields;
+  int k = 0;  // of a k-DOP
+
+  void operator()(std::string_view name, double& length) const { length = fields.not_negative(name); }
+  void operator()(std::string_view name, Point& point) const {
+    point = name == "half_extents" ? fields.not_negative_each(name) : fields.point(name);
+  }
+  void operator()(std::string_view name, Matrix<double, 3>& axes) const { axes = axes_of(fields, name); }
+  void operator()(std::string_view name, std::array<Point, 2>& edges) const { edges = edges_of(fields, name); }
+  void operator()(std::string_view, int& number) { number = k = fields.k(); }
+  void operator()(std::string_view name, std::array<double, kMostSlabs<3>>& bounds) const {
+    const std::vector<double> numbers = fields.numbers(name);
+    const auto slabs = static_cast<std::size_t>(k / 2);
+    if (numbers.size() != slabs)
+      fields.fail(fields.field(name) + " has " + counted(numbers.size(), "number") + ", and a " + std::to_string(k) +
+                  "-DOP has " + counted(slabs, "slab"));
+    if (fields.error().empty()) std::copy(numbers.begin(), numbers.end(), bounds.begin());
+  }
+  void operator()(std::string_view name, std::vector<Point>& vertices) const {
+    vertices = fields.points(name);
+    if (vertices.empty()) fields.fail(fields.field(name) + " has no points");
+  }
+};
+
+/// Checks that each min is at most its max.
+void check_bounds(Fields& fields, const auto& min, const auto& max, int count) {
+  for (int i = 0; i < count; ++i)
+    if (min[i] > max[i]) {
+      const std::string which = place(static_cast<std::size_t>(i));
+      fields.fail(fields.field("min") + which + " is above max" + which);
+    }
 }
 
-ConvexHull<double, 3> hull_of(Fields& fields) {
-  fields.expect({"points"});
-  ConvexHull<double, 3> hull{.vertices = fields.points("points")};
-  if (hull.vertices.empty()) fields.fail(fields.field("points") + " has no points");
-  return hull;
+/// Reads the fields of any volume by their names in its header.
+void read_into(auto& volume, Fields& fields) {
+  std::vector<std::string_view> names;
+  fields_to_read(volume, [&](std::string_view name, const auto&) { names.push_back(name); });
+  fields.expect(names);
+  fields_to_read(volume, FieldReader{fields});
+  if constexpr (requires { volume.k; }) check_bounds(fields, volume.min, volume.max, volume.k / 2);
+}
+
+/// Reads an AABB in any of its three forms.
+void read_into(Aabb<double, 3>& box, Fields& fields) {
+  using Form = std::array<std::string_view, 2>;
+  if (fields.has("center") || fields.has("half_extents")) {
+    fields.expect(Form{"center", "half_extents"});
+    const Point center = fields.point("center");
+    box = min_max_of(AabbCenterExtents<double, 3>{center, fields.not_negative_each("half_extents")});
+  } else if (fields.has("widths")) {
+    fields.expect(Form{"min", "widths"});
+    const Point min = fields.point("min");
+    box = min_max_of(AabbMinWidths<double, 3>{min, fields.not_negative_each("widths")});
+  } else {
+    fields.expect(Form{"min", "max"});
+    see_fields(box, FieldReader{fields});
+    check_bounds(fields, box.min, box.max, 3);
+  }
 }
 
 /// Converts a volume that was read in 3-D to its own dimension.
@@ -275,8 +268,7 @@ struct InDimension {
   }
   Volume<double, Dim> operator()(const Kdop<double, 3>& volume) const {
     const auto kdop = converted<double, Dim>(volume);
-    if (query::kdop_vertices(kdop).empty())
-      fields.fail(fields.field("min") + " and max leave no point that is in all slabs");
+    if (kdop_vertices(kdop).empty()) fields.fail(fields.field("min") + " and max leave no point that is in all slabs");
     return kdop;
   }
   Volume<double, Dim> operator()(const ConvexHull<double, 3>& volume) const {
@@ -287,14 +279,30 @@ struct InDimension {
   }
 };
 
-Volume<double, 3> lifted_volume(const std::string& kind, Fields& fields) {
-  if (kind == "sphere") return sphere_of(fields);
-  if (kind == "aabb") return aabb_of(fields);
-  if (kind == "obb") return obb_of(fields);
-  if (kind == "capsule") return capsule_of(fields);
-  if (kind == "lozenge") return lozenge_of(fields);
-  if (kind == "kdop") return kdop_of(fields);
-  return hull_of(fields);
+/// Writes fields as help shows them: what kind of value stands behind each name.
+struct FieldForms {
+  std::string text;
+
+  void operator()(std::string_view name, const auto& field) {
+    text += (text.empty() ? "\"" : ",\"") + std::string(name) + "\":" + form(field);
+  }
+  static const char* form(double) { return "r"; }
+  static const char* form(int) { return "14"; }
+  static const char* form(const Point&) { return "[..]"; }
+  static const char* form(const Matrix<double, 3>&) { return "[[..],[..],[..]]"; }
+  static const char* form(const std::array<Point, 2>&) { return "[[..],[..]]"; }
+  static const char* form(const std::array<double, kMostSlabs<3>>&) { return "[..]"; }
+  static const char* form(const std::vector<Point>&) { return "[[..],..]"; }
+};
+
+/// What the fields do not say by themselves.
+std::string_view remark_on(std::string_view kind) {
+  if (kind == "aabb")
+    return ", {\"aabb\":{\"min\":[..],\"widths\":[..]}} or\n"
+           "                   {\"aabb\":{\"center\":[..],\"half_extents\":[..]}}";
+  if (kind == "obb") return "; axes are unit rows, right-handed";
+  if (kind == "lozenge") return "; the edges are perpendicular";
+  return kind == "kdop" ? "; k is 6, 14, 18 or 26, in 2-D 4, 6 or 8" : "";
 }
 
 }  // namespace
@@ -309,7 +317,8 @@ tl::expected<AnyVolume, std::string> read_volume(const Json& json, const VolumeW
   Fields fields(wanted);
   const std::string kind = fields.enter(json);
   if (!fields.error().empty()) return tl::unexpected(fields.error());
-  const Volume<double, 3> volume = lifted_volume(kind, fields);
+  Volume<double, 3> volume = volume_of_kind(kind);
+  std::visit([&](auto& own) { read_into(own, fields); }, volume);
   if (!fields.error().empty()) return tl::unexpected(fields.error());
   AnyVolume result;
   if (fields.dim() == 2) result = std::visit(InDimension<2>{fields}, volume);
@@ -322,6 +331,19 @@ bool may_have_either_dim(const Json& json) {
   if (!json.is_object() || json.size() != 1 || json.begin().key() != "kdop") return false;
   const Json& kdop = json.begin().value();
   return kdop.is_object() && kdop.contains("k") && kdop["k"] == 6;
+}
+
+std::string volumes_in_json() {
+  std::string text;
+  for (const std::string_view kind : kVolumeNames) {
+    FieldForms forms;
+    auto volume = volume_of_kind(kind);
+    std::visit([&](auto& own) { fields_to_read(own, forms); }, volume);
+    text += (text.empty() ? "  V                {\"" : "                   {\"") + std::string(kind) + "\":{" +
+            forms.text + "}}" + std::string(remark_on(kind)) + "\n";
+  }
+  return text +
+         "                   In 2-D there are two numbers instead of three. ";
 }
 
 }  // namespace snug::desktop

@@ -39,4 +39,7 @@ struct VolumeWanted {
 /// Whether a volume could be of either dimension: a 6-DOP, which has three slabs in both.
 [[nodiscard]] bool may_have_either_dim(const Json& json);
 
+/// What --help says of volumes in JSON.
+[[nodiscard]] std::string volumes_in_json();
+
 }  // namespace snug::desktop

@@ -110,8 +110,10 @@ struct Drawing {
     for (std::size_t i = 0; i < fact.corners.size(); i += 2) difference(fact.corners[i], fact.corners[i + 1], true);
   }
   void operator()(const query::SupportFound& fact) const { difference(fact.a, fact.b, false); }
-  /// Draws a vertex of A - B as the two vertices whose difference it is.
+  /// Draws a vertex of A - B as the two vertices whose difference it is; nothing where a point of a smooth core is no
+  /// vertex.
   void difference(Index a, Index b, bool kept) const {
+    if (a == kNoIndex || b == kNoIndex) return;
     const Palette& p = brush.p;
     const ImVec2 from = brush.at(cores[1][b]), to = brush.at(cores[0][a]);
     line(brush.list, from, to, kept ? Stroke::kSolid : Stroke::kDashed, p.examined, brush.stroke(0.9f));
@@ -181,6 +183,7 @@ Rect draw_difference(Brush& brush, lesson::PairSteps steps, float top) {
   if (brush.dim() != 2) return {};
   const lesson::VolumePair& pair = lesson::as<lesson::VolumesSubject>(brush.session.subject())->pair();
   const std::array<std::vector<Point3>, 2> cores{lesson::core_of(pair.held[0]), lesson::core_of(pair.held[1])};
+  if (cores[0].empty() || cores[1].empty()) return {};  // smooth
   Simplex simplex{cores, {}, std::nullopt};
   for (const auto& entry : steps) std::visit(simplex, entry.step.fact);
   if (simplex.kept.empty()) return {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string_view>
 #include <tuple>
 
@@ -21,5 +22,8 @@ struct BoxWidened {
 
 template <class Scalar, int Dim>
 using AabbStep = Step<Aabb<Scalar, Dim>, BoxWidened, ExtremesFound<Scalar, Dim>, Finished>;
+
+/// What fits axis-aligned boxes.
+[[nodiscard]] std::span<const Algorithm> rows_of(const Aabb<double, 3>*);
 
 }  // namespace snug::fit

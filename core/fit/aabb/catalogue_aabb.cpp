@@ -1,8 +1,8 @@
 #include <array>
 
 #include "fit/aabb/aabb_min_max.hpp"
+#include "fit/aabb/certify_aabb.hpp"
 #include "fit/catalogue_rows.hpp"
-#include "fit/certify_shapes.hpp"
 
 namespace snug::fit {
 namespace {
@@ -16,6 +16,6 @@ constexpr std::array kAabbRows{
 
 }  // namespace
 
-std::span<const Algorithm> aabb_rows() { return kAabbRows; }
+std::span<const Algorithm> rows_of(const Aabb<double, 3>*) { return kAabbRows; }
 
 }  // namespace snug::fit

@@ -16,6 +16,6 @@ constexpr std::array kHullRows{
 
 }  // namespace
 
-std::span<const Algorithm> hull_rows() { return kHullRows; }
+std::span<const Algorithm> rows_of(const ConvexHull<double, 3>*) { return kHullRows; }
 
 }  // namespace snug::fit

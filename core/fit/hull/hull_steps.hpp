@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -16,7 +17,7 @@
 namespace snug::fit {
 
 /// The first facets: of a tetrahedron (3-D) or of a segment seen from both sides (2-D), on those points.
-/// vertices: of facet 0, then of facet 1, ...: three of each, in 2-D two.
+/// vertices: those of facet 0, then those of facet 1, ...: three each, in 2-D two.
 struct SimplexChosen {
   static constexpr std::string_view kName = "simplex_chosen";
   std::vector<Index> points;
@@ -103,5 +104,8 @@ struct FacesMerged {
 template <class Scalar, int Dim>
 using HullStep = Step<ConvexHull<Scalar, Dim>, SimplexChosen, FlatFound, PointsAssigned, EyeChosen, EdgeSplit,
                       HorizonFound, FacetsReplaced, FacesMerged, Finished>;
+
+/// What fits hulls.
+[[nodiscard]] std::span<const Algorithm> rows_of(const ConvexHull<double, 3>*);
 
 }  // namespace snug::fit

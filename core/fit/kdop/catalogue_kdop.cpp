@@ -1,7 +1,7 @@
 #include <array>
 
 #include "fit/catalogue_rows.hpp"
-#include "fit/certify_shapes.hpp"
+#include "fit/kdop/certify_kdop.hpp"
 #include "fit/kdop/kdop_fit.hpp"
 
 namespace snug::fit {
@@ -35,6 +35,6 @@ constexpr std::array kKdopRows{
 
 }  // namespace
 
-std::span<const Algorithm> kdop_rows() { return kKdopRows; }
+std::span<const Algorithm> rows_of(const Kdop<double, 3>*) { return kKdopRows; }
 
 }  // namespace snug::fit

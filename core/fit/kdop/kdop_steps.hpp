@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string_view>
 #include <tuple>
 
@@ -24,5 +25,8 @@ struct SlabFound {
 
 template <class Scalar, int Dim>
 using KdopStep = Step<Kdop<Scalar, Dim>, SlabFound, Finished>;
+
+/// What fits k-DOPs.
+[[nodiscard]] std::span<const Algorithm> rows_of(const Kdop<double, 3>*);
 
 }  // namespace snug::fit

@@ -63,6 +63,6 @@ constexpr std::array kObbRows{
 
 }  // namespace
 
-std::span<const Algorithm> obb_rows() { return kObbRows; }
+std::span<const Algorithm> rows_of(const Obb<double, 3>*) { return kObbRows; }
 
 }  // namespace snug::fit

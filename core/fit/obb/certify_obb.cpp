@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "fit/certify_volume.hpp"
 #include "fit/obb/obb_edge_pairs.hpp"
 #include "fit/obb/obb_hull.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/sphere.hpp"
 #include "geometry/tolerance.hpp"
-#include "query/contains.hpp"
 
 namespace snug::fit {
 namespace {
@@ -123,13 +123,7 @@ void prove_smallest(Certificate& certificate, const Obb<Scalar, Dim>& box, Point
 
 template <class Scalar, int Dim>
 Certificate certify(const Fit<Obb<Scalar, Dim>>& fit, PointSpan<Scalar, Dim> points, bool claims_optimal) {
-  Certificate certificate;
-  for (const auto& p : points) {
-    const double outside = query::outside_by(fit.volume, p);
-    if (outside > 0) ++certificate.outside;
-    certificate.max_outside = std::max(certificate.max_outside, outside);
-  }
-  certificate.contains = certificate.outside == 0;
+  Certificate certificate = containment(fit.volume, points);
   const double rounding =
       tolerance::kBoxBoundaryRoundoffs * tolerance::roundoff<Scalar>(largest_coordinate(fit.volume, points));
   certificate.on_boundary = is_frame<Scalar, Dim>(fit.volume.axes) && support_on_faces(fit, points, rounding);

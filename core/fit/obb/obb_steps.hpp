@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -104,5 +105,8 @@ using ObbStep =
     Step<Obb<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>, AxesFound<Scalar, Dim>, PairChosen,
          ExtentsFound<Scalar, Dim>, BallFound<Scalar, Dim>, HullFound, SurfaceFound<Scalar, Dim>, PointsChosen,
          BoxTried<Scalar, Dim>, RectangleFound<Scalar, Dim>, EdgeSearched, Finished>;
+
+/// What fits oriented boxes.
+[[nodiscard]] std::span<const Algorithm> rows_of(const Obb<double, 3>*);
 
 }  // namespace snug::fit

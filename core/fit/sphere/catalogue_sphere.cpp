@@ -58,6 +58,6 @@ constexpr std::array kSphereRows{
 
 }  // namespace
 
-std::span<const Algorithm> sphere_rows() { return kSphereRows; }
+std::span<const Algorithm> rows_of(const Sphere<double, 3>*) { return kSphereRows; }
 
 }  // namespace snug::fit

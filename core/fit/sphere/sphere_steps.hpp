@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string_view>
 #include <tuple>
 #include <variant>
@@ -30,7 +31,7 @@ struct FarthestFound {
   static auto tie(auto& own) { return std::tie(own.point, own.distance); }
 };
 
-/// A point was held against the ball: distance is from its centre, in scene units; depth: how many points were then
+/// A point was tested against the ball: distance is from its centre, in scene units; depth: how many points were then
 /// forced onto the boundary (Welzl only).
 struct PointExamined {
   static constexpr std::string_view kName = "point_examined";
@@ -91,8 +92,8 @@ struct MovedToFront {
   static auto tie(auto& own) { return std::tie(own.point, own.depth); }
 };
 
-/// Every point was held against the ball. outside: in how many of the blocks of points (one block, where there are few)
-/// the farthest lay outside; 0 where the ball holds them all.
+/// Every point was tested against the ball. outside: in how many of the blocks of points (one block, where there are
+/// few) the farthest lay outside; 0 where the ball contains them all.
 struct AllChecked {
   static constexpr std::string_view kName = "all_checked";
   Index outside = 0;
@@ -100,8 +101,8 @@ struct AllChecked {
   static auto tie(auto& own) { return std::tie(own.outside); }
 };
 
-/// The finished ball was held against every point: the farthest one, and whether rounding had left it outside, so that
-/// the radius was widened by its last digits.
+/// The finished ball was tested against every point: the farthest one, and whether rounding had left it outside, so
+/// that the radius was widened by its last digits.
 struct RadiusChecked {
   static constexpr std::string_view kName = "radius_checked";
   Index farthest = kNoIndex;
@@ -110,7 +111,7 @@ struct RadiusChecked {
   static auto tie(auto& own) { return std::tie(own.farthest, own.widened); }
 };
 
-/// A point entered the support set; those that no longer hold the ball left it.
+/// A point entered the support set; those that no longer support the ball left it.
 struct SupportReplaced {
   static constexpr std::string_view kName = "support_replaced";
   Index entered = kNoIndex;
@@ -139,5 +140,8 @@ using SphereStep =
          PointExamined, BallGrown<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>,
          AxesFound<Scalar, Dim>, BallShrunk<Scalar, Dim>, PassJudged<Scalar, Dim>, BoundaryForced, MovedToFront,
          AllChecked, RadiusChecked, SupportReplaced, CandidateTried<Scalar, Dim>, Finished>;
+
+/// What fits spheres.
+[[nodiscard]] std::span<const Algorithm> rows_of(const Sphere<double, 3>*);
 
 }  // namespace snug::fit

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string_view>
 #include <tuple>
 
@@ -12,8 +13,8 @@
 
 namespace snug::fit {
 
-/// The radius: half of how thick the points are along the axis where they are least so, held by the points least and
-/// greatest; in the plane what rounds the corners as far as the points allow, held by the point least.
+/// The radius: half of the points' thickness along the axis along which they are thinnest, which the points least and
+/// greatest support; in the plane what rounds the corners as far as the points allow, which the point least supports.
 struct ThicknessFound {
   static constexpr std::string_view kName = "thickness_found";
   Index least = kNoIndex, greatest = kNoIndex;
@@ -48,5 +49,8 @@ struct CornerMovedOut {
 template <class Scalar, int Dim>
 using LozengeStep = Step<Lozenge<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>,
                          AxesFound<Scalar, Dim>, ThicknessFound, SidePulledIn, CornerMovedOut, RadiusChecked, Finished>;
+
+/// What fits lozenges.
+[[nodiscard]] std::span<const Algorithm> rows_of(const Lozenge<double, 3>*);
 
 }  // namespace snug::fit

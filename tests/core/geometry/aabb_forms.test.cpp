@@ -102,7 +102,7 @@ TEST_CASE_TEMPLATE("a sum rounded outwards is the nearest number on that side", 
     inexact += up != down ? 1 : 0;
     // Three, kept from overflowing, of sizes that cancel now and then.
     const Scalar c = round % 3 == 0 ? std::nextafter(-(a / 4 + b / 4), Scalar(0)) : any_scalar<Scalar>(random) / 4;
-    const Rational three = exactly<Scalar>(a / 4) + exactly<Scalar>(b / 4) + exactly(c);
+    const Rational three = exactly(a / 4) + exactly(b / 4) + exactly(c);
     const Scalar three_up = sum_up<Scalar>(a / 4, b / 4, c), three_down = sum_down<Scalar>(a / 4, b / 4, c);
     CHECK(exactly(three_up) >= three);
     CHECK(exactly(std::nextafter(three_up, -kInfinity)) < three);

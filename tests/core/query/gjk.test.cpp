@@ -284,7 +284,7 @@ struct Smooth {
 
 TEST_CASE("GJK knows a core by its support mapping alone, so that smooth ones fit") {
   const Smooth egg{{0, 0, 0}, {0.3, 0.2, 0.1}}, ball{{0.7, 0.4, 0.2}, {0.1, 0.1, 0.1}};
-  const query::Corners<3> point{{0.8, 0, 0}}, inside{{0.1, 0.1, 0}};
+  const Corners<3> point{{0.8, 0, 0}}, inside{{0.1, 0.1, 0}};
   Ignore ignore;
   const auto between = [&](const query::SupportMapping& a, const query::SupportMapping& b) {
     query::Gjk<Ignore> run(a, b, 1, ignore);

@@ -287,7 +287,7 @@ TEST_CASE("k-DOPs and boxes on a lattice overlap just where whole numbers say") 
     const Kdop<double, 3> b = lattice_kdop(make, make.random.below(2) == 0 ? k : make.any_k());
     auto spaces = half_spaces(a);
     if (!have_common_point(spaces)) {
-      CHECK(query::kdop_vertices(a).empty());
+      CHECK(kdop_vertices(a).empty());
       CHECK_FALSE(query::overlaps(a, b));
       CHECK_FALSE(query::overlaps(b, a));
       ++empty;
@@ -320,8 +320,8 @@ TEST_CASE_TEMPLATE("a k-DOP's corners lie in all of its slabs", Scalar, float, d
       const auto volume =
           test::moved<Scalar, Dim>(make.make(5, round % 4 < 2 ? Make::kLoose : Make::kFlat), make.direction() * offset);
       const auto& kdop = std::get<Kdop<Scalar, Dim>>(volume);
-      const Vector<Scalar, Dim> origin = query::anchor(kdop);
-      const auto corners = query::kdop_vertices(kdop, origin);
+      const Vector<Scalar, Dim> origin = anchor(kdop);
+      const auto corners = kdop_vertices(kdop, origin);
       if (corners.empty()) continue;  // moved far away, a flat one may lose its meeting point to rounding
       const auto axes = kdop_axes<Dim>(kdop.k);
       for (const auto& corner : corners)
@@ -341,7 +341,7 @@ TEST_CASE_TEMPLATE("a k-DOP's corners lie in all of its slabs", Scalar, float, d
 }
 
 TEST_CASE("a k-DOP of a box has its corners, and a truncated one those of its faces") {
-  const auto count = [](const Kdop<double, 3>& kdop) { return query::kdop_vertices(kdop).size(); };
+  const auto count = [](const Kdop<double, 3>& kdop) { return kdop_vertices(kdop).size(); };
   CHECK(count({6, {0, 0, 0}, {1, 2, 3}}) == 8);
   CHECK(count({6, {0, 0, 0}, {0, 2, 3}}) == 4);
   CHECK(count({6, {0, 0, 0}, {0, 0, 0}}) == 1);
@@ -350,7 +350,7 @@ TEST_CASE("a k-DOP of a box has its corners, and a truncated one those of its fa
   CHECK(count({14, {-1, -1, -1, -2.5, -2.5, -2.5, -2.5}, {1, 1, 1, 2.5, 2.5, 2.5, 2.5}}) == 24);
   CHECK(count({14, {-1, -1, -1, -3, -3, -3, -3}, {1, 1, 1, 3, 3, 3, 3}}) == 8);
   CHECK(count({14, {-1, -1, -1, 4, -3, -3, -3}, {1, 1, 1, 5, 3, 3, 3}}) == 0);
-  const auto count_2 = [](const Kdop<double, 2>& kdop) { return query::kdop_vertices(kdop).size(); };
+  const auto count_2 = [](const Kdop<double, 2>& kdop) { return kdop_vertices(kdop).size(); };
   CHECK(count_2({4, {0, 0}, {1, 2}}) == 4);
   CHECK(count_2({6, {0, 0, 0.5}, {1, 1, 1.5}}) == 6);
   CHECK(count_2({8, {-1, -1, -1, -1}, {1, 1, 1, 1}}) == 4);

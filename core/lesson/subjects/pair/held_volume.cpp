@@ -5,9 +5,9 @@
 
 #include "fit/hull/quickhull.hpp"
 #include "geometry/convert.hpp"
+#include "geometry/kdop.hpp"
 #include "geometry/pose.hpp"
 #include "lesson/boxes.hpp"
-#include "query/kdop_vertices.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -54,8 +54,6 @@ struct Grip<Sphere<double, 3>> {
   static Point3 at(const Volume& ball, const HeldVolume&, const Handle&) {
     return ball.center + Point3(ball.radius, 0, 0);
   }
-  static void shift(Volume& ball, HeldVolume&, const Point3& by) { ball.center += by; }
-  static void turn(Volume&, HeldVolume&, const Matrix<double, 3>&) {}
   static Moved move(Volume& ball, HeldVolume&, const Handle&, const Point3& to) {
     ball.radius = std::max(0.0, to[0] - ball.center[0]);
     return {};
@@ -77,8 +75,6 @@ struct Grip<Aabb<double, 3>> {
       if ((handle.number >> i & 1) != 0) corner[i] = box.max[i];
     return corner;
   }
-  static void shift(Volume& box, HeldVolume&, const Point3& by) { box.min += by, box.max += by; }
-  static void turn(Volume&, HeldVolume&, const Matrix<double, 3>&) {}
   static Moved move(Volume& box, HeldVolume& held, const Handle& handle, const Point3& to) {
     for (int i = 0; i < held.dim; ++i)
       if ((handle.number >> i & 1) != 0) box.max[i] = std::max(box.min[i], to[i]);
@@ -109,10 +105,6 @@ struct Grip<Box> {
   static Point3 at(const Volume& box, const HeldVolume& held, const Handle& handle) {
     return at_place(pair_of(box, held), place(held, handle));
   }
-  static void shift(Volume& box, HeldVolume&, const Point3& by) { box.center += by; }
-  static void turn(Volume& box, HeldVolume&, const Matrix<double, 3>& rotation) {
-    box.axes = orthonormal<double, 3>(rotation * box.axes);
-  }
   static Moved move(Volume& box, HeldVolume& held, const Handle& handle, const Point3& to) {
     box = lesson::moved(pair_of(box, held), place(held, handle), to)->boxes[0];  // to was checked to be finite
     return {};
@@ -129,11 +121,6 @@ struct Grip<Capsule<double, 3>> {
   static Point3 at(const Volume& capsule, const HeldVolume& held, const Handle& handle) {
     if (handle.kind == Kind::kVertex) return handle.number == 0 ? capsule.a : capsule.b;
     return center(capsule, held) + capsule.radius * across(capsule.b - capsule.a, held.dim);
-  }
-  static void shift(Volume& capsule, HeldVolume&, const Point3& by) { capsule.a += by, capsule.b += by; }
-  static void turn(Volume& capsule, HeldVolume& held, const Matrix<double, 3>& rotation) {
-    const Point3 middle = center(capsule, held);
-    for (Point3* end : {&capsule.a, &capsule.b}) *end = middle + rotation * (*end - middle);
   }
   static Moved move(Volume& capsule, HeldVolume& held, const Handle& handle, const Point3& to) {
     if (handle.kind == Kind::kVertex) (handle.number == 0 ? capsule.a : capsule.b) = to;
@@ -162,6 +149,12 @@ struct Grip<Lozenge<double, 3>> {
     for (int i = 0; i < 2; ++i) lozenge.edges[i] = 2 * core.half_extents[i] * core.axes.col(i);
     lozenge.origin = core.center - (lozenge.edges[0] + lozenge.edges[1]) / 2;
   }
+  /// Makes the edges perpendicular again.
+  static void settle(Volume& lozenge, const HeldVolume& held) {
+    Box box = core(lozenge, held.dim);
+    box.axes = orthonormal<double, 3>(box.axes);
+    become(lozenge, box);
+  }
   static BoxPair pair_of(const Volume& lozenge, const HeldVolume& held) {
     const Box box = core(lozenge, held.dim);
     return {.dim = held.dim, .boxes = {box, box}, .knob = held.knob + lozenge.radius};
@@ -188,12 +181,6 @@ struct Grip<Lozenge<double, 3>> {
     if (handle.kind == Kind::kTurn)
       return at_place(pair_of(lozenge, held), index_of(held.dim, {Place::Kind::kTurn, 0, handle.number}));
     return foot(box, held.dim) + lozenge.radius * outward(box, held.dim);
-  }
-  static void shift(Volume& lozenge, HeldVolume&, const Point3& by) { lozenge.origin += by; }
-  static void turn(Volume& lozenge, HeldVolume& held, const Matrix<double, 3>& rotation) {
-    Box box = core(lozenge, held.dim);
-    box.axes = orthonormal<double, 3>(rotation * box.axes);
-    become(lozenge, box);
   }
   static Moved move(Volume& lozenge, HeldVolume& held, const Handle& handle, const Point3& to) {
     Box box = core(lozenge, held.dim);
@@ -228,7 +215,7 @@ struct Grip<Kdop<double, 3>> {
   static std::vector<Point3> vertices(const Volume& kdop, int dim) {
     return in_dimension(kdop, dim, []<int Dim>(const Kdop<double, Dim>& own) {
       std::vector<Point3> lifted;
-      for (const auto& vertex : query::kdop_vertices(own)) {
+      for (const auto& vertex : kdop_vertices(own)) {
         convert_into(lifted.emplace_back(), vertex);
       }
       return lifted;
@@ -259,13 +246,6 @@ struct Grip<Kdop<double, 3>> {
     const double bound = handle.number % 2 == 1 ? kdop.max[handle.number / 2] : kdop.min[handle.number / 2];
     return middle + n * ((bound - n.dot(middle)) / n.squaredNorm());
   }
-  static void shift(Volume& kdop, HeldVolume& held, const Point3& by) {
-    for (int slab = 0; slab < kdop.k / 2; ++slab) {
-      const double along = axis(kdop, held.dim, slab).dot(by);
-      kdop.min[slab] += along, kdop.max[slab] += along;
-    }
-  }
-  static void turn(Volume&, HeldVolume&, const Matrix<double, 3>&) {}
   static Moved move(Volume& kdop, HeldVolume& held, const Handle& handle, const Point3& to) {
     const int slab = handle.number / 2;
     const double bound = axis(kdop, held.dim, slab).dot(to);
@@ -279,7 +259,7 @@ template <>
 struct Grip<ConvexHull<double, 3>> {
   using Volume = ConvexHull<double, 3>;
   /// Computes the hull of the points as they are now.
-  static void wrap(Volume& hull, const HeldVolume& held) {
+  static void settle(Volume& hull, const HeldVolume& held) {
     const auto wrapped = [&]<int Dim>(std::integral_constant<int, Dim>) {
       std::vector<Vector<double, Dim>> own;
       for (const Point3& p : held.points) own.push_back(p.head<Dim>());
@@ -300,18 +280,9 @@ struct Grip<ConvexHull<double, 3>> {
     return sum / static_cast<double>(held.points.size());
   }
   static Point3 at(const Volume&, const HeldVolume& held, const Handle& handle) { return held.points[handle.number]; }
-  static void shift(Volume& hull, HeldVolume& held, const Point3& by) {
-    for (Point3& p : held.points) p += by;
-    wrap(hull, held);
-  }
-  static void turn(Volume& hull, HeldVolume& held, const Matrix<double, 3>& rotation) {
-    const Point3 middle = center(hull, held);
-    for (Point3& p : held.points) p = middle + rotation * (p - middle);
-    wrap(hull, held);
-  }
   static Moved move(Volume& hull, HeldVolume& held, const Handle& handle, const Point3& to) {
     held.points[handle.number] = to;
-    wrap(hull, held);
+    settle(hull, held);
     return {};
   }
 };
@@ -327,6 +298,32 @@ auto gripped(HeldVolume& held, Call call) {
 
 Point3 center_of(const HeldVolume& held) {
   return gripped(held, [&](auto grip, const auto& volume) { return decltype(grip)::center(volume, held); });
+}
+
+/// Brings a volume whose numbers were moved or turned back into the form that its handles expect.
+void settle(HeldVolume& held) {
+  gripped(held, [&](auto grip, auto& volume) {
+    if constexpr (requires { decltype(grip)::settle(volume, held); }) decltype(grip)::settle(volume, held);
+  });
+}
+
+/// Replaces the volume by what call makes of it in its own dimension.
+template <class Call>
+void change(HeldVolume& held, Call call) {
+  const auto changed = [&]<int Dim>(std::integral_constant<int, Dim>) {
+    return std::visit(
+        [&](const auto& own) { return fit::Volume3(converted<double, 3>(call(converted<double, Dim>(own)))); },
+        held.volume);
+  };
+  held.volume = held.dim == 2 ? changed(std::integral_constant<int, 2>()) : changed(std::integral_constant<int, 3>());
+}
+
+void shift(HeldVolume& held, const Point3& by) {
+  for (Point3& p : held.points) p += by;
+  change(held, [&]<template <class, int> class Kind, int Dim>(const Kind<double, Dim>& own) {
+    return moved(own, Vector<double, Dim>(by.head<Dim>()));
+  });
+  if (!held.points.empty()) settle(held);  // the others are what they were
 }
 
 /// Whether every handle has coordinates that a point may have.
@@ -381,7 +378,7 @@ tl::expected<HeldVolume, InputError> moved(const HeldVolume& held, const Handle&
   const Moved why = gripped(next, [&](auto grip, auto& volume) -> Moved {
     using Held = decltype(grip);
     if (handle.kind != Kind::kCenter) return Held::move(volume, next, handle, to);
-    Held::shift(volume, next, to - Held::center(volume, next));
+    shift(next, to - Held::center(volume, next));
     return {};
   });
   if (!why.empty()) return tl::unexpected(InputError{.what = std::string(why)});
@@ -405,10 +402,12 @@ std::string fault_of(const HeldVolume& held) {
 
 HeldVolume placed(const HeldVolume& held, const Matrix<double, 3>& rotation, const Point3& by) {
   HeldVolume next = held;
-  gripped(next, [&](auto grip, auto& volume) {
-    decltype(grip)::turn(volume, next, rotation);
-    decltype(grip)::shift(volume, next, by);
+  const Point3 middle = center_of(held);
+  for (Point3& p : next.points) p = middle + rotation * (p - middle) + by;
+  change(next, [&]<template <class, int> class Kind, int Dim>(const Kind<double, Dim>& own) {
+    return placed(own, Pose<double, Dim>{rotation.topLeftCorner<Dim, Dim>(), by.head<Dim>()});
   });
+  settle(next);
   return next;
 }
 

@@ -16,7 +16,7 @@ struct Handle {
   enum class Kind {
     kCenter,  // moves the whole volume
     kTurn,    // rotates it; number: the axis of the knob
-    kVertex,  // a vertex of the core, in the order of query::core_corners; for a hull, one of its points
+    kVertex,  // a vertex of the core, in the order of core_corners; for a hull, one of its points
     kRadius,  // a place on the boundary
     kBound,   // of a k-DOP; number: twice the slab's index, plus 1 for its greater bound
   } kind = Kind::kCenter;

@@ -37,7 +37,11 @@ class PairRun final : public FactRun<PairRun, PairStep> {
     int i;
     const Untold* untold;
     [[nodiscard]] int dim() const { return run.dim_; }
-    [[nodiscard]] const CoreVertex& vertex(int side, Index place) const { return run.vertices_[side][place]; }
+    /// place: kNoIndex for a point of a smooth core, which is no vertex.
+    [[nodiscard]] CoreVertex vertex(int side, Index place) const {
+      if (place == kNoIndex) return {side == 0 ? "a point of A" : "a point of B"};
+      return run.vertices_[side][place];
+    }
   };
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "geometry/volume_fields.hpp"
 #include "lesson/boxes.hpp"
 #include "lesson/names.hpp"
 
@@ -42,7 +43,6 @@ struct FieldReader {
     axes = box.axes;
   }
   void operator()(std::string_view name, int& number) {
-    if (name != "k") return;  // of a hull: worked out
     number = static_cast<int>(table.integer(name, 4, 26));
     const std::size_t slabs = dim == 2 ? kdop_axes<2>(number).size() : kdop_axes<3>(number).size();
     if (slabs == 0) table.wrong(name, dim == 2 ? "must be 4, 6 or 8" : "must be 6, 14, 18 or 26");
@@ -54,18 +54,8 @@ struct FieldReader {
       return table.wrong(name, "must be " + std::to_string(k / 2) + " numbers, one for each slab");
     std::copy(numbers.begin(), numbers.end(), bounds.begin());
   }
-  void operator()(std::string_view, std::vector<Point3>& vertices) const { vertices = table.points("points", dim); }
-  template <class Item>
-  void operator()(std::string_view, std::vector<Item>&) const {}  // of a hull: worked out
+  void operator()(std::string_view name, std::vector<Point3>& vertices) const { vertices = table.points(name, dim); }
 };
-
-/// An empty volume of the kind with that index in kVolumeNames.
-template <std::size_t at = 0>
-fit::Volume3 volume_of_kind(std::size_t kind) {
-  if constexpr (at + 1 < kVolumeNames.size())
-    if (kind != at) return volume_of_kind<at + 1>(kind);
-  return fit::Volume3(std::in_place_index<at>);
-}
 
 HeldVolume read_volume(const toml::table& toml, std::string name, int dim, Complaints& complaints) {
   TomlTable table(toml, std::move(name), complaints);
@@ -75,12 +65,12 @@ HeldVolume read_volume(const toml::table& toml, std::string name, int dim, Compl
     complaints.add(table.line(), "a volume is one of " + one_of(kVolumeNames) + ", with its fields");
     return held;
   }
-  held.volume = volume_of_kind(static_cast<std::size_t>(kind - kVolumeNames.begin()));
+  held.volume = volume_of_kind(*kind);
   const toml::table* fields = table.table(*kind);
   table.refuse_others();
   if (fields == nullptr) return held;
   TomlTable own(*fields, std::string(*kind), complaints);
-  std::visit([&](auto& volume) { see_fields(volume, FieldReader{own, dim}); }, held.volume);
+  std::visit([&](auto& volume) { fields_to_read(volume, FieldReader{own, dim}); }, held.volume);
   own.refuse_others();
   if (const auto* hull = std::get_if<ConvexHull<double, 3>>(&held.volume)) held.points = hull->vertices;
   if (complaints.first()) return held;

@@ -96,8 +96,9 @@ std::vector<Point3> core_of(const HeldVolume& held) {
     std::visit(
         [&](const auto& kind) {
           const auto own = converted<double, Dim>(kind);
-          for (const auto& vertex : query::core_corners(own, Vector<double, Dim>(Vector<double, Dim>::Zero())))
-            convert_into(core.emplace_back(), vertex);
+          const Vector<double, Dim> origin = Vector<double, Dim>::Zero();
+          if constexpr (query::HasCorners<decltype(own)>)
+            for (const auto& vertex : core_corners(own, origin)) convert_into(core.emplace_back(), vertex);
         },
         held.volume);
   };
@@ -107,28 +108,55 @@ std::vector<Point3> core_of(const HeldVolume& held) {
 }
 
 double radius_of(const HeldVolume& held) {
-  return std::visit([](const auto& volume) { return query::core_radius(volume); }, held.volume);
+  return std::visit([](const auto& volume) { return query::radius_of(volume); }, held.volume);
 }
 
+double reach_along(const HeldVolume& held, const Point3& way) {
+  const auto reach = [&]<int Dim>(std::integral_constant<int, Dim>) {
+    const Vector<double, Dim> direction = way.head<Dim>();
+    return std::visit(
+        [&](const auto& kind) {
+          const auto own = converted<double, Dim>(kind);
+          const Vector<double, Dim> origin = anchor(own);
+          const Vector<double, Dim> farthest = query::farthest_of_core(own, origin, direction);
+          return origin.dot(direction) + farthest.dot(direction) + query::radius_of(own);
+        },
+        held.volume);
+  };
+  return held.dim == 2 ? reach(std::integral_constant<int, 2>()) : reach(std::integral_constant<int, 3>());
+}
+
+namespace {
+
+/// The nearest points of both as GJK finds them in their own dimension; none where they overlap.
+template <int Dim>
+std::optional<query::Separation<double, 3>> lifted(const std::optional<query::Separation<double, Dim>>& found) {
+  if (!found || found->overlap) return std::nullopt;
+  query::Separation<double, 3> lifted{.distance = found->distance, .gap = found->gap, .turns = found->turns};
+  convert_into(lifted.direction, found->direction);
+  convert_into(lifted.on_a, found->on_a), convert_into(lifted.on_b, found->on_b);
+  return lifted;
+}
+
+}  // namespace
+
 std::optional<query::Separation<double, 3>> separation_of(const VolumePair& pair) {
-  return in_dimension(pair,
-                      []<int Dim>(const Volume<double, Dim>& a,
-                                  const Volume<double, Dim>& b) -> std::optional<query::Separation<double, 3>> {
-                        const auto found = query::gjk(a, b);
-                        if (!found || found->overlap) return std::nullopt;
-                        query::Separation<double, 3> lifted{
-                            .distance = found->distance, .gap = found->gap, .turns = found->turns};
-                        convert_into(lifted.direction, found->direction);
-                        convert_into(lifted.on_a, found->on_a), convert_into(lifted.on_b, found->on_b);
-                        return lifted;
-                      });
+  return in_dimension(pair, []<int Dim>(const Volume<double, Dim>& a, const Volume<double, Dim>& b) {
+    return lifted<Dim>(query::gjk(a, b));
+  });
 }
 
 std::optional<query::Separation<double, 3>> core_separation_of(const VolumePair& pair) {
-  Ignore ignore;
-  const auto found = query::separation_of<double, 3>({core_of(pair.held[0]), 0}, {core_of(pair.held[1]), 0},
-                                                     Point3::Zero(), false, ignore);
-  return found && !found->overlap ? found : std::nullopt;
+  return in_dimension(pair, []<int Dim>(const Volume<double, Dim>& a, const Volume<double, Dim>& b) {
+    const Vector<double, Dim> origin = Vector<double, Dim>::Zero();
+    const auto core_of = [&](const Volume<double, Dim>& volume) {
+      auto core = std::visit([&](const auto& own) { return query::grown_core(own, origin); }, volume);
+      core.radius = 0;
+      return core;
+    };
+    Ignore ignore;
+    return lifted<Dim>(query::separation_of<double, Dim>(core_of(a), core_of(b), origin, false, ignore));
+  });
 }
 
 }  // namespace snug::lesson

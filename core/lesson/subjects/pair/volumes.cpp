@@ -168,14 +168,9 @@ std::vector<Proof> VolumesSubject::proofs(const View& view) const {
   const auto apart = separation_of(pair_);
   if (!apart)
     return {{"GJK finds a point that both volumes have in common, or that is within rounding of both", true, true}};
-  double reach[2];
-  for (const int side : {0, 1}) {
-    const Point3 way = side == 0 ? apart->direction : Point3(-apart->direction);
-    reach[side] = -std::numeric_limits<double>::infinity();
-    for (const Point3& vertex : core_of(pair_.held[side])) reach[side] = std::max(reach[side], vertex.dot(way));
-    reach[side] += radius_of(pair_.held[side]);
-  }
-  return {{"a plane across the axis of the nearest points has A on one side and B on the other", reach[0] < -reach[1],
+  const double end_of_a = reach_along(pair_.held[0], apart->direction);
+  const double end_of_b = -reach_along(pair_.held[1], -apart->direction);
+  return {{"a plane across the axis of the nearest points has A on one side and B on the other", end_of_a < end_of_b,
            true}};
 }
 

@@ -28,8 +28,10 @@ struct VolumePair {
 /// Records the pair's own test, or GJK.
 [[nodiscard]] PairTrace record(std::string_view test, const VolumePair& pair);
 
-/// The vertices of a volume's core, as GJK knows them.
+/// The vertices of a volume's core, as GJK knows them; none of a smooth one.
 [[nodiscard]] std::vector<Point3> core_of(const HeldVolume& held);
+/// How far along a unit direction the volume reaches.
+[[nodiscard]] double reach_along(const HeldVolume& held, const Point3& way);
 /// The radius around the core.
 [[nodiscard]] double radius_of(const HeldVolume& held);
 /// The nearest points of both; none if they overlap.

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/point_clouds.hpp"
-#include "fit/certify_shapes.hpp"
+#include "fit/aabb/certify_aabb.hpp"
 
 using namespace snug;
 

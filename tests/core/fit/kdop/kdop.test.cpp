@@ -9,7 +9,7 @@
 #include "core/exact.hpp"
 #include "core/point_clouds.hpp"
 #include "fit/aabb/aabb_min_max.hpp"
-#include "fit/certify_shapes.hpp"
+#include "fit/kdop/certify_kdop.hpp"
 #include "geometry/kdop_measure.hpp"
 
 using namespace snug;

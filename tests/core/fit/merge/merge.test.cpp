@@ -104,7 +104,7 @@ void check_far(std::size_t kind) {
 template <class Scalar, int Dim>
 Vector<double, Dim> middle_of(const Volume<Scalar, Dim>& volume) {
   const Vector<Scalar, Dim> origin = Vector<Scalar, Dim>::Zero();
-  const auto corners = std::visit([&](const auto& v) { return query::core_corners(v, origin); }, volume);
+  const auto corners = std::visit([&](const auto& v) { return core_corners(v, origin); }, volume);
   Vector<double, Dim> sum = Vector<double, Dim>::Zero();
   for (const auto& corner : corners) sum += corner;
   return sum / static_cast<double>(corners.size());

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "core/point_clouds.hpp"
-#include "fit/certify_shapes.hpp"
+#include "fit/swept/certify_swept.hpp"
 #include "geometry/turn.hpp"
 
 using namespace snug;

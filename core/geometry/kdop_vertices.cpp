@@ -1,8 +1,6 @@
 // Each edge is the line where two boundary planes meet (in 2-D, a boundary line), clipped by all other slabs. The
 // vertices are the ends of the edges. Source of the clipping: M. Cyrus, J. Beck, "Generalized two- and
 // three-dimensional clipping", 1978.
-#include "query/kdop_vertices.hpp"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -10,10 +8,11 @@
 #include <limits>
 #include <optional>
 
+#include "geometry/kdop.hpp"
 #include "geometry/tolerance.hpp"
 #include "number/double_double.hpp"
 
-namespace snug::query {
+namespace snug {
 namespace {
 
 template <int Dim>
@@ -44,9 +43,9 @@ struct Line {
 };
 
 template <class Scalar, int Dim>
-class CornerSearch {
+class VertexSearch {
  public:
-  CornerSearch(const Kdop<Scalar, Dim>& kdop, const Vector<Scalar, Dim>& origin) : axes_(kdop_axes<Dim>(kdop.k)) {
+  VertexSearch(const Kdop<Scalar, Dim>& kdop, const Vector<Scalar, Dim>& origin) : axes_(kdop_axes<Dim>(kdop.k)) {
     for (std::size_t i = 0; i < axes_.size(); ++i) {
       DoubleDouble moved;
       for (std::size_t j = 0; j < Dim; ++j) moved += axes_[i][j] * static_cast<double>(origin[static_cast<int>(j)]);
@@ -135,13 +134,13 @@ class CornerSearch {
 }  // namespace
 
 template <class Scalar, int Dim>
-std::vector<Vector<double, Dim>> kdop_vertices(const Kdop<Scalar, Dim>& kdop, const Vector<Scalar, Dim>& origin) {
-  return CornerSearch<Scalar, Dim>(kdop, origin).find();
+Corners<Dim> kdop_vertices(const Kdop<Scalar, Dim>& kdop, const Vector<Scalar, Dim>& origin) {
+  return VertexSearch<Scalar, Dim>(kdop, origin).find();
 }
 
-template std::vector<Vector<double, 2>> kdop_vertices(const Kdop<float, 2>&, const Vector<float, 2>&);
-template std::vector<Vector<double, 3>> kdop_vertices(const Kdop<float, 3>&, const Vector<float, 3>&);
-template std::vector<Vector<double, 2>> kdop_vertices(const Kdop<double, 2>&, const Vector<double, 2>&);
-template std::vector<Vector<double, 3>> kdop_vertices(const Kdop<double, 3>&, const Vector<double, 3>&);
+template Corners<2> kdop_vertices(const Kdop<float, 2>&, const Vector<float, 2>&);
+template Corners<3> kdop_vertices(const Kdop<float, 3>&, const Vector<float, 3>&);
+template Corners<2> kdop_vertices(const Kdop<double, 2>&, const Vector<double, 2>&);
+template Corners<3> kdop_vertices(const Kdop<double, 3>&, const Vector<double, 3>&);
 
-}  // namespace snug::query
+}  // namespace snug

@@ -5,9 +5,10 @@
 #include <utility>
 
 #include "geometry/kdop.hpp"
-#include "query/plane_reach.hpp"
+#include "geometry/reach.hpp"
+#include "number/dyadic.hpp"
 
-namespace snug::query {
+namespace snug {
 
 /// Dim axes of a k-DOP, and the normal as a sum of them: normal = sum weights[j] axis[j] / determinant.
 template <class Number, int Dim>
@@ -90,4 +91,4 @@ template <class Number, class Scalar, int Dim>
   return {span->low + d, span->high + d};
 }
 
-}  // namespace snug::query
+}  // namespace snug
