@@ -283,7 +283,7 @@ bool App::State::move(std::string_view name) {
 
 /// Draws the stage or its cover, and the button that switches between them.
 void App::State::draw_stage(const Rect& rect) {
-  const std::string_view words = cover != nullptr ? cover->button_words() : "";
+  const std::string words = cover != nullptr ? cover->button().words : std::string();
   const float height = look.fingers ? 44.0f : look.px(32);
   look.tools_right =
       cover != nullptr && settings.tools ? app::measure(look, Face::kSemiBold, 13, words).x + look.px(28) : 0;

@@ -4,27 +4,25 @@
 #include <cmath>
 #include <utility>
 
+#include "app/cover.hpp"
 #include "app/marks.hpp"
-#include "app/subjects/cost/costs.hpp"
-#include "desktop/column.hpp"
+#include "desktop/lower_panel.hpp"
 #include "desktop/prose.hpp"
 #include "lesson/say.hpp"
 #include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
-#include "lesson/subjects/cost/cost.hpp"
 
 namespace snug::desktop {
 namespace {
 
 using app::Face;
 
-constexpr float kMargin = 28;
 constexpr double kReads = 6;  // seconds: who has scrolled the prose reads it for so long
 
 void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect) {
   float x = rect.x + kMargin;
   for (const bool points : {false, true}) {
-    const std::string_view words = points ? shell.session().subject().tools_word() : "Lesson";
+    const std::string_view words = points ? shell.session().subject().tools().word : "Lesson";
     const bool on = shell.points_tab == points;
     const float width = app::measure(look, Face::kSemiBold, 14, words).x;
     if (app::touch_area(points ? "tab points" : "tab lesson", {x - 8, rect.y, width + 16, rect.height}).clicked)
@@ -132,171 +130,13 @@ void draw_lesson(Shell& shell, Column& column) {
   if (touch.clicked != nullptr) follow(shell, lesson::Link(*touch.clicked));  // another lesson has other links
 }
 
-/// What came of one of the chart's questions, which are decided all at once.
-void draw_outcome(Column& column, const lesson::Outcome& outcome) {
-  const app::Look& look = column.look();
-  column.begin_card();
-  const bool open = outcome.skipped || outcome.pending;  // neither right nor wrong
-  const app::Color color = outcome.right ? look->optimum_text : open ? look->muted : look->wrong_text;
-  const float middle = column.y() + look.px(10);
-  if (outcome.right) app::tick(column.list(), {column.x() + 6, middle}, 6, look->optimum, 2.25f);
-  else if (!open) app::cross(column.list(), {column.x() + 6, middle}, 5, look->wrong, 2.25f);
-  Column beside(look, column.x() + (open ? 0 : 22), column.y(), column.width());
-  beside.heading(lesson::verdict_text(outcome), color);
-  column.gap(look.px(24));
-  if (!open) column.words(std::string(lesson::kPredictionWord) + ": " + outcome.predicted, Face::kSemiBold, 14);
-  column.words(outcome.says);
-  if (!outcome.because.empty() && !outcome.pending) {
-    column.gap(6);
-    column.words(outcome.because, Face::kRegular, 14, look->muted);
-  }
-  column.end_card();
-}
-
-/// Which of the charts is shown.
-void draw_chart_choice(Shell& shell, Column& column, const app::Costs& costs) {
-  std::vector<std::string> words;
-  std::vector<bool> enabled;
-  for (int i = 0; i < app::kCostViews; ++i) {
-    words.emplace_back(app::kCostViewTitles[i]);
-    enabled.push_back(costs.may_see(shell.session(), static_cast<app::CostView>(i)));
-  }
-  const int clicked = column.buttons("chart", words, static_cast<int>(costs.view()), enabled);
-  if (clicked >= 0) shell.app().command("show_" + std::string(app::kCostViewNames[clicked]));
-  if (enabled.back()) return;
-  column.words(app::kPredictFirst, Face::kRegular, 13, column.look()->muted);
-  column.gap(8);
-}
-
-/// The tools of a lesson with the charts: choose one, measure, stop, save; and how the predictions came out.
-void draw_costs(Shell& shell, Column& column) {
-  const app::Costs* const measured = app::costs_of(shell.app());
-  if (measured == nullptr) return;
-  const app::Costs& costs = *measured;
-  draw_chart_choice(shell, column, costs);
-  const bool ready = shell.session().asked() == nullptr, any = costs.sheet().rows() > 0;
-  const int clicked = column.buttons("costs", {costs.running() ? "Stop" : "Measure", "Save CSV", "Save JSON"}, -1,
-                                     {ready || costs.running(), any, any});
-  if (clicked == 0) shell.app().command(costs.running() ? "stop_measuring" : "measure");
-  if (clicked > 0) shell.save_costs(clicked == 1 ? "csv" : "json");
-  const app::Look& look = column.look();
-  if (costs.running()) {
-    const float share = static_cast<float>(costs.progress());
-    column.list()->AddRectFilled({column.x(), column.y()}, {column.x() + column.width(), column.y() + 4}, look->track,
-                                 2);
-    column.list()->AddRectFilled({column.x(), column.y()}, {column.x() + column.width() * share, column.y() + 4},
-                                 look->current, 2);
-  }
-  column.gap(12);
-  if (ready) {
-    column.words(costs.status(shell.session()), Face::kRegular, 13, look->muted);
-    column.gap(8);
-  }
-  if (ready && !costs.running() && lesson::costs_of(shell.session()) != nullptr)
-    for (const lesson::Outcome& outcome : shell.session().outcomes()) draw_outcome(column, outcome), column.gap(8);
-}
-
-/// A choice with its label before it, on a row of its own: titles are long.
-int draw_labelled(Column& column, std::string_view label, const std::vector<std::string>& words, int chosen) {
-  const app::Look& look = column.look();
-  const float row = look.px(34);
-  const float before = std::max(app::measure(look, Face::kRegular, 13, lesson::kAlgorithmWord).x,
-                                app::measure(look, Face::kRegular, 13, lesson::kCompareWord).x) +
-                       12;
-  app::text(column.list(), look, Face::kRegular, 13, {column.x(), app::middle_of(column.y() + row / 2, look.px(13))},
-            look->muted, label);
-  const int clicked = column.chooser(std::string(label).c_str(), before, column.width() - before, words, chosen);
-  column.gap(row + 6);
-  return clicked;
-}
-
-/// How the chart's predictions came out; of a run's, the card on the stage says it.
-void draw_score(Shell& shell, Column& column) {
-  const std::string score = shell.session().score();
-  if (score.empty()) return;
-  column.begin_card();
-  column.words(score, Face::kSemiBold, 14);
-  column.gap(8);
-  const bool again = column.buttons("again", {std::string(lesson::kPredictAgainWord)}) == 0;
-  column.end_card();
-  if (!again) return;
-  shell.session().forget_answers();
-  if (app::Cover* const cover = shell.app().cover()) cover->show(false);  // it would give the answers away
-  else shell.app().command("first");
-}
-
-void draw_algorithms(Shell& shell, Column& column) {
-  lesson::Session& session = shell.session();
-  std::vector<std::string> titles, beside{std::string(lesson::kNoneWord)};
-  std::vector<std::string> names, beside_names{""};
-  int main = -1, second = 0;
-  for (const std::string& name : session.lesson().algorithms) {
-    const lesson::Method* algorithm = lesson::find_method(session.lesson(), name);
-    if (algorithm == nullptr) continue;
-    if (algorithm == session.method(0)) main = static_cast<int>(titles.size());
-    titles.emplace_back(algorithm->title), names.push_back(name);
-    if (algorithm == session.method(0)) continue;
-    if (algorithm == session.method(1)) second = static_cast<int>(beside.size());
-    beside.emplace_back(algorithm->title), beside_names.push_back(name);
-  }
-  if (const int chosen = draw_labelled(column, lesson::kAlgorithmWord, titles, main); chosen >= 0)
-    shell.tell(session.choose(0, names[chosen]));
-  if (names.size() < 2) return;
-  if (const int chosen = draw_labelled(column, lesson::kCompareWord, beside, second); chosen >= 0)
-    shell.tell(session.choose(1, beside_names[chosen]));
-}
-
-/// The pseudocode, the line of the step lit. Lines too long for the column are broken, and set in.
-void draw_pseudocode(Shell& shell, Column& column) {
-  constexpr float kSize = 12, kLeading = 22;
-  const lesson::Session& session = shell.session();
-  const app::Look& look = column.look();
-  const int lit = session.line();
-  const float advance = app::measure(look, Face::kMono, kSize, " ").x;
-  int number = 0;
-  for (const std::string_view line : session.pseudocode(0)) {
-    const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
-    const bool on = number++ == lit;
-    float inset = advance * static_cast<float>(indent) + 4;
-    const auto parts = app::lines_of(look, on ? Face::kMonoBold : Face::kMono, kSize, line.substr(indent),
-                                     column.width() - inset - advance * 2);
-    const float height = look.px(kLeading) * static_cast<float>(parts.size());
-    if (on)
-      column.list()->AddRectFilled({column.x() - 8, column.y()}, {column.x() + column.width() + 8, column.y() + height},
-                                   look->lit, 4);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      const float y = column.y() + look.px(kLeading) * (static_cast<float>(i) + 0.5f);
-      app::text(column.list(), look, on ? Face::kMonoBold : Face::kMono, kSize,
-                {column.x() + inset + (i > 0 ? advance * 2 : 0), app::middle_of(y, look.px(kSize))}, look->ink,
-                parts[i]);
-    }
-    column.gap(height);
-  }
-}
-
-/// The lower part of a column, which scrolls. needed: its height, as drawn; one more frame is due where it was another.
-template <class Draw>
-void draw_lower(Shell& shell, const char* id, const app::Rect& rect, float& needed, Draw draw) {
-  const app::Look& look = shell.app().look();
-  const app::Pane pane(id, rect, app::Pane::Kind::kScrolls);
-  pane.list()->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->panel);
-  app::rule(pane.list(), rect.x, rect.y, rect.width, look->line);
-  const float top = rect.y + 16 - ImGui::GetScrollY(), margin = std::min(kMargin, rect.width * 0.09f);
-  Column column(look, rect.x + margin, top, rect.width - 2 * margin);
-  draw(column);
-  ImGui::SetCursorScreenPos({column.x(), column.y() - 2});
-  ImGui::Dummy({1, 1});
-  const float height = std::ceil(column.y() - top + 16);
-  if (height != needed) needed = height, shell.measured_anew = true;
-}
-
 }  // namespace
 
 void draw_prose_panel(Shell& shell, const app::Rect& rect) {
   const app::Look& look = shell.app().look();
   const float tabs = look.px(44);
-  const bool charts = app::costs_of(shell.app()) != nullptr;
-  const float pinned = charts ? std::min(shell.pinned_height, rect.height - tabs - look.px(120)) : 0;
+  const app::Cover* const cover = shell.app().cover();
+  const float pinned = cover != nullptr ? std::min(shell.pinned_height, rect.height - tabs - look.px(120)) : 0;
   {
     const app::Pane pane("##column", {rect.x, rect.y, rect.width, tabs});
     pane.list()->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->panel);
@@ -307,30 +147,15 @@ void draw_prose_panel(Shell& shell, const app::Rect& rect) {
     const app::Pane pane(shell.points_tab ? "##points" : "##prose", upper, app::Pane::Kind::kScrolls);
     pane.list()->AddRectFilled({upper.x, upper.y}, {upper.x + upper.width, upper.y + upper.height}, look->panel);
     Column column(look, upper.x + kMargin, upper.y + 20 - ImGui::GetScrollY(), upper.width - 2 * kMargin);
-    if (shell.points_tab) draw_point_tools(shell, column);
+    if (shell.points_tab) draw_tools(shell, column);
     else draw_lesson(shell, column);
     ImGui::SetCursorScreenPos({column.x(), column.y() + 8});
     ImGui::Dummy({1, 1});
   }
-  if (charts) {
-    const app::Rect lower{rect.x, upper.y + upper.height, rect.width - 1, pinned};
-    draw_lower(shell, "##pinned", lower, shell.pinned_height, [&](Column& column) {
-      draw_costs(shell, column);
-      if (!shell.session().lesson().subject->asks_of_steps) draw_score(shell, column);
-    });
-  }
+  if (cover != nullptr) draw_cover_panel(shell, {rect.x, upper.y + upper.height, rect.width - 1, pinned});
   const app::Pane edge("##edge", {rect.x + rect.width - 1, rect.y, 1, rect.height});
   edge.list()->AddRectFilled({rect.x + rect.width - 1, rect.y}, {rect.x + rect.width, rect.y + rect.height},
                              look->line);
-}
-
-void draw_code_panel(Shell& shell, const app::Rect& rect) {
-  draw_lower(shell, "##code", rect, shell.code_height, [&](Column& column) {
-    draw_algorithms(shell, column);
-    column.gap(4);
-    draw_pseudocode(shell, column);
-    column.gap(16);
-  });
 }
 
 }  // namespace snug::desktop

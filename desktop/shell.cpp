@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/subjects/cost/costs.hpp"
+#include "app/cover.hpp"
 #include "desktop/cli/cost_file.hpp"
 #include "desktop/cli/files.hpp"
 #include "lesson/kept_answers.hpp"
@@ -23,12 +23,6 @@ std::filesystem::path new_name(const std::filesystem::path& folder, const std::s
   for (int n = 2; std::filesystem::exists(path, ignored); ++n)
     path = folder / (stem + "-" + std::to_string(n) + extension);
   return path;
-}
-
-/// The name of the table of measurements that a file begins with; empty for none.
-std::string result_in(const std::string& path) {
-  const auto text = read_file(path);
-  return text ? table_name(*text) : std::string();
 }
 
 }  // namespace
@@ -112,40 +106,30 @@ void Shell::use_mesh(const std::string& name) {
   if (tell(read)) tell(app_.load(*read, name));
 }
 
-template <class Row>
-void Shell::lay_over(const std::string& path) {
-  auto table = read_table<Row>(path);
-  if (tell(table) && !app::costs_of(app_)->lay_over(session(), std::move(*table))) notice = app::kPredictFirst;
-}
-
 void Shell::use_file(const std::string& path) {
-  if (const std::string table = app::costs_of(app_) != nullptr ? result_in(path) : ""; !table.empty()) {
-    if (table == cost::GrowthRow::kTable) lay_over<cost::GrowthRow>(path);
-    else if (table == cost::TurnRow::kTable) lay_over<cost::TurnRow>(path);
-    else lay_over<cost::CostRow>(path);
+  if (app_.cover() != nullptr && is_table(path)) {
+    const auto table = table_as_csv(path);
+    if (tell(table)) tell(*app_.cover()->lay_over(session(), *table, path));
     return;
   }
   const auto read = read_point_file(path);
   if (tell(read)) tell(app_.load(*read, std::filesystem::path(path).filename().string()));
 }
 
-void Shell::save_costs(const std::string& format) {
-  const app::Costs& costs = *app::costs_of(app_);
-  if (costs.sheet().rows() == 0) {
+void Shell::save_cover(std::string_view format) {
+  const std::string text = app_.cover()->file(format);
+  if (text.empty()) {
     notice = "Not saved: nothing has been measured yet.";
     return;
   }
-  const std::string name = costs.view() == app::CostView::kAccuracy
-                               ? "costs"
-                               : std::string(app::kCostViewNames[static_cast<std::size_t>(costs.view())]);
   std::error_code gone;
   const std::filesystem::path folder = std::filesystem::current_path(gone);
   if (gone || !std::filesystem::exists(folder, gone)) {
     notice = "Not saved: the folder that Snug was started in is no longer there. Start Snug in another one.";
     return;
   }
-  const std::string path = new_name(folder, "snug-" + name, "." + format).string();
-  const auto written = write_file(path, format == "csv" ? costs.sheet().csv() : costs.sheet().json());
+  const std::string path = new_name(folder, app_.cover()->file_name(), "." + std::string(format)).string();
+  const auto written = write_file(path, text);
   if (tell(written)) notice = "Saved as " + path + ".";
 }
 

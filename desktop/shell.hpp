@@ -45,9 +45,9 @@ class Shell {
   void use_mesh(const std::string& name);
   void use_file(const std::string& path);
 
-  /// Saves the shown chart's measurement as a new file in the folder that the program was started in; the notice says
-  /// which file, or why it failed. format: csv or json.
-  void save_costs(const std::string& format);
+  /// Saves what the cover shows as a new file in the folder that the program was started in; the notice says which
+  /// file, or why it failed. format: one of the cover's.
+  void save_cover(std::string_view format);
 
   bool course_shown = false;  // instead of the lesson
   CourseScreen course;
@@ -78,9 +78,6 @@ class Shell {
   }
 
  private:
-  template <class Row>
-  void lay_over(const std::string& path);
-
   app::App& app_;
   std::vector<LessonFile> lessons_;
   std::size_t open_ = 0;  // index into lessons_

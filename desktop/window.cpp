@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "app/cover.hpp"
 #include "app/look.hpp"
-#include "app/subjects/cost/costs.hpp"
 #include "app/timeline.hpp"
 #include "desktop/chart_file.hpp"
 #include "desktop/cli/files.hpp"
@@ -181,7 +181,8 @@ void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift
   if (key == "Escape" && !shell.notice.empty()) return shell.notice.clear();
   if (shell.course_shown) return static_cast<void>(shell.course.answer_key(shell, key));
   if (!control && choose(shell, key)) return;
-  if (control && key == "s" && app::costs_of(shell.app()) != nullptr) return shell.save_costs("csv");
+  if (control && key == "s" && shell.app().cover() != nullptr)
+    return shell.save_cover(shell.app().cover()->formats().front());
   shell.app().command(shell.app().command_of_key(key, shift, control));
 }
 

@@ -7,6 +7,7 @@
 
 #include "io/point_file.hpp"
 #include "number/bits.hpp"
+#include "number/fnv.hpp"
 
 namespace snug::io {
 
@@ -33,12 +34,9 @@ class CornerMerger {
   }
   struct Hash {
     std::size_t operator()(const Bits& bits) const {
-      std::uint64_t hash = 0;
-      for (const std::uint64_t word : bits) {  // a round number's low bits are all zero: fold the high ones down
-        hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
-        hash ^= hash >> 32;
-      }
-      return static_cast<std::size_t>(hash);
+      Fnv1a hash;
+      for (const std::uint64_t word : bits) hash.add_bits(word);
+      return static_cast<std::size_t>(hash.value());
     }
   };
 

@@ -158,6 +158,27 @@ Done PointSubject::remove(Index i) {
   return {};
 }
 
+Rows PointSubject::rows() const {
+  Rows rows;
+  for (const Point3& point : all_points(points_)) rows.emplace_back(point.data(), point.data() + dim());
+  return rows;
+}
+
+Done PointSubject::set_rows(const Rows& rows) {
+  const int dim = rows.empty() ? 0 : static_cast<int>(rows.front().size());
+  std::vector<Point3> all;
+  for (const std::vector<double>& row : rows) {
+    if (row.size() != static_cast<std::size_t>(dim) || dim < 2 || dim > 3)
+      return tl::unexpected(InputError{.what = "a point has two or three numbers, and all have as many"});
+    all.emplace_back(row[0], row[1], dim == 3 ? row[2] : 0);
+  }
+  auto set = to_set(all, dim);
+  if (!set) return tl::unexpected(std::move(set.error()));
+  origin_.edited = true;
+  become(*std::move(set), all.size() == static_cast<std::size_t>(size()) ? triangles_ : nullptr);
+  return {};
+}
+
 Done PointSubject::load(const io::PointFile& file, std::string_view name) {
   auto set = io::to_point_set(file, name, 0, false);
   if (!set) return tl::unexpected(std::move(set.error()));

@@ -53,7 +53,8 @@ class Session {
   Done remove(Index i);
   Done load(const io::PointFile& file, std::string_view name);
   Done set_generator(std::string_view kind, int count, int dim, std::uint64_t seed);
-  Done set_boxes(const BoxPair& pair);
+  Done set_numbers(std::size_t group, std::size_t row, std::span<const double> values);
+  Done set_rows(const Rows& rows);
   void scatter(std::uint64_t seed);
   /// Restores the lesson's own.
   void reset();

@@ -58,8 +58,12 @@ Done Session::set_generator(std::string_view kind, int count, int dim, std::uint
   return edit([&](Subject& next) { return next.set_generator(kind, count, dim, seed, *own_); });
 }
 
-Done Session::set_boxes(const BoxPair& pair) {
-  return edit([&](Subject& next) { return next.set_boxes(pair); });
+Done Session::set_numbers(std::size_t group, std::size_t row, std::span<const double> values) {
+  return edit([&](Subject& next) { return next.set_numbers(group, row, values); });
+}
+
+Done Session::set_rows(const Rows& rows) {
+  return edit([&](Subject& next) { return next.set_rows(rows); });
 }
 
 void Session::scatter(std::uint64_t seed) {

@@ -1,10 +1,9 @@
 // The page: brings the program and a lesson, shows what the lesson's state says, and keeps the address in step.
 import { read_address, write_address } from "./address.js";
-import { BoxTools } from "./boxes.js";
 import { Code } from "./code.js";
 import { by_id, element, set_text, when_changed } from "./dom.js";
 import { open_door } from "./door.js";
-import { CostTools } from "./costs.js";
+import { CoverTools } from "./cover.js";
 import { Course } from "./course.js";
 import { Downloads } from "./download.js";
 import { Invitations } from "./invitations.js";
@@ -13,6 +12,7 @@ import { listen_to_keys } from "./keys.js";
 import { name_layout } from "./layout.js";
 import { LessonMenu, lesson_links, link_of } from "./lesson_menu.js";
 import { clear_notices, notice, notice_all, veil } from "./messages.js";
+import { NumberTools } from "./numbers.js";
 import { Player } from "./player.js";
 import { PointTools } from "./points.js";
 import { Presentation } from "./presentation.js";
@@ -25,10 +25,6 @@ import { Tabs } from "./tabs.js";
 const kAddressDelay = 250; // milliseconds: browsers count how often the address is replaced
 const kFilesDelay = 400; // milliseconds: a lesson whose files take longer has the page say so
 const kPanelsDelay = 250; // milliseconds: so often the HTML follows a drag, whose every frame would lay the page out anew
-
-/** What stands on it, for those who cannot see it. */
-const stage_of = ({ measures, boxes, frustum, scene, bodies, hasPoints }) => (measures ? "the chart of costs, or the points" : frustum ? "a box and a view frustum" : boxes ? "two boxes" : !hasPoints ? "two volumes"
-  : bodies ? "bodies that move, and their volumes" : scene ? "a body that moves, and the volume around it" : "the points and the volume around them");
 
 class Page {
   written = null; // the address as the page keeps it, while a lesson stands
@@ -65,7 +61,7 @@ class Page {
     const next = (id) => lessons[lessons.findIndex((lesson) => lesson.id === id) + 1];
     const question = this.#question = new QuestionCard(door, act, { next, go: (id) => go_to(link_of(id)) });
     this.#points = new PointTools(door, act, (name) => this.#mesh(name));
-    this.#panels = [new Reading(door.words(), { formulas, start_task: () => this.#start_task(), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) }), question, new Code(door, act), this.#points, new BoxTools(door, act), new CostTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs(), new Presentation(settings, lessons, go_to), new Invitations(kept, lessons[0]?.id, () => this.handles())];
+    this.#panels = [new Reading(door.words(), { formulas, start_task: () => this.#start_task(), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) }), question, new Code(door, act), this.#points, new NumberTools(door, act), new CoverTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs(), new Presentation(settings, lessons, go_to), new Invitations(kept, lessons[0]?.id, () => this.handles())];
     this.#menu = new LessonMenu(lessons, (id) => go_to(link_of(id)));
     this.#stage = new Stage(door, () => this.#show());
     settings.on_change(() => this.#apply_settings());
@@ -166,7 +162,7 @@ class Page {
     this.#lesson = this.#door.lesson();
     this.#menu.show(this.#lesson);
     document.title = `${this.#lesson.title} · Snug`;
-    by_id("canvas").setAttribute("aria-label", `Stage: ${stage_of(this.#lesson)}`);
+    by_id("canvas").setAttribute("aria-label", `Stage: ${this.#lesson.stageSays}`);
     set_text(by_id("figures").closest("table").caption, `Numbers at this ${this.#lesson.stepWord}`);
     for (const panel of this.#panels) panel.open?.(this.#lesson);
     await this.#restore(kept && is_bare(asked) ? { ...read_address(kept.address), problems: [] } : asked);
@@ -201,16 +197,16 @@ class Page {
     const tell = (error) => error && asked.problems.push(`Part of the address cannot be used: ${error}.`);
     if (asked.seed !== null && asked.seed !== this.#lesson.seed) door.scatter(asked.seed);
     if (asked.from) tell(await this.#restore_source(asked.from, asked.seed ?? this.#lesson.seed));
-    if (asked.points) tell(door.load_file(new TextEncoder().encode(asked.points.map((row) => row.join(" ")).join("\n")), "the address.xyz"));
-    if (asked.boxes) tell(door.set_box_rows(asked.boxes));
-    if (asked.moved) tell(door.move_points(asked.moved));
+    if (asked.rows) tell(door.set_rows(asked.rows));
+    if (asked.moved) tell(door.change_rows(asked.moved));
     if (asked.a) tell(door.choose(0, asked.a));
     if (asked.b) tell(door.choose(1, asked.b === "none" ? "" : asked.b));
     if (asked.step !== null) {
       const { steps } = door.view();
       if (asked.step > steps) asked.problems.push(`The address asks for ${this.#lesson.stepWord} ${asked.step}; there are only ${steps}.`);
       door.jump(Math.min(asked.step, steps));
-      if (door.view().costs?.shown) door.command("toggle_chart"); // a step is of the points
+      const { cover } = door.view();
+      if (cover?.shown) door.command(cover.button.command); // a step is of the stage
     }
   }
 
@@ -254,7 +250,7 @@ class Page {
   // ---- the address --------------------------------------------------------------------------------------------
 
   #address() {
-    return write_address(this.#view, this.#lesson, this.#door.shared_points(), this.#embed);
+    return write_address(this.#view, this.#lesson, this.#door.shared_rows(), this.#embed);
   }
 
   #write_address() {
@@ -287,7 +283,7 @@ class Page {
 
   async #share() {
     this.#write_address();
-    const whole = Object.keys(this.#door.shared_points()).length > 0;
+    const whole = Object.keys(this.#door.shared_rows()).length > 0;
     const leads = whole ? "It opens what you see." : "It opens this lesson without these points, which are too many for an address.";
     try {
       await navigator.clipboard.writeText(location.href);
@@ -320,7 +316,7 @@ class Page {
 }
 
 /** Whether an address names a lesson and no place in it. */
-const is_bare = ({ step, seed, from, points, boxes, moved, a, b }) => step === null && seed === null && !from && !points && !boxes && !moved && !a && !b;
+const is_bare = ({ step, seed, from, rows, moved, a, b }) => step === null && seed === null && !from && !rows && !moved && !a && !b;
 
 /** The course and, once a lesson was asked for, the page with the program: which of them is shown, by the address. */
 class Site {

@@ -1,6 +1,6 @@
 // The points' tools: which set, add, delete, scatter, reset, a file, and a point's place in numbers.
 import { by_id, button, element, other_seed, set_text, when_changed } from "./dom.js";
-import { result_as_csv } from "./costs.js";
+import { result_as_csv } from "./result.js";
 import { clear_notices, notice } from "./messages.js";
 
 const kAxes = ["x", "y", "z"];
@@ -59,7 +59,7 @@ export class PointTools {
   }
 
   open(lesson) {
-    this.#section.hidden = !lesson.hasPoints;
+    this.#section.hidden = !lesson.tools.points;
     this.#names = lesson.handleWords;
     this.#title.textContent = capital(this.#names[1]);
     this.#point_words.textContent = capital(this.#names[0]);
@@ -118,7 +118,7 @@ export class PointTools {
   }
 
   async load(file) {
-    const most = this.#view.costs ? kMostMeasured : kMostBytes;
+    const most = this.#view.cover ? kMostMeasured : kMostBytes;
     if (file.size > most) return notice(`${file.name} is larger than ${most / 1e6} MB, which is more than a page should hold.`);
     this.#use(new Uint8Array(await file.arrayBuffer()), file.name);
   }
@@ -135,7 +135,7 @@ export class PointTools {
   #take(bytes, name) {
     try {
       const result = result_as_csv(bytes);
-      return result === null ? this.#door.load_file(bytes, name) : this.#door.lay_over(result, name);
+      return this.#door.load_file(result ?? bytes, name);
     } catch {
       return `${name}: is no whole result`;
     }

@@ -37,7 +37,7 @@ export class QuestionCard {
   update(view) {
     const { asked, outcome, deciding, outcomes, score } = view;
     this.#watching = Boolean(deciding);
-    const told = view.costs?.decided ? outcomes : [];
+    const told = view.cover?.decided ? outcomes : [];
     const question = asked && { ...asked, picked: null, says: "" };
     const now = JSON.stringify([view.lesson, question, outcome, deciding, told, score, view.summary && view.grade?.done]);
     if (now !== this.#shown) {
@@ -188,7 +188,7 @@ export class QuestionCard {
     });
   }
 
-  /** Of the chart of costs, which decides all of them at once: one line each, to unfold. */
+  /** Where all are decided at once: one line each, to unfold. */
   #told_card(outcome) {
     const { verdict, right, kind, pending, happened, says, because, skipped } = outcome;
     if (pending) return element("div", { class: "card outcome skipped" }, element("h2", { class: "kicker" }, verdict), element("p", {}, says));

@@ -17,7 +17,7 @@ export class Tabs {
   }
 
   open(lesson) {
-    this.#tabs[1].textContent = lesson.toolsWord;
+    this.#tabs[1].textContent = lesson.tools.word;
   }
 
   choose(id) {

@@ -102,18 +102,18 @@ std::string FrustumSubject::name_of(Index i) const {
 Done FrustumSubject::check(const BoxPair& pair) const { return check_frustum(pair); }
 
 std::unique_ptr<Run> FrustumSubject::run(const Method& method, std::unique_ptr<Run>) const {
-  return std::make_unique<FrustumRun>(dim(), record_frustum(method.name, *boxes()));
+  return std::make_unique<FrustumRun>(dim(), record_frustum(method.name, boxes()));
 }
 
 std::string FrustumSubject::opening(const Method& method) const {
   return std::string(method.title) + ", box and frustum: nothing is known yet. Take the first step.";
 }
 
-std::vector<Figure> FrustumSubject::figures(const View& view) const { return frustum_figures(view, *boxes()); }
-std::vector<Proof> FrustumSubject::proofs(const View& view) const { return frustum_proofs(view, *boxes()); }
+std::vector<Figure> FrustumSubject::figures(const View& view) const { return frustum_figures(view, boxes()); }
+std::vector<Proof> FrustumSubject::proofs(const View& view) const { return frustum_proofs(view, boxes()); }
 
 Grade FrustumSubject::grade(const Lesson& lesson, const View&, std::vector<bool>& found) const {
-  return grade_box_task(lesson, *boxes(), kReachFrustumGoals, found);
+  return grade_box_task(lesson, boxes(), kReachFrustumGoals, found);
 }
 
 }  // namespace snug::lesson
