@@ -13,7 +13,7 @@
 namespace snug::web {
 namespace {
 
-/// An error's sentence; "" for none: the page tells them apart by that.
+/// An error's sentence; "" for none, which tells the page that there was no error.
 template <class Value>
 std::string sentence(const tl::expected<Value, InputError>& result) {
   return result ? std::string() : result.error().message();
@@ -21,7 +21,7 @@ std::string sentence(const tl::expected<Value, InputError>& result) {
 
 }  // namespace
 
-/// Remembers that an address can lead to what stands there, by the words that it needs for that.
+/// Remembers how an address can describe the current state.
 static void remember() { door().shared.remember(*session()); }
 
 bool command(const std::string& name) {
@@ -53,7 +53,7 @@ void jump(int step) {
 void forget_answers() {
   if (!session()) return;
   session()->forget_answers();
-  if (app::Cover* const cover = door().app->cover()) cover->show(false);  // it would give the answers away
+  if (app::Cover* const cover = door().app->cover()) cover->show(false);  // the chart would give the answers away
 }
 
 std::string kept_answers() { return session() ? lesson::kept_text(session()->outcomes()) : ""; }

@@ -8,10 +8,10 @@
 
 namespace snug::web {
 
-/// What does not change while the lesson is open: {id, title, sections, task, algorithms, tools, stageSays …}.
+/// What stays constant while the lesson is open: {id, title, sections, task, algorithms, tools, stageSays …}.
 emscripten::val lesson_object(const lesson::Session& session);
 
-/// What does: {step, steps, caption, algorithms, code, rivals, readout, selected, numbers, cover, effects …}, and
+/// What changes: {step, steps, caption, algorithms, code, rivals, readout, selected, numbers, cover, effects …}, and
 /// set_answers.
 emscripten::val view_object(app::App& app, const lesson::Session& session);
 
@@ -21,7 +21,7 @@ emscripten::val target_names(const lesson::Session& session);
 /// The headings and buttons that page and window share (lesson/say.hpp).
 emscripten::val words_object();
 
-/// Into an object: {asked, outcome, deciding, predictions, tally, outcomes, grade …}.
+/// Adds to an object: {asked, outcome, deciding, predictions, tally, outcomes, grade …}.
 void set_answers(emscripten::val& object, const lesson::Session& session);
 
 }  // namespace snug::web
