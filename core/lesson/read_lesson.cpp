@@ -7,7 +7,7 @@
 #include "lesson/prose.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/text_line.hpp"
-#include "lesson/toml_table.hpp"
+#include "lesson/toml_file.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -227,19 +227,11 @@ std::string id_of(std::string_view name) {
 
 tl::expected<Lesson, InputError> read_lesson(std::string_view text, std::string_view name, Checked checked) {
   Complaints complaints(name);
-  if (text.size() > kMostLessonBytes) {
-    complaints.add(1, "the file is too long: a lesson has at most " + std::to_string(kMostLessonBytes) + " bytes");
-    return tl::unexpected(*complaints.first());
-  }
-  const toml::parse_result parsed = toml::parse(text);
-  if (!parsed) {
-    const toml::parse_error& error = parsed.error();
-    complaints.add(static_cast<int>(error.source().begin.line), std::string(error.description()));
-    return tl::unexpected(*complaints.first());
-  }
-  Lesson lesson = read(parsed.table(), complaints);
+  const auto toml = parse_file(text, "a lesson", complaints);
+  if (!toml) return tl::unexpected(*complaints.first());
+  Lesson lesson = read(*toml, complaints);
   lesson.id = id_of(name);
-  if (!complaints.first() && checked == Checked::kAsRun) check_lesson(lesson, parsed.table(), complaints);
+  if (!complaints.first() && checked == Checked::kAsRun) check_lesson(lesson, *toml, complaints);
   if (complaints.first()) return tl::unexpected(*complaints.first());
   return lesson;
 }
