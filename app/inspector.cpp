@@ -147,6 +147,7 @@ void draw_inspector(const Look& look, lesson::Session& session, const SubjectVie
     for (const lesson::Proof& proof : proofs) column.proof(proof);
   }
   column.finish();
+  fade_foot(ImGui::GetWindowDrawList(), rect, look->panel);
 }
 
 }  // namespace snug::app

@@ -136,7 +136,7 @@ void Costs::draw(const Look& look, lesson::Session& session, const Rect& rect, b
   // The buttons are above it, the sentence below.
   const float above = look.fingers ? 60 : look.px(44), below = rect.width >= 560 ? look.px(76) : 4;
   const Rect room{rect.x, rect.y + above, rect.width, rect.height - above - below};
-  const Touch touch = touch_area("chart", room);
+  const Touch touch = pointer_area("chart", room);
   places_.clear();
   const auto hit = draw_chart(list, look, room, chart_, focused(), &places_);
   Obstacles none;
