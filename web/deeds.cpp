@@ -50,20 +50,12 @@ void jump(int step) {
   if (session()) session()->jump(step);
 }
 
-void forget_answers() {
-  if (!session()) return;
-  session()->forget_answers();
-  if (app::Cover* const cover = door().app->cover()) cover->show(false);  // the chart would give the answers away
-}
-
 std::string kept_answers() { return session() ? lesson::kept_text(session()->outcomes()) : ""; }
 void keep_answers(const std::string& lesson, const std::string& kept) {
   door().app->keep_answers(lesson, lesson::outcomes_of(kept));
 }
 void erase_answers() {
-  if (!door().app) return;
-  door().app->forget_answers();
-  if (app::Cover* const cover = door().app->cover()) cover->show(false);
+  if (door().app) door().app->forget_answers();
 }
 
 std::string choose(int slot, const std::string& name) {
@@ -112,6 +104,10 @@ val cover_file(const std::string& format) { return cover_file_object(*door().app
 
 void light(const std::string& mark) {
   if (door().app) door().app->light(mark);
+}
+
+void invite(int followed) {
+  if (door().app) door().app->invite(followed);
 }
 
 void start_task() {

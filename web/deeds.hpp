@@ -21,7 +21,6 @@ val targets();
 void pinch(float factor, float x, float y, float dx, float dy);
 void go(int step);
 void jump(int step);
-void forget_answers();
 /// The given answers, for the device to keep; and those of an earlier visit, passed in before the lesson is opened.
 std::string kept_answers();
 void keep_answers(const std::string& lesson, const std::string& kept);
@@ -45,6 +44,8 @@ double measured();
 val cover_file(const std::string& format);
 /// Lights a mark that the prose links to, until another, or "" for none.
 void light(const std::string& mark);
+/// The first invitations, of which so many were followed before.
+void invite(int followed);
 void start_task();
 /// Sets a row of view()'s numbers, by the indices of its group and row.
 std::string set_numbers(int group, int row, const val& values);

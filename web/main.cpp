@@ -199,7 +199,6 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("words", &web::words_object);
   function("go", &web::go);
   function("jump", &web::jump);
-  function("forget_answers", &web::forget_answers);
   function("kept_answers", &web::kept_answers);
   function("keep_answers", &web::keep_answers);
   function("erase_answers", &web::erase_answers);
@@ -213,6 +212,7 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("scatter", &web::scatter);
   function("set_generator", &web::set_generator);
   function("light", &web::light);
+  function("invite", &web::invite);
   function("start_task", &web::start_task);
   function("load_file", &web::load_file);
   function("measure", &web::measure_slice);

@@ -78,6 +78,18 @@ val lit_object(const app::App& app, const lesson::Session& session) {
   return object;
 }
 
+/// What one who is new is asked to do next, at its place on the canvas.
+static val invitation_object(const std::optional<app::Invitation>& invitation) {
+  if (!invitation) return val::null();
+  val object = val::object();
+  object.set("words", invitation->words);
+  object.set("x", invitation->at.x);
+  object.set("y", invitation->at.y);
+  object.set("width", invitation->at.width);
+  object.set("height", invitation->at.height);
+  return object;
+}
+
 val switch_object(const lesson::Switch& one) {
   val object = val::object();
   object.set("effect", one.name);
@@ -100,6 +112,8 @@ val view_object(app::App& app, const lesson::Session& session) {
   const std::optional<int> section = lesson::section_at(session);
   object.set("section", section ? val(*section) : val::null());
   object.set("lit", lit_object(app, session));
+  object.set("invitation", invitation_object(app.invitation()));
+  object.set("invited", app.invitations_followed());
   object.set("playing", app.playing());
   object.set("speed", app.speed());
   object.set("previewing", session.previewing());

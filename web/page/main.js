@@ -61,7 +61,7 @@ class Page {
     const next = (id) => lessons[lessons.findIndex((lesson) => lesson.id === id) + 1];
     const question = this.#question = new QuestionCard(door, act, { next, go: (id) => go_to(link_of(id)) });
     this.#points = new PointTools(door, act, (name) => this.#mesh(name));
-    this.#panels = [new Reading(door.words(), { formulas, start_task: () => this.#start_task(), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) }), question, new Code(door, act), this.#points, new NumberTools(door, act), new CoverTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs(), new Presentation(settings, lessons, go_to), new Invitations(kept, lessons[0]?.id, () => this.handles())];
+    this.#panels = [new Reading(door.words(), { formulas, start_task: () => this.#start_task(), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) }), question, new Code(door, act), this.#points, new NumberTools(door, act), new CoverTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs(), new Presentation(settings, lessons, go_to), new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place))];
     this.#menu = new LessonMenu(lessons, (id) => go_to(link_of(id)));
     this.#stage = new Stage(door, () => this.#show());
     settings.on_change(() => this.#apply_settings());

@@ -163,7 +163,7 @@ export class QuestionCard {
       element("div", { class: "head" }, kicker(this.#words.summary), quiet(this.#words.close, () => this.#do("close_summary"))),
       element("p", { class: "prompt" }, score), element("ol", { class: "lines-of" }, ...lines),
       ...(waiting.length > 0 ? [row(element("span", {}, this.#words.waiting), ...waiting.map((name) => button(this.#title_of(name), () => this.#ask(name))))] : []),
-      row(quiet(this.#words.again, () => this.#again()), element("span", { class: "gap" }),
+      row(quiet(this.#words.again, () => this.#do("predict_again")), element("span", { class: "gap" }),
         ...(grade ? [button(grade.done ? `${kMarks.right} ${this.#words.task}` : this.#words.to_task, to_task)] : []),
         ...(next ? [element("a", { class: "button primary", href: `?lesson=${encodeURIComponent(next.id)}`, "data-first": true, title: next.title,
           onclick: (event) => (event.preventDefault(), this.#after.go(next.id)) }, this.#words.next_lesson)] : [])));
@@ -181,13 +181,6 @@ export class QuestionCard {
     });
   }
 
-  #again() {
-    this.#act(() => {
-      this.#door.forget_answers();
-      if (this.#door.lesson().asksOfSteps) this.#door.command("first");
-    });
-  }
-
   /** Where all are decided at once: one line each, to unfold. */
   #told_card(outcome) {
     const { verdict, right, kind, pending, happened, says, because, skipped } = outcome;
@@ -200,7 +193,7 @@ export class QuestionCard {
   }
 
   #score_card(score) {
-    return element("div", { class: "card score" }, element("p", {}, score), button(this.#words.again, () => this.#again()));
+    return element("div", { class: "card score" }, element("p", {}, score), button(this.#words.again, () => this.#do("predict_again")));
   }
 }
 
