@@ -68,7 +68,8 @@ void Session::forward() {
 }
 
 void Session::jump(int step) {
-  if (previewing_ && step >= steps()) return;
+  // A lesson that starts at its end is there already; who has answered something comes back to the end itself.
+  if (previewing_ && step >= steps() && outcomes_.empty()) return;
   deciding_ = false;
   const int to = std::clamp(step, 0, steps());
   const int from = previewing_ ? 0 : step_;
