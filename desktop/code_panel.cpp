@@ -12,15 +12,21 @@ namespace {
 
 using app::Face;
 
-/// A choice with its label before it, on a row of its own: titles are long.
+/// A choice with its label before it or, where its titles are too long for that, above it: none is cut off.
 int draw_labelled(Column& column, std::string_view label, const std::vector<std::string>& words, int chosen) {
+  constexpr float kAround = 44;  // pixels of a chooser's width that no words have
   const app::Look& look = column.look();
   const float row = look.px(34);
-  const float before = std::max(app::measure(look, Face::kRegular, 13, lesson::kAlgorithmWord).x,
-                                app::measure(look, Face::kRegular, 13, lesson::kCompareWord).x) +
-                       12;
-  app::text(column.list(), look, Face::kRegular, 13, {column.x(), app::middle_of(column.y() + row / 2, look.px(13))},
+  float before = std::max(app::measure(look, Face::kRegular, 13, lesson::kAlgorithmWord).x,
+                          app::measure(look, Face::kRegular, 13, lesson::kCompareWord).x) +
+                 12;
+  const bool above = std::any_of(words.begin(), words.end(), [&](const std::string& title) {
+    return app::measure(look, Face::kSemiBold, 14, title).x + kAround > column.width() - before;
+  });
+  const float height = above ? look.px(20) : row;
+  app::text(column.list(), look, Face::kRegular, 13, {column.x(), app::middle_of(column.y() + height / 2, look.px(13))},
             look->muted, label);
+  if (above) before = 0, column.gap(height);
   const int clicked = column.chooser(std::string(label).c_str(), before, column.width() - before, words, chosen);
   column.gap(row + 6);
   return clicked;

@@ -77,10 +77,7 @@ void draw_score(Shell& shell, Column& column) {
   column.gap(8);
   const bool again = column.buttons("again", {std::string(lesson::kPredictAgainWord)}) == 0;
   column.end_card();
-  if (!again) return;
-  shell.session().forget_answers();
-  if (app::Cover* const cover = shell.app().cover()) cover->show(false);  // it would give the answers away
-  else shell.app().command("first");
+  if (again) shell.app().command("predict_again");
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ void draw_lower(Shell& shell, const char* id, const app::Rect& rect, float& need
   draw(column);
   ImGui::SetCursorScreenPos({column.x(), column.y() - 2});
   ImGui::Dummy({1, 1});
+  app::fade_foot(pane.list(), rect, look->panel);
   const float height = std::ceil(column.y() - top + 16);
   if (height != needed) needed = height, shell.measured_anew = true;
 }

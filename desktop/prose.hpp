@@ -16,9 +16,10 @@ struct PlacedLink {
   app::Rect rect;
 };
 
-/// The links under the pointer; null for none. links: all of them.
+/// The links under the pointer and the keyboard; null for none. links: all of them, line by line.
 struct ProseTouch {
   const lesson::Link* hovered = nullptr;
+  const lesson::Link* focused = nullptr;
   const lesson::Link* clicked = nullptr;
   std::vector<PlacedLink> links = {};
 };

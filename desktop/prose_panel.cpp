@@ -25,7 +25,7 @@ void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app:
     const std::string_view words = points ? shell.session().subject().tools().word : "Lesson";
     const bool on = shell.points_tab == points;
     const float width = app::measure(look, Face::kSemiBold, 14, words).x;
-    if (app::touch_area(points ? "tab points" : "tab lesson", {x - 8, rect.y, width + 16, rect.height}).clicked)
+    if (app::touch_area(points ? "tab points" : "tab lesson", {x - 8, rect.y, width + 16, rect.height}, words).clicked)
       shell.points_tab = points;
     app::text(list, look, on ? Face::kSemiBold : Face::kRegular, 14,
               {x, app::middle_of(rect.y + rect.height / 2, look.px(14))}, on ? look->ink : look->muted, words);
@@ -40,6 +40,11 @@ void draw_task(Shell& shell, Column& column) {
   const auto grade = shell.session().grade();
   if (!task || !grade) return;
   const app::Look& look = column.look();
+  if (std::exchange(shell.task_wanted, false)) {
+    const float top = ImGui::GetWindowPos().y;
+    ImGui::SetScrollFromPosY(column.y() - top, 0.1f);
+    shell.read_at = ImGui::GetTime(), shell.measured_anew = true;
+  }
   column.begin_card();
   column.heading(lesson::kTaskWord, look->current_text);
   column.words(task->prompt);
@@ -62,11 +67,11 @@ void draw_task(Shell& shell, Column& column) {
 /// Does what a link of the prose says.
 void follow(Shell& shell, const lesson::Link& link) {
   switch (link.kind) {
-    case lesson::Link::Kind::kLesson: shell.tell(shell.open(link.target)); break;
+    case lesson::Link::Kind::kLesson: shell.open_at_place(link.target); break;
     case lesson::Link::Kind::kMesh: shell.use_mesh(link.target); break;
     case lesson::Link::Kind::kAlgorithm: shell.tell(shell.session().choose(0, link.target)); break;
     case lesson::Link::Kind::kStep: shell.session().go(std::stoi(link.target)); break;  // of digits, as it was read
-    case lesson::Link::Kind::kMark: break;                                              // lights while it is pointed at
+    case lesson::Link::Kind::kMark: break;  // lights while it is pointed at, or has the keyboard
   }
 }
 
@@ -96,6 +101,10 @@ void draw_lesson(Shell& shell, Column& column) {
     ImGui::SetScrollY(0);
     shell.section = -1, shell.scroll_to = -1, shell.unread = false, shell.measured_anew = true;
   }
+  if (const float by = std::exchange(shell.scroll_by, 0.0f); by != 0) {
+    ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + by, 0.0f, ImGui::GetScrollMaxY()));
+    shell.read_at = ImGui::GetTime(), shell.measured_anew = true;
+  }
   shell.scrolled = ImGui::GetScrollY();
   const float beginning = column.y() + ImGui::GetScrollY();
   float top = 0, bottom = 0;
@@ -104,11 +113,12 @@ void draw_lesson(Shell& shell, Column& column) {
     if (i > 0) column.gap(16);
     const float from = column.y();
     column.title(section.title);
-    for (const lesson::Paragraph& paragraph : section.paragraphs) {
-      ImGui::PushID(static_cast<int>(column.y() - from) + 10000 * i);
+    for (int number = 0; const lesson::Paragraph& paragraph : section.paragraphs) {
+      ImGui::PushID(1000 * i + number++);
       const ProseTouch here = draw_prose(column, paragraph, lit);
       ImGui::PopID();
       if (here.hovered != nullptr) touch.hovered = here.hovered;
+      if (here.focused != nullptr) touch.focused = here.focused;
       if (here.clicked != nullptr) touch.clicked = here.clicked;
       touch.links.insert(touch.links.end(), here.links.begin(), here.links.end());
       column.gap(10);
@@ -118,13 +128,15 @@ void draw_lesson(Shell& shell, Column& column) {
     column.list()->AddRectFilled({x, from + 4}, {x + 3, end}, column.look()->current, 2);
     top = from + ImGui::GetScrollY() - beginning, bottom = end + ImGui::GetScrollY() - beginning;
   }
-  const bool marks = touch.hovered != nullptr && touch.hovered->kind == lesson::Link::Kind::kMark;
+  const lesson::Link* const meant = touch.hovered != nullptr ? touch.hovered : touch.focused;
+  const bool marks = meant != nullptr && meant->kind == lesson::Link::Kind::kMark;
   shell.links.clear();
   for (const PlacedLink& one : touch.links) shell.links.emplace_back(one.link->target, one.rect);
-  shell.app().light(marks ? std::string_view(touch.hovered->target) : std::string_view());
+  shell.app().light(marks ? std::string_view(meant->target) : std::string_view());
   const bool pointed = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   if (pointed && ImGui::GetIO().MouseWheel != 0) shell.read_at = ImGui::GetTime();
-  follow_step(shell, now, top, bottom, pointed || ImGui::GetTime() - shell.read_at < kReads);
+  const bool reads = pointed || touch.focused != nullptr || ImGui::GetTime() - shell.read_at < kReads;
+  follow_step(shell, now, top, bottom, reads);
   column.gap(12);
   draw_task(shell, column);
   if (touch.clicked != nullptr) follow(shell, lesson::Link(*touch.clicked));  // another lesson has other links
@@ -135,27 +147,22 @@ void draw_lesson(Shell& shell, Column& column) {
 void draw_prose_panel(Shell& shell, const app::Rect& rect) {
   const app::Look& look = shell.app().look();
   const float tabs = look.px(44);
-  const app::Cover* const cover = shell.app().cover();
-  const float pinned = cover != nullptr ? std::min(shell.pinned_height, rect.height - tabs - look.px(120)) : 0;
   {
     const app::Pane pane("##column", {rect.x, rect.y, rect.width, tabs});
     pane.list()->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->panel);
     draw_tabs(shell, look, pane.list(), {rect.x, rect.y, rect.width, tabs});
   }
-  const app::Rect upper{rect.x, rect.y + tabs, rect.width - 1, rect.height - tabs - pinned};
+  const app::Rect upper{rect.x, rect.y + tabs, rect.width - 1, rect.height - tabs};
   {
     const app::Pane pane(shell.points_tab ? "##points" : "##prose", upper, app::Pane::Kind::kScrolls);
     pane.list()->AddRectFilled({upper.x, upper.y}, {upper.x + upper.width, upper.y + upper.height}, look->panel);
     Column column(look, upper.x + kMargin, upper.y + 20 - ImGui::GetScrollY(), upper.width - 2 * kMargin);
-    if (shell.points_tab) draw_tools(shell, column);
+    if (shell.points_tab) shell.app().light({}), draw_tools(shell, column);
     else draw_lesson(shell, column);
     ImGui::SetCursorScreenPos({column.x(), column.y() + 8});
     ImGui::Dummy({1, 1});
+    app::fade_foot(pane.list(), upper, look->panel);
   }
-  if (cover != nullptr) draw_cover_panel(shell, {rect.x, upper.y + upper.height, rect.width - 1, pinned});
-  const app::Pane edge("##edge", {rect.x + rect.width - 1, rect.y, 1, rect.height});
-  edge.list()->AddRectFilled({rect.x + rect.width - 1, rect.y}, {rect.x + rect.width, rect.y + rect.height},
-                             look->line);
 }
 
 }  // namespace snug::desktop

@@ -89,9 +89,11 @@ bool draw_name_field(Shell& shell, Column& column) {
   ImGui::SetNextItemWidth(look.px(140));
   const bool entered = ImGui::InputTextWithHint("##name", "Name", shell.typed.data(), shell.typed.size(),
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
+  app::offer_field("Name");
   column.gap(ImGui::GetFrameHeight() + 10);
   ImGui::PopFont();
-  if (!entered || shell.typed[0] == 0) return false;
+  if (!entered) return false;
+  if (shell.typed[0] == 0) return shell.app().command("commit_answer");  // one that was tapped
   if (shell.session().pick(std::string_view(shell.typed.data()))) shell.session().commit();
   shell.typed = {};
   return true;
@@ -113,6 +115,36 @@ int draw_choices(Column& column, const lesson::Session& session, const lesson::A
   return column.buttons("choice", words, chosen);
 }
 
+/// The choices, once the right one was asked for: it has a tick, and the one that was given a cross.
+void draw_right_choices(Column& column, const lesson::Session& session, const lesson::Asked& asked,
+                        const lesson::Outcome& outcome) {
+  const app::Look& look = column.look();
+  const std::vector<int> right = session.right_choices();
+  const float height = look.px(32), gap = 8;
+  float x = 0;
+  for (std::size_t i = 0; i < asked.choices.size(); ++i) {
+    const int choice = static_cast<int>(i);
+    const bool is_right = std::find(right.begin(), right.end(), choice) != right.end();
+    const bool wrong = !is_right && is_picked(asked, outcome.given, choice);
+    const float inset = is_right || wrong ? look.px(20) : 0;
+    const float words =
+        std::min(app::measure(look, Face::kSemiBold, 14, asked.choices[i]).x, column.width() - inset - look.px(26));
+    const float width = words + inset + look.px(26);
+    if (x > 0 && x + width > column.width()) x = 0, column.gap(height + gap);
+    const ImVec2 low{column.x() + x, column.y()}, high{low.x + width, low.y + height};
+    const ImVec2 mark{low.x + look.px(19), low.y + height / 2};
+    const app::Color color = is_right ? look->optimum_text : wrong ? look->wrong_text : look->muted;
+    column.list()->AddRect(low, high, is_right || wrong ? color : look->line, 8, 0, is_right ? 2.0f : 1.0f);
+    if (is_right) app::tick(column.list(), mark, 5, look->optimum, 2);
+    if (wrong) app::cross(column.list(), mark, 4, look->wrong, 2);
+    app::text(column.list(), look, is_right ? Face::kSemiBold : Face::kRegular, 14,
+              {low.x + look.px(13) + inset, app::middle_of(low.y + height / 2, look.px(14))}, color,
+              app::shortened(look, Face::kSemiBold, 14, asked.choices[i], words + 1));
+    x += width + gap;
+  }
+  column.gap(height + gap);
+}
+
 void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   lesson::Session& session = shell.session();
   const app::Look& look = column.look();
@@ -121,8 +153,9 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   column.gap(10);
   const int chosen = draw_choices(column, session, asked);
   if (asked.on_stage && asked.choices.empty() && draw_name_field(shell, column)) return;
-  const std::string says = session.answer_says().empty() ? lesson::how_to_answer(asked) : session.answer_says();
+  std::string says = session.answer_says().empty() ? lesson::how_to_answer(asked) : session.answer_says();
   const bool wrong = session.tried() != nullptr && session.picked() == nullptr;
+  if (shell.presenting && session.answer_says().empty()) (says += ' ') += lesson::kSkipHint;  // a clicker has no other
   const app::Color color = session.answer_says().empty() ? look->muted : wrong ? look->wrong_text : look->current_text;
   const std::array row{RowButton{"commit", lesson::kAnswerWord, ButtonKind::kPrimary, session.picked() != nullptr},
                        RowButton{"skip", lesson::kSkipWord, ButtonKind::kQuiet}};
@@ -158,7 +191,9 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
               lesson::standing_of(&outcome));
   if (asked != nullptr) column.words(asked->prompt, Face::kRegular, 14, look->muted), column.gap(6);
   draw_said(column, outcome);
-  if (session.answer_shown()) {
+  if (session.answer_shown() && asked != nullptr && !asked->choices.empty()) {
+    draw_right_choices(column, session, *asked, outcome);
+  } else if (session.answer_shown()) {
     app::tick(column.list(), {column.x() + 6, column.y() + look.px(11)}, 6, look->optimum, 2.25f);
     Column beside(look, column.x() + 22, column.y(), column.width() - 22);
     beside.words(outcome.happened, Face::kSemiBold, 15, look->optimum_text);
@@ -193,15 +228,18 @@ std::string draw_summary(Shell& shell, Column& column) {
     const float height = look.px(32), middle = column.y() + height / 2;
     const std::string id = "line " + std::to_string(number++);
     app::rule(column.list(), column.x(), column.y(), column.width(), look->line);
-    const app::Touch touch = app::touch_area(id.c_str(), {column.x(), column.y(), column.width(), height});
+    const app::Touch touch =
+        app::touch_area(id.c_str(), {column.x(), column.y(), column.width(), height}, asked.prompt);
     if (touch.hovered)
       column.list()->AddRectFilled({column.x() - 6, column.y() + 1},
                                    {column.x() + column.width() + 6, column.y() + height - 1}, look->raised, 6);
     if (touch.clicked) command = "review:" + asked.question->id;
     const Standing standing = lesson::standing_of(outcome);
     const bool right = standing == Standing::kRight, wrong = standing == Standing::kWrong;
-    if (right) app::tick(column.list(), {column.x() + 6, middle}, 5, look->optimum, 2);
-    if (wrong) app::cross(column.list(), {column.x() + 6, middle}, 4, look->wrong, 2);
+    const ImVec2 mark{column.x() + 6, middle};
+    if (right) app::tick(column.list(), mark, 5, look->optimum, 2);
+    else if (wrong) app::cross(column.list(), mark, 4, look->wrong, 2);
+    else column.list()->AddLine({mark.x - 4, mark.y}, {mark.x + 4, mark.y}, look->muted, 2);
     const std::string_view stands = lesson::standing_text(outcome);
     const float width = app::measure(look, Face::kSemiBold, 13, stands).x;
     app::text_right(column.list(), look, Face::kSemiBold, 13,
@@ -225,29 +263,24 @@ std::string draw_summary(Shell& shell, Column& column) {
       command = "ask:" + std::string(waiting[static_cast<std::size_t>(clicked)]->name);
     column.gap(10);
   }
-  const auto& all = shell.lessons();
-  const auto at = std::find_if(all.begin(), all.end(),
-                               [&](const LessonFile& file) { return file.lesson.id == session.lesson().id; });
-  const bool next = at != all.end() && at + 1 != all.end();
-  std::vector<RowButton> row{{"close", lesson::kCloseWord, ButtonKind::kQuiet},
-                             {"again", lesson::kPredictAgainWord, ButtonKind::kQuiet}};
-  if (session.lesson().task) row.push_back({"task", lesson::kTaskWord});
-  if (next) row.push_back({"next", lesson::kNextLessonWord, ButtonKind::kPrimary});
+  const auto grade = session.grade();
+  const std::string task =
+      grade && grade->done ? "✓ " + std::string(lesson::kTaskWord) : std::string(lesson::kToTaskWord);
+  std::vector<RowButton> row{{"close_summary", lesson::kCloseWord, ButtonKind::kQuiet},
+                             {"predict_again", lesson::kPredictAgainWord, ButtonKind::kQuiet}};
+  if (grade) row.push_back({"task", task});
+  if (shell.beside(1)) row.push_back({"next", lesson::kNextLessonWord, ButtonKind::kPrimary});
   const int clicked = draw_row(column, {}, 0, row);
-  if (clicked < 0) return command;
-  const std::string_view id = row[clicked].id;
-  return id == "close" ? "close_summary" : id == "next" ? "open:" + (at + 1)->lesson.id : std::string(id);
+  return clicked < 0 ? command : row[clicked].id;
 }
 
 /// What the summary leads to beside the app's own commands.
 void lead_on(Shell& shell, const std::string& command) {
-  constexpr std::string_view kOpen = "open:", kAsk = "ask:";
-  lesson::Session& session = shell.session();
-  if (command.starts_with(kOpen)) static_cast<void>(shell.open(command.substr(kOpen.size())));
-  else if (command.starts_with(kAsk))
-    shell.tell(session.choose(0, command.substr(kAsk.size()))), shell.app().command("first");
-  else if (command == "task") session.start_task();
-  else if (command == "again") session.forget_answers(), shell.app().command("first");
+  constexpr std::string_view kAsk = "ask:";
+  if (command.starts_with(kAsk))
+    shell.tell(shell.session().choose(0, command.substr(kAsk.size()))), shell.app().command("first");
+  else if (command == "next") shell.open_at_place(*shell.beside(1));
+  else if (command == "task") shell.points_tab = false, shell.text_shown = shell.task_wanted = true;
   else if (!command.empty()) shell.app().command(command);
 }
 

@@ -38,7 +38,10 @@ tl::expected<void, InputError> Shell::open(const std::string& id) {
     }
     auto opened = app_.open(file.lesson, std::move(mesh));
     hint_shown = false, typed = {};
-    if (opened) open_ = static_cast<std::size_t>(&file - lessons_.data()), unread = true;
+    if (opened) {
+      open_ = static_cast<std::size_t>(&file - lessons_.data()), unread = true, task_wanted = false;
+      if (open_ == 0) app_.invite(kept_.invited);
+    }
     tell(opened);
     return opened;
   }
@@ -65,6 +68,9 @@ void Shell::go_to_kept_place() {
   const KeptLesson* const kept = kept_.lesson(session().lesson().id);
   if (kept == nullptr) return;
   if (kept->seed != session().seed()) session().scatter(kept->seed);
+  // A method that the lesson no longer offers is left out.
+  if (!kept->algorithm.empty()) static_cast<void>(session().choose(0, kept->algorithm));
+  if (!kept->beside.empty()) static_cast<void>(session().choose(1, kept->beside == kNone ? "" : kept->beside));
   session().jump(std::min(kept->step, session().steps()));
 }
 
@@ -80,14 +86,44 @@ void Shell::open_at_place(std::size_t lesson) {
   course_shown = false;
 }
 
+void Shell::open_at_place(const std::string& id) {
+  for (std::size_t i = 0; i < lessons_.size(); ++i)
+    if (lessons_[i].lesson.id == id) return open_at_place(i);
+}
+
+std::optional<std::size_t> Shell::beside(int by) const {
+  const std::size_t to = open_ + static_cast<std::size_t>(by);  // below the first it wraps beyond the last
+  return to < lessons_.size() ? std::optional(to) : std::nullopt;
+}
+
 void Shell::show_course() {
-  keep();
   if (app_.playing()) app_.command("play");
+  keep();
+  present(false);
+  focus.leave();
   course_shown = true;
-  erase_asked = false;
+}
+
+void Shell::present(bool on) {
+  constexpr float kLeastScale = 1.3f;
+  if (on == presenting) return;
+  presenting = on, text_shown = false;
+  focus.leave();
+  app::Settings& settings = app_.settings();
+  if (!on) {
+    settings.theme = before_presenting_.theme, settings.text_scale = before_presenting_.text_scale;
+    return;
+  }
+  before_presenting_ = settings;
+  settings.theme = app::Theme::kProjector;
+  settings.text_scale = std::max(settings.text_scale, kLeastScale / app::kProjector.text);
 }
 
 void Shell::keep() {
+  if (const int followed = app_.invitations_followed(); open_ == 0 && followed > kept_.invited) {
+    kept_.invited = followed;
+    kept_.write();
+  }
   if (app_.playing() || session().revision() == kept_revision_) return;
   kept_revision_ = session().revision();
   kept_.keep(session());

@@ -16,7 +16,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json course_state(Shell& shell) {
-  Json state{{"lesson", nullptr}, {"chosen", shell.course.chosen()}, {"lead", shell.lead().second}};
+  Json state{{"lesson", nullptr},           {"chosen", shell.course.chosen(shell)}, {"lead", shell.lead().second},
+             {"focus", shell.focus.name()}, {"asked", shell.course.asked()},        {"found", shell.course.found()},
+             {"kept", shell.kept().works()}};
   for (std::size_t i = 0; i < shell.lessons().size(); ++i) {
     const auto& [path, lesson, chapter] = shell.lessons()[i];
     const KeptLesson* const kept = shell.kept().lesson(lesson.id);
@@ -64,6 +66,11 @@ Json lesson_state(Shell& shell, float scale) {
              {"points", session.size()},      {"selected", app.selected()}};
   add_answers(state, session);
   state["notice"] = shell.notice;
+  state["focus"] = shell.focus.name();
+  state["presenting"] = shell.presenting;
+  state["textShown"] = shell.presenting ? shell.text_shown : true;
+  const auto& invitation = app.invitation();
+  state["invitation"] = invitation ? Json(invitation->words) : Json();
   state["section"] = shell.section;
   state["scrolled"] = shell.scrolled;
   state["lit"] = app.lit();

@@ -15,7 +15,7 @@ using app::Face;
 /// ImGui number fields side by side, each after its name, in the palette and with tabular figures.
 class Fields {
  public:
-  Fields(Column& column, const std::string& id, int count) : column_(column), count_(count) {
+  Fields(Column& column, const std::string& id, int count) : column_(column), id_(id), count_(count) {
     ImGui::PushID(id.c_str());
     ImGui::PushFont(column.look().font(Face::kMono), app::font_size(column.look(), Face::kMono, 13));
     height_ = ImGui::GetFrameHeight();
@@ -32,12 +32,12 @@ class Fields {
   bool number(std::string_view name, double& value) {
     begin(name);
     ImGui::InputDouble("##value", &value, 0, 0, "%.6g");
-    return end();
+    return end(name);
   }
   bool whole(std::string_view name, std::uint64_t& value) {
     begin(name);
     ImGui::InputScalar("##value", ImGuiDataType_U64, &value);
-    return end();
+    return end(name);
   }
 
  private:
@@ -52,14 +52,16 @@ class Fields {
     ImGui::SetCursorScreenPos({x + before, column_.y()});
     ImGui::SetNextItemWidth(width - before);
   }
-  bool end() {
+  bool end(std::string_view name) {
     const bool entered = ImGui::IsItemDeactivatedAfterEdit();
+    app::offer_field(name.empty() ? std::string_view(id_) : name);
     ImGui::PopID();
     return entered;
   }
 
   static constexpr float kBetween = 12;
   Column& column_;
+  std::string id_;
   int count_, at_ = 0;
   float height_ = 0;
 };

@@ -79,7 +79,7 @@ val lit_object(const app::App& app, const lesson::Session& session) {
 }
 
 /// What one who is new is asked to do next, at its place on the canvas.
-static val invitation_object(const std::optional<app::Invitation>& invitation) {
+val invitation_object(const std::optional<app::Invitation>& invitation) {
   if (!invitation) return val::null();
   val object = val::object();
   object.set("words", invitation->words);

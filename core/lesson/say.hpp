@@ -27,7 +27,7 @@ inline constexpr std::string_view kTryAgain = "Not that one. Try once more.",
                                   kSkipHint = "Page Down twice skips.",
                                   kWatching = "Watch how it comes about. Any key or tap goes to the end.";
 
-/// What is kept, and how it is taken away: by a second press.
+/// The words for kept answers and for erasing them, which takes a second press.
 inline constexpr std::string_view
     kKeptHere = "Your answers and your place in each lesson are kept on this device alone.",
     kKeptFoot = "Your answers and your place are kept on this device and go nowhere else.",
