@@ -78,6 +78,7 @@ struct App::State {
   int drawn_cover = 0, drawn_percent = 0;
   int settle = kSettleFrames;
   long frames = 0;
+  float figures_height = 0;
 
   void load_fonts();
   void refresh_look(bool fingers);
@@ -456,6 +457,8 @@ void App::invite(int followed) {
 }
 int App::invitations_followed() const { return state_->invitations.followed(); }
 const std::optional<Invitation>& App::invitation() const { return state_->invitation; }
+float App::figures_height() const { return state_->figures_height; }
+bool App::figures_fill() const { return state_->session && state_->view->fills_column(*state_->session); }
 bool App::playing() const { return state_->playing; }
 float App::speed() const { return state_->speed; }
 
@@ -491,9 +494,10 @@ void App::frame(const Layout& layout, double now) {
     const Pane pane("##stage", layout.stage);
     s.draw_stage(layout.stage);
   }
+  s.figures_height = 0;
   if (shows(layout.inspector)) {
     const Pane pane("##inspector", layout.inspector, Pane::Kind::kScrolls);
-    draw_inspector(s.look, *s.session, *s.view, layout.inspector);
+    s.figures_height = draw_inspector(s.look, *s.session, *s.view, layout.inspector);
   }
   if (shows(layout.stage)) s.invite(layout.stage);
   if (!any(io.MouseDown)) s.press_ends = false;

@@ -137,6 +137,10 @@ class App {
   [[nodiscard]] int invitations_followed() const;
   /// The one that is due, as of the last frame.
   [[nodiscard]] const std::optional<Invitation>& invitation() const;
+  /// The height of the step's own figures and panels in the last frame, in pixels; 0 if they were not drawn.
+  [[nodiscard]] float figures_height() const;
+  /// Whether they may need the inspector's whole column.
+  [[nodiscard]] bool figures_fill() const;
   [[nodiscard]] bool playing() const;
   [[nodiscard]] float speed() const;  // steps a second are 2 * speed; for a scene, its frames a second * speed
 

@@ -29,7 +29,7 @@ class Column {
   void figure(const lesson::Figure& figure) {
     const float row = look_.px(30), size = 14, small = 13, leading = 18;
     const float value = measure(look_, Face::kMonoBold, small, figure.text).x;
-    const auto lines = lines_of(look_, Face::kRegular, size, figure.name, width_ - value - 10);
+    const auto lines = lines_of(look_, Face::kRegular, size, figure.name, width_ - value - 6);
     float y = y_ + row / 2;
     text_right(list_, look_, Face::kMonoBold, small, {x_ + width_, middle_of(y, look_.px(small))}, look_->ink,
                figure.text);
@@ -82,12 +82,13 @@ class Column {
   }
 
   void gap(float height) { y_ += height; }
+  /// How far it went.
+  [[nodiscard]] float height(const Rect& rect) const { return y_ + ImGui::GetScrollY() - rect.y; }
   /// Tells ImGui how far it went, so that it can scroll.
   void finish() const {
     ImGui::SetCursorScreenPos({x_, y_ + 12});
     ImGui::Dummy({1, 1});
   }
-
  private:
   const Look& look_;
   ImDrawList* list_;
@@ -112,7 +113,7 @@ std::vector<lesson::Figure> figures_beside(const lesson::Session& session) {
   return figures;
 }
 
-void draw_inspector(const Look& look, lesson::Session& session, const SubjectView& view, const Rect& rect) {
+float draw_inspector(const Look& look, lesson::Session& session, const SubjectView& view, const Rect& rect) {
   Column column(look, rect);
   if (const auto figures = session.figures(); !figures.empty()) {
     column.heading(session.step() == session.steps() ? "Final result" : "Now");
@@ -122,6 +123,7 @@ void draw_inspector(const Look& look, lesson::Session& session, const SubjectVie
   }
 
   column.panels(session, view);
+  const float own = column.height(rect);
 
   if (session.method(1) != nullptr) {
     column.heading("Compared: " + std::string(session.method(1)->title));
@@ -148,6 +150,7 @@ void draw_inspector(const Look& look, lesson::Session& session, const SubjectVie
   }
   column.finish();
   fade_foot(ImGui::GetWindowDrawList(), rect, look->panel);
+  return own;
 }
 
 }  // namespace snug::app

@@ -34,7 +34,9 @@ fit::Sphere3 SubjectView::extent(const lesson::Session& session) {
     const fit::Volume3* volume = run.volume(run.steps());
     return volume != nullptr ? ball_around(*volume, session.dim()) : fit::Sphere3{session.point(0), 1};
   };
-  return session.method(1) == nullptr ? ball(0) : ball_around(ball(0), ball(1));
+  const fit::Sphere3 result = session.method(1) == nullptr ? ball(0) : ball_around(ball(0), ball(1));
+  // On the way there it may be larger, or reach out elsewhere.
+  return shown().volume ? ball_around(result, ball_around(*shown().volume, session.dim())) : result;
 }
 
 int SubjectView::axis_in_use(const lesson::Session&) const { return -1; }
@@ -43,6 +45,7 @@ bool SubjectView::can_move(const lesson::Session& session) const { return sessio
 bool SubjectView::shows_points(const lesson::Session&) const { return true; }
 bool SubjectView::bears_name(const lesson::Session&, Index) const { return true; }
 float SubjectView::draw_panels(const Look&, lesson::Session&, ImVec2, float) const { return 0; }
+bool SubjectView::fills_column(const lesson::Session&) const { return false; }
 bool SubjectView::in_panels(const lesson::Figure&) const { return false; }
 MarkWords SubjectView::mark_words(const lesson::Session&) const { return {}; }
 double SubjectView::seconds_of_step(const lesson::Session&, double) const { return kSecondsOfStep; }

@@ -64,6 +64,8 @@ class SubjectView {
   // ---- the inspector and the timeline -------------------------------------------------------------------------
   /// Draws the subject's own panels at a place of the current pane and returns how high they are.
   virtual float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const;
+  /// Whether the panels have so many rows that they may need the inspector's whole column.
+  [[nodiscard]] virtual bool fills_column(const lesson::Session& session) const;
   /// Whether a panel shows the figure already.
   [[nodiscard]] virtual bool in_panels(const lesson::Figure& figure) const;
   [[nodiscard]] virtual MarkWords mark_words(const lesson::Session& session) const;

@@ -248,8 +248,9 @@ std::string draw_summary(Shell& shell, Column& column) {
                     : wrong ? look->wrong_text
                             : look->muted,
                     stands);
-    app::text(column.list(), look, Face::kRegular, 14, {column.x() + 22, app::middle_of(middle, look.px(14))},
-              look->ink, app::shortened(look, Face::kRegular, 14, asked.prompt, column.width() - width - 40));
+    app::text(
+        column.list(), look, Face::kRegular, 14, {column.x() + 22, app::middle_of(middle, look.px(14))}, look->ink,
+        app::shortened(look, Face::kRegular, 14, lesson::short_prompt(asked.prompt), column.width() - width - 40));
     column.gap(height);
   }
   app::rule(column.list(), column.x(), column.y(), column.width(), look->line);

@@ -91,6 +91,7 @@ val predictions(const lesson::Session& session) {
     val object = val::object();
     object.set("id", asked.question->id);
     object.set("prompt", asked.prompt);
+    object.set("short", text(lesson::short_prompt(asked.prompt)));
     object.set("kind", text(kind_of(outcome)));
     object.set("standing", text(lesson::standing_text(outcome)));
     return object;

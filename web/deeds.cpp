@@ -40,6 +40,9 @@ void pick_choice(int choice) {
 bool pick_name(const std::string& name) { return session() && session()->pick(std::string_view(name)); }
 val targets() { return session() ? target_names(*session()) : val::array(); }
 
+bool figures_fill() { return door().app && door().app->figures_fill(); }
+double figures_height() { return door().app ? static_cast<double>(door().app->figures_height()) : 0; }
+
 void pinch(float factor, float x, float y, float dx, float dy) { door().app->pinch(factor, x, y, dx, dy); }
 
 void go(int step) {

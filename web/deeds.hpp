@@ -17,6 +17,9 @@ void pick_choice(int choice);
 bool pick_name(const std::string& name);
 /// The names of the handles that can be the answer. A mesh has thousands, so they are not part of view().
 val targets();
+/// Whether the step's own numbers may need the whole column, and their height in the last frame, in pixels.
+bool figures_fill();
+double figures_height();
 /// A pinch: factor > 1 as the fingers part, around (x, y), which moved by (dx, dy).
 void pinch(float factor, float x, float y, float dx, float dy);
 void go(int step);

@@ -179,6 +179,8 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("frame", &frame);
   function("seconds_until_due", &seconds_until_due);
   function("menu_open", &menu_open);
+  function("figures_height", &web::figures_height);
+  function("figures_fill", &web::figures_fill);
   function("pointer_moved", &web::pointer_moved);
   function("pointer_left", &web::pointer_left);
   function("pointer_button", &web::pointer_button);

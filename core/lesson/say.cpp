@@ -9,6 +9,7 @@ namespace snug::lesson {
 namespace {
 
 constexpr std::size_t kMostNamed = 8;  // longer lists of names do not help
+constexpr std::size_t kShort = 64;     // characters: a line of the summary
 
 /// "B0, B1, B2 or B3"; empty if there are too many.
 std::string choice_of(std::span<const std::string> names) {
@@ -80,6 +81,18 @@ std::string_view standing_text(const Outcome* outcome) {
     case Standing::kOpen: break;
   }
   return "open";
+}
+
+std::string_view short_prompt(std::string_view prompt) {
+  if (prompt.size() <= kShort) return prompt;
+  const auto mark = prompt.rfind('?');
+  const auto end = mark != std::string_view::npos ? mark : prompt.size() - 1;
+  const auto begin_after = [&](std::string_view stop) {  // the last one before that end
+    const auto at = prompt.substr(0, end).rfind(stop);
+    return at == std::string_view::npos ? std::size_t{0} : at + stop.size();
+  };
+  const auto begin = std::max(begin_after(". "), begin_after("? "));
+  return prompt.substr(begin, end + 1 - begin);
 }
 
 std::string place_text(const Asked& asked, std::span<const Asked> all) {

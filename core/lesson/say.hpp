@@ -54,6 +54,8 @@ inline constexpr std::string_view kTaskWaits = "The task is checked once the que
 [[nodiscard]] std::string score_text(const Tally& tally);
 /// The state of a question in the summary: "right", "right at the second try", "wrong", "skipped", "open".
 [[nodiscard]] std::string_view standing_text(const Outcome* outcome);
+/// A prompt as a line of the summary: the sentence that asks, if the prompt is long.
+[[nodiscard]] std::string_view short_prompt(std::string_view prompt);
 /// "3 of 5": the question's number among those of this run.
 [[nodiscard]] std::string place_text(const Asked& asked, std::span<const Asked> all);
 /// The words on the button that starts the task: "Start with 4 points"; for two boxes, "Start".

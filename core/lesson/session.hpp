@@ -116,7 +116,8 @@ class Session {
     return method(slot) != nullptr ? run(slot).support(step_of(slot)) : std::vector<Index>{};
   }
   /// Goes to a step, but forward only up to the first unanswered question. jump goes past questions (because an address
-  /// names a step): they count as skipped, and are asked when the player comes to them again.
+  /// names a step): they count as skipped, and are asked when the player comes to them again. If the result is shown
+  /// already, jump goes to the end only if a question was answered.
   void go(int step);
   void jump(int step);
   void first() { go(0); }

@@ -32,6 +32,8 @@ class PairView final : public SubjectView {
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
     return draw_axis_panel(look, session, at, width);
   }
+  /// Two boxes in space have fifteen axes.
+  [[nodiscard]] bool fills_column(const lesson::Session& session) const override { return session.dim() == 3; }
   [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {
     return {.replaced = "verdict", .best = "separating axis"};
   }

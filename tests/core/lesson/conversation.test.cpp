@@ -196,6 +196,33 @@ TEST_CASE("a lesson ends with a summary once nothing is open, and each line of i
   CHECK(session.tally().open == all);
 }
 
+TEST_CASE("a jump to the end of a lesson that opens there leads to its summary, if every question was answered") {
+  Session session = snug::test::open(small_lesson_with("seed = 5", "seed = 5\nstart = \"end\""));
+  session.first();
+  snug::test::play_to_end(session);
+  session.acknowledge();
+  REQUIRE(session.at_summary());
+  Session later = snug::test::open(small_lesson_with("seed = 5", "seed = 5\nstart = \"end\""));
+  later.jump(later.steps());
+  CHECK(later.previewing());
+  later.take_up_answers(session.outcomes());
+  later.jump(later.steps());
+  CHECK_FALSE(later.previewing());
+  CHECK(later.at_summary());
+}
+
+TEST_CASE("a summary's line is the prompt, or of a long one the sentence that asks") {
+  CHECK(short_prompt("Which point is next? Tap it.") == "Which point is next? Tap it.");
+  const std::string long_one =
+      "The points are tested in order, from 0 to 1.5 units. Which of them is the first outside? Tap it.";
+  CHECK(short_prompt(long_one) == "Which of them is the first outside?");
+  const std::string told =
+      "The first plane is the left one, and its normal points out. Tap the vertex farthest along it.";
+  CHECK(short_prompt(told) == "Tap the vertex farthest along it.");
+  const std::string one = "Which of the fourteen points that were tested so far is the one that lies farthest out?";
+  CHECK(short_prompt(one) == one);
+}
+
 TEST_CASE("a summary names the algorithms whose questions are still open") {
   const std::string other = R"([[question]]
 id = "other"
