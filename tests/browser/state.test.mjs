@@ -1,0 +1,45 @@
+// What window.snug.state() tells is what web/README.md says: key for key, at rest, asked, tried, told and at the end.
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { answer, assert, go_on, lessons, start, state, stop, until, visit } from "./support.mjs";
+
+before(start);
+after(stop);
+
+const kReadme = readFileSync(new URL("../../web/README.md", import.meta.url), "utf8");
+/** The rows of the table with that heading, each as the texts of its cells. */
+const rows = (heading) => kReadme.split(`| ${heading} |`)[1].split("\n\n")[0].trimEnd().split("\n").slice(2).map((row) => row.split("|").slice(1, -1));
+/** The names in a cell, but for those that are its values, in brackets. */
+const names = (cell) => [...cell.replace(/\([^)]*\)/g, "").matchAll(/`(\w+)`/g)].map(([, name]) => name);
+const kState = rows("key | what it is").flatMap(([keys]) => names(keys));
+const kParts = Object.fromEntries(rows("in | keys").map(([part, keys]) => [names(part)[0], names(keys)]));
+const same = (object, keys, what) => assert.deepEqual(Object.keys(object).sort(), [...keys].sort(), what);
+
+test("every lesson's state has the keys that its table lists, and no other", async (t) => {
+  for (const { id } of await lessons()) {
+    const now = await state(await visit(t, `?lesson=${id}&step=0`));
+    same(now, now.effects ? kState : kState.filter((key) => key !== "effects"), id);
+    assert.equal(Boolean(now.costs), id.startsWith("cost"));
+  }
+});
+
+test("a question, its tries, its outcome and the count have the keys that are listed", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter&step=2");
+  const told = [...kParts.outcomes, ...kParts.outcome];
+  const { asked } = await until(page, (now) => now.asked);
+  same(asked, kParts.asked);
+  assert.deepEqual([asked.picked, asked.tried], [null, null]);
+  await page.getByLabel("Name", { exact: true }).fill("P0");
+  await page.keyboard.press("Enter");
+  const { asked: again } = await until(page, (now) => now.asked?.tried);
+  assert.deepEqual(again.tried, { choices: [], handle: "P0" });
+  same(again, kParts.asked);
+  const now = await answer(page, "P1");
+  same(now.outcome, told);
+  assert.deepEqual([now.outcome.kind, now.outcome.tries, now.outcome.given.handle], ["right", 2, "P1"]);
+  same(now.outcomes[0], kParts.outcomes);
+  same(now.predictions[0], kParts.predictions);
+  same(now.tally, kParts.tally);
+  assert.deepEqual(now.tally, { right: 1, second: 1, wrong: 0, skipped: 0, open: now.questions - 1 });
+  await go_on(page);
+});
