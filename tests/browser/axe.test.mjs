@@ -84,6 +84,33 @@ test("each of the parts that share a place, the menu and a presentation are clea
     if (size === kPhone) continue;
     await page.getByRole("button", { name: "Present" }).click();
     assert.deepEqual(await violations(page), [], "presented");
+    await page.keyboard.press("t");
+    assert.deepEqual(await violations(page), [], "presented, with its text");
+    const figure = await load(t, "?lesson=frustum-3d&step=0&embed=1", { viewport: { width: 400, height: 300 } });
+    let now = await state(figure);
+    for (const seen = new Set(); !seen.has("summary"); now = await state(figure)) {
+      const where = now.summary ? "summary" : now.outcome ? "told" : now.asked ? "asked" : "rest";
+      if (!seen.has(where)) assert.deepEqual(await violations(figure), [], `a figure, ${where}`);
+      seen.add(where);
+      await figure.keyboard.press(now.asked ? "s" : now.outcome ? "Enter" : "End");
+      await figure.waitForTimeout(100);
+    }
+  }
+});
+
+test("a question is clean after a first wrong try, and where the right answer is shown", async (t) => {
+  for (const size of [kWide, kPhone]) {
+    const page = await visit(t, "?lesson=frustum-3d&step=0", size);
+    await page.keyboard.press("1");
+    await page.keyboard.press("Enter");
+    await until(page, (now) => now.asked.tried);
+    assert.deepEqual(await violations(page), [], "tried");
+    await page.keyboard.press("2");
+    await page.keyboard.press("Enter");
+    await until(page, (now) => now.outcome);
+    await page.getByRole("button", { name: "Show me" }).click();
+    await until(page, (now) => now.outcome.shown);
+    assert.deepEqual(await violations(page), [], "shown");
   }
 });
 

@@ -104,6 +104,94 @@ test("a first wrong answer is told to be wrong and nothing else; after the secon
   await page.locator(".said.right", { hasText: now.outcome.happened }).waitFor();
 });
 
+test("a choice that was wrong, and the right answer once it is shown, move nothing", async (t) => {
+  const page = await visit(t, "?lesson=frustum-3d&step=0");
+  const places = async () => Promise.all([...await page.locator(".choices .button").all(), page.locator("#ask")].map((node) => node.boundingBox()));
+  const before = await places();
+  await page.keyboard.press("1");
+  await page.keyboard.press("Enter");
+  await until(page, (now) => now.asked?.tried);
+  await still(page);
+  assert.deepEqual(await places(), before);
+  assert.match(await page.locator(".tried").getAttribute("aria-label"), /not that one/);
+  const other = await visit(t, "?lesson=sphere-ritter&step=2");
+  await answer(other, "P2", "keyboard"); // and P0, which is wrong as well
+  const card = await box(other, "#ask");
+  await other.getByRole("button", { name: "Show me" }).click();
+  await other.locator(".said.right").waitFor();
+  assert.deepEqual(await box(other, "#ask"), card);
+});
+
+test("while a question stands, what the run comes to is told nowhere", async (t) => {
+  for (const { id } of await lessons()) {
+    const page = await visit(t, `?lesson=${id}&step=0`);
+    await page.keyboard.press("End");
+    const { asked, rivals, outcome, lit, costs } = await until(page, (now) => now.asked);
+    if (costs) assert.deepEqual(costs.rows, []);
+    else assert.ok(rivals.every(({ size, excess }) => size === null && excess === null), `${id}, ${asked.id}: ${JSON.stringify(rivals)}`);
+    assert.deepEqual([outcome, lit.handles], [null, []]);
+    assert.equal(await page.locator("#ask .right, #ask .said").count(), 0);
+  }
+});
+
+test("in a low window the question has the column beside the stage, and the way on is in sight", async (t) => {
+  const page = await visit(t, "?lesson=obb-axes&step=0&a=sat_all", { viewport: { width: 844, height: 390 } });
+  await page.keyboard.press("End");
+  await until(page, (now) => now.asked);
+  for (const what of ["Answer", "Continue"]) {
+    await still(page);
+    const { y, height } = await page.locator("#ask").getByRole("button", { name: what, exact: true }).boundingBox();
+    assert.ok(y > 44 && y + height <= 390, `${what} stands at ${y}`);
+    assert.ok((await box(page, "#ask")).height > 300);
+    await page.keyboard.press("s");
+  }
+});
+
+test("Page Down in the field of a name says that a second press skips, and the second one does", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter&step=2");
+  const { asked } = await until(page, (now) => now.asked);
+  await page.getByLabel("Name", { exact: true }).focus();
+  await page.keyboard.press("PageDown");
+  await page.locator(".says", { hasText: "Press again to skip" }).waitFor();
+  assert.equal((await state(page)).asked.id, asked.id);
+  await page.keyboard.press("PageDown");
+  assert.equal((await until(page, (now) => now.outcome)).outcome.kind, "skipped");
+});
+
+test("a finger that continues brings up no keyboard; the outcome stays though the next question stands at the same step", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter&step=1", kPhone);
+  for (let i = 0; i < 2; ++i) {
+    await page.locator(".choices .button").first().tap();
+    await page.waitForTimeout(50);
+  }
+  const { outcome, asked, step } = await until(page, (now) => now.outcome);
+  assert.deepEqual([asked, outcome.step], [null, step]);
+  await page.locator("#ask").getByRole("button", { name: "Continue", exact: true }).tap();
+  const next = await until(page, (now) => now.asked);
+  assert.deepEqual([next.step, next.asked.onStage], [step, true]);
+  assert.ok(await page.getByLabel("Name", { exact: true }).isVisible());
+  assert.equal(await page.evaluate(() => document.activeElement.matches("input")), false);
+});
+
+test("on a phone the summary's way on is in sight, and the task is found from any tab", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter&step=0", kPhone);
+  await page.locator("#tab-numbers").tap();
+  await page.evaluate(() => document.activeElement.blur());
+  let now = await state(page);
+  for (let i = 0; i < 60 && !now.summary; ++i) {
+    await page.keyboard.press(now.asked ? "s" : now.outcome ? "Enter" : "End");
+    await page.waitForTimeout(50);
+    now = await state(page);
+  }
+  await page.evaluate(() => document.getElementById("ask").scrollIntoView({ block: "start" }));
+  const next = await page.getByRole("link", { name: "Next lesson" }).boundingBox();
+  assert.ok(next.y + next.height <= 844, `${next.y}`);
+  await page.getByRole("button", { name: "To the task" }).tap();
+  await page.waitForFunction(() => document.getElementById("task").contains(document.activeElement));
+  const { y, height } = await box(page, "#task");
+  assert.ok(y >= 44 && y + height <= 844, `the task stands from ${y} to ${y + height}`);
+});
+
 test("a lesson ends with what was predicted, each line leads back, and the next lesson follows", async (t) => {
   const page = await visit(t, "?lesson=frustum-2d&step=0");
   let now = await state(page);
@@ -131,5 +219,7 @@ test("a lesson ends with what was predicted, each line leads back, and the next 
   const all = await lessons();
   const next = all[all.findIndex(({ id }) => id === now.lesson) + 1];
   await page.getByRole("link", { name: "Next lesson" }).click();
-  await until(page, (it, id) => it.lesson === id, next.id);
+  const opened = await until(page, (it, id) => it.lesson === id, next.id);
+  assert.deepEqual([opened.step, opened.previewing], [0, false]); // not its result
+  assert.equal(await page.evaluate(() => document.activeElement === document.body), false); // the keys go on
 });

@@ -72,6 +72,32 @@ test("presented, keys and buttons lead from lesson to lesson, and the text shows
   assert.equal((await state(page)).lesson, all[1].id); // a key of the presentation alone
 });
 
+test("presented, the title can be seen, and the text opens at the section at hand with the column to itself", async (t) => {
+  const page = await load(t, `${kFirst}&step=1`, { reducedMotion: "reduce" });
+  await page.locator("#present").click();
+  const over = (part) => page.evaluate((id) => {
+    const node = document.querySelector(id), { left, top } = node.getBoundingClientRect();
+    return node.contains(document.elementFromPoint(left + 5, top + 10));
+  }, part);
+  assert.ok(await over("#title"), "nothing lies over the title");
+  await page.keyboard.press("t");
+  await still(page);
+  assert.ok(await over("#prose [aria-current] h2"), "the section at hand is in view");
+  assert.equal(await page.locator("#numbers").isVisible(), false);
+  assert.ok((await page.locator("#read").boundingBox()).height > 700);
+});
+
+test("a figure's summary leads nowhere else", async (t) => {
+  const page = await load(t, "?lesson=frustum-2d&step=0&embed=1", { viewport: { width: 400, height: 300 }, reducedMotion: "reduce" });
+  for (let now = await state(page); !now.summary; now = await state(page)) {
+    await page.keyboard.press(now.asked ? "s" : now.outcome ? "Enter" : "End");
+    await page.waitForTimeout(50);
+  }
+  await page.getByRole("button", { name: "Predict again" }).waitFor();
+  assert.equal(await page.locator("a:visible").count(), 1);
+  assert.equal(await page.getByRole("button", { name: "To the task" }).count(), 0);
+});
+
 test("a figure of 400 by 300 has stage, sentence, step and play, and one link to the whole", async (t) => {
   const page = await load(t, "?lesson=sphere-welzl&step=12&embed=1", { viewport: { width: 400, height: 300 } });
   assert.equal(await page.evaluate(() => document.documentElement.scrollHeight > innerHeight || document.documentElement.scrollWidth > innerWidth), false);

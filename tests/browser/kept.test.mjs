@@ -38,6 +38,35 @@ test("answers, step and edits survive a reload, and the course tells of them", a
   assert.match(await page.locator(".progress").first().textContent(), /^1 of \d+ predictions$/);
 });
 
+test("a conversation goes on where it stood: before the second try, on the way, at what is told, at the summary", async (t) => {
+  const page = await load(t, `${kFirst}&step=2`); // with motion: the way to an outcome is played
+  const field = page.getByLabel("Name", { exact: true });
+  await field.fill("P0");
+  await page.keyboard.press("Enter");
+  await until(page, (now) => now.asked?.tried);
+  let now = await reload(page);
+  assert.equal(now.asked.tried?.handle, "P0");
+  assert.equal(await page.locator(".says").textContent(), now.asked.says);
+  await field.fill("P2");
+  await page.keyboard.press("Enter");
+  await until(page, (it) => it.deciding);
+  now = await reload(page, kFirst);
+  assert.deepEqual([now.outcome?.question, now.outcome?.kind, now.outcome?.tries, now.step], ["first-growth", "wrong", 2, now.outcome.step]);
+  await page.locator("#home").click();
+  await page.goBack();
+  now = await until(page, (it) => it.lesson);
+  assert.equal(now.outcome?.question, "first-growth");
+  await page.getByRole("button", { name: "Continue", exact: true }).first().click();
+  for (now = await state(page); !now.summary; now = await state(page)) {
+    await page.keyboard.press(now.asked ? "s" : now.outcome || now.deciding ? "Enter" : "End");
+    await page.waitForTimeout(50);
+    if (now.step === now.steps && !now.asked && !now.outcome && now.tally.open > 0) await page.keyboard.press("Home"); // which was passed by the address
+  }
+  now = await reload(page);
+  assert.deepEqual([now.summary, now.step, now.previewing], [true, now.steps, false]);
+  assert.ok(await page.locator(".summary").isVisible());
+});
+
 test("an address with a step wins over the step that is kept", async (t) => {
   const page = await load(t, `${kFirst}&step=0`);
   await page.keyboard.press("ArrowRight");
@@ -68,6 +97,8 @@ test("Erase my answers asks once more, then leaves nothing of them", async (t) =
 });
 
 const kDamaged = { "no JSON": "{", "another shape": "[1, 2]", "a text": '"x"', "no lessons": '{"version":1}', "lessons that are none": '{"version":1,"last":7,"invited":"x","lessons":{"sphere-ritter":{"address":3},"__proto__":{},"x":null}}',
+  "a damaged place in a question": '{"version":1,"last":"sphere-ritter","invited":3,"lessons":{"sphere-ritter":{"address":"?lesson=sphere-ritter&step=2&seed=143","answers":"","answered":0,"step":2,"steps":21,"done":false,"task":false,"told":7,"tried":{"question":"first-growth","choices":"x"}}}}',
+  "a place in a question that there is not": '{"version":1,"last":"sphere-ritter","invited":3,"lessons":{"sphere-ritter":{"address":"?lesson=sphere-ritter&step=2&seed=143","answers":"","answered":0,"step":2,"steps":21,"done":false,"task":false,"told":"none","tried":{"question":"none","choices":[9],"handle":null}}}}',
   "damaged answers": '{"version":1,"last":"sphere-ritter","invited":3,"lessons":{"sphere-ritter":{"address":"?lesson=sphere-ritter&step=oops&moved=1,x","answers":"[[answer]]\\nquestion = ","answered":1,"step":2,"steps":21,"done":false,"task":false}}}' };
 for (const [name, text] of Object.entries(kDamaged)) {
   test(`damaged storage does no harm: ${name}`, async (t) => {

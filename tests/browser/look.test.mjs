@@ -94,6 +94,22 @@ test("presented, the title stands above all, and no name in a selector is cut of
   await page.keyboard.press("Escape");
 });
 
+test("where the numbers fill their column, the code is a tab beside them; elsewhere it stands under them", async (t) => {
+  const page = await visit(t, "?lesson=obb-axes&step=1");
+  await page.locator("#side-tabs").getByRole("tab", { name: "Numbers", selected: true }).waitFor();
+  assert.equal(await page.locator("#code").isVisible(), false);
+  assert.ok((await page.locator("#numbers").boundingBox()).height > 690, "all fifteen axes have room");
+  await page.locator("#side-tabs").getByRole("tab", { name: "Numbers" }).focus();
+  await page.keyboard.press("ArrowRight");
+  assert.ok(await page.locator("#code").isVisible());
+  assert.equal((await state(page)).step, 1);
+  assert.deepEqual(await overlaps(page), []);
+  const other = await visit(t, "?lesson=sphere-welzl&step=21");
+  assert.equal(await other.locator("#side-tabs").isVisible(), false);
+  const [numbers, code] = [await other.locator("#numbers").boundingBox(), await other.locator("#code").boundingBox()];
+  assert.ok(numbers.height > 440 && code.y >= numbers.y + numbers.height - 1, JSON.stringify([numbers, code]));
+});
+
 test("the lit line is in sight at every step", async (t) => {
   const page = await visit(t, "?lesson=sphere-iterative&step=1");
   const seen = new Set();

@@ -137,6 +137,21 @@ test("the section of the step comes into view and is marked, but not under the e
   assert.ok((await scrolled()) > 0);
 });
 
+test("on a phone a tab that is opened comes into view, the text at the section at hand", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter&step=1", kPhone);
+  await page.evaluate(() => scrollTo(0, 0));
+  const tabs = () => page.evaluate(() => document.getElementById("tabs").getBoundingClientRect());
+  assert.ok((await tabs()).bottom > 500);
+  await page.locator("#tab-numbers").tap();
+  await page.waitForFunction(() => document.getElementById("numbers").getBoundingClientRect().top < innerHeight / 2 + 1);
+  await page.locator("#tab-read").tap();
+  await page.waitForFunction(() => {
+    const { top } = document.querySelector("#prose [aria-current] h2").getBoundingClientRect();
+    return top >= document.getElementById("tabs").getBoundingClientRect().bottom && top < innerHeight / 2;
+  });
+  assert.equal(await current(page), "Ritter's two passes");
+});
+
 test("a question shows the section that it names", async (t) => {
   const page = await visit(t, "?lesson=scene-broad&step=0", kLow);
   await page.keyboard.press("PageDown");

@@ -79,7 +79,7 @@ test("every lesson opens in place of every other kind as it would by itself, for
   const alone = new Map();
   const page = await load(t, `?lesson=${all[0]}`);
   for (const id of [...all].reverse()) { // the first is open then
-    await page.goto(`${site.url}?lesson=${id}`);
+    await page.goto(`${site.url}?lesson=${id}&step=0`); // who has not begun it begins there
     await ready(page);
     alone.set(id, await shown(page));
   }
@@ -116,7 +116,7 @@ test("the stage shows a lesson's own points, wherever one comes from", async (t)
     await still(page);
     return new Uint32Array((await pixels_of(page, await page.locator("#stage").boundingBox())).buffer);
   };
-  const own = await stage_of(await load(t, "?lesson=obb-pca", still_page));
+  const own = await stage_of(await load(t, "?lesson=obb-pca&step=0", still_page));
   const page = await load(t, "?lesson=scene-broad", still_page);
   await choose(page, "obb-pca");
   const now = await stage_of(page);
@@ -204,7 +204,7 @@ test("of two lessons asked for at once the later one opens, however late the fir
   await page.locator("#picker").click();
   await page.locator(`#lessons a[href="?lesson=${slow}"]`).click();
   await page.locator("#veil").getByText("Loading").waitFor(); // it says so after a while
-  assert.equal(new URL(page.url()).search, `?lesson=${slow}`, "the address is not that of the lesson which still stands");
+  assert.equal(new URL(page.url()).search, `?lesson=${slow}&step=0`, "the address is not that of the lesson which still stands");
   await page.goBack();
   await page.locator("#veil").waitFor({ state: "hidden" });
   await choose(page, quick);

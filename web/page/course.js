@@ -1,7 +1,7 @@
 // The course: what Snug is, where to start or to continue, and every lesson under its chapter. It is HTML alone and is
 // there before the program, which it does not need.
-import { by_id, element, set_hidden, set_text, whole_names } from "./dom.js";
-import { link_of } from "./lesson_menu.js";
+import { by_id, element, followed_here, set_hidden, set_text, whole_names } from "./dom.js";
+import { way_into } from "./lesson_menu.js";
 
 /** The lessons of course.json in order, each with its number and its chapter's title. */
 export function lessons_of(course) {
@@ -30,7 +30,7 @@ export class Course {
   #cards = new Map(); // by id
   #laid_out = false;
 
-  /** choose(id, search): called in place of loading the page anew. */
+  /** choose(id): called in place of loading the page anew. */
   constructor(course, kept, choose) {
     this.#chapters = course.chapters;
     this.#lessons = lessons_of(course);
@@ -63,18 +63,8 @@ export class Course {
 
   // ---- laid out once ------------------------------------------------------------------------------------------
 
-  /** A lesson that was not begun opens on its points, before the first step; else where it was left. */
-  #search_of(id) {
-    return this.#kept.lesson(id) ? link_of(id) : `${link_of(id)}&step=0`;
-  }
-
   #link(properties, id, ...children) {
-    const link = element("a", { ...properties, href: this.#search_of(id), onclick: (event) => {
-      if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
-      event.preventDefault();
-      this.#choose(link.getAttribute("href"));
-    } }, ...children);
-    return link;
+    return element("a", { ...properties, href: way_into(id, this.#kept), onclick: followed_here(() => this.#choose(id)) }, ...children);
   }
 
   #lay_out() {
@@ -114,7 +104,7 @@ export class Course {
     for (const lesson of this.#lessons) {
       const { link, says } = this.#cards.get(lesson.id);
       const { kind, words } = progress_of(lesson, this.#kept.lesson(lesson.id));
-      link.setAttribute("href", this.#search_of(lesson.id));
+      link.setAttribute("href", way_into(lesson.id, this.#kept));
       says.className = `progress ${kind}`;
       says.replaceChildren(element("span", { class: "mark", "aria-hidden": "true" }, kind === "done" ? "✓" : ""), words);
     }

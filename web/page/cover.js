@@ -25,7 +25,7 @@ export class CoverTools {
     this.#door = door;
     this.#act = act;
     this.#request = request;
-    this.#section = element("section", { class: "ask cover", "aria-label": "Measurement", hidden: true }, this.#choices,
+    this.#section = element("section", { class: "cover", "aria-label": "Measurement", hidden: true }, this.#choices,
       element("div", { class: "row" }, ...this.#work, this.#other), this.#bar,
       element("div", { class: "row cover-says" }, this.#says, this.#files),
       element("div", { class: "unseen" }, element("table", {}, element("caption", {}, "What was measured"),

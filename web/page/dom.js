@@ -21,6 +21,13 @@ export const button = (words, onclick, properties = {}) =>
 /** A corner's name is its signs, −+−, and a p-vertex one word: a line that ended within would make two of it. */
 export const whole_names = (text) => text.replace(/([+−])(?=[+−])|\b([pn]-)(?=vert)/g, "$&\u2060");
 
+/** A link that is opened here, without loading the page anew; with a key held, the browser opens it elsewhere. */
+export const followed_here = (follow) => (event) => {
+  if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
+  event.preventDefault();
+  follow(event);
+};
+
 /** Writes only what differs, so that a live region does not speak twice and nothing is laid out for naught. */
 export function set_text(node, text) {
   const whole = whole_names(text);

@@ -12,6 +12,11 @@ const is_count = (value) => Number.isSafeInteger(value) && value >= 0;
 const is_entry = (entry) => Boolean(entry) && is_text(entry.address) && is_text(entry.answers) && is_count(entry.answered) && is_count(entry.step)
   && is_count(entry.steps) && typeof entry.done === "boolean" && typeof entry.task === "boolean";
 
+const is_try = (tried) => Boolean(tried) && is_text(tried.question) && (tried.handle === null || is_text(tried.handle)) && Array.isArray(tried.choices) && tried.choices.every(is_count);
+
+/** Where one was within a question came later: entries without it are entries. */
+const whole = (entry) => ({ ...entry, told: is_text(entry.told) ? entry.told : null, tried: is_try(entry.tried) ? entry.tried : null });
+
 const nothing = () => ({ version: kVersion, last: null, invited: 0, lessons: {} });
 
 /** What the text of the storage says, as far as it can be understood; null where it is a later version's. */
@@ -24,7 +29,7 @@ function understood(text) {
   }
   if (is_count(data?.version) && data.version > kVersion) return null;
   if (data?.version !== kVersion) return nothing();
-  const lessons = Object.entries(Object(data.lessons)).filter(([, entry]) => is_entry(entry));
+  const lessons = Object.entries(Object(data.lessons)).filter(([, entry]) => is_entry(entry)).map(([id, entry]) => [id, whole(entry)]);
   return { version: kVersion, last: is_text(data.last) ? data.last : null, invited: is_count(data.invited) ? data.invited : 0, lessons: Object.fromEntries(lessons) };
 }
 
@@ -52,7 +57,8 @@ export class Kept {
     return this.#data.invited;
   }
 
-  /** {address, answers, answered, step, steps, done, task}, or null where the lesson was not begun. */
+  /** {address, answers, answered, step, steps, done, task, told, tried}, or null where the lesson was not begun. told: the
+   *  question whose outcome stood there; tried: {question, choices, handle}, a first answer to it that was wrong. */
   lesson(id) {
     return Object.hasOwn(this.#data.lessons, id) ? this.#data.lessons[id] : null;
   }

@@ -3,6 +3,7 @@
 const kWrites = "input, select, textarea, [contenteditable]";
 const kPresses = "button, a, summary";
 const kReads = "#read, #points, #code";
+const kPages = new Set(["PageUp", "PageDown"]); // which mean nothing within a line of text
 const kScrolls = new Set(["ArrowUp", "ArrowDown", "PageUp", "PageDown", "Home", "End", " "]);
 
 /** Whether the key scrolls what the focus is in. */
@@ -22,7 +23,7 @@ export function listen_to_keys(door, act, choose, leave) {
       event.preventDefault();
       return act(() => door.command("continue"));
     }
-    if (target.closest(kWrites)) return;
+    if (target.closest(kWrites) && !(target.matches("input[type=text]") && kPages.has(event.key))) return;
     if (scrolls(target, event.key) && !event.ctrlKey && !event.metaKey) return;
     if (target.closest(kPresses) && (event.key === "Enter" || event.key === " ")) return;
     const control = event.ctrlKey || event.metaKey;

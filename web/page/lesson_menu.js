@@ -1,7 +1,10 @@
 // The lessons: which there are, and the menu that leads to them. Each is a true link, to open beside or to copy.
-import { by_id, element, set_hidden, set_text } from "./dom.js";
+import { by_id, element, followed_here, set_hidden, set_text } from "./dom.js";
 
 export const link_of = (id) => `?lesson=${encodeURIComponent(id)}`;
+
+/** The way into a lesson: to where it was left; one that was not begun opens on its points, before the first step. */
+export const way_into = (id, kept) => (kept.lesson(id) ? link_of(id) : `${link_of(id)}&step=0`);
 
 /** Links by chapter, the open one marked. choose(id): called in place of loading the page anew. */
 export function lesson_links(lessons, open_id, choose) {
@@ -18,12 +21,7 @@ function grouped(lessons) {
 }
 
 function lesson_link(lesson, open_id, choose) {
-  const onclick = (event) => {
-    if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
-    event.preventDefault();
-    choose(lesson.id);
-  };
-  return element("a", { href: link_of(lesson.id), onclick, "aria-current": lesson.id === open_id ? "page" : null },
+  return element("a", { href: link_of(lesson.id), onclick: followed_here(() => choose(lesson.id)), "aria-current": lesson.id === open_id ? "page" : null },
     element("b", {}, lesson.title), element("span", {}, lesson.summary));
 }
 

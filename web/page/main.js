@@ -1,7 +1,7 @@
 // The page: brings the program and a lesson, shows what the lesson's state says, and keeps the address in step.
 import { read_address, write_address } from "./address.js";
 import { Code } from "./code.js";
-import { by_id, element, set_text, when_changed } from "./dom.js";
+import { by_id, element, followed_here, set_text, when_changed } from "./dom.js";
 import { open_door } from "./door.js";
 import { CoverTools } from "./cover.js";
 import { Course } from "./course.js";
@@ -10,7 +10,7 @@ import { Invitations } from "./invitations.js";
 import { Kept } from "./kept.js";
 import { listen_to_keys } from "./keys.js";
 import { name_layout } from "./layout.js";
-import { LessonMenu, lesson_links, link_of } from "./lesson_menu.js";
+import { LessonMenu, lesson_links, way_into } from "./lesson_menu.js";
 import { clear_notices, notice, notice_all, veil } from "./messages.js";
 import { NumberTools } from "./numbers.js";
 import { Player } from "./player.js";
@@ -19,6 +19,7 @@ import { Presentation } from "./presentation.js";
 import { QuestionCard } from "./question.js";
 import { Reading } from "./reading.js";
 import { Settings } from "./settings.js";
+import { Side } from "./side.js";
 import { Stage } from "./stage.js";
 import { Tabs } from "./tabs.js";
 
@@ -36,6 +37,8 @@ class Page {
   #menu;
   #points;
   #question;
+  #reading;
+  #tabs;
   #panels;
   #lesson = null;
   #view = null;
@@ -49,7 +52,7 @@ class Page {
   #address_timer = 0;
   #panels_timer = 0;
 
-  /** go_to(search): to another lesson. */
+  /** go_to(id): to another lesson. */
   constructor({ door, downloads, lessons, formulas, settings, kept, embed, go_to }) {
     this.#door = door;
     this.#downloads = downloads;
@@ -59,10 +62,12 @@ class Page {
     this.#embed = embed;
     const act = (what) => this.act(what);
     const next = (id) => lessons[lessons.findIndex((lesson) => lesson.id === id) + 1];
-    const question = this.#question = new QuestionCard(door, act, { next, go: (id) => go_to(link_of(id)) });
+    const question = this.#question = new QuestionCard(door, act, { next: embed ? () => undefined : next, go: go_to, show_task: embed ? null : () => this.#show_task() });
     this.#points = new PointTools(door, act, (name) => this.#mesh(name));
-    this.#panels = [new Reading(door.words(), { formulas, start_task: () => this.#start_task(), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) }), question, new Code(door, act), this.#points, new NumberTools(door, act), new CoverTools(door, act, () => this.#stage.request()), new Player(door, act), new Tabs(), new Presentation(settings, lessons, go_to), new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place))];
-    this.#menu = new LessonMenu(lessons, (id) => go_to(link_of(id)));
+    this.#reading = new Reading(door.words(), { formulas, start_task: () => this.#start_task(), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) });
+    this.#tabs = new Tabs((id) => id === "read" && this.#reading.bring_section());
+    this.#panels = [this.#reading, question, new Code(door, act), this.#points, new NumberTools(door, act), new CoverTools(door, act, () => this.#stage.request()), new Player(door, act), this.#tabs, new Side(door), new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()), new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place))];
+    this.#menu = new LessonMenu(lessons, go_to);
     this.#stage = new Stage(door, () => this.#show());
     settings.on_change(() => this.#apply_settings());
     listen_to_keys(door, act, (digit) => question.choose(digit), () => this.#leave_presentation());
@@ -75,7 +80,7 @@ class Page {
 
   /** Does what a link of the prose says. */
   #follow({ kind, target }) {
-    if (kind === "lesson") return this.#go_to(link_of(target));
+    if (kind === "lesson") return this.#go_to(target);
     if (kind === "mesh") return this.#points.bring(target);
     const { step } = this.#view;
     this.act(() => {
@@ -83,6 +88,12 @@ class Page {
       if (error) notice(`${error}.`);
     });
     if (kind === "step" && this.#view.asked && this.#view.step === step) this.#question.show(); // which is in the way
+  }
+
+  /** Wherever one was: the task is at the end of the lesson's text. */
+  #show_task() {
+    this.#tabs.choose("read");
+    this.#reading.bring_task();
   }
 
   /** On a phone the stage, where it is to be done, is far above the task. */
@@ -165,8 +176,10 @@ class Page {
     by_id("canvas").setAttribute("aria-label", `Stage: ${this.#lesson.stageSays}`);
     set_text(by_id("figures").closest("table").caption, `Numbers at this ${this.#lesson.stepWord}`);
     for (const panel of this.#panels) panel.open?.(this.#lesson);
-    await this.#restore(kept && is_bare(asked) ? { ...read_address(kept.address), problems: [] } : asked);
+    const back = kept && (is_bare(asked) || location.search === kept.address);
+    await this.#restore(back ? { ...read_address(kept.address), problems: asked.problems } : asked);
     if (turn !== this.#opens) return;
+    if (back) this.#resume(kept);
     this.#opening = false;
     clear_notices();
     notice_all(asked.problems);
@@ -187,7 +200,7 @@ class Page {
   }
 
   #offer_lessons(id) {
-    const links = lesson_links(this.#lessons, null, (chosen) => this.#go_to(link_of(chosen)));
+    const links = lesson_links(this.#lessons, null, this.#go_to);
     veil.choose(this.#lessons.length === 0 ? "There are no lessons here." : `There is no lesson “${id.slice(0, 60)}”. These are the lessons:`, links);
   }
 
@@ -206,8 +219,17 @@ class Page {
       if (asked.step > steps) asked.problems.push(`The address asks for ${this.#lesson.stepWord} ${asked.step}; there are only ${steps}.`);
       door.jump(Math.min(asked.step, steps));
       const { cover } = door.view();
-      if (cover?.shown) door.command(cover.button.command); // a step is of the stage
+      if (asked.step > 0 && cover?.shown) door.command(cover.button.command); // a step is of the stage
     }
+  }
+
+  /** The conversation goes on where it stood: at an outcome that was not read to its end, or before the second try. */
+  #resume({ told, tried }) {
+    if (told) return this.#door.command(`review:${told}`);
+    if (!tried || tried.question !== this.#door.view().asked?.id) return;
+    if (tried.handle === null) tried.choices.forEach((choice) => this.#door.pick_choice(choice));
+    else this.#door.pick_name(tried.handle);
+    this.#door.command("commit_answer");
   }
 
   async #restore_source(from, seed) {
@@ -266,7 +288,7 @@ class Page {
 
   /** Where one is and what was answered, once one has done something here. */
   #keep(address) {
-    const { previewing, outcomes, step, steps, questions, grade, edited } = this.#view;
+    const { previewing, outcomes, step, steps, questions, grade, edited, asked, outcome, deciding } = this.#view;
     const decided = outcomes.filter(({ passed, pending }) => !passed && !pending);
     if (address === this.#erased_at && outcomes.length === 0) return;
     this.#erased_at = null;
@@ -278,6 +300,7 @@ class Page {
       // Once done, it stays so: who looks at it again has not lost it.
       done: Boolean(before?.done) || (questions > 0 ? decided.length >= questions : step === steps && begun),
       task: Boolean(before?.task) || Boolean(grade?.done),
+      told: (outcome ?? deciding)?.question ?? null, tried: asked?.tried ? { question: asked.id, ...asked.tried } : null,
     });
   }
 
@@ -336,11 +359,7 @@ class Site {
       const stands = document.documentElement.dataset.view === "lesson" && location.search === this.#page?.written;
       if (location.search !== this.#shown && !stands) this.show({ back: true }); // not for the #canvas of the link to the stage
     });
-    by_id("home").addEventListener("click", (event) => {
-      if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
-      event.preventDefault();
-      this.go_to("");
-    });
+    by_id("home").addEventListener("click", followed_here(() => this.go_to("")));
   }
 
   /** Shows what the address asks for. */
@@ -372,8 +391,15 @@ class Site {
     return this.show();
   }
 
+  /** What was pressed may be gone with what stood before: then the stage has the keys. */
+  async #go_into(id) {
+    this.#page?.leave();
+    await this.go_to(way_into(id, this.#kept));
+    if (document.activeElement === document.body) by_id("canvas").focus({ preventScroll: true });
+  }
+
   async #bring_course() {
-    const course = new Course(JSON.parse(await this.#downloads.text("course.json")), this.#kept, (search) => this.go_to(search));
+    const course = new Course(JSON.parse(await this.#downloads.text("course.json")), this.#kept, (id) => this.#go_into(id));
     this.#settings.on_change(() => course.show_theme(["dark", "contrast"].includes(this.#settings.theme)));
     return course;
   }
@@ -386,7 +412,7 @@ class Site {
   async #bring_page(embed, attempt) {
     veil.loading();
     const page = new Page({ door: await open_door(this.#downloads, attempt), downloads: this.#downloads, lessons: this.#course.lessons, formulas: await this.#formulas(), settings: this.#settings,
-      kept: this.#kept, embed, go_to: (search) => this.go_to(search) });
+      kept: this.#kept, embed, go_to: (id) => this.#go_into(id) });
     return page;
   }
 

@@ -1,6 +1,5 @@
 // A lecture: from lesson to lesson by keys and buttons, and the lesson's text only while it is asked for.
 import { by_id } from "./dom.js";
-import { link_of } from "./lesson_menu.js";
 
 const kWrites = "input, select, textarea, [contenteditable]";
 
@@ -8,13 +7,15 @@ export class Presentation {
   #settings;
   #lessons;
   #go_to;
+  #shows;
   #here = 0; // which of the lessons is open
 
-  /** go_to(search): to another lesson. */
-  constructor(settings, lessons, go_to) {
+  /** go_to(id): to another lesson. shows(): called when the text is shown. */
+  constructor(settings, lessons, go_to, shows) {
     this.#settings = settings;
     this.#lessons = lessons;
     this.#go_to = go_to;
+    this.#shows = shows;
     by_id("previous-lesson").addEventListener("click", () => this.#move(-1));
     by_id("next-lesson").addEventListener("click", () => this.#move(1));
     by_id("text-shown").addEventListener("click", () => this.#show_text());
@@ -30,12 +31,13 @@ export class Presentation {
 
   #move(by) {
     const to = this.#lessons[this.#here + by];
-    if (to) this.#go_to(link_of(to.id));
+    if (to) this.#go_to(to.id);
   }
 
   #show_text(shown = !document.documentElement.classList.contains("text-shown")) {
     document.documentElement.classList.toggle("text-shown", shown);
     by_id("text-shown").setAttribute("aria-pressed", shown);
+    if (shown) this.#shows();
   }
 
   #key(event) {

@@ -1,6 +1,6 @@
 // The conversation on the stage's foot: a question, what came of its answer, and in the end how all of them came out.
 // Every sentence comes from the program, which prints the same ones in its window.
-import { by_id, button, element, set_text, whole_names } from "./dom.js";
+import { by_id, button, element, followed_here, set_text, whole_names } from "./dom.js";
 
 const kMarks = { right: "✓", wrong: "✕", skipped: "–", open: "?" };
 
@@ -19,7 +19,8 @@ export class QuestionCard {
   #says = element("p", { class: "says", role: "status" });
   #commit;
 
-  /** act(what): does it and shows what came of it. after: {next(id): the lesson that follows or undefined, go(id)}. */
+  /** act(what): does it and shows what came of it. after: {next(id): the lesson that follows or undefined, go(id),
+   *  show_task(): null where the task is not on the page}. */
   constructor(door, act, after) {
     this.#door = door;
     this.#act = act;
@@ -60,7 +61,7 @@ export class QuestionCard {
     by_id("told").replaceChildren(...told.map((each) => this.#told_card(each)),
       ...(score && !this.#door.lesson().asksOfSteps ? [this.#score_card(score)] : []));
     box.scrollTop = 0;
-    if (had_focus) (box.querySelector("[data-first]:not(:disabled)") ?? box.querySelector("[tabindex]") ?? by_id("canvas")).focus({ preventScroll: true });
+    if (had_focus) (first_in(box) ?? by_id("canvas")).focus({ preventScroll: true });
     if (card && !had_focus) show_both(box);
   }
 
@@ -95,8 +96,8 @@ export class QuestionCard {
     const first = choices.findIndex((_, i) => !tried?.choices.includes(i));
     this.#choices = choices.map((words, i) => {
       const was = tried?.choices.includes(i);
-      return button(was ? `${kMarks.wrong} ${words}` : words, () => this.#act(() => this.#door.pick_choice(i)),
-        { class: was ? "button tried" : "button", "aria-pressed": "false", "data-first": i === first });
+      return button(words, () => this.#act(() => this.#door.pick_choice(i)),
+        { class: was ? "button tried" : "button", "aria-label": was ? `${words}, not that one` : null, "aria-pressed": "false", "data-first": i === first });
     });
     const named = onStage && choices.length === 0;
     const pass = quiet(this.#words.skip, () => this.#do("skip_question"));
@@ -140,13 +141,16 @@ export class QuestionCard {
     const marked = shown && choices.length > 0 ? [element("div", { class: "choices" }, ...choices.map((words, i) => {
       const mark = rightChoices.includes(i) ? "right" : given?.choices.includes(i) ? "wrong" : "";
       return element("span", { class: `chip ${mark}` }, mark ? `${kMarks[mark]} ${words}` : words);
-    }))] : shown ? [element("p", { class: "said right" }, `${kMarks.right} ${happened}`)] : [];
+    }))] : this.#said(outcome); // the chips say what was predicted, too
+    // In its button's place, so that nothing moves.
+    const show = !canShow ? [] : !shown ? [button(this.#words.show, () => this.#do("show_answer"))]
+      : choices.length === 0 ? [element("p", { class: "said right" }, `${kMarks.right} ${happened}`)] : [];
     return element("div", { class: `card outcome ${kind}`, tabindex: "-1" },
       kicker(`${kMarks[kind]} ${verdict}`, place, kind),
       element("p", { class: "asked" }, whole_names(prompt)),
-      ...this.#said(outcome), ...marked,
+      ...marked,
       element("p", {}, whole_names(says)), element("p", {}, whole_names(because)),
-      row(...(canShow && !shown ? [button(this.#words.show, () => this.#do("show_answer"))] : []),
+      row(...show,
         ...(step - fromStep > 1 ? [button(this.#words.watch, () => this.#do("watch_outcome"))] : []),
         element("span", { class: "gap" }),
         button(this.#words.go_on, () => this.#do("continue"), { class: "button primary", "data-first": true })));
@@ -154,19 +158,18 @@ export class QuestionCard {
 
   /** The lesson's end: each prediction leads back to its reason. */
   #summary_card({ score, predictions, lesson, grade, waiting }) {
-    const lines = predictions.map(({ id, prompt, kind, standing }) => element("li", {},
+    const lines = predictions.map(({ id, short, kind, standing }) => element("li", {},
       element("button", { type: "button", class: `line ${kind}`, onclick: () => this.#do(`review:${id}`) },
-        element("span", { class: "mark", "aria-hidden": "true" }, kMarks[kind]), element("span", { class: "what" }, whole_names(prompt)), element("b", {}, standing))));
+        element("span", { class: "mark", "aria-hidden": "true" }, kMarks[kind]), element("span", { class: "what" }, whole_names(short)), element("b", {}, standing))));
     const next = this.#after.next(lesson);
-    const to_task = () => by_id("task").scrollIntoView({ block: "nearest" });
     return element("div", { class: "card summary", tabindex: "-1" },
       element("div", { class: "head" }, kicker(this.#words.summary), quiet(this.#words.close, () => this.#do("close_summary"))),
       element("p", { class: "prompt" }, score), element("ol", { class: "lines-of" }, ...lines),
-      ...(waiting.length > 0 ? [row(element("span", {}, this.#words.waiting), ...waiting.map((name) => button(this.#title_of(name), () => this.#ask(name))))] : []),
+      ...(waiting.length > 0 ? [element("div", { class: "commit waiting" }, element("span", {}, this.#words.waiting), ...waiting.map((name) => button(this.#title_of(name), () => this.#ask(name))))] : []),
       row(quiet(this.#words.again, () => this.#do("predict_again")), element("span", { class: "gap" }),
-        ...(grade ? [button(grade.done ? `${kMarks.right} ${this.#words.task}` : this.#words.to_task, to_task)] : []),
+        ...(grade && this.#after.show_task ? [button(grade.done ? `${kMarks.right} ${this.#words.task}` : this.#words.to_task, this.#after.show_task, { class: "button to-task" })] : []),
         ...(next ? [element("a", { class: "button primary", href: `?lesson=${encodeURIComponent(next.id)}`, "data-first": true, title: next.title,
-          onclick: (event) => (event.preventDefault(), this.#after.go(next.id)) }, this.#words.next_lesson)] : [])));
+          onclick: followed_here(() => this.#after.go(next.id)) }, this.#words.next_lesson)] : [])));
   }
 
   #title_of(name) {
@@ -195,6 +198,12 @@ export class QuestionCard {
   #score_card(score) {
     return element("div", { class: "card score" }, element("p", {}, score), button(this.#words.again, () => this.#do("predict_again")));
   }
+}
+
+/** Where the keyboard goes on in the card. To a finger a field would bring up a keyboard of its own, over the stage. */
+function first_in(box) {
+  const fingers = document.documentElement.classList.contains("fingers");
+  return box.querySelector(`[data-first]:not(:disabled${fingers ? ", input" : ""})`) ?? box.querySelector("[tabindex]");
 }
 
 /** On a phone, where the card lies under the stage: both are brought into view, if they are not. */

@@ -1,9 +1,26 @@
 // What is read: the title, the prose, which speaks to the stage, and the task with its grade as it stands.
-import { button, by_id, element, set_hidden, set_text, when_changed, whole_names } from "./dom.js";
+import { button, by_id, element, followed_here, set_hidden, set_text, when_changed, whole_names } from "./dom.js";
 import { link_of } from "./lesson_menu.js";
 import { notice } from "./messages.js";
 
 const kReads = 6000; // milliseconds: who has scrolled the prose, or pressed a key in it, reads it for so long
+
+const on_phone = () => document.documentElement.dataset.layout === "phone";
+const behavior = () => (matchMedia("(prefers-reduced-motion: reduce)").matches ? "auto" : "smooth");
+
+/** Scrolls the column so that a part of it that is not in view comes there. */
+function bring(part, column) {
+  const [box, place] = [column.getBoundingClientRect(), part.getBoundingClientRect()];
+  if (place.top >= box.top && place.bottom <= box.bottom) return;
+  column.scrollTo({ top: column.scrollTop + place.top - box.top - box.height / 8, behavior: behavior() });
+}
+
+/** On a phone the whole page scrolls, and the tabs stay at its top. */
+function bring_on_page(part) {
+  const { top, bottom } = part.getBoundingClientRect();
+  const under = by_id("tabs").offsetHeight;
+  if (top < under || bottom > innerHeight) scrollBy({ top: top - under - 8, behavior: behavior() });
+}
 
 export class Reading {
   #words;
@@ -13,6 +30,7 @@ export class Reading {
   #follow;
   #light;
   #sections = [];
+  #section = null; // the one at hand
   #words_of = []; // {mark, node}: what lights where the stage's handle is pointed at
   #read_at = -Infinity;
   #pointed = false; // whether a mouse is over it
@@ -74,8 +92,8 @@ export class Reading {
 
   #link(text, link) {
     const { kind, target } = link;
-    const follow = (event) => (event.preventDefault(), this.#follow(link));
-    if (kind === "lesson") return element("a", { href: link_of(target), onclick: (event) => event.ctrlKey || event.metaKey || event.shiftKey || follow(event) }, whole_names(text));
+    const follow = () => this.#follow(link);
+    if (kind === "lesson") return element("a", { href: link_of(target), onclick: followed_here(follow) }, whole_names(text));
     if (kind !== "mark") return element("button", { type: "button", class: "does", onclick: follow }, whole_names(text));
     const on = () => this.#light(target), off = () => this.#light("");
     const node = element("button", { type: "button", class: "speaks", onpointerenter: on, onpointerleave: off, onfocus: on, onblur: off,
@@ -97,14 +115,27 @@ export class Reading {
       if (i === now) section.setAttribute("aria-current", "true");
       else section.removeAttribute("aria-current");
     }
-    const read = by_id("read"), section = this.#sections[now];
+    this.#section = this.#sections[now] ?? null;
+    const read = by_id("read"), section = this.#section;
     const reads = this.#pointed || performance.now() - this.#read_at < kReads || read.contains(document.activeElement);
     if (!section || reads || read.scrollHeight <= read.clientHeight) return; // on a phone the whole page scrolls
-    const [box, place] = [read.getBoundingClientRect(), section.getBoundingClientRect()];
-    if (place.top >= box.top && place.bottom <= box.bottom) return;
-    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    read.scrollTo({ top: read.scrollTop + place.top - box.top - box.height / 8, behavior: still ? "auto" : "smooth" });
+    bring(section, read);
   });
+
+  /** The section at hand, to one who has just opened the text. */
+  bring_section() {
+    if (!this.#section) return;
+    if (on_phone()) bring_on_page(this.#section);
+    else bring(this.#section, by_id("read"));
+  }
+
+  /** The task, and the focus with it. */
+  bring_task() {
+    const box = by_id("task");
+    if (on_phone()) bring_on_page(box);
+    else box.scrollIntoView({ block: "nearest" });
+    box.querySelector("button").focus({ preventScroll: true });
+  }
 
   #show_lit = when_changed((_lesson, lit) => {
     for (const { mark, node } of this.#words_of) node.classList.toggle("lit", mark === lit.mark || lit.words.includes(mark));
