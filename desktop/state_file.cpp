@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "desktop/cli/files.hpp"
+#include "lesson/subjects.hpp"
 #include "number/fnv.hpp"
 
 namespace snug::desktop {
@@ -76,7 +77,7 @@ Json lesson_state(Shell& shell, float scale) {
   state["lit"] = app.lit();
   state["marks"] = app.marks_in_hand();
   state["scrolling"] = shell.scroll_to >= 0;
-  state["algorithm"] = session.method(0)->name;
+  state["algorithm"] = lesson::name_in(session.lesson(), *session.method(0));
   state["readout"] = Json::object();
   for (const auto& figure : session.figures())
     if (figure.known) state["readout"][figure.key] = figure.value;

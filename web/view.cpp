@@ -21,14 +21,15 @@ val coordinates(const Vector<double, 3>& point, int dim) {
 void set_algorithms(val& object, const lesson::Session& session) {
   const lesson::Method* main = session.method(0);
   const lesson::Method* beside = session.method(1);
-  object.set("algorithm", text(main->name));
-  object.set("beside", beside != nullptr ? text(beside->name) : val::null());
+  const auto name = [&](const lesson::Method& method) { return text(lesson::name_in(session.lesson(), method)); };
+  object.set("algorithm", name(*main));
+  object.set("beside", beside != nullptr ? name(*beside) : val::null());
   object.set("codeTitle", text(main->title));
   object.set("code", array_of(session.pseudocode(0), text));
   object.set("line", session.line());
   object.set("rivals", array_of(session.rivals(), [&](const lesson::Rival& rival) {
                val row = val::object();
-               row.set("name", text(rival.method->name));
+               row.set("name", name(*rival.method));
                row.set("title", text(rival.method->title));
                const bool hidden = session.hides_result(*rival.method);
                row.set("size", hidden ? val::null() : val(rival.size));

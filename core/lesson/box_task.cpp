@@ -14,7 +14,7 @@ void read_box_task(TomlTable& table, Lesson& lesson, Complaints& complaints, std
     own.refuse_others();
   }
   if (terms->models.size() != terms->goals.size())
-    complaints.add(table.line(), "[task] needs a [[task.model]] for each of its goals");
+    complaints.add(table.place(), "[task] needs a [[task.model]] for each of its goals");
   lesson.task->terms = std::move(terms);
 }
 
@@ -25,9 +25,9 @@ void check_box_task(const Lesson& lesson, const toml::table& toml, const Subject
   const auto& terms = static_cast<const BoxTask&>(*lesson.task->terms);
   for (std::size_t i = 0; i < terms.goals.size(); ++i) {
     if (goals.reaches(terms.goals[i], boxes_of(own)))
-      complaints.add(task.line(), "the task is solved before the student begins");
+      complaints.add(task.place(), "the task is solved before the student begins");
     if (!goals.reaches(terms.goals[i], terms.models[i]))
-      complaints.add(task.line_of("model"), "the model does not reach " + terms.goals[i]);
+      complaints.add(task.place_of("model"), "the model does not reach " + terms.goals[i]);
   }
 }
 

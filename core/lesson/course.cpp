@@ -47,7 +47,7 @@ tl::expected<Course, InputError> read_course(std::string_view text, std::string_
                                              std::span<const std::string> ids) {
   Complaints complaints(name);
   const auto toml = parse_file(text, "a course", complaints);
-  if (!toml) return tl::unexpected(*complaints.first());
+  if (!toml) return tl::unexpected(complaints.first()->error());
   TomlTable table(*toml, "the course", complaints);
   if (table.integer("version", 1, 1'000'000) != kCourseVersion)
     table.wrong("version", "is not one that this program reads: it reads 1");
@@ -63,7 +63,7 @@ tl::expected<Course, InputError> read_course(std::string_view text, std::string_
   for (const std::string& id : ids)
     if (seen.lines.find(id) == seen.lines.end())
       complaints.add(last, "the lesson \"" + id + "\" stands in no chapter: add it to the \"lessons\" of one");
-  if (complaints.first()) return tl::unexpected(*complaints.first());
+  if (complaints.first()) return tl::unexpected(complaints.first()->error());
   return course;
 }
 

@@ -49,7 +49,7 @@ Points read_points(const toml::table& toml, Complaints& complaints) {
   Points points;
   points.dim = static_cast<int>(table.integer_or("dim", 2, 3, 2));
   const int ways = int{table.has("generate")} + int{table.has("mesh")} + int{table.has("list")};
-  if (ways != 1) complaints.add(table.line(), "[points] needs exactly one of \"generate\", \"mesh\" and \"list\"");
+  if (ways != 1) complaints.add(table.place(), "[points] needs exactly one of \"generate\", \"mesh\" and \"list\"");
   if (table.has("generate")) {
     points.generate = table.text("generate");
     check_name(table, "generate", points.generate, generator_kinds());
@@ -88,12 +88,10 @@ AnyPointSet start_of_task(const Lesson& lesson, const AnyPointSet& own) {
 std::optional<AnyPointSet> check_point_task(const Lesson& lesson, const AnyPointSet& own, const TomlTable& task,
                                             Complaints& complaints) {
   if (fit::size_of(own) < lesson.task->points)
-    complaints.add(task.line(), "the task is for more points than the lesson has");
-  if (!is_among(lesson.algorithms, lesson.task->algorithm))
-    complaints.add(task.line(), "the lesson does not offer the algorithm " + lesson.task->algorithm);
+    complaints.add(task.place(), "the task is for more points than the lesson has");
   auto model = to_set(lesson.task->model, fit::dim_of(own));
   if (model) return *std::move(model);
-  complaints.add(task.line_of("model"), model.error().what);
+  complaints.add(task.place_of("model"), model.error().what);
   return std::nullopt;
 }
 

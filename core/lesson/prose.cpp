@@ -63,7 +63,7 @@ constexpr std::array<std::pair<std::string_view, Link::Kind>, 5> kLinkKinds{{{"l
 /// Parses a paragraph of prose, from left to right.
 class Line {
  public:
-  Line(std::string_view rest, ProseFault& fault) : rest_(rest), fault_(fault) {}
+  Line(std::string_view rest, std::vector<ProseFault>& faults) : rest_(rest), faults_(faults) {}
 
   Paragraph stretches() {
     while (!rest_.empty()) {
@@ -85,7 +85,7 @@ class Line {
   }
 
   void complain(std::string what, std::string_view words = {}) {
-    if (fault_.what.empty()) fault_ = {.what = std::move(what), .paragraph = {}, .words = std::string(words)};
+    faults_.push_back({.what = std::move(what), .paragraph = {}, .words = std::string(words)});
   }
 
   void flush() {
@@ -135,7 +135,7 @@ class Line {
   }
 
   std::string_view rest_;
-  ProseFault& fault_;
+  std::vector<ProseFault>& faults_;
   std::string plain_;
   bool strong_ = false;
   bool displayed_ = false;  // whether the paragraph is a formula on its own line
@@ -159,13 +159,14 @@ std::string_view next_block(std::string_view& text) {
 
 }  // namespace
 
-std::vector<Paragraph> paragraphs_of(std::string_view text, ProseFault& fault) {
+std::vector<Paragraph> paragraphs_of(std::string_view text, std::vector<ProseFault>& faults) {
   std::vector<Paragraph> paragraphs;
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
   while (!text.empty()) {
     const std::string_view block = next_block(text);
-    paragraphs.push_back(Line(joined(block), fault).stretches());
-    if (!fault.what.empty() && fault.paragraph.empty()) fault.paragraph = block.substr(0, block.find('\n'));
+    const std::size_t before = faults.size();
+    paragraphs.push_back(Line(joined(block), faults).stretches());
+    for (std::size_t i = before; i < faults.size(); ++i) faults[i].paragraph = block.substr(0, block.find('\n'));
   }
   return paragraphs;
 }

@@ -222,9 +222,12 @@ class Session {
   [[nodiscard]] Untold untold() const;
   /// Whether a question about a step is open: the result of the run is then hidden everywhere.
   [[nodiscard]] bool predicting() const;
+  /// Whether a question that compares the lesson's methods is still open, in the run of any of them: their results are
+  /// hidden until it is answered or skipped. false for a subject that was edited.
+  [[nodiscard]] bool comparing() const;
   /// Whether a method's result is hidden in the comparison.
   [[nodiscard]] bool hides_result(const Method& of) const {
-    return predicting() || (&of == method(0) && is_hidden(kResultFigure));
+    return predicting() || comparing() || (&of == method(0) && is_hidden(kResultFigure));
   }
   /// What is proven so far; at the end, the result's certificate.
   [[nodiscard]] std::vector<Proof> proofs(int slot = 0) const;

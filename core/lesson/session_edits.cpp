@@ -40,8 +40,7 @@ Done Session::add(const Point3& at) {
   return edit([&](Subject& next) -> Done {
     if (Done added = next.add(at); !added) return added;
     if (!next.suits(*slots_[0].method))
-      return tl::unexpected(InputError{.what = std::string(slots_[0].method->title) + " takes at most " +
-                                               std::to_string(slots_[0].method->max_points) + " points"});
+      return tl::unexpected(InputError{.what = next.refusal(*slots_[0].method)});
     return {};
   });
 }

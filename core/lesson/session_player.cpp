@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "lesson/session.hpp"
+#include "lesson/subjects.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -20,7 +21,7 @@ std::vector<Mark> marks_of(const Run& run, const std::vector<Asked>& questions) 
 
 /// Computes the gates and marks of a new run. at_end: whether the player was at the old run's end.
 void Session::run_changed(bool at_end) {
-  asked_ = asked_on(*lesson_, method(0)->name, *now_, run(0), is_own() && !now_->has_switched_off());
+  asked_ = asked_on(*lesson_, name_in(*lesson_, *method(0)), *now_, run(0), is_own() && !now_->has_switched_off());
   marks_ = marks_of(run(0), asked_);
   step_ = at_end ? steps() : std::min(step_, steps());
   hash_.reset();

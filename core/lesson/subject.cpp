@@ -28,6 +28,14 @@ std::vector<std::vector<Index>> Subject::things() const {
   std::iota(all.begin(), all.end(), Index{0});
   return {all};
 }
+std::string Subject::refusal(const Method& method) const {
+  const std::string title(method.title);
+  if (points() == nullptr) return {};
+  if (size() > method.max_points) return title + " takes at most " + std::to_string(method.max_points) + " points";
+  if (dim() == 2 && !method.plane) return title + " is for points in space";
+  if (dim() == 3 && !method.space) return title + " is for points in the plane";
+  return {};
+}
 Done Subject::add(const Point3&) { return fixed_number(); }
 Done Subject::remove(Index) { return fixed_number(); }
 Done Subject::set_numbers(std::size_t, std::size_t, std::span<const double>) {

@@ -43,6 +43,7 @@ struct Method {
   std::span<const std::string_view> plane_pseudocode = {};  // in 2-D, if that differs; empty otherwise
   bool exact = false;                                       // whether it guarantees the smallest volume of its kind
   Index max_points = std::numeric_limits<Index>::max();     // more are refused
+  bool plane = true, space = true;                          // the dimensions that it takes
 };
 
 [[nodiscard]] inline std::span<const std::string_view> pseudocode_of(const Method& method, int dim) {
@@ -222,8 +223,9 @@ class Subject {
   // ---- runs ---------------------------------------------------------------------------------------------------
   /// earlier: a run whose memory is reused, or null.
   [[nodiscard]] virtual std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const = 0;
-  /// Whether the method can take so many points.
-  [[nodiscard]] bool suits(const Method& method) const { return size() <= method.max_points || points() == nullptr; }
+  /// Why the method cannot be run on its points: "Brute force takes at most 40 points"; empty where it can.
+  [[nodiscard]] std::string refusal(const Method& method) const;
+  [[nodiscard]] bool suits(const Method& method) const { return refusal(method).empty(); }
   /// The sentence before the first step.
   [[nodiscard]] virtual std::string opening(const Method& method) const = 0;
 

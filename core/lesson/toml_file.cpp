@@ -13,7 +13,7 @@ std::optional<toml::table> parse_file(std::string_view text, std::string_view ki
   toml::parse_result parsed = toml::parse(text);
   if (parsed) return std::move(parsed).table();
   const toml::parse_error& error = parsed.error();
-  complaints.add(static_cast<int>(error.source().begin.line), std::string(error.description()));
+  complaints.add(file_place(error.source()), std::string(error.description()));
   return std::nullopt;
 }
 
