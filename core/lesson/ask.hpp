@@ -119,8 +119,8 @@ void put_words(Asked& asked, bool own_run);
 [[nodiscard]] std::vector<Asked> asked_on(const Lesson& lesson, std::string_view method, const Subject& subject,
                                           const Run& run, bool own_run);
 
-/// Finds where one of the lesson's questions is asked on a run, with its general words. None if the run does not have its
-/// step, or if the step cannot be asked that; then why gives the reason, as a sentence fragment.
+/// Finds where one of the lesson's questions is asked on a run, with its general words. None if the run does not have
+/// its step, or if the step cannot be asked that; then why gives the reason, as a sentence fragment.
 [[nodiscard]] std::optional<Asked> resolve(const Question& question, const Lesson& lesson, const Subject& subject,
                                            const Run& run, std::string& why);
 

@@ -28,8 +28,8 @@ std::vector<std::string_view> facts_of(const Run& run) {
   return facts;
 }
 
-/// Checks that the steps named by a question's gate exist. fits: the names to suggest, those of its algorithm's run if it is
-/// known.
+/// Checks that the steps named by a question's gate exist. fits: the names to suggest, those of its algorithm's run if
+/// it is known.
 bool check_gate(const Gate& gate, const SubjectRow& subject, const std::vector<std::string_view>& fits,
                 Complaints& complaints) {
   const std::size_t before = complaints.count();
@@ -66,8 +66,9 @@ void check_questions(Lesson& lesson, const std::string& algorithm, const Subject
     const auto open = std::find_if(asked.begin(), asked.end(),
                                    [&](const Asked& one) { return one.step <= step && step < one.until; });
     complaints.add(question.place, "the question stands where another one is not decided yet" +
-                                       (open == asked.end() ? "" : ": \"" + open->question->id + "\", in line " +
-                                                                       std::to_string(open->question->place.line)));
+                                       (open == asked.end() ? ""
+                                                            : ": \"" + open->question->id + "\", in line " +
+                                                                  std::to_string(open->question->place.line)));
     passed_by.push_back(question.id);
   }
   keep_questions(lesson, [&](const Question& question) { return !is_among(passed_by, question.id); });
@@ -106,8 +107,7 @@ class Runs {
 
 void check_runs(Lesson& lesson, Runs& runs, Complaints& complaints) {
   for (const std::string& name : lesson.algorithms)
-    if (const Run* run = runs.of(name))
-      check_questions(lesson, name, runs.own(), *run, complaints);
+    if (const Run* run = runs.of(name)) check_questions(lesson, name, runs.own(), *run, complaints);
 }
 
 /// Checks the questions as far as that is possible without a run.

@@ -61,8 +61,8 @@ struct Gate {
   std::string algorithm;
   std::string fact;  // its name: "pair_chosen"
   int occurrence = 1;
-  std::string after;  // a fact's name, kStart for the beginning, or empty
-  int after_nth = 0;  // counted from 1; 0: the last one
+  std::string after;                  // a fact's name, kStart for the beginning, or empty
+  int after_nth = 0;                  // counted from 1; 0: the last one
   FilePlace fact_place, after_place;  // in the file, for errors
   static constexpr std::string_view kStart = "start";
 };
@@ -150,9 +150,9 @@ struct Draft {
 };
 
 /// Reads a lesson file. name: for errors and for the id. Mistakes, each with its line and column: of TOML, after which
-/// nothing more is read; an unknown or missing key; an algorithm, fact, generator, mesh or answer that does not exist. If
-/// the lesson is run: a question whose step the algorithm does not take on the lesson's own points, or a model solution
-/// that the task does not accept.
+/// nothing more is read; an unknown or missing key; an algorithm, fact, generator, mesh or answer that does not exist.
+/// If the lesson is run: a question whose step the algorithm does not take on the lesson's own points, or a model
+/// solution that the task does not accept.
 [[nodiscard]] Draft read_draft(std::string_view toml, std::string_view name, Checked checked = Checked::kAsRun);
 
 /// The lesson of a file without mistakes. Errors: the first mistake.

@@ -10,8 +10,8 @@
 
 namespace snug::lesson {
 
-/// Something wrong with a text ("has a ** without a partner"), the first line of the paragraph that has it, and the faulty
-/// words, if it is only some of them.
+/// Something wrong with a text ("has a ** without a partner"), the first line of the paragraph that has it, and the
+/// faulty words, if it is only some of them.
 struct ProseFault {
   std::string what, paragraph, words;
 };

@@ -91,7 +91,8 @@ void check_link(const toml::table& section, const Link& link, const Lesson& less
     complaints.add(place_in_text(section, "text", ':' + link.target + ')'), "\"text\" links to " + what);
   };
   const auto check = [&](std::string_view what, const auto& names) {
-    if (!lesson.algorithms.empty() && !is_among(names, link.target)) wrong(std::string(what) + " that " + none_of_text(link.target, names));
+    if (!lesson.algorithms.empty() && !is_among(names, link.target))
+      wrong(std::string(what) + " that " + none_of_text(link.target, names));
   };
   switch (link.kind) {
     case Link::Kind::kMesh: return check("a mesh", lesson.meshes);

@@ -39,8 +39,7 @@ Done Session::move(Index i, const Point3& to) {
 Done Session::add(const Point3& at) {
   return edit([&](Subject& next) -> Done {
     if (Done added = next.add(at); !added) return added;
-    if (!next.suits(*slots_[0].method))
-      return tl::unexpected(InputError{.what = next.refusal(*slots_[0].method)});
+    if (!next.suits(*slots_[0].method)) return tl::unexpected(InputError{.what = next.refusal(*slots_[0].method)});
     return {};
   });
 }

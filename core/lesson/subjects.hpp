@@ -26,8 +26,8 @@ struct SubjectRow {
   std::vector<std::string_view> (*facts)() = nullptr;  // what a question's gate may name
   std::vector<AskingOf> (*askings)() = nullptr;        // besides those of any step (general_askings)
   std::string_view decided_by = "";                    // what replaces time if there is no clock; empty for nothing
-  bool compares = false;             // whether its methods' results are compared with a reference
-  bool asks_of_steps = true;         // false: its questions come before the first step, without a gate
+  bool compares = false;                               // whether its methods' results are compared with a reference
+  bool asks_of_steps = true;  // false: its questions come before the first step, without a gate
 
   /// Reads its own tables from the file.
   void (*read)(TomlTable& table, Lesson& lesson, Complaints& complaints) = nullptr;

@@ -30,12 +30,8 @@ FilePlace file_place(const toml::source_region& region) {
   return {std::max(static_cast<int>(region.begin.line), 1), std::max(static_cast<int>(region.begin.column), 1)};
 }
 
-void Complaints::add(FilePlace place, std::string what) {
-  mistakes_.push_back({place, std::move(what), file_});
-}
-void Complaints::warn(FilePlace place, std::string what) {
-  warnings_.push_back({place, std::move(what), file_});
-}
+void Complaints::add(FilePlace place, std::string what) { mistakes_.push_back({place, std::move(what), file_}); }
+void Complaints::warn(FilePlace place, std::string what) { warnings_.push_back({place, std::move(what), file_}); }
 std::vector<FileError> Complaints::mistakes() const { return in_order(mistakes_); }
 std::vector<FileError> Complaints::warnings() const { return in_order(warnings_); }
 

@@ -72,8 +72,8 @@ class TomlTable {
   void wrong(std::string_view key, const std::string& what);
   /// Notes that a key is missing; refuse_others complains about it.
   void lack(std::string_view key, std::string what);
-  /// Complains about every key that was not asked for, and about every required key that is missing, unless an unknown key
-  /// is a misspelling of it. Only after this call is it known whether what was read has mistakes.
+  /// Complains about every key that was not asked for, and about every required key that is missing, unless an unknown
+  /// key is a misspelling of it. Only after this call is it known whether what was read has mistakes.
   void refuse_others();
 
  private:

@@ -56,8 +56,8 @@ void warn_of_handles(const toml::table& table, std::string_view key, const Handl
   if (text == nullptr) return;
   for (const std::string& name : names_like_handles(text->get()))
     if (const std::string last = handles.last_such(name); !last.empty() && !handles.has(name))
-      complaints.warn(place_in_text(table, key, name),
-                      '"' + std::string(key) + "\" speaks of " + name + ", which is not there: the last one is " + last);
+      complaints.warn(place_in_text(table, key, name), '"' + std::string(key) + "\" speaks of " + name +
+                                                           ", which is not there: the last one is " + last);
 }
 
 int words_of(const Paragraph& paragraph) {

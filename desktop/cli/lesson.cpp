@@ -64,8 +64,8 @@ std::vector<InputError> faults_of(const LessonFile& file, const lesson::Played& 
   for (const lesson::Question& question : file.lesson.questions)
     for (const std::string& id : played.not_asked)
       if (question.id == id)
-        faults.push_back(
-            with_column({question.place, "the question \"" + id + "\" is never asked: its step does not come", file.path}));
+        faults.push_back(with_column(
+            {question.place, "the question \"" + id + "\" is never asked: its step does not come", file.path}));
   if (faults.empty() && !played.sound())
     faults.push_back({.what = "a model answer is graded as wrong", .file = file.path});
   return faults;
@@ -155,7 +155,8 @@ CommandResult run_check(const LessonOptions& options) {
     else mistakes.push_back(files.error());
   }
   if (mistakes.empty()) return printed;
-  for (InputError& warning : printed.warnings) warning.what = kWarning + warning.what, mistakes.push_back(std::move(warning));
+  for (InputError& warning : printed.warnings)
+    warning.what = kWarning + warning.what, mistakes.push_back(std::move(warning));
   return tl::unexpected(std::move(mistakes));
 }
 

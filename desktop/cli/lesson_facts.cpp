@@ -98,9 +98,12 @@ void add_lesson_facts(Commands& commands, CLI::App& group) {
   facts.footer(
       "What an author would otherwise work out by hand. JSON Lines: for each algorithm a line for each step (in a\n"
       "scene, each frame):\n"
-      "{\"algorithm\",\"step\",\"fact\",\"nth\",\"handles\",\"asks\",\"sentence\",\"figures\"}, then one of its result:\n"
-      "{\"algorithm\",\"steps\",\"size\",\"excess\",\"figures\"}. \"fact\" and \"nth\" are what a question's \"before\" and\n"
-      "\"nth\" name (null where a recursion's inner call is not counted), \"asks\" what it can be asked. \"size\" is a\n"
+      "{\"algorithm\",\"step\",\"fact\",\"nth\",\"handles\",\"asks\",\"sentence\",\"figures\"}, then one of its "
+      "result:\n"
+      "{\"algorithm\",\"steps\",\"size\",\"excess\",\"figures\"}. \"fact\" and \"nth\" are what a question's "
+      "\"before\" and\n"
+      "\"nth\" name (null where a recursion's inner call is not counted), \"asks\" what it can be asked. \"size\" is "
+      "a\n"
       "sphere's radius, of others the area or volume; \"excess\" is over the smallest, 0.1 for 10 %.");
   const auto options = add_command<FactsOptions>(commands, facts, run_facts);
   facts.add_option("--algorithm", options->algorithm, "Only this one of the lesson's");

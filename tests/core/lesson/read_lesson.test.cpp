@@ -156,7 +156,8 @@ TEST_CASE("all mistakes of a lesson file are told, in its order, each with line 
       "small.toml:4:11: \"minutes\" must be from 1 to 240",
       "small.toml:8:10: \"meshes\" is none of bunny, teapot or dragon: buny; did you mean bunny?",
       "small.toml:18:1: \"text\" has a ** without a partner",
-      "small.toml:19:12: \"text\" links to an algorithm that is none of ritter, welzl or brute_force: wezl; did you mean "
+      "small.toml:19:12: \"text\" links to an algorithm that is none of ritter, welzl or brute_force: wezl; did you "
+      "mean "
       "welzl?",
       "small.toml:27:10: \"before\" of ritter is none of extremes_found, pair_chosen, point_examined, ball_grown, "
       "radius_checked or finished: pair_chosn; did you mean pair_chosen?",

@@ -17,7 +17,7 @@ std::vector<std::string_view> fitted_volumes() {
 }
 
 Method method_of(const fit::Algorithm& algorithm) {
-  return {algorithm.volume,           algorithm.name,  algorithm.title,     algorithm.source, algorithm.pseudocode,
+  return {algorithm.volume,           algorithm.name,  algorithm.title,      algorithm.source, algorithm.pseudocode,
           algorithm.plane_pseudocode, algorithm.exact, algorithm.max_points, algorithm.plane,  algorithm.space};
 }
 
@@ -65,8 +65,8 @@ const SubjectRow kCloudRow{.name = "cloud",
                            .open = &open_cloud};
 
 /// The algorithm that sizes are compared with. If the lesson names none, the exact one of its volume; null if there are
-/// several volumes, and for k-DOPs, because k-DOPs with different directions are different kinds of volume. Null for a cost
-/// chart as well, which is to reveal it.
+/// several volumes, and for k-DOPs, because k-DOPs with different directions are different kinds of volume. Null for a
+/// cost chart as well, which is to reveal it.
 const fit::Algorithm* reference_of(const Lesson& lesson) {
   if (lesson.subject != &kCloudRow) return nullptr;
   if (!lesson.reference.empty()) return &algorithm_of(*find_method(lesson, lesson.reference));

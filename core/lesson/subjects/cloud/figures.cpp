@@ -63,9 +63,7 @@ class FitBoard {
     figures_.back().known = holding > 0;
   }
 
-  [[nodiscard]] std::string so_far() const {
-    return view_.step == static_cast<int>(trace_.size()) ? "" : " so far";
-  }
+  [[nodiscard]] std::string so_far() const { return view_.step == static_cast<int>(trace_.size()) ? "" : " so far"; }
   void radius(double value) { length("Radius" + so_far(), "radius", value, digits_beside_best(value)); }
   void measure(double value) {
     const bool plane = run_.dim() == 2;

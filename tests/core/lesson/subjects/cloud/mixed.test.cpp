@@ -109,16 +109,15 @@ TEST_CASE("k-DOPs are compared with nothing unless the lesson says with what") {
 
 TEST_CASE("what a lesson of several volumes says wrongly is told") {
   CHECK(refusal(mixed_with("\"kdop/k8\", \"obb", "\"kdop/k9\", \"obb")).find("k9") != std::string::npos);
-  CHECK(refusal(mixed_with("reference = \"hull/quickhull\"", "reference = \"hull/quick\"")).find(":6:13: \"reference\"") !=
-        std::string::npos);
+  CHECK(refusal(mixed_with("reference = \"hull/quickhull\"", "reference = \"hull/quick\""))
+            .find(":6:13: \"reference\"") != std::string::npos);
   CHECK(refusal(mixed_with("meshes", "chart = \"cost\"\nmeshes")).find("of one volume") != std::string::npos);
   CHECK(refusal(mixed_with("[\"aabb/min_max\", \"kdop/k8\"", "[\"kdop/k14\", \"aabb/min_max\", \"kdop/k8\""))
             .find("14-DOP is for points in space") != std::string::npos);
   const Draft draft = read_draft(mixed_with("\"obb/exact\"]", "\"obb/exact\", \"kdop/k14\"]"), "mixed.toml");
   CHECK(draft.mistakes.empty());
   REQUIRE(draft.warnings.size() == 1);
-  CHECK(draft.warnings[0].message() ==
-        "mixed.toml:5:14: 14-DOP is for points in space, and is not offered for these");
+  CHECK(draft.warnings[0].message() == "mixed.toml:5:14: 14-DOP is for points in space, and is not offered for these");
 }
 
 // ---- questions worked out from the run ---------------------------------------------------------------------------
@@ -127,7 +126,8 @@ namespace {
 
 /// The mixed lesson with one question more, on the AABB's run.
 Session asked_session(std::string_view keys) {
-  return test::open(std::string(kMixed) + "\n[[question]]\nid = \"one\"\nalgorithm = \"min_max\"\nbefore = \"finished\"\n" +
+  return test::open(std::string(kMixed) +
+                    "\n[[question]]\nid = \"one\"\nalgorithm = \"min_max\"\nbefore = \"finished\"\n" +
                     std::string(keys) + "\nprompt = \"Which?\"\nbecause = \"So it is.\"\n");
 }
 
@@ -156,9 +156,9 @@ TEST_CASE("of several tightest algorithms each is a right answer") {
   // Of the corners of an upright square the AABB, the 4-DOP and the smallest oriented box are the same square.
   const std::string text =
       mixed_with("[[-2, 0], [2, 0.5], [0, 1], [0, -1], [0, 2.5], [0.5, 0.2]]", "[[0, 0], [1, 0], [0, 1], [1, 1]]");
-  Session session = test::open(text +
-                               "\n[[question]]\nid = \"one\"\nalgorithm = \"min_max\"\nbefore = \"finished\"\nasks = "
-                               "\"tightest\"\nprompt = \"Which?\"\nbecause = \"So it is.\"\n");
+  Session session =
+      test::open(text + "\n[[question]]\nid = \"one\"\nalgorithm = \"min_max\"\nbefore = \"finished\"\nasks = "
+                        "\"tightest\"\nprompt = \"Which?\"\nbecause = \"So it is.\"\n");
   session.go(session.steps());
   const Asked* asked = session.asked();
   REQUIRE(asked != nullptr);
