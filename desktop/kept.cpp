@@ -6,6 +6,7 @@
 
 #include "desktop/cli/files.hpp"
 #include "lesson/kept_answers.hpp"
+#include "lesson/subjects.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -93,8 +94,8 @@ void Kept::keep(const lesson::Session& session) {
   KeptLesson now;
   now.seed = session.seed();
   now.step = session.step(), now.steps = session.steps();
-  now.algorithm = session.method(0)->name;
-  now.beside = session.method(1) != nullptr ? session.method(1)->name : kNone;
+  now.algorithm = lesson::name_in(session.lesson(), *session.method(0));
+  now.beside = session.method(1) != nullptr ? lesson::name_in(session.lesson(), *session.method(1)) : std::string(kNone);
   now.answered = static_cast<int>(std::count_if(outcomes.begin(), outcomes.end(), [&](const lesson::Outcome& outcome) {
     return decided(outcome) && !outcome.skipped;
   }));

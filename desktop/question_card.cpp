@@ -261,7 +261,7 @@ std::string draw_summary(Shell& shell, Column& column) {
     std::vector<std::string> titles;
     for (const lesson::Method* method : waiting) titles.emplace_back(method->title);
     if (const int clicked = column.buttons("waiting", titles, -1); clicked >= 0)
-      command = "ask:" + std::string(waiting[static_cast<std::size_t>(clicked)]->name);
+      command = "ask:" + lesson::name_in(session.lesson(), *waiting[static_cast<std::size_t>(clicked)]);
     column.gap(10);
   }
   const auto grade = session.grade();

@@ -1,5 +1,6 @@
 // The questions, the answers and the task, for the page.
 #include "lesson/say.hpp"
+#include "lesson/subjects.hpp"
 #include "web/values.hpp"
 #include "web/view.hpp"
 
@@ -130,7 +131,9 @@ void set_answers(val& object, const lesson::Session& session) {
   object.set("predictions", predictions(session));
   object.set("tally", tally_object(session.tally()));
   object.set("summary", session.at_summary());
-  object.set("waiting", array_of(session.waiting(), [](const lesson::Method* method) { return text(method->name); }));
+  object.set("waiting", array_of(session.waiting(), [&](const lesson::Method* method) {
+               return text(lesson::name_in(session.lesson(), *method));
+             }));
   object.set("outcomes", array_of(session.outcomes(), outcome_object));
   object.set("score", session.score());
   object.set("grade", grade_object(session.grade()));

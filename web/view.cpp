@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "lesson/subjects.hpp"
 #include "lesson/speaking.hpp"
 #include "number/fnv.hpp"
 #include "web/cover.hpp"
