@@ -45,8 +45,7 @@ tl::expected<void, InputError> Shell::open(const std::string& id) {
     tell(opened);
     return opened;
   }
-  return tl::unexpected(
-      InputError{.what = "there is no lesson \"" + id + "\": `snug lesson list` says which there are"});
+  return tl::unexpected(InputError{.what = "there is no lesson \"" + id + "\"; `snug lesson list` lists them"});
 }
 
 std::pair<std::size_t, std::string> Shell::lead() const {

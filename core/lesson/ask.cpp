@@ -36,7 +36,7 @@ int place_after(const Run& run, const Gate& gate, int before) {
 }
 
 const char* offer_points(Asked& asked, const Run& run) {
-  if (run.handles(asked.fact).empty()) return "\"point\" asks of a step that names no point";
+  if (run.handles(asked.fact).empty()) return "\"point\" cannot be asked of a step that names no point";
   asked.on_stage = true;
   asked.stage_points = run.candidates(asked.fact);
   return nullptr;
@@ -217,7 +217,7 @@ std::optional<Asked> resolve(const Question& question, const Lesson& lesson, con
     std::vector<std::string_view> facts;
     for (const auto& [fact, asking] : row.askings())
       if (asking->name == question.asks) facts.push_back(fact);
-    why = "\"" + question.asks + "\" asks of " + one_of(facts) + ", and not of " + gate.fact;
+    why = "\"" + question.asks + "\" can only be asked of " + one_of(facts) + ", not of " + gate.fact;
     return std::nullopt;
   }
   asked.step = gate.after.empty() ? asked.fact : place_after(run, gate, asked.fact);

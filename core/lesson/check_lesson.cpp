@@ -65,7 +65,7 @@ void check_questions(Lesson& lesson, const std::string& algorithm, const Subject
     const int step = resolve(question, lesson, subject, run, why)->step;
     const auto open = std::find_if(asked.begin(), asked.end(),
                                    [&](const Asked& one) { return one.step <= step && step < one.until; });
-    complaints.add(question.place, "the question stands where another one is not decided yet" +
+    complaints.add(question.place, "the question comes while an earlier one is not decided yet" +
                                        (open == asked.end() ? ""
                                                             : ": \"" + open->question->id + "\", in line " +
                                                                   std::to_string(open->question->place.line)));
@@ -119,7 +119,7 @@ void check_gates(Lesson& lesson, Complaints& complaints) {
 
 void check_mark(const Lesson& lesson, const std::string& mark, FilePlace place, Runs& runs, Complaints& complaints) {
   if (!is_mark(runs.own(), mark))
-    return complaints.add(place, "there is no mark " + mark + ": it is support, a step's name or a handle's");
+    return complaints.add(place, "there is no mark " + mark + ": a mark is support, a step's name or a handle's name");
   const auto lights_there = [&](const std::string& algorithm) {
     const Run* run = runs.of(algorithm);
     return run != nullptr && lights(*run, runs.own(), mark);

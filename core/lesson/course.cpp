@@ -36,7 +36,7 @@ Chapter read_chapter(const toml::table& toml, Seen& seen, Complaints& complaints
       complaints.add(line, "there is no lesson \"" + id + "\": its file would be " + id + ".toml beside this one");
     if (const auto [at, added] = seen.lines.emplace(id, line); !added)
       complaints.add(line,
-                     "the lesson \"" + id + "\" stands here twice: in line " + std::to_string(at->second) + " as well");
+                     "the lesson \"" + id + "\" is listed twice: in line " + std::to_string(at->second) + " as well");
   }
   return chapter;
 }
@@ -62,7 +62,7 @@ tl::expected<Course, InputError> read_course(std::string_view text, std::string_
   table.refuse_others();
   for (const std::string& id : ids)
     if (seen.lines.find(id) == seen.lines.end())
-      complaints.add(last, "the lesson \"" + id + "\" stands in no chapter: add it to the \"lessons\" of one");
+      complaints.add(last, "the lesson \"" + id + "\" is in no chapter: add it to the \"lessons\" of one");
   if (complaints.first()) return tl::unexpected(complaints.first()->error());
   return course;
 }

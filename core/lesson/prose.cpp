@@ -73,7 +73,7 @@ class Line {
     }
     flush();
     if (strong_) complain("has a ** without a partner");
-    if (displayed_ && paragraph_.size() > 1) complain("has a $$ formula among words: it is a paragraph of its own");
+    if (displayed_ && paragraph_.size() > 1) complain("has a $$ formula among words: it must be a paragraph by itself");
     return std::move(paragraph_);
   }
 
@@ -121,12 +121,13 @@ class Line {
     rest_.remove_prefix(end + 1);
     if (kind == kLinkKinds.end() || words.empty() || colon + 1 >= to.size()) {
       complain("has a link that leads nowhere, (" + std::string(to) +
-                   "): it is lesson:, mesh:, algorithm:, step: or mark: and a name",
+                   "): a target is lesson:, mesh:, algorithm:, step: or mark: and a name",
                to);
       return true;
     }
-    if (words.find("**") != std::string_view::npos) complain("has ** within a link: it stands around the link", to);
-    if (words.find('$') != std::string_view::npos) complain("has a formula within a link, whose words are plain", to);
+    if (words.find("**") != std::string_view::npos) complain("has ** within a link: put it around the link", to);
+    if (words.find('$') != std::string_view::npos)
+      complain("has a formula within a link, which can only have plain words", to);
     flush();
     paragraph_.push_back({.text = kept_together(std::string(words)),
                           .strong = strong_,

@@ -102,7 +102,7 @@ void check_link(const toml::table& section, const Link& link, const Lesson& less
       return check("an algorithm", lesson.algorithms);
     case Link::Kind::kStep:
       if (link.target.size() > 6 || link.target.find_first_not_of("0123456789") != std::string::npos)
-        wrong("a step that is no number: " + link.target);
+        wrong("a step that is not a number: " + link.target);
       break;
     case Link::Kind::kMark:  // a handle's name is known once the lesson runs
     case Link::Kind::kLesson: break;
@@ -146,7 +146,7 @@ Gate read_gate(TomlTable& table, const Lesson& lesson) {
   gate.after_place = table.place_of("after");
   gate.after_nth = static_cast<int>(table.integer_or("after_nth", 1, 100'000, 0));
   if (gate.after_nth > 0 && (gate.after.empty() || gate.after == Gate::kStart))
-    table.wrong("after_nth", "counts the steps that \"after\" names");
+    table.wrong("after_nth", "needs \"after\", whose steps it counts");
   return gate;
 }
 

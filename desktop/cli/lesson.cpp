@@ -210,11 +210,11 @@ void add_lesson(Commands& commands) {
   CLI::App& check = *group.add_subcommand("check", "Check lesson files");
   check.footer(
       "Reads each file and plays it with its model answers. If all are sound, prints a line for each:\n"
-      "{\"lesson\",\"questions\",\"file\"}. Of a folder it checks every lesson and course.toml, whose line is\n"
+      "{\"lesson\",\"questions\",\"file\"}. In a folder it checks every lesson and course.toml, whose line is\n"
       "{\"chapters\",\"lessons\",\"file\"}. Otherwise prints a line on standard error for each mistake, with file,\n"
       "line and column, and exits with status 2. What is allowed but probably not meant is a line on standard error\n"
       "as well, which begins with \"warning\"; \"warnings\" is then how many the file has, and the status stays 0.\n"
-      "A lesson with the cost chart is decided by counted operations, never by time; its line has\n"
+      "A lesson with the cost chart is checked by counted operations, never by time; its line has\n"
       "\"decided_by\":\"operations\" as well.");
   const auto checked = add_command<LessonOptions>(commands, check, run_check);
   check.add_option("FILE", checked->files, "Lesson files, course.toml, or folders of them")->required();
@@ -227,7 +227,8 @@ void add_lesson(Commands& commands) {
       "Plays each of the lesson's algorithms to the last step and gives every exercise its model answer.\n"
       "JSON Lines: {\"algorithm\",\"steps\",\"questions\":[{\"question\",\"answer\",\"happened\",\"right\"}]} for "
       "each, then\n"
-      "{\"lesson\",\"not_asked\",\"task\",\"sound\"}. Exit status 1 if an answer is wrong or was never asked for.\n"
+      "{\"lesson\",\"not_asked\",\"task\",\"sound\"}. Exit status 1 if a model answer is wrong or a question is never "
+      "asked.\n"
       "A lesson with the cost chart is played without a clock: which algorithm is fastest, and by how much, is "
       "decided\n"
       "by counted operations, and the last line has \"decided_by\":\"operations\". In the window and on the page it "

@@ -154,7 +154,7 @@ test("what is ready stays when it is stopped; results are saved, and lie over th
     await until(page, (now) => now.cover.says.endsWith("Hollow marks: teapot, an earlier result."));
   }
   await page.locator("#points input[type=file]").setInputFiles({ name: "cut.json", mimeType: "text/plain", buffer: saved.JSON.subarray(0, 200) });
-  await page.getByText("is no whole result").waitFor();
+  await page.getByText("is not a complete result").waitFor();
 });
 
 test("two million points and one are refused; six thousand are measured whole and shown in part", async (t) => {

@@ -311,8 +311,8 @@ test("a course says which lessons come in which order, and is checked with them"
   const checked = json_lines(good(["lesson", "check", "own"]));
   assert.deepEqual(checked.map(({ file }) => file), ["own/one.toml", "own/two.toml", "own/course.toml"]);
   assert.deepEqual(checked.at(-1), { chapters: 1, lessons: 2, file: "own/course.toml" });
-  const wrong = [['  "two",\n  "three",\n', /^snug: own\/course\.toml:7: there is no lesson "three"/], ['  "two",\n  "one",\n  "two",\n', /^snug: own\/course\.toml:8: the lesson "two" stands here twice/],
-    ['  "two",\n', /^snug: own\/course\.toml:3: the lesson "one" stands in no chapter/]];
+  const wrong = [['  "two",\n  "three",\n', /^snug: own\/course\.toml:7: there is no lesson "three"/], ['  "two",\n  "one",\n  "two",\n', /^snug: own\/course\.toml:8: the lesson "two" is listed twice/],
+    ['  "two",\n', /^snug: own\/course\.toml:3: the lesson "one" is in no chapter/]];
   for (const [lines, says] of wrong) {
     write("own/course.toml", own(lines));
     refused(["lesson", "check", "own/course.toml"], says);

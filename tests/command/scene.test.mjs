@@ -107,11 +107,11 @@ test("what a lesson declares wrongly is refused with file and line", () => {
   broad("at_points = true", "at_points = true\nposition = [nan, 0, 0]", body, "body 0: its position is not finite, or too large");
   broad("frames = 120", "frames = 120\nstep = 0", "[scene]", "the scene's step must be above 0");
   broad("vary = 0.9", "vary = 9", '[[scene.effect]]\neffect = "orbit"', 'orbit: "vary" is out of range');
-  broad("vary = 0.9", "wobble = 9", '[[scene.effect]]\neffect = "orbit"', 'orbit: knows nothing of "wobble"');
+  broad("vary = 0.9", "wobble = 9", '[[scene.effect]]\neffect = "orbit"', 'orbit: has no setting "wobble"');
   broad('shape = "box"', 'shape = "cone"', 'shape = "cone"', '"shape" is none of sphere, box, capsule, points or mesh: cone');
   broken("scene-updates", 'shape = "points"', 'shape = "mesh"', { at: 'shape = "mesh"', says: '"shape" is a mesh, and [points] names none' });
   broken("scene-updates", 'after_nth = 90', 'after_nth = 0', { at: "after_nth = 0", says: '"after_nth" must be from 1 to 100000' });
-  broken("scene-updates", 'after = "frame_taken"\n', "", { at: "after_nth = 1", says: '"after_nth" counts the steps that "after" names' });
+  broken("scene-updates", 'after = "frame_taken"\n', "", { at: "after_nth = 1", says: '"after_nth" needs "after", whose steps it counts' });
   broad("half_extents = [0.30, 0.07, 0.12]", "half_extents = [0.3, 0.1]", "half_extents", '"half_extents" must be three numbers');
   broad("bounds = [20, 120, 400]", "bounds = [20, 20]", "bounds = [20, 20]", '"bounds" must be numbers that rise');
   broad('figure = "after_broad"\nbounds', 'figure = "beauty"\nbounds', 'figure = "beauty"', '"figure" is no figure of a scene: beauty');

@@ -137,7 +137,7 @@ export class PointTools {
       const result = result_as_csv(bytes);
       return this.#door.load_file(result ?? bytes, name);
     } catch {
-      return `${name}: is no whole result`;
+      return `${name} is not a complete result`;
     }
   }
 

@@ -16,7 +16,7 @@
 namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 4> kKdopPseudocode{
-    "for each axis of the k / 2",
+    "for each of the k / 2 axes",
     "  slab ← least to greatest p · axis",
     "  round its bounds outwards",
     "return k-DOP",

@@ -19,7 +19,7 @@ inline constexpr std::array<std::string_view, 10> kObbExactPseudocode{
     "best ← on its principal axes; in 2-D on each edge",
     "shrink best by rectangles across its axes",
     "  if the box on one is smaller: keep it",
-    "for each two edges e and f of the hull",
+    "for each pair of edges e, f of the hull",
     "  rotate the box with one face on e, the next on f",
     "  rule out angles whose boxes a bound shows to be larger",
     "  halve the others; keep what is smaller",

@@ -12,7 +12,7 @@ namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 6> kBruteForcePseudocode{
     "for each pair, triple (and in 3-D quadruple) of points",
-    "  candidate ← smallest through them",
+    "  candidate ← smallest around them",
     "  if candidate is smaller than best",
     "    if no point lies outside candidate",
     "      best ← candidate",

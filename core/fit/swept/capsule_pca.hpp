@@ -19,7 +19,7 @@ inline constexpr std::array<std::string_view, 7> kCapsulePcaPseudocode{
     "m ← mean of the points",
     "C ← covariance about m",
     "v ← eigenvector of largest eigenvalue",
-    "line ← along v, amid the points' projections",
+    "line ← along v, centred on the projections",
     "pull each end in until its cap touches",
     "radius ← to the farthest point, exactly",
     "return capsule",

@@ -21,7 +21,7 @@ inline constexpr std::array<std::string_view, 8> kLozengePcaPseudocode{
     "axes ← eigenvectors of C",
     "radius ← half of the least thickness",
     "pull the rectangle's four sides in",
-    "move a vertex out to what it leaves",
+    "move vertices out to points left outside",
     "radius ← to the farthest point, exactly",
     "return lozenge",
 };

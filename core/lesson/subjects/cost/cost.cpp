@@ -56,7 +56,7 @@ void check_costs(const Lesson& lesson, const toml::table& toml, const Subject&, 
   const auto model = to_set(lesson.task->model, lesson.points.dim);
   if (!model) return complaints.add(task.place_of("model"), model.error().what);
   if (cheapest_of(*lesson.task, counted_costs(lesson, *model)).empty())
-    complaints.add(task.place_of("model"), "on the model no algorithm is as much smaller as the task asks");
+    complaints.add(task.place_of("model"), "on the model no algorithm is smaller by as much as the task asks");
 }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_chart(const Lesson& lesson, std::optional<io::PointFile> mesh,

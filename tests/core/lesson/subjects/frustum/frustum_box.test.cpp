@@ -345,8 +345,10 @@ TEST_CASE("each mistake about a frustum is told with its line") {
       {"[1.05, 1.15]]\nturn = [[-24]", "[0, 1.15]]\nturn = [[-24]", "half_extents", "of a frustum must be above 0"},
       {"volume = \"frustum_box\"", "volume = \"box_pair\"", "algorithms", "p_n_vertex"},
       {"goals = [\"corners_outside\"]", "goals = [\"only_edges\"]", "goals", "only_edges"},
-      {"asks = \"p_vertex\"", "asks = \"verdict\"", "[[question]]\nid = \"p-vertex\"", "asks of classified"},
-      {"asks = \"verdict\"", "asks = \"n_vertex\"", "[[question]]\nid = \"verdict\"", "asks of plane_tested"},
+      {"asks = \"p_vertex\"", "asks = \"verdict\"", "[[question]]\nid = \"p-vertex\"",
+       "can only be asked of classified"},
+      {"asks = \"verdict\"", "asks = \"n_vertex\"", "[[question]]\nid = \"verdict\"",
+       "can only be asked of plane_tested"},
       {"[0.2, 1.7]", "[0.2, 0.17]", "[[task.model]]", "does not reach"},
       {"asks = \"n_vertex\"", "asks = \"nearest_vertex\"", "nearest_vertex", "none of point"},
   };
