@@ -1,4 +1,4 @@
-// STL repeats each corner for each triangle that meets there; points are wanted once.
+// Merges the vertices that STL repeats for every triangle.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace snug::io {
 
-/// Collects corners, three to a triangle; those with equal bits become one point.
+/// Collects vertices, three for each triangle; those with equal bits become one point.
 class CornerMerger {
  public:
   void add(const Vector<double, 3>& corner) {
@@ -23,7 +23,7 @@ class CornerMerger {
     file_.triangles.push_back(triangle_);
     corners_ = 0;
   }
-  /// Whether one corner more would be one point too many.
+  /// Whether one more vertex could be one point too many.
   [[nodiscard]] bool full() const { return file_.points.size() == static_cast<std::size_t>(INT32_MAX); }
   [[nodiscard]] PointFile take() { return std::move(file_); }
 
