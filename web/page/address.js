@@ -1,6 +1,6 @@
 // The address says what is on the page: lesson, step, seed, algorithms, and what was edited, in rows of numbers.
 
-/** What an address asks for; what it gets wrong goes to `problems`, one sentence each, and is left out. */
+/** What an address asks for. Each mistake in it is left out, and gets a sentence in `problems`. */
 export function read_address(search) {
   const given = new URLSearchParams(search);
   const problems = [];
@@ -40,7 +40,7 @@ export function read_address(search) {
 export function write_address(view, lesson, shared, embed) {
   const rows = (list) => list.map((row) => row.join(",")).join(";");
   const parts = [`lesson=${encodeURIComponent(lesson.id)}`];
-  if (!view.previewing) parts.push(`step=${view.step}`); // the result before the player is used is no step gone to
+  if (!view.previewing) parts.push(`step=${view.step}`); // the preview is not a step that anyone chose
   parts.push(`seed=${view.seed}`);
   if (view.algorithm !== lesson.algorithms[0]?.name) parts.push(`a=${view.algorithm}`);
   if ((view.beside ?? "") !== lesson.compare) parts.push(`b=${view.beside ?? "none"}`);

@@ -3,7 +3,7 @@
 import { by_id, element, set_hidden, set_text } from "./dom.js";
 
 const kRoom = 8; // pixels between an invitation and what it points at
-const kBelow = 96; // pixels at the stage's foot that belong to its sentence
+const kBelow = 96; // pixels at the bottom of the stage, for its sentence
 
 export class Invitations {
   #door;
