@@ -52,7 +52,7 @@ class CourseScreen {
   [[nodiscard]] const Card* next_card(const Card* from, std::string_view key) const;
   [[nodiscard]] std::uint32_t picture(const std::string& id, bool dark);
 
-  std::map<std::string, std::uint32_t> pictures_;  // textures by file; 0 where there is none
+  std::map<std::string, std::uint32_t> pictures_;  // textures by file; 0 if there is none
   std::vector<std::string> texts_;                 // what each lesson is found by
   std::array<char, 64> asked_{};                   // of the search
   std::vector<Card> cards_;                        // as last drawn

@@ -122,7 +122,7 @@ void draw_link(const Column& column, std::span<const Placed> words, std::size_t 
   }
 }
 
-/// A formula that is a paragraph of its own, in the middle of the column; false where it is too long for a line.
+/// Writes a formula that is a paragraph by itself, centred in the column. Returns false if it is too long for a line.
 bool draw_displayed(Column& column, const lesson::Paragraph& paragraph) {
   if (paragraph.size() != 1 || paragraph.front().tex.empty()) return false;
   const app::Look& look = column.look();

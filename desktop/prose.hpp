@@ -1,4 +1,4 @@
-// A lesson's prose in a column: its terms, formulas, and the words that speak to the stage.
+// Draws a lesson's prose in a column: its terms, formulas, and the links that light up marks on the stage.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace snug::desktop {
 
-/// A word that leads somewhere, where it stands.
+/// A word of a link, with its place.
 struct PlacedLink {
   const lesson::Link* link;
   app::Rect rect;
@@ -24,7 +24,7 @@ struct ProseTouch {
   std::vector<PlacedLink> links = {};
 };
 
-/// lit: the marks whose words are lit, for their handle is pointed at.
+/// lit: the marks whose words are lit, because their handle is pointed at.
 ProseTouch draw_prose(Column& column, const lesson::Paragraph& paragraph, std::span<const std::string_view> lit);
 
 }  // namespace snug::desktop

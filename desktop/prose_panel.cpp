@@ -17,7 +17,7 @@ namespace {
 
 using app::Face;
 
-constexpr double kReads = 6;  // seconds: who has scrolled the prose reads it for so long
+constexpr double kReads = 6;  // seconds for which a student counts as reading after scrolling the prose
 
 void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect) {
   float x = rect.x + kMargin;
@@ -64,7 +64,7 @@ void draw_task(Shell& shell, Column& column) {
   column.end_card();
 }
 
-/// Does what a link of the prose says.
+/// Follows a link in the prose.
 void follow(Shell& shell, const lesson::Link& link) {
   switch (link.kind) {
     case lesson::Link::Kind::kLesson: shell.open_at_place(link.target); break;
@@ -75,7 +75,7 @@ void follow(Shell& shell, const lesson::Link& link) {
   }
 }
 
-/// The section that the step, or the question, is about is brought into view, but not under the eyes of one who reads.
+/// Scrolls to the section about the step or the question, unless the student is reading.
 void follow_step(Shell& shell, int now, float top, float bottom, bool reads) {
   if (now != shell.section) {
     shell.section = now;
@@ -85,7 +85,7 @@ void follow_step(Shell& shell, int now, float top, float bottom, bool reads) {
   }
   if (shell.scroll_to < 0) return;
   shell.measured_anew = true;
-  if (ImGui::IsWindowAppearing()) return;  // how long the prose is has not been found yet
+  if (ImGui::IsWindowAppearing()) return;  // the prose's length is not known yet
   if (reads) shell.scroll_to = -1;
   const float left = std::min(shell.scroll_to, ImGui::GetScrollMaxY()) - ImGui::GetScrollY();
   const bool there = std::abs(left) < 1 || shell.app().settings().reduced_motion || shell.scroll_to < 0;
@@ -139,7 +139,7 @@ void draw_lesson(Shell& shell, Column& column) {
   follow_step(shell, now, top, bottom, reads);
   column.gap(12);
   draw_task(shell, column);
-  if (touch.clicked != nullptr) follow(shell, lesson::Link(*touch.clicked));  // another lesson has other links
+  if (touch.clicked != nullptr) follow(shell, lesson::Link(*touch.clicked));  // another lesson replaces the links
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ struct RowButton {
   bool enabled = true;
 };
 
-/// A row's buttons, at its right end; what is said stands before them. Returns the one that was clicked, or -1.
+/// Draws buttons at the right end of a row, after its text. Returns the one that was clicked, or -1.
 int draw_row(Column& column, std::string_view says, app::Color color, std::span<const RowButton> buttons) {
   const app::Look& look = column.look();
   const float height = look.px(34), gap = 8;
@@ -61,7 +61,7 @@ int draw_row(Column& column, std::string_view says, app::Color color, std::span<
   return clicked;
 }
 
-/// "Your prediction · 2 of 4", after the mark of how it stands.
+/// "Your prediction · 2 of 4", after the mark of its outcome.
 void draw_kicker(Column& column, std::string_view words, std::string_view place, Standing standing) {
   const app::Look& look = column.look();
   const bool right = standing == Standing::kRight, wrong = standing == Standing::kWrong;
@@ -81,7 +81,7 @@ void draw_kicker(Column& column, std::string_view words, std::string_view place,
   column.gap(look.px(26));
 }
 
-/// The way to name a handle without pointing at it: typed, and Enter.
+/// A field to name a handle without pointing at it: type the name and press Enter.
 bool draw_name_field(Shell& shell, Column& column) {
   const app::Look& look = column.look();
   ImGui::PushFont(look.font(Face::kRegular), app::font_size(look, Face::kRegular, 14));
@@ -99,8 +99,8 @@ bool draw_name_field(Shell& shell, Column& column) {
   return true;
 }
 
-/// The choices, those that are chosen and not given yet marked, and the one that was tried. Returns the one that was
-/// clicked, or -1.
+/// Draws the choices, and marks those that are chosen but not committed yet, and the one that was tried. Returns the
+/// one that was clicked, or -1.
 int draw_choices(Column& column, const lesson::Session& session, const lesson::Asked& asked) {
   const lesson::Answer *picked = session.picked(), *tried = session.tried();
   std::vector<std::string> words = asked.choices;
@@ -171,7 +171,7 @@ void draw_said(Column& column, const lesson::Outcome& outcome) {
   column.gap(4);
 }
 
-/// On the way to where it is decided: nothing is told yet.
+/// The card while the steps up to the outcome are played: it tells nothing yet.
 void draw_deciding(Column& column, const lesson::Session& session, const lesson::Outcome& outcome) {
   const lesson::Asked* asked = session.question_of(outcome);
   draw_kicker(column, lesson::kPredictionWord,
@@ -181,7 +181,7 @@ void draw_deciding(Column& column, const lesson::Session& session, const lesson:
   column.words(lesson::kWatching, Face::kRegular, 13, column.look()->muted);
 }
 
-/// What came of it, until it is read.
+/// The card with the outcome, until it is dismissed.
 void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) {
   const lesson::Session& session = shell.session();
   const app::Look& look = column.look();
@@ -213,8 +213,8 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
   if (const int clicked = draw_row(column, {}, 0, row); clicked >= 0) shell.app().command(commands[clicked]);
 }
 
-/// The lesson's end: each prediction leads back to its reason. What was clicked is done by the caller, after all of it
-/// is drawn.
+/// The card at the lesson's end: each prediction leads back to its reason. The caller does what was clicked, after
+/// drawing the card.
 std::string draw_summary(Shell& shell, Column& column) {
   const lesson::Session& session = shell.session();
   const app::Look& look = column.look();
@@ -275,7 +275,7 @@ std::string draw_summary(Shell& shell, Column& column) {
   return clicked < 0 ? command : row[clicked].id;
 }
 
-/// What the summary leads to beside the app's own commands.
+/// Does what the summary offers beyond the app's commands.
 void lead_on(Shell& shell, const std::string& command) {
   constexpr std::string_view kAsk = "ask:";
   if (command.starts_with(kAsk))
