@@ -89,6 +89,7 @@ class Column {
     ImGui::SetCursorScreenPos({x_, y_ + 12});
     ImGui::Dummy({1, 1});
   }
+
  private:
   const Look& look_;
   ImDrawList* list_;

@@ -95,7 +95,8 @@ void Kept::keep(const lesson::Session& session) {
   now.seed = session.seed();
   now.step = session.step(), now.steps = session.steps();
   now.algorithm = lesson::name_in(session.lesson(), *session.method(0));
-  now.beside = session.method(1) != nullptr ? lesson::name_in(session.lesson(), *session.method(1)) : std::string(kNone);
+  now.beside =
+      session.method(1) != nullptr ? lesson::name_in(session.lesson(), *session.method(1)) : std::string(kNone);
   now.answered = static_cast<int>(std::count_if(outcomes.begin(), outcomes.end(), [&](const lesson::Outcome& outcome) {
     return decided(outcome) && !outcome.skipped;
   }));

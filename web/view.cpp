@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "lesson/subjects.hpp"
 #include "lesson/speaking.hpp"
+#include "lesson/subjects.hpp"
 #include "number/fnv.hpp"
 #include "web/cover.hpp"
 #include "web/numbers.hpp"

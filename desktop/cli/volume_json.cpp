@@ -342,8 +342,7 @@ std::string volumes_in_json() {
     text += (text.empty() ? "  V                {\"" : "                   {\"") + std::string(kind) + "\":{" +
             forms.text + "}}" + std::string(remark_on(kind)) + "\n";
   }
-  return text +
-         "                   In 2-D there are two numbers instead of three. ";
+  return text + "                   In 2-D there are two numbers instead of three. ";
 }
 
 }  // namespace snug::desktop
