@@ -52,6 +52,7 @@ test("presented, keys and buttons lead from lesson to lesson, and the text shows
   const page = await load(t, `${kFirst}&step=0`);
   const all = await lessons();
   await page.locator("#present").click();
+  await page.waitForFunction(() => document.fullscreenElement === document.documentElement);
   assert.equal(await page.locator("#prose").isVisible(), false);
   await page.keyboard.press("t");
   assert.ok(await page.locator("#prose").isVisible());
@@ -65,6 +66,7 @@ test("presented, keys and buttons lead from lesson to lesson, and the text shows
   await until(page, (now, id) => now.lesson === id, all[1].id);
   assert.ok(await page.evaluate(() => document.documentElement.classList.contains("presenting")));
   await page.getByRole("button", { name: "Leave presentation" }).click();
+  await page.waitForFunction(() => document.fullscreenElement === null);
   assert.equal(await page.evaluate(() => document.documentElement.classList.contains("presenting")), false);
   assert.equal(await page.getByRole("button", { name: "Next lesson" }).isVisible(), false);
   await page.keyboard.press("n");

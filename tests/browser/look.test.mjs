@@ -49,6 +49,16 @@ for (const [width, height] of kSizes) {
   });
 }
 
+test("the tools of the charts stand at the foot of the column, and on a phone beneath the stage", async (t) => {
+  for (const size of [{ viewport: { width: 1280, height: 800 } }, kPhone]) {
+    const page = await visit(t, "?lesson=cost-chart&step=0", size);
+    assert.deepEqual(await sticking_out(page), []);
+    const [tools, part, stage] = await Promise.all([".costs", size === kPhone ? "#work" : "#column", "#stage"].map((name) => page.locator(name).boundingBox()));
+    assert.ok(tools.x >= part.x && tools.x + tools.width <= part.x + part.width + 1, JSON.stringify([tools, part]));
+    assert.ok(size === kPhone ? tools.y >= stage.y + stage.height : tools.y + tools.height > 790, JSON.stringify([tools, stage]));
+  }
+});
+
 test("at the largest text nothing sticks out, on desk and phone", async (t) => {
   for (const options of [{}, kPhone]) {
     const page = await load(t, `${kFirst}&step=0`, { ...options, init: 'localStorage.setItem("snug-text", "1.5")' });
