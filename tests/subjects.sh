@@ -28,6 +28,6 @@ complain 'A door knows what only some subjects are made of:' \
         :!desktop/cli/scene.cpp || true)"
 # The page says what the lesson says of itself. (What links of old called the rows of boxes is read on.)
 complain 'The page knows a subject by its name:' \
-    "$(git grep -nwE 'cloud|frustum|frusta|scenes?|bodies|boxes|costs?|(box|volume)_pair' -- 'web/page/*.js' \
+    "$(git grep -nwE 'cloud|frustum|frusta|scenes?|bodies|boxes|costs|(box|volume)_pair' -- 'web/page/*.js' \
         | grep -vE '^[^:]*:[0-9]+: *(//|\*|/\*\*)|links of old|performance\.now' || true)"
 exit $status
