@@ -1,5 +1,6 @@
 // The tools: buttons for what the pointer does on the stage, and number fields for exact values.
 #include <array>
+#include <cmath>
 #include <span>
 
 #include "desktop/cli/files.hpp"
@@ -107,7 +108,7 @@ void draw_selected(Shell& shell, Column& column) {
 bool draw_turns(Column& column, const std::string& id, lesson::NumberRow& row) {
   std::vector<std::string> words;
   for (const std::string_view name : row.names)
-    words.push_back(std::string(row.words) + " " + lesson::number_text(row.turn) + "° " + std::string(name));
+    words.push_back(std::string(row.words) + " " + std::to_string(std::lround(row.turn)) + "° " + std::string(name));
   const int clicked = column.buttons(id.c_str(), words);
   if (clicked >= 0) row.values[clicked] = row.turn;
   return clicked >= 0;
