@@ -54,6 +54,7 @@ Focus::Here Focus::offer(const Control& control) {
   Here here;
   here.focused = control.id == at_;
   if (!here.focused) return here;
+  name_ = control.name;  // a button's words may change under it
   here.arrived = arrives_;
   here.pressed = control.enabled && pressed_ == control.id;
   draw_ring(control.low, control.high);

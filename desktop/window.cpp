@@ -204,7 +204,12 @@ bool choose(Shell& shell, const std::string& key) {
 
 /// Closes what lies on top, or ends the presentation. Returns false if there was nothing to close.
 bool put_away(Shell& shell) {
-  if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return true;  // which does so by itself
+  if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {
+    // A popup closes itself in the next frame; staying where it is, the focus asks for the frames after that one.
+    if (shell.focus.at() != 0) shell.focus.move(0);
+    else shell.focus.go_to(0);
+    return true;
+  }
   if (shell.keys_shown) return shell.keys_shown = false, true;
   if (!shell.notice.empty()) return shell.notice.clear(), true;
   if (shell.presenting) return shell.present(false), true;
