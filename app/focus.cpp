@@ -6,7 +6,7 @@
 namespace snug::app {
 namespace {
 
-constexpr int kFramesDue = 3;  // until ImGui has answered a press
+constexpr int kFramesDue = 5;  // until ImGui has answered a press, or given a text field the keys
 constexpr float kOff = 3, kCorner = 10;
 
 }  // namespace
@@ -102,7 +102,7 @@ void Focus::stand(const Drawn* control) {
 void Focus::move(int by) {
   const auto all = reachable();
   if (all.empty()) return;
-  if (ImGui::GetIO().WantTextInput) ImGui::SetWindowFocus(nullptr);  // the text field gives the keys back
+  if (ImGui::IsAnyItemActive()) ImGui::SetWindowFocus(nullptr);  // the text field gives the keys back
   const auto n = static_cast<std::ptrdiff_t>(all.size());
   const auto at = std::find_if(all.begin(), all.end(), [&](const Drawn* one) { return one->id == at_; }) - all.begin();
   if (at == n && by > 0 && all.front()->layer == Layer::kCard) return stand(first_of(all.front()->part));

@@ -17,7 +17,7 @@ using app::ButtonKind;
 using app::Face;
 using lesson::Standing;
 
-constexpr float kPad = 20, kBeside = 24, kBelow = 12;
+constexpr float kPad = 20, kBeside = 24, kBelow = 12, kWheel = 48;
 
 struct RowButton {
   const char* id;
@@ -306,13 +306,21 @@ void draw_question_card(Shell& shell, const app::Rect& stage) {
     const app::Pane pane("##question", card, app::Pane::Kind::kOver);
     pane.list()->AddRectFilled({card.x, card.y}, {card.x + width, card.y + height}, look->panel, 8);
     pane.list()->AddRect({card.x, card.y}, {card.x + width, card.y + height}, look->line, 8, 0, 1);
-    const float top = card.y + 16;
+    // On a low window the card is not as high as what it says: then it scrolls, by the wheel and with the focus.
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && io.MouseWheel != 0)
+      ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() - kWheel * io.MouseWheel, 0.0f, ImGui::GetScrollMaxY()));
+    const float top = card.y + 16 - ImGui::GetScrollY();
     Column column(look, card.x + kPad, top, width - 2 * kPad);
     if (asked != nullptr) draw_question(shell, column, *asked);
     else if (deciding != nullptr) draw_deciding(column, session, *deciding);
     else if (outcome != nullptr) draw_outcome(shell, column, *outcome);
     else command = draw_summary(shell, column);
     shell.foot = std::ceil(column.y() - top + 32) + kBelow;
+    if (shell.foot != before) ImGui::SetScrollY(0);  // it says something else
+    ImGui::SetCursorScreenPos({column.x(), column.y() + 15});
+    ImGui::Dummy({1, 1});
+    app::fade_foot(pane.list(), {card.x + 1, card.y, width - 2, height - 1}, look->panel);
   }
   shell.measured_anew = shell.measured_anew || shell.foot != before;
   lead_on(shell, command);
