@@ -102,7 +102,8 @@ void Focus::stand(const Drawn* control) {
 void Focus::move(int by) {
   const auto all = reachable();
   if (all.empty()) return;
-  if (ImGui::IsAnyItemActive()) ImGui::SetWindowFocus(nullptr);  // the text field gives the keys back
+  const bool menu = all.front()->layer == Layer::kPopup;                  // which would close
+  if (!menu && ImGui::IsAnyItemActive()) ImGui::SetWindowFocus(nullptr);  // the text field gives the keys back
   const auto n = static_cast<std::ptrdiff_t>(all.size());
   const auto at = std::find_if(all.begin(), all.end(), [&](const Drawn* one) { return one->id == at_; }) - all.begin();
   if (at == n && by > 0 && all.front()->layer == Layer::kCard) return stand(first_of(all.front()->part));

@@ -271,8 +271,15 @@ std::string draw_summary(Shell& shell, Column& column) {
                              {"predict_again", lesson::kPredictAgainWord, ButtonKind::kQuiet}};
   if (grade) row.push_back({"task", task});
   if (shell.beside(1)) row.push_back({"next", lesson::kNextLessonWord, ButtonKind::kPrimary});
-  const int clicked = draw_row(column, {}, 0, row);
-  return clicked < 0 ? command : row[clicked].id;
+  // What leads on stands apart where a row has no room for all of them.
+  const std::span<const RowButton> all = row;
+  const std::size_t apart = column.width() < look.px(420) ? 2 : 0;
+  if (apart > 0) {
+    if (const int clicked = draw_row(column, {}, 0, all.first(apart)); clicked >= 0) command = all[clicked].id;
+    column.gap(8);
+  }
+  const int clicked = draw_row(column, {}, 0, all.subspan(apart));
+  return clicked < 0 ? command : all[apart + static_cast<std::size_t>(clicked)].id;
 }
 
 /// Does what the summary offers beyond the app's commands.
