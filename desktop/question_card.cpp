@@ -305,9 +305,10 @@ void draw_question_card(Shell& shell, const app::Rect& stage) {
     return;
   }
   const app::Look& look = shell.app().look();
-  const float width = std::min(stage.width - 2 * kBeside, look.px(608));
+  const float width = std::floor(std::min(stage.width - 2 * kBeside, look.px(608)));
   const float height = std::clamp(before - kBelow, 1.0f, stage.height * 0.66f);
-  const app::Rect card{stage.x + (stage.width - width) / 2, stage.y + stage.height - height - kBelow, width, height};
+  const app::Rect card{std::floor(stage.x + (stage.width - width) / 2), stage.y + stage.height - height - kBelow, width,
+                       height};
   std::string command;
   {
     const app::Pane pane("##question", card, app::Pane::Kind::kOver);

@@ -53,14 +53,15 @@ struct Parts {
   app::Layout app;
 };
 
-/// A presentation has no bar, and the lesson's text only on demand. The controls of a cover stand in
-/// the right column then.
+/// A presentation has no bar, and the lesson's text only on demand. The controls of a cover stand in the right column
+/// then.
 Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const float scale = std::max(1.0f, std::sqrt(look.text_scale));
   const bool lecture = shell.presenting, cover = shell.app().cover() != nullptr;
   const float header = lecture ? 0 : look.px(48);
-  const float column = lecture && !shell.text_shown ? 0 : std::clamp(extent.width * 0.29f, 300.0f, 380.0f) * scale;
-  const float inspector = std::clamp(extent.width * 0.22f, 230.0f, 290.0f) * scale;
+  const float column =
+      lecture && !shell.text_shown ? 0 : std::floor(std::clamp(extent.width * 0.29f, 300.0f, 380.0f) * scale);
+  const float inspector = std::floor(std::clamp(extent.width * 0.22f, 230.0f, 290.0f) * scale);
   const float timeline = app::timeline_height(look);
   const float height = extent.height - header, right = extent.width - inspector;
   Parts parts;
@@ -69,7 +70,7 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const float pinned = cover ? std::min(shell.pinned_height, height - look.px(164)) : 0;
   parts.column = {0, header, column, lecture ? height : height - pinned};
   if (cover && !lecture) parts.cover = {0, header + height - pinned, column, pinned};
-  parts.app.stage = {column, header, right - column, height - timeline};
+  parts.app.stage = {column, header, right - column - 1, height - timeline};  // and a line
   parts.app.timeline = {column, header + height - timeline, parts.app.stage.width, timeline};
   const float title = lecture ? title_height(shell, look, inspector) : 0;
   if (lecture) parts.title = {right, header, inspector, title};
