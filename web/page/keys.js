@@ -27,6 +27,7 @@ export function listen_to_keys(door, act, choose, leave) {
     if (scrolls(target, event.key) && !event.ctrlKey && !event.metaKey) return;
     if (target.closest(kPresses) && (event.key === "Enter" || event.key === " ")) return;
     const control = event.ctrlKey || event.metaKey;
+    if (event.repeat && !event.key.startsWith("Arrow")) return; // a key that is held goes on stepping, but answers and skips once
     if (!control && event.key >= "1" && event.key <= "9" && choose(Number(event.key))) return event.preventDefault();
     if (event.key === "Escape" && leave()) return event.preventDefault();
     const command = door.command_of_key(event.key, event.shiftKey, control);
