@@ -16,7 +16,7 @@ std::vector<FileError> in_order(std::vector<FileError> errors) {
   return errors;
 }
 
-std::string quoted(std::string_view key) { return '"' + std::string(key) + '"'; }
+std::string in_quotes(std::string_view key) { return '"' + std::string(key) + '"'; }
 
 std::string trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\n");
@@ -45,7 +45,7 @@ const toml::node* TomlTable::find(std::string_view key) {
 
 const toml::node* TomlTable::require(std::string_view key) {
   const toml::node* node = find(key);
-  if (node == nullptr) lack(key, name_ + " lacks the key " + quoted(key));
+  if (node == nullptr) lack(key, name_ + " lacks the key " + in_quotes(key));
   return node;
 }
 
@@ -60,7 +60,7 @@ void TomlTable::lack(std::string_view key, std::string what) {
 }
 
 void TomlTable::wrong(std::string_view key, const std::string& what) {
-  complaints_.add(place_of(key), quoted(key) + " " + what);
+  complaints_.add(place_of(key), in_quotes(key) + " " + what);
 }
 
 std::string TomlTable::text(std::string_view key) {
@@ -131,7 +131,7 @@ std::vector<std::string> TomlTable::texts(std::string_view key, std::size_t leas
   for (const toml::node& item : *array) {
     const auto* value = item.as_string();
     if (value == nullptr) {
-      complaints_.add(file_place(item), quoted(key) + " must be a list of texts");
+      complaints_.add(file_place(item), in_quotes(key) + " must be a list of texts");
       return all;
     }
     all.push_back(value->get());
@@ -174,7 +174,7 @@ std::vector<Vector<double, 3>> TomlTable::points(std::string_view key, int dim) 
       const char* form = dim == 3   ? "3 finite numbers: [x, y, z]"
                          : dim == 2 ? "2 finite numbers: [x, y]"
                                     : "one finite number: [x]";
-      complaints_.add(file_place(item), "each of " + quoted(key) + " must be a point of " + form);
+      complaints_.add(file_place(item), "each of " + in_quotes(key) + " must be a point of " + form);
       return all;
     }
     all.push_back(point);
@@ -208,8 +208,8 @@ void TomlTable::refuse_others() {
     // A key that is missing is the likeliest to be meant, and then is not told as missing too.
     std::string meant(nearest(missing_, key.str()));
     if (meant.empty()) meant = nearest(asked_, key.str());
-    complaints_.add(file_place(key.source()), name_ + " has no key " + quoted(key.str()) +
-                                                  (meant.empty() ? "" : ": did you mean " + quoted(meant) + "?"));
+    complaints_.add(file_place(key.source()), name_ + " has no key " + in_quotes(key.str()) +
+                                                  (meant.empty() ? "" : ": did you mean " + in_quotes(meant) + "?"));
     for (std::size_t i = missing_.size(); i-- > 0;)
       if (missing_[i] == meant) missing_says_[i].clear();
   }
