@@ -171,14 +171,23 @@ std::vector<V3> border_points(const Kind<double, 3>& volume) {
   return points;
 }
 
+/// Leaves out points that lie where the one before lies: many directions have one vertex.
+std::vector<ImVec2> apart(const std::vector<ImVec2>& points) {
+  constexpr float kPixels = 0.25f;
+  std::vector<ImVec2> kept;
+  for (const ImVec2 p : points)
+    if (kept.empty() || std::abs(p.x - kept.back().x) + std::abs(p.y - kept.back().y) > kPixels) kept.push_back(p);
+  return kept;
+}
+
 /// Draws the outline of any convex volume.
 template <template <class, int> class Kind>
 void draw_volume(const Canvas& canvas, const Kind<double, 3>& volume, const VolumeStyle& style) {
   const std::vector<ImVec2> outline =
-      projected(canvas, is_flat(canvas) ? border_points(volume) : tangent_points(volume, canvas.camera.eye()));
+      apart(projected(canvas, is_flat(canvas) ? border_points(volume) : tangent_points(volume, canvas.camera.eye())));
   fill_convex(canvas, outline, style, 1);
   path(canvas.list, outline, true, style.stroke, style.color, style.width);
-  add_obstacle(canvas, outline);
+  add_sides(canvas, outline);
 }
 
 /// Draws what a sphere was swept over.
