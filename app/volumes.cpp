@@ -171,12 +171,14 @@ std::vector<V3> border_points(const Kind<double, 3>& volume) {
   return points;
 }
 
-/// Leaves out points that lie where the one before lies: many directions have one vertex.
+/// Leaves out points of an outline that lie where a neighbour lies: many directions have one vertex.
 std::vector<ImVec2> apart(const std::vector<ImVec2>& points) {
   constexpr float kPixels = 0.25f;
+  const auto same = [](ImVec2 p, ImVec2 q) { return std::abs(p.x - q.x) + std::abs(p.y - q.y) <= kPixels; };
   std::vector<ImVec2> kept;
   for (const ImVec2 p : points)
-    if (kept.empty() || std::abs(p.x - kept.back().x) + std::abs(p.y - kept.back().y) > kPixels) kept.push_back(p);
+    if (kept.empty() || !same(p, kept.back())) kept.push_back(p);
+  while (kept.size() > 1 && same(kept.front(), kept.back())) kept.pop_back();
   return kept;
 }
 
