@@ -131,6 +131,7 @@ void check_mark(const Lesson& lesson, const std::string& mark, FilePlace place, 
 /// Checks that a link's step is one of the run that the section is about.
 void check_step(const Lesson& lesson, const Section& section, const std::string& step, FilePlace place, Runs& runs,
                 Complaints& complaints) {
+  if (!is_step_number(step)) return;  // told when it was read
   const Run* run = runs.of(section.algorithm.empty() ? lesson.algorithms.front() : section.algorithm);
   if (const int steps = run != nullptr ? run->steps() : 0; std::stoi(step) > steps)  // only digits, as checked before
     complaints.add(place, "there is no step " + step + ": the run has " + std::to_string(steps));

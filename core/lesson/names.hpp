@@ -20,6 +20,11 @@ namespace snug::lesson {
   return text;
 }
 
+/// Whether a link's target is the number of a step: digits, of which a run never has more.
+[[nodiscard]] inline bool is_step_number(std::string_view target) {
+  return !target.empty() && target.size() <= 6 && target.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 [[nodiscard]] bool is_among(const auto& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }

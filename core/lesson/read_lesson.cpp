@@ -101,8 +101,7 @@ void check_link(const toml::table& section, const Link& link, const Lesson& less
         if (is_among(lesson.algorithms, name_in(lesson, *method))) return;
       return check("an algorithm", lesson.algorithms);
     case Link::Kind::kStep:
-      if (link.target.size() > 6 || link.target.find_first_not_of("0123456789") != std::string::npos)
-        wrong("a step that is not a number: " + link.target);
+      if (!is_step_number(link.target)) wrong("a step that is not a number: " + link.target);
       break;
     case Link::Kind::kMark:  // a handle's name is known once the lesson runs
     case Link::Kind::kLesson: break;

@@ -3,13 +3,18 @@
 
 #include <doctest/doctest.h>
 
+#include "bench.hpp"
+
 namespace snug::app {
 namespace {
 
 /// Controls of some parts, offered frame by frame.
 class Controls {
  public:
-  Controls() : context_(ImGui::CreateContext()) {
+  Controls() : context_(ImGui::CreateContext()), font_(font_bytes("Inter-Regular")) {
+    ImFontConfig config;
+    config.FontDataOwnedByAtlas = false;
+    ImGui::GetIO().Fonts->AddFontFromMemoryTTF(font_.data(), static_cast<int>(font_.size()), 15, &config);
     ImGui::GetIO().DisplaySize = {400, 400};
     ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
     ImGui::GetIO().UserData = &focus;
@@ -54,6 +59,7 @@ class Controls {
 
  private:
   ImGuiContext* context_;
+  std::string font_;  // the program has no font of ImGui's own
 };
 
 Focus::Control control(ImGuiID id, std::string_view name, bool enabled = true, bool first = false) {

@@ -324,7 +324,7 @@ test("a link to a lesson that is not in the lesson's folder is refused with its 
   const text = readFileSync(join(lessons, "sphere-ritter.toml"), "utf8").replace("Drag a point.", "Drag\na [point](lesson:beside-it).");
   const line = 1 + text.split("\n").findIndex((row) => row.includes("lesson:beside-it"));
   write("linked.toml", text);
-  refused(["lesson", "check", "linked.toml"], new RegExp(`^snug: linked\\.toml:${line}:9: "text" links to a lesson that is not there: beside-it`));
+  refused(["lesson", "check", "linked.toml"], new RegExp(`^snug: linked\\.toml:${line}:10: "text" links to a lesson that is not there: beside-it`));
   write("beside-it.toml", text.replace("lesson:beside-it", "lesson:linked"));
   good(["lesson", "check", "linked.toml"]);
 });
@@ -359,7 +359,7 @@ test("every mistake of a lesson is told, in its order, and warnings beside them"
   assert.deepEqual(err.trimEnd().split("\n"), [
     `snug: many.toml:${line("titel")}:1: the lesson has no key "titel": did you mean "title"?`,
     `snug: many.toml:${line("minutes")}:11: "minutes" must be from 1 to 240`,
-    `snug: many.toml:${line("pont")}:8: "asks" is none of point, choice, figure or tightest: pont; did you mean point?`,
+    `snug: many.toml:${line("pont")}:8: "asks" is none of point, choice, figure, tightest or grows: pont; did you mean point?`,
     `snug: many.toml:${line("P7")}:41: warning: "text" speaks of P7, which is not there: the last one is P4`,
   ]);
   const warned = snug(["lesson", "check", write("warned.toml", text.replace("Drag an outer point", "Drag P7"))]);

@@ -43,10 +43,11 @@ constexpr Broken kBroken[] = {
     {"\"cube\", \"gaussian\"", "\"blob\"", "generators", "blob"},
     {"seed = 5", "seed = 5\nstart = \"middle\"", "start = \"middle\"", "begin or end"},
     {"seed = 5", "seed = 5\ncompare = \"pca\"", "compare", "does not offer"},
-    {"[points]", "[dots]", "version", "lacks [points]"},
+    {"[points]", "[pionts]", "[pionts]", "no key \"pionts\": did you mean \"points\"?"},
     {"dim = 2", "dim = 4", "dim = 4", "from 2 to 3"},
     {"dim = 2", "dim = 2\ngenerate = \"cube\"\ncount = 4", "[points]", "exactly one"},
-    {"dim = 2\nlist", "dim = 2\nmesh = \"cow\"\nunlisted", "mesh = \"cow\"", "cow"},
+    {"list = [[-2, 0], [2, 0], [0, 1], [0, -1], [0, 2.5], [0.5, 0.2]]", "generate = \"cow\"\ncount = 6",
+     "generate = \"cow\"", "cow"},
     {"[0, 2.5], [0.5", "[0, 2.5, 1], [0.5", "list = ", "2 finite numbers"},
     {"[0, 2.5], [0.5", "[0, nan], [0.5", "list = ", "2 finite numbers"},
     {"[0, 2.5], [0.5", "[0, 1e200], [0.5", "[points]", "too far out"},
@@ -167,6 +168,8 @@ TEST_CASE("all mistakes of a lesson file are told, in its order, each with line 
       "small.toml:67:1: [task] has no key \"hints\": did you mean \"hint\"?",
   };
   CHECK(said == due);
+  for (std::size_t i = 0; i < std::max(said.size(), due.size()); ++i)
+    if (i >= said.size() || i >= due.size() || said[i] != due[i]) MESSAGE((i < said.size() ? said[i] : "(none)"));
   REQUIRE(draft.lesson.has_value());  // what is sound of it can be looked at
   CHECK(draft.lesson->questions.empty());
   CHECK_FALSE(draft.lesson->task.has_value());

@@ -66,10 +66,11 @@ void read_cloud_task(TomlTable& table, Lesson& lesson, Complaints& complaints) {
 void check_cloud_task(const Lesson& lesson, const toml::table& toml, const Subject& own, Complaints& complaints) {
   if (!lesson.task) return;
   const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
+  const std::size_t before = complaints.count();
   const auto model = check_point_task(lesson, *own.points(), task, complaints);
   if (grade_points(lesson, start_of_task(lesson, *own.points()), lesson.seed).done)
     complaints.add(task.place(), "the task is solved before the student begins");
-  if (!model) return;
+  if (!model || complaints.count() > before) return;
   const Grade graded = grade_points(lesson, *model, lesson.seed);
   if (!graded.done) complaints.add(task.place_of("model"), "the model does not solve the task: " + graded.says);
 }

@@ -53,10 +53,11 @@ void check_scene_task(const Lesson& lesson, const toml::table& toml, const Subje
   const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
   const SceneSet& set = set_of(lesson);
   const auto graded = [&](const AnyPointSet& on) { return grade_scene(lesson, set, on, lesson.seed); };
+  const std::size_t before = complaints.count();
   const auto model = check_point_task(lesson, *own.points(), task, complaints);
   if (graded(start_of_task(lesson, *own.points())).done)
     complaints.add(task.place(), "the task is solved before the student begins");
-  if (!model) return;
+  if (!model || complaints.count() > before) return;
   if (set.is_too_long(fit::size_of(*model))) return complaints.add(task.place_of("model"), too_long_text());
   if (const auto kept = check_pairs(set, lesson.task->algorithm, *model, lesson.seed); !kept)
     return complaints.add(task.place_of("model"), kept.error().what);
