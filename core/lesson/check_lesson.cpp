@@ -81,7 +81,8 @@ void check_sizes(const Lesson& lesson, const Subject& own, const TomlTable& root
     const std::string refusal = own.refusal(method);
     const bool first = &name == &lesson.algorithms.front() || name == lesson.compare;
     if (!refusal.empty() && first) complaints.add(root.place_of(lesson.subject->table), refusal);
-    else if (!refusal.empty()) complaints.warn(root.place_of("algorithms"), refusal + ", and is not offered for these");
+    if (!refusal.empty() && first) return;
+    if (!refusal.empty()) complaints.warn(root.place_of("algorithms"), refusal + ", and is not offered for these");
   }
 }
 

@@ -45,6 +45,8 @@ class TomlTable {
   [[nodiscard]] FilePlace place() const { return place_; }
   /// The place of a key's value, or of the table where the key is missing.
   [[nodiscard]] FilePlace place_of(std::string_view key) const;
+  /// Lets a key stand that is not read, because a mistake leaves open what it means.
+  void allow(std::string_view key) { asked_.emplace_back(key); }
   [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
 
   // A key is required if no default is given. Text is trimmed, and must not be empty.

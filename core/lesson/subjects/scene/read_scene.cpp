@@ -57,8 +57,9 @@ void read_shape(TomlTable& table, SceneBody& one, bool has_mesh) {
   } else if (shape == "points" || shape == "mesh") {
     one.of_points = true;
     if (shape == "mesh" && !has_mesh) table.wrong("shape", "is a mesh, and [points] names none");
-  } else if (!shape.empty()) {
-    table.wrong("shape", "is none of sphere, box, capsule, points or mesh: " + shape);
+  } else {
+    for (const std::string_view key : {"half_extents", "radius", "half_length"}) table.allow(key);
+    if (!shape.empty()) table.wrong("shape", "is none of sphere, box, capsule, points or mesh: " + shape);
   }
 }
 

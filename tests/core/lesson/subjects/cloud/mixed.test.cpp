@@ -72,7 +72,8 @@ TEST_CASE("volumes of several kinds stand beside each other, and one reference i
     CAPTURE(name);
     REQUIRE(session.choose(0, name).has_value());
     session.jump(session.steps());
-    const Figure* excess = figure_of(session.figures(), "excess");
+    const std::vector<Figure> figures = session.figures();
+    const Figure* excess = figure_of(figures, "excess");
     REQUIRE(excess != nullptr);
     CHECK(excess->name == "Excess over the convex hull");
     for (const Rival& rival : session.rivals())
@@ -95,7 +96,8 @@ TEST_CASE("beside other volumes a sphere is compared by its area") {
   Session session = test::open(mixed_with("\"obb/exact\"]", "\"sphere/welzl\"]"));
   REQUIRE(session.choose(0, "sphere/welzl").has_value());
   session.jump(session.steps());
-  const Figure *radius = figure_of(session.figures(), "radius"), *area = figure_of(session.figures(), "measure");
+  const std::vector<Figure> figures = session.figures();
+  const Figure *radius = figure_of(figures, "radius"), *area = figure_of(figures, "measure");
   REQUIRE((radius != nullptr && area != nullptr));
   CHECK(area->value == doctest::Approx(3.14159265358979 * radius->value * radius->value));
   CHECK(session.rivals().back().size == doctest::Approx(area->value));
