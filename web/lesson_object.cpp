@@ -67,7 +67,7 @@ val lesson_object(const lesson::Session& session) {
   object.set("stepWord", text(lesson.subject->step_word));
   object.set("asksOfSteps", lesson.subject->asks_of_steps);
   object.set("tools", tools_object(session.subject()));
-  object.set("stageSays", session.subject().stage_says());
+  object.set("stageSays", text(session.subject().stage_says()));
   object.set("handleWords", array_of(session.subject().handle_words(), text));
   object.set("dim", lesson.points.dim);
   object.set("generate", lesson.points.generate);

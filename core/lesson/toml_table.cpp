@@ -31,6 +31,11 @@ FilePlace file_place(const toml::source_region& region) {
 }
 
 void Complaints::add(FilePlace place, std::string what) { mistakes_.push_back({place, std::move(what), file_}); }
+bool Complaints::has_at(FilePlace place) const {
+  return std::any_of(mistakes_.begin(), mistakes_.end(), [&](const FileError& one) {
+    return one.place.line == place.line && one.place.column == place.column;
+  });
+}
 void Complaints::warn(FilePlace place, std::string what) { warnings_.push_back({place, std::move(what), file_}); }
 std::vector<FileError> Complaints::mistakes() const { return in_order(mistakes_); }
 std::vector<FileError> Complaints::warnings() const { return in_order(warnings_); }
@@ -60,7 +65,8 @@ void TomlTable::lack(std::string_view key, std::string what) {
 }
 
 void TomlTable::wrong(std::string_view key, const std::string& what) {
-  complaints_.add(place_of(key), in_quotes(key) + " " + what);
+  const FilePlace place = place_of(key);
+  if (!has(key) || !complaints_.has_at(place)) complaints_.add(place, in_quotes(key) + " " + what);
 }
 
 std::string TomlTable::text(std::string_view key) {

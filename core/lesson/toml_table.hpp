@@ -24,6 +24,8 @@ class Complaints {
   explicit Complaints(std::string_view file) : file_(file) {}
   void add(FilePlace place, std::string what);
   void warn(FilePlace place, std::string what);
+  /// Whether a mistake was told at that place.
+  [[nodiscard]] bool has_at(FilePlace place) const;
   /// How many mistakes there are so far: what was read without a new one has none.
   [[nodiscard]] std::size_t count() const { return mistakes_.size(); }
   /// The mistake that was found first; null for none.
@@ -70,7 +72,7 @@ class TomlTable {
   /// An array of tables; empty if it is missing.
   std::vector<const toml::table*> tables(std::string_view key);
 
-  /// Complains about a key's value.
+  /// Complains about a key's value, unless something was wrong with it already.
   void wrong(std::string_view key, const std::string& what);
   /// Notes that a key is missing; refuse_others complains about it.
   void lack(std::string_view key, std::string what);
