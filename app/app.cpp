@@ -13,7 +13,9 @@
 #include "app/subjects.hpp"
 #include "app/timeline.hpp"
 #include "app/widgets.hpp"
+#include "lesson/invitations.hpp"
 #include "lesson/speaking.hpp"
+#include "lesson/subjects.hpp"
 
 namespace snug::app {
 namespace {
@@ -61,6 +63,10 @@ struct App::State {
   std::unique_ptr<Cover> cover;
   Stage stage;
   StageGl gl;
+  lesson::Invitations invitations;
+  std::optional<Invitation> invitation;
+  std::string invited_handle;  // which one is to be dragged
+  Rect step_button, play_button;
   bool playing = false;
   float speed = 1;
   double next_step_at = 0;
@@ -90,6 +96,9 @@ struct App::State {
   [[nodiscard]] int percent() const { return cover != nullptr ? static_cast<int>(100 * cover->progress()) : 0; }
   [[nodiscard]] bool covered() const { return cover != nullptr && cover->shown(); }
   void draw_stage(const Rect& rect);
+  void invite(const Rect& rect);
+  [[nodiscard]] std::optional<Rect> handle_to_drag(const Rect& rect);
+  void forget();
   void set_speed(int by);
   void toggle_play();
   void next_mark();
@@ -185,6 +194,11 @@ bool App::State::go_on(std::string_view name) {
   const lesson::Asked* const asked = session->asked();
   const bool gate = asked != nullptr && (asked->step != lesson::Asked::kAnytime || name == "next_mark");
   if (steps && gate) return session->pass_by();
+  if (name == "predict_again") {
+    forget();
+    if (session->lesson().subject->asks_of_steps) session->first();
+    return true;
+  }
   if (name == "close_summary" || ((name == "continue" || name == "commit_answer") && session->at_summary()))
     return session->at_summary() && (session->close_summary(), true);
   if (name == "show_answer") return session->show_answer();
@@ -284,7 +298,7 @@ bool App::State::move(std::string_view name) {
 
 /// Draws the stage or its cover, and the button that switches between them.
 void App::State::draw_stage(const Rect& rect) {
-  const std::string_view words = cover != nullptr ? cover->button_words() : "";
+  const std::string words = cover != nullptr ? cover->button().words : std::string();
   const float height = look.fingers ? 44.0f : look.px(32);
   look.tools_right =
       cover != nullptr && settings.tools ? app::measure(look, Face::kSemiBold, 13, words).x + look.px(28) : 0;
@@ -300,6 +314,37 @@ void App::State::draw_stage(const Rect& rect) {
               .kind = ButtonKind::kOutlined,
               .size = 13}))
     cover->show(!cover->shown());
+}
+
+/// The rightmost, and the same one as long as it is there.
+std::optional<Rect> App::State::handle_to_drag(const Rect& rect) {
+  constexpr float kReach = 12;
+  std::vector<Handle> all = stage.handles(*session);
+  std::erase_if(all, [&](const Handle& one) {
+    return one.x < rect.x || one.y < rect.y || one.x > rect.x + rect.width || one.y > rect.y + rect.height;
+  });
+  if (all.empty()) return std::nullopt;
+  auto chosen = std::find_if(all.begin(), all.end(), [&](const Handle& one) { return one.id == invited_handle; });
+  if (chosen == all.end())
+    chosen = std::max_element(all.begin(), all.end(), [](const Handle& a, const Handle& b) { return a.x < b.x; });
+  invited_handle = chosen->id;
+  return Rect{chosen->x - kReach, chosen->y - kReach, 2 * kReach, 2 * kReach};
+}
+
+void App::State::invite(const Rect& rect) {
+  invitation.reset();
+  const auto due = invitations.due(*session, playing);
+  if (!due) return;
+  const auto at = *due == lesson::Invited::kDrag   ? handle_to_drag(rect)
+                  : *due == lesson::Invited::kStep ? std::optional(step_button)
+                                                   : std::optional(play_button);
+  if (at) invitation = Invitation{lesson::invitation_text(*due, invited_handle, view->step_button()), *at};
+}
+
+/// What was measured would give the answers away.
+void App::State::forget() {
+  session->forget_answers();
+  if (cover != nullptr) cover->show(false);
 }
 
 App::App(const Platform& platform) : state_(std::make_unique<State>()) {
@@ -330,6 +375,7 @@ tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io
   state_->playing = false;
   state_->watched_pause = 0;
   state_->settle = kSettleFrames;
+  invite(lesson::Invitations::kAll);
   return {};
 }
 
@@ -338,7 +384,7 @@ void App::keep_answers(const std::string& lesson, std::vector<lesson::Outcome> o
 }
 void App::forget_answers() {
   state_->answers.clear();
-  if (state_->session) state_->session->forget_answers();
+  if (state_->session) state_->forget();
 }
 
 tl::expected<void, InputError> App::load(const io::PointFile& file, std::string_view name) {
@@ -404,6 +450,13 @@ std::vector<std::string_view> App::marks_in_hand() const {
   if (!state_->session || hovered == kNoIndex || hovered >= state_->session->size()) return {};
   return lesson::marks_at(*state_->session, hovered);
 }
+void App::invite(int followed) {
+  state_->invitations = lesson::Invitations(followed);
+  state_->invitation.reset();
+  state_->invited_handle.clear();
+}
+int App::invitations_followed() const { return state_->invitations.followed(); }
+const std::optional<Invitation>& App::invitation() const { return state_->invitation; }
 float App::figures_height() const { return state_->figures_height; }
 bool App::figures_fill() const { return state_->session && state_->view->fills_column(*state_->session); }
 bool App::playing() const { return state_->playing; }
@@ -435,6 +488,7 @@ void App::frame(const Layout& layout, double now) {
     const PlayerWish wish = draw_timeline(s.look, *s.session, *s.view, layout.timeline, {s.playing, s.speed});
     if (!wish.command.empty() && !s.press_ends) command(wish.command);
     if (wish.speed > 0) s.speed = wish.speed;
+    s.step_button = wish.step, s.play_button = wish.play;
   }
   if (shows(layout.stage)) {
     const Pane pane("##stage", layout.stage);
@@ -445,6 +499,7 @@ void App::frame(const Layout& layout, double now) {
     const Pane pane("##inspector", layout.inspector, Pane::Kind::kScrolls);
     s.figures_height = draw_inspector(s.look, *s.session, *s.view, layout.inspector);
   }
+  if (shows(layout.stage)) s.invite(layout.stage);
   if (!any(io.MouseDown)) s.press_ends = false;
   whiten(*ImGui::GetIO().Fonts);  // the atlas may have grown
   s.drawn_cover = s.cover ? s.cover->version() : 0;

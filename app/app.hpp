@@ -60,6 +60,12 @@ struct Handle {
   float x = 0, y = 0;
 };
 
+/// What one who is new is asked to do next, beside what it speaks of.
+struct Invitation {
+  std::string words;
+  Rect at;
+};
+
 struct Look;
 struct DrawnWords;
 class Cover;
@@ -105,12 +111,12 @@ class App {
   /// commit_answer
   /// select_next select_previous select_none move_left move_right move_up move_down move_nearer move_farther (for the
   /// selected point; with "_fine" added, by a tenth), zoom_in zoom_out orbit_left orbit_right orbit_up orbit_down
-  /// toggle_optimum watch_outcome continue show_answer close_summary; review:QUESTION, which shows its outcome again;
-  /// and turn:EFFECT, which switches an effect of the scene off, and on again. At a question, next_mark and step
-  /// announce that a second press skips it, because a clicker has no other key. At an outcome, they, play and
-  /// commit_answer continue. While the way to an outcome is played, any command ends that. watch_outcome goes back to
-  /// the question and plays up to the outcome; it fails if no steps lie between. Returns false if the name is unknown
-  /// or the command impossible now (undo with nothing to undo).
+  /// toggle_optimum watch_outcome continue show_answer close_summary; predict_again, which forgets the lesson's answers
+  /// and starts it over; review:QUESTION, which shows its outcome again; and turn:EFFECT, which switches an effect of
+  /// the scene off, and on again. At a question, next_mark and step announce that a second press skips it, because a
+  /// clicker has no other key. At an outcome, they, play and commit_answer continue. While the way to an outcome is
+  /// played, any command ends that. watch_outcome goes back to the question and plays up to the outcome; it fails if no
+  /// steps lie between. Returns false if the name is unknown or the command impossible now (undo with nothing to undo).
   bool command(std::string_view name);
   /// The command of a key, as the browser names keys ("ArrowRight", "PageDown", " ", "Home", "z"); empty for none.
   /// Arrow keys move the selected point if it was selected by a key, by select() or by a click without a drag.
@@ -125,6 +131,12 @@ class App {
   void light(std::string_view mark);
   [[nodiscard]] std::string_view lit() const;
   [[nodiscard]] std::vector<std::string_view> marks_in_hand() const;
+  /// Invites on the stage of the lesson that was just opened (lesson/invitations.hpp). followed: as many were before.
+  void invite(int followed);
+  /// How many were followed by now.
+  [[nodiscard]] int invitations_followed() const;
+  /// The one that is due, as of the last frame.
+  [[nodiscard]] const std::optional<Invitation>& invitation() const;
   /// The height of the step's own figures and panels in the last frame, in pixels; 0 if they were not drawn.
   [[nodiscard]] float figures_height() const;
   /// Whether they may need the inspector's whole column.

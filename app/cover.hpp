@@ -1,6 +1,9 @@
 // What can replace the stage, for subjects that have more to show than the stage can.
 #pragma once
 
+#include <array>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +11,20 @@
 #include "app/app.hpp"
 
 namespace snug::app {
+
+/// A button that runs one of the cover's commands.
+struct CoverButton {
+  std::string command;
+  std::string words;
+  bool chosen = false;
+  bool enabled = true;
+};
+
+/// What the cover shows, in words, for people who cannot see it.
+struct WordTable {
+  std::vector<std::string> head;
+  std::vector<std::vector<std::string>> rows;  // the first word of each row names it
+};
 
 class Cover {
  public:
@@ -19,8 +36,8 @@ class Cover {
   /// Whether it is shown instead of the stage now.
   [[nodiscard]] virtual bool shown() const = 0;
   virtual void show(bool on) = 0;
-  /// The words on the button that switches to the other of the two.
-  [[nodiscard]] virtual std::string_view button_words() const = 0;
+  /// The button that switches to the other of the two.
+  [[nodiscard]] virtual CoverButton button() const = 0;
   /// Draws in the current pane.
   virtual void draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence) = 0;
   [[nodiscard]] virtual std::string caption(const lesson::Session& session) const = 0;
@@ -30,6 +47,26 @@ class Cover {
   virtual bool command(lesson::Session& session, std::string_view name) = 0;
   /// The command of one of its own keys, which take precedence; empty for none.
   [[nodiscard]] virtual std::string_view command_of_key(std::string_view key) const = 0;
+  // ---- the controls that a door shows beside it ---------------------------------------------
+  /// The charts or pictures that it can show, one at a time.
+  [[nodiscard]] virtual std::vector<CoverButton> choices(const lesson::Session& session) const = 0;
+  /// The buttons that start and stop its work.
+  [[nodiscard]] virtual std::array<CoverButton, 2> work_buttons(const lesson::Session& session) const = 0;
+  /// One line: what to do next, or the result.
+  [[nodiscard]] virtual std::string status(const lesson::Session& session) const = 0;
+  [[nodiscard]] virtual WordTable table() const = 0;
+  /// Whether the predictions about it are decided.
+  [[nodiscard]] virtual bool decided(const lesson::Session& session) const = 0;
+  /// What it shows, as a file: the possible formats, the file's name without its extension, and the text, which is
+  /// empty if there is nothing to save.
+  [[nodiscard]] virtual std::span<const std::string_view> formats() const = 0;
+  [[nodiscard]] virtual std::string file_name() const = 0;
+  [[nodiscard]] virtual std::string file(std::string_view format) const = 0;
+  /// Shows an earlier file, in the first format, over the current result. none: the text is no such file. Errors: those
+  /// of reading it; it cannot be shown now.
+  virtual std::optional<tl::expected<void, InputError>> lay_over(lesson::Session& session, std::string_view text,
+                                                                 std::string_view name) = 0;
+
   /// Loads a file's points. Errors: those of Session::load.
   virtual tl::expected<void, InputError> load(lesson::Session& session, const io::PointFile& file,
                                               std::string_view name) = 0;

@@ -71,12 +71,12 @@ void draw_compared(Brush& brush, const Shown& shown) {
   }
   if (!shown.optimum) return;
   const double smallest = fit::size_of(*shown.optimum, dim);
-  const bool same = shown.volume && std::abs(fit::size_of(*shown.volume, dim) - smallest) <= 1e-9 * smallest;
+  const bool same = shown.volume && shown.volume->index() == shown.optimum->index() &&
+                    std::abs(fit::size_of(*shown.volume, dim) - smallest) <= 1e-9 * smallest;
   draw_volume(canvas, *shown.optimum, {Stroke::kDashed, p.optimum, brush.stroke(same ? 2.0f : 1.0f)});
   if (same && !shown.finished) return;
-  const std::string word(lesson::volume_word(brush.session.lesson().volume, dim));
   brush.label(brush.at(top_of(canvas.camera, *shown.optimum, 0.5)), 6, {0.6f, -1},
-              same ? "the smallest " + word : "smallest " + size(*shown.optimum), p.optimum_text);
+              same ? "the " + shown.optimum_word : shown.optimum_word + ": " + size(*shown.optimum), p.optimum_text);
 }
 
 }  // namespace snug::app

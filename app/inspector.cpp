@@ -89,14 +89,6 @@ class Column {
     ImGui::SetCursorScreenPos({x_, y_ + 12});
     ImGui::Dummy({1, 1});
   }
-  /// What goes on beneath the edge fades into it.
-  void fade(const Rect& rect) const {
-    if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1) return;
-    const float height = 20, bottom = rect.y + rect.height;
-    const Color none = with_alpha(look_->panel, 0), full = look_->panel;
-    list_->AddRectFilledMultiColor({rect.x, bottom - height}, {rect.x + rect.width - 12, bottom}, none, none, full,
-                                   full);
-  }
 
  private:
   const Look& look_;
@@ -158,7 +150,7 @@ float draw_inspector(const Look& look, lesson::Session& session, const SubjectVi
     for (const lesson::Proof& proof : proofs) column.proof(proof);
   }
   column.finish();
-  column.fade(rect);
+  fade_foot(ImGui::GetWindowDrawList(), rect, look->panel);
   return own;
 }
 

@@ -17,6 +17,7 @@ struct Shown {
   std::optional<fit::Volume3> volume;   // the current one
   std::optional<fit::Volume3> rival;    // that of slot 1, at the same fraction of its trace
   std::optional<fit::Volume3> optimum;  // if it is known and wanted, or at the end
+  std::string optimum_word;             // "smallest circle"
   bool finished = false;
 
   std::vector<Index> support;  // what supports the volume so far

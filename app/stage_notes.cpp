@@ -40,7 +40,8 @@ void Stage::draw_tools(Brush& brush, Settings& settings, float y, float height) 
   const Look& look = brush.look;
   float right = brush.rect.x + brush.rect.width - 12;
   const Rect fit{right - height, y, height, height};
-  if (button(brush.list, look, {.id = "fit", .rect = fit, .icon = Icon::kFit, .kind = ButtonKind::kOutlined}))
+  if (button(brush.list, look,
+             {.id = "Show everything", .rect = fit, .icon = Icon::kFit, .kind = ButtonKind::kOutlined}))
     reset_view(brush.session);
   right -= height + 8;
 
@@ -79,7 +80,7 @@ void Stage::draw_toggle(Brush& brush, Settings& settings, float right, float y, 
   const Rect toggle{right - width, y, width, height};
   const bool on = settings.show_optimum;
   if (button(brush.list, look,
-             {.id = "smallest", .rect = toggle, .kind = on ? ButtonKind::kChosen : ButtonKind::kOutlined}))
+             {.id = "Smallest", .rect = toggle, .kind = on ? ButtonKind::kChosen : ButtonKind::kOutlined}))
     settings.show_optimum = !on;
   const float middle = y + height / 2;
   line(brush.list, {toggle.x + look.px(12), middle}, {toggle.x + look.px(36), middle}, Stroke::kDashed, p.optimum, 2);

@@ -16,7 +16,7 @@ namespace {
 constexpr std::array kSubjects{
     SubjectRow{"cloud", cloud_view, nullptr},     SubjectRow{"pair", pair_view, nullptr},
     SubjectRow{"volumes", volumes_view, nullptr}, SubjectRow{"frustum", frustum_view, nullptr},
-    SubjectRow{"scene", scene_view, nullptr},     SubjectRow{kCostSubject, cloud_view, cost_cover}};
+    SubjectRow{"scene", scene_view, nullptr},     SubjectRow{"cost", cloud_view, cost_cover}};
 
 }  // namespace
 

@@ -49,7 +49,7 @@ void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, co
   const Palette& p = *look.palette;
   const float half = 3;
   const float reach = look.fingers ? 22.0f : 14.0f;
-  const Touch touch = touch_area("track", {map.left - 12, y - reach, map.width + 24, 2 * reach});
+  const Touch touch = pointer_area("track", {map.left - 12, y - reach, map.width + 24, 2 * reach});
   if (touch.held) {
     const int step = map.step_at(ImGui::GetIO().MousePos.x);
     if (step != session.step()) session.go(step);
@@ -94,9 +94,8 @@ float speed_menu(const Look& look, const Rect& anchor, float current) {
   float chosen = 0;
   const float row = look.fingers ? 44.0f : look.px(30), width = look.px(80);
   const float height = row * static_cast<float>(kSpeeds.size()) + 8;
-  ImGui::SetNextWindowPos({anchor.x + anchor.width - width, anchor.y - height - 4});
-  ImGui::SetNextWindowSize({width, height});
-  if (!ImGui::BeginPopup("speeds")) return 0;
+  const Popup popup("speeds", {anchor.x + anchor.width - width, anchor.y - height - 4, width, height});
+  if (!popup) return 0;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 corner = ImGui::GetWindowPos();
   for (std::size_t i = 0; i < kSpeeds.size(); ++i) {
@@ -112,7 +111,6 @@ float speed_menu(const Look& look, const Rect& anchor, float current) {
       ImGui::CloseCurrentPopup();
     }
   }
-  ImGui::EndPopup();
   return chosen;
 }
 
@@ -148,29 +146,30 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
   };
   const auto press = [&](const Button& b, std::string_view command) {
     if (button(list, look, b)) wish.command = command;
+    return b.rect;
   };
-  press({.id = "first", .rect = place(c.small), .icon = Icon::kFirst, .enabled = !at_start}, "first");
-  press({.id = "back", .rect = place(c.small), .icon = Icon::kBack, .enabled = !at_start}, "back");
-  press({.id = "step",
-         .rect = place(c.wide),
-         .words = gate   ? lesson::kAnswerWord
-                  : told ? lesson::kContinueWord
-                         : view.step_button(),
-         .icon = chosen || told ? Icon::kNone
-                 : gate         ? Icon::kLock
-                                : Icon::kStep,
-         .kind = ButtonKind::kPrimary,
-         .enabled = chosen || told || (!gate && !at_end)},
-        gate   ? "commit_answer"
-        : told ? "continue"
-               : "step");
-  press({.id = "play",
-         .rect = place(c.wide),
-         .words = player.playing ? "Pause" : "Play",
-         .icon = player.playing ? Icon::kPause : Icon::kPlay,
-         .enabled = player.playing || !gate},
-        "play");
-  press({.id = "last", .rect = place(c.small), .icon = Icon::kLast, .enabled = !gate && !at_end}, "last");
+  press({.id = "To the start", .rect = place(c.small), .icon = Icon::kFirst, .enabled = !at_start}, "first");
+  press({.id = "Back", .rect = place(c.small), .icon = Icon::kBack, .enabled = !at_start}, "back");
+  wish.step = press({.id = "step",
+                     .rect = place(c.wide),
+                     .words = gate   ? lesson::kAnswerWord
+                              : told ? lesson::kContinueWord
+                                     : view.step_button(),
+                     .icon = chosen || told ? Icon::kNone
+                             : gate         ? Icon::kLock
+                                            : Icon::kStep,
+                     .kind = ButtonKind::kPrimary,
+                     .enabled = chosen || told || (!gate && !at_end)},
+                    gate   ? "commit_answer"
+                    : told ? "continue"
+                           : "step");
+  wish.play = press({.id = "play",
+                     .rect = place(c.wide),
+                     .words = player.playing ? "Pause" : "Play",
+                     .icon = player.playing ? Icon::kPause : Icon::kPlay,
+                     .enabled = player.playing || !gate},
+                    "play");
+  press({.id = "To the end", .rect = place(c.small), .icon = Icon::kLast, .enabled = !gate && !at_end}, "last");
 }
 
 }  // namespace

@@ -12,10 +12,11 @@ struct PlayerView {
   float speed = 1;
 };
 
-/// What the user asked for: a command's name, or empty; a speed, or 0.
+/// What the user asked for: a command's name, or empty; a speed, or 0. And where two of its buttons stand.
 struct PlayerWish {
   std::string_view command;
   float speed = 0;
+  Rect step = {}, play = {};
 };
 
 /// The speeds that can be chosen, slowest first.

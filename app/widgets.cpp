@@ -1,5 +1,6 @@
 #include "app/widgets.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -16,6 +17,18 @@ void triangle(ImDrawList* list, ImVec2 m, float size, float direction, Color col
   // AddTriangleFilled wants clockwise corners for its fringe.
   if (direction > 0) list->AddTriangleFilled({m.x - w, m.y - h}, {m.x + w, m.y}, {m.x - w, m.y + h}, color);
   else list->AddTriangleFilled({m.x - w, m.y + h}, {m.x + w, m.y}, {m.x - w, m.y - h}, color);
+}
+
+/// The name of a control that shows none, beside it, while it is pointed at or has the keyboard.
+void show_name(const Look& look, const Rect& rect, std::string_view name) {
+  constexpr float kSize = 13;
+  const ImVec2 size = measure(look, Face::kRegular, kSize, name), screen = ImGui::GetIO().DisplaySize;
+  const float width = size.x + 20, height = size.y + 14;
+  const float x = std::clamp(rect.x + (rect.width - width) / 2, 4.0f, std::max(4.0f, screen.x - width - 4));
+  const float y = rect.y < screen.y / 2 ? rect.y + rect.height + 8 : rect.y - height - 8;
+  ImDrawList* const list = ImGui::GetForegroundDrawList();
+  list->AddRectFilled({x, y}, {x + width, y + height}, look->ink, 6);
+  text(list, look, Face::kRegular, kSize, {x + 10, middle_of(y + height / 2, size.y)}, look->panel, name);
 }
 
 /// The sign for one step.
@@ -54,7 +67,8 @@ void lock(ImDrawList* list, ImVec2 m, float size, Color color) {
 
 }  // namespace
 
-Pane::Pane(const char* id, const Rect& rect, Kind kind) {
+Pane::Pane(const char* id, const Rect& rect, Kind kind)
+    : part_(id, kind == Kind::kOver ? Focus::Layer::kCard : Focus::Layer::kPanel) {
   ImGui::SetNextWindowPos({rect.x, rect.y});
   ImGui::SetNextWindowSize({std::max(rect.width, 1.0f), std::max(rect.height, 1.0f)});
   ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -68,7 +82,18 @@ Pane::Pane(const char* id, const Rect& rect, Kind kind) {
 
 Pane::~Pane() { ImGui::End(); }
 
-Touch touch_area(const char* id, const Rect& rect, bool enabled) {
+Popup::Popup(const char* id, const Rect& rect) : part_(id, Focus::Layer::kPopup) {
+  ImGui::SetNextWindowPos({rect.x, rect.y});
+  ImGui::SetNextWindowSize({rect.width, rect.height});
+  open_ = ImGui::BeginPopup(id);
+  if (open_ && ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
+}
+
+Popup::~Popup() {
+  if (open_) ImGui::EndPopup();
+}
+
+Touch pointer_area(const char* id, const Rect& rect, bool enabled) {
   if (rect.width < 1 || rect.height < 1) return {};
   ImGui::SetCursorScreenPos({rect.x, rect.y});
   ImGui::BeginDisabled(!enabled);
@@ -78,6 +103,32 @@ Touch touch_area(const char* id, const Rect& rect, bool enabled) {
   touch.held = enabled && ImGui::IsItemActive();
   ImGui::EndDisabled();
   return touch;
+}
+
+Touch touch_area(const char* id, const Rect& rect, std::string_view name, bool enabled, bool first) {
+  Touch touch = pointer_area(id, rect, enabled);
+  Focus* const focus = Focus::current();
+  if (focus == nullptr || rect.width < 1 || rect.height < 1) return touch;
+  const Focus::Here here = focus->offer({.id = ImGui::GetItemID(),
+                                         .low = {rect.x, rect.y},
+                                         .high = {rect.x + rect.width, rect.y + rect.height},
+                                         .name = name.empty() ? std::string_view(id) : name,
+                                         .enabled = enabled,
+                                         .first = first});
+  touch.focused = here.focused;
+  touch.clicked = touch.clicked || here.pressed;
+  return touch;
+}
+
+void offer_field(std::string_view name) {
+  Focus* const focus = Focus::current();
+  if (focus == nullptr) return;
+  const ImGuiID id = ImGui::GetItemID();
+  if (ImGui::IsItemActivated() && focus->at() != id) focus->go_to(id);
+  const Focus::Here here =
+      focus->offer({.id = id, .low = ImGui::GetItemRectMin(), .high = ImGui::GetItemRectMax(), .name = name});
+  if ((here.arrived || here.pressed) && !ImGui::IsItemActive()) ImGui::SetKeyboardFocusHere(-1);
+  if (here.focused && ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGuiKey_Escape, false)) focus->leave();
 }
 
 void draw_icon(ImDrawList* list, Icon icon, ImVec2 m, float size, Color color) {
@@ -120,15 +171,36 @@ void draw_icon(ImDrawList* list, Icon icon, ImVec2 m, float size, Color color) {
       list->PathArcTo(m, size * 0.42f, -1.5708f, 1.5708f, 16);
       list->PathFillConvex(color);
       break;
+    case Icon::kSettings:
+      for (const float side : {-1.0f, 1.0f}) {  // two sliders
+        const float y = m.y + side * size * 0.26f, knob = m.x - side * size * 0.22f;
+        list->AddLine({m.x - size * 0.5f, y}, {m.x + size * 0.5f, y}, color, 1.6f);
+        disc(list, {knob, y}, size * 0.2f, color);
+      }
+      break;
+    case Icon::kText:
+      for (const float row : {-0.32f, 0.0f, 0.32f})
+        list->AddLine({m.x - size * 0.45f, m.y + row * size},
+                      {m.x + size * (row > 0.1f ? 0.2f : 0.45f), m.y + row * size}, color, 1.75f);
+      break;
+    case Icon::kPreviousLesson:
+      chevron(list, {m.x - size * 0.14f, m.y}, size, -1, color);
+      bar(list, m.x + size * 0.42f, m.y, size * 0.9f, 2, color);
+      break;
+    case Icon::kNextLesson:
+      chevron(list, {m.x + size * 0.14f, m.y}, size, 1, color);
+      bar(list, m.x - size * 0.42f, m.y, size * 0.9f, 2, color);
+      break;
     case Icon::kClose: cross(list, m, size * 0.35f, color, 1.75f); break;
   }
 }
 
 bool button(ImDrawList* list, const Look& look, const Button& b) {
   const Palette& p = *look.palette;
-  const Touch touch = touch_area(b.id, b.rect, b.enabled);
-  const ImVec2 low{b.rect.x, b.rect.y}, high{b.rect.x + b.rect.width, b.rect.y + b.rect.height};
   const bool filled = b.kind == ButtonKind::kPrimary;
+  const std::string_view unsaid = !b.name.empty() ? b.name : b.words.empty() ? b.id : std::string_view();
+  const Touch touch = touch_area(b.id, b.rect, unsaid.empty() ? b.words : unsaid, b.enabled, filled);
+  const ImVec2 low{b.rect.x, b.rect.y}, high{b.rect.x + b.rect.width, b.rect.y + b.rect.height};
   Color ground = filled                                                            ? p.current
                  : b.kind == ButtonKind::kQuiet || b.kind == ButtonKind::kOutlined ? p.panel
                                                                                    : p.raised;
@@ -152,7 +224,18 @@ bool button(ImDrawList* list, const Look& look, const Button& b) {
   const float left = middle.x - (icon + gap + width) / 2;
   draw_icon(list, b.icon, {left + icon / 2, middle.y}, icon, ink);
   if (width > 0) text(list, look, face, b.size, {left + icon + gap, middle_of(middle.y, look.px(b.size))}, ink, words);
+  if (icon + width > 0 && !unsaid.empty() && Focus::current() != nullptr && (touch.hovered || touch.focused))
+    show_name(look, b.rect, unsaid);
   return touch.clicked;
+}
+
+void fade_foot(ImDrawList* list, const Rect& rect, Color ground) {
+  constexpr float kHeight = 28, kScrollBar = 12;
+  if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1) return;
+  const float bottom = rect.y + rect.height;
+  const Color none = with_alpha(ground, 0);
+  list->AddRectFilledMultiColor({rect.x, bottom - kHeight}, {rect.x + rect.width - kScrollBar, bottom}, none, none,
+                                ground, ground);
 }
 
 void rule(ImDrawList* list, float x, float y, float width, Color color) {

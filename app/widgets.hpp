@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "app/focus.hpp"
 #include "app/look.hpp"
 
 namespace snug::app {
@@ -18,14 +19,34 @@ class Pane {
   [[nodiscard]] ImDrawList* list() const { return list_; }
 
  private:
+  Focus::Part part_;
   ImDrawList* list_;
 };
 
+/// A menu over all else, while it is open; to be opened by ImGui::OpenPopup(id).
+class Popup {
+ public:
+  Popup(const char* id, const Rect& rect);
+  ~Popup();
+  Popup(const Popup&) = delete;
+  Popup& operator=(const Popup&) = delete;
+  explicit operator bool() const { return open_; }
+
+ private:
+  Focus::Part part_;
+  bool open_;
+};
+
 struct Touch {
-  bool clicked = false, hovered = false, held = false;
+  bool clicked = false, hovered = false, held = false, focused = false;
 };
 /// An area that answers the pointer.
-Touch touch_area(const char* id, const Rect& rect, bool enabled = true);
+Touch pointer_area(const char* id, const Rect& rect, bool enabled = true);
+/// One that the keyboard presses as well. name: what it is called; empty for its id. first: of a card, where the
+/// keyboard begins.
+Touch touch_area(const char* id, const Rect& rect, std::string_view name = {}, bool enabled = true, bool first = false);
+/// The ImGui text field that was just drawn is one of the keyboard's places too.
+void offer_field(std::string_view name);
 
 enum class Icon {
   kNone,
@@ -42,6 +63,10 @@ enum class Icon {
   kUndo,
   kRedo,
   kTheme,
+  kSettings,
+  kText,
+  kPreviousLesson,
+  kNextLesson,
   kClose
 };
 void draw_icon(ImDrawList* list, Icon icon, ImVec2 middle, float size, Color color);
@@ -54,10 +79,14 @@ struct Button {
   Icon icon = Icon::kNone;
   ButtonKind kind = ButtonKind::kPlain;
   bool enabled = true;
-  float size = 14;  // size of the words
+  float size = 14;             // size of the words
+  std::string_view name = {};  // where its words do not say it, and none stand for it: its id
 };
 /// Draws it and returns whether it was clicked.
 bool button(ImDrawList* list, const Look& look, const Button& button);
+
+/// At the foot of a pane that scrolls, where there is more below: what is cut off there fades away.
+void fade_foot(ImDrawList* list, const Rect& rect, Color ground);
 
 /// A one-pixel rule.
 void rule(ImDrawList* list, float x, float y, float width, Color color);

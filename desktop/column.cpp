@@ -92,16 +92,15 @@ int choice_list(const app::Look& look, const char* id, ImVec2 at, float width, c
   const float row = look.px(34), height = row * static_cast<float>(words.size()) + 8;
   const float below = ImGui::GetIO().DisplaySize.y - at.y - 8;
   const float top = below >= height ? at.y : std::max(8.0f, ImGui::GetIO().DisplaySize.y - height - 8);
-  ImGui::SetNextWindowPos({at.x, top});
-  ImGui::SetNextWindowSize({width, height});
+  const app::Popup popup(id, {at.x, top, width, height});
   int clicked = -1;
-  if (!ImGui::BeginPopup(id)) return clicked;
+  if (!popup) return clicked;
   ImDrawList* list = ImGui::GetWindowDrawList();
   for (std::size_t i = 0; i < words.size(); ++i) {
     const app::Rect rect{at.x + 4, top + 4 + row * static_cast<float>(i), width - 8, row};
     const std::string name = "choice " + std::to_string(i);
     const bool on = static_cast<int>(i) == chosen;
-    const app::Touch touch = app::touch_area(name.c_str(), rect);
+    const app::Touch touch = app::touch_area(name.c_str(), rect, words[i], true, on);
     if (touch.hovered || on)
       list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + row}, look->raised, 6);
     app::text(list, look, on ? Face::kSemiBold : Face::kRegular, 14,
@@ -112,7 +111,6 @@ int choice_list(const app::Look& look, const char* id, ImVec2 at, float width, c
       ImGui::CloseCurrentPopup();
     }
   }
-  ImGui::EndPopup();
   return clicked;
 }
 

@@ -1,10 +1,12 @@
 // The window's first screen: where to start or to continue, and every lesson under its chapter.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/app.hpp"
 
@@ -19,21 +21,42 @@ class CourseScreen {
   CourseScreen& operator=(const CourseScreen&) = delete;
 
   void draw(Shell& shell, const app::Rect& rect);
-  /// Arrow keys, Home and End go through the lessons, Enter opens the one that is chosen. false: the key does nothing
-  /// here.
+  /// The field by whose words the lessons are found, at the right end of the bar.
+  void draw_search(Shell& shell, const app::Rect& bar);
+  /// Arrow keys, Home and End go through the lessons, Enter opens the one that has the keyboard, or what comes first; a
+  /// slash begins a search, Escape ends it. false: the key does nothing here.
   bool answer_key(Shell& shell, std::string_view key);
-  /// Which lesson is chosen, counted from 0; -1: the button to start or to continue.
-  [[nodiscard]] int chosen() const { return chosen_; }
+  /// Which lesson has the keyboard, counted from 0; -1 for none.
+  [[nodiscard]] int chosen(const Shell& shell) const;
+  /// The lessons that are shown, counted from 0, in their order.
+  [[nodiscard]] std::vector<std::size_t> found() const;
+  [[nodiscard]] std::string_view asked() const { return asked_.data(); }
 
  private:
+  struct Card {
+    std::size_t lesson;
+    std::uint32_t id;  // of its control
+    app::Rect rect;
+  };
+  struct Grid {
+    float left, width, card, height;
+    int across;
+  };
   void draw_hero(Shell& shell, const app::Rect& place, float& y);
+  void draw_start(Shell& shell, const app::Rect& place, float& y);
+  void draw_found(Shell& shell, const app::Rect& place, float& y);
+  void draw_chapter(Shell& shell, const Grid& grid, std::size_t from, std::size_t to, float& y);
   void draw_card(Shell& shell, std::size_t lesson, const app::Rect& card);
+  void draw_picture(Shell& shell, const std::string& id, const app::Rect& place, bool all_round);
+  [[nodiscard]] const std::string& text_of(const Shell& shell, std::size_t lesson);
+  [[nodiscard]] const Card* next_card(const Card* from, std::string_view key) const;
   [[nodiscard]] std::uint32_t picture(const std::string& id, bool dark);
 
-  std::map<std::string, std::uint32_t> pictures_;  // textures by file; 0 where there is none
-  int chosen_ = -1;
-  int across_ = 1;     // cards in a row
-  bool show_ = false;  // the chosen one is to be scrolled to
+  std::map<std::string, std::uint32_t> pictures_;  // textures by file; 0 if there is none
+  std::vector<std::string> texts_;                 // what each lesson is found by
+  std::array<char, 64> asked_{};                   // of the search
+  std::vector<Card> cards_;                        // as last drawn
+  std::uint32_t start_ = 0, search_ = 0;           // controls
 };
 
 }  // namespace snug::desktop

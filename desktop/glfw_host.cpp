@@ -9,6 +9,7 @@
 #include <imgui_impl_opengl3.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "desktop/window.hpp"
@@ -33,11 +34,19 @@ std::string named(int key) {
     case GLFW_KEY_ESCAPE: return "Escape";
     case GLFW_KEY_ENTER:
     case GLFW_KEY_KP_ENTER: return "Enter";
+    case GLFW_KEY_TAB: return "Tab";
     case GLFW_KEY_F1: return "F1";
     case GLFW_KEY_F2: return "F2";
+    case GLFW_KEY_F5: return "F5";
     case GLFW_KEY_F11: return "F11";
     default: return {};
   }
+}
+
+/// A key that is held goes on stepping or moving: it neither answers nor skips twice.
+bool may_repeat(int key) {
+  return key == GLFW_KEY_RIGHT || key == GLFW_KEY_LEFT || key == GLFW_KEY_UP || key == GLFW_KEY_DOWN ||
+         key == GLFW_KEY_TAB || key == GLFW_KEY_BACKSPACE;
 }
 
 std::string utf8(unsigned code) { return code < 0x80 ? std::string(1, static_cast<char>(code)) : std::string(); }
@@ -75,7 +84,9 @@ struct GlfwHost::Callbacks {
   static void key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     GlfwHost& self = host(window);
     ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, mods);
-    if (action == GLFW_RELEASE || !self.on_key || ImGui::GetIO().WantTextInput) return;
+    self.repeats_ = action == GLFW_REPEAT;
+    if (self.repeats_ && !may_repeat(key)) return;
+    if (action == GLFW_RELEASE || !self.on_key || (ImGui::GetIO().WantTextInput && key != GLFW_KEY_TAB)) return;
     const bool control = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0, shift = (mods & GLFW_MOD_SHIFT) != 0;
     std::string name = named(key);
     if (name.empty() && control)  // letters come as characters, except with Control
@@ -85,7 +96,9 @@ struct GlfwHost::Callbacks {
   static void character(GLFWwindow* window, unsigned code) {
     GlfwHost& self = host(window);
     ImGui_ImplGlfw_CharCallback(window, code);
-    if (self.on_key && !ImGui::GetIO().WantTextInput && !utf8(code).empty()) self.on_key(utf8(code), false, false);
+    const bool held = self.repeats_ && (code == ' ' || std::isalnum(static_cast<int>(std::min(code, 127u))) != 0);
+    if (held || !self.on_key || ImGui::GetIO().WantTextInput || utf8(code).empty()) return;
+    self.on_key(utf8(code), false, false);
   }
   static void drop(GLFWwindow* window, int count, const char** paths) {
     GlfwHost& self = host(window);
@@ -174,11 +187,11 @@ void GlfwHost::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 void GlfwHost::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 double GlfwHost::now() const { return glfwGetTime(); }
 
-void GlfwHost::toggle_fullscreen() {
-  if (glfwGetWindowMonitor(window_) != nullptr) {
-    glfwSetWindowMonitor(window_, nullptr, windowed_[0], windowed_[1], windowed_[2], windowed_[3], 0);
-    return;
-  }
+bool GlfwHost::fills_screen() const { return glfwGetWindowMonitor(window_) != nullptr; }
+
+void GlfwHost::fill_screen(bool on) {
+  if (on == fills_screen()) return;
+  if (!on) return glfwSetWindowMonitor(window_, nullptr, windowed_[0], windowed_[1], windowed_[2], windowed_[3], 0);
   glfwGetWindowPos(window_, &windowed_[0], &windowed_[1]);
   glfwGetWindowSize(window_, &windowed_[2], &windowed_[3]);
   GLFWmonitor* monitor = glfwGetPrimaryMonitor();

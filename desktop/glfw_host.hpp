@@ -37,7 +37,8 @@ class GlfwHost {
   [[nodiscard]] bool open() const;
   void close();
   void set_title(const std::string& title);
-  void toggle_fullscreen();
+  void fill_screen(bool on);
+  [[nodiscard]] bool fills_screen() const;
   [[nodiscard]] Extent extent() const;
   [[nodiscard]] double now() const;
 
@@ -55,7 +56,8 @@ class GlfwHost {
 
   GLFWwindow* window_ = nullptr;
   bool imgui_ = false;
-  bool dirty_ = true;  // whether there was input since the last frame
+  bool dirty_ = true;     // whether there was input since the last frame
+  bool repeats_ = false;  // whether the last key is being held
   int windowed_[4] = {0, 0, 1280, 800};
 };
 

@@ -10,6 +10,7 @@
 #include "app/marks.hpp"
 #include "app/widgets.hpp"
 #include "desktop/column.hpp"
+#include "lesson/say.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -17,6 +18,8 @@ namespace {
 using app::Face;
 
 constexpr std::array kTextScales{0.9f, 1.0f, 1.15f, 1.3f, 1.5f};
+constexpr std::array<std::string_view, 4> kThemes{"Light", "Dark", "High contrast", "Projector"};
+constexpr float kBrandMargin = 24;
 
 void next_text_scale(app::Settings& settings) {
   const auto at = std::find(kTextScales.begin(), kTextScales.end(), settings.text_scale);
@@ -27,40 +30,140 @@ void next_theme(app::Settings& settings) {
   settings.theme = static_cast<app::Theme>((static_cast<int>(settings.theme) + 1) % 4);
 }
 
-float draw_titles(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect) {
-  const float middle = rect.y + rect.height / 2;
-  float x = rect.x + 24;
-  app::text(list, look, Face::kSemiBold, 18, {x, app::middle_of(middle, look.px(18))}, look->ink, "Snug");
-  const float brand = app::measure(look, Face::kSemiBold, 18, "Snug").x;
-  if (app::touch_area("course", {x - 6, rect.y + 6, brand + 12, rect.height - 12}).clicked && !shell.course_shown)
-    shell.show_course();
-  x += brand + 18;
-  if (shell.course_shown) return x;
-  const std::string& chapter = shell.chapter();
-  app::text(list, look, Face::kRegular, 14, {x, app::middle_of(middle, look.px(14))}, look->muted, chapter);
-  x += app::measure(look, Face::kRegular, 14, chapter).x + 10;
-  app::text(list, look, Face::kRegular, 14, {x, app::middle_of(middle, look.px(14))}, look->line, "/");
-  return x + 8;
+std::string text_size_words(const app::Settings& settings) {
+  return "Text size: " + std::to_string(static_cast<int>(std::lround(settings.text_scale * 100))) + " %";
 }
 
-void draw_picker(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect, float x) {
-  std::vector<std::string> titles;
-  int chosen = -1;
-  for (const LessonFile& file : shell.lessons()) {
-    if (file.lesson.id == shell.session().lesson().id) chosen = static_cast<int>(titles.size());
-    titles.push_back(file.lesson.title);
+std::string theme_words(const app::Settings& settings) {
+  return "Theme: " + std::string(kThemes[static_cast<std::size_t>(settings.theme)]);
+}
+
+/// What is kept on this device, and the two presses that take it away.
+void draw_erase(Shell& shell, Column& column) {
+  SettingsPanel& panel = shell.settings_panel;
+  column.words(panel.sure     ? lesson::kEraseWarning
+               : panel.erased ? lesson::kErased
+                              : lesson::kKeptHere,
+               Face::kRegular, 14);
+  column.gap(8);
+  const std::string words(panel.sure ? lesson::kEraseSureWord : lesson::kEraseWord);
+  if (column.buttons("erase", {words}) < 0) return;
+  if (panel.sure) shell.erase_answers();
+  panel.erased = panel.sure;
+  panel.sure = !panel.sure;
+}
+
+void draw_settings(Shell& shell, ImVec2 corner) {
+  constexpr float kPad = 16;
+  const app::Look& look = shell.app().look();
+  SettingsPanel& panel = shell.settings_panel;
+  const float width = look.px(304);
+  const app::Popup popup("settings panel", {corner.x - width, corner.y, width, panel.height});
+  if (!popup) {
+    panel = {.height = panel.height};
+    return;
   }
+  app::Settings& settings = shell.app().settings();
+  Column column(look, corner.x - width + kPad, corner.y + kPad, width - 2 * kPad);
+  if (column.buttons("text size", {text_size_words(settings)}) == 0) next_text_scale(settings);
+  if (column.buttons("theme", {theme_words(settings)}) == 0) next_theme(settings);
+  column.gap(8);
+  draw_erase(shell, column);
+  const float height = column.y() - corner.y + kPad - 8;
+  if (height != panel.height) panel.height = height, shell.measured_anew = true;
+}
+
+struct Tool {
+  const char* id;
+  std::string_view words;
+  app::Icon icon = app::Icon::kNone;
+};
+
+/// The tools at the bar's right end, the last one first.
+std::vector<Tool> tools_of(const Shell& shell) {
+  std::vector<Tool> tools{
+      {"Settings", {}, app::Icon::kSettings}, {"Theme", {}, app::Icon::kTheme}, {"Text size", "Aa"}, {"Keys", "Keys"}};
+  if (!shell.course_shown) tools.push_back({"Present", "Present"});
+  return tools;
+}
+
+float width_of(const app::Look& look, const Tool& tool) {
+  return tool.words.empty() ? look.px(40) : app::measure(look, Face::kRegular, 14, tool.words).x + look.px(24);
+}
+
+/// Where they begin.
+float tools_left(const Shell& shell, const app::Look& look, const app::Rect& rect) {
+  float left = rect.x + rect.width - 16;
+  for (const Tool& tool : tools_of(shell)) left -= width_of(look, tool) + 4;
+  return left;
+}
+
+void use_tool(Shell& shell, std::string_view tool) {
+  if (tool == "Settings") ImGui::OpenPopup("settings panel");
+  else if (tool == "Theme") next_theme(shell.app().settings());
+  else if (tool == "Text size") next_text_scale(shell.app().settings());
+  else if (tool == "Keys") shell.keys_shown = !shell.keys_shown;
+  else shell.present(true);
+}
+
+void draw_tools(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect) {
+  const float height = look.px(32), y = rect.y + (rect.height - height) / 2;
+  float x = tools_left(shell, look, rect);
+  std::vector<Tool> tools = tools_of(shell);
+  std::reverse(tools.begin(), tools.end());
+  for (const Tool& tool : tools) {
+    const float width = width_of(look, tool);
+    const std::string_view id = tool.id;
+    const app::Settings& settings = shell.app().settings();
+    const std::string name = id == "Theme" ? theme_words(settings) : id == "Text size" ? text_size_words(settings) : "";
+    if (app::button(list, look,
+                    {.id = tool.id,
+                     .rect = {x + 4, y, width, height},
+                     .words = tool.words,
+                     .icon = tool.icon,
+                     .kind = app::ButtonKind::kQuiet,
+                     .name = name}))
+      use_tool(shell, id);
+    x += width + 4;
+  }
+  draw_settings(shell, {rect.x + rect.width - 16, rect.y + rect.height - 4});
+}
+
+/// The way to the course; returns where it ends.
+float draw_brand(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect) {
+  const float x = rect.x + kBrandMargin, width = app::measure(look, Face::kSemiBold, 18, "Snug").x;
+  app::text(list, look, Face::kSemiBold, 18, {x, app::middle_of(rect.y + rect.height / 2, look.px(18))}, look->ink,
+            "Snug");
+  const app::Rect place{x - 6, rect.y + 8, width + 12, rect.height - 16};
+  if (app::touch_area("course", place, "Snug, the course").clicked && !shell.course_shown) shell.show_course();
+  return x + width + 18;
+}
+
+/// Chapter and lesson between the two; the chapter goes where there is no room for both.
+void draw_picker(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect, float x, float right) {
+  std::vector<std::string> titles;
+  for (const LessonFile& file : shell.lessons()) titles.push_back(file.lesson.title);
   const std::string& title = shell.session().lesson().title;
-  const float height = look.px(32), width = app::measure(look, Face::kSemiBold, 14, title).x + 40;
+  const std::string chapter = shell.chapter() + "  /";
+  const float middle = rect.y + rect.height / 2, height = look.px(32);
+  const float before = app::measure(look, Face::kRegular, 14, chapter).x + 8;
+  const float wanted = app::measure(look, Face::kSemiBold, 14, title).x + 42;
+  if (x + before + wanted <= right) {
+    app::text(list, look, Face::kRegular, 14, {x, app::middle_of(middle, look.px(14))}, look->muted, chapter);
+    x += before;
+  }
+  const float width = std::min(wanted, right - x);
   const app::Rect place{x, rect.y + (rect.height - height) / 2, width, height};
-  if (app::button(list, look, {.id = "lesson", .rect = place, .kind = app::ButtonKind::kQuiet}))
-    ImGui::OpenPopup("lessons");
-  const float middle = place.y + height / 2;
-  app::text(list, look, Face::kSemiBold, 14, {x + 8, app::middle_of(middle, look.px(14))}, look->ink, title);
+  const app::Touch touch = app::touch_area("lesson", place, title);
+  if (touch.clicked) ImGui::OpenPopup("lessons");
+  if (touch.hovered)
+    list->AddRectFilled({x, place.y}, {x + width, place.y + height}, app::with_alpha(look->ink, 0.07f), 8);
+  app::text(list, look, Face::kSemiBold, 14, {x + 8, app::middle_of(middle, look.px(14))}, look->ink,
+            app::shortened(look, Face::kSemiBold, 14, title, width - 40));
   const float cx = x + width - 16;
   list->AddTriangleFilled({cx - 5, middle - 2.5f}, {cx + 5, middle - 2.5f}, {cx, middle + 3.5f}, look->muted);
-  const int picked =
-      choice_list(look, "lessons", {x, rect.y + rect.height}, std::max(width, look.px(340)), titles, chosen);
+  const int picked = choice_list(look, "lessons", {x, rect.y + rect.height}, std::max(width, look.px(380)), titles,
+                                 static_cast<int>(shell.opened()));
   if (picked >= 0) shell.open_at_place(static_cast<std::size_t>(picked));
 }
 
@@ -72,35 +175,19 @@ void draw_header(Shell& shell, const app::Rect& rect) {
   ImDrawList* list = pane.list();
   list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->panel);
   app::rule(list, rect.x, rect.y + rect.height - 1, rect.width, look->line);
-  if (const float x = draw_titles(shell, look, list, rect); !shell.course_shown)
-    draw_picker(shell, look, list, rect, x);
-
-  app::Settings& settings = shell.app().settings();
-  const float height = look.px(32), y = rect.y + (rect.height - height) / 2;
-  float right = rect.x + rect.width - 16;
-  const auto place = [&](float width) {
-    right -= width;
-    const app::Rect at{right, y, width, height};
-    right -= 4;
-    return at;
-  };
-  if (app::button(
-          list, look,
-          {.id = "theme", .rect = place(look.px(40)), .icon = app::Icon::kTheme, .kind = app::ButtonKind::kQuiet}))
-    next_theme(settings);
-  if (app::button(list, look,
-                  {.id = "size", .rect = place(look.px(44)), .words = "Aa", .kind = app::ButtonKind::kQuiet}))
-    next_text_scale(settings);
-  if (app::button(list, look,
-                  {.id = "keys", .rect = place(look.px(56)), .words = "Keys", .kind = app::ButtonKind::kQuiet}))
-    shell.keys_shown = !shell.keys_shown;
+  const float left = draw_brand(shell, look, list, rect), right = tools_left(shell, look, rect) - 8;
+  if (shell.course_shown) shell.course.draw_search(shell, {left, rect.y, right - left, rect.height});
+  else draw_picker(shell, look, list, rect, left, right);
+  draw_tools(shell, look, list, rect);
 }
 
 void draw_keys(Shell& shell, const app::Rect& window) {
   if (!shell.keys_shown) return;
   const app::Look& look = shell.app().look();
   std::vector<app::KeyHelp> rows(std::begin(app::kKeyHelp), std::end(app::kKeyHelp));
-  rows.push_back({"F2", "the course, and back to the lesson"});
+  rows.push_back({"Tab  Shift Tab", "the next button, link or field, the one before; Enter presses it"});
+  rows.push_back({"F2", "the course, and back to the lesson; / searches it"});
+  rows.push_back({"F5", "present: N and P go to the next and previous lesson, T shows its text, Esc ends it"});
   const float width = std::min(look.px(620), window.width - 32);
   const float row = std::min(look.px(28), (window.height - 16 - look.px(84)) /
                                               static_cast<float>(rows.size()));  // all of it, even in a low window
@@ -122,7 +209,7 @@ void draw_keys(Shell& shell, const app::Rect& window) {
               look->ink, help.does);
     y += row;
   }
-  if (app::touch_area("keys away", window).clicked) shell.keys_shown = false;
+  if (app::touch_area("keys away", window, lesson::kDismissWord).clicked) shell.keys_shown = false;
 }
 
 void draw_notice(Shell& shell, const app::Rect& stage) {
@@ -138,7 +225,7 @@ void draw_notice(Shell& shell, const app::Rect& stage) {
   list->AddRect({card.x, card.y}, {card.x + width, card.y + height}, look->wrong, 8, 0, 1.5f);
   app::paragraph(list, look, Face::kRegular, 14, 21, {card.x + 16, card.y + 12}, inner, look->ink, shell.notice);
   app::draw_icon(list, app::Icon::kClose, {card.x + width - 22, card.y + 22}, look.px(13), look->muted);
-  if (app::touch_area("notice away", card).clicked) shell.notice.clear();
+  if (app::touch_area("notice away", card, lesson::kDismissWord).clicked) shell.notice.clear();
 }
 
 }  // namespace snug::desktop

@@ -6,6 +6,7 @@
 
 #include "desktop/cli/files.hpp"
 #include "lesson/kept_answers.hpp"
+#include "lesson/subjects.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -45,6 +46,8 @@ KeptLesson lesson_of(const Json& object) {
   KeptLesson lesson;
   lesson.seed = member<std::uint64_t>(object, "seed", 0, &Json::is_number_unsigned);
   lesson.step = count(object, "step"), lesson.steps = count(object, "steps");
+  lesson.algorithm = member<std::string>(object, "algorithm", "", &Json::is_string);
+  lesson.beside = member<std::string>(object, "beside", "", &Json::is_string);
   lesson.answered = count(object, "answered");
   lesson.done = member(object, "done", false, &Json::is_boolean);
   lesson.task = member(object, "task", false, &Json::is_boolean);
@@ -56,8 +59,10 @@ KeptLesson lesson_of(const Json& object) {
 
 Kept::Kept() : path_(path_of_state()) {
   std::error_code error;
+  works_ = !path_.empty();
   if (path_.empty() || !fs::exists(path_, error)) return;
   if (const auto text = read_start(path_.string(), kMostBytes)) read(*text);
+  works_ = !path_.empty();
 }
 
 void Kept::read(const std::string& text) {
@@ -89,6 +94,9 @@ void Kept::keep(const lesson::Session& session) {
   KeptLesson now;
   now.seed = session.seed();
   now.step = session.step(), now.steps = session.steps();
+  now.algorithm = lesson::name_in(session.lesson(), *session.method(0));
+  now.beside =
+      session.method(1) != nullptr ? lesson::name_in(session.lesson(), *session.method(1)) : std::string(kNone);
   now.answered = static_cast<int>(std::count_if(outcomes.begin(), outcomes.end(), [&](const lesson::Outcome& outcome) {
     return decided(outcome) && !outcome.skipped;
   }));
@@ -113,15 +121,15 @@ void Kept::write() {
   if (path_.empty()) return;
   Json state{{"version", kVersion}, {"last", last_}, {"invited", invited}, {"lessons", Json::object()}};
   for (const auto& [id, lesson] : lessons_)
-    state["lessons"][id] = {{"seed", lesson.seed},         {"step", lesson.step}, {"steps", lesson.steps},
-                            {"answered", lesson.answered}, {"done", lesson.done}, {"task", lesson.task},
-                            {"answers", lesson.answers}};
+    state["lessons"][id] = {{"seed", lesson.seed},           {"step", lesson.step},     {"steps", lesson.steps},
+                            {"algorithm", lesson.algorithm}, {"beside", lesson.beside}, {"answered", lesson.answered},
+                            {"done", lesson.done},           {"task", lesson.task},     {"answers", lesson.answers}};
   std::string text = state.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
   if (text == written_) return;
   std::error_code error;
   if (last_.empty() && lessons_.empty() && !fs::exists(path_, error)) return;  // nothing was begun yet
   fs::create_directories(path_.parent_path(), error);
-  static_cast<void>(write_file(path_.string(), text));  // tried again with the next change, if it failed
+  works_ = write_file(path_.string(), text).has_value();  // tried again with the next change, if it failed
   written_ = std::move(text);
 }
 

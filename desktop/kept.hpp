@@ -6,14 +6,20 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 
+#include "lesson/invitations.hpp"
 #include "lesson/session.hpp"
 
 namespace snug::desktop {
 
+/// In the place of an algorithm's name: none stands beside.
+inline constexpr std::string_view kNone = "none";
+
 struct KeptLesson {
   std::uint64_t seed = 0;
   int step = 0, steps = 0;
+  std::string algorithm, beside;  // empty: the lesson's own choice; beside: "none" for none
   int answered = 0;
   bool done = false, task = false;
   std::string answers;  // as lesson::kept_text writes them
@@ -26,7 +32,7 @@ class Kept {
   Kept();
   /// For pictures: keeps nothing.
   struct Nothing {};
-  explicit Kept(Nothing) {}
+  explicit Kept(Nothing) : invited(lesson::Invitations::kAll) {}
 
   /// The last lesson; empty before the first.
   [[nodiscard]] const std::string& last() const { return last_; }
@@ -34,7 +40,10 @@ class Kept {
   [[nodiscard]] const KeptLesson* lesson(const std::string& id) const;
   /// Keeps a session's state, once something was done in it; in memory until write.
   void keep(const lesson::Session& session);
+  /// Erases everything but the invitations, which are not shown again.
   void erase();
+  /// Whether the file could be written the last time.
+  [[nodiscard]] bool works() const { return works_; }
   /// How many invitations on the first lesson's stage were followed.
   int invited = 0;
   /// Writes what has changed. If the file cannot be written, only its content is lost.
@@ -44,6 +53,7 @@ class Kept {
   void read(const std::string& text);
 
   std::filesystem::path path_;  // empty: nothing is written
+  bool works_ = true;
   std::string last_, written_;
   std::map<std::string, KeptLesson> lessons_;
 };

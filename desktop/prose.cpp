@@ -46,29 +46,83 @@ void underline(ImDrawList* list, float x, float y, float width, app::Color color
   for (float at = 0; at < width; at += 4) list->AddRectFilled({x + at, y}, {x + at + 2, y + 1.5f}, color);
 }
 
-/// Writes one word; what leads somewhere answers the pointer. after: how far that goes on behind the word.
-void draw_word(const Column& column, const Word& word, ImVec2 at, float width, float after, bool lit,
-               std::size_t number, ProseTouch& touch) {
+/// A word where it stands.
+struct Placed {
+  Word word;
+  ImVec2 at;
+  float width;
+};
+
+/// From left to right, line by line. Words without a space between them, as a term and the comma behind it, stay on one
+/// line.
+std::vector<Placed> place(Column& column, const std::vector<Word>& words) {
   const app::Look& look = column.look();
-  const float size = look.px(kSize);
-  app::Color color = look->ink;
-  if (const std::optional<Link>& link = word.stretch->link) {
-    const app::Rect rect{at.x - 2, at.y - 3, width + after + 4, size + 7};
-    touch.links.push_back({&*link, rect});
-    const std::string id = "word " + std::to_string(number) + std::string(word.text);
-    const app::Touch touched = app::touch_area(id.c_str(), rect);
-    if (touched.hovered || touched.held) touch.hovered = &*link, ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (touched.clicked) touch.clicked = &*link;
-    const bool mark = link->kind == Link::Kind::kMark;
-    if (mark && (lit || touched.hovered))
-      column.list()->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->lit, 3);
-    if (!mark) color = look->current_text;
-    underline(column.list(), at.x, at.y + size + 2, width + after, look->current, mark);
+  const float space = app::measure(look, Face::kRegular, kSize, " ").x;
+  const float inset = (look.px(kLeading) - look.px(kSize)) / 2;
+  const auto width_of = [&](const Word& word) { return app::measure(look, face_of(word), kSize, word.text).x; };
+  std::vector<Placed> placed;
+  float x = 0;
+  for (std::size_t i = 0; i < words.size();) {
+    std::size_t end = i + 1;
+    while (end < words.size() && !words[end].space_before) ++end;
+    float run = 0;
+    for (std::size_t k = i; k < end; ++k) run += width_of(words[k]);
+    if (x > 0 && x + space + run > column.width()) x = 0, column.gap(look.px(kLeading));
+    else if (x > 0) x += space;
+    for (; i < end; ++i) {
+      placed.push_back({words[i], {column.x() + x, column.y() + inset}, width_of(words[i])});
+      x += placed.back().width;
+    }
   }
-  app::text(column.list(), look, face_of(word), kSize, at, color, word.text);
+  if (!words.empty()) column.gap(look.px(kLeading));
+  return placed;
 }
 
-/// A formula that is a paragraph of its own, in the middle of the column; false where it is too long for a line.
+/// What the words of a link cover, line by line.
+std::vector<app::Rect> lines_of(std::span<const Placed> words, float size) {
+  std::vector<app::Rect> lines;
+  for (const Placed& word : words) {
+    if (lines.empty() || word.at.y > lines.back().y + 4) lines.push_back({word.at.x - 2, word.at.y - 3, 0, size + 7});
+    lines.back().width = word.at.x + word.width + 2 - lines.back().x;
+  }
+  return lines;
+}
+
+/// A link answers the pointer on each of its lines, and is one place of the keyboard.
+void draw_link(const Column& column, std::span<const Placed> words, std::size_t number, bool lit, ProseTouch& touch) {
+  const app::Look& look = column.look();
+  const Link& link = *words.front().word.stretch->link;
+  const float size = look.px(kSize);
+  const auto lines = lines_of(words, size);
+  bool hovered = false;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string id = "link " + std::to_string(number) + " " + std::to_string(i);
+    const app::Touch touched = app::pointer_area(id.c_str(), lines[i]);
+    hovered = hovered || touched.hovered || touched.held;
+    if (touched.clicked) touch.clicked = &link;
+    touch.links.push_back({&link, lines[i]});
+  }
+  if (hovered) touch.hovered = &link, ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (app::Focus* const focus = app::Focus::current()) {
+    const app::Rect& line = lines.front();
+    const auto here = focus->offer({.id = ImGui::GetID(("link " + std::to_string(number)).c_str()),
+                                    .low = {line.x, line.y},
+                                    .high = {line.x + line.width, line.y + line.height},
+                                    .name = words.front().word.stretch->text});
+    for (std::size_t i = 1; here.focused && i < lines.size(); ++i)
+      focus->draw_ring({lines[i].x, lines[i].y}, {lines[i].x + lines[i].width, lines[i].y + lines[i].height});
+    if (here.focused) touch.focused = &link, hovered = true;
+    if (here.pressed) touch.clicked = &link;
+  }
+  const bool mark = link.kind == Link::Kind::kMark;
+  for (const app::Rect& line : lines) {
+    if (mark && (lit || hovered))
+      column.list()->AddRectFilled({line.x, line.y}, {line.x + line.width, line.y + line.height}, look->lit, 3);
+    underline(column.list(), line.x + 2, line.y + size + 5, line.width - 4, look->current, mark);
+  }
+}
+
+/// Writes a formula that is a paragraph by itself, centred in the column. Returns false if it is too long for a line.
 bool draw_displayed(Column& column, const lesson::Paragraph& paragraph) {
   if (paragraph.size() != 1 || paragraph.front().tex.empty()) return false;
   const app::Look& look = column.look();
@@ -85,32 +139,23 @@ bool draw_displayed(Column& column, const lesson::Paragraph& paragraph) {
 
 ProseTouch draw_prose(Column& column, const lesson::Paragraph& paragraph, std::span<const std::string_view> lit) {
   if (draw_displayed(column, paragraph)) return {};
-  const app::Look& look = column.look();
-  const float space = app::measure(look, Face::kRegular, kSize, " ").x;
-  const float inset = (look.px(kLeading) - look.px(kSize)) / 2;
-  const auto width_of = [&](const Word& word) { return app::measure(look, face_of(word), kSize, word.text).x; };
-  // Words without a space between them, as a term and the comma behind it, stay on one line.
-  const std::vector<Word> words = words_of(paragraph);
+  const std::vector<Placed> placed = place(column, words_of(paragraph));
   ProseTouch touch;
-  float x = 0;
-  for (std::size_t i = 0; i < words.size();) {
+  for (std::size_t i = 0; i < placed.size();) {
     std::size_t end = i + 1;
-    while (end < words.size() && !words[end].space_before) ++end;
-    float run = 0;
-    for (std::size_t k = i; k < end; ++k) run += width_of(words[k]);
-    if (x > 0 && x + space + run > column.width()) x = 0, column.gap(look.px(kLeading));
-    else if (x > 0) x += space;
-    for (; i < end; ++i) {
-      const std::optional<Link>& link = words[i].stretch->link;
-      const bool is_lit = link && std::find(lit.begin(), lit.end(), link->target) != lit.end();
-      const bool goes_on = i + 1 < words.size() && words[i + 1].stretch == words[i].stretch &&
-                           x + width_of(words[i]) + space + width_of(words[i + 1]) <= column.width();
-      draw_word(column, words[i], {column.x() + x, column.y() + inset}, width_of(words[i]), goes_on ? space : 0, is_lit,
-                i, touch);
-      x += width_of(words[i]);
+    while (end < placed.size() && placed[end].word.stretch == placed[i].word.stretch) ++end;
+    if (const std::optional<Link>& link = placed[i].word.stretch->link) {
+      const bool is_lit = std::find(lit.begin(), lit.end(), link->target) != lit.end();
+      draw_link(column, std::span(placed).subspan(i, end - i), i, is_lit, touch);
     }
+    i = end;
   }
-  if (!words.empty()) column.gap(look.px(kLeading));
+  for (const auto& [word, at, width] : placed) {
+    const std::optional<Link>& link = word.stretch->link;
+    const app::Look& look = column.look();
+    app::text(column.list(), look, face_of(word), kSize, at,
+              link && link->kind != Link::Kind::kMark ? look->current_text : look->ink, word.text);
+  }
   return touch;
 }
 

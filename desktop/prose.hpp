@@ -1,4 +1,4 @@
-// A lesson's prose in a column: its terms, formulas, and the words that speak to the stage.
+// Draws a lesson's prose in a column: its terms, formulas, and the links that light up marks on the stage.
 #pragma once
 
 #include <span>
@@ -10,20 +10,21 @@
 
 namespace snug::desktop {
 
-/// A word that leads somewhere, where it stands.
+/// A word of a link, with its place.
 struct PlacedLink {
   const lesson::Link* link;
   app::Rect rect;
 };
 
-/// The links under the pointer; null for none. links: all of them.
+/// The links under the pointer and the keyboard; null for none. links: all of them, line by line.
 struct ProseTouch {
   const lesson::Link* hovered = nullptr;
+  const lesson::Link* focused = nullptr;
   const lesson::Link* clicked = nullptr;
   std::vector<PlacedLink> links = {};
 };
 
-/// lit: the marks whose words are lit, for their handle is pointed at.
+/// lit: the marks whose words are lit, because their handle is pointed at.
 ProseTouch draw_prose(Column& column, const lesson::Paragraph& paragraph, std::span<const std::string_view> lit);
 
 }  // namespace snug::desktop

@@ -1,5 +1,5 @@
-// The columns beside the stage: at its left the lesson's prose, or the tools for the points; at its right, beneath the
-// numbers, the pseudocode.
+// The columns beside the stage: on the left the lesson's prose or the tools, with the controls of a cover below them;
+// on the right, below the numbers, the pseudocode.
 #pragma once
 
 #include "desktop/shell.hpp"
@@ -7,10 +7,11 @@
 namespace snug::desktop {
 
 void draw_prose_panel(Shell& shell, const app::Rect& rect);
+void draw_cover_panel(Shell& shell, const app::Rect& rect);
 void draw_code_panel(Shell& shell, const app::Rect& rect);
 
-/// The tab with the tools for the points (point_tools.cpp).
+/// The tab with the tools.
 class Column;
-void draw_point_tools(Shell& shell, Column& column);
+void draw_tools(Shell& shell, Column& column);
 
 }  // namespace snug::desktop

@@ -17,7 +17,7 @@ using app::ButtonKind;
 using app::Face;
 using lesson::Standing;
 
-constexpr float kPad = 20, kBeside = 24, kBelow = 12;
+constexpr float kPad = 20, kBeside = 24, kBelow = 12, kWheel = 48;
 
 struct RowButton {
   const char* id;
@@ -26,7 +26,7 @@ struct RowButton {
   bool enabled = true;
 };
 
-/// A row's buttons, at its right end; what is said stands before them. Returns the one that was clicked, or -1.
+/// Draws buttons at the right end of a row, after its text. Returns the one that was clicked, or -1.
 int draw_row(Column& column, std::string_view says, app::Color color, std::span<const RowButton> buttons) {
   const app::Look& look = column.look();
   const float height = look.px(34), gap = 8;
@@ -61,7 +61,7 @@ int draw_row(Column& column, std::string_view says, app::Color color, std::span<
   return clicked;
 }
 
-/// "Your prediction · 2 of 4", after the mark of how it stands.
+/// "Your prediction · 2 of 4", after the mark of its outcome.
 void draw_kicker(Column& column, std::string_view words, std::string_view place, Standing standing) {
   const app::Look& look = column.look();
   const bool right = standing == Standing::kRight, wrong = standing == Standing::kWrong;
@@ -81,7 +81,7 @@ void draw_kicker(Column& column, std::string_view words, std::string_view place,
   column.gap(look.px(26));
 }
 
-/// The way to name a handle without pointing at it: typed, and Enter.
+/// A field to name a handle without pointing at it: type the name and press Enter.
 bool draw_name_field(Shell& shell, Column& column) {
   const app::Look& look = column.look();
   ImGui::PushFont(look.font(Face::kRegular), app::font_size(look, Face::kRegular, 14));
@@ -89,16 +89,18 @@ bool draw_name_field(Shell& shell, Column& column) {
   ImGui::SetNextItemWidth(look.px(140));
   const bool entered = ImGui::InputTextWithHint("##name", "Name", shell.typed.data(), shell.typed.size(),
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
+  app::offer_field("Name");
   column.gap(ImGui::GetFrameHeight() + 10);
   ImGui::PopFont();
-  if (!entered || shell.typed[0] == 0) return false;
+  if (!entered) return false;
+  if (shell.typed[0] == 0) return shell.app().command("commit_answer");  // one that was tapped
   if (shell.session().pick(std::string_view(shell.typed.data()))) shell.session().commit();
   shell.typed = {};
   return true;
 }
 
-/// The choices, those that are chosen and not given yet marked, and the one that was tried. Returns the one that was
-/// clicked, or -1.
+/// Draws the choices, and marks those that are chosen but not committed yet, and the one that was tried. Returns the
+/// one that was clicked, or -1.
 int draw_choices(Column& column, const lesson::Session& session, const lesson::Asked& asked) {
   const lesson::Answer *picked = session.picked(), *tried = session.tried();
   std::vector<std::string> words = asked.choices;
@@ -113,6 +115,36 @@ int draw_choices(Column& column, const lesson::Session& session, const lesson::A
   return column.buttons("choice", words, chosen);
 }
 
+/// The choices, once the right one was asked for: it has a tick, and the one that was given a cross.
+void draw_right_choices(Column& column, const lesson::Session& session, const lesson::Asked& asked,
+                        const lesson::Outcome& outcome) {
+  const app::Look& look = column.look();
+  const std::vector<int> right = session.right_choices();
+  const float height = look.px(32), gap = 8;
+  float x = 0;
+  for (std::size_t i = 0; i < asked.choices.size(); ++i) {
+    const int choice = static_cast<int>(i);
+    const bool is_right = std::find(right.begin(), right.end(), choice) != right.end();
+    const bool wrong = !is_right && is_picked(asked, outcome.given, choice);
+    const float inset = is_right || wrong ? look.px(20) : 0;
+    const float words =
+        std::min(app::measure(look, Face::kSemiBold, 14, asked.choices[i]).x, column.width() - inset - look.px(26));
+    const float width = words + inset + look.px(26);
+    if (x > 0 && x + width > column.width()) x = 0, column.gap(height + gap);
+    const ImVec2 low{column.x() + x, column.y()}, high{low.x + width, low.y + height};
+    const ImVec2 mark{low.x + look.px(19), low.y + height / 2};
+    const app::Color color = is_right ? look->optimum_text : wrong ? look->wrong_text : look->muted;
+    column.list()->AddRect(low, high, is_right || wrong ? color : look->line, 8, 0, is_right ? 2.0f : 1.0f);
+    if (is_right) app::tick(column.list(), mark, 5, look->optimum, 2);
+    if (wrong) app::cross(column.list(), mark, 4, look->wrong, 2);
+    app::text(column.list(), look, is_right ? Face::kSemiBold : Face::kRegular, 14,
+              {low.x + look.px(13) + inset, app::middle_of(low.y + height / 2, look.px(14))}, color,
+              app::shortened(look, Face::kSemiBold, 14, asked.choices[i], words + 1));
+    x += width + gap;
+  }
+  column.gap(height + gap);
+}
+
 void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   lesson::Session& session = shell.session();
   const app::Look& look = column.look();
@@ -121,8 +153,9 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   column.gap(10);
   const int chosen = draw_choices(column, session, asked);
   if (asked.on_stage && asked.choices.empty() && draw_name_field(shell, column)) return;
-  const std::string says = session.answer_says().empty() ? lesson::how_to_answer(asked) : session.answer_says();
+  std::string says = session.answer_says().empty() ? lesson::how_to_answer(asked) : session.answer_says();
   const bool wrong = session.tried() != nullptr && session.picked() == nullptr;
+  if (shell.presenting && session.answer_says().empty()) (says += ' ') += lesson::kSkipHint;  // a clicker has no other
   const app::Color color = session.answer_says().empty() ? look->muted : wrong ? look->wrong_text : look->current_text;
   const std::array row{RowButton{"commit", lesson::kAnswerWord, ButtonKind::kPrimary, session.picked() != nullptr},
                        RowButton{"skip", lesson::kSkipWord, ButtonKind::kQuiet}};
@@ -138,7 +171,7 @@ void draw_said(Column& column, const lesson::Outcome& outcome) {
   column.gap(4);
 }
 
-/// On the way to where it is decided: nothing is told yet.
+/// The card while the steps up to the outcome are played: it tells nothing yet.
 void draw_deciding(Column& column, const lesson::Session& session, const lesson::Outcome& outcome) {
   const lesson::Asked* asked = session.question_of(outcome);
   draw_kicker(column, lesson::kPredictionWord,
@@ -148,7 +181,7 @@ void draw_deciding(Column& column, const lesson::Session& session, const lesson:
   column.words(lesson::kWatching, Face::kRegular, 13, column.look()->muted);
 }
 
-/// What came of it, until it is read.
+/// The card with the outcome, until it is dismissed.
 void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) {
   const lesson::Session& session = shell.session();
   const app::Look& look = column.look();
@@ -158,7 +191,9 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
               lesson::standing_of(&outcome));
   if (asked != nullptr) column.words(asked->prompt, Face::kRegular, 14, look->muted), column.gap(6);
   draw_said(column, outcome);
-  if (session.answer_shown()) {
+  if (session.answer_shown() && asked != nullptr && !asked->choices.empty()) {
+    draw_right_choices(column, session, *asked, outcome);
+  } else if (session.answer_shown()) {
     app::tick(column.list(), {column.x() + 6, column.y() + look.px(11)}, 6, look->optimum, 2.25f);
     Column beside(look, column.x() + 22, column.y(), column.width() - 22);
     beside.words(outcome.happened, Face::kSemiBold, 15, look->optimum_text);
@@ -178,8 +213,8 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
   if (const int clicked = draw_row(column, {}, 0, row); clicked >= 0) shell.app().command(commands[clicked]);
 }
 
-/// The lesson's end: each prediction leads back to its reason. What was clicked is done by the caller, after all of it
-/// is drawn.
+/// The card at the lesson's end: each prediction leads back to its reason. The caller does what was clicked, after
+/// drawing the card.
 std::string draw_summary(Shell& shell, Column& column) {
   const lesson::Session& session = shell.session();
   const app::Look& look = column.look();
@@ -193,15 +228,18 @@ std::string draw_summary(Shell& shell, Column& column) {
     const float height = look.px(32), middle = column.y() + height / 2;
     const std::string id = "line " + std::to_string(number++);
     app::rule(column.list(), column.x(), column.y(), column.width(), look->line);
-    const app::Touch touch = app::touch_area(id.c_str(), {column.x(), column.y(), column.width(), height});
+    const app::Touch touch =
+        app::touch_area(id.c_str(), {column.x(), column.y(), column.width(), height}, asked.prompt);
     if (touch.hovered)
       column.list()->AddRectFilled({column.x() - 6, column.y() + 1},
                                    {column.x() + column.width() + 6, column.y() + height - 1}, look->raised, 6);
     if (touch.clicked) command = "review:" + asked.question->id;
     const Standing standing = lesson::standing_of(outcome);
     const bool right = standing == Standing::kRight, wrong = standing == Standing::kWrong;
-    if (right) app::tick(column.list(), {column.x() + 6, middle}, 5, look->optimum, 2);
-    if (wrong) app::cross(column.list(), {column.x() + 6, middle}, 4, look->wrong, 2);
+    const ImVec2 mark{column.x() + 6, middle};
+    if (right) app::tick(column.list(), mark, 5, look->optimum, 2);
+    else if (wrong) app::cross(column.list(), mark, 4, look->wrong, 2);
+    else column.list()->AddLine({mark.x - 4, mark.y}, {mark.x + 4, mark.y}, look->muted, 2);
     const std::string_view stands = lesson::standing_text(outcome);
     const float width = app::measure(look, Face::kSemiBold, 13, stands).x;
     app::text_right(column.list(), look, Face::kSemiBold, 13,
@@ -223,32 +261,34 @@ std::string draw_summary(Shell& shell, Column& column) {
     std::vector<std::string> titles;
     for (const lesson::Method* method : waiting) titles.emplace_back(method->title);
     if (const int clicked = column.buttons("waiting", titles, -1); clicked >= 0)
-      command = "ask:" + std::string(waiting[static_cast<std::size_t>(clicked)]->name);
+      command = "ask:" + lesson::name_in(session.lesson(), *waiting[static_cast<std::size_t>(clicked)]);
     column.gap(10);
   }
-  const auto& all = shell.lessons();
-  const auto at = std::find_if(all.begin(), all.end(),
-                               [&](const LessonFile& file) { return file.lesson.id == session.lesson().id; });
-  const bool next = at != all.end() && at + 1 != all.end();
-  std::vector<RowButton> row{{"close", lesson::kCloseWord, ButtonKind::kQuiet},
-                             {"again", lesson::kPredictAgainWord, ButtonKind::kQuiet}};
-  if (session.lesson().task) row.push_back({"task", lesson::kTaskWord});
-  if (next) row.push_back({"next", lesson::kNextLessonWord, ButtonKind::kPrimary});
-  const int clicked = draw_row(column, {}, 0, row);
-  if (clicked < 0) return command;
-  const std::string_view id = row[clicked].id;
-  return id == "close" ? "close_summary" : id == "next" ? "open:" + (at + 1)->lesson.id : std::string(id);
+  const auto grade = session.grade();
+  const std::string task =
+      grade && grade->done ? "✓ " + std::string(lesson::kTaskWord) : std::string(lesson::kToTaskWord);
+  std::vector<RowButton> row{{"close_summary", lesson::kCloseWord, ButtonKind::kQuiet},
+                             {"predict_again", lesson::kPredictAgainWord, ButtonKind::kQuiet}};
+  if (grade) row.push_back({"task", task});
+  if (shell.beside(1)) row.push_back({"next", lesson::kNextLessonWord, ButtonKind::kPrimary});
+  // What leads on stands apart where a row has no room for all of them.
+  const std::span<const RowButton> all = row;
+  const std::size_t apart = column.width() < look.px(420) ? 2 : 0;
+  if (apart > 0) {
+    if (const int clicked = draw_row(column, {}, 0, all.first(apart)); clicked >= 0) command = all[clicked].id;
+    column.gap(8);
+  }
+  const int clicked = draw_row(column, {}, 0, all.subspan(apart));
+  return clicked < 0 ? command : all[apart + static_cast<std::size_t>(clicked)].id;
 }
 
-/// What the summary leads to beside the app's own commands.
+/// Does what the summary offers beyond the app's commands.
 void lead_on(Shell& shell, const std::string& command) {
-  constexpr std::string_view kOpen = "open:", kAsk = "ask:";
-  lesson::Session& session = shell.session();
-  if (command.starts_with(kOpen)) static_cast<void>(shell.open(command.substr(kOpen.size())));
-  else if (command.starts_with(kAsk))
-    shell.tell(session.choose(0, command.substr(kAsk.size()))), shell.app().command("first");
-  else if (command == "task") session.start_task();
-  else if (command == "again") session.forget_answers(), shell.app().command("first");
+  constexpr std::string_view kAsk = "ask:";
+  if (command.starts_with(kAsk))
+    shell.tell(shell.session().choose(0, command.substr(kAsk.size()))), shell.app().command("first");
+  else if (command == "next") shell.open_at_place(*shell.beside(1));
+  else if (command == "task") shell.points_tab = false, shell.text_shown = shell.task_wanted = true;
   else if (!command.empty()) shell.app().command(command);
 }
 
@@ -265,21 +305,30 @@ void draw_question_card(Shell& shell, const app::Rect& stage) {
     return;
   }
   const app::Look& look = shell.app().look();
-  const float width = std::min(stage.width - 2 * kBeside, look.px(608));
+  const float width = std::floor(std::min(stage.width - 2 * kBeside, look.px(608)));
   const float height = std::clamp(before - kBelow, 1.0f, stage.height * 0.66f);
-  const app::Rect card{stage.x + (stage.width - width) / 2, stage.y + stage.height - height - kBelow, width, height};
+  const app::Rect card{std::floor(stage.x + (stage.width - width) / 2), stage.y + stage.height - height - kBelow, width,
+                       height};
   std::string command;
   {
     const app::Pane pane("##question", card, app::Pane::Kind::kOver);
     pane.list()->AddRectFilled({card.x, card.y}, {card.x + width, card.y + height}, look->panel, 8);
     pane.list()->AddRect({card.x, card.y}, {card.x + width, card.y + height}, look->line, 8, 0, 1);
-    const float top = card.y + 16;
+    // On a low window the card is not as high as what it says: then it scrolls, by the wheel and with the focus.
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && io.MouseWheel != 0)
+      ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() - kWheel * io.MouseWheel, 0.0f, ImGui::GetScrollMaxY()));
+    const float top = card.y + 16 - ImGui::GetScrollY();
     Column column(look, card.x + kPad, top, width - 2 * kPad);
     if (asked != nullptr) draw_question(shell, column, *asked);
     else if (deciding != nullptr) draw_deciding(column, session, *deciding);
     else if (outcome != nullptr) draw_outcome(shell, column, *outcome);
     else command = draw_summary(shell, column);
     shell.foot = std::ceil(column.y() - top + 32) + kBelow;
+    if (shell.foot != before) ImGui::SetScrollY(0);  // it says something else
+    ImGui::SetCursorScreenPos({column.x(), column.y() + 15});
+    ImGui::Dummy({1, 1});
+    app::fade_foot(pane.list(), {card.x + 1, card.y, width - 2, height - 1}, look->panel);
   }
   shell.measured_anew = shell.measured_anew || shell.foot != before;
   lead_on(shell, command);

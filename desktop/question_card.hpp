@@ -1,12 +1,12 @@
-// The conversation on the stage's foot, in the sentence's place: a question, what came of its answer, and in the end
-// how all of them came out.
+// The questions, at the bottom of the stage instead of the step's sentence: each question, its outcome, and at the end
+// a summary of all of them.
 #pragma once
 
 #include "desktop/shell.hpp"
 
 namespace snug::desktop {
 
-/// After the stage was drawn, over it. Leaves in shell.foot how much of it is covered.
+/// Draws the card over the stage, which is drawn before it. Sets shell.foot to how much of the stage it covers.
 void draw_question_card(Shell& shell, const app::Rect& stage);
 
 }  // namespace snug::desktop

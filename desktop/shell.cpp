@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/subjects/cost/costs.hpp"
+#include "app/cover.hpp"
 #include "desktop/cli/cost_file.hpp"
 #include "desktop/cli/files.hpp"
 #include "lesson/kept_answers.hpp"
@@ -25,12 +25,6 @@ std::filesystem::path new_name(const std::filesystem::path& folder, const std::s
   return path;
 }
 
-/// The name of the table of measurements that a file begins with; empty for none.
-std::string result_in(const std::string& path) {
-  const auto text = read_file(path);
-  return text ? table_name(*text) : std::string();
-}
-
 }  // namespace
 
 tl::expected<void, InputError> Shell::open(const std::string& id) {
@@ -44,12 +38,14 @@ tl::expected<void, InputError> Shell::open(const std::string& id) {
     }
     auto opened = app_.open(file.lesson, std::move(mesh));
     hint_shown = false, typed = {};
-    if (opened) open_ = static_cast<std::size_t>(&file - lessons_.data()), unread = true;
+    if (opened) {
+      open_ = static_cast<std::size_t>(&file - lessons_.data()), unread = true, task_wanted = false;
+      if (open_ == 0) app_.invite(kept_.invited);
+    }
     tell(opened);
     return opened;
   }
-  return tl::unexpected(
-      InputError{.what = "there is no lesson \"" + id + "\": `snug lesson list` says which there are"});
+  return tl::unexpected(InputError{.what = "there is no lesson \"" + id + "\"; `snug lesson list` lists them"});
 }
 
 std::pair<std::size_t, std::string> Shell::lead() const {
@@ -71,6 +67,9 @@ void Shell::go_to_kept_place() {
   const KeptLesson* const kept = kept_.lesson(session().lesson().id);
   if (kept == nullptr) return;
   if (kept->seed != session().seed()) session().scatter(kept->seed);
+  // A method that the lesson no longer offers is left out.
+  if (!kept->algorithm.empty()) static_cast<void>(session().choose(0, kept->algorithm));
+  if (!kept->beside.empty()) static_cast<void>(session().choose(1, kept->beside == kNone ? "" : kept->beside));
   session().jump(std::min(kept->step, session().steps()));
 }
 
@@ -86,14 +85,44 @@ void Shell::open_at_place(std::size_t lesson) {
   course_shown = false;
 }
 
+void Shell::open_at_place(const std::string& id) {
+  for (std::size_t i = 0; i < lessons_.size(); ++i)
+    if (lessons_[i].lesson.id == id) return open_at_place(i);
+}
+
+std::optional<std::size_t> Shell::beside(int by) const {
+  const std::size_t to = open_ + static_cast<std::size_t>(by);  // below the first it wraps beyond the last
+  return to < lessons_.size() ? std::optional(to) : std::nullopt;
+}
+
 void Shell::show_course() {
-  keep();
   if (app_.playing()) app_.command("play");
+  keep();
+  present(false);
+  focus.leave();
   course_shown = true;
-  erase_asked = false;
+}
+
+void Shell::present(bool on) {
+  constexpr float kLeastScale = 1.3f;
+  if (on == presenting) return;
+  presenting = on, text_shown = false;
+  focus.leave();
+  app::Settings& settings = app_.settings();
+  if (!on) {
+    settings.theme = before_presenting_.theme, settings.text_scale = before_presenting_.text_scale;
+    return;
+  }
+  before_presenting_ = settings;
+  settings.theme = app::Theme::kProjector;
+  settings.text_scale = std::max(settings.text_scale, kLeastScale / app::kProjector.text);
 }
 
 void Shell::keep() {
+  if (const int followed = app_.invitations_followed(); open_ == 0 && followed > kept_.invited) {
+    kept_.invited = followed;
+    kept_.write();
+  }
   if (app_.playing() || session().revision() == kept_revision_) return;
   kept_revision_ = session().revision();
   kept_.keep(session());
@@ -112,40 +141,30 @@ void Shell::use_mesh(const std::string& name) {
   if (tell(read)) tell(app_.load(*read, name));
 }
 
-template <class Row>
-void Shell::lay_over(const std::string& path) {
-  auto table = read_table<Row>(path);
-  if (tell(table) && !app::costs_of(app_)->lay_over(session(), std::move(*table))) notice = app::kPredictFirst;
-}
-
 void Shell::use_file(const std::string& path) {
-  if (const std::string table = app::costs_of(app_) != nullptr ? result_in(path) : ""; !table.empty()) {
-    if (table == cost::GrowthRow::kTable) lay_over<cost::GrowthRow>(path);
-    else if (table == cost::TurnRow::kTable) lay_over<cost::TurnRow>(path);
-    else lay_over<cost::CostRow>(path);
+  if (app_.cover() != nullptr && is_table(path)) {
+    const auto table = table_as_csv(path);
+    if (tell(table)) tell(*app_.cover()->lay_over(session(), *table, path));
     return;
   }
   const auto read = read_point_file(path);
   if (tell(read)) tell(app_.load(*read, std::filesystem::path(path).filename().string()));
 }
 
-void Shell::save_costs(const std::string& format) {
-  const app::Costs& costs = *app::costs_of(app_);
-  if (costs.sheet().rows() == 0) {
+void Shell::save_cover(std::string_view format) {
+  const std::string text = app_.cover()->file(format);
+  if (text.empty()) {
     notice = "Not saved: nothing has been measured yet.";
     return;
   }
-  const std::string name = costs.view() == app::CostView::kAccuracy
-                               ? "costs"
-                               : std::string(app::kCostViewNames[static_cast<std::size_t>(costs.view())]);
   std::error_code gone;
   const std::filesystem::path folder = std::filesystem::current_path(gone);
   if (gone || !std::filesystem::exists(folder, gone)) {
     notice = "Not saved: the folder that Snug was started in is no longer there. Start Snug in another one.";
     return;
   }
-  const std::string path = new_name(folder, "snug-" + name, "." + format).string();
-  const auto written = write_file(path, format == "csv" ? costs.sheet().csv() : costs.sheet().json());
+  const std::string path = new_name(folder, app_.cover()->file_name(), "." + std::string(format)).string();
+  const auto written = write_file(path, text);
   if (tell(written)) notice = "Saved as " + path + ".";
 }
 

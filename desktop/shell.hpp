@@ -2,16 +2,25 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/app.hpp"
+#include "app/focus.hpp"
 #include "desktop/cli/lesson_files.hpp"
 #include "desktop/course_screen.hpp"
 #include "desktop/kept.hpp"
 
 namespace snug::desktop {
+
+/// The state of the settings panel while it is open.
+struct SettingsPanel {
+  bool sure = false;    // whether the next press erases
+  bool erased = false;  // whether the answers were just erased
+  float height = 200;   // measured in the last frame
+};
 
 class Shell {
  public:
@@ -20,6 +29,7 @@ class Shell {
       : app_(app), lessons_(std::move(lessons)), kept_(std::move(kept)) {}
 
   [[nodiscard]] app::App& app() { return app_; }
+  [[nodiscard]] const app::App& app() const { return app_; }
   [[nodiscard]] lesson::Session& session() { return *app_.session(); }
   [[nodiscard]] const std::vector<LessonFile>& lessons() const { return lessons_; }
 
@@ -32,9 +42,16 @@ class Shell {
   [[nodiscard]] std::pair<std::size_t, std::string> lead() const;
   /// Opens a lesson at the place where it was left, or at its start.
   void open_at_place(std::size_t lesson);
+  /// The same for a lesson by its id.
+  void open_at_place(const std::string& id);
+  /// The open lesson's place in the course, and the lesson that many places after it; none beyond the ends.
+  [[nodiscard]] std::size_t opened() const { return open_; }
+  [[nodiscard]] std::optional<std::size_t> beside(int by) const;
   /// Goes to the place where the open lesson was left, if it was.
   void go_to_kept_place();
   void show_course();
+  /// Starts or ends a presentation: the projector's theme, larger words, no bar and no text column.
+  void present(bool on);
   /// Keeps the open lesson's place, unless it is moving.
   void keep();
   void erase_answers();
@@ -45,13 +62,15 @@ class Shell {
   void use_mesh(const std::string& name);
   void use_file(const std::string& path);
 
-  /// Saves the shown chart's measurement as a new file in the folder that the program was started in; the notice says
-  /// which file, or why it failed. format: csv or json.
-  void save_costs(const std::string& format);
+  /// Saves what the cover shows as a new file in the folder that the program was started in; the notice says which
+  /// file, or why it failed. format: one of the cover's.
+  void save_cover(std::string_view format);
 
   bool course_shown = false;  // instead of the lesson
   CourseScreen course;
-  bool erase_asked = false;  // whether a second press erases
+  SettingsPanel settings_panel;
+  bool presenting = false, text_shown = false;  // text_shown: whether a presentation shows the lesson's text
+  app::Focus focus;
 
   /// One sentence that is shown until it is dismissed; empty for none.
   std::string notice;
@@ -59,11 +78,13 @@ class Shell {
   bool hint_shown = false;       // the hint of the task
   std::array<char, 32> typed{};  // the typed name that answers a question
   bool points_tab = false;
+  bool task_wanted = false;                              // whether to scroll to the task in the next frame
   std::vector<std::pair<std::string, app::Rect>> links;  // the links of the prose: their targets and places
   bool unread = false;                                   // another lesson was opened: its prose starts at the top
   float scrolled = 0;                                    // how far the prose was scrolled in the last frame
   int section = -1;                                      // the section that the step was about in the last frame
   double read_at = -1e9;                                 // when the prose was last scrolled by hand, in ImGui's seconds
+  float scroll_by = 0;                                   // how far a key scrolls the prose in the next frame
   float scroll_to = -1;                                  // where the prose is scrolling to; less than 0: nowhere
   // Heights measured in the last frame: of the lower parts of the left and the right column, and of the stage's foot
   // that a question covers.
@@ -78,14 +99,12 @@ class Shell {
   }
 
  private:
-  template <class Row>
-  void lay_over(const std::string& path);
-
   app::App& app_;
   std::vector<LessonFile> lessons_;
   std::size_t open_ = 0;  // index into lessons_
   Kept kept_;
   std::uint64_t kept_revision_ = 0;  // the session's revision when it was last kept
+  app::Settings before_presenting_;
 };
 
 }  // namespace snug::desktop

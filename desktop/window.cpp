@@ -9,15 +9,17 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "app/cover.hpp"
 #include "app/look.hpp"
-#include "app/subjects/cost/costs.hpp"
 #include "app/timeline.hpp"
+#include "app/widgets.hpp"
 #include "desktop/chart_file.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/timing.hpp"
 #include "desktop/glfw_host.hpp"
 #include "desktop/header.hpp"
 #include "desktop/picture.hpp"
+#include "desktop/presentation.hpp"
 #include "desktop/prose_panel.hpp"
 #include "desktop/question_card.hpp"
 #include "desktop/shell.hpp"
@@ -45,27 +47,39 @@ std::string font_bytes(std::string_view name) {
   return {};
 }
 
+/// The rectangles of all parts; empty for those that are not shown.
 struct Parts {
-  app::Rect window, header, column, code;
+  app::Rect window, header, column, cover, title, code;
   app::Layout app;
 };
 
-Parts parts_of(const Extent& extent, const app::Look& look, const Shell& shell) {
+/// A presentation has no bar, and the lesson's text only on demand. The controls of a cover stand in the right column
+/// then.
+Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const float scale = std::max(1.0f, std::sqrt(look.text_scale));
-  const float header = look.px(48);
-  const float column = std::clamp(extent.width * 0.29f, 300.0f, 380.0f) * scale;
-  const float inspector = std::clamp(extent.width * 0.22f, 230.0f, 290.0f) * scale;
+  const bool lecture = shell.presenting, cover = shell.app().cover() != nullptr;
+  const float header = lecture ? 0 : look.px(48);
+  const float column =
+      lecture && !shell.text_shown ? 0 : std::floor(std::clamp(extent.width * 0.29f, 300.0f, 380.0f) * scale);
+  const float inspector = std::floor(std::clamp(extent.width * 0.22f, 230.0f, 290.0f) * scale);
   const float timeline = app::timeline_height(look);
-  const float height = extent.height - header;
+  const float height = extent.height - header, right = extent.width - inspector;
   Parts parts;
   parts.window = {0, 0, extent.width, extent.height};
   parts.header = {0, 0, extent.width, header};
-  parts.column = {0, header, column, height};
-  parts.app.stage = {column, header, extent.width - column - inspector, height - timeline};
+  const float pinned = cover ? std::min(shell.pinned_height, height - look.px(164)) : 0;
+  parts.column = {0, header, column, lecture ? height : height - pinned};
+  if (cover && !lecture) parts.cover = {0, header + height - pinned, column, pinned};
+  parts.app.stage = {column, header, right - column - 1, height - timeline};  // and a line
   parts.app.timeline = {column, header + height - timeline, parts.app.stage.width, timeline};
+  const float title = lecture ? title_height(shell, look, inspector) : 0;
+  if (lecture) parts.title = {right, header, inspector, title};
   const float code = std::min(shell.code_height, height * 0.52f);
-  parts.app.inspector = {extent.width - inspector, header, inspector, height - code};
-  parts.code = {extent.width - inspector, header + height - code, inspector, code};
+  const float below = lecture && cover ? std::min(shell.pinned_height, height * 0.52f) : code;
+  parts.code = {right, header + height - code, inspector, cover && lecture ? 0 : code};
+  if (lecture && cover) parts.cover = {right, header + height - below, inspector, below};
+  parts.app.inspector = {right, header + title, inspector, height - title - below};
+  parts.app.tools = lecture ? presentation_reach(look) : 0;
   parts.app.foot = shell.foot;
   return parts;
 }
@@ -90,33 +104,51 @@ void draw_stage(GlfwHost& host, app::App& app, double now) {
   finish(extent, app, app.look()->ground);
 }
 
+void draw_stage_and_panels(Shell& shell, const Parts& parts, double now) {
+  const auto shown = [](const app::Rect& rect) { return rect.width >= 1 && rect.height >= 1; };
+  app::App& app = shell.app();
+  app.advance(now);  // the panels show the step that the stage does
+  // The panels first: what they change of the session, the stage shows in this same frame.
+  if (shown(parts.header)) draw_header(shell, parts.header);
+  if (shown(parts.title)) draw_title(shell, parts.title);
+  if (shown(parts.column)) draw_prose_panel(shell, parts.column);
+  else shell.links.clear(), app.light({});
+  if (shown(parts.cover)) draw_cover_panel(shell, parts.cover);
+  if (shown(parts.code)) draw_code_panel(shell, parts.code);
+  app.frame(parts.app, now);
+  draw_question_card(shell, parts.app.stage);
+  if (shell.presenting) draw_presentation(shell, parts.app.stage);
+  else draw_invitation(app, parts.app.stage);
+  for (const float x : {parts.column.width, parts.app.inspector.x}) {
+    if (x < 1) continue;
+    const app::Rect line{x - 1, parts.header.height, 1, parts.window.height - parts.header.height};
+    const app::Pane edge(x < parts.window.width / 2 ? "##left edge" : "##right edge", line);
+    edge.list()->AddRectFilled({line.x, line.y}, {x, parts.window.height}, app.look()->line);
+  }
+  draw_notice(shell, parts.app.stage);
+}
+
+void draw_course(Shell& shell, const Parts& parts, double now) {
+  shell.app().frame({}, now);  // its fonts and palette
+  draw_header(shell, parts.header);
+  const float below = parts.header.height;
+  shell.course.draw(shell, {0, below, parts.window.width, parts.window.height - below});
+  draw_notice(shell, parts.window);
+}
+
 /// Draws the whole window once into the bound framebuffer.
 void draw(GlfwHost& host, Shell& shell, double now) {
   host.begin_frame();
   const Extent extent = host.extent();
-  const Parts parts = parts_of(extent, shell.app().look(), shell);
-  shell.measured_anew = false;
-  if (shell.course_shown) {
-    shell.app().frame({}, now);  // sets the fonts and palette
-    draw_header(shell, parts.header);
-    shell.course.draw(shell, {0, parts.header.height, extent.width, extent.height - parts.header.height});
-    draw_notice(shell, parts.window);
-    draw_keys(shell, parts.window);
-    return finish(extent, shell.app(), shell.app().look()->ground);
-  }
-  shell.app().advance(now);  // so that panels and stage show the same step
-  // The panels come first, so that the stage shows their changes in the same frame.
-  draw_header(shell, parts.header);
-  draw_prose_panel(shell, parts.column);
-  draw_code_panel(shell, parts.code);
-  shell.app().frame(parts.app, now);
-  draw_question_card(shell, parts.app.stage);
   const app::Look& look = shell.app().look();
-  ImGui::GetForegroundDrawList()->AddRectFilled({parts.app.inspector.x - 1, parts.app.inspector.y},
-                                                {parts.app.inspector.x, parts.window.height}, look->line);
-  draw_notice(shell, parts.app.stage);
+  const Parts parts = parts_of(extent, look, shell);
+  shell.measured_anew = false;
+  shell.focus.begin_frame(look->current);
+  if (shell.course_shown) draw_course(shell, parts, now);
+  else draw_stage_and_panels(shell, parts, now);
   draw_keys(shell, parts.window);
-  finish(extent, shell.app(), look->panel);
+  shell.focus.end_frame();
+  finish(extent, shell.app(), shell.course_shown ? look->ground : look->panel);
 }
 
 /// Draws only the chart into the bound framebuffer.
@@ -171,17 +203,59 @@ bool choose(Shell& shell, const std::string& key) {
   return shell.session().pick({lesson::Answer::Kind::kChoice, choice});
 }
 
-void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift, bool control) {
-  if (key == "F1" || (shell.keys_shown && key == "Escape")) {
-    shell.keys_shown = !shell.keys_shown;
-    return;
+/// Closes what lies on top, or ends the presentation. Returns false if there was nothing to close.
+bool put_away(Shell& shell) {
+  if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) {
+    // A popup closes itself in the next frame; staying where it is, the focus asks for the frames after that one.
+    if (shell.focus.at() != 0) shell.focus.move(0);
+    else shell.focus.go_to(0);
+    return true;
   }
-  if (key == "F11") return host.toggle_fullscreen();
+  if (shell.keys_shown) return shell.keys_shown = false, true;
+  if (!shell.notice.empty()) return shell.notice.clear(), true;
+  if (shell.presenting) return shell.present(false), true;
+  return shell.focus.leave();
+}
+
+/// Moves the focus or presses the focused control. Returns whether the key did that.
+bool move_focus(Shell& shell, const std::string& key, bool shift) {
+  constexpr float kLine = 48;
+  app::Focus& focus = shell.focus;
+  const int way = key == "ArrowDown" ? 1 : key == "ArrowUp" ? -1 : 0;
+  if (key == "Tab") return focus.move(shift ? -1 : 1), true;
+  if (key == "Enter" || key == " ") return focus.press();
+  if (way == 0) return false;
+  if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return focus.move(way), true;
+  if (focus.part() != "##prose" && focus.part() != "##column") return false;
+  // From link to link; where there is none, the prose scrolls.
+  if (focus.part() == "##column" || !focus.move_within(way)) shell.scroll_by = kLine * static_cast<float>(way);
+  return shell.measured_anew = true;
+}
+
+/// Runs a key of the presentation. Returns whether it was one.
+bool present_by_key(Shell& shell, const std::string& key) {
+  if (!shell.presenting) return false;
+  const int by = key == "n" || key == "N" ? 1 : key == "p" || key == "P" ? -1 : 0;
+  if (key == "t" || key == "T") return shell.text_shown = !shell.text_shown, true;
+  if (by == 0) return false;
+  if (const auto to = shell.beside(by)) shell.open_at_place(*to);
+  return true;
+}
+
+void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift, bool control) {
+  if (key == "F1") return static_cast<void>(shell.keys_shown = !shell.keys_shown);
+  if (key == "F11") return host.fill_screen(!host.fills_screen());
   if (key == "F2") return shell.course_shown ? shell.open_at_place(shell.lead().first) : shell.show_course();
-  if (key == "Escape" && !shell.notice.empty()) return shell.notice.clear();
-  if (shell.course_shown) return static_cast<void>(shell.course.answer_key(shell, key));
-  if (!control && choose(shell, key)) return;
-  if (control && key == "s" && app::costs_of(shell.app()) != nullptr) return shell.save_costs("csv");
+  if (key == "F5" && !shell.course_shown) return shell.present(!shell.presenting);
+  // Any key ends the way to an outcome, and does nothing else.
+  if (!shell.course_shown && shell.session().deciding() != nullptr)
+    return static_cast<void>(shell.app().command("continue"));
+  if (key == "Escape" && put_away(shell)) return;
+  if (!control && move_focus(shell, key, shift)) return;
+  if (shell.course_shown) return static_cast<void>(shell.course.answer_key(shell, control && key == "f" ? "/" : key));
+  if (!control && (choose(shell, key) || present_by_key(shell, key))) return;
+  if (control && key == "s" && shell.app().cover() != nullptr)
+    return shell.save_cover(shell.app().cover()->formats().front());
   shell.app().command(shell.app().command_of_key(key, shift, control));
 }
 
@@ -191,9 +265,10 @@ void run(GlfwHost& host, Shell& shell) {
   host.on_drop = [&](const std::vector<std::string>& paths) {
     if (!paths.empty()) shell.use_file(paths.front());
   };
+  ImGui::GetIO().UserData = &shell.focus;
   StateFile state;
   std::string title;
-  bool due = true;
+  bool due = true, presented = false;
   while (host.open()) {
     if (due) {
       draw(host, shell, host.now());
@@ -204,12 +279,15 @@ void run(GlfwHost& host, Shell& shell) {
     if (const std::string next = shell.course_shown ? "Snug" : shell.session().lesson().title + " – Snug";
         next != title)
       host.set_title(title = next);
+    if (presented != shell.presenting) host.fill_screen(presented = shell.presenting);
     shell.app().measure(kSlice);
     const app::Cover* const cover = shell.app().cover();
-    const bool more =
-        (cover != nullptr && cover->running()) || shell.measured_anew || shell.app().wants_frame(host.now());
-    const bool input = host.wait(more ? 0 : shell.app().playing() ? kTick : -1);
-    due = input || shell.measured_anew || shell.app().wants_frame(host.now());
+    const auto more = [&] {
+      return shell.measured_anew || shell.focus.wants_frame() || shell.app().wants_frame(host.now());
+    };
+    const bool measuring = cover != nullptr && cover->running();
+    const bool input = host.wait(measuring || more() ? 0 : shell.app().playing() ? kTick : -1);
+    due = input || more();
   }
 }
 

@@ -14,45 +14,21 @@
 #include <string>
 
 #include "app/app.hpp"
-#include "app/subjects/cost/costs.hpp"
 #include "io/point_file.hpp"
-#include "lesson/kept_answers.hpp"
 #include "snug_gl.h"
-#include "web/boxes.hpp"
 #include "web/canvas.hpp"
-#include "web/costs.hpp"
-#include "web/shared_points.hpp"
+#include "web/cover.hpp"
+#include "web/deeds.hpp"
+#include "web/door.hpp"
 #include "web/view.hpp"
 
 namespace {
 
 using emscripten::val;
 using namespace snug;
-
-struct Door {
-  std::map<std::string, std::string, std::less<>> fonts;
-  std::unique_ptr<app::App> app;
-  bool graphics = false;
-  app::Layout layout;
-  float width = 1, height = 1, scale = 1;
-  double last_frame = 0;
-  std::array<float, 3> ground{};
-  web::SharedPoints shared;
-};
-
-Door& door() {
-  static Door only;
-  return only;
-}
-
-/// Null before the first lesson is open.
-lesson::Session* session() { return door().app ? door().app->session() : nullptr; }
-
-/// An error's sentence; "" for none, which tells the page that there was no error.
-template <class Value>
-std::string sentence(const tl::expected<Value, InputError>& result) {
-  return result ? std::string() : result.error().message();
-}
+using web::door;
+using web::Door;
+using web::session;
 
 // ---- starting -------------------------------------------------------------------------------------------------
 
@@ -190,148 +166,6 @@ val handles() {
   return array;
 }
 
-// ---- what the user does ---------------------------------------------------------------------------------------
-
-/// Remembers how an address can describe the current points.
-void remember_points() { door().shared.remember(*session()); }
-
-bool command(const std::string& name) {
-  if (!session() || !door().app->command(name)) return false;
-  if (name == "scatter" || name == "reset_points") remember_points();
-  return true;
-}
-
-std::string command_of_key(const std::string& key, bool shift, bool control) {
-  return door().app ? std::string(door().app->command_of_key(key, shift, control)) : std::string();
-}
-
-/// Chooses an answer by its number; choosing it again gives it.
-void pick_choice(int choice) {
-  if (session()) session()->pick({lesson::Answer::Kind::kChoice, choice});
-}
-/// Chooses a handle by its typed name. Returns false if it cannot be the answer.
-bool pick_name(const std::string& name) { return session() && session()->pick(std::string_view(name)); }
-/// The names of the handles that can be the answer. A mesh has thousands, so they are not part of view().
-val targets() { return session() ? web::target_names(*session()) : val::array(); }
-
-bool figures_fill() { return door().app && door().app->figures_fill(); }
-double figures_height() { return door().app ? static_cast<double>(door().app->figures_height()) : 0; }
-
-/// A pinch: factor > 1 as the fingers part, around (x, y), which moved by (dx, dy).
-void pinch(float factor, float x, float y, float dx, float dy) { door().app->pinch(factor, x, y, dx, dy); }
-
-void go(int step) {
-  if (session()) session()->go(step);
-}
-
-void jump(int step) {
-  if (session()) session()->jump(step);
-}
-
-void forget_answers() {
-  if (!session()) return;
-  session()->forget_answers();
-  if (app::Cover* const cover = door().app->cover()) cover->show(false);  // the chart would give the answers away
-}
-
-/// The given answers, for the device to keep; and those of an earlier visit, passed in before the lesson is opened.
-std::string kept_answers() { return session() ? lesson::kept_text(session()->outcomes()) : ""; }
-void keep_answers(const std::string& lesson, const std::string& kept) {
-  door().app->keep_answers(lesson, lesson::outcomes_of(kept));
-}
-/// Erases the answers to all lessons.
-void erase_answers() {
-  if (!door().app) return;
-  door().app->forget_answers();
-  if (app::Cover* const cover = door().app->cover()) cover->show(false);
-}
-
-/// name: "" clears the comparison.
-std::string choose(int slot, const std::string& name) {
-  return session() ? sentence(session()->choose(slot, name)) : "";
-}
-
-void select_point(int point) {
-  if (session()) door().app->select(point >= 0 && point < session()->size() ? point : kNoIndex);
-}
-
-std::string move_point(int point, double x, double y, double z) {
-  if (!session() || point < 0 || point >= session()->size()) return "there is no such point";
-  return sentence(session()->move(point, {x, y, session()->dim() == 2 ? 0 : z}));
-}
-
-/// Makes many moves as one entry of undo: [[point, x, y(, z)] …].
-std::string move_points(val rows) {
-  if (!session()) return "";
-  std::string error;
-  session()->begin_drag();
-  for (int i = 0; i < rows["length"].as<int>() && error.empty(); ++i) {
-    const val row = rows[i];
-    error = move_point(row[0].as<int>(), row[1].as<double>(), row[2].as<double>(),
-                       session()->dim() == 3 ? row[3].as<double>() : 0);
-  }
-  session()->end_drag();
-  return error;
-}
-
-std::uint64_t whole(double seed) { return static_cast<std::uint64_t>(std::clamp(seed, 0.0, 0x1p53)); }
-
-/// Scatters points of the same kind again, from a seed.
-void scatter(double seed) {
-  if (!session()) return;
-  session()->scatter(whole(seed));
-  remember_points();
-}
-
-/// Scatters points of another kind.
-std::string set_generator(const std::string& kind, int count, double seed) {
-  if (!session()) return "";
-  const auto set = session()->set_generator(kind, count, session()->dim(), whole(seed));
-  if (set) remember_points();
-  return sentence(set);
-}
-
-/// Loads a point file in any of the formats.
-std::string load_file(const std::string& bytes, const std::string& name) {
-  if (!session()) return "";
-  const auto file = io::read_points(bytes, name);
-  if (!file) return file.error().message();
-  const auto loaded = door().app->load(*file, name);
-  if (loaded) remember_points();
-  return sentence(loaded);
-}
-
-/// Does a slice of the running measurement. milliseconds: the budget.
-void measure_slice(double milliseconds) { door().app->measure(milliseconds * 1e6); }
-bool measuring() { return door().app->cover() != nullptr && door().app->cover()->running(); }
-/// The progress of the measurement, from 0 to 1.
-double measured() { return door().app->cover() != nullptr ? door().app->cover()->progress() : 1; }
-std::string costs_file(const std::string& format) { return web::costs_file(*door().app, format); }
-std::string lay_over(const std::string& csv, const std::string& name) {
-  return session() ? web::lay_over(*door().app, csv, name) : "";
-}
-
-/// Lights a mark that the prose links to, until another, or "" for none.
-void light(const std::string& mark) {
-  if (door().app) door().app->light(mark);
-}
-
-void start_task() {
-  if (!session()) return;
-  session()->start_task();
-  remember_points();
-}
-
-std::string set_box_rows(val rows) { return session() ? web::set_box_rows(*session(), rows) : ""; }
-std::string set_box(int box, const std::string& what, val values) {
-  return session() ? web::set_box(*session(), box, what, values) : "";
-}
-std::string turn_box(int box, int axis, double degrees, bool to) {
-  return session() ? web::turn_box(*session(), box, axis, degrees, to) : "";
-}
-
-val shared_points() { return session() ? door().shared.describe(*session()) : val::object(); }
-
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(snug) {
@@ -345,13 +179,13 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("frame", &frame);
   function("seconds_until_due", &seconds_until_due);
   function("menu_open", &menu_open);
-  function("figures_height", &figures_height);
-  function("figures_fill", &figures_fill);
+  function("figures_height", &web::figures_height);
+  function("figures_fill", &web::figures_fill);
   function("pointer_moved", &web::pointer_moved);
   function("pointer_left", &web::pointer_left);
   function("pointer_button", &web::pointer_button);
   function("wheel_turned", &web::wheel_turned);
-  function("pinch", &pinch);
+  function("pinch", &web::pinch);
   function("modifiers_held", &web::modifiers_held);
   function("cursor", &web::cursor);
   function("check_lesson", &check_lesson);
@@ -359,34 +193,32 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("lesson", &opened_lesson);
   function("view", &view_now);
   function("handles", &handles);
-  function("command", &command);
-  function("command_of_key", &command_of_key);
-  function("pick_choice", &pick_choice);
-  function("pick_name", &pick_name);
-  function("targets", &targets);
+  function("command", &web::command);
+  function("command_of_key", &web::command_of_key);
+  function("pick_choice", &web::pick_choice);
+  function("pick_name", &web::pick_name);
+  function("targets", &web::targets);
   function("words", &web::words_object);
-  function("go", &go);
-  function("jump", &jump);
-  function("forget_answers", &forget_answers);
-  function("kept_answers", &kept_answers);
-  function("keep_answers", &keep_answers);
-  function("erase_answers", &erase_answers);
-  function("choose", &choose);
-  function("select_point", &select_point);
-  function("move_point", &move_point);
-  function("move_points", &move_points);
-  function("set_box_rows", &set_box_rows);
-  function("set_box", &set_box);
-  function("turn_box", &turn_box);
-  function("scatter", &scatter);
-  function("set_generator", &set_generator);
-  function("light", &light);
-  function("start_task", &start_task);
-  function("load_file", &load_file);
-  function("measure", &measure_slice);
-  function("measuring", &measuring);
-  function("measured", &measured);
-  function("costs_file", &costs_file);
-  function("lay_over", &lay_over);
-  function("shared_points", &shared_points);
+  function("go", &web::go);
+  function("jump", &web::jump);
+  function("kept_answers", &web::kept_answers);
+  function("keep_answers", &web::keep_answers);
+  function("erase_answers", &web::erase_answers);
+  function("choose", &web::choose);
+  function("select_point", &web::select_point);
+  function("move_point", &web::move_point);
+  function("set_numbers", &web::set_numbers);
+  function("set_rows", &web::set_rows);
+  function("change_rows", &web::change_rows);
+  function("shared_rows", &web::shared_rows);
+  function("scatter", &web::scatter);
+  function("set_generator", &web::set_generator);
+  function("light", &web::light);
+  function("invite", &web::invite);
+  function("start_task", &web::start_task);
+  function("load_file", &web::load_file);
+  function("measure", &web::measure_slice);
+  function("measuring", &web::measuring);
+  function("measured", &web::measured);
+  function("cover_file", &web::cover_file);
 }

@@ -8,10 +8,11 @@
 
 namespace snug::web {
 
-/// What stays constant while the lesson is open: {id, group, title, dim, sections, task, algorithms, points …}.
+/// What stays constant while the lesson is open: {id, title, sections, task, algorithms, tools, stageSays …}.
 emscripten::val lesson_object(const lesson::Session& session);
 
-/// What changes: {step, steps, caption, asked, outcome, grade, algorithms, code, rivals, readout, selected …}.
+/// What changes: {step, steps, caption, algorithms, code, rivals, readout, selected, numbers, cover, effects …}, and
+/// set_answers.
 emscripten::val view_object(app::App& app, const lesson::Session& session);
 
 /// The names of the handles that can be the answer to the open question.
@@ -20,7 +21,7 @@ emscripten::val target_names(const lesson::Session& session);
 /// The headings and buttons that page and window share (lesson/say.hpp).
 emscripten::val words_object();
 
-/// [x, y] or [x, y, z].
-emscripten::val coordinates(const Vector<double, 3>& point, int dim);
+/// Adds to an object: {asked, outcome, deciding, predictions, tally, outcomes, grade …}.
+void set_answers(emscripten::val& object, const lesson::Session& session);
 
 }  // namespace snug::web

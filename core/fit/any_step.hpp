@@ -1,4 +1,4 @@
-// A step and a volume of any algorithm, scalar and dimension, for those who only read them: in double and 3-D.
+// The steps and volumes of every algorithm, scalar and dimension, as double and 3-D, for code that only reads them.
 #pragma once
 
 #include <type_traits>
@@ -30,7 +30,7 @@ struct AddFacts<std::variant<Known...>, Fact, Facts...>
                                   std::variant<Known..., Fact>>,
                Facts...> {};
 
-/// A variant of all alternatives of several, each once.
+/// The union of several variants: every alternative once.
 template <class First, class... Others>
 struct Union {
   using Type = First;
@@ -38,7 +38,7 @@ struct Union {
 template <class First, class... Facts, class... Others>
 struct Union<First, std::variant<Facts...>, Others...> : Union<typename AddFacts<First, Facts...>::Type, Others...> {};
 
-/// Every fact that a fitter tells.
+/// Every fact that a fitter reports.
 using Fact3 = Union<SphereStep<double, 3>::Fact, ObbStep<double, 3>::Fact, AabbStep<double, 3>::Fact,
                     CapsuleStep<double, 3>::Fact, LozengeStep<double, 3>::Fact, KdopStep<double, 3>::Fact,
                     HullStep<double, 3>::Fact>::Type;
@@ -51,7 +51,7 @@ struct Step3 {
   Fact fact;
 };
 
-/// What an algorithm comes to. volume: of a known kind where ball_of is asked.
+/// The result of an algorithm. ball_of takes only one whose volume is a ball.
 struct Result {
   Volume3 volume;
   std::vector<Index> support;
@@ -59,7 +59,7 @@ struct Result {
 
 [[nodiscard]] inline const Sphere3& ball_of(const Result& result) { return *std::get_if<Sphere3>(&result.volume); }
 
-/// Null where it is none, or there is none yet.
+/// The step's volume as a ball; null if it is no ball, or if there is no volume yet.
 [[nodiscard]] inline const Sphere3* ball_of(const Step3& step) {
   return step.has_volume ? std::get_if<Sphere3>(&step.volume) : nullptr;
 }

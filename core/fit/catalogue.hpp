@@ -1,5 +1,5 @@
 // Every algorithm by its name: what the command line, lessons and charts choose from.
-// A new fitter is its own file and one row in catalogue.cpp.
+// A new fitter is its own file and one row in the catalogue of its folder.
 #pragma once
 
 #include <cstdint>
@@ -25,40 +25,40 @@ struct Recording {
   Certificate certificate;
 };
 
-/// A watched run that keeps no step, for traces that memory should not hold.
+/// A watched run that keeps no steps, for traces too long for memory.
 struct Watched {
   Result result;
   std::int64_t steps = 0;
   OperationCounts counts{};
   Certificate certificate;
 };
-/// Is given each step as it happens, with the counts as they stand.
+/// Receives each step as it happens, with the counts so far.
 using SeeStep = std::function<void(Step3&& step, const OperationCounts& counts)>;
 
 struct Algorithm {
   std::string_view volume;                             // of kVolumeNames
   std::string_view name;                               // as scripts say it: "ritter_iterative"
   std::string_view title;                              // as people say it: "Iterative Ritter"
-  bool exact;                                          // whether it claims the smallest volume of its kind
-  bool plane, space;                                   // whether it takes points of 2-D, of 3-D
+  bool exact;                                          // whether it guarantees the smallest volume of its kind
+  bool plane, space;                                   // whether it takes 2-D points, 3-D points
   Index max_points;                                    // more are refused
   std::string_view source;                             // author, title, year
   Theory theory;                                       // of its time
   std::span<const std::string_view> pseudocode;        // steps name its lines, counted from 0
   std::span<const std::string_view> plane_pseudocode;  // in 2-D, where that differs; empty otherwise
 
-  /// The unwatched run, as timed. points: at most max_points.
+  /// The run without an observer, which is the one that is timed. points: at most max_points.
   Result (*fit)(const AnyPointSet& points, const Options& options);
-  /// The same code, watched. see: none where only the figures are wanted.
+  /// The same code with an observer. see: empty if only the result and the counts are wanted.
   Watched (*watch)(const AnyPointSet& points, const Options& options, const SeeStep& see);
-  /// The same, with every step kept, in the memory of an earlier recording where one is given up for it: a long trace
-  /// is megabytes, which to ask for anew would take longer than the run.
+  /// Runs it with an observer and keeps every step. room: an earlier recording whose memory is reused, because
+  /// allocating megabytes for a long trace would take longer than the run.
   [[nodiscard]] Recording record(const AnyPointSet& points, const Options& options, Recording room = {}) const;
 };
 
 /// Sorted by volume, in kVolumeNames' order.
 [[nodiscard]] std::span<const Algorithm> algorithms();
-/// Those of one volume; empty where there are none.
+/// The algorithms for one volume; empty if there are none.
 [[nodiscard]] std::span<const Algorithm> algorithms_of(std::string_view volume);
 
 [[nodiscard]] inline std::span<const std::string_view> pseudocode_of(const Algorithm& algorithm, int dim) {
@@ -71,14 +71,14 @@ struct Algorithm {
 /// Null where there is none of that volume and name.
 [[nodiscard]] const Algorithm* find_algorithm(std::string_view volume, std::string_view name);
 
-/// An algorithm that claims the smallest volume of its kind, the fastest of them for a sphere, where there are three;
-/// null where none does.
+/// An algorithm that guarantees the smallest volume of its kind; null if none does. For spheres, the fastest of
+/// three.
 [[nodiscard]] const Algorithm* exact_algorithm(std::string_view volume);
 
 /// Area (dim 2) or volume (dim 3).
 [[nodiscard]] double measure_of(const Volume3& volume, int dim);
 
-/// What volumes of a kind are compared by: a ball's radius; of others the area (dim 2) or volume (dim 3).
+/// The size by which volumes are compared: a ball's radius; for any other kind, the area (dim 2) or volume (dim 3).
 [[nodiscard]] double size_of(const Volume3& volume, int dim);
 
 /// The fact's name, as traces and lessons say it: "ball_grown".
@@ -87,7 +87,7 @@ struct Algorithm {
 /// The names of all facts.
 [[nodiscard]] std::span<const std::string_view> fact_names();
 
-/// Over every number of every step, in order.
+/// A hash over every number of every step, in order.
 [[nodiscard]] std::uint64_t hash_of(std::span<const Recorder<Step3>::Entry> steps);
 
 /// One step as one line of JSON, without a line feed: {"step":"ball_grown","line":3,"ball":{...},...}.

@@ -15,7 +15,7 @@
 
 namespace snug::fit {
 
-/// Counts, and hands each step on lifted where somebody wants to see it.
+/// Counts operations, and passes each step on in double and 3-D if there is a callback.
 struct LiftingObserver {
   const SeeStep& see;
   FullCounter counter{};
@@ -34,7 +34,7 @@ std::vector<Index> indices_of(const Held& support) {
   return {support.begin(), support.end()};
 }
 
-/// Calls with the set's span.
+/// Calls a function with the set's span.
 template <class Returned, class Call>
 Returned with_span(const AnyPointSet& points, Call call) {
   return std::visit([&](const auto& set) -> Returned { return call(set.span()); }, points);
@@ -64,7 +64,7 @@ Watched watch_any(const AnyPointSet& points, const Options& options, const SeeSt
 
 inline constexpr Index kAny = std::numeric_limits<Index>::max();
 
-/// What is said of an algorithm, apart from its code.
+/// The description of an algorithm, without its code.
 struct About {
   std::string_view volume, name, title, source;
   Theory theory;
@@ -74,7 +74,7 @@ struct About {
   Index max_points = kAny;
 };
 
-/// kFitter: takes a PointSpan, Options and an observer. kExact: whether it claims the smallest.
+/// kFitter: takes a PointSpan, Options and an observer. kExact: whether it guarantees the smallest.
 template <auto kFitter, bool kExact = false>
 constexpr Algorithm row(const About& about) {
   return {about.volume,
@@ -92,7 +92,7 @@ constexpr Algorithm row(const About& about) {
           &watch_any<kFitter, kExact>};
 }
 
-// Books that several rows name.
+// Sources that several rows name.
 inline constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
 inline constexpr std::string_view kRomanick = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007";
 

@@ -1,5 +1,5 @@
-// The facts that fitters of several volumes share, in geometric words. Colours and captions live with those who show
-// them. Each fact lists its fields by name once, for every reader of traces (hash, JSON lines, inspector).
+// The facts that fitters of several volumes share, in geometric words. Whoever shows them supplies colours and
+// captions. Each fact lists its fields by name once, for every reader of traces (hash, JSON lines, inspector).
 #pragma once
 
 #include <array>
@@ -60,7 +60,7 @@ struct AxesFound {
   static auto tie(auto& own) { return std::tie(own.mean, own.axes, own.variances); }
 };
 
-/// The last step of every way out: the volume is the result, held by these points.
+/// The last step of every run: the volume is the result, and these points support it.
 struct Finished {
   static constexpr std::string_view kName = "finished";
   std::vector<Index> support;

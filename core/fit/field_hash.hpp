@@ -15,7 +15,7 @@
 
 namespace snug::fit {
 
-/// Takes what fields lists.
+/// Hashes each of the listed fields.
 struct FieldHash : Fnv1a {
   void operator()(std::string_view, const auto& value) { add(value); }
 
@@ -50,8 +50,8 @@ struct FieldHash : Fnv1a {
   }
 };
 
-/// Over every number of every step, in order. entries: of a Recorder, whose steps have a line and a variant of facts,
-/// and may have a volume.
+/// A hash over every number of every step, in order. entries: from a Recorder whose steps have a line and a variant of
+/// facts, and may have a volume.
 template <class Entry>
 std::uint64_t hash_of_steps(std::span<const Entry> entries) {
   FieldHash hash;

@@ -1,4 +1,4 @@
-// Steps and results of any scalar and dimension as double and 3-D, without loss, for those who only read them.
+// Lifts steps and results of any scalar and dimension to double and 3-D, without loss, for code that only reads them.
 #pragma once
 
 #include <variant>
@@ -15,7 +15,7 @@ Vector<double, 3> lift(const Vector<Scalar, Dim>& v) {
   return lifted;
 }
 
-/// The added axis is an axis of its own: a 1 on the diagonal of axes, a 0 on that of a covariance.
+/// The added axis is perpendicular to the others: diagonal is 1 for a matrix of axes, 0 for a covariance.
 template <class Scalar, int Dim>
 Matrix<double, 3> lift(const Matrix<Scalar, Dim>& m, double added) {
   Matrix<double, 3> lifted = Matrix<double, 3>::Zero();
@@ -30,7 +30,7 @@ Kind<double, 3> lift(const Kind<Scalar, Dim>& volume) {
   return converted<double, 3>(volume);
 }
 
-// ---- facts: those that speak of no coordinates are lifted as they are ------------------------------------------
+// ---- facts: those without coordinates are lifted as they are ------------------------------------------
 
 template <class Plain>
 const Plain& lift_fact(const Plain& fact) {

@@ -1,4 +1,4 @@
-// What a part of a fitter spends, where its own steps are not for the watcher of the whole.
+// Counts the operations of a part of a fitter whose own steps the observer of the whole must not see.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace snug {
 namespace fit {
 
-/// Counts alone: of a part of an algorithm whose own steps nobody is to see, nor is anything worked out for them.
+/// Counts only. The part's steps are hidden, and nothing is computed for them.
 struct Tally {
   OperationCounts counts{};
 
@@ -20,30 +20,30 @@ struct Tally {
   void count(Operation operation, std::int64_t n) noexcept { counts[static_cast<std::size_t>(operation)] += n; }
 };
 
-/// Counts what an algorithm tells of, and the exact decisions that it causes below.
+/// Counts the operations that an algorithm reports, and the exact decisions that it causes in the predicates.
 struct FullCounter : Counter {
   template <class Step>
   void operator()(const Step& step) noexcept {
     take();
     Counter::operator()(step);
   }
-  /// Up to now.
+  /// Adds the exact decisions since the last take or pass.
   void take() noexcept {
     counts[static_cast<std::size_t>(Operation::kExactDecisions)] += exact_decisions - taken_;
     pass();
   }
-  /// What was decided since was not the algorithm's.
+  /// Leaves out the exact decisions since then, which were not the algorithm's.
   void pass() noexcept { taken_ = exact_decisions; }
 
  private:
   std::int64_t taken_ = exact_decisions;
 };
 
-/// What counts such a part for an observer: nothing where that ignores.
+/// The counter of such a part for an observer; Ignore, if the observer ignores.
 template <class Observer>
 using TallyFor = std::conditional_t<std::is_same_v<std::remove_cvref_t<Observer>, Ignore>, Ignore, Tally>;
 
-/// Tells the observer what the part came to.
+/// Reports the part's counts to the observer.
 template <class Observer>
 void hand_on(const Tally& tally, Observer& observe) {
   for (std::size_t i = 0; i < tally.counts.size(); ++i) observe.count(static_cast<Operation>(i), tally.counts[i]);

@@ -1,4 +1,4 @@
-// What is proven or known of an algorithm's time, to stand beside what is measured.
+// What is proven or known about an algorithm's time, to compare with the measured time.
 #pragma once
 
 #include <cmath>
@@ -7,11 +7,11 @@
 namespace snug::fit {
 
 struct Theory {
-  std::string_view bound;              // "O(n log n)"; of n points, h of them on the hull
-  double (*work)(double n) = nullptr;  // up to a factor, where as many are on the hull as can be; for its slope
-  bool tight = false;                  // whether times grow so on any points; false: an upper bound
+  std::string_view bound;              // "O(n log n)"; n points, h of them on the hull
+  double (*work)(double n) = nullptr;  // up to a factor, with all points on the hull; for its slope
+  bool tight = false;                  // whether the time grows like this on all points; false: it is an upper bound
   std::string_view source;
-  std::string_view plane_bound = {};  // in 2-D, where that is another
+  std::string_view plane_bound = {};  // in 2-D, if that differs
   double (*plane_work)(double n) = nullptr;
 };
 
@@ -30,7 +30,7 @@ inline double fourth(double n) { return n * n * n * n; }
 inline double fifth(double n) { return fourth(n) * n; }
 }  // namespace growth
 
-// What several algorithms have in common.
+// Theory that several algorithms share.
 
 inline constexpr Theory kFixedPasses{"O(n)", growth::linear, true,
                                      "a fixed number of passes over the points, as the code shows"};

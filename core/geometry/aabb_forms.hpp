@@ -2,8 +2,8 @@
 // Source: C. Ericson, Real-Time Collision Detection, 2005, 4.2.
 //
 // No conversion loses a point: in exact arithmetic the result contains the box that it was made of, and no face lies
-// farther out than two units in the last place of the box's largest coordinate or width. What is beyond every Scalar is
-// infinite. The input is finite; nothing on the way over- or underflows to any effect.
+// farther out than two units in the last place of the box's largest coordinate or width. A bound beyond every Scalar
+// becomes infinite. The input is finite; nothing on the way over- or underflows to any effect.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,7 @@ template <class Scalar, int Dim>
   return result;
 }
 
-/// The middle is halved before it is summed where the sum would overflow, and after where halves would lose a digit.
+/// Halves before adding if the sum would overflow, and otherwise after, because halves could lose a digit.
 template <class Scalar, int Dim>
 [[nodiscard]] AabbCenterExtents<Scalar, Dim> center_extents_of(const Aabb<Scalar, Dim>& box) {
   AabbCenterExtents<Scalar, Dim> result;

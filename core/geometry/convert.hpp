@@ -11,8 +11,8 @@
 
 namespace snug {
 
-/// Coordinates that only the larger dimension has are 0, its added axes those of the coordinates, its added places
-/// kNoIndex or 0; what only the smaller one lacks is dropped.
+/// Going up, the added coordinates are 0, the added axes coordinate axes, and the added indices kNoIndex or 0; going
+/// down, whatever the smaller dimension lacks is dropped.
 template <class To, class From>
 void convert_into(To& to, const From& from);
 

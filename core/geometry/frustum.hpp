@@ -1,11 +1,11 @@
-// The view frustum: what a camera sees, as the meeting of half-spaces whose normals point out.
+// The view frustum, which is what a camera sees: the intersection of half-spaces whose normals point out.
 // Source: G. Gribb, K. Hartmann, "Fast Extraction of Viewing Frustum Planes from the World-View-Projection Matrix",
 // 2001, for the planes of a matrix.
 //
-// A frustum is its planes as they are stored, to the last bit: all that is decided exactly is decided about them.
-// Whatever they were made from (a camera, a matrix), making them rounds once or a few times per number, so that a plane
-// is turned by a few u and, where it is a distance D from the origin, moved by a few u of D. Nothing else rounds: no
-// plane is normalised unless it is asked for (Frustum::normalized), and no test needs it.
+// A frustum is its planes as they are stored, to the last bit: every exact decision is about these. Making them from a
+// camera or a matrix rounds each number once or a few times, so that a plane at distance D from the origin is rotated
+// by a few u and moved by a few u of D. Nothing else rounds: planes are normalised only on request
+// (Frustum::normalized), and no test needs that.
 #pragma once
 
 #include <array>
@@ -31,33 +31,33 @@ inline constexpr std::array<std::string_view, 2 * Dim> kFrustumPlaneNames = [] {
   else return std::array<std::string_view, 6>{"left", "right", "bottom", "top", "near", "far"};
 }();
 
-/// A set of a frustum's planes, a bit for each by its place.
+/// A set of a frustum's planes: bit i for plane i.
 using PlaneSet = std::uint32_t;
 template <int Dim>
 inline constexpr PlaneSet kAllPlanes = (PlaneSet{1} << kFrustumPlanes<Dim>)-1;
 
-/// All p with normal . p + d <= 0 for each plane. Behind the door every plane has a finite normal that is not zero.
+/// All p with normal . p + d <= 0 for each plane. make checks that every normal is finite and not zero.
 template <class Scalar, int Dim>
 class Frustum {
  public:
   using Planes = std::array<Plane<Scalar, Dim>, kFrustumPlanes<Dim>>;
 
   /// The largest coordinate of a normal is neither above this nor below 1 over it, and |d| at most four times this
-  /// times that coordinate. With volumes as PointSet takes them nothing then overflows, and what underflows is beneath
-  /// every doubt.
+  /// times that coordinate. So with volumes within PointSet's limits nothing overflows, and underflow is smaller than
+  /// every error bound.
   static constexpr Scalar kLargest = sizeof(Scalar) == 8 ? static_cast<Scalar>(0x1p508) : static_cast<Scalar>(0x1p60);
 
   /// The square (in space the cube) from -1 to 1.
   Frustum();
 
-  /// In the order of kFrustumPlaneNames, normals pointing out, of any length. The planes need not bound anything.
+  /// In the order of kFrustumPlaneNames, normals pointing out, of any length. Together the planes may be unbounded.
   /// Errors: a number that is not finite, a normal that is zero, too short or too long, a plane too far away (each says
   /// which plane).
   static tl::expected<Frustum, InputError> make(const Planes& planes);
 
-  /// The same planes with unit normals, within 4u, so that signed_distance is one. That is another frustum: each plane
-  /// is turned by up to 4u, and its distance from the origin scaled by as much. A point at distance D from the origin
-  /// may lie 8u D to the other side of it.
+  /// The same planes with unit normals, within 4u, so that signed_distance is a distance. This is a slightly different
+  /// frustum: each plane is rotated by up to 4u, and its distance from the origin scaled by as much. A point at
+  /// distance D from the origin may lie 8u D to the other side of it.
   [[nodiscard]] Frustum normalized() const;
 
   [[nodiscard]] const Planes& planes() const { return planes_; }
@@ -80,14 +80,14 @@ struct FrustumCamera {
 };
 
 /// What a camera sees. Planes at the sides have normals of length sqrt(1 + tangent^2). Each coordinate of a normal
-/// carries two roundings; each d those of a dot product with the position, u of whose size a plane may so be moved.
-/// Errors: a number that is not finite, near and far that are not 0 < near < far, a tangent that is not positive, and
-/// what Frustum::make refuses.
+/// carries two roundings; each d those of a dot product with the position, which may move a plane by u of the
+/// position's size. Errors: a number that is not finite, near and far that are not 0 < near < far, a tangent that is
+/// not positive, and what Frustum::make refuses.
 template <class Scalar, int Dim>
 [[nodiscard]] tl::expected<Frustum<Scalar, Dim>, InputError>
 frustum_of_camera(const FrustumCamera<Scalar, Dim>& camera);
 
-/// What a view-projection matrix leaves in OpenGL's clip space, -w <= x, y, z <= w. The planes are sums and differences
+/// What a view-projection matrix maps into OpenGL's clip space, -w <= x, y, z <= w. The planes are sums and differences
 /// of its rows, in Scalar: each number carries one rounding. column_major: 16 numbers, the matrix that takes world to
 /// clip coordinates, its columns one after the other. Errors: not 16 numbers, one that is not finite, a matrix that is
 /// singular (exactly), a plane without a normal (a far plane at infinity has none), and what Frustum::make refuses.

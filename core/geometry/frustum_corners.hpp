@@ -1,4 +1,4 @@
-// The corners of a frustum, which its planes only imply.
+// The vertices of a frustum, computed from its planes.
 #pragma once
 
 #include <array>
@@ -10,29 +10,29 @@
 
 namespace snug {
 
-/// How many: where each of the lines left or right, (in 3-D) bottom or top, near or far is chosen.
+/// How many there are: one for each choice of left or right, (in 3-D) bottom or top, and near or far.
 template <int Dim>
 inline constexpr std::size_t kFrustumCorners = std::size_t{1} << Dim;
 
 /// Corner c lies on the planes 2 i + bit i of c: bit 1 for right and not left, in 3-D 2 for top and not bottom, the
-/// highest bit for far and not near. Rounded from the exact ones, each coordinate within 8u of its size.
+/// highest bit for far and not near. Each coordinate is within 8u of the exact one's size.
 template <class Scalar, int Dim>
 using FrustumCorners = std::array<Vector<Scalar, Dim>, kFrustumCorners<Dim>>;
 
-/// Errors: opposite planes or others that should meet in a corner do not; the planes leave nothing, or only what some
-/// planes do not bound or bound otherwise than as a box seen in perspective (corners outside of other planes, more
-/// corners than these); a corner beyond every Scalar. All decided exactly.
+/// Errors: planes that should meet in a vertex do not; the planes enclose nothing, or not all of them bound it, or its
+/// shape is not a box in perspective (a vertex outside another plane, or more vertices than these); a vertex beyond
+/// every Scalar. All of this is decided exactly.
 template <class Scalar, int Dim>
 [[nodiscard]] tl::expected<FrustumCorners<Scalar, Dim>, InputError> corners_of(const Frustum<Scalar, Dim>& frustum);
 
-/// A point that is coordinates / weight, exactly. weight > 0.
+/// The point coordinates / weight, exactly. weight > 0.
 template <int Dim>
 struct ExactPoint {
   std::array<Dyadic, static_cast<std::size_t>(Dim)> coordinates;
   Dyadic weight;
 };
 
-/// The same corners without rounding. Errors: the same, but for corners that are far out.
+/// The same vertices without rounding. Errors: the same, except vertices beyond every Scalar.
 template <class Scalar, int Dim>
 [[nodiscard]] tl::expected<std::array<ExactPoint<Dim>, kFrustumCorners<Dim>>, InputError>
 exact_corners_of(const Frustum<Scalar, Dim>& frustum);

@@ -12,14 +12,14 @@
 
 namespace snug {
 
-/// Vertices are points of the set, unrounded: in 2-D counter-clockwise around it, in 3-D by rising index. facets name
-/// places in vertices: in 2-D edges, facet i from vertex i to the next; in 3-D triangles, counter-clockwise as seen
-/// from outside. Where the points span less than Dim dimensions (affine_dim) the hull is a point, a segment's two ends,
-/// or in 3-D a flat polygon's vertices in their order around it; facets is then empty.
+/// Vertices are points of the set, unrounded: in 2-D counter-clockwise around it, in 3-D by rising index. facets hold
+/// indices into vertices: in 2-D edges, facet i from vertex i to the next; in 3-D triangles, counter-clockwise as seen
+/// from outside. If the points span fewer than Dim dimensions (affine_dim), the hull is a point, a segment's two ends,
+/// or in 3-D a flat polygon's vertices in their order around it, and facets is empty.
 template <class Scalar, int Dim>
 struct ConvexHull {
   std::vector<Vector<Scalar, Dim>> vertices;
-  std::vector<Index> indices;  // of each vertex in the point set
+  std::vector<Index> indices;  // each vertex's index in the point set
   std::vector<std::array<Index, Dim>> facets;
   int affine_dim = Dim;
   static constexpr std::array<std::string_view, 4> kFields{"vertices", "indices", "facets", "affine_dim"};

@@ -1,4 +1,4 @@
-// Which vertices of a hull an edge joins: what hill climbing walks on.
+// Which vertices of a hull are joined by an edge. Hill climbing walks along these edges.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 namespace snug {
 
 /// The neighbours of every vertex in one array: those of vertex v are ends[begin[v]] ... ends[begin[v + 1] - 1],
-/// rising. In 3-D facets[i] is the facet on the left, as seen from outside, of the way to ends[i]; of flat hulls and in
-/// 2-D it is empty.
+/// rising. In 3-D facets[i] is the facet to the left of the edge to ends[i], as seen from outside; for flat hulls and
+/// in 2-D facets is empty.
 struct HullNeighbors {
   std::vector<Index> begin;
   std::vector<Index> ends;
@@ -21,13 +21,13 @@ struct HullNeighbors {
     const auto to = static_cast<std::size_t>(begin[static_cast<std::size_t>(vertex) + 1]);
     return {ends.data() + from, to - from};
   }
-  /// The place in ends of the edge from a vertex to another; kNoIndex where there is none. O(log degree) time.
+  /// The index in ends of the edge from one vertex to another; kNoIndex if there is none. O(log degree) time.
   [[nodiscard]] Index edge(Index from, Index to) const;
 };
 
-/// hull: any whose facets name its vertices. From each vertex of a hull that quickhull gives, one of its neighbours is
-/// farther along any direction, or none of all vertices is; edges that only cut a flat face into triangles count too.
-/// O(n log n) time.
+/// hull: any whose facets index its vertices. In a hull from quickhull, for any direction, each vertex either is
+/// farthest along it or has a neighbour that is farther; edges that only cut a flat face into triangles count too. O(n
+/// log n) time.
 template <class Scalar, int Dim>
 [[nodiscard]] HullNeighbors hull_neighbors(const ConvexHull<Scalar, Dim>& hull);
 

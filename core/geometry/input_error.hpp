@@ -1,4 +1,4 @@
-// What is said when input is refused: where, and what is wrong.
+// Why an input is refused: what is wrong, and where.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ struct InputError {
   enum class Unit : std::uint8_t { kNone, kLine, kByte };
 
   std::string what;  // one sentence fragment, no full stop: "the x coordinate is not finite"
-  std::string file;  // empty where the input is not a file
+  std::string file;  // empty if the input is not a file
   Unit unit = Unit::kNone;
   std::int64_t position = 0;  // a line counted from 1, or a byte counted from 0
 

@@ -1,4 +1,4 @@
-// The discrete-oriented polytope: k half-spaces, in k/2 slabs along fixed axes that all of the same k share.
+// The discrete-orientation polytope: k half-spaces, as k/2 slabs along fixed axes that all k-DOPs of the same k share.
 #pragma once
 
 #include <array>
@@ -13,13 +13,13 @@
 
 namespace snug {
 
-/// The most slabs that there are: 13 of the 26-DOP, in 2-D 4 of the 8-DOP.
+/// The largest number of slabs: 13 for the 26-DOP, in 2-D 4 for the 8-DOP.
 template <int Dim>
 inline constexpr int kMostSlabs = Dim == 2 ? 4 : 13;
 
-/// The k/2 axes of that k's slabs: the coordinate axes, then towards a box's corners, then towards its edges' midpoints
-/// (18 leaves the corners out). Small integers and not unit, so that projections of points onto them are sums and
-/// differences of coordinates. Empty where there is no such k.
+/// The k/2 axes of the slabs: the coordinate axes, then the directions to a box's vertices, then to its edges'
+/// midpoints (k = 18 leaves out the vertices). They are small integers and not unit, so that projections onto them are
+/// sums and differences of coordinates. Empty if there is no such k.
 /// Source: C. Ericson, Real-Time Collision Detection, 2005, 4.6.
 template <int Dim>
 [[nodiscard]] std::span<const std::array<int, Dim>> kdop_axes(int k) noexcept;
@@ -39,7 +39,7 @@ template <class Scalar, int Dim>
 template <class Scalar, int Dim>
 struct Kdop {
   int k = 2 * Dim;                            // 2-D: 4, 6, 8; 3-D: 6, 14, 18, 26
-  std::array<Scalar, kMostSlabs<Dim>> min{};  // the first k/2 count
+  std::array<Scalar, kMostSlabs<Dim>> min{};  // only the first k/2 are used
   std::array<Scalar, kMostSlabs<Dim>> max{};  // >= min
   static constexpr std::array<std::string_view, 3> kFields{"k", "min", "max"};
   static auto tie(auto& own) { return std::tie(own.k, own.min, own.max); }

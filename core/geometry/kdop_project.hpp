@@ -1,4 +1,4 @@
-// Projections onto the axes of k-DOPs, exact but for one rounding away from the inside.
+// Projections onto the axes of k-DOPs: exact except for one rounding outwards.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace snug {
 
-/// The least Scalar that is not below p . axis. p: finite, and small enough that the sum of its coordinates is.
+/// The least Scalar that is not below p . axis. p: finite, and so small that the sum of its coordinates is finite.
 template <class Scalar, int Dim>
 [[nodiscard]] Scalar project_up(const KdopAxis<Dim>& axis, const Vector<Scalar, Dim>& p) {
   const auto term = [&](int i) { return static_cast<Scalar>(axis[i]) * p[i]; };
@@ -22,8 +22,8 @@ template <class Scalar, int Dim>
   return 0 - project_up<Scalar, Dim>(axis, -p);  // not -0
 }
 
-/// The k-DOP's slabs from one on are as wide as the coordinate slabs, its first Dim, let them be: what it is before
-/// they are known. kdop.k: one of the known.
+/// Makes the slabs from one on as wide as the first Dim, the coordinate slabs, allow: a bound for slabs that are not
+/// computed yet. kdop.k: a valid k.
 template <class Scalar, int Dim>
 void imply_slabs(Kdop<Scalar, Dim>& kdop, std::size_t from) {
   const auto axes = kdop_axes<Dim>(kdop.k);

@@ -1,4 +1,4 @@
-// How far a k-DOP reaches on both sides of a plane, without its corners: by duality of linear programs.
+// How far a k-DOP reaches on both sides of a plane, without its vertices: by duality of linear programs.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace snug {
 template <class Number, int Dim>
 struct NormalAsAxes {
   std::array<Number, static_cast<std::size_t>(Dim)> weights;
-  int determinant = 0;  // of the axes, made positive; 0: they are dependent
+  int determinant = 0;  // that of the axes, made positive; 0 if they are dependent
 };
 
 template <class Number, class Scalar>
@@ -47,18 +47,18 @@ template <class Number, class Scalar>
   return {{weight(first), weight(cross(2, 0)), weight(cross(0, 1))}, sign * determinant};
 }
 
-/// x / n: exact numbers stay whole, and are compared over a common denominator instead.
+/// x / n. Exact numbers stay integers, and are multiplied by a common denominator instead.
 template <class Scalar>
 [[nodiscard]] Scalar over(Scalar x, int n) {
   return x / static_cast<Scalar>(n);
 }
-/// Determinants of axes are 1, 2, 3 or 4: over 12, all are whole.
+/// Determinants of axes are 1, 2, 3 or 4, so all quotients times 12 are integers.
 inline constexpr int kCommonDenominator = 12;
 [[nodiscard]] inline Dyadic over(const Dyadic& x, int n) { return x * Dyadic(kCommonDenominator / n); }
 
-/// The greatest of n . p over the k-DOP is the least, over all Dim independent axes, of what their bounds alone allow:
-/// the normal is a sum of them, and each weight's sign chooses between max and min. (The dual program's corners.) Exact
-/// numbers come out times 12, which changes no sign.
+/// The greatest of n . p over the k-DOP is the least of the bounds that any Dim independent axes give: the normal is a
+/// weighted sum of these axes, and the sign of each weight selects max or min. (These are the vertices of the dual
+/// program.) Exact numbers come out times 12, which changes no sign.
 template <class Number, class Scalar, int Dim>
 [[nodiscard]] Span<Number> core_span(const Plane<Scalar, Dim>& plane, const Kdop<Scalar, Dim>& kdop) {
   const auto axes = kdop_axes<Dim>(kdop.k);
@@ -86,7 +86,7 @@ template <class Number, class Scalar, int Dim>
       else
         for (std::size_t k = j + 1; k < axes.size(); ++k) meet({i, j, k});
     }
-  if (span->high < span->low) std::swap(span->low, span->high);  // slabs that rounding left without a common point
+  if (span->high < span->low) std::swap(span->low, span->high);  // slabs that have no common point because of rounding
   const Number d = over(exactly<Number>(plane.d), 1);
   return {span->low + d, span->high + d};
 }

@@ -12,11 +12,11 @@
 
 namespace snug {
 
-/// All p with |(p - center) . axis_i| <= half_extents_i: three slabs (in 2-D two), which is how it is judged exactly.
+/// All p with |(p - center) . axis_i| <= half_extents_i: three slabs (in 2-D two), by which exact tests decide.
 template <class Scalar, int Dim>
 struct Obb {
   Vector<Scalar, Dim> center = Vector<Scalar, Dim>::Zero();
-  Matrix<Scalar, Dim> axes = Matrix<Scalar, Dim>::Identity();      // one a column: unit, perpendicular, right-handed
+  Matrix<Scalar, Dim> axes = Matrix<Scalar, Dim>::Identity();      // columns: unit, perpendicular, right-handed
   Vector<Scalar, Dim> half_extents = Vector<Scalar, Dim>::Zero();  // >= 0, scene units
   static constexpr std::array<std::string_view, 3> kFields{"center", "axes", "half_extents"};
   static auto tie(auto& own) { return std::tie(own.center, own.axes, own.half_extents); }

@@ -1,4 +1,4 @@
-// The oriented box as what it is not stored as: its corners, its faces, its slabs.
+// Other representations of the oriented box, which is not stored as these: vertices, faces, slabs.
 // Source: C. Ericson, Real-Time Collision Detection, 2005, 4.4.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace snug {
 
-/// All p with min <= p . normal <= max: what lies between two parallel planes.
+/// All p with min <= p . normal <= max: the space between two parallel planes.
 /// Source: T. L. Kay, J. T. Kajiya, "Ray tracing complex scenes", 1986.
 template <class Scalar, int Dim>
 struct Slab {
@@ -26,7 +26,7 @@ using ObbPlanes = std::array<Plane<Scalar, Dim>, std::size_t{2} * Dim>;
 template <class Scalar, int Dim>
 using ObbSlabs = std::array<Slab<Scalar, Dim>, std::size_t{Dim}>;
 
-/// Vertex v is on the positive side of axis i where bit i of v is set. Each coordinate is rounded from its value in
+/// Vertex v is on the positive side of axis i if bit i of v is set. Each coordinate is rounded from its value in
 /// double.
 template <class Scalar, int Dim>
 [[nodiscard]] ObbVertices<Scalar, Dim> vertices_of(const Obb<Scalar, Dim>& box) {
@@ -42,9 +42,9 @@ template <class Scalar, int Dim>
   return vertices;
 }
 
-/// The slabs by axis. Their intersection is the tightest around the box that the Scalar allows: in exact arithmetic
-/// every slab holds its own of the box, and no bound could be a number closer. Coordinates and half extents finite, up
-/// to PointSet's largest.
+/// The slabs by axis. They are the tightest around the box that the Scalar allows: in exact arithmetic every slab
+/// contains the box, and no bound could be the next number inwards. Coordinates and half extents finite, up to
+/// PointSet's largest.
 template <class Scalar, int Dim>
 [[nodiscard]] ObbSlabs<Scalar, Dim> slabs_of(const Obb<Scalar, Dim>& box);
 
@@ -60,7 +60,7 @@ template <class Scalar, int Dim>
   return planes;
 }
 
-/// One way to write an oriented box down, and what that makes cheap or dear.
+/// One representation of an oriented box, and what it makes cheap or expensive.
 struct ObbForm {
   std::string_view name;
   int numbers_2d, numbers_3d;  // how many are stored, each of a Scalar's bytes

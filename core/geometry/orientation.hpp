@@ -1,6 +1,6 @@
-// On which side a point lies: signs of determinants that are never wrong, whatever the coordinates.
+// On which side a point lies: exact signs of determinants, whatever the coordinates.
 // Source: J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997,
-// for the filters; what they leave open is decided in whole numbers (most often) or numbers of any length.
+// for the filters; what they leave open is decided with integers (usually) or with numbers of any length.
 #pragma once
 
 #include <cmath>
@@ -23,13 +23,14 @@ int orient3d_in_doubt(P3 a, P3 b, P3 c, P3 d) noexcept;
 template <int Dim>
 int dot_sign_exact(P<Dim> a, P<Dim> b, P<Dim> c, P<Dim> d) noexcept;
 
-/// The sign of value where doubt bounds its error, else 0. Where either has overflown, no sign is certain.
+/// The sign of value if it is certain, else 0. doubt: bounds value's error. If either has overflowed, no sign is
+/// certain.
 [[nodiscard]] inline int certain_sign(double value, double doubt) noexcept {
   return value > doubt ? 1 : value < -doubt ? -1 : 0;
 }
 }  // namespace detail
 
-/// -1, 0 or +1: the sign of (b - a) x (d - c). Of c and d, which lies farther to the left of a line from a to b.
+/// -1, 0 or +1: the sign of (b - a) x (d - c). It is +1 if d lies farther to the left of the line from a to b than c.
 [[nodiscard]] inline int cross_sign(const Vector<double, 2>& a, const Vector<double, 2>& b, const Vector<double, 2>& c,
                                     const Vector<double, 2>& d) noexcept {
   const double left = (b[0] - a[0]) * (d[1] - c[1]);
@@ -39,13 +40,13 @@ int dot_sign_exact(P<Dim> a, P<Dim> b, P<Dim> c, P<Dim> d) noexcept;
   return sign != 0 ? sign : detail::cross_sign_exact(a, b, c, d);
 }
 
-/// +1 where a, b, c turn counter-clockwise, 0 where they lie on a line, else -1.
+/// +1 if a, b, c turn counter-clockwise, 0 if they lie on a line, else -1.
 [[nodiscard]] inline int orient2d(const Vector<double, 2>& a, const Vector<double, 2>& b,
                                   const Vector<double, 2>& c) noexcept {
   return cross_sign(a, b, a, c);
 }
 
-/// +1 where d lies on the side from which a, b, c are seen counter-clockwise, 0 where the four lie in a plane, else -1.
+/// +1 if d lies on the side from which a, b, c are seen counter-clockwise, 0 if the four lie in a plane, else -1.
 [[nodiscard]] inline int orient3d(const Vector<double, 3>& a, const Vector<double, 3>& b, const Vector<double, 3>& c,
                                   const Vector<double, 3>& d) noexcept {
   const double bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
@@ -61,7 +62,7 @@ int dot_sign_exact(P<Dim> a, P<Dim> b, P<Dim> c, P<Dim> d) noexcept;
   return sign != 0 ? sign : detail::orient3d_in_doubt(a, b, c, d);
 }
 
-/// -1, 0 or +1: the sign of (b - a) . (d - c). Of c and d, which lies farther along the way from a to b.
+/// -1, 0 or +1: the sign of (b - a) . (d - c). It is +1 if d lies farther than c in the direction from a to b.
 template <int Dim>
 [[nodiscard]] int dot_sign(const Vector<double, Dim>& a, const Vector<double, Dim>& b, const Vector<double, Dim>& c,
                            const Vector<double, Dim>& d) noexcept {
@@ -75,12 +76,13 @@ template <int Dim>
   return sign != 0 ? sign : detail::dot_sign_exact<Dim>(a, b, c, d);
 }
 
-/// A point's shadow along a coordinate axis: the two coordinates that follow it in turn.
+/// A point's projection along a coordinate axis: its other two coordinates, in cyclic order.
 [[nodiscard]] inline Vector<double, 2> shadow(const Vector<double, 3>& p, int axis) noexcept {
   return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
 }
 
-/// The first axis along which the shadows of the three do not lie on a line; kNoIndex where they themselves do.
+/// The first axis along which the projections of the three points do not lie on a line; kNoIndex if the points
+/// themselves do.
 [[nodiscard]] inline int shadow_axis(const Vector<double, 3>& a, const Vector<double, 3>& b,
                                      const Vector<double, 3>& c) noexcept {
   for (int axis = 0; axis < 3; ++axis)

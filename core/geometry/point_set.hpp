@@ -1,4 +1,4 @@
-// The door: past it there is at least one point and every coordinate is finite, so that fitters cannot fail.
+// A point set checks its input: it has at least one point and every coordinate is finite, so that fitters cannot fail.
 #pragma once
 
 #include <cmath>
@@ -40,10 +40,10 @@ class PointSet {
  public:
   using Point = Vector<Scalar, Dim>;
 
-  /// The largest coordinate taken, in absolute value: beyond it a squared distance in 3-D could overflow.
+  /// The largest coordinate allowed, in absolute value: beyond it a squared distance in 3-D could overflow.
   static constexpr Scalar kLargest = sizeof(Scalar) == 8 ? static_cast<Scalar>(0x1p508) : static_cast<Scalar>(0x1p60);
 
-  /// Errors: no points; more than 2^31 - 1; a coordinate that is not finite or above kLargest (says which).
+  /// Errors: no points; more than 2^31 - 1; a coordinate that is not finite or above kLargest (the error says which).
   static tl::expected<PointSet, InputError> make(std::vector<Point> points) {
     if (points.empty()) return tl::unexpected(InputError{.what = "there are no points"});
     if (points.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
@@ -57,7 +57,7 @@ class PointSet {
   [[nodiscard]] Index size() const { return static_cast<Index>(points_.size()); }
   [[nodiscard]] const Point& operator[](Index i) const { return points_[i]; }
 
-  /// Moves point i. Errors: as of make; the set is then unchanged. i: in range.
+  /// Moves point i. Errors: those of make; the set is then unchanged. i: in range.
   tl::expected<void, InputError> move(Index i, const Point& to) {
     if (auto error = refuse(to, i)) return tl::unexpected(std::move(*error));
     points_[i] = to;
@@ -83,7 +83,7 @@ class PointSet {
   std::vector<Point> points_;
 };
 
-/// A point set of either scalar and dimension, where only the running program knows which.
+/// A point set whose scalar and dimension are known only at run time.
 using AnyPointSet = std::variant<PointSet<double, 2>, PointSet<double, 3>, PointSet<float, 2>, PointSet<float, 3>>;
 
 }  // namespace snug

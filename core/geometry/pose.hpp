@@ -1,4 +1,5 @@
-// Where a body is: turned about its own origin, then moved. And the quaternion, the form of a rotation that stays one.
+// A body's pose: rotated about its own origin, then moved. And the quaternion, a form in which rotations stay
+// rotations.
 #pragma once
 
 #include "geometry/vector.hpp"
@@ -17,13 +18,13 @@ struct Quaternion {
   }
 };
 
-/// The quaternion at unit length within 2u, whatever its length was; no rotation where that was 0. q: finite.
+/// The quaternion at unit length within 2u, whatever its length was; no rotation if its length was 0. q: finite.
 [[nodiscard]] Quaternion normalized(const Quaternion& q) noexcept;
 
-/// Counter-clockwise for one at whom the axis points. axis: any length, finite; the zero vector turns nothing.
+/// Counter-clockwise as seen from the axis's tip. axis: any length, finite; the zero vector gives no rotation.
 [[nodiscard]] Quaternion quaternion_about(const Vector<double, 3>& axis, double radians) noexcept;
 
-/// Its columns are where the coordinate axes go. q: of unit length within rounding.
+/// Its columns are the images of the coordinate axes. q: of unit length within rounding.
 [[nodiscard]] Matrix<double, 3> matrix_of(const Quaternion& q) noexcept;
 
 /// The nearest directions that are unit and perpendicular, column by column from the first: Gram-Schmidt, twice, which
@@ -40,15 +41,15 @@ template <class Scalar, int Dim>
   return m;
 }
 
-/// Takes a body from its local frame, whose origin is what it turns about, to the world.
+/// Maps a body from its local frame, about whose origin it rotates, to the world.
 template <class Scalar, int Dim>
 struct Pose {
-  Matrix<Scalar, Dim> rotation = Matrix<Scalar, Dim>::Identity();  // within tolerance::kRotation, as turn makes it
+  Matrix<Scalar, Dim> rotation = Matrix<Scalar, Dim>::Identity();  // within tolerance::kRotation, as from turn
   Vector<Scalar, Dim> translation = Vector<Scalar, Dim>::Zero();
 };
 
-/// Coordinate i of rotation * p, summed from the first column to the last, each operation rounded. What is proven of
-/// updates (fit/update_*.hpp) rests on this order.
+/// Coordinate i of rotation * p, summed from the first column to the last, each operation rounded. The error bounds of
+/// updates (fit/update_*.hpp) assume this order.
 template <class Scalar, int Dim>
 [[nodiscard]] Scalar turned_coordinate(const Matrix<Scalar, Dim>& rotation, int i, const Vector<Scalar, Dim>& p) {
   Scalar sum = rotation(i, 0) * p[0];
@@ -63,7 +64,7 @@ template <class Scalar, int Dim>
   return result;
 }
 
-/// The same by the transpose of the rotation: its way back.
+/// The same with the rotation's transpose, which is its inverse.
 template <class Scalar, int Dim>
 [[nodiscard]] Vector<Scalar, Dim> turned_back(const Matrix<Scalar, Dim>& rotation, const Vector<Scalar, Dim>& p) {
   Vector<Scalar, Dim> result;
@@ -74,7 +75,7 @@ template <class Scalar, int Dim>
   return result;
 }
 
-/// Where the pose puts the point: turned, then moved, rounded as written.
+/// The point's place in this pose: rotated, then moved, rounded as written.
 template <class Scalar, int Dim>
 [[nodiscard]] Vector<Scalar, Dim> placed(const Pose<Scalar, Dim>& pose, const Vector<Scalar, Dim>& p) {
   return turned<Scalar, Dim>(pose.rotation, p) + pose.translation;

@@ -34,7 +34,7 @@ template <class Scalar, int Dim>
   return side_of_sphere(p.data(), c.data(), static_cast<double>(sphere.radius), Dim);
 }
 
-/// |v| without overflow or underflow on the way.
+/// |v|, without overflow or underflow in between.
 template <class Scalar, int Dim>
 [[nodiscard]] Scalar scaled_norm(const Vector<Scalar, Dim>& v) {
   const Scalar largest = v.cwiseAbs().maxCoeff();
@@ -45,7 +45,8 @@ template <class Scalar, int Dim>
   return std::ldexp(std::sqrt(scaled.squaredNorm()), exponent);
 }
 
-/// The farthest point from a centre, and that of each block of points. There are about as many blocks as points in one.
+/// The farthest point from a centre, of all points and of each block of points. There are about as many blocks as
+/// points in a block.
 template <class Scalar>
 struct FarthestPoints {
   struct Far {
@@ -62,7 +63,7 @@ template <class Scalar, int Dim>
 [[nodiscard]] FarthestPoints<Scalar> farthest_points(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim> points);
 
 /// The smallest radius, within kSquaredDistance, with which a sphere around center contains every point exactly.
-/// far: of the same centre and points. Looks again at just those blocks that reach the boundary.
+/// far: for the same centre and points. Looks again only at those blocks that reach the boundary.
 template <class Scalar, int Dim>
 [[nodiscard]] Scalar enclosing_radius(const Vector<Scalar, Dim>& center, PointSpan<Scalar, Dim> points,
                                       const FarthestPoints<Scalar>& far);

@@ -1,4 +1,4 @@
-// The vocabulary that every room shares: points and matrices of a scalar and a dimension.
+// The types that everything shares: points and matrices of a scalar and a dimension.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@ using Vector = Eigen::Matrix<Scalar, Dim, 1, Eigen::DontAlign>;
 template <class Scalar, int Dim>
 using Matrix = Eigen::Matrix<Scalar, Dim, Dim, Eigen::DontAlign>;
 
-/// A point's place in its set.
+/// A point's index in its set.
 using Index = std::int32_t;
 
 inline constexpr Index kNoIndex = -1;

@@ -1,4 +1,4 @@
-// Any bounding volume, where only the running program knows which.
+// Any bounding volume, whose kind is known only at run time.
 //
 // A kind of volume is its own header, which gives:
 //   kFields, tie       its numbers by name: lifting, casting, JSON, lesson files, bytes and hashes follow

@@ -1,4 +1,4 @@
-// What each volume costs in memory.
+// How much memory each volume takes.
 #pragma once
 
 #include <cstddef>
@@ -20,11 +20,13 @@ template <class Item>
 [[nodiscard]] std::size_t bytes_of_field(const std::vector<Item>& items) {
   return items.size() * sizeof(Item);
 }
-/// That says which volume it is, not where: a k-DOP's k, the dimension of a hull.
+/// A number that belongs to a volume's type, not to its place and size, and is not counted: a k-DOP's k, a hull's
+/// dimension.
 [[nodiscard]] constexpr std::size_t bytes_of_field(int) { return 0; }
 
-/// The bytes of the numbers that say what the volume is; in float, a sphere in space has 16. Of those that are the same
-/// for all of a kind, as a k-DOP's axes are, none. Of a hull its vertices, their places in the point set, and facets.
+/// The bytes of the numbers that define the volume: a sphere in space has 16 in float. Numbers that all volumes of a
+/// kind share, such as a k-DOP's axes, are not counted. A hull has its vertices, their indices in the point set, and
+/// its facets.
 template <class VolumeType>
 [[nodiscard]] std::size_t bytes_of(const VolumeType& volume) {
   if constexpr (!Listed<VolumeType>) return sizeof(VolumeType);
@@ -34,7 +36,7 @@ template <class VolumeType>
   return bytes;
 }
 
-/// Two bounds a slab: all k of them, however many the working form has room for.
+/// Two bounds per slab, k in all, although the working form has room for more.
 template <class Scalar, int Dim>
 [[nodiscard]] std::size_t bytes_of(const Kdop<Scalar, Dim>& kdop) {
   return static_cast<std::size_t>(kdop.k) * sizeof(Scalar);

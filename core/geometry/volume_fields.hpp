@@ -33,7 +33,7 @@ void fields_of(const Lozenge<Scalar, Dim>& lozenge, auto&& see) {
   see("origin", lozenge.origin), see("edges", edges), see("radius", lozenge.radius);
 }
 
-/// The bounds that count.
+/// The bounds that are used.
 template <class Scalar, int Dim>
 void fields_of(const Kdop<Scalar, Dim>& kdop, auto&& see) {
   const auto slabs = static_cast<std::size_t>(kdop.k / 2);
@@ -42,7 +42,7 @@ void fields_of(const Kdop<Scalar, Dim>& kdop, auto&& see) {
   see("k", kdop.k), see("min", min), see("max", max);
 }
 
-/// The vertices alone: all else follows from them.
+/// Only the vertices: everything else follows from them.
 template <class Scalar, int Dim>
 void fields_of(const ConvexHull<Scalar, Dim>& hull, auto&& see) {
   see("points", hull.vertices);

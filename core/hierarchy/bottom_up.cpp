@@ -17,7 +17,7 @@ struct Merge {
   Size size;
 };
 
-/// How near two groups are: the less the nearer. bodies: of both.
+/// How near two groups are: less is nearer. bodies: how many both have together.
 struct Nearness {
   Size size;
   Index bodies;
@@ -56,7 +56,7 @@ class BottomUp {
  private:
   [[nodiscard]] const Group& group(Index id) const { return groups_[place_[id]]; }
 
-  /// Among equals it prefers the one before in the chain, so that the chain ends; then the first by id.
+  /// Of equally near groups it takes the previous one in the chain, so that the chain ends; otherwise the first by id.
   [[nodiscard]] Index nearest_to(Index id, Index before) const {
     const Group& own = group(id);
     Index nearest = kNoIndex;
@@ -91,11 +91,12 @@ class BottomUp {
 
   const Layout& layout_;
   std::vector<Group> groups_;
-  std::vector<Index> place_;  // of a group, by its id, among groups_; kNoIndex: merged
+  std::vector<Index> place_;  // a group's index in groups_, by its id; kNoIndex: merged
   std::vector<Merge> merges_;
 };
 
-/// The smallest first, and with new names in that order. A group is no smaller than those in it, and made after them.
+/// Sorts the pairs, smallest first, and renumbers the groups in that order. A group is no smaller than its children,
+/// and comes after them.
 void sort_by_size(std::vector<Merge>& merges, Index bodies) {
   std::vector<Index> order(merges.size()), name(merges.size());
   std::iota(order.begin(), order.end(), 0);

@@ -1,5 +1,5 @@
-// Axis-aligned boxes around the bodies, by which trees are laid out: a guide, rounded as it comes. What nodes hold is
-// made of the volumes themselves.
+// Axis-aligned boxes around the bodies, which decide a tree's shape. Their rounding does not matter, because the nodes'
+// volumes are made from the bodies' volumes.
 #pragma once
 
 #include <algorithm>
@@ -67,7 +67,7 @@ template <class Scalar, int Dim>
   return bounds_of(bounds);
 }
 
-/// In the frame of Layout; in 2-D the third coordinate is 0.
+/// In Layout's frame; in 2-D the third coordinate is 0.
 struct Box {
   std::array<double, 3> low{}, high{};
 };
@@ -89,7 +89,7 @@ struct Size {
   const double x = box.high[0] - box.low[0], y = box.high[1] - box.low[1], z = box.high[2] - box.low[2];
   return {x * y + y * z + z * x, x + y + z};
 }
-/// In the plane an area would be that of the inside, of which a line has none.
+/// In the plane, the area is of no use, because a line's is 0.
 [[nodiscard]] inline Size size_of(const Box& box, int dim) {
   const Size size = size_of(box);
   return dim == 2 ? Size{0, size.length} : size;
@@ -110,7 +110,7 @@ struct Layout {
   int dim = 3;
 
   [[nodiscard]] double position(int axis, double local) const { return origin[axis] + local * unit; }
-  /// Half a surface, or in the plane half an outline, in scene units.
+  /// Half of the surface area, or in the plane half of the perimeter, in scene units.
   [[nodiscard]] double area(const Size& size) const { return dim == 2 ? size.length * unit : size.area * unit * unit; }
 };
 

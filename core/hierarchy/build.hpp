@@ -1,4 +1,4 @@
-// Trees over volumes of any kind, built in four ways, and made to fit again after their bodies moved.
+// Builds trees over volumes of any kind, in four ways, and refits them after their bodies have moved.
 #pragma once
 
 #include <span>
@@ -18,15 +18,15 @@
 namespace snug::hierarchy {
 
 struct Options {
-  Index most_in_leaf = 4;  // >= 1; of trees built from the root down
+  Index most_in_leaf = 4;  // >= 1; for trees built from the root down
 };
 
 template <class VolumeType>
 using Volumes = std::type_identity_t<std::span<const VolumeType>>;
 
-/// Gives every node its volume anew, after the bodies' volumes changed: the tree's shape stays, so that it may get
-/// worse but never wrong. A node's volume holds those of its bodies exactly, for merging does (fit/merge/merge.hpp).
-/// O(n) merges. volumes: as many as the tree was built of. line: of the pseudocode that is being followed.
+/// Recomputes every node's volume after the bodies' volumes have changed. The tree keeps its shape, so it may get worse
+/// but never wrong. A node's volume contains those of its bodies exactly, because merging does (fit/merge/merge.hpp).
+/// O(n) merges. volumes: as many as the tree was built from. line: the pseudocode's line for its steps.
 template <class VolumeType, StepObserver<Step> Observer = Ignore>
 void refit(Tree<VolumeType>& tree, Volumes<VolumeType> volumes, Observer&& observe = {}, int line = 1) {
   const auto body = [&](Index i) -> const VolumeType& { return volumes[tree.bodies[i]]; };
@@ -43,7 +43,7 @@ void refit(Tree<VolumeType>& tree, Volumes<VolumeType> volumes, Observer&& obser
   }
 }
 
-/// A tree of the shape, its nodes with their volumes.
+/// Makes a tree of the shape, with the nodes' volumes.
 template <class VolumeType, class Observer>
 [[nodiscard]] Tree<VolumeType> fill(Shape&& shape, Volumes<VolumeType> volumes, int line, Observer& observe) {
   Tree<VolumeType> tree;
@@ -56,7 +56,8 @@ template <class VolumeType, class Observer>
   return tree;
 }
 
-/// Lays a tree out from the root down. line_of: of a fact, in the pseudocode, by its place in TopDownFacts' variant.
+/// Builds a tree's shape from the root down. line_of: the pseudocode's line for each fact, by its index in
+/// TopDownFacts' variant.
 template <class VolumeType, class Observer>
 [[nodiscard]] Tree<VolumeType> build_top_down(Volumes<VolumeType> volumes, SplitRule rule, const Options& options,
                                               std::array<int, 2> line_of, Observer& observe) {
@@ -67,7 +68,7 @@ template <class VolumeType, class Observer>
 }
 
 /// Halves at the median of the centres, along the axis where they spread most: the shallowest tree. O(n log n) time.
-/// volumes: any number, none too; a hull has a vertex. As for all the builders: nodes hold their bodies exactly, ties
+/// volumes: any number, also 0; each hull has a vertex. As with all builders, nodes contain their bodies exactly, ties
 /// are broken by index, and the same volumes make the same tree, bit for bit.
 template <class VolumeType, StepObserver<Step> Observer = Ignore>
 [[nodiscard]] Tree<VolumeType> build_median(Volumes<VolumeType> volumes, const Options& options = {},
@@ -75,15 +76,16 @@ template <class VolumeType, StepObserver<Step> Observer = Ignore>
   return build_top_down<VolumeType>(volumes, SplitRule::kMedian, options, {3, 1}, observe);
 }
 
-/// Splits where a traversal is expected to be cheapest: where the children's surfaces, each times its bodies, are
-/// least. O(n log n) time.
+/// Splits where a traversal is expected to be cheapest: where the sum of the children's surface areas, each times its
+/// number of bodies, is least. O(n log n) time.
 template <class VolumeType, StepObserver<Step> Observer = Ignore>
 [[nodiscard]] Tree<VolumeType> build_surface_area(Volumes<VolumeType> volumes, const Options& options = {},
                                                   Observer&& observe = {}) {
   return build_top_down<VolumeType>(volumes, SplitRule::kSurfaceArea, options, {4, 1}, observe);
 }
 
-/// Merges nearest pairs, from single bodies up. Each leaf has one body. O(n^2) time: for some ten thousand bodies.
+/// Merges nearest pairs, from single bodies up. Each leaf has one body. O(n^2) time: enough for some ten thousand
+/// bodies.
 template <class VolumeType, StepObserver<Step> Observer = Ignore>
 [[nodiscard]] Tree<VolumeType> build_bottom_up(Volumes<VolumeType> volumes, Observer&& observe = {}) {
   std::vector<NodesMerged> facts;
@@ -92,7 +94,7 @@ template <class VolumeType, StepObserver<Step> Observer = Ignore>
   return fill<VolumeType>(std::move(shape), volumes, 4, observe);
 }
 
-/// Puts one body after the other where the tree's surfaces grow least. Each leaf has one body.
+/// Inserts one body after the other where the tree's surface areas grow least. Each leaf has one body.
 template <class VolumeType, StepObserver<Step> Observer = Ignore>
 [[nodiscard]] Tree<VolumeType> build_by_insertion(Volumes<VolumeType> volumes, Observer&& observe = {}) {
   InsertionFacts facts;
@@ -101,7 +103,7 @@ template <class VolumeType, StepObserver<Step> Observer = Ignore>
   return fill<VolumeType>(std::move(shape), volumes, 6, observe);
 }
 
-/// Trees of boxes and of spheres, watched by a Recorder or by none, are compiled once, in build.cpp.
+/// Trees of boxes and of spheres, with a Recorder and without an observer, are compiled only once, in build.cpp.
 #define SNUG_TREES(extern_or_not, VolumeType, Observer)                                                                \
   extern_or_not template void refit(Tree<VolumeType>&, Volumes<VolumeType>, Observer, int);                            \
   extern_or_not template Tree<VolumeType> build_median<VolumeType>(Volumes<VolumeType>, const Options&, Observer);     \

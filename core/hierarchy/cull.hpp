@@ -1,4 +1,4 @@
-// What of a tree's bodies a frustum sees: whole branches are left out, or taken, at one test.
+// Which of a tree's bodies a frustum sees. One test can skip or accept a whole subtree.
 // Source: U. Assarsson, T. Möller, "Optimized View Frustum Culling Algorithms for Bounding Boxes", 2000.
 #pragma once
 
@@ -10,26 +10,26 @@
 
 namespace snug::hierarchy {
 
-/// The planes that rejected nodes and bodies last time, to be tested first this time; -1 for none. Kept from frame to
-/// frame by whoever culls the same tree again; begins empty.
+/// The planes that rejected nodes and bodies last time, which are tested first this time; -1 for none. It starts empty,
+/// and the caller keeps it from frame to frame for the same tree.
 struct LastRejected {
   std::vector<std::int8_t> nodes, bodies;
 };
 
 struct Culled {
-  Counts counts;                   // of volumes
-  std::int64_t planes_tested = 0;  // of all volumes together; each alone has 2 Dim
+  Counts counts;                   // of volumes' tests
+  std::int64_t planes_tested = 0;  // for all volumes together; without savings 2 Dim for each
 };
 
-/// Which of the savings are made: all of them, but where a lesson or a benchmark shows what each is worth.
+/// Which savings are made: normally all; a lesson or a benchmark switches one off to show what it is worth.
 struct CullSavings {
-  bool masking = true;    // children are not tested against planes that their parent is inside of
-  bool coherence = true;  // the plane that rejected last time goes first; needs last
+  bool masking = true;    // children skip the planes that their parent is inside of
+  bool coherence = true;  // the plane that rejected last time is tested first; needs last
 };
 
-/// Reports every body that is not outside of one of the planes, as query::classify says, and how: report(body,
-/// Culling). Each verdict is that of the body's own volume against all planes, for a node holds its bodies exactly; but
-/// of bodies outside, none is told of. last: as LastRejected says, or null.
+/// Reports every body that is not outside one of the planes, with query::classify's verdict: report(body, Culling). The
+/// verdict is that of the body's own volume against all planes, because a node contains its bodies exactly. Bodies
+/// outside are not reported. last: see LastRejected, or null.
 template <class Scalar, int Dim, class VolumeType, class Report, StepObserver<Step> Observer = Ignore>
 Culled cull(const Tree<VolumeType>& tree, std::type_identity_t<std::span<const VolumeType>> volumes,
             const Frustum<Scalar, Dim>& frustum, LastRejected* last, Report&& report, const CullSavings& savings = {},

@@ -55,12 +55,12 @@ class Insertion {
     }
   }
 
-  /// Down from the root, as long as the child's growth, and the pair that is made below it at least as large as the
-  /// body, is less than a pair made here. growth: of what is above, and that pair.
+  /// Descends from the root as long as the child's growth plus the pair made below it, which is at least as large as
+  /// the body, is less than a pair made here. growth: that of the groups above, and of that pair.
   Index best_place(Index body, Size& growth) {
     const Box& box = at(body).box;
     Index group = root_;
-    Size above{};  // what the groups passed grow by
+    Size above{};  // the growth of the groups passed
     for (int depth = 0; depth < kDeepestInsertion && !is_body(group); ++depth) {
       const Size pair_here = size_with(group, box);
       const Size passed = pair_here - at(group).size;
@@ -100,8 +100,8 @@ class Insertion {
     group.bodies = left.bodies + right.bodies;
   }
 
-  /// Four swaps exchange a child with a grandchild below the other child. Takes the one that makes that other child
-  /// smallest, if it becomes smaller.
+  /// Four swaps exchange a child with a grandchild below the other child. Does the one that makes that other child
+  /// smallest, if it gets smaller.
   void rotate(Index i) {
     struct Swap {
       std::size_t down, up;

@@ -1,6 +1,6 @@
-// Trees body by body: each is put where all surfaces together grow least, and what it passed is rotated where that
-// makes a node smaller. Source: J. Goldsmith, J. Salmon, "Automatic creation of object hierarchies for ray tracing",
-// 1987; A. Kensler, "Tree rotations for improving bounding volume hierarchies", 2008.
+// Trees built body by body: each is inserted where the sum of all surface areas grows least, and the nodes passed are
+// rotated if that makes one smaller. Source: J. Goldsmith, J. Salmon, "Automatic creation of object hierarchies for ray
+// tracing", 1987; A. Kensler, "Tree rotations for improving bounding volume hierarchies", 2008.
 #pragma once
 
 #include <array>
@@ -24,14 +24,14 @@ inline constexpr std::array<std::string_view, 7> kInsertionPseudocode{
     "volume ← merged of both children",
 };
 
-/// No body is put deeper than this. Bodies inside of one another would else make a chain, and all of them O(n^2) time.
+/// No body is inserted deeper than this. Otherwise bodies inside one another would make a chain, and O(n^2) time.
 inline constexpr int kDeepestInsertion = 256;
 
 using InsertionFacts = std::vector<std::variant<BodyInserted, Rotated>>;
 
-/// Inserts the bodies in their order. Of children that grow alike the one of fewer bodies is taken, then the first.
-/// facts: null, or what is told is added to it. O(n log n) time where the tree comes out balanced, as it does of
-/// spread-out scenes; O(n) insertions of at most kDeepestInsertion steps in any.
+/// Inserts the bodies in their order. If two children grow alike, it takes the one with fewer bodies, then the first.
+/// facts: null, or where the steps' facts are appended. O(n log n) time if the tree comes out balanced, as it does in
+/// spread-out scenes; in any case each insertion takes at most kDeepestInsertion steps.
 [[nodiscard]] Shape lay_out_by_insertion(const Layout& layout, InsertionFacts* facts = nullptr);
 
 }  // namespace snug::hierarchy

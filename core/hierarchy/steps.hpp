@@ -10,9 +10,9 @@
 
 namespace snug::hierarchy {
 
-/// A node's bodies were divided: left and right are how many went to either side. axis: kNoIndex where all centres are
-/// in one place, and they were divided by index. position: that of the first centre on the right (median)
-/// or of the border of bins, scene units. cost: by the surface-area heuristic, in tests of a body; of the median 0.
+/// A node's bodies were divided: left and right are how many went to each side. axis: kNoIndex if all centres are in
+/// one place, and they were divided by index. position: the first centre on the right (median) or the border between
+/// bins, in scene units. cost: by the surface-area heuristic, in tests of a body; 0 for the median.
 struct SplitChosen {
   static constexpr std::string_view kName = "split_chosen";
   Index node = 0;
@@ -24,7 +24,7 @@ struct SplitChosen {
   static auto tie(auto& own) { return std::tie(own.node, own.axis, own.position, own.left, own.right, own.cost); }
 };
 
-/// A node became a leaf. bodies: how many it holds.
+/// A node became a leaf. bodies: how many it has.
 struct LeafMade {
   static constexpr std::string_view kName = "leaf_made";
   Index node = 0;
@@ -33,9 +33,9 @@ struct LeafMade {
   static auto tie(auto& own) { return std::tie(own.node, own.bodies); }
 };
 
-/// Two groups became one. Group i is body i alone where i is below the number n of bodies; groups made later are
-/// counted from n on. area: half of the surface (in the plane: of the outline) of the axis-aligned box around both,
-/// scene units.
+/// Two groups were merged. Group i is body i if i is below the number n of bodies; merged groups are numbered from n
+/// on. area: half of the surface area (in the plane: of the perimeter) of the axis-aligned box around both, in scene
+/// units.
 struct NodesMerged {
   static constexpr std::string_view kName = "nodes_merged";
   Index merged = 0;
@@ -45,9 +45,9 @@ struct NodesMerged {
   static auto tie(auto& own) { return std::tie(own.merged, own.left, own.right, own.area); }
 };
 
-/// A body was put beside a group, both now children of a new group made (kNoIndex and kNoIndex: it is the first body).
-/// Groups are named as above. growth: of all half surfaces on the way together, the new group's included, scene units
-/// squared (in the plane: units).
+/// A body was inserted beside a group, and both are now children of the new group made (kNoIndex and kNoIndex: it is
+/// the first body). Groups are numbered as above. growth: the sum of the half surface areas' growth along the path, the
+/// new group's included, in scene units squared (in the plane: units).
 struct BodyInserted {
   static constexpr std::string_view kName = "body_inserted";
   Index body = 0;
@@ -57,17 +57,17 @@ struct BodyInserted {
   static auto tie(auto& own) { return std::tie(own.body, own.beside, own.made, own.growth); }
 };
 
-/// Below a group, one child and a grandchild below the other child changed places, which made that other child smaller.
+/// One child of a group and a grandchild below its other child changed places, which made that other child smaller.
 struct Rotated {
   static constexpr std::string_view kName = "rotated";
   Index group = 0;
-  Index down = 0, up = 0;  // what was a child, what was a grandchild
+  Index down = 0, up = 0;  // the former child, the former grandchild
   double gain = 0;         // half surface
   static constexpr std::array<std::string_view, 4> kFields{"group", "down", "up", "gain"};
   static auto tie(auto& own) { return std::tie(own.group, own.down, own.up, own.gain); }
 };
 
-/// A node has its volume: that of its bodies or of both children, merged.
+/// A node got its volume: the merged volumes of its bodies or of both children.
 struct VolumeMade {
   static constexpr std::string_view kName = "volume_made";
   Index node = 0;
@@ -75,7 +75,7 @@ struct VolumeMade {
   static auto tie(auto& own) { return std::tie(own.node); }
 };
 
-/// What is to be done with a volume's node or body, and all that is below it.
+/// What to do with a node or a body after the test of its volume, and with everything below it.
 enum class Answer : std::uint8_t { kPrune, kDescend, kAccept };
 
 /// A node's volume was tested.
@@ -96,7 +96,7 @@ struct BodyTested {
   static auto tie(auto& own) { return std::tie(own.body, own.answer); }
 };
 
-/// A node of one tree was held against a node of another; or, bodies: a body against a body.
+/// A node of one tree was tested against a node of another; if bodies is set, a body against a body.
 struct PairTested {
   static constexpr std::string_view kName = "pair_tested";
   Index a = 0, b = 0;
@@ -106,7 +106,7 @@ struct PairTested {
   static auto tie(auto& own) { return std::tie(own.a, own.b, own.bodies, own.overlap); }
 };
 
-/// The end: of building, how many nodes there are; of a traversal, how many were visited.
+/// The end: how many nodes were built, or how many a traversal visited.
 struct Done {
   static constexpr std::string_view kName = "done";
   std::int64_t nodes = 0;
@@ -118,7 +118,7 @@ struct Done {
 struct Step {
   using Fact = std::variant<SplitChosen, LeafMade, NodesMerged, BodyInserted, Rotated, VolumeMade, NodeVisited,
                             BodyTested, PairTested, Done>;
-  int line = 0;  // of the algorithm's pseudocode, counted from 0
+  int line = 0;  // the line in the algorithm's pseudocode, counted from 0
   Fact fact;
 };
 

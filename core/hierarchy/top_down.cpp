@@ -9,11 +9,11 @@ namespace snug::hierarchy {
 namespace {
 
 constexpr int kBins = 16;
-// From this depth on every node is halved, so that no scene makes a deep tree.
+// From this depth on every node is split in half, so that no scene makes a deep tree.
 constexpr int kMostUneven = 40;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Some bodies, which are a node's: from begin to end.
+/// A node's bodies: from begin to end.
 struct Part {
   Index node, begin, end;
   int depth;
@@ -21,7 +21,7 @@ struct Part {
   [[nodiscard]] Index count() const { return end - begin; }
 };
 
-/// Where a node's bodies are divided. position: of a centre, in the layout.
+/// How a node's bodies are divided. position: a centre's coordinate in the layout.
 struct Split {
   int axis = kNoIndex;
   double position = 0;
@@ -29,7 +29,7 @@ struct Split {
   double cost = kInfinity;  // in tests of a body
 };
 
-/// The bodies whose centres fall between two borders.
+/// The bodies whose centres lie between two borders.
 struct Bin {
   Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
   Index count = 0;
@@ -65,7 +65,7 @@ class TopDown {
   [[nodiscard]] auto begin_of(const Part& part) { return bodies_.begin() + part.begin; }
   [[nodiscard]] auto end_of(const Part& part) { return bodies_.begin() + part.end; }
 
-  /// Divides a node's bodies, those of the left child before the others; nothing where it becomes a leaf.
+  /// Divides a node's bodies, the left child's first; nothing if it becomes a leaf.
   std::optional<Split> divide(const Part& part) {
     const bool few = part.count() <= most_in_leaf_;
     if (part.count() == 1 || (few && rule_ == SplitRule::kMedian)) return std::nullopt;
@@ -82,7 +82,7 @@ class TopDown {
     return best.axis != kNoIndex ? best : halve(part, centers.box);
   }
 
-  /// At the median along the axis where centres spread most, equal ones by index: always to be had.
+  /// Splits at the median along the axis where the centres spread most, equal ones by index. This is always possible.
   Split halve(const Part& part, const Box& centers) {
     const auto spread = [&](int axis) { return centers.high[axis] - centers.low[axis]; };
     int axis = 0;
@@ -96,10 +96,10 @@ class TopDown {
     return {spread(axis) > 0 ? axis : kNoIndex, center(*middle, axis), left, 0};
   }
 
-  /// The border of bins, along any axis, at which a traversal is expected to be cheapest; kNoIndex for its axis where
+  /// The border between bins, along any axis, at which a traversal is expected to be cheapest; its axis is kNoIndex if
   /// all centres are in one place.
   Split cheapest(const Part& part, const Box& all, const Box& centers) {
-    const bool by_length = size_of(all, layout_.dim).area == 0;  // of what has no area, and in the plane
+    const bool by_length = size_of(all, layout_.dim).area == 0;  // for boxes without area, and in the plane
     const auto size = [&](const Box& box) { return by_length ? size_of(box).length : size_of(box).area; };
     const auto cost_of = [&](const Bin& bin) { return size(bin.box) * bin.count; };
     Split best;
@@ -108,8 +108,8 @@ class TopDown {
       if (!(centers.low[axis] < centers.high[axis])) continue;
       std::array<Bin, kBins> bins;
       for (Index i = part.begin; i < part.end; ++i) bins[bin_of(bodies_[i], axis, centers)].take({box(bodies_[i]), 1});
-      // What lies right of each border, from the right; then what lies left, from the left. Neither is ever nothing:
-      // the first bin has the least centre, the last one the greatest.
+      // Sums up the bins right of each border, from the right, then left of it, from the left. Neither side is ever
+      // empty: the first bin has the least centre, the last one the greatest.
       std::array<double, kBins> right;
       Bin sum;
       for (int border = kBins - 1; border > 0; --border) sum.take(bins[border]), right[border] = cost_of(sum);

@@ -1,4 +1,4 @@
-// Trees from the root down: all bodies, divided again and again.
+// Trees built from the root down: all bodies, divided again and again.
 #pragma once
 
 #include <array>
@@ -34,12 +34,13 @@ inline constexpr std::array<std::string_view, 6> kSurfaceAreaPseudocode{
 
 enum class SplitRule : std::uint8_t { kMedian, kSurfaceArea };
 
-/// What the laying out tells, in order: splits and leaves.
+/// The facts of the build, in order: splits and leaves.
 using TopDownFacts = std::vector<std::variant<SplitChosen, LeafMade>>;
 
-/// Bodies are told apart by their boxes' centres; where a node's are all in one place, by index. The surface-area rule
-/// divides at the cheapest of the borders between 16 bins an axis, as wide as the node's centres spread; from depth 40
-/// on it halves, so that no tree is much deeper. most_in_leaf: >= 1. facts: null, or what is told is added to it.
+/// Bodies are divided by their boxes' centres, or by index if a node's centres are all in one place. The surface-area
+/// heuristic divides at the cheapest border between 16 bins per axis, which cover the node's centres; from depth 40 on
+/// it splits in half, so that no tree is much deeper. most_in_leaf: >= 1. facts: null, or where the steps' facts are
+/// appended.
 /// O(n log n) time.
 [[nodiscard]] Shape lay_out_top_down(const Layout& layout, SplitRule rule, Index most_in_leaf,
                                      TopDownFacts* facts = nullptr);

@@ -1,4 +1,4 @@
-// From the root down, leaving out what need not be looked at.
+// Traverses a tree from the root down, skipping what need not be visited.
 #pragma once
 
 #include <array>
@@ -23,27 +23,27 @@ inline constexpr std::array<std::string_view, 6> kTraversePseudocode{
     "  else open both children",
 };
 
-/// Whose volume is tested.
+/// The node or body whose volume is tested.
 struct Place {
-  Index index = 0;  // of the node, or of the body
+  Index index = 0;  // the node's or the body's
   bool is_body = false;
 };
 
-/// What a visitor says to a volume. It may change the state, a copy of its parent's, which then goes to what is below:
-/// a mask of the planes that are still in question, say. It may ask for the place too, to remember something there.
+/// A visitor's answer about a volume. It may change the state, a copy of its parent's that is passed on to what is
+/// below, for example a mask of the planes that still matter. It may also take the place, to remember something there.
 template <class Visit, class VolumeType, class State>
 [[nodiscard]] Answer ask(Visit& visit, const VolumeType& volume, State& state, Place place) {
   if constexpr (std::is_invocable_v<Visit&, const VolumeType&, State&, Place>) return visit(volume, state, place);
   else return visit(volume, state);
 }
 
-/// Reports every body that is not pruned, with what was answered of it: of what lies below an accepted node kAccept,
-/// untested. visit(volume, state [, place]) -> Answer: of a node kPrune only if it is right for all below, kAccept
-/// likewise; of a body kDescend is as good as anything but kPrune, and reported as such. A leaf of one body is not
-/// tested itself. report(body, answer). volumes: those that the tree fits. Bodies come in the order in which the tree
-/// has them.
+/// Reports every body that is not pruned, with its answer; everything below an accepted node is kAccept, without
+/// a test. visit(volume, state [, place]) -> Answer: for a node kPrune or kAccept only if that is right for
+/// everything below it; for a body kDescend also means that it is not pruned, and is reported. A leaf of one body
+/// is not tested itself. report(body, answer). volumes: those that the tree fits. Bodies come in the tree's
+/// order.
 ///
-/// A frustum's culling is a visit that classifies: kPrune outside, kAccept inside, kDescend where it intersects.
+/// Frustum culling is a visit that classifies: kPrune if outside, kAccept if inside, kDescend if it intersects.
 template <class VolumeType, class State, class Visit, class Report, StepObserver<Step> Observer = Ignore>
 Counts traverse(const Tree<VolumeType>& tree, std::type_identity_t<std::span<const VolumeType>> volumes,
                 const State& root, Visit&& visit, Report&& report, Observer&& observe = {}) {
@@ -103,13 +103,14 @@ inline constexpr std::array<std::string_view, 6> kFirstHitPseudocode{
 
 template <class Scalar>
 struct Hit {
-  Index body = kNoIndex;  // none was hit
+  Index body = kNoIndex;  // kNoIndex: none was hit
   Scalar t = 0;
   Counts counts;
 };
 
-/// The body that is hit first; of several at the same t that of the least index. hit(volume) -> std::optional<Scalar>:
-/// where it is hit, of a node no later than of anything in it (as query::ray_enters says of boxes).
+/// The body that is hit first; of several at the same t the one of the least index. hit(volume) ->
+/// std::optional<Scalar>: the t of the hit; a node's must be no later than that of anything in it (as query::ray_enters
+/// guarantees for boxes).
 template <class Scalar, class VolumeType, class HitTest, StepObserver<Step> Observer = Ignore>
 Hit<Scalar> first_hit(const Tree<VolumeType>& tree, std::type_identity_t<std::span<const VolumeType>> volumes,
                       HitTest&& hit, Observer&& observe = {}) {

@@ -1,4 +1,4 @@
-// Two trees against each other.
+// Traverses two trees at once.
 // Source: C. Ericson, "Real-Time Collision Detection", 2005, 6.3, the simultaneous descent.
 #pragma once
 
@@ -24,8 +24,8 @@ inline constexpr std::array<std::string_view, 6> kOverlapPseudocode{
     "  else open all four pairs of children",
 };
 
-/// Reports every pair of bodies, one of each tree, whose volumes overlap, as query::overlaps has it. report(body of a,
-/// body of b). The trees may be of different kinds. volumes_a, volumes_b: those that the trees fit.
+/// Reports every pair of bodies, one from each tree, whose volumes overlap by query::overlaps. report(body of a, body
+/// of b). The trees may be of different kinds. volumes_a, volumes_b: those that the trees were fitted to.
 template <class VolumeA, class VolumeB, class Report, StepObserver<Step> Observer = Ignore>
 Counts overlapping_pairs(const Tree<VolumeA>& a, std::type_identity_t<std::span<const VolumeA>> volumes_a,
                          const Tree<VolumeB>& b, std::type_identity_t<std::span<const VolumeB>> volumes_b,

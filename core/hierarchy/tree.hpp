@@ -1,5 +1,5 @@
-// The bounding-volume hierarchy: a binary tree whose leaves hold bodies and whose every node has a volume around all
-// that is below it. Source: C. Ericson, "Real-Time Collision Detection", 2005, 6.
+// The bounding-volume hierarchy: a binary tree whose leaves have bodies, and whose nodes each have a volume around
+// everything below. Source: C. Ericson, "Real-Time Collision Detection", 2005, 6.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace snug::hierarchy {
 
-/// first, count: of a leaf, its bodies' places in Tree::bodies, count >= 1. Of an inner node first is the left child's
-/// place in Tree::nodes, the right child comes next, and count is 0.
+/// A leaf's bodies are the count ones from first on in Tree::bodies, count >= 1. An inner node's left child is
+/// Tree::nodes[first], its right child is the next one, and count is 0.
 template <class VolumeType>
 struct Node {
   VolumeType volume;
@@ -22,11 +22,11 @@ struct Node {
   [[nodiscard]] bool is_leaf() const { return count > 0; }
 };
 
-/// Bodies are named by their place in the list of volumes that the tree was built of, which the tree does not keep.
+/// A body is an index into the list of volumes that the tree was built from, which the tree does not keep.
 template <class VolumeType>
 struct Tree {
-  std::vector<Node<VolumeType>> nodes;  // the root first, children after their parent; none where there are no bodies
-  std::vector<Index> bodies;            // each once; those below a node side by side, in a leaf by rising index
+  std::vector<Node<VolumeType>> nodes;  // the root first, children after their parent; empty if there are no bodies
+  std::vector<Index> bodies;            // each once; those below a node are contiguous, in a leaf by rising index
 
   /// All bodies below a node. O(depth) time.
   [[nodiscard]] std::span<const Index> bodies_below(Index node) const {
@@ -38,7 +38,7 @@ struct Tree {
                end = static_cast<std::size_t>(at(last).first + at(last).count);
     return std::span(bodies).subspan(begin, end - begin);
   }
-  /// The most nodes on a way from the root to a leaf.
+  /// The largest number of nodes on a path from the root to a leaf.
   [[nodiscard]] int depth() const {
     std::vector<int> depths(nodes.size(), 1);
     int most = 0;
@@ -52,11 +52,11 @@ struct Tree {
   }
 };
 
-/// What a traversal spent; to be held against one test for each body, or each pair.
+/// What a traversal cost, to compare with one test for each body, or for each pair.
 struct Counts {
   std::int64_t nodes_visited = 0;
-  std::int64_t node_tests = 0;  // of nodes' volumes
-  std::int64_t body_tests = 0;  // of bodies' own volumes
+  std::int64_t node_tests = 0;  // tests of nodes' volumes
+  std::int64_t body_tests = 0;  // tests of bodies' own volumes
 
   [[nodiscard]] std::int64_t volume_tests() const { return node_tests + body_tests; }
 };

@@ -1,4 +1,4 @@
-// STL repeats each corner for each triangle that meets there; points are wanted once.
+// Merges the vertices that STL repeats for every triangle.
 #pragma once
 
 #include <array>
@@ -7,10 +7,11 @@
 
 #include "io/point_file.hpp"
 #include "number/bits.hpp"
+#include "number/fnv.hpp"
 
 namespace snug::io {
 
-/// Collects corners, three to a triangle; those with equal bits become one point.
+/// Collects vertices, three for each triangle; those with equal bits become one point.
 class CornerMerger {
  public:
   void add(const Vector<double, 3>& corner) {
@@ -22,7 +23,7 @@ class CornerMerger {
     file_.triangles.push_back(triangle_);
     corners_ = 0;
   }
-  /// Whether one corner more would be one point too many.
+  /// Whether one more vertex could be one point too many.
   [[nodiscard]] bool full() const { return file_.points.size() == static_cast<std::size_t>(INT32_MAX); }
   [[nodiscard]] PointFile take() { return std::move(file_); }
 
@@ -33,12 +34,9 @@ class CornerMerger {
   }
   struct Hash {
     std::size_t operator()(const Bits& bits) const {
-      std::uint64_t hash = 0;
-      for (const std::uint64_t word : bits) {  // a round number's low bits are all zero: fold the high ones down
-        hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
-        hash ^= hash >> 32;
-      }
-      return static_cast<std::size_t>(hash);
+      Fnv1a hash;
+      for (const std::uint64_t word : bits) hash.add_bits(word);
+      return static_cast<std::size_t>(hash.value());
     }
   };
 

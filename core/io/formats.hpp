@@ -1,4 +1,4 @@
-// A reader for each format. They name no file in their errors: read_points does, once for all.
+// A reader for each format. Their errors name no file: read_points adds the name.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,18 @@
 
 namespace snug::io {
 
-/// More points than this have no Index.
+/// The most points that an Index can number.
 inline constexpr std::size_t kMostPoints = std::numeric_limits<Index>::max();
 inline constexpr std::string_view kTooManyPoints = "there are more than 2147483647 points";
 
-/// Two or three numbers a line; '#' starts a comment. csv: the first line may be a header, and a tab parts fields as a
-/// comma or a semicolon does, so that an empty one is noticed.
+/// Two or three numbers a line; '#' starts a comment. csv: the first line may be a header, and a tab separates fields
+/// as a comma or a semicolon does, so that an empty field is noticed.
 [[nodiscard]] Read<PointFile> read_rows(std::string_view text, bool csv);
 
-/// Wavefront OBJ: the v lines are points, the f lines faces, everything else is passed over.
+/// Wavefront OBJ: the v lines are points, the f lines faces, everything else is ignored.
 /// Source: Wavefront Technologies, "Advanced Visualizer Manual", appendix B1, 1993.
 [[nodiscard]] Read<PointFile> read_obj(std::string_view text);
-/// Whether it is a statement that the format knows ("v", "f", "usemtl" ...).
+/// Whether the word begins a statement of OBJ ("v", "f", "usemtl" ...).
 [[nodiscard]] bool is_obj_keyword(std::string_view word);
 
 /// Stanford PLY: x, y and perhaps z of the element vertex are points, the element face has faces.
@@ -31,7 +31,7 @@ inline constexpr std::string_view kTooManyPoints = "there are more than 21474836
 /// Stereolithography, as text and as bytes. Source: 3D Systems, "StereoLithography Interface Specification", 1988.
 [[nodiscard]] Read<PointFile> read_stl_text(std::string_view text);
 [[nodiscard]] Read<PointFile> read_stl_binary(std::string_view bytes);
-/// Whether the size is just what the count of triangles in the header calls for.
+/// Whether the size is exactly what the header's count of triangles calls for.
 [[nodiscard]] bool has_size_of_stl(std::string_view bytes);
 
 }  // namespace snug::io

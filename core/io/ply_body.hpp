@@ -1,19 +1,19 @@
-// The data behind a PLY header, one value at a time, as text and as bytes. Both remember the first thing that was
-// wrong, so that a reader need only ask whether a value came.
+// The data after a PLY header, one value at a time, as text and as bytes. Both remember the first error, so that a
+// reader need only check whether it got a value.
 #pragma once
 
 #include "io/ply_header.hpp"
 
 namespace snug::io {
 
-/// One instance of an element is one line.
+/// Data as text: one instance of an element is one line.
 class PlyText {
  public:
   PlyText(const PlyHeader& header, std::string_view whole);
 
-  /// The fewest bytes that an instance takes up.
+  /// The fewest bytes that an instance can take.
   [[nodiscard]] static std::int64_t smallest(const PlyElement& element);
-  /// How many bytes are left, and one for a line feed that the last line may lack.
+  /// How many bytes are left, plus one for a line feed that the last line may lack.
   [[nodiscard]] std::int64_t left() const { return static_cast<std::int64_t>(lines_.rest().size()) + 1; }
 
   bool begin(const PlyElement& element, std::int64_t instance);
@@ -21,7 +21,7 @@ class PlyText {
   bool integer(PlyType type, std::int64_t& value);
   bool skip(PlyType type, std::int64_t n);
   bool end();
-  /// Whether nothing follows.
+  /// Whether nothing is left.
   bool finish();
 
   bool fail(std::string what);

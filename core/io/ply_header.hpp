@@ -1,4 +1,4 @@
-// What a PLY file says of itself before its data.
+// The header of a PLY file.
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,14 @@ enum class PlyType : std::uint8_t { kInt8, kUint8, kInt16, kUint16, kInt32, kUin
 
 struct PlyProperty {
   std::string_view name;
-  PlyType type;                       // of a list: of its items
+  PlyType type;                       // for a list: the type of its items
   std::optional<PlyType> count_type;  // of a list only
 };
 
 struct PlyElement {
   std::string_view name;
   std::int64_t count = 0;
-  std::int64_t line = 0;  // where the header claims it
+  std::int64_t line = 0;  // the line that declares it
   std::vector<PlyProperty> properties;
 };
 
@@ -36,8 +36,8 @@ enum class PlyForm : std::uint8_t { kAscii, kLittleEndian, kBigEndian };
 struct PlyHeader {
   PlyForm form = PlyForm::kAscii;
   std::vector<PlyElement> elements;
-  std::string_view body;   // the bytes behind the header; names are views of the file as well
-  std::int64_t lines = 0;  // of the header
+  std::string_view body;   // the bytes after the header; names are views into the file too
+  std::int64_t lines = 0;  // how many the header has
 };
 
 /// Errors: with the header's line.

@@ -34,7 +34,7 @@ class Lines {
   [[nodiscard]] std::string_view line() const { return line_; }
   /// The line's number; at the end of the text, that of the last line.
   [[nodiscard]] std::int64_t number() const { return number_; }
-  /// What follows the line.
+  /// The text after the line.
   [[nodiscard]] std::string_view rest() const { return rest_; }
 
  private:
@@ -45,28 +45,28 @@ class Lines {
 
 [[nodiscard]] std::string_view trim(std::string_view text);
 
-/// Takes the next word, between blanks and tabs, off the front of rest; an empty one where there is none.
+/// Takes the next word, between blanks and tabs, off the front of rest; returns an empty one if there is none.
 [[nodiscard]] std::string_view take_word(std::string_view& rest);
 
-/// ASCII letters only, so that no locale has a say.
+/// Lower-cases ASCII letters only, whatever the locale.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
-/// The text in quotation marks, shortened and printable whatever it is.
+/// The text in quotation marks, shortened and made printable.
 [[nodiscard]] std::string quoted(std::string_view text);
 
 /// "1 byte", "2 bytes".
 [[nodiscard]] std::string counted(std::int64_t n, std::string_view noun);
 
-/// A decimal number, a leading + allowed; also nan and the infinities. None where the word is no number.
+/// A decimal number, a leading + allowed; also nan and the infinities. None if the word is not a number.
 [[nodiscard]] std::optional<double> parse_number(std::string_view word);
 
-/// None where the word is no integer of 64 bits.
+/// None if the word is not a 64-bit integer.
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view word);
 
 /// A coordinate that a PointSet takes, or what is wrong with it.
 [[nodiscard]] tl::expected<double, std::string> parse_coordinate(std::string_view word);
 
-/// Empty where a PointSet takes the coordinate, else what is wrong with it.
+/// What is wrong with a coordinate; empty if a PointSet takes it.
 [[nodiscard]] std::string_view fault_of_coordinate(double value);
 
 }  // namespace snug::io

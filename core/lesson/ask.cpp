@@ -1,7 +1,11 @@
 #include "lesson/ask.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
+#include "geometry/tolerance.hpp"
 #include "lesson/names.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/words.hpp"
@@ -32,7 +36,7 @@ int place_after(const Run& run, const Gate& gate, int before) {
 }
 
 const char* offer_points(Asked& asked, const Run& run) {
-  if (run.handles(asked.fact).empty()) return "\"point\" asks of a step that names no point";
+  if (run.handles(asked.fact).empty()) return "\"point\" cannot be asked of a step that names no point";
   asked.on_stage = true;
   asked.stage_points = run.candidates(asked.fact);
   return nullptr;
@@ -51,14 +55,69 @@ const char* offer_choices(Asked& asked, const Run&) {
   return nullptr;
 }
 
-constexpr Asking kPoint{"point", &offer_points, &point_truth}, kChoice{"choice", &offer_choices, &choice_truth};
+/// The place right after the step that is asked about.
+View view_after(const Asked& asked, const Run& run) {
+  const Method* method = find_method(*asked.lesson, asked.question->gate.algorithm);
+  return {{Slot{method, &run}, Slot{}}, 0, asked.until};
+}
 
-const Asking* find_asking(std::string_view name, const Run& run, int fact) {
-  if (name == kPoint.name) return &kPoint;
-  if (name == kChoice.name) return &kChoice;
+std::optional<Figure> figure_after(const Asked& asked, const Run& run) {
+  for (Figure& figure : asked.subject->figures(view_after(asked, run)))
+    if (figure.key == asked.question->figure && figure.known) return std::move(figure);
+  return std::nullopt;
+}
+
+const char* offer_ranges(Asked& asked, const Run& run) {
+  const auto figure = figure_after(asked, run);
+  if (!figure) return "\"figure\" names none that there is after this step";
+  for (std::string& range : range_texts(asked.question->bounds, figure->unit)) asked.add_choice(std::move(range));
+  return nullptr;
+}
+
+Truth range_truth(const Asked& asked, const Run& run) {
+  const Figure figure = *figure_after(asked, run);
+  const std::vector<double>& bounds = asked.question->bounds;
+  const auto range = std::lower_bound(bounds.begin(), bounds.end(), figure.value) - bounds.begin();
+  return {{static_cast<int>(range)}, {}, figure.text, figure.name + ": " + figure.text + "."};
+}
+
+void read_figure(TomlTable& table, Question& question) {
+  question.figure = table.text("figure");
+  read_bounds(table, question);
+}
+
+const char* offer_methods(Asked& asked, const Run& run) {
+  const std::vector<Rival> rivals = asked.subject->rivals(*asked.lesson, view_after(asked, run));
+  if (rivals.size() < 2) return "\"tightest\" asks which of several algorithms is";
+  for (const Rival& rival : rivals) asked.add_choice(std::string(rival.method->title));
+  return nullptr;
+}
+
+/// Sizes that differ by rounding alone are equal, and all that have the least are right.
+Truth tightest_truth(const Asked& asked, const Run& run) {
+  const std::vector<Rival> rivals = asked.subject->rivals(*asked.lesson, view_after(asked, run));
+  const auto smaller = [](const Rival& a, const Rival& b) { return a.size < b.size; };
+  const double least = std::min_element(rivals.begin(), rivals.end(), smaller)->size;
+  Truth truth;
+  for (std::size_t i = 0; i < rivals.size(); ++i) {
+    if (rivals[i].size > least * (1 + tolerance::kBoxProof)) continue;
+    truth.choices.push_back(static_cast<int>(i));
+    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[i];
+  }
+  const bool one = truth.choices.size() == 1;
+  truth.sentence = truth.happened + (one ? " is the tightest: " : " are the tightest: ") + number_text(least) + ".";
+  return truth;
+}
+
+constexpr Asking kPoint{"point", &offer_points, &point_truth}, kChoice{"choice", &offer_choices, &choice_truth},
+    kFigure{.name = "figure", .offer = &offer_ranges, .truth = &range_truth, .read = &read_figure},
+    kTightest{.name = "tightest", .offer = &offer_methods, .truth = &tightest_truth, .figure = kComparedFigure};
+
+/// What the step's own fact can be asked comes first.
+const Asking* find_asking(std::string_view name, const SubjectRow& row, const Run& run, int fact) {
   for (const Asking& asking : run.askings(fact))
     if (asking.name == name) return &asking;
-  return nullptr;
+  return general_asking(name, row);
 }
 
 /// What a tapped handle says, in the words of a choice that names several: "the y pair (P9)". A handle that belongs to
@@ -95,14 +154,15 @@ bool is_right(const Asked& asked, const Answer& answer, const Truth& truth) {
 }
 
 /// A question that is asked before the first step.
-Asked asked_anytime(const Question& question, const SubjectRow& row, const Subject& subject, const Run& run) {
+Asked asked_anytime(const Question& question, const Lesson& lesson, const Subject& subject, const Run& run) {
   Asked asked;
+  asked.lesson = &lesson;
   asked.question = &question;
   asked.subject = &subject;
   asked.dim = subject.dim();
   asked.step = asked.until = Asked::kAnytime;
   asked.asking = &kChoice;
-  for (const auto& [fact, asking] : row.askings())
+  for (const auto& [fact, asking] : lesson.subject->askings())
     if (asking->name == question.asks) asked.asking = asking;
   put_words(asked, true);  // it is about the lesson's own points
   asked.asking->offer(asked, run);
@@ -135,11 +195,13 @@ Truth choice_truth(const Asked& asked, const Run&) {
   return {{right}, {}, text, "The answer is “" + text + "”."};
 }
 
-std::optional<Asked> resolve(const Question& question, const SubjectRow& row, const Subject& subject, const Run& run,
+std::optional<Asked> resolve(const Question& question, const Lesson& lesson, const Subject& subject, const Run& run,
                              std::string& why) {
-  if (!row.asks_of_steps) return asked_anytime(question, row, subject, run);
+  const SubjectRow& row = *lesson.subject;
+  if (!row.asks_of_steps) return asked_anytime(question, lesson, subject, run);
   const Gate& gate = question.gate;
   Asked asked;
+  asked.lesson = &lesson;
   asked.question = &question;
   asked.subject = &subject;
   asked.dim = subject.dim();
@@ -150,12 +212,12 @@ std::optional<Asked> resolve(const Question& question, const SubjectRow& row, co
           (gate.occurrence > 1 ? " " + std::to_string(gate.occurrence) + " times" : "") + " on these points";
     return std::nullopt;
   }
-  asked.asking = find_asking(question.asks, run, asked.fact);
+  asked.asking = find_asking(question.asks, row, run, asked.fact);
   if (asked.asking == nullptr) {
     std::vector<std::string_view> facts;
     for (const auto& [fact, asking] : row.askings())
       if (asking->name == question.asks) facts.push_back(fact);
-    why = "\"" + question.asks + "\" asks of " + one_of(facts);
+    why = "\"" + question.asks + "\" can only be asked of " + one_of(facts) + ", not of " + gate.fact;
     return std::nullopt;
   }
   asked.step = gate.after.empty() ? asked.fact : place_after(run, gate, asked.fact);
@@ -165,6 +227,45 @@ std::optional<Asked> resolve(const Question& question, const SubjectRow& row, co
     return std::nullopt;
   }
   return asked;
+}
+
+std::vector<std::string_view> general_askings(const SubjectRow& subject) {
+  if (!subject.asks_of_steps) return {kChoice.name};
+  std::vector<std::string_view> names{kPoint.name, kChoice.name, kFigure.name};
+  if (subject.compares) names.push_back(kTightest.name);
+  return names;
+}
+
+const Asking* general_asking(std::string_view name, const SubjectRow& subject) {
+  if (!is_among(general_askings(subject), name)) return nullptr;
+  for (const Asking* asking : {&kPoint, &kChoice, &kFigure, &kTightest})
+    if (asking->name == name) return asking;
+  return nullptr;
+}
+
+void read_bounds(TomlTable& table, Question& question) {
+  question.bounds = table.numbers("bounds");
+  double last = -std::numeric_limits<double>::infinity();
+  const auto rises = [&](double bound) {
+    return bound > std::exchange(last, bound) && std::isfinite(bound);
+  };  // no NaN does
+  if (question.bounds.empty() || !std::all_of(question.bounds.begin(), question.bounds.end(), rises))
+    table.wrong("bounds", "must be numbers that rise"), question.bounds = {0};
+}
+
+std::vector<std::string> range_texts(std::span<const double> bounds, std::string_view unit) {
+  const bool measured = unit == "%" || unit.substr(0, 5) == "units" || unit == "times";
+  const auto whole = [](double bound) { return bound == std::floor(bound); };
+  const bool count = !measured && std::all_of(bounds.begin(), bounds.end(), whole);
+  const std::string of(unit.empty() ? "" : " " + std::string(unit));
+  const auto number = [&](double value) { return count ? count_text(std::llround(value)) : plain_number(value); };
+  std::vector<std::string> texts{count && bounds.front() == 0 ? "none" : "at most " + number(bounds.front()) + of};
+  for (std::size_t i = 1; i < bounds.size(); ++i) {
+    const double above = count ? bounds[i - 1] + 1 : bounds[i - 1];
+    texts.push_back((above == bounds[i] ? "" : number(above) + " to ") + number(bounds[i]) + of);
+  }
+  texts.push_back("more than " + number(bounds.back()) + of);
+  return texts;
 }
 
 void put_words(Asked& asked, bool own_run) {
@@ -183,7 +284,7 @@ std::vector<Asked> asked_on(const Lesson& lesson, std::string_view method, const
   for (const Question& question : lesson.questions) {
     if (lesson.subject->asks_of_steps && question.gate.algorithm != method) continue;
     if ((question.own_points || !lesson.subject->asks_of_steps) && !own_run) continue;
-    auto asked = resolve(question, *lesson.subject, subject, run, why);
+    auto asked = resolve(question, lesson, subject, run, why);
     if (!asked) continue;
     put_words(*asked, own_run);
     all.push_back(*std::move(asked));

@@ -22,6 +22,7 @@ struct Answer {
 /// A question as it is asked now, with the choices worked out from the run.
 struct Asked {
   static constexpr int kAnytime = -1;
+  const Lesson* lesson = nullptr;
   const Question* question = nullptr;
   const Subject* subject = nullptr;
   const Asking* asking = nullptr;
@@ -54,8 +55,8 @@ struct Truth {
   bool pending = false;  // it is not known yet
 };
 
-/// The key, like that of a figure, of a method's result in the final comparison.
-inline constexpr std::string_view kResultFigure = "result";
+/// The keys, like those of figures, of a method's result in the final comparison, and of which method is best.
+inline constexpr std::string_view kResultFigure = "result", kComparedFigure = "compared";
 
 /// Something that can be asked of a step.
 struct Asking {
@@ -118,10 +119,20 @@ void put_words(Asked& asked, bool own_run);
 [[nodiscard]] std::vector<Asked> asked_on(const Lesson& lesson, std::string_view method, const Subject& subject,
                                           const Run& run, bool own_run);
 
-/// Finds where a question is asked on a run, with its general words. None if the run does not have its step, or if the
-/// step cannot be asked that; then why gives the reason, as a sentence fragment.
-[[nodiscard]] std::optional<Asked> resolve(const Question& question, const SubjectRow& row, const Subject& subject,
+/// Finds where one of the lesson's questions is asked on a run, with its general words. None if the run does not have
+/// its step, or if the step cannot be asked that; then why gives the reason, as a sentence fragment.
+[[nodiscard]] std::optional<Asked> resolve(const Question& question, const Lesson& lesson, const Subject& subject,
                                            const Run& run, std::string& why);
+
+/// What any step can be asked, by the names that lesson files use.
+[[nodiscard]] std::vector<std::string_view> general_askings(const SubjectRow& subject);
+/// One of these by name; null if it is none of them.
+[[nodiscard]] const Asking* general_asking(std::string_view name, const SubjectRow& subject);
+
+/// Reads the increasing "bounds" of a question about a figure.
+void read_bounds(TomlTable& table, Question& question);
+/// The ranges between a figure's bounds: "none", "1 to 12 points", "more than 12 points"; "at most 10 %".
+[[nodiscard]] std::vector<std::string> range_texts(std::span<const double> bounds, std::string_view unit);
 
 /// Whether this can be an answer to the question: a choice in range, or a handle that can be tapped.
 [[nodiscard]] bool answers(const Asked& asked, const Answer& answer);

@@ -8,7 +8,6 @@
 #include "geometry/pose.hpp"
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
-#include "lesson/session.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -195,92 +194,6 @@ BoxPair read_pair(TomlTable& table, int dim, double taper) {
   pair.knob = 0.4 * largest;
   if (const Done fine = check_places(pair); !fine) table.wrong("center", fine.error().what);
   return pair;
-}
-
-Done BoxSubject::move(Index i, const Point3& to) {
-  auto next = moved(pair_, i, to);
-  if (!next) return tl::unexpected(std::move(next.error()));
-  if (Done fine = check(*next); !fine) return fine;
-  pair_ = *std::move(next);
-  origin_.edited = true;
-  return {};
-}
-
-Done BoxSubject::set_boxes(const BoxPair& pair) {
-  if (pair.dim != pair_.dim) return tl::unexpected(InputError{.what = "there are no such boxes"});
-  for (const Box& box : pair.boxes)
-    if (!(box.half_extents.minCoeff() >= 0)) return tl::unexpected(InputError{.what = "a half extent is below 0"});
-  if (Done fine = check(pair); !fine) return fine;
-  pair_ = pair;
-  origin_.edited = true;
-  return {};
-}
-
-void BoxSubject::scatter(std::uint64_t seed, const Subject& own) {
-  const BoxPair& first = *own.boxes();
-  BoxPair next = seed == lesson_seed_ ? first : scattered(first, seed);
-  if (!check(next)) return;
-  origin_ = own.origin();
-  origin_.seed = seed;
-  pair_ = std::move(next);
-}
-
-void BoxSubject::begin_task(const Lesson&, const Subject& own) {
-  origin_ = own.origin();
-  pair_ = *own.boxes();
-}
-
-void read_box_task(TomlTable& table, Lesson& lesson, Complaints& complaints, std::span<const std::string_view> names,
-                   BoxPair (*read)(TomlTable& table, const BoxPair& like)) {
-  auto terms = std::make_shared<BoxTask>();
-  terms->goals = read_names(table, "goals", 1, names);
-  for (const toml::table* model : table.tables("model")) {
-    TomlTable own(*model, "[[task.model]]", complaints);
-    terms->models.push_back(read(own, static_cast<const BoxTables&>(*lesson.tables).boxes));
-    own.refuse_others();
-  }
-  if (terms->models.size() != terms->goals.size())
-    complaints.add(table.line(), "[task] needs a [[task.model]] for each of its goals");
-  lesson.task->terms = std::move(terms);
-}
-
-void check_box_task(const Lesson& lesson, const toml::table& toml, const Subject& own, const BoxGoals& goals,
-                    Complaints& complaints) {
-  if (!lesson.task) return;
-  const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
-  const auto& terms = static_cast<const BoxTask&>(*lesson.task->terms);
-  for (std::size_t i = 0; i < terms.goals.size(); ++i) {
-    if (goals.reaches(terms.goals[i], *own.boxes()))
-      complaints.add(task.line(), "the task is solved before the student begins");
-    if (!goals.reaches(terms.goals[i], terms.models[i]))
-      complaints.add(task.line_of("model"), "the model does not reach " + terms.goals[i]);
-  }
-}
-
-tl::expected<Grade, InputError> play_box_task(Session& session) {
-  session.start_task();
-  Grade grade;
-  for (const BoxPair& model : static_cast<const BoxTask&>(*session.lesson().task->terms).models) {
-    if (const Done placed = session.set_boxes(model); !placed) return tl::unexpected(placed.error());
-    grade = *session.grade();
-  }
-  return grade;
-}
-
-Grade grade_box_task(const Lesson& lesson, const BoxPair& pair, const BoxGoals& goals, std::vector<bool>& found) {
-  const auto& terms = static_cast<const BoxTask&>(*lesson.task->terms);
-  found.resize(terms.goals.size());
-  Grade grade;
-  grade.done = true;
-  for (std::size_t i = 0; i < terms.goals.size(); ++i) {
-    const bool now = goals.reaches(terms.goals[i], pair);
-    found[i] = found[i] || now;
-    grade.done = grade.done && found[i];
-    grade.points += found[i] ? 1 : 0;
-    grade.says += (grade.says.empty() ? "" : " ") + goals.sentence(terms.goals[i], pair, now, found[i]);
-  }
-  if (grade.done) grade.says += " Done.";
-  return grade;
 }
 
 }  // namespace snug::lesson

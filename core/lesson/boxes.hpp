@@ -71,13 +71,20 @@ struct Place {
 
 class BoxSubject : public Subject {
  public:
-  [[nodiscard]] const BoxPair* boxes() const final { return &pair_; }
+  [[nodiscard]] const BoxPair& boxes() const { return pair_; }
   [[nodiscard]] int dim() const override { return pair_.dim; }
   [[nodiscard]] Index size() const override { return 2 * places_of_box(pair_.dim); }
   [[nodiscard]] Point3 at(Index i) const override { return at_place(pair_, i); }
   [[nodiscard]] std::string name_of(Index i) const override { return place_name(pair_.dim, i); }
   [[nodiscard]] std::array<std::string_view, 2> handle_words() const override { return {"vertex", "vertices"}; }
-  [[nodiscard]] std::string_view tools_word() const override { return "Boxes"; }
+  [[nodiscard]] std::vector<std::vector<Index>> things() const override;
+  [[nodiscard]] std::string_view stage_says() const override { return "two boxes"; }
+  [[nodiscard]] Tools tools() const override { return {"Boxes", "Boxes"}; }
+  [[nodiscard]] std::vector<NumberGroup> numbers() const override;
+  /// In space, a turn rotates the box about a world axis by so many degrees.
+  Done set_numbers(std::size_t group, std::size_t row, std::span<const double> values) override;
+  [[nodiscard]] Rows rows() const override;
+  Done set_rows(const Rows& rows) override;
   /// A box's heading, its name in a sentence, and the heading of its sizes.
   struct Words {
     std::string_view heading, name, sizes;
@@ -88,7 +95,7 @@ class BoxSubject : public Subject {
   Done move(Index i, const Point3& to) override;
   /// Replaces the boxes. Errors: another dimension; a number that is not finite, a half extent below 0; the errors of
   /// check.
-  Done set_boxes(const BoxPair& pair) override;
+  Done set_boxes(const BoxPair& pair);
   void scatter(std::uint64_t seed, const Subject& own) override;
   void begin_task(const Lesson& lesson, const Subject& own) override;
 
@@ -104,10 +111,12 @@ class BoxSubject : public Subject {
   BoxPair pair_;
 };
 
-/// The subject as a BoxSubject; null if it is not one.
-[[nodiscard]] inline const BoxSubject* as_boxes(const Subject& subject) {
-  return subject.boxes() != nullptr ? static_cast<const BoxSubject*>(&subject) : nullptr;
+/// The boxes of a subject that is a BoxSubject.
+[[nodiscard]] inline const BoxPair& boxes_of(const Subject& subject) {
+  return static_cast<const BoxSubject&>(subject).boxes();
 }
+/// Replaces the boxes of a session's BoxSubject, as one edit.
+Done set_boxes(Session& session, const BoxPair& pair);
 
 /// What a lesson's file says about two boxes.
 struct BoxTables : Tables {

@@ -9,44 +9,80 @@
 #include "lesson/names.hpp"
 #include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
-#include "lesson/text_line.hpp"
+#include "lesson/text_place.hpp"
+#include "lesson/warn_lesson.hpp"
 
 namespace snug::lesson {
 namespace {
 
-void check_ids(const Lesson& lesson, Complaints& complaints) {
-  for (auto question = lesson.questions.begin(); question != lesson.questions.end(); ++question) {
-    const auto same = [&](const Question& other) { return other.id == question->id; };
-    if (std::any_of(lesson.questions.begin(), question, same))
-      complaints.add(question->line, "there is another question with the id " + question->id);
-    if (lesson.subject->asks_of_steps && !is_among(lesson.algorithms, question->gate.algorithm))
-      complaints.add(question->line, "the lesson does not offer the algorithm " + question->gate.algorithm);
-  }
+/// Removes the questions for which holds(question) is false.
+void keep_questions(Lesson& lesson, auto holds) {
+  std::erase_if(lesson.questions, [&](const Question& question) { return !holds(question); });
+}
+
+/// The names of the steps that a run takes, each once, in the order in which they first occur.
+std::vector<std::string_view> facts_of(const Run& run) {
+  std::vector<std::string_view> facts;
+  for (int i = 0; i < run.steps(); ++i)
+    if (!is_among(facts, run.fact(i))) facts.push_back(run.fact(i));
+  return facts;
+}
+
+/// Checks that the steps named by a question's gate exist. fits: the names to suggest, those of its algorithm's run if
+/// it is known.
+bool check_gate(const Gate& gate, const SubjectRow& subject, const std::vector<std::string_view>& fits,
+                Complaints& complaints) {
+  const std::size_t before = complaints.count();
+  const auto check = [&](std::string_view key, const std::string& fact, FilePlace place) {
+    if (!is_among(subject.facts(), fact))
+      complaints.add(place, '"' + std::string(key) + "\" of " + gate.algorithm + " " + none_of_text(fact, fits));
+  };
+  check("before", gate.fact, gate.fact_place);
+  if (!gate.after.empty() && gate.after != Gate::kStart) check("after", gate.after, gate.after_place);
+  return complaints.count() == before;
 }
 
 /// Checks the questions of one method on its run. A question must not come while another is still open, because
 /// answering that one would skip it.
-void check_questions(const Lesson& lesson, const Method& method, const Subject& subject, const Run& run,
+void check_questions(Lesson& lesson, const std::string& algorithm, const Subject& subject, const Run& run,
                      Complaints& complaints) {
   std::string why;
-  for (const Question& question : lesson.questions)
-    if (question.gate.algorithm == method.name && !resolve(question, *lesson.subject, subject, run, why))
-      complaints.add(question.line, why);
-  const std::vector<Asked> asked = asked_on(lesson, method.name, subject, run, true);
+  const std::vector<std::string_view> fits = facts_of(run);
+  keep_questions(lesson, [&](const Question& question) {
+    if (question.gate.algorithm != algorithm) return true;
+    if (!check_gate(question.gate, *lesson.subject, fits, complaints)) return false;
+    if (resolve(question, lesson, subject, run, why)) return true;
+    complaints.add(question.place, why);
+    return false;
+  });
+  const std::vector<Asked> asked = asked_on(lesson, algorithm, subject, run, true);
+  const auto is_asked = [&](const Question& question) {
+    return std::any_of(asked.begin(), asked.end(), [&](const Asked& one) { return one.question == &question; });
+  };
+  std::vector<std::string> passed_by;
   for (const Question& question : lesson.questions) {
-    const auto is_it = [&](const Asked& one) { return one.question == &question; };
-    if (question.gate.algorithm == method.name && std::none_of(asked.begin(), asked.end(), is_it))
-      complaints.add(question.line, "the question stands where another one is not decided yet");
+    if (question.gate.algorithm != algorithm || is_asked(question)) continue;
+    const int step = resolve(question, lesson, subject, run, why)->step;
+    const auto open = std::find_if(asked.begin(), asked.end(),
+                                   [&](const Asked& one) { return one.step <= step && step < one.until; });
+    complaints.add(question.place, "the question comes while an earlier one is not decided yet" +
+                                       (open == asked.end() ? ""
+                                                            : ": \"" + open->question->id + "\", in line " +
+                                                                  std::to_string(open->question->place.line)));
+    passed_by.push_back(question.id);
   }
+  keep_questions(lesson, [&](const Question& question) { return !is_among(passed_by, question.id); });
 }
 
-/// Checks that the methods shown from the start can take all the points.
+/// Checks that the methods shown from the start can take the points.
 void check_sizes(const Lesson& lesson, const Subject& own, const TomlTable& root, Complaints& complaints) {
   for (const std::string& name : lesson.algorithms) {
     const Method& method = *find_method(lesson, name);
-    if (!own.suits(method) && (&name == &lesson.algorithms.front() || name == lesson.compare))
-      complaints.add(root.line_of(lesson.subject->table), "too many points for " + std::string(method.title) +
-                                                              ": at most " + std::to_string(method.max_points));
+    const std::string refusal = own.refusal(method);
+    const bool first = &name == &lesson.algorithms.front() || name == lesson.compare;
+    if (!refusal.empty() && first) complaints.add(root.place_of(lesson.subject->table), refusal);
+    if (!refusal.empty() && first) return;
+    if (!refusal.empty()) complaints.warn(root.place_of("algorithms"), refusal + ", and is not offered for these");
   }
 }
 
@@ -55,7 +91,7 @@ class Runs {
  public:
   Runs(const Lesson& lesson, const Subject& own) : lesson_(lesson), own_(own) {}
   [[nodiscard]] const Subject& own() const { return own_; }
-  /// Null if there are too many points for it.
+  /// Null if it cannot take these points.
   const Run* of(const std::string& algorithm) {
     const Method& method = *find_method(lesson_, algorithm);
     if (!own_.suits(method)) return nullptr;
@@ -70,29 +106,36 @@ class Runs {
   std::map<std::string, std::unique_ptr<Run>> runs_;
 };
 
-void check_runs(const Lesson& lesson, Runs& runs, Complaints& complaints) {
+void check_runs(Lesson& lesson, Runs& runs, Complaints& complaints) {
   for (const std::string& name : lesson.algorithms)
-    if (const Run* run = runs.of(name))
-      check_questions(lesson, *find_method(lesson, name), runs.own(), *run, complaints);
+    if (const Run* run = runs.of(name)) check_questions(lesson, name, runs.own(), *run, complaints);
 }
 
-void check_mark(const Lesson& lesson, const std::string& mark, int line, Runs& runs, Complaints& complaints) {
+/// Checks the questions as far as that is possible without a run.
+void check_gates(Lesson& lesson, Complaints& complaints) {
+  keep_questions(lesson, [&](const Question& question) {
+    return check_gate(question.gate, *lesson.subject, lesson.subject->facts(), complaints);
+  });
+}
+
+void check_mark(const Lesson& lesson, const std::string& mark, FilePlace place, Runs& runs, Complaints& complaints) {
   if (!is_mark(runs.own(), mark))
-    return complaints.add(line, "there is no mark " + mark + ": it is support, a step's name or a handle's");
+    return complaints.add(place, "there is no mark " + mark + ": a mark is support, a step's name or a handle's name");
   const auto lights_there = [&](const std::string& algorithm) {
     const Run* run = runs.of(algorithm);
     return run != nullptr && lights(*run, runs.own(), mark);
   };
   if (std::none_of(lesson.algorithms.begin(), lesson.algorithms.end(), lights_there))
-    complaints.add(line, "the mark " + mark + " lights nothing at any step of the lesson's algorithms");
+    complaints.add(place, "the mark " + mark + " lights nothing at any step of the lesson's algorithms");
 }
 
 /// Checks that a link's step is one of the run that the section is about.
-void check_step(const Lesson& lesson, const Section& section, const std::string& step, int line, Runs& runs,
+void check_step(const Lesson& lesson, const Section& section, const std::string& step, FilePlace place, Runs& runs,
                 Complaints& complaints) {
+  if (!is_step_number(step)) return;  // told when it was read
   const Run* run = runs.of(section.algorithm.empty() ? lesson.algorithms.front() : section.algorithm);
   if (const int steps = run != nullptr ? run->steps() : 0; std::stoi(step) > steps)  // only digits, as checked before
-    complaints.add(line, "there is no step " + step + ": the run has " + std::to_string(steps));
+    complaints.add(place, "there is no step " + step + ": the run has " + std::to_string(steps));
 }
 
 /// Checks the links that can only be checked on a run.
@@ -103,32 +146,35 @@ void check_links(const Lesson& lesson, const toml::table& toml, Runs& runs, Comp
       for (const Stretch& stretch : paragraph) {
         if (!stretch.link) continue;
         const auto& [kind, target] = *stretch.link;
-        const int line = line_in_text(*tables[i].as_table(), "text", ':' + target + ')');
-        if (kind == Link::Kind::kMark) check_mark(lesson, target, line, runs, complaints);
-        if (kind == Link::Kind::kStep) check_step(lesson, lesson.sections[i], target, line, runs, complaints);
+        const FilePlace place = place_in_text(*tables[i].as_table(), "text", ':' + target + ')');
+        if (kind == Link::Kind::kMark) check_mark(lesson, target, place, runs, complaints);
+        if (kind == Link::Kind::kStep) check_step(lesson, lesson.sections[i], target, place, runs, complaints);
       }
 }
 
 }  // namespace
 
-void check_lesson(const Lesson& lesson, const toml::table& toml, Complaints& complaints) {
+void check_lesson(Lesson& lesson, const toml::table& toml, Checked checked, Complaints& complaints) {
+  const bool gates = lesson.subject->asks_of_steps;
+  if (checked == Checked::kAsWritten || !lesson.points.mesh.empty()) {
+    if (gates) check_gates(lesson, complaints);
+    return warn_of_words(lesson, toml, nullptr, complaints);
+  }
   const TomlTable root(toml, "the lesson", complaints);
-  check_ids(lesson, complaints);
-  if (!lesson.compare.empty() && !is_among(lesson.algorithms, lesson.compare))
-    complaints.add(root.line_of("compare"), "the lesson does not offer the algorithm " + lesson.compare);
-  if (!lesson.points.mesh.empty() || complaints.first()) return;
   const auto own = lesson.subject->open(lesson, std::nullopt, nullptr);
   if (!own) {
     const int line = static_cast<int>(own.error().position);
-    return complaints.add(line > 0 ? line : root.line_of(lesson.subject->table), own.error().what);
+    return complaints.add(line > 0 ? line : root.place_of(lesson.subject->table), own.error().what);
   }
+  warn_of_words(lesson, toml, own->get(), complaints);
+  const std::size_t before = complaints.count();
   check_sizes(lesson, **own, root, complaints);
-  if (!complaints.first() && lesson.subject->check_first != nullptr)
+  if (complaints.count() == before && lesson.subject->check_first != nullptr)
     lesson.subject->check_first(lesson, **own, complaints);
-  if (complaints.first()) return;
+  if (complaints.count() > before) return;
   Runs runs(lesson, **own);
   check_links(lesson, toml, runs, complaints);
-  if (lesson.subject->asks_of_steps) check_runs(lesson, runs, complaints);
+  if (gates) check_runs(lesson, runs, complaints);
   if (lesson.subject->check != nullptr) lesson.subject->check(lesson, toml, **own, complaints);
 }
 

@@ -6,8 +6,8 @@
 
 namespace snug::lesson {
 
-/// lesson: read without errors. The questions of a lesson on a mesh are not checked here, because the mesh is not
-/// available.
-void check_lesson(const Lesson& lesson, const toml::table& toml, Complaints& complaints);
+/// lesson: what could be read of its file; questions that prove wrong on the run are removed from it. The questions of
+/// a lesson on a mesh are not checked on a run here, because the mesh is not available.
+void check_lesson(Lesson& lesson, const toml::table& toml, Checked checked, Complaints& complaints);
 
 }  // namespace snug::lesson

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "lesson/lesson.hpp"
-#include "lesson/toml_table.hpp"
+#include "lesson/toml_file.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -36,7 +36,7 @@ Chapter read_chapter(const toml::table& toml, Seen& seen, Complaints& complaints
       complaints.add(line, "there is no lesson \"" + id + "\": its file would be " + id + ".toml beside this one");
     if (const auto [at, added] = seen.lines.emplace(id, line); !added)
       complaints.add(line,
-                     "the lesson \"" + id + "\" stands here twice: in line " + std::to_string(at->second) + " as well");
+                     "the lesson \"" + id + "\" is listed twice: in line " + std::to_string(at->second) + " as well");
   }
   return chapter;
 }
@@ -46,17 +46,9 @@ Chapter read_chapter(const toml::table& toml, Seen& seen, Complaints& complaints
 tl::expected<Course, InputError> read_course(std::string_view text, std::string_view name,
                                              std::span<const std::string> ids) {
   Complaints complaints(name);
-  if (text.size() > kMostLessonBytes) {
-    complaints.add(1, "the file is too long: a course has at most " + std::to_string(kMostLessonBytes) + " bytes");
-    return tl::unexpected(*complaints.first());
-  }
-  const toml::parse_result parsed = toml::parse(text);
-  if (!parsed) {
-    const toml::parse_error& error = parsed.error();
-    complaints.add(static_cast<int>(error.source().begin.line), std::string(error.description()));
-    return tl::unexpected(*complaints.first());
-  }
-  TomlTable table(parsed.table(), "the course", complaints);
+  const auto toml = parse_file(text, "a course", complaints);
+  if (!toml) return tl::unexpected(complaints.first()->error());
+  TomlTable table(*toml, "the course", complaints);
   if (table.integer("version", 1, 1'000'000) != kCourseVersion)
     table.wrong("version", "is not one that this program reads: it reads 1");
   Course course;
@@ -70,8 +62,8 @@ tl::expected<Course, InputError> read_course(std::string_view text, std::string_
   table.refuse_others();
   for (const std::string& id : ids)
     if (seen.lines.find(id) == seen.lines.end())
-      complaints.add(last, "the lesson \"" + id + "\" stands in no chapter: add it to the \"lessons\" of one");
-  if (complaints.first()) return tl::unexpected(*complaints.first());
+      complaints.add(last, "the lesson \"" + id + "\" is in no chapter: add it to the \"lessons\" of one");
+  if (complaints.first()) return tl::unexpected(complaints.first()->error());
   return course;
 }
 

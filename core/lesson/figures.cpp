@@ -68,6 +68,15 @@ std::string percent_text(double ratio) {
   return (text == "0.0" ? "" : ratio < 0 ? "−" : "+") + text + " %";
 }
 
+std::string plain_number(double value) {
+  if (value == std::floor(value) && std::abs(value) < 1e12)
+    return (value < 0 ? "−" : "") + count_text(std::llround(std::abs(value)));
+  std::string text = number_text(value);
+  if (text.find("×") != std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  return text;
+}
+
 std::string looseness_text(double ratio) {
   constexpr double kLarge = 1, kMost = 1e12;  // above the first, tenths mean nothing; the second is the largest count
   if (!(ratio >= kLarge)) return percent_text(ratio);

@@ -30,6 +30,9 @@ struct Proof {
 /// "2.118", "21.18", "0.042", "0.0042", "1.234 × 10¹⁰". The minus sign is U+2212.
 [[nodiscard]] std::string number_text(double value, int digits = 4);
 
+/// A number as a person writes it: "10", "0.5", "1,200".
+[[nodiscard]] std::string plain_number(double value);
+
 /// A count, n >= 0, with thousands separators: "475", "1,839".
 [[nodiscard]] std::string count_text(std::int64_t n);
 

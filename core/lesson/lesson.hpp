@@ -11,6 +11,7 @@
 
 #include "geometry/input_error.hpp"
 #include "geometry/vector.hpp"
+#include "lesson/file_place.hpp"
 
 namespace snug::lesson {
 
@@ -36,7 +37,7 @@ struct Section {
   std::vector<Paragraph> paragraphs;
   std::vector<std::string> facts;  // the facts whose steps it is about
   std::string algorithm;           // only in the run of this one; empty for all
-  int line = 0;                    // where its text begins in the file, for errors
+  FilePlace place;                 // where its text begins in the file, for errors
 };
 
 /// Where a lesson's points come from: exactly one of a generator, a mesh by name, or a
@@ -60,8 +61,9 @@ struct Gate {
   std::string algorithm;
   std::string fact;  // its name: "pair_chosen"
   int occurrence = 1;
-  std::string after;  // a fact's name, kStart for the beginning, or empty
-  int after_nth = 0;  // counted from 1; 0: the last one
+  std::string after;                  // a fact's name, kStart for the beginning, or empty
+  int after_nth = 0;                  // counted from 1; 0: the last one
+  FilePlace fact_place, after_place;  // in the file, for errors
   static constexpr std::string_view kStart = "start";
 };
 
@@ -79,7 +81,7 @@ struct Question {
   std::string prompt_here;           // replaces the prompt while the run is the lesson's own; empty for none
   std::string because_here;          // the same for because
   std::string section;               // the title of the section that it is about; empty: that which names its fact
-  int line = 0;                      // in the file, for errors
+  FilePlace place;                   // in the file, for errors
 };
 
 /// A lesson's tables or task, as only its subject knows them. Each subject derives its own.
@@ -123,7 +125,9 @@ struct Lesson {
   std::uint64_t seed = 1;
   Start start = Start::kBegin;
   std::string volume = "sphere";        // the volume of the methods: one of kVolumeNames, or a subject's own word
-  std::vector<std::string> algorithms;  // offered, in this order; the first is shown at the start
+  std::vector<std::string> algorithms;  // offered, in this order; the first is shown at the start. "k8", or
+                                        // "kdop/k8" where it is of another volume than the lesson's
+  std::string reference;                // the algorithm that sizes are compared with; empty: see CloudSubject
   std::string compare;                  // a second one, shown from the start for comparison; empty for none
   std::vector<Pseudocode> pseudocode;   // the lesson's own, if it has any
   std::vector<Question> questions;
@@ -138,10 +142,20 @@ inline constexpr std::size_t kMostLessonBytes = 1 << 18;
 /// seconds.
 enum class Checked : std::uint8_t { kAsWritten, kAsRun };
 
-/// Reads a lesson file. name: for errors and for the id. Errors, each with its line: of TOML; an unknown or
-/// missing key; an algorithm, fact, generator, mesh or answer that does not exist. If the lesson is run: a
-/// question whose step the algorithm does not take on the lesson's own points, or a model solution that does not
-/// solve the task.
+/// What could be read of a lesson file, and what is wrong with it. Questions and tasks with mistakes are left out.
+struct Draft {
+  std::optional<Lesson> lesson;     // none if what stands on its stage could not be read
+  std::vector<FileError> mistakes;  // in the order of the file
+  std::vector<FileError> warnings;  // what is allowed but probably not meant
+};
+
+/// Reads a lesson file. name: for errors and for the id. Mistakes, each with its line and column: of TOML, after which
+/// nothing more is read; an unknown or missing key; an algorithm, fact, generator, mesh or answer that does not exist.
+/// If the lesson is run: a question whose step the algorithm does not take on the lesson's own points, or a model
+/// solution that the task does not accept.
+[[nodiscard]] Draft read_draft(std::string_view toml, std::string_view name, Checked checked = Checked::kAsRun);
+
+/// The lesson of a file without mistakes. Errors: the first mistake.
 [[nodiscard]] tl::expected<Lesson, InputError> read_lesson(std::string_view toml, std::string_view name,
                                                            Checked checked = Checked::kAsRun);
 

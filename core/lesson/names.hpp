@@ -20,14 +20,38 @@ namespace snug::lesson {
   return text;
 }
 
+/// Whether a link's target is the number of a step: digits, of which a run never has more.
+[[nodiscard]] inline bool is_step_number(std::string_view target) {
+  return !target.empty() && target.size() <= 6 && target.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 [[nodiscard]] bool is_among(const auto& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// How many letters must be added, left out, changed or swapped with their neighbour to turn one word into the other.
+/// Source: L. Boytsov, "Indexing methods for approximate dictionary searching", 2011 (optimal string alignment).
+[[nodiscard]] int spelling_distance(std::string_view a, std::string_view b);
+
+/// The name that another is probably a misspelling of; empty where none is near enough.
+[[nodiscard]] std::string_view nearest(const auto& names, std::string_view name) {
+  std::string_view best;
+  int least = static_cast<int>(name.size()) / 3 + 1;
+  for (const std::string_view one : names)
+    if (const int distance = spelling_distance(one, name); distance < least) best = one, least = distance;
+  return best;
+}
+
+/// "is none of ritter or welzl: wezl; did you mean welzl?"
+[[nodiscard]] std::string none_of_text(std::string_view name, const auto& names) {
+  const std::string_view meant = nearest(names, name);
+  return "is none of " + one_of(names) + ": " + std::string(name) +
+         (meant.empty() ? "" : "; did you mean " + std::string(meant) + "?");
+}
+
 /// Complains about a name that is not one of these. An empty name was reported when it was read.
 void check_name(TomlTable& table, std::string_view key, std::string_view name, const auto& names) {
-  if (!name.empty() && !is_among(names, name))
-    table.wrong(key, "is none of " + one_of(names) + ": " + std::string(name));
+  if (!name.empty() && !is_among(names, name)) table.wrong(key, none_of_text(name, names));
 }
 
 /// Reads a list of names, each one of these and none twice.

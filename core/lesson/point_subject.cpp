@@ -49,7 +49,7 @@ Points read_points(const toml::table& toml, Complaints& complaints) {
   Points points;
   points.dim = static_cast<int>(table.integer_or("dim", 2, 3, 2));
   const int ways = int{table.has("generate")} + int{table.has("mesh")} + int{table.has("list")};
-  if (ways != 1) complaints.add(table.line(), "[points] needs exactly one of \"generate\", \"mesh\" and \"list\"");
+  if (ways != 1) complaints.add(table.place(), "[points] needs exactly one of \"generate\", \"mesh\" and \"list\"");
   if (table.has("generate")) {
     points.generate = table.text("generate");
     check_name(table, "generate", points.generate, generator_kinds());
@@ -88,12 +88,10 @@ AnyPointSet start_of_task(const Lesson& lesson, const AnyPointSet& own) {
 std::optional<AnyPointSet> check_point_task(const Lesson& lesson, const AnyPointSet& own, const TomlTable& task,
                                             Complaints& complaints) {
   if (fit::size_of(own) < lesson.task->points)
-    complaints.add(task.line(), "the task is for more points than the lesson has");
-  if (!is_among(lesson.algorithms, lesson.task->algorithm))
-    complaints.add(task.line(), "the lesson does not offer the algorithm " + lesson.task->algorithm);
+    complaints.add(task.place(), "the task is for more points than the lesson has");
   auto model = to_set(lesson.task->model, fit::dim_of(own));
   if (model) return *std::move(model);
-  complaints.add(task.line_of("model"), model.error().what);
+  complaints.add(task.place_of("model"), model.error().what);
   return std::nullopt;
 }
 
@@ -155,6 +153,27 @@ Done PointSubject::remove(Index i) {
   if (!set) return tl::unexpected(std::move(set.error()));
   origin_.edited = true;
   become(*std::move(set), nullptr);
+  return {};
+}
+
+Rows PointSubject::rows() const {
+  Rows rows;
+  for (const Point3& point : all_points(points_)) rows.emplace_back(point.data(), point.data() + dim());
+  return rows;
+}
+
+Done PointSubject::set_rows(const Rows& rows) {
+  const int dim = rows.empty() ? 0 : static_cast<int>(rows.front().size());
+  std::vector<Point3> all;
+  for (const std::vector<double>& row : rows) {
+    if (row.size() != static_cast<std::size_t>(dim) || dim < 2 || dim > 3)
+      return tl::unexpected(InputError{.what = "a point has two or three numbers, and all have as many"});
+    all.emplace_back(row[0], row[1], dim == 3 ? row[2] : 0);
+  }
+  auto set = to_set(all, dim);
+  if (!set) return tl::unexpected(std::move(set.error()));
+  origin_.edited = true;
+  become(*std::move(set), all.size() == static_cast<std::size_t>(size()) ? triangles_ : nullptr);
   return {};
 }
 

@@ -46,6 +46,11 @@ class PointSubject : public Subject {
   [[nodiscard]] std::string name_of(Index i) const override { return point_name(i); }
   [[nodiscard]] const AnyPointSet* points() const override { return &points_; }
   [[nodiscard]] std::span<const std::array<Index, 3>> triangles() const override;
+  [[nodiscard]] std::string_view stage_says() const override { return "the points and the volume around them"; }
+  [[nodiscard]] Tools tools() const override { return {"Points", "Points", true}; }
+  [[nodiscard]] Rows rows() const override;
+  /// Drops the triangles if the number of points changes. Errors: those of to_set.
+  Done set_rows(const Rows& rows) override;
 
   Done move(Index i, const Point3& to) override;
   /// Drops the triangles, as remove does.

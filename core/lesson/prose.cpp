@@ -63,7 +63,7 @@ constexpr std::array<std::pair<std::string_view, Link::Kind>, 5> kLinkKinds{{{"l
 /// Parses a paragraph of prose, from left to right.
 class Line {
  public:
-  Line(std::string_view rest, ProseFault& fault) : rest_(rest), fault_(fault) {}
+  Line(std::string_view rest, std::vector<ProseFault>& faults) : rest_(rest), faults_(faults) {}
 
   Paragraph stretches() {
     while (!rest_.empty()) {
@@ -73,7 +73,7 @@ class Line {
     }
     flush();
     if (strong_) complain("has a ** without a partner");
-    if (displayed_ && paragraph_.size() > 1) complain("has a $$ formula among words: it is a paragraph of its own");
+    if (displayed_ && paragraph_.size() > 1) complain("has a $$ formula among words: it must be a paragraph by itself");
     return std::move(paragraph_);
   }
 
@@ -85,7 +85,7 @@ class Line {
   }
 
   void complain(std::string what, std::string_view words = {}) {
-    if (fault_.what.empty()) fault_ = {.what = std::move(what), .paragraph = {}, .words = std::string(words)};
+    faults_.push_back({.what = std::move(what), .paragraph = {}, .words = std::string(words)});
   }
 
   void flush() {
@@ -121,12 +121,13 @@ class Line {
     rest_.remove_prefix(end + 1);
     if (kind == kLinkKinds.end() || words.empty() || colon + 1 >= to.size()) {
       complain("has a link that leads nowhere, (" + std::string(to) +
-                   "): it is lesson:, mesh:, algorithm:, step: or mark: and a name",
+                   "): a target is lesson:, mesh:, algorithm:, step: or mark: and a name",
                to);
       return true;
     }
-    if (words.find("**") != std::string_view::npos) complain("has ** within a link: it stands around the link", to);
-    if (words.find('$') != std::string_view::npos) complain("has a formula within a link, whose words are plain", to);
+    if (words.find("**") != std::string_view::npos) complain("has ** within a link: put it around the link", to);
+    if (words.find('$') != std::string_view::npos)
+      complain("has a formula within a link, which can only have plain words", to);
     flush();
     paragraph_.push_back({.text = kept_together(std::string(words)),
                           .strong = strong_,
@@ -135,7 +136,7 @@ class Line {
   }
 
   std::string_view rest_;
-  ProseFault& fault_;
+  std::vector<ProseFault>& faults_;
   std::string plain_;
   bool strong_ = false;
   bool displayed_ = false;  // whether the paragraph is a formula on its own line
@@ -159,13 +160,14 @@ std::string_view next_block(std::string_view& text) {
 
 }  // namespace
 
-std::vector<Paragraph> paragraphs_of(std::string_view text, ProseFault& fault) {
+std::vector<Paragraph> paragraphs_of(std::string_view text, std::vector<ProseFault>& faults) {
   std::vector<Paragraph> paragraphs;
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
   while (!text.empty()) {
     const std::string_view block = next_block(text);
-    paragraphs.push_back(Line(joined(block), fault).stretches());
-    if (!fault.what.empty() && fault.paragraph.empty()) fault.paragraph = block.substr(0, block.find('\n'));
+    const std::size_t before = faults.size();
+    paragraphs.push_back(Line(joined(block), faults).stretches());
+    for (std::size_t i = before; i < faults.size(); ++i) faults[i].paragraph = block.substr(0, block.find('\n'));
   }
   return paragraphs;
 }

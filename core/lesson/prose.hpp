@@ -10,14 +10,14 @@
 
 namespace snug::lesson {
 
-/// The first thing wrong with a text ("has a ** without a partner"), the first line of the paragraph that has it, and
-/// the faulty words. All empty if nothing is wrong.
+/// Something wrong with a text ("has a ** without a partner"), the first line of the paragraph that has it, and the
+/// faulty words, if it is only some of them.
 struct ProseFault {
   std::string what, paragraph, words;
 };
 
-/// Splits a text into paragraphs. Line ends within a paragraph become spaces.
-[[nodiscard]] std::vector<Paragraph> paragraphs_of(std::string_view text, ProseFault& fault);
+/// Splits a text into paragraphs. Line ends within a paragraph become spaces. Adds what is wrong to faults.
+[[nodiscard]] std::vector<Paragraph> paragraphs_of(std::string_view text, std::vector<ProseFault>& faults);
 
 /// The words of a paragraph, without markup.
 [[nodiscard]] std::string plain_text(const Paragraph& paragraph);

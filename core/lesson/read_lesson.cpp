@@ -6,8 +6,8 @@
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/subjects.hpp"
-#include "lesson/text_line.hpp"
-#include "lesson/toml_table.hpp"
+#include "lesson/text_place.hpp"
+#include "lesson/toml_file.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -37,10 +37,46 @@ std::vector<std::string_view> algorithm_names(const Lesson& lesson) {
   return names;
 }
 
+/// The lesson's name of an algorithm, "k8" or "kdop/k8". Complains if there is none.
+std::string known_algorithm(TomlTable& table, std::string_view key, const std::string& name, const Lesson& lesson) {
+  if (const Method* method = find_method(lesson, name)) return name_in(lesson, *method);
+  check_name(table, key, name.empty() ? " " : name, algorithm_names(lesson));
+  return {};
+}
+
+/// Reads one of the algorithms that the lesson offers.
 std::string read_algorithm(TomlTable& table, std::string_view key, const Lesson& lesson) {
-  std::string name = table.text(key);
-  check_name(table, key, name, algorithm_names(lesson));
-  return name;
+  const std::string name = table.text(key);
+  const Method* method = find_method(lesson, name);
+  const std::string own = method != nullptr ? name_in(lesson, *method) : name;
+  if (name.empty() || lesson.algorithms.empty() || is_among(lesson.algorithms, own)) return own;
+  if (method != nullptr) table.wrong(key, "names an algorithm that the lesson does not offer: " + name);
+  else check_name(table, key, name, lesson.algorithms);
+  return own;
+}
+
+/// Reads the volume: the file's own, or else that in the first algorithm's name.
+void read_volume(TomlTable& table, Lesson& lesson) {
+  const std::vector<std::string> names = table.texts("algorithms", 1);
+  const std::size_t slash = names.empty() ? std::string::npos : names.front().find('/');
+  if (slash != std::string::npos) lesson.volume = names.front().substr(0, slash);
+  lesson.volume = table.text_or("volume", lesson.volume);
+  const std::string_view key = table.has("volume") ? "volume" : "algorithms";
+  check_name(table, key, lesson.volume, volumes());
+}
+
+void read_algorithms(TomlTable& table, Lesson& lesson) {
+  for (const std::string& name : table.texts("algorithms", 0)) {
+    std::string own = known_algorithm(table, "algorithms", name, lesson);
+    if (is_among(lesson.algorithms, own)) table.wrong("algorithms", "names " + own + " twice");
+    else if (!own.empty()) lesson.algorithms.push_back(std::move(own));
+  }
+  if (is_mixed(lesson) && !lesson.subject->chart.empty())
+    table.wrong("algorithms", "must be of one volume where there is a chart");
+  if (table.has("compare")) lesson.compare = read_algorithm(table, "compare", lesson);
+  if (!table.has("reference")) return;
+  lesson.reference = known_algorithm(table, "reference", table.text("reference"), lesson);
+  if (!lesson.subject->compares) table.wrong("reference", "is for volumes fitted round points");
 }
 
 std::vector<std::string_view> section_titles(const Lesson& lesson) {
@@ -52,18 +88,20 @@ std::vector<std::string_view> section_titles(const Lesson& lesson) {
 /// Checks what can be checked of a link without running the lesson.
 void check_link(const toml::table& section, const Link& link, const Lesson& lesson, Complaints& complaints) {
   const auto wrong = [&](const std::string& what) {
-    complaints.add(line_in_text(section, "text", ':' + link.target + ')'), "\"text\" links to " + what);
+    complaints.add(place_in_text(section, "text", ':' + link.target + ')'), "\"text\" links to " + what);
   };
   const auto check = [&](std::string_view what, const auto& names) {
-    if (!is_among(names, link.target))
-      wrong(std::string(what) + " that is none of " + one_of(names) + ": " + link.target);
+    if (!lesson.algorithms.empty() && !is_among(names, link.target))
+      wrong(std::string(what) + " that " + none_of_text(link.target, names));
   };
   switch (link.kind) {
     case Link::Kind::kMesh: return check("a mesh", lesson.meshes);
-    case Link::Kind::kAlgorithm: return check("an algorithm", lesson.algorithms);
+    case Link::Kind::kAlgorithm:
+      if (const Method* method = find_method(lesson, link.target))
+        if (is_among(lesson.algorithms, name_in(lesson, *method))) return;
+      return check("an algorithm", lesson.algorithms);
     case Link::Kind::kStep:
-      if (link.target.size() > 6 || link.target.find_first_not_of("0123456789") != std::string::npos)
-        wrong("a step that is no number: " + link.target);
+      if (!is_step_number(link.target)) wrong("a step that is not a number: " + link.target);
       break;
     case Link::Kind::kMark:  // a handle's name is known once the lesson runs
     case Link::Kind::kLesson: break;
@@ -74,11 +112,11 @@ Section read_section(const toml::table& toml, const Lesson& lesson, Complaints& 
   TomlTable table(toml, "[[section]]", complaints);
   Section section;
   section.title = table.text("title");
-  section.line = table.line_of("text");
-  ProseFault fault;
-  section.paragraphs = paragraphs_of(table.text("text"), fault);
-  if (!fault.what.empty())
-    complaints.add(line_in_text(toml, "text", fault.words, fault.paragraph), "\"text\" " + fault.what);
+  section.place = table.place_of("text");
+  std::vector<ProseFault> faults;
+  section.paragraphs = paragraphs_of(table.text("text"), faults);
+  for (const ProseFault& fault : faults)
+    complaints.add(place_in_text(toml, "text", fault.words, fault.paragraph), "\"text\" " + fault.what);
   section.facts = read_names(table, "facts", 0, lesson.subject->facts());
   if (table.has("algorithm")) section.algorithm = read_algorithm(table, "algorithm", lesson);
   for (const Paragraph& paragraph : section.paragraphs)
@@ -96,32 +134,33 @@ void read_choices(TomlTable& table, Question& question) {
   question.answer = static_cast<int>(found - question.choices.begin());
 }
 
-/// Reads which step a question is about.
+/// Reads which step a question is about. Whether there are such steps is checked on the run (check_lesson.cpp).
 Gate read_gate(TomlTable& table, const Lesson& lesson) {
-  const auto facts = lesson.subject->facts();
   Gate gate;
   gate.algorithm = read_algorithm(table, "algorithm", lesson);
   gate.fact = table.text("before");
-  check_name(table, "before", gate.fact, facts);
+  gate.fact_place = table.place_of("before");
   gate.occurrence = static_cast<int>(table.integer_or("nth", 1, 100000, 1));
   gate.after = table.text_or("after", "");
-  if (gate.after != Gate::kStart) check_name(table, "after", gate.after, facts);
+  gate.after_place = table.place_of("after");
   gate.after_nth = static_cast<int>(table.integer_or("after_nth", 1, 100'000, 0));
   if (gate.after_nth > 0 && (gate.after.empty() || gate.after == Gate::kStart))
-    table.wrong("after_nth", "counts the steps that \"after\" names");
+    table.wrong("after_nth", "needs \"after\", whose steps it counts");
   return gate;
 }
 
 /// Reads what is asked, with the keys for that kind of question.
 void read_asking(TomlTable& table, const Lesson& lesson, Question& question) {
   question.asks = table.text("asks");
-  std::vector<std::string_view> names{"choice"};
-  if (lesson.subject->asks_of_steps) names.insert(names.begin(), "point");
-  const Asking* asking = nullptr;
+  std::vector<std::string_view> names = general_askings(*lesson.subject);
+  const Asking* asking = general_asking(question.asks, *lesson.subject);
+  const bool known = is_among(lesson.subject->facts(), question.gate.fact);
   for (const auto& [fact, one] : lesson.subject->askings()) {
-    if (!is_among(names, one->name)) names.push_back(one->name);
     if (one->name == question.asks) asking = one;
+    const bool fits = !known || fact.empty() || fact == question.gate.fact;
+    if (fits && !is_among(names, one->name)) names.push_back(one->name);
   }
+  if (asking != nullptr) names.push_back(asking->name);  // of another fact: what it asks of is told on the run
   check_name(table, "asks", question.asks, names);
   if (question.asks == "choice") read_choices(table, question);
   if (asking != nullptr && asking->read != nullptr) asking->read(table, question);
@@ -130,7 +169,7 @@ void read_asking(TomlTable& table, const Lesson& lesson, Question& question) {
 Question read_question(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
   TomlTable table(toml, "[[question]]", complaints);
   Question question;
-  question.line = table.line();
+  question.place = table.place();
   question.id = table.text("id");
   if (lesson.subject->asks_of_steps) question.gate = read_gate(table, lesson);
   question.prompt = table.text("prompt");
@@ -157,11 +196,12 @@ void read_task(const toml::table& toml, Lesson& lesson, Complaints& complaints) 
 
 void read_pseudocode(const toml::table& toml, Complaints& complaints, Lesson& lesson) {
   for (const auto& [key, node] : toml) {
-    const auto line = static_cast<int>(key.source().begin.line);
+    const FilePlace place = file_place(key.source());
     const Method* algorithm = find_method(lesson, key.str());
-    if (algorithm == nullptr) complaints.add(line, "[pseudocode] of no algorithm: " + std::string(key.str()));
-    if (!node.is_table()) complaints.add(line, "[pseudocode] has a table for each algorithm: [pseudocode.ritter]");
-    if (complaints.first()) return;
+    if (algorithm == nullptr) complaints.add(place, "[pseudocode] of no algorithm: " + std::string(key.str()));
+    else if (!node.is_table())
+      complaints.add(place, "[pseudocode] has a table for each algorithm: [pseudocode.ritter]");
+    if (algorithm == nullptr || !node.is_table()) continue;
     TomlTable table(*node.as_table(), "[pseudocode." + std::string(key.str()) + "]", complaints);
     Pseudocode words{std::string(key.str()), table.texts("lines", 1)};
     const std::size_t due = algorithm->pseudocode.size();
@@ -173,9 +213,24 @@ void read_pseudocode(const toml::table& toml, Complaints& complaints, Lesson& le
   }
 }
 
+/// Reads what the stage is about, and the methods. Returns whether that has no mistakes.
+bool read_subject(TomlTable& table, Lesson& lesson, const Complaints& complaints) {
+  const std::size_t before = complaints.count();
+  read_volume(table, lesson);
+  const std::string chart = table.text_or("chart", "");
+  check_name(table, "chart", chart, charts());
+  lesson.subject = find_subject(lesson.volume, chart);
+  if (lesson.subject == nullptr) {
+    if (complaints.count() == before) table.wrong("chart", "is not of that volume");
+    lesson.subject = subjects().front();  // so that reading can go on; the algorithms are of an unknown volume
+    for (const std::string_view key : {"compare", "reference"}) table.text_or(key, "");
+    return false;
+  }
+  read_algorithms(table, lesson);
+  return complaints.count() == before && !lesson.algorithms.empty();
+}
+
 void read_head(TomlTable& table, Lesson& lesson) {
-  if (table.integer("version", 1, 1000000) != kVersion)
-    table.wrong("version", "is not one that this program reads: it reads 1");
   lesson.title = table.text("title");
   lesson.summary = table.text("summary");
   lesson.minutes = static_cast<int>(table.integer("minutes", 1, kMostMinutes));
@@ -184,36 +239,52 @@ void read_head(TomlTable& table, Lesson& lesson) {
   const std::string start = table.text_or("start", "begin");
   check_name(table, "start", start, std::array<std::string_view, 2>{"begin", "end"});
   lesson.start = start == "end" ? Lesson::Start::kEnd : Lesson::Start::kBegin;
-  lesson.volume = table.text_or("volume", lesson.volume);
-  check_name(table, "volume", lesson.volume, volumes());
-  const std::string chart = table.text_or("chart", "");
-  check_name(table, "chart", chart, charts());
-  lesson.subject = find_subject(lesson.volume, chart);
-  if (lesson.subject == nullptr) {
-    table.wrong("chart", "is not of that volume");
-    lesson.subject = subjects().front();  // so that reading can go on
-  }
-  lesson.algorithms = read_names(table, "algorithms", 1, algorithm_names(lesson));
-  if (table.has("compare")) lesson.compare = read_algorithm(table, "compare", lesson);
   lesson.meshes = read_names(table, "meshes", 0, mesh_names());
   lesson.generators = read_names(table, "generators", 0, generator_kinds());
 }
 
-Lesson read(const toml::table& toml, Complaints& complaints) {
+/// Adds a question, unless another has its id.
+void add_question(Lesson& lesson, Question question, Complaints& complaints) {
+  const auto same = [&](const Question& other) { return other.id == question.id; };
+  const auto other = std::find_if(lesson.questions.begin(), lesson.questions.end(), same);
+  if (other == lesson.questions.end()) return lesson.questions.push_back(std::move(question));
+  complaints.add(question.place, "there is another question with the id " + question.id + ", in line " +
+                                     std::to_string(other->place.line));
+}
+
+void read_questions(TomlTable& table, Lesson& lesson, Complaints& complaints) {
+  for (const toml::table* one : table.tables("question")) {
+    const std::size_t before = complaints.count();
+    Question question = read_question(*one, lesson, complaints);
+    if (complaints.count() == before) add_question(lesson, std::move(question), complaints);
+  }
+}
+
+/// Reads what has no mistakes into the lesson. Returns whether it can be shown on a stage.
+bool read(const toml::table& toml, Lesson& lesson, Complaints& complaints) {
   TomlTable table(toml, "the lesson", complaints);
-  Lesson lesson;
+  if (table.integer("version", 1, 1000000) != kVersion && table.has("version")) {
+    table.wrong("version", "is not one that this program reads: it reads 1");
+    return false;  // keys of another version are no mistakes
+  }
   read_head(table, lesson);
+  bool sound = read_subject(table, lesson, complaints);
   for (const toml::table* section : table.tables("section"))
     lesson.sections.push_back(read_section(*section, lesson, complaints));
-  if (lesson.sections.empty()) complaints.add(1, "the lesson has no [[section]]");
-  if (table.table(lesson.subject->table) != nullptr) lesson.subject->read(table, lesson, complaints);
-  else complaints.add(1, "the lesson lacks [" + std::string(lesson.subject->table) + "]");
+  if (lesson.sections.empty()) table.lack("section", "the lesson has no [[section]]");
+  const std::size_t before = complaints.count();
+  const std::string own(lesson.subject->table);
+  const bool known = sound || !lesson.algorithms.empty();
+  if (table.table(own) != nullptr) lesson.subject->read(table, lesson, complaints);
+  else if (known) table.lack(own, "the lesson lacks [" + own + "]");
+  sound = sound && table.has(own) && complaints.count() == before;
   if (const toml::table* words = table.table("pseudocode")) read_pseudocode(*words, complaints, lesson);
-  for (const toml::table* question : table.tables("question"))
-    lesson.questions.push_back(read_question(*question, lesson, complaints));
+  read_questions(table, lesson, complaints);
+  const std::size_t before_task = complaints.count();
   if (const toml::table* task = table.table("task")) read_task(*task, lesson, complaints);
+  if (complaints.count() > before_task) lesson.task.reset();
   table.refuse_others();
-  return lesson;
+  return sound;
 }
 
 /// The file's name without folders and .toml.
@@ -225,23 +296,27 @@ std::string id_of(std::string_view name) {
 
 }  // namespace
 
-tl::expected<Lesson, InputError> read_lesson(std::string_view text, std::string_view name, Checked checked) {
+Draft read_draft(std::string_view text, std::string_view name, Checked checked) {
   Complaints complaints(name);
-  if (text.size() > kMostLessonBytes) {
-    complaints.add(1, "the file is too long: a lesson has at most " + std::to_string(kMostLessonBytes) + " bytes");
-    return tl::unexpected(*complaints.first());
-  }
-  const toml::parse_result parsed = toml::parse(text);
-  if (!parsed) {
-    const toml::parse_error& error = parsed.error();
-    complaints.add(static_cast<int>(error.source().begin.line), std::string(error.description()));
-    return tl::unexpected(*complaints.first());
-  }
-  Lesson lesson = read(parsed.table(), complaints);
+  Draft draft;
+  const auto finished = [&] {
+    draft.mistakes = complaints.mistakes(), draft.warnings = complaints.warnings();
+    return std::move(draft);
+  };
+  const auto toml = parse_file(text, "a lesson", complaints);
+  if (!toml) return finished();
+  Lesson lesson;
   lesson.id = id_of(name);
-  if (!complaints.first() && checked == Checked::kAsRun) check_lesson(lesson, parsed.table(), complaints);
-  if (complaints.first()) return tl::unexpected(*complaints.first());
-  return lesson;
+  if (!read(*toml, lesson, complaints)) return finished();
+  check_lesson(lesson, *toml, checked, complaints);
+  draft.lesson = std::move(lesson);
+  return finished();
+}
+
+tl::expected<Lesson, InputError> read_lesson(std::string_view text, std::string_view name, Checked checked) {
+  Draft draft = read_draft(text, name, checked);
+  if (!draft.mistakes.empty()) return tl::unexpected(draft.mistakes.front().error());
+  return *std::move(draft.lesson);
 }
 
 }  // namespace snug::lesson

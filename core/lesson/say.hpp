@@ -24,7 +24,17 @@ inline constexpr std::string_view kPredictWord = "Predict", kAnswerWord = "Answe
 inline constexpr std::string_view kTryAgain = "Not that one. Try once more.",
                                   kTriedAlready = "You have tried that one. Choose another.",
                                   kPressToSkip = "Press again to skip this question.",
+                                  kSkipHint = "Page Down twice skips.",
                                   kWatching = "Watch how it comes about. Any key or tap goes to the end.";
+
+/// The words for kept answers and for erasing them, which takes a second press.
+inline constexpr std::string_view
+    kKeptHere = "Your answers and your place in each lesson are kept on this device alone.",
+    kKeptFoot = "Your answers and your place are kept on this device and go nowhere else.",
+    kNotKept = "Snug cannot write them here, though: they last until you close it.", kEraseWord = "Erase my answers",
+    kEraseSureWord = "Press again to erase them",
+    kEraseWarning = "The answers to every lesson and your place in each will be gone from this device.",
+    kErased = "Your answers are erased.";
 
 /// Replaces the task's state while a question is open.
 inline constexpr std::string_view kTaskWaits = "The task is checked once the question is answered.";

@@ -7,14 +7,6 @@
 #include "lesson/subjects.hpp"
 
 namespace snug::lesson {
-namespace {
-
-InputError too_many(const Method& method) {
-  return {.what = std::string(method.title) + " takes at most " + std::to_string(method.max_points) + " points"};
-}
-
-}  // namespace
-
 tl::expected<Session, InputError> Session::open(Lesson lesson, std::optional<io::PointFile> mesh, Clock clock) {
   if (lesson.subject == nullptr) lesson.subject = find_subject(lesson.volume, "");
   if (lesson.algorithms.empty()) return tl::unexpected(InputError{.what = "the lesson offers no algorithm"});
@@ -53,7 +45,7 @@ void Session::use(int slot, const Method* method) {
   const auto pseudocode = pseudocode_of(*method, dim());
   own.pseudocode.assign(pseudocode.begin(), pseudocode.end());
   for (const Pseudocode& words : lesson_->pseudocode)
-    if (words.algorithm == method->name) own.pseudocode.assign(words.lines.begin(), words.lines.end());
+    if (find_method(*lesson_, words.algorithm) == method) own.pseudocode.assign(words.lines.begin(), words.lines.end());
 }
 
 Done Session::choose(int slot, std::string_view name) {
@@ -61,7 +53,7 @@ Done Session::choose(int slot, std::string_view name) {
   const Method* method = clear ? nullptr : find_method(*lesson_, name);
   if (method == nullptr && !clear)
     return tl::unexpected(InputError{.what = "there is no algorithm " + std::string(name)});
-  if (method != nullptr && !now_->suits(*method)) return tl::unexpected(too_many(*method));
+  if (method != nullptr && !now_->suits(*method)) return tl::unexpected(InputError{.what = now_->refusal(*method)});
   if (method == this->method(slot)) return {};
   const bool at_end = step_ == steps();
   use(slot, method);
@@ -81,11 +73,11 @@ const Method* Session::first_that_suits(const Subject& subject) const {
   return nullptr;
 }
 
-/// Replaces methods that cannot take so many points: the main one by the first of the lesson's that can.
+/// Replaces methods that cannot take these points: the main one by the first of the lesson's that can.
 Done Session::make_room_for(const Subject& next) {
   if (!next.suits(*slots_[0].method)) {
     const Method* fits = first_that_suits(next);
-    if (fits == nullptr) return tl::unexpected(too_many(*slots_[0].method));
+    if (fits == nullptr) return tl::unexpected(InputError{.what = next.refusal(*slots_[0].method)});
     use(0, fits);
   }
   if (slots_[1].method != nullptr && !next.suits(*slots_[1].method)) use(1, nullptr);

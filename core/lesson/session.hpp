@@ -53,7 +53,8 @@ class Session {
   Done remove(Index i);
   Done load(const io::PointFile& file, std::string_view name);
   Done set_generator(std::string_view kind, int count, int dim, std::uint64_t seed);
-  Done set_boxes(const BoxPair& pair);
+  Done set_numbers(std::size_t group, std::size_t row, std::span<const double> values);
+  Done set_rows(const Rows& rows);
   void scatter(std::uint64_t seed);
   /// Restores the lesson's own.
   void reset();
@@ -116,7 +117,7 @@ class Session {
   }
   /// Goes to a step, but forward only up to the first unanswered question. jump goes past questions (because an address
   /// names a step): they count as skipped, and are asked when the player comes to them again. If the result is shown
-  /// already, jump goes to the end only if every question was answered.
+  /// already, jump goes to the end only if a question was answered.
   void go(int step);
   void jump(int step);
   void first() { go(0); }
@@ -221,9 +222,12 @@ class Session {
   [[nodiscard]] Untold untold() const;
   /// Whether a question about a step is open: the result of the run is then hidden everywhere.
   [[nodiscard]] bool predicting() const;
+  /// Whether a question that compares the lesson's methods is still open, in the run of any of them: their results are
+  /// hidden until it is answered or skipped. false for a subject that was edited.
+  [[nodiscard]] bool comparing() const;
   /// Whether a method's result is hidden in the comparison.
   [[nodiscard]] bool hides_result(const Method& of) const {
-    return predicting() || (&of == method(0) && is_hidden(kResultFigure));
+    return predicting() || comparing() || (&of == method(0) && is_hidden(kResultFigure));
   }
   /// What is proven so far; at the end, the result's certificate.
   [[nodiscard]] std::vector<Proof> proofs(int slot = 0) const;

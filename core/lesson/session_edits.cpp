@@ -39,9 +39,7 @@ Done Session::move(Index i, const Point3& to) {
 Done Session::add(const Point3& at) {
   return edit([&](Subject& next) -> Done {
     if (Done added = next.add(at); !added) return added;
-    if (!next.suits(*slots_[0].method))
-      return tl::unexpected(InputError{.what = std::string(slots_[0].method->title) + " takes at most " +
-                                               std::to_string(slots_[0].method->max_points) + " points"});
+    if (!next.suits(*slots_[0].method)) return tl::unexpected(InputError{.what = next.refusal(*slots_[0].method)});
     return {};
   });
 }
@@ -58,8 +56,12 @@ Done Session::set_generator(std::string_view kind, int count, int dim, std::uint
   return edit([&](Subject& next) { return next.set_generator(kind, count, dim, seed, *own_); });
 }
 
-Done Session::set_boxes(const BoxPair& pair) {
-  return edit([&](Subject& next) { return next.set_boxes(pair); });
+Done Session::set_numbers(std::size_t group, std::size_t row, std::span<const double> values) {
+  return edit([&](Subject& next) { return next.set_numbers(group, row, values); });
+}
+
+Done Session::set_rows(const Rows& rows) {
+  return edit([&](Subject& next) { return next.set_rows(rows); });
 }
 
 void Session::scatter(std::uint64_t seed) {

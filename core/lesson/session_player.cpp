@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "lesson/session.hpp"
+#include "lesson/subjects.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -20,7 +21,7 @@ std::vector<Mark> marks_of(const Run& run, const std::vector<Asked>& questions) 
 
 /// Computes the gates and marks of a new run. at_end: whether the player was at the old run's end.
 void Session::run_changed(bool at_end) {
-  asked_ = asked_on(*lesson_, method(0)->name, *now_, run(0), is_own() && !now_->has_switched_off());
+  asked_ = asked_on(*lesson_, name_in(*lesson_, *method(0)), *now_, run(0), is_own() && !now_->has_switched_off());
   marks_ = marks_of(run(0), asked_);
   step_ = at_end ? steps() : std::min(step_, steps());
   hash_.reset();
@@ -68,11 +69,8 @@ void Session::forward() {
 }
 
 void Session::jump(int step) {
-  const auto stands = [](const Asked& asked) { return asked.step != Asked::kAnytime; };
-  const auto open = [&](const Asked& asked) { return stands(asked) && open_question(asked); };
-  const bool through =
-      std::any_of(asked_.begin(), asked_.end(), stands) && std::none_of(asked_.begin(), asked_.end(), open);
-  if (previewing_ && step >= steps() && !through) return;  // the result shows; nothing was passed on the way to it
+  // A lesson that starts at its end is there already; who has answered something comes back to the end itself.
+  if (previewing_ && step >= steps() && outcomes_.empty()) return;
   deciding_ = false;
   const int to = std::clamp(step, 0, steps());
   const int from = previewing_ ? 0 : step_;

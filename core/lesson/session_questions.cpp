@@ -148,6 +148,16 @@ bool Session::at_summary() const {
   return lesson_->subject->asks_of_steps && all.all() > 0 && all.open == 0;
 }
 
+bool Session::comparing() const {
+  if (!is_own()) return false;
+  return std::any_of(lesson_->questions.begin(), lesson_->questions.end(), [&](const Question& question) {
+    const Asking* asking = general_asking(question.asks, *lesson_->subject);
+    return asking != nullptr && asking->figure == kComparedFigure &&
+           std::none_of(outcomes_.begin(), outcomes_.end(),
+                        [&](const Outcome& it) { return it.question == question.id && !it.passed; });
+  });
+}
+
 std::vector<const Method*> Session::waiting() const {
   std::vector<const Method*> methods;
   if (!is_own()) return methods;

@@ -113,8 +113,9 @@ std::optional<int> section_at(const Session& session) {
   if (about != nullptr)
     if (const auto section = section_of(lesson, *about->question)) return section;
   if (session.method(0) == nullptr || session.previewing()) return std::nullopt;
+  const std::string own = name_in(lesson, *session.method(0));
   for (int step = session.step(); step > 0; --step)
-    if (const auto section = section_of(lesson, session.run(0).fact(step - 1), session.method(0)->name)) return section;
+    if (const auto section = section_of(lesson, session.run(0).fact(step - 1), own)) return section;
   return std::nullopt;
 }
 

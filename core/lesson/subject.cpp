@@ -1,6 +1,7 @@
 #include "lesson/subject.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "lesson/ask.hpp"
 
@@ -22,9 +23,24 @@ std::vector<Index> Run::candidates(int) const { return {}; }
 std::vector<Index> Run::support(int) const { return {}; }
 
 Subject::~Subject() = default;
+std::vector<std::vector<Index>> Subject::things() const {
+  std::vector<Index> all(static_cast<std::size_t>(size()));
+  std::iota(all.begin(), all.end(), Index{0});
+  return {all};
+}
+std::string Subject::refusal(const Method& method) const {
+  const std::string title(method.title);
+  if (points() == nullptr) return {};
+  if (size() > method.max_points) return title + " takes at most " + std::to_string(method.max_points) + " points";
+  if (dim() == 2 && !method.plane) return title + " is for points in space";
+  if (dim() == 3 && !method.space) return title + " is for points in the plane";
+  return {};
+}
 Done Subject::add(const Point3&) { return fixed_number(); }
 Done Subject::remove(Index) { return fixed_number(); }
-Done Subject::set_boxes(const BoxPair&) { return tl::unexpected(InputError{.what = "this lesson has no boxes"}); }
+Done Subject::set_numbers(std::size_t, std::size_t, std::span<const double>) {
+  return tl::unexpected(InputError{.what = "there are no such numbers"});
+}
 Done Subject::load(const io::PointFile&, std::string_view) { return fixed_number(); }
 Done Subject::set_generator(std::string_view, int, int, std::uint64_t, const Subject&) { return fixed_number(); }
 std::vector<Rival> Subject::rivals(const Lesson&, const View&) const { return {}; }

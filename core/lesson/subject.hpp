@@ -26,7 +26,6 @@ namespace snug::lesson {
 struct Asked;
 struct Asking;
 struct SubjectRow;
-struct BoxPair;
 
 using Point3 = Vector<double, 3>;
 /// Nanoseconds since some moment; null for no clock.
@@ -44,11 +43,37 @@ struct Method {
   std::span<const std::string_view> plane_pseudocode = {};  // in 2-D, if that differs; empty otherwise
   bool exact = false;                                       // whether it guarantees the smallest volume of its kind
   Index max_points = std::numeric_limits<Index>::max();     // more are refused
+  bool plane = true, space = true;                          // the dimensions that it takes
 };
 
 [[nodiscard]] inline std::span<const std::string_view> pseudocode_of(const Method& method, int dim) {
   return dim == 2 && !method.plane_pseudocode.empty() ? method.plane_pseudocode : method.pseudocode;
 }
+
+/// The tools that edit the subject by buttons and number fields.
+struct Tools {
+  std::string_view word;   // a short name: "Boxes"
+  std::string_view title;  // their heading
+  bool points = false;     // whether points can be added, deleted, loaded, and moved by their coordinates
+};
+
+/// A row of number fields.
+struct NumberRow {
+  std::string_view words;               // its heading: "Centre"
+  std::vector<std::string_view> names;  // a name for each number: "x"; empty for a single number
+  std::vector<double> values;
+  std::string_view unit = "";  // "degrees"; empty for scene units
+  double turn = 0;             // > 0: each number rotates about an axis by so many degrees; this is the usual angle
+};
+
+/// The number fields of one thing on the stage.
+struct NumberGroup {
+  std::string_view heading, name;  // "Box A"; in a sentence "A"
+  std::vector<NumberRow> rows;
+};
+
+/// The state of a subject as numbers: a row for each point, box or volume.
+using Rows = std::vector<std::vector<double>>;
 
 /// A mark on the timeline: a step that matters. step: the player's place that shows it, for go.
 struct Mark {
@@ -157,9 +182,22 @@ class Subject {
   [[nodiscard]] virtual std::string name_of(Index i) const = 0;  // "P3", "A turn", "B2"
   /// What a handle is called, in singular and plural: "point", "points".
   [[nodiscard]] virtual std::array<std::string_view, 2> handle_words() const { return {"point", "points"}; }
-  /// The short name of the tools that edit it by numbers, and their heading.
-  [[nodiscard]] virtual std::string_view tools_word() const { return "Points"; }
-  [[nodiscard]] virtual std::string_view tools_title() const { return tools_word(); }
+  /// The handles of each thing on the stage: its points or vertices.
+  [[nodiscard]] virtual std::vector<std::vector<Index>> things() const;
+
+  /// What is on the stage, in words, for people who cannot see it.
+  [[nodiscard]] virtual std::string_view stage_says() const = 0;
+
+  // ---- tools --------------------------------------------------------------------------------------------------
+  [[nodiscard]] virtual Tools tools() const = 0;
+  /// Its number fields; none if it is edited only by hand.
+  [[nodiscard]] virtual std::vector<NumberGroup> numbers() const { return {}; }
+  /// Sets a row of numbers. values: as many as the row has. Errors: there is no such row; those of move.
+  virtual Done set_numbers(std::size_t group, std::size_t row, std::span<const double> values);
+  /// Everything that edits can change, exact to the last bit.
+  [[nodiscard]] virtual Rows rows() const = 0;
+  /// Restores that state. Errors: these are not rows of such a subject; those of move.
+  virtual Done set_rows(const Rows& rows) = 0;
 
   // ---- edits: if one is refused, nothing changes ------------------------------------------------
   virtual Done move(Index i, const Point3& to) = 0;
@@ -182,15 +220,12 @@ class Subject {
   /// The triangles of the mesh whose vertices the points are; empty otherwise.
   [[nodiscard]] virtual std::span<const std::array<Index, 3>> triangles() const { return {}; }
 
-  /// The two boxes, if the subject has boxes, null otherwise; and replacing them.
-  [[nodiscard]] virtual const BoxPair* boxes() const { return nullptr; }
-  virtual Done set_boxes(const BoxPair& pair);
-
   // ---- runs ---------------------------------------------------------------------------------------------------
   /// earlier: a run whose memory is reused, or null.
   [[nodiscard]] virtual std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const = 0;
-  /// Whether the method can take so many points.
-  [[nodiscard]] bool suits(const Method& method) const { return size() <= method.max_points || points() == nullptr; }
+  /// Why the method cannot be run on its points: "Brute force takes at most 40 points"; empty where it can.
+  [[nodiscard]] std::string refusal(const Method& method) const;
+  [[nodiscard]] bool suits(const Method& method) const { return refusal(method).empty(); }
   /// The sentence before the first step.
   [[nodiscard]] virtual std::string opening(const Method& method) const = 0;
 

@@ -1,5 +1,6 @@
 #include "lesson/subjects.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "lesson/names.hpp"
@@ -36,7 +37,21 @@ const Method* find_method(std::span<const Method> methods, std::string_view name
 }
 
 const Method* find_method(const Lesson& lesson, std::string_view name) {
-  return find_method(lesson.subject->methods(lesson.volume), name);
+  const std::size_t slash = name.find('/');
+  if (slash == std::string_view::npos) return find_method(lesson.subject->methods(lesson.volume), name);
+  const std::string_view volume = name.substr(0, slash);
+  if (!is_among(lesson.subject->volumes(), volume)) return nullptr;
+  return find_method(lesson.subject->methods(volume), name.substr(slash + 1));
+}
+
+std::string name_in(const Lesson& lesson, const Method& method) {
+  const bool own = find_method(lesson.subject->methods(lesson.volume), method.name) == &method;
+  return own ? std::string(method.name) : std::string(method.volume) + '/' + std::string(method.name);
+}
+
+bool is_mixed(const Lesson& lesson) {
+  return std::any_of(lesson.algorithms.begin(), lesson.algorithms.end(),
+                     [](const std::string& name) { return name.find('/') != std::string::npos; });
 }
 
 }  // namespace snug::lesson

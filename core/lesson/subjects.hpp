@@ -24,8 +24,9 @@ struct SubjectRow {
   std::string_view chart = "";  // the value of "chart" that selects it; empty for none
   std::span<const Method> (*methods)(std::string_view volume) = nullptr;
   std::vector<std::string_view> (*facts)() = nullptr;  // what a question's gate may name
-  std::vector<AskingOf> (*askings)() = nullptr;        // besides "point" and "choice"
+  std::vector<AskingOf> (*askings)() = nullptr;        // besides those of any step (general_askings)
   std::string_view decided_by = "";                    // what replaces time if there is no clock; empty for nothing
+  bool compares = false;                               // whether its methods' results are compared with a reference
   bool asks_of_steps = true;  // false: its questions come before the first step, without a gate
 
   /// Reads its own tables from the file.
@@ -51,8 +52,12 @@ struct SubjectRow {
 /// Null where there is none of that name.
 [[nodiscard]] const SubjectRow* subject_named(std::string_view name);
 
-/// A lesson's method by name; null if its subject has none of that name.
+/// A lesson's method by the lesson's name of it; null if its subject has none of that name.
 [[nodiscard]] const Method* find_method(const Lesson& lesson, std::string_view name);
+/// The lesson's name of a method: "k8", or "kdop/k8" if it is of another volume than the lesson's.
+[[nodiscard]] std::string name_in(const Lesson& lesson, const Method& method);
+/// Whether its methods are of several volumes.
+[[nodiscard]] bool is_mixed(const Lesson& lesson);
 [[nodiscard]] const Method* find_method(std::span<const Method> methods, std::string_view name);
 
 }  // namespace snug::lesson

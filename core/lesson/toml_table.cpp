@@ -2,13 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+
+#include "lesson/names.hpp"
 
 namespace snug::lesson {
 namespace {
 
-int line_of_node(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+std::vector<FileError> in_order(std::vector<FileError> errors) {
+  std::stable_sort(errors.begin(), errors.end(), [](const FileError& a, const FileError& b) {
+    return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
+  });
+  return errors;
+}
 
-std::string quoted(std::string_view key) { return '"' + std::string(key) + '"'; }
+std::string in_quotes(std::string_view key) { return '"' + std::string(key) + '"'; }
 
 std::string trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\n");
@@ -18,12 +26,22 @@ std::string trimmed(std::string_view text) {
 
 }  // namespace
 
-void Complaints::add(int line, std::string what) {
-  if (!first_) first_ = InputError{std::move(what), file_, InputError::Unit::kLine, std::max(line, 1)};
+FilePlace file_place(const toml::source_region& region) {
+  return {std::max(static_cast<int>(region.begin.line), 1), std::max(static_cast<int>(region.begin.column), 1)};
 }
 
+void Complaints::add(FilePlace place, std::string what) { mistakes_.push_back({place, std::move(what), file_}); }
+bool Complaints::has_at(FilePlace place) const {
+  return std::any_of(mistakes_.begin(), mistakes_.end(), [&](const FileError& one) {
+    return one.place.line == place.line && one.place.column == place.column;
+  });
+}
+void Complaints::warn(FilePlace place, std::string what) { warnings_.push_back({place, std::move(what), file_}); }
+std::vector<FileError> Complaints::mistakes() const { return in_order(mistakes_); }
+std::vector<FileError> Complaints::warnings() const { return in_order(warnings_); }
+
 TomlTable::TomlTable(const toml::table& table, std::string name, Complaints& complaints)
-    : table_(table), name_(std::move(name)), complaints_(complaints), line_(std::max(line_of_node(table), 1)) {}
+    : table_(table), name_(std::move(name)), complaints_(complaints), place_(file_place(table)) {}
 
 const toml::node* TomlTable::find(std::string_view key) {
   asked_.emplace_back(key);
@@ -32,17 +50,23 @@ const toml::node* TomlTable::find(std::string_view key) {
 
 const toml::node* TomlTable::require(std::string_view key) {
   const toml::node* node = find(key);
-  if (node == nullptr) complaints_.add(line_, name_ + " lacks the key " + quoted(key));
+  if (node == nullptr) lack(key, name_ + " lacks the key " + in_quotes(key));
   return node;
 }
 
-int TomlTable::line_of(std::string_view key) const {
+FilePlace TomlTable::place_of(std::string_view key) const {
   const toml::node* node = table_.get(key);
-  return node != nullptr ? line_of_node(*node) : line_;
+  return node != nullptr ? file_place(*node) : place_;
+}
+
+void TomlTable::lack(std::string_view key, std::string what) {
+  if (is_among(missing_, key)) return;
+  missing_.emplace_back(key), missing_says_.push_back(std::move(what));
 }
 
 void TomlTable::wrong(std::string_view key, const std::string& what) {
-  complaints_.add(line_of(key), quoted(key) + " " + what);
+  const FilePlace place = place_of(key);
+  if (!has(key) || !complaints_.has_at(place)) complaints_.add(place, in_quotes(key) + " " + what);
 }
 
 std::string TomlTable::text(std::string_view key) {
@@ -113,7 +137,7 @@ std::vector<std::string> TomlTable::texts(std::string_view key, std::size_t leas
   for (const toml::node& item : *array) {
     const auto* value = item.as_string();
     if (value == nullptr) {
-      complaints_.add(line_of_node(item), quoted(key) + " must be a list of texts");
+      complaints_.add(file_place(item), in_quotes(key) + " must be a list of texts");
       return all;
     }
     all.push_back(value->get());
@@ -156,7 +180,7 @@ std::vector<Vector<double, 3>> TomlTable::points(std::string_view key, int dim) 
       const char* form = dim == 3   ? "3 finite numbers: [x, y, z]"
                          : dim == 2 ? "2 finite numbers: [x, y]"
                                     : "one finite number: [x]";
-      complaints_.add(line_of_node(item), "each of " + quoted(key) + " must be a point of " + form);
+      complaints_.add(file_place(item), "each of " + in_quotes(key) + " must be a point of " + form);
       return all;
     }
     all.push_back(point);
@@ -185,9 +209,19 @@ std::vector<const toml::table*> TomlTable::tables(std::string_view key) {
 }
 
 void TomlTable::refuse_others() {
-  for (const auto& [key, node] : table_)
-    if (std::find(asked_.begin(), asked_.end(), key.str()) == asked_.end())
-      complaints_.add(static_cast<int>(key.source().begin.line), name_ + " has no key " + quoted(key.str()));
+  for (const auto& [key, node] : table_) {
+    if (is_among(asked_, key.str())) continue;
+    // A key that is missing is the likeliest to be meant, and then is not told as missing too.
+    std::string meant(nearest(missing_, key.str()));
+    if (meant.empty()) meant = nearest(asked_, key.str());
+    complaints_.add(file_place(key.source()), name_ + " has no key " + in_quotes(key.str()) +
+                                                  (meant.empty() ? "" : ": did you mean " + in_quotes(meant) + "?"));
+    for (std::size_t i = missing_.size(); i-- > 0;)
+      if (missing_[i] == meant) missing_says_[i].clear();
+  }
+  for (std::string& what : missing_says_)
+    if (!what.empty()) complaints_.add(place_, std::move(what));
+  missing_.clear(), missing_says_.clear();
 }
 
 }  // namespace snug::lesson

@@ -1,30 +1,42 @@
-// A table of a lesson file, read key by key. It keeps the first error with its line; keys that nobody asked for are
-// errors too. After an error, reading continues with empty values, so that callers need not check each time.
+// A table of a lesson file, read key by key. It collects all mistakes with their places; keys that nobody asked for are
+// mistakes too. After a mistake, reading continues with empty values, so that callers need not check each time.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "geometry/input_error.hpp"
 #include "geometry/vector.hpp"
+#include "lesson/file_place.hpp"
 #include "lesson/toml.hpp"
 
 namespace snug::lesson {
 
-/// The first error of a file.
+/// Where a node stands in the file that it was read from; the beginning where it was not.
+[[nodiscard]] FilePlace file_place(const toml::source_region& region);
+[[nodiscard]] inline FilePlace file_place(const toml::node& node) { return file_place(node.source()); }
+
+/// What is wrong with a file: mistakes, for which it is refused, and warnings.
 class Complaints {
  public:
   explicit Complaints(std::string_view file) : file_(file) {}
-  /// line: counted from 1.
-  void add(int line, std::string what);
-  [[nodiscard]] const std::optional<InputError>& first() const { return first_; }
+  void add(FilePlace place, std::string what);
+  void warn(FilePlace place, std::string what);
+  /// Whether a mistake was told at that place.
+  [[nodiscard]] bool has_at(FilePlace place) const;
+  /// How many mistakes there are so far: what was read without a new one has none.
+  [[nodiscard]] std::size_t count() const { return mistakes_.size(); }
+  /// The mistake that was found first; null for none.
+  [[nodiscard]] const FileError* first() const { return mistakes_.empty() ? nullptr : &mistakes_.front(); }
+  /// In the order of the file.
+  [[nodiscard]] std::vector<FileError> mistakes() const;
+  [[nodiscard]] std::vector<FileError> warnings() const;
 
  private:
   std::string file_;
-  std::optional<InputError> first_;
+  std::vector<FileError> mistakes_, warnings_;
 };
 
 class TomlTable {
@@ -32,9 +44,11 @@ class TomlTable {
   /// name: the table's name in errors: "the lesson", "[points]", "[[question]]".
   TomlTable(const toml::table& table, std::string name, Complaints& complaints);
 
-  [[nodiscard]] int line() const { return line_; }
-  /// The line of a key, or of the table where the key is missing.
-  [[nodiscard]] int line_of(std::string_view key) const;
+  [[nodiscard]] FilePlace place() const { return place_; }
+  /// The place of a key's value, or of the table where the key is missing.
+  [[nodiscard]] FilePlace place_of(std::string_view key) const;
+  /// Lets a key stand that is not read, because a mistake leaves open what it means.
+  void allow(std::string_view key) { asked_.emplace_back(key); }
   [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
 
   // A key is required if no default is given. Text is trimmed, and must not be empty.
@@ -58,9 +72,12 @@ class TomlTable {
   /// An array of tables; empty if it is missing.
   std::vector<const toml::table*> tables(std::string_view key);
 
-  /// Complains about a key's value.
+  /// Complains about a key's value, unless something was wrong with it already.
   void wrong(std::string_view key, const std::string& what);
-  /// Complains about every key that was not asked for.
+  /// Notes that a key is missing; refuse_others complains about it.
+  void lack(std::string_view key, std::string what);
+  /// Complains about every key that was not asked for, and about every required key that is missing, unless an unknown
+  /// key is a misspelling of it. Only after this call is it known whether what was read has mistakes.
   void refuse_others();
 
  private:
@@ -70,8 +87,9 @@ class TomlTable {
   const toml::table& table_;
   std::string name_;
   Complaints& complaints_;
-  int line_;
+  FilePlace place_;
   std::vector<std::string> asked_;
+  std::vector<std::string> missing_, missing_says_;  // keys, and what is said of each
 };
 
 }  // namespace snug::lesson

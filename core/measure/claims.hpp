@@ -1,4 +1,4 @@
-// What the two lectures claim of time, storage and tightness, and what this program measures of it: each claim a run.
+// The two lectures' claims about time, storage and tightness, and what this program measures: one run for each.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,17 @@
 namespace snug::cost {
 
 struct ClaimContext {
-  const AnyPointSet& points;  // of the student, in 3-D: looked at beside the clouds that every run makes
+  const AnyPointSet& points;  // the student's, in 3-D; measured beside the clouds that every run generates
   std::uint64_t seed = 1;
   Clock clock;
-  double longest = 2e8;  // of one run where times are taken, ns
+  double longest = 2e8;  // the longest timed run, ns
 };
 
 struct Claim {
   std::string_view name, lecture, slide;
   std::string_view says;  // in our words
-  /// Sets what was measured, the figure and the verdict: "holds", "typical" (but no bound), "false"; "unknown" stays
-  /// where this machine is too slow to tell.
+  /// Sets what was measured, the figure and the verdict: "holds", "typical" (but not a bound) or "false". The verdict
+  /// stays "unknown" if this machine is too slow to tell.
   void (*run)(const ClaimContext& context, ClaimRow& row);
 };
 

@@ -1,5 +1,5 @@
-// What accuracy costs: a row for each algorithm on one set of points, measured piece by piece, so that a page can draw
-// in between and stop at any time; the rows that are ready stay.
+// Measures what accuracy costs: a row for each algorithm on one set of points. It works piece by piece, so that a page
+// can draw in between and stop at any time; the finished rows stay.
 #pragma once
 
 #include <map>
@@ -22,8 +22,8 @@ struct CostOptions {
   Limits limits;
 };
 
-/// Works on a run until the budget, ns, is used up or there is no more to do, and at least one step: the last may go
-/// beyond.
+/// Works on a run until the budget, ns, is used up or the run is finished. It does at least one step, and the last step
+/// may exceed the budget.
 template <class Run>
 void advance(Run& run, const Clock& clock, double budget) {
   const double end = clock() + budget;
@@ -33,29 +33,29 @@ void advance(Run& run, const Clock& clock, double budget) {
   } while (clock() < end);
 }
 
-/// Takes the time of the catalogue's own fit, with the observer that ignores; counts in a second, watched run. What
-/// would take too long on all points (Limits) is measured on fewer of them, and its row says so: they are the same for
-/// all algorithms that get so many, and each row's tightness is against the smallest volume of the row's own points.
+/// Times the catalogue's own fit, with the observer that ignores, and counts operations in a second run. An algorithm
+/// that would take too long on all points (Limits) is measured on fewer, and its row says so: the same ones for equal
+/// numbers. Each row's tightness is relative to the smallest volume around the row's own points.
 class CostRun {
  public:
-  /// points: outlive the run. algorithms: that take points of this dimension.
+  /// points: must outlive the run. algorithms: they must take points of this dimension.
   CostRun(const AnyPointSet& points, std::vector<const fit::Algorithm*> algorithms, const CostOptions& options,
           Clock clock);
 
-  CostRun(const CostRun&) = delete;  // what it times points into it
+  CostRun(const CostRun&) = delete;  // the timed functions refer to it
   CostRun& operator=(const CostRun&) = delete;
 
-  /// A piece that cannot be cut: a batch, or a run within the limits.
+  /// Does one indivisible piece of work: a batch, or a run within the limits.
   void step();
   [[nodiscard]] bool done() const { return at_ == algorithms_.size(); }
-  /// From 0 to 1; no measure of time.
+  /// From 0 to 1; not proportional to time.
   [[nodiscard]] double progress() const;
-  /// What is ready stays; there is nothing more to do.
+  /// Ends the run; the finished rows stay.
   void stop() { at_ = algorithms_.size(); }
   [[nodiscard]] const std::vector<CostRow>& rows() const { return rows_; }
 
  private:
-  // The pieces of a row in their order: each returns whether it is finished, else it is called again.
+  // The pieces of a row, in order. Each returns whether it is finished; if not, it is called again.
   bool climb();
   [[nodiscard]] double whole_time(const Ladder& ladder) const;
   bool take_time();
@@ -67,9 +67,9 @@ class CostRun {
 
   [[nodiscard]] const AnyPointSet& points_of(Index n);
   [[nodiscard]] Ladder& ladder_of(const fit::Algorithm& algorithm);
-  /// One step up; whether it is as far as it goes.
+  /// Climbs one step. Returns whether the ladder's end is reached.
   bool step_up(Ladder& ladder);
-  /// The volume that this algorithm, which can afford them, fits to the row's points; fitted once.
+  /// The volume that this algorithm, if fast enough for that many, fits to the row's points; computed once.
   [[nodiscard]] const fit::Volume3& fitted(const fit::Algorithm& algorithm);
   [[nodiscard]] const fit::Algorithm& algorithm() const { return *algorithms_[at_]; }
 
@@ -82,23 +82,23 @@ class CostRun {
   std::size_t at_ = 0;     // of algorithms_
   std::size_t piece_ = 0;  // of the row
   CostRow row_;
-  Rounding rounding_;  // of the row's points
+  Rounding rounding_;  // that of the row's points
   fit::Volume3 volume_;
   std::optional<Stopwatch> watch_;
-  int tests_ = 1;  // in one run of it
+  int tests_ = 1;  // the number of tests in one run
   std::vector<CostRow> rows_;
   std::map<Index, std::unique_ptr<AnyPointSet>> samples_;
   std::map<const fit::Algorithm*, Ladder> ladders_;
   std::map<std::pair<const fit::Algorithm*, Index>, fit::Volume3> fitted_;
 };
 
-/// The places of the rows that no other row undercuts in time and measure, by time. Of all points alone: what was
-/// measured on fewer is no rival. Measures that differ by rounding alone are equal.
+/// The indices of the rows that no other row beats in both time and measure, by time. Only rows measured on all points
+/// count. Measures that differ only by rounding are equal.
 [[nodiscard]] std::vector<std::size_t> pareto_front(std::span<const CostRow> rows);
 
 void mark_front(std::span<CostRow> rows);
 
-/// A full turn in so many poses, about an axis that lies askew to all others.
+/// A full turn in that many poses, about an axis that is not aligned with any coordinate axis.
 [[nodiscard]] std::vector<Pose<double, 3>> full_turn(int dim, int poses);
 
 }  // namespace snug::cost

@@ -1,4 +1,4 @@
-// Points in any number, for who wants to know how a time grows with it.
+// Points in any number, to measure how a time grows with it.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@
 
 namespace snug::cost {
 
-/// Each number of points is made once and kept. A million of them take longer than a page may keep a frame waiting:
-/// they are made piece by piece.
+/// A set of each size is made once and kept. A million points take longer than a page may delay a frame, so they are
+/// made piece by piece.
 class PointStock {
  public:
   /// Points of a kind (geometry/generate.hpp). kind: a known one.
@@ -21,9 +21,9 @@ class PointStock {
   /// Samples of a set, which outlives them.
   PointStock(const AnyPointSet& points, std::uint64_t seed);
 
-  /// One piece of the work; whether there are n points now.
+  /// Does one piece of the work. Returns whether there are n points now.
   bool make(Index n);
-  /// Makes what is not there yet.
+  /// The set of n points; makes what is missing.
   [[nodiscard]] const AnyPointSet& of(Index n);
 
  private:
@@ -32,11 +32,11 @@ class PointStock {
   [[nodiscard]] const AnyPointSet* find(Index n) const;
   void begin(Index n);
 
-  const AnyPointSet* whole_ = nullptr;  // that samples are taken of
+  const AnyPointSet* whole_ = nullptr;  // the set that samples are taken from
   std::function<PointStream(Index n)> open_;
-  Points none_;  // of the scalar and dimension that are wanted
+  Points none_;  // empty, of the wanted scalar and dimension
   std::map<Index, AnyPointSet> kept_;
-  Index making_ = 0;  // how many the points in the making are to become
+  Index making_ = 0;  // the size of the set under construction
   PointStream next_;
   Points made_;
 };

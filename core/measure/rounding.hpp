@@ -1,4 +1,4 @@
-// What rounding alone may make of a volume's size: less is nothing that could be compared.
+// How much rounding alone can change a volume's size: smaller differences mean nothing.
 #pragma once
 
 #include <optional>
@@ -8,22 +8,22 @@
 
 namespace snug::cost {
 
-/// What rounding can do to the size of the volumes around one set of points.
+/// The effect of rounding on the size of volumes around one set of points.
 struct Rounding {
-  double length = 0;  // by how much a length of a volume may be off, scene units
-  double size = 0;    // as long as none of them is
+  double length = 0;  // the error bound of a volume's length, scene units
+  double size = 0;    // longer than any of these lengths
 
-  /// How much the product of so many lengths may be off: 1 of a ball's radius, 2 of an area, 3 of a volume.
+  /// The error bound of a product of that many lengths: 1 for a ball's radius, 2 for an area, 3 for a volume.
   [[nodiscard]] double of(int lengths) const;
-  /// Below it such a product is nothing but rounding, of points that are flat, or nearly so.
+  /// A smaller product is only rounding: the points are flat, or nearly so.
   [[nodiscard]] double noise(int lengths) const;
-  /// value over least, of which least is claimed to be the smallest. None where that is nothing but rounding. A value
-  /// that is below it, but by no more than least may be off, is as small: 1. What is smaller still undercuts it, and is
-  /// told.
+  /// value / least, where least should be the smallest. None if least is only rounding. A value below least by no more
+  /// than its error bound gives 1. A value smaller than that gives a ratio below 1, which shows that least is not the
+  /// smallest.
   [[nodiscard]] std::optional<double> ratio(double value, double least, int lengths) const;
 };
 
-/// How many lengths a volume's size is a product of: a ball is compared by its radius.
+/// The number of lengths whose product is a volume's size; 1 for a ball, whose size is its radius.
 [[nodiscard]] int lengths_of_size(std::string_view volume, int dim);
 
 /// O(n).

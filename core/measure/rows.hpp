@@ -1,5 +1,5 @@
-// What was measured, as tables. Each row lists its fields by name once, for every writer and reader (report.hpp). A dot
-// in a name is a level: "time_ns.median" is {"time_ns":{"median":...}} in JSON, and a column's name in CSV.
+// The tables of measurements. Each row lists its fields by name once, for every writer and reader (report.hpp). A dot
+// in a name is a level: "time_ns.median" is {"time_ns":{"median":...}} in JSON, a column's name in CSV.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@
 
 namespace snug::cost {
 
-/// What is needed to compare two results. All of it is passed in by who measures.
+/// What is needed to compare two results. The caller passes all of it in.
 struct Provenance {
-  std::string version;   // of the program
-  std::string build;     // compiler and kind of build
+  std::string version;   // the program's
+  std::string build;     // the compiler and the kind of build
   std::string platform;  // "native" or "WebAssembly"
   std::string processor;
-  std::string points;  // what was measured on: a file's name, "cube:1000"
+  std::string points;  // the points: a file's name, or "cube:1000"
   std::string scalar;  // "double" or "float"
   int dim = 3;
   std::int64_t seed = 1;
@@ -32,7 +32,7 @@ struct Provenance {
   }
 };
 
-/// A timing under a name, where "time_ns" is its first part.
+/// The fields of a timing, with names such as "time_ns.median". prefix: "time_ns".
 void timing_fields(std::string_view prefix, auto& timing, auto&& see) {
   Timing::fields(
       timing, [&](std::string_view name, auto& value) { see(std::string(prefix).append(1, '.').append(name), value); });
@@ -42,27 +42,26 @@ void timing_fields(std::string_view prefix, auto& timing, auto&& see) {
 struct CostRow {
   static constexpr std::string_view kTable = "costs";
   std::string volume, algorithm;
-  Index points = 0;                // that it was measured on
-  Index of = 0;                    // that there are: more, where one run on all of them would take too long
-  std::optional<double> whole_ns;  // what such a run would take, by its growth; none where points == of
+  Index points = 0;  // how many it was measured on
+  Index of = 0;      // how many there are: more than points, if one run on all of them would take too long
+  std::optional<double> whole_ns;  // a run on all of them, extrapolated; none if points == of
   Timing time;                     // of one fit
   OperationCounts operations{};    // of one watched run
   std::int64_t steps = 0;
-  double size = 0;     // a ball's radius; of others the measure
-  double measure = 0;  // volume (3-D) or area (2-D), scene units cubed or squared
-  std::optional<double>
-      tightness;  // size over that of the smallest of its kind; none where nobody can tell, or it is flat
-  std::optional<double> over_hull;  // measure over that of the convex hull; none where that is flat or took too long
-  double noise = 0;  // a measure that is no larger is nothing but rounding; of a run alone, no column of a table
+  double size = 0;                  // a ball's radius; for any other volume its measure
+  double measure = 0;               // volume (3-D) or area (2-D), scene units cubed or squared
+  std::optional<double> tightness;  // size over that of the smallest of its kind; none if that is unknown or flat
+  std::optional<double> over_hull;  // measure over the convex hull's; none if that is flat or took too long
+  double noise = 0;                 // a measure no larger than this is only rounding; it is not a column of the table
   [[nodiscard]] bool is_flat() const { return measure <= noise; }
   std::int64_t bytes = 0;
   int overlap_pairs = 0, overlapping = 0;
-  Timing overlap;                     // of one test with a copy
-  std::optional<std::string> update;  // which update was timed; none where the volume has none
-  Timing updated;                     // of one update after a turn; nothing timed where there is none
+  Timing overlap;                     // one test with a copy
+  std::optional<std::string> update;  // which update was timed; none if the volume has none
+  Timing updated;                     // one update after a rotation; empty if there is none
   bool contains = false, on_boundary = false;
-  std::optional<bool> optimal;  // none where the algorithm claims nothing
-  bool on_front = false;        // whether no other row undercuts it in time and measure (mark_front)
+  std::optional<bool> optimal;  // none if the algorithm does not guarantee it
+  bool on_front = false;        // whether no other row beats it in both time and measure (mark_front)
   static void fields(auto& own, auto&& see) {
     see("volume", own.volume), see("algorithm", own.algorithm), see("points", own.points), see("of", own.of);
     see("whole_ns", own.whole_ns);
@@ -80,18 +79,18 @@ struct CostRow {
   }
 };
 
-/// An algorithm's time on so many points. What is fitted through all of its times stands in each of its rows.
+/// An algorithm's time on a number of points. The exponent fitted through all of its times is in each of its rows.
 struct GrowthRow {
   static constexpr std::string_view kTable = "growth";
   std::string volume, algorithm;
   Index points = 0;
   Timing time;
   bool in_fit = false;                    // whether the exponent is fitted through it
-  std::optional<double> exponent;         // of time as a power of points; none where there are too few times
+  std::optional<double> exponent;         // of n in the time; none if there are too few times
   std::string theory;                     // "O(n log n)"
-  std::optional<double> theory_exponent;  // of the theory's figures; none where points alone don't say
-  bool tight = false;                     // whether the theory is no mere upper bound
-  std::string stopped;                    // why there are no more points; empty where there are
+  std::optional<double> theory_exponent;  // the theory's; none if it does not depend on n alone
+  bool tight = false;                     // whether the theory is more than an upper bound
+  std::string stopped;                    // why there are no more points; empty if there are more
   static void fields(auto& own, auto&& see) {
     see("volume", own.volume), see("algorithm", own.algorithm), see("points", own.points);
     timing_fields("time_ns", own.time, see);
@@ -106,10 +105,10 @@ struct TurnRow {
   std::string volume, strategy;
   Index points = 0;
   double degrees = 0;
-  std::optional<double> slack;  // by how much it is larger than the tightest of its kind; none where that is flat
+  std::optional<double> slack;  // how much larger it is than the tightest of its kind; none if that is flat
   double measure = 0;
   bool contains = false;
-  Timing updated;  // of one update, the median of the whole turn
+  Timing updated;  // one update: the median of the whole turn
   static void fields(auto& own, auto&& see) {
     see("volume", own.volume), see("strategy", own.strategy), see("points", own.points), see("degrees", own.degrees);
     see("slack", own.slack), see("measure", own.measure), see("contains", own.contains);
@@ -117,15 +116,15 @@ struct TurnRow {
   }
 };
 
-/// What a lecture says, and what was measured.
+/// A lecture's claim, and what was measured.
 struct ClaimRow {
   static constexpr std::string_view kTable = "claims";
   std::string claim;  // its name: "ritter_ten_per_cent"
   std::string lecture, slide;
   std::string says;                 // in our words
   std::string measured;             // in words, with the figures of this run
-  double figure = 0;                // the one that decides
-  std::string verdict = "unknown";  // or "holds", "typical" (but no bound), "false"
+  double figure = 0;                // the number that decides
+  std::string verdict = "unknown";  // or "holds", "typical" (but not a bound), "false"
   static void fields(auto& own, auto&& see) {
     see("claim", own.claim), see("lecture", own.lecture), see("slide", own.slide), see("says", own.says);
     see("measured", own.measured), see("figure", own.figure), see("verdict", own.verdict);

@@ -1,4 +1,4 @@
-// Fewer of a set's points: what is measured on where all of them would take too long.
+// Samples of a set's points, for measurements that would take too long on all of them.
 #pragma once
 
 #include "geometry/generate.hpp"
@@ -6,11 +6,11 @@
 
 namespace snug::cost {
 
-/// n of the points in their order, one from each of n equal parts of it, for a mesh's neighbours stand near each other;
-/// all where there are no more. n: at least 1.
+/// n of the points in their order, one from each of n equal parts of it, because a mesh's neighbours are often near
+/// each other in the order. All points, if there are no more than n. n: at least 1.
 [[nodiscard]] AnyPointSet sample(const AnyPointSet& points, Index n, std::uint64_t seed);
 
-/// The same, one after the other. points: more than n, which outlive it.
+/// The same as a stream. points: more than n; they must outlive the stream.
 [[nodiscard]] PointStream sample_stream(const AnyPointSet& points, Index n, std::uint64_t seed);
 
 }  // namespace snug::cost

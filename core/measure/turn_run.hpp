@@ -1,4 +1,4 @@
-// How loose each update's volume is over a full turn of its body, and what one update takes.
+// Measures how loose each update's volume is over a full turn of its body, and how long one update takes.
 #pragma once
 
 #include <functional>
@@ -16,17 +16,17 @@ namespace snug::cost {
 struct SlackRange {
   double least = 0, mean = 0, most = 0;
 };
-/// None where that is not known of any.
+/// None if it is not known for any row.
 [[nodiscard]] std::optional<SlackRange> slack_range(std::span<const TurnRow> rows);
 
-/// One frame after the other, each held against the points; then the bare updates are timed.
+/// Runs one frame after the other, and tests each volume against the points; then times the bare updates.
 class TurnRun {
  public:
-  /// points: outlive the run. strategies: that take points of this dimension. frames: of the full turn, at least 1.
+  /// points: must outlive the run. strategies: for points of this dimension. frames: in the full turn, at least 1.
   TurnRun(const AnyPointSet& points, std::vector<const fit::UpdateStrategy*> strategies, int frames,
           const TimingOptions& timing, Clock clock);
 
-  /// A piece that cannot be cut: a beginning, a frame or a batch.
+  /// Does one indivisible piece of work: a start, a frame or a batch.
   void step();
   [[nodiscard]] bool done() const { return at_ == strategies_.size(); }
   [[nodiscard]] double progress() const;
@@ -42,7 +42,7 @@ class TurnRun {
   std::vector<Pose<double, 3>> poses_;
   TimingOptions timing_;
   Clock clock_;
-  double noise_ = 0;       // a measure that is no larger is nothing but rounding
+  double noise_ = 0;       // a measure no larger than this is only rounding
   std::size_t at_ = 0;     // of strategies_
   std::size_t frame_ = 0;  // of poses_
   std::function<fit::UpdatedFrame(const Pose<double, 3>& pose)> body_;

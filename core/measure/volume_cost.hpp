@@ -1,5 +1,5 @@
-// What a volume costs whoever fitted it: its bytes, and its overlap test against copies of itself, half of which just
-// overlap it and half are just apart.
+// What a volume costs, whichever algorithm fitted it: its bytes, and its overlap test against copies of itself, half of
+// which just overlap it while the other half are just apart.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 namespace snug::cost {
 
 struct OverlapWork {
-  /// One test with each copy; how many overlap.
+  /// Tests each copy once. Returns how many overlap.
   std::function<int()> run;
   int pairs = 0;
 };
 
-/// Copies are moved in random directions, by a little less or a little more than what brings them to touch, the hardest
-/// that a test has to decide; those of volumes that turn with their body are turned at random, too.
-/// volume: lifted, of that dimension; single: whether it is tested in float. Nothing to run where the page has no such
-/// volume.
+/// Copies are moved in random directions, by a little less or a little more than the distance at which
+/// they touch, which are the hardest cases for a test; copies of volumes that rotate with their body
+/// are rotated at random too. volume: lifted, of that dimension; single: whether it is tested in
+/// float.
 [[nodiscard]] OverlapWork overlap_work(const fit::Volume3& volume, int dim, bool single, std::uint64_t seed);
 
 /// Bytes in the scalar and dimension it was fitted in (geometry/volume_bytes.hpp).

@@ -1,5 +1,5 @@
-// A double's bits and back. (std::bit_cast is missing from the C++ library of Emscripten 3.1.6; both compilers have the
-// builtin that it is made of.)
+// Converts a double to its bits and back. (The C++ library of Emscripten 3.1.6 lacks std::bit_cast; both compilers have
+// the builtin behind it.)
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// Twice the digits of a double, as an unevaluated sum of two, for the few solves that decide a result.
+// Twice a double's digits, as an unevaluated sum of two doubles, for the few solves that decide a result.
 // Source: T. J. Dekker, "A floating-point technique for extending the available precision", 1971.
-// Built without fused multiply-add, so that natively and in WebAssembly every bit is the same.
+// It uses no fused multiply-add, so that every bit is the same natively and in WebAssembly.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@ struct DoubleDouble {
   double low = 0;
 
   constexpr DoubleDouble() = default;
-  constexpr DoubleDouble(double value) : high(value) {}  // NOLINT: a double is one without loss
+  constexpr DoubleDouble(double value) : high(value) {}  // NOLINT: converts without loss
   constexpr DoubleDouble(double h, double l) : high(h), low(l) {}
 
   [[nodiscard]] constexpr double value() const { return high + low; }

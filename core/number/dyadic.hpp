@@ -1,5 +1,5 @@
-// Numbers that never round: integers times a power of two, closed under +, - and *. For decisions that must not be
-// wrong, asked where a filter in double could not tell.
+// Numbers that never round: integers times a power of two, closed under +, - and *. They make the decisions that must
+// not be wrong, where a filter in double cannot tell.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@ namespace snug {
 class Dyadic {
  public:
   Dyadic() = default;
-  Dyadic(double value);  // NOLINT: a double is one without loss. value: finite.
+  Dyadic(double value);  // NOLINT: converts without loss. value: finite.
 
   /// -1, 0 or +1.
   [[nodiscard]] int sign() const noexcept { return digits_.empty() ? 0 : negative_ ? -1 : 1; }
-  /// The nearest double or one of its neighbours; infinite where the value is beyond them all.
+  /// The nearest double or one of its neighbours; infinite if the value is out of range.
   [[nodiscard]] double approximate() const noexcept;
 
-  /// a / b within 4u of its size, or the rounding of what is subnormal; infinite where it is beyond all doubles. b: not
+  /// a / b, within 4u of its size or within the rounding of subnormal numbers; infinite if it is out of range. b: not
   /// 0. Neither a nor b need be within the range of double.
   friend double quotient(const Dyadic& a, const Dyadic& b) noexcept;
 
@@ -33,7 +33,7 @@ class Dyadic {
   Dyadic& operator+=(const Dyadic& b) { return *this = *this + b; }
   Dyadic& operator-=(const Dyadic& b) { return *this = *this - b; }
   Dyadic& operator*=(const Dyadic& b) { return *this = *this * b; }
-  /// -1, 0 or +1 as a is below, at or above b.
+  /// -1, 0 or +1, as a is less than, equal to or greater than b.
   friend int compare(const Dyadic& a, const Dyadic& b) { return (a - b).sign(); }
   friend bool operator<(const Dyadic& a, const Dyadic& b) { return compare(a, b) < 0; }
   friend bool operator<=(const Dyadic& a, const Dyadic& b) { return compare(a, b) <= 0; }
@@ -43,7 +43,7 @@ class Dyadic {
   static Dyadic sum(const Dyadic& a, const Dyadic& b, bool b_negative);
   void trim();
 
-  /// mantissa * 2^exponent, 1 <= mantissa < 2^32, of 97 bits or more before the mantissa was rounded; 0 of nothing.
+  /// mantissa * 2^exponent, 1 <= mantissa < 2^32, rounded from 97 bits or more; 0 for zero.
   struct Leading {
     double mantissa = 0;
     int exponent = 0;

@@ -1,4 +1,4 @@
-// Sums rounded away from a volume's inside, so that what was held stays held.
+// Sums rounded outwards, so that a volume still contains what it contained.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace snug {
 
-/// high + low is the sum without rounding; high is the rounded sum. Where that is infinite, low is no number.
+/// high + low is the sum without rounding; high is the rounded sum. If that is infinite, low is not a number.
 template <class Scalar>
 struct TwoSum {
   Scalar high;
@@ -22,7 +22,7 @@ template <class Scalar>
   return {sum, (a - (sum - part)) + (b - part)};
 }
 
-/// The least Scalar that is not below a + b; infinite where there is none. a, b: finite.
+/// The least Scalar that is not below a + b; infinite if there is none. a, b: finite.
 template <class Scalar>
 [[nodiscard]] Scalar sum_up(Scalar a, Scalar b) {
   constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
@@ -31,7 +31,7 @@ template <class Scalar>
   return low > 0 ? std::nextafter(high, kInfinity) : high;
 }
 
-/// The greatest Scalar that is not above a + b; infinite where there is none. a, b: finite.
+/// The greatest Scalar that is not above a + b; infinite if there is none. a, b: finite.
 template <class Scalar>
 [[nodiscard]] Scalar sum_down(Scalar a, Scalar b) {
   return -sum_up<Scalar>(-a, -b);
@@ -44,7 +44,7 @@ template <class Scalar>
   const auto [abc, abc_low] = two_sum(ab, c);
   const auto [middle, least] = two_sum(ab_low, abc_low);
   const auto [high, rest] = two_sum(abc, middle);
-  const Scalar low = rest + least;  // rounded, but of the right sign
+  const Scalar low = rest + least;  // rounded, but its sign is right
   return low > 0 ? std::nextafter(high, std::numeric_limits<Scalar>::infinity()) : high;
 }
 

@@ -1,4 +1,4 @@
-// Units of length that cost no rounding.
+// Units of length that divide without rounding.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 
 namespace snug::query {
 
-/// A power of two above a length (and at most twice it), whose inverse is one too: lengths divided by it keep their
-/// digits. length: >= 0, below a quarter of the largest number. Of lengths near the subnormal ones it may be more than
-/// twice.
+/// A power of two above a length (and at most twice it), whose inverse is a power of two as well, so that lengths
+/// divided by it keep their digits. length: >= 0, below a quarter of the largest number. For lengths near the subnormal
+/// numbers, it may be more than twice the length.
 template <class Scalar>
 [[nodiscard]] Scalar power_of_two_above(Scalar length) {
   using Bits = std::conditional_t<sizeof(Scalar) == 8, std::uint64_t, std::uint32_t>;

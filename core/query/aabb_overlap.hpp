@@ -1,9 +1,9 @@
 // Whether two axis-aligned boxes overlap, in each of their three representations. Touching boxes overlap.
 // Source: C. Ericson, Real-Time Collision Detection, 2005, 4.2.1.
 //
-// None says "apart" of boxes that meet: rounding never changes the order of two numbers, so that a difference which is
-// at most a width is so when both are rounded. The other way it may: a gap is not seen where it is lost in rounding, by
-// as much as each test says.
+// No test calls boxes apart that touch or overlap. Rounding never changes the order of two numbers, so a difference
+// that is at most a width stays so when both are rounded. But a test may miss a gap that is lost in rounding; each says
+// how large that gap can be.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ template <class Scalar, int Dim>
   return true;
 }
 
-/// A gap up to u times the distance of the two minima may be lost, or any where that distance overflows.
+/// May miss a gap of up to u times the distance between the two minima, or any gap if that distance overflows.
 template <class Scalar, int Dim>
 [[nodiscard]] bool aabbs_overlap(const AabbMinWidths<Scalar, Dim>& a, const AabbMinWidths<Scalar, Dim>& b) {
   for (int i = 0; i < Dim; ++i) {
@@ -30,8 +30,8 @@ template <class Scalar, int Dim>
   return true;
 }
 
-/// A gap up to 2u times the distance of the two centres may be lost: one rounding for it, one for the sum of the
-/// extents; or any where both overflow. One comparison an axis.
+/// May miss a gap of up to 2u times the distance between the two centres (one rounding for it, one for the sum of the
+/// extents), or any gap if both overflow. One comparison for each axis.
 template <class Scalar, int Dim>
 [[nodiscard]] bool aabbs_overlap(const AabbCenterExtents<Scalar, Dim>& a, const AabbCenterExtents<Scalar, Dim>& b) {
   for (int i = 0; i < Dim; ++i)

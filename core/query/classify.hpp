@@ -1,4 +1,4 @@
-// Is a volume inside a frustum, outside, or does it cross its border? Plane by plane.
+// Classifies a volume as inside, outside or intersecting a frustum, plane by plane.
 // Source: U. Assarsson, T. Möller, "Optimized View Frustum Culling Algorithms for Bounding Boxes", 2000: p- and
 // n-vertex, plane masking, temporal coherence.
 //
@@ -19,17 +19,17 @@
 
 namespace snug::query {
 
-/// Whether the test ends at the first plane that the volume is outside of, or goes on to all.
+/// Whether the test ends at the first plane that the volume is outside of, or tests all planes.
 enum class CullExtent : std::uint8_t { kFirst, kAll };
 
-/// What is known before.
+/// What is known about the volume beforehand.
 struct CullPlan {
-  PlaneSet planes = ~PlaneSet{0};  // to be tested: the crossing planes of a volume that holds this one (masking)
-  int first = -1;                  // tested first: what rejected this volume last time (temporal coherence)
+  PlaneSet planes = ~PlaneSet{0};  // to be tested: those that a volume around this one crosses (masking)
+  int first = -1;                  // tested first: the one that rejected this volume last time (temporal coherence)
   CullExtent extent = CullExtent::kFirst;
 };
 
-/// One test, watched.
+/// One test with an observer.
 template <class Scalar, int Dim, class Shape, class Observer>
 class Classify {
  public:
@@ -48,7 +48,7 @@ class Classify {
 
  private:
   using Step = ClassifyStep<Scalar, Dim>;
-  /// A vertex on either side has to be looked at; of a point or a sphere the centre alone.
+  /// A point or a sphere is tested by its centre alone; any other volume by a vertex on either side.
   static constexpr bool kOneVertex =
       std::is_same_v<Shape, Vector<Scalar, Dim>> || std::is_same_v<Shape, Sphere<Scalar, Dim>>;
 
@@ -57,7 +57,7 @@ class Classify {
     bool looked_closer;
   };
 
-  /// Whether the test ends here.
+  /// Tests one plane. Returns whether the test ends here.
   bool test(int at) {
     if ((plan_.planes >> at & 1) == 0) {
       if constexpr (kWatched<Observer>)
@@ -118,14 +118,14 @@ CullResult classify(const Frustum<Scalar, Dim>& frustum, const Shape& volume, co
   return Classify<Scalar, Dim, Shape, std::remove_reference_t<Observer>>(frustum, volume, plan, observe).run();
 }
 
-/// The same of a volume of which only the running program knows what it is.
+/// The same for a volume whose kind is known only at run time.
 template <class Scalar, int Dim, StepObserver<ClassifyStep<Scalar, Dim>> Observer = Ignore>
 CullResult classify_volume(const Frustum<Scalar, Dim>& frustum, const Volume<Scalar, Dim>& volume,
                            const CullPlan& plan = {}, Observer&& observe = {}) {
   return std::visit([&](const auto& shape) { return classify(frustum, shape, plan, observe); }, volume);
 }
 
-// Compiled once, in classify.cpp: with nobody watching, and with every step kept.
+// Compiled once, in classify.cpp: without an observer, and with every step kept.
 template <class Scalar, int Dim>
 using ClassifyRecorder = Recorder<ClassifyStep<Scalar, Dim>>;
 #define SNUG_CLASSIFY_SHAPE(EXTERN, Scalar, Dim, Shape)                                                                \

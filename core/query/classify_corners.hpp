@@ -1,5 +1,5 @@
-// A box against a frustum by all of its corners: right, and expensive. A box is outside where all corners are outside
-// of one plane. The p- and n-vertex (classify.hpp) say the same and look at two.
+// Tests a box against a frustum by all of its vertices: right, but expensive. A box is outside if all vertices are
+// outside one plane. The p- and n-vertex (classify.hpp) give the same answer from two vertices.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ inline constexpr std::array<std::string_view, 6> kClassifyCornersPseudocode{
     "  outside if it is for all of them", "  crosses ← yes if it is for some", "intersecting if crosses, else inside",
 };
 
-/// normal . corner + d, rounded or not. bits: 1 for +x, 2 for +y, 4 for +z.
+/// normal . vertex + d, rounded or exact. bits: 1 for +x, 2 for +y, 4 for +z.
 template <class Number, class Scalar, int Dim>
 [[nodiscard]] Number value_at_corner(const Plane<Scalar, Dim>& plane, const Aabb<Scalar, Dim>& box, int bits) {
   return value_at<Number>(plane, corner_of(box, bits));
@@ -32,7 +32,7 @@ template <class Number, class Scalar, int Dim>
   return value;
 }
 
-/// Whether a corner of the box (center + sum +-h_i u_i of an OBB, unrounded) is on the plane's outer side, exactly.
+/// Whether a vertex of the box (of an OBB the exact center + sum +-h_i u_i) is in the positive half-space, exactly.
 template <class Scalar, int Dim, class Box>
 [[nodiscard]] bool corner_is_outside(const Plane<Scalar, Dim>& plane, const Box& box, int bits) {
   const Scalar value = value_at_corner<Scalar>(plane, box, bits);
@@ -41,15 +41,15 @@ template <class Scalar, int Dim, class Box>
   return value_at_corner<Dyadic>(plane, box, bits).sign() > 0;
 }
 
-/// The fact that a corner was held against a plane.
+/// The fact that a vertex was tested against a plane.
 template <class Scalar, int Dim, class Box>
 [[nodiscard]] CornerTested<Scalar, Dim> corner_tested(const Plane<Scalar, Dim>& plane, int at, const Box& box, int bits,
                                                       bool outside) {
   return {bits, at, corner_of(box, bits), value_at_corner<Scalar>(plane, box, bits) / length_of(plane), outside};
 }
 
-/// box: an Aabb or an Obb, as of classify, whose verdict it gives. It ends at the first plane that the box is outside
-/// of.
+/// Returns the same verdict as classify. box: an Aabb or an Obb, as in classify. The test ends at the first plane that
+/// the box is outside of.
 template <class Scalar, int Dim, class Box, StepObserver<ClassifyStep<Scalar, Dim>> Observer = Ignore>
 CullResult classify_corners(const Frustum<Scalar, Dim>& frustum, const Box& box, Observer&& observe = {}) {
   using Step = ClassifyStep<Scalar, Dim>;

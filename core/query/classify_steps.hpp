@@ -12,12 +12,12 @@
 
 namespace snug::query {
 
-/// Where a volume is: of a frustum, or of one of its planes. What touches from outside is intersecting, what touches
-/// from inside is inside.
+/// Where a volume is relative to a frustum, or to one of its planes. A volume that touches from outside is
+/// intersecting, one that touches from inside is inside.
 enum class Culling : std::uint8_t { kInside, kIntersecting, kOutside };
 inline constexpr std::array<std::string_view, 3> kCullingNames{"inside", "intersecting", "outside"};
 
-/// The lines of what follows that steps name. Boxes, spheres and all else go the same way.
+/// The lines of the pseudocode below that steps name. Every kind of volume has the same.
 struct ClassifyLine {
   static constexpr int kSkip = 2, kChoose = 3, kOutside = 4, kIntersects = 5, kVerdict = 6;
 };
@@ -31,14 +31,14 @@ inline constexpr std::array<std::string_view, 7> kClassifyBoxPseudocode{
     "intersecting if so, else inside",
 };
 
-/// A plane was held against the volume, or skipped.
+/// A plane was tested against the volume, or skipped.
 template <class Scalar, int Dim>
 struct PlaneTested {
   static constexpr std::string_view kName = "plane_tested";
-  int plane = 0;                                              // its place in the frustum
-  bool skipped = false;                                       // masked out: nothing below was looked at
+  int plane = 0;                                              // its index in the frustum
+  bool skipped = false;                                       // masked out: none of the fields below is set
   Vector<Scalar, Dim> normal = Vector<Scalar, Dim>::Zero();   // in the box's own frame; as given for other volumes
-  int signs = 0;                                              // of that normal: bit i where coordinate i is >= 0
+  int signs = 0;                                              // of that normal: bit i if coordinate i is >= 0
   int p_vertex = -1;                                          // a box's corner farthest along the normal: bit 1 for +x,
   int n_vertex = -1;                                          // 2 for +y, 4 for +z; and against it. -1 of other volumes
   int p_corners = 0;                                          // all corners that are as far, within rounding: bit c
@@ -47,10 +47,10 @@ struct PlaneTested {
   Vector<Scalar, Dim> n_point = Vector<Scalar, Dim>::Zero();  // the scene, within rounding
   Scalar p_distance = 0;                                      // signed, scene units, positive outside
   Scalar n_distance = 0;
-  Scalar doubt = 0;                   // both are known within it
+  Scalar doubt = 0;                   // the error bound of both
   bool looked_closer = false;         // a sign within that doubt was decided exactly
   Culling side = Culling::kInside;    // of this plane
-  Culling so_far = Culling::kInside;  // of the planes up to this one
+  Culling so_far = Culling::kInside;  // for the planes up to this one
   static constexpr std::array<std::string_view, 16> kFields{
       "plane",   "skipped", "normal",     "signs",      "p_vertex", "n_vertex",      "p_corners", "n_corners",
       "p_point", "n_point", "p_distance", "n_distance", "doubt",    "looked_closer", "side",      "so_far"};
@@ -61,12 +61,12 @@ struct PlaneTested {
   }
 };
 
-/// A corner of a box was held against a plane. corner: its bits, 1 for +x, 2 for +y, 4 for +z.
+/// A vertex of a box was tested against a plane. corner: its bits, 1 for +x, 2 for +y, 4 for +z.
 template <class Scalar, int Dim>
 struct CornerTested {
   static constexpr std::string_view kName = "corner_tested";
   int corner = 0;
-  int plane = -1;                                           // -1: inside of all, where all were asked
+  int plane = -1;                                           // -1: inside all, if all were tested
   Vector<Scalar, Dim> point = Vector<Scalar, Dim>::Zero();  // within rounding
   Scalar distance = 0;                                      // to the plane: signed, scene units, positive outside
   bool outside = false;
@@ -74,11 +74,11 @@ struct CornerTested {
   static auto tie(auto& own) { return std::tie(own.corner, own.plane, own.point, own.distance, own.outside); }
 };
 
-/// The answer, and what the next one may use.
+/// The answer, and what the next test may use.
 struct CullResult {
   Culling verdict = Culling::kInside;
   int planes_tested = 0;  // without those skipped
-  int rejected_by = -1;   // the plane that the volume is outside of; the first one met
+  int rejected_by = -1;   // the first plane found that the volume is outside of; -1 for none
   PlaneSet crossing = 0;  // the planes that the volume crosses: all that its children need be tested against. Whole
                           // only where the volume is not outside
 };

@@ -52,7 +52,7 @@ int side_of_bound(const Vector<double, Dim>& point, const std::array<int, Dim>& 
   return sum.sign();
 }
 
-// -- What is within a distance of a parallelogram or a segment
+// -- Points within a distance of a parallelogram or a segment
 // -----------------------------------------------------------
 
 /// The point from a corner of the parallelogram, its two edges (a segment's second is zero) and the radius. Scaled by a
@@ -75,8 +75,8 @@ struct Swept {
   }
 };
 
-/// From the nearest place on the parallelogram to the point. Each edge's share in turn: with perpendicular edges the
-/// first turn already is right, and the second sees that nothing changes.
+/// From the nearest place on the parallelogram to the point. It optimises one edge's coordinate after the other: with
+/// perpendicular edges the first pass is already right, and the second changes nothing.
 template <int Dim>
 Vector<double, Dim> from_nearest(const Swept<Dim>& swept) {
   constexpr int kMostTurns = 64;
@@ -94,8 +94,8 @@ Vector<double, Dim> from_nearest(const Swept<Dim>& swept) {
   return swept.point - (s * swept.edge + t * swept.other_edge);
 }
 
-/// Whether the point is within the radius, where double can tell. Inside is proven by a place that is near enough,
-/// outside by a direction along which all of the parallelogram is too far, whatever errors led to either.
+/// Whether the point is within the radius, if double can tell. A place that is near enough proves inside, and a
+/// direction along which the whole parallelogram is too far proves outside, whatever rounding led to them.
 template <int Dim>
 std::optional<bool> within_by_double(const Swept<Dim>& swept) {
   const Vector<double, Dim> direction = from_nearest(swept);
@@ -126,7 +126,7 @@ std::array<Dyadic, Dim> operator-(const std::array<Dyadic, Dim>& a, const std::a
   return difference;
 }
 
-/// point: from the segment's one end; edge: to its other.
+/// point, edge: the point and the segment's other end, relative to its first end.
 template <std::size_t Dim>
 bool within_of_segment(const std::array<Dyadic, Dim>& point, const std::array<Dyadic, Dim>& edge,
                        const Dyadic& square) {
@@ -140,14 +140,14 @@ bool within_of_segment(const std::array<Dyadic, Dim>& point, const std::array<Dy
   return (dot(point, point) - square) * length <= along * along;
 }
 
-/// point: from the parallelogram's corner. Where it projects into the parallelogram, its distance to the plane decides,
-/// by the edges' Gram determinant; elsewhere the nearest of the four sides.
+/// point: relative to the parallelogram's vertex. If it projects into the parallelogram, its distance from the plane
+/// decides, by the edges' Gram determinant; otherwise the nearest of the four sides.
 template <std::size_t Dim>
 bool within_of_parallelogram(const std::array<Dyadic, Dim>& point, const std::array<Dyadic, Dim>& e,
                              const std::array<Dyadic, Dim>& f, const Dyadic& square) {
   const Dyadic ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), pe = dot(point, e), pf = dot(point, f);
   const Dyadic determinant = ee * ff - ef * ef;
-  const Dyadic s = pe * ff - pf * ef, t = pf * ee - pe * ef;  // of the projection, times the determinant
+  const Dyadic s = pe * ff - pf * ef, t = pf * ee - pe * ef;  // the projection's, times the determinant
   const auto inside = [&](const Dyadic& share) { return share.sign() >= 0 && share <= determinant; };
   if (determinant.sign() > 0 && inside(s) && inside(t))
     return (dot(point, point) - square) * determinant <= pe * s + pf * t;
@@ -212,7 +212,7 @@ int side_of_slab(const Vector<Scalar, Dim>& point, const Vector<Scalar, Dim>& ce
     size += std::abs(term);
   }
   const double beyond = std::abs(projection) - h;
-  // What a product loses by underflow is nothing beside this size.
+  // What a product loses by underflow is negligible compared with this size.
   if (size > tolerance::kSoundProjection && std::abs(beyond) > tolerance::kProjection * size)
     return beyond > 0 ? 1 : -1;
   return side_of_slab_exactly<Dim>(p, c, u, h);

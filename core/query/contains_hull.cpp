@@ -25,7 +25,7 @@ bool on_segment(const Vector<double, Dim>& a, const Vector<double, Dim>& b, cons
   return on_line && dot_sign<Dim>(a, b, a, p) >= 0 && dot_sign<Dim>(a, b, p, b) >= 0;
 }
 
-/// In space: whether a flat polygon holds the point, by their shadows along a coordinate axis.
+/// In space: whether a flat polygon contains the point, by their projections along a coordinate axis.
 template <class Scalar>
 bool in_flat_polygon(const ConvexHull<Scalar, 3>& hull, const Vector<double, 3>& p) {
   const auto at = corners_of(hull);
@@ -122,10 +122,10 @@ double outside_by(const ConvexHull<Scalar, Dim>& hull, const std::type_identity_
   if (hull.affine_dim == Dim) most = outside_of_facets(hull, p);
   if constexpr (Dim == 3)
     if (hull.affine_dim == 2) most = outside_of_flat_polygon(hull, p);
-  // No point is farther from the hull than from its nearest vertex, whatever rounding makes of a sliver's normal.
+  // A point is no farther from the hull than from the nearest vertex, however wrong rounding makes a sliver's normal.
   for (Index i = 0; i < static_cast<Index>(hull.vertices.size()); ++i)
     most = std::min(most, scaled_norm<double, Dim>(p - at(i)));
-  // What only exact arithmetic saw is less than the last digit of a coordinate.
+  // A distance that only exact arithmetic finds is smaller than the last digit of a coordinate.
   const double largest = p.cwiseAbs().maxCoeff();
   const double digit = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
   return std::max(most, digit);

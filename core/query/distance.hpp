@@ -1,4 +1,4 @@
-// Distances between points, segments and rectangles: the cores of sphere-swept volumes.
+// Distances between points, segments and rectangles, which are the cores of sphere-swept volumes.
 // Source: C. Ericson, Real-Time Collision Detection, 2005, 5.1; of two rectangles query/distance_rectangles.hpp.
 #pragma once
 
@@ -12,17 +12,17 @@
 
 namespace snug::query {
 
-// All are in space; what lies in a plane has z = 0. Coordinates are relative to some near point and at most about 1 in
-// size (query/overlaps_swept.hpp sees to it), so that no product of four of them overflows and none that matters
-// underflows. Each distance is then within kTouching of the exact one, however parallel, short or crossing.
+// All are in space; planar ones have z = 0. Coordinates are relative to some near point and at most about 1 in size
+// (query/overlaps_swept.hpp ensures it), so that no product of four of them overflows and none that matters underflows.
+// Each distance is within kTouching of the exact one, even between parallel, short or crossing cores.
 
-/// All of start + t edge, 0 <= t <= 1; the edge may be zero.
+/// The set of all start + t edge, 0 <= t <= 1; the edge may be zero.
 template <class Scalar>
 struct Segment {
   Vector<Scalar, 3> start, edge;
 };
 
-/// All of center + s axis_0 + t axis_1, |s|, |t| <= half_extents; either or both may be zero.
+/// The set of all center + s axis_0 + t axis_1, |s|, |t| <= half_extents; either or both may be zero.
 template <class Scalar>
 struct Rectangle {
   Vector<Scalar, 3> center;
@@ -34,7 +34,7 @@ template <class Scalar>
 struct ClosestPoints {
   Vector<Scalar, 3> a, b;     // one on each, in the order of the arguments
   Vector<Scalar, 3> between;  // b - a, with digits that the difference of a and b may have lost
-  Scalar square = 0;          // of their distance
+  Scalar square = 0;          // the squared distance
   int tests = 1;              // pairs of features compared
 };
 
@@ -43,7 +43,7 @@ template <class Scalar>
   return {a, b, b - a, (b - a).squaredNorm()};
 }
 
-/// Whether an edge of that squared length is no more than a point.
+/// Whether an edge of that squared length counts as a point.
 template <class Scalar>
 [[nodiscard]] bool vanishes(Scalar square) {
   return square <= tolerance::kVanishing<Scalar> * tolerance::kVanishing<Scalar>;
@@ -62,9 +62,9 @@ template <class Scalar>
   return pair_of<Scalar>(p, segment.start + nearest_place(p, segment) * segment.edge);
 }
 
-/// Seen along the first segment, that one is a point: the place on the second is where it passes nearest to it. Taken
-/// from components across, and not as 1 - cos^2, it keeps its digits between segments that are almost parallel. Between
-/// parallel ones any place will do, for what follows mends it.
+/// Projected along the first segment, that segment is a point, and the parameter on the second is where it passes
+/// nearest to that point. It is computed from perpendicular components, not as 1 - cos^2, so it keeps its digits
+/// between nearly parallel segments. For parallel ones any parameter will do, because the next steps correct it.
 template <class Scalar>
 [[nodiscard]] ClosestPoints<Scalar> closest_points(const Segment<Scalar>& a, const Segment<Scalar>& b) {
   const Scalar a_square = a.edge.squaredNorm();
@@ -90,7 +90,7 @@ template <class Scalar>
   return pair_of<Scalar>(p, on);
 }
 
-/// The rectangle of corner + s edges[0] + t edges[1], 0 <= s, t <= 1. edges: perpendicular, either or both may be zero.
+/// The rectangle corner + s edges[0] + t edges[1], 0 <= s, t <= 1. edges: perpendicular, either or both may be zero.
 template <class Scalar>
 [[nodiscard]] Rectangle<Scalar> rectangle_of(const Vector<Scalar, 3>& corner,
                                              const std::array<Vector<Scalar, 3>, 2>& edges) {
@@ -104,7 +104,7 @@ template <class Scalar>
     rectangle.half_extents[i] = length / 2;
   }
   if (vanishes(squares[0]) && vanishes(squares[1])) return rectangle;
-  for (int i = 0; i < 2; ++i) {  // a zero edge takes any direction across the other
+  for (int i = 0; i < 2; ++i) {  // a zero edge takes any direction perpendicular to the other
     if (!vanishes(squares[i])) continue;
     int least = 0;
     axes.col(1 - i).cwiseAbs().minCoeff(&least);

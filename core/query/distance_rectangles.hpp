@@ -1,39 +1,39 @@
-// The distance of two rectangles in space: each seen in the other's frame.
-// Source: E. Larsen, S. Gottschalk, M. Lin, D. Manocha, "Fast proximity queries with swept sphere volumes", 1999, whose
-// pairs of edges these are; which of them matter is told by the sides that each rectangle reaches beyond.
+// The distance between two rectangles in space, each expressed in the other's frame.
+// Source: E. Larsen, S. Gottschalk, M. Lin, D. Manocha, "Fast proximity queries with swept sphere volumes", 1999, for
+// the pairs of edges; only those matter that belong to sides beyond which the other rectangle reaches.
 #pragma once
 
 #include "query/distance.hpp"
 
 namespace snug::query {
 
-/// One rectangle (the other) in the frame of a second (the own), which lies around the origin in the plane z = 0.
+/// One rectangle (the other) in the frame of a second (own), which is centred at the origin in the plane z = 0.
 template <class Scalar>
 struct RectangleSeen {
   std::array<Scalar, 2> own, other;  // half extents
   Matrix<Scalar, 3> axes;            // the other's
   Vector<Scalar, 3> center;          // the other's
 
-  /// How far the other reaches from its centre along the own frame's axis i.
+  /// How far the other reaches from its centre along axis i of the own frame.
   [[nodiscard]] Scalar reach(int i) const { return other[0] * std::abs(axes(i, 0)) + other[1] * std::abs(axes(i, 1)); }
 
-  /// The gaps between both along the own frame's three axes, 0 where they overlap.
+  /// The gaps between both along the three axes of the own frame, 0 where they overlap.
   [[nodiscard]] Vector<Scalar, 3> gaps() const {
     Vector<Scalar, 3> gap;
     for (int i = 0; i < 3; ++i) gap[i] = std::max(Scalar(0), std::abs(center[i]) - reach(i) - (i < 2 ? own[i] : 0));
     return gap;
   }
 
-  /// The other's point at those places along its axes.
+  /// The point of the other at those coordinates along its axes.
   [[nodiscard]] Vector<Scalar, 3> at(Scalar s, Scalar t) const { return center + s * axes.col(0) + t * axes.col(1); }
 
-  /// The own point nearest to p.
+  /// The point of the own rectangle nearest to p.
   [[nodiscard]] Vector<Scalar, 3> nearest(const Vector<Scalar, 3>& p) const {
     return {std::clamp(p[0], -own[0], own[0]), std::clamp(p[1], -own[1], own[1]), 0};
   }
 };
 
-/// Two rectangles, each seen from the other.
+/// Two rectangles, each expressed in the other's frame.
 template <class Scalar>
 class RectanglePair {
  public:
@@ -43,12 +43,12 @@ class RectanglePair {
     from_b_ = {b.half_extents, a.half_extents, from_a_.axes.transpose(), b.axes.transpose() * -between};
   }
 
-  /// No two points are nearer than its root. Cheap: six axes are looked at.
+  /// A lower bound on the squared distance. It is cheap: only six axes are tested.
   [[nodiscard]] Scalar least_square() const {
     return std::max(from_a_.gaps().squaredNorm(), from_b_.gaps().squaredNorm());
   }
 
-  /// The nearest points; or the first pair found that is no farther apart than the root of enough.
+  /// The nearest points, or the first pair found whose squared distance is at most enough.
   [[nodiscard]] ClosestPoints<Scalar> closest(Scalar enough = 0) {
     if (!corners(from_a_, false, enough) && !corners(from_b_, true, enough) && !crossings(from_a_, false) &&
         !crossings(from_b_, true))
@@ -71,7 +71,7 @@ class RectanglePair {
     square_ = square, own_ = own, other_ = other, seen_from_b_ = from_b;
   }
 
-  /// The other's corners against the own rectangle. Returns whether one is near enough.
+  /// Tests the other's vertices against the own rectangle. Returns whether one is near enough.
   bool corners(const Seen& seen, bool from_b, Scalar enough) {
     for (const int s : {-1, 1})
       for (const int t : {-1, 1}) {
@@ -81,7 +81,7 @@ class RectanglePair {
     return square_ <= enough;
   }
 
-  /// The other's edges through the own rectangle. Returns whether there is one.
+  /// Finds an edge of the other that passes through the own rectangle. Returns whether there is one.
   bool crossings(const Seen& seen, bool from_b) {
     if (std::abs(seen.center[2]) > seen.reach(2)) return false;
     for (std::size_t along = 0; along < 2; ++along)
@@ -98,8 +98,8 @@ class RectanglePair {
     return false;
   }
 
-  /// Edge against edge. An edge of one rectangle has its nearest point to the other within just where the other reaches
-  /// beyond the side that the edge is on.
+  /// Tests edges against edges. The nearest point can lie inside an edge only if the other rectangle reaches beyond the
+  /// side that the edge is on.
   void edges(Scalar enough) {
     for (int i = 0; i < 2; ++i)
       for (const int side_a : {-1, 1}) {
@@ -117,8 +117,8 @@ class RectanglePair {
     return Scalar(side) * seen.center[axis] + seen.reach(axis) >= seen.own[axis];
   }
 
-  /// The first's edge along its axis i, on that side, against the second's along its axis j: as of two segments
-  /// (query/distance.hpp), seen along axis i.
+  /// Tests the first's edge along its axis i, on that side, against the second's edge along its axis j: as for two
+  /// segments (query/distance.hpp), projected along axis i.
   void edge_pair(int i, int side_a, int j, int side_b) {
     const int k = 1 - i;
     const Scalar a_half = from_a_.own[i];
@@ -142,7 +142,7 @@ class RectanglePair {
   const Rectangle<Scalar>& a_;
   const Rectangle<Scalar>& b_;
   Seen from_a_, from_b_;
-  Vector<Scalar, 3> own_, other_;  // the nearest so far, in the frame of one of them
+  Vector<Scalar, 3> own_, other_;  // the nearest points so far, in the frame of one of them
   Scalar square_ = std::numeric_limits<Scalar>::infinity();
   bool seen_from_b_ = false;
   int tests_ = 0;

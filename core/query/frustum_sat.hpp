@@ -1,7 +1,7 @@
-// Does a box share a point with a frustum? By separating axes of both, decided exactly: what the plane test
-// (classify.hpp) is measured against, for it calls some boxes near the frustum's edges and corners intersecting that
-// are outside. Source: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A hierarchical structure for rapid interference
-// detection", 1996, for the axes: normals of both, and crosses of their edges.
+// Decides exactly, by separating axes, whether a box shares a point with a frustum. The plane test (classify.hpp) is
+// measured against it, because that test calls some boxes outside the frustum, near its edges and vertices,
+// intersecting. Source: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A hierarchical structure for rapid interference
+// detection", 1996, for the axes: the normals of both, and the cross products of their edges.
 #pragma once
 
 #include <array>
@@ -16,15 +16,15 @@
 
 namespace snug::query {
 
-/// A frustum that has corners, prepared for many boxes.
+/// A frustum that has vertices, prepared for many boxes.
 template <class Scalar, int Dim>
 class FrustumSat {
  public:
   /// Errors: as of corners_of.
   static tl::expected<FrustumSat, InputError> make(const Frustum<Scalar, Dim>& frustum);
 
-  /// Whether they share a point; touching ones do. Exact on the numbers as they are, flat boxes too; of an OBB as
-  /// classify has it. Its axes must be linearly independent.
+  /// Whether they share a point; touching ones do. Exact on the numbers as they are, even for flat boxes. An OBB is the
+  /// set that classify describes; its axes must be linearly independent.
   [[nodiscard]] bool overlaps(const Obb<Scalar, Dim>& box) const;
   [[nodiscard]] bool overlaps(const Aabb<Scalar, Dim>& box) const;
 
@@ -37,13 +37,13 @@ class FrustumSat {
   std::array<Vector<double, Dim>, 2 * Dim> normals_;  // its planes', scaled to about 1: their products do not overflow
   ExactCorners exact_;
   std::array<Vector<double, Dim>, kFrustumCorners<Dim>> corners_;
-  double size_ = 0;  // their largest coordinate; infinite where one is beyond every double
+  double size_ = 0;  // their largest coordinate; infinite if one overflows
 };
 
-/// How the plane test's answers compare with what is true.
+/// How the plane test's answers compare with the true ones.
 struct CullTally {
-  std::int64_t inside = 0, intersecting = 0, outside = 0;  // as the plane test has it
-  std::int64_t really_outside = 0;                         // of those it calls intersecting
+  std::int64_t inside = 0, intersecting = 0, outside = 0;  // according to the plane test
+  std::int64_t really_outside = 0;                         // how many of those that it calls intersecting
 };
 
 /// Errors: as of corners_of. boxes: as of classify.

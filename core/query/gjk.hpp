@@ -24,13 +24,13 @@ namespace snug::query {
 inline constexpr std::array<std::string_view, 9> kGjkPseudocode{
     "simplex ← a vertex of a - a vertex of b", "repeat",
     "  v ← point of the simplex nearest to 0", "  keep the vertices that support v",
-    "  if |v| is only rounding: they overlap", "  w ← vertex of a - b least far along v",
+    "  if |v| is only rounding: they overlap", "  w ← vertex of a - b farthest along -v",
     "  if w · v / |v| = |v|: distance found",  "  add w to the simplex",
     "if v came no nearer: twice the digits",
 };
 
-/// The simplex's point nearest to the origin: distance is an upper bound of the cores' own. corners: in pairs, of the
-/// first and of the second volume.
+/// The point of the simplex nearest to the origin: its distance is an upper bound on the cores' distance. corners:
+/// pairs of vertices, one of the first and one of the second volume.
 struct NearestFound {
   static constexpr std::string_view kName = "nearest_found";
   std::vector<Index> corners;
@@ -39,7 +39,7 @@ struct NearestFound {
   static auto tie(auto& own) { return std::tie(own.corners, own.distance); }
 };
 
-/// The supporting corners of both against each other: gap is a lower bound of the distance of the cores.
+/// The supporting vertices of both cores: gap is a lower bound on the cores' distance.
 struct SupportFound {
   static constexpr std::string_view kName = "support_found";
   Index a = kNoIndex, b = kNoIndex;
@@ -48,7 +48,7 @@ struct SupportFound {
   static auto tie(auto& own) { return std::tie(own.a, own.b, own.gap); }
 };
 
-/// Rounding kept v from coming nearer before both bounds met.
+/// Rounding stopped v from coming nearer before both bounds met.
 struct DigitsDoubled {
   static constexpr std::string_view kName = "digits_doubled";
   double gap = 0, distance = 0;
@@ -71,20 +71,20 @@ struct GjkStep {
   Fact fact;
 };
 
-/// A point of a core that lies farthest in some direction, and which vertex it is; kNoIndex where it is none.
+/// The point of a core that is farthest in some direction, and the index of the vertex; kNoIndex if it is not a vertex.
 struct Supported {
   Vector<double, 3> at = Vector<double, 3>::Zero();
   Index vertex = kNoIndex;
 };
 
-/// A convex core by its support mapping, which is all that GJK knows of it: so smooth cores fit as well as polytopes.
-/// The core has to outlive it.
+/// A convex core, represented by its support mapping. GJK needs nothing else, so smooth cores work as well as
+/// polytopes. The core must outlive it.
 struct SupportMapping {
   const void* core = nullptr;
   /// direction: unit.
   Supported (*farthest)(const void* core, const Vector<double, 3>& direction) = nullptr;
-  Supported some;                 // any of its points, to begin with
-  std::int64_t dot_products = 1;  // that a call takes
+  Supported some;                 // any of its points, to start from
+  std::int64_t dot_products = 1;  // how many a call takes
 };
 
 /// That of the convex hull of corners, of which there is at least one.
@@ -100,17 +100,17 @@ class Gjk {
  public:
   using Point = Vector<double, 3>;
 
-  /// scene: what lengths are multiplied with to be in scene units.
+  /// scene: the factor that converts lengths to scene units.
   Gjk(const SupportMapping& a, const SupportMapping& b, double scene, Observer& observe)
       : a_(a), b_(b), scene_(scene), observe_(observe) {}
 
-  double least = -1;  // no two points of the cores are nearer
-  double most = 0;    // these two are that near
+  double least = -1;  // a lower bound on the cores' distance
+  double most = 0;    // an upper bound on it: the distance of the nearest points so far
   Point on_a = Point::Zero(), on_b = Point::Zero();
-  Point direction = Point::Zero();  // unit, from a to b: the one that proves least
-  int turns = 0;                    // simplices looked at
+  Point direction = Point::Zero();  // unit, from a to b: the direction that proves `least`
+  int turns = 0;                    // simplices tried
 
-  /// Until the bounds meet or, where that is enough, until both are on one side of a threshold.
+  /// Runs until the bounds meet or, if a threshold is given, until both are on the same side of it.
   void run(std::optional<double> threshold) {
     threshold_ = threshold;
     pairs_ = {Pair{a_.some, b_.some}};
@@ -154,8 +154,8 @@ class Gjk {
       if (before && !(nearest.square < *before)) return;
       before = nearest.square;
       keep(simplex, nearest);
-      // Four corners around the origin: v is 0 but for rounding, which is more than counts where they are a sliver.
-      // There is no room for a fifth. Held by "k-DOPs about to touch are told apart".
+      // Four vertices contain the origin: v is 0 except for rounding, which can exceed the tolerance if they form a
+      // sliver. There is no room for a fifth. Tested by "k-DOPs about to touch are told apart".
       if (decided() || size_ == 4) return;
       const Pair added = support();
       if (decided() || std::find(pairs_.begin(), pairs_.begin() + size_, added) != pairs_.begin() + size_) return;
@@ -189,11 +189,11 @@ class Gjk {
     if constexpr (kWatched<Observer>) observe_(GjkStep{3, nearest_found()});
   }
 
-  /// The corner of a - b that lies least far along v, and the bound that it proves.
+  /// Finds the vertex of a - b farthest along -v, and the bound that it proves.
   Pair support() {
     const Point n = v_ / most;
     const Pair pair{a_.farthest(a_.core, -n), b_.farthest(b_.core, n)};
-    const double gap = std::min(pair.a.at.dot(n) - pair.b.at.dot(n), most);  // no more, but for rounding
+    const double gap = std::min(pair.a.at.dot(n) - pair.b.at.dot(n), most);  // larger only by rounding
     if (gap > least) least = gap, direction = -n;
     observe_.count(Operation::kDotProducts, a_.dot_products + b_.dot_products);
     if constexpr (kWatched<Observer>) observe_(GjkStep{5, SupportFound{pair.a.vertex, pair.b.vertex, gap * scene_}});
@@ -219,17 +219,17 @@ class Gjk {
 extern template class Gjk<Ignore>;
 
 /// How far apart two volumes are. Both bounds agree within a few roundings of the volumes' extents about a common
-/// point, wherever that is and whatever their size; where facets are slivers, of less than 1e-8 of that, within some
-/// thousands.
+/// point, wherever that is and whatever their size; within some thousands of roundings, if facets are slivers thinner
+/// than 1e-8 of that extent.
 template <class Scalar, int Dim>
 struct Separation {
-  bool overlap = false;                                         // they are no more than kTouching apart
-  Scalar distance = 0;                                          // 0 where they overlap, scene units
-  Scalar gap = 0;                                               // a lower bound of it, proven by direction
-  Vector<Scalar, Dim> direction = Vector<Scalar, Dim>::Zero();  // unit, from a to b; zero where they overlap
-  Vector<Scalar, Dim> on_a = Vector<Scalar, Dim>::Zero();       // the nearest points, where apart
+  bool overlap = false;                                         // whether they are at most kTouching apart
+  Scalar distance = 0;                                          // 0 if they overlap, scene units
+  Scalar gap = 0;                                               // a lower bound on the distance, proven by direction
+  Vector<Scalar, Dim> direction = Vector<Scalar, Dim>::Zero();  // unit, from a to b; zero if they overlap
+  Vector<Scalar, Dim> on_a = Vector<Scalar, Dim>::Zero();       // the nearest points, if apart
   Vector<Scalar, Dim> on_b = Vector<Scalar, Dim>::Zero();
-  int turns = 0;  // simplices looked at
+  int turns = 0;  // simplices tried
 };
 
 /// A volume as GJK sees it, in space and relative to some origin: a convex core grown by a radius. The core is the hull
@@ -264,13 +264,13 @@ template <template <class, int> class Kind, class Scalar, int Dim>
   return core;
 }
 
-/// Divides both cores by a power of two, which is returned, so that coordinates and radii are at most 1.
+/// Divides both cores by a power of two, so that coordinates and radii are at most 1. Returns that power.
 double scale_to_unit(GrownCore& a, GrownCore& b);
 
 /// The core has to outlive it.
 [[nodiscard]] SupportMapping support_mapping(const GrownCore& core);
 
-/// The distance of two cores around an origin, in scene units. Nothing where one is empty.
+/// The distance between two cores around an origin, in scene units. None if one is empty.
 template <class Scalar, int Dim, class Observer>
 std::optional<Separation<Scalar, Dim>> separation_of(GrownCore a, GrownCore b, const Vector<Scalar, Dim>& origin,
                                                      bool only_whether, Observer& observe) {
@@ -288,7 +288,7 @@ std::optional<Separation<Scalar, Dim>> separation_of(GrownCore a, GrownCore b, c
     return Vector<Scalar, Dim>(moved.template cast<Scalar>());
   };
   result.distance = static_cast<Scalar>((run.most - radii) * unit);
-  result.gap = std::min(result.distance, static_cast<Scalar>((run.least - radii) * unit));  // no more, but for rounding
+  result.gap = std::min(result.distance, static_cast<Scalar>((run.least - radii) * unit));  // larger only by rounding
   result.direction = run.direction.template head<Dim>().template cast<Scalar>();
   result.on_a = in_scene(run.on_a + a.radius * run.direction);
   result.on_b = in_scene(run.on_b - b.radius * run.direction);
@@ -300,13 +300,13 @@ std::optional<Separation<Scalar, Dim>> separation_of(GrownCore a, GrownCore b, c
                                                                 bool, Ignore&);
 extern SNUG_GJK(float, 2) extern SNUG_GJK(float, 3) extern SNUG_GJK(double, 2) extern SNUG_GJK(double, 3)
 
-    /// The distance of two volumes. Nothing where one is empty. only_whether: the answer's overlap is wanted, and no
-    /// more.
+    /// The distance between two volumes. None if one is empty. only_whether: only the overlap is wanted, not the
+    /// distance.
     template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim,
               StepObserver<GjkStep> Observer = Ignore>
     [[nodiscard]] std::optional<Separation<Scalar, Dim>> gjk(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b,
                                                              bool only_whether = false, Observer&& observe = {}) {
-  const Vector<Scalar, Dim> origin = anchor(a) / 2 + anchor(b) / 2;  // the same whichever is first
+  const Vector<Scalar, Dim> origin = anchor(a) / 2 + anchor(b) / 2;  // the same for either order
   return separation_of<Scalar, Dim>(grown_core(a, origin), grown_core(b, origin), origin, only_whether, observe);
 }
 

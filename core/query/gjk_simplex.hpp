@@ -1,7 +1,7 @@
-// The point of a simplex that is nearest to the origin: a corner, on an edge, on a triangle, or in a tetrahedron.
-// Source: M. Montanari, N. Petrinic, E. Barbieri, "Improving the GJK algorithm for faster and more reliable distance
-// queries between convex objects", 2017: the signs of areas and volumes say which smaller simplex to look at, and the
-// smaller ones are asked only where a sign forbids the larger.
+// Finds the point of a simplex nearest to the origin: a vertex, or a point on an edge, on a triangle or in a
+// tetrahedron. Source: M. Montanari, N. Petrinic, E. Barbieri, "Improving the GJK algorithm for faster and more
+// reliable distance queries between convex objects", 2017: the signs of areas and volumes tell which smaller simplex to
+// try, and smaller ones are tried only if a sign rules out the larger.
 #pragma once
 
 #include <array>
@@ -27,11 +27,11 @@ template <class Real>
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Some corners of a simplex, and a point as their mean with weights.
+/// Some vertices of a simplex, and a point as their weighted mean.
 template <class Real>
 struct Nearest {
   int size = 0;
-  std::array<int, 4> corners{};   // the first size: places in the simplex
+  std::array<int, 4> corners{};   // the first `size` are indices into the simplex
   std::array<Real, 4> weights{};  // > 0, of sum 1
   Triple<Real> point;
   Real square{};  // its squared distance from the origin

@@ -40,7 +40,7 @@ struct SatLine {
   static constexpr int kExactly = Dim == 2 ? 5 : 8, kVerdict = kExactly + 1;
 };
 
-/// B as seen from A's frame, and the projections of both onto the axes of the lecture's table.
+/// B in A's frame, and the projections of both boxes onto the axes of the lecture's table.
 template <class Scalar, int Dim>
 class ObbFrames {
  public:
@@ -49,15 +49,15 @@ class ObbFrames {
     doubt_ = tolerance::kSatGap<Scalar> * size + std::numeric_limits<Scalar>::min();
   }
 
-  /// Calls visit(place, offset, radius_a, radius_b) for each axis in the table's order until one call returns true;
-  /// whether one did. offset: of the centres along the axis; all times the axis's length. Unrolled, so that every index
-  /// is a constant.
+  /// Calls visit(place, offset, radius_a, radius_b) for each axis in the table's order until one call returns true, and
+  /// returns whether one did. offset: between the centres along the axis; all values are times the axis's length. It is
+  /// unrolled, so that every index is a constant.
   template <class Visit>
   [[gnu::always_inline]] bool any_axis(Visit&& visit) {
     return any_axis(std::make_integer_sequence<int, kSatAxes<Dim>>{}, visit);
   }
 
-  /// Within what a gap is known, times the axis's length; a gap beyond it is one whatever was rounded.
+  /// The error bound of a gap, times the axis's length: a gap larger than this is certain.
   [[nodiscard]] Scalar doubt() const { return doubt_; }
 
   [[nodiscard]] FramesRelated<Scalar, Dim> related() {
@@ -71,7 +71,7 @@ class ObbFrames {
   }
   [[nodiscard]] bool parallel(int place) const { return length(place) <= tolerance::kParallelAxes<Scalar>; }
 
-  /// gap: times the axis's length.
+  /// gap: the gap times the axis's length.
   [[nodiscard]] SatAxis<Scalar, Dim> axis(int place, Scalar gap) const {
     const auto [kind, i, j] = axis_at<Dim>(place);
     if (parallel(place)) return {kind, i, j};
@@ -83,13 +83,13 @@ class ObbFrames {
     return {kind, i, j, direction, gap / length};
   }
 
-  /// The corners that reach farthest in a direction, one bit each.
+  /// The vertices that reach farthest in a direction, one bit each.
   [[nodiscard]] int corners_of_a(const Vector<Scalar, Dim>& way) const { return corners_towards(a_, way); }
   [[nodiscard]] int corners_of_b(const Vector<Scalar, Dim>& way) const { return corners_towards(b_, way); }
 
-  /// Whether one of the axes that are in doubt separates the boxes, and which. The others were found not to, by more
-  /// than the axes of parallel edges could change. So those alone are no matter; but beside others in doubt they are
-  /// looked at, for they may be parallel within rounding only.
+  /// Decides exactly whether one of the axes in doubt separates the boxes, and which. The other axes certainly do not.
+  /// If only axes of parallel edges are in doubt, they cannot separate the boxes; but beside others in doubt they are
+  /// tested, for their edges may be parallel only within rounding.
   [[nodiscard]] std::optional<SatAxis<Scalar, Dim>> settle(AxisSet in_doubt) const {
     for (int place = 0; place < kSatAxes<Dim>; ++place)
       if ((in_doubt >> place & 1) != 0 && !parallel(place)) return separating_exactly(a_, b_, in_doubt);
@@ -99,7 +99,7 @@ class ObbFrames {
  private:
   using Direction = Vector<Scalar, Dim>;
 
-  /// Where an edge or a face reaches farthest within rounding, all of its corners.
+  /// The vertices that reach farthest in a direction: if an edge or a face does within rounding, all of its vertices.
   [[nodiscard]] int corners_towards(const Obb<Scalar, Dim>& box, const Direction& way) const {
     int corners = 0;
     for (int bits = 0; bits < 1 << Dim; ++bits) {
@@ -137,7 +137,7 @@ class ObbFrames {
     }
   }
 
-  /// Row i of R and t: how B lies along A's axis i. As it is needed, for many boxes are apart along the first.
+  /// Computes row i of R and t: B along A's axis i. Only when needed, for many boxes are apart along the first axis.
   void relate(int i) {
     rotation_.row(i) = b_.axes.transpose().lazyProduct(a_.axes.col(i));
     translation_[i] = a_.axes.col(i).dot(offset_);
@@ -145,7 +145,7 @@ class ObbFrames {
 
   [[nodiscard]] Direction cross(int place) const {
     if constexpr (Dim == 2) {
-      return Direction::Zero();  // there is none
+      return Direction::Zero();  // there is no such axis
     } else {
       const auto [kind, i, j] = axis_at<Dim>(place);
       const auto u = a_.axes.col(i), v = b_.axes.col(j);
@@ -161,10 +161,10 @@ class ObbFrames {
   Direction translation_;
 };
 
-/// Whether the test ends at the first axis that separates, or goes on to find the axis of the widest gap.
+/// Whether the test ends at the first axis that separates, or tests all axes to find the widest gap.
 enum class SatExtent : std::uint8_t { kFirst, kAll };
 
-/// One test, watched. An axis counts as separating, or as not, only where no rounding can change that.
+/// One test with an observer. An axis counts as separating, or as not separating, only if no rounding can change that.
 template <class Scalar, int Dim, class Observer>
 class ObbSat {
  public:
@@ -187,7 +187,7 @@ class ObbSat {
   using Step = SatStep<Scalar, Dim>;
   using Line = SatLine<Dim>;
 
-  /// Whether the test ends here.
+  /// Judges one axis. Returns whether the test ends here.
   bool judge(int place, Scalar distance, Scalar radius_a, Scalar radius_b) {
     const Scalar gap = distance - (radius_a + radius_b);
     ++result_.tests;
@@ -203,7 +203,7 @@ class ObbSat {
     return extent_ == SatExtent::kFirst;
   }
 
-  /// The line that said so.
+  /// The line of the pseudocode that the verdict belongs to.
   [[nodiscard]] int line_of_verdict() const {
     if (result_.overlap) return Line::kVerdict;
     if (!apart_) return Line::kExactly;
@@ -212,7 +212,7 @@ class ObbSat {
                                                    : Line::kEdges;
   }
 
-  /// Axes are compared by the gap that is certain, which is little for nearly parallel edges.
+  /// Keeps the axis if its gap is the widest, compared by the part that is certain, small for nearly parallel edges.
   void keep_if_widest(int place, Scalar gap) {
     if (frames_.parallel(place)) return;
     const Scalar certain = (gap - frames_.doubt()) / frames_.length(place);
@@ -257,19 +257,19 @@ class ObbSat {
   SatResult<Scalar, Dim> result_;
 };
 
-/// Whether two oriented boxes share a point; touching boxes do. The verdict is exact on the numbers as they are, a box
-/// being all center + sum s_i h_i u_i with |s_i| <= 1, flat boxes, segments and points too: the lecture's test decides
-/// where its own error bound allows, exact arithmetic the rest.
+/// Whether two oriented boxes share a point; touching boxes do. The verdict is exact on the numbers as they are, where
+/// a box is the set of all center + sum s_i h_i u_i with |s_i| <= 1; that includes flat boxes, segments and points. The
+/// lecture's test decides as far as its error bound allows, and exact arithmetic decides the rest.
 /// a, b: axes unit and perpendicular within tolerance::kObbAxes; coordinates finite, and small enough that their sums
-/// are. extent: kFirst ends at the first axis that separates, and overlapping boxes get no axis. kAll goes through all
-/// of them: boxes that are apart get the axis of the widest gap, overlapping ones that of the least penetration.
+/// are. extent: kFirst ends at the first axis that separates, and overlapping boxes get no axis. kAll tests all: boxes
+/// that are apart get the axis of the widest gap, overlapping ones that of the least penetration.
 template <class Scalar, int Dim, StepObserver<SatStep<Scalar, Dim>> Observer = Ignore>
 SatResult<Scalar, Dim> obb_sat(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
                                SatExtent extent = SatExtent::kFirst, Observer&& observe = {}) {
   return ObbSat<Scalar, Dim, std::remove_reference_t<Observer>>(a, b, extent, observe).run();
 }
 
-/// The same verdict, where nothing else is asked.
+/// The same verdict, if nothing else is needed.
 template <class Scalar, int Dim>
 [[nodiscard]] bool obbs_overlap(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) {
   ObbFrames<Scalar, Dim> frames(a, b);
@@ -286,7 +286,7 @@ template <class Scalar, int Dim>
   return !apart && (in_doubt == 0 || !ObbFrames<Scalar, Dim>(a, b).settle(in_doubt));
 }
 
-// Compiled once, in obb_sat.cpp: with nobody watching, and with every step kept.
+// Compiled once, in obb_sat.cpp: without an observer, and with every step kept.
 template <class Scalar, int Dim>
 using SatRecorder = Recorder<SatStep<Scalar, Dim>>;
 #define SNUG_OBB_SAT(EXTERN, Scalar, Dim)                                                                              \

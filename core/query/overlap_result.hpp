@@ -1,4 +1,4 @@
-// What an overlap test gives back.
+// What an overlap test returns.
 #pragma once
 
 #include <optional>
@@ -16,16 +16,16 @@ struct SeparatingAxis {
   Scalar gap = 0;                 // between their projections onto it, > 0, scene units
 };
 
-/// Touching volumes overlap.
+/// The result of an overlap test. Touching volumes overlap.
 template <class Scalar, int Dim>
 struct OverlapResult {
   bool overlap = false;
-  std::optional<Scalar> distance;  // 0 where they overlap; none where the test does not find it (see kPairTests)
-  std::optional<SeparatingAxis<Scalar, Dim>> separating_axis;  // none where they overlap, or where one is empty
+  std::optional<Scalar> distance;  // 0 if they overlap; none if the test does not find it (see kPairTests)
+  std::optional<SeparatingAxis<Scalar, Dim>> separating_axis;  // none if they overlap, or if one is empty
   int tests = 0;  // axes tried, pairs of features compared, simplices of GJK
 };
 
-/// The same answer, the other volume named first.
+/// The same answer with the volumes in the other order.
 template <class Scalar, int Dim>
 [[nodiscard]] OverlapResult<Scalar, Dim> flipped(OverlapResult<Scalar, Dim> result) {
   if (!result.separating_axis) return result;

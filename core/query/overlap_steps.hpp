@@ -1,5 +1,5 @@
-// The steps of the tests of pairs that compare intervals or distances; those of oriented boxes and of GJK have their
-// own.
+// The steps of the pair tests that compare intervals or distances; the tests of oriented boxes and GJK have their own
+// steps.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ inline constexpr std::array<std::string_view, 3> kDistancePseudocode{
     "apart if d > the sum of the radii",
 };
 
-/// Both volumes' intervals along one axis. direction: unit, from low to high; all in scene units along it.
+/// Both volumes' intervals along one axis. direction: unit, from low to high; all values are in scene units along it.
 struct SlabTested {
   static constexpr std::string_view kName = "slab_tested";
   Vector<double, 3> direction = Vector<double, 3>::Zero();
@@ -37,8 +37,8 @@ struct SlabTested {
   }
 };
 
-/// The nearest points of two cores (a centre, a segment, a rectangle, a box), within rounding, and their distance
-/// against the radii around both; scene units.
+/// The nearest points of two cores (a centre, a segment, a rectangle, a box), within rounding; their distance, and the
+/// sum of the radii around both, in scene units.
 struct CoresCompared {
   static constexpr std::string_view kName = "cores_compared";
   Vector<double, 3> on_a = Vector<double, 3>::Zero(), on_b = Vector<double, 3>::Zero();
@@ -55,7 +55,7 @@ struct OverlapStep {
   Fact fact;
 };
 
-/// A vector of the plane with z = 0.
+/// A planar vector with z = 0.
 template <class Scalar, int Dim>
 [[nodiscard]] Vector<double, 3> in_space(const Vector<Scalar, Dim>& v) {
   Vector<double, 3> lifted = Vector<double, 3>::Zero();

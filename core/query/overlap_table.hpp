@@ -1,4 +1,4 @@
-// Which test decides each pair of volumes. query/overlaps.hpp dispatches by this table, so that it says what is done.
+// Which test decides each pair of volumes. query/overlaps.hpp dispatches by this table.
 // A kind of volume that is not named here is tested by GJK.
 #pragma once
 
@@ -12,11 +12,11 @@ namespace snug::query {
 
 /// Ways to test a pair.
 enum class PairTest : std::uint8_t {
-  kSpheres,         // the distance of the centres, decided exactly
-  kSphereBox,       // the distance of the centre from the box; of an AABB decided exactly
-  kSweptSpheres,    // the distance of points, segments and rectangles
+  kSpheres,         // the distance between the centres, decided exactly
+  kSphereBox,       // the distance of the centre from the box; exact for an AABB
+  kSweptSpheres,    // the distance between points, segments and rectangles
   kSlabs,           // intervals along the coordinate axes, decided exactly
-  kSlabsThenGjk,    // intervals along the axes that both share; where all overlap, GJK
+  kSlabsThenGjk,    // intervals along the axes that both share; if all overlap, GJK
   kSeparatingAxes,  // the fifteen axes of two boxes (in 2-D four)
   kGjk,             // the test of every pair that has none of its own
 };

@@ -1,4 +1,4 @@
-// Whether two volumes overlap, for every pair of them. Touching volumes do.
+// Whether two volumes overlap, for every pair of kinds. Touching volumes do.
 // query/overlap_table.hpp says which test decides which pair.
 #pragma once
 
@@ -33,7 +33,7 @@ template <class A, class B, class Observer>
   return result_of(gjk(a, b, false, observe));
 }
 
-/// Slabs that did not separate, and GJK after them, which has the last word. No distance: slabs that separate find
+/// The result of GJK after slabs that did not separate. It has no distance, because slabs that separate find
 /// none.
 template <class Scalar, int Dim>
 [[nodiscard]] OverlapResult<Scalar, Dim> after_slabs(const OverlapResult<Scalar, Dim>& slabs,
@@ -43,14 +43,14 @@ template <class Scalar, int Dim>
   return settled;
 }
 
-/// The slabs that both share, and GJK where those do not separate.
+/// Tests the slabs that both share, then GJK if those do not separate.
 template <class A, class B, class Observer>
 [[nodiscard]] auto test_slabs_then_gjk(const A& a, const B& b, Observer& observe) {
   const auto result = test_slabs(a, b, observe);
   return result.overlap ? after_slabs(result, test_gjk(a, b, observe)) : result;
 }
 
-/// In the order of the table's rows and columns.
+/// Tests a and b, which are in the order of the table's rows and columns.
 template <class A, class B, class Observer = Ignore>
 [[nodiscard]] auto test_in_order(const A& a, const B& b, Observer&& observe = {}) {
   constexpr PairTest kTest = kPairTest<A, B>;
@@ -63,7 +63,7 @@ template <class A, class B, class Observer = Ignore>
   else return test_gjk(a, b, observe);
 }
 
-/// The same verdict and nothing else, where that is cheaper.
+/// Only the verdict, which is cheaper for some pairs.
 template <class A, class B>
 [[nodiscard]] bool overlap_in_order(const A& a, const B& b) {
   constexpr PairTest kTest = kPairTest<A, B>;
@@ -77,8 +77,8 @@ template <class A, class B>
   }
 }
 
-/// Whether the test takes b first: later kinds after earlier ones, and of one kind by a number of theirs, so that a
-/// pair has the same answer whichever way it is given. (Two of a kind with the same anchor overlap whichever is first.)
+/// Whether the test takes b first. Kinds are ordered as in the table, and volumes of one kind by their anchors, so that
+/// a pair has the same answer in either order. (Two of a kind with the same anchor overlap in either order.)
 template <class A, class B>
 [[nodiscard]] bool turned(const A& a, const B& b) {
   if constexpr (!std::is_same_v<A, B>) return VolumeKind<A>::kIndex > VolumeKind<B>::kIndex;
@@ -87,12 +87,12 @@ template <class A, class B>
   return std::lexicographical_compare(q.data(), q.data() + q.size(), p.data(), p.data() + p.size());
 }
 
-/// Whether they overlap, how far they are apart and along which axis, as far as the pair's test finds it. Errs by no
-/// more than kTouching of both volumes' extents about a common point, wherever that is: within them, they count as
+/// Whether they overlap, how far they are apart and along which axis, as far as the pair's test finds it. The error is
+/// at most kTouching of both volumes' extents about a common point, wherever that is: closer volumes count as
 /// touching. All numbers finite, coordinates at most PointSet's kLargest. The volumes are as their headers say: axes
-/// unit and perpendicular within rounding, radii and extents not negative, each min at most its max. The observer is
-/// told OverlapStep, SatStep or GjkStep, by the pair's test; they speak of b as the first volume where the pair is
-/// turned.
+/// unit and perpendicular within rounding, radii and extents not negative, each min at most its max. The observer
+/// receives OverlapStep, SatStep or GjkStep, depending on the pair's test; if the pair is swapped, b is their first
+/// volume.
 template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim, class Observer = Ignore>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_overlap(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b,
                                                       Observer&& observe = {}) {
@@ -102,7 +102,7 @@ template <template <class, int> class A, template <class, int> class B, class Sc
   else return turned(a, b) ? flipped(test_in_order(b, a, observe)) : test_in_order(a, b, observe);
 }
 
-/// Its verdict alone, which for some pairs is cheaper.
+/// Only the verdict, which is cheaper for some pairs.
 template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim>
 [[nodiscard]] bool overlaps(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) {
   constexpr bool kLater = VolumeKind<A<Scalar, Dim>>::kIndex > VolumeKind<B<Scalar, Dim>>::kIndex;

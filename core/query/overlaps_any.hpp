@@ -8,7 +8,7 @@ namespace snug::query {
 
 namespace any_pair {
 
-/// Calls with the volume, which is of one of these kinds.
+/// Calls a function with the volume, which is of one of these kinds.
 template <template <class, int> class... Kinds, class Scalar, int Dim, class Call>
 auto among(const Volume<Scalar, Dim>& volume, Call call) {
   OverlapResult<Scalar, Dim> result;
@@ -41,12 +41,12 @@ template <class Scalar, int Dim, class Observer>
   return among<Aabb, Kdop>(a, [&](const auto& x) {
     return among<Aabb, Kdop>(b, [&]<class Second>(const Second& y) -> OverlapResult<Scalar, Dim> {
       if constexpr (requires { test_slabs(x, y, observe); }) return test_slabs(x, y, observe);
-      else return {};  // a k-DOP before an AABB: never, the pair is in order
+      else return {};  // a k-DOP before an AABB: cannot happen, the pair is in order
     });
   });
 }
 
-/// In the order of the table's rows and columns.
+/// Tests a and b, which are in the order of the table's rows and columns.
 template <class Scalar, int Dim, class Observer>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_any_in_order(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b,
                                                            Observer& observe) {
@@ -62,7 +62,7 @@ template <class Scalar, int Dim, class Observer>
         return among<Capsule, Lozenge>(b, [&](const auto& y) -> Result {
           if constexpr (kCoreDim<std::decay_t<decltype(x)>> <= kCoreDim<std::decay_t<decltype(y)>>)
             return swept_pair(x, y).result(swept_core(x).corner, observe);
-          else return {};  // never, the pair is in order
+          else return {};  // cannot happen, the pair is in order
         });
       });
     case PairTest::kSlabs: return by_slabs(a, b, observe);
@@ -80,7 +80,7 @@ template <class Scalar, int Dim, class Observer>
 
 }  // namespace any_pair
 
-/// As turned has it of two volumes of known kinds.
+/// The same as `turned` for two volumes of known kinds.
 template <class Scalar, int Dim>
 [[nodiscard]] bool turned(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
   if (a.index() != b.index()) return a.index() > b.index();
@@ -88,7 +88,7 @@ template <class Scalar, int Dim>
   return std::lexicographical_compare(q.data(), q.data() + q.size(), p.data(), p.data() + p.size());
 }
 
-/// As test_overlap; the observer is told the same.
+/// The same as test_overlap; the observer receives the same steps.
 template <class Scalar, int Dim, class Observer>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_any_overlap(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b,
                                                           Observer& observe) {

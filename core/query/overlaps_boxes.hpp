@@ -1,4 +1,4 @@
-// Oriented boxes against each other and against axis-aligned ones, by the separating-axis test.
+// Tests oriented boxes against each other and against axis-aligned ones, by separating axes.
 #pragma once
 
 #include "geometry/aabb_forms.hpp"
@@ -14,7 +14,7 @@ template <class Scalar, int Dim>
   return {form.center, Matrix<Scalar, Dim>::Identity(), form.half_extents};
 }
 
-/// Exact; the axis is the first that separates.
+/// An exact test; the axis is the first that separates.
 template <class Scalar, int Dim, StepObserver<SatStep<Scalar, Dim>> Observer = Ignore>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_boxes(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
                                                     Observer&& observe = {}) {
@@ -26,7 +26,7 @@ template <class Scalar, int Dim, StepObserver<SatStep<Scalar, Dim>> Observer = I
   return result;
 }
 
-/// Exact but for the rounding of the axis-aligned box's centre and extents.
+/// A test that is exact except for the rounding of the axis-aligned box's centre and extents.
 template <class Scalar, int Dim, StepObserver<SatStep<Scalar, Dim>> Observer = Ignore>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_boxes(const Aabb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
                                                     Observer&& observe = {}) {

@@ -1,4 +1,4 @@
-// Boxes and k-DOPs by their intervals along the axes that they share.
+// Tests boxes and k-DOPs by their intervals along the axes that they share.
 // Source: J. Klosowski, M. Held, J. Mitchell, H. Sowizral, K. Zikan, "Efficient collision detection using bounding
 // volume hierarchies of k-DOPs", 1998.
 #pragma once
@@ -14,8 +14,8 @@
 
 namespace snug::query {
 
-/// The extent of a volume along one of the k-DOP axes (whose entries are -1, 0 and 1), with twice the digits: of an
-/// AABB or a slab of the k-DOP itself that is exact.
+/// The extent of a volume along one of the k-DOP axes (whose entries are -1, 0 and 1), with twice the digits: exact for
+/// an AABB, and for a slab of the k-DOP itself.
 struct Interval {
   DoubleDouble min, max;
 };
@@ -81,8 +81,8 @@ template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
   return result;
 }
 
-/// All slabs of the k-DOP. No more than a first test where k is larger than a box's: an edge of one may pass an edge of
-/// the other, apart along none of these axes.
+/// Tests all slabs of the k-DOP. If k is larger than a box's, this is only a first test: the volumes may be apart along
+/// none of these axes, where an edge of one passes an edge of the other.
 template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Aabb<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b,
                                                     Observer&& observe = {}) {

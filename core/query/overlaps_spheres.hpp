@@ -1,4 +1,4 @@
-// A sphere against a sphere, an axis-aligned and an oriented box: by the distance of the centre.
+// Tests a sphere against a sphere, an axis-aligned or an oriented box, by the distance of its centre.
 // Source: J. Arvo, "A simple method for box-sphere intersection testing", Graphics Gems, 1990; C. Ericson, Real-Time
 // Collision Detection, 2005, 4.3.1 and 5.2.5.
 #pragma once
@@ -24,8 +24,8 @@ template <class Scalar, int Dim>
   return apart_exactly(p.data(), static_cast<double>(radius_a), q.data(), static_cast<double>(radius_b), Dim);
 }
 
-/// The result of comparing the distance of two points, one of each volume's core, with the radii around them. Where
-/// exact arithmetic alone sees the gap, it is the least that the scalar can say. between: from on_a to the other point.
+/// Compares the distance between two points, one on each volume's core, with the radii around them. A gap that only
+/// exact arithmetic sees is the least positive value of the scalar. between: from on_a to the other point.
 template <class Scalar, int Dim, class Observer>
 [[nodiscard]] OverlapResult<Scalar, Dim> by_distance(bool apart, std::string_view kind, const Vector<Scalar, Dim>& on_a,
                                                      const Vector<Scalar, Dim>& between, Scalar radii,
@@ -53,7 +53,7 @@ template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
   return by_distance<Scalar, Dim>(apart, "centers", a.center, b.center - a.center, a.radius + b.radius, observe);
 }
 
-/// Exact: the point of the box nearest to the centre has coordinates of either.
+/// Exact, because each coordinate of the box's point nearest to the centre is one of the box's or the centre's.
 template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_sphere_box(const Sphere<Scalar, Dim>& sphere,
                                                          const Aabb<Scalar, Dim>& box, Observer&& observe = {}) {
@@ -63,7 +63,7 @@ template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
                                   observe);
 }
 
-/// The sphere's centre in the box's frame, within rounding of the box's and the sphere's extents about each other.
+/// Tests the sphere's centre in the box's frame, within the rounding of both extents about a common point.
 template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_sphere_box(const Sphere<Scalar, Dim>& sphere, const Obb<Scalar, Dim>& box,
                                                          Observer&& observe = {}) {

@@ -1,4 +1,4 @@
-// Spheres, capsules and lozenges against each other: the distance of their cores against the sum of the radii.
+// Tests spheres, capsules and lozenges against each other: the cores' distance against the sum of the radii.
 // Source: C. Ericson, Real-Time Collision Detection, 2005, 4.5; E. Larsen, S. Gottschalk, M. Lin, D. Manocha, "Fast
 // proximity queries with swept sphere volumes", 1999.
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace snug::query {
 
-/// A swept sphere's core as a corner with two edges, zero where it has none.
+/// A sphere-swept volume's core as a vertex with two edges, which are zero if it has none.
 template <class Scalar, int Dim>
 struct SweptCore {
   using Edges = std::array<Vector<Scalar, Dim>, 2>;
@@ -37,7 +37,7 @@ template <class Scalar, int Dim>
   return {lozenge.origin, lozenge.edges};
 }
 
-/// How many of a core's edges there are.
+/// How many edges a core has.
 template <class Swept>
 inline constexpr int kCoreDim = 0;
 template <class Scalar, int Dim>
@@ -45,7 +45,7 @@ inline constexpr int kCoreDim<Capsule<Scalar, Dim>> = 1;
 template <class Scalar, int Dim>
 inline constexpr int kCoreDim<Lozenge<Scalar, Dim>> = 2;
 
-/// Both cores in space, the first at its own corner, scaled by a power of two so that nothing is larger than 1.
+/// Both cores in space, relative to the first one's vertex, scaled by a power of two so that nothing is larger than 1.
 template <class A, class B, class Scalar, int Dim>
 class SweptPair {
  public:
@@ -71,13 +71,13 @@ class SweptPair {
     const Rectangle<Scalar> a = rectangle_a();
     const Rectangle<Scalar> b = rectangle_b();
     RectanglePair<Scalar> pair(a, b);
-    // Beyond this, no rounding lets the distance itself be touching.
+    // A computed distance above this is certainly not touching.
     const Scalar surely = touching() + kTouching;
     if (pair.least_square() > surely * surely) return true;
     return apart(pair.closest(touching() * touching()));
   }
 
-  /// origin: the first core's corner, for those who watch.
+  /// origin: the first core's vertex, for observers.
   template <class Observer>
   [[nodiscard]] OverlapResult<Scalar, Dim> result(const Vector<Scalar, Dim>& origin, Observer& observe) const {
     const ClosestPoints<Scalar> points = closest();
@@ -101,12 +101,12 @@ class SweptPair {
     return result;
   }
 
-  /// Most pairs are known without a rectangle's axes: by the spheres around both cores, by how near two places come
-  /// that each lie nearest to the other in turn, or by the plane across the way between them. Nothing where that does
-  /// not tell by more than any distance may be off.
+  /// Decides most pairs without a rectangle's axes: by the spheres around both cores, by two points that are each
+  /// projected onto the other core in turn, or by the plane perpendicular to the line between them. None if that leaves
+  /// the answer within the error bound.
   [[nodiscard]] std::optional<bool> at_a_glance() const {
     const Space middle =
-        between_ + ((b_edges_[0] + b_edges_[1]) - (a_edges_[0] + a_edges_[1])) / 2;  // of b's core, from a's
+        between_ + ((b_edges_[0] + b_edges_[1]) - (a_edges_[0] + a_edges_[1])) / 2;  // b's core from a's
     const Scalar beyond = touching() + 2 * kTouching;
     const Scalar reach = diagonal(a_edges_) / 2 + diagonal(b_edges_) / 2 + beyond;
     if (middle.squaredNorm() > reach * reach) return true;
@@ -125,25 +125,25 @@ class SweptPair {
     return std::nullopt;
   }
 
-  /// What a projection onto each edge is multiplied with to be a part of the edge; 0 where it is no more than a point.
+  /// The factors that turn a projection onto each edge into a fraction of the edge; 0 if the edge counts as a point.
   [[nodiscard]] static std::array<Scalar, 2> shares(const std::array<Space, 2>& edges) {
     const std::array squares{edges[0].squaredNorm(), edges[1].squaredNorm()};
     return {vanishes(squares[0]) ? 0 : 1 / squares[0], vanishes(squares[1]) ? 0 : 1 / squares[1]};
   }
 
-  /// The place of a core around the origin that lies nearest to p, but for edges that are not quite perpendicular.
+  /// The point of a core around the origin nearest to p, up to edges that are not exactly perpendicular.
   [[nodiscard]] static Space nearest(const Space& p, const std::array<Space, 2>& edges,
                                      const std::array<Scalar, 2>& shares) {
     const auto part = [&](std::size_t i) { return std::clamp(p.dot(edges[i]) * shares[i], Scalar(-0.5), Scalar(0.5)); };
     return part(0) * edges[0] + part(1) * edges[1];
   }
 
-  /// How much of a direction a core covers, times the direction's length.
+  /// The extent of a core along a direction, times the direction's length.
   [[nodiscard]] static Scalar span(const std::array<Space, 2>& edges, const Space& way) {
     return std::abs(edges[0].dot(way)) + std::abs(edges[1].dot(way));
   }
 
-  /// The longer one's length.
+  /// The length of the longer diagonal.
   [[nodiscard]] static Scalar diagonal(const std::array<Space, 2>& edges) {
     return std::sqrt(edges[0].squaredNorm() + edges[1].squaredNorm() + 2 * std::abs(edges[0].dot(edges[1])));
   }

@@ -75,7 +75,7 @@ template <class Scalar, int Dim>
   return tolerance::kPlaneReach<Scalar> * (sizes * size + std::abs(plane.d)) + std::numeric_limits<Scalar>::min();
 }
 
-/// The sign of value - radius |normal|, where square is that product's square.
+/// The sign of value - radius |normal|. square: (radius |normal|)^2.
 [[nodiscard]] inline int sign_less_radius(const Dyadic& value, const Dyadic& square) {
   if (value.sign() > 0) return (value * value - square).sign();
   return square.sign() > 0 ? -1 : value.sign();

@@ -1,4 +1,4 @@
-// Pairs of boxes from a seed, until one is found that has a property.
+// Generates pairs of boxes from a seed until one has a wanted property.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace snug::query {
 
-/// A box of about unit size around the origin, turned at random.
+/// A box of about unit size around the origin, in a random orientation.
 template <class Scalar, int Dim>
 [[nodiscard]] Obb<Scalar, Dim> random_box(Random& random) {
   Quaternion turn{random.between(-1, 1), 0, 0, random.between(-1, 1)};
@@ -26,7 +26,7 @@ template <class Scalar, int Dim>
   return box;
 }
 
-/// The first pair with wanted(a, b, whether they overlap); none in that many tries.
+/// The first pair with wanted(a, b, whether they overlap); none if no pair has it in that many tries.
 template <class Scalar, int Dim, class Wanted>
 [[nodiscard]] std::optional<CounterExample<Scalar, Dim>> find_boxes(std::uint64_t seed, int tries, Wanted wanted) {
   Random random(seed);

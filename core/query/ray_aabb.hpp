@@ -13,10 +13,10 @@
 
 namespace snug::query {
 
-/// The t at which the ray is first in the box, 0 where it begins there, within kRaySlab of t; none where it misses. It
-/// never misses a box that the ray touches, and takes for a hit what passes it by no more than kRaySlab of t. Of two
-/// boxes, one in the other, whatever hits the inner one hits the outer, and no later: rounding never changes an order.
-/// Coordinates finite, their differences too; t may be infinite where it is more than any Scalar.
+/// The t at which the ray enters the box, within kRaySlab of t; 0 if it begins inside, none if it misses. It never
+/// misses a box that the ray touches, and may report a hit on a box that the ray passes within kRaySlab of t. If one
+/// box contains another, a ray that hits the inner one hits the outer one, and no later, because rounding never changes
+/// an order. Coordinates and their differences must be finite; t is infinite if it overflows.
 template <class Scalar, int Dim>
 [[nodiscard]] std::optional<Scalar> ray_enters(const Aabb<Scalar, Dim>& box, const Ray<Scalar, Dim>& ray) {
   Scalar enter = 0, leave = std::numeric_limits<Scalar>::infinity();
@@ -29,7 +29,7 @@ template <class Scalar, int Dim>
     const Scalar near = ((d > 0 ? box.min[i] : box.max[i]) - o) / d, far = ((d > 0 ? box.max[i] : box.min[i]) - o) / d;
     enter = std::max(enter, near), leave = std::min(leave, far);
   }
-  // A box behind the ray stays behind, for a difference has its sign whatever is rounded.
+  // A box behind the ray stays behind, because rounding does not change the sign of a difference.
   if (leave < 0) return std::nullopt;
   const Scalar open = leave + (tolerance::kRaySlab<Scalar> * leave + 4 * std::numeric_limits<Scalar>::denorm_min());
   if (enter > open) return std::nullopt;

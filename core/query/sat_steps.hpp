@@ -34,12 +34,12 @@ struct SatAxis {
 template <class Scalar, int Dim>
 struct SatResult {
   bool overlap = false;
-  int tests = 0;              // axes looked at, those that parallel edges leave out included
-  SatAxis<Scalar, Dim> axis;  // apart: one that separates. Overlapping: the one of least penetration, or kNone
+  int tests = 0;              // axes tested, including those that parallel edges leave out
+  SatAxis<Scalar, Dim> axis;  // if apart, one that separates; if overlapping, that of least penetration, or kNone
 };
 
-/// B as it is seen from A's frame: its axes as columns, its centre, and within what the gaps are known for all
-/// rounding, scene units.
+/// B in A's frame: its axes as columns, its centre, and the error bound of the gaps, scene
+/// units.
 template <class Scalar, int Dim>
 struct FramesRelated {
   static constexpr std::string_view kName = "frames_related";
@@ -50,20 +50,20 @@ struct FramesRelated {
   static auto tie(auto& own) { return std::tie(own.rotation, own.translation, own.doubt); }
 };
 
-/// Both boxes were projected onto an axis. All in scene units along the unit direction; the lecture's table has them
-/// times length, the sine of the angle between the edges (1 for a face). gap = distance - radius_a - radius_b.
+/// Both boxes were projected onto an axis. Values are in scene units along the unit direction; the lecture's table has
+/// them times length, the sine of the angle between the edges (1 for a face). gap = distance - radius_a - radius_b.
 template <class Scalar, int Dim>
 struct AxisTested {
   static constexpr std::string_view kName = "axis_tested";
-  SatAxis<Scalar, Dim> axis;  // its direction is zero where skipped
+  SatAxis<Scalar, Dim> axis;  // its direction is zero if skipped
   Scalar length = 0;
   Scalar distance = 0;  // between the projected centres
   Scalar radius_a = 0;
   Scalar radius_b = 0;
-  Scalar doubt = 0;        // the gap is known within it
+  Scalar doubt = 0;        // the error bound of the gap
   bool separates = false;  // gap > doubt
   bool skipped = false;    // the edges are parallel: there is no such axis, and none is needed
-  /// The corners that face each other along the axis: bit c for the corner with the bits c, 1 for +x, 2 for +y, 4 for
+  /// The vertices that face each other along the axis: bit c for the vertex with the bits c, 1 for +x, 2 for +y, 4 for
   /// +z.
   int near_a = 0;
   int near_b = 0;
@@ -77,7 +77,7 @@ struct AxisTested {
   }
 };
 
-/// Rounding hid whether some axes separate, so that they were looked at again with all digits.
+/// Rounding hid whether some axes separate, so they were tested again in exact arithmetic.
 struct LookedCloser {
   static constexpr std::string_view kName = "looked_closer";
   int axes = 0;  // how many

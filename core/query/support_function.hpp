@@ -45,7 +45,7 @@ template <class Kind>
   else return typename VolumeKind<Kind>::Scalar(0);
 }
 
-/// The corner farthest along a direction; the first of several. corners: at least one.
+/// The vertex farthest along a direction; the first of several. corners: at least one.
 template <int Dim>
 [[nodiscard]] std::size_t farthest_corner(const Corners<Dim>& corners, const Vector<double, Dim>& direction) {
   std::size_t farthest = 0;
@@ -70,8 +70,8 @@ template <template <class, int> class Kind, class Scalar, int Dim>
   }
 }
 
-/// A point of the volume farthest along a direction, within rounding. direction: any but zero, need not be unit. The
-/// volume must not be empty.
+/// A point of the volume farthest along a direction, within rounding. direction: not zero, need not be unit. The volume
+/// must not be empty.
 template <template <class, int> class Kind, class Scalar, int Dim>
 [[nodiscard]] Vector<Scalar, Dim> support(const Kind<Scalar, Dim>& volume,
                                           const std::type_identity_t<Vector<Scalar, Dim>>& direction) {

@@ -1,4 +1,4 @@
-// Which point of a volume is farthest along a plane's normal, and which against it: for those who watch.
+// Which point of a volume is farthest along a plane's normal, and which against it, for observers.
 #pragma once
 
 #include "query/classify_steps.hpp"
@@ -6,12 +6,12 @@
 
 namespace snug::query {
 
-/// The part of a step that says where the p- and n-vertex are: normal, signs, vertices and points. For a sphere and any
-/// other volume that is no box, the points farthest along the normal and against it.
+/// Fills in the part of a step about the p- and n-vertex: normal, signs, vertices and points. For any volume that is
+/// not a box, fills in the points farthest along the normal and against it.
 template <class Scalar, int Dim, class Shape>
 [[nodiscard]] PlaneTested<Scalar, Dim> vertices_along(const Plane<Scalar, Dim>& plane, const Shape& volume);
 
-/// A corner of a box, within rounding. bits: 1 for +x, 2 for +y, 4 for +z.
+/// A vertex of a box, within rounding. bits: 1 for +x, 2 for +y, 4 for +z.
 template <class Scalar, int Dim>
 [[nodiscard]] Vector<Scalar, Dim> corner_of(const Aabb<Scalar, Dim>& box, int bits) {
   Vector<Scalar, Dim> corner = box.min;
@@ -33,7 +33,7 @@ template <class Scalar, int Dim>
   return corner;
 }
 
-/// A plane's normal as a box's own frame has it.
+/// A plane's normal in the box's frame.
 template <class Scalar, int Dim>
 [[nodiscard]] Vector<Scalar, Dim> normal_in_frame(const Plane<Scalar, Dim>& plane, const Obb<Scalar, Dim>& box) {
   Vector<Scalar, Dim> normal;

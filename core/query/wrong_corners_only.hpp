@@ -1,5 +1,5 @@
-// A test that is wrong, kept for those who would invent it: boxes overlap where a corner of one lies in the other.
-// It never calls boxes overlapping that are apart, but it calls boxes apart that cross with every corner free.
+// A wrong test, kept for those who might invent it: boxes overlap if a vertex of one lies in the other.
+// It never calls boxes overlapping that are apart, but calls boxes apart that cross with all vertices outside.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ inline constexpr std::array<std::string_view, 4> kCornersOnlyPseudocode{
     "apart (wrong if the boxes cross)",
 };
 
-/// What the corners say. a, b: as of obb_sat.
+/// The answer of the wrong test. a, b: as for obb_sat.
 template <class Scalar, int Dim, StepObserver<WrongStep> Observer = Ignore>
 bool corners_only(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer&& observe = {}) {
   for (int box = 0; box < 2; ++box) {
@@ -41,7 +41,7 @@ bool corners_only(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer
   return false;
 }
 
-/// A pair that overlaps with every corner free; none in that many tries.
+/// A pair that overlaps with every vertex outside the other box; none if there is none in that many tries.
 template <class Scalar, int Dim>
 [[nodiscard]] std::optional<CounterExample<Scalar, Dim>> against_corners_only(std::uint64_t seed, int tries) {
   return find_boxes<Scalar, Dim>(

@@ -1,6 +1,6 @@
-// A test that is wrong, kept for those who would invent it: a box is outside of a frustum where all of its corners are.
-// It never keeps a box that the right test rejects, but it loses boxes that cross the frustum with every corner free,
-// such as large ones that hold all of it.
+// A wrong test, kept for those who might invent it: a box is outside a frustum if all of its vertices are. It never
+// keeps a box that the right test rejects, but it loses boxes that cross the frustum with every vertex outside it, such
+// as large ones that contain all of it.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ inline constexpr std::array<std::string_view, 4> kCornersOutsidePseudocode{
     "outside if none is (wrong if the box is wide)",
 };
 
-/// What the corners say. box: an Aabb or an Obb, as of classify. Each corner's step names the first plane that it is
-/// outside of. Of the result, only the verdict means something.
+/// The answer of the wrong test. box: an Aabb or an Obb, as for classify. Each vertex's step names the first plane that
+/// it is outside of. Only the verdict of the result has a meaning.
 template <class Scalar, int Dim, class Box, StepObserver<ClassifyStep<Scalar, Dim>> Observer = Ignore>
 CullResult corners_outside(const Frustum<Scalar, Dim>& frustum, const Box& box, Observer&& observe = {}) {
   using Step = ClassifyStep<Scalar, Dim>;
@@ -53,9 +53,9 @@ struct LostBox {
   int tries = 0;  // how many boxes were tried before
 };
 
-/// The lecture's counter-example: a box that crosses the frustum with every corner outside of it. Boxes are tried about
-/// the frustum's middle, of up to its size, turned at random; none in that many tries, or where the frustum has no
-/// corners.
+/// The lecture's counter-example: a box that crosses the frustum with every vertex outside it. Tries boxes of up to the
+/// frustum's size near its middle, in random orientations; none if that many tries find none, or if the frustum has no
+/// vertices.
 template <class Scalar, int Dim>
 [[nodiscard]] std::optional<LostBox<Scalar, Dim>> against_corners_outside(const Frustum<Scalar, Dim>& frustum,
                                                                           std::uint64_t seed, int tries);

@@ -1,5 +1,5 @@
-// A test that is wrong, kept for those who would invent it: boxes overlap where their axis-aligned bounding boxes do.
-// It never calls overlapping boxes apart, but it calls boxes overlapping that are apart.
+// A wrong test, kept for those who might invent it: boxes overlap if their axis-aligned bounding boxes do. It never
+// calls overlapping boxes apart, but it calls boxes overlapping that are apart.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ inline constexpr std::array<std::string_view, 3> kExtentsOnlyPseudocode{
     "overlap (wrong if AABB corners are empty)",
 };
 
-/// What the AABBs say. a, b: as of obb_sat.
+/// The answer of the wrong test. a, b: as for obb_sat.
 template <class Scalar, int Dim, StepObserver<WrongStep> Observer = Ignore>
 bool extents_only(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer&& observe = {}) {
   const Vector<Scalar, Dim> half_a = a.axes.cwiseAbs() * a.half_extents, half_b = b.axes.cwiseAbs() * b.half_extents;
@@ -38,7 +38,7 @@ bool extents_only(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer
   return true;
 }
 
-/// A pair that is apart though the AABBs overlap; none in that many tries.
+/// A pair that is apart though the AABBs overlap; none if there is none in that many tries.
 template <class Scalar, int Dim>
 [[nodiscard]] std::optional<CounterExample<Scalar, Dim>> against_extents_only(std::uint64_t seed, int tries) {
   return find_boxes<Scalar, Dim>(

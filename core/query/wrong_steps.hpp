@@ -11,7 +11,7 @@
 
 namespace snug::query {
 
-/// The boxes' upright outlines were compared along a coordinate axis.
+/// The boxes' AABBs were compared along a coordinate axis.
 struct OutlinesCompared {
   static constexpr std::string_view kName = "outlines_compared";
   int axis = 0;
@@ -24,7 +24,7 @@ struct OutlinesCompared {
   }
 };
 
-/// A corner of one box was held against the other. box: whose corner, 0 for A; corner: its bits, 1 for +x, 2 for +y,
+/// A vertex of one box was tested against the other. box: whose vertex, 0 for A; corner: its bits, 1 for +x, 2 for +y,
 /// 4 for +z.
 struct CornerTried {
   static constexpr std::string_view kName = "corner_tried";

@@ -129,7 +129,7 @@ std::size_t Settings::body() {
 std::optional<InputError> Settings::fault() {
   for (const Setting& setting : call_.settings)
     if (std::find(known_.begin(), known_.end(), &setting) == known_.end())
-      refuse("knows nothing of " + quoted(setting.key));
+      refuse("has no setting " + quoted(setting.key));
   return wrong_;
 }
 

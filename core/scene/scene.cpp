@@ -2,27 +2,18 @@
 
 #include <algorithm>
 
+#include "scene/bytes.hpp"
+
 namespace snug::scene {
 namespace {
 
 // Enough for a snapshot every 16 frames with 2,000 bodies and 2,000 frames, if bodies do not bounce.
 constexpr std::size_t kMostSnapshotBytes = 80 << 20;
 
-template <class Value>
-std::size_t bytes_of(const std::vector<Value>& values) {
-  return values.size() * sizeof(Value);
-}
-template <class Value>
-std::size_t bytes_of(const std::vector<std::vector<Value>>& lists) {
-  std::size_t sum = lists.size() * sizeof(std::vector<Value>);
-  for (const std::vector<Value>& values : lists) sum += bytes_of(values);
-  return sum;
-}
-
 std::size_t bytes_of(const physics::Moving& moving, const State& state) {
-  return bytes_of(moving.bodies) + bytes_of(moving.contacts) + bytes_of(moving.impulses) + bytes_of(state.volumes) +
-         bytes_of(state.pairs) + bytes_of(state.near) + bytes_of(state.visibility) + bytes_of(state.shadows) +
-         bytes_of(state.trails) + bytes_of(state.rays);
+  return bytes_in(moving.bodies) + bytes_in(moving.contacts) + bytes_in(moving.impulses) + bytes_in(state.volumes) +
+         bytes_in(state.pairs) + bytes_in(state.near) + bytes_in(state.visibility) + bytes_in(state.shadows) +
+         bytes_in(state.trails) + bytes_in(state.rays);
 }
 
 /// The slots that velocities and contacts depend on.

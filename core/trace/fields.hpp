@@ -1,4 +1,4 @@
-// How facts list their fields: their names once, in kFields, and by tie the fields themselves, to be read or written.
+// How facts list their fields: the names in kFields, and the fields themselves, to be read or written, by tie.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +8,14 @@
 
 namespace snug {
 
-/// Something that lists its fields.
+/// A type that lists its fields.
 template <class Type>
 concept Listed = requires(const Type& own) {
   Type::kFields.size();
   Type::tie(own);
 };
 
-/// Calls see(name, field) for each, in order. own may be written where it is not const.
+/// Calls see(name, field) for each field, in order. The fields can be written if own is not const.
 void see_fields(auto& own, auto&& see) {
   using Type = std::remove_const_t<std::remove_reference_t<decltype(own)>>;
   static_assert(Type::kFields.size() == std::tuple_size_v<decltype(Type::tie(own))>);

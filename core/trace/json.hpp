@@ -1,4 +1,4 @@
-// JSON as text: what stands between values is written here, and nowhere else in core.
+// Writes JSON as text: the only place in core that writes the punctuation between values.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace snug {
 
-/// Writes values one after the other, with the commas between them. Who calls it sees to it that a key stands before
-/// each value of an object, and that what was opened is closed.
+/// Writes values one after the other, with commas between them. The caller writes a key before each value of an object,
+/// and closes what it opened.
 class JsonWriter {
  public:
   void open_object() { open('{'); }
@@ -37,7 +37,7 @@ class JsonWriter {
   }
   void number(int value) { literal(std::to_string(value)); }
   void flag(bool value) { literal(value ? "true" : "false"); }
-  /// A number as it is to stand there, true, false or null.
+  /// Writes a number (as given), true, false or null.
   void literal(std::string_view text) {
     separate();
     text_ += text;
@@ -50,7 +50,7 @@ class JsonWriter {
     separate();
     text_ += bracket;
   }
-  /// A comma, unless nothing stands before: no value ends in one of these, for texts end in a quotation mark.
+  /// Writes a comma unless this is the first value: no value ends in these characters (a text ends in quotes).
   void separate() {
     if (!text_.empty() && std::string_view("{[:").find(text_.back()) == std::string_view::npos) text_ += ',';
   }

@@ -1,4 +1,4 @@
-// How an algorithm is watched. This room depends on nothing.
+// How an algorithm is observed. This room depends on nothing.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace snug {
 
-/// What an algorithm spends, by kind. Counting is asked of the observer, so that an unwatched run pays nothing.
+/// The kinds of operations that are counted. The observer counts, so that a run without one pays nothing.
 enum class Operation : std::uint8_t {
   kPointsTouched,  // points read in a pass
   kDistanceTests,  // squared distances compared with a squared radius or with each other
@@ -17,7 +17,7 @@ enum class Operation : std::uint8_t {
   kDotProducts,    // projections onto an axis, entries of a covariance
   kSquareRoots,
   kBallSolves,        // balls computed through a set of support points
-  kOrientationTests,  // on which side of a line or a plane a point lies
+  kOrientationTests,  // tests on which side of a line or a plane a point lies
   kExactDecisions,    // comparisons that rounded arithmetic leaves open, decided without rounding
 };
 inline constexpr int kOperations = 8;
@@ -29,25 +29,25 @@ inline constexpr std::array<std::string_view, kOperations> kOperationNames{
     "points_touched", "distance_tests", "comparisons",       "dot_products",
     "square_roots",   "ball_solves",    "orientation_tests", "exact_decisions"};
 
-/// Something that can be told an algorithm's steps and what it spends.
+/// Something that can be told an algorithm's steps and its operation counts.
 template <class Observer, class Step>
 concept StepObserver = requires(Observer& observer, Step step) {
   observer(std::move(step));
   observer.count(Operation::kPointsTouched, std::int64_t{1});
 };
 
-/// The default observer: it ignores, and the compiler removes every trace of it.
+/// The default observer: it ignores everything, and the compiler removes it entirely.
 struct Ignore {
   template <class Step>
   constexpr void operator()(const Step&) const noexcept {}
   constexpr void count(Operation, std::int64_t) const noexcept {}
 };
 
-/// Whether building a step that costs something is worth it: `if constexpr (kWatched<Observer>)`.
+/// Whether anyone sees the steps: `if constexpr (kWatched<Observer>)` guards steps that cost something to build.
 template <class Observer>
 inline constexpr bool kWatched = !std::is_same_v<std::remove_cvref_t<Observer>, Ignore>;
 
-/// Counts what is spent and forgets the steps but for their number.
+/// Counts operations, and of the steps only their number.
 struct Counter {
   OperationCounts counts{};
   std::int64_t steps = 0;

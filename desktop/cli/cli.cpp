@@ -31,6 +31,10 @@ void complain(std::string what) {
 }
 
 int print(const Printed& printed) {
+  for (InputError warning : printed.warnings) {
+    warning.what = kWarning + warning.what;
+    complain(warning.message());
+  }
   const bool written = std::fwrite(printed.text.data(), 1, printed.text.size(), stdout) == printed.text.size();
   if (written && std::fflush(stdout) == 0) return printed.status;
   complain(std::string("standard output: ") + std::strerror(errno));

@@ -17,8 +17,12 @@ namespace snug::desktop {
 /// The output for stdout. It is printed at the end, so that a command that fails half way prints nothing.
 struct Printed {
   std::string text;
-  int status = 0;  // 1 if a check says no
+  int status = 0;                         // 1 if a check says no
+  std::vector<InputError> warnings = {};  // each is a line on stderr
 };
+
+/// How a warning begins.
+inline constexpr const char* kWarning = "warning: ";
 
 /// The output, or errors: each is a line on stderr, and the status is 2.
 using CommandResult = tl::expected<Printed, std::vector<InputError>>;

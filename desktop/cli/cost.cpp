@@ -298,13 +298,13 @@ CommandResult run_cost(const CostOptions& given) {
 constexpr const char* kCostFooter =
     R"(Prints a table. In JSON it is one object {"table","provenance","rows"}, in CSV the same as columns, with every figure:
   volume, algorithm         as `snug algorithms` lists them
-  points, of, whole_ns      the number of points measured, and how many there are. Where one run on all of them would
+  points, of, whole_ns      the number of points measured, and how many there are. If one run on all of them would
                             take longer than --longest, fewer are measured, and whole_ns is the estimate for all
   time_ns                   {median, min, spread, repeats, batch, trusted} of one fit without an observer. spread is the
                             distance between the quartiles over the median; above a third the time is not trusted: it
                             was measured badly. A single batch has no spread, null, and is not trusted
-  operations, steps         counts of a second, watched run; exact_decisions are comparisons that rounded arithmetic left
-                            open, each as expensive as hundreds of the others
+  operations, steps         counts of a second run, with an observer; exact_decisions are comparisons that rounded
+                            arithmetic left open, each as expensive as hundreds of the others
   size, measure             a sphere's radius, otherwise the measure; 3-D volume or 2-D area
   tightness                 size over that of the smallest volume of its kind around the same points; null if no
                             algorithm here guarantees the smallest, or if it is flat: no larger than rounding
@@ -318,10 +318,10 @@ constexpr const char* kCostFooter =
   on_front                  whether no other algorithm is both faster and tighter; sizes that differ only by rounding
                             are equal
 
---growth: time against the number of points, from 10 to N, with the power of n that it follows, beside the theory. Where
-          the points are too few to tell, there is no power.
+--growth: time against the number of points, from 10 to N, with the power of n that it follows, and the theory's. If
+          there are too few points to tell, there is no power.
 --turn: how much larger than the tightest each update's volume is, over a full turn of the body; null if that is flat.
---claims: what two lectures say of time, storage and tightness, and what is measured here.
+--claims: what two lectures say about time, storage and tightness, and what is measured here.
 
 -o FILE: the ending says the format, .csv, .json or .txt (the table printed here). At most 2,000,000 points; a file may
 have up to 512 MiB.
@@ -340,7 +340,7 @@ void add_cost(Commands& commands) {
   command.add_option("--volume", options->volume, "Only this kind of volume");
   command
       .add_option("--algorithms", options->algorithms,
-                  "Only these, separated by commas: pca, or obb:pca for that of one volume")
+                  "Only these, separated by commas: pca, or obb:pca for one volume only")
       ->delimiter(',')
       ->allow_extra_args(false);
   command.add_option("--scalar", options->scalar, "Number type: double or float")
@@ -355,7 +355,7 @@ void add_cost(Commands& commands) {
       ->capture_default_str();
   command
       .add_option("--longest", options->longest,
-                  "Milliseconds that one run may take; where it would take longer, fewer points are measured")
+                  "Milliseconds that one run may take; if it would take longer, fewer points are measured")
       ->transform(whole_number(1, 1'000'000))
       ->capture_default_str();
   command.add_flag("--growth", options->growth, "Instead: time against the number of points");

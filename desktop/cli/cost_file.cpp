@@ -108,6 +108,31 @@ std::optional<InputError> of_other_points(const cost::Provenance& now, const cos
                     .file = path};
 }
 
+bool is_table(const std::string& path) {
+  const auto text = read_file(path);
+  return text && !table_name(*text).empty();
+}
+
+namespace {
+
+template <class Row>
+tl::expected<std::string, InputError> as_csv(const std::string& path) {
+  const auto table = read_table<Row>(path);
+  if (!table) return tl::unexpected(table.error());
+  return cost::csv_of(table->provenance, std::span<const Row>(table->rows));
+}
+
+}  // namespace
+
+tl::expected<std::string, InputError> table_as_csv(const std::string& path) {
+  auto text = read_file(path);
+  if (!text || text->empty() || text->front() != '{') return text;
+  const std::string name = table_name(*text);
+  if (name == cost::GrowthRow::kTable) return as_csv<cost::GrowthRow>(path);
+  if (name == cost::TurnRow::kTable) return as_csv<cost::TurnRow>(path);
+  return as_csv<cost::CostRow>(path);
+}
+
 std::string table_name(std::string_view text) {
   constexpr std::string_view kCsv = "# snug table: ", kJson = "{\"table\":\"";
   for (const std::string_view first : {kCsv, kJson})

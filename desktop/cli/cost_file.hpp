@@ -19,6 +19,10 @@ template <class Row>
 /// The name of the table that a text begins with, such as "growth"; empty if it is not a table.
 [[nodiscard]] std::string table_name(std::string_view text);
 
+/// Whether a file begins as a table of any kind; and the whole table as CSV. Errors: those of read_table.
+[[nodiscard]] bool is_table(const std::string& path);
+[[nodiscard]] tl::expected<std::string, InputError> table_as_csv(const std::string& path);
+
 /// The error if an earlier result is on other points; none if the points are the same: in name, kind, number, dimension
 /// and, if they are generated, seed. For growth, which has any number of points, only kinds are compared. path: that of
 /// the earlier result.

@@ -315,12 +315,12 @@ constexpr const char* kCullFooter =
 constexpr const char* kCullFooterEnd = R"(It has the frustum's dimension.
   class            inside, intersecting or outside. Outside: wholly in the positive half-space of one plane. Inside:
                    wholly in the negative half-space of every plane. A volume that touches the frustum is never called
-                   outside, and one that sticks out is never called inside, in float too. Some volumes outside near the
-                   frustum's edges and corners are called intersecting: false positives
+                   outside, and one that sticks out is never called inside, even in float. Some volumes outside, near
+                   the frustum's edges and vertices, are called intersecting: false positives
   planes           for each: plane (its index), p_vertex and n_vertex (the volume's points farthest along the normal and
                    against it), side (the class for this plane), p_distance and n_distance (signed, positive outside)
-  exact            the true class; null if it is not worked out. Of volumes that the planes call intersecting it is worked
-                   out for aabb and obb, against planes that bound a frustum with eight corners (in 2-D four)
+  exact            the true class; null if it is unknown. For volumes that the planes call intersecting, it is computed
+                   only for aabb and obb, and only if the planes bound a frustum with eight vertices (in 2-D four)
 
 --test corners classifies by the box's vertices: outside if all are outside one plane. corners_outside says outside if
 all are outside the frustum, which is wrong for boxes wider than the frustum: class then differs from exact.
@@ -349,7 +349,7 @@ void add_cull(Commands& commands) {
   command.add_option("--dim", options->dim, "2 or 3; by default that of each line")->transform(whole_number(2, 3));
   command
       .add_option("--test", options->test,
-                  "What classifies: planes; for boxes also corners, or corners_outside, which is wrong")
+                  "The test: planes; for boxes also corners, or corners_outside, which is wrong")
       ->check(CLI::IsMember({"planes", "corners", "corners_outside"}))
       ->capture_default_str();
   command.add_option("--tree", options->tree, "Cull with a tree built by median, surface_area, bottom_up or insertion")

@@ -109,10 +109,10 @@ CommandResult run_fit(const FitOptions& options) {
 constexpr const char* kFitFooter = R"(Prints one JSON object:
   the volume                {"sphere":{"center":[x,y,z],"radius":r}}; in 2-D two numbers instead of three
   points, support           how many points there are, and the indices of the support set
-  measure                   its 3-D volume or 2-D area; null where that is more than a double can hold
+  measure                   its 3-D volume or 2-D area; null if that is too large for a double
   max_outside               the farthest any point lies outside; 0 if the volume contains all points
   certificate               {contains, on_boundary, optimal}; optimal is null if the algorithm does not guarantee it
-  steps, operations         the number of steps, and counts by name of what was done
+  steps, operations         the number of steps, and the operation counts by name
   time_ns                   {median, min, repeats} of a run without an observer
 
 Point files, recognized by content and extension: .xyz .csv .txt (two or three numbers a line; # begins a comment),

@@ -1,10 +1,12 @@
 // snug lesson list, check and play.
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/json.hpp"
+#include "desktop/cli/lesson_commands.hpp"
 #include "desktop/cli/lesson_files.hpp"
 #include "lesson/play.hpp"
 #include "lesson/subjects.hpp"
@@ -50,23 +52,33 @@ tl::expected<lesson::Played, InputError> play(const LessonFile& file) {
   return played;
 }
 
-/// The first error that only playing can find: on a mesh's points, questions are known only from playing.
-std::optional<InputError> fault_of(const LessonFile& file, const lesson::Played& played) {
+/// With its column, which other files' errors do not have.
+InputError with_column(lesson::FileError error) {
+  return {std::move(error.what),
+          error.file + ':' + std::to_string(error.place.line) + ':' + std::to_string(error.place.column)};
+}
+
+/// The mistakes that only playing can find: on a mesh's points, questions are known only from playing.
+std::vector<InputError> faults_of(const LessonFile& file, const lesson::Played& played) {
+  std::vector<InputError> faults;
   for (const lesson::Question& question : file.lesson.questions)
     for (const std::string& id : played.not_asked)
       if (question.id == id)
-        return InputError{"the question \"" + id + "\" is never asked: its step does not come", file.path,
-                          InputError::Unit::kLine, question.line};
-  if (played.sound()) return std::nullopt;
-  return InputError{.what = "a model answer is graded as wrong", .file = file.path};
+        faults.push_back(with_column(
+            {question.place, "the question \"" + id + "\" is never asked: its step does not come", file.path}));
+  if (faults.empty() && !played.sound())
+    faults.push_back({.what = "a model answer is graded as wrong", .file = file.path});
+  return faults;
 }
 
-/// The line of a file that has some words, counted from 1; `otherwise` if none has.
-int line_with(const std::string& path, const std::string& words, int otherwise) {
-  const auto text = read_file(path);
-  const std::size_t at = text ? text->find(words) : std::string::npos;
+/// The place of some words in a file's text; `otherwise` if it does not have them.
+lesson::FilePlace place_with(const std::string& text, const std::string& words, lesson::FilePlace otherwise) {
+  const std::size_t at = text.find(words);
   if (at == std::string::npos) return otherwise;
-  return 1 + static_cast<int>(std::count(text->begin(), text->begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(at);
+  const std::size_t line_end = at > 0 ? text.rfind('\n', at - 1) : std::string::npos;
+  return {1 + static_cast<int>(std::count(text.begin(), end, '\n')),
+          static_cast<int>(line_end == std::string::npos ? at + 1 : at - line_end)};
 }
 
 bool is_beside(const std::string& path, const std::string& lesson) {
@@ -74,57 +86,78 @@ bool is_beside(const std::string& path, const std::string& lesson) {
   return std::filesystem::exists(std::filesystem::path(path).parent_path() / (lesson + ".toml"), ignored);
 }
 
-/// The error of a link to a lesson that is not in the lesson's folder; none if all are.
-std::optional<InputError> lost_link(const LessonFile& file) {
-  for (const lesson::Section& section : file.lesson.sections)
+/// The mistakes of links to lessons that are not in the lesson's folder.
+std::vector<InputError> lost_links(const std::string& path, const std::string& text, const lesson::Lesson& lesson) {
+  std::vector<InputError> lost;
+  for (const lesson::Section& section : lesson.sections)
     for (const lesson::Paragraph& paragraph : section.paragraphs)
       for (const lesson::Stretch& stretch : paragraph) {
         if (!stretch.link || stretch.link->kind != lesson::Link::Kind::kLesson) continue;
         const std::string& target = stretch.link->target;
-        if (!is_beside(file.path, target))
-          return InputError{"\"text\" links to a lesson that is not there: " + target, file.path,
-                            InputError::Unit::kLine, line_with(file.path, "(lesson:" + target + ")", section.line)};
+        if (!is_beside(path, target))
+          lost.push_back(with_column({place_with(text, "(lesson:" + target + ")", section.place),
+                                      "\"text\" links to a lesson that is not there: " + target, path}));
       }
-  return std::nullopt;
+  return lost;
 }
 
-tl::expected<Json, InputError> check_course(const std::filesystem::path& path) {
+/// The result of checking a file: what is printed, or its mistakes; in either case its warnings.
+struct CheckedFile {
+  Json json;
+  std::vector<InputError> mistakes, warnings;
+};
+
+CheckedFile check_course(const std::filesystem::path& path) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   const auto course = read_course_of(folder.string());
-  if (!course) return tl::unexpected(course.error());
+  if (!course) return {.mistakes = {course.error()}};
   std::size_t lessons = 0;
   for (const lesson::Chapter& chapter : course->chapters) lessons += chapter.lessons.size();
-  return Json{{"chapters", course->chapters.size()}, {"lessons", lessons}, {"file", path.string()}};
+  return {{{"chapters", course->chapters.size()}, {"lessons", lessons}, {"file", path.string()}}};
 }
 
-tl::expected<Json, InputError> check(const std::string& path) {
-  if (std::filesystem::path(path).filename() == kCourseFile) return check_course(path);
-  const auto file = read_lesson_file(path);
-  if (!file) return tl::unexpected(file.error());
-  if (auto lost = lost_link(*file)) return tl::unexpected(std::move(*lost));
-  const auto played = play(*file);
-  if (!played) return tl::unexpected(played.error());
-  if (auto fault = fault_of(*file, *played)) return tl::unexpected(std::move(*fault));
-  Json json{{"lesson", file->lesson.id}, {"questions", file->lesson.questions.size()}, {"file", path}};
-  add_decided_by(json, file->lesson);
-  return json;
+CheckedFile check_lesson(const std::string& path) {
+  const auto text = read_start(path, lesson::kMostLessonBytes);
+  if (!text) return {.mistakes = {text.error()}};
+  lesson::Draft draft = lesson::read_draft(*text, path);
+  CheckedFile checked;
+  for (lesson::FileError& mistake : draft.mistakes) checked.mistakes.push_back(with_column(std::move(mistake)));
+  for (lesson::FileError& warning : draft.warnings) checked.warnings.push_back(with_column(std::move(warning)));
+  if (!draft.lesson) return checked;
+  const auto add = [&](std::vector<InputError> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(checked.mistakes));
+  };
+  add(lost_links(path, *text, *draft.lesson));
+  if (!checked.mistakes.empty()) return checked;
+  const LessonFile file{path, *std::move(draft.lesson), {}};
+  if (const auto played = play(file)) add(faults_of(file, *played));
+  else add({played.error()});
+  checked.json = {{"lesson", file.lesson.id}, {"questions", file.lesson.questions.size()}, {"file", path}};
+  if (!checked.warnings.empty()) checked.json["warnings"] = checked.warnings.size();
+  add_decided_by(checked.json, file.lesson);
+  return checked;
 }
 
 CommandResult run_check(const LessonOptions& options) {
   Printed printed;
-  std::vector<InputError> errors;
+  std::vector<InputError> mistakes;
   const auto check_one = [&](const std::string& path) {
-    if (const auto checked = check(path)) printed.text += line_of(*checked);
-    else errors.push_back(checked.error());
+    CheckedFile checked =
+        std::filesystem::path(path).filename() == kCourseFile ? check_course(path) : check_lesson(path);
+    std::move(checked.warnings.begin(), checked.warnings.end(), std::back_inserter(printed.warnings));
+    if (checked.mistakes.empty()) printed.text += line_of(checked.json);
+    std::move(checked.mistakes.begin(), checked.mistakes.end(), std::back_inserter(mistakes));
   };
   for (const std::string& path : options.files) {
     std::error_code ignored;
     if (!std::filesystem::is_directory(path, ignored)) check_one(path);
     else if (const auto files = files_of(path)) std::for_each(files->begin(), files->end(), check_one);
-    else errors.push_back(files.error());
+    else mistakes.push_back(files.error());
   }
-  if (!errors.empty()) return tl::unexpected(std::move(errors));
-  return printed;
+  if (mistakes.empty()) return printed;
+  for (InputError& warning : printed.warnings)
+    warning.what = kWarning + warning.what, mistakes.push_back(std::move(warning));
+  return tl::unexpected(std::move(mistakes));
 }
 
 // ---- play ------------------------------------------------------------------------------------------------------
@@ -165,7 +198,7 @@ void add_folder(CLI::App& command, LessonOptions& options) {
 }  // namespace
 
 void add_lesson(Commands& commands) {
-  CLI::App& group = *commands.app.add_subcommand("lesson", "List, check or play lessons");
+  CLI::App& group = *commands.app.add_subcommand("lesson", "List, begin, check or play lessons");
   group.require_subcommand(1);
 
   CLI::App& list = *group.add_subcommand("list", "List the lessons");
@@ -177,20 +210,25 @@ void add_lesson(Commands& commands) {
   CLI::App& check = *group.add_subcommand("check", "Check lesson files");
   check.footer(
       "Reads each file and plays it with its model answers. If all are sound, prints a line for each:\n"
-      "{\"lesson\",\"questions\",\"file\"}. Of a folder it checks every lesson and course.toml, whose line is\n"
-      "{\"chapters\",\"lessons\",\"file\"}. Otherwise prints a line on standard error for each that is not, with\n"
-      "file and line, and exits with status 2.\n"
-      "A lesson with the cost chart is decided by counted operations, never by time; its line has\n"
+      "{\"lesson\",\"questions\",\"file\"}. In a folder it checks every lesson and course.toml, whose line is\n"
+      "{\"chapters\",\"lessons\",\"file\"}. Otherwise prints a line on standard error for each mistake, with file,\n"
+      "line and column, and exits with status 2. What is allowed but probably not meant is a line on standard error\n"
+      "as well, which begins with \"warning\"; \"warnings\" is then how many the file has, and the status stays 0.\n"
+      "A lesson with the cost chart is checked by counted operations, never by time; its line has\n"
       "\"decided_by\":\"operations\" as well.");
   const auto checked = add_command<LessonOptions>(commands, check, run_check);
   check.add_option("FILE", checked->files, "Lesson files, course.toml, or folders of them")->required();
+
+  add_lesson_facts(commands, group);
+  add_lesson_new(commands, group);
 
   CLI::App& play = *group.add_subcommand("play", "Play a lesson to its end");
   play.footer(
       "Plays each of the lesson's algorithms to the last step and gives every exercise its model answer.\n"
       "JSON Lines: {\"algorithm\",\"steps\",\"questions\":[{\"question\",\"answer\",\"happened\",\"right\"}]} for "
       "each, then\n"
-      "{\"lesson\",\"not_asked\",\"task\",\"sound\"}. Exit status 1 if an answer is wrong or was never asked for.\n"
+      "{\"lesson\",\"not_asked\",\"task\",\"sound\"}. Exit status 1 if a model answer is wrong or a question is never "
+      "asked.\n"
       "A lesson with the cost chart is played without a clock: which algorithm is fastest, and by how much, is "
       "decided\n"
       "by counted operations, and the last line has \"decided_by\":\"operations\". In the window and on the page it "

@@ -23,7 +23,7 @@ tl::expected<std::vector<std::string>, InputError> toml_files(const fs::path& fo
       paths.push_back(entry.path().string());
   if (error)
     return tl::unexpected(
-        InputError{.what = "lessons cannot be read from there: " + error.message(), .file = folder.string()});
+        InputError{.what = "the lessons cannot be read: " + error.message(), .file = folder.string()});
   std::sort(paths.begin(), paths.end());  // so that of several errors the same one is always reported
   return paths;
 }

@@ -134,7 +134,7 @@ constexpr const char* kOverlapFooterEnd = R"(A 6-DOP exists in 2-D and 3-D: it t
 
 --steps writes what each test did, one JSON object a line: pair (which line of the answers), test (slabs, distance,
 separating_axes, gjk), first (which of the two volumes the step calls a), step (its name), line (of the test's
-pseudocode, counted from 0) and the step's own fields. An axis' kind is 1 face_a, 2 face_b, 3 edge_edge.
+pseudocode, counted from 0) and the step's own fields. The kind of an axis is 1 face_a, 2 face_b, 3 edge_edge.
 
 Exit status: 0 done, 2 bad input or usage: one line on stderr that names the field, and nothing on stdout.)";
 

@@ -133,7 +133,7 @@ fitted to the points as they are. Prints one JSON object a frame:
   over_hull         its measure divided by that of the points' convex hull: the same yardstick for every kind of volume.
                     null if the hull is flat
   contains          whether it contains all points where the body is now
-  steps, operations the number of steps, and counts by name of what was done
+  steps, operations the number of steps, and the operation counts by name
 
 Exit status: 0 done, 1 in some frame the volume does not contain all points, 2 bad input or usage.)";
 

@@ -17,7 +17,7 @@ lesson::Session fitted(const std::string& volume, const std::string& algorithm) 
   lesson::Lesson lesson;
   lesson.id = "test";
   lesson.volume = volume;
-  lesson.points = {.dim = 3, .generate = "clusters", .count = 14};
+  lesson.points = {.dim = fit::find_algorithm(volume, algorithm)->space ? 3 : 2, .generate = "clusters", .count = 14};
   lesson.algorithms = {algorithm};
   return *lesson::Session::open(std::move(lesson));
 }

@@ -38,7 +38,7 @@ test("the address follows steps, algorithms and dragged points", async (t) => {
   await page.keyboard.press("Escape");
   const [before, after] = await again(page);
   assert.deepEqual(after, before);
-  assert.match(new URL(page.url()).search, /moved=|points=/);
+  assert.match(new URL(page.url()).search, /moved=|rows=/);
 });
 
 test("a handful of points of one's own is in the address", async (t) => {
@@ -78,8 +78,8 @@ test("an unknown lesson gets the list of those that there are", async (t) => {
 });
 
 const kWrong = [
-  ["step=abc", "step “abc”"], ["step=99999", "step 99999"], ["seed=-4", "seed “-4”"], ["points=1,2;x,4", "points in the address"],
-  ["points=1,2;3", "points in the address"], ["a=nonsense", "Part of the address"], ["from=nonsense:5", "Part of the address"],
+  ["step=abc", "step “abc”"], ["step=99999", "step 99999"], ["seed=-4", "seed “-4”"], ["rows=1,2;x,4", "numbers that the address has as rows"],
+  ["points=1,2;3", "Part of the address"], ["a=nonsense", "Part of the address"], ["from=nonsense:5", "Part of the address"],
   ["moved=100000,1,2", "Part of the address"], ["from=%3Cb%3E", "points that do not exist"],
 ];
 for (const [query, says] of kWrong) {

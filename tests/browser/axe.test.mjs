@@ -39,7 +39,7 @@ for (const [name, size] of [["laptop", kWide], ["phone", { ...kPhone, deviceScal
           if (questions % 3 === 2 || asked.many) await page.getByRole("button", { name: "Skip", exact: true }).click();
           else await answer_with(page, asked, questions % 3 === 0 ? 0 : Math.max(asked.choices.length, asked.targets.length) - 1);
           ++questions;
-        } else if (now.costs) {
+        } else if (now.cover) {
           break; // its outcomes stand beside its questions
         } else if (now.outcome) {
           await go_on(page);

@@ -6,8 +6,10 @@ before(start);
 after(stop);
 
 const kLesson = "?lesson=obb-sat";
-const changed = (now, boxes) => JSON.stringify(now.boxes) !== boxes;
-const text_of = (view) => JSON.stringify(view.boxes);
+const changed = (now, numbers) => JSON.stringify(now.numbers) !== numbers;
+const text_of = (view) => JSON.stringify(view.numbers);
+/** Where both boxes are, how large, how turned. */
+const boxes_of = ({ numbers }) => numbers.map(({ rows: [center, half_extents, turn] }) => ({ center: center.values, half_extents: half_extents.values, degrees: turn.turn ? undefined : turn.values[0] }));
 
 test("a box's centre is dragged: the box follows, the other stays, and one undo takes it back", async (t) => {
   const page = await visit(t, kLesson);
@@ -15,13 +17,13 @@ test("a box's centre is dragged: the box follows, the other stays, and one undo 
   const [first] = await handles(page);
   await drag(page, first.id, 40, 25);
   const after = await until(page, changed, text_of(before));
-  assert.ok(after.boxes[0].center[0] > before.boxes[0].center[0]);
-  assert.ok(after.boxes[0].center[1] < before.boxes[0].center[1], "down on the screen is down in the plane");
-  assert.deepEqual(after.boxes[0].half_extents, before.boxes[0].half_extents);
-  assert.equal(after.boxes[0].degrees, before.boxes[0].degrees);
-  assert.deepEqual(after.boxes[1], before.boxes[1]);
+  assert.ok(boxes_of(after)[0].center[0] > boxes_of(before)[0].center[0]);
+  assert.ok(boxes_of(after)[0].center[1] < boxes_of(before)[0].center[1], "down on the screen is down in the plane");
+  assert.deepEqual(boxes_of(after)[0].half_extents, boxes_of(before)[0].half_extents);
+  assert.equal(boxes_of(after)[0].degrees, boxes_of(before)[0].degrees);
+  assert.deepEqual(boxes_of(after)[1], boxes_of(before)[1]);
   await page.keyboard.press("Control+z");
-  assert.deepEqual((await until(page, (now) => now.canRedo)).boxes, before.boxes);
+  assert.deepEqual(boxes_of(await until(page, (now) => now.canRedo)), boxes_of(before));
 });
 
 test("every handle of a box does something to it, and to no other", async (t) => {
@@ -31,13 +33,13 @@ test("every handle of a box does something to it, and to no other", async (t) =>
   for (const { id } of await handles(page)) {
     const before = await state(page);
     await drag(page, id, 14, 11);
-    const { boxes } = await until(page, changed, text_of(before));
-    const touched = boxes.flatMap((box, i) => (JSON.stringify(box) === JSON.stringify(before.boxes[i]) ? [] : [i]));
+    const boxes = boxes_of(await until(page, changed, text_of(before)));
+    const touched = boxes.flatMap((box, i) => (JSON.stringify(box) === JSON.stringify(boxes_of(before)[i]) ? [] : [i]));
     assert.equal(touched.length, 1, `handle ${id} touches boxes ${touched}`);
     for (const key of ["center", "half_extents", "degrees"])
-      if (JSON.stringify(boxes[touched[0]][key]) !== JSON.stringify(before.boxes[touched[0]][key])) kinds.add(`${key} of ${touched[0]}`);
+      if (JSON.stringify(boxes[touched[0]][key]) !== JSON.stringify(boxes_of(before)[touched[0]][key])) kinds.add(`${key} of ${touched[0]}`);
     await page.keyboard.press("Control+z");
-    await until(page, (now, text) => JSON.stringify(now.boxes) === text, text_of(start_boxes));
+    await until(page, (now, text) => JSON.stringify(now.numbers) === text, text_of(start_boxes));
   }
   for (const kind of ["center of 0", "half_extents of 0", "degrees of 0", "center of 1", "half_extents of 1", "degrees of 1"])
     assert.ok(kinds.has(kind), `no handle changes the ${kind}`);
@@ -49,8 +51,8 @@ test("a finger drags a box on a phone", async (t) => {
   const [first] = await handles(page);
   await drag_by_finger(page, first.id, 18, -24);
   const after = await until(page, changed, text_of(before));
-  assert.notDeepEqual(after.boxes[0].center, before.boxes[0].center);
-  assert.deepEqual(after.boxes[1], before.boxes[1]);
+  assert.notDeepEqual(boxes_of(after)[0].center, boxes_of(before)[0].center);
+  assert.deepEqual(boxes_of(after)[1], boxes_of(before)[1]);
 });
 
 test("arrow keys move what is selected of a box", async (t) => {
@@ -61,8 +63,8 @@ test("arrow keys move what is selected of a box", async (t) => {
   const before = await state(page);
   await page.keyboard.press("ArrowRight");
   const after = await until(page, changed, text_of(before));
-  assert.ok(after.boxes[0].center[0] > before.boxes[0].center[0]);
-  assert.equal(after.boxes[0].center[1], before.boxes[0].center[1]);
+  assert.ok(boxes_of(after)[0].center[0] > boxes_of(before)[0].center[0]);
+  assert.equal(boxes_of(after)[0].center[1], boxes_of(before)[0].center[1]);
 });
 
 test("a typed angle and a typed centre are those of the box; a negative size is not taken", async (t) => {
@@ -70,21 +72,21 @@ test("a typed angle and a typed centre are those of the box; a negative size is 
   await page.getByRole("tab", { name: "Boxes" }).click();
   await page.getByLabel("Turn of A in degrees").fill("30");
   await page.keyboard.press("Enter");
-  const turned = await until(page, (now) => Math.abs(now.boxes[0].degrees - 30) < 1e-9);
+  const turned = await until(page, (now) => Math.abs(now.numbers[0].rows[2].values[0] - 30) < 1e-9);
   await page.getByLabel("Centre x of B").fill("2.5");
   await page.keyboard.press("Tab");
-  const moved = await until(page, (now) => now.boxes[1].center[0] === 2.5);
-  assert.equal(moved.boxes[1].center[1], turned.boxes[1].center[1]);
+  const moved = await until(page, (now) => now.numbers[1].rows[0].values[0] === 2.5);
+  assert.equal(boxes_of(moved)[1].center[1], boxes_of(turned)[1].center[1]);
   await page.getByLabel("Half extents x of A").fill("-1");
   await page.keyboard.press("Tab");
   await page.getByText(/half extent/i).last().waitFor();
-  assert.deepEqual((await state(page)).boxes, moved.boxes);
+  assert.deepEqual(boxes_of(await state(page)), boxes_of(moved));
 });
 
 test("boxes apart are told by fewer steps than boxes that overlap", async (t) => {
   const page = await visit(t, `${kLesson}&boxes=-2,0,1,0.5,1,0;2,0,1,0.5,1,0`);
   const apart = await state(page);
-  assert.deepEqual(apart.boxes.map(({ center }) => center[0]), [-2, 2]);
+  assert.deepEqual(boxes_of(apart).map(({ center }) => center[0]), [-2, 2]);
   const together = await visit(t, `${kLesson}&boxes=-0.5,0,1,0.5,1,0;0.5,0,1,0.5,1,0`);
   const overlap = await state(together);
   assert.notEqual(apart.trace, overlap.trace);
@@ -97,11 +99,11 @@ test("the address carries the boxes to the last digit", async (t) => {
   const [, second] = await handles(page);
   await drag(page, second.id, -9, 7);
   const after = await until(page, changed, text_of(before));
-  for (let href = ""; href !== page.url() || !/boxes=/.test(href); await page.waitForTimeout(400)) href = page.url(); // it follows a moment later
+  for (let href = ""; href !== page.url() || !/rows=/.test(href); await page.waitForTimeout(400)) href = page.url(); // it follows a moment later
   await page.reload();
   await ready(page);
   const again = await state(page);
-  assert.deepEqual(again.boxes, after.boxes);
+  assert.deepEqual(boxes_of(again), boxes_of(after));
   assert.equal(again.trace, after.trace);
 });
 

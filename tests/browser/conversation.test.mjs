@@ -126,8 +126,8 @@ test("while a question stands, what the run comes to is told nowhere", async (t)
   for (const { id } of await lessons()) {
     const page = await visit(t, `?lesson=${id}&step=0`);
     await page.keyboard.press("End");
-    const { asked, rivals, outcome, lit, costs } = await until(page, (now) => now.asked);
-    if (costs) assert.deepEqual(costs.rows, []);
+    const { asked, rivals, outcome, lit, cover } = await until(page, (now) => now.asked);
+    if (cover) assert.deepEqual(cover.table.rows, []);
     else assert.ok(rivals.every(({ size, excess }) => size === null && excess === null), `${id}, ${asked.id}: ${JSON.stringify(rivals)}`);
     assert.deepEqual([outcome, lit.handles], [null, []]);
     assert.equal(await page.locator("#ask .right, #ask .said").count(), 0);

@@ -6,8 +6,10 @@ before(start);
 after(stop);
 
 const kLessons = ["frustum-2d", "frustum-3d"];
-const changed = (now, boxes) => JSON.stringify(now.boxes) !== boxes;
-const text_of = (view) => JSON.stringify(view.boxes);
+const changed = (now, numbers) => JSON.stringify(now.numbers) !== numbers;
+const text_of = (view) => JSON.stringify(view.numbers);
+/** Where both boxes are, how large, how turned. */
+const boxes_of = ({ numbers }) => numbers.map(({ rows: [center, half_extents, turn] }) => ({ center: center.values, half_extents: half_extents.values, degrees: turn.turn ? undefined : turn.values[0] }));
 /** Places [name, of which box, what changes]. */
 const kPlaces = [["Box", 0, "center"], ["Frustum", 1, "center"], ["++", 0, "half_extents"], ["F3", 1, "half_extents"]];
 
@@ -19,14 +21,14 @@ for (const lesson of kLessons)
       const id = lesson === "frustum-3d" && name === "++" ? "+++" : name;
       await drag(page, id, 13, -9);
       const now = await until(page, changed, text_of(own));
-      assert.notDeepEqual(now.boxes[which][key], own.boxes[which][key], `${id} changes the ${key}`);
-      assert.deepEqual(now.boxes[1 - which], own.boxes[1 - which]);
+      assert.notDeepEqual(boxes_of(now)[which][key], boxes_of(own)[which][key], `${id} changes the ${key}`);
+      assert.deepEqual(boxes_of(now)[1 - which], boxes_of(own)[1 - which]);
       await page.keyboard.press("Control+z");
-      await until(page, (view, text) => JSON.stringify(view.boxes) === text, text_of(own));
+      await until(page, (view, text) => JSON.stringify(view.numbers) === text, text_of(own));
     }
-    if (own.boxes[0].degrees === undefined) return;
+    if (boxes_of(own)[0].degrees === undefined) return;
     await drag(page, "Frustum turn", 0, 30);
-    assert.notEqual((await until(page, changed, text_of(own))).boxes[1].degrees, own.boxes[1].degrees);
+    assert.notEqual(boxes_of(await until(page, changed, text_of(own)))[1].degrees, boxes_of(own)[1].degrees);
   });
 
 test("a finger drags the frustum's corner on a phone", async (t) => {
@@ -34,8 +36,8 @@ test("a finger drags the frustum's corner on a phone", async (t) => {
   const own = await state(page);
   await drag_by_finger(page, "F3", -14, 10);
   const now = await until(page, changed, text_of(own));
-  assert.notDeepEqual(now.boxes[1].half_extents, own.boxes[1].half_extents);
-  assert.deepEqual(now.boxes[0], own.boxes[0]);
+  assert.notDeepEqual(boxes_of(now)[1].half_extents, boxes_of(own)[1].half_extents);
+  assert.deepEqual(boxes_of(now)[0], boxes_of(own)[0]);
 });
 
 for (const lesson of kLessons)
@@ -84,14 +86,14 @@ test("the tools speak of a box and a frustum, and take numbers for both but no f
   await page.getByRole("heading", { name: "Box and frustum", exact: true }).waitFor();
   await page.getByLabel("Turn of the frustum in degrees").fill("20");
   await page.keyboard.press("Enter");
-  await until(page, (now) => Math.abs(now.boxes[1].degrees - 20) < 1e-9);
+  await until(page, (now) => Math.abs(now.numbers[1].rows[2].values[0] - 20) < 1e-9);
   await page.getByLabel("Centre x of the box").fill("0.5");
   await page.keyboard.press("Tab");
-  const before = await until(page, (now) => now.boxes[0].center[0] === 0.5);
+  const before = await until(page, (now) => now.numbers[0].rows[0].values[0] === 0.5);
   await page.getByLabel("Half depth, far face x of the frustum").fill("0");
   await page.keyboard.press("Tab");
   await page.getByText(/a depth and a far face above 0/i).last().waitFor();
-  assert.deepEqual((await state(page)).boxes, before.boxes);
+  assert.deepEqual(boxes_of(await state(page)), boxes_of(before));
   const other = await visit(t, "?lesson=obb-sat");
   await other.getByRole("tab", { name: "Boxes" }).click();
   await other.getByLabel("Turn of A in degrees").waitFor();
@@ -103,11 +105,11 @@ test("the address carries box and frustum to the last digit", async (t) => {
     const own = await state(page);
     await drag(page, "Frustum", -11, 7);
     const moved = await until(page, changed, text_of(own));
-    for (let href = ""; href !== page.url() || !/boxes=/.test(href); await page.waitForTimeout(400)) href = page.url(); // it follows a moment later
+    for (let href = ""; href !== page.url() || !/rows=/.test(href); await page.waitForTimeout(400)) href = page.url(); // it follows a moment later
     await page.reload();
     await ready(page);
     const again = await state(page);
-    assert.deepEqual(again.boxes, moved.boxes);
+    assert.deepEqual(boxes_of(again), boxes_of(moved));
     assert.equal(again.trace, moved.trace);
   }
 });

@@ -53,7 +53,7 @@ test("the tools of the charts stand at the foot of the column, and on a phone be
   for (const size of [{ viewport: { width: 1280, height: 800 } }, kPhone]) {
     const page = await visit(t, "?lesson=cost-chart&step=0", size);
     assert.deepEqual(await sticking_out(page), []);
-    const [tools, part, stage] = await Promise.all([".costs", size === kPhone ? "#work" : "#column", "#stage"].map((name) => page.locator(name).boundingBox()));
+    const [tools, part, stage] = await Promise.all([".cover", size === kPhone ? "#work" : "#column", "#stage"].map((name) => page.locator(name).boundingBox()));
     assert.ok(tools.x >= part.x && tools.x + tools.width <= part.x + part.width + 1, JSON.stringify([tools, part]));
     assert.ok(size === kPhone ? tools.y >= stage.y + stage.height : tools.y + tools.height > 790, JSON.stringify([tools, stage]));
   }

@@ -41,7 +41,7 @@ test("results are saved under the policy", async (t) => {
     await until(page, (now, before) => now.outcomes.length > before, i);
   }
   await page.getByRole("button", { name: "Measure", exact: true }).click();
-  await until(page, (now) => now.costs.rows.length > 0);
+  await until(page, (now) => now.cover.table.rows.length > 0);
   const [file] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save as CSV" }).click()]);
   assert.match(file.suggestedFilename(), /\.csv$/);
   assert.deepEqual(await page.evaluate(() => window.refused), []);

@@ -18,8 +18,8 @@ const same = (object, keys, what) => assert.deepEqual(Object.keys(object).sort()
 test("every lesson's state has the keys that its table lists, and no other", async (t) => {
   for (const { id } of await lessons()) {
     const now = await state(await visit(t, `?lesson=${id}&step=0`));
-    same(now, now.effects ? kState : kState.filter((key) => key !== "effects"), id);
-    assert.equal(Boolean(now.costs), id.startsWith("cost"));
+    same(now, kState, id);
+    assert.equal(Boolean(now.cover), id.startsWith("cost"));
   }
 });
 

@@ -51,7 +51,7 @@ async function shown(page) {
       search: location.search,
       title: document.title,
       stage: document.getElementById("canvas").getAttribute("aria-label"),
-      words: seen("#picker, #read, #points, #ask, #told, #code, #caption, #figures, #tabs, .costs, #selected-says, #notices").map((node) => `${node.id}${node.hidden}: ${node.textContent}`),
+      words: seen("#picker, #read, #points, #ask, #told, #code, #caption, #figures, #tabs, .cover, #selected-says, #notices").map((node) => `${node.id}${node.hidden}: ${node.textContent}`),
       hidden: seen("#column [hidden], #stage [hidden]").length,
       fields: seen("input:not([type=file]), select").filter((node) => node.offsetParent).map((node) => `${node.type} ${node.checked} ${node.value} ${node.disabled} ${node.max}`),
       lines: seen(".lines li").map((line) => `${line.style.cssText} ${line.getAttribute("aria-current")}`),
@@ -182,14 +182,14 @@ test("a measurement that runs ends with its lesson", async (t) => {
     await until(page, (now, before) => now.outcomes.length > before, i);
   }
   await page.getByRole("button", { name: "Measure", exact: true }).click();
-  await until(page, (now) => now.costs.running);
+  await until(page, (now) => now.cover.running);
   await choose(page, "sphere-ritter");
-  assert.equal((await state(page)).costs, null);
+  assert.equal((await state(page)).cover, null);
   assert.equal(await page.getByRole("button", { name: "Measure", exact: true }).isVisible(), false);
   await still(page);
   await choose(page, "cost-chart");
-  const { costs } = await state(page);
-  assert.deepEqual([costs.running, costs.rows.length, costs.shown], [false, 0, true]); // the empty chart, as at first
+  const { cover } = await state(page);
+  assert.deepEqual([cover.running, cover.table.rows.length, cover.shown], [false, 0, true]); // the empty chart, as at first
 });
 
 test("of two lessons asked for at once the later one opens, however late the first one's file comes", async (t) => {

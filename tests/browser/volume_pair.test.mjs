@@ -1,6 +1,6 @@
 // Any two volumes: their handles are dragged, the test answers at once, and its steps are drawn.
 import { after, before, test } from "node:test";
-import { add_lesson, assert, drag, handles, kPhone, drag_by_finger, pixels_of_volume, start, state, still, stop, until, visit } from "./support.mjs";
+import { add_lesson, assert, drag, handles, kPhone, drag_by_finger, pixels_of_volume, ready, start, state, still, stop, until, visit } from "./support.mjs";
 
 const kFlatVolumes = {
   sphere: "{ sphere = { center = [1.3, 0.1], radius = 0.6 } }",
@@ -73,6 +73,21 @@ for (const [dim, volumes] of kEach) {
     }
   });
 }
+
+test("the address brings volumes that were dragged back, to the last digit", async (t) => {
+  for (const volume of Object.keys(kFlatVolumes)) {
+    const page = await visit(t, `?lesson=pair-${volume}-2&step=1`);
+    const before = await state(page);
+    for (const at of [0, -1]) await drag(page, (await handles(page)).at(at).id, 13, -11);
+    const edited = await until(page, (it, trace) => it.edited && it.trace !== trace, before.trace);
+    for (let href = ""; href !== page.url() || !/rows=/.test(href); await page.waitForTimeout(400)) href = page.url(); // it follows a moment later
+    await page.reload();
+    await ready(page);
+    const again = await state(page);
+    assert.equal(again.trace, edited.trace, volume);
+    await page.close();
+  }
+});
 
 test("the lesson on sphere-swept volumes: a finger changes a radius, and the steps follow", async (t) => {
   const page = await visit(t, "?lesson=swept-overlap&a=swept_spheres&step=2", kPhone);

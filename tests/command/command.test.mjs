@@ -311,8 +311,8 @@ test("a course says which lessons come in which order, and is checked with them"
   const checked = json_lines(good(["lesson", "check", "own"]));
   assert.deepEqual(checked.map(({ file }) => file), ["own/one.toml", "own/two.toml", "own/course.toml"]);
   assert.deepEqual(checked.at(-1), { chapters: 1, lessons: 2, file: "own/course.toml" });
-  const wrong = [['  "two",\n  "three",\n', /^snug: own\/course\.toml:7: there is no lesson "three"/], ['  "two",\n  "one",\n  "two",\n', /^snug: own\/course\.toml:8: the lesson "two" stands here twice/],
-    ['  "two",\n', /^snug: own\/course\.toml:3: the lesson "one" stands in no chapter/]];
+  const wrong = [['  "two",\n  "three",\n', /^snug: own\/course\.toml:7: there is no lesson "three"/], ['  "two",\n  "one",\n  "two",\n', /^snug: own\/course\.toml:8: the lesson "two" is listed twice/],
+    ['  "two",\n', /^snug: own\/course\.toml:3: the lesson "one" is in no chapter/]];
   for (const [lines, says] of wrong) {
     write("own/course.toml", own(lines));
     refused(["lesson", "check", "own/course.toml"], says);
@@ -324,7 +324,7 @@ test("a link to a lesson that is not in the lesson's folder is refused with its 
   const text = readFileSync(join(lessons, "sphere-ritter.toml"), "utf8").replace("Drag a point.", "Drag\na [point](lesson:beside-it).");
   const line = 1 + text.split("\n").findIndex((row) => row.includes("lesson:beside-it"));
   write("linked.toml", text);
-  refused(["lesson", "check", "linked.toml"], new RegExp(`^snug: linked\\.toml:${line}: "text" links to a lesson that is not there: beside-it`));
+  refused(["lesson", "check", "linked.toml"], new RegExp(`^snug: linked\\.toml:${line}:10: "text" links to a lesson that is not there: beside-it`));
   write("beside-it.toml", text.replace("lesson:beside-it", "lesson:linked"));
   good(["lesson", "check", "linked.toml"]);
 });
@@ -335,10 +335,10 @@ test("a lesson that is wrong is refused with its line, each in a line of its own
   assert.ok(line >= 0);
   write("unknown.toml", text.replace(/^algorithms\b.*$/m, 'algorithms = ["quick"]'));
   write("syntax.toml", "title = \n");
-  refused(["lesson", "check", "unknown.toml"], new RegExp(`^snug: unknown\\.toml:${line + 1}: .*quick`));
+  refused(["lesson", "check", "unknown.toml"], new RegExp(`^snug: unknown\\.toml:${line + 1}:\\d+: .*quick`));
   write("large.toml", `${"a.".repeat(1000000)}a = 1\n`);
-  refused(["lesson", "check", "large.toml"], "large.toml:1: the file is too long: a lesson has at most 262144 bytes");
-  const long = (name) => `${name}:1: the file is too long: a lesson has at most 262144 bytes`;
+  refused(["lesson", "check", "large.toml"], "large.toml:1:1: the file is too long: a lesson has at most 262144 bytes");
+  const long = (name) => `${name}:1:1: the file is too long: a lesson has at most 262144 bytes`;
   write("sparse.toml", "version = 1\n");
   truncateSync(join(folder, "sparse.toml"), 3e9);
   refused(["lesson", "check", "sparse.toml"], long("sparse.toml"));
@@ -346,8 +346,53 @@ test("a lesson that is wrong is refused with its line, each in a line of its own
   refused(["lesson", "check", "nowhere.toml"], /^snug: nowhere\.toml: cannot be opened/);
   const { out, err, status } = snug(["lesson", "check", "unknown.toml", join(lessons, "sphere-ritter.toml"), "syntax.toml"]);
   assert.equal(out, "");
-  assert.match(err, /^snug: unknown\.toml:\d+: [^\n]+\nsnug: syntax\.toml:1: [^\n]+\n$/);
+  assert.match(err, /^snug: unknown\.toml:\d+:\d+: [^\n]+\nsnug: syntax\.toml:1:\d+: [^\n]+\n$/);
   assert.equal(status, 2);
+});
+
+test("every mistake of a lesson is told, in its order, and warnings beside them", () => {
+  const text = readFileSync(join(lessons, "examples", "cloud.toml"), "utf8");
+  const changed = text.replace("title =", "titel =").replace("minutes = 5", "minutes = 0").replace('asks = "point"', 'asks = "pont"').replace("Drag an outer point", "Drag P7");
+  const { out, err, status } = snug(["lesson", "check", write("many.toml", changed)]);
+  assert.deepEqual([out, status], ["", 2]);
+  const line = (words) => 1 + changed.split("\n").findIndex((row) => row.includes(words));
+  assert.deepEqual(err.trimEnd().split("\n"), [
+    `snug: many.toml:${line("titel")}:1: the lesson has no key "titel": did you mean "title"?`,
+    `snug: many.toml:${line("minutes")}:11: "minutes" must be from 1 to 240`,
+    `snug: many.toml:${line("pont")}:8: "asks" is none of point, choice, figure, tightest or grows: pont; did you mean point?`,
+    `snug: many.toml:${line("P7")}:41: warning: "text" speaks of P7, which is not there: the last one is P4`,
+  ]);
+  const warned = snug(["lesson", "check", write("warned.toml", text.replace("Drag an outer point", "Drag P7"))]);
+  assert.match(warned.err, /^snug: warned\.toml:\d+:\d+: warning: [^\n]+\n$/);
+  assert.deepEqual([warned.status, json_lines(warned.out)[0].warnings], [0, 1]);
+});
+
+test("a new lesson of each subject passes as it is written, and does not replace another", () => {
+  for (const subject of ["cloud", "pair", "frustum", "scene", "cost"]) {
+    assert.equal(good(["lesson", "new", `my-${subject}`, "--subject", subject]), `my-${subject}.toml\n`);
+    const [row] = json_lines(good(["lesson", "check", `my-${subject}.toml`]));
+    assert.deepEqual([row.lesson, row.warnings], [`my-${subject}`, undefined]);
+    refused(["lesson", "new", `my-${subject}`], `my-${subject}.toml: is there already`);
+  }
+  refused(["lesson", "new", "other", "--subject", "frostum"], /did you mean frustum\?$/m);
+  refused(["lesson", "new", "Not An Id"], /small letters, digits and hyphens/);
+});
+
+test("facts are what the steps of a lesson are and come to", () => {
+  const rows = json_lines(good(["lesson", "facts", join(lessons, "sphere-ritter.toml")]));
+  const lengths = Object.fromEntries(json_lines(good(["lesson", "play", "sphere-ritter"])).slice(0, -1).map(({ algorithm, steps }) => [algorithm, steps]));
+  for (const [algorithm, steps] of Object.entries(lengths)) {
+    const own = rows.filter((row) => row.algorithm === algorithm);
+    assert.deepEqual(own.map((row) => row.step), [...Array(steps).keys()].map((i) => i + 1).concat(undefined));
+    assert.equal(own.at(-2).fact, "finished");
+    assert.equal(own.at(-2).figures.radius, own.at(-1).size);
+  }
+  const pair = rows.find((row) => row.fact === "pair_chosen");
+  assert.equal(pair.handles.length, 2);
+  assert.ok(pair.asks.includes("axis") && pair.sentence.includes(pair.handles[0]));
+  const one = json_lines(good(["lesson", "facts", "--algorithm", "welzl", join(lessons, "sphere-ritter.toml")]));
+  assert.deepEqual(one, rows.filter((row) => row.algorithm === "welzl"));
+  refused(["lesson", "facts", "--algorithm", "pca", join(lessons, "sphere-ritter.toml")], /does not offer the algorithm pca/);
 });
 
 test("a lesson whose question is never asked is unsound", () => {
@@ -366,7 +411,7 @@ test("a lesson whose question is never asked is unsound", () => {
   assert.ok(not_asked.length > 0);
   assert.equal(lines.flatMap((row) => row.questions).length, asked - not_asked.length);
   const checked = snug(["lesson", "check", "never.toml"]);
-  const at = Number(/^snug: never\.toml:(\d+): the question "[\w-]+" is never asked/.exec(checked.err)?.[1]);
+  const at = Number(/^snug: never\.toml:(\d+):1: the question "[\w-]+" is never asked/.exec(checked.err)?.[1]);
   assert.ok(at > 0 && at < line && line - at < 10, checked.err);
   assert.equal(checked.status, 2);
   refused(["lesson", "play", "nowhere"], /there is no lesson "nowhere"/);
@@ -400,7 +445,7 @@ test("help says what the contract says", () => {
   for (const word of ["--volume", "--algorithm", "--scalar", "--dim", "--seed", "--repeat", "--steps", "support", "measure",
     "max_outside", "certificate", "operations", "time_ns", ".xyz", ".csv", ".txt", ".obj", ".ply", ".stl"])
     assert.ok(help.includes(word), word);
-  for (const command of [["algorithms"], ["lesson"], ["lesson", "list"], ["lesson", "check"], ["lesson", "play"],
+  for (const command of [["algorithms"], ["lesson"], ["lesson", "list"], ["lesson", "check"], ["lesson", "play"], ["lesson", "new"], ["lesson", "facts"],
     ["trace-hash"], ["render"]])
     assert.match(good([...command, "--help"]), /Usage: snug/);
   assert.match(good(["--version"]), /^\d+\.\d+\.\d+\n$/);

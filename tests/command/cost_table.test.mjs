@@ -85,7 +85,7 @@ test("one batch has no spread, and a volume without an update none", () => {
 });
 
 test("a result in JSON is the page's CSV, with columns for times that nobody took", async () => {
-  const { result_as_csv } = await import("../../web/page/costs.js");
+  const { result_as_csv } = await import("../../web/page/result.js");
   for (const [name, args] of Object.entries({ hull: ["--volume", "hull"], all: ["--algorithms", "quickhull,ritter"], turn: ["--turn"] })) {
     good(["cost", "--repeat", "1", "--json", "-o", `${name}.json`, ...args, cloud]);
     write(`${name}.csv`, result_as_csv(new TextEncoder().encode(read(`${name}.json`))));

@@ -3,10 +3,11 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { good, json_lines, refused, root, snug, write } from "./support.mjs";
+import { good, json_lines, mistake, refused, root, snug, write } from "./support.mjs";
 
 const scene = (...args) => json_lines(good(["scene", ...args]));
-const lesson = (id) => readFileSync(join(root, "lessons", `${id}.toml`), "utf8");
+/** Without its links to lessons, which are not beside a test's own file. */
+const lesson = (id) => readFileSync(join(root, "lessons", `${id}.toml`), "utf8").replace(/\[([^\]]*)\]\(lesson:[^)]*\)/g, "$1");
 const counts = (lines) => Object.fromEntries(lines.slice(0, -1).map(({ effect, constructed, run, skipped }) => [effect, [constructed, run, skipped]]));
 
 test("each lesson's scene runs just what it calls for", () => {
@@ -93,7 +94,7 @@ test("what a lesson declares wrongly is refused with file and line", () => {
     const text = lesson(id), changed = text.replace(from, to);
     assert.notEqual(changed, text);
     const line = changed.slice(0, changed.indexOf(message.at)).split("\n").length;
-    refused(["lesson", "check", write(`${id}.toml`, changed)], `${id}.toml:${line}: ${message.says}`);
+    refused(["lesson", "check", write(`${id}.toml`, changed)], mistake(`${id}.toml`, line, message.says));
   };
   const broad = (from, to, at, says) => broken("scene-broad", from, to, { at, says });
   const body = "[[scene.body]]";
@@ -107,11 +108,11 @@ test("what a lesson declares wrongly is refused with file and line", () => {
   broad("at_points = true", "at_points = true\nposition = [nan, 0, 0]", body, "body 0: its position is not finite, or too large");
   broad("frames = 120", "frames = 120\nstep = 0", "[scene]", "the scene's step must be above 0");
   broad("vary = 0.9", "vary = 9", '[[scene.effect]]\neffect = "orbit"', 'orbit: "vary" is out of range');
-  broad("vary = 0.9", "wobble = 9", '[[scene.effect]]\neffect = "orbit"', 'orbit: knows nothing of "wobble"');
+  broad("vary = 0.9", "wobble = 9", '[[scene.effect]]\neffect = "orbit"', 'orbit: has no setting "wobble"');
   broad('shape = "box"', 'shape = "cone"', 'shape = "cone"', '"shape" is none of sphere, box, capsule, points or mesh: cone');
   broken("scene-updates", 'shape = "points"', 'shape = "mesh"', { at: 'shape = "mesh"', says: '"shape" is a mesh, and [points] names none' });
   broken("scene-updates", 'after_nth = 90', 'after_nth = 0', { at: "after_nth = 0", says: '"after_nth" must be from 1 to 100000' });
-  broken("scene-updates", 'after = "frame_taken"\n', "", { at: "after_nth = 1", says: '"after_nth" counts the steps that "after" names' });
+  broken("scene-updates", 'after = "frame_taken"\n', "", { at: "after_nth = 1", says: '"after_nth" needs "after", whose steps it counts' });
   broad("half_extents = [0.30, 0.07, 0.12]", "half_extents = [0.3, 0.1]", "half_extents", '"half_extents" must be three numbers');
   broad("bounds = [20, 120, 400]", "bounds = [20, 20]", "bounds = [20, 20]", '"bounds" must be numbers that rise');
   broad('figure = "after_broad"\nbounds', 'figure = "beauty"\nbounds', 'figure = "beauty"', '"figure" is no figure of a scene: beauty');
@@ -138,7 +139,7 @@ test("places are lists of three numbers, and no two effects drive the same of a 
   const fault = (effect, at, says) => {
     const text = lesson("scene-broad").replace("[[scene.effect]]", `${own}${effect}\n\n[[scene.effect]]`);
     const line = text.slice(0, text.indexOf(at)).split("\n").length;
-    refused(["lesson", "check", write("a.toml", text)], `a.toml:${line}: ${says}`);
+    refused(["lesson", "check", write("a.toml", text)], mistake("a.toml", line, says));
   };
   const path = (places) => `[[scene.effect]]\neffect = "path"\nbody = "a"\nplaces = ${places}`;
   for (const places of ["[0, 0, 0, 1, 0, 0]", "[[0, 0], [0, 1, 0, 0]]", "[[0, 0, 0, 1, 0, 0]]", "[[0, 0, 0], [1, 0]]", "[[0, 0, 0], [1, nan, 0]]"])
@@ -156,22 +157,22 @@ test("a scene with too many frames of too many bodies is refused before it is ru
   const too_long = "too many frames of too many bodies: one times the other may be at most 250000, and 10 places of a trail count as a body";
   const start = performance.now();
   for (const [bodies, frames] of [[100000, 120], [2100, 120], [126, 2000]])
-    refused(["lesson", "check", of(bodies, frames)], `many.toml:${line}: ${too_long}`);
+    refused(["lesson", "check", of(bodies, frames)], mistake("many.toml", line, too_long));
   const trails = write("trails.toml", text.replace("count = 40", "count = 125").replace("frames = 120", "frames = 2000").replace("[[scene.effect]]", '[[scene.effect]]\neffect = "trail"\nlength = 10000\n\n[[scene.effect]]'));
-  refused(["lesson", "check", trails], `trails.toml:${line}: ${too_long}`);
+  refused(["lesson", "check", trails], mistake("trails.toml", line, too_long));
   assert.ok(performance.now() - start < 5000);
 });
 
 test("a scene with too many pairs is refused with the line of what looks for them", () => {
   const text = lesson("scene-broad").replace(/\[\[question\]\][^]*/, "").replace("count = 40", "count = 500").replace("frames = 120", "frames = 500").replace(/half_extents = .*/, "half_extents = [50, 50, 50]");
   const line = text.slice(0, text.indexOf('[[scene.effect]]\neffect = "broad_phase"')).split("\n").length;
-  refused(["lesson", "check", write("pairs.toml", text)], `pairs.toml:${line}: too many pairs: those of all frames together may be at most 12500000, which are reached at frame 101`);
+  refused(["lesson", "check", write("pairs.toml", text)], mistake("pairs.toml", line, "too many pairs: those of all frames together may be at most 12500000, which are reached at frame 101"));
 });
 
 test("more points than a method takes are refused with their line", () => {
   const text = lesson("scene-broad").replace(/\[\[question\]\][^]*/, "").replace("count = 40", "count = 4001").replace("frames = 120", "frames = 20");
   const line = text.slice(0, text.indexOf("[points]")).split("\n").length;
-  refused(["lesson", "check", write("crowd.toml", text)], `crowd.toml:${line}: too many points for Sort and sweep: at most 4000`);
+  refused(["lesson", "check", write("crowd.toml", text)], mistake("crowd.toml", line, "Sort and sweep takes at most 4000 points"));
 });
 
 test("a mesh is a body: it is run, and impulses refuse it with file and line", () => {

@@ -35,6 +35,10 @@ export function good(args, input) {
   return out;
 }
 
+/** A mistake in a lesson's file, at some column of that line. */
+export const mistake = (file, line, says) => new RegExp(`^snug: ${escaped(file)}:${line}:\\d+: ${escaped(says)}`);
+const escaped = (text) => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+
 /** Exit 2, nothing on stdout, and one line on stderr. */
 export function refused(args, line, input) {
   const { out, err, status } = snug(args, input);

@@ -1,5 +1,5 @@
-# Without a lesson the window opens on the course; keys choose a lesson and open it, and the place is kept until the next
-# time, unless the file is damaged.
+# Without a lesson the window opens on the course; keys choose a lesson and open it, words find some, and the place is
+# kept until the next time, unless the file is damaged.
 . tests/desktop/support.sh
 kept=$work/snug/course.json
 close_window() {
@@ -16,8 +16,30 @@ xdotool key Right
 until_state 's.chosen === 0'
 xdotool key Right
 until_state 's.chosen === 1'
+# The search: by a slash from anywhere, and by its words.
+xdotool key slash
+until_state 's.focus === "Search the lessons"'
+sleep 0.3
+xdotool type --delay 60 "Welzl, support"
+until_state 's.asked === "Welzl, support" && s.found.length < s.course.length'
+state 's.found.map(i => s.course[i].id).join(" ")' | grep -qw sphere-welzl || fail "it finds $(state 's.found')"
+xdotool type --delay 60 zzz
+until_state 's.found.length === 0'
+xdotool key Escape
+until_state 's.asked === "" && s.found.length === s.course.length'
+xdotool key Escape
+until_state 's.focus === ""'
+xdotool key slash
+until_state 's.focus === "Search the lessons"'
+sleep 0.3
+xdotool type --delay 60 "frustum six"
+until_state 's.found.length === 1'
+xdotool key Return # to what was found
+until_state 's.course[s.chosen]?.id === "frustum-3d"'
+xdotool key Escape sleep 0.3 key Escape
+until_state 's.found.length === s.course.length'
 xdotool key Home
-until_state 's.chosen === -1'
+until_state 's.focus === "Start here"'
 xdotool key Return
 until_state 's.lesson === "sphere-ritter" && s.step === 0'
 [[ ! -e $kept ]] || fail "what was only looked at is kept"

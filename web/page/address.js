@@ -1,6 +1,6 @@
-// The address says what is on the page: lesson, step, seed, algorithms, points.
+// The address says what is on the page: lesson, step, seed, algorithms, and what was edited, in rows of numbers.
 
-/** What an address asks for; what it gets wrong goes to `problems`, one sentence each, and is left out. */
+/** What an address asks for. Each mistake in it is left out, and gets a sentence in `problems`. */
 export function read_address(search) {
   const given = new URLSearchParams(search);
   const problems = [];
@@ -23,34 +23,30 @@ export function read_address(search) {
     asked.from = "";
   }
 
-  const rows = (name, shortest, longest) => {
-    const text = given.get(name);
-    if (!text) return null;
-    const read = text.split(";").map((row) => row.split(",").map((field) => (field.trim() === "" ? NaN : Number(field))));
-    const length = read[0].length;
-    const good = length >= shortest && length <= longest && read.every((row) => row.length === length && row.every(Number.isFinite));
-    if (good) return read;
-    problems.push("The points in the address cannot be read.");
+  const rows = (...names) => {
+    const name = names.find((one) => given.get(one));
+    if (!name) return null;
+    const read = given.get(name).split(";").map((row) => row.split(",").map((field) => (field.trim() === "" ? NaN : Number(field))));
+    if (read.every((row) => row.every(Number.isFinite))) return read;
+    problems.push(`The numbers that the address has as ${name} cannot be read.`);
     return null;
   };
-  asked.points = rows("points", 2, 3);
-  asked.moved = rows("moved", 3, 4);
-  asked.boxes = rows("boxes", 6, 15);
+  asked.rows = rows("rows", "points", "boxes"); // the last two in links of old
+  asked.moved = rows("moved");
   return asked;
 }
 
-/** The address of what is on the page. shared: as web/main.cpp's shared_points says it. */
+/** The address of what is on the page. shared: as web/deeds.hpp's shared_rows says it. */
 export function write_address(view, lesson, shared, embed) {
   const rows = (list) => list.map((row) => row.join(",")).join(";");
   const parts = [`lesson=${encodeURIComponent(lesson.id)}`];
-  if (!view.previewing) parts.push(`step=${view.step}`); // the result before the player is used is no step gone to
+  if (!view.previewing) parts.push(`step=${view.step}`); // the preview is not a step that anyone chose
   parts.push(`seed=${view.seed}`);
   if (view.algorithm !== lesson.algorithms[0]?.name) parts.push(`a=${view.algorithm}`);
   if ((view.beside ?? "") !== lesson.compare) parts.push(`b=${view.beside ?? "none"}`);
   if (shared.how) parts.push(`from=${shared.how}`);
   if (shared.moved?.length) parts.push(`moved=${rows(shared.moved)}`);
-  if (shared.boxes) parts.push(`boxes=${rows(shared.boxes)}`);
-  if (shared.points) parts.push(`points=${rows(shared.points)}`);
+  if (shared.rows) parts.push(`rows=${rows(shared.rows)}`);
   if (embed) parts.push("embed=1");
   return `?${parts.join("&")}`;
 }

@@ -1,12 +1,12 @@
-// Before anything else is here. A classic script of its own: the page's policy allows none within the HTML.
+// Runs before anything else has loaded. It is a separate, classic script, because the page's policy forbids inline ones.
 
-// The course is there at once; a lesson waits for the program beneath the veil.
+// The course is shown at once; a lesson stays under the veil until the program is loaded.
 document.documentElement.dataset.view = new URLSearchParams(location.search).get("lesson") === null ? "course" : "lesson";
 
-// For scripts and tests, from the first moment on; main.js fills it in.
+// Scripts and tests can use this at once; main.js fills it in.
 window.snug = { ready: new Promise((resolve) => addEventListener("snug-ready", resolve, { once: true })), state: () => null, handles: () => [], frameTimes: () => [] };
 
-// A page whose own files do not arrive must still say so. A script's error does not bubble: it is caught on its way down.
+// If the page's own files do not arrive, it must still say so. A script's load error does not bubble, so it is captured.
 addEventListener("error", ({ target }) => {
   if (!(target instanceof HTMLScriptElement)) return;
   document.documentElement.dataset.view = "lesson";

@@ -17,13 +17,13 @@ export class Code {
     this.#act = act;
     by_id("code").append(element("h2", { class: "unseen", id: "code-heading" }, "Pseudocode"), this.#fields, this.#lines, this.#source);
     new ResizeObserver(() => this.#fit()).observe(this.#lines);
-    new ResizeObserver(() => { // where its room changes, the lit line stands where it would if that had always been its room
+    new ResizeObserver(() => { // after a resize, the highlighted line is where it would be had the panel always had this size
       by_id("code").scrollTop = 0;
       if (this.#lit) keep_in_view(this.#lit, by_id("code"));
     }).observe(by_id("code"));
   }
 
-  /** Side by side the two selectors may be too narrow for a name: then they stand one below the other. */
+  /** Puts the two selectors one below the other if they are too narrow for a name side by side. */
   #fit() {
     this.#fields.classList.remove("long");
     this.#fields.classList.add("natural");
@@ -37,7 +37,7 @@ export class Code {
     this.#main.replaceChildren(...options);
     this.#beside.replaceChildren(element("option", { value: "" }, "(none)"), ...options.map((option) => option.cloneNode(true)));
     this.#sources = new Map(lesson.algorithms.map(({ name, source }) => [name, source]));
-    this.#shown = {}; // another lesson's algorithm may have the same name, and other lines
+    this.#shown = {}; // another lesson's algorithm may have the same name but other lines
     by_id("code").scrollTop = 0;
     this.#fit();
   }
@@ -77,15 +77,15 @@ export class Code {
   }
 }
 
-const kLineBeyond = 1.5; // lines that stay in sight before and behind it, clear of the fade
+const kLineBeyond = 1.5; // lines that stay visible before and after the highlighted one, clear of the fade
 
-/** Where there is little room the choice of algorithms stays while the lines scroll beneath it. */
+/** The height of the algorithm selectors, if they stay on top while the lines scroll; otherwise 0. */
 function kept_on_top(scroller) {
   const fields = scroller.querySelector(".fields");
   return getComputedStyle(fields).position === "sticky" ? fields.offsetHeight : 0;
 }
 
-/** Scrolls the code alone, never the page under the reader's eyes. */
+/** Scrolls only the code panel, never the page. */
 function keep_in_view(item, scroller) {
   const [line, box] = [item.getBoundingClientRect(), scroller.getBoundingClientRect()];
   const beyond = kLineBeyond * line.height;

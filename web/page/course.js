@@ -1,5 +1,5 @@
-// The course: what Snug is, where to start or to continue, and every lesson under its chapter. It is HTML alone and is
-// there before the program, which it does not need.
+// The course: what Snug is, where to start or to continue, and every lesson under its chapter. It is plain HTML and
+// does not need the program, so it is shown before that has loaded.
 import { by_id, element, followed_here, set_hidden, set_text, whole_names } from "./dom.js";
 import { way_into } from "./lesson_menu.js";
 
@@ -11,7 +11,7 @@ export function lessons_of(course) {
 
 const plain = (text) => text.toLowerCase().normalize("NFKD").replace(/[\u0300-\u036f]/g, "").replace(/[’']/g, "");
 
-/** How far one is, in a mark and a word. */
+/** The student's progress, as a mark and a word. */
 function progress_of(lesson, entry) {
   if (!entry) return { kind: "open", words: "Not begun" };
   const count = `${entry.answered} of ${lesson.questions} predictions`;
@@ -20,7 +20,7 @@ function progress_of(lesson, entry) {
 }
 
 const picture = (lesson, how = {}) => element("img", { class: "picture", alt: "", width: 480, height: 300, decoding: "async", "data-picture": lesson.id,
-  onerror: ({ target }) => target.removeAttribute("src"), ...how }); // without its picture a card says all the same
+  onerror: ({ target }) => target.removeAttribute("src"), ...how }); // a card without its picture still says everything
 
 export class Course {
   #lessons;
@@ -42,7 +42,7 @@ export class Course {
     return this.#lessons;
   }
 
-  /** As window.snug.state() tells it. */
+  /** The course's part of window.snug.state(). */
   state() {
     return this.#lessons.map(({ id, number, title, chapter }) => ({ id, number, title, chapter, done: Boolean(this.#kept.lesson(id)?.done) }));
   }
@@ -53,7 +53,7 @@ export class Course {
     this.#show_progress();
   }
 
-  /** Pictures for the theme that is shown. */
+  /** Shows the pictures that belong to the theme. */
   show_theme(dark) {
     for (const image of document.querySelectorAll("[data-picture]")) {
       const source = `course/${image.dataset.picture}${dark ? "-dark" : ""}.png`;
@@ -116,7 +116,7 @@ export class Course {
     set_hidden(by_id("course-forgets"), this.#kept.works);
   }
 
-  /** One way in for who is new; who was in a lesson goes on there. */
+  /** Offers a newcomer one way to start, and anyone who was in a lesson a way to continue it. */
   #show_start() {
     const first = this.#lessons[0];
     if (!first) return;

@@ -1,4 +1,4 @@
-// Brings the program and the fonts that it draws with.
+// Loads the program and its fonts.
 
 const kFonts = {
   "Inter-Regular": "fonts/Inter-Regular.otf",
@@ -7,7 +7,7 @@ const kFonts = {
   "JetBrainsMono-Bold": "fonts/JetBrainsMono-Bold.ttf",
 };
 
-/** The functions of web/main.cpp. attempt: counted up by each retry, for a browser remembers a module that failed. */
+/** The functions of web/main.cpp. attempt: each retry increases it, because a browser remembers a module that failed. */
 export async function open_door(downloads, attempt) {
   const fonts = Object.entries(kFonts).map(async ([font, path]) => [font, await downloads.bytes(path)]);
   const [program, glue, ...loaded] = await Promise.all([
@@ -17,7 +17,7 @@ export async function open_door(downloads, attempt) {
   ]);
   const door = await new Promise((resolve, reject) => {
     glue.default({
-      // The program compiles while it arrives, whatever type the host gives the file.
+      // Compiles the program while it arrives, whichever type the host gives the file.
       instantiateWasm: (imports, done) => {
         WebAssembly.instantiateStreaming(program, imports).then((made) => done(made.instance), reject);
         return {};

@@ -1,12 +1,12 @@
-// Files with true progress: sizes.json, made at build time, says how large each is once it is unpacked, which a
-// packed transfer's own headers do not.
+// Downloads files and shows true progress: sizes.json, made at build time, has each file's unpacked size, which the
+// headers of a compressed transfer lack.
 
 export class Downloads {
   #sizes = null;
   #expected = new Map();
   #arrived = new Map();
   #show;
-  #kept = new Map(); // promises by path: what has come once is not fetched again
+  #kept = new Map(); // promises by path, so that no file is fetched twice
 
   constructor(show) {
     this.#show = show;
@@ -23,7 +23,7 @@ export class Downloads {
     if (expected > 0) this.#show(arrived / expected);
   }
 
-  /** The file as an answer whose body reports as it comes. Throws where it does not come. */
+  /** The file as a Response that reports progress while it arrives. Throws if it does not arrive. */
   async answer(path, type) {
     const [sizes, answer] = await Promise.all([this.#sizes, fetch(path)]);
     if (!answer.ok) throw new Error(`${path}: ${answer.status}`);
@@ -50,7 +50,7 @@ export class Downloads {
   #once(path, bring) {
     if (!this.#kept.has(path)) this.#kept.set(path, bring());
     const coming = this.#kept.get(path);
-    coming.catch(() => this.#kept.delete(path)); // to be tried again
+    coming.catch(() => this.#kept.delete(path)); // so that it can be tried again
     return coming;
   }
 }

@@ -1,14 +1,14 @@
-// What is kept on the device, and nowhere else: how far each lesson is, where one was in it, the answers given. Storage
-// that is forbidden, full, damaged or of another version costs no more than that.
+// What is kept, on this device only: each lesson's progress, the student's place in it, and the answers given. If the
+// storage is forbidden, full, damaged or another version's, nothing else is lost.
 
 const kKey = "snug-course";
 const kVersion = 1;
-const kLongest = 200_000; // characters of one lesson: an address and its answers
+const kLongest = 200_000; // characters for one lesson: an address and its answers
 
 const is_text = (value) => typeof value === "string" && value.length <= kLongest;
 const is_count = (value) => Number.isSafeInteger(value) && value >= 0;
 
-/** What a lesson's entry is made of; what is not like it counts as not begun. */
+/** Whether it is a valid entry of a lesson; a lesson without one counts as not begun. */
 const is_entry = (entry) => Boolean(entry) && is_text(entry.address) && is_text(entry.answers) && is_count(entry.answered) && is_count(entry.step)
   && is_count(entry.steps) && typeof entry.done === "boolean" && typeof entry.task === "boolean";
 
@@ -19,7 +19,7 @@ const whole = (entry) => ({ ...entry, told: is_text(entry.told) ? entry.told : n
 
 const nothing = () => ({ version: kVersion, last: null, invited: 0, lessons: {} });
 
-/** What the text of the storage says, as far as it can be understood; null where it is a later version's. */
+/** The stored data, without whatever cannot be understood; null if it is a later version's. */
 function understood(text) {
   let data;
   try {
@@ -42,12 +42,12 @@ export class Kept {
     this.#read();
   }
 
-  /** Whether what is kept will be there after a reload. */
+  /** Whether kept data survives a reload. */
   get works() {
     return this.#works;
   }
 
-  /** The lesson that one was in; null before the first. */
+  /** The lesson that was open last; null before the first. */
   get last() {
     return this.#data.last;
   }
@@ -74,21 +74,21 @@ export class Kept {
     this.#change((data) => (data.invited = Math.max(data.invited, count)));
   }
 
-  /** Everything but the invitations, which are not shown again. */
+  /** Erases everything except the count of invitations, so that they are not shown again. */
   erase() {
     this.#change((data) => Object.assign(data, { last: null, lessons: {} }));
   }
 
-  /** Another tab may have written since. */
+  /** Reads the storage again, because another tab may have written to it. */
   refresh() {
-    if (this.#works) this.#read(); // else what is in memory is all there is
+    if (this.#works) this.#read(); // otherwise there is only what is in memory
   }
 
   #read() {
     try {
       const text = localStorage.getItem(kKey);
       const data = understood(text);
-      this.#works = data !== null; // a later version's is left as it is
+      this.#works = data !== null; // a later version's data is left as it is
       if (data) this.#data = data;
     } catch {
       this.#works = false;

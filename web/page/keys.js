@@ -1,4 +1,4 @@
-// The stage's keys, from anywhere on the page but where a key has a meaning of its own.
+// The stage's keys work anywhere on the page, except where a key has its own meaning.
 
 const kWrites = "input, select, textarea, [contenteditable]";
 const kPresses = "button, a, summary";
@@ -6,7 +6,7 @@ const kReads = "#read, #points, #code";
 const kPages = new Set(["PageUp", "PageDown"]); // which mean nothing within a line of text
 const kScrolls = new Set(["ArrowUp", "ArrowDown", "PageUp", "PageDown", "Home", "End", " "]);
 
-/** Whether the key scrolls what the focus is in. */
+/** Whether the key scrolls the element that contains the focus. */
 function scrolls(target, key) {
   if (!kScrolls.has(key) || !target.closest(kReads)) return false;
   for (let node = target; node; node = node.parentElement)
@@ -14,12 +14,12 @@ function scrolls(target, key) {
   return false;
 }
 
-/** do_command(name): whether it could be done. choose(digit): whether a question took it. */
+/** do_command(name) returns whether it could be done, choose(digit) whether it answered a question. */
 export function listen_to_keys(door, act, choose, leave) {
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.altKey || event.isComposing) return;
     const target = event.target instanceof Element ? event.target : document.body;
-    if (door.view()?.deciding && !/^(Shift|Control|Alt|Meta)/.test(event.key)) { // any key ends it, and does nothing else
+    if (door.view()?.deciding && !/^(Shift|Control|Alt|Meta)/.test(event.key)) { // any key ends the playing, and does nothing else
       event.preventDefault();
       return act(() => door.command("continue"));
     }
@@ -27,6 +27,7 @@ export function listen_to_keys(door, act, choose, leave) {
     if (scrolls(target, event.key) && !event.ctrlKey && !event.metaKey) return;
     if (target.closest(kPresses) && (event.key === "Enter" || event.key === " ")) return;
     const control = event.ctrlKey || event.metaKey;
+    if (event.repeat && !event.key.startsWith("Arrow")) return; // a key that is held goes on stepping, but answers and skips once
     if (!control && event.key >= "1" && event.key <= "9" && choose(Number(event.key))) return event.preventDefault();
     if (event.key === "Escape" && leave()) return event.preventDefault();
     const command = door.command_of_key(event.key, event.shiftKey, control);

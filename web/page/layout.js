@@ -1,9 +1,9 @@
-// Which of the three arrangements fits, and where in it the canvas' parts stand.
+// Chooses the arrangement that fits, of three, and places the canvas's parts in it.
 import { by_id } from "./dom.js";
 
-// In the page's own rem: larger text needs a larger window, whichever way it was asked for.
-const kWide = { across: 64, presented: 60, down: 30 }; // presented, the timeline runs on beneath the numbers
-const kBeside = 30; // across, on a window that is wider than high
+// In the page's rem, because larger text needs a larger window, however it was made larger.
+const kWide = { across: 64, presented: 60, down: 30 }; // presented: the timeline extends below the numbers
+const kBeside = 30; // the width, in a window that is wider than high
 const kCoarse = matchMedia("(pointer: coarse)");
 const kParts = ["stage", "timeline", "numbers"];
 
@@ -21,7 +21,7 @@ export function watch_layout(changed) {
   name();
 }
 
-/** The same for now, for the course, which has no stage. */
+/** Sets it once, for the course, which has no stage. */
 export function name_layout() {
   document.documentElement.dataset.layout = fitting();
   document.documentElement.classList.toggle("fingers", has_fingers());
@@ -37,7 +37,7 @@ function fitting() {
 
 const has_fingers = () => kCoarse.matches || document.documentElement.dataset.layout === "phone";
 
-/** Where the parts stand in #work, in its own pixels; a part that is not shown is empty. */
+/** The parts' rectangles in #work, in its pixels; a hidden part's is empty. */
 function measured() {
   const work = by_id("work").getBoundingClientRect();
   const rectangles = kParts.map((id) => {
@@ -54,7 +54,7 @@ function tools_reach() {
   return shown.length > 0 ? Math.max(...shown.map(({ right }) => right)) - by_id("stage").getBoundingClientRect().left : 0;
 }
 
-/** How much of the stage's foot the question covers; where there is room for it elsewhere, nothing. */
+/** How much of the bottom of the stage the question covers; 0 if there is room for it elsewhere. */
 function foot() {
   const [stage, card] = ["stage", "ask"].map((id) => by_id(id).getBoundingClientRect());
   const beside = card.height === 0 || card.left >= stage.right || card.right <= stage.left;
@@ -63,11 +63,11 @@ function foot() {
 
 let last = null;
 
-/** Lays the canvas under its parts and says it as web/main.cpp's set_layout takes it. */
+/** Puts the canvas under its parts. Returns the arguments of web/main.cpp's set_layout. */
 export function arrange(canvas) {
   const parts = measured();
   const shown = Object.values(parts).filter((part) => part.width > 0 && part.height > 0);
-  if (shown.length === 0 && last) return last; // the course stands in the lesson's place
+  if (shown.length === 0 && last) return last; // the course is shown instead of the lesson
   const left = Math.floor(Math.min(...shown.map((part) => part.x)));
   const top = Math.floor(Math.min(...shown.map((part) => part.y)));
   const width = Math.max(1, Math.ceil(Math.max(...shown.map((part) => part.x + part.width))) - left);

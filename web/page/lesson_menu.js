@@ -1,4 +1,4 @@
-// The lessons: which there are, and the menu that leads to them. Each is a true link, to open beside or to copy.
+// The list of lessons and the menu with links to them. Each is a true link, which can be opened in a new tab or copied.
 import { by_id, element, followed_here, set_hidden, set_text } from "./dom.js";
 
 export const link_of = (id) => `?lesson=${encodeURIComponent(id)}`;
@@ -6,7 +6,7 @@ export const link_of = (id) => `?lesson=${encodeURIComponent(id)}`;
 /** The way into a lesson: to where it was left; one that was not begun opens on its points, before the first step. */
 export const way_into = (id, kept) => (kept.lesson(id) ? link_of(id) : `${link_of(id)}&step=0`);
 
-/** Links by chapter, the open one marked. choose(id): called in place of loading the page anew. */
+/** Links by chapter, the open one marked. choose(id): called instead of loading the page again. */
 export function lesson_links(lessons, open_id, choose) {
   const groups = Map.groupBy ? Map.groupBy(lessons, (lesson) => lesson.chapter) : grouped(lessons);
   return element("ul", { class: "lesson-groups" }, ...[...groups].map(([group, members]) =>
@@ -78,6 +78,6 @@ export class LessonMenu {
       const links = [...by_id("lessons").querySelectorAll("a")];
       links[(links.indexOf(document.activeElement) + step + links.length) % links.length].focus();
     }
-    event.stopPropagation(); // the keys of the stage sleep while the menu is open
+    event.stopPropagation(); // the stage's keys do nothing while the menu is open
   }
 }

@@ -1,10 +1,9 @@
-// The page: brings the program and a lesson, shows what the lesson's state says, and keeps the address in step.
+// The page: loads the program and a lesson, shows the lesson's state, and keeps the address up to date.
 import { read_address, write_address } from "./address.js";
-import { BoxTools } from "./boxes.js";
 import { Code } from "./code.js";
 import { by_id, element, followed_here, set_text, when_changed } from "./dom.js";
 import { open_door } from "./door.js";
-import { CostTools } from "./costs.js";
+import { CoverTools } from "./cover.js";
 import { Course } from "./course.js";
 import { Downloads } from "./download.js";
 import { Invitations } from "./invitations.js";
@@ -13,6 +12,7 @@ import { listen_to_keys } from "./keys.js";
 import { name_layout } from "./layout.js";
 import { LessonMenu, lesson_links, way_into } from "./lesson_menu.js";
 import { clear_notices, notice, notice_all, veil } from "./messages.js";
+import { NumberTools } from "./numbers.js";
 import { Player } from "./player.js";
 import { PointTools } from "./points.js";
 import { Presentation } from "./presentation.js";
@@ -23,16 +23,12 @@ import { Side } from "./side.js";
 import { Stage } from "./stage.js";
 import { Tabs } from "./tabs.js";
 
-const kAddressDelay = 250; // milliseconds: browsers count how often the address is replaced
-const kFilesDelay = 400; // milliseconds: a lesson whose files take longer has the page say so
-const kPanelsDelay = 250; // milliseconds: so often the HTML follows a drag, whose every frame would lay the page out anew
-
-/** What stands on it, for those who cannot see it. */
-const stage_of = ({ measures, boxes, frustum, scene, bodies, hasPoints }) => (measures ? "the chart of costs, or the points" : frustum ? "a box and a view frustum" : boxes ? "two boxes" : !hasPoints ? "two volumes"
-  : bodies ? "bodies that move, and their volumes" : scene ? "a body that moves, and the volume around it" : "the points and the volume around them");
+const kAddressDelay = 250; // milliseconds: browsers limit how often the address is replaced
+const kFilesDelay = 400; // milliseconds: if a lesson's files take longer, the page says so
+const kPanelsDelay = 250; // milliseconds between updates of the HTML during a drag: one in every frame would cost a layout each
 
 class Page {
-  written = null; // the address as the page keeps it, while a lesson stands
+  written = null; // the address that the page wrote for the open lesson
   #door;
   #downloads;
   #lessons;
@@ -48,10 +44,10 @@ class Page {
   #view = null;
   #embed;
   #go_to;
-  #opens = 0; // how many lessons have been asked for
-  #opening = true; // what stands on the page is not what the address asks for
+  #opens = 0; // counts the calls of open and rest; each cancels the earlier ones
+  #opening = true; // whether the page does not show yet what the address asks for
   #kept;
-  #erased_at = null; // the address where the answers were erased
+  #erased_at = null; // the address at which the answers were erased
   #reveal = () => {};
   #address_timer = 0;
   #panels_timer = 0;
@@ -70,19 +66,19 @@ class Page {
     this.#points = new PointTools(door, act, (name) => this.#mesh(name));
     this.#reading = new Reading(door.words(), { formulas, start_task: () => this.#start_task(), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) });
     this.#tabs = new Tabs((id) => id === "read" && this.#reading.bring_section());
-    this.#panels = [this.#reading, question, new Code(door, act), this.#points, new BoxTools(door, act), new CostTools(door, act, () => this.#stage.request()), new Player(door, act), this.#tabs, new Side(door), new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()), new Invitations(kept, lessons[0]?.id, () => this.handles())];
+    this.#panels = [this.#reading, question, new Code(door, act), this.#points, new NumberTools(door, act), new CoverTools(door, act, () => this.#stage.request()), new Player(door, act), this.#tabs, new Side(door), new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()), new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place))];
     this.#menu = new LessonMenu(lessons, go_to);
     this.#stage = new Stage(door, () => this.#show());
     settings.on_change(() => this.#apply_settings());
     listen_to_keys(door, act, (digit) => question.choose(digit), () => this.#leave_presentation());
     for (const command of ["undo", "redo"]) by_id(command).addEventListener("click", () => act(() => door.command(command)));
-    by_id("timeline").addEventListener("click", () => this.#view?.asked && question.show()); // its locked "Answer"
+    by_id("timeline").addEventListener("click", () => this.#view?.asked && question.show()); // its locked button "Answer"
     by_id("share").addEventListener("click", () => this.#share());
     addEventListener("pagehide", () => this.leave());
     this.#go_to = go_to;
   }
 
-  /** Does what a link of the prose says. */
+  /** Follows a link in the prose. */
   #follow({ kind, target }) {
     if (kind === "lesson") return this.#go_to(target);
     if (kind === "mesh") return this.#points.bring(target);
@@ -91,7 +87,7 @@ class Page {
       const error = kind === "algorithm" ? this.#door.choose(0, target) : this.#door.go(Number(target));
       if (error) notice(`${error}.`);
     });
-    if (kind === "step" && this.#view.asked && this.#view.step === step) this.#question.show(); // which is in the way
+    if (kind === "step" && this.#view.asked && this.#view.step === step) this.#question.show(); // the question stops the player here
   }
 
   /** Wherever one was: the task is at the end of the lesson's text. */
@@ -100,13 +96,13 @@ class Page {
     this.#reading.bring_task();
   }
 
-  /** On a phone the stage, where it is to be done, is far above the task. */
+  /** Starts the task, and on a phone scrolls to the stage, which is far above the task. */
   #start_task() {
     this.act(() => this.#door.start_task());
     by_id("stage").scrollIntoView({ block: "nearest" });
   }
 
-  /** Does what the user asks for, then shows what came of it. */
+  /** Does what the user asks for, then shows the result. */
   act(what) {
     what();
     this.#show();
@@ -130,15 +126,15 @@ class Page {
 
   // ---- lessons ------------------------------------------------------------------------------------------------
 
-  /** Writes down where one is, before something else is shown. */
+  /** Keeps the student's place before something else is shown. */
   leave() {
     this.#write_address();
     this.written = null;
   }
 
-  /** Nothing plays on behind the course, and the address is the course's. */
+  /** Keeps the student's place and stops playing, before the course is shown. */
   rest() {
-    this.#opens += 1; // what is still on its way is not opened any more
+    this.#opens += 1; // cancels what is still loading
     clearTimeout(this.#address_timer);
     this.#address_timer = 0;
     if (!this.#opening) this.#keep(this.#address());
@@ -146,7 +142,7 @@ class Page {
     if (this.#view?.playing) this.#door.command("play");
   }
 
-  /** Takes all answers away. The place that stands is not kept either, until one goes on. */
+  /** Erases all answers. The current place is not kept either, until the student continues. */
   erase() {
     this.#door.erase_answers();
     if (this.#opening) return;
@@ -154,8 +150,8 @@ class Page {
     this.#erased_at = this.#address();
   }
 
-  /** Opens what an address asks for, or says why it cannot. A later call overtakes one that waits for its files.
-   *  reveal: shows the page, once there is something new on it. */
+  /** Opens what an address asks for, or says why it cannot. A later call cancels one that waits for its files.
+   *  reveal: shows the page once it has something new. */
   async open(asked, reveal = () => {}) {
     const turn = (this.#opens += 1);
     this.#reveal = reveal;
@@ -177,7 +173,7 @@ class Page {
     this.#lesson = this.#door.lesson();
     this.#menu.show(this.#lesson);
     document.title = `${this.#lesson.title} · Snug`;
-    by_id("canvas").setAttribute("aria-label", `Stage: ${stage_of(this.#lesson)}`);
+    by_id("canvas").setAttribute("aria-label", `Stage: ${this.#lesson.stageSays}`);
     set_text(by_id("figures").closest("table").caption, `Numbers at this ${this.#lesson.stepWord}`);
     for (const panel of this.#panels) panel.open?.(this.#lesson);
     const back = kept && (is_bare(asked) || location.search === kept.address);
@@ -191,7 +187,7 @@ class Page {
     this.act(() => {});
   }
 
-  /** What open_lesson takes, or {error}. Throws where a file does not come. */
+  /** The arguments of open_lesson, or {error}. Throws if a file does not arrive. */
   async #files(id) {
     const slow = setTimeout(() => (this.#reveal(), veil.loading()), kFilesDelay);
     try {
@@ -208,22 +204,22 @@ class Page {
     veil.choose(this.#lessons.length === 0 ? "There are no lessons here." : `There is no lesson “${id.slice(0, 60)}”. These are the lessons:`, links);
   }
 
-  /** Brings the lesson to where the address says, as far as it can. */
+  /** Restores what the address says, as far as possible. */
   async #restore(asked) {
     const door = this.#door;
     const tell = (error) => error && asked.problems.push(`Part of the address cannot be used: ${error}.`);
     if (asked.seed !== null && asked.seed !== this.#lesson.seed) door.scatter(asked.seed);
     if (asked.from) tell(await this.#restore_source(asked.from, asked.seed ?? this.#lesson.seed));
-    if (asked.points) tell(door.load_file(new TextEncoder().encode(asked.points.map((row) => row.join(" ")).join("\n")), "the address.xyz"));
-    if (asked.boxes) tell(door.set_box_rows(asked.boxes));
-    if (asked.moved) tell(door.move_points(asked.moved));
+    if (asked.rows) tell(door.set_rows(asked.rows));
+    if (asked.moved) tell(door.change_rows(asked.moved));
     if (asked.a) tell(door.choose(0, asked.a));
     if (asked.b) tell(door.choose(1, asked.b === "none" ? "" : asked.b));
     if (asked.step !== null) {
       const { steps } = door.view();
       if (asked.step > steps) asked.problems.push(`The address asks for ${this.#lesson.stepWord} ${asked.step}; there are only ${steps}.`);
       door.jump(Math.min(asked.step, steps));
-      if (asked.step > 0 && door.view().costs?.shown) door.command("toggle_chart"); // a step is of the points
+      const { cover } = door.view();
+      if (asked.step > 0 && cover?.shown) door.command(cover.button.command); // a step is of the stage
     }
   }
 
@@ -255,7 +251,7 @@ class Page {
     set_text(by_id("caption"), this.#view.caption);
     if (this.#stage?.pressed) {
       this.#panels_timer ||= setTimeout(() => this.#show_panels(), kPanelsDelay);
-      return; // the address follows on release: for a new one the browser draws its own bar anew
+      return; // the address follows on release, because the browser redraws its address bar for each new one
     }
     this.#show_panels();
     this.#address_timer ||= setTimeout(() => this.#write_address(), kAddressDelay);
@@ -276,7 +272,7 @@ class Page {
   // ---- the address --------------------------------------------------------------------------------------------
 
   #address() {
-    return write_address(this.#view, this.#lesson, this.#door.shared_points(), this.#embed);
+    return write_address(this.#view, this.#lesson, this.#door.shared_rows(), this.#embed);
   }
 
   #write_address() {
@@ -290,7 +286,7 @@ class Page {
     else this.#keep(address);
   }
 
-  /** Where one is and what was answered, once one has done something here. */
+  /** Keeps the student's place and answers, once the student has done something here. */
   #keep(address) {
     const { previewing, outcomes, step, steps, questions, grade, edited, asked, outcome, deciding } = this.#view;
     const decided = outcomes.filter(({ passed, pending }) => !passed && !pending);
@@ -301,7 +297,7 @@ class Page {
     const before = this.#kept.lesson(this.#lesson.id);
     this.#kept.keep_lesson(this.#lesson.id, {
       address, answers: this.#door.kept_answers(), answered: decided.filter(({ skipped }) => !skipped).length, step, steps,
-      // Once done, it stays so: who looks at it again has not lost it.
+      // Once done, a lesson stays done when it is looked at again.
       done: Boolean(before?.done) || (questions > 0 ? decided.length >= questions : step === steps && begun),
       task: Boolean(before?.task) || Boolean(grade?.done),
       told: (outcome ?? deciding)?.question ?? null, tried: asked?.tried ? { question: asked.id, ...asked.tried } : null,
@@ -310,7 +306,7 @@ class Page {
 
   async #share() {
     this.#write_address();
-    const whole = Object.keys(this.#door.shared_points()).length > 0;
+    const whole = Object.keys(this.#door.shared_rows()).length > 0;
     const leads = whole ? "It opens what you see." : "It opens this lesson without these points, which are too many for an address.";
     try {
       await navigator.clipboard.writeText(location.href);
@@ -342,18 +338,18 @@ class Page {
   }
 }
 
-/** Whether an address names a lesson and no place in it. */
-const is_bare = ({ step, seed, from, points, boxes, moved, a, b }) => step === null && seed === null && !from && !points && !boxes && !moved && !a && !b;
+/** Whether an address names a lesson but no place in it. */
+const is_bare = ({ step, seed, from, rows, moved, a, b }) => step === null && seed === null && !from && !rows && !moved && !a && !b;
 
-/** The course and, once a lesson was asked for, the page with the program: which of them is shown, by the address. */
+/** Shows the course or, if the address names a lesson, the page with the program. */
 class Site {
   #downloads = new Downloads((share) => veil.progress(share));
   #settings = new Settings();
   #kept = new Kept();
   #course = null;
   #page = null;
-  #shown = null; // the address that is
-  #scrolled = 0; // where the course was left
+  #shown = null; // the address that is shown
+  #scrolled = 0; // how far the course was scrolled
 
   constructor() {
     name_layout();
@@ -361,7 +357,7 @@ class Site {
     this.#settings.on_erase(() => this.#erase());
     addEventListener("popstate", () => {
       const stands = document.documentElement.dataset.view === "lesson" && location.search === this.#page?.written;
-      if (location.search !== this.#shown && !stands) this.show({ back: true }); // not for the #canvas of the link to the stage
+      if (location.search !== this.#shown && !stands) this.show({ back: true }); // the link to the stage, #canvas, changes nothing
     });
     by_id("home").addEventListener("click", followed_here(() => this.go_to("")));
   }
@@ -375,7 +371,7 @@ class Site {
     try {
       this.#course ??= await this.#bring_course();
       if (!at_lesson) return this.#show_course(back);
-      if (!this.#page) document.documentElement.dataset.view = "lesson"; // its veil tells how the program arrives
+      if (!this.#page) document.documentElement.dataset.view = "lesson"; // its veil shows the program's progress
       this.#page ??= await this.#bring_page(asked.embed, attempt);
     } catch (error) {
       console.warn(error);
@@ -408,7 +404,7 @@ class Site {
     return course;
   }
 
-  /** Typeset ones; without them a formula is read in one line. */
+  /** The typeset formulas; without them, formulas are shown on one line. */
   async #formulas() {
     return JSON.parse(await this.#downloads.text("formulas.json").catch(() => "{}"));
   }
@@ -446,7 +442,7 @@ class Site {
     return this.#page?.state() ?? null;
   }
 
-  /** Opens what an address asks for as to one who has answered nothing yet, without loading the page again. */
+  /** Opens what an address asks for as if nothing had been answered, without loading the page again. */
   restart(search) {
     this.#kept.erase();
     this.#page?.forget_answers();

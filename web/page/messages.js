@@ -1,7 +1,7 @@
-// What the page says when something is not as it should be: over the whole page, on the stage, or in passing.
+// Messages about what went wrong: over the whole page, on the stage, or as notices that disappear.
 import { by_id, button, element, set_hidden, set_text } from "./dom.js";
 
-/** The veil over the page while it loads, and where it cannot go on. */
+/** The veil over the page while it loads, and after a failure. */
 export const veil = {
   progress(share) {
     const bar = by_id("veil-bar");
@@ -12,7 +12,7 @@ export const veil = {
     show_veil("Loading");
     set_hidden(by_id("veil-bar"), false);
   },
-  /** retry: null where it makes no sense. */
+  /** retry: null if it would be pointless. */
   failed(text, retry) {
     show_veil(text);
     const again = by_id("veil-retry");
@@ -20,7 +20,7 @@ export const veil = {
     again.onclick = retry;
     if (retry) again.focus();
   },
-  /** A lesson that there is not: the real ones instead. */
+  /** For a lesson that does not exist: offers the real ones. */
   choose(text, links) {
     show_veil(text);
     by_id("veil-lessons").append(links);
@@ -40,7 +40,7 @@ function show_veil(text) {
   by_id("veil-lessons").replaceChildren();
 }
 
-/** A message where the stage would be; "" takes it away. */
+/** Shows a message in place of the stage; "" removes it. */
 export function stage_message(text, action_words, action) {
   const box = by_id("stage-message");
   set_hidden(box, !text);
@@ -51,19 +51,19 @@ export function stage_message(text, action_words, action) {
 const kShownMost = 3;
 const kStays = { told: 4000, wrong: 15_000 }; // milliseconds
 
-/** Takes the messages away: what they spoke of is over. */
+/** Removes the notices, because what they are about is over. */
 export function clear_notices() {
   by_id("notices").replaceChildren();
 }
 
-/** What went wrong, in one message however much it was. */
+/** One notice for all that went wrong. */
 export function notice_all(problems) {
   if (problems.length > kShownMost)
     problems = [...problems.slice(0, kShownMost - 1), `The address has ${problems.length - kShownMost + 1} more mistakes; the rest of it is shown.`];
   for (const problem of problems) notice(problem);
 }
 
-/** A message in passing, which can be put away and leaves by itself. kind: "wrong" or "told". */
+/** A notice, which can be closed and disappears by itself. kind: "wrong" or "told". */
 export function notice(text, kind = "wrong") {
   const box = element("div", { class: `notice ${kind}` }, element("p", {}, text));
   const away = () => box.remove();
@@ -72,7 +72,7 @@ export function notice(text, kind = "wrong") {
   for (const old of [...list.children]) if (old.firstChild.textContent === text) old.remove();
   for (const old of [...list.children].slice(0, 1 - kShownMost)) old.remove();
   list.append(box);
-  // Not from under the hand that is at it.
+  // It stays while the pointer or the focus is on it.
   const leave = () => (box.matches(":hover, :focus-within") ? setTimeout(leave, kStays[kind]) : away());
   setTimeout(leave, kStays[kind]);
 }

@@ -1,11 +1,11 @@
-// The timeline's buttons, and a scene's effects, once more as HTML: unseen until the keyboard comes to them, for those who
-// cannot see the canvas, and for everybody where there is none.
+// The timeline's buttons, and a scene's effects, as HTML too, for those who cannot see the canvas, and for all if there
+// is none. They are hidden until they have the keyboard's focus.
 import { by_id, element, set_text, when_changed } from "./dom.js";
 
 const kButtons = [["first"], ["back"], ["step"], ["next_mark", "Next mark"], ["play", "Play"], ["last"],
   ["slower", "Slower"], ["faster", "Faster"], ["reset_view", "Show all points"]];
 
-/** What the player's buttons are called where the timeline counts steps, and where it counts frames. */
+/** The names of the player's buttons, if the timeline counts steps and if it counts frames. */
 const kWords = { step: { first: "First step", back: "Step back", step: "Step", last: "Last step" },
   frame: { first: "First frame", back: "Previous frame", step: "Next frame", last: "Last frame" } };
 

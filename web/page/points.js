@@ -1,6 +1,6 @@
-// The points' tools: which set, add, delete, scatter, reset, a file, and a point's place in numbers.
+// The tools for points: choose a set, add, delete, scatter, reset, load a file, and a point's coordinates.
 import { by_id, button, element, other_seed, set_text, when_changed } from "./dom.js";
-import { result_as_csv } from "./costs.js";
+import { result_as_csv } from "./result.js";
 import { clear_notices, notice } from "./messages.js";
 
 const kAxes = ["x", "y", "z"];
@@ -8,7 +8,7 @@ const kMostBytes = 64e6;
 const kMostMeasured = 256e6; // bytes: two million points, written out
 
 const label = (words, field) => element("label", {}, element("span", {}, words), field);
-/** A coordinate with as many digits as its field has room for. */
+/** A coordinate, with as many digits as fit in its field. */
 const short = (value) => Number(value.toPrecision(6));
 const capital = (word) => word[0].toUpperCase() + word.slice(1);
 
@@ -18,7 +18,7 @@ export class PointTools {
   #bring_mesh;
   #view = null;
   #own = "own"; // the source of the lesson's own points
-  #names = ["point", "points"]; // one and many
+  #names = ["point", "points"]; // singular and plural
   #section;
   #title = element("h2", {});
   #point_words = element("span", {});
@@ -32,7 +32,7 @@ export class PointTools {
   #delete = button("Delete", () => this.#command("delete_point"));
   #count_label = label("How many", this.#count);
 
-  /** bring_mesh(name): its bytes. */
+  /** bring_mesh(name): the mesh's bytes. */
   constructor(door, act, bring_mesh) {
     this.#door = door;
     this.#act = act;
@@ -59,7 +59,7 @@ export class PointTools {
   }
 
   open(lesson) {
-    this.#section.hidden = !lesson.hasPoints;
+    this.#section.hidden = !lesson.tools.points;
     this.#names = lesson.handleWords;
     this.#title.textContent = capital(this.#names[1]);
     this.#point_words.textContent = capital(this.#names[0]);
@@ -94,7 +94,7 @@ export class PointTools {
     });
   }
 
-  /** Which option the points are of, wherever they came from. A file of the student's own gets one of its own. */
+  /** Selects the option of the points' source. The student's own file gets its own option. */
   #show_source = when_changed((source, size) => {
     const value = source === this.#own ? "" : (["generate", "mesh"].map((kind) => `${kind}:${source}`).find((kind) => this.#option(kind)) ?? `other:${source}`);
     this.#set.querySelector("option[value^='other:']")?.remove();
@@ -107,7 +107,7 @@ export class PointTools {
     return [...this.#set.options].find((option) => option.value === value);
   }
 
-  /** A mesh by its name. */
+  /** Loads a mesh by its name. */
   async bring(name) {
     try {
       const bytes = await this.#bring_mesh(name);
@@ -118,7 +118,7 @@ export class PointTools {
   }
 
   async load(file) {
-    const most = this.#view.costs ? kMostMeasured : kMostBytes;
+    const most = this.#view.cover ? kMostMeasured : kMostBytes;
     if (file.size > most) return notice(`${file.name} is larger than ${most / 1e6} MB, which is more than a page should hold.`);
     this.#use(new Uint8Array(await file.arrayBuffer()), file.name);
   }
@@ -131,13 +131,13 @@ export class PointTools {
     });
   }
 
-  /** A point file, or a result that lies over the chart. */
+  /** Uses a file: points, or a result to draw over the chart. */
   #take(bytes, name) {
     try {
       const result = result_as_csv(bytes);
-      return result === null ? this.#door.load_file(bytes, name) : this.#door.lay_over(result, name);
+      return this.#door.load_file(result ?? bytes, name);
     } catch {
-      return `${name}: is no whole result`;
+      return `${name} is not a complete result`;
     }
   }
 
@@ -153,9 +153,9 @@ export class PointTools {
   #move() {
     if (this.#view.selected === null) return;
     const fields = this.#axes.slice(0, this.#view.coordinates.length);
-    // A field that was emptied says no number: the point stays, and its place is shown again.
+    // An emptied field has no number: the point stays, and its coordinates are shown again.
     if (fields.some((field) => !Number.isFinite(field.valueAsNumber))) return this.#show_place(this.#view.selected, this.#view.coordinates);
-    // What was not touched keeps the digits that its field has no room for.
+    // A coordinate that was not edited keeps the digits that its field has no room for.
     const to = this.#axes.map((field, i) => {
       const at = this.#view.coordinates[i] ?? 0;
       return i < fields.length && field.valueAsNumber !== short(at) ? field.valueAsNumber : at;

@@ -1,4 +1,4 @@
-// A lecture: from lesson to lesson by keys and buttons, and the lesson's text only while it is asked for.
+// Presentation mode: keys and buttons lead from lesson to lesson, and the lesson's text is shown only on request.
 import { by_id } from "./dom.js";
 
 const kWrites = "input, select, textarea, [contenteditable]";
@@ -8,7 +8,7 @@ export class Presentation {
   #lessons;
   #go_to;
   #shows;
-  #here = 0; // which of the lessons is open
+  #here = 0; // the index of the open lesson
 
   /** go_to(id): to another lesson. shows(): called when the text is shown. */
   constructor(settings, lessons, go_to, shows) {

@@ -1,5 +1,5 @@
-// The conversation on the stage's foot: a question, what came of its answer, and in the end how all of them came out.
-// Every sentence comes from the program, which prints the same ones in its window.
+// The questions, at the bottom of the stage: each question, its outcome, and at the end a summary of all of them.
+// Every sentence comes from the program, so that the window has the same ones.
 import { by_id, button, element, followed_here, set_text, whole_names } from "./dom.js";
 
 const kMarks = { right: "✓", wrong: "✕", skipped: "–", open: "?" };
@@ -27,7 +27,7 @@ export class QuestionCard {
     this.#after = after;
     this.#words = door.words();
     this.#commit = button(this.#words.answer, () => this.#do("commit_answer"), { class: "button primary" });
-    // Whatever is pressed while what was skipped is played ends that, and does nothing else.
+    // Any press while the skipped steps are played ends the playing, and does nothing else.
     addEventListener("pointerdown", (event) => {
       if (this.#watching && !event.target.closest?.(".place")) this.#do("continue");
     }, { capture: true });
@@ -38,7 +38,7 @@ export class QuestionCard {
   update(view) {
     const { asked, outcome, deciding, outcomes, score } = view;
     this.#watching = Boolean(deciding);
-    const told = view.costs?.decided ? outcomes : [];
+    const told = view.cover?.decided ? outcomes : [];
     const question = asked && { ...asked, picked: null, says: "" };
     const now = JSON.stringify([view.lesson, question, outcome, deciding, told, score, view.summary && view.grade?.done]);
     if (now !== this.#shown) {
@@ -65,7 +65,7 @@ export class QuestionCard {
     if (card && !had_focus) show_both(box);
   }
 
-  /** What is chosen and not given yet; the card stays as it is, and so does the focus. */
+  /** Shows the choice that is not committed yet. The card and the focus stay as they are. */
   #show_picked({ picked, tried, says, how }) {
     for (const [i, choice] of this.#choices.entries()) choice.setAttribute("aria-pressed", Boolean(picked?.choices.includes(i)));
     set_text(this.#says, says || how);
@@ -74,17 +74,17 @@ export class QuestionCard {
     this.#commit.disabled = !picked;
   }
 
-  /** Brings the question that stands into sight: what the player waits for. */
+  /** Scrolls to the open question, which the player waits for. */
   show() {
     by_id("ask").querySelector(".predict")?.scrollIntoView({ block: "nearest" });
   }
 
-  /** Whether a digit key chose something. */
+  /** Chooses by a digit key. Returns whether it chose something. */
   choose(digit) {
     const choice = this.#choices[digit - 1];
     const had_focus = by_id("ask").contains(document.activeElement);
     choice?.click();
-    if (had_focus) choice?.focus(); // Enter gives what was chosen, not what was focused before
+    if (had_focus) choice?.focus(); // Enter commits this choice, not the one that had the focus before
     return Boolean(choice);
   }
 
@@ -109,13 +109,13 @@ export class QuestionCard {
       element("p", { class: "foot presented" }, "Page Down twice skips"));
   }
 
-  /** The way to name a handle without pointing at it. */
+  /** A field to name a handle without pointing at it. */
   #name_form() {
     const field = element("input", { type: "text", required: true, autocomplete: "off", autocapitalize: "characters", spellcheck: "false", maxlength: 16, "aria-label": "Name", placeholder: "Name", "data-first": true });
     const onsubmit = (event) => {
       event.preventDefault();
       this.#act(() => {
-        if (field.value === "") this.#door.command("commit_answer"); // one that was tapped
+        if (field.value === "") this.#door.command("commit_answer"); // a handle that was tapped
         else if (this.#door.pick_name(field.value)) this.#door.command("commit_answer");
       });
       field.select();
@@ -128,14 +128,14 @@ export class QuestionCard {
     return skipped ? [] : [element("p", { class: "said" }, `${this.#words.prediction}: `, element("b", {}, whole_names(predicted)))];
   }
 
-  /** On the way to where it is decided: nothing is told yet. */
+  /** The card while the steps up to the outcome are played: it tells nothing yet. */
   #deciding_card(deciding) {
     return element("div", { class: "card deciding", tabindex: "-1" }, kicker(this.#words.prediction, deciding.place),
       element("p", { class: "prompt" }, whole_names(deciding.prompt)), ...this.#said(deciding),
       element("p", { class: "says" }, this.#words.watching));
   }
 
-  /** What came of it, until it is read. */
+  /** The card with the outcome, until it is dismissed. */
   #outcome_card(outcome) {
     const { verdict, kind, prompt, place, says, because, choices, given, shown, canShow, rightChoices, happened, fromStep, step } = outcome;
     const marked = shown && choices.length > 0 ? [element("div", { class: "choices" }, ...choices.map((words, i) => {
@@ -156,7 +156,7 @@ export class QuestionCard {
         button(this.#words.go_on, () => this.#do("continue"), { class: "button primary", "data-first": true })));
   }
 
-  /** The lesson's end: each prediction leads back to its reason. */
+  /** The card at the lesson's end: each prediction leads back to its reason. */
   #summary_card({ score, predictions, lesson, grade, waiting }) {
     const lines = predictions.map(({ id, short, kind, standing }) => element("li", {},
       element("button", { type: "button", class: `line ${kind}`, onclick: () => this.#do(`review:${id}`) },
@@ -166,7 +166,7 @@ export class QuestionCard {
       element("div", { class: "head" }, kicker(this.#words.summary), quiet(this.#words.close, () => this.#do("close_summary"))),
       element("p", { class: "prompt" }, score), element("ol", { class: "lines-of" }, ...lines),
       ...(waiting.length > 0 ? [element("div", { class: "commit waiting" }, element("span", {}, this.#words.waiting), ...waiting.map((name) => button(this.#title_of(name), () => this.#ask(name))))] : []),
-      row(quiet(this.#words.again, () => this.#again()), element("span", { class: "gap" }),
+      row(quiet(this.#words.again, () => this.#do("predict_again")), element("span", { class: "gap" }),
         ...(grade && this.#after.show_task ? [button(grade.done ? `${kMarks.right} ${this.#words.task}` : this.#words.to_task, this.#after.show_task, { class: "button to-task" })] : []),
         ...(next ? [element("a", { class: "button primary", href: `?lesson=${encodeURIComponent(next.id)}`, "data-first": true, title: next.title,
           onclick: followed_here(() => this.#after.go(next.id)) }, this.#words.next_lesson)] : [])));
@@ -176,7 +176,7 @@ export class QuestionCard {
     return this.#door.lesson().algorithms.find((algorithm) => algorithm.name === name)?.title ?? name;
   }
 
-  /** From its first step on, the lesson's other questions. */
+  /** Runs the lesson again from its first step, with its other questions. */
   #ask(name) {
     this.#act(() => {
       this.#door.choose(0, name);
@@ -184,18 +184,11 @@ export class QuestionCard {
     });
   }
 
-  #again() {
-    this.#act(() => {
-      this.#door.forget_answers();
-      if (this.#door.lesson().asksOfSteps) this.#door.command("first");
-    });
-  }
-
-  /** Of the chart of costs, which decides all of them at once: one line each, to unfold. */
+  /** Where all are decided at once: one line each, to unfold. */
   #told_card(outcome) {
     const { verdict, right, kind, pending, happened, says, because, skipped } = outcome;
     if (pending) return element("div", { class: "card outcome skipped" }, element("h2", { class: "kicker" }, verdict), element("p", {}, says));
-    // Beside "Not quite" it would read as what was predicted.
+    // Beside "Not quite", what happened alone would read as the prediction.
     const line = right ? happened : `${this.#words.answer}: ${happened}`;
     return element("div", { class: `card outcome told ${kind}` },
       element("details", {}, element("summary", {}, kicker(skipped ? verdict : `${kMarks[kind]} ${verdict}`), ` · ${line}`),
@@ -203,7 +196,7 @@ export class QuestionCard {
   }
 
   #score_card(score) {
-    return element("div", { class: "card score" }, element("p", {}, score), button(this.#words.again, () => this.#again()));
+    return element("div", { class: "card score" }, element("p", {}, score), button(this.#words.again, () => this.#do("predict_again")));
   }
 }
 
@@ -213,7 +206,7 @@ function first_in(box) {
   return box.querySelector(`[data-first]:not(:disabled${fingers ? ", input" : ""})`) ?? box.querySelector("[tabindex]");
 }
 
-/** On a phone, where the card lies under the stage: both are brought into view, if they are not. */
+/** On a phone, where the card is below the stage, scrolls until both are visible. */
 function show_both(box) {
   if (document.documentElement.dataset.layout !== "phone") return;
   const [stage, card] = [by_id("stage"), box].map((node) => node.getBoundingClientRect());

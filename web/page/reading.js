@@ -1,9 +1,9 @@
-// What is read: the title, the prose, which speaks to the stage, and the task with its grade as it stands.
+// The text: the title, the prose, whose links light up marks on the stage, and the task with its current grade.
 import { button, by_id, element, followed_here, set_hidden, set_text, when_changed, whole_names } from "./dom.js";
 import { link_of } from "./lesson_menu.js";
 import { notice } from "./messages.js";
 
-const kReads = 6000; // milliseconds: who has scrolled the prose, or pressed a key in it, reads it for so long
+const kReads = 6000; // milliseconds for which a student counts as reading after scrolling the prose or pressing a key in it
 
 const on_phone = () => document.documentElement.dataset.layout === "phone";
 const behavior = () => (matchMedia("(prefers-reduced-motion: reduce)").matches ? "auto" : "smooth");
@@ -31,13 +31,13 @@ export class Reading {
   #light;
   #sections = [];
   #section = null; // the one at hand
-  #words_of = []; // {mark, node}: what lights where the stage's handle is pointed at
+  #words_of = []; // {mark, node}: the words that light up when their handle on the stage is pointed at
   #read_at = -Infinity;
-  #pointed = false; // whether a mouse is over it
-  #was_open = false; // the task, when it was last graded in this lesson
+  #pointed = false; // whether the mouse is over the prose
+  #was_open = false; // whether the task was not done when it was last graded in this lesson
 
-  /** start_task: lays out the points that the task begins with. formulas: {TeX: MathML}. follow({kind, target}): does
-   *  what a link says. light(mark): lights it on the stage, "" for none. */
+  /** start_task: lays out the points that the task begins with. formulas: {TeX: MathML}. follow({kind, target}): follows
+   *  a link. light(mark): lights it up on the stage; "" for none. */
   constructor(words, { start_task, formulas, follow, light }) {
     this.#words = words;
     this.#start_task = start_task;
@@ -69,7 +69,7 @@ export class Reading {
       ...(lesson.task.hint ? [element("details", {}, element("summary", {}, this.#words.hint), element("p", {}, lesson.task.hint))] : []));
   }
 
-  /** A formula alone stands on a line of its own. */
+  /** A formula without other words is on its own line. */
   #paragraph(stretches) {
     const [{ text, tex }] = stretches;
     if (stretches.length === 1 && tex) return element("p", { class: "display" }, this.#formula(tex, text, `$$${tex}$$`));
@@ -81,7 +81,7 @@ export class Reading {
     return strong ? element("strong", {}, words) : words;
   }
 
-  /** As the page was built with it; in one line where it was not. */
+  /** The formula as typeset when the page was built; if it was not, on one line. */
   #formula(tex, plain, alone = tex) {
     const typeset = this.#formulas[alone] ?? this.#formulas[tex];
     const math = typeset && new DOMParser().parseFromString(typeset, "text/html").querySelector("math");
@@ -97,7 +97,7 @@ export class Reading {
     if (kind !== "mark") return element("button", { type: "button", class: "does", onclick: follow }, whole_names(text));
     const on = () => this.#light(target), off = () => this.#light("");
     const node = element("button", { type: "button", class: "speaks", onpointerenter: on, onpointerleave: off, onfocus: on, onblur: off,
-      oncontextmenu: (event) => event.preventDefault(), // of a finger that holds it
+      oncontextmenu: (event) => event.preventDefault(), // which a long press would open
       onclick: () => by_id("stage").scrollIntoView({ block: "nearest" }) }, whole_names(text));
     this.#words_of.push({ mark: target, node });
     return node;
@@ -109,7 +109,7 @@ export class Reading {
     this.#show_lit(view.lesson, view.lit);
   }
 
-  /** The section that the step, or the question, is about. Nothing moves under the eyes of one who reads. */
+  /** Scrolls to the section about the step or the question, unless the student is reading. */
   #show_section = when_changed((_lesson, now) => {
     for (const [i, section] of this.#sections.entries()) {
       if (i === now) section.setAttribute("aria-current", "true");
@@ -144,7 +144,7 @@ export class Reading {
   #show_grade = when_changed((_lesson, grade) => {
     if (!grade) return;
     const box = by_id("task");
-    // On a phone it stands far below the stage where it was done. One that an address brings along done is no news.
+    // On a phone the task is far below the stage. If an address opens it already done, that is not news.
     const { top, bottom } = box.getBoundingClientRect();
     if (grade.done && this.#was_open && (bottom < 0 || top > innerHeight)) notice(`✓ ${grade.says}`, "told");
     this.#was_open = !grade.done;

@@ -1,12 +1,12 @@
-// Theme, text size, motion and the lecturer's presentation: the page's and the canvas' alike.
+// Theme, text size, motion and presentation mode, for the page and the canvas.
 import { by_id, set_hidden, set_text } from "./dom.js";
 
 const kThemes = ["light", "dark", "contrast", "projector"];
 const kNames = { light: "Light", dark: "Dark", contrast: "High contrast", projector: "Projector" };
 const kTextScales = [1, 1.15, 1.3, 1.5];
-const kProjectorScale = 1.2; // app/palette.hpp's: the canvas applies it by itself
+const kProjectorScale = 1.2; // the same as in app/palette.hpp: the canvas applies it by itself
 const kPresentingScale = 1.3;
-const kSurePatience = 6000; // milliseconds: a press that waits for its second one
+const kSurePatience = 6000; // milliseconds for which a press waits for a second one
 const asks = (query) => matchMedia(query);
 
 function remembered(name) {
@@ -21,7 +21,7 @@ function remember(name, value) {
   try {
     localStorage.setItem(`snug-${name}`, value);
   } catch {
-    // then the next visit starts as the first did
+    // then the next visit starts like the first
   }
 }
 
@@ -50,7 +50,7 @@ export class Settings {
     this.#listen_to_panel();
     by_id("present").addEventListener("click", () => this.present(true));
     by_id("leave").addEventListener("click", () => this.present(false));
-    // The browser takes Escape for itself there.
+    // In full screen, the browser takes Escape for itself.
     addEventListener("fullscreenchange", () => document.fullscreenElement || this.present(false));
     this.#apply();
   }
@@ -64,7 +64,7 @@ export class Settings {
 
   // ---- the panel ----------------------------------------------------------------------------------------------
 
-  /** erase: takes away the answers that are kept. */
+  /** erase: erases the kept answers. */
   on_erase(erase) {
     this.#erase = erase;
   }
@@ -80,7 +80,7 @@ export class Settings {
         this.#show_panel(false);
         by_id("settings").focus();
       }
-      event.stopPropagation(); // the stage's keys sleep meanwhile
+      event.stopPropagation(); // the stage's keys do nothing while the panel is open
     });
   }
 
@@ -123,7 +123,7 @@ export class Settings {
     this.#apply();
   }
 
-  /** A projector's theme, larger, without what only a reader at a desk needs. */
+  /** Presentation mode: a projector's theme, larger, without what only a reader at a desk needs. */
   present(on) {
     if (on === this.presenting) return;
     this.presenting = on;
@@ -135,7 +135,7 @@ export class Settings {
     else by_id("present").focus();
   }
 
-  /** As far as the browser lets it; a presentation in a window is one as well. */
+  /** Enters or leaves full screen, if the browser allows it; a presentation also works in a window. */
   #fill_screen(on) {
     if (on) document.documentElement.requestFullscreen?.().then(() => this.presenting || document.exitFullscreen(), () => {});
     else if (document.fullscreenElement) document.exitFullscreen();
@@ -162,7 +162,7 @@ export class Settings {
     this.#changed();
   }
 
-  /** As web/main.cpp's set_settings takes them. */
+  /** The arguments of web/main.cpp's set_settings. */
   for_door() {
     const panel = getComputedStyle(document.documentElement).getPropertyValue("--panel").trim();
     const ground = [1, 3, 5].map((i) => parseInt(panel.slice(i, i + 2), 16) / 255);

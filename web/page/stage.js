@@ -1,16 +1,16 @@
-// The canvas: frames when they are due and only then, input, a context that may be lost.
+// The canvas: draws frames only when they are due, passes input on, and recovers from a lost context.
 import { by_id } from "./dom.js";
 import { arrange, watch_layout } from "./layout.js";
 import { stage_message } from "./messages.js";
 
 const kButtonsOfImgui = [0, 1, 2];
 const kFramesTimed = 600;
-const kPatience = 5000; // milliseconds until a lost context is said not to come back
+const kPatience = 5000; // milliseconds until the page says that a lost context will not come back
 // A first finger presses nothing until it moves, stays or lifts: the second of a pinch comes a little later.
 const kFingerWaits = 120; // milliseconds
 const kFingerTrembles = 6; // pixels
 
-/** Whether the processor draws in place of a graphics card: several samples a pixel then cost a third of a frame. */
+/** Whether the processor draws instead of a graphics card: several samples per pixel then cost a third of a frame. */
 function drawn_by_processor() {
   const probe = document.createElement("canvas").getContext("webgl2");
   const info = probe?.getExtension("WEBGL_debug_renderer_info");
@@ -24,9 +24,9 @@ export class Stage {
   #canvas = by_id("canvas");
   #after_frame;
   #due = 0;
-  #alarm = 0; // the timer of the next playing step
+  #alarm = 0; // the timer of the next frame that is due
   #moved = true;
-  /** Whether a button or a finger holds something on the canvas. */
+  /** Whether a button or a finger is down on the canvas. */
   pressed = false;
   #touches = new Map();
   #waiting = null; // {x, y, timer}: a finger that has not pressed yet
@@ -35,7 +35,7 @@ export class Stage {
   /** {at, cost}: when each of the last frames began, and the milliseconds that the program took for it. */
   times = [];
 
-  /** after_frame: called once each frame was drawn. */
+  /** after_frame: called after each frame. */
   constructor(door, after_frame) {
     this.#door = door;
     this.#after_frame = after_frame;
@@ -56,7 +56,7 @@ export class Stage {
     document.documentElement.classList.add("no-stage");
   }
 
-  /** Asks for a frame; many times before it comes are one. */
+  /** Requests a frame. Several requests before it comes count as one. */
   request() {
     this.#due ||= requestAnimationFrame((time) => this.#draw(time / 1000));
   }
@@ -75,7 +75,7 @@ export class Stage {
     this.#wait(this.#door.seconds_until_due(now));
   }
 
-  /** Sleeps until the next frame is due; input wakes the stage by itself. */
+  /** Sleeps until the next frame is due; input wakes the stage anyway. */
   #wait(seconds) {
     clearTimeout(this.#alarm);
     if (seconds <= 0) this.request();
@@ -91,7 +91,7 @@ export class Stage {
     this.#door.set_layout(layout);
   }
 
-  /** A place on the canvas as one on the page's view. */
+  /** Converts a position on the canvas to one in the page's viewport. */
   on_page({ id, x, y }) {
     const { left, top } = this.#canvas.getBoundingClientRect();
     return { id, x: left + x, y: top + y };
@@ -105,7 +105,7 @@ export class Stage {
   #listen() {
     for (const surface of [this.#canvas, by_id("stage"), by_id("timeline"), by_id("numbers")]) {
       const on = (name, act) => surface.addEventListener(name, (event) => {
-        if (event.target !== surface) return; // HTML that stands on the stage answers for itself
+        if (event.target !== surface) return; // HTML on top of the stage handles its own input
         act(event, surface);
         this.request();
       }, { passive: false });
@@ -117,19 +117,19 @@ export class Stage {
       on("wheel", (event) => this.#wheel(event));
       on("contextmenu", (event) => event.preventDefault());
     }
-    // A pointer gives the canvas its focus too; only who comes by the keyboard has to see where it is.
+    // A pointer gives the canvas the focus too, but only keyboard users have to see where the focus is.
     const pointed = (on) => document.documentElement.classList.toggle("pointed", on);
     addEventListener("pointerdown", () => pointed(true), { capture: true });
     addEventListener("keydown", ({ key }) => key === "Tab" && pointed(false), { capture: true });
     this.#canvas.addEventListener("webglcontextlost", (event) => {
-      event.preventDefault(); // so that it may come back
+      event.preventDefault(); // so that the browser may restore it
       this.#lose();
     });
     this.#canvas.addEventListener("webglcontextrestored", () => this.#restore());
   }
 
   #down(event, surface) {
-    event.preventDefault(); // the page's text is not selected by a drag
+    event.preventDefault(); // so that a drag does not select the page's text
     this.#canvas.focus({ preventScroll: true });
     surface.setPointerCapture(event.pointerId);
     this.pressed = true;
@@ -143,7 +143,7 @@ export class Stage {
   #finger_down(id, x, y) {
     this.#touches.set(id, { x, y });
     if (this.#touches.size > 1) {
-      if (!this.#stop_waiting() && !this.#pinched) this.#door.pointer_button(0, false, "touch"); // a drag ends where it is
+      if (!this.#stop_waiting() && !this.#pinched) this.#door.pointer_button(0, false, "touch"); // ends a drag where it is
       this.#pinched = true;
       return;
     }
@@ -158,7 +158,7 @@ export class Stage {
     this.request();
   }
 
-  /** Whether a finger was waiting. */
+  /** Stops waiting. Returns whether a finger was waiting. */
   #stop_waiting() {
     if (!this.#waiting) return false;
     clearTimeout(this.#waiting.timer);
@@ -169,7 +169,7 @@ export class Stage {
   #move(event) {
     const [x, y] = this.#on_canvas(event);
     if (this.#touches.size >= 2) return this.#pinch(event.pointerId, { x, y });
-    if (this.#pinched && event.pointerType === "touch") return; // the finger that stays drags nothing
+    if (this.#pinched && event.pointerType === "touch") return; // the remaining finger drags nothing
     if (this.#touches.has(event.pointerId)) this.#touches.set(event.pointerId, { x, y });
     if (this.#waiting && Math.hypot(x - this.#waiting.x, y - this.#waiting.y) > kFingerTrembles) this.#finger_presses();
     if (this.#waiting) return;
@@ -185,10 +185,10 @@ export class Stage {
 
   #finger_up(event) {
     if (!this.#touches.delete(event.pointerId) || this.#pinched) return;
-    if (event.type === "pointerup") this.#finger_presses(); // a tap shorter than the wait
-    this.#stop_waiting(); // or the browser has made a scroll of it
+    if (event.type === "pointerup") this.#finger_presses(); // the tap was shorter than the wait
+    this.#stop_waiting(); // otherwise the browser has turned it into scrolling
     this.#door.pointer_button(0, false, "touch");
-    this.#door.pointer_left(); // a finger that has gone hovers over nothing
+    this.#door.pointer_left(); // a lifted finger hovers over nothing
   }
 
   #pinch(id, to) {
@@ -204,7 +204,7 @@ export class Stage {
   }
 
   #wheel(event) {
-    if (event.target.id === "timeline") return; // the page scrolls on
+    if (event.target.id === "timeline") return; // lets the page scroll
     event.preventDefault();
     const pixels = [1, 16, 400][event.deltaMode];
     const [x, y] = this.#on_canvas(event);

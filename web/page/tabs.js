@@ -1,5 +1,5 @@
-// What stands beside the stage, where there is no room for all of it: Lesson and Points share a column in any case,
-// Numbers and Code join them where the window is small.
+// The tabs beside the stage, because there is no room for everything: Lesson and Points always share a column; in a
+// small window Numbers and Code join them.
 import { by_id } from "./dom.js";
 import { TabList } from "./tab_list.js";
 
@@ -31,7 +31,7 @@ export class Tabs {
   }
 
   open(lesson) {
-    this.#tabs.set_words(1, lesson.toolsWord);
+    this.#tabs.set_words(1, lesson.tools.word);
   }
 
   choose(id) {
@@ -39,7 +39,7 @@ export class Tabs {
     this.#tabs.mark(id);
   }
 
-  /** The chosen tab may be one that this arrangement does not have. */
+  /** Chooses another tab if this arrangement does not have the chosen one. */
   #fit() {
     const { dataset: { layout, tab }, classList } = document.documentElement;
     if (layout === "wide" && !kOfTheColumn.includes(tab)) this.choose("read");

@@ -150,7 +150,10 @@ CloudShown cloud_shown_at(const lesson::Session& session, bool want_optimum) {
   CloudShown shown{shown_at(session)};
   const lesson::FitTrace steps = lesson::fit_run(session.run(0)).trace().first(session.step());
   if (!shown.optimum && (want_optimum || shown.finished))
-    if (const fit::Recording* optimum = lesson::optimum_of(session)) shown.optimum = optimum->result.volume;
+    if (const fit::Recording* optimum = lesson::optimum_of(session)) {
+      shown.optimum = optimum->result.volume;
+      shown.optimum_word = lesson::as<lesson::CloudSubject>(session.subject())->reference(session.view()).word;
+    }
   if (!steps.empty()) std::visit(CloudFiller{shown, steps.back().step, steps, session}, steps.back().step.fact);
   return shown;
 }

@@ -23,7 +23,7 @@ class CloudView final : public SubjectView {
   }
   [[nodiscard]] MarkWords mark_words(const lesson::Session& session) const override {
     MarkWords words;
-    if (session.lesson().volume == "sphere") words.grew = lesson::ball_word(session.dim()) + std::string(" grew");
+    if (session.method(0)->volume == "sphere") words.grew = lesson::ball_word(session.dim()) + std::string(" grew");
     return words;
   }
 

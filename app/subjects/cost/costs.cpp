@@ -52,12 +52,6 @@ std::string generated_kind(const lesson::Session& session) {
   return std::find(kinds.begin(), kinds.end(), session.source()) != kinds.end() ? session.source() : std::string();
 }
 
-std::optional<CostView> view_named(std::string_view name) {
-  for (std::size_t i = 0; i < kCostViewNames.size(); ++i)
-    if (kCostViewNames[i] == name) return static_cast<CostView>(i);
-  return std::nullopt;
-}
-
 }  // namespace
 
 Costs::Costs(const Platform& platform)
@@ -75,7 +69,7 @@ Costs::Costs(const Platform& platform)
 }
 Costs::~Costs() = default;
 
-const CostTable& Costs::table() const { return static_cast<const AccuracySheet&>(of(CostView::kAccuracy)).table; }
+const CostTable& Costs::accuracy() const { return static_cast<const AccuracySheet&>(of(CostView::kAccuracy)).table; }
 const GrowthTable& Costs::growth() const { return static_cast<const GrowthSheet&>(of(CostView::kGrowth)).table; }
 const TurnTable& Costs::turn() const { return static_cast<const TurnSheet&>(of(CostView::kTurn)).table; }
 
@@ -198,17 +192,17 @@ void Costs::finish(lesson::Session& session) {
   const CostView done = *std::exchange(at_work_, std::nullopt);
   of(done).stop();
   take_rows();
-  const bool whole = done == CostView::kAccuracy && table().rows.size() == session.lesson().algorithms.size();
+  const bool whole = done == CostView::kAccuracy && accuracy().rows.size() == session.lesson().algorithms.size();
   if (!whole || !same(*at_start_, *session.subject().points())) return;
-  session.inform<lesson::CostSubject>([&](lesson::CostSubject& chart) { chart.measured(table().rows); });
+  session.inform<lesson::CostSubject>([&](lesson::CostSubject& chart) { chart.measured(accuracy().rows); });
 }
 
 bool Costs::command(lesson::Session& session, std::string_view name) {
   constexpr std::string_view kShow = "show_";
   if (name == "show_other") return look_at(session, static_cast<CostView>((static_cast<int>(view_) + 1) % kCostViews));
   if (name.substr(0, kShow.size()) == kShow) {
-    const auto view = view_named(name.substr(kShow.size()));
-    return view && look_at(session, *view);
+    const auto* const found = std::find(kCostViewNames.begin(), kCostViewNames.end(), name.substr(kShow.size()));
+    return found != kCostViewNames.end() && look_at(session, static_cast<CostView>(found - kCostViewNames.begin()));
   }
   refused_.clear();
   if (name == "measure") {
@@ -232,7 +226,5 @@ bool Costs::command(lesson::Session& session, std::string_view name) {
 }
 
 std::unique_ptr<Cover> cost_cover(const Platform& platform) { return std::make_unique<Costs>(platform); }
-
-Costs* costs_of(App& app) { return app.subject() == kCostSubject ? static_cast<Costs*>(app.cover()) : nullptr; }
 
 }  // namespace snug::app

@@ -18,9 +18,6 @@ using CostTable = cost::Table<cost::CostRow>;
 using GrowthTable = cost::Table<cost::GrowthRow>;
 using TurnTable = cost::Table<cost::TurnRow>;
 
-/// The charts' names in commands ("show_growth") and for people, in CostView's order.
-inline constexpr std::array<std::string_view, kCostViews> kCostViewNames{"accuracy", "growth", "turn"};
-inline constexpr std::array<std::string_view, kCostViews> kCostViewTitles{"Accuracy", "Growth", "Looseness in a turn"};
 /// Why the last two charts are not available before the predictions.
 inline constexpr std::string_view kPredictFirst =
     "Answer the questions first: the other charts would give the answers away.";
@@ -53,7 +50,7 @@ class Costs final : public Cover {
   [[nodiscard]] const CostSheet& sheet() const { return of(view_); }
   /// Whether this chart may be chosen: before the predictions, only the first.
   [[nodiscard]] bool may_see(const lesson::Session& session, CostView view) const;
-  [[nodiscard]] const CostTable& table() const;
+  [[nodiscard]] const CostTable& accuracy() const;
   [[nodiscard]] const GrowthTable& growth() const;
   [[nodiscard]] const TurnTable& turn() const;
   /// How many points are measured, except for growth, which has its own points.
@@ -62,11 +59,20 @@ class Costs final : public Cover {
 
   [[nodiscard]] bool shown() const override { return shown_; }
   void show(bool on) override { shown_ = on, ++version_; }
-  [[nodiscard]] std::string_view button_words() const override { return shown_ ? "Shape" : "Chart"; }
+  [[nodiscard]] CoverButton button() const override { return {"toggle_chart", shown_ ? "Shape" : "Chart"}; }
   void draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence) override;
   [[nodiscard]] std::string caption(const lesson::Session& session) const override;
-  /// A line beside the buttons: what to do next, or what was measured.
-  [[nodiscard]] std::string status(const lesson::Session& session) const;
+  [[nodiscard]] std::vector<CoverButton> choices(const lesson::Session& session) const override;
+  [[nodiscard]] std::array<CoverButton, 2> work_buttons(const lesson::Session& session) const override;
+  [[nodiscard]] std::string status(const lesson::Session& session) const override;
+  [[nodiscard]] WordTable table() const override;
+  [[nodiscard]] bool decided(const lesson::Session& session) const override;
+  /// The formats of `snug cost`.
+  [[nodiscard]] std::span<const std::string_view> formats() const override;
+  [[nodiscard]] std::string file_name() const override;
+  [[nodiscard]] std::string file(std::string_view format) const override;
+  std::optional<tl::expected<void, InputError>> lay_over(lesson::Session& session, std::string_view text,
+                                                         std::string_view name) override;
   /// The marks, named by algorithm; for lines, the last mark of each.
   [[nodiscard]] std::vector<Handle> handles() const override;
 
@@ -107,10 +113,6 @@ class Costs final : public Cover {
 /// More points are refused, because measuring them needs memory that not every machine has.
 inline constexpr Index kMostMeasured = 2'000'000;
 
-/// The name of the subject of lessons with the charts.
-inline constexpr std::string_view kCostSubject = "cost";
 [[nodiscard]] std::unique_ptr<Cover> cost_cover(const Platform& platform);
-/// The costs of the open lesson; null if it has another subject, and before the first open.
-[[nodiscard]] Costs* costs_of(App& app);
 
 }  // namespace snug::app

@@ -74,7 +74,7 @@ void Costs::move_focus(int by, bool to_line) {
 
 bool Costs::load_algorithm(lesson::Session& session) {
   if (focus_row_ < 0 || view_ != CostView::kAccuracy) return false;
-  const cost::CostRow& row = table().rows[focus_row_];
+  const cost::CostRow& row = accuracy().rows[focus_row_];
   ++version_;
   if (row.whole_ns && row.points < session.size() && *row.whole_ns > kLongestLoaded) {
     refused_ = algorithm_title(row.volume, row.algorithm) + " would take about " +
@@ -104,7 +104,7 @@ std::string Costs::status(const lesson::Session& session) const {
 int Costs::count() const {
   const std::size_t n = view_ == CostView::kGrowth ? lines_of(growth().rows).size()
                         : view_ == CostView::kTurn ? lines_of(turn().rows).size()
-                                                   : table().rows.size();
+                                                   : accuracy().rows.size();
   return static_cast<int>(n);
 }
 
@@ -120,14 +120,14 @@ std::string Costs::caption(const lesson::Session& session) const {
   if (focus_row_ >= 0 && any) {
     if (view_ == CostView::kGrowth) return growth_caption(growth(), focus_row_, focus_point_);
     if (view_ == CostView::kTurn) return turn_caption(turn(), focus_row_, focus_point_);
-    return accuracy_caption(table().rows[focus_row_]);
+    return accuracy_caption(accuracy().rows[focus_row_]);
   }
   if (session.asked() != nullptr) return "Predict first, then measure.";
   if (!any && view_ == CostView::kAccuracy && awaits_measuring(session))
     return "Your predictions are in: now press Measure.";
   if (!any) return "Nothing has been measured yet: press Measure.";
   if (view_ == CostView::kGrowth) return growth_caption(growth(), longest_growing_);
-  return view_ == CostView::kTurn ? turn_caption(turn()) : accuracy_caption(table());
+  return view_ == CostView::kTurn ? turn_caption(turn()) : accuracy_caption(accuracy());
 }
 
 void Costs::draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence) {
@@ -136,7 +136,7 @@ void Costs::draw(const Look& look, lesson::Session& session, const Rect& rect, b
   // The buttons are above it, the sentence below.
   const float above = look.fingers ? 60 : look.px(44), below = rect.width >= 560 ? look.px(76) : 4;
   const Rect room{rect.x, rect.y + above, rect.width, rect.height - above - below};
-  const Touch touch = touch_area("chart", room);
+  const Touch touch = pointer_area("chart", room);
   places_.clear();
   const auto hit = draw_chart(list, look, room, chart_, focused(), &places_);
   Obstacles none;
@@ -162,7 +162,7 @@ std::vector<Handle> Costs::handles() const {
   for (std::size_t i = 0; i < places_.size() && i < chart_.series.size(); ++i) {
     const int row = chart_.series[i].row;
     if (row < 0) continue;
-    if (view_ == CostView::kAccuracy) handles.push_back({table().rows[row].algorithm, places_[i].x, places_[i].y});
+    if (view_ == CostView::kAccuracy) handles.push_back({accuracy().rows[row].algorithm, places_[i].x, places_[i].y});
     else if (view_ == CostView::kGrowth)
       handles.push_back({lines_of(growth().rows)[row][0].algorithm, places_[i].x, places_[i].y});
     else handles.push_back({chart_.series[i].name, places_[i].x, places_[i].y});

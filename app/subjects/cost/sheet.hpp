@@ -1,10 +1,12 @@
 // A table that is measured piece by piece, shown as a chart and saved as a file, with an earlier one over it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "app/chart.hpp"
@@ -16,6 +18,9 @@ namespace snug::app {
 /// Which chart it is.
 enum class CostView : std::uint8_t { kAccuracy, kGrowth, kTurn };
 inline constexpr int kCostViews = 3;
+/// Their names in commands ("show_growth") and as people say them.
+inline constexpr std::array<std::string_view, kCostViews> kCostViewNames{"accuracy", "growth", "turn"};
+inline constexpr std::array<std::string_view, kCostViews> kCostViewTitles{"Accuracy", "Growth", "Looseness in a turn"};
 
 class CostSheet {
  public:

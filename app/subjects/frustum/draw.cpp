@@ -205,7 +205,7 @@ void draw_corners(Brush& brush, const FrustumShown& shown) {
 }  // namespace
 
 void draw_frustum(Brush& brush, const FrustumShown& shown) {
-  const lesson::BoxPair& pair = *brush.session.subject().boxes();
+  const lesson::BoxPair& pair = lesson::boxes_of(brush.session.subject());
   const Palette& p = brush.p;
   draw_camera(brush, pair);
   draw_volume(brush.canvas, solid_of(pair), {Stroke::kSolid, p.previous, brush.stroke(0.9f), 0.6f * p.fill});
@@ -242,7 +242,7 @@ void mark_frustum(Brush& brush, const FrustumShown& shown) {
 
 void name_frustum(PointNames& names, const FrustumShown& shown) {
   Brush& brush = names.brush;
-  const ImVec2 box = brush.at(brush.session.subject().boxes()->boxes[0].center);
+  const ImVec2 box = brush.at(lesson::boxes_of(brush.session.subject()).boxes[0].center);
   for (const Index i : shown.vertices) {
     names.skip(i);
     const ImVec2 at = brush.at(brush.point(i));

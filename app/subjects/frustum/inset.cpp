@@ -108,7 +108,7 @@ struct Inset {
 bool is_small(const Brush& brush) { return brush.rect.width < 560; }
 
 Inset inset_below(const Brush& brush, float top) {
-  const lesson::BoxPair& pair = *brush.session.subject().boxes();
+  const lesson::BoxPair& pair = lesson::boxes_of(brush.session.subject());
   const Look& look = brush.look;
   const Eye eye{lesson::camera_of(pair)};
   const bool flat = pair.dim == 2;

@@ -19,7 +19,7 @@ class FrustumView final : public SubjectView {
   [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override { return draw_from_camera(brush, shown_, top); }
 
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
-    const lesson::BoxPair& pair = *session.subject().boxes();
+    const lesson::BoxPair& pair = lesson::boxes_of(session.subject());
     const auto ball = [&](int box) { return ball_around(pair.boxes[box], session.dim()); };
     return ball_around(ball_around({lesson::camera_of(pair).position, 0}, ball(1)), ball(0));
   }

@@ -44,7 +44,7 @@ void draw_asked_axis(Brush& brush, const lesson::BoxPair& pair, const query::Axi
 
 void draw_pair(Brush& brush, const PairShown& shown) {
   const Palette& p = brush.p;
-  const lesson::BoxPair& pair = *brush.session.subject().boxes();
+  const lesson::BoxPair& pair = lesson::boxes_of(brush.session.subject());
   for (int i = 0; i < 2; ++i) {
     const Obb<double, 3>& box = pair.boxes[i];
     draw_volume(brush.canvas, fit::Volume3(box), {Stroke::kSolid, p.current, brush.stroke(), p.fill});

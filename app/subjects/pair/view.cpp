@@ -17,7 +17,9 @@ class PairView final : public SubjectView {
   void draw(Brush& brush) const override { draw_pair(brush, shown_); }
 
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
-    const auto ball = [&](int box) { return ball_around(session.subject().boxes()->boxes[box], session.dim()); };
+    const auto ball = [&](int box) {
+      return ball_around(lesson::boxes_of(session.subject()).boxes[box], session.dim());
+    };
     const fit::Sphere3 both = ball_around(ball(0), ball(1));
     return {both.center, kRoomForAxis * both.radius};
   }

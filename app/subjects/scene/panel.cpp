@@ -131,7 +131,7 @@ class ScenePanel {
       const std::string name = lesson::effect_words(one.name);
       const auto lines = lines_of(look_, Face::kRegular, kSmall, name, right(0) - x_ - kIndent - look_.px(11));
       const float height = look_.px(kEffectRow + kLeading * static_cast<float>(lines.size() - 1));
-      const Touch touch = touch_area("effect", {x_ - 6, y_, width_ + 12, height}, session.step() > 0 || !one.on);
+      const Touch touch = touch_area("effect", {x_ - 6, y_, width_ + 12, height}, name, session.step() > 0 || !one.on);
       ImGui::PopID();
       if (touch.clicked) turned = &one;
       if (touch.hovered) list_->AddRectFilled({x_ - 6, y_}, {x_ + width_ + 6, y_ + height - 1}, look_->raised, 4);

@@ -21,7 +21,7 @@ inline constexpr std::array<std::string_view, 5> kAabbMinMaxPseudocode{
     "return box",
 };
 
-/// Widens the box to the point; extremes name the points that hold its faces. Returns whether it was outside.
+/// Widens the box to the point; extremes: the points on its faces. Returns whether the point was outside.
 template <class Scalar, int Dim>
 bool widen_to_hold(Aabb<Scalar, Dim>& box, ExtremesFound<Scalar, Dim>& extremes, const Vector<Scalar, Dim>& point,
                    Index index) {
@@ -41,7 +41,7 @@ bool widen_to_hold(Aabb<Scalar, Dim>& box, ExtremesFound<Scalar, Dim>& extremes,
   return outside;
 }
 
-/// The points that hold the faces, each once.
+/// The points that the faces touch, each once.
 template <class Scalar, int Dim>
 [[nodiscard]] std::vector<Index> support_of(const ExtremesFound<Scalar, Dim>& extremes) {
   std::vector<Index> support;

@@ -12,7 +12,7 @@
 
 namespace snug::fit {
 
-/// The box was widened to the point. The first point is a box by itself.
+/// The box was widened to the point. The first box is the first point alone.
 struct BoxWidened {
   static constexpr std::string_view kName = "box_widened";
   Index point = kNoIndex;

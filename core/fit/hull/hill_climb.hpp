@@ -12,25 +12,25 @@
 
 namespace snug::fit {
 
-/// A walk's end.
+/// Where a walk ended.
 template <class Scalar>
 struct Climbed {
-  Scalar value = 0;     // the greatest that any vertex has, whatever the rounding
-  Index looked_at = 0;  // how many vertices had their value computed
+  Scalar value = 0;     // the greatest value of any vertex, whatever the rounding
+  Index looked_at = 0;  // how many vertices were evaluated
 };
 
 /// A convex body to be walked over, and where the last walk in each of its directions ended.
 ///
-/// Rounded values of a linear function have hilltops that are none, and plateaus: equal vertices, faces across the
-/// direction. So a walk goes on over all that is not certainly lower than the best. That suffices: over a convex body's
-/// edges there is a path from any vertex to the truly highest on which the true value never falls; with values off by e
-/// at most, no vertex on it seems lower than the best by more than 2e; so neither the path to the top nor the one down
-/// again to any other vertex that seems higher ends before it.
+/// The rounded values of a linear function can have false local maxima, and plateaus: equal vertices, and faces
+/// perpendicular to the direction. So a walk continues through every vertex that is not certainly lower than the best.
+/// That suffices: along a convex body's edges there is a path from any vertex to the true maximum on which the true
+/// value never falls. If values are off by at most e, no vertex on that path seems lower than the best by more than 2e.
+/// So the walk reaches the maximum, and from there every other vertex that seems higher.
 template <class Scalar, int Dim>
 class HillClimb {
  public:
-  /// vertices: n >= 1, in the local frame; neighbors: theirs. Both outlive it. directions: how many the caller asks
-  /// for. all_points: whether the body has no points but these; others, inside, may be placed farther out by rounding.
+  /// vertices: n >= 1, in the local frame; neighbors: theirs. Both must outlive it. directions: how many are asked for.
+  /// all_points: whether the body has no other points, which rounding could place farther out.
   HillClimb(std::span<const Vector<Scalar, Dim>> vertices, const HullNeighbors& neighbors, int directions,
             bool all_points)
       : vertices_(vertices), neighbors_(neighbors), ends_(static_cast<std::size_t>(directions), 0),
@@ -45,8 +45,8 @@ class HillClimb {
   /// Where the last walk in the direction ended: the vertex of greatest value.
   [[nodiscard]] Index end(int direction) const { return ends_[direction]; }
 
-  /// Starts where the last walk in this direction ended. value(v): of vertex v, a linear function of the vertex; doubt:
-  /// at least twice by how much it may be off. path: the start and each vertex that was better than all before.
+  /// Starts where the last walk in this direction ended. value(v): a linear function, evaluated at vertex v; doubt: at
+  /// least twice its greatest error. path: receives the start and each vertex that was better than all before it.
   template <class Value>
   Climbed<Scalar> climb(int direction, Value&& value, Scalar doubt, std::vector<Index>* path) {
     Index& best = ends_[direction];
@@ -95,7 +95,7 @@ class HillClimb {
   std::span<const Vector<Scalar, Dim>> vertices_;
   const HullNeighbors& neighbors_;
   std::vector<Index> ends_;
-  std::vector<std::uint32_t> seen_;  // in which walk last
+  std::vector<std::uint32_t> seen_;  // the last walk in which each vertex was seen
   std::uint32_t walk_ = 0;
   std::vector<Open> open_;
   Vector<Scalar, Dim> largest_ = Vector<Scalar, Dim>::Zero();

@@ -1,6 +1,6 @@
-// The steps of the hull's construction. From them alone the hull can be rebuilt as it stood after each: SimplexChosen
-// says the first facets, EdgeSplit and FacetsReplaced which facets go and which come. Facets are named by numbers,
-// which are used again once a facet is gone; their vertices are points, by index, counter-clockwise as seen from
+// The steps of the hull's construction. The hull after each step can be rebuilt from them alone: SimplexChosen
+// names the first facets, EdgeSplit and FacetsReplaced the facets that are removed and added. Facets have numbers,
+// which are reused once a facet is gone; their vertices are the indices of points, counter-clockwise as seen from
 // outside.
 #pragma once
 
@@ -26,7 +26,7 @@ struct SimplexChosen {
   static auto tie(auto& own) { return std::tie(own.points, own.vertices); }
 };
 
-/// All points lie in a plane (affine_dim 2), on a line (1) or in one place (0); points: a simplex of theirs.
+/// All points lie in a plane (affine_dim 2), on a line (1) or in one place (0); points: a simplex that spans them.
 struct FlatFound {
   static constexpr std::string_view kName = "flat_found";
   int affine_dim = 0;
@@ -35,7 +35,7 @@ struct FlatFound {
   static auto tie(auto& own) { return std::tie(own.affine_dim, own.points); }
 };
 
-/// Points that lie outside were given to facets that see them: counts[i] to facets[i]. dropped: how many no facet sees.
+/// Points outside were assigned to facets that see them: counts[i] to facets[i]. dropped: how many no facet sees.
 struct PointsAssigned {
   static constexpr std::string_view kName = "points_assigned";
   std::vector<Index> facets;
@@ -45,7 +45,7 @@ struct PointsAssigned {
   static auto tie(auto& own) { return std::tie(own.facets, own.counts, own.dropped); }
 };
 
-/// The farthest of the facet's points was taken; distance: from the facet's line or plane, scene units, rounded; of:
+/// The farthest of the facet's points was chosen. distance: from the facet's line or plane, scene units, rounded; of:
 /// how many points the facet has.
 struct EyeChosen {
   static constexpr std::string_view kName = "eye_chosen";
@@ -57,7 +57,7 @@ struct EyeChosen {
   static auto tie(auto& own) { return std::tie(own.point, own.facet, own.distance, own.of); }
 };
 
-/// 2-D: the edge gave way to two, from its start a to the point and from there to its end b.
+/// 2-D: the edge was replaced by two, from its start a to the point and from there to its end b.
 struct EdgeSplit {
   static constexpr std::string_view kName = "edge_split";
   Index edge = kNoIndex;
@@ -78,8 +78,8 @@ struct HorizonFound {
   static auto tie(auto& own) { return std::tie(own.eye, own.facets, own.horizon); }
 };
 
-/// The facets that saw the eye gave way to a cone: added[i] has the vertices horizon[i], horizon[i + 1] (after the last
-/// the first) and eye.
+/// The facets that saw the eye were replaced by a cone: added[i] has the vertices horizon[i], horizon[i + 1] (the first
+/// again after the last) and eye.
 struct FacetsReplaced {
   static constexpr std::string_view kName = "facets_replaced";
   Index eye = kNoIndex;
@@ -90,8 +90,8 @@ struct FacetsReplaced {
   static auto tie(auto& own) { return std::tie(own.eye, own.removed, own.horizon, own.added); }
 };
 
-/// Facets that lie in one plane were made one face each, and cut into triangles anew without the points dropped: they
-/// lie inside a face or an edge, so that they are no vertices. faces: how many there were of more than one facet.
+/// Coplanar facets were merged into faces, and the faces were triangulated again without the dropped points, which lie
+/// inside a face or an edge and so are not vertices. faces: how many faces had more than one facet.
 struct FacesMerged {
   static constexpr std::string_view kName = "faces_merged";
   Index faces = 0;
@@ -100,7 +100,7 @@ struct FacesMerged {
   static auto tie(auto& own) { return std::tie(own.faces, own.dropped); }
 };
 
-/// has_volume just in the last step: a hull in each would make a trace as large as the square of the hull.
+/// Only the last step has a volume: with a hull in every step, a trace would grow as the square of the hull.
 template <class Scalar, int Dim>
 using HullStep = Step<ConvexHull<Scalar, Dim>, SimplexChosen, FlatFound, PointsAssigned, EyeChosen, EdgeSplit,
                       HorizonFound, FacetsReplaced, FacesMerged, Finished>;

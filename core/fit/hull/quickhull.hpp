@@ -14,8 +14,8 @@ inline constexpr std::span<const std::string_view> kQuickhullPseudocode = kQuick
 template <>
 inline constexpr std::span<const std::string_view> kQuickhullPseudocode<2> = kQuickhull2Pseudocode;
 
-/// The convex hull: every extreme point, of several in one place the first, and no other; decided exactly, whatever the
-/// coordinates. support: the vertices, as the hull's indices.
+/// The convex hull. Its vertices are exactly the extreme points (of coincident points, the first), decided in exact
+/// arithmetic whatever the coordinates. support: the vertices, as the hull's indices.
 /// points: n >= 1 finite points, scene units. O(n log n) time expected, O(n) memory: in 3-D 36 bytes a point and 200 a
 /// vertex, in 2-D 4 bytes a point.
 template <class Scalar, int Dim, StepObserver<HullStep<Scalar, Dim>> Observer = Ignore>

@@ -27,14 +27,14 @@ inline constexpr std::array<std::string_view, 7> kQuickhull2Pseudocode{
     "return the edges in their order",
 };
 
-/// One run. At: gives the point of an index, as Vector<double, 2>. Steps are those of a hull of Scalars.
+/// One run. At: returns the point of an index, as Vector<double, 2>. The steps are those of a hull in Scalar.
 template <class Scalar, class At, class Observer>
 class Quickhull2 {
  public:
   Quickhull2(Index n, At at, Observer& observe) : n_(n), at_(at), observe_(observe) {}
 
-  /// The hull's vertices, counter-clockwise from the leftmost (the lowest of these); of points in one place the first.
-  /// Two where all points lie on a line, one where they are all the same.
+  /// The hull's vertices, counter-clockwise from the leftmost (of several, the lowest); of coincident points, the
+  /// first. Two vertices if all points lie on a line, one if they all coincide.
   std::vector<Index> run() {
     start();
     std::vector<Index> ring;
@@ -79,8 +79,8 @@ class Quickhull2 {
     share({kNoIndex, a, a, list_.begin(), list_.end()}, b, 0, 1, 1);
   }
 
-  /// Takes the points of an edge that gives way to edges to and from c, and opens these two. On return the first is on
-  /// top.
+  /// Distributes the points of an edge that is replaced by edges to and from c, and opens those two. On return the
+  /// first is on top.
   void share(const Edge& edge, Index c, Index first_id, Index second_id, int line) {
     const Point from = at_(edge.a), middle = at_(c), to = at_(edge.b);
     // A point beyond both would lie farther out than c, which is the farthest.
@@ -108,7 +108,7 @@ class Quickhull2 {
                                    edge.count() - first.count() - second.count()}});
   }
 
-  /// The farthest outside point; of several the last on the way from a to b, which the others' hull cannot replace.
+  /// The farthest outside point; of several, the last on the way from a to b, which is a vertex for certain.
   [[nodiscard]] Index farthest(const Edge& edge) {
     const Point a = at_(edge.a), b = at_(edge.b);
     Index best = *edge.begin;

@@ -1,5 +1,5 @@
-// Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", 1996. Where they widen
-// facets by the rounding, sides are decided exactly here; what lies in one plane is merged at the end.
+// Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", 1996. They thicken
+// facets by the rounding error; here sides are decided exactly, and coplanar facets are merged at the end.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ inline constexpr std::array<std::string_view, 10> kQuickhull3Pseudocode{
     "return the facets",
 };
 
-/// Passes on what is spent, but no steps: they would speak of another hull.
+/// Passes the counts on, but no steps, for they would be about another hull.
 template <class Observer>
 struct CountsOnly {
   Observer& observer;
@@ -37,7 +37,7 @@ struct CountsOnly {
   void count(Operation operation, std::int64_t n) const { observer.count(operation, n); }
 };
 
-/// One run. The observer sees each step; what only steps need is worked out where there is one to see them.
+/// One run. What only the steps need is computed only if an observer sees them.
 template <class Scalar, class Observer>
 class Quickhull3 {
  public:
@@ -108,8 +108,8 @@ class Quickhull3 {
     return {from.farthest, f, distance, from.count};
   }
 
-  /// The hull of points in a plane, on a line or in one place. No two of them have the same projection along an axis
-  /// that is not in the plane, so the ring of the projections is that of the points.
+  /// The hull of points in a plane, on a line or in one place. Along an axis that is not in the plane, no two of them
+  /// have the same projection, so the hull of the projections is a ring of the same points.
   Fit<ConvexHull<Scalar, 3>> flat_hull(std::vector<Index> simplex) {
     const auto at = [this](Index i) -> Vector<double, 3> { return points_[i].template cast<double>(); };
     ConvexHull<Scalar, 3> hull;

@@ -1,4 +1,4 @@
-// From Quickhull's surface to the hull: facets in one plane become one face, and only extreme points stay.
+// Turns Quickhull's surface into the hull: coplanar facets become one face, and only extreme points stay.
 #pragma once
 
 #include <vector>
@@ -11,12 +11,12 @@ namespace snug::fit {
 template <class Scalar>
 struct MergedFaces {
   ConvexHull<Scalar, 3> hull;  // vertices by rising index
-  Index faces = 0;             // how many there are of more than one facet
+  Index faces = 0;             // how many faces had more than one facet
   std::vector<Index> dropped;  // points on the surface that lie inside a face or an edge
 };
 
-/// Each face is cut into a fan of triangles around one of its corners: as no three corners of a convex polygon lie on a
-/// line, none is without area.
+/// Each face is cut into a fan of triangles around one of its vertices. No three vertices of a convex polygon lie on a
+/// line, so every triangle has an area.
 template <class Scalar>
 [[nodiscard]] MergedFaces<Scalar> merge_faces(const HullSurface<Scalar>& surface, PointSpan<Scalar, 3> points);
 

@@ -1,4 +1,4 @@
-// The closed surface that Quickhull grows in space: triangles that know their neighbours, each with the points it sees.
+// The closed surface that Quickhull grows in space: triangles with their neighbours, each with the points that it sees.
 #pragma once
 
 #include <array>
@@ -9,58 +9,58 @@
 
 namespace snug::fit {
 
-/// A triangle of the surface. Its plane is held in coordinates of the surface's own: normal . p + offset tells on which
-/// side p lies wherever it is beyond doubt.
+/// A triangle of the surface. Its plane is in the surface's own coordinates: the sign of normal . p + offset is the
+/// side of p, if it is beyond the error bound.
 struct Facet {
   std::array<Index, 3> vertices{kNoIndex, kNoIndex, kNoIndex};  // points, counter-clockwise as seen from outside
   std::array<Index, 3> across{kNoIndex, kNoIndex, kNoIndex};    // the facet over the edge from vertex i to the next
   Vector<double, 3> normal;
   double offset = 0;
   double doubt = 0;
-  double height = 0;          // of the farthest, in the plane's measure
+  double height = 0;          // of the farthest point, as the plane measures it
   Index farthest = kNoIndex;  // the head of its list of outside points
-  Index count = 0;            // of these
-  std::uint32_t seen = 0;     // the last eye that it was looked at from, and whether it saw it
+  Index count = 0;            // how many outside points it has
+  std::uint32_t seen = 0;     // the last eye that it was tested against, and whether it saw it
 
   [[nodiscard]] bool alive() const { return vertices[0] != kNoIndex; }
 };
 
-/// Convex all the while, exactly: a facet sees a point just if that lies strictly above its plane, so that points in
-/// the plane of a facet never make one that is folded or without area. Facets may lie in one plane.
+/// The surface is exactly convex at all times. A facet sees a point only if the point lies strictly above its plane, so
+/// that points in that plane never make a facet that is folded or has no area. Facets may be coplanar.
 template <class Scalar>
 class HullSurface {
  public:
   /// points: not all in one plane.
   explicit HullSurface(PointSpan<Scalar, 3> points);
 
-  /// The facets of a tetrahedron, and each other point given to the first that sees it. Returns how many none sees.
-  /// simplex: not in one plane; its last two are exchanged if need be for facets to look outward.
+  /// Starts with a tetrahedron, and assigns every other point to the first facet that sees it. Returns how many points
+  /// no facet sees. simplex: not in one plane; its last two are swapped if facets would face inward.
   Index start(std::array<Index, 4>& simplex);
 
-  /// A facet with outside points, oldest first; kNoIndex where there is none.
+  /// The oldest facet with outside points; kNoIndex if there is none.
   [[nodiscard]] Index next_open();
 
   /// Finds the facets that see the farthest point of a facet, and their horizon.
   void look_from_above(Index facet);
-  /// Replaces these by a cone to that point and gives their points to it. Returns how many points no facet sees.
+  /// Replaces these by a cone to that point, and assigns their points to it. Returns how many no facet sees.
   Index raise_cone();
 
-  /// The eye of the last look; if the run ends after a cone was raised, that cone's.
+  /// The farthest point that the last look_from_above found.
   [[nodiscard]] Index eye() const { return eye_; }
   [[nodiscard]] const std::vector<Index>& visible() const { return visible_; }
   [[nodiscard]] std::vector<Index> horizon() const;
   [[nodiscard]] const std::vector<Index>& added() const { return added_; }
 
   [[nodiscard]] const std::vector<Facet>& facets() const { return facets_; }
-  /// Whether the facet and the one over its edge i lie in one plane, exactly.
+  /// Whether the facet and the one across its edge are coplanar, exactly.
   [[nodiscard]] bool flat(Index facet, int edge) const;
-  /// How many times a point was held against a facet.
+  /// How many times a point was tested against a facet.
   [[nodiscard]] std::int64_t tests() const { return tests_; }
 
  private:
-  /// A point in the surface's own coordinates: moved and scaled along each axis so that the cloud just about fills the
-  /// cube from -1 to 1. Rounding in them is relative to the cloud's extent along each axis, not to how far out it
-  /// stands.
+  /// A point in the surface's own coordinates, moved and scaled along each axis so that the cloud about fills the cube
+  /// from -1 to 1. So rounding is relative to the cloud's extent along each axis, and not to its distance from the
+  /// origin.
   struct Site {
     Vector<double, 3> position;
     Index next = kNoIndex;  // in its facet's list of outside points
@@ -68,7 +68,7 @@ class HullSurface {
   };
   struct BorderEdge {
     Index from, to;  // points
-    Index beyond;    // the facet that stays
+    Index beyond;    // the facet that stays, across it
     int edge;        // of beyond
   };
 

@@ -16,14 +16,14 @@
 namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 4> kKdopPseudocode{
-    "for each axis of the k / 2",
+    "for each of the k / 2 axes",
     "  slab ← least to greatest p · axis",
     "  round its bounds outwards",
     "return k-DOP",
 };
 
 /// The tightest slab along an axis: the exact projections, rounded outwards. size: at least every |coordinate|; along a
-/// coordinate axis, where no sum rounds, 0 will do.
+/// coordinate axis, where no sum is rounded, 0 will do.
 template <class Scalar, int Dim>
 [[nodiscard]] SlabFound slab_of(const KdopAxis<Dim>& axis, PointSpan<Scalar, Dim> points, Scalar size, Scalar& min,
                                 Scalar& max) {
@@ -46,7 +46,7 @@ template <class Scalar, int Dim>
   return found;
 }
 
-/// The smallest k-DOP but for one rounding of each bound, which goes outwards.
+/// The smallest k-DOP, with each bound rounded outwards once.
 /// points: n >= 1 finite points, scene units. k: one that Dim has (kdop_axes). O(k n) time: a pass for each slab.
 template <class Scalar, int Dim, StepObserver<KdopStep<Scalar, Dim>> Observer = Ignore>
 Fit<Kdop<Scalar, Dim>> kdop_fit(PointSpan<Scalar, Dim> points, int k, Observer&& observe = {}) {

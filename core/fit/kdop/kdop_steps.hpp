@@ -12,7 +12,7 @@
 
 namespace snug::fit {
 
-/// The points that reach farthest along an axis of the k-DOP, whose place among its axes is slab; min and max: its
+/// The points that reach farthest along an axis of the k-DOP. slab: the index of that axis; min and max: the slab's
 /// bounds, in scene units times the length of the axis.
 struct SlabFound {
   static constexpr std::string_view kName = "slab_found";

@@ -1,11 +1,11 @@
-// Which of two volumes of a kind comes first, so that merging takes them in the same order whichever is named first.
+// Orders two volumes of a kind, so that merging them gives the same result whichever is named first.
 #pragma once
 
 #include "geometry/volume_fields.hpp"
 
 namespace snug::fit {
 
-/// -1, 0 or +1: by the numbers that say what the volumes are, from the first one on. 0 where all are equal.
+/// Compares the volumes' numbers in order: -1, 0 or +1; 0 if all are equal.
 template <class VolumeType>
 [[nodiscard]] int order_of(const VolumeType& a, const VolumeType& b) {
   std::vector<double> of_a, of_b;

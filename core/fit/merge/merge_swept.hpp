@@ -1,4 +1,4 @@
-// What merging capsules and merging lozenges share: both are hulls of balls, so that what holds the balls holds them.
+// What merging capsules and lozenges share: both are hulls of balls, so a convex volume need only contain the balls.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +28,8 @@ template <class Scalar, int Dim>
   return {{capsule.a.template cast<double>(), radius}, {capsule.b.template cast<double>(), radius}};
 }
 
-/// The balls at the corners. A corner is no number but a sum of three: each ball is larger by what that sum may be off
-/// by.
+/// The balls at the vertices of the core. A vertex is not stored, but is a sum of up to three vectors, so each ball is
+/// enlarged by the rounding error of that sum.
 template <class Scalar, int Dim>
 [[nodiscard]] Balls<Dim> balls_of(const Lozenge<Scalar, Dim>& lozenge) {
   const Vector<double, Dim> o = lozenge.origin.template cast<double>();
@@ -54,7 +54,7 @@ template <class Scalar, int Dim>
           static_cast<double>(lozenge.radius)};
 }
 
-/// Certain where it says so: the centres lie within the difference of the radii, rounded down, exactly.
+/// Whether the ball is certainly inside: its centre is within the difference of the radii, rounded down, of the core.
 template <class VolumeType, int Dim>
 [[nodiscard]] bool holds(const VolumeType& volume, const Balls<Dim>& balls) {
   auto inner = in_double(volume);
@@ -66,7 +66,7 @@ template <class VolumeType, int Dim>
   return true;
 }
 
-/// Sets the radius so that the volume holds the balls: the least, but for a few roundings.
+/// Sets the radius to the least, but for a few roundings, with which the volume contains the balls.
 template <class VolumeType, int Dim>
 void widen_to_hold(VolumeType& volume, const Balls<Dim>& balls) {
   using Scalar = decltype(volume.radius);
@@ -74,14 +74,14 @@ void widen_to_hold(VolumeType& volume, const Balls<Dim>& balls) {
   double most = 0;
   for (const BallIn<Dim>& ball : balls) most = std::max(most, core.distance(ball.center) + ball.radius);
   volume.radius = static_cast<Scalar>(most);
-  // Steps double, and start at what is nothing beside the rounding of the core's own coordinates.
+  // The steps double. They start at a length that is negligible beside the rounding of the core's coordinates.
   const auto least_step =
       static_cast<Scalar>(core.size() * tolerance::kRoundoff<Scalar> * tolerance::kRoundoff<Scalar>);
   Scalar step = std::max(std::nextafter(volume.radius, std::numeric_limits<Scalar>::max()) - volume.radius, least_step);
   for (; !holds(volume, balls); step *= 2) volume.radius += step;
 }
 
-/// The balls of both, about a point of one and scaled by a power of two, so that no square over- or underflows.
+/// The balls of both, relative to a point of one and scaled by a power of two, so that no square over- or underflows.
 template <int Dim>
 struct LocalBalls {
   Vector<double, Dim> origin;
@@ -100,7 +100,7 @@ struct LocalBalls {
   [[nodiscard]] Vector<double, Dim> to_scene(const Vector<double, Dim>& local) const { return origin + local / scale; }
 };
 
-/// Returns the smallest of several volumes, the first among equals; none where there are none.
+/// Returns the smallest of several volumes, the first among equals; none if there are none.
 template <class VolumeType, class Maker, class Choices>
 [[nodiscard]] std::optional<VolumeType> least_of(const Choices& choices, Maker&& make) {
   std::optional<VolumeType> least;

@@ -1,6 +1,6 @@
 // Source: H. Freeman, R. Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed curve",
-// 1975: a side of it lies on an edge of the hull; G. T. Toussaint, "Solving geometric problems with the rotating
-// calipers", 1983: so all edges are tried in one turn around it.
+// 1975, for the theorem that one of its sides lies on an edge of the hull; G. T. Toussaint, "Solving geometric problems
+// with the rotating calipers", 1983, for trying all edges in one turn around the hull.
 #pragma once
 
 #include <algorithm>
@@ -26,17 +26,17 @@ inline constexpr std::array<std::string_view, 6> kMinAreaRectanglePseudocode{
     "return rectangle",
 };
 
-/// The rectangle on the hull's edge that starts at vertices[on], and the corners that its other sides touch.
+/// The rectangle on the hull's edge that starts at vertices[on], and the vertices that its other sides touch.
 struct CalipersRectangle {
   Index on = 0, right = 0, top = 0, left = 0;  // places in the hull's vertices
-  // The sides' distances from vertices[on], along the edge (back: <= 0) and across it, and their area: in units of a
-  // power of two about as large as the hull.
+  // The distances of the sides from vertices[on], along the edge (back: <= 0) and across it, and the area. The unit is
+  // a power of two, about as large as the hull.
   double back = 0, forth = 0, height = 0;
   double area = 0;
 };
 
-/// The calipers' turn around a hull of affine_dim 2. The corners are found by exact tests; of the sides' lengths, twice
-/// a double's digits are kept while there are differences to take, so that slivers are ranked rightly too.
+/// The calipers' turn around a hull of affine_dim 2. The touched vertices are found by exact tests. The sides' lengths
+/// have twice a double's digits while differences are taken, so that slivers are ranked correctly too.
 template <class Scalar, class Observer>
 class Calipers {
  public:
@@ -46,7 +46,7 @@ class Calipers {
     unit_ = std::ilogb(widest);
   }
 
-  /// The rectangle of least area; of equal ones the first.
+  /// The rectangle of least area; of several, the first.
   CalipersRectangle run() {
     CalipersRectangle best, at;
     for (at.on = 0; at.on < size(); ++at.on) {
@@ -62,7 +62,7 @@ class Calipers {
   /// The unit of the lengths in a CalipersRectangle: 2 to this power, scene units.
   [[nodiscard]] int unit() const { return unit_; }
 
-  /// The first axis along the edge.
+  /// The rectangle's axes, the first along the edge.
   [[nodiscard]] Matrix<double, 2> axes(const CalipersRectangle& at) const {
     return frame(Vector<double, 2>(point(at.on + 1) - point(at.on)));
   }
@@ -75,7 +75,7 @@ class Calipers {
   [[nodiscard]] Index around(Index i) const { return i < size() ? i : i - size(); }
   [[nodiscard]] Point point(Index i) const { return hull_.vertices[around(i)].template cast<double>(); }
 
-  /// Each corner goes on from where it is, at first from where the one before it is; none ever goes back.
+  /// Moves each touched vertex on from where it was (at first, from where the previous one is); none ever moves back.
   void turn(CalipersRectangle& at) {
     const Point a = point(at.on), b = point(at.on + 1);
     const auto along = [&](Index i) { return dot_sign<2>(a, b, point(i), point(i + 1)); };
@@ -84,7 +84,7 @@ class Calipers {
     at.left = move(at.on == 0 ? at.top : at.left, [&](Index i) { return -along(i); });
   }
 
-  /// The first corner from which the way to the next does not rise.
+  /// The first vertex from which the way to the next does not rise.
   template <class Rise>
   [[nodiscard]] Index move(Index corner, Rise&& rise) {
     std::int64_t tests = 1;
@@ -124,7 +124,7 @@ class Calipers {
 
   using Step = ObbStep<Scalar, 2>;
 
-  /// This is the measured area: only the result is tested against the points exactly.
+  /// The rectangle as it was measured: only the result is tested against the points exactly.
   [[nodiscard]] Obb<Scalar, 2> box(const CalipersRectangle& at) const {
     const Matrix<double, 2> frame = axes(at);
     const Point middle((at.back + at.forth) / 2, at.height / 2), half((at.forth - at.back) / 2, at.height / 2);
@@ -148,9 +148,9 @@ class Calipers {
   int unit_ = 0;
 };
 
-/// The rectangle of least area around a hull in the plane, whose axes are the first edge's where all points lie on a
-/// line, and the coordinates' where they lie in one place. It holds every vertex exactly, and with them the hull.
-/// hull: as quickhull gives it, of coordinates that a PointSet takes. O(n) time.
+/// The rectangle of least area around a hull in the plane. If all points lie on a line, its axes are along and across
+/// that line; if they coincide, the coordinate axes. It contains every vertex exactly, and so the hull. hull: as
+/// quickhull returns it, with coordinates that a PointSet takes. O(n) time.
 template <class Scalar, StepObserver<ObbStep<Scalar, 2>> Observer = Ignore>
 Obb<Scalar, 2> min_area_rectangle(const ConvexHull<Scalar, 2>& hull, Observer&& observe = {}) {
   Matrix<double, 2> axes = Matrix<double, 2>::Identity();

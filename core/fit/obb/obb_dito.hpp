@@ -1,6 +1,6 @@
 // Source: T. Larsson, L. Källberg, "Fast computation of tight-fitting oriented bounding boxes", Game Engine Gems 2,
-// 2011: their DiTO-14, ditetrahedron OBB; boxes are compared by volume. In 2-D the same with a base line and two
-// triangles.
+// 2011: their DiTO-14, ditetrahedron OBB; boxes are compared by volume. In 2-D the base is a segment, with a triangle
+// on either side.
 #pragma once
 
 #include <algorithm>
@@ -30,8 +30,8 @@ inline constexpr std::array<std::string_view, 8> kObbDitoPseudocode{
     "return box",
 };
 
-/// The points with the least and the greatest projection onto each of the slab axes of a k-DOP, least first.
-/// One pass over blocks, and another look at those that hold an extreme.
+/// The points with the least and the greatest projection onto each of the slab axes of a k-DOP, least first. One pass
+/// over blocks, and a second over those blocks that have an extreme.
 template <class Scalar, int Dim>
 class SlabExtremes {
  public:
@@ -80,7 +80,7 @@ class SlabExtremes {
     return indices;
   }
 
-  /// Onto the axes of kdop_axes<2>(8) or kdop_axes<3>(14), in their order.
+  /// Projects a point onto the axes of kdop_axes<2>(8) or kdop_axes<3>(14), in their order.
   static Along project(const Vector<Scalar, Dim>& p) {
     if constexpr (Dim == 2) return {p[0], p[1], p[0] + p[1], p[0] - p[1]};
     else {
@@ -110,7 +110,7 @@ class SlabExtremes {
   PointSpan<Scalar, Dim> points_;
 };
 
-/// The state of one run: candidate axes, judged by the boxes on them around the extremes alone.
+/// The state of one run. Candidate axes are judged by their boxes around the extremes alone.
 template <class Scalar, int Dim, class Observer>
 class ObbDito {
  public:
@@ -154,7 +154,7 @@ class ObbDito {
                   PointsChosen{std::move(points)}});
   }
 
-  /// The extreme for which far is greatest, where that is beyond rounding; else none.
+  /// The extreme for which far is greatest; none if that is within rounding of zero.
   template <class Far>
   [[nodiscard]] std::optional<std::size_t> farthest(Far&& far) const {
     std::size_t best = 0;
@@ -171,8 +171,8 @@ class ObbDito {
     trials_.attempt(axes, std::span(points).first(on.size()), line);
   }
 
-  // Farthest pair, and in space the point farthest from their line. False where there is no such base: the points are
-  // then on one place or (as far as the extremes tell) on one line, whose box has been tried.
+  // Finds the farthest pair and, in space, the point farthest from their line. Returns false if there is no such base:
+  // then the points coincide or (as far as the extremes tell) lie on a line, and the box along it has been tried.
   bool find_base() {
     double most = -1;
     for (std::size_t a = 0; a < size(); ++a)
@@ -200,7 +200,7 @@ class ObbDito {
     }
   }
 
-  /// A box on each edge of a triangle, with one face in its plane.
+  /// Tries a box on each edge of a triangle, with one face in the triangle's plane.
   void try_triangle(std::size_t a, std::size_t b, std::size_t c, int line) {
     if constexpr (Dim == 3) {
       const Point ab = at(b) - at(a), bc = at(c) - at(b), ca = at(a) - at(c);
@@ -228,8 +228,8 @@ class ObbDito {
     }
   }
 
-  // The extremes tell which axes are promising; only all points tell whether they beat the axes that the points came
-  // in, along which the extremes are those of all.
+  // The extremes only tell which axes are promising. Whether the best axes beat the coordinate axes takes all points;
+  // along the coordinate axes, the extremes are those of all points.
   Fit<Obb<Scalar, Dim>> finish() {
     BoxOnAxes<Scalar, Dim> found = obb_from_axes(trials_.scalar_axes(), points_);
     tell_extents(found, points_.size(), 5, observe_);
@@ -253,7 +253,7 @@ class ObbDito {
 };
 
 /// A tight box in linear time: a few extremes propose axes and judge them.
-/// points: n >= 1 finite points, scene units. O(n) time: two passes, or three where the AABB wins.
+/// points: n >= 1 finite points, scene units. O(n) time: two passes, or three if the AABB wins.
 template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
 Fit<Obb<Scalar, Dim>> obb_dito(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   return ObbDito<Scalar, Dim, std::remove_reference_t<Observer>>(points, observe).run();

@@ -1,10 +1,10 @@
-// The smallest box of a hull in space, found and proven among the boxes with two adjacent faces on edges.
-// Source: J. O'Rourke, "Finding minimal enclosing boxes", 1985: the smallest box is one of them. (Seen along each of
-// its axes it is a smallest rectangle, one side of which lies on an edge of what the hull casts, by H. Freeman, R.
-// Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed curve", 1975; so two of its faces
-// that meet have an edge each.) How they are gone through is ours: as each pair of edges lets the box turn along one
-// curve, on which the volume between any six fixed vertices is a rational function, whole stretches of it are ruled out
-// by the signs of a quartic's Bernstein coefficients, and what is left is halved.
+// Finds and proves the smallest box around a hull in space, among those with two adjacent faces flush with edges.
+// Source: J. O'Rourke, "Finding minimal enclosing boxes", 1985: the smallest box is one of them. (Projected along any
+// of its axes it is a smallest rectangle, one side of which lies on an edge of the projected hull, by H. Freeman, R.
+// Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed curve", 1975; so two adjacent faces
+// are flush with an edge each.) The search is our own. Each pair of edges lets the box rotate along one curve, on which
+// the volume between any six fixed vertices is a rational function. Whole stretches of the curve are ruled out by the
+// signs of a quartic's Bernstein coefficients, and the rest is halved.
 #pragma once
 
 #include <array>
@@ -15,23 +15,23 @@
 
 namespace snug::fit {
 
-/// What a search over the pairs of one edge came to.
+/// The result of a search over the pairs of one edge.
 struct PairTally {
-  Index pairs = 0;      // later edges that an adjacent face can lie on
-  Index ruled_out = 0;  // of these, by the first bound
+  Index pairs = 0;      // later edges that an adjacent face can be flush with
+  Index ruled_out = 0;  // how many of them the first bound ruled out
   Index halvings = 0;
 };
 
 class EdgePairSearch {
  public:
-  /// A smaller box: the vertices of both edges, by their places in the hull. It is axes() then.
+  /// Called for each smaller box, with the vertices of both edges, by index in the hull. Its axes are axes() then.
   using SeeSmaller = std::function<void(const std::array<Index, 4>& on)>;
 
-  /// start: the axes of a box to beat; the smaller it is, the less is left to do.
+  /// start: the axes of the box to beat; the smaller it is, the less work is left.
   EdgePairSearch(const HullSolid& solid, const Matrix<double, 3>& start);
 
-  /// Goes through all boxes with a face on this edge and an adjacent one on a later edge. After all edges have had
-  /// their turn, no box is smaller than lower_bound(). count: Ignore or Tally.
+  /// Searches all boxes with one face flush with this edge and an adjacent one flush with a later edge. Once all edges
+  /// are searched, no box is smaller than lower_bound(). count: Ignore or Tally.
   template <class Count>
   PairTally search(Index edge, const SeeSmaller& see, Count& count);
   PairTally search(Index edge, const SeeSmaller& see) {
@@ -42,25 +42,25 @@ class EdgePairSearch {
   /// The axes of the smallest box found.
   [[nodiscard]] const Matrix<double, 3>& axes() const { return axes_; }
   [[nodiscard]] double measure() const { return measure_; }  // in the solid's units
-  /// Below it by what rounding may cost: each length tolerance::kBoxProof of the size.
+  /// Below measure() by the rounding error: tolerance::kBoxProof of the size in each length.
   [[nodiscard]] double lower_bound() const { return to_beat_; }
 
  private:
   using Point = Vector<double, 3>;
 
-  /// A box of the curve: its normals are (1 - t) a + t b of the first arc and the same with s of the second, not unit.
+  /// A box on the curve: its normals are (1 - t) a + t b on the first arc, the same with s on the second; not unit.
   struct Place {
     double t = 0, s = 0;
   };
-  /// A part of the curve on which both shares rise or fall all the way.
+  /// A part of the curve on which t and s are both monotonic.
   struct Stretch {
     Place from, to;
   };
-  /// Both normals at both ends of a stretch, scaled so that they go linearly in one parameter.
+  /// Both normals at both ends of a stretch, scaled so that they are linear in one parameter.
   struct Ends {
     std::array<Point, 2> first, second;
   };
-  /// Two arcs with the dot products of their ends, the first's a or b with the second's.
+  /// Two arcs, with the dot products of the ends of the first with those of the second.
   struct Pair {
     const NormalArc& first;
     const NormalArc& second;
@@ -71,7 +71,7 @@ class EdgePairSearch {
     [[nodiscard]] Ends by_first(const Stretch& stretch) const;
     [[nodiscard]] Ends by_second(const Stretch& stretch) const;
   };
-  /// Between which vertices the box's lengths are measured, as vectors from one to the other.
+  /// The vectors between the vertices that the box's lengths are measured between.
   struct Spans {
     Point first, second, third;
   };
@@ -92,8 +92,8 @@ class EdgePairSearch {
   Matrix<double, 3> axes_;
   double measure_ = 0;
   double to_beat_ = 0;
-  std::vector<std::array<std::size_t, 2>> ends_;  // of each arc, by their normals
-  std::vector<double> with_a_, with_b_;  // of the present first arc: the dot products of its ends with all normals
+  std::vector<std::array<std::size_t, 2>> ends_;  // of each arc: the indices of its end normals
+  std::vector<double> with_a_, with_b_;           // the dot products of the current first arc's ends with all normals
   std::vector<Stretch> open_;
 };
 

@@ -1,5 +1,5 @@
 // Source: J. O'Rourke, "Finding minimal enclosing boxes", 1985, for the theorem: two adjacent faces of the smallest box
-// lie on edges of the hull. His algorithm is another; this one is a branch and bound over the pairs of edges. In 2-D H.
+// lie on edges of the hull. The algorithm is not his, but a branch and bound over the pairs of edges. In 2-D: H.
 // Freeman, R. Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed curve", 1975.
 #pragma once
 
@@ -19,7 +19,7 @@ inline constexpr std::array<std::string_view, 10> kObbExactPseudocode{
     "best ← on its principal axes; in 2-D on each edge",
     "shrink best by rectangles across its axes",
     "  if the box on one is smaller: keep it",
-    "for each two edges e and f of the hull",
+    "for each pair of edges e, f of the hull",
     "  rotate the box with one face on e, the next on f",
     "  rule out angles whose boxes a bound shows to be larger",
     "  halve the others; keep what is smaller",
@@ -82,9 +82,9 @@ class ObbExact {
 };
 
 /// The smallest box, proven so but for rounding (tolerance::kBoxProof).
-/// points: n >= 1 finite points, scene units. Expected O(n log n) time for the hull; of its h vertices O(h log h) in
-/// 2-D. In 3-D each edge is held against those with a normal across one of its own, of which on a round hull there are
-/// about O(sqrt h), and looked up among all: O(h^2) in all, with a small constant.
+/// points: n >= 1 finite points, scene units. Expected O(n log n) time for the hull, then O(h log h) for its h vertices
+/// in 2-D. In 3-D each edge is paired with those that have a normal perpendicular to one of its own, about O(sqrt h) on
+/// a round hull; finding them takes a pass over all edges, so O(h^2) in all, with a small constant.
 template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
 Fit<Obb<Scalar, Dim>> obb_exact(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   using Watcher = std::remove_reference_t<Observer>;

@@ -1,5 +1,5 @@
-// Source: I. D. Romanick, "Data Structures & Algorithms for Geometry", 2007: a box with one side on a face of the hull,
-// and the rectangle of least area across it. In the plane that is the smallest box (H. Freeman, R. Shapira,
+// Source: I. D. Romanick, "Data Structures & Algorithms for Geometry", 2007: a box flush with a face of the hull, on
+// the least-area rectangle of the projection onto it. In the plane that is the smallest box (H. Freeman, R. Shapira,
 // "Determining the minimum-area encasing rectangle for an arbitrary closed curve", 1975); in space it need not be.
 #pragma once
 
@@ -24,7 +24,7 @@ inline constexpr std::array<std::string_view, 6> kObbFaceAlignedPseudocode{
     "return box",
 };
 
-/// Tries the box on each face of a hull in space; of a flat one, the box on it as on a face.
+/// Tries the box on each face of a hull in space; if the hull is flat, the box on the hull itself.
 template <class Scalar, class Observer>
 class ObbFaceAligned {
  public:
@@ -65,7 +65,7 @@ class ObbFaceAligned {
     }
   }
 
-  /// A face that quickhull cut into triangles has them one after the other.
+  /// Quickhull lists the triangles of one face one after the other.
   [[nodiscard]] bool in_one_plane(const Triangle& f, const Triangle& g) {
     const auto p = [&](Index i) -> Point { return hull_.vertices[i].template cast<double>(); };
     return std::all_of(g.begin(), g.end(), [&](Index i) {
@@ -75,7 +75,7 @@ class ObbFaceAligned {
     });
   }
 
-  /// The largest triangle in a flat polygon's fan knows the plane best.
+  /// The largest triangle in a flat polygon's fan determines the plane most precisely.
   [[nodiscard]] Point flat_normal() {
     observe_.count(Operation::kSquareRoots, 2 * (std::ssize(hull_.vertices) - 2));
     Point best = Point::Zero();
@@ -99,15 +99,15 @@ class ObbFaceAligned {
   ObbTrials<Scalar, 3, Observer> trials_;
 };
 
-/// The smallest box with a side on a face of the hull; in 2-D on an edge, which is the smallest of all. On a regular
-/// tetrahedron it is twice as large as the smallest.
-/// points: n >= 1 finite points, scene units. Expected O(n log n) time for the hull; in 3-D O(h) more for each of its
-/// faces, of h vertices.
+/// The smallest box with a side flush with a face of the hull; in 2-D with an edge, which makes it the smallest of all.
+/// On a regular tetrahedron it is twice as large as the smallest.
+/// points: n >= 1 finite points, scene units. Expected O(n log n) time for the hull; in 3-D O(h) more for each face of
+/// a hull with h vertices.
 template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
 Fit<Obb<Scalar, Dim>> obb_face_aligned(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   const ConvexHull<Scalar, Dim> hull = watched_hull(points, 0, observe);
   Matrix<Scalar, Dim> axes;
-  if constexpr (Dim == 2)  // the calipers tell of their steps on lines 2 and 3, as their own pseudocode has them
+  if constexpr (Dim == 2)  // the calipers report their steps on lines 2 and 3, as in their own pseudocode
     axes = smallest_rectangle(hull, observe).axes.template cast<Scalar>();
   else axes = ObbFaceAligned<Scalar, std::remove_reference_t<Observer>>(hull, observe).run();
   return finish_on_hull<Scalar, Dim>(axes, hull, 4, observe);

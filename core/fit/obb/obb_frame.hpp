@@ -1,4 +1,4 @@
-// The axes of a box from a direction or two.
+// A box's axes, from one or two directions.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,14 +9,14 @@
 
 namespace snug::fit {
 
-/// The same axes, right-handed: the last is turned about where they are not.
+/// The same axes, right-handed: the last is reversed if they are not.
 template <class Scalar, int Dim>
 [[nodiscard]] Matrix<Scalar, Dim> right_handed(Matrix<Scalar, Dim> axes) {
   if (axes.determinant() < 0) axes.col(Dim - 1) *= -1;
   return axes;
 }
 
-/// The vector at unit length, whatever its length was (0 stays 0), without overflow or underflow on the way.
+/// The vector scaled to unit length (0 stays 0), without intermediate overflow or underflow.
 template <int Dim>
 [[nodiscard]] Vector<double, Dim> unit(const Vector<double, Dim>& v) {
   const double largest = v.cwiseAbs().maxCoeff();
@@ -34,9 +34,9 @@ template <int Dim>
   return Vector<double, Dim>::Unit(least);
 }
 
-/// Right-handed unit axes, perpendicular within a few roundings: the first along `first`, in 3-D the second as near to
-/// `second` as is perpendicular to it. Either may be of any length; where it is 0, or second is parallel to first, a
-/// coordinate axis takes its place.
+/// Right-handed unit axes, perpendicular within a few roundings: the first along `first` and, in 3-D, the second as
+/// near to `second` as a perpendicular to the first can be. Both may have any length; if one is 0, or second is
+/// parallel to first, a coordinate axis takes its place.
 [[nodiscard]] inline Matrix<double, 2> frame(const Vector<double, 2>& first) {
   const Vector<double, 2> x = first.isZero(0) ? Vector<double, 2>(1, 0) : unit<2>(first);
   Matrix<double, 2> axes;
@@ -46,7 +46,7 @@ template <int Dim>
 
 [[nodiscard]] inline Matrix<double, 3> frame(const Vector<double, 3>& first, const Vector<double, 3>& second) {
   const Vector<double, 3> x = first.isZero(0) ? Vector<double, 3>(1, 0, 0) : unit<3>(first);
-  // Once could leave what cancellation made of the rounding in a nearly parallel second; twice does not.
+  // If second is nearly parallel, cancellation magnifies rounding errors; projecting twice removes them.
   const auto across = [&](const Vector<double, 3>& v) {
     const Vector<double, 3> once = unit<3>(v - x.dot(v) * x);
     return unit<3>(once - x.dot(once) * x);

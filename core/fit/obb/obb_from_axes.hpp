@@ -1,4 +1,4 @@
-// The box of given axes, whose slabs hold every point exactly: what every box fitter ends with.
+// The box with given axes, whose slabs contain every point exactly. Every box fitter ends with it.
 #pragma once
 
 #include <algorithm>
@@ -17,22 +17,22 @@ struct BoxOnAxes {
   std::vector<Index> least, greatest;
 };
 
-/// Whether each axis runs along a coordinate, so that nothing has to be projected.
+/// Whether each axis is a coordinate axis, so that nothing has to be projected.
 template <class Scalar, int Dim>
 [[nodiscard]] bool along_coordinates(const Matrix<Scalar, Dim>& axes) {
   const auto sizes = axes.cwiseAbs().array();
   return (sizes == 0 || sizes == 1).all() && (sizes.colwise().sum() == 1).all();
 }
 
-/// The smallest box of these axes, but for rounding: its centre is the rounded middle, and each half extent is the
-/// least with which the slab around that centre holds all points in exact arithmetic (where more than a few thousand
-/// points lie on its faces, perhaps the one after). So a half extent is 0 only if the points are flat exactly. axes:
-/// unit, perpendicular and right-handed within rounding. One pass, and a second look at the blocks of points that reach
-/// a face. Along the coordinates nothing is in doubt: least and greatest are exact, and one pass is all.
+/// The smallest box with these axes, but for rounding: its centre is the rounded middle, and each half extent is the
+/// least number with which the slab around that centre contains all points in exact arithmetic (or the next larger one,
+/// if more than a few thousand points lie on its faces). So a half extent is 0 only if the points are exactly flat.
+/// axes: unit, perpendicular and right-handed within rounding. One pass, and a second over the blocks of points that
+/// reach a face. Along coordinate axes, least and greatest are exact, and one pass is enough.
 template <class Scalar, int Dim>
 [[nodiscard]] BoxOnAxes<Scalar, Dim> obb_from_axes(const Matrix<Scalar, Dim>& axes, PointSpan<Scalar, Dim> points);
 
-/// Tells of the extents along a box's axes, of so many points.
+/// Reports the extents along a box's axes. points: how many there were.
 template <class Scalar, int Dim, class Observer>
 void tell_extents(const BoxOnAxes<Scalar, Dim>& found, std::int64_t points, int line, Observer& observe) {
   observe.count(Operation::kPointsTouched, points);
@@ -55,7 +55,7 @@ Fit<Obb<Scalar, Dim>> finish_box(const BoxOnAxes<Scalar, Dim>& found, int line, 
   return {found.box, std::move(support)};
 }
 
-/// Every way out of a box fitter that knows the axes, as two steps from a line of the pseudocode on.
+/// Ends a box fitter that knows the axes, with two steps, on the given line of the pseudocode and the next.
 template <class Scalar, int Dim, class Observer>
 Fit<Obb<Scalar, Dim>> finish_on_axes(const Matrix<Scalar, Dim>& axes, PointSpan<Scalar, Dim> points, int line,
                                      Observer& observe) {

@@ -1,5 +1,5 @@
-// What box fitters do with the convex hull: find it, measure their box on its vertices alone, lay a rectangle around
-// it.
+// What box fitters do with the convex hull: compute it, measure their box on its vertices alone, and fit a rectangle
+// around its projection.
 #pragma once
 
 #include <utility>
@@ -13,7 +13,7 @@
 
 namespace snug::fit {
 
-/// The hull as one step, without its own.
+/// Computes the hull and reports it as a single step, without the hull's own steps.
 template <class Scalar, int Dim, class Observer>
 ConvexHull<Scalar, Dim> watched_hull(PointSpan<Scalar, Dim> points, int line, Observer& observe) {
   ConvexHull<Scalar, Dim> hull;
@@ -28,8 +28,8 @@ template <class Scalar, int Dim>
   return *PointSet<Scalar, Dim>::make(hull.vertices);  // points of a set: nothing is refused
 }
 
-/// Does what finish_on_axes does, on the vertices alone. A box that holds them exactly holds their hull exactly, and
-/// with it each point.
+/// Does what finish_on_axes does, on the hull's vertices alone. A box that contains them exactly contains their hull,
+/// and so every point.
 template <class Scalar, int Dim, class Observer>
 Fit<Obb<Scalar, Dim>> finish_on_hull(const Matrix<Scalar, Dim>& axes, const ConvexHull<Scalar, Dim>& hull, int line,
                                      Observer& observe) {
@@ -41,15 +41,15 @@ Fit<Obb<Scalar, Dim>> finish_on_hull(const Matrix<Scalar, Dim>& axes, const Conv
   return finish_box(found, line + 1, observe);
 }
 
-/// A smallest rectangle by its frame, the first side on the edge between two of the points (kNoIndex where all are
-/// one).
+/// A smallest rectangle, as its frame: the first side lies on the edge between two of the points (kNoIndex if all
+/// coincide).
 template <int Dim>
 struct RectangleFrame {
   Matrix<double, Dim> axes;
   Index edge_a = kNoIndex, edge_b = kNoIndex;
 };
 
-/// The smallest rectangle of a hull in the plane, whatever it spans. edge_a, edge_b: the points' indices.
+/// The smallest rectangle around a hull in the plane, even a flat one. edge_a, edge_b: the points' indices.
 template <class Scalar, class Observer>
 RectangleFrame<2> smallest_rectangle(const ConvexHull<Scalar, 2>& hull, Observer& observe) {
   if (hull.affine_dim == 0) return {Matrix<double, 2>::Identity()};
@@ -60,8 +60,8 @@ RectangleFrame<2> smallest_rectangle(const ConvexHull<Scalar, 2>& hull, Observer
   return {frame(Vector<double, 2>(b - a)), hull.indices[on], hull.indices[to]};
 }
 
-/// The smallest rectangle of the points' projection along a direction, which is the frame's first axis. points: n >= 1,
-/// of coordinates of about 1; the edge is given by their places. count: Ignore or Tally. O(n log n) time.
+/// The smallest rectangle around the points' projection along a direction, which is the frame's first axis. points: n
+/// >= 1, with coordinates of about 1; the edge is given by their indices. count: Ignore or Tally. O(n log n) time.
 template <class Count>
 [[nodiscard]] RectangleFrame<3> rectangle_along(const Vector<double, 3>& direction,
                                                 const std::vector<Vector<double, 3>>& points, Count& count);
@@ -72,7 +72,7 @@ template <class Count>
   return rectangle_along(direction, points, ignore);
 }
 
-/// The same for who watches: what it spends, and no steps.
+/// The same for an observer: it is told the counts, but no steps.
 template <class Observer>
 [[nodiscard]] RectangleFrame<3> watched_rectangle_along(const Vector<double, 3>& direction,
                                                         const std::vector<Vector<double, 3>>& points,

@@ -1,5 +1,5 @@
-// A convex hull in space as the search for its smallest box wants it: edges with the normals of boxes that may lie on
-// them, and the vertex farthest along any direction.
+// A convex hull in space, prepared for the search for its smallest box: edges with the normals of box faces that may be
+// flush with them, and the vertex farthest along any direction.
 #pragma once
 
 #include <array>
@@ -12,19 +12,19 @@
 
 namespace snug::fit {
 
-/// The unit normals of planes that lie on an edge and have the hull on one side: from one face's normal to the other's,
-/// on a great circle. Long ones are cut, so that from a to b is at most 60 degrees. Source: the Gauss map, as J.
+/// The unit normals of planes that contain an edge and have the hull on one side: an arc of a great circle, from one
+/// face's normal to the other's. Long arcs are cut, so that each spans at most 60 degrees. Source: the Gauss map, as J.
 /// O'Rourke, "Finding minimal enclosing boxes", 1985, uses it.
 struct NormalArc {
-  Index edge = 0;               // place in HullSolid::edges
-  Index from = 0, to = 0;       // places in HullSolid::normals
+  Index edge = 0;               // index in HullSolid::edges
+  Index from = 0, to = 0;       // indices in HullSolid::normals
   Vector<double, 3> a, b;       // the same, unit
-  double angle = 0;             // the distance between them
+  double angle = 0;             // between them
   Index opposite = 0;           // the vertex farthest behind the arc's middle
-  Vector<double, 3> thickness;  // from it to the edge's first vertex
+  Vector<double, 3> thickness;  // from that vertex to the edge's first vertex
 };
 
-/// A hull of affine_dim 3.
+/// A hull whose affine_dim is 3.
 class HullSolid {
  public:
   /// count: Ignore or Tally, as below.
@@ -38,30 +38,30 @@ class HullSolid {
   template <class Scalar>
   explicit HullSolid(const ConvexHull<Scalar, 3>& hull) : HullSolid(hull, unwatched()) {}
 
-  using Edge = std::array<Index, 2>;  // places in the hull's vertices
+  using Edge = std::array<Index, 2>;  // indices of the hull's vertices
 
-  /// In the coordinates of LocalPoints: from the first vertex, scaled to about 1.
+  /// The vertices in the coordinates of LocalPoints: relative to the first, scaled to about 1.
   [[nodiscard]] const std::vector<Vector<double, 3>>& vertices() const { return local_.at; }
   [[nodiscard]] const Vector<double, 3>& at(Index i) const { return local_.at[i]; }
   [[nodiscard]] double size() const { return local_.size; }
 
-  /// But for those inside a face that was cut into triangles.
+  /// The hull's edges, without those inside a triangulated face.
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
   /// The normals, those of the hull's facets first.
   [[nodiscard]] const std::vector<Vector<double, 3>>& normals() const { return normals_; }
   [[nodiscard]] const std::vector<NormalArc>& arcs() const { return arcs_; }
 
-  /// A vertex that no neighbour lies beyond, climbing from a near one: the farthest along the direction, within
-  /// rounding.
+  /// The vertex farthest along the direction, within rounding: climbs from a near vertex until no neighbour lies
+  /// beyond.
   template <class Count>
   [[nodiscard]] Index farthest(const Vector<double, 3>& direction, Index near, Count& count) const;
   [[nodiscard]] Index farthest(const Vector<double, 3>& direction, Index near) const {
     return farthest(direction, near, unwatched());
   }
-  /// The vertex farthest along a direction near this one: at once, and nearly the farthest along this one.
+  /// Looks up the vertex farthest along a direction close to this one: nearly the farthest, without a search.
   [[nodiscard]] Index far(const Vector<double, 3>& direction) const;
-  /// The vertices on the edges between faces turned to a direction and away from it, and on faces along it: of all that
-  /// is cast along the direction, what lies on the outline. O(their number) time, about O(sqrt n) on a round hull.
+  /// The vertices on the hull's outline as seen along a direction: those of the edges between faces that face it and
+  /// faces that face away, and of faces parallel to it. O(their number) time, about O(sqrt n) on a round hull.
   /// direction: unit.
   template <class Count>
   [[nodiscard]] std::vector<Index> outline(const Vector<double, 3>& direction, Count& count) const;
@@ -101,10 +101,10 @@ class HullSolid {
   std::vector<Edge> edges_;
   std::vector<Vector<double, 3>> normals_;
   std::vector<NormalArc> arcs_;
-  std::vector<Neighbour> neighbours_;  // of vertex i from neighbours_from_[i] to neighbours_from_[i + 1]
+  std::vector<Neighbour> neighbours_;  // those of vertex i: from neighbours_from_[i] to neighbours_from_[i + 1]
   std::vector<std::size_t> neighbours_from_;
-  std::vector<Index> table_;  // per cell of a cube's surface
-  int cells_ = 1;             // along a side of it
+  std::vector<Index> table_;  // a vertex for each cell of a cube's surface
+  int cells_ = 1;             // along each side of the cube
 };
 
 }  // namespace snug::fit

@@ -20,7 +20,7 @@ inline constexpr std::array<std::string_view, 5> kObbPcaPseudocode{
     "return box",
 };
 
-/// Mean, covariance and principal axes of points, right-handed, as three steps from a line of the pseudocode on.
+/// Mean, covariance and principal axes, right-handed, as three steps from the given line of the pseudocode on.
 template <class Scalar, int Dim, class Observer>
 Matrix<Scalar, Dim> watched_principal_axes(PointSpan<Scalar, Dim> points, int line, Observer& observe) {
   using Step = ObbStep<Scalar, Dim>;
@@ -29,15 +29,15 @@ Matrix<Scalar, Dim> watched_principal_axes(PointSpan<Scalar, Dim> points, int li
   const CovarianceFound<Scalar, Dim> spread = covariance_of(mean.mean, points, observe);
   observe(Step{line + 1, false, {}, spread});
   AxesFound<Scalar, Dim> found = principal_axes(spread, points, observe);
-  // Eigenvectors are perpendicular to a few digits less than a box's axes have to be.
+  // The eigenvectors are perpendicular to a few digits fewer than a box's axes have to be.
   const Matrix<double, Dim> axes = orthonormal<double, Dim>(found.axes.template cast<double>());
   found.axes = right_handed<double, Dim>(axes).template cast<Scalar>();
   observe(Step{line + 2, false, {}, found});
   return found.axes;
 }
 
-/// The box along the directions in which the points spread most and least. Dense clusters of points skew it, inside as
-/// well as on the surface. points: n >= 1 finite points, scene units. O(n) time: three passes.
+/// The box along the directions in which the points spread most and least. Dense clusters of points skew it, whether
+/// inside or on the surface. points: n >= 1 finite points, scene units. O(n) time: three passes.
 template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
 Fit<Obb<Scalar, Dim>> obb_pca(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   const Matrix<Scalar, Dim> axes = watched_principal_axes(points, 0, observe);

@@ -21,8 +21,8 @@ inline constexpr std::array<std::string_view, 6> kObbPcaHullAreaPseudocode{
     "return box",
 };
 
-/// The hull's surface as simplices: its facets; of a flat hull in space the triangles of a fan, of a segment itself, of
-/// a point itself. Each a list of places in the vertices.
+/// The hull's surface as simplices: its facets; for a flat hull in space, the triangles of a fan; for a segment or a
+/// point, itself. Each simplex is a list of vertex indices.
 template <class Scalar, int Dim>
 [[nodiscard]] std::vector<std::vector<Index>> facet_corners(const ConvexHull<Scalar, Dim>& hull) {
   std::vector<std::vector<Index>> pieces;
@@ -35,7 +35,7 @@ template <class Scalar, int Dim>
   return pieces;
 }
 
-/// Area, length or, of a point, 1, in the points' units.
+/// The area or length in the points' units; 1 for a point.
 template <int Dim>
 [[nodiscard]] double size_of_piece(const std::vector<Index>& piece, const std::vector<Vector<double, Dim>>& at) {
   const auto p = [&](std::size_t k) -> const Vector<double, Dim>& { return at[piece[k]]; };
@@ -45,8 +45,8 @@ template <int Dim>
   return 0;
 }
 
-/// PCA of the hull's surface, every part of it with its area: neither points inside nor how densely the surface was
-/// sampled skew it; what does is its shape alone. points: n >= 1 finite points, scene units. Expected O(n log n) time.
+/// PCA of the hull's surface, every part of it weighted by its area. Neither points inside nor the density of points on
+/// the surface skew it, only the surface's shape. points: n >= 1 finite points, scene units. Expected O(n log n) time.
 template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
 Fit<Obb<Scalar, Dim>> obb_pca_hull_area(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   using Step = ObbStep<Scalar, Dim>;
@@ -70,7 +70,7 @@ Fit<Obb<Scalar, Dim>> obb_pca_hull_area(PointSpan<Scalar, Dim> points, Observer&
   }
   mean = area > 0 ? Point(mean / area) : at(0);
 
-  // For a simplex of m vertices p with middle c, all measured from the mean, the integral of x x^T is its size times
+  // For a simplex of m vertices p with centroid c, all relative to the mean, the integral of x x^T is its size times
   // (m^2 c c^T + sum p p^T) / (m (m + 1)).
   Matrix<double, Dim> covariance = Matrix<double, Dim>::Zero();
   for (const auto& piece : pieces) {

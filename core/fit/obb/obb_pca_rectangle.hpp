@@ -25,7 +25,7 @@ inline constexpr std::array<std::string_view, 9> kObbPcaRectanglePseudocode{
     "return box",
 };
 
-/// found: with the edge by its points' indices. line: as below.
+/// Reports a rectangle. found: with its edge as indices of points. line: as below.
 template <class Scalar, int Dim, class Observer>
 void attempt_rectangle(ObbTrials<Scalar, Dim, Observer>& trials, const RectangleFrame<Dim>& found, int line,
                        Observer& observe) {
@@ -38,8 +38,8 @@ void attempt_rectangle(ObbTrials<Scalar, Dim, Observer>& trials, const Rectangle
   });
 }
 
-/// Lays rectangles across the best box's axes, its shortest first, until none of them makes it smaller by a part
-/// of tolerance::kSameBox. line: of the rectangle; the one below is of a smaller box.
+/// Tries rectangles perpendicular to the best box's axes, the shortest axis first, until none makes the box smaller by
+/// more than a fraction tolerance::kSameBox. line: for a rectangle; the line after it is for a smaller box.
 template <class Scalar, class Observer>
 void shrink_by_rectangles(ObbTrials<Scalar, 3, Observer>& trials, const std::vector<Index>& indices, int line,
                           Observer& observe) {
@@ -56,9 +56,9 @@ void shrink_by_rectangles(ObbTrials<Scalar, 3, Observer>& trials, const std::vec
   }
 }
 
-/// The PCA box, shrunk by rectangles of least area across its axes until it no longer shrinks. In 2-D one such
-/// rectangle, which is the smallest box. points: n >= 1 finite points, scene units. Expected O(n log n) time, and as
-/// much in the hull's vertices for each rectangle.
+/// The PCA box, improved by rectangles of least area perpendicular to its axes until it no longer shrinks. In 2-D there
+/// is one such rectangle, which is the smallest box. points: n >= 1 finite points, scene units. Expected O(n log n)
+/// time, and O(h log h) for each rectangle, with h vertices on the hull.
 template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
 Fit<Obb<Scalar, Dim>> obb_pca_rectangle(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   using Watcher = std::remove_reference_t<Observer>;

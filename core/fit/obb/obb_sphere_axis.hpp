@@ -1,5 +1,5 @@
 // Source: I. D. Romanick, "Data Structures & Algorithms for Geometry", 2007: the bounding sphere gives an estimate of
-// the longest axis. Here the circle around what the points cast along that axis gives the second in the same way.
+// the longest axis. Here the circle around the points' projection along that axis gives the second in the same way.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ inline constexpr std::array<std::string_view, 6> kObbSphereAxisPseudocode{
     "extents ← along u, v and across both", "return box",
 };
 
-/// The smallest ball around a few points' worth of coordinates, and of the points that hold it the two farthest apart.
+/// The smallest ball around points, and the two points of its support set that are farthest apart.
 template <int Dim>
 struct LongestChord {
   Fit<Sphere<double, Dim>> ball;
@@ -43,8 +43,8 @@ struct LongestChord {
   }
 };
 
-/// The box whose first axis is the longest chord of the smallest ball, and the second that of the smallest circle
-/// across it. points: n >= 1 finite points, scene units. Expected O(n) time, O(n) memory.
+/// The box whose first axis runs through the smallest ball's two farthest support points, and the second through those
+/// of the projection's smallest circle. points: n >= 1 finite points, scene units. Expected O(n) time, O(n) memory.
 template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
 Fit<Obb<Scalar, Dim>> obb_sphere_axis(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   using Step = ObbStep<Scalar, Dim>;

@@ -14,7 +14,7 @@
 
 namespace snug::fit {
 
-/// The points that reach farthest to either side along each of the box's axes; lengths: from one to the other, scene
+/// The points that reach farthest to either side along each of the box's axes; lengths: the extents between them, scene
 /// units.
 template <class Scalar, int Dim>
 struct ExtentsFound {
@@ -25,7 +25,7 @@ struct ExtentsFound {
   static auto tie(auto& own) { return std::tie(own.least, own.greatest, own.lengths); }
 };
 
-/// The smallest ball around the points, or in 3-D also the smallest circle around what they cast along axis.
+/// The smallest ball around the points or, in 3-D, the smallest circle around their projection along axis.
 template <class Scalar, int Dim>
 struct BallFound {
   static constexpr std::string_view kName = "ball_found";
@@ -54,7 +54,7 @@ struct SurfaceFound {
   static auto tie(auto& own) { return std::tie(own.area, own.centroid); }
 };
 
-/// The points of the set that a step is about: extreme along fixed directions, a base triangle, apexes, ends of an
+/// The points that were chosen: extremes along fixed directions, a base triangle, apexes, or the ends of an
 /// edge.
 struct PointsChosen {
   static constexpr std::string_view kName = "points_chosen";
@@ -63,7 +63,7 @@ struct PointsChosen {
   static auto tie(auto& own) { return std::tie(own.points); }
 };
 
-/// A box was tried on the points named, which gave it its axes; better: whether it became the best so far.
+/// A box was tried on the named points, which determined its axes; better: whether it became the best so far.
 template <class Scalar, int Dim>
 struct BoxTried {
   static constexpr std::string_view kName = "box_tried";
@@ -75,8 +75,8 @@ struct BoxTried {
   static auto tie(auto& own) { return std::tie(own.on, own.box, own.measure, own.better); }
 };
 
-/// The smallest rectangle around what the points cast along a direction, with a side on the hull's edge from edge_a to
-/// edge_b, and the box on it.
+/// The smallest rectangle around the points' projection along a direction, with a side on the hull's edge from edge_a
+/// to edge_b, and the box on that rectangle.
 template <class Scalar, int Dim>
 struct RectangleFound {
   static constexpr std::string_view kName = "rectangle_found";
@@ -89,9 +89,9 @@ struct RectangleFound {
   static auto tie(auto& own) { return std::tie(own.along, own.edge_a, own.edge_b, own.box, own.measure, own.better); }
 };
 
-/// All boxes with one face on the hull's edge from a to b and an adjacent face on a later edge were gone through.
-/// pairs: how many such edges there are; ruled_out: for how many one bound showed that no box is smaller; halvings: how
-/// often the others' turns were halved to show it, or to find a smaller box.
+/// All boxes with one face flush with the hull's edge from a to b and an adjacent face flush with a later edge were
+/// searched. pairs: how many such later edges there are; ruled_out: for how many of them one bound showed that no box
+/// is smaller; halvings: how often the curves of the others were halved to show it, or to find a smaller box.
 struct EdgeSearched {
   static constexpr std::string_view kName = "edge_searched";
   Index a = kNoIndex, b = kNoIndex;

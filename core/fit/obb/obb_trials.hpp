@@ -1,4 +1,4 @@
-// Boxes on candidate axes, held against each other: the best so far, and what makes one better.
+// Compares boxes on candidate axes, and keeps the best so far.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@
 
 namespace snug::fit {
 
-/// Points as doubles from the first of them, scaled by a power of two to a largest coordinate of about 1, so that no
-/// product of a few coordinates over- or underflows: place = first + 2^exponent * at.
+/// Points as doubles relative to the first, scaled by a power of two to a largest coordinate of about 1, so that no
+/// product of a few coordinates over- or underflows. A point is first + 2^exponent * at.
 template <int Dim>
 struct LocalPoints {
   Vector<double, Dim> first;
@@ -61,7 +61,7 @@ struct LocalBox {
   }
 };
 
-/// What a LocalBox of so many points takes.
+/// Counts what a LocalBox of so many points costs.
 template <int Dim, class Observer>
 void count_box(std::size_t points, Observer& observe) {
   const auto n = static_cast<std::int64_t>(points);
@@ -70,7 +70,7 @@ void count_box(std::size_t points, Observer& observe) {
   observe.count(Operation::kComparisons, 2 * Dim * n);
 }
 
-/// The axes by rising length of the box along them, right-handed.
+/// The axes, right-handed, in order of rising length of the box.
 template <int Dim>
 [[nodiscard]] Matrix<double, Dim> by_length(const LocalBox<Dim>& box) {
   std::array<int, Dim> order{};
@@ -82,8 +82,8 @@ template <int Dim>
   return right_handed<double, Dim>(axes);
 }
 
-/// What boxes are compared by: the product of the lengths, of which none counts as less than floor, so that among flat
-/// boxes the smaller area is better, and not the rounding of the thickness.
+/// The measure by which boxes are compared: the product of the lengths, each at least floor. So flat boxes are compared
+/// by their area, and not by the rounding error of their thickness.
 template <int Dim>
 [[nodiscard]] double padded_measure(const Vector<double, Dim>& lengths, double floor) {
   return lengths.cwiseMax(floor).prod();
@@ -96,13 +96,13 @@ class ObbTrials {
   using Step = ObbStep<Scalar, Dim>;
   using Tried = BoxTried<Scalar, Dim>;
 
-  /// points: a range of one Vector<Scalar, Dim> or more, which the boxes are to hold.
+  /// points: a range of one Vector<Scalar, Dim> or more, which the boxes are to contain.
   template <class Points>
   ObbTrials(const Points& points, Observer& observe)
       : local_(points), floor_(tolerance::kFlatBox * local_.size), observe_(observe) {}
 
-  /// Tries the box on these axes, and tells of it. on: the points that gave the axes; anything that a vector of Index
-  /// can be made of. Returns whether it is the best so far.
+  /// Tries the box on these axes, and reports it. on: the points that determined the axes, anything that a vector of
+  /// Index can be made of. Returns whether it is the best so far.
   template <class Indices>
   bool attempt(const Matrix<double, Dim>& axes, const Indices& on, int line) {
     return attempt_and_tell(axes, [&](const Obb<Scalar, Dim>& box, bool better) {
@@ -110,7 +110,7 @@ class ObbTrials {
     });
   }
 
-  /// The same, told by a step of the caller's making: tell(box, better).
+  /// The same, but the caller reports it: tell(box, better).
   template <class Tell>
   bool attempt_and_tell(const Matrix<double, Dim>& axes, Tell&& tell) {
     const LocalBox<Dim> box(axes, local_.at);
@@ -133,15 +133,13 @@ class ObbTrials {
 
   [[nodiscard]] const Matrix<double, Dim>& axes() const { return axes_; }
   [[nodiscard]] Matrix<Scalar, Dim> scalar_axes() const { return axes_.template cast<Scalar>(); }
-  [[nodiscard]] const Obb<Scalar, Dim>& box() const {
-    return best_box_;
-  }                                                      // for steps: kept only where they are watched
-  [[nodiscard]] double least() const { return least_; }  // padded_measure, local
+  [[nodiscard]] const Obb<Scalar, Dim>& box() const { return best_box_; }  // for steps: kept only if they are observed
+  [[nodiscard]] double least() const { return least_; }                    // padded_measure, local
   [[nodiscard]] double floor() const { return floor_; }
   [[nodiscard]] const LocalPoints<Dim>& local() const { return local_; }
 
  private:
-  /// In scene units, for showing; what is returned comes from obb_from_axes.
+  /// The box in scene units, for display only; the result comes from obb_from_axes.
   [[nodiscard]] Obb<Scalar, Dim> place(const LocalBox<Dim>& box) const {
     const double scale = std::ldexp(1.0, local_.exponent);
     const Vector<double, Dim> middle = box.axes * Vector<double, Dim>((box.least + box.greatest) / 2);

@@ -12,7 +12,7 @@
 
 namespace snug::fit {
 
-/// points: n >= 1. One pass, measured from the first point, so that a far set keeps its digits.
+/// points: n >= 1. One pass, relative to the first point, so that a set far from the origin keeps its digits.
 template <class Scalar, int Dim, class Observer>
 MeanFound<Scalar, Dim> mean_of(PointSpan<Scalar, Dim> points, Observer& observe) {
   Vector<Scalar, Dim> sum = Vector<Scalar, Dim>::Zero();
@@ -38,15 +38,15 @@ Matrix<Scalar, Dim> sum_of_products(const Vector<Scalar, Dim>& mean, Scalar scal
   return sum;
 }
 
-/// The mean of (p - mean)(p - mean)^T. One pass; another where so many points lie so far out that their sum, but not
-/// their mean, is more than a Scalar holds.
+/// The mean of (p - mean)(p - mean)^T. One pass; a second if the sum of the points overflows, though their mean does
+/// not.
 template <class Scalar, int Dim, class Observer>
 CovarianceFound<Scalar, Dim> covariance_of(const Vector<Scalar, Dim>& mean, PointSpan<Scalar, Dim> points,
                                            Observer& observe) {
   const auto n = static_cast<Scalar>(points.size());
   const Matrix<Scalar, Dim> sum = sum_of_products(mean, Scalar{1}, points, observe);
   if (sum.allFinite()) return {mean, sum / n};
-  constexpr auto kScale = static_cast<Scalar>(0x1p-16);  // its square makes up for the most points that there can be
+  constexpr auto kScale = static_cast<Scalar>(0x1p-16);  // its square offsets the largest possible number of points
   return {mean, sum_of_products(mean, kScale, points, observe) / n / (kScale * kScale)};
 }
 
@@ -54,8 +54,8 @@ CovarianceFound<Scalar, Dim> covariance_of(const Vector<Scalar, Dim>& mean, Poin
 template <class Scalar, int Dim>
 [[nodiscard]] AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread);
 
-/// The same of points so close together that their squared distances underflow: then the axes are those of the points
-/// magnified by a power of two. Two passes more, there.
+/// The same for points so close together that their squared distances underflow: the axes are then those of the points
+/// magnified by a power of two, which takes two more passes.
 template <class Scalar, int Dim, class Observer>
 AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread, PointSpan<Scalar, Dim> points,
                                       Observer& observe) {

@@ -1,4 +1,4 @@
-// Points as seen along their principal axes, which capsule and lozenge share.
+// Points in the frame of their principal axes; the capsule and the lozenge fitters share it.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,14 @@
 
 namespace snug::fit {
 
-/// Coordinates along unit axes from an origin, magnified by a power of two so that the points are of about unit size:
-/// no square of them over- or underflows to any effect.
+/// Coordinates along unit axes from an origin, scaled by a power of two so that the points are of about unit size: no
+/// square of them over- or underflows to any effect.
 template <class Scalar, int Dim>
 struct PrincipalFrame {
   Vector<Scalar, Dim> origin;
   Matrix<Scalar, Dim> axes;  // by rising variance
   Scalar scale;
-  std::vector<Vector<Scalar, Dim>> local;  // of each point
+  std::vector<Vector<Scalar, Dim>> local;  // each point in the frame
 
   /// An offset in the frame as one in the scene.
   [[nodiscard]] Vector<Scalar, Dim> to_scene(const Vector<Scalar, Dim>& offset) const {
@@ -26,7 +26,7 @@ struct PrincipalFrame {
   }
 };
 
-/// Mean, covariance and axes, as three steps from line 0 of the pseudocode on; then the points seen so. Four passes.
+/// Computes mean, covariance and axes, as three steps from line 0 of the pseudocode on; then the points. Four passes.
 template <class StepType, class Scalar, int Dim, class Observer>
 [[nodiscard]] PrincipalFrame<Scalar, Dim> principal_frame(PointSpan<Scalar, Dim> points, Observer& observe) {
   const MeanFound<Scalar, Dim> mean = mean_of(points, observe);

@@ -16,7 +16,7 @@ inline constexpr std::array<std::string_view, 4> kAabbCenterPseudocode{
     "return c and r",
 };
 
-/// The sphere around the midpoint of the points' axis-aligned bounding box.
+/// The sphere around the centre of the points' axis-aligned bounding box.
 /// points: n >= 1 finite points, scene units. O(n) time: two passes.
 template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer = Ignore>
 Fit<Sphere<Scalar, Dim>> aabb_center(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {

@@ -1,4 +1,4 @@
-// The smallest ball by trying all: for checking others on few points, and for seeing what O(n^5) means.
+// The smallest ball, by trying all candidates: to check other algorithms on few points, and to show what O(n^5) means.
 #pragma once
 
 #include <array>
@@ -12,14 +12,14 @@ namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 6> kBruteForcePseudocode{
     "for each pair, triple (and in 3-D quadruple) of points",
-    "  candidate ← smallest through them",
+    "  candidate ← smallest around them",
     "  if candidate is smaller than best",
     "    if no point lies outside candidate",
     "      best ← candidate",
     "return best",
 };
 
-/// More points than this are refused by those who call: 40 points in 3-D have 102,050 candidates.
+/// Callers refuse more points than this: 40 points in 3-D have 102,050 candidates.
 inline constexpr Index kBruteForceLimit = 40;
 
 /// The state of one run over all subsets of two to Dim + 1 points, in lexicographic order, small ones first.
@@ -53,7 +53,7 @@ class BruteForce {
   void attempt(const Support& support) {
     const auto ball = ball_through(points_, support);
     observe_.count(Operation::kBallSolves, 1);
-    // Where the centre is outside their hull, fewer of them hold a smaller ball, which is a candidate of its own.
+    // If the centre is outside their hull, fewer of these points support a smaller ball, which is a candidate itself.
     if (!ball || !ball->center_in_hull()) return tell(1, {support, best_, Verdict::kNoBall, kNoIndex});
     const Sphere<Scalar, Dim> candidate{ball->center.template cast<Scalar>(), static_cast<Scalar>(ball->radius)};
     if (has_ball_ && !(candidate.radius < best_.radius))
@@ -71,8 +71,8 @@ class BruteForce {
   [[nodiscard]] Index first_outside(const Sphere<Scalar, Dim>& ball) {
     const Vector<double, Dim> center = ball.center.template cast<double>();
     const double reach = static_cast<double>(ball.radius);
-    // The centre is rounded to the scalar, which on points far from the origin is much more than the distance's own
-    // rounding; the same allowance that the certificate makes.
+    // The centre is rounded to the scalar; for points far from the origin, that is much more than the distance's own
+    // rounding error. The certificate makes the same allowance.
     const double size = reach + center.cwiseAbs().maxCoeff();
     const double limit = reach + tolerance::kOptimalityRoundoffs / 2 * tolerance::roundoff<Scalar>(size);
     for (Index i = 0; i < points_.size(); ++i) {

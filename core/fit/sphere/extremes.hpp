@@ -6,7 +6,7 @@
 
 namespace snug::fit {
 
-/// points: n >= 1. One pass, 2 Dim comparisons a point; of equals the first stays.
+/// points: n >= 1. One pass, 2 Dim comparisons a point; of equal points, the first is kept.
 template <class Scalar, int Dim, class Observer>
 ExtremesFound<Scalar, Dim> extreme_points(PointSpan<Scalar, Dim> points, Observer& observe) {
   ExtremesFound<Scalar, Dim> found;

@@ -9,8 +9,8 @@
 
 namespace snug::fit {
 
-/// Takes one point into the ball, if it is outside: the new ball passes through the point on one side and touches
-/// the old one's back on the other. Returns whether it grew.
+/// Grows the ball to a point, if the point is outside: the new ball passes through the point on one side and touches
+/// the back of the old ball on the other. Returns whether it grew.
 /// Source: J. Ritter, "An efficient bounding sphere", Graphics Gems, 1990.
 template <class Scalar, int Dim, class Observer>
 bool grow_to_hold(Sphere<Scalar, Dim>& ball, const Vector<Scalar, Dim>& point, Index index, int line,
@@ -38,7 +38,7 @@ bool grow_to_hold(Sphere<Scalar, Dim>& ball, const Vector<Scalar, Dim>& point, I
   return true;
 }
 
-/// What a growing method ends with: the radius is widened where rounding left a point outside.
+/// Ends a growing algorithm: widens the radius if rounding left a point outside.
 template <class Scalar, int Dim, class Observer>
 Fit<Sphere<Scalar, Dim>> finish_grown(Sphere<Scalar, Dim> ball, Support support, PointSpan<Scalar, Dim> points,
                                       int line, Observer& observe) {

@@ -1,5 +1,5 @@
-// Source: B. Gärtner, "Fast and robust smallest enclosing balls", 1999: farthest-point pivoting. Here a pass over the
-// points gives not one farthest point but that of each block, for a pass costs more than a few entries.
+// Source: B. Gärtner, "Fast and robust smallest enclosing balls", 1999: farthest-point pivoting. Here a pass finds the
+// farthest point of each block, because it costs more than a few changes of the support set.
 #pragma once
 
 #include <array>
@@ -22,10 +22,10 @@ inline constexpr std::array<std::string_view, 7> kPivotPseudocode{
     "return S",
 };
 
-/// A larger sample costs more balls than it saves passes over the points.
+/// A larger sample would cost more in balls than it saves in passes over the points.
 inline constexpr Index kPivotSample = 8;
 
-/// As many of the points as the sample has, by index; of fewer points, all.
+/// A random sample of the points, by index; all points, if there are fewer than kPivotSample.
 inline std::vector<Index> random_sample(Index points, std::uint64_t seed) {
   std::vector<Index> sample(static_cast<std::size_t>(std::min(points, kPivotSample)));
   std::iota(sample.begin(), sample.end(), Index{0});
@@ -35,9 +35,9 @@ inline std::vector<Index> random_sample(Index points, std::uint64_t seed) {
   return sample;
 }
 
-/// The smallest enclosing ball, by farthest-point pivoting. It is by this that other methods' excess is worked out.
-/// points: n >= 1 finite points, scene units. O(n) time a pass, of which there are a few: no bound says how many.
-/// O(sqrt n) memory.
+/// The smallest enclosing ball, by farthest-point pivoting. Other algorithms' excess is computed against it. points: n
+/// >= 1 finite points, scene units. O(n) time for each pass. There are few passes, but no bound on their number is
+/// proven. O(sqrt n) memory.
 /// Where points are closer together than about 1e-154 (in float 1e-19), squared distances underflow: the sphere then
 /// contains them all but need not be the smallest, and the certificate says so.
 template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer = Ignore>

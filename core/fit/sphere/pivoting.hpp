@@ -1,5 +1,5 @@
-// The smallest ball from any ball to begin with: points outside are let in, the farthest first, until none is left.
-// Source: B. Gärtner, "Fast and robust smallest enclosing balls", 1999.
+// Finds the smallest ball from any starting ball: points outside enter the support set, the farthest first, until none
+// is left outside. Source: B. Gärtner, "Fast and robust smallest enclosing balls", 1999.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 
 namespace snug::fit {
 
-/// The ball as it stands, and how it takes points in.
+/// The current ball, and the steps that let points enter its support set.
 template <class Scalar, int Dim, class Observer>
 class Pivoting {
   using Step = SphereStep<Scalar, Dim>;
 
  public:
-  /// Where in the pseudocode it is told that all points were tested, and that one was let in.
+  /// The lines of the pseudocode for "all points were tested" and for "one entered".
   struct Lines {
     int tested, let_in;
   };
@@ -38,15 +38,15 @@ class Pivoting {
     observe_.count(Operation::kBallSolves, 1);
   }
 
-  /// Takes another ball in place of the one that stands, and tells whose support it is. entered: kNoIndex for none.
+  /// Replaces the current ball, and reports the change of the support set. entered: kNoIndex for none.
   void replace(const SupportBall<Dim>& ball, Index entered, int line) {
     const Support before = ball_.support;
     take(ball);
     observe_(Step{line, true, current_, SupportReplaced{entered, before, ball_.support}});
   }
 
-  /// Lets in the farthest of a few points, and again, until none of them lies outside. Each entry makes the ball
-  /// strictly larger, so that this ends whatever the rounding. Returns whether the ball has changed.
+  /// Lets the farthest of a few points enter, again and again, until none of them lies outside. Each entry makes the
+  /// ball strictly larger, so this ends whatever the rounding. Returns whether the ball has changed.
   bool let_in(std::span<const Index> few, int line) {
     for (bool grew = false;; grew = true) {
       const Index farthest = farthest_outside(few);
@@ -57,7 +57,7 @@ class Pivoting {
     }
   }
 
-  /// Tests all points, and lets in the farthest of each block, until no point lies outside. The radius is then such
+  /// Tests all points, and lets the farthest of each block enter, until no point lies outside. Then sets the radius so
   /// that the ball contains every point exactly.
   [[nodiscard]] Fit<Sphere<Scalar, Dim>> finish() {
     FarthestPoints<Scalar> far = test_all();

@@ -40,8 +40,8 @@ PairChosen farthest_pair(const ExtremesFound<Scalar, Dim>& extremes, PointSpan<S
   return chosen;
 }
 
-/// The growing pass over all points in their order, from a first ball. line: of the pseudocode's loop; growing, the
-/// check and the end are the three lines below it.
+/// The growing pass over all points in their order, from a first ball. line: that of the pseudocode's loop; growing,
+/// the check and the end are the three lines after it.
 template <class Scalar, int Dim, class Observer>
 Fit<Sphere<Scalar, Dim>> grow_over_all(Sphere<Scalar, Dim> ball, Support support, PointSpan<Scalar, Dim> points,
                                        int line, Observer& observe) {
@@ -52,7 +52,7 @@ Fit<Sphere<Scalar, Dim>> grow_over_all(Sphere<Scalar, Dim> ball, Support support
 
 /// Ritter's sphere: six extremes, the pair farthest apart, one growing pass.
 /// points: n >= 1 finite points, scene units. O(n) time: his two passes, and one that tests the result exactly. Often
-/// within 10 per cent of the smallest, but no bound says so.
+/// within 10 per cent of the smallest, but that is not guaranteed.
 template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer = Ignore>
 Fit<Sphere<Scalar, Dim>> ritter(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   using Step = SphereStep<Scalar, Dim>;

@@ -30,7 +30,7 @@ template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer 
 Fit<Sphere<Scalar, Dim>> ritter_iterative(PointSpan<Scalar, Dim> points, const Options& options,
                                           Observer&& observe = {}) {
   using Step = SphereStep<Scalar, Dim>;
-  Ignore unwatched;  // the first ball is the result of an algorithm that has a name of its own
+  Ignore unwatched;  // the first ball is another algorithm's result, whose steps are not shown here
   Fit<Sphere<Scalar, Dim>> best = ritter(points, unwatched);
   observe.count(Operation::kPointsTouched, 3 * std::int64_t{points.size()});
   observe.count(Operation::kDistanceTests, 2 * std::int64_t{points.size()});

@@ -13,7 +13,7 @@
 
 namespace snug::fit {
 
-/// The midpoint of the axis-aligned box, with the box.
+/// The axis-aligned bounding box and its centre.
 template <class Scalar, int Dim>
 struct MidpointFound {
   static constexpr std::string_view kName = "midpoint_found";
@@ -43,7 +43,7 @@ struct PointExamined {
   static auto tie(auto& own) { return std::tie(own.point, own.distance, own.outside, own.depth); }
 };
 
-/// The ball grew just enough to take the point in.
+/// The ball grew just enough to contain the point.
 template <class Scalar, int Dim>
 struct BallGrown {
   static constexpr std::string_view kName = "ball_grown";
@@ -53,7 +53,7 @@ struct BallGrown {
   static auto tie(auto& own) { return std::tie(own.point, own.before); }
 };
 
-/// One more pass of the iterative method: the ball was shrunk and the order shuffled.
+/// A new pass of the iterative algorithm: the ball was shrunk and the order shuffled.
 template <class Scalar, int Dim>
 struct BallShrunk {
   static constexpr std::string_view kName = "ball_shrunk";
@@ -74,7 +74,7 @@ struct PassJudged {
   static auto tie(auto& own) { return std::tie(own.pass, own.better, own.best); }
 };
 
-/// A ball through all points of the boundary; depth: how many of them are forced onto it.
+/// The smallest ball through all points fixed on the boundary; depth: how many these are.
 struct BoundaryForced {
   static constexpr std::string_view kName = "boundary_forced";
   Support boundary;
@@ -83,7 +83,7 @@ struct BoundaryForced {
   static auto tie(auto& own) { return std::tie(own.boundary, own.depth); }
 };
 
-/// The point was moved to the front of the list, now that the ball of all before it holds it.
+/// The point was moved to the front of the list, after the smallest ball of it and all points before it was found.
 struct MovedToFront {
   static constexpr std::string_view kName = "moved_to_front";
   Index point = kNoIndex;
@@ -120,8 +120,8 @@ struct SupportReplaced {
   static auto tie(auto& own) { return std::tie(own.entered, own.before, own.after); }
 };
 
-/// Brute force: the ball of a few points, which was kept, was no smaller than the best, or left a point outside; or
-/// there was none (kNoBall: fewer of them hold their ball).
+/// Brute force: the ball of a few points was kept, was no smaller than the best, or left a point outside; or there was
+/// none (kNoBall: fewer of these points support their smallest ball).
 template <class Scalar, int Dim>
 struct CandidateTried {
   static constexpr std::string_view kName = "candidate_tried";

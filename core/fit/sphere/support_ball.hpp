@@ -1,4 +1,4 @@
-// The ball that a few support points hold, solved in twice double's digits.
+// The ball supported by a few points, solved in twice double's digits.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ struct SupportBall {
   DoubleDouble scaled_square;  // the squared radius is scaled_square * 4^exponent
   int exponent = 0;
 
-  /// Whether the centre lies in the support's convex hull: then no smaller ball holds the support.
+  /// Whether the centre lies in the support's convex hull: then no smaller ball contains the support.
   [[nodiscard]] bool center_in_hull() const {
     for (int i = 0; i < support.size(); ++i)
       if (!(weights[i] >= 0)) return false;
@@ -35,14 +35,14 @@ template <int Dim>
 [[nodiscard]] bool smaller(const SupportBall<Dim>& a, const SupportBall<Dim>& b);
 
 /// The ball with its centre in the support's affine hull and every support point on its boundary.
-/// support: 1 to Dim + 1 points. Nothing where they are affinely dependent (tolerance::kDependentPivot).
+/// support: 1 to Dim + 1 points. None if they are affinely dependent (tolerance::kDependentPivot).
 template <class Scalar, int Dim>
 [[nodiscard]] std::optional<SupportBall<Dim>> ball_through(PointSpan<Scalar, Dim> points, const Support& support);
 
-/// The smallest ball of a few points, one of which is known to lie on its boundary: of all subsets with that point
-/// whose centre is in their hull, the one with the largest ball. (Each is a lower bound, and the smallest ball is one.)
-/// others: at most Dim + 1 points. Larger subsets go first: one that is beyond doubt the smallest ball ends the search.
-/// Source: B. Gärtner, "Fast and robust smallest enclosing balls", 1999, and the basis computation of
+/// The smallest ball of a few points, one of which is known to lie on its boundary: the largest ball that a subset with
+/// that point supports, its centre in the subset's hull. (Each is a lower bound, and the smallest ball is one.) others:
+/// at most Dim + 1 points. Larger subsets come first; one whose ball is certainly the smallest ends the search. Source:
+/// B. Gärtner, "Fast and robust smallest enclosing balls", 1999, and the basis computation of
 /// J. Matoušek, M. Sharir, E. Welzl, "A subexponential bound for linear programming", 1996.
 template <class Scalar, int Dim>
 [[nodiscard]] SupportBall<Dim> smallest_ball_with(PointSpan<Scalar, Dim> points, Index on_boundary,

@@ -37,7 +37,7 @@ class Welzl {
     shuffle(seed);
     recursion();
     drop_idle_support();
-    // In exact arithmetic no point is outside now. Where rounding left one there, it is let in.
+    // In exact arithmetic no point is outside now. If rounding left one outside, pivoting lets it enter.
     const Fit<Sphere<Scalar, Dim>> fit = pivoting_.finish();
     observe_(Step{3, true, fit.volume, Finished{fit.support.list()}});
     return fit;
@@ -65,8 +65,8 @@ class Welzl {
     return out;
   }
 
-  // One call per point forced onto the boundary. A call's list is the part of the list before the point that its caller
-  // waits at, so that the calls need no lists of their own.
+  // One call for each point fixed on the boundary. A call's list is the part of the list before the point that its
+  // caller waits at, so the calls need no lists of their own.
   void recursion() {
     struct Call {
       std::size_t end;
@@ -112,8 +112,8 @@ class Welzl {
     observe_(Step{9, true, pivoting_.current(), MovedToFront{point, depth}});
   }
 
-  // In exact arithmetic the recursion ends with its centre in the support's hull. Where rounding took it out, the
-  // smallest ball of these few points is a sound start for what follows.
+  // In exact arithmetic the recursion ends with its centre in the support's hull. If rounding moved it out, the
+  // smallest ball of these few points is a sound start for the pivoting.
   void drop_idle_support() {
     if (pivoting_.ball().center_in_hull()) return;
     const Support support = pivoting_.ball().support;

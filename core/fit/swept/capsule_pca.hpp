@@ -1,5 +1,5 @@
 // Source: D. Eberly, "3D Game Engine Design", 2000, for the axis and the caps. The line goes through the centre of the
-// smallest circle in place of the mean: B. Gärtner, "Fast and robust smallest enclosing balls", 1999.
+// smallest circle instead of the mean: B. Gärtner, "Fast and robust smallest enclosing balls", 1999.
 #pragma once
 
 #include <algorithm>
@@ -19,13 +19,13 @@ inline constexpr std::array<std::string_view, 7> kCapsulePcaPseudocode{
     "m ← mean of the points",
     "C ← covariance about m",
     "v ← eigenvector of largest eigenvalue",
-    "line ← along v, amid the points' projections",
+    "line ← along v, centred on the projections",
     "pull each end in until its cap touches",
     "radius ← to the farthest point, exactly",
     "return capsule",
 };
 
-/// The smallest circle (2-D: interval) of points as seen along their last coordinate.
+/// The smallest circle (2-D: interval) of the points' projection along their last coordinate.
 template <class Scalar, int Dim>
 struct SeenAlong {
   Vector<Scalar, Dim> center = Vector<Scalar, Dim>::Zero();  // its last coordinate 0
@@ -42,7 +42,7 @@ template <class Scalar, class Observer>
   const auto set = *PointSet<Scalar, 2>::make(std::move(flat));  // of unit size, so never refused
   const auto circle = [&] {
     if constexpr (!kWatched<Observer>) return pivot(set.span(), options);
-    Counter counter;  // its steps are another algorithm's
+    Counter counter;  // its steps belong to another algorithm
     auto fit = pivot(set.span(), options, counter);
     for (int i = 0; i < kOperations; ++i) observe.count(static_cast<Operation>(i), counter.counts[i]);
     return fit;
@@ -62,14 +62,14 @@ template <class Scalar, class Observer>
           {static_cast<Index>(ends.first - local.begin()), static_cast<Index>(ends.second - local.begin())}};
 }
 
-/// Where along the line the segment may end: with caps just at the points that reach farthest, and with them pulled in.
+/// The segment's ends along the line: with caps beyond the farthest points, and with the caps pulled in.
 template <class Scalar>
 struct CapsuleEnds {
   std::array<Scalar, 2> far, near;
   std::array<Index, 2> touching{0, 0};
 };
 
-/// Each point needs the segment to reach to within sqrt(radius^2 - its distance from the line^2) of it.
+/// The segment must reach to within sqrt(radius^2 - d^2) of each point, where d is the point's distance from the line.
 template <class Scalar, int Dim, class Observer>
 [[nodiscard]] CapsuleEnds<Scalar> capsule_ends(const std::vector<Vector<Scalar, Dim>>& local,
                                                const SeenAlong<Scalar, Dim>& circle, Observer& observe) {
@@ -84,15 +84,15 @@ template <class Scalar, int Dim, class Observer>
     if (along + reach < ends.near[0]) ends.near[0] = along + reach, ends.touching[0] = static_cast<Index>(i);
     if (along - reach > ends.near[1]) ends.near[1] = along - reach, ends.touching[1] = static_cast<Index>(i);
   }
-  // A point that holds the circle has no reach, and keeps the ends in order but for rounding.
+  // A point that supports the circle has no reach, so the ends are in order but for rounding.
   if (ends.near[0] > ends.near[1]) ends.near[0] = ends.near[1] = (ends.near[0] + ends.near[1]) / 2;
   observe.count(Operation::kPointsTouched, static_cast<std::int64_t>(local.size()));
   observe.count(Operation::kSquareRoots, static_cast<std::int64_t>(local.size()));
   return ends;
 }
 
-/// The capsule along the direction in which the points spread most: as thin as that direction allows, and its caps
-/// pulled in as far as the points do. points: n >= 1 finite points, scene units. Expected O(n) time and memory.
+/// The capsule along the direction of greatest spread: as thin as that direction allows, with its caps pulled in as far
+/// as the points allow. points: n >= 1 finite points, scene units. Expected O(n) time and memory.
 template <class Scalar, int Dim, StepObserver<CapsuleStep<Scalar, Dim>> Observer = Ignore>
 Fit<Capsule<Scalar, Dim>> capsule_pca(PointSpan<Scalar, Dim> points, const Options& options, Observer&& observe = {}) {
   using Step = CapsuleStep<Scalar, Dim>;

@@ -21,13 +21,13 @@ inline constexpr std::array<std::string_view, 8> kLozengePcaPseudocode{
     "axes ← eigenvectors of C",
     "radius ← half of the least thickness",
     "pull the rectangle's four sides in",
-    "move a vertex out to what it leaves",
+    "move vertices out to points left outside",
     "radius ← to the farthest point, exactly",
     "return lozenge",
 };
 
-/// A lozenge in the making, in the frame of the points: its edges along the axes first and second, its rectangle from
-/// low to high along them, and in space at that height along the third.
+/// The lozenge under construction, in the frame of the points: its rectangle goes from low to high along the axes
+/// `first` and `second`, and in space lies at that height along the third.
 template <class Scalar, int Dim>
 class LozengeMaker {
  public:
@@ -50,8 +50,8 @@ class LozengeMaker {
             radius_ / frame_.scale};
   }
 
-  /// In space half of the thickness. In the plane, where none is given: the largest with which no rounded corner of the
-  /// box cuts a point off, for the area is the box's less (4 - pi) radius^2.
+  /// Finds the radius: in space half of the thickness; in the plane the largest with which no rounded corner of the box
+  /// cuts a point off, because the area is the box's less (4 - pi) radius^2.
   ThicknessFound find_radius() {
     ThicknessFound found;
     if constexpr (Dim == 3) {
@@ -62,7 +62,7 @@ class LozengeMaker {
       found = {least, greatest, 0};
     } else {
       radius_ = std::min(high_[0] - low_[0], high_[1] - low_[1]) / 2;
-      found.least = ends_along(edge_axes_[1]).first;  // holds the radius where no corner does
+      found.least = ends_along(edge_axes_[1]).first;  // sets the radius if no corner does
       for (Index i = 0; i < size(); ++i)
         if (const Scalar most = corner_radius(i); most < radius_) radius_ = most, found.least = i;
     }
@@ -70,7 +70,7 @@ class LozengeMaker {
     return found;
   }
 
-  /// Side 2 e is the start of edge e, the next its end. Each point needs it to be within its reach.
+  /// Pulls a side in: side 2 e is the start of edge e, 2 e + 1 its end. It must stay within the reach of each point.
   SidePulledIn pull_in(int side) {
     const auto edge = static_cast<std::size_t>(side / 2);
     const bool is_end = side % 2 == 1;
@@ -88,13 +88,13 @@ class LozengeMaker {
     return pulled;
   }
 
-  /// A point that is past no end has no reach and keeps the sides in order, but for rounding.
+  /// Keeps opposite sides in order, which only rounding can swap.
   void order_sides() {
     for (std::size_t edge = 0; edge < 2; ++edge)
       if (low_[edge] > high_[edge]) low_[edge] = high_[edge] = (low_[edge] + high_[edge]) / 2;
   }
 
-  /// Moves the corner that the point is past out to it. Nothing where it is past none, or within its reach.
+  /// If the point lies past a vertex and out of its reach, moves that vertex out to it; otherwise does nothing.
   std::optional<CornerMovedOut> move_corner_to(Index i) {
     CornerMovedOut moved{0, i, 0, 0};
     std::array<Scalar, 2> past{};
@@ -132,7 +132,7 @@ class LozengeMaker {
     return ends;
   }
 
-  /// The rectangle lies along the axes where the points reach farthest, as large as they do.
+  /// Lays the rectangle along the axes of greatest extent, as large as the points' extents.
   void measure_extents() {
     std::array<std::pair<Scalar, int>, static_cast<std::size_t>(Dim)> lengths;
     for (int axis = 0; axis < Dim; ++axis) {
@@ -148,7 +148,7 @@ class LozengeMaker {
     }
   }
 
-  /// How far from the rectangle, along it, the point may lie.
+  /// How far beyond the rectangle's side, along the rectangle, the point may lie.
   [[nodiscard]] Scalar reach(Index i) const {
     if constexpr (Dim == 2) {
       return radius_;
@@ -158,8 +158,8 @@ class LozengeMaker {
     }
   }
 
-  /// The radius with which a circle that touches both sides at the corner nearest to the point passes through it: with
-  /// u and v its distances from them, (r - u)^2 + (r - v)^2 = r^2.
+  /// The radius of the circle that touches both sides at the point's nearest corner and passes through the point. With
+  /// u and v the point's distances from the sides, (r - u)^2 + (r - v)^2 = r^2.
   [[nodiscard]] Scalar corner_radius(Index i) const {
     const auto inside = [&](std::size_t edge) {
       const Scalar coordinate = at(i, edge_axes_[edge]);
@@ -169,15 +169,15 @@ class LozengeMaker {
     return u + v + std::sqrt(2 * u * v);
   }
 
-  /// How far along each edge a corner goes to come within the point's reach: along one, the other, or both alike, as
-  /// adds the least. past: how far the point is past the corner's sides, each at most reach.
+  /// How far to move a vertex along each edge, to bring it within the point's reach: along one, the other, or both
+  /// alike, whichever adds the least. past: how far the point is past the vertex's sides, each at most reach.
   [[nodiscard]] std::array<Scalar, 2> cheapest_move(const std::array<Scalar, 2>& past, Scalar reach) const {
     const auto left = [](Scalar square) { return std::sqrt(std::max(square, Scalar{0})); };
     const Scalar first = std::max(past[0] - left(reach * reach - past[1] * past[1]), Scalar{0});
     const Scalar second = std::max(past[1] - left(reach * reach - past[0] * past[0]), Scalar{0});
     const Scalar apart = past[0] - past[1];
     const Scalar both = std::max((past[0] + past[1] - left(2 * reach * reach - apart * apart)) / 2, Scalar{0});
-    // What the lozenge grows by when an edge does, in space up to a factor of its radius.
+    // How much the lozenge grows when an edge does; in space, up to a factor of its radius.
     constexpr auto kPi = std::numbers::pi_v<Scalar>;
     const auto growth = [&](std::size_t edge) {
       return high_[1 - edge] - low_[1 - edge] + (Dim == 2 ? 2 : kPi / 2) * radius_;
@@ -195,7 +195,7 @@ class LozengeMaker {
   Scalar radius_ = 0;
 };
 
-/// The points that lie on the boundary, each once: a side that a later corner moved has lost its own.
+/// The points on the boundary, each once: not those that touched a side which a vertex moved later.
 template <class Scalar, int Dim>
 [[nodiscard]] std::vector<Index> touching(const Lozenge<Scalar, Dim>& lozenge, PointSpan<Scalar, Dim> points,
                                           std::vector<Index> candidates) {
@@ -207,8 +207,8 @@ template <class Scalar, int Dim>
   return support;
 }
 
-/// The lozenge whose rectangle lies along the principal axes where the points reach farthest, its radius half of what
-/// is left, and its sides pulled in as far as the points allow. points: n >= 1 finite points, scene units. O(n) time
+/// The lozenge whose rectangle lies along the principal axes of greatest extent, with half of the remaining extent as
+/// its radius, and its sides pulled in as far as the points allow. points: n >= 1 finite points, scene units. O(n) time
 /// and memory.
 template <class Scalar, int Dim, StepObserver<LozengeStep<Scalar, Dim>> Observer = Ignore>
 Fit<Lozenge<Scalar, Dim>> lozenge_pca(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {

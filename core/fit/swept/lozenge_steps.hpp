@@ -23,9 +23,9 @@ struct ThicknessFound {
   static auto tie(auto& own) { return std::tie(own.least, own.greatest, own.radius); }
 };
 
-/// One side of the rectangle (0, 1: the start and end of its first edge; 2, 3: of its second) was moved from the point
-/// that reaches farthest to where what is swept just holds them all; point: the one that then touches; by: how far,
-/// scene units.
+/// One side of the rectangle (0, 1: at the start and end of its first edge; 2, 3: of its second) was pulled in from
+/// beside the point that reaches farthest, until the lozenge just contains all points. point: the one that then touches
+/// it; by: how far, scene units.
 struct SidePulledIn {
   static constexpr std::string_view kName = "side_pulled_in";
   int side = 0;
@@ -35,8 +35,8 @@ struct SidePulledIn {
   static auto tie(auto& own) { return std::tie(own.side, own.point, own.by); }
 };
 
-/// A corner was moved out to a point past both of its sides, the cheaper way: along one edge, the other, or both alike.
-/// corner: bit 0 is set at the end of the first edge, bit 1 at that of the second.
+/// A vertex was moved out to a point past both of its sides, in the cheapest way: along one edge, the other, or both
+/// alike. corner: bit 0 is set at the end of the first edge, bit 1 at the end of the second.
 struct CornerMovedOut {
   static constexpr std::string_view kName = "corner_moved_out";
   int corner = 0;

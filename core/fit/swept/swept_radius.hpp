@@ -1,4 +1,4 @@
-// The radius with which a capsule or a lozenge holds every point: what their fitters end with.
+// Sets the radius with which a capsule or a lozenge contains every point. Their fitters end with it.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace snug::fit {
 
-/// What the sphere is swept over, a segment or a rectangle, in double.
+/// The core over which the sphere is swept, a segment or a rectangle, in double.
 template <int Dim>
 class SweptCore {
  public:
@@ -28,19 +28,19 @@ class SweptCore {
       : SweptCore(lozenge.origin.template cast<double>(), lozenge.edges[0].template cast<double>(),
                   lozenge.edges[1].template cast<double>()) {}
 
-  /// From the nearest place of it to the point, within kSweptDistance of that distance and twice the size.
+  /// The distance of the point from the core, within kSweptDistance of that distance and twice the size.
   [[nodiscard]] double distance(const Vector<double, Dim>& point) const {
     Vector<double, Dim> rest = point - origin_;
     for (const Edge& edge : edges_) rest -= edge.share(rest) * edge.whole;
     return scaled_norm<double, Dim>(rest);
   }
-  /// Its edges' lengths, summed.
+  /// The sum of the lengths of its edges.
   [[nodiscard]] double size() const {
     return scaled_norm<double, Dim>(edges_[0].whole) + scaled_norm<double, Dim>(edges_[1].whole);
   }
 
  private:
-  /// With a copy between 1 and 2 in size, whose square is sound.
+  /// An edge, with a copy scaled to a size between 1 and 2, whose square neither over- nor underflows.
   struct Edge {
     Vector<double, Dim> whole, scaled;
     double scale, square;
@@ -51,11 +51,11 @@ class SweptCore {
       scaled = edge * scale;
       square = scaled.squaredNorm();
     }
-    /// Where along it the foot of a perpendicular from v stands: 0 at its start, 1 at its end and past it.
+    /// Where the perpendicular from v meets the edge: 0 at or before its start, 1 at or past its end.
     [[nodiscard]] double share(const Vector<double, Dim>& v) const {
       if (square == 0) return 0;
       const Vector<double, Dim> magnified = v * scale;
-      if (!magnified.allFinite()) return 0;  // beside so long a v the edge is nothing
+      if (!magnified.allFinite()) return 0;  // beside so long a v the edge is negligible
       return std::clamp(magnified.dot(scaled) / square, 0.0, 1.0);
     }
   };
@@ -67,7 +67,7 @@ class SweptCore {
   std::array<Edge, 2> edges_;
 };
 
-/// The largest size that a swept sphere's computation over the points sees: what its roundings are relative to.
+/// The largest size in a swept volume's computation over the points, which its rounding errors are relative to.
 template <class VolumeType, class Scalar, int Dim>
 [[nodiscard]] double swept_size(const VolumeType& volume, PointSpan<Scalar, Dim> points) {
   Scalar largest = 0;
@@ -91,8 +91,8 @@ struct SweptRadius {
 // Up to this many points near the boundary are decided exactly; with more, the radius is widened by its error bound.
 inline constexpr std::size_t kSweptCandidates = 1024;
 
-/// Widens the radius until the volume holds the point. The steps double, for a radius of nearly 0 has far to go in its
-/// own last digits; they start at one of those, or at what is nothing beside the doubt.
+/// Widens the radius until the volume contains the point. The steps double, because a radius of nearly 0 has far to go
+/// in units of its last digit; they start at one such unit, or at a length that is negligible beside the error bound.
 template <class VolumeType, class Scalar, int Dim>
 bool widen_swept(VolumeType& volume, const Vector<Scalar, Dim>& point, Scalar least_step) {
   constexpr Scalar kMost = std::numeric_limits<Scalar>::max();
@@ -102,7 +102,7 @@ bool widen_swept(VolumeType& volume, const Vector<Scalar, Dim>& point, Scalar le
   return widened;
 }
 
-/// Sets the radius to the least, but for rounding, with which the volume holds every point in exact arithmetic. Two
+/// Sets the radius to the least, but for rounding, with which the volume contains every point in exact arithmetic. Two
 /// passes.
 template <class VolumeType, class Scalar, int Dim>
 SweptRadius hold_all(VolumeType& volume, PointSpan<Scalar, Dim> points) {

@@ -1,14 +1,14 @@
-// What the updates of volumes share. A body turns and moves; its volume follows without being fitted anew.
+// What the updates of volumes share. A body rotates and moves, and its volume follows without being fitted again.
 //
-// Which frame? A volume is kept in the body's local frame, where it never changes, and each update makes the world's
-// from that and from the whole pose. An update of the last frame's world volume by what has happened since compiles as
-// well, and is a trap: a box of a box of a box grows with every frame, and a sphere's and an oriented box's roundings
-// add up.
+// A volume is kept in the body's local frame, where it never changes. Each update computes the volume in the world
+// frame from that and from the whole pose. To update the last frame's world volume by the motion since then would
+// compile as well, but is a pitfall: an AABB of an AABB of an AABB grows with every frame, and the rounding errors of a
+// sphere or an oriented box add up.
 //
-// What is promised: the updated volume holds, in exact arithmetic, every point of the body as `placed`
-// (geometry/pose.hpp) puts it, with its roundings. Boxes keep that promise because rounding never changes the order of
-// two numbers; where that does not suffice a bound is moved out by as much as is proven of rounding, which
-// tolerance.hpp has.
+// The updated volume contains, in exact arithmetic, every point of the body where `placed`
+// (geometry/pose.hpp) puts it, rounding included. For boxes that holds because rounding never changes the
+// order of two numbers. Where that is not enough, a bound is moved out by a proven error bound
+// (tolerance.hpp).
 #pragma once
 
 #include <array>
@@ -28,20 +28,20 @@ struct Updated {
   VolumeType volume;  // in the world
 };
 
-/// How much larger an updated volume is than the tightest of its kind around the placed points: 0 where it is that
-/// one, infinite where only the tightest has no area or volume. measures: of each.
+/// How much larger an updated volume is than the tightest of its kind around the placed points: 0 if it is the
+/// tightest; infinite if only the tightest is flat. The arguments are the measures of both.
 [[nodiscard]] inline double slack(double updated, double tightest) {
   if (updated <= tightest) return 0;
   return tightest > 0 ? updated / tightest - 1 : std::numeric_limits<double>::infinity();
 }
 
-/// How many times the volume of the body's convex hull the updated one has: the yardstick that is the same for every
-/// kind of volume. Infinite where the hull has no area or volume. measures: of each.
+/// The updated volume's measure divided by that of the body's convex hull: the same yardstick for every kind of volume.
+/// Infinite if the hull is flat. The arguments are the measures of both.
 [[nodiscard]] inline double over_hull(double updated, double hull) {
   return hull > 0 ? updated / hull : std::numeric_limits<double>::infinity();
 }
 
-/// How far from what it turns about the body reaches, and with which point.
+/// How far the body reaches from the pivot that it rotates about, and with which point.
 struct ReachFound {
   static constexpr std::string_view kName = "reach_found";
   Index point = kNoIndex;
@@ -50,9 +50,9 @@ struct ReachFound {
   static auto tie(auto& own) { return std::tie(own.point, own.distance); }
 };
 
-/// The vertex that reaches farthest along an axis of the world (of a k-DOP's, whose place is axis), to the one or the
-/// other side, was found by walking uphill from the last frame's. path: the vertices on the way, each higher than that
-/// before; looked_at: how many were held against the best, those on plateaus too.
+/// The vertex that reaches farthest along a world axis (or an axis of a k-DOP, by its index), to one side or the other,
+/// was found by climbing from the last frame's vertex. path: the vertices on the way, each higher than the one before;
+/// looked_at: how many vertices were examined, including those on plateaus.
 struct ExtremeClimbed {
   static constexpr std::string_view kName = "extreme_climbed";
   int axis = 0;
@@ -63,7 +63,7 @@ struct ExtremeClimbed {
   static auto tie(auto& own) { return std::tie(own.axis, own.greatest, own.path, own.looked_at); }
 };
 
-/// The bounds along an axis of the world are summed: of each turned local axis the end that lies farther out.
+/// The bounds along a world axis were summed, from the farther end of each rotated local axis.
 struct BoundsRotated {
   static constexpr std::string_view kName = "bounds_rotated";
   int axis = 0;
@@ -72,7 +72,7 @@ struct BoundsRotated {
   static auto tie(auto& own) { return std::tie(own.axis, own.min, own.max); }
 };
 
-/// The centre is where the pose puts it; widened_by: how much radius or half extents grew at most, for rounding's sake.
+/// The centre was moved with the pose; widened_by: how much radius or half extents grew at most, for rounding.
 struct CenterMoved {
   static constexpr std::string_view kName = "center_moved";
   double widened_by = 0;
@@ -80,8 +80,8 @@ struct CenterMoved {
   static auto tie(auto& own) { return std::tie(own.widened_by); }
 };
 
-/// The axes were turned and made unit and perpendicular again; by: how far the farthest of them is now from its turned
-/// self, as a length of the unit vector.
+/// The axes were rotated, and then made unit and perpendicular again; by: the greatest distance of an axis, as a unit
+/// vector, from its rotated self.
 struct AxesTurned {
   static constexpr std::string_view kName = "axes_turned";
   double by = 0;

@@ -19,10 +19,10 @@ inline constexpr std::array<std::string_view, 5> kUpdateHillClimbPseudocode{
     "return box",
 };
 
-/// The tightest box again, by six walks (in 2-D four) over the edges of the body's hull, each from where the last
-/// frame's ended: on a body that turned a little, a few vertices each. The first frame walks farther. climb: of 2 Dim
-/// directions. Its box is update_rebuild's of the same vertices, bit for bit. Where the body has other points as well,
-/// inside, each bound moves out by as much as rounding may have taken them there.
+/// The tightest box, by six walks (in 2-D four) along the edges of the body's hull, each from where the last frame's
+/// walk ended: a few vertices each, if the body rotated a little. The first frame walks farther. climb: for 2 Dim
+/// directions. The box is the one that update_rebuild computes from the same vertices, bit for bit. If the body has
+/// other points inside, each bound moves out by as much as rounding may have moved those points.
 template <class Scalar, int Dim, StepObserver<UpdateStep<Aabb<Scalar, Dim>>> Observer = Ignore>
 Updated<Aabb<Scalar, Dim>> update_hill_climb(HillClimb<Scalar, Dim>& climb, const Pose<Scalar, Dim>& pose,
                                              Observer&& observe = {}) {

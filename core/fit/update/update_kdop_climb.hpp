@@ -20,11 +20,11 @@ inline constexpr std::array<std::string_view, 5> kUpdateKdopClimbPseudocode{
     "return k-DOP",
 };
 
-/// The tightest k-DOP again, by hill climbing along each of its axes. This is where k-DOPs are weak: the axes stay
-/// where they are while the body turns, so that no bound of the last frame is of use, and a turn costs k walks where a
-/// box costs six, a sphere or an oriented box none. k: one that Dim has. climb: of k directions. The result is
-/// kdop_fit's of the same vertices, placed, bit for bit. Where the body has other points as well, inside, each bound
-/// moves out by as much as rounding may have taken them there.
+/// The tightest k-DOP, by hill climbing along each of its axes. This is where k-DOPs are weak: their axes stay fixed
+/// while the body rotates, so no bound of the last frame can be reused. A rotation costs k walks; a box needs six, a
+/// sphere or an oriented box none. k: one that exists in Dim dimensions. climb: for k directions. The result is the one
+/// that kdop_fit computes from the same placed vertices, bit for bit. If the body has other points inside, each bound
+/// moves out by as much as rounding may have moved those points.
 template <class Scalar, int Dim, StepObserver<UpdateStep<Kdop<Scalar, Dim>>> Observer = Ignore>
 Updated<Kdop<Scalar, Dim>> update_kdop_climb(HillClimb<Scalar, Dim>& climb, int k, const Pose<Scalar, Dim>& pose,
                                              Observer&& observe = {}) {

@@ -16,15 +16,15 @@ inline constexpr std::array<std::string_view, 3> kUpdateLoosePseudocode{
     "return box",
 };
 
-/// Found once for a body: how far every point stays within, along every axis, however the body is turned.
+/// Found once for a body: how far any point can reach from the pivot along any axis, in every orientation.
 template <class Scalar>
 struct LooseReach {
   Scalar reach = 0;
   Index farthest = kNoIndex;
 };
 
-/// points: in the local frame. One pass. A turned coordinate is at most the point's distance times the length of the
-/// rotation's row, 1 + kRotation, with three roundings: kLooseReach covers both, and its own.
+/// points: in the local frame. One pass. A rotated coordinate is at most the point's distance times the length of the
+/// rotation's row, 1 + kRotation, with three roundings: kLooseReach covers both, and its own rounding.
 template <class Scalar, int Dim, StepObserver<UpdateStep<Aabb<Scalar, Dim>>> Observer = Ignore>
 LooseReach<Scalar> loose_reach(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   const Vector<Scalar, Dim> center = Vector<Scalar, Dim>::Zero();
@@ -38,8 +38,8 @@ LooseReach<Scalar> loose_reach(PointSpan<Scalar, Dim> points, Observer&& observe
   return found;
 }
 
-/// The box that holds the body in every orientation, where it is now. The cheapest update and the loosest: of a unit
-/// cube about its middle it is sqrt(3) wide, 5.2 times the volume. No turn changes it.
+/// The box that contains the body in every orientation, moved to where the body is: the cheapest update and the
+/// loosest. For a unit cube about its centre it is sqrt(3) wide, 5.2 times the volume. No rotation changes it.
 template <class Scalar, int Dim, StepObserver<UpdateStep<Aabb<Scalar, Dim>>> Observer = Ignore>
 Updated<Aabb<Scalar, Dim>> update_loose(const LooseReach<Scalar>& reach, const Pose<Scalar, Dim>& pose,
                                         Observer&& observe = {}) {

@@ -18,13 +18,13 @@ inline constexpr std::array<std::string_view, 4> kUpdateObbPseudocode{
     "return box",
 };
 
-/// The box turned and moved with the body: as tight as it was, at the cost of one matrix product. The axes are made
-/// unit and perpendicular again each time, so that even a box updated from its own last state stays a box. box: holds
-/// the points in the local frame; its axes unit and perpendicular within rounding.
+/// Rotates and moves the box with the body: it stays as tight as it was, at the cost of one matrix product. The axes
+/// are made unit and perpendicular again each time, so that even a box updated from its own last state stays a box.
+/// box: contains the points in the local frame; its axes are unit and perpendicular within rounding.
 ///
-/// Why it holds every placed point: with d from the centre to a point and a an axis, the turned d's projection onto the
-/// new axis a' is d . (R^T a'), which is d . a plus at most |d| |R^T a' - a|. The last factor is computed, with 7u of
-/// doubt; d is no longer than the box's half diagonal; and what placing rounds is placing_error.
+/// It contains every placed point: with d from the centre to a point and a an axis, the rotated d projects onto the new
+/// axis a' as d . (R^T a'), which is d . a plus at most |d| |R^T a' - a|. The last factor is known within 7u, d is no
+/// longer than the box's half diagonal, and placing_error bounds the rounding of the point.
 template <class Scalar, int Dim, StepObserver<UpdateStep<Obb<Scalar, Dim>>> Observer = Ignore>
 Updated<Obb<Scalar, Dim>> update_obb(const Obb<Scalar, Dim>& box, const Pose<Scalar, Dim>& pose,
                                      Observer&& observe = {}) {

@@ -16,8 +16,8 @@ inline constexpr std::array<std::string_view, 4> kUpdateRebuildPseudocode{
     "return box",
 };
 
-/// The tightest box, from every point: what the other updates are measured by, and the most expensive. O(n) time.
-/// points: in the local frame.
+/// The tightest box, from every point: the most expensive update, and the one that the others are measured against.
+/// O(n) time. points: in the local frame.
 template <class Scalar, int Dim, StepObserver<UpdateStep<Aabb<Scalar, Dim>>> Observer = Ignore>
 Updated<Aabb<Scalar, Dim>> update_rebuild(PointSpan<Scalar, Dim> points, const Pose<Scalar, Dim>& pose,
                                           Observer&& observe = {}) {

@@ -16,11 +16,11 @@ inline constexpr std::array<std::string_view, 4> kUpdateRotatedBoxPseudocode{
     "return box",
 };
 
-/// The box of the turned and moved box, without looking at a point: constant time. Between rebuilt and loose; tight
-/// when the body is a box, or upright. box: the local one, which holds the points in the local frame. (With the world's
-/// box of the last frame and the pose since then it holds them too, but then grows from frame to frame.) It holds every
-/// point as placed: each rounded product and sum here is at least, or at most, the same one of the point, for it is of
-/// the same numbers but one that is farther out.
+/// The AABB of the rotated and moved local box, in constant time: no point is examined. Its tightness is between
+/// rebuilt and loose; it is tight if the body is not rotated. box: contains the points in the local frame. (With the
+/// last frame's world box and the pose since then, the result would contain them too, but would grow from frame to
+/// frame.) It contains every placed point: each rounded product and sum here bounds the point's own, because it has the
+/// same factors except for one that is farther out.
 template <class Scalar, int Dim, StepObserver<UpdateStep<Aabb<Scalar, Dim>>> Observer = Ignore>
 Updated<Aabb<Scalar, Dim>> update_rotated_box(const Aabb<Scalar, Dim>& box, const Pose<Scalar, Dim>& pose,
                                               Observer&& observe = {}) {

@@ -17,17 +17,17 @@ inline constexpr std::array<std::string_view, 3> kUpdateSpherePseudocode{
     "return sphere",
 };
 
-/// What two placed points may be farther apart than before, by rounding: size: of what holds both; center: its, in the
-/// local frame. See tolerance::kPlaced.
+/// How much rounding may move two placed points apart. size: that of a volume that contains both; center: its centre,
+/// in the local frame. See tolerance::kPlaced.
 template <class Scalar, int Dim>
 [[nodiscard]] Scalar placing_error(Scalar size, const Vector<Scalar, Dim>& center, const Pose<Scalar, Dim>& pose) {
   const Scalar all = size + scaled_norm<Scalar, Dim>(center) + scaled_norm<Scalar, Dim>(pose.translation);
   return tolerance::kPlaced<Scalar> * all + 16 * std::numeric_limits<Scalar>::denorm_min();
 }
 
-/// The ball around the placed centre: no turn makes it looser. The radius is widened by what rounding may put between a
-/// placed point and the placed centre, a few u of the farthest coordinate.
-/// ball: holds the points in the local frame.
+/// Moves the ball with its centre: no rotation makes it looser. The radius is widened by as much as rounding may move a
+/// placed point away from the placed centre, a few u of the farthest coordinate.
+/// ball: contains the points in the local frame.
 template <class Scalar, int Dim, StepObserver<UpdateStep<Sphere<Scalar, Dim>>> Observer = Ignore>
 Updated<Sphere<Scalar, Dim>> update_sphere(const Sphere<Scalar, Dim>& ball, const Pose<Scalar, Dim>& pose,
                                            Observer&& observe = {}) {

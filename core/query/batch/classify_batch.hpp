@@ -14,12 +14,12 @@
 
 namespace snug::query {
 
-/// Structures of arrays: in blocks, each with an array of every field, so that neighbours lie side by side and all that
-/// belongs to them in a few successive lines of the cache.
+/// A structure of arrays, in blocks: each block has an array for every field, so that neighbours are adjacent in memory
+/// and all their fields lie in a few successive cache lines.
 template <class Scalar, std::size_t kFields>
 class FieldArray {
  public:
-  /// The number of items whose one field fills a cache line.
+  /// The number of items in a block: one field of theirs fills a cache line.
   static constexpr std::size_t kBlock = 64 / sizeof(Scalar);
   struct alignas(64) Block {
     Scalar fields[kFields][kBlock]{};
@@ -29,7 +29,7 @@ class FieldArray {
       : size_(size), blocks_((size + kBlock - 1) / kBlock), reach_(blocks_.size(), Scalar(0)) {}
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// The last one is filled up with zeros.
+  /// The blocks, the last of them padded with zeros.
   [[nodiscard]] std::span<const Block> blocks() const { return blocks_; }
   /// For each block a bound that no coordinate in it exceeds or ever exceeded.
   [[nodiscard]] std::span<const Scalar> reach() const { return reach_; }
@@ -69,7 +69,7 @@ class SphereArray : public FieldArray<Scalar, 4> {
   void set(std::size_t i, const Sphere<Scalar, 3>& sphere);
 };
 
-/// verdicts[k]: that of classify, exact as it is. verdicts: of the array's size.
+/// Writes to verdicts[k] what classify says of item k, just as exactly. verdicts: as long as the array.
 template <class Scalar>
 void classify_all(const Frustum<Scalar, 3>& frustum, const AabbArray<Scalar>& boxes, std::span<Culling> verdicts);
 template <class Scalar>

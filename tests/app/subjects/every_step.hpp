@@ -35,9 +35,9 @@ void at_every_step(const char* id, Check check) {
     lesson::Session session = lesson_session(id, false);
     if (seed > 0) session.scatter(static_cast<std::uint64_t>(seed));
     if (seed == 5) {
-      lesson::BoxPair pair = *session.subject().boxes();
+      lesson::BoxPair pair = boxes_of(session.subject());
       pair.boxes[0].center = pair.boxes[1].center;
-      REQUIRE(session.set_boxes(pair).has_value());
+      REQUIRE(set_boxes(session, pair).has_value());
     }
     for (const std::string& method : session.lesson().algorithms) {
       CAPTURE(id);

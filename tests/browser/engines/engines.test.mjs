@@ -136,7 +136,7 @@ const given = (now) => now.outcomes.filter((outcome) => !outcome.skipped);
 async function drags(page, picture) {
   const before = await page.state();
   const handles = await page.ask("snug.handles()");
-  if (before.costs && handles.length === 0) return; // its points come with the chart's other side
+  if (before.cover && handles.length === 0) return; // its points come with the chart's other side
   assert.ok(handles.length > 0, "there is nothing to drag");
   const { x, y } = handles[0];
   await page.hand([x, y], [x + 12, y + 8], [x + 24, y + 15], [x + 33, y + 21]);

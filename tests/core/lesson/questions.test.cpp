@@ -163,7 +163,7 @@ TEST_CASE("a question stays out where another one is not decided yet") {
   const auto lesson =
       read_lesson(small_lesson_with("before = \"radius_checked\"", "before = \"point_examined\"\nnth = 3"), "x.toml");
   REQUIRE_FALSE(lesson.has_value());
-  CHECK(lesson.error().what == "the question stands where another one is not decided yet");
+  CHECK(lesson.error().what == "the question comes while an earlier one is not decided yet: \"growth\", in line 32");
 }
 
 TEST_CASE("a step speaks of points just where its fact names some") {

@@ -43,10 +43,11 @@ constexpr Broken kBroken[] = {
     {"\"cube\", \"gaussian\"", "\"blob\"", "generators", "blob"},
     {"seed = 5", "seed = 5\nstart = \"middle\"", "start = \"middle\"", "begin or end"},
     {"seed = 5", "seed = 5\ncompare = \"pca\"", "compare", "does not offer"},
-    {"[points]", "[dots]", "version", "lacks [points]"},
+    {"[points]", "[pionts]", "[pionts]", "no key \"pionts\": did you mean \"points\"?"},
     {"dim = 2", "dim = 4", "dim = 4", "from 2 to 3"},
     {"dim = 2", "dim = 2\ngenerate = \"cube\"\ncount = 4", "[points]", "exactly one"},
-    {"dim = 2\nlist", "dim = 2\nmesh = \"cow\"\nunlisted", "mesh = \"cow\"", "cow"},
+    {"list = [[-2, 0], [2, 0], [0, 1], [0, -1], [0, 2.5], [0.5, 0.2]]", "generate = \"cow\"\ncount = 6",
+     "generate = \"cow\"", "cow"},
     {"[0, 2.5], [0.5", "[0, 2.5, 1], [0.5", "list = ", "2 finite numbers"},
     {"[0, 2.5], [0.5", "[0, nan], [0.5", "list = ", "2 finite numbers"},
     {"[0, 2.5], [0.5", "[0, 1e200], [0.5", "[points]", "too far out"},
@@ -124,7 +125,65 @@ TEST_CASE("each mistake in a lesson file is told with its line") {
     const bool in_table =
         broken.marker.substr(0, 4) == "id =";  // a question is named by its [[question]], the line above
     CHECK_MESSAGE(lesson.error().position == line - (in_table ? 1 : 0), lesson.error().message());
+    const std::vector<FileError> all = read_draft(text, "small.toml").mistakes;
+    CHECK_MESSAGE(all.size() == 1, all.back().message());  // what follows from a mistake is not told as another
   }
+}
+
+TEST_CASE("all mistakes of a lesson file are told, in its order, each with line and column") {
+  std::string text(kSmallLesson);
+  const auto put = [&](std::string_view from, std::string_view to) {
+    const auto at = text.find(from);
+    REQUIRE(at != std::string::npos);
+    text.replace(at, from.size(), to);
+  };
+  put("title = \"Small\"", "titel = \"Small\"");
+  put("minutes = 3", "minutes = 300");
+  put("meshes = [\"bunny\"]", "meshes = [\"buny\"]");
+  put("A **term** stands", "A **term stands");
+  put("over two lines.", "over [two](algorithm:wezl) lines.");
+  put("before = \"pair_chosen\"", "before = \"pair_chosn\"");
+  put("id = \"growth\"", "id = \"growth\"\nnth = 2");
+  put("asks = \"grows\"", "asks = \"grow\"");
+  put("id = \"number\"", "id = \"growth\"");
+  put("answer = \"three\"", "answer = \"two\"");
+  put("excess_at_least = 0.05", "excess_at_least = 0.5");
+  put("hint = \"Think.\"", "hint = \"Think.\"\nhints = 2");
+  const Draft draft = read_draft(text, "small.toml");
+  std::vector<std::string> said;
+  for (const FileError& mistake : draft.mistakes) said.push_back(mistake.message());
+  const std::vector<std::string> due{
+      "small.toml:2:1: the lesson has no key \"titel\": did you mean \"title\"?",
+      "small.toml:4:11: \"minutes\" must be from 1 to 240",
+      "small.toml:8:10: \"meshes\" is none of bunny, teapot or dragon: buny; did you mean bunny?",
+      "small.toml:18:1: \"text\" has a ** without a partner",
+      "small.toml:19:21: \"text\" links to an algorithm that is none of ritter, welzl or brute_force: wezl; did you "
+      "mean "
+      "welzl?",
+      "small.toml:27:10: \"before\" of ritter is none of extremes_found, pair_chosen, point_examined, ball_grown, "
+      "radius_checked or finished: pair_chosn; did you mean pair_chosen?",
+      "small.toml:32:1: ritter does not take step ball_grown 2 times on these points",
+      "small.toml:46:8: \"asks\" is none of point, choice, figure, tightest or grows: grow; did you mean grows?",
+      "small.toml:57:10: \"answer\" is none of the choices: two",
+      "small.toml:67:1: [task] has no key \"hints\": did you mean \"hint\"?",
+  };
+  CHECK(said == due);
+  REQUIRE(draft.lesson.has_value());  // what is sound of it can be looked at
+  CHECK(draft.lesson->questions.empty());
+  CHECK_FALSE(draft.lesson->task.has_value());
+}
+
+TEST_CASE("what is allowed and probably not meant is warned of") {
+  std::string words;
+  for (int i = 0; i < 61; ++i) words += " word";
+  const std::string text = small_lesson_with("Another paragraph.", "P99 is far, P4 is not." + words);
+  const Draft draft = read_draft(text, "small.toml");
+  CHECK(draft.mistakes.empty());
+  REQUIRE(draft.warnings.size() == 2);
+  CHECK(draft.warnings[0].message() ==
+        "small.toml:21:1: \"text\" speaks of P99, which is not there: the last one is P5");
+  CHECK(draft.warnings[1].message() == "small.toml:21:1: a paragraph has 67 words: beside a stage at most 60 are read");
+  CHECK(read_draft(kSmallLesson, "small.toml").warnings.empty());
 }
 
 TEST_CASE("no bytes make the reader fail otherwise than by an error") {

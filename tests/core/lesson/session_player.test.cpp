@@ -124,6 +124,21 @@ TEST_CASE("a lesson that starts at its end shows the result and has passed no qu
   }
 }
 
+TEST_CASE("a lesson that starts at its end and was answered is brought back to its end, not to the preview") {
+  const std::string text = small_lesson_with("seed = 5", "seed = 5\nstart = \"end\"");
+  Session before = test::open(text);
+  before.first();
+  test::play_to_end(before);
+  before.acknowledge();
+  REQUIRE(before.at_summary());
+  Session after = test::open(text);
+  after.take_up_answers(before.outcomes());
+  CHECK(after.previewing());
+  after.jump(before.step());
+  CHECK_FALSE(after.previewing());
+  CHECK(after.at_summary());
+}
+
 TEST_CASE("from the result, a step stops at a question that stands before the first one") {
   std::string text = small_lesson_with("seed = 5", "seed = 5\nstart = \"end\"");
   const std::string_view before = "before = \"pair_chosen\"";

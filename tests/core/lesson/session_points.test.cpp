@@ -22,7 +22,7 @@ io::PointFile tetrahedron() {
 double radius(const Session& session) { return ball_of(recording_of(session, 0)->result).radius; }
 
 double smallest(const Session& session) {
-  return as<CloudSubject>(session.subject())->smallest_size(session.view()).value();
+  return as<CloudSubject>(session.subject())->reference(session.view()).size.value();
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ TEST_CASE("a mistake in the prose is told with its own line") {
            {"[$a$](step:1)", "has a formula within a link"},
            {"Words and $$a$$.", "has a $$ formula among words"},
            {"$$a$", "has a $$ without a partner"},
-           {"[a](step:two)", "links to a step that is no number: two"},
+           {"[a](step:two)", "links to a step that is not a number: two"},
            {"[a](mark:P99)", "there is no mark P99"},
            {"[a](mark:no_fact)", "there is no mark no_fact"},
            {"[a](place:x)", "has a link that leads nowhere, (place:x)"},

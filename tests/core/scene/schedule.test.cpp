@@ -159,7 +159,7 @@ TEST_CASE("settings that an effect does not know, or cannot use, are refused by 
       declaration.effects = {call("refit"), call("broad_phase"), call("narrow_phase"), effect};
     return refusal(declaration);
   };
-  CHECK(with(call("spin", {{"speed", {1}, ""}})) == "spin: knows nothing of \"speed\"");
+  CHECK(with(call("spin", {{"speed", {1}, ""}})) == "spin: has no setting \"speed\"");
   CHECK(with(call("spin", {{"axis", {0, 0, 0}, ""}})) == "spin: its axis has no direction");
   CHECK(with(call("spin", {{"axis", {0, 1}, ""}})) == "spin: \"axis\" must be three numbers");
   CHECK(with(call("spin", {}, "nobody")) == "spin: there is no body called nobody");

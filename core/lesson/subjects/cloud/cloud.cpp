@@ -4,6 +4,7 @@
 
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/cloud/entries.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -16,8 +17,8 @@ std::vector<std::string_view> fitted_volumes() {
 }
 
 Method method_of(const fit::Algorithm& algorithm) {
-  return {algorithm.volume,           algorithm.name,  algorithm.title,     algorithm.source, algorithm.pseudocode,
-          algorithm.plane_pseudocode, algorithm.exact, algorithm.max_points};
+  return {algorithm.volume,           algorithm.name,  algorithm.title,      algorithm.source, algorithm.pseudocode,
+          algorithm.plane_pseudocode, algorithm.exact, algorithm.max_points, algorithm.plane,  algorithm.space};
 }
 
 /// Sorted by volume, as in the catalogue.
@@ -57,14 +58,24 @@ const SubjectRow kCloudRow{.name = "cloud",
                            .methods = &fit_methods,
                            .facts = &FactList<fit::Fact3>::names,
                            .askings = &FactList<fit::Fact3>::askings,
+                           .compares = true,
                            .read = &read_cloud,
                            .read_task = &read_cloud_task,
                            .check = &check_cloud_task,
                            .open = &open_cloud};
 
+/// The algorithm that sizes are compared with. If the lesson names none, the exact one of its volume; null if there are
+/// several volumes, and for k-DOPs, because k-DOPs with different directions are different kinds of volume. Null for a
+/// cost chart as well, which is to reveal it.
+const fit::Algorithm* reference_of(const Lesson& lesson) {
+  if (lesson.subject != &kCloudRow) return nullptr;
+  if (!lesson.reference.empty()) return &algorithm_of(*find_method(lesson, lesson.reference));
+  return is_mixed(lesson) || lesson.volume == "kdop" ? nullptr : fit::exact_algorithm(lesson.volume);
+}
+
 CloudSubject::CloudSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh)
-    : PointSubject(lesson, std::move(points), std::move(mesh)), volume_(lesson.volume),
-      tells_optimum_(lesson.subject == &kCloudRow) {}
+    : PointSubject(lesson, std::move(points), std::move(mesh)), reference_(reference_of(lesson)),
+      by_measure_(is_mixed(lesson) || (reference_ != nullptr && reference_->volume != lesson.volume)) {}
 
 std::unique_ptr<Run> CloudSubject::run(const Method& method, std::unique_ptr<Run> earlier) const {
   fit::Recording room;
@@ -78,7 +89,7 @@ std::string CloudSubject::opening(const Method& method) const {
 }
 
 std::vector<Figure> CloudSubject::figures(const View& view) const {
-  return fit_figures(view, fit_run(view.run()), smallest_size(view));
+  return fit_figures(view, fit_run(view.run()), reference(view));
 }
 
 std::vector<Proof> CloudSubject::proofs(const View& view) const { return fit_proofs(view, fit_run(view.run())); }
@@ -87,16 +98,14 @@ Grade CloudSubject::grade(const Lesson& lesson, const View&, std::vector<bool>&)
   return grade_points(lesson, *points(), origin_.seed);
 }
 
-/// The exact algorithm; null if there is none, if it cannot take so many points, or if its result is hidden.
-const fit::Algorithm* CloudSubject::exact() const {
-  // k-DOPs with different directions are different kinds of volume, so none of them is the smallest of all.
-  const bool one_kind = volume_ != "kdop";
-  const fit::Algorithm* exact = tells_optimum_ && one_kind ? fit::exact_algorithm(volume_) : nullptr;
-  return exact != nullptr && size() <= exact->max_points ? exact : nullptr;
+/// Null if there is none, or if it cannot take these points.
+const fit::Algorithm* CloudSubject::compared_with() const {
+  const bool takes = reference_ != nullptr && size() <= reference_->max_points && fit::takes(*reference_, dim());
+  return takes ? reference_ : nullptr;
 }
 
 const fit::Recording* CloudSubject::optimum(const View& view) const {
-  const fit::Algorithm* own = exact();
+  const fit::Algorithm* own = compared_with();
   if (own == nullptr) return nullptr;
   for (const Slot& slot : view.slots)
     if (slot.method != nullptr && &algorithm_of(*slot.method) == own) return &fit_run(*slot.run).recording();
@@ -105,30 +114,39 @@ const fit::Recording* CloudSubject::optimum(const View& view) const {
   return worked_.optimum.get();
 }
 
-std::optional<double> CloudSubject::smallest_size(const View& view) const {
-  const fit::Algorithm* own = exact();
-  if (own == nullptr) return std::nullopt;
-  if (!worked_.smallest_size) worked_.smallest_size = size_of(*own, view);
-  return worked_.smallest_size;
+Reference CloudSubject::reference(const View& view) const {
+  Reference reference{.size = {}, .name = "the optimum", .word = {}, .by_measure = by_measure_};
+  const fit::Algorithm* own = compared_with();
+  if (own == nullptr) return reference;
+  reference.word = "smallest " + std::string(volume_word(own->volume, dim()));
+  if (!worked_.size) worked_.size = size_of(*own, view);
+  reference.size = worked_.size;
+  if (own->volume == "hull") reference.name = "the convex hull", reference.word = "convex hull";
+  else if (by_measure_ || !own->exact) reference.name = reference.word = own->title;
+  return reference;
+}
+
+double CloudSubject::size_of(const fit::Volume3& volume) const {
+  return by_measure_ ? fit::measure_of(volume, dim()) : fit::size_of(volume, dim());
 }
 
 /// The size of an algorithm's volume. A run that a slot shows is not repeated.
 double CloudSubject::size_of(const fit::Algorithm& algorithm, const View& view) const {
   for (const Slot& slot : view.slots)
     if (slot.method != nullptr && &algorithm_of(*slot.method) == &algorithm)
-      return fit::size_of(fit_run(*slot.run).recording().result.volume, dim());
-  if (&algorithm == exact() && worked_.smallest_size) return *worked_.smallest_size;
-  return fit::size_of(algorithm.fit(*points(), {.seed = origin_.seed}).volume, dim());
+      return size_of(fit_run(*slot.run).recording().result.volume);
+  if (&algorithm == compared_with() && worked_.size) return *worked_.size;
+  return size_of(algorithm.fit(*points(), {.seed = origin_.seed}).volume);
 }
 
 std::vector<Rival> CloudSubject::rivals(const Lesson& lesson, const View& view) const {
   std::vector<Rival> rivals;
-  const std::optional<double> smallest = smallest_size(view);
+  const Reference than = reference(view);
   for (const std::string& name : lesson.algorithms) {
     const Method& method = *find_method(lesson, name);
     if (!suits(method)) continue;
     const double own = size_of(algorithm_of(method), view);
-    rivals.push_back({&method, own, excess_of(own, smallest)});
+    rivals.push_back({&method, own, excess_of(own, than.size)});
   }
   return rivals;
 }

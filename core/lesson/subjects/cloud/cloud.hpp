@@ -19,6 +19,14 @@ struct CloudTask : Tables {
   int support_size = 0;        // how many points must support the smallest ball; 0 if that does not matter
 };
 
+/// What sizes are compared with.
+struct Reference {
+  std::optional<double> size;  // none if it is not known
+  std::string name;            // "the optimum", "the convex hull"
+  std::string word;            // on the stage: "smallest circle", "convex hull"
+  bool by_measure = false;     // whether all sizes are areas or volumes, also those of spheres
+};
+
 class CloudSubject final : public PointSubject {
  public:
   static constexpr const SubjectRow& kRow = kCloudRow;
@@ -33,11 +41,11 @@ class CloudSubject final : public PointSubject {
   [[nodiscard]] std::vector<Rival> rivals(const Lesson& lesson, const View& view) const override;
   [[nodiscard]] Grade grade(const Lesson& lesson, const View& view, std::vector<bool>& found) const override;
 
-  /// The recording of the smallest volume: computed when first needed after an edit, unless the view shows it. Null if
-  /// no algorithm finds it or none can take so many points. smallest_size is cheaper if only the size is needed.
+  /// The recording of the lesson's reference, or else of the smallest volume of the lesson's kind: computed when first
+  /// needed after an edit, unless the view shows it. Null if there is no such algorithm or it cannot take these points.
+  /// reference is cheaper if only the size is needed.
   [[nodiscard]] const fit::Recording* optimum(const View& view) const;
-  /// The smallest volume's fit::size_of.
-  [[nodiscard]] std::optional<double> smallest_size(const View& view) const;
+  [[nodiscard]] Reference reference(const View& view) const;
 
  protected:
   void points_changed() override { worked_ = {}; }
@@ -45,14 +53,15 @@ class CloudSubject final : public PointSubject {
  private:
   struct Worked {
     std::shared_ptr<const fit::Recording> optimum;
-    std::optional<double> smallest_size;
+    std::optional<double> size;  // of the reference
   };
-  [[nodiscard]] const fit::Algorithm* exact() const;
+  [[nodiscard]] const fit::Algorithm* compared_with() const;
   [[nodiscard]] double size_of(const fit::Algorithm& algorithm, const View& view) const;
+  [[nodiscard]] double size_of(const fit::Volume3& volume) const;
 
-  std::string volume_;         // the lesson's
-  bool tells_optimum_ = true;  // false while a cost chart is to reveal it
-  mutable Worked worked_;      // computed on demand, and forgotten with the next edit
+  const fit::Algorithm* reference_ = nullptr;  // null for none
+  bool by_measure_ = false;
+  mutable Worked worked_;  // computed on demand, and forgotten with the next edit
 };
 
 /// A slot's recording, if the subject's methods fit volumes; null otherwise, or if the slot is empty.
@@ -67,7 +76,7 @@ class CloudSubject final : public PointSubject {
 }
 
 // figures.cpp, proofs.cpp, task.cpp
-[[nodiscard]] std::vector<Figure> fit_figures(const View& view, const FitRun& run, std::optional<double> smallest);
+[[nodiscard]] std::vector<Figure> fit_figures(const View& view, const FitRun& run, const Reference& reference);
 [[nodiscard]] std::vector<Proof> fit_proofs(const View& view, const FitRun& run);
 void read_cloud_task(TomlTable& table, Lesson& lesson, Complaints& complaints);
 void check_cloud_task(const Lesson& lesson, const toml::table& toml, const Subject& own, Complaints& complaints);

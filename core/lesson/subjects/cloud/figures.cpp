@@ -22,8 +22,8 @@ std::string things_text(std::int64_t n, std::string_view one, std::string_view m
 /// Collects the figures at one step of a run.
 class FitBoard {
  public:
-  FitBoard(const View& view, const FitRun& run, std::optional<double> smallest)
-      : view_(view), run_(run), smallest_(smallest), trace_(run.trace()),
+  FitBoard(const View& view, const FitRun& run, const Reference& reference)
+      : view_(view), run_(run), reference_(reference), trace_(run.trace()),
         entry_(view.step > 0 ? &trace_[view.step - 1] : nullptr) {}
 
   std::vector<Figure> figures() {
@@ -48,10 +48,13 @@ class FitBoard {
 
   void volume() {
     if (entry_ == nullptr || !entry_->step.has_volume) return;
-    const double own = fit::size_of(entry_->step.volume, run_.dim());
-    size(own);
+    const bool ball = ball_of(entry_->step) != nullptr;
+    if (ball) radius(fit::size_of(entry_->step.volume, run_.dim()));
+    const double measure = fit::measure_of(entry_->step.volume, run_.dim());
+    if (!ball || reference_.by_measure) this->measure(measure);
+    const double own = reference_.by_measure ? measure : fit::size_of(entry_->step.volume, run_.dim());
     const Index outside = count_outside(run_.points(), entry_->step.volume);
-    if (const auto over = excess_of(own, smallest_)) excess(*over, outside == 0);
+    if (const auto over = excess_of(own, reference_.size)) excess(*over, outside == 0);
     of_all("Points outside", "outside", outside);
     const auto holding = static_cast<int>(run_.support(view_.step).size());
     // Before the end there may be no support set yet: a dash is shown then.
@@ -60,16 +63,17 @@ class FitBoard {
     figures_.back().known = holding > 0;
   }
 
-  void size(double value) {
-    const std::string so_far = view_.step == static_cast<int>(trace_.size()) ? "" : " so far";
-    if (ball_of(entry_->step) != nullptr) return length("Radius" + so_far, "radius", value, digits_beside_best(value));
+  [[nodiscard]] std::string so_far() const { return view_.step == static_cast<int>(trace_.size()) ? "" : " so far"; }
+  void radius(double value) { length("Radius" + so_far(), "radius", value, digits_beside_best(value)); }
+  void measure(double value) {
     const bool plane = run_.dim() == 2;
     const std::string unit = plane ? "units²" : "units³";
-    add((plane ? "Area" : "Volume") + so_far, "measure", number_text(value) + " " + unit, value, unit);
+    add((plane ? "Area" : "Volume") + so_far(), "measure", number_text(value) + " " + unit, value, unit);
   }
 
   void excess(double excess, bool holds_all) {
-    add("Excess over the optimum", "excess", holds_all ? percent_text(excess) : "—", holds_all ? 100 * excess : 0, "%");
+    const std::string text = reference_.by_measure ? looseness_text(excess) : percent_text(excess);
+    add("Excess over " + reference_.name, "excess", holds_all ? text : "—", holds_all ? 100 * excess : 0, "%");
     figures_.back().known = holds_all;
   }
 
@@ -147,7 +151,7 @@ class FitBoard {
 
   const View& view_;
   const FitRun& run_;
-  std::optional<double> smallest_;
+  const Reference& reference_;
   FitTrace trace_;
   const Recorder<Step3>::Entry* entry_;
   std::vector<Figure> figures_;
@@ -155,8 +159,8 @@ class FitBoard {
 
 }  // namespace
 
-std::vector<Figure> fit_figures(const View& view, const FitRun& run, std::optional<double> smallest) {
-  return FitBoard(view, run, smallest).figures();
+std::vector<Figure> fit_figures(const View& view, const FitRun& run, const Reference& reference) {
+  return FitBoard(view, run, reference).figures();
 }
 
 }  // namespace snug::lesson

@@ -35,11 +35,11 @@ std::string pass_sentence(double radius, double best, bool better) {
 const char* offer_axes(Asked& asked, const Run& run) {
   const FitTrace trace = fit_run(run).trace();
   if (fact_of<PairChosen>(asked, run).axis == kNoIndex)
-    return "\"axis\" asks of a pair of extreme points along the axes";
+    return "\"axis\" can only be asked of a pair of extreme points along the axes";
   const ExtremesFound<double, 3>* extremes = nullptr;
   for (int i = asked.fact; extremes == nullptr && i-- > 0;)
     extremes = std::get_if<ExtremesFound<double, 3>>(&trace[i].step.fact);
-  if (extremes == nullptr) return "\"axis\" asks of a pair after the extreme points are found";
+  if (extremes == nullptr) return "\"axis\" can only be asked after the extreme points are found";
   for (int axis = 0; axis < asked.dim; ++axis) {
     const std::vector<Index> pair{extremes->least[axis], extremes->greatest[axis]};
     asked.add_choice(std::string("the ") + "xyz"[axis] + " pair", pair);
@@ -73,7 +73,7 @@ const char* offer_support(Asked& asked, const Run& run) {
     asked.add_choice(point_name(i), {i});
     asked.stage_points.push_back(i);
   }
-  if (asked.stage_points.empty()) return "\"leaves\" asks where no point holds the ball yet";
+  if (asked.stage_points.empty()) return "\"leaves\" cannot be asked while no point supports the sphere";
   asked.on_stage = true;
   return nullptr;
 }

@@ -50,10 +50,12 @@ void read_cloud_task(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   auto terms = std::make_shared<CloudTask>();
   Task& task = *lesson.task;
   task.points = static_cast<int>(table.integer("points", 1, 1000));
-  if (fit::exact_algorithm(lesson.volume) == nullptr)
-    complaints.add(table.line(), "[task] cannot be graded: no algorithm finds the smallest " + lesson.volume);
+  const Method* method = find_method(lesson, task.algorithm);
+  if (method != nullptr && fit::exact_algorithm(method->volume) == nullptr)
+    complaints.add(table.place(),
+                   "[task] cannot be graded: no algorithm finds the smallest " + std::string(method->volume));
   if (!table.has("excess_at_least") && !table.has("support_size"))
-    complaints.add(table.line(), "[task] needs \"excess_at_least\" or \"support_size\"");
+    complaints.add(table.place(), "[task] needs \"excess_at_least\" or \"support_size\"");
   if (table.has("excess_at_least")) terms->excess_at_least = table.number("excess_at_least", 1);
   if (table.has("support_size"))
     terms->support_size = static_cast<int>(table.integer("support_size", 1, lesson.points.dim + 1));
@@ -64,18 +66,19 @@ void read_cloud_task(TomlTable& table, Lesson& lesson, Complaints& complaints) {
 void check_cloud_task(const Lesson& lesson, const toml::table& toml, const Subject& own, Complaints& complaints) {
   if (!lesson.task) return;
   const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
+  const std::size_t before = complaints.count();
   const auto model = check_point_task(lesson, *own.points(), task, complaints);
   if (grade_points(lesson, start_of_task(lesson, *own.points()), lesson.seed).done)
-    complaints.add(task.line(), "the task is solved before the student begins");
-  if (!model) return;
+    complaints.add(task.place(), "the task is solved before the student begins");
+  if (!model || complaints.count() > before) return;
   const Grade graded = grade_points(lesson, *model, lesson.seed);
-  if (!graded.done) complaints.add(task.line_of("model"), "the model does not solve the task: " + graded.says);
+  if (!graded.done) complaints.add(task.place_of("model"), "the model does not solve the task: " + graded.says);
 }
 
 Grade grade_points(const Lesson& lesson, const AnyPointSet& points, std::uint64_t seed) {
   const auto& task = static_cast<const CloudTask&>(*lesson.task->terms);
-  const fit::Algorithm& algorithm = *fit::find_algorithm(lesson.volume, lesson.task->algorithm);
-  const fit::Algorithm& smallest = *fit::exact_algorithm(lesson.volume);  // read_lesson refuses a task without one
+  const fit::Algorithm& algorithm = algorithm_of(*find_method(lesson, lesson.task->algorithm));
+  const fit::Algorithm& smallest = *fit::exact_algorithm(algorithm.volume);  // read_lesson refuses a task without one
   const int dim = fit::dim_of(points);
   Grade grade;
   grade.points = static_cast<int>(fit::size_of(points));

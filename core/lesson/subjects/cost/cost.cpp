@@ -53,12 +53,10 @@ void read_cost_task(TomlTable& table, Lesson& lesson, Complaints&) {
 void check_costs(const Lesson& lesson, const toml::table& toml, const Subject&, Complaints& complaints) {
   if (!lesson.task) return;
   const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
-  if (std::find(lesson.algorithms.begin(), lesson.algorithms.end(), lesson.task->algorithm) == lesson.algorithms.end())
-    return complaints.add(task.line(), "the lesson does not offer the algorithm " + lesson.task->algorithm);
   const auto model = to_set(lesson.task->model, lesson.points.dim);
-  if (!model) return complaints.add(task.line_of("model"), model.error().what);
+  if (!model) return complaints.add(task.place_of("model"), model.error().what);
   if (cheapest_of(*lesson.task, counted_costs(lesson, *model)).empty())
-    complaints.add(task.line_of("model"), "on the model no algorithm is as much smaller as the task asks");
+    complaints.add(task.place_of("model"), "on the model no algorithm is smaller by as much as the task asks");
 }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_chart(const Lesson& lesson, std::optional<io::PointFile> mesh,

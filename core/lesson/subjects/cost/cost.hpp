@@ -45,6 +45,10 @@ class CostSubject final : public Subject {
   [[nodiscard]] Index size() const override { return cloud_->size(); }
   [[nodiscard]] Point3 at(Index i) const override { return cloud_->at(i); }
   [[nodiscard]] std::string name_of(Index i) const override { return cloud_->name_of(i); }
+  [[nodiscard]] std::string_view stage_says() const override { return "the chart of costs, or the points"; }
+  [[nodiscard]] Tools tools() const override { return cloud_->tools(); }
+  [[nodiscard]] Rows rows() const override { return cloud_->rows(); }
+  Done set_rows(const Rows& rows) override { return edited(cloud_->set_rows(rows)); }
   [[nodiscard]] const AnyPointSet* points() const override { return cloud_->points(); }
   [[nodiscard]] std::span<const std::array<Index, 3>> triangles() const override { return cloud_->triangles(); }
   Done move(Index i, const Point3& to) override { return edited(cloud_->move(i, to)); }

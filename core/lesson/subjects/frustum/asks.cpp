@@ -33,7 +33,7 @@ Truth culling_truth(Culling culling, std::string sentence) {
 }  // namespace
 
 const char* offer_vertices(Asked& asked, const Run& run) {
-  if (plane_of(asked, run).skipped) return "\"p_vertex\" and \"n_vertex\" ask of a plane that is not skipped";
+  if (plane_of(asked, run).skipped) return "\"p_vertex\" and \"n_vertex\" cannot be asked of a skipped plane";
   asked.stage_points = vertices_of(asked.dim, 0);
   for (int vertex = 0; vertex < 1 << asked.dim; ++vertex)
     asked.add_choice(sign_name(asked.dim, vertex), {asked.stage_points[vertex]});

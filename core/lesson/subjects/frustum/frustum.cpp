@@ -38,8 +38,9 @@ void read_frustum(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   auto tables = std::make_shared<BoxTables>();
   TomlTable own(*table.table("boxes"), "[boxes]", complaints);
   lesson.points.dim = static_cast<int>(own.integer_or("dim", 2, 3, 2));
+  const std::size_t before = complaints.count();
   const double taper = own.number("taper", 1);
-  if (taper == 1) own.wrong("taper", "must be above 0 and below 1");
+  if (taper == 1 && own.has("taper") && complaints.count() == before) own.wrong("taper", "must be above 0 and below 1");
   tables->boxes = read_box_and_frustum(own, lesson.points.dim, taper);
   own.refuse_others();
   lesson.tables = std::move(tables);
@@ -102,18 +103,18 @@ std::string FrustumSubject::name_of(Index i) const {
 Done FrustumSubject::check(const BoxPair& pair) const { return check_frustum(pair); }
 
 std::unique_ptr<Run> FrustumSubject::run(const Method& method, std::unique_ptr<Run>) const {
-  return std::make_unique<FrustumRun>(dim(), record_frustum(method.name, *boxes()));
+  return std::make_unique<FrustumRun>(dim(), record_frustum(method.name, boxes()));
 }
 
 std::string FrustumSubject::opening(const Method& method) const {
   return std::string(method.title) + ", box and frustum: nothing is known yet. Take the first step.";
 }
 
-std::vector<Figure> FrustumSubject::figures(const View& view) const { return frustum_figures(view, *boxes()); }
-std::vector<Proof> FrustumSubject::proofs(const View& view) const { return frustum_proofs(view, *boxes()); }
+std::vector<Figure> FrustumSubject::figures(const View& view) const { return frustum_figures(view, boxes()); }
+std::vector<Proof> FrustumSubject::proofs(const View& view) const { return frustum_proofs(view, boxes()); }
 
 Grade FrustumSubject::grade(const Lesson& lesson, const View&, std::vector<bool>& found) const {
-  return grade_box_task(lesson, *boxes(), kReachFrustumGoals, found);
+  return grade_box_task(lesson, boxes(), kReachFrustumGoals, found);
 }
 
 }  // namespace snug::lesson

@@ -39,7 +39,8 @@ class FrustumSubject final : public BoxSubject {
   [[nodiscard]] std::unique_ptr<Subject> clone() const override { return std::make_unique<FrustumSubject>(*this); }
   /// "Box", "Box turn", "+−" (sign_name), "Frustum", "Frustum turn", "F3".
   [[nodiscard]] std::string name_of(Index i) const override;
-  [[nodiscard]] std::string_view tools_title() const override { return "Box and frustum"; }
+  [[nodiscard]] std::string_view stage_says() const override { return "a box and a view frustum"; }
+  [[nodiscard]] Tools tools() const override { return {"Boxes", "Box and frustum"}; }
   [[nodiscard]] Words words_of(int box) const override {
     return box == 0 ? Words{"Box", "the box", "Half extents"} : Words{"Frustum", "the frustum", "Half depth, far face"};
   }

@@ -43,7 +43,8 @@ const char* offer_tested_axes(Asked& asked, const Run& run) {
   const PairSteps steps = pair_run(run).trace();
   std::size_t tested = 0;
   for (int i = 0; i < asked.fact; ++i) tested += axis_of(steps, i) != nullptr;
-  if (tested != axis_names(asked.dim).size()) return "\"which_axis\" asks of a test that goes through all axes";
+  if (tested != axis_names(asked.dim).size())
+    return "\"which_axis\" can only be asked of a test that goes through all axes";
   for (const AxisName& axis : axis_names(asked.dim)) asked.add_choice(axis.text);
   asked.add_choice("none");
   asked.on_axes = true;

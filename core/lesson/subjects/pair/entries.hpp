@@ -193,7 +193,7 @@ template <>
 struct Entry<query::SupportFound> : EntryDefaults {
   using Fact = query::SupportFound;
   static std::string sentence(const Fact& fact, const PairWhere& where) {
-    const std::string found = "The vertex of A − B least far along v is " + difference_name(fact.a, fact.b, where);
+    const std::string found = "The vertex of A − B farthest along −v is " + difference_name(fact.a, fact.b, where);
     if (fact.gap > 0) return found + ": the cores are at least " + number_text(fact.gap) + " apart.";
     return found + ", beyond the origin: nothing is proved yet.";
   }

@@ -74,17 +74,17 @@ std::vector<Index> PairRun::candidates(int i) const {
 }
 
 std::unique_ptr<Run> PairSubject::run(const Method& method, std::unique_ptr<Run>) const {
-  return std::make_unique<PairRun>(dim(), record(method.name, *boxes()));
+  return std::make_unique<PairRun>(dim(), record(method.name, boxes()));
 }
 
 std::string PairSubject::opening(const Method& method) const {
   return std::string(method.title) + ", boxes A and B: nothing is known yet. Take the first step.";
 }
 
-std::vector<Figure> PairSubject::figures(const View& view) const { return box_figures(view, *boxes()); }
-std::vector<Proof> PairSubject::proofs(const View& view) const { return box_proofs(view, *boxes()); }
+std::vector<Figure> PairSubject::figures(const View& view) const { return box_figures(view, boxes()); }
+std::vector<Proof> PairSubject::proofs(const View& view) const { return box_proofs(view, boxes()); }
 Grade PairSubject::grade(const Lesson& lesson, const View&, std::vector<bool>& found) const {
-  return grade_box_task(lesson, *boxes(), kReachPairGoals, found);
+  return grade_box_task(lesson, boxes(), kReachPairGoals, found);
 }
 
 }  // namespace snug::lesson

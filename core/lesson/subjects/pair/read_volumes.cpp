@@ -58,11 +58,12 @@ struct FieldReader {
 };
 
 HeldVolume read_volume(const toml::table& toml, std::string name, int dim, Complaints& complaints) {
+  const std::size_t before = complaints.count();
   TomlTable table(toml, std::move(name), complaints);
   HeldVolume held{.dim = dim};
   const auto kind = std::find_if(kVolumeNames.begin(), kVolumeNames.end(), [&](auto one) { return table.has(one); });
   if (kind == kVolumeNames.end()) {
-    complaints.add(table.line(), "a volume is one of " + one_of(kVolumeNames) + ", with its fields");
+    complaints.add(table.place(), "a volume is one of " + one_of(kVolumeNames) + ", with its fields");
     return held;
   }
   held.volume = volume_of_kind(*kind);
@@ -73,9 +74,9 @@ HeldVolume read_volume(const toml::table& toml, std::string name, int dim, Compl
   std::visit([&](auto& volume) { fields_to_read(volume, FieldReader{own, dim}); }, held.volume);
   own.refuse_others();
   if (const auto* hull = std::get_if<ConvexHull<double, 3>>(&held.volume)) held.points = hull->vertices;
-  if (complaints.first()) return held;
-  if (const std::string fault = fault_of(held); !fault.empty()) complaints.add(own.line(), fault);
-  return complaints.first() ? held : placed(held, Matrix<double, 3>::Identity(), Point3::Zero());
+  if (complaints.count() > before) return held;
+  if (const std::string fault = fault_of(held); !fault.empty()) return complaints.add(own.place(), fault), held;
+  return placed(held, Matrix<double, 3>::Identity(), Point3::Zero());
 }
 
 }  // namespace
@@ -83,8 +84,9 @@ HeldVolume read_volume(const toml::table& toml, std::string name, int dim, Compl
 void read_volumes(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   auto tables = std::make_shared<VolumeTables>();
   TomlTable own(*table.table("volumes"), "[volumes]", complaints);
-  tables->line = own.line();
+  tables->line = own.place().line;
   const int dim = tables->pair.dim = lesson.points.dim = static_cast<int>(own.integer_or("dim", 2, 3, 2));
+  const std::size_t before = complaints.count();
   double reach = 0;
   for (const std::size_t side : {0, 1}) {
     const char* key = side == 0 ? "a" : "b";
@@ -92,20 +94,21 @@ void read_volumes(TomlTable& table, Lesson& lesson, Complaints& complaints) {
     held.dim = dim;
     if (const toml::table* volume = own.table(key); volume != nullptr)
       held = read_volume(*volume, std::string("[volumes] ") + key, dim, complaints);
-    else own.wrong(key, "is missing");
-    if (complaints.first()) continue;
+    else own.lack(key, std::string("[volumes] lacks the volume \"") + key + '"');
+    if (complaints.count() > before) continue;
     for (const Handle& handle : handles_of(held))
       reach = std::max(reach, (at_handle(held, handle) - at_handle(held, {})).norm());
   }
   for (HeldVolume& held : tables->pair.held) held.knob = 0.3 * reach;
-  if (tables->pair.held[0].volume.index() > tables->pair.held[1].volume.index())
+  if (complaints.count() == before && own.has("a") && own.has("b") &&
+      tables->pair.held[0].volume.index() > tables->pair.held[1].volume.index())
     own.wrong("a", "must be of the kind that comes first: " + one_of(kVolumeNames));
   own.refuse_others();
   lesson.tables = std::move(tables);
 }
 
 void refuse_volume_task(TomlTable& table, Lesson&, Complaints& complaints) {
-  complaints.add(table.line(), "a lesson on two volumes has no task");
+  complaints.add(table.place(), "a lesson on two volumes has no task");
 }
 
 void check_volume_tests(const Lesson& lesson, const Subject& own, Complaints& complaints) {

@@ -9,6 +9,7 @@
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/pair/box_figures.hpp"
 #include "lesson/subjects/pair/read_volumes.hpp"
+#include "lesson/subjects/pair/volume_rows.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -83,6 +84,29 @@ Done VolumesSubject::move(Index i, const Point3& to) {
   auto next = moved(pair_.held[side(i)], handle(i), to);
   if (!next) return tl::unexpected(std::move(next.error()));
   pair_.held[side(i)] = *std::move(next);
+  origin_.edited = true;
+  return {};
+}
+
+/// The handles of each volume, without its knobs.
+std::vector<std::vector<Index>> VolumesSubject::things() const {
+  std::vector<std::vector<Index>> both(2);
+  for (Index i = 0; i < size(); ++i)
+    if (handle(i).kind != Handle::Kind::kTurn) both[side(i)].push_back(i);
+  return both;
+}
+
+Rows VolumesSubject::rows() const { return {row_of(pair_.held[0]), row_of(pair_.held[1])}; }
+
+Done VolumesSubject::set_rows(const Rows& rows) {
+  if (rows.size() != 2) return tl::unexpected(InputError{.what = "there are two volumes"});
+  VolumePair next = pair_;
+  for (const std::size_t i : {0, 1}) {
+    auto held = with_row(pair_.held[i], rows[i]);
+    if (!held) return tl::unexpected(std::move(held.error()));
+    next.held[i] = *std::move(held);
+  }
+  pair_ = std::move(next);
   origin_.edited = true;
   return {};
 }

@@ -54,7 +54,11 @@ class VolumesSubject final : public Subject {
   [[nodiscard]] Point3 at(Index i) const override;
   [[nodiscard]] std::string name_of(Index i) const override;
   [[nodiscard]] std::array<std::string_view, 2> handle_words() const override { return {"vertex", "vertices"}; }
-  [[nodiscard]] std::string_view tools_word() const override { return "Volumes"; }
+  [[nodiscard]] std::vector<std::vector<Index>> things() const override;
+  [[nodiscard]] std::string_view stage_says() const override { return "two volumes"; }
+  [[nodiscard]] Tools tools() const override { return {"Volumes", "Volumes"}; }
+  [[nodiscard]] Rows rows() const override;
+  Done set_rows(const Rows& rows) override;
   Done move(Index i, const Point3& to) override;
   void scatter(std::uint64_t seed, const Subject& own) override;
   void begin_task(const Lesson&, const Subject&) override {}

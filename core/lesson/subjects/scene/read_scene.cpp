@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/pose.hpp"
+#include "lesson/ask.hpp"
 #include "lesson/names.hpp"
 
 namespace snug::lesson {
@@ -56,15 +57,16 @@ void read_shape(TomlTable& table, SceneBody& one, bool has_mesh) {
   } else if (shape == "points" || shape == "mesh") {
     one.of_points = true;
     if (shape == "mesh" && !has_mesh) table.wrong("shape", "is a mesh, and [points] names none");
-  } else if (!shape.empty()) {
-    table.wrong("shape", "is none of sphere, box, capsule, points or mesh: " + shape);
+  } else {
+    for (const std::string_view key : {"half_extents", "radius", "half_length"}) table.allow(key);
+    if (!shape.empty()) table.wrong("shape", "is none of sphere, box, capsule, points or mesh: " + shape);
   }
 }
 
 SceneBody read_body(const toml::table& toml, bool has_mesh, Complaints& complaints) {
   TomlTable table(toml, "[[scene.body]]", complaints);
   SceneBody one;
-  one.body.line = table.line();
+  one.body.line = table.place().line;
   one.body.name = table.text_or("name", "");
   read_shape(table, one, has_mesh);
   one.at_points = table.flag_or("at_points", false);
@@ -92,7 +94,7 @@ scene::Setting read_setting(TomlTable& table, const std::string& key, const toml
 
 scene::EffectCall read_effect(const toml::table& toml, Complaints& complaints) {
   TomlTable table(toml, "[[scene.effect]]", complaints);
-  scene::EffectCall call{.name = table.text("effect"), .body = table.text_or("body", ""), .line = table.line()};
+  scene::EffectCall call{.name = table.text("effect"), .body = table.text_or("body", ""), .line = table.place().line};
   for (const auto& [key, node] : toml) {
     const std::string name(key.str());
     if (name == "effect" || name == "body") continue;
@@ -113,17 +115,17 @@ void check_figure(TomlTable& table, const std::string& figure) {
 SceneSet read_scene_of(TomlTable& lesson, int dim, Complaints& complaints) {
   SceneSet set;
   const toml::table* own = lesson.table("scene");
-  if (own == nullptr) return complaints.add(1, "the lesson lacks [scene]"), set;
+  if (own == nullptr) return lesson.lack("scene", "the lesson lacks [scene]"), set;
   TomlTable table(*own, "[scene]", complaints);
-  if (dim != 3) complaints.add(table.line(), "a scene is in space: \"dim\" of [points] must be 3");
+  if (dim != 3) complaints.add(table.place(), "a scene is in space: \"dim\" of [points] must be 3");
   set.frames = static_cast<int>(table.integer_or("frames", 1, 2000, set.frames));
-  set.line = table.line(), set.frames_line = table.line_of("frames");
+  set.line = table.place().line, set.frames_line = table.place_of("frames").line;
   set.step = table.any_number("step", set.step);
   const toml::table* points = lesson.table("points");
   const bool has_mesh = points != nullptr && points->contains("mesh");
   for (const toml::table* body : table.tables("body")) set.bodies.push_back(read_body(*body, has_mesh, complaints));
   for (const toml::table* effect : table.tables("effect")) set.effects.push_back(read_effect(*effect, complaints));
-  if (set.bodies.empty()) complaints.add(table.line(), "[scene] has no [[scene.body]]");
+  if (set.bodies.empty()) complaints.add(table.place(), "[scene] has no [[scene.body]]");
   table.refuse_others();
   return set;
 }
@@ -131,20 +133,12 @@ SceneSet read_scene_of(TomlTable& lesson, int dim, Complaints& complaints) {
 void read_ranges(TomlTable& table, Question& question) {
   question.figure = table.text("figure");
   check_figure(table, question.figure);
-  question.bounds = table.numbers("bounds");
-  double last = -std::numeric_limits<double>::infinity();
-  const auto rises = [&](double bound) {
-    return bound > std::exchange(last, bound) && std::isfinite(bound);
-  };  // false for a NaN
-  if (question.bounds.empty() || !std::all_of(question.bounds.begin(), question.bounds.end(), rises))
-    table.wrong("bounds", "must be numbers that rise"), question.bounds = {0};
+  read_bounds(table, question);
 }
 
 void read_scene_task(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   auto terms = std::make_shared<SceneTask>();
   Task& task = *lesson.task;
-  if (!is_among(lesson.algorithms, task.algorithm))
-    table.wrong("algorithm", "is none that the lesson offers: " + task.algorithm);
   task.points = static_cast<int>(table.integer("points", 1, 1000));
   for (const toml::table* one : table.tables("require")) {
     TomlTable own(*one, "[[task.require]]", complaints);
@@ -160,7 +154,7 @@ void read_scene_task(TomlTable& table, Lesson& lesson, Complaints& complaints) {
     own.refuse_others();
     terms->requirements.push_back(std::move(due));
   }
-  if (terms->requirements.empty()) complaints.add(table.line(), "[task] needs a [[task.require]]");
+  if (terms->requirements.empty()) complaints.add(table.place(), "[task] needs a [[task.require]]");
   task.model = table.points("model", 3);
   task.terms = std::move(terms);
 }

@@ -53,15 +53,16 @@ void check_scene_task(const Lesson& lesson, const toml::table& toml, const Subje
   const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
   const SceneSet& set = set_of(lesson);
   const auto graded = [&](const AnyPointSet& on) { return grade_scene(lesson, set, on, lesson.seed); };
+  const std::size_t before = complaints.count();
   const auto model = check_point_task(lesson, *own.points(), task, complaints);
   if (graded(start_of_task(lesson, *own.points())).done)
-    complaints.add(task.line(), "the task is solved before the student begins");
-  if (!model) return;
-  if (set.is_too_long(fit::size_of(*model))) return complaints.add(task.line_of("model"), too_long_text());
+    complaints.add(task.place(), "the task is solved before the student begins");
+  if (!model || complaints.count() > before) return;
+  if (set.is_too_long(fit::size_of(*model))) return complaints.add(task.place_of("model"), too_long_text());
   if (const auto kept = check_pairs(set, lesson.task->algorithm, *model, lesson.seed); !kept)
-    return complaints.add(task.line_of("model"), kept.error().what);
+    return complaints.add(task.place_of("model"), kept.error().what);
   if (const Grade grade = graded(*model); !grade.done)
-    complaints.add(task.line_of("model"), "the model does not solve the task: " + grade.says);
+    complaints.add(task.place_of("model"), "the model does not solve the task: " + grade.says);
 }
 
 /// If an effect behind the figures is off: says which of them are still those of an earlier frame.

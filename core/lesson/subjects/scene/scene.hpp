@@ -47,7 +47,12 @@ class SceneSubject final : public PointSubject {
   [[nodiscard]] std::array<std::string_view, 2> handle_words() const override {
     return set().at_points() ? std::array<std::string_view, 2>{"body", "bodies"} : PointSubject::handle_words();
   }
-  [[nodiscard]] std::string_view tools_word() const override { return set().at_points() ? "Bodies" : "Points"; }
+  [[nodiscard]] std::string_view stage_says() const override {
+    return set().at_points() ? "bodies that move, and their volumes" : "a body that moves, and the volume around it";
+  }
+  [[nodiscard]] Tools tools() const override {
+    return set().at_points() ? Tools{"Bodies", "Bodies", true} : PointSubject::tools();
+  }
   [[nodiscard]] bool task_begins_at_end() const override { return false; }
   [[nodiscard]] bool moves_at(int step) const override { return step == 0; }
   [[nodiscard]] std::string_view fixed_now() const override;

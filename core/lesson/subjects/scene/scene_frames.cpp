@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "scene/bytes.hpp"
+
 namespace snug::lesson {
 namespace {
 
@@ -9,21 +11,10 @@ namespace {
 // some as well (kMostSnapshotBytes in scene/scene.cpp). bench_frames measures both together.
 constexpr std::size_t kShareBesideSnapshots = 7;
 
-template <class Value>
-std::size_t bytes_of(const std::vector<Value>& values) {
-  return values.size() * sizeof(Value);
-}
-template <class Value>
-std::size_t bytes_of(const std::vector<std::vector<Value>>& lists) {
-  std::size_t sum = lists.size() * sizeof(std::vector<Value>);
-  for (const std::vector<Value>& values : lists) sum += bytes_of(values);
-  return sum;
-}
-
 std::size_t bytes_of(const SceneFrame& frame) {
-  return sizeof frame + bytes_of(frame.bodies) + bytes_of(frame.volumes) + bytes_of(frame.pairs) +
-         bytes_of(frame.near) + bytes_of(frame.touching) + bytes_of(frame.shadows) + bytes_of(frame.trails) +
-         bytes_of(frame.rays);
+  return sizeof frame + scene::bytes_in(frame.bodies) + scene::bytes_in(frame.volumes) + scene::bytes_in(frame.pairs) +
+         scene::bytes_in(frame.near) + scene::bytes_in(frame.touching) + scene::bytes_in(frame.shadows) +
+         scene::bytes_in(frame.trails) + scene::bytes_in(frame.rays);
 }
 
 SceneFrame seen(const scene::Scene& scene) {

@@ -6,7 +6,7 @@
 
 namespace snug::lesson {
 
-/// Fixed bodies, made of its points or of its two boxes' vertices, without any effect. In 2-D z is 0.
+/// A fixed body made of each thing's points, without any effect. In 2-D z is 0.
 [[nodiscard]] scene::Declaration still_scene(const Subject& subject);
 
 /// The scene of any lesson with a method applied; still_scene, if the lesson declares none. Errors: those of

@@ -77,10 +77,10 @@ TEST_CASE("first the prediction, then a run in slices, then what the session mak
   REQUIRE(lesson::costs_of(session) != nullptr);
   CHECK(lesson::costs_of(session)->size() == 2);
   CHECK_FALSE(session.outcomes()[0].pending);
-  CHECK(costs.table().provenance.points == "own");
-  CHECK(costs.table().provenance.version == "9");
-  CHECK(costs.table().provenance.clock_resolution_ns > 0);
-  CHECK(costs.table().rows[1].time.batch >= 1);
+  CHECK(costs.accuracy().provenance.points == "own");
+  CHECK(costs.accuracy().provenance.version == "9");
+  CHECK(costs.accuracy().provenance.clock_resolution_ns > 0);
+  CHECK(costs.accuracy().rows[1].time.batch >= 1);
   CHECK(costs.caption(session).find("lie on the front") != std::string::npos);
 
   CHECK(costs.command(session, "chart_next"));
@@ -96,15 +96,15 @@ TEST_CASE("what is ready stays when it is stopped, and other points are other fi
   lesson::Session session = opened();
   session.answer({});
   REQUIRE(costs.command(session, "measure"));
-  for (int slices = 0; costs.table().rows.empty() && slices < 10'000; ++slices) costs.work(session, 0);
+  for (int slices = 0; costs.accuracy().rows.empty() && slices < 10'000; ++slices) costs.work(session, 0);
   REQUIRE(costs.command(session, "stop_measuring"));
-  CHECK(costs.table().rows.size() == 1);
+  CHECK(costs.accuracy().rows.size() == 1);
   CHECK_FALSE(costs.running());
   CHECK(lesson::costs_of(session) == nullptr);
   REQUIRE(costs.command(session, "measure"));
   REQUIRE(session.move(0, {7, 7, 0}).has_value());
   finish(costs, session);
-  CHECK(costs.table().rows.size() == 2);
+  CHECK(costs.accuracy().rows.size() == 2);
   CHECK(lesson::costs_of(session) == nullptr);
 }
 
@@ -117,8 +117,8 @@ TEST_CASE("a large file is measured whole and shown in part; above two million p
   CHECK(costs.size(session) == 6000);
   REQUIRE(costs.command(session, "measure"));
   finish(costs, session);
-  CHECK(costs.table().rows[0].of == 6000);
-  CHECK(costs.table().provenance.points == "large.xyz");
+  CHECK(costs.accuracy().rows[0].of == 6000);
+  CHECK(costs.accuracy().provenance.points == "large.xyz");
   const auto refused = costs.load(session, cloud(2'000'001), "huge.xyz");
   REQUIRE_FALSE(refused.has_value());
   CHECK(refused.error().message().find("2,000,001 points, and costs are measured on at most 2,000,000") !=
@@ -175,7 +175,7 @@ TEST_CASE("growth is measured on a kind of points; what is ready stays, and figu
     CHECK(line[0].stopped.find("one run of") == 0);
   }
   CHECK(lesson::costs_of(session) == nullptr);  // the questions are of the other chart
-  CHECK(costs.table().rows.empty());
+  CHECK(costs.accuracy().rows.empty());
   CHECK(costs.sheet().csv().find("# snug table: growth\n") == 0);
   CHECK(costs.caption(session).find("end where one run would take over 20 µs") != std::string::npos);
   REQUIRE(costs.command(session, "chart_next"));

@@ -43,7 +43,7 @@ TEST_CASE("where a body stands at each point, it is drawn in the point's place, 
   lesson::Session session = turning(true);
   const auto view = scene_view();
   CHECK_FALSE(view->shows_points(session));
-  CHECK(session.subject().tools_word() == "Bodies");
+  CHECK(session.subject().tools().word == "Bodies");
   const fit::Sphere3 room = view->extent(session);
   for (Index i = 0; i < session.size(); ++i) {
     CHECK(view->place_of(session, i) == frame_of(session)->bodies[i].position);

@@ -14,6 +14,7 @@ struct Of {
 
 Grade graded(const Session& session, Of of, double excess_at_least, int support_size) {
   Lesson lesson;
+  lesson.subject = &kCloudRow;
   Task& task = lesson.task.emplace();
   task.algorithm = of.algorithm, task.points = of.points;
   auto terms = std::make_shared<CloudTask>();

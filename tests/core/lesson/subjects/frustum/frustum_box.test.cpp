@@ -101,7 +101,7 @@ TEST_CASE("the frustum is what its places show: its corners are those of the pai
   for (const char* id : {"frustum-2d", "frustum-3d"}) {
     CAPTURE(id);
     const Session session = session_of(id);
-    const BoxPair& pair = *session.subject().boxes();
+    const BoxPair& pair = boxes_of(session.subject());
     const auto near_corner = [&](const V3& wanted, const auto& corners) {
       double nearest = 1e9;
       for (const auto& corner : corners) nearest = std::min(nearest, (corner - wanted.head(corner.size())).norm());
@@ -150,12 +150,12 @@ TEST_CASE("a corner of the frustum is dragged: it follows the hand, and the oppo
     Session session = session_of(id);
     const int dim = session.dim(), all = (1 << dim) - 1;
     for (int bits = 0; bits <= all; ++bits) {
-      const BoxPair before = *session.subject().boxes();
+      const BoxPair before = boxes_of(session.subject());
       const V3 opposite = corner_of(before, 1, ~bits & all);
       const V3 to = corner_of(before, 1, bits) + (corner_of(before, 1, bits) - opposite) * 0.11 +
                     before.boxes[1].axes.col(1) * 0.03;
       REQUIRE(session.move(index_of(dim, {Kind::kCorner, 1, bits}), to).has_value());
-      const BoxPair& after = *session.subject().boxes();
+      const BoxPair& after = boxes_of(session.subject());
       CHECK((corner_of(after, 1, ~bits & all) - opposite).norm() < 1e-14);
       CHECK((corner_of(after, 1, bits) - to).norm() < 1e-14);
       CHECK(after.taper == before.taper);
@@ -168,16 +168,16 @@ TEST_CASE("a corner of the frustum is dragged: it follows the hand, and the oppo
 
 TEST_CASE("a frustum does not become flat: the corner stays where it was, and no size of 0 is taken") {
   Session session = session_of("frustum-2d");
-  const BoxPair before = *session.subject().boxes();
+  const BoxPair before = boxes_of(session.subject());
   const V3 beyond = before.boxes[1].center - before.boxes[1].axes.col(0) * 10;
   CHECK_FALSE(session.move(index_of(2, {Kind::kCorner, 1, 3}), beyond).has_value());
   BoxPair wrong = before;
   wrong.boxes[1].half_extents[0] = 0;
-  CHECK_FALSE(session.set_boxes(wrong).has_value());
-  CHECK(session.subject().boxes()->boxes[1].center == before.boxes[1].center);
+  CHECK_FALSE(set_boxes(session, wrong).has_value());
+  CHECK(boxes_of(session.subject()).boxes[1].center == before.boxes[1].center);
   wrong = before;
   wrong.boxes[0].half_extents.setZero();  // a box may be a point
-  CHECK(session.set_boxes(wrong).has_value());
+  CHECK(set_boxes(session, wrong).has_value());
 }
 
 TEST_CASE("box and frustum bear names of their own, and every place another") {
@@ -326,11 +326,11 @@ TEST_CASE("a wrong box is told from the task's by its verdict, and the sentence 
   Session session = session_of("frustum-2d");
   session.start_task();
   CHECK(session.grade()->says.find("keeps this box") != std::string::npos);
-  BoxPair away = *session.subject().boxes();
+  BoxPair away = boxes_of(session.subject());
   away.boxes[0].center = {-9, 0, 0};
-  REQUIRE(session.set_boxes(away).has_value());
+  REQUIRE(set_boxes(session, away).has_value());
   CHECK(session.grade()->says.find("right here") != std::string::npos);
-  REQUIRE(session.set_boxes(static_cast<const BoxTask&>(*session.lesson().task->terms).models[0]).has_value());
+  REQUIRE(set_boxes(session, static_cast<const BoxTask&>(*session.lesson().task->terms).models[0]).has_value());
   CHECK(session.grade()->done);
 }
 
@@ -345,8 +345,10 @@ TEST_CASE("each mistake about a frustum is told with its line") {
       {"[1.05, 1.15]]\nturn = [[-24]", "[0, 1.15]]\nturn = [[-24]", "half_extents", "of a frustum must be above 0"},
       {"volume = \"frustum_box\"", "volume = \"box_pair\"", "algorithms", "p_n_vertex"},
       {"goals = [\"corners_outside\"]", "goals = [\"only_edges\"]", "goals", "only_edges"},
-      {"asks = \"p_vertex\"", "asks = \"verdict\"", "[[question]]\nid = \"p-vertex\"", "asks of classified"},
-      {"asks = \"verdict\"", "asks = \"n_vertex\"", "[[question]]\nid = \"verdict\"", "asks of plane_tested"},
+      {"asks = \"p_vertex\"", "asks = \"verdict\"", "[[question]]\nid = \"p-vertex\"",
+       "can only be asked of classified"},
+      {"asks = \"verdict\"", "asks = \"n_vertex\"", "[[question]]\nid = \"verdict\"",
+       "can only be asked of plane_tested"},
       {"[0.2, 1.7]", "[0.2, 0.17]", "[[task.model]]", "does not reach"},
       {"asks = \"n_vertex\"", "asks = \"nearest_vertex\"", "nearest_vertex", "none of point"},
   };

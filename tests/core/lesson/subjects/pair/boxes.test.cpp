@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include <fstream>
+#include <numbers>
 
 #include "lesson/play.hpp"
 #include "lesson/subjects/pair/box_figures.hpp"
@@ -26,7 +27,7 @@ Session session_of(const std::string& id) {
   return *std::move(session);
 }
 
-const Obb<double, 3>& box(const Session& session, int i) { return session.subject().boxes()->boxes[i]; }
+const Obb<double, 3>& box(const Session& session, int i) { return boxes_of(session.subject()).boxes[i]; }
 
 std::string text_of(const std::vector<Figure>& figures, std::string_view key) {
   for (const Figure& figure : figures)
@@ -46,6 +47,43 @@ double skew(const Obb<double, 3>& box) {
 }
 
 }  // namespace
+
+TEST_CASE("rows and typed numbers set boxes as hands do") {
+  for (const int dim : {2, 3}) {
+    CAPTURE(dim);
+    Session session = session_of(dim == 2 ? "obb-sat" : "obb-axes");
+    for (const Index i : {Index{0}, Index{1}, Index{5}})
+      REQUIRE(session.move(i, session.point(i) + Point3(0.21, 0.13, dim == 3 ? -0.17 : 0)).has_value());
+    Session fresh = session_of(dim == 2 ? "obb-sat" : "obb-axes");
+    REQUIRE(fresh.set_rows(session.subject().rows()).has_value());
+    CHECK(fresh.subject().rows() == session.subject().rows());
+    CHECK(fresh.trace_hash() == session.trace_hash());
+    Rows wrong = session.subject().rows();
+    wrong[0].back() += 0.1;  // no longer an axis
+    CHECK_FALSE(fresh.set_rows(wrong).has_value());
+    wrong[0].clear();
+    CHECK_FALSE(fresh.set_rows(wrong).has_value());
+
+    const auto numbers = fresh.subject().numbers();
+    REQUIRE(numbers.size() == 2);
+    CHECK(numbers[1].heading == "Box B");
+    std::vector<double> center = numbers[1].rows[0].values;
+    center[0] = 2.5;
+    REQUIRE(fresh.set_numbers(1, 0, center).has_value());
+    CHECK(box(fresh, 1).center[0] == 2.5);
+    CHECK(box(fresh, 0).center == box(session, 0).center);
+    std::vector<double> turn = numbers[0].rows[2].values;
+    turn.back() = 30;
+    const Obb<double, 3> before = box(fresh, 0);
+    REQUIRE(fresh.set_numbers(0, 2, turn).has_value());
+    if (dim == 2) CHECK(angle_of(box(fresh, 0)) * 180 / std::numbers::pi == doctest::Approx(30));
+    else CHECK((box(fresh, 0).axes - turned_by(before, 2, std::numbers::pi / 6).axes).norm() < 1e-12);
+    CHECK_FALSE(fresh.set_numbers(0, 1, std::vector<double>(dim, -1)).has_value());
+    CHECK_FALSE(fresh.set_numbers(0, 3, center).has_value());
+    CHECK_FALSE(fresh.set_numbers(2, 0, center).has_value());
+    CHECK_FALSE(fresh.set_numbers(0, 0, std::vector<double>(4, 0)).has_value());
+  }
+}
 
 TEST_CASE("the lessons on boxes play to their end, and their models do the task") {
   for (const char* id : {"obb-sat", "obb-axes", "obb-pca"}) {
@@ -114,26 +152,26 @@ TEST_CASE("a corner pulled past its opposite makes the box flat, and what is no 
   const V3 far = box(session, 0).center - box(session, 0).axes.col(0) * 10;
   REQUIRE(session.move(index_of(2, {Kind::kCorner, 0, 3}), far).has_value());
   CHECK(box(session, 0).half_extents[0] == 0);
-  const BoxPair before = *session.subject().boxes();
+  const BoxPair before = boxes_of(session.subject());
   CHECK_FALSE(session.move(0, V3(std::nan(""), 0, 0)).has_value());
   CHECK_FALSE(session.add(V3(0, 0, 0)).has_value());
   CHECK_FALSE(session.remove(0).has_value());
   BoxPair wrong = before;
   wrong.boxes[0].half_extents[1] = -1;
-  CHECK_FALSE(session.set_boxes(wrong).has_value());
-  CHECK(session.subject().boxes()->boxes[0].center == before.boxes[0].center);
+  CHECK_FALSE(set_boxes(session, wrong).has_value());
+  CHECK(boxes_of(session.subject()).boxes[0].center == before.boxes[0].center);
 }
 
 TEST_CASE("each counter-example that was found stays found until the task begins anew") {
   Session session = session_of("obb-sat");
   session.start_task();
   REQUIRE(models(session).size() == 2);
-  REQUIRE(session.set_boxes(models(session)[1]).has_value());
+  REQUIRE(set_boxes(session, models(session)[1]).has_value());
   CHECK(session.grade()->points == 1);
   CHECK_FALSE(session.grade()->done);
   session.reset();
   CHECK(session.grade()->points == 1);
-  REQUIRE(session.set_boxes(models(session)[0]).has_value());
+  REQUIRE(set_boxes(session, models(session)[0]).has_value());
   CHECK(session.grade()->done);
   session.start_task();
   CHECK(session.grade()->points == 0);
@@ -181,8 +219,8 @@ TEST_CASE(
     "the lesson on fifteen axes opens on boxes that one edge axis alone separates, and the early-out test gets to "
     "it") {
   Session session = session_of("obb-axes");
-  CHECK(reaches("only_edges", *session.subject().boxes()));
-  CHECK_FALSE(reaches("last_axis", *session.subject().boxes()));
+  CHECK(reaches("only_edges", boxes_of(session.subject())));
+  CHECK_FALSE(reaches("last_axis", boxes_of(session.subject())));
   const auto tested = axes_seen(pair_run(session.run(0)).trace());
   REQUIRE(tested.size() == 12);
   for (const auto& axis : tested) CHECK(axis.separates == (&axis == &tested.back()));
@@ -211,7 +249,7 @@ TEST_CASE("boxes that edges alone separate, and such as the last axis alone does
   }
   session.start_task();
   CHECK(session.grade()->says == "Still to find: boxes that only the last axis, A z × B z, separates.");
-  REQUIRE(session.set_boxes(last).has_value());
+  REQUIRE(set_boxes(session, last).has_value());
   CHECK(session.grade()->done);
 }
 
@@ -226,9 +264,9 @@ TEST_CASE("an axis in the end is the one that the verdict rests on, with its fig
   CHECK(text_of(session.figures(), "axis") == "B y");
   // Where boxes overlap and the test ends without an axis, no figure is of one.
   REQUIRE(session.choose(0, "sat").has_value());
-  BoxPair one = *session.subject().boxes();
+  BoxPair one = boxes_of(session.subject());
   one.boxes[1].center = one.boxes[0].center;
-  REQUIRE(session.set_boxes(one).has_value());
+  REQUIRE(set_boxes(session, one).has_value());
   session.jump(session.steps());
   for (const char* key : {"axis", "distance", "radius_a", "radius_b", "gap"})
     CHECK(text_of(session.figures(), key) == "—");
@@ -236,11 +274,11 @@ TEST_CASE("an axis in the end is the one that the verdict rests on, with its fig
 
 TEST_CASE("which axis separates boxes that are apart by less than rounding: the one that exact arithmetic found") {
   Session session = session_of("obb-sat");
-  BoxPair pair = *session.subject().boxes();
+  BoxPair pair = boxes_of(session.subject());
   for (auto& box : pair.boxes) box.axes.setIdentity(), box.half_extents = {1, 1, 0};
   pair.boxes[0].center = {0, 0, 0};
   pair.boxes[1].center = {std::nextafter(2.0, 3.0), 0, 0};
-  REQUIRE(session.set_boxes(pair).has_value());
+  REQUIRE(set_boxes(session, pair).has_value());
   REQUIRE(session.choose(0, "sat_all").has_value());
   session.first();
   REQUIRE(session.asked() != nullptr);

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <set>
 
 #include "lesson/session.hpp"
@@ -152,6 +153,35 @@ TEST_CASE("the centre takes its volume along, and what a handle does not hold st
       }
       session.undo();
       for (Index i = 0; i < session.size(); ++i) CHECK(session.point(i) == before[i]);
+    }
+}
+
+TEST_CASE("the rows of two volumes that hands have changed bring them back, to the last bit") {
+  for (const int dim : {2, 3})
+    for (std::size_t kind = 0; kind < kVolumeNames.size(); ++kind) {
+      CAPTURE(dim);
+      CAPTURE(kVolumeNames[kind]);
+      Session session = session_of(0, kind, dim);
+      for (Index i = 0; i < session.size(); ++i)
+        static_cast<void>(session.move(i, session.point(i) + Point3(0.037, -0.11, dim == 3 ? 0.07 : 0)));
+      Session fresh = session_of(0, kind, dim);
+      CHECK_FALSE(fresh.subject().rows() == session.subject().rows());
+      REQUIRE(fresh.set_rows(session.subject().rows()).has_value());
+      CHECK(fresh.subject().rows() == session.subject().rows());
+      CHECK(fresh.trace_hash() == session.trace_hash());
+      CHECK(fresh.edited());
+      fresh.undo();
+      CHECK_FALSE(fresh.edited());
+      // What can be no such volume is refused, and what stands there stays.
+      Rows wrong = session.subject().rows();
+      wrong[1].pop_back();
+      CHECK_FALSE(fresh.set_rows(wrong).has_value());
+      wrong[1].push_back(std::nan(""));
+      CHECK_FALSE(fresh.set_rows(wrong).has_value());
+      wrong = session.subject().rows();
+      wrong[0].back() = -1;  // the sphere's radius
+      CHECK_FALSE(fresh.set_rows(wrong).has_value());
+      CHECK_FALSE(fresh.edited());
     }
 }
 

@@ -1,0 +1,110 @@
+// A subject with two boxes: its edits by hand, by number fields and by rows.
+#include <numbers>
+
+#include "lesson/boxes.hpp"
+#include "lesson/rows.hpp"
+#include "lesson/session.hpp"
+
+namespace snug::lesson {
+namespace {
+
+using Box = Obb<double, 3>;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// Visits the numbers in the order of a row.
+void see_numbers(auto& box, auto&& see) { see(box.center), see(box.half_extents), see(box.axes); }
+
+}  // namespace
+
+std::vector<std::vector<Index>> BoxSubject::things() const { return {vertices_of(dim(), 0), vertices_of(dim(), 1)}; }
+
+std::vector<NumberGroup> BoxSubject::numbers() const {
+  constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
+  const std::vector<std::string_view> names(kAxes.begin(), kAxes.begin() + dim());
+  std::vector<NumberGroup> groups;
+  for (const int i : {0, 1}) {
+    const Box& box = pair_.boxes[i];
+    const auto [heading, name, sizes] = words_of(i);
+    const auto of = [&](const Point3& v) { return std::vector<double>(v.data(), v.data() + dim()); };
+    NumberRow turn{.words = "Turn", .names = {}, .values = {}, .unit = "degrees"};
+    if (dim() == 2) turn.values = {angle_of(box) / kDegree};
+    else turn.names = names, turn.values = {0, 0, 0}, turn.turn = 15;
+    groups.push_back({heading, name, {{"Centre", names, of(box.center)}, {sizes, names, of(box.half_extents)}, turn}});
+  }
+  return groups;
+}
+
+Done BoxSubject::set_numbers(std::size_t group, std::size_t row, std::span<const double> values) {
+  const std::size_t due = row < 2 || dim() == 3 ? dim() : 1;
+  if (group > 1 || row > 2 || values.size() != due) return Subject::set_numbers(group, row, values);
+  BoxPair next = pair_;
+  Box& box = next.boxes[group];
+  for (int axis = 0; axis < static_cast<int>(due); ++axis)
+    if (row < 2) (row == 0 ? box.center : box.half_extents)[axis] = values[axis];
+    else if (dim() == 3 && values[axis] != 0) box = turned_by(box, axis, values[axis] * kDegree);
+  if (row == 2 && dim() == 2) box.axes = Matrix<double, 3>::Identity(), box = turned_by(box, 2, values[0] * kDegree);
+  return set_boxes(next);
+}
+
+Rows BoxSubject::rows() const {
+  Rows rows;
+  for (const Box& box : pair_.boxes) {
+    RowWriter writer(dim());
+    see_numbers(box, writer);
+    rows.push_back(writer.take());
+  }
+  return rows;
+}
+
+Done BoxSubject::set_rows(const Rows& rows) {
+  if (rows.size() != 2) return tl::unexpected(InputError{.what = "there are two boxes"});
+  BoxPair next = pair_;
+  for (const std::size_t i : {0, 1}) {
+    RowReader reader(rows[i], dim());
+    see_numbers(next.boxes[i], reader);
+    if (!reader.fits()) return tl::unexpected(InputError{.what = "these are not the numbers of a box"});
+  }
+  return set_boxes(next);
+}
+
+Done BoxSubject::move(Index i, const Point3& to) {
+  auto next = moved(pair_, i, to);
+  if (!next) return tl::unexpected(std::move(next.error()));
+  if (Done fine = check(*next); !fine) return fine;
+  pair_ = *std::move(next);
+  origin_.edited = true;
+  return {};
+}
+
+Done BoxSubject::set_boxes(const BoxPair& pair) {
+  if (pair.dim != pair_.dim) return tl::unexpected(InputError{.what = "there are no such boxes"});
+  for (const Box& box : pair.boxes)
+    if (!(box.half_extents.minCoeff() >= 0)) return tl::unexpected(InputError{.what = "a half extent is below 0"});
+  if (Done fine = check(pair); !fine) return fine;
+  pair_ = pair;
+  origin_.edited = true;
+  return {};
+}
+
+Done set_boxes(Session& session, const BoxPair& pair) {
+  auto next = session.subject().clone();
+  if (Done set = static_cast<BoxSubject&>(*next).set_boxes(pair); !set) return set;
+  return session.become(std::move(next));
+}
+
+void BoxSubject::scatter(std::uint64_t seed, const Subject& own) {
+  const BoxPair& first = boxes_of(own);
+  BoxPair next = seed == lesson_seed_ ? first : scattered(first, seed);
+  if (!check(next)) return;
+  origin_ = own.origin();
+  origin_.seed = seed;
+  pair_ = std::move(next);
+}
+
+void BoxSubject::begin_task(const Lesson&, const Subject& own) {
+  origin_ = own.origin();
+  pair_ = boxes_of(own);
+}
+
+}  // namespace snug::lesson

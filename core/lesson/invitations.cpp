@@ -1,0 +1,32 @@
+#include "lesson/invitations.hpp"
+
+namespace snug::lesson {
+
+bool Invitations::is_followed(const Session& session, bool playing) const {
+  switch (static_cast<Invited>(followed_)) {
+    case Invited::kDrag: return session.edited();
+    case Invited::kStep: return session.step() > shown_at_;
+    case Invited::kPlay: return playing || session.step() > shown_at_ + 1;  // where it plays on within a moment
+  }
+  return false;
+}
+
+std::optional<Invited> Invitations::due(const Session& session, bool playing) {
+  if (followed_ < kAll && shown_at_ >= 0 && is_followed(session, playing)) ++followed_, shown_at_ = -1;
+  const bool told = session.asked() != nullptr || session.deciding() != nullptr || session.outcome() != nullptr;
+  if (followed_ >= kAll || told || session.at_summary() || session.previewing()) return std::nullopt;
+  if (followed_ == 0 && session.step() > 0) return std::nullopt;
+  if (shown_at_ < 0) shown_at_ = session.step();
+  return static_cast<Invited>(followed_);
+}
+
+std::string invitation_text(Invited invited, std::string_view handle, std::string_view step) {
+  switch (invited) {
+    case Invited::kDrag: return "Drag " + std::string(handle);
+    case Invited::kStep: return "Now press " + std::string(step);
+    case Invited::kPlay: break;
+  }
+  return "Press Play: it stops where it asks you";
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,73 @@
+#include "lesson/search.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace snug::lesson {
+namespace {
+
+constexpr std::size_t kMostRepeated = 40;  // bytes of what was asked for
+
+/// Small letters without accents and apostrophes; a space that keeps words together is one that does not.
+std::string plain(std::string_view text) {
+  // What the letters from U+00C0 on, two bytes each, are without their accents.
+  constexpr std::string_view kLatin = "aaaaaa?ceeeeiiii?nooooo??uuuuy??aaaaaa?ceeeeiiii?nooooo??uuuuy?y";
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
+    const char c = text[i];
+    if (c == '\'') continue;
+    if (text.substr(i, 3) == "’") i += 2;
+    else if (text.substr(i, 2) == "\u00a0") out += ' ', i += 1;
+    else if (byte(i) == 0xc3 && i + 1 < text.size() && kLatin[byte(i + 1) & 0x3f] != '?')
+      out += kLatin[byte(++i) & 0x3f];
+    else out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return out;
+}
+
+std::vector<std::string> words_of(std::string_view asked) {
+  std::vector<std::string> words(1);
+  for (const char c : plain(asked))
+    if (c != ' ' && c != ',') words.back() += c;
+    else if (!words.back().empty()) words.emplace_back();
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+}  // namespace
+
+std::string search_text(const Lesson& lesson, int number, std::string_view chapter) {
+  std::string text = std::to_string(number);
+  const auto add = [&](std::string_view words) { text += ' ', text += words; };
+  add(lesson.title), add(lesson.summary), add(chapter);
+  for (const std::string_view slide : lesson.covers)
+    add(slide.substr(slide.find(": ") == std::string_view::npos ? 0 : slide.find(": ") + 2));
+  for (const Section& section : lesson.sections) {
+    add(section.title);
+    for (const Paragraph& paragraph : section.paragraphs)
+      for (const Stretch& stretch : paragraph)
+        if (stretch.strong && stretch.tex.empty()) add(stretch.text);
+  }
+  for (std::string name : lesson.algorithms) std::replace(name.begin(), name.end(), '_', ' '), add(name);
+  return plain(text);
+}
+
+bool is_found(std::string_view search_text, std::string_view asked) {
+  const auto words = words_of(asked);
+  return std::all_of(words.begin(), words.end(),
+                     [&](const std::string& word) { return search_text.find(word) != std::string_view::npos; });
+}
+
+bool is_search(std::string_view asked) { return !words_of(asked).empty(); }
+
+std::string found_text(int count, std::string_view asked) {
+  if (count > 0) return std::to_string(count) + (count == 1 ? " lesson" : " lessons");
+  while (!asked.empty() && asked.back() == ' ') asked.remove_suffix(1);
+  while (!asked.empty() && asked.front() == ' ') asked.remove_prefix(1);
+  std::size_t length = std::min(asked.size(), kMostRepeated);
+  while (length < asked.size() && length > 0 && (static_cast<unsigned char>(asked[length]) & 0xc0) == 0x80) --length;
+  return "No lesson has “" + std::string(asked.substr(0, length)) + "”.";
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,24 @@
+// Finding a lesson of the course by words: of its number, title, summary, chapter and headings, of the slides that it
+// covers, its terms and its algorithms.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lesson/lesson.hpp"
+
+namespace snug::lesson {
+
+/// What a lesson is found by, in small letters without accents and apostrophes. number: counted from 1.
+[[nodiscard]] std::string search_text(const Lesson& lesson, int number, std::string_view chapter);
+
+/// Whether each of the words that are asked for is among them, or begins within them.
+[[nodiscard]] bool is_found(std::string_view search_text, std::string_view asked);
+
+/// Whether anything is asked for at all.
+[[nodiscard]] bool is_search(std::string_view asked);
+
+/// "3 lessons", "1 lesson", or that none has those words.
+[[nodiscard]] std::string found_text(int count, std::string_view asked);
+
+}  // namespace snug::lesson

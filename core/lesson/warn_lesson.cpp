@@ -1,0 +1,107 @@
+#include "lesson/warn_lesson.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <vector>
+
+#include "lesson/prose.hpp"
+#include "lesson/text_place.hpp"
+
+namespace snug::lesson {
+namespace {
+
+constexpr int kMostWords = 60;  // of a paragraph
+
+bool is_letter_or_digit(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// The words that are a capital letter and a number, as names of handles are: "P12", "A0".
+std::vector<std::string> names_like_handles(std::string_view text) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < text.size();) {
+    const bool starts = text[i] >= 'A' && text[i] <= 'Z' && (i == 0 || !is_letter_or_digit(text[i - 1]));
+    std::size_t end = i + 1;
+    while (starts && end < text.size() && is_digit(text[end])) ++end;
+    const bool ends = end == text.size() || (!is_letter_or_digit(text[end]) && text[end] != '-');
+    if (starts && ends && end > i + 1) names.emplace_back(text.substr(i, end - i));
+    i = end;
+  }
+  return names;
+}
+
+/// The handles that a text may name.
+struct Handles {
+  std::vector<std::string> names;
+  explicit Handles(const Subject& subject) {
+    for (Index i = 0; i < subject.size(); ++i) names.push_back(subject.name_of(i));
+  }
+  [[nodiscard]] bool has(const std::string& name) const {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  }
+  /// The last handle of that letter and another number; empty for none.
+  [[nodiscard]] std::string last_such(const std::string& name) const {
+    const auto alike = [&](const std::string& own) {
+      return own.size() > 1 && own[0] == name[0] && std::all_of(own.begin() + 1, own.end(), is_digit);
+    };
+    const auto last = std::find_if(names.rbegin(), names.rend(), alike);
+    return last == names.rend() ? "" : *last;
+  }
+};
+
+/// Warns of each handle in a table's text that is not there.
+void warn_of_handles(const toml::table& table, std::string_view key, const Handles& handles, Complaints& complaints) {
+  const toml::node* node = table.get(key);
+  const auto* text = node != nullptr ? node->as_string() : nullptr;
+  if (text == nullptr) return;
+  for (const std::string& name : names_like_handles(text->get()))
+    if (const std::string last = handles.last_such(name); !last.empty() && !handles.has(name))
+      complaints.warn(place_in_text(table, key, name), '"' + std::string(key) + "\" speaks of " + name +
+                                                           ", which is not there: the last one is " + last);
+}
+
+int words_of(const Paragraph& paragraph) {
+  int words = 0;
+  for (const Stretch& stretch : paragraph) {
+    bool inside = false;
+    for (const char c : stretch.tex.empty() ? stretch.text : std::string("x")) {
+      const bool space = c == ' ';
+      if (!space && !inside) ++words;
+      inside = !space;
+    }
+  }
+  return words;
+}
+
+void warn_of_length(const toml::table& table, const Section& section, Complaints& complaints) {
+  for (const Paragraph& paragraph : section.paragraphs)
+    if (const int words = words_of(paragraph); words > kMostWords) {
+      const std::string begin = paragraph.front().text.substr(0, paragraph.front().text.find(' '));
+      complaints.warn(place_in_text(table, "text", begin), "a paragraph has " + std::to_string(words) +
+                                                               " words: beside a stage at most " +
+                                                               std::to_string(kMostWords) + " are read");
+    }
+}
+
+}  // namespace
+
+void warn_of_words(const Lesson& lesson, const toml::table& toml, const Subject* subject, Complaints& complaints) {
+  std::optional<Handles> handles;
+  if (subject != nullptr) handles.emplace(*subject);
+  const auto each_of = [&](std::string_view key, auto see) {
+    const toml::array* tables = toml[key].as_array();
+    for (std::size_t i = 0; tables != nullptr && i < tables->size(); ++i)
+      if (const toml::table* table = tables->get(i)->as_table()) see(*table, i);
+  };
+  each_of("section", [&](const toml::table& table, std::size_t i) {
+    if (handles) warn_of_handles(table, "text", *handles, complaints);
+    if (i < lesson.sections.size()) warn_of_length(table, lesson.sections[i], complaints);
+  });
+  each_of("question", [&](const toml::table& table, std::size_t) {
+    if (!handles) return;
+    for (const std::string_view key : {"prompt", "prompt_here", "because", "because_here"})
+      warn_of_handles(table, key, *handles, complaints);
+  });
+}
+
+}  // namespace snug::lesson

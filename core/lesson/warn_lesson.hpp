@@ -1,0 +1,13 @@
+// What a lesson's file may say and its author probably did not mean.
+#pragma once
+
+#include "lesson/subject.hpp"
+#include "lesson/toml_table.hpp"
+
+namespace snug::lesson {
+
+/// subject: as it stands when the lesson opens; null where that is not known. Warns of handles that are not there
+/// ("P99" of 14 points) and of paragraphs that are too long to be read beside a stage.
+void warn_of_words(const Lesson& lesson, const toml::table& toml, const Subject* subject, Complaints& complaints);
+
+}  // namespace snug::lesson

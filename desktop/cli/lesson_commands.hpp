@@ -1,0 +1,11 @@
+// The parts of `snug lesson` that have files of their own: each adds itself to the group.
+#pragma once
+
+#include "desktop/cli/command.hpp"
+
+namespace snug::desktop {
+
+void add_lesson_facts(Commands& commands, CLI::App& group);
+void add_lesson_new(Commands& commands, CLI::App& group);
+
+}  // namespace snug::desktop

@@ -1,0 +1,83 @@
+# All of the window by keyboard: Tab goes from control to control, each with its name, Enter presses; links of the prose
+# light their marks and act; a menu has the keyboard alone and gives it back; a card has it first.
+. tests/desktop/support.sh
+tab_to() { # name [key]
+    local i
+    for i in $(seq 70); do
+        [[ $(state 's.focus') == "$1" ]] && return
+        xdotool key "${2:-Tab}"
+        sleep 0.15
+    done
+    fail "the keyboard never came to $1, it is on $(state 's.focus')"
+}
+open_window --lesson sphere-welzl
+xdotool mousemove --window "$window" 640 300
+[[ $(state 's.focus') == "" ]] || fail "the keyboard is somewhere at the start"
+xdotool key Tab
+until_state 's.focus === "Snug, the course"'
+
+# Links of the prose, by their words.
+xdotool key Home # the result that it opens on is left
+until_state 's.step === 0'
+for i in 1 2 3 4 5 6 7 8; do xdotool key End s; done
+until_state 's.step === s.steps'
+xdotool key Escape # the summary
+tab_to "support set"
+until_state 's.lit === "support"'
+xdotool key Down
+until_state 's.focus !== "support set" && s.focus !== ""'
+xdotool key Up
+until_state 's.focus === "support set"'
+xdotool key Right # the player's keys stay
+xdotool key Left
+until_state 's.step === s.steps - 1 && s.focus === "support set"'
+before=$(state 's.scrolled')
+for i in $(seq 20); do xdotool key Down; sleep 0.1; done # beyond the last link it scrolls
+until_state "s.scrolled > $before"
+xdotool key Escape
+until_state 's.focus === "" && s.lit === ""'
+
+# A menu has the keyboard alone.
+tab_to "Welzl's algorithm and the support set"
+xdotool key Return
+until_state 's.focus === "Welzl'"'"'s algorithm and the support set"'
+sleep 0.3
+xdotool key Down
+until_state 's.focus === "Iterative Ritter and brute force"'
+xdotool key Escape
+until_state 's.focus === "Welzl'"'"'s algorithm and the support set"'
+xdotool key Return sleep 0.3 key Down sleep 0.3 key Return
+until_state 's.lesson === "sphere-iterative"'
+kill "$pid" && wait "$pid" 2>/dev/null || true
+rm -f "$SNUG_STATE"
+
+# A question's card comes first; what is chosen is given by its button, and its successor has the keyboard.
+open_window --lesson scene-broad
+until_state 's.asked !== null'
+choice=$(state 's.asked.choices[0]')
+xdotool key Tab
+until_state "s.focus === '$choice'"
+xdotool key Tab
+until_state "s.focus === s.asked.choices[1]"
+xdotool key space # which chooses it, and does not play
+until_state 's.asked.says.endsWith("Choose it again or press Enter to answer.") && s.step === 0'
+tab_to Answer
+xdotool key Return
+until_state 's.outcome !== null || s.asked.says === "Not that one. Try once more."'
+if [[ $(state 's.asked !== null') == true ]]; then
+    tab_to Skip
+    xdotool key Return
+fi
+until_state 's.outcome !== null && s.focus === "Continue"'
+xdotool key Return
+until_state 's.outcome === null'
+
+# The settings' sizes and themes, and the step by its button.
+tab_to Settings
+xdotool key Return
+until_state 's.focus === "Text size: 100 %"'
+xdotool key Return
+until_state 's.focus === "Text size: 115 %"'
+xdotool key Escape
+until_state 's.focus === "Settings"'
+tab_to "To the end"

@@ -1,0 +1,142 @@
+// The questions, the answers and the task, for the page.
+#include "lesson/say.hpp"
+#include "lesson/subjects.hpp"
+#include "web/values.hpp"
+#include "web/view.hpp"
+
+namespace snug::web {
+namespace {
+
+using emscripten::val;
+
+/// A chosen or tried answer: a handle's name, or the numbers of choices.
+val answer_object(const lesson::Asked& asked, const lesson::Session& session, const lesson::Answer* answer) {
+  if (answer == nullptr) return val::null();
+  val object = val::object(), chosen = val::array();
+  for (std::size_t i = 0; i < asked.choices.size(); ++i)
+    if (lesson::is_picked(asked, *answer, static_cast<int>(i))) chosen.call<void>("push", static_cast<int>(i));
+  object.set("choices", chosen);
+  object.set("handle",
+             answer->kind == lesson::Answer::Kind::kPoint ? val(session.name_of(answer->value)) : val::null());
+  return object;
+}
+
+val asked_object(const lesson::Asked* asked, const lesson::Session& session) {
+  if (asked == nullptr) return val::null();
+  val object = val::object();
+  object.set("id", asked->question->id);
+  object.set("prompt", asked->prompt);
+  object.set("step", asked->step);
+  object.set("choices", array_of(asked->choices, text));
+  object.set("many", asked->many);
+  object.set("onStage", asked->on_stage);
+  object.set("place", lesson::place_text(*asked, session.questions()));
+  object.set("how", lesson::how_to_answer(*asked));
+  object.set("picked", answer_object(*asked, session, session.picked()));
+  object.set("tried", answer_object(*asked, session, session.tried()));
+  object.set("says", session.answer_says());
+  return object;
+}
+
+std::string_view kind_of(const lesson::Outcome* outcome) {
+  switch (lesson::standing_of(outcome)) {
+    case lesson::Standing::kRight: return "right";
+    case lesson::Standing::kWrong: return "wrong";
+    case lesson::Standing::kSkipped: return "skipped";
+    case lesson::Standing::kOpen: break;
+  }
+  return "open";
+}
+
+val outcome_object(const lesson::Outcome& outcome) {
+  val object = val::object();
+  object.set("kind", text(kind_of(&outcome)));
+  object.set("tries", outcome.tries);
+  object.set("question", outcome.question);
+  object.set("fromStep", outcome.from_step);
+  object.set("step", outcome.step);
+  object.set("right", outcome.right);
+  object.set("skipped", outcome.skipped);
+  object.set("passed", outcome.passed);
+  object.set("pending", outcome.pending);
+  object.set("verdict", text(lesson::verdict_text(outcome)));
+  object.set("predicted", outcome.predicted);
+  object.set("happened", outcome.happened);
+  object.set("says", outcome.says);
+  object.set("because", outcome.because);
+  return object;
+}
+
+/// The outcome that is shown, or about to be shown, with its question.
+val told_object(const lesson::Session& session, const lesson::Outcome* outcome) {
+  if (outcome == nullptr) return val::null();
+  val object = outcome_object(*outcome);
+  const lesson::Asked* asked = session.question_of(*outcome);
+  if (asked == nullptr) return object;
+  object.set("prompt", asked->prompt);
+  object.set("place", lesson::place_text(*asked, session.questions()));
+  object.set("choices", array_of(asked->choices, text));
+  object.set("given", answer_object(*asked, session, &outcome->given));
+  object.set("canShow", session.can_show_answer());
+  object.set("shown", session.answer_shown());
+  object.set("rightChoices", session.answer_shown()
+                                 ? array_of(session.right_choices(), [](int choice) { return val(choice); })
+                                 : val::array());
+  return object;
+}
+
+/// Every question of the run, in order, with its state.
+val predictions(const lesson::Session& session) {
+  return array_of(session.questions(), [&](const lesson::Asked& asked) {
+    const lesson::Outcome* outcome = session.outcome_of(asked);
+    val object = val::object();
+    object.set("id", asked.question->id);
+    object.set("prompt", asked.prompt);
+    object.set("short", text(lesson::short_prompt(asked.prompt)));
+    object.set("kind", text(kind_of(outcome)));
+    object.set("standing", text(lesson::standing_text(outcome)));
+    return object;
+  });
+}
+
+val tally_object(const lesson::Tally& tally) {
+  val object = val::object();
+  object.set("right", tally.right);
+  object.set("second", tally.second);
+  object.set("wrong", tally.wrong);
+  object.set("skipped", tally.skipped);
+  object.set("open", tally.open);
+  return object;
+}
+
+val grade_object(const std::optional<lesson::Grade>& grade) {
+  if (!grade) return val::null();
+  val object = val::object();
+  object.set("done", grade->done);
+  object.set("points", grade->points);
+  object.set("excess", grade->excess);
+  object.set("says", grade->says);
+  return object;
+}
+
+}  // namespace
+
+val target_names(const lesson::Session& session) { return array_of(session.target_names(), text); }
+
+void set_answers(val& object, const lesson::Session& session) {
+  object.set("asked", asked_object(session.asked(), session));
+  object.set("questions", static_cast<int>(session.questions().size()));
+  object.set("outcome", told_object(session, session.outcome()));
+  object.set("deciding", told_object(session, session.deciding()));
+  object.set("predictions", predictions(session));
+  object.set("tally", tally_object(session.tally()));
+  object.set("summary", session.at_summary());
+  object.set("waiting", array_of(session.waiting(), [&](const lesson::Method* method) {
+               return text(lesson::name_in(session.lesson(), *method));
+             }));
+  object.set("outcomes", array_of(session.outcomes(), outcome_object));
+  object.set("score", session.score());
+  object.set("grade", grade_object(session.grade()));
+}
+
+}  // namespace snug::web

@@ -1,0 +1,23 @@
+// A cover of the stage, for the page: its controls, its table in words, its files.
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <string>
+
+#include "app/cover.hpp"
+
+namespace snug::web {
+
+/// The provenance of this program; the page provides the processor, as far as a browser tells.
+[[nodiscard]] cost::Provenance web_provenance(const std::string& processor);
+
+/// {choices: [{command, words, chosen, enabled}], work: [begin, end], button, shown, running, progress, decided, says,
+/// table: {head, rows}, formats, any}: see app::Cover. any: whether there is something to save. Null if the lesson
+/// has no cover.
+[[nodiscard]] emscripten::val cover_object(app::App& app);
+
+/// A file of what it shows: {name, text}.
+[[nodiscard]] emscripten::val cover_file_object(app::App& app, const std::string& format);
+
+}  // namespace snug::web

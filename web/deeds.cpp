@@ -1,0 +1,130 @@
+#include "web/deeds.hpp"
+
+#include <algorithm>
+
+#include "app/cover.hpp"
+#include "io/point_file.hpp"
+#include "lesson/kept_answers.hpp"
+#include "web/cover.hpp"
+#include "web/door.hpp"
+#include "web/numbers.hpp"
+#include "web/view.hpp"
+
+namespace snug::web {
+namespace {
+
+/// An error's sentence; "" for none, which tells the page that there was no error.
+template <class Value>
+std::string sentence(const tl::expected<Value, InputError>& result) {
+  return result ? std::string() : result.error().message();
+}
+
+}  // namespace
+
+/// Remembers how an address can describe the current state.
+static void remember() { door().shared.remember(*session()); }
+
+bool command(const std::string& name) {
+  if (!session() || !door().app->command(name)) return false;
+  if (name == "scatter" || name == "reset_points") remember();
+  return true;
+}
+
+std::string command_of_key(const std::string& key, bool shift, bool control) {
+  return door().app ? std::string(door().app->command_of_key(key, shift, control)) : std::string();
+}
+
+void pick_choice(int choice) {
+  if (session()) session()->pick({lesson::Answer::Kind::kChoice, choice});
+}
+bool pick_name(const std::string& name) { return session() && session()->pick(std::string_view(name)); }
+val targets() { return session() ? target_names(*session()) : val::array(); }
+
+bool figures_fill() { return door().app && door().app->figures_fill(); }
+double figures_height() { return door().app ? static_cast<double>(door().app->figures_height()) : 0; }
+
+void pinch(float factor, float x, float y, float dx, float dy) { door().app->pinch(factor, x, y, dx, dy); }
+
+void go(int step) {
+  if (session()) session()->go(step);
+}
+
+void jump(int step) {
+  if (session()) session()->jump(step);
+}
+
+std::string kept_answers() { return session() ? lesson::kept_text(session()->outcomes()) : ""; }
+void keep_answers(const std::string& lesson, const std::string& kept) {
+  door().app->keep_answers(lesson, lesson::outcomes_of(kept));
+}
+void erase_answers() {
+  if (door().app) door().app->forget_answers();
+}
+
+std::string choose(int slot, const std::string& name) {
+  return session() ? sentence(session()->choose(slot, name)) : "";
+}
+
+void select_point(int point) {
+  if (session()) door().app->select(point >= 0 && point < session()->size() ? point : kNoIndex);
+}
+
+std::string move_point(int point, double x, double y, double z) {
+  if (!session() || point < 0 || point >= session()->size()) return "there is no such point";
+  return sentence(session()->move(point, {x, y, session()->dim() == 2 ? 0 : z}));
+}
+
+static std::uint64_t whole(double seed) { return static_cast<std::uint64_t>(std::clamp(seed, 0.0, 0x1p53)); }
+
+void scatter(double seed) {
+  if (!session()) return;
+  session()->scatter(whole(seed));
+  remember();
+}
+
+std::string set_generator(const std::string& kind, int count, double seed) {
+  if (!session()) return "";
+  const auto set = session()->set_generator(kind, count, session()->dim(), whole(seed));
+  if (set) remember();
+  return sentence(set);
+}
+
+std::string load_file(const std::string& bytes, const std::string& name) {
+  if (!session()) return "";
+  if (app::Cover* const cover = door().app->cover())
+    if (const auto laid = cover->lay_over(*session(), bytes, name)) return sentence(*laid);
+  const auto file = io::read_points(bytes, name);
+  if (!file) return file.error().message();
+  const auto loaded = door().app->load(*file, name);
+  if (loaded) remember();
+  return sentence(loaded);
+}
+
+void measure_slice(double milliseconds) { door().app->measure(milliseconds * 1e6); }
+bool measuring() { return door().app->cover() != nullptr && door().app->cover()->running(); }
+double measured() { return door().app->cover() != nullptr ? door().app->cover()->progress() : 1; }
+val cover_file(const std::string& format) { return cover_file_object(*door().app, format); }
+
+void light(const std::string& mark) {
+  if (door().app) door().app->light(mark);
+}
+
+void invite(int followed) {
+  if (door().app) door().app->invite(followed);
+}
+
+void start_task() {
+  if (!session()) return;
+  session()->start_task();
+  remember();
+}
+
+std::string set_numbers(int group, int row, const val& values) {
+  return session() ? take_numbers(*session(), group, row, values) : "";
+}
+
+std::string set_rows(const val& rows) { return session() ? take_rows(*session(), rows) : ""; }
+std::string change_rows(const val& moved) { return session() ? take_changes(*session(), moved) : ""; }
+val shared_rows() { return session() ? door().shared.describe(*session()) : val::object(); }
+
+}  // namespace snug::web

@@ -1,0 +1,59 @@
+// What the user does on the page, as functions that page/door.js calls. They return an error as a sentence, or "".
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <string>
+
+namespace snug::web {
+
+using emscripten::val;
+
+bool command(const std::string& name);
+std::string command_of_key(const std::string& key, bool shift, bool control);
+/// Chooses an answer by its number; choosing it again gives it.
+void pick_choice(int choice);
+/// Chooses a handle by its typed name. Returns false if it cannot be the answer.
+bool pick_name(const std::string& name);
+/// The names of the handles that can be the answer. A mesh has thousands, so they are not part of view().
+val targets();
+/// Whether the step's own numbers may need the whole column, and their height in the last frame, in pixels.
+bool figures_fill();
+double figures_height();
+/// A pinch: factor > 1 as the fingers part, around (x, y), which moved by (dx, dy).
+void pinch(float factor, float x, float y, float dx, float dy);
+void go(int step);
+void jump(int step);
+/// The given answers, for the device to keep; and those of an earlier visit, passed in before the lesson is opened.
+std::string kept_answers();
+void keep_answers(const std::string& lesson, const std::string& kept);
+/// Erases the answers to all lessons.
+void erase_answers();
+/// name: "" clears the comparison.
+std::string choose(int slot, const std::string& name);
+void select_point(int point);
+std::string move_point(int point, double x, double y, double z);
+/// Scatters the same things again, from a seed.
+void scatter(double seed);
+/// Scatters points of another kind.
+std::string set_generator(const std::string& kind, int count, double seed);
+/// Loads a point file in any of the formats, or an earlier file of the cover.
+std::string load_file(const std::string& bytes, const std::string& name);
+/// Does a slice of the running measurement. milliseconds: the budget.
+void measure_slice(double milliseconds);
+bool measuring();
+/// The progress of the measurement, from 0 to 1.
+double measured();
+val cover_file(const std::string& format);
+/// Lights a mark that the prose links to, until another, or "" for none.
+void light(const std::string& mark);
+/// The first invitations, of which so many were followed before.
+void invite(int followed);
+void start_task();
+/// Sets a row of view()'s numbers, by the indices of its group and row.
+std::string set_numbers(int group, int row, const val& values);
+std::string set_rows(const val& rows);
+std::string change_rows(const val& moved);
+val shared_rows();
+
+}  // namespace snug::web

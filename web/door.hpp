@@ -1,0 +1,33 @@
+// The state of the browser's door.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "app/app.hpp"
+#include "web/shared_rows.hpp"
+
+namespace snug::web {
+
+struct Door {
+  std::map<std::string, std::string, std::less<>> fonts;
+  std::unique_ptr<app::App> app;
+  bool graphics = false;
+  app::Layout layout;
+  float width = 1, height = 1, scale = 1;
+  double last_frame = 0;
+  std::array<float, 3> ground{};
+  SharedRows shared;
+};
+
+[[nodiscard]] inline Door& door() {
+  static Door only;
+  return only;
+}
+
+/// Null before the first lesson is open.
+[[nodiscard]] inline lesson::Session* session() { return door().app ? door().app->session() : nullptr; }
+
+}  // namespace snug::web

@@ -1,0 +1,115 @@
+// The constant data of an open lesson.
+#include "lesson/say.hpp"
+#include "lesson/subjects.hpp"
+#include "web/values.hpp"
+#include "web/view.hpp"
+
+namespace snug::web {
+namespace {
+
+using emscripten::val;
+
+val link_object(const lesson::Link& link) {
+  constexpr std::array<const char*, 5> kKinds{"lesson", "mesh", "algorithm", "step", "mark"};
+  val object = val::object();
+  object.set("kind", kKinds[static_cast<std::size_t>(link.kind)]);
+  object.set("target", link.target);
+  return object;
+}
+
+val section_object(const lesson::Section& section) {
+  val object = val::object();
+  object.set("title", section.title);
+  object.set("paragraphs", array_of(section.paragraphs, [](const lesson::Paragraph& paragraph) {
+               return array_of(paragraph, [](const lesson::Stretch& stretch) {
+                 val piece = val::object();
+                 piece.set("text", stretch.text);
+                 piece.set("strong", stretch.strong);
+                 if (!stretch.tex.empty()) piece.set("tex", stretch.tex);
+                 if (stretch.link) piece.set("link", link_object(*stretch.link));
+                 return piece;
+               });
+             }));
+  return object;
+}
+
+val algorithm_object(const lesson::Lesson& lesson, std::string_view name) {
+  val object = val::object();
+  const lesson::Method* algorithm = lesson::find_method(lesson, name);
+  object.set("name", text(name));
+  object.set("title", text(algorithm != nullptr ? algorithm->title : name));
+  object.set("source", text(algorithm != nullptr ? algorithm->source : ""));
+  object.set("maxPoints", algorithm != nullptr ? algorithm->max_points : 0);
+  return object;
+}
+
+val tools_object(const lesson::Subject& subject) {
+  const lesson::Tools tools = subject.tools();
+  val object = val::object();
+  object.set("word", text(tools.word));
+  object.set("title", text(tools.title));
+  object.set("points", tools.points);
+  return object;
+}
+
+}  // namespace
+
+val lesson_object(const lesson::Session& session) {
+  const lesson::Lesson& lesson = session.lesson();
+  val object = val::object();
+  object.set("id", lesson.id);
+  object.set("minutes", lesson.minutes);
+  object.set("title", lesson.title);
+  object.set("summary", lesson.summary);
+  object.set("sections", array_of(lesson.sections, section_object));
+  object.set("algorithms",
+             array_of(lesson.algorithms, [&](std::string_view name) { return algorithm_object(lesson, name); }));
+  object.set("stepWord", text(lesson.subject->step_word));
+  object.set("asksOfSteps", lesson.subject->asks_of_steps);
+  object.set("tools", tools_object(session.subject()));
+  object.set("stageSays", text(session.subject().stage_says()));
+  object.set("handleWords", array_of(session.subject().handle_words(), text));
+  object.set("dim", lesson.points.dim);
+  object.set("generate", lesson.points.generate);
+  object.set("count", lesson.points.count);
+  object.set("mesh", lesson.points.mesh);
+  object.set("seed", static_cast<double>(lesson.seed));
+  object.set("meshes", array_of(lesson.meshes, text));
+  object.set("generators", array_of(lesson.generators, text));
+  object.set("compare", lesson.compare);
+  if (lesson.task) {
+    val task = val::object();
+    task.set("prompt", lesson.task->prompt);
+    task.set("hint", lesson.task->hint);
+    task.set("algorithm", lesson.task->algorithm);
+    task.set("points", lesson.task->points);
+    task.set("start", lesson::start_task_text(session));
+    object.set("task", task);
+  } else {
+    object.set("task", val::null());
+  }
+  return object;
+}
+
+val words_object() {
+  val object = val::object();
+  object.set("predict", text(lesson::kPredictWord));
+  object.set("answer", text(lesson::kAnswerWord));
+  object.set("skip", text(lesson::kSkipWord));
+  object.set("prediction", text(lesson::kPredictionWord));
+  object.set("watch", text(lesson::kWatchWord));
+  object.set("again", text(lesson::kPredictAgainWord));
+  object.set("task", text(lesson::kTaskWord));
+  object.set("hint", text(lesson::kHintWord));
+  object.set("go_on", text(lesson::kContinueWord));
+  object.set("show", text(lesson::kShowMeWord));
+  object.set("summary", text(lesson::kSummaryWord));
+  object.set("waiting", text(lesson::kWaitingWord));
+  object.set("to_task", text(lesson::kToTaskWord));
+  object.set("next_lesson", text(lesson::kNextLessonWord));
+  object.set("close", text(lesson::kCloseWord));
+  object.set("watching", text(lesson::kWatching));
+  return object;
+}
+
+}  // namespace snug::web

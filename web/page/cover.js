@@ -1,0 +1,108 @@
+// What can stand in the stage's place: what to show in it, its work in slices between the frames, its table in words, its files.
+import { by_id, button, element, set_hidden, set_text, when_changed } from "./dom.js";
+
+const kSlice = 4; // milliseconds: beside a frame's own work
+const kTypes = { csv: "text/csv", json: "application/json" };
+
+export class CoverTools {
+  #door;
+  #act;
+  #request;
+  #timer = 0;
+  #says = element("p", { class: "label", role: "status" });
+  #bar = element("div", { class: "veil-bar cover-bar", role: "progressbar", "aria-label": "Measured", "aria-valuemin": 0, "aria-valuemax": 100 }, element("div", {}));
+  #work = ["button primary", "button"].map((kind) => button("", () => this.#press(kind), { class: kind }));
+  #other = button("", () => this.#command(this.#now.button));
+  #files = element("span", { class: "row" });
+  #head = element("tr", {});
+  #body = element("tbody", {});
+  #choices = element("fieldset", { class: "segments" });
+  #now = null;
+  #section;
+
+  /** request: asks for a frame of the stage. */
+  constructor(door, act, request) {
+    this.#door = door;
+    this.#act = act;
+    this.#request = request;
+    this.#section = element("section", { class: "cover", "aria-label": "Measurement", hidden: true }, this.#choices,
+      element("div", { class: "row" }, ...this.#work, this.#other), this.#bar,
+      element("div", { class: "row cover-says" }, this.#says, this.#files),
+      element("div", { class: "unseen" }, element("table", {}, element("caption", {}, "What was measured"),
+        element("thead", {}, this.#head), this.#body)));
+    by_id("told").before(this.#section);
+  }
+
+  #press(kind) {
+    this.#command(this.#now.work[kind === "button" ? 1 : 0]);
+  }
+
+  #command({ command }) {
+    this.#act(() => this.#door.command(command));
+  }
+
+  /** A slice between two frames of the page, so that none is late; the stage is drawn only where what it shows has changed. */
+  #slice() {
+    this.#timer = 0;
+    this.#door.measure(kSlice);
+    this.#show_progress(this.#door.measured());
+    if (this.#door.seconds_until_due(performance.now() / 1000) <= 0) this.#request();
+    if (this.#door.measuring()) this.#slice_after_frame();
+    else this.#act(() => {});
+  }
+
+  #slice_after_frame() {
+    this.#timer ||= requestAnimationFrame(() => setTimeout(() => this.#slice(), 0));
+  }
+
+  #save(format) {
+    const { name, text } = this.#door.cover_file(format);
+    const url = URL.createObjectURL(new Blob([text], { type: kTypes[format] }));
+    element("a", { href: url, download: name }).click();
+    setTimeout(() => URL.revokeObjectURL(url), 1000);
+  }
+
+  #show_progress = when_changed((progress) => {
+    this.#bar.setAttribute("aria-valuenow", Math.round(100 * progress));
+    this.#bar.firstElementChild.style.transform = `scaleX(${progress})`;
+  });
+
+  update({ cover }) {
+    set_hidden(this.#section, !cover);
+    if (!cover) return;
+    if (cover.running) this.#slice_after_frame();
+    this.#show(cover);
+  }
+
+  /** Radio buttons and files, laid out once a kind of cover: what is pressed keeps the focus. */
+  #lay_out = when_changed((choices, formats) => {
+    this.#choices.replaceChildren(element("legend", { class: "unseen" }, "Chart"), ...choices.map(([command, words]) => element("label", {},
+      element("input", { type: "radio", name: "cover", value: command, onchange: () => this.#command({ command }) }), words)));
+    this.#files.replaceChildren(...formats.map((format) => button(format.toUpperCase(), () => this.#save(format), { class: "quiet", "aria-label": `Save as ${format.toUpperCase()}` })));
+  });
+
+  #show = when_changed((cover) => {
+    const { choices, work, formats, any, running, progress, says, table } = this.#now = cover;
+    this.#lay_out(choices.map(({ command, words }) => [command, words]), formats);
+    for (const [i, { chosen, enabled }] of choices.entries()) {
+      const label = this.#choices.querySelectorAll("label")[i], field = label.querySelector("input");
+      field.checked = chosen;
+      field.disabled = !enabled;
+      label.title = enabled ? "" : says;
+    }
+    const held = this.#work.indexOf(document.activeElement); // what is disabled loses the focus
+    for (const [i, { words, enabled }] of work.entries()) {
+      set_text(this.#work[i], words);
+      this.#work[i].disabled = !enabled;
+    }
+    if (held >= 0 && this.#work[held].disabled) this.#work[1 - held].focus();
+    for (const file of this.#files.children) file.disabled = !any;
+    set_text(this.#other, cover.button.words);
+    set_hidden(this.#bar, !running);
+    this.#show_progress(progress);
+    set_text(this.#says, says);
+    this.#head.replaceChildren(...table.head.map((words) => element("th", { scope: "col" }, words)));
+    this.#body.replaceChildren(...table.rows.map((row) => element("tr", {}, ...row.map((words, i) =>
+      (i === 0 ? element("th", { scope: "row" }, words) : element("td", {}, words))))));
+  });
+}
