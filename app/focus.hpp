@@ -53,7 +53,7 @@ class Focus {
   /// The ring alone, for a control that has more than one part.
   void draw_ring(ImVec2 low, ImVec2 high) const;
 
-  /// To the next control (1) or the previous one (-1), around the ends.
+  /// Moves to the next control (1) or the previous one (-1), around the ends.
   void move(int by);
   /// The same within the part that it is in; false where there is none.
   bool move_within(int by);
@@ -63,7 +63,7 @@ class Focus {
   /// false: it was on none.
   bool leave();
   [[nodiscard]] ImGuiID at() const { return at_; }
-  /// Of the control and of its part; empty for none.
+  /// The names of the control and of its part; empty for none.
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::string& part() const { return part_; }
   /// Whether a frame is due to show what was done.

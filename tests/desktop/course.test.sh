@@ -2,11 +2,6 @@
 # kept until the next time, unless the file is damaged.
 . tests/desktop/support.sh
 kept=$work/snug/course.json
-close_window() {
-    kill "$pid"
-    wait "$pid" 2>/dev/null || true
-    rm -f "$SNUG_STATE"
-}
 opened='s.lesson === null'
 
 open_window

@@ -1,15 +1,6 @@
 # All of the window by keyboard: Tab goes from control to control, each with its name, Enter presses; links of the prose
 # light their marks and act; a menu has the keyboard alone and gives it back; a card has it first.
 . tests/desktop/support.sh
-tab_to() { # name [key]
-    local i
-    for i in $(seq 70); do
-        [[ $(state 's.focus') == "$1" ]] && return
-        xdotool key "${2:-Tab}"
-        sleep 0.15
-    done
-    fail "the keyboard never came to $1, it is on $(state 's.focus')"
-}
 open_window --lesson sphere-welzl
 xdotool mousemove --window "$window" 640 300
 [[ $(state 's.focus') == "" ]] || fail "the keyboard is somewhere at the start"

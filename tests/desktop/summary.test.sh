@@ -1,20 +1,6 @@
 # A lesson's end: how each prediction came out, a way back to each, to the task, and on to the next lesson; it is the
 # same after a reload, until the answers are erased in the settings.
 . tests/desktop/support.sh
-tab_to() { # name
-    local i
-    for i in $(seq 60); do
-        [[ $(state 's.focus') == "$1" ]] && return
-        xdotool key Tab
-        sleep 0.15
-    done
-    fail "the keyboard never came to $1, it is on $(state 's.focus')"
-}
-close_window() {
-    kill "$pid"
-    wait "$pid" 2>/dev/null || true
-    rm -f "$SNUG_STATE"
-}
 opened='s.lesson === null'
 open_window
 xdotool key Return

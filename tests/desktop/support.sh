@@ -30,4 +30,22 @@ open_window() { # arguments of snug...
     xdotool windowfocus --sync "$window" 2>/dev/null || true
 }
 
+# Ends the program, which keeps what it keeps; the state file is the next one's.
+close_window() {
+    kill "$pid"
+    wait "$pid" 2>/dev/null || true
+    rm -f "$SNUG_STATE"
+}
+
+# Presses Tab, or another key, until the control of that name has the keyboard.
+tab_to() { # name [key]
+    local i
+    for i in $(seq 70); do
+        [[ $(state 's.focus') == "$1" ]] && return
+        xdotool key "${2:-Tab}"
+        sleep 0.15
+    done
+    fail "the keyboard never came to $1, it is on $(state 's.focus')"
+}
+
 handle() { state "const h = s.handles.find(h => h.id === '$1'); Math.round(h.x) + ' ' + Math.round(h.y)"; } # P3 -> x y
