@@ -18,8 +18,9 @@ endfunction()
 
 find_program(CCACHE ccache)
 if(CCACHE)
-  # Without sloppiness it keeps nothing of what uses a precompiled header.
-  set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros)
+  # Without sloppiness it keeps nothing of what uses a precompiled header. One of other comments is another one: compilers
+  # know by a file's bytes what such a header has read already. The name keeps apart what was kept without them.
+  set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_COMMENTS=1 CCACHE_NAMESPACE=comments)
   if(EMSCRIPTEN)
     list(APPEND launcher CCACHE_COMPILERTYPE=clang) # it does not know emcc by its name
   endif()
