@@ -64,6 +64,18 @@ void outline(ImDrawList* list, const app::Rect& r, app::Color color, float width
   list->AddRect({r.x, r.y}, {r.x + r.width, r.y + r.height}, color, 8, 0, width);
 }
 
+/// In the place of a picture that there is not: an empty stage.
+void draw_blank(const app::Look& look, const app::Rect& place, bool all_round) {
+  constexpr float kGrid = 24;
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  list->AddRectFilled({place.x, place.y}, {place.x + place.width, place.y + place.height}, look->ground, 8,
+                      all_round ? ImDrawFlags_RoundCornersAll : ImDrawFlags_RoundCornersTop);
+  const app::Color line = app::with_alpha(look->line, 0.6f);
+  for (float x = kGrid; x < place.width; x += kGrid)
+    list->AddRectFilled({place.x + x, place.y + 1}, {place.x + x + 1, place.y + place.height - 1}, line);
+  for (float y = kGrid; y < place.height; y += kGrid) app::rule(list, place.x + 1, place.y + y, place.width - 2, line);
+}
+
 }  // namespace
 
 std::uint32_t CourseScreen::picture(const std::string& id, bool dark) {
@@ -78,8 +90,8 @@ std::uint32_t CourseScreen::picture(const std::string& id, bool dark) {
 void CourseScreen::draw_picture(Shell& shell, const std::string& id, const app::Rect& place, bool all_round) {
   const app::Theme theme = shell.app().settings().theme;
   const bool dark = theme == app::Theme::kDark || theme == app::Theme::kHighContrast;
-  const std::uint32_t texture = picture(id, dark);
-  if (texture == 0) return;                                     // a card says all the same without it
+  const std::uint32_t texture = shell.writing() ? 0 : picture(id, dark);
+  if (texture == 0) return draw_blank(shell.app().look(), place, all_round);
   const float share = place.height / (place.width * kPicture);  // of the picture's height
   const float u = share > 1 ? (1 - 1 / share) / 2 : 0, v = share < 1 ? (1 - share) / 2 : 0;
   ImGui::GetWindowDrawList()->AddImageRounded(
@@ -153,7 +165,8 @@ void CourseScreen::draw_card(Shell& shell, std::size_t lesson, const app::Rect& 
   app::text(list, look, Face::kRegular, 15, {x, card.y + picture_height + 12}, look->muted, number);
   app::paragraph(list, look, Face::kSemiBold, 15, 21, {x + indent, card.y + picture_height + 9},
                  card.width - 24 - indent, touch.hovered ? look->current_text : look->ink, file.lesson.title);
-  app::text(list, look, Face::kRegular, 13, {x, foot}, look->muted, std::to_string(file.lesson.minutes) + " min");
+  app::text(list, look, Face::kRegular, 13, {x, foot}, look->muted,
+            file.lesson.minutes > 0 ? std::to_string(file.lesson.minutes) + " min" : "Draft");
   draw_progress(list, look, {card.x + card.width - 12, foot},
                 progress_of(look, file, shell.kept().lesson(file.lesson.id)));
   outline(list, card, touch.hovered ? look->current : look->line, 1);

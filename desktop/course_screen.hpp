@@ -21,6 +21,8 @@ class CourseScreen {
   CourseScreen& operator=(const CourseScreen&) = delete;
 
   void draw(Shell& shell, const app::Rect& rect);
+  /// Forgets what it has worked out of the lessons.
+  void lessons_changed() { texts_.clear(), cards_.clear(); }
   /// The field by whose words the lessons are found, at the right end of the bar.
   void draw_search(Shell& shell, const app::Rect& bar);
   /// Arrow keys, Home and End go through the lessons, Enter opens the one that has the keyboard, or what comes first; a

@@ -27,6 +27,11 @@ std::filesystem::path new_name(const std::filesystem::path& folder, const std::s
 
 }  // namespace
 
+Shell::Shell(app::App& app, std::vector<LessonFile> lessons, Kept kept, std::optional<Drafts> drafts)
+    : app_(app), lessons_(std::move(lessons)), drafts_(std::move(drafts)), kept_(std::move(kept)) {
+  if (drafts_) take_files();
+}
+
 tl::expected<void, InputError> Shell::open(const std::string& id) {
   for (const LessonFile& file : lessons_) {
     if (file.lesson.id != id) continue;
@@ -40,9 +45,12 @@ tl::expected<void, InputError> Shell::open(const std::string& id) {
     hint_shown = false, typed = {};
     if (opened) {
       open_ = static_cast<std::size_t>(&file - lessons_.data()), unread = true, task_wanted = false;
+      waited_for_.clear();
+      if (drafts_) opened_version_ = drafts_->find(id)->version;
       if (open_ == 0) app_.invite(kept_.invited);
     }
     tell(opened);
+    if (!opened && drafts_ && app_.session() == nullptr) waited_for_ = id, course_shown = true;
     return opened;
   }
   return tl::unexpected(InputError{.what = "there is no lesson \"" + id + "\"; `snug lesson list` lists them"});
@@ -76,6 +84,7 @@ void Shell::go_to_kept_place() {
 void Shell::open_at_place(std::size_t lesson) {
   if (app_.session() != nullptr) keep();
   const std::string id = lessons_[lesson].lesson.id;
+  if (waits_for(id)) return;
   const KeptLesson* const kept = kept_.lesson(id);
   if (kept != nullptr) app_.keep_answers(id, lesson::outcomes_of(kept->answers));
   if (!open(id)) return;
@@ -97,6 +106,7 @@ std::optional<std::size_t> Shell::beside(int by) const {
 
 void Shell::show_course() {
   if (app_.playing()) app_.command("play");
+  if (app_.session() == nullptr) return;
   keep();
   present(false);
   focus.leave();
@@ -119,6 +129,7 @@ void Shell::present(bool on) {
 }
 
 void Shell::keep() {
+  if (app_.session() == nullptr) return;
   if (const int followed = app_.invitations_followed(); open_ == 0 && followed > kept_.invited) {
     kept_.invited = followed;
     kept_.write();
@@ -133,7 +144,7 @@ void Shell::erase_answers() {
   kept_.erase();
   kept_.write();
   app_.forget_answers();
-  kept_revision_ = session().revision();
+  if (app_.session() != nullptr) kept_revision_ = session().revision();
 }
 
 void Shell::use_mesh(const std::string& name) {

@@ -9,7 +9,7 @@
 
 #include "app/app.hpp"
 #include "app/focus.hpp"
-#include "desktop/cli/lesson_files.hpp"
+#include "desktop/cli/drafts.hpp"
 #include "desktop/course_screen.hpp"
 #include "desktop/kept.hpp"
 
@@ -24,9 +24,9 @@ struct SettingsPanel {
 
 class Shell {
  public:
-  /// kept: what was kept from earlier visits.
-  Shell(app::App& app, std::vector<LessonFile> lessons, Kept kept)
-      : app_(app), lessons_(std::move(lessons)), kept_(std::move(kept)) {}
+  /// kept: what was kept from earlier visits. drafts: where the lessons come from while they are being written; then
+  /// `lessons` is not needed.
+  Shell(app::App& app, std::vector<LessonFile> lessons, Kept kept, std::optional<Drafts> drafts = {});
 
   [[nodiscard]] app::App& app() { return app_; }
   [[nodiscard]] const app::App& app() const { return app_; }
@@ -66,6 +66,17 @@ class Shell {
   /// file, or why it failed. format: one of the cover's.
   void save_cover(std::string_view format);
 
+  // ---- lessons that are being written (shell_drafts.cpp) ------------------------------------
+  [[nodiscard]] bool writing() const { return drafts_.has_value(); }
+  /// Reads the files that have changed. If that of the open lesson has, opens it anew at the same place; if it cannot
+  /// be drawn now, the lesson stays as it was. Returns whether anything has changed.
+  bool look_at_files();
+  /// Whether a lesson has never been drawable yet. Then the course is shown until it is, and opens it.
+  bool waits_for(const std::string& id);
+  /// What is wrong with the file of the lesson that is open or waited for, and with that of the course; empty if
+  /// nothing is.
+  [[nodiscard]] std::vector<lesson::DraftText> strip() const;
+
   bool course_shown = false;  // instead of the lesson
   CourseScreen course;
   SettingsPanel settings_panel;
@@ -89,6 +100,7 @@ class Shell {
   // Heights measured in the last frame: of the lower parts of the left and the right column, and of the stage's foot
   // that a question covers.
   float pinned_height = 300, code_height = 300, foot = 0;
+  float strip_height = 60;     // of what is wrong with the lesson's file, measured in the last frame
   bool measured_anew = false;  // whether a height differed from the expected one, so that another frame is due
 
   /// Shows an error as the notice; returns whether there was none.
@@ -99,9 +111,16 @@ class Shell {
   }
 
  private:
+  void take_files();
+  [[nodiscard]] const std::string& of_strip() const;
+  void read_again();
+
   app::App& app_;
   std::vector<LessonFile> lessons_;
   std::size_t open_ = 0;  // index into lessons_
+  std::optional<Drafts> drafts_;
+  std::string waited_for_;  // the id of a lesson that cannot be drawn yet
+  int opened_version_ = 0;  // that of the open lesson's draft
   Kept kept_;
   std::uint64_t kept_revision_ = 0;  // the session's revision when it was last kept
   app::Settings before_presenting_;

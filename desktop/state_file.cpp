@@ -16,6 +16,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The lines of the strip, those of a file after its heading.
+Json mistakes_of(const Shell& shell) {
+  Json lines = Json::array();
+  for (const lesson::DraftText& says : shell.strip()) {
+    lines.push_back(says.heading);
+    for (const lesson::DraftText::Line& line : says.lines) lines.push_back(line.text);
+  }
+  return lines;
+}
+
 Json course_state(Shell& shell) {
   Json state{{"lesson", nullptr},           {"chosen", shell.course.chosen(shell)}, {"lead", shell.lead().second},
              {"focus", shell.focus.name()}, {"asked", shell.course.asked()},        {"found", shell.course.found()},
@@ -88,8 +98,9 @@ Json lesson_state(Shell& shell, float scale) {
 }  // namespace
 
 void StateFile::write(Shell& shell, const Extent& extent) {
-  if (path_.empty() || shell.app().session() == nullptr) return;
+  if (path_.empty() || (!shell.course_shown && shell.app().session() == nullptr)) return;
   Json state = shell.course_shown ? course_state(shell) : lesson_state(shell, extent.window_per_page);
+  state["mistakes"] = mistakes_of(shell);
   std::string text = state.dump();
   if (text == written_) return;
   written_ = std::move(text);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 #include "app/cover.hpp"
 #include "app/look.hpp"
@@ -24,6 +25,7 @@
 #include "desktop/question_card.hpp"
 #include "desktop/shell.hpp"
 #include "desktop/state_file.hpp"
+#include "desktop/strip.hpp"
 #include "lesson/kept_answers.hpp"
 
 namespace snug::desktop {
@@ -31,6 +33,7 @@ namespace {
 
 constexpr int kBadInput = 2;
 constexpr double kTick = 0.008;       // seconds between looks at the clock while something plays
+constexpr double kLook = 0.25;        // seconds between looks at the files of lessons that are being written
 constexpr double kSlice = 8e6;        // nanoseconds of measuring between two frames
 constexpr double kLongestRun = 1e9;   // nanoseconds of one run on the growth chart: a window may stand still that long
 constexpr int kFramesForPicture = 6;  // until ImGui has measured everything once
@@ -49,7 +52,7 @@ std::string font_bytes(std::string_view name) {
 
 /// The rectangles of all parts; empty for those that are not shown.
 struct Parts {
-  app::Rect window, header, column, cover, title, code;
+  app::Rect window, header, strip, column, cover, title, code;
   app::Layout app;
 };
 
@@ -58,7 +61,8 @@ struct Parts {
 Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const float scale = std::max(1.0f, std::sqrt(look.text_scale));
   const bool lecture = shell.presenting, cover = shell.app().cover() != nullptr;
-  const float header = lecture ? 0 : look.px(48);
+  const float bar = lecture ? 0 : look.px(48), strip = shell.strip().empty() ? 0 : shell.strip_height;
+  const float header = bar + strip;
   const float column =
       lecture && !shell.text_shown ? 0 : std::floor(std::clamp(extent.width * 0.29f, 300.0f, 380.0f) * scale);
   const float inspector = std::floor(std::clamp(extent.width * 0.22f, 230.0f, 290.0f) * scale);
@@ -66,7 +70,8 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const float height = extent.height - header, right = extent.width - inspector;
   Parts parts;
   parts.window = {0, 0, extent.width, extent.height};
-  parts.header = {0, 0, extent.width, header};
+  parts.header = {0, 0, extent.width, bar};
+  parts.strip = {0, bar, extent.width, strip};
   const float pinned = cover ? std::min(shell.pinned_height, height - look.px(164)) : 0;
   parts.column = {0, header, column, lecture ? height : height - pinned};
   if (cover && !lecture) parts.cover = {0, header + height - pinned, column, pinned};
@@ -110,6 +115,7 @@ void draw_stage_and_panels(Shell& shell, const Parts& parts, double now) {
   app.advance(now);  // the panels show the step that the stage does
   // The panels first: what they change of the session, the stage shows in this same frame.
   if (shown(parts.header)) draw_header(shell, parts.header);
+  if (shown(parts.strip)) draw_strip(shell, parts.strip);
   if (shown(parts.title)) draw_title(shell, parts.title);
   if (shown(parts.column)) draw_prose_panel(shell, parts.column);
   else shell.links.clear(), app.light({});
@@ -121,7 +127,8 @@ void draw_stage_and_panels(Shell& shell, const Parts& parts, double now) {
   else draw_invitation(app, parts.app.stage);
   for (const float x : {parts.column.width, parts.app.inspector.x}) {
     if (x < 1) continue;
-    const app::Rect line{x - 1, parts.header.height, 1, parts.window.height - parts.header.height};
+    const float top = parts.app.stage.y;
+    const app::Rect line{x - 1, top, 1, parts.window.height - top};
     const app::Pane edge(x < parts.window.width / 2 ? "##left edge" : "##right edge", line);
     edge.list()->AddRectFilled({line.x, line.y}, {x, parts.window.height}, app.look()->line);
   }
@@ -131,7 +138,8 @@ void draw_stage_and_panels(Shell& shell, const Parts& parts, double now) {
 void draw_course(Shell& shell, const Parts& parts, double now) {
   shell.app().frame({}, now);  // its fonts and palette
   draw_header(shell, parts.header);
-  const float below = parts.header.height;
+  if (parts.strip.height >= 1) draw_strip(shell, parts.strip);
+  const float below = parts.strip.y + parts.strip.height;
   shell.course.draw(shell, {0, below, parts.window.width, parts.window.height - below});
   draw_notice(shell, parts.window);
 }
@@ -268,13 +276,14 @@ void run(GlfwHost& host, Shell& shell) {
   ImGui::GetIO().UserData = &shell.focus;
   StateFile state;
   std::string title;
-  bool due = true, presented = false;
+  bool due = true, presented = false, anew = false;
+  double next_look = 0;
   while (host.open()) {
     if (due) {
       draw(host, shell, host.now());
       host.swap();
-      state.write(shell, host.extent());
       if (!ImGui::IsAnyMouseDown()) shell.keep();
+      state.write(shell, host.extent());  // last, so that what it tells is kept as well
     }
     if (const std::string next = shell.course_shown ? "Snug" : shell.session().lesson().title + " – Snug";
         next != title)
@@ -286,20 +295,31 @@ void run(GlfwHost& host, Shell& shell) {
       return shell.measured_anew || shell.focus.wants_frame() || shell.app().wants_frame(host.now());
     };
     const bool measuring = cover != nullptr && cover->running();
-    const bool input = host.wait(measuring || more() ? 0 : shell.app().playing() ? kTick : -1);
-    due = input || more();
+    const double rest = shell.writing() ? kLook : -1;
+    const bool input = host.wait(measuring || more() ? 0 : shell.app().playing() ? kTick : rest);
+    if (host.now() >= next_look) {
+      anew = shell.look_at_files();
+      next_look = host.now() + kLook;
+    }
+    due = input || std::exchange(anew, false) || more();
   }
 }
 
+/// Returns the lesson to open first: the one that was asked for, or that of the course to start or go on with.
+std::string first_lesson(const Shell& shell, const WindowOptions& options) {
+  if (!options.lesson.empty()) return is_path(options.lesson) ? id_of(options.lesson) : options.lesson;
+  return shell.lessons().empty() ? std::string() : shell.lessons()[shell.lead().first].lesson.id;
+}
+
 int open_first(Shell& shell, const WindowOptions& options) {
-  const bool bare = options.step == 0 && !options.seed && options.points_file.empty() && options.screenshot.empty();
-  const auto of_course = [&] {
-    return shell.lessons().empty() ? std::string() : shell.lessons()[shell.lead().first].lesson.id;
-  };
-  const std::string id = !options.lesson.empty() ? options.lesson : of_course();
+  const bool picture = !options.screenshot.empty();
+  const bool bare = options.at.empty() && !options.seed && options.points_file.empty() && !picture;
+  const std::string id = first_lesson(shell, options);
   if (const KeptLesson* kept = shell.kept().lesson(id))
     shell.app().keep_answers(id, lesson::outcomes_of(kept->answers));
-  if (const auto opened = shell.open(id); !opened) return stop(opened.error().message());
+  if (shell.waits_for(id)) return 0;
+  if (const auto opened = shell.open(id); !opened)
+    return shell.writing() && !picture ? 0 : stop(opened.error().message());
   if (bare) shell.go_to_kept_place();
   shell.course_shown = bare && options.lesson.empty();
   if (options.seed) shell.session().scatter(*options.seed);
@@ -307,17 +327,32 @@ int open_first(Shell& shell, const WindowOptions& options) {
     shell.use_file(options.points_file);
     if (!shell.notice.empty()) return stop(shell.notice);
   }
-  // A window opens at the lesson's start; a picture shows the requested step.
-  if (options.step > 0 || !options.screenshot.empty()) shell.session().jump(options.step);
-  if (app::Cover* const cover = shell.app().cover(); cover != nullptr && options.step > 0)
+  // A window opens at the lesson's start; a picture shows the step before the first.
+  lesson::Standpoint at = options.at;
+  if (picture && !at.step && at.question.empty()) at.step = 0;
+  if (const auto stands = lesson::stand_at(shell.session(), at); !stands) return stop(stands.error().message());
+  if (app::Cover* const cover = shell.app().cover(); cover != nullptr && at.step && *at.step != 0)
     cover->show(false);  // a step is shown on the stage
   return 0;
+}
+
+/// The lessons, and where they are one's own, the drafts that they come from.
+struct Lessons {
+  std::vector<LessonFile> files;
+  std::optional<Drafts> drafts;
+};
+
+tl::expected<Lessons, InputError> lessons_of(const WindowOptions& options) {
+  if (!is_own(options)) return read_lessons("").map([](auto&& files) { return Lessons{std::move(files), {}}; });
+  return Drafts::open(options.folder, is_path(options.lesson) ? options.lesson : "").map([](Drafts&& drafts) {
+    return Lessons{{}, std::move(drafts)};
+  });
 }
 
 }  // namespace
 
 int run_window(const WindowOptions& options) {
-  auto lessons = read_lessons("");
+  auto lessons = lessons_of(options);
   if (!lessons) return stop(lessons.error().message());
   std::optional<app::Chart> chart;
   if (!options.chart.empty()) {
@@ -339,7 +374,8 @@ int run_window(const WindowOptions& options) {
   app.settings().prose_in_canvas = true;
   app.settings().theme = theme_of_environment();
   if (chart) return take_picture(**host, options.screenshot, [&] { draw(**host, app, *chart); });
-  Shell shell(app, std::move(*lessons), options.screenshot.empty() ? Kept() : Kept(Kept::Nothing{}));
+  const bool keeps = options.screenshot.empty() && !is_own(options);
+  Shell shell(app, std::move(lessons->files), keeps ? Kept() : Kept(Kept::Nothing{}), std::move(lessons->drafts));
   if (const int status = open_first(shell, options); status != 0) return status;
   if (!options.screenshot.empty()) {
     app.settings().reduced_motion = true;

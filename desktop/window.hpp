@@ -5,11 +5,14 @@
 #include <optional>
 #include <string>
 
+#include "lesson/stand.hpp"
+
 namespace snug::desktop {
 
 struct WindowOptions {
-  std::string lesson;  // its id; empty for the first
-  int step = 0;
+  std::string folder;                 // of the lessons; empty for the one beside the program
+  std::string lesson;                 // its id, or its file; empty for the first
+  lesson::Standpoint at;              // where in it; empty for where it was left, or for its start in a picture
   std::optional<std::uint64_t> seed;  // none: the lesson's own
   std::string points_file;            // a file shown instead of the lesson's points; empty for none
   std::string screenshot;             // where to write one frame as PNG before closing; empty to stay open
@@ -21,6 +24,9 @@ struct WindowOptions {
 
 /// A window's least size: below it panels would print over each other.
 inline constexpr int kLeastWidth = 900, kLeastHeight = 600;
+
+/// Whether the lessons are not those of the program.
+[[nodiscard]] bool is_own(const WindowOptions& options);
 
 /// Returns the program's exit status; errors are printed on stderr.
 int run_window(const WindowOptions& options);

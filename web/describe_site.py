@@ -35,7 +35,7 @@ def course_of(path: pathlib.Path, lessons: dict[str, dict]) -> dict:
     chapters = tomllib.loads(path.read_text(encoding="utf-8"))["chapter"]
     named = [lesson for chapter in chapters for lesson in chapter["lessons"]]
     if sorted(named) != sorted(lessons):
-        sys.exit(f"{path} does not name each lesson once: `snug lesson check {path}` says more")
+        raise ValueError(f"{path} does not name each lesson once: `snug lesson check {path}` says more")
     return {"chapters": [{"title": chapter["title"], "lessons": [lessons[lesson] for lesson in chapter["lessons"]]} for chapter in chapters]}
 
 
@@ -44,9 +44,13 @@ def write(path: pathlib.Path, what: dict) -> None:
 
 
 def main(site: pathlib.Path, course: pathlib.Path, lesson_files: list[pathlib.Path]) -> None:
-    write(site / "course.json", course_of(course, {path.stem: lesson_entry(path) for path in lesson_files}))
+    try:
+        write(site / "course.json", course_of(course, {path.stem: lesson_entry(path) for path in lesson_files}))
+    except ValueError as error:
+        sys.exit(str(error))
     files = (path for path in sorted(site.rglob("*")) if path.is_file() and path.name != "sizes.json")
     write(site / "sizes.json", {path.relative_to(site).as_posix(): path.stat().st_size for path in files})
 
 
-main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), [pathlib.Path(name) for name in sys.argv[3:]])
+if __name__ == "__main__":
+    main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), [pathlib.Path(name) for name in sys.argv[3:]])

@@ -20,6 +20,7 @@ struct Door {
   double last_frame = 0;
   std::array<float, 3> ground{};
   SharedRows shared;
+  lesson::Draft draft;  // the lesson file that was read last
 };
 
 [[nodiscard]] inline Door& door() {

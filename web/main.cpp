@@ -12,9 +12,11 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "app/app.hpp"
 #include "io/point_file.hpp"
+#include "lesson/place.hpp"
 #include "snug_gl.h"
 #include "web/canvas.hpp"
 #include "web/cover.hpp"
@@ -124,29 +126,36 @@ bool menu_open() {
 
 // ---- lessons --------------------------------------------------------------------------------------------------
 
-/// {error} or {mesh}: the mesh that the page must load for open_lesson, "" for none.
-val check_lesson(const std::string& toml, const std::string& name) {
+/// Reads a lesson's file for open_lesson: {draws, mesh, error, says}. mesh: the one that the page must load for it, ""
+/// for none. error: the first mistake, "" for none. says: all of them, {heading, lines: [{text, warning}]}.
+val read_lesson(const std::string& toml, const std::string& name) {
+  lesson::Draft& draft = door().draft;
+  draft = lesson::read_draft(toml, name);
   val answer = val::object();
-  const auto lesson = lesson::read_lesson(toml, name);
-  if (lesson) answer.set("mesh", lesson->points.mesh);
-  else answer.set("error", lesson.error().message());
+  answer.set("draws", draft.lesson.has_value());
+  answer.set("mesh", draft.lesson ? draft.lesson->points.mesh : std::string());
+  answer.set("error", draft.mistakes.empty() ? std::string() : draft.mistakes.front().error().message());
+  answer.set("says", web::draft_object(draft, name));
   return answer;
 }
 
-/// mesh: a PLY file's bytes, "" for none.
-std::string open_lesson(const std::string& toml, const std::string& name, const std::string& mesh) {
-  auto lesson = lesson::read_lesson(toml, name);
-  if (!lesson) return lesson.error().message();
+/// Opens the lesson that was read. mesh: a PLY file's bytes, "" for none. anew: at the place where it stands now.
+std::string open_lesson(const std::string& mesh, bool anew) {
+  std::optional<lesson::Lesson> lesson = std::exchange(door().draft.lesson, std::nullopt);
+  if (!lesson) return "no lesson was read";
   std::optional<io::PointFile> file;
   if (!mesh.empty()) {
     auto read = io::read_points(mesh, lesson->points.mesh + ".ply");
     if (!read) return read.error().message();
     file = std::move(*read);
   }
+  std::optional<lesson::Place> place;
+  if (anew && session()) place.emplace(*session());
   if (const auto opened = door().app->open(std::move(*lesson), std::move(file)); !opened)
     return opened.error().message();
   door().shared.forget();
   door().shared.remember(*session());
+  if (place) place->take(*session());
   return "";
 }
 
@@ -188,7 +197,7 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("pinch", &web::pinch);
   function("modifiers_held", &web::modifiers_held);
   function("cursor", &web::cursor);
-  function("check_lesson", &check_lesson);
+  function("read_lesson", &read_lesson);
   function("open_lesson", &open_lesson);
   function("lesson", &opened_lesson);
   function("view", &view_now);

@@ -154,28 +154,31 @@ void check_links(const Lesson& lesson, const toml::table& toml, Runs& runs, Comp
 
 }  // namespace
 
-void check_lesson(Lesson& lesson, const toml::table& toml, Checked checked, Complaints& complaints) {
+bool check_lesson(Lesson& lesson, const toml::table& toml, Checked checked, Complaints& complaints) {
   const bool gates = lesson.subject->asks_of_steps;
   if (checked == Checked::kAsWritten || !lesson.points.mesh.empty()) {
     if (gates) check_gates(lesson, complaints);
-    return warn_of_words(lesson, toml, nullptr, complaints);
+    warn_of_words(lesson, toml, nullptr, complaints);
+    return true;
   }
   const TomlTable root(toml, "the lesson", complaints);
   const auto own = lesson.subject->open(lesson, std::nullopt, nullptr);
   if (!own) {
     const int line = static_cast<int>(own.error().position);
-    return complaints.add(line > 0 ? line : root.place_of(lesson.subject->table), own.error().what);
+    complaints.add(line > 0 ? line : root.place_of(lesson.subject->table), own.error().what);
+    return false;
   }
   warn_of_words(lesson, toml, own->get(), complaints);
   const std::size_t before = complaints.count();
   check_sizes(lesson, **own, root, complaints);
   if (complaints.count() == before && lesson.subject->check_first != nullptr)
     lesson.subject->check_first(lesson, **own, complaints);
-  if (complaints.count() > before) return;
+  if (complaints.count() > before) return false;
   Runs runs(lesson, **own);
   check_links(lesson, toml, runs, complaints);
   if (gates) check_runs(lesson, runs, complaints);
   if (lesson.subject->check != nullptr) lesson.subject->check(lesson, toml, **own, complaints);
+  return true;
 }
 
 }  // namespace snug::lesson

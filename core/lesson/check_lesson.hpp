@@ -7,7 +7,8 @@
 namespace snug::lesson {
 
 /// lesson: what could be read of its file; questions that prove wrong on the run are removed from it. The questions of
-/// a lesson on a mesh are not checked on a run here, because the mesh is not available.
-void check_lesson(Lesson& lesson, const toml::table& toml, Checked checked, Complaints& complaints);
+/// a lesson on a mesh are not checked on a run here, because the mesh is not available. Returns
+/// whether it can be run.
+[[nodiscard]] bool check_lesson(Lesson& lesson, const toml::table& toml, Checked checked, Complaints& complaints);
 
 }  // namespace snug::lesson

@@ -85,27 +85,27 @@ std::vector<std::string_view> section_titles(const Lesson& lesson) {
   return titles;
 }
 
-/// Checks what can be checked of a link without running the lesson.
-void check_link(const toml::table& section, const Link& link, const Lesson& lesson, Complaints& complaints) {
+/// Checks what can be checked of a link without running the lesson. Returns whether it can be followed.
+bool check_link(const toml::table& section, const Link& link, const Lesson& lesson, Complaints& complaints) {
   const auto wrong = [&](const std::string& what) {
     complaints.add(place_in_text(section, "text", ':' + link.target + ')'), "\"text\" links to " + what);
+    return false;
   };
   const auto check = [&](std::string_view what, const auto& names) {
-    if (!lesson.algorithms.empty() && !is_among(names, link.target))
-      wrong(std::string(what) + " that " + none_of_text(link.target, names));
+    if (lesson.algorithms.empty() || is_among(names, link.target)) return true;
+    return wrong(std::string(what) + " that " + none_of_text(link.target, names));
   };
   switch (link.kind) {
     case Link::Kind::kMesh: return check("a mesh", lesson.meshes);
     case Link::Kind::kAlgorithm:
       if (const Method* method = find_method(lesson, link.target))
-        if (is_among(lesson.algorithms, name_in(lesson, *method))) return;
+        if (is_among(lesson.algorithms, name_in(lesson, *method))) return true;
       return check("an algorithm", lesson.algorithms);
-    case Link::Kind::kStep:
-      if (!is_step_number(link.target)) wrong("a step that is not a number: " + link.target);
-      break;
+    case Link::Kind::kStep: return is_step_number(link.target) || wrong("a step that is not a number: " + link.target);
     case Link::Kind::kMark:  // a handle's name is known once the lesson runs
     case Link::Kind::kLesson: break;
   }
+  return true;
 }
 
 Section read_section(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
@@ -119,9 +119,9 @@ Section read_section(const toml::table& toml, const Lesson& lesson, Complaints& 
     complaints.add(place_in_text(toml, "text", fault.words, fault.paragraph), "\"text\" " + fault.what);
   section.facts = read_names(table, "facts", 0, lesson.subject->facts());
   if (table.has("algorithm")) section.algorithm = read_algorithm(table, "algorithm", lesson);
-  for (const Paragraph& paragraph : section.paragraphs)
-    for (const Stretch& stretch : paragraph)
-      if (stretch.link) check_link(toml, *stretch.link, lesson, complaints);
+  for (Paragraph& paragraph : section.paragraphs)
+    for (Stretch& stretch : paragraph)
+      if (stretch.link && !check_link(toml, *stretch.link, lesson, complaints)) stretch.link.reset();
   table.refuse_others();
   return section;
 }
@@ -209,7 +209,7 @@ void read_pseudocode(const toml::table& toml, Complaints& complaints, Lesson& le
       table.wrong("lines", "must be " + std::to_string(due) + ", as many as the program's, and not " +
                                std::to_string(words.lines.size()));
     table.refuse_others();
-    lesson.pseudocode.push_back(std::move(words));
+    if (words.lines.size() == due) lesson.pseudocode.push_back(std::move(words));
   }
 }
 
@@ -308,8 +308,7 @@ Draft read_draft(std::string_view text, std::string_view name, Checked checked) 
   Lesson lesson;
   lesson.id = id_of(name);
   if (!read(*toml, lesson, complaints)) return finished();
-  check_lesson(lesson, *toml, checked, complaints);
-  draft.lesson = std::move(lesson);
+  if (check_lesson(lesson, *toml, checked, complaints)) draft.lesson = std::move(lesson);
   return finished();
 }
 

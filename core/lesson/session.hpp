@@ -34,6 +34,8 @@ class Session {
   [[nodiscard]] const Lesson& lesson() const { return *lesson_; }
   /// The subject as it is on the stage.
   [[nodiscard]] const Subject& subject() const { return *now_; }
+  /// The subject as the lesson opens with it.
+  [[nodiscard]] const Subject& own() const { return *own_; }
 
   // ---- its handles ------------------------------------------------------------------------------------------
   [[nodiscard]] int dim() const { return now_->dim(); }

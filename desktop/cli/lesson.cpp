@@ -191,11 +191,16 @@ CommandResult run_play(const LessonOptions& options) {
   return printed;
 }
 
-void add_folder(CLI::App& command, LessonOptions& options) {
-  command.add_option("--lessons", options.folder, "Folder of the lesson files; by default the one beside the program");
+void add_folder(CLI::App& command, std::string& folder) {
+  command.add_option("--lessons", folder, "Folder of the lesson files; by default the one beside the program");
 }
 
 }  // namespace
+
+void add_lesson_options(CLI::App& command, std::string& folder, std::string& id) {
+  add_folder(command, folder);
+  command.add_option("LESSON", id, "The lesson's id, or its file, which ends in .toml")->required();
+}
 
 void add_lesson(Commands& commands) {
   CLI::App& group = *commands.app.add_subcommand("lesson", "List, begin, check or play lessons");
@@ -205,7 +210,7 @@ void add_lesson(Commands& commands) {
   list.footer(
       "In the order of the folder's course.toml, whose chapter is the group; by id where there is none. JSON Lines:\n"
       "{\"lesson\",\"group\",\"title\",\"summary\",\"minutes\",\"algorithms\",\"questions\",\"task\",\"file\"}.");
-  add_folder(list, *add_command<LessonOptions>(commands, list, run_list));
+  add_folder(list, add_command<LessonOptions>(commands, list, run_list)->folder);
 
   CLI::App& check = *group.add_subcommand("check", "Check lesson files");
   check.footer(
@@ -235,8 +240,7 @@ void add_lesson(Commands& commands) {
       "is\n"
       "decided by time.");
   const auto played = add_command<LessonOptions>(commands, play, run_play);
-  add_folder(play, *played);
-  play.add_option("ID", played->id, "The lesson's id")->required();
+  add_lesson_options(play, played->folder, played->id);
 }
 
 }  // namespace snug::desktop

@@ -14,7 +14,8 @@ namespace snug::desktop {
 namespace {
 
 struct FactsOptions {
-  std::string file;
+  std::string folder;
+  std::string id;
   std::string algorithm;  // empty for all
 };
 
@@ -74,7 +75,7 @@ Json result_of(const lesson::Session& session, const std::string& algorithm) {
 }
 
 CommandResult run_facts(const FactsOptions& options) {
-  const auto file = read_lesson_file(options.file, lesson::Checked::kAsWritten);
+  const auto file = find_lesson(options.folder, options.id, lesson::Checked::kAsWritten);
   if (!file) return bad_input(file.error());
   auto session = open_lesson(*file);
   if (!session) return bad_input(session.error());
@@ -107,7 +108,7 @@ void add_lesson_facts(Commands& commands, CLI::App& group) {
       "sphere's radius, of others the area or volume; \"excess\" is over the smallest, 0.1 for 10 %.");
   const auto options = add_command<FactsOptions>(commands, facts, run_facts);
   facts.add_option("--algorithm", options->algorithm, "Only this one of the lesson's");
-  facts.add_option("FILE", options->file, "The lesson's file")->required();
+  add_lesson_options(facts, options->folder, options->id);
 }
 
 }  // namespace snug::desktop

@@ -15,12 +15,16 @@ fs::path folder_or_own(const std::string& folder) {
   return folder.empty() ? program_folder() / "lessons" : fs::path(folder);
 }
 
+/// Hidden files are an editor's own.
+bool is_lesson(const fs::path& path) {
+  return path.extension() == ".toml" && path.filename() != kCourseFile && !path.filename().string().starts_with('.');
+}
+
 tl::expected<std::vector<std::string>, InputError> toml_files(const fs::path& folder) {
   std::vector<std::string> paths;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == ".toml" && entry.path().filename() != kCourseFile)
-      paths.push_back(entry.path().string());
+    if (is_lesson(entry.path())) paths.push_back(entry.path().string());
   if (error)
     return tl::unexpected(
         InputError{.what = "the lessons cannot be read: " + error.message(), .file = folder.string()});
@@ -30,7 +34,7 @@ tl::expected<std::vector<std::string>, InputError> toml_files(const fs::path& fo
 
 std::vector<std::string> ids_of(const std::vector<std::string>& paths) {
   std::vector<std::string> ids;
-  for (const std::string& path : paths) ids.push_back(fs::path(path).stem().string());
+  for (const std::string& path : paths) ids.push_back(id_of(path));
   return ids;
 }
 
@@ -67,6 +71,14 @@ tl::expected<std::optional<io::PointFile>, InputError> mesh_of(const lesson::Les
 }
 
 }  // namespace
+
+bool is_path(std::string_view lesson) { return lesson.ends_with(".toml"); }
+
+std::string id_of(const std::string& path) { return fs::path(path).stem().string(); }
+
+tl::expected<std::vector<std::string>, InputError> lesson_paths(const std::string& folder) {
+  return toml_files(folder_or_own(folder));
+}
 
 tl::expected<LessonFile, InputError> read_lesson_file(const std::string& path, lesson::Checked checked) {
   return read_start(path, lesson::kMostLessonBytes)
@@ -105,13 +117,19 @@ tl::expected<std::vector<LessonFile>, InputError> read_lessons(const std::string
   return in_order(std::move(lessons), *course);
 }
 
+InputError no_lesson(const std::string& folder, const std::string& id) {
+  const std::string list = "`snug lesson list" + (folder.empty() ? "" : " --lessons " + folder) + '`';
+  return {.what = "there is no lesson \"" + id + "\"; " + list + " lists them"};
+}
+
 tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, const std::string& id,
                                                  lesson::Checked checked) {
+  if (is_path(id)) return read_lesson_file(id, checked);
   const auto paths = toml_files(folder_or_own(folder));
   if (!paths) return tl::unexpected(paths.error());
   for (const std::string& path : *paths)
-    if (fs::path(path).stem() == id) return read_lesson_file(path, checked);
-  return tl::unexpected(InputError{.what = "there is no lesson \"" + id + "\"; `snug lesson list` lists them"});
+    if (id_of(path) == id) return read_lesson_file(path, checked);
+  return tl::unexpected(no_lesson(folder, id));
 }
 
 tl::expected<std::unique_ptr<lesson::Subject>, InputError> subject_of(const LessonFile& file) {

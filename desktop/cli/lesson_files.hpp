@@ -24,6 +24,14 @@ inline constexpr std::string_view kCourseFile = "course.toml";
 [[nodiscard]] tl::expected<LessonFile, InputError> read_lesson_file(const std::string& path,
                                                                     lesson::Checked checked = lesson::Checked::kAsRun);
 
+/// Whether a lesson is named by its file's path, not by its id: it ends in .toml.
+[[nodiscard]] bool is_path(std::string_view lesson);
+/// The id of the lesson in a file: the file's name without .toml.
+[[nodiscard]] std::string id_of(const std::string& path);
+
+/// The paths of a folder's lessons, by name; "" is the folder beside the program. Errors: those of the folder.
+[[nodiscard]] tl::expected<std::vector<std::string>, InputError> lesson_paths(const std::string& folder);
+
 /// The course of a folder; none if it has no course file. Errors: those of lesson::read_course.
 [[nodiscard]] tl::expected<lesson::Course, InputError> read_course_of(const std::string& folder);
 
@@ -34,9 +42,12 @@ inline constexpr std::string_view kCourseFile = "course.toml";
 /// Errors: those of the folder, and of the first bad file.
 [[nodiscard]] tl::expected<std::vector<LessonFile>, InputError> read_lessons(const std::string& folder);
 
-/// The lesson with an id in a folder. Errors: those of its file; no such lesson.
+/// The lesson with an id in a folder, or of the file that a path leads to. Errors: those of its file; no such lesson.
 [[nodiscard]] tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, const std::string& id,
                                                                lesson::Checked checked = lesson::Checked::kAsRun);
+
+/// Says that a folder has no lesson with an id.
+[[nodiscard]] InputError no_lesson(const std::string& folder, const std::string& id);
 
 /// The lesson's subject as it opens. Errors: those of the mesh's file and of the subject's open, with a path.
 [[nodiscard]] tl::expected<std::unique_ptr<lesson::Subject>, InputError> subject_of(const LessonFile& file);

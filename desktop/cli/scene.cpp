@@ -3,6 +3,7 @@
 
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/json.hpp"
+#include "desktop/cli/lesson_commands.hpp"
 #include "desktop/cli/lesson_files.hpp"
 #include "desktop/cli/timing.hpp"
 #include "lesson/subjects/scene/scene_figures.hpp"
@@ -94,13 +95,12 @@ void add_scene(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("scene", "Run a lesson's scene without a screen");
   command.footer(kSceneFooter);
   const auto options = add_command<SceneOptions>(commands, command, run_scene);
-  command.add_option("LESSON", options->id, "The lesson's id")->required();
+  add_lesson_options(command, options->folder, options->id);
   command.add_option("--frames", options->frames, "Number of frames")
       ->transform(whole_number(1, 10'000'000))
       ->capture_default_str();
   command.add_option("--algorithm", options->algorithm, "One of the lesson's algorithms; by default its first");
   command.add_flag("--every", options->every, "Print every frame's figures");
-  command.add_option("--lessons", options->folder, "Folder of the lesson files; by default the one beside the program");
 }
 
 }  // namespace snug::desktop

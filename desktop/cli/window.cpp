@@ -1,19 +1,58 @@
 // The commands that use the window: no subcommand, and render and chart, which draw a picture instead.
+#include <algorithm>
 #include <optional>
 
 #include "desktop/cli/command.hpp"
+#include "desktop/cli/drafts.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/lesson_files.hpp"
 
 namespace snug::desktop {
 namespace {
 
+/// The error if the lesson, with these points, does not have the place that is asked for.
+tl::expected<void, InputError> check_place(const LessonFile& file, const WindowOptions& options) {
+  auto session = open_lesson(file);
+  if (!session) return tl::unexpected(session.error());
+  if (options.seed) session->scatter(*options.seed);
+  if (!options.points_file.empty()) {
+    const auto points = read_point_file(options.points_file);
+    if (!points) return tl::unexpected(points.error());
+    if (const auto loaded = session->load(*points, options.points_file); !loaded) return loaded;
+  }
+  return lesson::stand_at(*session, options.at).map_error([&](InputError&& error) {
+    error.file = file.path;
+    return std::move(error);
+  });
+}
+
+/// Lessons of one's own are opened as far as they can be read.
+tl::expected<void, InputError> check_drafts(const WindowOptions& options) {
+  const std::string path = is_path(options.lesson) ? options.lesson : "";
+  const auto drafts = Drafts::open(options.folder, path);
+  if (!drafts) return tl::unexpected(drafts.error());
+  const bool known = options.lesson.empty() || !path.empty() || drafts->find(options.lesson) != nullptr;
+  return known ? tl::expected<void, InputError>() : tl::unexpected(no_lesson(options.folder, options.lesson));
+}
+
+/// Whether the program has a lesson with that id.
+bool is_offered(const std::string& id) {
+  const auto paths = lesson_paths("");
+  return paths && std::any_of(paths->begin(), paths->end(), [&](const std::string& path) { return id_of(path) == id; });
+}
+
 /// Reports what can be found wrong before there is a window, and then opens it.
 CommandResult open_on(const WindowOptions& options, int (*open_window)(const WindowOptions&)) {
-  if (!options.lesson.empty())
-    if (const auto file = find_lesson("", options.lesson); !file) return bad_input(file.error());
   if (!options.points_file.empty())
     if (const auto points = read_point_file(options.points_file); !points) return bad_input(points.error());
+  if (options.screenshot.empty() && is_own(options)) {
+    if (const auto checked = check_drafts(options); !checked) return bad_input(checked.error());
+  } else if (!options.lesson.empty()) {
+    const auto file = find_lesson(options.folder, options.lesson);
+    if (!file) return bad_input(file.error());
+    if (!options.at.empty())
+      if (const auto checked = check_place(*file, options); !checked) return bad_input(checked.error());
+  }
   return Printed{"", open_window(options)};
 }
 
@@ -48,9 +87,28 @@ void add_size(CLI::App& command, WindowOptions& options) {
       "WxH in pixels; 1280x800 by default");
 }
 
+/// Adds --step: a number, or "end".
+CLI::Option* add_step(CLI::App& command, WindowOptions& options) {
+  const CLI::Validator step = whole_number(0, std::numeric_limits<int>::max());
+  return command.add_option_function<std::string>(
+      "--step",
+      [&options, step](std::string text) {
+        if (text == "end") return static_cast<void>(options.at.step = lesson::Standpoint::kLastStep);
+        if (const std::string wrong = step(text); !wrong.empty()) throw CLI::ValidationError("--step", wrong);
+        options.at.step = std::stoi(text);
+      },
+      "The step to show; end for the last");
+}
+
 void add_common(CLI::App& command, WindowOptions& options) {
-  command.add_option("--step", options.step, "The step to show")
-      ->transform(whole_number(0, std::numeric_limits<int>::max()));
+  CLI::Option* const step = add_step(command, options);
+  command.add_option("--algorithm", options.at.algorithm, "The lesson's algorithm to show; by default its first");
+  CLI::Option* const question =
+      command.add_option("--question", options.at.question, "Id of the question to show, at its own step");
+  question->excludes(step);
+  command.add_flag("--answered", options.at.answered, "With the outcome of the question's model answer")
+      ->needs(question);
+  command.add_option("--lessons", options.folder, "Folder of the lesson files; by default the one beside the program");
   command.add_option("--seed", options.seed, "Seed of the points; by default the lesson's own")
       ->transform(whole_number());
   add_size(command, options);
@@ -59,11 +117,19 @@ void add_common(CLI::App& command, WindowOptions& options) {
 
 }  // namespace
 
+bool is_own(const WindowOptions& options) { return !options.folder.empty() || is_path(options.lesson); }
+
 void add_window(Commands& commands) {
   auto options = std::make_shared<WindowOptions>();
-  commands.app.add_option("--lesson", options->lesson, "Id of the lesson to open; by default the first");
+  auto word = std::make_shared<std::string>();
+  constexpr const char* kWhich = "The lesson to open: its id, or its file, which ends in .toml; by default the first";
+  CLI::Option* const lesson = commands.app.add_option("--lesson", options->lesson, kWhich);
+  commands.app.add_option("LESSON", *word, "The same")->excludes(lesson);
   add_common(commands.app, *options);
-  commands.chosen = [options, open_window = commands.open_window]() -> CommandResult {
+  commands.chosen = [options, word, open_window = commands.open_window]() -> CommandResult {
+    if (!word->empty()) options->lesson = *word;
+    if (!word->empty() && !is_own(*options) && !is_offered(*word))
+      return bad_input('"' + *word + "\" is neither a command nor a lesson (see `snug --help`)");
     if (options->width < kLeastWidth || options->height < kLeastHeight)
       return bad_input("--size: the window is at least " + std::to_string(kLeastWidth) + "x" +
                        std::to_string(kLeastHeight) + "; snug render draws smaller pictures");
@@ -74,14 +140,16 @@ void add_window(Commands& commands) {
 void add_render(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("render", "Draw one step of a lesson as a picture");
   command.footer(
-      "The picture is a PNG. For another look set SNUG_THEME to dark, contrast or projector. Drawing needs a display;\n"
-      "xvfb-run provides one.");
+      "The picture is a PNG. With --question the question stands open in it; with --answered as well, its model "
+      "answer\n"
+      "was given, and the outcome is told. For another look set SNUG_THEME to dark, contrast or projector. Drawing\n"
+      "needs a display; xvfb-run provides one.");
   const auto options = add_command<WindowOptions>(
       commands, command, [open_window = commands.open_window](const WindowOptions& chosen) -> CommandResult {
         if (auto wrong = wrong_picture(chosen.screenshot)) return bad_input(std::move(*wrong));
         return open_on(chosen, open_window);
       });
-  command.add_option("LESSON", options->lesson, "The lesson's id")->required();
+  command.add_option("LESSON", options->lesson, "The lesson's id, or its file, which ends in .toml")->required();
   add_common(command, *options);
   command.add_flag("--stage", options->stage_alone, "The stage alone, without panels, buttons and sentence");
   command.add_option("-o,--output", options->screenshot, "PNG file to write; - is standard output")->required();

@@ -47,6 +47,18 @@ test("results are saved under the policy", async (t) => {
   assert.deepEqual(await page.evaluate(() => window.refused), []);
 });
 
+test("a static host is never asked for a preview", async (t) => {
+  const asked = [];
+  const page = await load(t, kFirst, { wait: false });
+  page.on("request", (request) => asked.push(request.url()));
+  await page.reload();
+  await until(page, (now) => now.framesDrawn > 0);
+  await page.waitForTimeout(1000);
+  assert.ok(asked.length > 5, "it asks for its files");
+  assert.deepEqual(asked.filter((url) => /preview/.test(url)), []);
+  assert.ok(await page.locator("#strip").isHidden());
+});
+
 const kForeign = {
   "an inline script": () => document.body.append(Object.assign(document.createElement("script"), { textContent: "window.came = 1" })),
   "a handler in the HTML": () => document.body.insertAdjacentHTML("beforeend", '<img src="nothing.png" onerror="window.came = 1">'),

@@ -1,6 +1,8 @@
 // What every browser test needs: the built site on a static server under a sub-path, Chromium, and a page that must
 // neither complain on its console nor ask anything of another host.
 import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { once } from "node:events";
 import { createReadStream, existsSync, readFileSync, statSync } from "node:fs";
 import { createServer } from "node:http";
 import { extname, join, normalize } from "node:path";
@@ -48,9 +50,20 @@ export async function serve_site() {
 let browser;
 let site;
 
+/** The site as ./run --lessons serves it: with the lessons of a folder, which may change. */
+export async function serve_drafts(lessons) {
+  const serve = spawn("python3", [fileURLToPath(new URL("../../web/serve.py", import.meta.url)), kSite, "--port", "0", "--lessons", lessons]);
+  const [said] = await once(serve.stdout, "data");
+  const [url] = /http:[^ ,]+/.exec(said);
+  return { url, close: () => serve.kill() };
+}
+
 /** For a file's before and after hooks. */
-export async function start() {
-  site = await serve_site();
+export const start = () => start_on(serve_site);
+
+/** The same for a site that is served otherwise. */
+export async function start_on(serve) {
+  site = await serve();
   browser = await chromium.launch({ executablePath: process.env.SNUG_CHROMIUM ?? "/usr/bin/chromium", args: kFlags });
   return site;
 }

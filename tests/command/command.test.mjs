@@ -5,7 +5,7 @@ import { once } from "node:events";
 import { existsSync, mkdirSync, readFileSync, readdirSync, symlinkSync, truncateSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
-import { folder, good, json_lines, program, refused, root, snug, write } from "./support.mjs";
+import { folder, good, json_lines, program, read, refused, root, snug, write } from "./support.mjs";
 
 const corpus = join(root, "tests/corpus/points");
 const lessons = join(root, "lessons");
@@ -184,7 +184,7 @@ test("files that cannot be read are refused", () => {
 });
 
 test("bad usage is refused in one line", () => {
-  refused(["fti"], /not expected: fti/);
+  refused(["fti"], /"fti" is neither a command nor a lesson/);
   refused(["fit"], /--volume is required/);
   refused(["fit", "--volume", "cube", "--algorithm", "welzl", tetra], 'there is no volume "cube"; known: sphere, aabb, obb, capsule, lozenge, kdop, hull');
   refused(fit_args("quick", tetra),
@@ -393,6 +393,47 @@ test("facts are what the steps of a lesson are and come to", () => {
   const one = json_lines(good(["lesson", "facts", "--algorithm", "welzl", join(lessons, "sphere-ritter.toml")]));
   assert.deepEqual(one, rows.filter((row) => row.algorithm === "welzl"));
   refused(["lesson", "facts", "--algorithm", "pca", join(lessons, "sphere-ritter.toml")], /does not offer the algorithm pca/);
+});
+
+test("a file stands wherever a lesson's id does, and --lessons says where the lessons are", () => {
+  const text = readFileSync(join(lessons, "examples", "scene.toml"), "utf8");
+  mkdirSync(join(folder, "mine"));
+  write("mine/bodies.toml", text);
+  write("mine/.#bodies.toml", "an editor's own");
+  assert.equal(json_lines(good(["lesson", "list", "--lessons", "mine"])).map(({ lesson }) => lesson).join(), "bodies");
+  for (const command of [["lesson", "play"], ["lesson", "facts"], ["scene", "--frames", "2"]]) {
+    const last = (args) => json_lines(good([...command, ...args])).at(-1);
+    const whole = last(["bodies", "--lessons", "mine"]);
+    const timeless = ({ microseconds, ...rest }) => rest;
+    assert.deepEqual(timeless(last(["mine/bodies.toml"])), timeless(whole), command.join(" "));
+    refused([...command, "bodies"], 'there is no lesson "bodies"; `snug lesson list` lists them');
+    refused([...command, "other", "--lessons", "mine"], 'there is no lesson "other"; `snug lesson list --lessons mine` lists them');
+    refused([...command, "mine/other.toml"], /^snug: mine\/other\.toml: cannot be opened/);
+    refused([...command, "bodies", "--lessons", "nowhere"], /^snug: nowhere: the lessons cannot be read/);
+  }
+  // The window says the same before there is one.
+  refused(["--lessons", "mine", "other"], 'there is no lesson "other"; `snug lesson list --lessons mine` lists them');
+  refused(["--lessons", "nowhere"], /^snug: nowhere: the lessons cannot be read/);
+  mkdirSync(join(folder, "empty"));
+  refused(["--lessons", "empty"], "empty: there is no lesson: no file here ends in .toml");
+  refused(["other.toml"], /^snug: other\.toml: cannot be opened/);
+});
+
+test("a picture's algorithm, step and question are those of the lesson", () => {
+  const render = (...args) => ["render", ...args, "-o", "x.png"];
+  const file = write("asked.toml", readFileSync(join(lessons, "examples", "cloud.toml"), "utf8"));
+  refused(render(file, "--algorithm", "wezl"), "asked.toml: the lesson's algorithm is none of aabb_center or welzl: wezl; did you mean welzl?");
+  refused(render(file, "--step", "5"), "asked.toml: there is no step 5: aabb_center has 4");
+  refused(render(file, "--step", "last"), /--step: "last" is not a whole number/);
+  refused(render(file, "--question", "fathest"), "asked.toml: the question is none of farthest: fathest; did you mean farthest?");
+  refused(render(file, "--question", "farthest", "--algorithm", "welzl"), "asked.toml: the question farthest is about aabb_center, not about welzl");
+  refused(render(file, "--question", "farthest", "--step", "1"), /--step excludes --question/);
+  refused(render(file, "--answered"), /--answered requires --question/);
+  refused(render("cost-chart", "--question", "slowest", "--answered"), /the question slowest is decided by what is measured then/);
+  write("unasked.toml", read(file).replace(/\[\[question\]\][^]*/, ""));
+  refused(render("unasked.toml", "--question", "farthest"), "unasked.toml: the lesson has no questions");
+  refused(render(write("wrong.toml", read(file).replace("minutes = 5", "minutes = 0"))), /^snug: wrong\.toml:5: "minutes" must be/);
+  assert.ok(!existsSync(join(folder, "x.png")));
 });
 
 test("a lesson whose question is never asked is unsound", () => {

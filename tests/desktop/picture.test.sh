@@ -17,3 +17,20 @@ said=$(env -u DISPLAY -u WAYLAND_DISPLAY "$snug" render sphere-pca -o "$work/non
 ((status == 2)) || fail "without a display it ended with $status"
 [[ $said == snug:*display* && $(wc -l <<<"$said") == 1 ]] || fail "it said: $said"
 [[ ! -e $work/none.png ]] || fail "it left half a picture"
+
+# A question stands open in the picture, or with the outcome of its model answer; both are of the lesson's own file.
+lesson=lessons/examples/cloud.toml
+"$snug" render "$lesson" --step 1 -o "$work/step.png"
+"$snug" render "$lesson" --question farthest -o "$work/asked.png"
+"$snug" render "$lesson" --question farthest --answered -o "$work/answered.png"
+card() { convert "$work/$1.png" -crop 610x220+371+440 +repage "$work/$1-card.png"; } # on the stage's foot
+for one in step asked answered; do card $one; done
+has() { [[ $(convert "$work/$1-card.png" -fill white +opaque "$2" -format '%k' info:) == 2 ]]; }
+has asked '#0A5FBF' || fail "the question does not stand on the stage"
+has answered '#007A5A' || fail "the outcome is not told as right"
+! has step '#007A5A' || fail "an outcome is told where none was asked for"
+[[ $(compare -metric AE "$work/step.png" "$work/asked.png" null: 2>&1) != 0 ]] || fail "the question is not in the picture"
+# The last step of another algorithm.
+"$snug" render obb-pca --algorithm exact --step end -o "$work/end.png"
+"$snug" render obb-pca --step end -o "$work/other.png"
+[[ $(compare -metric AE "$work/end.png" "$work/other.png" null: 2>&1) != 0 ]] || fail "another algorithm draws the same"

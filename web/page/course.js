@@ -19,7 +19,8 @@ function progress_of(lesson, entry) {
   return { kind: entry.done ? "done" : "begun", words };
 }
 
-const picture = (lesson, how = {}) => element("img", { class: "picture", alt: "", width: 480, height: 300, decoding: "async", "data-picture": lesson.id,
+/** A lesson that is being written has none: an empty stage is in its place. */
+const picture = (lesson, how = {}) => lesson.picture === false ? element("div", { class: "picture blank" }) : element("img", { class: "picture", alt: "", width: 480, height: 300, decoding: "async", "data-picture": lesson.id,
   onerror: ({ target }) => target.removeAttribute("src"), ...how }); // a card without its picture still says everything
 
 export class Course {
@@ -36,10 +37,24 @@ export class Course {
     this.#lessons = lessons_of(course);
     this.#kept = kept;
     this.#choose = choose;
+    by_id("search").addEventListener("input", () => this.#filter());
+    by_id("search").addEventListener("keydown", (event) => event.key === "Escape" && this.#clear_search());
+    by_id("search-clear").addEventListener("click", () => {
+      this.#clear_search();
+      by_id("search").focus();
+    });
   }
 
+  /** The same list when the course has changed. */
   get lessons() {
     return this.#lessons;
+  }
+
+  /** Takes another course in its place, which show lays out. */
+  replace(course) {
+    this.#chapters = course.chapters;
+    this.#lessons.splice(0, this.#lessons.length, ...lessons_of(course));
+    this.#laid_out = false;
   }
 
   /** The course's part of window.snug.state(). */
@@ -71,13 +86,9 @@ export class Course {
     this.#laid_out = true;
     const first = this.#lessons[0];
     if (first) by_id("course-picture").replaceChildren(picture(first));
+    this.#cards.clear();
     by_id("chapters").replaceChildren(...this.#chapters.map((chapter, i) => this.#chapter(chapter, i)));
-    by_id("search").addEventListener("input", () => this.#filter());
-    by_id("search").addEventListener("keydown", (event) => event.key === "Escape" && this.#clear_search());
-    by_id("search-clear").addEventListener("click", () => {
-      this.#clear_search();
-      by_id("search").focus();
-    });
+    this.#filter();
   }
 
   #chapter({ title, lessons }, i) {
@@ -92,7 +103,7 @@ export class Course {
       picture(lesson, { loading: "lazy" }),
       element("span", { class: "card-body" },
         element("span", { class: "card-title" }, element("span", { class: "number" }, String(lesson.number)), element("b", {}, whole_names(lesson.title))),
-        element("span", { class: "card-foot" }, element("span", {}, `${lesson.minutes} min`), says)));
+        element("span", { class: "card-foot" }, element("span", {}, lesson.minutes > 0 ? `${lesson.minutes} min` : "Draft"), says)));
     const item = element("li", {}, link);
     this.#cards.set(lesson.id, { item, link, says, text: plain(`${lesson.number} ${lesson.title} ${lesson.summary} ${lesson.chapter} ${lesson.words}`) });
     return item;

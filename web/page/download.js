@@ -47,6 +47,11 @@ export class Downloads {
     return this.#once(path, async () => (await this.answer(path, "text/plain; charset=utf-8")).text());
   }
 
+  /** The file is fetched again when it is next asked for. */
+  forget(path) {
+    this.#kept.delete(path);
+  }
+
   #once(path, bring) {
     if (!this.#kept.has(path)) this.#kept.set(path, bring());
     const coming = this.#kept.get(path);

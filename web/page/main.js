@@ -51,15 +51,18 @@ class Page {
   #reveal = () => {};
   #address_timer = 0;
   #panels_timer = 0;
+  #preview;
+  #wanted = null; // what could not be opened, because of its file
 
-  /** go_to(id): to another lesson. */
-  constructor({ door, downloads, lessons, formulas, settings, kept, embed, go_to }) {
+  /** go_to(id): to another lesson. preview: where the lessons are being written, else null. */
+  constructor({ door, downloads, lessons, formulas, settings, kept, embed, preview, go_to }) {
     this.#door = door;
     this.#downloads = downloads;
     this.#lessons = lessons;
     this.#settings = settings;
     this.#kept = kept;
     this.#embed = embed;
+    this.#preview = preview;
     const act = (what) => this.act(what);
     const next = (id) => lessons[lessons.findIndex((lesson) => lesson.id === id) + 1];
     const question = this.#question = new QuestionCard(door, act, { next: embed ? () => undefined : next, go: go_to, show_task: embed ? null : () => this.#show_task() });
@@ -135,6 +138,8 @@ class Page {
   /** Keeps the student's place and stops playing, before the course is shown. */
   rest() {
     this.#opens += 1; // cancels what is still loading
+    this.#wanted = null;
+    this.#preview?.lesson_says(null);
     clearTimeout(this.#address_timer);
     this.#address_timer = 0;
     if (!this.#opening) this.#keep(this.#address());
@@ -160,22 +165,20 @@ class Page {
     this.#address_timer = 0;
     this.#erased_at = null;
     this.written = null;
+    this.#wanted = { asked, reveal };
     const id = asked.lesson;
     if (!this.#lessons.some((lesson) => lesson.id === id)) return reveal(), this.#offer_lessons(asked.lesson);
-    const files = await this.#files(id).catch((failed) => (console.warn(failed), null));
+    const read = await this.#read(id, turn).catch((failed) => (console.warn(failed), null));
     if (turn !== this.#opens) return;
     reveal();
-    if (!files) return veil.failed("The lesson did not arrive. Check the connection, then try again.", () => this.open(asked, reveal));
+    if (!read) return veil.failed("The lesson did not arrive. Check the connection, then try again.", () => this.open(asked, reveal));
     const kept = this.#embed ? null : this.#kept.lesson(id);
-    if (kept && !files.error) this.#door.keep_answers(id, kept.answers);
-    const error = files.error ?? this.#door.open_lesson(...files);
+    if (kept && read.opens) this.#door.keep_answers(id, kept.answers);
+    const error = read.opens ? this.#door.open_lesson(read.bytes, false) : read.error;
+    if (error && this.#preview) return veil.choose("This lesson cannot be drawn yet: it opens once its file is mended. These are the lessons:", lesson_links(this.#lessons, null, this.#go_to));
     if (error) return veil.failed(`This lesson cannot be opened. ${error}.`, null);
-    this.#lesson = this.#door.lesson();
-    this.#menu.show(this.#lesson);
-    document.title = `${this.#lesson.title} · Snug`;
-    by_id("canvas").setAttribute("aria-label", `Stage: ${this.#lesson.stageSays}`);
-    set_text(by_id("figures").closest("table").caption, `Numbers at this ${this.#lesson.stepWord}`);
-    for (const panel of this.#panels) panel.open?.(this.#lesson);
+    this.#wanted = null;
+    this.#show_lesson();
     const back = kept && (is_bare(asked) || location.search === kept.address);
     await this.#restore(back ? { ...read_address(kept.address), problems: asked.problems } : asked);
     if (turn !== this.#opens) return;
@@ -187,16 +190,49 @@ class Page {
     this.act(() => {});
   }
 
-  /** The arguments of open_lesson, or {error}. Throws if a file does not arrive. */
-  async #files(id) {
+  /** Shows what is constant in the lesson that was just opened. */
+  #show_lesson() {
+    this.#lesson = this.#door.lesson();
+    this.#menu.show(this.#lesson);
+    document.title = `${this.#lesson.title} · Snug`;
+    by_id("canvas").setAttribute("aria-label", `Stage: ${this.#lesson.stageSays}`);
+    set_text(by_id("figures").closest("table").caption, `Numbers at this ${this.#lesson.stepWord}`);
+    for (const panel of this.#panels) panel.open?.(this.#lesson);
+  }
+
+  /** Reads a lesson's file for open_lesson: {opens, error, bytes}, the bytes those of its mesh. One that is being written
+   *  opens in spite of its mistakes, as far as it can be drawn. Throws if a file does not arrive. */
+  async #read(id, turn) {
     const slow = setTimeout(() => (this.#reveal(), veil.loading()), kFilesDelay);
     try {
       const toml = await this.#downloads.text(`lessons/${id}.toml`);
-      const { error, mesh } = this.#door.check_lesson(toml, `${id}.toml`);
-      return error ? { error } : [toml, `${id}.toml`, mesh ? await this.#mesh(mesh) : ""];
+      if (turn !== this.#opens) return null; // the program holds one lesson that it has read
+      const { draws, error, says, mesh } = this.#door.read_lesson(toml, `${id}.toml`);
+      this.#preview?.lesson_says(says);
+      const opens = draws && (Boolean(this.#preview) || !error);
+      return { opens, error, bytes: opens && mesh ? await this.#mesh(mesh) : "" };
     } finally {
       clearTimeout(slow);
     }
+  }
+
+  /** Files of lessons that are being written have changed: opens what could not be opened, and the lesson that stands
+   *  here anew, at the same place. What cannot be drawn now leaves it as it was. names: the files'. */
+  async files_changed(names) {
+    for (const name of names) this.#downloads.forget(`lessons/${name}`);
+    if (this.#wanted) return this.open(this.#wanted.asked, this.#wanted.reveal);
+    const id = this.#lesson?.id;
+    if (this.#opening || !names.includes(`${id}.toml`)) return;
+    if (!this.#preview.has(`${id}.toml`)) return this.#preview.lesson_says({ heading: `${id}.toml is gone.`, lines: [{ text: "The lesson is shown as it was.", warning: false }] });
+    const turn = (this.#opens += 1);
+    const read = await this.#read(id, turn);
+    if (turn !== this.#opens || !read.opens) return;
+    const scrolled = [by_id("read").scrollTop, scrollY];
+    if (this.#door.open_lesson(read.bytes, true)) return;
+    this.#show_lesson();
+    this.act(() => {});
+    by_id("read").scrollTop = scrolled[0];
+    scrollTo(0, scrolled[1]);
   }
 
   #offer_lessons(id) {
@@ -322,7 +358,7 @@ class Page {
   state() {
     const view = this.#door.view();
     if (view?.asked) view.asked.targets = this.#door.targets();
-    return view;
+    return view && { ...view, mistakes: (this.#preview?.says ?? []).flatMap(({ heading, lines }) => [heading, ...lines.map(({ text }) => text)]) };
   }
 
   forget_answers() {
@@ -347,6 +383,7 @@ class Site {
   #settings = new Settings();
   #kept = new Kept();
   #course = null;
+  #preview = null;
   #page = null;
   #shown = null; // the address that is shown
   #scrolled = 0; // how far the course was scrolled
@@ -399,9 +436,27 @@ class Site {
   }
 
   async #bring_course() {
-    const course = new Course(JSON.parse(await this.#downloads.text("course.json")), this.#kept, (id) => this.#go_into(id));
+    const made = JSON.parse(await this.#downloads.text("course.json"));
+    const course = new Course(made, this.#kept, (id) => this.#go_into(id));
+    if (made.preview) await this.#follow(made.preview);
     this.#settings.on_change(() => course.show_theme(["dark", "contrast"].includes(this.#settings.theme)));
     return course;
+  }
+
+  /** Where the lessons are being written, the page follows their files. */
+  async #follow(of) {
+    const { Preview } = await import("./preview.js");
+    this.#preview = new Preview(of);
+    this.#preview.follow((names) => this.#files_changed(names));
+  }
+
+  async #files_changed(names) {
+    this.#downloads.forget("course.json");
+    const made = JSON.parse(await this.#downloads.text("course.json"));
+    this.#course.replace(made);
+    this.#preview.course_says(made.preview.mistake);
+    if (document.documentElement.dataset.view === "course") this.#course.show();
+    await this.#page?.files_changed(names);
   }
 
   /** The typeset formulas; without them, formulas are shown on one line. */
@@ -412,7 +467,7 @@ class Site {
   async #bring_page(embed, attempt) {
     veil.loading();
     const page = new Page({ door: await open_door(this.#downloads, attempt), downloads: this.#downloads, lessons: this.#course.lessons, formulas: await this.#formulas(), settings: this.#settings,
-      kept: this.#kept, embed, go_to: (id) => this.#go_into(id) });
+      kept: this.#kept, embed, preview: this.#preview, go_to: (id) => this.#go_into(id) });
     return page;
   }
 

@@ -1,0 +1,58 @@
+#include "lesson/draft_text.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace snug::lesson {
+namespace {
+
+std::string counted_text(std::size_t count, const std::string& word) {
+  return std::to_string(count) + ' ' + word + (count == 1 ? "" : "s");
+}
+
+struct Told {
+  const FileError* error;
+  bool warning;
+};
+
+bool comes_first(const Told& a, const Told& b) {
+  const FilePlace x = a.error->place, y = b.error->place;
+  return std::tie(x.line, x.column) < std::tie(y.line, y.column);
+}
+
+std::string heading_of(const Draft& draft, std::string_view file) {
+  std::string text(file);
+  const std::size_t mistakes = draft.mistakes.size(), warnings = draft.warnings.size();
+  text += ": ";
+  if (mistakes > 0) text += counted_text(mistakes, "mistake");
+  if (mistakes > 0 && warnings > 0) text += " and ";
+  if (warnings > 0) text += counted_text(warnings, "warning");
+  return text;
+}
+
+}  // namespace
+
+DraftText text_of(const Draft& draft, std::string_view file) {
+  if (draft.mistakes.empty() && draft.warnings.empty()) return {};
+  std::vector<Told> all;
+  for (const FileError& mistake : draft.mistakes) all.push_back({&mistake, false});
+  for (const FileError& warning : draft.warnings) all.push_back({&warning, true});
+  std::stable_sort(all.begin(), all.end(), comes_first);
+  DraftText text{heading_of(draft, file), {}};
+  if (!draft.lesson) text.heading += ". It cannot be drawn like this.";
+  for (const Told& told : all) {
+    const FilePlace place = told.error->place;
+    text.lines.push_back({std::to_string(place.line) + ':' + std::to_string(place.column) + ": " +
+                              (told.warning ? "warning: " : "") + told.error->what,
+                          told.warning});
+  }
+  return text;
+}
+
+DraftText text_of(const InputError& mistake, std::string_view file) {
+  const Draft draft{
+      {}, {{FilePlace(static_cast<int>(std::max<std::int64_t>(1, mistake.position))), mistake.what, {}}}, {}};
+  return {heading_of(draft, file), {{std::to_string(draft.mistakes[0].place.line) + ": " + mistake.what, false}}};
+}
+
+}  // namespace snug::lesson

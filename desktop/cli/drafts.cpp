@@ -1,0 +1,136 @@
+#include "desktop/cli/drafts.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "desktop/cli/files.hpp"
+
+namespace snug::desktop {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Empty if there is no such file.
+std::string stamp_of(const std::string& path) {
+  std::error_code error;
+  const auto time = fs::last_write_time(path, error);
+  const auto size = error ? 0 : fs::file_size(path, error);
+  if (error) return {};
+  return std::to_string(time.time_since_epoch().count()) + ' ' + std::to_string(size);
+}
+
+lesson::Draft draft_of(const std::string& path) {
+  const auto text = read_start(path, lesson::kMostLessonBytes);
+  if (text) return lesson::read_draft(*text, path);
+  return {{}, {{1, text.error().what, path}}, {}};
+}
+
+/// Reads it if it has changed. Returns whether it has.
+bool read_anew(DraftFile& draft) {
+  std::string stamp = stamp_of(draft.file.path);
+  if (draft.version > 0 && stamp == draft.stamp) return false;
+  draft.stamp = std::move(stamp);
+  lesson::Draft read = draft_of(draft.file.path);
+  draft.says = lesson::text_of(read, fs::path(draft.file.path).filename().string());
+  draft.draws = read.lesson.has_value();
+  if (draft.draws) draft.file.lesson = *std::move(read.lesson), draft.drawn = true;
+  ++draft.version;
+  return true;
+}
+
+DraftFile unread(const std::string& path) {
+  DraftFile draft;
+  draft.file.path = path;
+  draft.file.lesson.id = draft.file.lesson.title = id_of(path);
+  return draft;
+}
+
+std::string name_of_folder(const std::string& folder) {
+  std::error_code error;
+  fs::path path = fs::absolute(folder, error).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  return path.filename().string();
+}
+
+}  // namespace
+
+tl::expected<Drafts, InputError> Drafts::open(std::string folder, std::string file) {
+  Drafts drafts(std::move(folder), std::move(file));
+  if (const auto paths = drafts.paths(); !paths) return tl::unexpected(paths.error());
+  drafts.refresh("");
+  return drafts;
+}
+
+/// Errors: those of the folder and the file; none is a lesson.
+tl::expected<std::vector<std::string>, InputError> Drafts::paths() const {
+  std::vector<std::string> all;
+  if (!folder_.empty()) {
+    auto of_folder = lesson_paths(folder_);
+    if (!of_folder) return of_folder;
+    all = *std::move(of_folder);
+    if (all.empty() && file_.empty())
+      return tl::unexpected(InputError{.what = "there is no lesson: no file here ends in .toml", .file = folder_});
+  }
+  if (file_.empty()) return all;
+  if (const auto text = read_start(file_, 0); !text) return tl::unexpected(text.error());
+  std::error_code error;
+  const bool listed =
+      std::any_of(all.begin(), all.end(), [&](const std::string& path) { return fs::equivalent(path, file_, error); });
+  if (!listed) all.push_back(file_);
+  return all;
+}
+
+bool Drafts::refresh(std::string_view kept) {
+  const auto now = paths();
+  bool changed = false;
+  if (now) {
+    const auto gone = [&](const DraftFile& draft) {
+      return draft.file.lesson.id != kept && std::find(now->begin(), now->end(), draft.file.path) == now->end();
+    };
+    changed = std::erase_if(files_, gone) > 0;
+    for (const std::string& path : *now) {
+      const auto same = [&](const DraftFile& draft) { return draft.file.path == path; };
+      if (std::any_of(files_.begin(), files_.end(), same)) continue;
+      files_.push_back(unread(path));
+      changed = true;
+    }
+  }
+  for (DraftFile& draft : files_) changed = read_anew(draft) || changed;
+  std::string stamp = folder_.empty() ? "" : stamp_of((fs::path(folder_) / kCourseFile).string());
+  changed = std::exchange(course_stamp_, stamp) != stamp || changed;
+  if (changed) put_in_order();
+  return changed;
+}
+
+void Drafts::put_in_order() {
+  std::map<std::string, std::pair<std::size_t, std::string>> ranks;  // a lesson's place and chapter
+  course_says_ = {};
+  if (!course_stamp_.empty()) {
+    const auto course = read_course_of(folder_);
+    if (!course) {
+      course_says_ = lesson::text_of(course.error(), kCourseFile);
+    } else {
+      for (const lesson::Chapter& chapter : course->chapters)
+        for (const std::string& id : chapter.lessons) ranks.emplace(id, std::pair(ranks.size(), chapter.title));
+    }
+  }
+  const auto rank = [&](const DraftFile& draft) {
+    const auto found = ranks.find(draft.file.lesson.id);
+    return std::pair(found != ranks.end() ? found->second.first : ranks.size(), draft.file.path);
+  };
+  std::sort(files_.begin(), files_.end(), [&](const DraftFile& a, const DraftFile& b) { return rank(a) < rank(b); });
+  const std::string others = folder_.empty() ? std::string() : name_of_folder(folder_);
+  for (DraftFile& draft : files_) {
+    const auto found = ranks.find(draft.file.lesson.id);
+    draft.file.chapter = found != ranks.end() ? found->second.second : others;
+  }
+}
+
+const DraftFile* Drafts::find(std::string_view id) const {
+  const auto found =
+      std::find_if(files_.begin(), files_.end(), [&](const DraftFile& draft) { return draft.file.lesson.id == id; });
+  return found != files_.end() ? &*found : nullptr;
+}
+
+}  // namespace snug::desktop

@@ -1,0 +1,131 @@
+#include "lesson/place.hpp"
+
+#include "core/lesson/small_lesson.hpp"
+#include "lesson/subjects.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+using snug::test::choice;
+using snug::test::kSmallLesson;
+using snug::test::open;
+using snug::test::open_small;
+using snug::test::point;
+using snug::test::small_lesson_with;
+
+namespace {
+
+/// The lesson as it reads now, at the place of an earlier session.
+Session reread(const std::string& text, const Session& before) {
+  const Place place(before);
+  Session now = open(text);
+  place.take(now);
+  return now;
+}
+
+std::string algorithm_of(const Session& session) { return name_in(session.lesson(), *session.method(0)); }
+
+}  // namespace
+
+TEST_CASE("a lesson that is read anew stays at its algorithm and step, and the end stays the end") {
+  const std::string other_words = small_lesson_with("Another paragraph.", "Other words.");
+  Session before = open_small();
+  REQUIRE(before.choose(0, "welzl"));
+  REQUIRE(before.choose(1, "ritter"));
+  before.jump(4);
+  const Session now = reread(other_words, before);
+  CHECK(now.step() == 4);
+  CHECK(algorithm_of(now) == "welzl");
+  CHECK(now.method(1) == find_method(now.lesson(), "ritter"));
+  CHECK(now.lesson().sections[0].paragraphs[1][0].text == "Other words.");
+  before.jump(before.steps());
+  const std::string more = small_lesson_with("[0.5, 0.2]]", "[0.5, 0.2], [0.1, 0.1], [0.3, 0.2]]");
+  const Session longer = reread(more, before);
+  CHECK(longer.size() == 8);
+  CHECK(longer.step() == longer.steps());
+}
+
+TEST_CASE("an algorithm that the lesson no longer offers gives way to its first") {
+  Session before = open_small();
+  REQUIRE(before.choose(0, "welzl"));
+  const Session now = reread(small_lesson_with("\"welzl\", \"brute_force\"", "\"brute_force\""), before);
+  CHECK(algorithm_of(now) == "ritter");
+}
+
+TEST_CASE("edits are kept, unless the file has something else on the stage") {
+  Session before = open_small();
+  REQUIRE(before.move(0, {-3, 0.5, 0}));
+  const Session kept = reread(small_lesson_with("title = \"Small\"", "title = \"Little\""), before);
+  CHECK(kept.lesson().title == "Little");
+  CHECK(kept.point(0).x() == -3);
+  CHECK(kept.edited());
+  const Session replaced = reread(small_lesson_with("[0, 2.5], [0.5", "[0, 3], [0.5"), before);
+  CHECK(replaced.point(0).x() == -2);
+  CHECK(replaced.point(4).y() == 3);
+  CHECK_FALSE(replaced.edited());
+}
+
+TEST_CASE("points of another seed, of a generator and of a file are kept") {
+  const std::string other_words = small_lesson_with("Another paragraph.", "Other words.");
+  Session before = open_small();
+  before.scatter(17);
+  CHECK(reread(other_words, before).subject().rows() == before.subject().rows());
+  REQUIRE(before.set_generator("cube", 9, 2, 3));
+  const Session generated = reread(other_words, before);
+  CHECK(generated.source() == "cube");
+  CHECK(generated.subject().rows() == before.subject().rows());
+  REQUIRE(before.load({2, {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}, {}}, "mine.xyz"));
+  const Session loaded = reread(other_words, before);
+  CHECK(loaded.source() == "mine.xyz");
+  CHECK(loaded.subject().rows() == before.subject().rows());
+  before.start_task();
+  REQUIRE(before.move(1, {5, 0, 0}));
+  const Session task = reread(other_words, before);
+  CHECK(task.source() == "task");
+  CHECK(task.subject().rows() == before.subject().rows());
+  CHECK(task.grade()->done == before.grade()->done);
+}
+
+TEST_CASE("answers are judged by what the file says now") {
+  Session before = open_small();
+  before.jump(10);
+  REQUIRE(before.asked() != nullptr);
+  REQUIRE(before.asked()->question->id == "number");
+  REQUIRE(before.answer(choice(0)));
+  REQUIRE_FALSE(before.outcome()->right);
+  const Session mended = reread(small_lesson_with("answer = \"three\"", "answer = \"one\""), before);
+  REQUIRE(mended.outcome() != nullptr);  // it is told on
+  CHECK(mended.outcome()->right);
+  const Session gone = reread(small_lesson_with("id = \"number\"", "id = \"count\""), before);
+  for (const Outcome& outcome : gone.outcomes()) CHECK(outcome.question != "number");
+  const Session other =
+      reread(small_lesson_with("asks = \"choice\"\nprompt = \"How many passes?\"\nchoices = [\"one\", "
+                               "\"three\"]\nanswer = \"three\"\nown_points = true",
+                               "asks = \"point\"\nprompt = \"Which?\""),
+             before);
+  for (const Outcome& outcome : other.outcomes()) CHECK((outcome.question != "number" || outcome.passed));
+}
+
+TEST_CASE("a question that waits for its second try still waits for it") {
+  Session before = open_small();
+  before.jump(2);
+  REQUIRE(before.asked() != nullptr);
+  REQUIRE(before.asked()->question->id == "growth");
+  REQUIRE(before.pick(point(5)));
+  REQUIRE(before.commit());
+  REQUIRE(before.tried() != nullptr);
+  const Session now = reread(std::string(kSmallLesson), before);
+  REQUIRE(now.tried() != nullptr);
+  CHECK(now.tried()->value == 5);
+}
+
+TEST_CASE("another lesson begins where it begins") {
+  Session before = open_small();
+  before.jump(4);
+  const Place place(before);
+  auto other = read_lesson(kSmallLesson, "other.toml");
+  REQUIRE(other.has_value());
+  auto now = Session::open(*std::move(other));
+  REQUIRE(now.has_value());
+  place.take(*now);
+  CHECK(now->step() == 0);
+}
