@@ -361,7 +361,7 @@ bool App::create_graphics() {
 void App::abandon_graphics() { state_->gl.abandon(); }
 const std::string& App::graphics_error() const { return state_->gl.error(); }
 
-tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io::PointFile> mesh) {
+tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io::PointFile> mesh, bool anew) {
   auto session = lesson::Session::open(std::move(lesson), std::move(mesh), state_->platform.clock);
   if (!session) return tl::unexpected(std::move(session.error()));
   if (const auto& left = state_->session) state_->answers[left->lesson().id] = left->outcomes();
@@ -370,7 +370,8 @@ tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io
   state_->subject = &subject_of(state_->session->lesson());
   state_->view = state_->subject->view();
   state_->cover = state_->subject->cover != nullptr ? state_->subject->cover(state_->platform) : nullptr;
-  state_->stage.open(*state_->session, *state_->view);
+  if (anew) state_->stage.open_anew(*state_->session, *state_->view);
+  else state_->stage.open(*state_->session, *state_->view);
   state_->stage.light("");
   state_->playing = false;
   state_->watched_pause = 0;

@@ -86,8 +86,8 @@ class App {
   [[nodiscard]] const std::string& graphics_error() const;
 
   /// Opens a lesson at its start, with the answers given when it was open before. Errors: those of Session::open; the
-  /// lesson that was open then stays.
-  tl::expected<void, InputError> open(lesson::Lesson lesson, std::optional<io::PointFile> mesh = {});
+  /// lesson that was open then stays. anew: it is the one that is open, read anew; the view of the stage stays.
+  tl::expected<void, InputError> open(lesson::Lesson lesson, std::optional<io::PointFile> mesh = {}, bool anew = false);
   /// Keeps the answers of an earlier visit for when the lesson is opened; and forgets all answers of all lessons.
   void keep_answers(const std::string& lesson, std::vector<lesson::Outcome> outcomes);
   void forget_answers();

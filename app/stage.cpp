@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/mesh_normals.hpp"
 #include "app/numbers.hpp"
@@ -60,6 +61,15 @@ void Stage::open(const lesson::Session& session, SubjectView& view) {
   seen_ = session.revision() - 1;
 }
 
+void Stage::open_anew(const lesson::Session& session, SubjectView& view) {
+  const Camera camera = camera_;
+  const Hands hands = hands_;
+  open(session, view);
+  camera_kept_ = !camera.framed() && camera.dim() == session.dim();
+  if (camera_kept_) camera_ = camera;
+  if (hands.selected < session.size()) hands_.selected = hands.selected, hands_.arrows = hands.arrows;
+}
+
 void Stage::reset_view(const lesson::Session& session) {
   framed_ball_ = view_->extent(session);
   camera_.frame(framed_ball_, false);
@@ -106,7 +116,7 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
   if (!view_->can_move(session)) hands_.arrows = false;
   if (first) {
     framed_ball_ = view_->extent(session);
-    camera_.frame(framed_ball_, true);
+    if (!std::exchange(camera_kept_, false)) camera_.frame(framed_ball_, true);
   }
   keep_framed(session);
   if (hands_.selected >= session.size()) hands_.selected = kNoIndex;

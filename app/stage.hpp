@@ -12,6 +12,8 @@ class Stage {
  public:
   /// Frames a session that was just opened, and forgets the selection. view: that of the session; it must live as long.
   void open(const lesson::Session& session, SubjectView& view);
+  /// The same where the lesson was read anew: a view that a hand has taken stays, and so does the selection.
+  void open_anew(const lesson::Session& session, SubjectView& view);
   void draw(const Look& look, Settings& settings, lesson::Session& session, const Rect& rect, double now);
   /// Whether something on it moves without any input.
   [[nodiscard]] bool moving() const { return motion_.moving() || camera_.moving() || foot_ != foot_goal_; }
@@ -80,6 +82,7 @@ class Stage {
 
   SubjectView* view_ = nullptr;
   Camera camera_;
+  bool camera_kept_ = false;  // whether it stays at the first refresh
   Frame frame_;
   fit::Sphere3 framed_ball_;
   GlScene scene_;

@@ -30,9 +30,9 @@ class Kept {
   /// Reads course.json in $XDG_STATE_HOME/snug, or else in ~/.local/state/snug. If neither variable names a folder,
   /// nothing is kept.
   Kept();
-  /// For pictures: keeps nothing.
+  /// For pictures, and for lessons of one's own: keeps nothing.
   struct Nothing {};
-  explicit Kept(Nothing) : invited(lesson::Invitations::kAll) {}
+  explicit Kept(Nothing) : invited(lesson::Invitations::kAll), works_(false) {}
 
   /// The last lesson; empty before the first.
   [[nodiscard]] const std::string& last() const { return last_; }

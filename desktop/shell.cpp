@@ -32,7 +32,7 @@ Shell::Shell(app::App& app, std::vector<LessonFile> lessons, Kept kept, std::opt
   if (drafts_) take_files();
 }
 
-tl::expected<void, InputError> Shell::open(const std::string& id) {
+tl::expected<void, InputError> Shell::open(const std::string& id, bool anew) {
   for (const LessonFile& file : lessons_) {
     if (file.lesson.id != id) continue;
     std::optional<io::PointFile> mesh;
@@ -41,7 +41,7 @@ tl::expected<void, InputError> Shell::open(const std::string& id) {
       if (!tell(read)) return tl::unexpected(read.error());
       mesh = std::move(*read);
     }
-    auto opened = app_.open(file.lesson, std::move(mesh));
+    auto opened = app_.open(file.lesson, std::move(mesh), anew);
     hint_shown = false, typed = {};
     if (opened) {
       open_ = static_cast<std::size_t>(&file - lessons_.data()), unread = true, task_wanted = false;

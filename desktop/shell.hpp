@@ -56,8 +56,8 @@ class Shell {
   void keep();
   void erase_answers();
 
-  /// Errors are also shown as the notice.
-  tl::expected<void, InputError> open(const std::string& id);
+  /// Errors are also shown as the notice. anew: it is the one that is open, read anew.
+  tl::expected<void, InputError> open(const std::string& id, bool anew = false);
   /// Replaces the points by one of the program's meshes, by name, or by a point file, by path.
   void use_mesh(const std::string& name);
   void use_file(const std::string& path);

@@ -47,7 +47,7 @@ void Shell::read_again() {
   if (draft == nullptr || draft->version == opened_version_ || !draft->draws) return;
   const lesson::Place place(session());
   const bool hint = hint_shown;
-  if (!open(draft->file.lesson.id)) {
+  if (!open(draft->file.lesson.id, true)) {
     if (!draft->says.empty()) notice.clear();  // the strip says it
     return;
   }

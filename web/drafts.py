@@ -3,17 +3,20 @@
 import json
 import os
 import pathlib
+import subprocess
 import tomllib
 
 from describe_site import course_of, words_of
 
 COURSE = "course.toml"
+TYPESET = pathlib.Path(__file__).resolve().parent.parent / "assets/formulas.mjs"
 
 
 class Drafts:
     def __init__(self, folder: str):
         self.folder = pathlib.Path(folder)
         self.entries = {}  # by the file's name: its stamp, and what the course's page shows of it
+        self.typeset = {}  # the same with its formulas
 
     def wrong(self) -> str | None:
         """Why the folder cannot be served; None if it can."""
@@ -37,7 +40,7 @@ class Drafts:
 
     def has(self, name: str) -> bool:
         """Whether a path of the site is answered from the folder, or not at all: the site's own lessons are not there."""
-        return name in ("course.json", "preview.json") or name.startswith("lessons/")
+        return name in ("course.json", "formulas.json", "preview.json") or name.startswith("lessons/")
 
     def read(self, name: str) -> bytes:
         """OSError: there is no such file."""
@@ -45,6 +48,8 @@ class Drafts:
             return json.dumps(self.stamps()).encode()
         if name == "course.json":
             return json.dumps(self.course()).encode()
+        if name == "formulas.json":
+            return json.dumps(self.formulas()).encode()
         name = name.removeprefix("lessons/")
         if name not in self.stamps():
             raise FileNotFoundError(name)
@@ -70,6 +75,24 @@ class Drafts:
             entry = self.read_entry(name) or entry or draft_entry(name, {})
             self.entries[name] = (stamp, entry)
         return entry
+
+    def formulas(self) -> dict[str, str]:
+        """Those of all lessons, typeset; of one that has a wrong formula, as they were before."""
+        for name, stamp in self.stamps().items():
+            before, formulas = self.typeset.get(name, (None, {}))
+            if before != stamp:
+                self.typeset[name] = (stamp, self.read_formulas(name) or formulas)
+        return {tex: math for _, formulas in self.typeset.values() for tex, math in formulas.items()}
+
+    def read_formulas(self, name: str) -> dict[str, str]:
+        path = self.folder / name
+        try:
+            if b"$" not in path.read_bytes():
+                return {}
+            made = subprocess.run(["node", TYPESET, path, "/dev/stdout"], capture_output=True, check=True, timeout=20)
+            return json.loads(made.stdout)
+        except (OSError, ValueError, subprocess.SubprocessError):
+            return {}  # they stand on one line then
 
     def read_entry(self, name: str) -> dict | None:
         """None: it cannot be read. The page says what is wrong with it."""

@@ -151,7 +151,7 @@ std::string open_lesson(const std::string& mesh, bool anew) {
   }
   std::optional<lesson::Place> place;
   if (anew && session()) place.emplace(*session());
-  if (const auto opened = door().app->open(std::move(*lesson), std::move(file)); !opened)
+  if (const auto opened = door().app->open(std::move(*lesson), std::move(file), place.has_value()); !opened)
     return opened.error().message();
   door().shared.forget();
   door().shared.remember(*session());

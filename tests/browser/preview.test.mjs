@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { spawnSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
-import { answer, assert, drag, kPhone, kWide, load, serve_drafts, start_on, state, still, stop, until, until_within } from "./support.mjs";
+import { answer, assert, drag, handles, kPhone, kWide, load, serve_drafts, start_on, state, still, stop, until, until_within } from "./support.mjs";
 
 const kSecond = 1000;
 const root = fileURLToPath(new URL("../../", import.meta.url));
@@ -53,8 +53,10 @@ test("a save is followed within a second, at the same algorithm and step", async
   await page.keyboard.press("ArrowLeft");
   await page.keyboard.press("ArrowLeft");
   const before = await until(page, (now) => now.step === now.steps - 2);
+  const at_hand = await page.locator("#prose section[aria-current]").count();
   write("mine.toml", changed("has a centre.", "has a middle of its own."));
   await prose_has(page, "has a middle of its own.");
+  assert.equal(await page.locator("#prose section[aria-current]").count(), at_hand, "the section at hand is still marked");
   const now = await state(page);
   assert.deepEqual([now.algorithm, now.step, now.trace], ["welzl", before.step, before.trace]);
   assert.match(page.url(), new RegExp(`step=${before.step}`));
@@ -78,6 +80,28 @@ test("what was dragged stays, until the file has other points; answers stay too"
   assert.equal(replaced.outcomes.length, 1);
 });
 
+test("the view and the selection stay; formulas are typeset", async (t) => {
+  const page = await open(t, "?lesson=mine&step=1", { ...kWide, reducedMotion: "reduce" });
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("]");
+  const { selectedName } = await until(page, (now) => now.selectedName);
+  const { x, y, width, height } = await page.locator("#stage").boundingBox();
+  await page.mouse.move(x + width / 3, y + height / 3);
+  await page.mouse.wheel(0, -400);
+  await still(page);
+  const before = await handles(page);
+  write("mine.toml", changed("has a centre.", "has a centre $c_1$."));
+  await page.locator("#prose math").waitFor();
+  await still(page);
+  assert.deepEqual(await handles(page), before);
+  assert.equal((await state(page)).selectedName, selectedName);
+  write("mine.toml", changed("[0.5, 2.5]]", "[0.5, 2.5], [1, 1]]"));
+  await soon(page, (now) => now.size === 6);
+  await page.keyboard.press("0"); // and all of it is shown again
+  await still(page);
+  assert.equal((await handles(page)).length, 6);
+});
+
 test("two mistakes stand in the strip with their places, and the lesson is drawn all the same", async (t) => {
   const page = await open(t, "?lesson=mine&step=2");
   const wrong = changed('asks = "point"', 'asks = "pint"', changed("minutes = 5", "minuts = 5"));
@@ -92,6 +116,7 @@ test("two mistakes stand in the strip with their places, and the lesson is drawn
   assert.deepEqual(now.mistakes, ["mine.toml: 2 mistakes", ...lines]);
   assert.deepEqual([now.lesson, now.step, now.questions], ["mine", 2, 0]);
   assert.equal(await page.locator("#strip-told").textContent(), "mine.toml: 2 mistakes");
+  assert.equal(await page.locator("#prose section[aria-current]").count(), 1, "the section at hand is marked as before");
   write("mine.toml", kCloud);
   await page.locator("#strip").waitFor({ state: "hidden", timeout: kSecond });
   assert.equal((await state(page)).questions, 1);

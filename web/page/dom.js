@@ -38,11 +38,16 @@ export function set_hidden(node, hidden) {
   if (node.hidden !== hidden) node.hidden = hidden;
 }
 
+let opened = 0;
+
+/** Makes everything anew at its next call: what it was made for is replaced. */
+export const make_anew = () => void (opened += 1);
+
 /** Calls make only when what it is made from has changed. */
 export function when_changed(make) {
   let last;
   return (...from) => {
-    const now = JSON.stringify(from);
+    const now = JSON.stringify([opened, from]);
     if (now === last) return;
     last = now;
     make(...from);

@@ -1,7 +1,7 @@
 // The page: loads the program and a lesson, shows the lesson's state, and keeps the address up to date.
 import { read_address, write_address } from "./address.js";
 import { Code } from "./code.js";
-import { by_id, element, followed_here, set_text, when_changed } from "./dom.js";
+import { by_id, element, followed_here, make_anew, set_text, when_changed } from "./dom.js";
 import { open_door } from "./door.js";
 import { CoverTools } from "./cover.js";
 import { Course } from "./course.js";
@@ -198,6 +198,22 @@ class Page {
     by_id("canvas").setAttribute("aria-label", `Stage: ${this.#lesson.stageSays}`);
     set_text(by_id("figures").closest("table").caption, `Numbers at this ${this.#lesson.stepWord}`);
     for (const panel of this.#panels) panel.open?.(this.#lesson);
+    make_anew(); // a lesson that is read anew may say the same of other elements
+  }
+
+  /** Shows the lesson anew, as it is in the program, where it was scrolled to. */
+  #show_anew() {
+    const read = by_id("read");
+    const [top, page_top] = [read.scrollTop, scrollY];
+    this.#show_lesson();
+    this.act(() => {});
+    read.scrollTop = top;
+    scrollTo(0, page_top);
+  }
+
+  /** The formulas have been typeset anew. */
+  formulas_changed() {
+    if (!this.#opening) this.#show_anew();
   }
 
   /** Reads a lesson's file for open_lesson: {opens, error, bytes}, the bytes those of its mesh. One that is being written
@@ -227,12 +243,7 @@ class Page {
     const turn = (this.#opens += 1);
     const read = await this.#read(id, turn);
     if (turn !== this.#opens || !read.opens) return;
-    const scrolled = [by_id("read").scrollTop, scrollY];
-    if (this.#door.open_lesson(read.bytes, true)) return;
-    this.#show_lesson();
-    this.act(() => {});
-    by_id("read").scrollTop = scrolled[0];
-    scrollTo(0, scrolled[1]);
+    if (!this.#door.open_lesson(read.bytes, true)) this.#show_anew();
   }
 
   #offer_lessons(id) {
@@ -384,6 +395,7 @@ class Site {
   #kept = new Kept();
   #course = null;
   #preview = null;
+  #typeset = {}; // the formulas
   #page = null;
   #shown = null; // the address that is shown
   #scrolled = 0; // how far the course was scrolled
@@ -451,12 +463,20 @@ class Site {
   }
 
   async #files_changed(names) {
-    this.#downloads.forget("course.json");
+    for (const path of ["course.json", "formulas.json"]) this.#downloads.forget(path);
     const made = JSON.parse(await this.#downloads.text("course.json"));
     this.#course.replace(made);
     this.#preview.course_says(made.preview.mistake);
     if (document.documentElement.dataset.view === "course") this.#course.show();
     await this.#page?.files_changed(names);
+    if (this.#page) await this.#typeset_anew();
+  }
+
+  async #typeset_anew() {
+    const formulas = await this.#formulas();
+    const more = Object.keys(formulas).some((tex) => !Object.hasOwn(this.#typeset, tex));
+    Object.assign(this.#typeset, formulas);
+    if (more) this.#page.formulas_changed();
   }
 
   /** The typeset formulas; without them, formulas are shown on one line. */
@@ -466,7 +486,9 @@ class Site {
 
   async #bring_page(embed, attempt) {
     veil.loading();
-    const page = new Page({ door: await open_door(this.#downloads, attempt), downloads: this.#downloads, lessons: this.#course.lessons, formulas: await this.#formulas(), settings: this.#settings,
+    const door = await open_door(this.#downloads, attempt);
+    Object.assign(this.#typeset, await this.#formulas());
+    const page = new Page({ door, downloads: this.#downloads, lessons: this.#course.lessons, formulas: this.#typeset, settings: this.#settings,
       kept: this.#kept, embed, preview: this.#preview, go_to: (id) => this.#go_into(id) });
     return page;
   }
