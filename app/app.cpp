@@ -248,7 +248,7 @@ bool App::State::edit(std::string_view name) {
 /// Selects the next or previous possible answer among the handles; false if the question is not answered on the stage.
 bool App::State::choose_target(int by) {
   const std::vector<Index> targets = session->targets();
-  if (targets.empty()) return false;
+  if (targets.empty() || session->asked()->many) return false;  // of many, each is tapped or named
   const auto n = static_cast<std::ptrdiff_t>(targets.size());
   const lesson::Answer* picked = session->picked();
   const bool any = picked != nullptr && picked->kind == lesson::Answer::Kind::kPoint;

@@ -63,6 +63,7 @@ class Stage {
   void release(lesson::Session& session);
   void tap(lesson::Session& session);
   [[nodiscard]] Index meant_at(const lesson::Session& session, float x, float y, float reach) const;
+  [[nodiscard]] Index grabbed(const lesson::Session& session, const Look& look, float x, float y) const;
   void steer_camera();
   // stage_handles.cpp
   void draw_handles(Brush& brush) const;

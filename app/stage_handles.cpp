@@ -56,10 +56,9 @@ void Stage::draw_invitation(Brush& brush) const {
   const Palette& p = brush.p;
   const std::vector<Index> targets = brush.session.targets();
   const lesson::Answer* picked = brush.session.picked();
-  const bool is_point = picked != nullptr && picked->kind == lesson::Answer::Kind::kPoint;
   for (const Index i : targets) {
     const ScreenPoint& point = brush.handles[i];
-    const bool chosen = is_point && picked->value == i;
+    const bool chosen = picked != nullptr && names_handle(*picked, i);
     if (!point.visible || (!chosen && targets.size() > kInviteAll)) continue;
     const ImVec2 at{point.x, point.y};
     if (chosen) disc(brush.list, at, brush.point_radius + 7, with_alpha(p.current, 0.3f));
@@ -137,8 +136,10 @@ void Stage::name_handles(Brush& brush) const {
   PointNames names(brush, brush.volume ? ball_around(*brush.volume, brush.dim()).center : framed_ball_.center);
   view_->name_marks(names);
   const lesson::Answer* picked = session.picked();
-  const bool is_point = picked != nullptr && picked->kind == lesson::Answer::Kind::kPoint;
-  for (const Index i : {is_point ? static_cast<Index>(picked->value) : kNoIndex, hands_.selected, hands_.hovered})
+  if (picked != nullptr)
+    for (Index i = 0; i < session.size(); ++i)
+      if (names_handle(*picked, i)) names.name(i, session.name_of(i), p.ink, Face::kSemiBold, 13);
+  for (const Index i : {hands_.selected, hands_.hovered})
     if (i != kNoIndex && i < session.size()) names.name(i, session.name_of(i), p.ink, Face::kSemiBold, 13);
   if (!lit_.empty())
     for (const Index i : lesson::marked_handles(session, lit_))

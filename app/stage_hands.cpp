@@ -24,9 +24,7 @@ void Stage::take(lesson::Session& session, const Look& look, const Rect& rect) {
   const bool over = ImGui::IsItemHovered();
   const float reach = look.fingers ? kFingerReach : kMouseReach;
   hands_.hovered = over || hands_.dragging ? meant_at(session, io.MousePos.x, io.MousePos.y, reach) : kNoIndex;
-  hands_.grabs = pressed_ != kNoIndex || (over && view_->can_move(session) &&
-                                          grab(screen_, session.dim() == 3, hands_.selected, io.MousePos.x,
-                                               io.MousePos.y, look.fingers) != kNoIndex);
+  hands_.grabs = pressed_ != kNoIndex || (over && grabbed(session, look, io.MousePos.x, io.MousePos.y) != kNoIndex);
   if (pressed_ != kNoIndex) hands_.hovered = pressed_;
   if (ImGui::IsItemActivated()) press(session, look);
   // Also in the frame in which it ends, because a whole drag can happen between two slow frames.
@@ -50,6 +48,13 @@ Index Stage::meant_at(const lesson::Session& session, float x, float y, float re
   return found == kNoIndex ? kNoIndex : targets[found];
 }
 
+/// The handle that a press at a place would drag.
+Index Stage::grabbed(const lesson::Session& session, const Look& look, float x, float y) const {
+  if (!view_->can_move(session)) return kNoIndex;
+  const Index found = grab(screen_, session.dim() == 3, hands_.selected, x, y, look.fingers);
+  return found != kNoIndex && session.may_move(found) ? found : kNoIndex;
+}
+
 void Stage::press(lesson::Session& session, const Look& look) {
   const ImGuiIO& io = ImGui::GetIO();
   pressing_ = true;
@@ -60,9 +65,7 @@ void Stage::press(lesson::Session& session, const Look& look) {
   const float reach = look.fingers ? kFingerReach : kMouseReach;
   tapped_ = means_points ? meant_at(session, press_x_, press_y_, reach) : kNoIndex;
   if (means_points && tapped_ == kNoIndex) tapped_ = pick(screen_, press_x_, press_y_, reach);
-  pressed_ = means_points && view_->can_move(session)
-                 ? grab(screen_, session.dim() == 3, hands_.selected, press_x_, press_y_, look.fingers)
-                 : kNoIndex;
+  pressed_ = means_points ? grabbed(session, look, press_x_, press_y_) : kNoIndex;
   panning_ = !left || io.KeyShift || session.dim() == 2;
   if (pressed_ == kNoIndex) return;
   const ScreenPoint& point = screen_[pressed_];
@@ -113,7 +116,8 @@ void Stage::tap(lesson::Session& session) {
     return;
   }
   hands_.selected = tapped_;
-  hands_.arrows = tapped_ != kNoIndex && session.asked() == nullptr && view_->can_move(session);
+  hands_.arrows =
+      tapped_ != kNoIndex && session.asked() == nullptr && view_->can_move(session) && session.may_move(tapped_);
 }
 
 void Stage::steer_camera() {

@@ -103,10 +103,9 @@ void Kept::keep(const lesson::Session& session) {
   const auto asked = static_cast<std::ptrdiff_t>(session.questions().size());
   const bool through = asked > 0 ? std::count_if(outcomes.begin(), outcomes.end(), decided) >= asked
                                  : begun && session.step() == session.steps();
-  const auto grade = session.grade();
   // A lesson once done stays done, even if it is opened again.
   now.done = through || (before != nullptr && before->done);
-  now.task = (grade && grade->done) || (before != nullptr && before->task);
+  now.task = session.tasks_done() || (before != nullptr && before->task);
   now.answers = lesson::kept_text(outcomes);
   lessons_[id] = std::move(now);
   last_ = id;

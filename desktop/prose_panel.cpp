@@ -35,33 +35,44 @@ void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app:
   app::rule(list, rect.x, rect.y + rect.height - 1, rect.width, look->line);
 }
 
-void draw_task(Shell& shell, Column& column) {
-  const auto& task = shell.session().lesson().task;
-  const auto grade = shell.session().grade();
-  if (!task || !grade) return;
+void draw_task(Shell& shell, Column& column, std::size_t number) {
+  lesson::Session& session = shell.session();
+  const lesson::Task& task = session.lesson().tasks[number];
+  const bool done = session.was_done(number);
   const app::Look& look = column.look();
+  column.begin_card();
+  column.heading(lesson::task_heading(number, session.lesson().tasks.size()), look->current_text);
+  column.words(task.prompt);
+  column.gap(10);
+  const float middle = column.y() + look.px(11);
+  if (done) app::tick(column.list(), {column.x() + 6, middle}, 6, look->optimum, 2.25f);
+  else app::ring(column.list(), {column.x() + 6, middle}, 5, look->muted, 1.5f);
+  Column beside(look, column.x() + 22, column.y(), column.width() - 22);
+  beside.words(session.grade(number).says, Face::kRegular, 14, done ? look->optimum_text : look->muted);
+  column.gap(beside.y() - column.y() + 8);
+  const bool hint_shown = shell.hint_of == static_cast<int>(number);
+  std::vector<std::string> buttons{lesson::start_task_text(session, task)};
+  if (!task.hint.empty()) buttons.emplace_back(lesson::kHintWord);
+  const std::string id = "task " + std::to_string(number);
+  const int clicked = column.buttons(number == 0 ? "task" : id.c_str(), buttons, hint_shown ? 1 : -1);
+  if (clicked == 0) session.start_task(number);
+  if (clicked == 1) shell.hint_of = hint_shown ? -1 : static_cast<int>(number);
+  if (hint_shown) column.words(task.hint, Face::kRegular, 13, look->muted);
+  column.end_card();
+}
+
+void draw_tasks(Shell& shell, Column& column) {
+  const std::size_t tasks = shell.session().lesson().tasks.size();
+  if (tasks == 0) return;
   if (std::exchange(shell.task_wanted, false)) {
     const float top = ImGui::GetWindowPos().y;
     ImGui::SetScrollFromPosY(column.y() - top, 0.1f);
     shell.read_at = ImGui::GetTime(), shell.measured_anew = true;
   }
-  column.begin_card();
-  column.heading(lesson::kTaskWord, look->current_text);
-  column.words(task->prompt);
-  column.gap(10);
-  const float middle = column.y() + look.px(11);
-  if (grade->done) app::tick(column.list(), {column.x() + 6, middle}, 6, look->optimum, 2.25f);
-  else app::ring(column.list(), {column.x() + 6, middle}, 5, look->muted, 1.5f);
-  Column beside(look, column.x() + 22, column.y(), column.width() - 22);
-  beside.words(grade->says, Face::kRegular, 14, grade->done ? look->optimum_text : look->muted);
-  column.gap(beside.y() - column.y() + 8);
-  std::vector<std::string> buttons{lesson::start_task_text(shell.session())};
-  if (!task->hint.empty()) buttons.emplace_back(lesson::kHintWord);
-  const int clicked = column.buttons("task", buttons, shell.hint_shown ? 1 : -1);
-  if (clicked == 0) shell.session().start_task();
-  if (clicked == 1) shell.hint_shown = !shell.hint_shown;
-  if (shell.hint_shown) column.words(task->hint, Face::kRegular, 13, look->muted);
-  column.end_card();
+  for (std::size_t i = 0; i < tasks; ++i) {
+    if (i > 0) column.gap(12);
+    draw_task(shell, column, i);
+  }
 }
 
 /// Follows a link in the prose.
@@ -138,7 +149,7 @@ void draw_lesson(Shell& shell, Column& column) {
   const bool reads = pointed || touch.focused != nullptr || ImGui::GetTime() - shell.read_at < kReads;
   follow_step(shell, now, top, bottom, reads);
   column.gap(12);
-  draw_task(shell, column);
+  draw_tasks(shell, column);
   if (touch.clicked != nullptr) follow(shell, lesson::Link(*touch.clicked));  // another lesson replaces the links
 }
 

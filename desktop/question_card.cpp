@@ -81,15 +81,16 @@ void draw_kicker(Column& column, std::string_view words, std::string_view place,
   column.gap(look.px(26));
 }
 
-/// A field to name a handle without pointing at it: type the name and press Enter.
-bool draw_name_field(Shell& shell, Column& column) {
+/// A field for a number, or to name handles without pointing at them: type it and press Enter.
+bool draw_answer_field(Shell& shell, Column& column, std::string_view label) {
   const app::Look& look = column.look();
   ImGui::PushFont(look.font(Face::kRegular), app::font_size(look, Face::kRegular, 14));
   ImGui::SetCursorScreenPos({column.x(), column.y()});
   ImGui::SetNextItemWidth(look.px(140));
-  const bool entered = ImGui::InputTextWithHint("##name", "Name", shell.typed.data(), shell.typed.size(),
+  const std::string hint(label);
+  const bool entered = ImGui::InputTextWithHint("##name", hint.c_str(), shell.typed.data(), shell.typed.size(),
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
-  app::offer_field("Name");
+  app::offer_field(hint);
   column.gap(ImGui::GetFrameHeight() + 10);
   ImGui::PopFont();
   if (!entered) return false;
@@ -107,7 +108,12 @@ int draw_choices(Column& column, const lesson::Session& session, const lesson::A
   int chosen = -1;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const int choice = static_cast<int>(i);
-    if (tried != nullptr && is_picked(asked, *tried, choice)) words[i] = "✕ " + words[i];
+    if (!asked.ordered && tried != nullptr && is_picked(asked, *tried, choice)) words[i] = "✕ " + words[i];
+    if (asked.ordered) {
+      const int place = picked != nullptr ? place_in_order(*picked, choice) : 0;
+      words[i] = (place > 0 ? std::to_string(place) : "·") + "  " + words[i];
+      continue;
+    }
     if (picked == nullptr || !is_picked(asked, *picked, choice)) continue;
     if (asked.many) words[i] = "✓ " + words[i];
     else chosen = choice;
@@ -152,7 +158,8 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   column.words(asked.prompt, Face::kRegular, 16);
   column.gap(10);
   const int chosen = draw_choices(column, session, asked);
-  if (asked.on_stage && asked.choices.empty() && draw_name_field(shell, column)) return;
+  const std::string_view field = lesson::field_word(asked);
+  if (!field.empty() && draw_answer_field(shell, column, field)) return;
   std::string says = session.answer_says().empty() ? lesson::how_to_answer(asked) : session.answer_says();
   const bool wrong = session.tried() != nullptr && session.picked() == nullptr;
   if (shell.presenting && session.answer_says().empty()) (says += ' ') += lesson::kSkipHint;  // a clicker has no other
@@ -191,7 +198,7 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
               lesson::standing_of(&outcome));
   if (asked != nullptr) column.words(asked->prompt, Face::kRegular, 14, look->muted), column.gap(6);
   draw_said(column, outcome);
-  if (session.answer_shown() && asked != nullptr && !asked->choices.empty()) {
+  if (session.answer_shown() && asked != nullptr && !asked->choices.empty() && !asked->ordered) {
     draw_right_choices(column, session, *asked, outcome);
   } else if (session.answer_shown()) {
     app::tick(column.list(), {column.x() + 6, column.y() + look.px(11)}, 6, look->optimum, 2.25f);
@@ -266,7 +273,7 @@ std::string draw_summary(Shell& shell, Column& column) {
   }
   const auto grade = session.grade();
   const std::string task =
-      grade && grade->done ? "✓ " + std::string(lesson::kTaskWord) : std::string(lesson::kToTaskWord);
+      session.tasks_done() ? "✓ " + std::string(lesson::kTaskWord) : std::string(lesson::kToTaskWord);
   std::vector<RowButton> row{{"close_summary", lesson::kCloseWord, ButtonKind::kQuiet},
                              {"predict_again", lesson::kPredictAgainWord, ButtonKind::kQuiet}};
   if (grade) row.push_back({"task", task});

@@ -42,7 +42,7 @@ tl::expected<void, InputError> Shell::open(const std::string& id, bool anew) {
       mesh = std::move(*read);
     }
     auto opened = app_.open(file.lesson, std::move(mesh), anew);
-    hint_shown = false, typed = {};
+    hint_of = -1, typed = {};
     if (opened) {
       open_ = static_cast<std::size_t>(&file - lessons_.data()), unread = true, task_wanted = false;
       waited_for_.clear();

@@ -86,8 +86,8 @@ class Shell {
   /// One sentence that is shown until it is dismissed; empty for none.
   std::string notice;
   bool keys_shown = false;
-  bool hint_shown = false;       // the hint of the task
-  std::array<char, 32> typed{};  // the typed name that answers a question
+  int hint_of = -1;              // the task whose hint is shown; -1 for none
+  std::array<char, 96> typed{};  // what is typed to answer a question
   bool points_tab = false;
   bool task_wanted = false;                              // whether to scroll to the task in the next frame
   std::vector<std::pair<std::string, app::Rect>> links;  // the links of the prose: their targets and places

@@ -46,13 +46,13 @@ void Shell::read_again() {
   const DraftFile* const draft = drafts_->find(session().lesson().id);
   if (draft == nullptr || draft->version == opened_version_ || !draft->draws) return;
   const lesson::Place place(session());
-  const bool hint = hint_shown;
+  const int hint = hint_of;
   if (!open(draft->file.lesson.id, true)) {
     if (!draft->says.empty()) notice.clear();  // the strip says it
     return;
   }
   place.take(session());
-  unread = false, hint_shown = hint;
+  unread = false, hint_of = hint;
 }
 
 std::vector<lesson::DraftText> Shell::strip() const {

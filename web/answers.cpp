@@ -9,15 +9,21 @@ namespace {
 
 using emscripten::val;
 
-/// A chosen or tried answer: a handle's name, or the numbers of choices.
+/// A chosen or tried answer: the numbers of choices (in the chosen order, if that is asked), and what could be typed
+/// for it: a handle's name, several, or a number.
 val answer_object(const lesson::Asked& asked, const lesson::Session& session, const lesson::Answer* answer) {
   if (answer == nullptr) return val::null();
+  using Kind = lesson::Answer::Kind;
   val object = val::object(), chosen = val::array();
-  for (std::size_t i = 0; i < asked.choices.size(); ++i)
+  if (answer->kind == Kind::kOrder) chosen = array_of(answer->list, [](int choice) { return val(choice); });
+  for (std::size_t i = 0; answer->kind == Kind::kChoice && i < asked.choices.size(); ++i)
     if (lesson::is_picked(asked, *answer, static_cast<int>(i))) chosen.call<void>("push", static_cast<int>(i));
   object.set("choices", chosen);
-  object.set("handle",
-             answer->kind == lesson::Answer::Kind::kPoint ? val(session.name_of(answer->value)) : val::null());
+  std::string typed = answer->kind == Kind::kPoint ? session.name_of(answer->value) : "";
+  for (const int handle : answer->kind == Kind::kPoints ? answer->list : std::vector<int>())
+    typed += (typed.empty() ? "" : ", ") + session.name_of(handle);
+  if (answer->kind == Kind::kNumber) typed = lesson::plain_number(answer->number);
+  object.set("handle", typed.empty() ? val::null() : val(typed));
   return object;
 }
 
@@ -29,6 +35,8 @@ val asked_object(const lesson::Asked* asked, const lesson::Session& session) {
   object.set("step", asked->step);
   object.set("choices", array_of(asked->choices, text));
   object.set("many", asked->many);
+  object.set("ordered", asked->ordered);
+  object.set("field", text(lesson::field_word(*asked)));
   object.set("onStage", asked->on_stage);
   object.set("place", lesson::place_text(*asked, session.questions()));
   object.set("how", lesson::how_to_answer(*asked));
@@ -76,6 +84,7 @@ val told_object(const lesson::Session& session, const lesson::Outcome* outcome) 
   object.set("prompt", asked->prompt);
   object.set("place", lesson::place_text(*asked, session.questions()));
   object.set("choices", array_of(asked->choices, text));
+  object.set("ordered", asked->ordered);
   object.set("given", answer_object(*asked, session, &outcome->given));
   object.set("canShow", session.can_show_answer());
   object.set("shown", session.answer_shown());
@@ -137,6 +146,15 @@ void set_answers(val& object, const lesson::Session& session) {
   object.set("outcomes", array_of(session.outcomes(), outcome_object));
   object.set("score", session.score());
   object.set("grade", grade_object(session.grade()));
+  val tasks = val::array();
+  for (std::size_t i = 0; i < session.lesson().tasks.size(); ++i) {
+    val task = grade_object(session.grade(i));
+    task.set("was", session.was_done(i));
+    tasks.call<void>("push", task);
+  }
+  object.set("tasks", tasks);
+  object.set("task", static_cast<int>(session.task()));
+  object.set("tasksDone", session.tasks_done());
 }
 
 }  // namespace snug::web

@@ -113,9 +113,9 @@ void invite(int followed) {
   if (door().app) door().app->invite(followed);
 }
 
-void start_task() {
-  if (!session()) return;
-  session()->start_task();
+void start_task(int task) {
+  if (!session() || task < 0) return;
+  session()->start_task(static_cast<std::size_t>(task));
   remember();
 }
 

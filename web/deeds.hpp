@@ -49,7 +49,7 @@ val cover_file(const std::string& format);
 void light(const std::string& mark);
 /// The first invitations, of which so many were followed before.
 void invite(int followed);
-void start_task();
+void start_task(int task);
 /// Sets a row of view()'s numbers, by the indices of its group and row.
 std::string set_numbers(int group, int row, const val& values);
 std::string set_rows(const val& rows);

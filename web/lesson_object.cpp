@@ -77,17 +77,19 @@ val lesson_object(const lesson::Session& session) {
   object.set("meshes", array_of(lesson.meshes, text));
   object.set("generators", array_of(lesson.generators, text));
   object.set("compare", lesson.compare);
-  if (lesson.task) {
+  val tasks = val::array();
+  for (std::size_t i = 0; i < lesson.tasks.size(); ++i) {
+    const lesson::Task& own = lesson.tasks[i];
     val task = val::object();
-    task.set("prompt", lesson.task->prompt);
-    task.set("hint", lesson.task->hint);
-    task.set("algorithm", lesson.task->algorithm);
-    task.set("points", lesson.task->points);
-    task.set("start", lesson::start_task_text(session));
-    object.set("task", task);
-  } else {
-    object.set("task", val::null());
+    task.set("heading", lesson::task_heading(i, lesson.tasks.size()));
+    task.set("prompt", own.prompt);
+    task.set("hint", own.hint);
+    task.set("algorithm", own.algorithm);
+    task.set("points", own.points);
+    task.set("start", lesson::start_task_text(session, own));
+    tasks.call<void>("push", task);
   }
+  object.set("tasks", tasks);
   return object;
 }
 

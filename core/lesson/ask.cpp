@@ -1,11 +1,13 @@
 #include "lesson/ask.hpp"
 
+#include <fast_float/fast_float.h>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "geometry/tolerance.hpp"
+#include "io/text.hpp"
+#include "lesson/grade.hpp"
 #include "lesson/names.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/words.hpp"
@@ -34,84 +36,6 @@ int place_after(const Run& run, const Gate& gate, int before) {
     if (run.fact(i) == gate.after) return i + 1;
   return before;
 }
-
-const char* offer_points(Asked& asked, const Run& run) {
-  if (run.handles(asked.fact).empty()) return "\"point\" cannot be asked of a step that names no point";
-  asked.on_stage = true;
-  asked.stage_points = run.candidates(asked.fact);
-  return nullptr;
-}
-
-Truth point_truth(const Asked& asked, const Run& run) {
-  Truth truth;
-  truth.points = run.handles(asked.fact);
-  truth.happened = asked.names(truth.points);
-  truth.sentence = truth.happened + " " + run.predicate(asked.fact, truth.points.size() > 1) + ".";
-  return truth;
-}
-
-const char* offer_choices(Asked& asked, const Run&) {
-  for (const std::string& choice : asked.question->choices) asked.add_choice(in_words_of(asked.dim, choice));
-  return nullptr;
-}
-
-/// The place right after the step that is asked about.
-View view_after(const Asked& asked, const Run& run) {
-  const Method* method = find_method(*asked.lesson, asked.question->gate.algorithm);
-  return {{Slot{method, &run}, Slot{}}, 0, asked.until};
-}
-
-std::optional<Figure> figure_after(const Asked& asked, const Run& run) {
-  for (Figure& figure : asked.subject->figures(view_after(asked, run)))
-    if (figure.key == asked.question->figure && figure.known) return std::move(figure);
-  return std::nullopt;
-}
-
-const char* offer_ranges(Asked& asked, const Run& run) {
-  const auto figure = figure_after(asked, run);
-  if (!figure) return "\"figure\" names none that there is after this step";
-  for (std::string& range : range_texts(asked.question->bounds, figure->unit)) asked.add_choice(std::move(range));
-  return nullptr;
-}
-
-Truth range_truth(const Asked& asked, const Run& run) {
-  const Figure figure = *figure_after(asked, run);
-  const std::vector<double>& bounds = asked.question->bounds;
-  const auto range = std::lower_bound(bounds.begin(), bounds.end(), figure.value) - bounds.begin();
-  return {{static_cast<int>(range)}, {}, figure.text, figure.name + ": " + figure.text + "."};
-}
-
-void read_figure(TomlTable& table, Question& question) {
-  question.figure = table.text("figure");
-  read_bounds(table, question);
-}
-
-const char* offer_methods(Asked& asked, const Run& run) {
-  const std::vector<Rival> rivals = asked.subject->rivals(*asked.lesson, view_after(asked, run));
-  if (rivals.size() < 2) return "\"tightest\" asks which of several algorithms is";
-  for (const Rival& rival : rivals) asked.add_choice(std::string(rival.method->title));
-  return nullptr;
-}
-
-/// Sizes that differ by rounding alone are equal, and all that have the least are right.
-Truth tightest_truth(const Asked& asked, const Run& run) {
-  const std::vector<Rival> rivals = asked.subject->rivals(*asked.lesson, view_after(asked, run));
-  const auto smaller = [](const Rival& a, const Rival& b) { return a.size < b.size; };
-  const double least = std::min_element(rivals.begin(), rivals.end(), smaller)->size;
-  Truth truth;
-  for (std::size_t i = 0; i < rivals.size(); ++i) {
-    if (rivals[i].size > least * (1 + tolerance::kBoxProof)) continue;
-    truth.choices.push_back(static_cast<int>(i));
-    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[i];
-  }
-  const bool one = truth.choices.size() == 1;
-  truth.sentence = truth.happened + (one ? " is the tightest: " : " are the tightest: ") + number_text(least) + ".";
-  return truth;
-}
-
-constexpr Asking kPoint{"point", &offer_points, &point_truth}, kChoice{"choice", &offer_choices, &choice_truth},
-    kFigure{.name = "figure", .offer = &offer_ranges, .truth = &range_truth, .read = &read_figure},
-    kTightest{.name = "tightest", .offer = &offer_methods, .truth = &tightest_truth, .figure = kComparedFigure};
 
 /// What the step's own fact can be asked comes first.
 const Asking* find_asking(std::string_view name, const SubjectRow& row, const Run& run, int fact) {
@@ -144,13 +68,54 @@ std::string names_of_bits(const Asked& asked, int bits) {
   return text.empty() ? "none" : text;
 }
 
+/// Whether a list has the same entries as another, in any order.
+bool same_set(std::vector<int> a, std::vector<int> b) {
+  std::sort(a.begin(), a.end()), std::sort(b.begin(), b.end());
+  return a == b;
+}
+
 bool is_right(const Asked& asked, const Answer& answer, const Truth& truth) {
-  if (answer.kind == Kind::kPoint) return contains(truth.points, answer.value);
-  if (answer.kind == Kind::kSkipped) return false;
+  switch (answer.kind) {
+    case Kind::kSkipped: return false;
+    case Kind::kPoint: return contains(truth.points, answer.value);
+    case Kind::kPoints: return same_set(answer.list, {truth.points.begin(), truth.points.end()});
+    case Kind::kNumber: return std::abs(answer.number - truth.number) <= truth.tolerance;
+    case Kind::kOrder: {
+      const auto before = [&](int a, int b) { return truth.ranks[a] < truth.ranks[b]; };
+      return std::is_sorted(answer.list.begin(), answer.list.end(), before);
+    }
+    case Kind::kChoice: break;
+  }
   if (!asked.many) return contains(truth.choices, answer.value);
   int all = 0;
   for (const int choice : truth.choices) all |= 1 << choice;
   return answer.value == all;
+}
+
+/// What an answer says, in words.
+std::string said_by(const Asked& asked, const Answer& answer, const Truth& truth) {
+  switch (answer.kind) {
+    case Kind::kSkipped: return {};
+    case Kind::kPoint: return said_by_handle(asked, truth, answer.value);
+    case Kind::kPoints: return asked.names(std::vector<Index>(answer.list.begin(), answer.list.end()));
+    case Kind::kNumber: return plain_number(answer.number) + (asked.unit.empty() ? "" : " " + asked.unit);
+    case Kind::kOrder: {
+      std::string text;
+      for (const int choice : answer.list)
+        text += (text.empty() ? "" : ", ") + asked.choices[static_cast<std::size_t>(choice)];
+      return text;
+    }
+    case Kind::kChoice: break;
+  }
+  return asked.many ? names_of_bits(asked, answer.value) : asked.choices[static_cast<std::size_t>(answer.value)];
+}
+
+/// Whether a question's answer is true of this run.
+bool conditions_hold(const Question& question, const Lesson& lesson, std::string_view method, const Subject& subject,
+                     const Run& run) {
+  const View view{{Slot{find_method(lesson, method), &run}, Slot{}}, 0, run.steps()};
+  const auto holds = [&](const Requirement& due) { return judge_requirement(due, lesson, method, subject, view).met; };
+  return std::all_of(question.conditions.begin(), question.conditions.end(), holds);
 }
 
 /// A question that is asked before the first step.
@@ -161,7 +126,7 @@ Asked asked_anytime(const Question& question, const Lesson& lesson, const Subjec
   asked.subject = &subject;
   asked.dim = subject.dim();
   asked.step = asked.until = Asked::kAnytime;
-  asked.asking = &kChoice;
+  asked.asking = general_asking("choice", *lesson.subject);
   for (const auto& [fact, asking] : lesson.subject->askings())
     if (asking->name == question.asks) asked.asking = asking;
   put_words(asked, true);  // it is about the lesson's own points
@@ -187,12 +152,6 @@ std::string Asked::names(std::span<const Index> handles) const {
 
 std::string_view Asked::hidden_figure() const {
   return question->figure.empty() ? asking->figure : std::string_view(question->figure);
-}
-
-Truth choice_truth(const Asked& asked, const Run&) {
-  const int right = asked.question->answer;
-  const std::string& text = asked.choices[static_cast<std::size_t>(right)];
-  return {{right}, {}, text, "The answer is “" + text + "”."};
 }
 
 std::optional<Asked> resolve(const Question& question, const Lesson& lesson, const Subject& subject, const Run& run,
@@ -229,45 +188,6 @@ std::optional<Asked> resolve(const Question& question, const Lesson& lesson, con
   return asked;
 }
 
-std::vector<std::string_view> general_askings(const SubjectRow& subject) {
-  if (!subject.asks_of_steps) return {kChoice.name};
-  std::vector<std::string_view> names{kPoint.name, kChoice.name, kFigure.name};
-  if (subject.compares) names.push_back(kTightest.name);
-  return names;
-}
-
-const Asking* general_asking(std::string_view name, const SubjectRow& subject) {
-  if (!is_among(general_askings(subject), name)) return nullptr;
-  for (const Asking* asking : {&kPoint, &kChoice, &kFigure, &kTightest})
-    if (asking->name == name) return asking;
-  return nullptr;
-}
-
-void read_bounds(TomlTable& table, Question& question) {
-  question.bounds = table.numbers("bounds");
-  double last = -std::numeric_limits<double>::infinity();
-  const auto rises = [&](double bound) {
-    return bound > std::exchange(last, bound) && std::isfinite(bound);
-  };  // no NaN does
-  if (question.bounds.empty() || !std::all_of(question.bounds.begin(), question.bounds.end(), rises))
-    table.wrong("bounds", "must be numbers that rise"), question.bounds = {0};
-}
-
-std::vector<std::string> range_texts(std::span<const double> bounds, std::string_view unit) {
-  const bool measured = unit == "%" || unit.substr(0, 5) == "units" || unit == "times";
-  const auto whole = [](double bound) { return bound == std::floor(bound); };
-  const bool count = !measured && std::all_of(bounds.begin(), bounds.end(), whole);
-  const std::string of(unit.empty() ? "" : " " + std::string(unit));
-  const auto number = [&](double value) { return count ? count_text(std::llround(value)) : plain_number(value); };
-  std::vector<std::string> texts{count && bounds.front() == 0 ? "none" : "at most " + number(bounds.front()) + of};
-  for (std::size_t i = 1; i < bounds.size(); ++i) {
-    const double above = count ? bounds[i - 1] + 1 : bounds[i - 1];
-    texts.push_back((above == bounds[i] ? "" : number(above) + " to ") + number(bounds[i]) + of);
-  }
-  texts.push_back("more than " + number(bounds.back()) + of);
-  return texts;
-}
-
 void put_words(Asked& asked, bool own_run) {
   const Question& question = *asked.question;
   const auto words = [&](const std::string& here, const std::string& anywhere) {
@@ -283,7 +203,8 @@ std::vector<Asked> asked_on(const Lesson& lesson, std::string_view method, const
   std::string why;
   for (const Question& question : lesson.questions) {
     if (lesson.subject->asks_of_steps && question.gate.algorithm != method) continue;
-    if ((question.own_points || !lesson.subject->asks_of_steps) && !own_run) continue;
+    if ((question.holds == Holds::kHere || !lesson.subject->asks_of_steps) && !own_run) continue;
+    if (!conditions_hold(question, lesson, method, subject, run)) continue;
     auto asked = resolve(question, lesson, subject, run, why);
     if (!asked) continue;
     put_words(*asked, own_run);
@@ -291,29 +212,51 @@ std::vector<Asked> asked_on(const Lesson& lesson, std::string_view method, const
   }
   if (!lesson.subject->asks_of_steps) return all;
   std::stable_sort(all.begin(), all.end(), [](const Asked& a, const Asked& b) { return a.step < b.step; });
+  // Questions at one place are asked one after the other, before the first is decided.
   std::vector<Asked> apart;
-  for (Asked& asked : all)
-    if (apart.empty() || asked.step >= apart.back().until) apart.push_back(std::move(asked));
+  int until = 0;
+  for (Asked& asked : all) {
+    if (!apart.empty() && asked.step < until && asked.step != apart.back().step) continue;
+    until = std::max(until, asked.until);
+    apart.push_back(std::move(asked));
+  }
   return apart;
 }
 
 bool answers(const Asked& asked, const Answer& answer) {
+  const auto is_target = [&](int handle) {
+    return handle >= 0 && handle < asked.subject->size() &&
+           (asked.stage_points.empty() || contains(asked.stage_points, handle));
+  };
+  const auto is_set = [](std::vector<int> list) {
+    std::sort(list.begin(), list.end());
+    return std::adjacent_find(list.begin(), list.end()) == list.end();
+  };
   switch (answer.kind) {
     case Kind::kSkipped: return true;
     case Kind::kChoice: {
       const int choices = static_cast<int>(asked.choices.size());
-      return answer.value >= 0 && answer.value < (asked.many ? 1 << choices : choices);
+      return !asked.ordered && answer.value >= 0 && answer.value < (asked.many ? 1 << choices : choices);
     }
-    case Kind::kPoint:
-      return asked.on_stage && answer.value >= 0 && answer.value < asked.subject->size() &&
-             (asked.stage_points.empty() || contains(asked.stage_points, answer.value));
+    case Kind::kPoint: return asked.on_stage && !asked.many && is_target(answer.value);
+    case Kind::kPoints:
+      return asked.on_stage && asked.many && !answer.list.empty() &&
+             std::all_of(answer.list.begin(), answer.list.end(), is_target) && is_set(answer.list);
+    case Kind::kOrder: {
+      const auto choices = asked.choices.size();
+      const auto is_choice = [&](int i) { return i >= 0 && i < static_cast<int>(choices); };
+      return asked.ordered && answer.list.size() == choices && is_set(answer.list) &&
+             std::all_of(answer.list.begin(), answer.list.end(), is_choice);
+    }
+    case Kind::kNumber: return asked.number && std::isfinite(answer.number);
   }
   return false;
 }
 
 bool same_answer(const Asked& asked, const Answer& a, const Answer& b) {
-  if (a.kind == b.kind) return a.value == b.value;
-  if (a.kind == Kind::kSkipped || b.kind == Kind::kSkipped) return false;
+  if (a.kind == b.kind) return a == b;
+  const auto is_one = [](const Answer& answer) { return answer.kind == Kind::kPoint || answer.kind == Kind::kChoice; };
+  if (!is_one(a) || !is_one(b)) return false;
   const Answer& choice = a.kind == Kind::kChoice ? a : b;
   const Answer& handle = a.kind == Kind::kChoice ? b : a;
   const auto at = static_cast<std::size_t>(choice.value);
@@ -322,13 +265,63 @@ bool same_answer(const Asked& asked, const Answer& a, const Answer& b) {
 }
 
 bool is_picked(const Asked& asked, const Answer& picked, int choice) {
+  if (picked.kind == Kind::kOrder) return contains(picked.list, choice);
   if (asked.many) return (picked.value >> choice & 1) != 0;
   return same_answer(asked, picked, {Kind::kChoice, choice});
 }
 
+int place_in_order(const Answer& picked, int choice) {
+  if (picked.kind != Kind::kOrder) return 0;
+  const auto at = std::find(picked.list.begin(), picked.list.end(), choice);
+  return at == picked.list.end() ? 0 : static_cast<int>(at - picked.list.begin()) + 1;
+}
+
+bool names_handle(const Answer& picked, Index handle) {
+  if (picked.kind == Kind::kPoints) return contains(picked.list, static_cast<int>(handle));
+  return picked.kind == Kind::kPoint && picked.value == handle;
+}
+
+bool can_be_said(const Asked& asked, std::string_view answer) {
+  if (is_among(asked.choices, in_words_of(asked.dim, std::string(answer)))) return true;
+  if (!asked.on_stage) return false;
+  for (Index i = 0; i < asked.subject->size(); ++i)
+    if (asked.subject->name_of(i) == answer) return true;
+  return false;
+}
+
+std::string meaning_of(const Asked& asked, const Answer& answer) {
+  const Truth none;
+  const std::string said = said_by(asked, answer, none);
+  for (const Meaning& meaning : asked.question->meanings) {
+    const bool handle = answer.kind == Kind::kPoint && asked.subject->name_of(answer.value) == meaning.answer;
+    if (handle || said == in_words_of(asked.dim, meaning.answer)) return in_words_of(asked.dim, meaning.says);
+  }
+  return {};
+}
+
+std::optional<double> typed_number(std::string_view text, std::string_view unit) {
+  text = io::trim(text);
+  if (!unit.empty() && text.ends_with(unit)) text = io::trim(text.substr(0, text.size() - unit.size()));
+  constexpr std::string_view kMinus = "−";
+  std::string plain;
+  if (text.starts_with(kMinus)) plain = "-", text.remove_prefix(kMinus.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != ',') {
+      plain += text[i];
+      continue;
+    }
+    // A comma groups thousands, "1,839". "2,5" is no number: to some it is two and a half.
+    const std::string_view three = text.substr(i + 1, 3), rest = text.substr(std::min(i + 4, text.size()));
+    const bool digits = three.size() == 3 && three.find_first_not_of("0123456789") == std::string_view::npos;
+    if (i == 0 || !digits || (!rest.empty() && rest.front() != ',' && rest.front() != '.')) return std::nullopt;
+  }
+  const auto value = io::parse_number(plain);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
 bool has_second_try(const Asked& asked) {
   if (asked.step == Asked::kAnytime) return false;  // it is not decided yet
-  if (asked.many) return true;
+  if (asked.many || asked.ordered || asked.number) return true;
   if (!asked.choices.empty()) return asked.choices.size() > 2;
   return (asked.stage_points.empty() ? asked.subject->size() : static_cast<Index>(asked.stage_points.size())) > 2;
 }
@@ -365,11 +358,10 @@ Outcome judge(const Asked& asked, const Answer& answer, const Run& run) {
   outcome.from_step = asked.step;
   outcome.step = asked.until;
   outcome.because = asked.because;
-  if (answer.kind == Kind::kPoint) outcome.predicted = said_by_handle(asked, truth, answer.value);
-  else if (answer.kind == Kind::kChoice)
-    outcome.predicted =
-        asked.many ? names_of_bits(asked, answer.value) : asked.choices[static_cast<std::size_t>(answer.value)];
+  outcome.predicted = said_by(asked, answer, truth);
   outcome.right = !truth.pending && is_right(asked, answer, truth);
+  if (const std::string meaning = outcome.right ? std::string() : meaning_of(asked, answer); !meaning.empty())
+    outcome.because = meaning + " " + outcome.because;
   outcome.says = std::move(truth.sentence);
   if (!truth.pending) outcome.happened = std::move(truth.happened);
   return outcome;
@@ -377,11 +369,19 @@ Outcome judge(const Asked& asked, const Answer& answer, const Run& run) {
 
 Answer model_answer(const Asked& asked, const Run& run) {
   const Truth truth = asked.asking->truth(asked, run);
+  if (asked.many && asked.on_stage) {
+    std::vector<int> all(truth.points.begin(), truth.points.end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return {.kind = Kind::kPoints, .list = std::move(all)};
+  }
   if (asked.many) {
     int all = 0;
     for (const int choice : truth.choices) all |= 1 << choice;
     return {Kind::kChoice, all};
   }
+  if (asked.number) return {.kind = Kind::kNumber, .number = truth.number};
+  if (asked.ordered) return {.kind = Kind::kOrder, .list = truth.choices};
   if (!truth.choices.empty()) return {Kind::kChoice, truth.choices.front()};
   return {Kind::kPoint, truth.points.empty() ? 0 : truth.points.front()};
 }

@@ -2,6 +2,7 @@
 // What can be asked of a fact is in its entry (facts.hpp).
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,10 +14,13 @@ namespace snug::lesson {
 
 class TomlTable;
 
-/// An answer to a question: a handle of the stage, or one of the question's choices.
+/// An answer to a question: a handle of the stage, one of the question's choices, several of either, or a number.
 struct Answer {
-  enum class Kind { kPoint, kChoice, kSkipped } kind = Kind::kSkipped;
-  int value = 0;  // the handle's index, or the choice counted from 0; if many can be chosen, their bits
+  enum class Kind { kPoint, kChoice, kSkipped, kPoints, kOrder, kNumber } kind = Kind::kSkipped;
+  int value = 0;               // the handle's index, or the choice counted from 0; if many can be chosen, their bits
+  std::vector<int> list = {};  // the handles, rising; or the choices in the order given
+  double number = 0;
+  friend bool operator==(const Answer&, const Answer&) = default;
 };
 
 /// A question as it is asked now, with the choices worked out from the run.
@@ -33,7 +37,10 @@ struct Asked {
   std::vector<std::string> choices;                // what may be chosen; empty if only the stage answers
   std::vector<std::vector<Index>> choice_handles;  // what each choice names on the stage
   bool on_stage = false;                           // whether a tap on a handle answers
-  bool many = false;                               // whether an answer can have several choices, as bits
+  bool many = false;                               // whether an answer can have several choices, as bits, or handles
+  bool ordered = false;                            // whether an answer puts all choices into an order
+  bool number = false;                             // whether the answer is a number, and
+  std::string unit;                                // its unit: "units", "%", "points"; empty for none
   bool on_axes = false;                            // whether the choices are the test's axes, in order, and then "none"
   std::vector<Index> stage_points;                 // the handles that can be tapped; empty if all can
   int fact = 0;                                    // which step of the run it is about, counted from 0
@@ -52,7 +59,10 @@ struct Truth {
   std::vector<Index> points;
   std::string happened;
   std::string sentence;
-  bool pending = false;  // it is not known yet
+  bool pending = false;         // it is not known yet
+  std::vector<int> ranks = {};  // of an order: each choice's place, equal where either may come first
+  double number = 0;            // of a number, within
+  double tolerance = 0;
 };
 
 /// The keys, like those of figures, of a method's result in the final comparison, and of which method is best.
@@ -137,10 +147,22 @@ void read_bounds(TomlTable& table, Question& question);
 /// Whether this can be an answer to the question: a choice in range, or a handle that can be tapped.
 [[nodiscard]] bool answers(const Asked& asked, const Answer& answer);
 
+/// What the lesson says to this wrong answer; empty for nothing.
+[[nodiscard]] std::string meaning_of(const Asked& asked, const Answer& answer);
+/// Whether the question can be answered with that: the text of a choice or the name of a handle.
+[[nodiscard]] bool can_be_said(const Asked& asked, std::string_view answer);
+
+/// The number that was typed, perhaps with its unit: "2.5", "−3", "12 %", "1,839". None if it is no number.
+[[nodiscard]] std::optional<double> typed_number(std::string_view text, std::string_view unit);
+
 /// Whether two answers mean the same: a choice that names one handle means the same as a tap on it.
 [[nodiscard]] bool same_answer(const Asked& asked, const Answer& a, const Answer& b);
 /// Whether a choice is what was picked, or among it.
 [[nodiscard]] bool is_picked(const Asked& asked, const Answer& picked, int choice);
+/// The place of a choice in the order that was picked, counted from 1; 0 if it has none.
+[[nodiscard]] int place_in_order(const Answer& picked, int choice);
+/// Whether a handle is what was picked, or among it.
+[[nodiscard]] bool names_handle(const Answer& picked, Index handle);
 
 /// Whether a wrong answer leaves at least two others: with only two answers, it would give the right one away.
 [[nodiscard]] bool has_second_try(const Asked& asked);

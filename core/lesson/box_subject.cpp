@@ -47,15 +47,28 @@ Done BoxSubject::set_numbers(std::size_t group, std::size_t row, std::span<const
   return set_boxes(next);
 }
 
-Rows BoxSubject::rows() const {
+Rows rows_of(const BoxPair& pair) {
   Rows rows;
-  for (const Box& box : pair_.boxes) {
-    RowWriter writer(dim());
+  for (const Box& box : pair.boxes) {
+    RowWriter writer(pair.dim);
     see_numbers(box, writer);
     rows.push_back(writer.take());
   }
   return rows;
 }
+
+Rows read_box_model(TomlTable& task, const Lesson& lesson, Complaints& complaints,
+                    BoxPair (*read)(TomlTable& table, int dim, double taper)) {
+  const toml::table* model = task.table("model");
+  if (model == nullptr) return task.lack("model", "the task lacks [task.model]"), Rows();
+  TomlTable own(*model, "[task.model]", complaints);
+  const BoxPair& like = static_cast<const BoxTables&>(*lesson.tables).boxes;
+  const BoxPair boxes = read(own, like.dim, like.taper);
+  own.refuse_others();
+  return rows_of(boxes);
+}
+
+Rows BoxSubject::rows() const { return rows_of(pair_); }
 
 Done BoxSubject::set_rows(const Rows& rows) {
   if (rows.size() != 2) return tl::unexpected(InputError{.what = "there are two boxes"});
@@ -102,7 +115,7 @@ void BoxSubject::scatter(std::uint64_t seed, const Subject& own) {
   pair_ = std::move(next);
 }
 
-void BoxSubject::begin_task(const Lesson&, const Subject& own) {
+void BoxSubject::begin_task(const Lesson&, const Task&, const Subject& own) {
   origin_ = own.origin();
   pair_ = boxes_of(own);
 }

@@ -97,7 +97,7 @@ class BoxSubject : public Subject {
   /// check.
   Done set_boxes(const BoxPair& pair);
   void scatter(std::uint64_t seed, const Subject& own) override;
-  void begin_task(const Lesson& lesson, const Subject& own) override;
+  void begin_task(const Lesson& lesson, const Task& task, const Subject& own) override;
 
  protected:
   BoxSubject(BoxPair pair, std::uint64_t seed) : lesson_seed_(seed), pair_(std::move(pair)) { origin_.seed = seed; }
@@ -115,6 +115,11 @@ class BoxSubject : public Subject {
 [[nodiscard]] inline const BoxPair& boxes_of(const Subject& subject) {
   return static_cast<const BoxSubject&>(subject).boxes();
 }
+/// The rows of two boxes (Subject::rows).
+[[nodiscard]] Rows rows_of(const BoxPair& pair);
+/// Reads a task's "model", a table written as [boxes] is. read: reads its boxes, of that dimension and taper.
+[[nodiscard]] Rows read_box_model(TomlTable& task, const Lesson& lesson, Complaints& complaints,
+                                  BoxPair (*read)(TomlTable& table, int dim, double taper));
 /// Replaces the boxes of a session's BoxSubject, as one edit.
 Done set_boxes(Session& session, const BoxPair& pair);
 
@@ -122,30 +127,5 @@ Done set_boxes(Session& session, const BoxPair& pair);
 struct BoxTables : Tables {
   BoxPair boxes;
 };
-
-/// What a task on two boxes asks for: goals, reached one after the other.
-struct BoxTask : Tables {
-  std::vector<std::string> goals;
-  std::vector<BoxPair> models;  // one for each goal
-};
-
-/// The goals of a task on two boxes, by name.
-struct BoxGoals {
-  bool (*reaches)(std::string_view goal, const BoxPair& pair);
-  /// The sentence about a goal. now: whether it is reached now; found: whether it ever was.
-  std::string (*sentence)(std::string_view goal, const BoxPair& pair, bool now, bool found);
-};
-
-/// names: those of the possible goals. read: reads a [[task.model]].
-void read_box_task(TomlTable& table, Lesson& lesson, Complaints& complaints, std::span<const std::string_view> names,
-                   BoxPair (*read)(TomlTable& table, const BoxPair& like));
-/// Checks that every goal is reached by its model, but not at the start.
-void check_box_task(const Lesson& lesson, const toml::table& toml, const Subject& own, const BoxGoals& goals,
-                    Complaints& complaints);
-/// Plays the models, one after the other.
-tl::expected<Grade, InputError> play_box_task(Session& session);
-/// found: which goals were reached before; those that are reached now are added.
-[[nodiscard]] Grade grade_box_task(const Lesson& lesson, const BoxPair& pair, const BoxGoals& goals,
-                                   std::vector<bool>& found);
 
 }  // namespace snug::lesson

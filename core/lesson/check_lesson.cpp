@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lesson/ask.hpp"
+#include "lesson/grade.hpp"
 #include "lesson/names.hpp"
 #include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
@@ -42,6 +43,28 @@ bool check_gate(const Gate& gate, const SubjectRow& subject, const std::vector<s
   return complaints.count() == before;
 }
 
+/// Checks that what the lesson says to wrong answers is about answers that can be given.
+bool check_meanings(const Asked& asked, Complaints& complaints) {
+  const std::size_t before = complaints.count();
+  for (const Meaning& meaning : asked.question->meanings)
+    if (!can_be_said(asked, meaning.answer))
+      complaints.add(meaning.place, "\"wrong\" speaks of an answer that cannot be given: " + meaning.answer +
+                                        (asked.choices.empty() ? "" : "; the choices are " + one_of(asked.choices)));
+  return complaints.count() == before;
+}
+
+/// Checks that a question's answer is true of the lesson's own run.
+bool check_conditions(const Question& question, const Lesson& lesson, const std::string& algorithm,
+                      const Subject& subject, const Run& run, Complaints& complaints) {
+  const std::size_t before = complaints.count();
+  const View view{{Slot{find_method(lesson, algorithm), &run}, Slot{}}, 0, run.steps()};
+  for (const Requirement& due : question.conditions)
+    if (const Judged judged = judge_requirement(due, lesson, algorithm, subject, view); !judged.met)
+      complaints.add(due.place,
+                     "does not hold on the lesson's own stage, so the question is never asked there: " + judged.says);
+  return complaints.count() == before;
+}
+
 /// Checks the questions of one method on its run. A question must not come while another is still open, because
 /// answering that one would skip it.
 void check_questions(Lesson& lesson, const std::string& algorithm, const Subject& subject, const Run& run,
@@ -51,9 +74,10 @@ void check_questions(Lesson& lesson, const std::string& algorithm, const Subject
   keep_questions(lesson, [&](const Question& question) {
     if (question.gate.algorithm != algorithm) return true;
     if (!check_gate(question.gate, *lesson.subject, fits, complaints)) return false;
-    if (resolve(question, lesson, subject, run, why)) return true;
-    complaints.add(question.place, why);
-    return false;
+    const auto asked = resolve(question, lesson, subject, run, why);
+    if (!asked) return complaints.add(question.place, why), false;
+    return check_meanings(*asked, complaints) &&
+           check_conditions(question, lesson, algorithm, subject, run, complaints);
   });
   const std::vector<Asked> asked = asked_on(lesson, algorithm, subject, run, true);
   const auto is_asked = [&](const Question& question) {
@@ -118,6 +142,23 @@ void check_gates(Lesson& lesson, Complaints& complaints) {
   });
 }
 
+void check_tasks(const Lesson& lesson, const Subject& own, Complaints& complaints) {
+  for (const Task& task : lesson.tasks) {
+    const std::size_t before = complaints.count();
+    if (own.points() != nullptr && own.size() < task.points && lesson.subject->asks_of_steps)
+      complaints.add(task.place, "the task is for more points than the lesson has");
+    for (const std::string& name : task.only) {
+      bool there = false;
+      for (Index i = 0; i < own.size(); ++i) there = there || own.name_of(i) == name;
+      if (!there) complaints.add(task.place, "\"only\" names what is not there: " + name);
+    }
+    if (complaints.count() > before) continue;
+    const auto check = lesson.subject->check_task;
+    if (check != nullptr) check(lesson, task, own, complaints);
+    else check_solution(lesson, task, own, complaints);
+  }
+}
+
 void check_mark(const Lesson& lesson, const std::string& mark, FilePlace place, Runs& runs, Complaints& complaints) {
   if (!is_mark(runs.own(), mark))
     return complaints.add(place, "there is no mark " + mark + ": a mark is support, a step's name or a handle's name");
@@ -177,8 +218,23 @@ bool check_lesson(Lesson& lesson, const toml::table& toml, Checked checked, Comp
   Runs runs(lesson, **own);
   check_links(lesson, toml, runs, complaints);
   if (gates) check_runs(lesson, runs, complaints);
-  if (lesson.subject->check != nullptr) lesson.subject->check(lesson, toml, **own, complaints);
+  check_tasks(lesson, **own, complaints);
   return true;
+}
+
+void check_solution(const Lesson& lesson, const Task& task, const Subject& own, Complaints& complaints) {
+  const View none;  // no run is at hand
+  const auto subject = own.clone();
+  subject->begin_task(lesson, task, own);
+  for (const Requirement& due : task.conditions)
+    if (const Judged judged = judge_requirement(due, lesson, task.algorithm, *subject, none); !judged.known)
+      return complaints.add(due.place, judged.says);
+  if (subject->grade(lesson, task, none).done)
+    return complaints.add(task.place, "the task is solved before the student begins");
+  if (const Done made = subject->set_rows(task.model); !made)
+    return complaints.add(task.model_place, made.error().what);
+  if (const Grade graded = subject->grade(lesson, task, none); !graded.done)
+    complaints.add(task.model_place, "the model does not solve the task: " + graded.says);
 }
 
 }  // namespace snug::lesson

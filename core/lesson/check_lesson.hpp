@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lesson/lesson.hpp"
+#include "lesson/subject.hpp"
 #include "lesson/toml_table.hpp"
 
 namespace snug::lesson {
@@ -10,5 +11,8 @@ namespace snug::lesson {
 /// a lesson on a mesh are not checked on a run here, because the mesh is not available. Returns
 /// whether it can be run.
 [[nodiscard]] bool check_lesson(Lesson& lesson, const toml::table& toml, Checked checked, Complaints& complaints);
+
+/// Checks that a task is not solved by what it begins with, and that its model solves it.
+void check_solution(const Lesson& lesson, const Task& task, const Subject& own, Complaints& complaints);
 
 }  // namespace snug::lesson

@@ -1,6 +1,7 @@
 #include "lesson/kept_answers.hpp"
 
 #include <array>
+#include <cstdio>
 #include <limits>
 
 #include "lesson/lesson.hpp"
@@ -9,7 +10,7 @@
 namespace snug::lesson {
 namespace {
 
-constexpr std::array<std::string_view, 3> kKinds{"point", "choice", "skipped"};
+constexpr std::array<std::string_view, 6> kKinds{"point", "choice", "skipped", "points", "order", "number"};
 constexpr std::int64_t kMost = std::numeric_limits<int>::max();
 
 /// The text as a basic string of TOML.
@@ -33,6 +34,20 @@ void add_number(std::string& out, std::string_view key, int number) {
   ((out += key) += " = ") += std::to_string(number) + '\n';
 }
 
+void add_list(std::string& out, const std::vector<int>& list) {
+  if (list.empty()) return;
+  out += "list = [";
+  for (const int entry : list) (out += std::to_string(entry)) += ", ";
+  out += "]\n";
+}
+
+/// All digits that tell a number from every other, as TOML writes it.
+std::string plain_double(double number) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.17e", number);
+  return text.data();
+}
+
 void add_flag(std::string& out, std::string_view key, bool on) {
   if (on) (out += key) += " = true\n";
 }
@@ -45,6 +60,9 @@ Outcome read_outcome(const toml::table& toml, Complaints& complaints) {
   for (std::size_t i = 0; i < kKinds.size(); ++i)
     if (kKinds[i] == kind) outcome.given.kind = static_cast<Answer::Kind>(i);
   outcome.given.value = static_cast<int>(table.integer("value", -kMost, kMost));
+  outcome.given.number = table.any_number("number", 0);
+  if (table.has("list"))
+    for (const double entry : table.numbers("list")) outcome.given.list.push_back(static_cast<int>(entry));
   outcome.from_step = static_cast<int>(table.integer("from_step", 0, kMost));
   outcome.step = static_cast<int>(table.integer("step", 0, kMost));
   outcome.right = table.flag_or("right", false);
@@ -68,6 +86,9 @@ std::string kept_text(std::span<const Outcome> outcomes) {
     add_text(out, "question", outcome.question);
     add_text(out, "kind", kKinds[static_cast<std::size_t>(outcome.given.kind)]);
     add_number(out, "value", outcome.given.value);
+    add_list(out, outcome.given.list);
+    if (outcome.given.kind == Answer::Kind::kNumber)
+      ((out += "number = ") += plain_double(outcome.given.number)) += '\n';
     add_number(out, "from_step", outcome.from_step);
     add_number(out, "step", outcome.step);
     add_flag(out, "right", outcome.right);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,24 +68,50 @@ struct Gate {
   static constexpr std::string_view kStart = "start";
 };
 
+/// What a particular wrong answer means.
+struct Meaning {
+  std::string answer;  // the text of a choice, or a handle's name
+  std::string says;
+  FilePlace place;  // in the file, for errors
+};
+
+/// A condition on the result of an algorithm: bounds of one of its figures, or a goal that its subject knows by name.
+struct Requirement {
+  std::string figure;     // its key; empty for a goal
+  std::string algorithm;  // whose figure; empty: that of the task or the question
+  std::string over;       // for "excess": over this algorithm's size instead of the reference's
+  double at_least = -std::numeric_limits<double>::infinity(), at_most = std::numeric_limits<double>::infinity();
+  std::string goal;
+  FilePlace place;  // in the file, for errors
+};
+
+/// Of what a fixed answer is true.
+enum class Holds : std::uint8_t {
+  kAlways,
+  kHere,  // of the lesson's own run alone: the question is asked of no other
+};
+
 struct Question {
   std::string id;
   Gate gate;
   std::string asks = "point";  // "point", "choice", or anything that its subject's facts can be asked
   std::string prompt;
-  std::vector<std::string> choices;  // for "choice"
+  std::vector<std::string> choices;  // for "choice"; for "sequence" in the right order
   int answer = 0;                    // for "choice", counted from 0
-  std::string figure;                // for "figure": its key, and
-  std::vector<double> bounds;        // rising: up to the first, up to the second, …, more
-  bool own_points = false;           // asked only on the lesson's own points, for which alone its answer is true
-  std::string because;               // shown with what happened, right or wrong
-  std::string prompt_here;           // replaces the prompt while the run is the lesson's own; empty for none
-  std::string because_here;          // the same for because
-  std::string section;               // the title of the section that it is about; empty: that which names its fact
-  FilePlace place;                   // in the file, for errors
+  Holds holds = Holds::kAlways;
+  std::vector<Requirement> conditions;  // it is asked where these hold, for its answer is true there
+  std::string figure;                   // for "figure" and "number": its key, and
+  std::vector<double> bounds;           // for "figure", rising: up to the first, up to the second, …, more
+  double tolerance = 0;                 // for "number": how far off a right answer may be
+  std::vector<Meaning> meanings;        // of wrong answers
+  std::string because;                  // shown with what happened, right or wrong
+  std::string prompt_here;              // replaces the prompt while the run is the lesson's own; empty for none
+  std::string because_here;             // the same for because
+  std::string section;                  // the title of the section that it is about; empty: that which names its fact
+  FilePlace place;                      // in the file, for errors
 };
 
-/// A lesson's tables or task, as only its subject knows them. Each subject derives its own.
+/// A lesson's tables, as only its subject knows them. Each subject derives its own.
 struct Tables {
   virtual ~Tables() = default;
 };
@@ -92,11 +119,13 @@ struct Tables {
 /// "Make it fail" or "construct it": graded on what stands on the stage.
 struct Task {
   std::string prompt;
-  std::string algorithm;  // whose result is graded
-  int points = 0;         // how many it begins with; 0: as many as the lesson
+  std::string algorithm;          // shown when the task is started, and graded where a requirement names no other
+  int points = 0;                 // exactly how many there must be, and how many it begins with; 0: any number
+  std::vector<std::string> only;  // the handles that may be moved; empty: all
+  std::vector<Requirement> conditions;
   std::string hint;
-  std::vector<Vector<double, 3>> model;  // a solution of a task on points, which the checks play
-  std::shared_ptr<const Tables> terms;   // what it requires
+  std::vector<std::vector<double>> model;  // a solution, which the checks play: see Subject::rows
+  FilePlace place, model_place;            // in the file, for errors
 };
 
 /// An algorithm's pseudocode in the lesson's own words, with as many lines as the catalogue's.
@@ -131,7 +160,7 @@ struct Lesson {
   std::string compare;                  // a second one, shown from the start for comparison; empty for none
   std::vector<Pseudocode> pseudocode;   // the lesson's own, if it has any
   std::vector<Question> questions;
-  std::optional<Task> task;
+  std::vector<Task> tasks;
 };
 
 /// The greatest size of a lesson file, bytes: fifty times a long lesson. Nested tables, of which two bytes can open

@@ -15,7 +15,8 @@ bool advance(Session& session, std::vector<Outcome>& outcomes) {
     if (!session.answer(model_answer(*asked, session.run(0)))) return false;
     for (const Outcome& outcome : session.outcomes())
       if (outcome.question == id) outcomes.push_back(outcome);
-    session.acknowledge();
+    while (session.acknowledge()) {
+    }
     return true;
   }
   session.forward();
@@ -44,6 +45,13 @@ void find_not_asked(const Lesson& lesson, Played& played) {
   }
 }
 
+tl::expected<Grade, InputError> play_task(Session& session, std::size_t task) {
+  const SubjectRow& subject = *session.lesson().subject;
+  if (subject.play_task == nullptr) return session.solve_task(task);
+  session.start_task(task);
+  return subject.play_task(session, session.lesson().tasks[task]);
+}
+
 }  // namespace
 
 std::vector<std::string> playable(const Session& session) {
@@ -58,7 +66,7 @@ bool Played::sound() const {
   for (const Algorithm& algorithm : algorithms)
     for (const Outcome& outcome : algorithm.outcomes)
       if (!outcome.right) return false;
-  return not_asked.empty() && (!grade || grade->done);
+  return not_asked.empty() && std::all_of(grades.begin(), grades.end(), [](const Grade& it) { return it.done; });
 }
 
 tl::expected<Played, InputError> play(Session& session) {
@@ -72,17 +80,11 @@ tl::expected<Played, InputError> play(Session& session) {
     played.algorithms.push_back(std::move(*algorithm));
   }
   find_not_asked(session.lesson(), played);
-  const auto& task = session.lesson().task;
-  if (!task) return played;
-  if (subject.play_task != nullptr) {
-    auto grade = subject.play_task(session);
+  for (std::size_t i = 0; i < session.lesson().tasks.size(); ++i) {
+    auto grade = play_task(session, i);
     if (!grade) return tl::unexpected(std::move(grade.error()));
-    played.grade = *std::move(grade);
-    return played;
+    played.grades.push_back(*std::move(grade));
   }
-  const auto loaded = session.load({session.dim(), task->model, {}}, "the task's model answer");
-  if (!loaded) return tl::unexpected(loaded.error());
-  played.grade = session.grade();
   return played;
 }
 

@@ -19,14 +19,14 @@ struct Played {
   };
   std::vector<Algorithm> algorithms;
   std::vector<std::string> not_asked;  // ids of questions whose step did not come on these points
-  std::optional<Grade> grade;          // that of the task's model answer
+  std::vector<Grade> grades;           // those of the tasks' models
 
-  /// Whether every question was asked and its model answer was right, and the model answer solves the task.
+  /// Whether every question was asked and its model answer was right, and each model solves its task.
   [[nodiscard]] bool sound() const;
 };
 
 /// Plays each playable algorithm from the first step to the last, gives each question its model answer, and grades the
-/// task's model answer. The session is left with the points of that answer. There is no clock: a lesson with the cost
+/// tasks' models. The session is left with the last of them. There is no clock: a lesson with the cost
 /// chart is played by counted operations, and its sentences mention them. Errors: those of choose and load; a player
 /// that does not move on.
 [[nodiscard]] tl::expected<Played, InputError> play(Session& session);

@@ -78,21 +78,11 @@ tl::expected<AnyPointSet, InputError> own_points(const Lesson& lesson, const std
   return to_set(*made, points.dim);
 }
 
-AnyPointSet start_of_task(const Lesson& lesson, const AnyPointSet& own) {
-  const Index count = std::min(fit::size_of(own), Index{lesson.task->points});
-  std::vector<Point3> points;
-  for (Index i = 0; i < count; ++i) points.push_back(fit::point_of(own, i));
-  return *to_set(points, fit::dim_of(own));  // these points were accepted before
-}
-
-std::optional<AnyPointSet> check_point_task(const Lesson& lesson, const AnyPointSet& own, const TomlTable& task,
-                                            Complaints& complaints) {
-  if (fit::size_of(own) < lesson.task->points)
-    complaints.add(task.place(), "the task is for more points than the lesson has");
-  auto model = to_set(lesson.task->model, fit::dim_of(own));
-  if (model) return *std::move(model);
-  complaints.add(task.place_of("model"), model.error().what);
-  return std::nullopt;
+Rows read_point_model(TomlTable& task, const Lesson& lesson, Complaints&) {
+  Rows rows;
+  for (const Point3& point : task.points("model", lesson.points.dim))
+    rows.emplace_back(point.data(), point.data() + lesson.points.dim);
+  return rows;
 }
 
 PointSubject::PointSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh)
@@ -216,9 +206,11 @@ void PointSubject::scatter(std::uint64_t seed, const Subject& own) {
   become(first.points_, first.triangles_);
 }
 
-void PointSubject::begin_task(const Lesson& lesson, const Subject& own) {
+void PointSubject::begin_task(const Lesson&, const Task& task, const Subject& own) {
   origin_ = {"task", 0, own.origin().seed, true};
-  become(start_of_task(lesson, *own.points()), nullptr);
+  std::vector<Point3> points = all_points(*own.points());
+  if (task.points > 0) points.resize(std::min(points.size(), static_cast<std::size_t>(task.points)));
+  become(*to_set(points, own.dim()), nullptr);  // these points were accepted before
 }
 
 }  // namespace snug::lesson

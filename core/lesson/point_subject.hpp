@@ -30,13 +30,8 @@ inline constexpr int kMostGenerated = 100000;
 [[nodiscard]] tl::expected<AnyPointSet, InputError> own_points(const Lesson& lesson,
                                                                const std::optional<io::PointFile>& mesh);
 
-/// The first points of a set, as many as the lesson's task is for (or all, if there are fewer).
-[[nodiscard]] AnyPointSet start_of_task(const Lesson& lesson, const AnyPointSet& own);
-
-/// Checks a task whose solution is points: there are enough points to begin with, the lesson offers its algorithm, and
-/// the model is a valid set. Complains about what is wrong, and returns the model.
-[[nodiscard]] std::optional<AnyPointSet> check_point_task(const Lesson& lesson, const AnyPointSet& own,
-                                                          const TomlTable& task, Complaints& complaints);
+/// Reads a task's "model", a list of points.
+[[nodiscard]] Rows read_point_model(TomlTable& task, const Lesson& lesson, Complaints& complaints);
 
 class PointSubject : public Subject {
  public:
@@ -64,7 +59,8 @@ class PointSubject : public Subject {
   /// Scatters points of the same kind as now. Points from a mesh, a file or a list are replaced by the lesson's
   /// generator, as many as the lesson has. The lesson's own seed restores the lesson's own list.
   void scatter(std::uint64_t seed, const Subject& own) override;
-  void begin_task(const Lesson& lesson, const Subject& own) override;
+  /// Takes the first of the lesson's points, as many as the task is for.
+  void begin_task(const Lesson& lesson, const Task& task, const Subject& own) override;
 
  protected:
   using Triangles = std::vector<std::array<Index, 3>>;

@@ -3,16 +3,17 @@
 
 #include "geometry/generate.hpp"
 #include "lesson/check_lesson.hpp"
+#include "lesson/grade.hpp"
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/text_place.hpp"
 #include "lesson/toml_file.hpp"
+#include "lesson/version.hpp"
 
 namespace snug::lesson {
 namespace {
 
-constexpr std::int64_t kVersion = 1;
 constexpr std::int64_t kMostMinutes = 240;
 
 /// The possible values of a lesson's "volume".
@@ -126,14 +127,6 @@ Section read_section(const toml::table& toml, const Lesson& lesson, Complaints& 
   return section;
 }
 
-void read_choices(TomlTable& table, Question& question) {
-  question.choices = table.texts("choices", 2);
-  const std::string answer = table.text("answer");
-  const auto found = std::find(question.choices.begin(), question.choices.end(), answer);
-  if (found == question.choices.end() && !answer.empty()) table.wrong("answer", "is none of the choices: " + answer);
-  question.answer = static_cast<int>(found - question.choices.begin());
-}
-
 /// Reads which step a question is about. Whether there are such steps is checked on the run (check_lesson.cpp).
 Gate read_gate(TomlTable& table, const Lesson& lesson) {
   Gate gate;
@@ -162,8 +155,30 @@ void read_asking(TomlTable& table, const Lesson& lesson, Question& question) {
   }
   if (asking != nullptr) names.push_back(asking->name);  // of another fact: what it asks of is told on the run
   check_name(table, "asks", question.asks, names);
-  if (question.asks == "choice") read_choices(table, question);
   if (asking != nullptr && asking->read != nullptr) asking->read(table, question);
+}
+
+/// Reads what wrong answers mean: a table from answers to sentences.
+void read_meanings(TomlTable& table, Question& question) {
+  const toml::table* wrong = table.table("wrong");
+  if (wrong == nullptr) return;
+  for (const auto& [key, node] : *wrong) {
+    const auto* text = node.as_string();
+    if (text == nullptr || text->get().empty()) return table.wrong("wrong", "must give each answer a text in quotes");
+    question.meanings.push_back({std::string(key.str()), text->get(), file_place(key.source())});
+  }
+}
+
+/// Reads of which runs the answer is true.
+void read_truth(TomlTable& table, const Lesson& lesson, Question& question, Complaints& complaints) {
+  question.conditions = read_requirements(table, lesson, complaints);
+  const std::string holds = table.text_or("holds", "always");
+  check_name(table, "holds", holds, std::array<std::string_view, 2>{"always", "here"});
+  question.holds = holds == "here" ? Holds::kHere : Holds::kAlways;
+  if (question.asks == "choice" && question.conditions.empty() && !table.has("holds"))
+    table.lack("holds",
+               "a choice needs \"holds\": \"always\", or \"here\" if its answer is true only of the lesson's own "
+               "stage; or a [[question.require]]");
 }
 
 Question read_question(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
@@ -174,7 +189,8 @@ Question read_question(const toml::table& toml, const Lesson& lesson, Complaints
   if (lesson.subject->asks_of_steps) question.gate = read_gate(table, lesson);
   question.prompt = table.text("prompt");
   read_asking(table, lesson, question);
-  question.own_points = table.flag_or("own_points", false);
+  read_truth(table, lesson, question, complaints);
+  read_meanings(table, question);
   question.because = table.text("because");
   question.prompt_here = table.text_or("prompt_here", "");
   question.because_here = table.text_or("because_here", "");
@@ -184,14 +200,30 @@ Question read_question(const toml::table& toml, const Lesson& lesson, Complaints
   return question;
 }
 
-void read_task(const toml::table& toml, Lesson& lesson, Complaints& complaints) {
-  TomlTable table(toml, "[task]", complaints);
-  Task& task = lesson.task.emplace();
+Task read_task(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
+  TomlTable table(toml, "[[task]]", complaints);
+  Task task;
+  task.place = table.place();
   task.prompt = table.text("prompt");
-  task.algorithm = read_algorithm(table, "algorithm", lesson);
+  task.algorithm = table.has("algorithm") || lesson.algorithms.empty() ? read_algorithm(table, "algorithm", lesson)
+                                                                       : lesson.algorithms.front();
+  task.points = static_cast<int>(table.integer_or("points", 1, 100'000, 0));
+  if (table.has("only")) task.only = table.texts("only", 1);
   task.hint = table.text("hint");
-  lesson.subject->read_task(table, lesson, complaints);
+  task.conditions = read_requirements(table, lesson, complaints);
+  if (task.conditions.empty()) table.lack("require", "the task has no [[task.require]]");
+  task.model_place = table.place_of("model");
+  task.model = lesson.subject->read_model(table, lesson, complaints);
   table.refuse_others();
+  return task;
+}
+
+void read_tasks(TomlTable& table, Lesson& lesson, Complaints& complaints) {
+  for (const toml::table* one : table.tables("task")) {
+    const std::size_t before = complaints.count();
+    Task task = read_task(*one, lesson, complaints);
+    if (complaints.count() == before) lesson.tasks.push_back(std::move(task));
+  }
 }
 
 void read_pseudocode(const toml::table& toml, Complaints& complaints, Lesson& lesson) {
@@ -263,9 +295,10 @@ void read_questions(TomlTable& table, Lesson& lesson, Complaints& complaints) {
 /// Reads what has no mistakes into the lesson. Returns whether it can be shown on a stage.
 bool read(const toml::table& toml, Lesson& lesson, Complaints& complaints) {
   TomlTable table(toml, "the lesson", complaints);
-  if (table.integer("version", 1, 1000000) != kVersion && table.has("version")) {
-    table.wrong("version", "is not one that this program reads: it reads 1");
-    return false;  // keys of another version are no mistakes
+  const std::int64_t version = table.integer("version", 1, 1000000);
+  if (version != kLessonVersion && table.has("version")) {  // then its keys are no mistakes
+    if (version == 1 && toml["version"].is_integer()) return tell_changes(toml, complaints), false;
+    return table.wrong("version", "is not one that this program reads: it reads 2"), false;
   }
   read_head(table, lesson);
   bool sound = read_subject(table, lesson, complaints);
@@ -280,9 +313,7 @@ bool read(const toml::table& toml, Lesson& lesson, Complaints& complaints) {
   sound = sound && table.has(own) && complaints.count() == before;
   if (const toml::table* words = table.table("pseudocode")) read_pseudocode(*words, complaints, lesson);
   read_questions(table, lesson, complaints);
-  const std::size_t before_task = complaints.count();
-  if (const toml::table* task = table.table("task")) read_task(*task, lesson, complaints);
-  if (complaints.count() > before_task) lesson.task.reset();
+  read_tasks(table, lesson, complaints);
   table.refuse_others();
   return sound;
 }

@@ -25,7 +25,16 @@ std::string_view verdict_text(const Outcome& outcome) {
   return outcome.tries > 1 ? "Correct at the second try" : "Correct";
 }
 
+std::string_view field_word(const Asked& asked) {
+  if (asked.number) return "Number";
+  if (!asked.on_stage || !asked.choices.empty()) return {};
+  return asked.many ? "Names" : "Name";
+}
+
 std::string how_to_answer(const Asked& asked) {
+  if (asked.number) return asked.unit.empty() ? "Type a number." : "Type a number, in " + asked.unit + ".";
+  if (asked.ordered) return "Choose them one after the other, first to last.";
+  if (asked.many && asked.on_stage) return "Tap all that you mean, or type their names. Then press Answer.";
   if (asked.many) return "Choose as many as you like, then press Answer.";
   if (asked.on_axes) return "Choose here or in the table of axes.";
   if (!asked.on_stage) return "Choose your answer.";
@@ -34,6 +43,14 @@ std::string how_to_answer(const Asked& asked) {
 }
 
 std::string chosen_text(const Asked& asked, const Answer& answer, const std::string& name) {
+  if (asked.number) return plain_number(answer.number) + " chosen. Press Enter to answer.";
+  if (asked.ordered) {
+    const std::size_t left = asked.choices.size() - answer.list.size();
+    return left == 0 ? "All in order. Press Answer." : std::to_string(left) + " still to choose.";
+  }
+  if (answer.kind == Answer::Kind::kPoints)
+    return asked.names(std::vector<Index>(answer.list.begin(), answer.list.end())) +
+           " chosen. Press Answer when you have them all.";
   if (asked.many) {
     const int count = __builtin_popcount(static_cast<unsigned>(answer.value));
     return std::to_string(count) + " chosen. Press Answer when you have them all.";
@@ -101,10 +118,25 @@ std::string place_text(const Asked& asked, std::span<const Asked> all) {
   return std::to_string(at) + " of " + std::to_string(all.size());
 }
 
-std::string start_task_text(const Session& session) {
-  const auto& task = session.lesson().task;
-  if (!task || task->points == 0) return "Start";
-  return "Start with " + std::to_string(task->points) + " " + std::string(session.subject().handle_words()[1]);
+std::string start_task_text(const Session& session, const Task& task) {
+  if (task.points == 0) return "Start";
+  return "Start with " + std::to_string(task.points) + " " + std::string(session.subject().handle_words()[1]);
+}
+
+std::string task_heading(std::size_t task, std::size_t tasks) {
+  const std::string turn(kTaskWord);
+  return tasks == 1 ? turn : turn + ", " + std::to_string(task + 1) + " of " + std::to_string(tasks);
+}
+
+std::string only_text(const Task& task) {
+  const std::size_t count = task.only.size();
+  std::string names;
+  for (std::size_t i = 0; i < count; ++i) names += (i == 0 ? "" : i + 1 == count ? " and " : ", ") + task.only[i];
+  return "In this task only " + names + (count == 1 ? " moves" : " move") + ". Press Start to begin it.";
+}
+
+std::string no_number_text(std::string_view typed) {
+  return "“" + std::string(typed) + "” is no number. Write it like 12 or 2.5.";
 }
 
 }  // namespace snug::lesson

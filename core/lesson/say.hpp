@@ -58,7 +58,15 @@ inline constexpr std::string_view kTaskWaits = "The task is checked once the que
 [[nodiscard]] std::string_view short_prompt(std::string_view prompt);
 /// "3 of 5": the question's number among those of this run.
 [[nodiscard]] std::string place_text(const Asked& asked, std::span<const Asked> all);
-/// The words on the button that starts the task: "Start with 4 points"; for two boxes, "Start".
-[[nodiscard]] std::string start_task_text(const Session& session);
+/// The words on the button that starts a task: "Start with 4 points"; for two boxes, "Start".
+[[nodiscard]] std::string start_task_text(const Session& session, const Task& task);
+/// The heading of a task: "Your turn"; of several, "Your turn, 2 of 3".
+[[nodiscard]] std::string task_heading(std::size_t task, std::size_t tasks);
+/// Says what a task leaves to be moved.
+[[nodiscard]] std::string only_text(const Task& task);
+/// The label of the field in which an answer is typed: "Name", "Names", "Number"; empty if there is none.
+[[nodiscard]] std::string_view field_word(const Asked& asked);
+/// Says that what was typed is no number.
+[[nodiscard]] std::string no_number_text(std::string_view typed);
 
 }  // namespace snug::lesson

@@ -24,7 +24,8 @@ tl::expected<Session, InputError> Session::open(Lesson lesson, std::optional<io:
 }
 
 Session::Session(Lesson lesson, Snapshot own)
-    : lesson_(std::make_unique<const Lesson>(std::move(lesson))), own_(std::move(own)), now_(own_->clone()) {
+    : lesson_(std::make_unique<const Lesson>(std::move(lesson))), own_(std::move(own)), now_(own_->clone()),
+      grades_(lesson_->tasks.size()), done_(lesson_->tasks.size()) {
   use(0, find_method(*lesson_, lesson_->algorithms.front()));
   if (!lesson_->compare.empty()) use(1, find_method(*lesson_, lesson_->compare));
 }
@@ -61,7 +62,7 @@ Done Session::choose(int slot, std::string_view name) {
   if (slot == 0) {
     step_ = 0;
     run_changed(at_end);
-    grade_.reset();
+    for (std::optional<Grade>& grade : grades_) grade.reset();
   }
   ++revision_;
   return {};
@@ -91,7 +92,8 @@ void Session::run_again(int slot) {
 
 void Session::subject_changed() {
   const bool at_end = slots_[0].run != nullptr && step_ == steps() && step_ > 0;
-  rivals_.reset(), grade_.reset();
+  rivals_.reset();
+  for (std::optional<Grade>& grade : grades_) grade.reset();
   run_again(0);
   run_again(1);
   run_changed(at_end);
@@ -112,17 +114,32 @@ const std::vector<Rival>& Session::rivals() const {
   return *rivals_;
 }
 
-std::optional<Grade> Session::grade() const {
-  if (!lesson_->task) return std::nullopt;
-  if (!grade_) grade_ = now_->grade(*lesson_, view(), found_);
-  std::optional<Grade> now = grade_;
+Grade Session::grade(std::size_t task) const {
+  const Task& own = lesson_->tasks[task];
+  if (!grades_[task]) grades_[task] = now_->grade(*lesson_, own, view());
+  Grade now = *grades_[task];
+  if (now.done && !own.only.empty() && !(task_started_ && task_ == task)) now.done = false, now.says = only_text(own);
+  done_[task] = done_[task] || now.done;
   // The grade comes from the run's result, which would give away the steps that are asked about.
-  if (!now->done && predicting() && is_own()) {
-    now->says = kTaskWaits;
-    return now;
-  }
-  if (!now->done && !now_->moves_at(step_)) now->says += " " + std::string(now_->fixed_now());
+  if (!now.done && predicting() && is_own()) now.says = kTaskWaits;
+  else if (!now.done && !now_->moves_at(step_)) now.says += " " + std::string(now_->fixed_now());
   return now;
+}
+
+std::optional<Grade> Session::grade() const {
+  if (lesson_->tasks.empty()) return std::nullopt;
+  return grade(task_);
+}
+
+bool Session::was_done(std::size_t task) const {
+  static_cast<void>(grade(task));
+  return done_[task];
+}
+
+bool Session::tasks_done() const {
+  for (std::size_t i = 0; i < lesson_->tasks.size(); ++i)
+    if (!was_done(i)) return false;
+  return !lesson_->tasks.empty();
 }
 
 std::uint64_t Session::trace_hash() const {

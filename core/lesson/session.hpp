@@ -62,8 +62,12 @@ class Session {
   void reset();
   /// Replaces the subject by another of the same kind.
   Done become(std::unique_ptr<Subject> next);
-  /// Starts the task: sets its points or boxes, its algorithm in slot 0, and shows the result.
-  void start_task();
+  /// Starts a task of the lesson: sets its points or boxes, its algorithm in slot 0, and shows the result.
+  void start_task(std::size_t task = 0);
+  /// Starts a task and places its model answer. Errors: those of the subject.
+  tl::expected<Grade, InputError> solve_task(std::size_t task);
+  /// Whether a handle may be moved: some tasks leave a few alone to be moved.
+  [[nodiscard]] bool may_move(Index i) const;
   void begin_drag();
   void end_drag();
   [[nodiscard]] bool can_undo() const { return !past_.empty() || drag_moved_; }
@@ -206,8 +210,16 @@ class Session {
   /// Whether the summary is shown: the run is finished, each question done and its outcome read. It can be closed.
   [[nodiscard]] bool at_summary() const;
   void close_summary();
-  /// The grade of the task; none if the lesson has no task.
+  /// The grade of a task, as the stage is now.
+  [[nodiscard]] Grade grade(std::size_t task) const;
+  /// That of the task in hand; none if the lesson has no task.
   [[nodiscard]] std::optional<Grade> grade() const;
+  /// The task that was started last, or the first one.
+  [[nodiscard]] std::size_t task() const { return task_; }
+  /// Whether a task was done since the lesson was opened.
+  [[nodiscard]] bool was_done(std::size_t task) const;
+  /// Whether every task of the lesson was; false if it has none.
+  [[nodiscard]] bool tasks_done() const;
   /// Forgets all answers.
   void forget_answers();
   /// Takes over the outcomes of an earlier session of this lesson, without those of unknown questions.
@@ -263,6 +275,11 @@ class Session {
   [[nodiscard]] bool open_question(const Asked& asked) const;
   [[nodiscard]] const Asked* standing() const;
   bool give(const Answer& answer, bool for_good);
+  bool pick_one_more(const Asked& question, const Answer& chosen);
+  bool pick_number(const Asked& question, std::string_view typed);
+  bool pick_names(const Asked& question, std::string_view typed);
+  bool close_outcome();
+  bool tell_next();
   Outcome& outcome_for(const std::string& id);
 
   std::unique_ptr<const Lesson> lesson_;
@@ -275,15 +292,17 @@ class Session {
   std::array<Used, 2> slots_;
   // Computed on demand, and forgotten with the next edit.
   mutable std::optional<std::vector<Rival>> rivals_;
-  mutable std::optional<Grade> grade_;
+  mutable std::vector<std::optional<Grade>> grades_;  // one for each task
   mutable std::optional<std::uint64_t> hash_;
   int step_ = 0;
   bool previewing_ = false;
   std::vector<Mark> marks_;
   std::vector<Asked> asked_;
   std::vector<Outcome> outcomes_;
-  mutable std::vector<bool> found_;  // which of a task's goals were reached since it was started
-  std::optional<Answer> picked_;     // chosen and not given yet
+  std::size_t task_ = 0;            // the one in hand
+  bool task_started_ = false;       // and whether nothing but what it leaves to be moved was changed since
+  mutable std::vector<bool> done_;  // which tasks were done
+  std::optional<Answer> picked_;    // chosen and not given yet
   std::string answer_says_;
   struct Tried {
     std::string question;  // its id
@@ -294,7 +313,8 @@ class Session {
   bool play_answers_ = false;
   int shown_outcome_ = -1;  // index into outcomes_, shown once step shown_at_ is reached
   int shown_at_ = -1;
-  bool deciding_ = false;  // whether the steps up to there are being played
+  std::vector<int> to_tell_;  // more outcomes, of questions that were asked at the same place
+  bool deciding_ = false;     // whether the steps up to there are being played
   bool answer_shown_ = false;
   bool summary_closed_ = false;
   std::uint64_t revision_ = 1;

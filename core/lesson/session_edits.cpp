@@ -1,6 +1,8 @@
 // A session's edits, and undo.
 #include <algorithm>
 
+#include "lesson/names.hpp"
+#include "lesson/say.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects.hpp"
 
@@ -23,13 +25,20 @@ Done Session::become(Snapshot next) {
   if (Done made = make_room_for(*next); !made) return made;
   end_drag();
   remember(std::exchange(now_, std::move(next)));
+  task_started_ = false;
   subject_changed();
   return {};
 }
 
 Done Session::move(Index i, const Point3& to) {
   if (i < 0 || i >= size()) return tl::unexpected(InputError{.what = "there is no point " + std::to_string(i)});
-  if (!drag_) return edit([&](Subject& next) { return next.move(i, to); });
+  if (!may_move(i)) return tl::unexpected(InputError{.what = only_text(lesson_->tasks[task_])});
+  if (!drag_) {
+    const bool started = task_started_;
+    Done moved = edit([&](Subject& next) { return next.move(i, to); });
+    task_started_ = started;
+    return moved;
+  }
   if (Done moved = now_->move(i, to); !moved) return moved;
   drag_moved_ = true;
   subject_changed();
@@ -70,15 +79,32 @@ void Session::scatter(std::uint64_t seed) {
 
 void Session::reset() { static_cast<void>(become(own_->clone())); }
 
-void Session::start_task() {
-  if (!lesson_->task) return;
-  found_.clear();
-  static_cast<void>(edit([&](Subject& next) { return next.begin_task(*lesson_, *own_), Done(); }));
-  static_cast<void>(choose(0, lesson_->task->algorithm));
+void Session::start_task(std::size_t task) {
+  if (task >= lesson_->tasks.size()) return;
+  const Task& own = lesson_->tasks[task];
+  static_cast<void>(edit([&](Subject& next) { return next.begin_task(*lesson_, own, *own_), Done(); }));
+  static_cast<void>(choose(0, own.algorithm));
+  task_ = task;
+  task_started_ = true;
+  for (std::optional<Grade>& grade : grades_) grade.reset();
   // A student who builds an example looks at results, and was asked nothing yet. Bodies are placed at their start.
   previewing_ = now_->task_begins_at_end();
   step_ = previewing_ ? steps() : 0;
   ++revision_;
+}
+
+tl::expected<Grade, InputError> Session::solve_task(std::size_t task) {
+  start_task(task);
+  if (Done made = set_rows(lesson_->tasks[task].model); !made) return tl::unexpected(std::move(made.error()));
+  task_started_ = true;
+  grades_[task].reset();
+  return grade(task);
+}
+
+bool Session::may_move(Index i) const {
+  if (!task_started_) return true;
+  const std::vector<std::string>& only = lesson_->tasks[task_].only;
+  return only.empty() || is_among(only, name_of(i));
 }
 
 bool Session::is_own() const { return now_->origin() == own_->origin(); }

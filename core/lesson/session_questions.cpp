@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "io/text.hpp"
 #include "lesson/say.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects.hpp"
@@ -82,15 +83,7 @@ const Answer* Session::tried() const {
 bool Session::pick(const Answer& chosen) {
   const Asked* question = asked();
   if (question == nullptr || chosen.kind == Answer::Kind::kSkipped) return false;
-  if (question->many && chosen.kind == Answer::Kind::kChoice) {
-    if (chosen.value < 0 || chosen.value >= static_cast<int>(question->choices.size())) return false;
-    const int all = (picked_ ? picked_->value : 0) ^ 1 << chosen.value;
-    unpick();
-    if (all == 0) return true;
-    picked_ = Answer{Answer::Kind::kChoice, all};
-    answer_says_ = chosen_text(*question, *picked_, {});
-    return true;
-  }
+  if (question->many || question->ordered) return pick_one_more(*question, chosen);
   const bool point = chosen.kind == Answer::Kind::kPoint && chosen.value >= 0 && chosen.value < size();
   if (!answers(*question, chosen))
     return point && question->on_stage ? refuse(no_target_text(name_of(chosen.value), target_names())) : false;
@@ -102,9 +95,69 @@ bool Session::pick(const Answer& chosen) {
   return true;
 }
 
+/// Where an answer has several parts: adds this one to what is chosen, or takes it out again.
+bool Session::pick_one_more(const Asked& question, const Answer& chosen) {
+  const bool point = chosen.kind == Answer::Kind::kPoint;
+  if (point != question.on_stage) return false;
+  const std::vector<Index> tappable = targets();
+  if (point && std::find(tappable.begin(), tappable.end(), chosen.value) == tappable.end())
+    return chosen.value >= 0 && chosen.value < size() ? refuse(no_target_text(name_of(chosen.value), target_names()))
+                                                      : false;
+  if (!point && (chosen.value < 0 || chosen.value >= static_cast<int>(question.choices.size()))) return false;
+  Answer next = picked_.value_or(Answer{});
+  unpick();
+  if (!point && !question.ordered) {
+    next = {Answer::Kind::kChoice, next.value ^ 1 << chosen.value};
+    if (next.value == 0) return true;
+  } else {
+    next.kind = point ? Answer::Kind::kPoints : Answer::Kind::kOrder;
+    if (std::erase(next.list, chosen.value) == 0) next.list.push_back(chosen.value);
+    if (next.list.empty()) return true;
+    if (point) std::sort(next.list.begin(), next.list.end());
+  }
+  answer_says_ = chosen_text(question, next, {});
+  picked_ = std::move(next);
+  return true;
+}
+
+bool Session::pick_number(const Asked& question, std::string_view typed) {
+  const std::optional<double> number = typed_number(typed, question.unit);
+  if (!number) return refuse(no_number_text(typed));
+  const Answer meant{.kind = Answer::Kind::kNumber, .number = *number};
+  if (tried() != nullptr && same_answer(question, *tried(), meant)) return refuse(std::string(kTriedAlready));
+  unpick();
+  picked_ = meant;
+  answer_says_ = chosen_text(question, meant, {});
+  return true;
+}
+
+/// Several names: "P3, P8 and P9" or "P3 P8 P9".
+bool Session::pick_names(const Asked& question, std::string_view typed) {
+  std::string words(typed);
+  std::replace(words.begin(), words.end(), ',', ' ');
+  Answer all{.kind = Answer::Kind::kPoints};
+  const std::vector<Index> tappable = targets();
+  for (std::string_view rest = words; !(rest = io::trim(rest)).empty();) {
+    const std::string_view word = io::take_word(rest);
+    if (word == "and") continue;
+    const auto named = [&](Index i) { return plain_name(name_of(i)) == plain_name(word); };
+    const auto found = std::find_if(tappable.begin(), tappable.end(), named);
+    if (found == tappable.end()) return refuse(no_such_name_text(word, target_names()));
+    if (std::find(all.list.begin(), all.list.end(), *found) == all.list.end()) all.list.push_back(*found);
+  }
+  if (all.list.empty()) return refuse(no_such_name_text(typed, target_names()));
+  std::sort(all.list.begin(), all.list.end());
+  unpick();
+  answer_says_ = chosen_text(question, all, {});
+  picked_ = std::move(all);
+  return true;
+}
+
 bool Session::pick(std::string_view name) {
   const Asked* question = asked();
+  if (question != nullptr && question->number) return pick_number(*question, name);
   if (question == nullptr || !question->on_stage) return false;
+  if (question->many) return pick_names(*question, name);
   const std::string typed = plain_name(name);
   for (Index i = 0; i < size(); ++i) {
     if (plain_name(name_of(i)) != typed) continue;
@@ -189,6 +242,7 @@ bool Session::give(const Answer& answer, bool for_good) {
     tried_ = Tried{question->question->id, answer};
     unpick();
     answer_says_ = kTryAgain;
+    if (const std::string meaning = meaning_of(*question, answer); !meaning.empty()) answer_says_ += " " + meaning;
     return true;
   }
   if (second && !judged.skipped) judged.tries = 2;
@@ -198,11 +252,26 @@ bool Session::give(const Answer& answer, bool for_good) {
   unpick();
   summary_closed_ = false;
   if (question->step == Asked::kAnytime) return ++revision_, true;
-  shown_outcome_ = static_cast<int>(&outcome - outcomes_.data());
-  shown_at_ = question->until;
+  to_tell_.push_back(static_cast<int>(&outcome - outcomes_.data()));
+  if (standing() != nullptr) return true;  // another is asked here, before anything is shown
+  const bool plays = play_answers_ && !for_good;
+  tell_next();
+  if (!plays) decide();
+  return true;
+}
+
+/// Goes on to the outcome that is decided next, of those that are still to be told.
+bool Session::tell_next() {
+  const auto sooner = [&](int a, int b) { return outcomes_[a].step < outcomes_[b].step; };
+  const auto next = std::min_element(to_tell_.begin(), to_tell_.end(), sooner);
+  if (next == to_tell_.end()) return false;
+  shown_outcome_ = *next;
+  to_tell_.erase(next);
+  shown_at_ = outcomes_[shown_outcome_].step;
   answer_shown_ = false;
-  deciding_ = play_answers_ && !for_good && question->until - step_ > 1;
-  if (!deciding_) stand(question->until);
+  deciding_ = shown_at_ - step_ > 1;
+  if (!deciding_) stand(shown_at_);
+  ++revision_;
   return true;
 }
 
@@ -217,10 +286,16 @@ const Outcome* Session::outcome() const {
   return &outcomes_[shown_outcome_];
 }
 
-bool Session::acknowledge() {
+bool Session::close_outcome() {
   if (outcome() == nullptr) return false;
   shown_outcome_ = -1;
   ++revision_;
+  return true;
+}
+
+bool Session::acknowledge() {
+  if (!close_outcome()) return false;
+  if (tell_next() && !play_answers_) decide();
   return true;
 }
 
@@ -238,6 +313,7 @@ bool Session::review(std::string_view question) {
     const Asked* own = question_of(past);
     if (past.question != question || standing_of(&past) == Standing::kOpen || own == nullptr) continue;
     deciding_ = false;
+    to_tell_.clear();
     stand(own->until);
     shown_outcome_ = static_cast<int>(i);
     shown_at_ = own->until;
@@ -281,7 +357,7 @@ std::vector<int> Session::right_choices() const {
 
 /// Decides predictions that were made before anything was known, again whenever more is known.
 void Session::informed() {
-  grade_.reset();
+  for (std::optional<Grade>& grade : grades_) grade.reset();
   for (const Asked& asked : asked_)
     for (Outcome& outcome : outcomes_)
       if (asked.step == Asked::kAnytime && outcome.question == asked.question->id)
@@ -296,6 +372,7 @@ void Session::take_up_answers(std::vector<Outcome> outcomes) {
   });
   outcomes_ = std::move(outcomes);
   shown_outcome_ = -1;
+  to_tell_.clear();
   deciding_ = false;
   ++revision_;
 }
@@ -305,6 +382,7 @@ void Session::forget_answers() {
   unpick();
   tried_.reset();
   shown_outcome_ = -1;
+  to_tell_.clear();
   deciding_ = summary_closed_ = false;
   ++revision_;
 }

@@ -44,6 +44,19 @@ Done Subject::set_numbers(std::size_t, std::size_t, std::span<const double>) {
 Done Subject::load(const io::PointFile&, std::string_view) { return fixed_number(); }
 Done Subject::set_generator(std::string_view, int, int, std::uint64_t, const Subject&) { return fixed_number(); }
 std::vector<Rival> Subject::rivals(const Lesson&, const View&) const { return {}; }
+std::vector<Figure> Subject::results(const Method& method, const View& view) const {
+  for (const Slot& slot : view.slots)
+    if (slot.method == &method && slot.run != nullptr) return figures({{slot, Slot{}}, 0, slot.run->steps()});
+  const std::unique_ptr<Run> own = run(method, nullptr);
+  return figures({{Slot{&method, own.get()}, Slot{}}, 0, own->steps()});
+}
+std::optional<double> Subject::result_size(const Method&, bool, const View&) const { return std::nullopt; }
+std::int64_t Subject::operations(const Method&) const { return 0; }
+bool Subject::reaches(std::string_view) const { return false; }
+std::string Subject::goal_says(std::string_view) const { return {}; }
+Grade Subject::grade(const Lesson& lesson, const Task& task, const View& view) const {
+  return grade_by_requirements(lesson, task, *this, view);
+}
 std::vector<Switch> Subject::switches(const View&) const { return {}; }
 bool Subject::turn(std::string_view, bool, const View&) { return false; }
 

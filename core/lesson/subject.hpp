@@ -207,8 +207,8 @@ class Subject {
   virtual Done set_generator(std::string_view kind, int count, int dim, std::uint64_t seed, const Subject& own);
   /// own: the lesson's, as it opened.
   virtual void scatter(std::uint64_t seed, const Subject& own) = 0;
-  /// Becomes what the lesson's task begins with.
-  virtual void begin_task(const Lesson& lesson, const Subject& own) = 0;
+  /// Becomes what a task begins with.
+  virtual void begin_task(const Lesson& lesson, const Task& task, const Subject& own) = 0;
   /// Whether the player then stands at the end, because a student who builds an example looks at results.
   [[nodiscard]] virtual bool task_begins_at_end() const { return true; }
   /// Whether things can be moved at a step, and if not, why.
@@ -234,8 +234,18 @@ class Subject {
   [[nodiscard]] virtual std::vector<Proof> proofs(const View& view) const = 0;
   /// The lesson's methods with their results, in order; none if there is nothing to compare.
   [[nodiscard]] virtual std::vector<Rival> rivals(const Lesson& lesson, const View& view) const;
-  /// found: which of the task's goals were reached before; those that are reached now are added.
-  [[nodiscard]] virtual Grade grade(const Lesson& lesson, const View& view, std::vector<bool>& found) const = 0;
+  /// The figures of a method's final result. A run that the view has is not repeated.
+  [[nodiscard]] virtual std::vector<Figure> results(const Method& method, const View& view) const;
+  /// The size of a method's final result: of a ball the radius, unless its area or volume is wanted. None if it has no
+  /// volume.
+  [[nodiscard]] virtual std::optional<double> result_size(const Method& method, bool by_measure,
+                                                          const View& view) const;
+  /// How many operations a method takes, all kinds together; 0 if they are not counted.
+  [[nodiscard]] virtual std::int64_t operations(const Method& method) const;
+  /// Whether one of the row's goals is reached, and a sentence about it.
+  [[nodiscard]] virtual bool reaches(std::string_view goal) const;
+  [[nodiscard]] virtual std::string goal_says(std::string_view goal) const;
+  [[nodiscard]] virtual Grade grade(const Lesson& lesson, const Task& task, const View& view) const;
   [[nodiscard]] virtual std::vector<Switch> switches(const View& view) const;
   /// Switches a part off after view.step steps, or on again for all. Returns false if that is impossible.
   virtual bool turn(std::string_view name, bool on, const View& view);

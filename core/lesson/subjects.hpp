@@ -31,17 +31,19 @@ struct SubjectRow {
 
   /// Reads its own tables from the file.
   void (*read)(TomlTable& table, Lesson& lesson, Complaints& complaints) = nullptr;
-  void (*read_task)(TomlTable& table, Lesson& lesson, Complaints& complaints) = nullptr;
+  /// Reads a task's "model" as rows (see Subject::rows).
+  Rows (*read_model)(TomlTable& task, const Lesson& lesson, Complaints& complaints) = nullptr;
+  /// What a requirement may name as its goal.
+  std::span<const std::string_view> goals = {};
   /// Checks what must hold before anything is run; null for nothing. own: the subject as it opens.
   void (*check_first)(const Lesson& lesson, const Subject& own, Complaints& complaints) = nullptr;
-  /// Checks the lesson apart from its questions; null for nothing.
-  void (*check)(const Lesson& lesson, const toml::table& toml, const Subject& own, Complaints& complaints) = nullptr;
+  /// Checks a task; null: its beginning must not solve it, and its model must.
+  void (*check_task)(const Lesson& lesson, const Task& task, const Subject& own, Complaints& complaints) = nullptr;
   /// Opens the subject. mesh: the lesson's, if it names one. Errors: points, boxes or bodies that cannot be made.
   tl::expected<std::unique_ptr<Subject>, InputError> (*open)(const Lesson& lesson, std::optional<io::PointFile> mesh,
                                                              Clock clock) = nullptr;
-  /// Plays the task's model answers in a session, one after the other, and returns the last grade. null: the model is a
-  /// list of points, which is loaded.
-  tl::expected<Grade, InputError> (*play_task)(Session& session) = nullptr;
+  /// Plays a task's model in a session where the task was started, and grades it; null: the model's rows are set.
+  tl::expected<Grade, InputError> (*play_task)(Session& session, const Task& task) = nullptr;
   /// Does what has to be done before questions can be answered; null for nothing.
   void (*before_play)(Session& session) = nullptr;
 };

@@ -39,7 +39,8 @@ CommandResult run_list(const LessonOptions& options) {
                              {"minutes", lesson.minutes},
                              {"algorithms", lesson.algorithms},
                              {"questions", lesson.questions.size()},
-                             {"task", lesson.task.has_value()},
+                             {"task", !lesson.tasks.empty()},
+                             {"tasks", lesson.tasks.size()},
                              {"file", path}});
   return printed;
 }
@@ -179,12 +180,13 @@ CommandResult run_play(const LessonOptions& options) {
   if (!played) return bad_input(played.error());
   Printed printed{"", played->sound() ? 0 : 1};
   for (const auto& algorithm : played->algorithms) printed.text += line_of(json_of_played(algorithm));
-  Json task;
-  if (played->grade)
-    task = {{"done", played->grade->done}, {"excess", played->grade->excess}, {"says", played->grade->says}};
+  Json tasks = Json::array();
+  for (const lesson::Grade& grade : played->grades)
+    tasks.push_back({{"done", grade.done}, {"excess", grade.excess}, {"says", grade.says}});
   Json last{{"lesson", file->lesson.id},
             {"not_asked", played->not_asked},
-            {"task", std::move(task)},
+            {"task", tasks.empty() ? Json() : tasks.front()},
+            {"tasks", tasks},
             {"sound", played->sound()}};
   add_decided_by(last, file->lesson);
   printed.text += line_of(last);
@@ -209,7 +211,8 @@ void add_lesson(Commands& commands) {
   CLI::App& list = *group.add_subcommand("list", "List the lessons");
   list.footer(
       "In the order of the folder's course.toml, whose chapter is the group; by id where there is none. JSON Lines:\n"
-      "{\"lesson\",\"group\",\"title\",\"summary\",\"minutes\",\"algorithms\",\"questions\",\"task\",\"file\"}.");
+      "{\"lesson\",\"group\",\"title\",\"summary\",\"minutes\",\"algorithms\",\"questions\",\"task\",\"tasks\","
+      "\"file\"}.");
   add_folder(list, add_command<LessonOptions>(commands, list, run_list)->folder);
 
   CLI::App& check = *group.add_subcommand("check", "Check lesson files");
@@ -226,13 +229,15 @@ void add_lesson(Commands& commands) {
 
   add_lesson_facts(commands, group);
   add_lesson_new(commands, group);
+  add_lesson_table(commands, group);
 
   CLI::App& play = *group.add_subcommand("play", "Play a lesson to its end");
   play.footer(
       "Plays each of the lesson's algorithms to the last step and gives every exercise its model answer.\n"
       "JSON Lines: {\"algorithm\",\"steps\",\"questions\":[{\"question\",\"answer\",\"happened\",\"right\"}]} for "
       "each, then\n"
-      "{\"lesson\",\"not_asked\",\"task\",\"sound\"}. Exit status 1 if a model answer is wrong or a question is never "
+      "{\"lesson\",\"not_asked\",\"task\",\"tasks\",\"sound\"}: the grades of the tasks' models, and the first of "
+      "them. Exit status 1 if a model answer is wrong or a question is never "
       "asked.\n"
       "A lesson with the cost chart is played without a clock: which algorithm is fastest, and by how much, is "
       "decided\n"

@@ -58,7 +58,9 @@ void add_lesson_new(Commands& commands, CLI::App& group) {
       "Writes ID.toml, a small lesson that passes `snug lesson check`, and prints its path. A file that is there\n"
       "already is left alone. lessons/README.md says what each key means.");
   const auto options = add_command<NewOptions>(commands, start, run_new);
-  start.add_option("--subject", options->subject, "What its stage is about: cloud, pair, frustum, scene or cost")
+  start
+      .add_option("--subject", options->subject,
+                  "What its stage is about: cloud, pair, volumes, frustum, scene or cost")
       ->capture_default_str();
   start.add_option("--lessons", options->folder, "The folder to write to")->capture_default_str();
   start.add_option("ID", options->id, "The lesson's id, its file's name without .toml")->required();

@@ -66,7 +66,7 @@ test("a task is clean as it is set, and as it is done", async (t) => {
   assert.deepEqual(await violations(page), [], "set");
   await visit(t, "?lesson=frustum-2d&a=corners_outside&boxes=0.6,0,0.2,1.7,1,0;0.55,0,1.05,1.15,1,0&step=99");
   assert.equal((await until(page, (now) => now.grade.says)).grade.done, true);
-  await page.locator("#task.done").waitFor();
+  await page.locator("#task .done").waitFor();
   assert.deepEqual(await violations(page), [], "done");
 });
 

@@ -21,7 +21,7 @@ const kVolumes = {
   hull: "{ hull = { points = [[0.6, -1, 0], [2, 0, 0], [0.9, 1.1, 0], [1.2, 0.1, 0.9]] } }",
 };
 const kEach = [[2, kFlatVolumes, "[-1, 0.2]"], [3, kVolumes, "[-1, 0.2, 0]"]];
-const small_lesson = (dim, center, volume) => `version = 1
+const small_lesson = (dim, center, volume) => `version = 2
 title = "A sphere and another volume"
 summary = "Two volumes."
 minutes = 1

@@ -19,7 +19,7 @@ const kFlatVolumes = {
 };
 const kEach = [[3, kVolumes], [2, kFlatVolumes]];
 
-const small_lesson = (volume, algorithm, dim) => `version = 1
+const small_lesson = (volume, algorithm, dim) => `version = 2
 title = "${volume}"
 summary = "A volume around a few points."
 minutes = 1

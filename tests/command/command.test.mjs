@@ -339,7 +339,7 @@ test("a lesson that is wrong is refused with its line, each in a line of its own
   write("large.toml", `${"a.".repeat(1000000)}a = 1\n`);
   refused(["lesson", "check", "large.toml"], "large.toml:1:1: the file is too long: a lesson has at most 262144 bytes");
   const long = (name) => `${name}:1:1: the file is too long: a lesson has at most 262144 bytes`;
-  write("sparse.toml", "version = 1\n");
+  write("sparse.toml", "version = 2\n");
   truncateSync(join(folder, "sparse.toml"), 3e9);
   refused(["lesson", "check", "sparse.toml"], long("sparse.toml"));
   if (existsSync("/dev/zero")) refused(["lesson", "check", "/dev/zero"], long("/dev/zero"));
@@ -359,7 +359,7 @@ test("every mistake of a lesson is told, in its order, and warnings beside them"
   assert.deepEqual(err.trimEnd().split("\n"), [
     `snug: many.toml:${line("titel")}:1: the lesson has no key "titel": did you mean "title"?`,
     `snug: many.toml:${line("minutes")}:11: "minutes" must be from 1 to 240`,
-    `snug: many.toml:${line("pont")}:8: "asks" is none of point, choice, figure, tightest or grows: pont; did you mean point?`,
+    `snug: many.toml:${line("pont")}:8: "asks" is none of point, points, choice, sequence, figure, number, tightest, tightest_order, cheapest, cheapest_order or grows: pont; did you mean point?`,
     `snug: many.toml:${line("P7")}:41: warning: "text" speaks of P7, which is not there: the last one is P4`,
   ]);
   const warned = snug(["lesson", "check", write("warned.toml", text.replace("Drag an outer point", "Drag P7"))]);
@@ -368,7 +368,7 @@ test("every mistake of a lesson is told, in its order, and warnings beside them"
 });
 
 test("a new lesson of each subject passes as it is written, and does not replace another", () => {
-  for (const subject of ["cloud", "pair", "frustum", "scene", "cost"]) {
+  for (const subject of ["cloud", "pair", "volumes", "frustum", "scene", "cost"]) {
     assert.equal(good(["lesson", "new", `my-${subject}`, "--subject", subject]), `my-${subject}.toml\n`);
     const [row] = json_lines(good(["lesson", "check", `my-${subject}.toml`]));
     assert.deepEqual([row.lesson, row.warnings], [`my-${subject}`, undefined]);
@@ -376,6 +376,20 @@ test("a new lesson of each subject passes as it is written, and does not replace
   }
   refused(["lesson", "new", "other", "--subject", "frostum"], /did you mean frustum\?$/m);
   refused(["lesson", "new", "Not An Id"], /small letters, digits and hyphens/);
+});
+
+test("lessons/README.md lists what can be asked and required, as the program does", () => {
+  const listed = readFileSync(join(lessons, "README.md"), "utf8").split("<!-- snug lesson table -->\n")[1].split("<!-- end -->")[0];
+  assert.equal(listed, good(["lesson", "table"]));
+});
+
+test("lessons of lecturers' own, written by the guide, are sound and play to their end", () => {
+  const own = join(root, "tests", "lessons");
+  for (const file of readdirSync(own)) {
+    good(["lesson", "check", join(own, file)]);
+    const end = json_lines(good(["lesson", "play", "--lessons", own, file.replace(".toml", "")])).at(-1);
+    assert.deepEqual([end.not_asked, end.sound], [[], true], file);
+  }
 });
 
 test("facts are what the steps of a lesson are and come to", () => {
@@ -439,7 +453,7 @@ test("a picture's algorithm, step and question are those of the lesson", () => {
 test("a lesson whose question is never asked is unsound", () => {
   // On a mesh's points, for on others reading finds it.
   const text = readFileSync(join(lessons, "sphere-ritter.toml"), "utf8");
-  const changed = text.slice(0, text.indexOf("[task]")).replace(/^\[points\][^[]*/m, '[points]\nmesh = "bunny"\n\n').replace(/^nth = \d+$/m, "nth = 9999");
+  const changed = text.slice(0, text.indexOf("[[task]]")).replace(/^\[points\][^[]*/m, '[points]\nmesh = "bunny"\n\n').replace(/^nth = \d+$/m, "nth = 9999");
   const line = 1 + changed.split("\n").findIndex((row) => row === "nth = 9999");
   const asked = json_lines(good(["lesson", "list"])).find((row) => row.lesson === "sphere-ritter").questions;
   write("never.toml", changed);
@@ -486,7 +500,7 @@ test("help says what the contract says", () => {
   for (const word of ["--volume", "--algorithm", "--scalar", "--dim", "--seed", "--repeat", "--steps", "support", "measure",
     "max_outside", "certificate", "operations", "time_ns", ".xyz", ".csv", ".txt", ".obj", ".ply", ".stl"])
     assert.ok(help.includes(word), word);
-  for (const command of [["algorithms"], ["lesson"], ["lesson", "list"], ["lesson", "check"], ["lesson", "play"], ["lesson", "new"], ["lesson", "facts"],
+  for (const command of [["algorithms"], ["lesson"], ["lesson", "list"], ["lesson", "check"], ["lesson", "play"], ["lesson", "new"], ["lesson", "facts"], ["lesson", "table"],
     ["trace-hash"], ["render"]])
     assert.match(good([...command, "--help"]), /Usage: snug/);
   assert.match(good(["--version"]), /^\d+\.\d+\.\d+\n$/);

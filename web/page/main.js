@@ -67,7 +67,7 @@ class Page {
     const next = (id) => lessons[lessons.findIndex((lesson) => lesson.id === id) + 1];
     const question = this.#question = new QuestionCard(door, act, { next: embed ? () => undefined : next, go: go_to, show_task: embed ? null : () => this.#show_task() });
     this.#points = new PointTools(door, act, (name) => this.#mesh(name));
-    this.#reading = new Reading(door.words(), { formulas, start_task: () => this.#start_task(), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) });
+    this.#reading = new Reading(door.words(), { formulas, start_task: (task) => this.#start_task(task), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) });
     this.#tabs = new Tabs((id) => id === "read" && this.#reading.bring_section());
     this.#panels = [this.#reading, question, new Code(door, act), this.#points, new NumberTools(door, act), new CoverTools(door, act, () => this.#stage.request()), new Player(door, act), this.#tabs, new Side(door), new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()), new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place))];
     this.#menu = new LessonMenu(lessons, go_to);
@@ -100,8 +100,8 @@ class Page {
   }
 
   /** Starts the task, and on a phone scrolls to the stage, which is far above the task. */
-  #start_task() {
-    this.act(() => this.#door.start_task());
+  #start_task(task) {
+    this.act(() => this.#door.start_task(task));
     by_id("stage").scrollIntoView({ block: "nearest" });
   }
 
@@ -281,7 +281,7 @@ class Page {
 
   async #restore_source(from, seed) {
     const [name, count] = from.split(":");
-    if (name === "task") return this.#door.start_task();
+    if (name === "task") return this.#door.start_task(0);
     if (count) return this.#door.set_generator(name, Number(count), seed);
     if (!this.#lesson.meshes.includes(name)) return `this lesson has no points “${name}”`;
     return this.#mesh(name).then((bytes) => this.#door.load_file(bytes, name), () => `the mesh “${name}” did not arrive`);
@@ -335,7 +335,7 @@ class Page {
 
   /** Keeps the student's place and answers, once the student has done something here. */
   #keep(address) {
-    const { previewing, outcomes, step, steps, questions, grade, edited, asked, outcome, deciding } = this.#view;
+    const { previewing, outcomes, step, steps, questions, tasksDone, edited, asked, outcome, deciding } = this.#view;
     const decided = outcomes.filter(({ passed, pending }) => !passed && !pending);
     if (address === this.#erased_at && outcomes.length === 0) return;
     this.#erased_at = null;
@@ -346,7 +346,7 @@ class Page {
       address, answers: this.#door.kept_answers(), answered: decided.filter(({ skipped }) => !skipped).length, step, steps,
       // Once done, a lesson stays done when it is looked at again.
       done: Boolean(before?.done) || (questions > 0 ? decided.length >= questions : step === steps && begun),
-      task: Boolean(before?.task) || Boolean(grade?.done),
+      task: Boolean(before?.task) || tasksDone,
       told: (outcome ?? deciding)?.question ?? null, tried: asked?.tried ? { question: asked.id, ...asked.tried } : null,
     });
   }

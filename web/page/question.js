@@ -16,6 +16,7 @@ export class QuestionCard {
   #after;
   #shown = "";
   #choices = [];
+  #ordered = false; // whether they are put into an order
   #says = element("p", { class: "says", role: "status" });
   #commit;
 
@@ -40,7 +41,7 @@ export class QuestionCard {
     this.#watching = Boolean(deciding);
     const told = view.cover?.decided ? outcomes : [];
     const question = asked && { ...asked, picked: null, says: "" };
-    const now = JSON.stringify([view.lesson, question, outcome, deciding, told, score, view.summary && view.grade?.done]);
+    const now = JSON.stringify([view.lesson, question, outcome, deciding, told, score, view.summary && view.tasksDone]);
     if (now !== this.#shown) {
       this.#shown = now;
       this.#lay_out(view, told);
@@ -67,7 +68,11 @@ export class QuestionCard {
 
   /** Shows the choice that is not committed yet. The card and the focus stay as they are. */
   #show_picked({ picked, tried, says, how }) {
-    for (const [i, choice] of this.#choices.entries()) choice.setAttribute("aria-pressed", Boolean(picked?.choices.includes(i)));
+    for (const [i, choice] of this.#choices.entries()) {
+      const place = picked?.choices.indexOf(i) ?? -1;
+      choice.setAttribute("aria-pressed", place >= 0);
+      if (this.#ordered) choice.dataset.place = place >= 0 ? `${place + 1}` : "·";
+    }
     set_text(this.#says, says || how);
     this.#says.classList.toggle("chosen", says !== "");
     this.#says.classList.toggle("wrong", Boolean(tried) && !picked);
@@ -92,30 +97,30 @@ export class QuestionCard {
     this.#act(() => this.#door.command(command));
   }
 
-  #asked_card({ prompt, choices, onStage, place, tried }) {
-    const first = choices.findIndex((_, i) => !tried?.choices.includes(i));
+  #asked_card({ prompt, choices, field, ordered, place, tried }) {
+    this.#ordered = ordered;
+    const first = choices.findIndex((_, i) => ordered || !tried?.choices.includes(i));
     this.#choices = choices.map((words, i) => {
-      const was = tried?.choices.includes(i);
+      const was = !ordered && tried?.choices.includes(i);
       return button(words, () => this.#act(() => this.#door.pick_choice(i)),
-        { class: was ? "button tried" : "button", "aria-label": was ? `${words}, not that one` : null, "aria-pressed": "false", "data-first": i === first });
+        { class: `button${was ? " tried" : ""}${ordered ? " ordered" : ""}`, "aria-label": was ? `${words}, not that one` : null, "aria-pressed": "false", "data-first": i === first });
     });
-    const named = onStage && choices.length === 0;
     const pass = quiet(this.#words.skip, () => this.#do("skip_question"));
     return element("div", { class: "card predict", tabindex: "-1" },
       kicker(this.#words.prediction, place),
       element("p", { class: "prompt" }, whole_names(prompt)),
       ...(choices.length > 0 ? [element("div", { class: "choices" }, ...this.#choices)] : []),
-      row(this.#says, ...(named ? [this.#name_form()] : [this.#commit]), pass),
+      row(this.#says, ...(field ? [this.#answer_form(field)] : [this.#commit]), pass),
       element("p", { class: "foot presented" }, "Page Down twice skips"));
   }
 
-  /** A field to name a handle without pointing at it. */
-  #name_form() {
-    const field = element("input", { type: "text", required: true, autocomplete: "off", autocapitalize: "characters", spellcheck: "false", maxlength: 16, "aria-label": "Name", placeholder: "Name", "data-first": true });
+  /** A field for a number, or to name handles without pointing at them. */
+  #answer_form(label) {
+    const field = element("input", { type: "text", required: true, autocomplete: "off", autocapitalize: "characters", spellcheck: "false", inputmode: label === "Number" ? "decimal" : "text", maxlength: 80, "aria-label": label, placeholder: label, "data-first": true });
     const onsubmit = (event) => {
       event.preventDefault();
       this.#act(() => {
-        if (field.value === "") this.#door.command("commit_answer"); // a handle that was tapped
+        if (field.value === "") this.#door.command("commit_answer"); // what was tapped
         else if (this.#door.pick_name(field.value)) this.#door.command("commit_answer");
       });
       field.select();
@@ -137,7 +142,8 @@ export class QuestionCard {
 
   /** The card with the outcome, until it is dismissed. */
   #outcome_card(outcome) {
-    const { verdict, kind, prompt, place, says, because, choices, given, shown, canShow, rightChoices, happened, fromStep, step } = outcome;
+    const { verdict, kind, prompt, place, says, because, ordered, given, shown, canShow, rightChoices, happened, fromStep, step } = outcome;
+    const choices = ordered ? [] : outcome.choices; // of an order, the whole is told
     const marked = shown && choices.length > 0 ? [element("div", { class: "choices" }, ...choices.map((words, i) => {
       const mark = rightChoices.includes(i) ? "right" : given?.choices.includes(i) ? "wrong" : "";
       return element("span", { class: `chip ${mark}` }, mark ? `${kMarks[mark]} ${words}` : words);
@@ -157,7 +163,7 @@ export class QuestionCard {
   }
 
   /** The card at the lesson's end: each prediction leads back to its reason. */
-  #summary_card({ score, predictions, lesson, grade, waiting }) {
+  #summary_card({ score, predictions, lesson, grade, tasksDone, waiting }) {
     const lines = predictions.map(({ id, short, kind, standing }) => element("li", {},
       element("button", { type: "button", class: `line ${kind}`, onclick: () => this.#do(`review:${id}`) },
         element("span", { class: "mark", "aria-hidden": "true" }, kMarks[kind]), element("span", { class: "what" }, whole_names(short)), element("b", {}, standing))));
@@ -167,7 +173,7 @@ export class QuestionCard {
       element("p", { class: "prompt" }, score), element("ol", { class: "lines-of" }, ...lines),
       ...(waiting.length > 0 ? [element("div", { class: "commit waiting" }, element("span", {}, this.#words.waiting), ...waiting.map((name) => button(this.#title_of(name), () => this.#ask(name))))] : []),
       row(quiet(this.#words.again, () => this.#do("predict_again")), element("span", { class: "gap" }),
-        ...(grade && this.#after.show_task ? [button(grade.done ? `${kMarks.right} ${this.#words.task}` : this.#words.to_task, this.#after.show_task, { class: "button to-task" })] : []),
+        ...(grade && this.#after.show_task ? [button(tasksDone ? `${kMarks.right} ${this.#words.task}` : this.#words.to_task, this.#after.show_task, { class: "button to-task" })] : []),
         ...(next ? [element("a", { class: "button primary", href: `?lesson=${encodeURIComponent(next.id)}`, "data-first": true, title: next.title,
           onclick: followed_here(() => this.#after.go(next.id)) }, this.#words.next_lesson)] : [])));
   }

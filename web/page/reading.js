@@ -25,7 +25,7 @@ function bring_on_page(part) {
 export class Reading {
   #words;
   #start_task;
-  #grade_says = element("p", { class: "grade", role: "status" });
+  #grade_says = []; // a line for each task
   #formulas;
   #follow;
   #light;
@@ -62,11 +62,11 @@ export class Reading {
     this.#read_at = -Infinity;
     this.#was_open = false;
     const box = by_id("task");
-    set_hidden(box, !lesson.task);
-    if (!lesson.task) return box.replaceChildren();
-    box.replaceChildren(element("h2", { class: "kicker" }, this.#words.task), element("p", {}, lesson.task.prompt),
-      element("p", {}, button(lesson.task.start, this.#start_task)), this.#grade_says,
-      ...(lesson.task.hint ? [element("details", {}, element("summary", {}, this.#words.hint), element("p", {}, lesson.task.hint))] : []));
+    set_hidden(box, lesson.tasks.length === 0);
+    this.#grade_says = lesson.tasks.map(() => element("p", { class: "grade", role: "status" }));
+    box.replaceChildren(...lesson.tasks.map((task, i) => element("section", { class: "card task" }, element("h2", { class: "kicker" }, task.heading),
+      element("p", {}, task.prompt), element("p", {}, button(task.start, () => this.#start_task(i))), this.#grade_says[i],
+      ...(task.hint ? [element("details", {}, element("summary", {}, this.#words.hint), element("p", {}, task.hint))] : []))));
   }
 
   /** A formula without other words is on its own line. */
@@ -104,7 +104,7 @@ export class Reading {
   }
 
   update(view) {
-    this.#show_grade(view.lesson, view.grade);
+    this.#show_grades(view.lesson, view.tasks, view.task);
     this.#show_section(view.lesson, view.section);
     this.#show_lit(view.lesson, view.lit);
   }
@@ -141,14 +141,15 @@ export class Reading {
     for (const { mark, node } of this.#words_of) node.classList.toggle("lit", mark === lit.mark || lit.words.includes(mark));
   });
 
-  #show_grade = when_changed((_lesson, grade) => {
-    if (!grade) return;
-    const box = by_id("task");
+  #show_grades = when_changed((_lesson, tasks, now) => {
+    if (tasks.length === 0) return;
+    for (const [i, { was, says }] of tasks.entries()) {
+      this.#grade_says[i].parentElement.classList.toggle("done", was);
+      set_text(this.#grade_says[i], `${was ? "✓ " : ""}${says}`);
+    }
     // On a phone the task is far below the stage. If an address opens it already done, that is not news.
-    const { top, bottom } = box.getBoundingClientRect();
-    if (grade.done && this.#was_open && (bottom < 0 || top > innerHeight)) notice(`✓ ${grade.says}`, "told");
-    this.#was_open = !grade.done;
-    box.classList.toggle("done", grade.done);
-    set_text(this.#grade_says, `${grade.done ? "✓ " : ""}${grade.says}`);
+    const { top, bottom } = this.#grade_says[now].getBoundingClientRect();
+    if (tasks[now].done && this.#was_open && (bottom < 0 || top > innerHeight)) notice(`✓ ${tasks[now].says}`, "told");
+    this.#was_open = !tasks[now].done;
   });
 }

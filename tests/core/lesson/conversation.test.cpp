@@ -232,10 +232,11 @@ asks = "choice"
 prompt = "Is it the smallest?"
 choices = ["yes", "no"]
 answer = "yes"
+holds = "always"
 because = "Welzl's is."
 
-[task])";
-  Session session = snug::test::open(snug::test::small_lesson_with("[task]", other));
+[[task]])";
+  Session session = snug::test::open(snug::test::small_lesson_with("[[task]]", other));
   snug::test::play_to_end(session);
   while (session.acknowledge()) {
   }

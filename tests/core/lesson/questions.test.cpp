@@ -14,7 +14,7 @@ namespace {
 Session ask(const std::string& algorithm, const std::string& rest) {
   const std::string own =
       "[[question]]\nid = \"own\"\nprompt = \"?\"\nbecause = \"So.\"\nalgorithm = \"" + algorithm + "\"\n";
-  std::string text = small_lesson_with("[task]", own + rest + "\n[task]");
+  std::string text = small_lesson_with("[[task]]", own + rest + "\n[[task]]");
   Session session = test::open(text.replace(text.find("seed = 5"), 8, "seed = 2"));
   REQUIRE(session.choose(0, algorithm).has_value());
   session.last();
@@ -235,7 +235,7 @@ TEST_CASE("a mesh's own words stand on that mesh alone") {
   std::string text = lesson_with_words_here(std::string(test::kSmallLesson));
   const auto points = text.find("dim = 2\nlist"), end = text.find("[[section]]");
   text.replace(points, end - points, "mesh = \"bunny\"\n\n");
-  text.erase(text.find("[task]"));
+  text.erase(text.find("[[task]]"));
   auto lesson = read_lesson(text, "mesh.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   const io::PointFile own{3, {{-2, 0, 0}, {2, 0, 0}, {0, 1, 0.5}, {0, 2.5, 0}}, {}};

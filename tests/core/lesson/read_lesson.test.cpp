@@ -23,9 +23,9 @@ struct Broken {
 
 constexpr Broken kBroken[] = {
     {"minutes = 3", "minutes = = 3", "minutes = =", ""},
-    {"version = 1\n", "", "title", "lacks the key \"version\""},
-    {"version = 1", "version = 2", "version", "reads 1"},
-    {"version = 1", "version = \"1\"", "version", "whole number"},
+    {"version = 2\n", "", "title", "lacks the key \"version\""},
+    {"version = 2", "version = 3", "version", "reads 2"},
+    {"version = 2", "version = \"1\"", "version", "whole number"},
     {"minutes = 3", "minutes = 3\ncolour = \"red\"", "colour", "no key \"colour\""},
     {"title = \"Small\"", "title = 7", "title = 7", "text in quotes"},
     {"title = \"Small\"", "title = \"  \"", "title = ", "is empty"},
@@ -65,18 +65,27 @@ constexpr Broken kBroken[] = {
     {"asks = \"grows\"", "asks = \"holds\"", "id = \"again\"", "finished"},
     {"answer = \"three\"", "answer = \"two\"", "answer = \"two\"", "none of the choices: two"},
     {"choices = [\"one\", \"three\"]", "choices = [\"three\"]", "choices", "at least 2"},
-    {"own_points = true", "own_points = 1", "own_points", "true or false"},
-    {"own_points = true", "because_here = 3", "because_here", "a text in quotes"},
-    {"own_points = true", "prompt_here = \"\"", "prompt_here", "is empty"},
+    {"holds = \"here\"", "holds = \"there\"", "holds", "none of always or here: there; did you mean here?"},
+    {"holds = \"here\"\n", "", "id = \"number\"", "a choice needs \"holds\""},
+    {"holds = \"here\"\nbecause = \"Extremes, growth, check.\"",
+     "because = \"So.\"\n[[question.require]]\nfigure = \"excess\"\nat_most = 3", "[[question.require]]",
+     "9.8 %; it must be at most 3 %"},
+    {"holds = \"here\"", "holds = \"here\"\nwrong = { \"two\" = \"No.\" }", "wrong", "cannot be given: two"},
+    {"holds = \"here\"", "holds = \"here\"\nbecause_here = 3", "because_here", "a text in quotes"},
+    {"holds = \"here\"", "holds = \"here\"\nprompt_here = \"\"", "prompt_here", "is empty"},
     {"because = \"All are inside.\"\n", "", "id = \"again\"", "lacks the key \"because\""},
-    {"excess_at_least = 0.05\n", "", "[task]", "\"excess_at_least\" or \"support_size\""},
-    {"excess_at_least = 0.05", "excess_at_least = 0.5", "model", "does not solve"},
-    {"excess_at_least = 0.05", "excess_at_least = -1", "excess_at_least", "above 0"},
-    {"points = 4", "points = 6", "[task]", "before the student begins"},
-    {"points = 4", "points = 7", "[task]", "more points than"},
+    {"at_least = 5\n", "", "[[task.require]]", "needs \"at_least\", \"at_most\" or \"equals\""},
+    {"at_least = 5", "at_least = 50", "model", "does not solve"},
+    {"at_least = 5", "at_least = 5\nat_most = 4", "at_most", "leaves no number"},
+    {"at_least = 5", "at_least = 5\nover = \"aabb/min_max\"", "[[task]]", "before the student begins"},
+    {"figure = \"excess\"", "figure = \"exces\"", "[[task.require]]", "Ritter has no figure exces"},
+    {"figure = \"excess\"\nat_least = 5", "goal = \"fail\"", "goal", "figures alone"},
+    {"hint = \"Think.\"", "hint = \"Think.\"\nonly = [\"P9\"]", "[[task]]", "not there: P9"},
+    {"points = 4", "points = 6", "[[task]]", "before the student begins"},
+    {"points = 4", "points = 7", "[[task]]", "more points than"},
     {"[[-2, 0], [2, 0], [0, -1], [0, 2.5]]", "[[-2, 0], [2, 0]]", "model", "There are 2 points"},
-    {"[task]", "[pseudocode.ritter]\nlines = [\"one\"]\n[task]", "lines = [", "must be 6"},
-    {"[task]", "[pseudocode.ritta]\nlines = [\"one\"]\n[task]", "[pseudocode.ritta]", "ritta"},
+    {"[[task]]", "[pseudocode.ritter]\nlines = [\"one\"]\n[[task]]", "lines = [", "must be 6"},
+    {"[[task]]", "[pseudocode.ritta]\nlines = [\"one\"]\n[[task]]", "[pseudocode.ritta]", "ritta"},
 };
 
 }  // namespace
@@ -95,8 +104,10 @@ TEST_CASE("a lesson file is read whole") {
   REQUIRE(lesson->questions.size() == 4);
   CHECK(lesson->questions[1].gate.after == "pair_chosen");
   CHECK(lesson->questions[3].answer == 1);
-  REQUIRE(lesson->task.has_value());
-  CHECK(static_cast<const CloudTask&>(*lesson->task->terms).excess_at_least == 0.05);
+  REQUIRE(lesson->tasks.size() == 1);
+  REQUIRE(lesson->tasks[0].conditions.size() == 1);
+  CHECK(lesson->tasks[0].conditions[0].figure == "excess");
+  CHECK(lesson->tasks[0].conditions[0].at_least == 5);
 }
 
 TEST_CASE("prose: paragraphs, joined lines and strong words") {
@@ -147,7 +158,7 @@ TEST_CASE("all mistakes of a lesson file are told, in its order, each with line 
   put("asks = \"grows\"", "asks = \"grow\"");
   put("id = \"number\"", "id = \"growth\"");
   put("answer = \"three\"", "answer = \"two\"");
-  put("excess_at_least = 0.05", "excess_at_least = 0.5");
+  put("at_least = 5", "at_least = 50");
   put("hint = \"Think.\"", "hint = \"Think.\"\nhints = 2");
   const Draft draft = read_draft(text, "small.toml");
   std::vector<std::string> said;
@@ -163,14 +174,15 @@ TEST_CASE("all mistakes of a lesson file are told, in its order, each with line 
       "small.toml:27:10: \"before\" of ritter is none of extremes_found, pair_chosen, point_examined, ball_grown, "
       "radius_checked or finished: pair_chosn; did you mean pair_chosen?",
       "small.toml:32:1: ritter does not take step ball_grown 2 times on these points",
-      "small.toml:46:8: \"asks\" is none of point, choice, figure, tightest or grows: grow; did you mean grows?",
+      "small.toml:46:8: \"asks\" is none of point, points, choice, sequence, figure, number, tightest, tightest_order, "
+      "cheapest, cheapest_order or grows: grow; did you mean grows?",
       "small.toml:57:10: \"answer\" is none of the choices: two",
-      "small.toml:67:1: [task] has no key \"hints\": did you mean \"hint\"?",
+      "small.toml:66:1: [[task]] has no key \"hints\": did you mean \"hint\"?",
   };
   CHECK(said == due);
   REQUIRE(draft.lesson.has_value());  // what is sound of it can be looked at
   CHECK(draft.lesson->questions.empty());
-  CHECK_FALSE(draft.lesson->task.has_value());
+  CHECK(draft.lesson->tasks.empty());
 }
 
 TEST_CASE("what is allowed and probably not meant is warned of") {
@@ -189,7 +201,7 @@ TEST_CASE("what is allowed and probably not meant is warned of") {
 TEST_CASE("no bytes make the reader fail otherwise than by an error") {
   for (const std::string_view text : {std::string_view(""), std::string_view("\0\0", 2), std::string_view("\xff\xfe"),
                                       std::string_view("[["), std::string_view("[[["), std::string_view("[[a]]\n[[="),
-                                      std::string_view("a = 1"), std::string_view("version = 1")}) {
+                                      std::string_view("a = 1"), std::string_view("version = 2")}) {
     const auto lesson = read_lesson(text, "x.toml");
     REQUIRE_FALSE(lesson.has_value());
     CHECK(lesson.error().position >= 1);
@@ -209,8 +221,8 @@ TEST_CASE("no bytes make the reader fail otherwise than by an error") {
 }
 
 TEST_CASE("a lesson's own pseudocode stands in for the catalogue's, line for line") {
-  auto session = test::open(
-      small_lesson_with("[task]", "[pseudocode.ritter]\nlines = [\"a\", \"b\", \"c\", \"d\", \"e\", \"f\"]\n[task]"));
+  auto session = test::open(small_lesson_with(
+      "[[task]]", "[pseudocode.ritter]\nlines = [\"a\", \"b\", \"c\", \"d\", \"e\", \"f\"]\n[[task]]"));
   REQUIRE(session.pseudocode(0).size() == 6);
   CHECK(session.pseudocode(0)[2] == "c");
   REQUIRE(session.choose(0, "welzl").has_value());

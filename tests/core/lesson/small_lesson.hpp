@@ -12,7 +12,7 @@ namespace snug::test {
 
 /// Ritter's run: 0 extremes, 1 pair P0 and P1, 2 to 5 P0 to P3 inside, 6 P4 outside, 7 grown from radius 2 to 2.25,
 /// 8 P5 inside, 9 checked, 10 finished. The smallest circle goes through P0, P1 and P4: radius 2.05.
-inline constexpr std::string_view kSmallLesson = R"(version = 1
+inline constexpr std::string_view kSmallLesson = R"(version = 2
 title = "Small"
 summary = "A lesson for tests."
 minutes = 3
@@ -68,16 +68,19 @@ asks = "choice"
 prompt = "How many passes?"
 choices = ["one", "three"]
 answer = "three"
-own_points = true
+holds = "here"
 because = "Extremes, growth, check."
 
-[task]
+[[task]]
 prompt = "Make it fail."
 algorithm = "ritter"
-excess_at_least = 0.05
 points = 4
 hint = "Think."
 model = [[-2, 0], [2, 0], [0, -1], [0, 2.5]]
+
+[[task.require]]
+figure = "excess"
+at_least = 5
 )";
 
 /// The small lesson with one stretch of it replaced.

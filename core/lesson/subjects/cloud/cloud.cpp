@@ -1,6 +1,7 @@
 #include "lesson/subjects/cloud/cloud.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/cloud/entries.hpp"
@@ -60,8 +61,7 @@ const SubjectRow kCloudRow{.name = "cloud",
                            .askings = &FactList<fit::Fact3>::askings,
                            .compares = true,
                            .read = &read_cloud,
-                           .read_task = &read_cloud_task,
-                           .check = &check_cloud_task,
+                           .read_model = &read_point_model,
                            .open = &open_cloud};
 
 /// The algorithm that sizes are compared with. If the lesson names none, the exact one of its volume; null if there are
@@ -94,8 +94,15 @@ std::vector<Figure> CloudSubject::figures(const View& view) const {
 
 std::vector<Proof> CloudSubject::proofs(const View& view) const { return fit_proofs(view, fit_run(view.run())); }
 
-Grade CloudSubject::grade(const Lesson& lesson, const View&, std::vector<bool>&) const {
-  return grade_points(lesson, *points(), origin_.seed);
+std::optional<double> CloudSubject::result_size(const Method& method, bool by_measure, const View& view) const {
+  if (by_measure == by_measure_) return size_of(algorithm_of(method), view);
+  const fit::Volume3 volume = algorithm_of(method).fit(*points(), {.seed = origin_.seed}).volume;
+  return by_measure ? fit::measure_of(volume, dim()) : fit::size_of(volume, dim());
+}
+
+std::int64_t CloudSubject::operations(const Method& method) const {
+  const fit::Watched run = algorithm_of(method).watch(*points(), {.seed = origin_.seed}, {});
+  return std::accumulate(run.counts.begin(), run.counts.end(), std::int64_t{0});
 }
 
 /// Null if there is none, or if it cannot take these points.

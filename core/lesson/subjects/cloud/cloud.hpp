@@ -13,12 +13,6 @@ namespace snug::lesson {
 
 extern const SubjectRow kCloudRow;
 
-/// What a task on a cloud requires.
-struct CloudTask : Tables {
-  double excess_at_least = 0;  // the algorithm's size / the smallest - 1
-  int support_size = 0;        // how many points must support the smallest ball; 0 if that does not matter
-};
-
 /// What sizes are compared with.
 struct Reference {
   std::optional<double> size;  // none if it is not known
@@ -39,7 +33,9 @@ class CloudSubject final : public PointSubject {
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
   [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
   [[nodiscard]] std::vector<Rival> rivals(const Lesson& lesson, const View& view) const override;
-  [[nodiscard]] Grade grade(const Lesson& lesson, const View& view, std::vector<bool>& found) const override;
+  [[nodiscard]] std::optional<double> result_size(const Method& method, bool by_measure,
+                                                  const View& view) const override;
+  [[nodiscard]] std::int64_t operations(const Method& method) const override;
 
   /// The recording of the lesson's reference, or else of the smallest volume of the lesson's kind: computed when first
   /// needed after an edit, unless the view shows it. Null if there is no such algorithm or it cannot take these points.
@@ -75,12 +71,7 @@ class CloudSubject final : public PointSubject {
   return *fit::find_algorithm(method.volume, method.name);
 }
 
-// figures.cpp, proofs.cpp, task.cpp
+// figures.cpp, proofs.cpp
 [[nodiscard]] std::vector<Figure> fit_figures(const View& view, const FitRun& run, const Reference& reference);
 [[nodiscard]] std::vector<Proof> fit_proofs(const View& view, const FitRun& run);
-void read_cloud_task(TomlTable& table, Lesson& lesson, Complaints& complaints);
-void check_cloud_task(const Lesson& lesson, const toml::table& toml, const Subject& own, Complaints& complaints);
-/// seed: that of the algorithm's random order.
-[[nodiscard]] Grade grade_points(const Lesson& lesson, const AnyPointSet& points, std::uint64_t seed);
-
 }  // namespace snug::lesson

@@ -40,23 +40,15 @@ void read_chart(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   cloud_row().read(table, lesson, complaints);
 }
 
-void read_cost_task(TomlTable& table, Lesson& lesson, Complaints&) {
-  auto terms = std::make_shared<CostTask>();
-  terms->tighter_by = table.number("tighter_by", 1);
-  lesson.task->points = static_cast<int>(table.integer("points", 1, kMostGenerated));
-  lesson.task->model = table.points("model", lesson.points.dim);
-  lesson.task->terms = std::move(terms);
-}
-
 /// Checks that on the model's points some algorithm is smaller by as much as the task asks. Which of them is fastest
 /// depends on the student's machine.
-void check_costs(const Lesson& lesson, const toml::table& toml, const Subject&, Complaints& complaints) {
-  if (!lesson.task) return;
-  const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
-  const auto model = to_set(lesson.task->model, lesson.points.dim);
-  if (!model) return complaints.add(task.place_of("model"), model.error().what);
-  if (cheapest_of(*lesson.task, counted_costs(lesson, *model)).empty())
-    complaints.add(task.place_of("model"), "on the model no algorithm is smaller by as much as the task asks");
+void check_cost_task(const Lesson& lesson, const Task& task, const Subject& own, Complaints& complaints) {
+  if (task.conditions.size() != 1 || task.conditions.front().figure != kTighterFigure)
+    return complaints.add(task.place, "a task with the chart has one [[task.require]], of the figure tighter");
+  auto model = own.clone();
+  if (const Done made = model->set_rows(task.model); !made) return complaints.add(task.model_place, made.error().what);
+  if (cheapest_of(task, counted_costs(lesson, *model->points())).empty())
+    complaints.add(task.model_place, "on the model no algorithm is smaller by as much as the task asks");
 }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_chart(const Lesson& lesson, std::optional<io::PointFile> mesh,
@@ -74,10 +66,8 @@ void count_costs(Session& session) {
   session.inform<CostSubject>([&](CostSubject& subject) { subject.measured(std::move(rows)); });
 }
 
-tl::expected<Grade, InputError> play_cost_task(Session& session) {
-  const Task& task = *session.lesson().task;
-  const auto loaded = session.load({session.dim(), task.model, {}}, "the task's model answer");
-  if (!loaded) return tl::unexpected(loaded.error());
+tl::expected<Grade, InputError> play_cost_task(Session& session, const Task& task) {
+  if (const Done made = session.set_rows(task.model); !made) return tl::unexpected(made.error());
   count_costs(session);
   static_cast<void>(session.choose(0, cheapest_of(task, *costs_of(session))));
   return *session.grade();
@@ -95,8 +85,8 @@ const SubjectRow kCostRow{.name = "cost",
                           .decided_by = "operations",
                           .asks_of_steps = false,
                           .read = &read_chart,
-                          .read_task = &read_cost_task,
-                          .check = &check_costs,
+                          .read_model = &read_point_model,
+                          .check_task = &check_cost_task,
                           .open = &open_chart,
                           .play_task = &play_cost_task,
                           .before_play = &count_costs};
@@ -108,19 +98,19 @@ Done CostSubject::edited(Done done) {
   return done;
 }
 
-void CostSubject::begin_task(const Lesson& lesson, const Subject& own) {
+void CostSubject::begin_task(const Lesson& lesson, const Task& task, const Subject& own) {
   const std::string_view kind = lesson.generators.empty() ? "gaussian" : std::string_view(lesson.generators.front());
-  static_cast<void>(set_generator(kind, lesson.task->points, dim(), lesson.seed, own));
+  static_cast<void>(set_generator(kind, std::max(task.points, 1), dim(), lesson.seed, own));
   origin_.edited = true;
 }
 
-Grade CostSubject::grade(const Lesson& lesson, const View& view, std::vector<bool>&) const {
+Grade CostSubject::grade(const Lesson& lesson, const Task& task, const View& view) const {
   Grade grade;
   grade.points = static_cast<int>(size());
   const bool is_own = !origin_.edited && origin_.seed == lesson.seed && origin_.source != "task";
   if (is_own) grade.says = "This is the lesson's own shape: scatter another, or open a file of your own.";
   else if (costs() == nullptr) grade.says = "Measure this shape.";
-  else return grade_costs(lesson, *costs(), view.slots[0].method->name);
+  else return grade_costs(task, *costs(), view.slots[0].method->name);
   return grade;
 }
 

@@ -12,10 +12,8 @@ extern const SubjectRow kCostRow;
 
 using Costs = std::span<const cost::CostRow>;
 
-/// "So much smaller than that, for how much time?"
-struct CostTask : Tables {
-  double tighter_by = 0;  // the fraction by which the volume must be smaller than that of the task's algorithm
-};
+/// The figure that a task is about: by how many per cent a volume is smaller than that of the task's algorithm.
+inline constexpr std::string_view kTighterFigure = "tighter";
 
 class CostSubject final : public Subject {
  public:
@@ -37,8 +35,8 @@ class CostSubject final : public Subject {
   [[nodiscard]] const SubjectRow& row() const override { return kRow; }
   [[nodiscard]] std::unique_ptr<Subject> clone() const override { return std::make_unique<CostSubject>(*this); }
   [[nodiscard]] const Subject& shape() const override { return *cloud_; }
-  [[nodiscard]] Grade grade(const Lesson& lesson, const View& view, std::vector<bool>& found) const override;
-  void begin_task(const Lesson& lesson, const Subject& own) override;
+  [[nodiscard]] Grade grade(const Lesson& lesson, const Task& task, const View& view) const override;
+  void begin_task(const Lesson& lesson, const Task& task, const Subject& own) override;
 
   // The cloud's; an edit discards the measurement.
   [[nodiscard]] int dim() const override { return cloud_->dim(); }
@@ -81,7 +79,7 @@ class CostSubject final : public Subject {
 [[nodiscard]] const std::vector<cost::CostRow>* costs_of(const Session& session);
 
 /// chosen: the method shown on the stage. rows: those measured on the task's points.
-[[nodiscard]] Grade grade_costs(const Lesson& lesson, Costs rows, std::string_view chosen);
+[[nodiscard]] Grade grade_costs(const Task& task, Costs rows, std::string_view chosen);
 /// The fastest algorithm whose volume is smaller by as much as the task asks; empty if there is none.
 [[nodiscard]] std::string_view cheapest_of(const Task& task, Costs rows);
 

@@ -152,8 +152,11 @@ Truth measured_choice_truth(const Asked& asked, const Run& run) {
   return rows_of(asked).empty() ? unknown() : choice_truth(asked, run);
 }
 
+/// The fraction by which the volume must be smaller.
+double tighter_by_of(const Task& task) { return task.conditions.empty() ? 0 : task.conditions.front().at_least / 100; }
+
 std::string_view cheapest_of(const Task& task, Costs rows) {
-  const double tighter_by = static_cast<const CostTask&>(*task.terms).tighter_by;
+  const double tighter_by = tighter_by_of(task);
   const cost::CostRow* const than = find_row(rows, task.algorithm);
   const bool known = than != nullptr && !than->is_flat();  // the sizes of a flat shape are only rounding
   const cost::CostRow* best = nullptr;
@@ -164,9 +167,8 @@ std::string_view cheapest_of(const Task& task, Costs rows) {
   return best != nullptr ? std::string_view(best->algorithm) : std::string_view();
 }
 
-Grade grade_costs(const Lesson& lesson, Costs rows, std::string_view chosen) {
-  const Task& task = *lesson.task;
-  const double tighter_by = static_cast<const CostTask&>(*task.terms).tighter_by;
+Grade grade_costs(const Task& task, Costs rows, std::string_view chosen) {
+  const double tighter_by = tighter_by_of(task);
   Grade grade;
   const cost::CostRow *const than = find_row(rows, task.algorithm), *const own = find_row(rows, chosen);
   if (than == nullptr || own == nullptr) return grade;

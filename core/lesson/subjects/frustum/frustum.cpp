@@ -46,31 +46,8 @@ void read_frustum(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   lesson.tables = std::move(tables);
 }
 
-BoxPair read_frustum_model(TomlTable& table, const BoxPair& like) {
-  return read_box_and_frustum(table, like.dim, like.taper);
-}
-
-void read_frustum_task(TomlTable& table, Lesson& lesson, Complaints& complaints) {
-  read_box_task(table, lesson, complaints, kFrustumGoals, &read_frustum_model);
-}
-
-/// Whether the wrong test calls a box outside that is not.
-bool loses_box(std::string_view, const BoxPair& pair) {
-  return says_of_box("corners_outside", pair) == query::Culling::kOutside && share_a_point(pair).value_or(false);
-}
-
-std::string frustum_sentence(std::string_view, const BoxPair& pair, bool now, bool found) {
-  if (now) return "This box is lost: the wrong test says outside, yet the box reaches into the frustum.";
-  if (found) return "A box that is lost: found.";
-  if (says_of_box("corners_outside", pair) != query::Culling::kOutside)
-    return "The wrong test keeps this box: a vertex of it lies in the frustum.";
-  return "The wrong test says outside, and it is right here: the box does not touch the frustum.";
-}
-
-constexpr BoxGoals kReachFrustumGoals{&loses_box, &frustum_sentence};
-
-void check_frustum_task(const Lesson& lesson, const toml::table& toml, const Subject& own, Complaints& complaints) {
-  check_box_task(lesson, toml, own, kReachFrustumGoals, complaints);
+Rows read_frustum_model(TomlTable& task, const Lesson& lesson, Complaints& complaints) {
+  return read_box_model(task, lesson, complaints, &read_box_and_frustum);
 }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_frustum(const Lesson& lesson, std::optional<io::PointFile>,
@@ -87,10 +64,9 @@ const SubjectRow kFrustumRow{.name = "frustum",
                              .facts = &FactList<FrustumStep::Fact>::names,
                              .askings = &FactList<FrustumStep::Fact>::askings,
                              .read = &read_frustum,
-                             .read_task = &read_frustum_task,
-                             .check = &check_frustum_task,
-                             .open = &open_frustum,
-                             .play_task = &play_box_task};
+                             .read_model = &read_frustum_model,
+                             .goals = kFrustumGoals,
+                             .open = &open_frustum};
 
 std::string FrustumSubject::name_of(Index i) const {
   const Place place = place_of(dim(), i);
@@ -113,8 +89,16 @@ std::string FrustumSubject::opening(const Method& method) const {
 std::vector<Figure> FrustumSubject::figures(const View& view) const { return frustum_figures(view, boxes()); }
 std::vector<Proof> FrustumSubject::proofs(const View& view) const { return frustum_proofs(view, boxes()); }
 
-Grade FrustumSubject::grade(const Lesson& lesson, const View&, std::vector<bool>& found) const {
-  return grade_box_task(lesson, boxes(), kReachFrustumGoals, found);
+/// Whether the wrong test calls the box outside, which it is not.
+bool FrustumSubject::reaches(std::string_view) const {
+  return says_of_box("corners_outside", boxes()) == query::Culling::kOutside && share_a_point(boxes()).value_or(false);
+}
+
+std::string FrustumSubject::goal_says(std::string_view goal) const {
+  if (reaches(goal)) return "This box is lost: the wrong test says outside, yet the box reaches into the frustum.";
+  if (says_of_box("corners_outside", boxes()) != query::Culling::kOutside)
+    return "The wrong test keeps this box: a vertex of it lies in the frustum.";
+  return "The wrong test says outside, and it is right here: the box does not touch the frustum.";
 }
 
 }  // namespace snug::lesson

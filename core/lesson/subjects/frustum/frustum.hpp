@@ -48,7 +48,8 @@ class FrustumSubject final : public BoxSubject {
   [[nodiscard]] std::string opening(const Method& method) const override;
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
   [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
-  [[nodiscard]] Grade grade(const Lesson& lesson, const View& view, std::vector<bool>& found) const override;
+  [[nodiscard]] bool reaches(std::string_view goal) const override;
+  [[nodiscard]] std::string goal_says(std::string_view goal) const override;
 
  protected:
   [[nodiscard]] Done check(const BoxPair& pair) const override;

@@ -25,14 +25,8 @@ void read_boxes(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   lesson.tables = std::move(tables);
 }
 
-BoxPair read_model(TomlTable& table, const BoxPair& like) { return read_pair(table, like.dim, 1); }
-
-void read_pair_task(TomlTable& table, Lesson& lesson, Complaints& complaints) {
-  read_box_task(table, lesson, complaints, kPairGoals, &read_model);
-}
-
-void check_pair(const Lesson& lesson, const toml::table& toml, const Subject& own, Complaints& complaints) {
-  check_box_task(lesson, toml, own, kReachPairGoals, complaints);
+Rows read_pair_model(TomlTable& task, const Lesson& lesson, Complaints& complaints) {
+  return read_box_model(task, lesson, complaints, &read_pair);
 }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_pair(const Lesson& lesson, std::optional<io::PointFile>,
@@ -49,10 +43,9 @@ const SubjectRow kPairRow{.name = "pair",
                           .facts = &pair_facts,
                           .askings = &pair_askings,
                           .read = &read_boxes,
-                          .read_task = &read_pair_task,
-                          .check = &check_pair,
-                          .open = &open_pair,
-                          .play_task = &play_box_task};
+                          .read_model = &read_pair_model,
+                          .goals = kPairGoals,
+                          .open = &open_pair};
 
 std::vector<std::string_view> pair_facts() { return FactList<decltype(PairStep::fact)>::names(); }
 std::vector<AskingOf> pair_askings() { return FactList<decltype(PairStep::fact)>::askings(); }
@@ -83,8 +76,5 @@ std::string PairSubject::opening(const Method& method) const {
 
 std::vector<Figure> PairSubject::figures(const View& view) const { return box_figures(view, boxes()); }
 std::vector<Proof> PairSubject::proofs(const View& view) const { return box_proofs(view, boxes()); }
-Grade PairSubject::grade(const Lesson& lesson, const View&, std::vector<bool>& found) const {
-  return grade_box_task(lesson, boxes(), kReachPairGoals, found);
-}
 
 }  // namespace snug::lesson

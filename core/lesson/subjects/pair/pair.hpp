@@ -64,12 +64,12 @@ class PairSubject final : public BoxSubject {
   [[nodiscard]] std::string opening(const Method& method) const override;
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
   [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
-  [[nodiscard]] Grade grade(const Lesson& lesson, const View& view, std::vector<bool>& found) const override;
+  [[nodiscard]] bool reaches(std::string_view goal) const override;
+  [[nodiscard]] std::string goal_says(std::string_view goal) const override;
 };
 
 /// "extents_only", "corners_only": boxes on which that test is wrong; "only_edges", "last_axis": boxes that only edge
 /// axes, or only the last axis, separate.
 inline constexpr std::array<std::string_view, 4> kPairGoals{"extents_only", "corners_only", "only_edges", "last_axis"};
-extern const BoxGoals kReachPairGoals;
 
 }  // namespace snug::lesson

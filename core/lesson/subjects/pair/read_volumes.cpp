@@ -107,8 +107,20 @@ void read_volumes(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   lesson.tables = std::move(tables);
 }
 
-void refuse_volume_task(TomlTable& table, Lesson&, Complaints& complaints) {
-  complaints.add(table.place(), "a lesson on two volumes has no task");
+Rows read_volume_model(TomlTable& task, const Lesson& lesson, Complaints& complaints) {
+  const toml::table* model = task.table("model");
+  if (model == nullptr) return task.lack("model", "the task lacks [task.model]"), Rows();
+  TomlTable own(*model, "[task.model]", complaints);
+  VolumePair pair{.dim = lesson.points.dim};
+  for (const std::size_t side : {0, 1}) {
+    const char* key = side == 0 ? "a" : "b";
+    pair.held[side].dim = pair.dim;
+    if (const toml::table* volume = own.table(key); volume != nullptr)
+      pair.held[side] = read_volume(*volume, std::string("[task.model] ") + key, pair.dim, complaints);
+    else own.lack(key, std::string("[task.model] lacks the volume \"") + key + '"');
+  }
+  own.refuse_others();
+  return rows_of(pair);
 }
 
 void check_volume_tests(const Lesson& lesson, const Subject& own, Complaints& complaints) {

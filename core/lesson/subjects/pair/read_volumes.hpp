@@ -14,7 +14,8 @@ struct VolumeTables : Tables {
 /// Reads a and b: each is a table with the kind of the volume, whose fields are named as in `snug overlap`. But an
 /// oriented box has "turn", in degrees, instead of its axes.
 void read_volumes(TomlTable& table, Lesson& lesson, Complaints& complaints);
-void refuse_volume_task(TomlTable& table, Lesson& lesson, Complaints& complaints);
+/// Reads a task's "model", a table with a and b of the lesson's kinds.
+[[nodiscard]] Rows read_volume_model(TomlTable& task, const Lesson& lesson, Complaints& complaints);
 /// Checks that every algorithm is the pair's own test or GJK.
 void check_volume_tests(const Lesson& lesson, const Subject& own, Complaints& complaints);
 

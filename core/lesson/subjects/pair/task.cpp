@@ -1,4 +1,4 @@
-// Tasks on two boxes: the student finds counter-examples, one after the other.
+// What tasks on two boxes ask for: counter-examples.
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/pair/pair.hpp"
 
@@ -19,34 +19,28 @@ bool only_from(const BoxPair& pair, int first) {
 
 constexpr int kFaceAxes = 6, kLastAxis = 14;
 
-std::string sentence(std::string_view goal, const BoxPair& pair, bool now, bool found) {
-  if (goal == "only_edges") {
-    if (now) return "No face axis separates these boxes, only an edge axis does.";
-    return found ? "Boxes that only an edge axis separates: found."
-                 : "Still to find: boxes that only an edge axis separates.";
-  }
-  if (goal == "last_axis") {
-    if (now) return "Only the last axis, A z × B z, separates these boxes.";
-    return found ? "Boxes that only the last axis separates: found."
-                 : "Still to find: boxes that only the last axis, A z × B z, separates.";
-  }
+}  // namespace
+
+bool PairSubject::reaches(std::string_view goal) const {
+  if (goal == "only_edges") return only_from(boxes(), kFaceAxes);
+  if (goal == "last_axis") return only_from(boxes(), kLastAxis);
+  return says_overlap(goal, boxes()) != says_overlap("sat", boxes());
+}
+
+std::string PairSubject::goal_says(std::string_view goal) const {
+  const bool now = reaches(goal);
+  if (goal == "only_edges")
+    return now ? "No face axis separates these boxes, only an edge axis does."
+               : "Still to find: boxes that only an edge axis separates.";
+  if (goal == "last_axis")
+    return now ? "Only the last axis, A z × B z, separates these boxes."
+               : "Still to find: boxes that only the last axis, A z × B z, separates.";
   const Method& test = *find_method(box_tests(), goal);
   const std::string title =
       "“" + std::string(test.title.substr(0, test.title.find(" ("))) + "”";  // without "(wrong)", which is said below
-  if (now)
-    return title + " is wrong here: it says that the boxes " + (says_overlap(goal, pair) ? "overlap" : "are apart") +
-           ".";
-  return found ? title + ": found." : "Still to find: boxes on which " + title + " is wrong.";
+  if (!now) return "Still to find: boxes on which " + title + " is wrong.";
+  return title + " is wrong here: it says that the boxes " + (says_overlap(goal, boxes()) ? "overlap" : "are apart") +
+         ".";
 }
-
-bool reaches(std::string_view goal, const BoxPair& pair) {
-  if (goal == "only_edges") return only_from(pair, kFaceAxes);
-  if (goal == "last_axis") return only_from(pair, kLastAxis);
-  return says_overlap(goal, pair) != says_overlap("sat", pair);
-}
-
-}  // namespace
-
-const BoxGoals kReachPairGoals{&reaches, &sentence};
 
 }  // namespace snug::lesson

@@ -64,7 +64,7 @@ const SubjectRow kVolumesRow{.name = "volumes",
                              .facts = &pair_facts,
                              .askings = &pair_askings,
                              .read = &read_volumes,
-                             .read_task = &refuse_volume_task,
+                             .read_model = &read_volume_model,
                              .check_first = &check_volume_tests,
                              .open = &open_volumes};
 
@@ -96,7 +96,9 @@ std::vector<std::vector<Index>> VolumesSubject::things() const {
   return both;
 }
 
-Rows VolumesSubject::rows() const { return {row_of(pair_.held[0]), row_of(pair_.held[1])}; }
+Rows rows_of(const VolumePair& pair) { return {row_of(pair.held[0]), row_of(pair.held[1])}; }
+
+Rows VolumesSubject::rows() const { return rows_of(pair_); }
 
 Done VolumesSubject::set_rows(const Rows& rows) {
   if (rows.size() != 2) return tl::unexpected(InputError{.what = "there are two volumes"});
@@ -127,6 +129,11 @@ void VolumesSubject::scatter(std::uint64_t seed, const Subject& own) {
     const Matrix<double, 3> rotation = random_turn(random, pair_.dim);
     held = placed(held, rotation, random_place(random, 1.2 * reach, pair_.dim) - at_handle(held, {}));
   }
+}
+
+void VolumesSubject::begin_task(const Lesson&, const Task&, const Subject& own) {
+  pair_ = as<VolumesSubject>(own)->pair_;
+  origin_ = own.origin();
 }
 
 /// The vertices of both cores, with their handles. A hull's vertices are some of its points, and have their handles; a

@@ -23,6 +23,9 @@ struct VolumePair {
   return query::kPairTests[pair.held[0].volume.index()][pair.held[1].volume.index()];
 }
 
+/// The rows of both volumes (Subject::rows).
+[[nodiscard]] Rows rows_of(const VolumePair& pair);
+
 /// A method for each query::PairTest, with its name. GJK suits every pair, each other test its own pairs.
 [[nodiscard]] std::span<const Method> volume_tests();
 /// Records the pair's own test, or GJK.
@@ -61,12 +64,11 @@ class VolumesSubject final : public Subject {
   Done set_rows(const Rows& rows) override;
   Done move(Index i, const Point3& to) override;
   void scatter(std::uint64_t seed, const Subject& own) override;
-  void begin_task(const Lesson&, const Subject&) override {}
+  void begin_task(const Lesson& lesson, const Task& task, const Subject& own) override;
   [[nodiscard]] std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const override;
   [[nodiscard]] std::string opening(const Method& method) const override;
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
   [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
-  [[nodiscard]] Grade grade(const Lesson&, const View&, std::vector<bool>&) const override { return {}; }
 
  private:
   struct Own {

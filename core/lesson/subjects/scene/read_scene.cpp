@@ -136,27 +136,4 @@ void read_ranges(TomlTable& table, Question& question) {
   read_bounds(table, question);
 }
 
-void read_scene_task(TomlTable& table, Lesson& lesson, Complaints& complaints) {
-  auto terms = std::make_shared<SceneTask>();
-  Task& task = *lesson.task;
-  task.points = static_cast<int>(table.integer("points", 1, 1000));
-  for (const toml::table* one : table.tables("require")) {
-    TomlTable own(*one, "[[task.require]]", complaints);
-    SceneTask::Requirement due{.figure = own.text("figure")};
-    check_figure(own, due.figure);
-    const auto number = [&](std::string_view key, double otherwise) {
-      if (!own.has(key)) return otherwise;
-      const std::vector<double> numbers = own.numbers(key);
-      if (numbers.size() != 1) own.wrong(key, "must be a number");
-      return numbers.size() == 1 ? numbers.front() : otherwise;
-    };
-    due.at_least = number("at_least", 0), due.at_most = number("at_most", SceneTask::Requirement::kNoMost);
-    own.refuse_others();
-    terms->requirements.push_back(std::move(due));
-  }
-  if (terms->requirements.empty()) complaints.add(table.place(), "[task] needs a [[task.require]]");
-  task.model = table.points("model", 3);
-  task.terms = std::move(terms);
-}
-
 }  // namespace snug::lesson

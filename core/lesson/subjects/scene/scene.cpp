@@ -1,7 +1,9 @@
 #include "lesson/subjects/scene/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "lesson/check_lesson.hpp"
 #include "lesson/fact_run.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/scene/entries.hpp"
@@ -21,6 +23,7 @@ const SceneSet& set_of(const Lesson& lesson) { return static_cast<const SceneSet
 void read_scene(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   lesson.points = read_points(*table.table("points"), complaints);
   lesson.tables = std::make_shared<const SceneSet>(read_scene_of(table, lesson.points.dim, complaints));
+  lesson.points.dim = 3;  // in the plane it was refused
 }
 
 InputError at_line(InputError error, int line) {
@@ -47,22 +50,15 @@ void check_frames(const Lesson& lesson, const Subject& own, Complaints& complain
       return complaints.add(static_cast<int>(kept.error().position), kept.error().what);
 }
 
-/// Checks that the model solves the task, and that the start does not.
-void check_scene_task(const Lesson& lesson, const toml::table& toml, const Subject& own, Complaints& complaints) {
-  if (!lesson.task) return;
-  const TomlTable task(*toml.get_as<toml::table>("task"), "[task]", complaints);
+/// Checks that the model is no longer than a scene may be, and then as every task is checked.
+void check_scene_task(const Lesson& lesson, const Task& task, const Subject& own, Complaints& complaints) {
   const SceneSet& set = set_of(lesson);
-  const auto graded = [&](const AnyPointSet& on) { return grade_scene(lesson, set, on, lesson.seed); };
-  const std::size_t before = complaints.count();
-  const auto model = check_point_task(lesson, *own.points(), task, complaints);
-  if (graded(start_of_task(lesson, *own.points())).done)
-    complaints.add(task.place(), "the task is solved before the student begins");
-  if (!model || complaints.count() > before) return;
-  if (set.is_too_long(fit::size_of(*model))) return complaints.add(task.place_of("model"), too_long_text());
-  if (const auto kept = check_pairs(set, lesson.task->algorithm, *model, lesson.seed); !kept)
-    return complaints.add(task.place_of("model"), kept.error().what);
-  if (const Grade grade = graded(*model); !grade.done)
-    complaints.add(task.place_of("model"), "the model does not solve the task: " + grade.says);
+  auto model = own.clone();
+  if (const Done made = model->set_rows(task.model); !made) return complaints.add(task.model_place, made.error().what);
+  if (set.is_too_long(model->size())) return complaints.add(task.model_place, too_long_text());
+  if (const auto kept = check_pairs(set, task.algorithm, *model->points(), lesson.seed); !kept)
+    return complaints.add(task.model_place, kept.error().what);
+  check_solution(lesson, task, own, complaints);
 }
 
 /// If an effect behind the figures is off: says which of them are still those of an earlier frame.
@@ -151,9 +147,9 @@ const SubjectRow kSceneRow{.name = "scene",
                            .facts = &FactList<decltype(FrameStep::fact)>::names,
                            .askings = &FactList<decltype(FrameStep::fact)>::askings,
                            .read = &read_scene,
-                           .read_task = &read_scene_task,
+                           .read_model = &read_point_model,
                            .check_first = &check_frames,
-                           .check = &check_scene_task,
+                           .check_task = &check_scene_task,
                            .open = &open_scene};
 
 SceneSubject::SceneSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh, Clock clock)
@@ -187,8 +183,17 @@ std::vector<Figure> SceneSubject::figures(const View& view) const {
 /// None: its figures are counts.
 std::vector<Proof> SceneSubject::proofs(const View&) const { return {}; }
 
-Grade SceneSubject::grade(const Lesson& lesson, const View&, std::vector<bool>&) const {
-  return grade_scene(lesson, set(), *points(), origin_.seed);
+/// Those of the last frame, with every effect on.
+std::vector<Figure> SceneSubject::results(const Method& method, const View&) const {
+  const auto last = last_frame(set(), method.name, *points(), origin_.seed);
+  if (!last) return {};
+  std::vector<Figure> figures;
+  for (const std::string_view key : scene_figure_names()) {
+    const double value = figure_of(*last, key);
+    figures.push_back({std::string(scene_figure_title(key)), std::string(key), scene_figure_text(key, value), value,
+                       std::string(scene_figure_unit(key)), std::isfinite(value)});
+  }
+  return figures;
 }
 
 int SceneSubject::off_since(std::string_view effect, int step) const {

@@ -60,7 +60,7 @@ class SceneSubject final : public PointSubject {
   [[nodiscard]] std::string opening(const Method& method) const override;
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
   [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
-  [[nodiscard]] Grade grade(const Lesson& lesson, const View& view, std::vector<bool>& found) const override;
+  [[nodiscard]] std::vector<Figure> results(const Method& method, const View& view) const override;
   [[nodiscard]] std::vector<Switch> switches(const View& view) const override;
   bool turn(std::string_view name, bool on, const View& view) override;
   [[nodiscard]] bool has_switched_off() const override { return !off_.empty(); }
@@ -90,9 +90,5 @@ class SceneSubject final : public PointSubject {
 [[nodiscard]] inline std::span<const scene::Member> members_of(const Session& session) {
   return scene_run(session.run(0)).recording().members;
 }
-
-/// Grades a scene by its last frame. seed: for what the scene scatters.
-[[nodiscard]] Grade grade_scene(const Lesson& lesson, const SceneSet& scene, const AnyPointSet& points,
-                                std::uint64_t seed);
 
 }  // namespace snug::lesson

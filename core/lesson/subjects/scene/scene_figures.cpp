@@ -58,6 +58,12 @@ std::string looser_words(double slack, std::string_view than) {
   return fixed_text(1 + slack, slack < kMany ? 1 : 0) + " times " + tightest + " (" + loose + ")";
 }
 
+std::string_view scene_figure_unit(std::string_view figure) {
+  if (figure == "slack") return "%";
+  if (figure == kOverHull) return "times";
+  return figure == "energy" ? "" : figure == "cost" ? "points" : "pairs";
+}
+
 std::string_view scene_figure_title(std::string_view figure) {
   const auto found = std::find_if(kTitles.begin(), kTitles.end(), [&](const auto& one) { return one.first == figure; });
   return found == kTitles.end() ? figure : found->second;
@@ -100,20 +106,19 @@ std::string effect_time_text(const scene::Tally& tally, double clock_step) {
 std::vector<Figure> scene_figures(const FrameStep& step, const AnyPointSet& points) {
   const auto* frame = std::get_if<FrameTaken>(&step.fact);
   std::vector<Figure> figures{{"Frame", "frame", std::to_string(frame->frame), static_cast<double>(frame->frame), ""}};
-  const auto add = [&](std::string_view key, const char* unit) {
+  const auto add = [&](std::string_view key) {
     const double value = key == kOverHull ? over_hull(step.volume, points) : figure_of(*frame, key);
     figures.push_back({std::string(scene_figure_title(key)), std::string(key), scene_figure_text(key, value), value,
-                       unit, std::isfinite(value)});
+                       std::string(scene_figure_unit(key)), std::isfinite(value)});
   };
   if (frame->all_pairs > 0) {
-    for (const std::string_view key : {"all_pairs", "compared", "after_broad", "after_loose", "touching"})
-      add(key, "pairs");
+    for (const std::string_view key : {"all_pairs", "compared", "after_broad", "after_loose", "touching"}) add(key);
   } else if (step.has_volume) {
-    add("slack", "%");
-    add(kOverHull, "times");
-    add("cost", "points");
+    add("slack");
+    add(kOverHull);
+    add("cost");
   }
-  if (frame->energy != 0) add("energy", "");
+  if (frame->energy != 0) add("energy");
   return figures;
 }
 

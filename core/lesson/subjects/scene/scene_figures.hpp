@@ -27,6 +27,9 @@ inline constexpr std::string_view kOverHull = "over_hull";
 /// infinite.
 [[nodiscard]] std::string scene_figure_text(std::string_view figure, double value);
 
+/// Its unit: "pairs", "%"; empty for none.
+[[nodiscard]] std::string_view scene_figure_unit(std::string_view figure);
+
 /// The same for a bound, which is exact and has no sign: "10 %", "1,000 %".
 [[nodiscard]] std::string scene_bound_text(std::string_view figure, double value);
 

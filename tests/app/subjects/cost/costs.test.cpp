@@ -11,7 +11,7 @@
 namespace snug::app {
 namespace {
 
-constexpr std::string_view kLesson = R"(version = 1
+constexpr std::string_view kLesson = R"(version = 2
 title = "Chart"
 summary = "A chart for tests."
 minutes = 1

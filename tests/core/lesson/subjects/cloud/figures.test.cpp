@@ -153,7 +153,7 @@ TEST_CASE("the proof: what is claimed, and whether it holds") {
 
 TEST_CASE("the last line of the proof says what makes a volume of its kind the smallest") {
   const auto says = [](std::string_view volume, std::string_view algorithm) {
-    constexpr std::string_view kHead = R"(version = 1
+    constexpr std::string_view kHead = R"(version = 2
 title = "Small"
 summary = "A lesson for tests."
 minutes = 1

@@ -7,20 +7,18 @@ using test::open_small;
 
 namespace {
 
-struct Of {
-  const char* algorithm;
-  int points;
-};
+/// The grade of a task on these points that requires this.
+Grade graded(const Session& session, std::string_view algorithm, Requirement due) {
+  Task task;
+  task.algorithm = algorithm;
+  task.conditions.push_back(std::move(due));
+  return session.subject().grade(session.lesson(), task, session.view());
+}
 
-Grade graded(const Session& session, Of of, double excess_at_least, int support_size) {
-  Lesson lesson;
-  lesson.subject = &kCloudRow;
-  Task& task = lesson.task.emplace();
-  task.algorithm = of.algorithm, task.points = of.points;
-  auto terms = std::make_shared<CloudTask>();
-  terms->excess_at_least = excess_at_least, terms->support_size = support_size;
-  task.terms = std::move(terms);
-  return grade_points(lesson, *session.subject().points(), 1);
+Requirement excess(double at_least, std::string over = {}) {
+  Requirement due;
+  due.figure = "excess", due.at_least = at_least, due.over = std::move(over);
+  return due;
 }
 
 }  // namespace
@@ -35,28 +33,29 @@ TEST_CASE("the task is graded on the points as they stand") {
   REQUIRE(session.remove(2).has_value());
   CHECK(session.grade()->done);
   CHECK(session.grade()->excess == doctest::Approx(2.25 / 2.05 - 1));
-  CHECK(session.grade()->says == "Ritter: its circle is 9.8 % larger than the smallest. Done.");
+  CHECK(session.grade()->says == "Excess over the optimum: 9.8 %. Done.");
   REQUIRE(session.move(3, {0, 1, 0}).has_value());
   CHECK_FALSE(session.grade()->done);
-  CHECK(session.grade()->says == "Ritter: its circle is 0.0 % larger than the smallest; it must be at least 5.0 %.");
+  CHECK(session.grade()->says == "Excess over the optimum: 0.0 %; it must be at least 5 %.");
 }
 
 TEST_CASE("what falls short by a hair does not look reached") {
-  Session session = open_small();
-  REQUIRE(session.remove(5).has_value());
-  const double excess = session.grade()->excess;
-  const auto at_least = [&](double due) { return graded(session, {"ritter", 5}, due, 0); };
-  CHECK_FALSE(at_least(std::nextafter(excess, 1.0)).done);
-  CHECK(at_least(std::nextafter(excess, 1.0)).says ==
-        "Ritter: its circle is 9.75 % larger than the smallest; it must be at least 9.8 %.");
-  CHECK(at_least(excess).done);
-  CHECK(at_least(excess).says == "Ritter: its circle is 9.8 % larger than the smallest. Done.");
+  const Session session = open_small();
+  const double percent = 100 * graded(session, "ritter", excess(0)).excess;
+  CHECK(graded(session, "ritter", excess(percent)).done);
+  CHECK_FALSE(graded(session, "ritter", excess(std::nextafter(percent, 100.0))).done);
+  CHECK(graded(session, "ritter", excess(9.8)).says == "Excess over the optimum: 9.756 %; it must be at least 9.8 %.");
 }
 
-TEST_CASE("how many points hold the smallest ball can be asked for") {
+TEST_CASE("a requirement can be about another algorithm, and an excess over any") {
   const Session session = open_small();
-  CHECK(graded(session, {"aabb_center", 6}, 0, 2).says == "3 points support the smallest circle; it must be 2.");
-  CHECK(graded(session, {"aabb_center", 6}, 0, 3).done);
+  Requirement support;
+  support.figure = "support", support.algorithm = "welzl", support.at_least = support.at_most = 2;
+  CHECK(graded(session, "ritter", support).says == "Support set (Welzl): 3 points; it must be 2 points.");
+  support.at_least = support.at_most = 3;
+  CHECK(graded(session, "ritter", support).done);
+  CHECK(graded(session, "ritter", excess(5, "brute_force")).says.find("Excess over Brute force: 9.8 %.") == 0);
+  CHECK_FALSE(graded(session, "welzl", excess(5, "brute_force")).done);
 }
 
 TEST_CASE("points all in one place solve nothing") {
@@ -82,7 +81,7 @@ TEST_CASE("the start of a task has as many points as it is for, and its result o
 
 TEST_CASE("a lesson without a task has no grade") {
   const auto text = std::string(test::kSmallLesson);
-  Session session = test::open(text.substr(0, text.find("[task]")));
+  Session session = test::open(text.substr(0, text.find("[[task]]")));
   CHECK_FALSE(session.grade().has_value());
   session.start_task();
   CHECK(session.size() == 6);

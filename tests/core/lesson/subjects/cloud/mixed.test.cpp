@@ -10,7 +10,7 @@ using namespace snug::lesson;
 
 namespace {
 
-constexpr std::string_view kMixed = R"(version = 1
+constexpr std::string_view kMixed = R"(version = 2
 title = "Mixed"
 summary = "Three volumes."
 minutes = 3

@@ -9,7 +9,7 @@ using namespace snug::lesson;
 
 namespace {
 
-constexpr std::string_view kChart = R"(version = 1
+constexpr std::string_view kChart = R"(version = 2
 title = "Chart"
 summary = "A chart for tests."
 minutes = 1
@@ -43,13 +43,16 @@ asks = "times_slower"
 prompt = "How many times?"
 because = "So."
 
-[task]
+[[task]]
 prompt = "Tighter."
 algorithm = "aabb"
-tighter_by = 0.05
 points = 12
 hint = "Click."
 model = [[0, 0], [4, 4], [3, 4.5], [-0.5, 0.5]]
+
+[[task.require]]
+figure = "tighter"
+at_least = 5
 )";
 
 Session opened() {
@@ -102,12 +105,13 @@ TEST_CASE("what is decided by counted operations speaks of them, and what is mea
   const auto played = play(session);
   REQUIRE(played.has_value());
   CHECK(played->algorithms.front().outcomes[1].says.find(" times as many operations as ") != std::string::npos);
-  CHECK(played->grade->says.find(" times the operations. Done.") != std::string::npos);
-  CHECK(played->grade->says.find("time.") == std::string::npos);
+  CHECK(played->grades[0].says.find(" times the operations. Done.") != std::string::npos);
+  CHECK(played->grades[0].says.find("time.") == std::string::npos);
   const std::vector<cost::CostRow> counted = counted_costs(session.lesson(), *session.subject().points());
-  CHECK(grade_costs(session.lesson(), counted, "aabb").says.find("in the fewest operations.") != std::string::npos);
-  CHECK(grade_costs(session.lesson(), rows(), "aabb").says.find("in the least time.") != std::string::npos);
-  CHECK(grade_costs(session.lesson(), rows(), "exact").says.find(" times the time.") != std::string::npos);
+  CHECK(grade_costs(session.lesson().tasks[0], counted, "aabb").says.find("in the fewest operations.") !=
+        std::string::npos);
+  CHECK(grade_costs(session.lesson().tasks[0], rows(), "aabb").says.find("in the least time.") != std::string::npos);
+  CHECK(grade_costs(session.lesson().tasks[0], rows(), "exact").says.find(" times the time.") != std::string::npos);
 }
 
 TEST_CASE("what such a lesson gets wrong is said with its line") {
@@ -118,8 +122,7 @@ TEST_CASE("what such a lesson gets wrong is said with its line") {
   };
   CHECK(line(with("asks = \"slowest\"", "asks = \"point\"")).find("chart.toml:25: ") == 0);
   CHECK(line(with("chart = \"cost\"", "chart = \"pie\"")).find("chart.toml:6: ") == 0);
-  CHECK(line(with("tighter_by = 0.05", "tighter_by = 0.9")).find("no algorithm is smaller by as much") !=
-        std::string::npos);
+  CHECK(line(with("at_least = 5", "at_least = 90")).find("no algorithm is smaller by as much") != std::string::npos);
   CHECK(line(with("chart = \"cost\"\n", "")).find("chart.toml:") == 0);
 }
 
@@ -197,7 +200,7 @@ TEST_CASE("what was measured on fewer points is never on the front, and its time
 
 TEST_CASE("the task: a shape of one's own, measured, and the cheapest that is tight enough on the stage") {
   Session session = opened();
-  const Task& task = *session.lesson().task;
+  const Task& task = session.lesson().tasks[0];
   CHECK(session.grade()->says.find("lesson's own shape") != std::string::npos);
   measured(session, rows());
   CHECK_FALSE(session.grade()->done);
@@ -217,13 +220,13 @@ TEST_CASE("the task: a shape of one's own, measured, and the cheapest that is ti
   auto cheaper = rows();
   cheaper[0].size = 9.5;
   CHECK(cheapest_of(task, cheaper) == "pca");
-  CHECK_FALSE(grade_costs(session.lesson(), cheaper, "exact").done);
+  CHECK_FALSE(grade_costs(session.lesson().tasks[0], cheaper, "exact").done);
   auto flat = cheaper;
   for (cost::CostRow& one : flat) one.noise = 20;
   CHECK(cheapest_of(task, flat).empty());  // sizes that are nothing but rounding are not compared
   cheaper[0].points = 2;                   // of other points nothing can be said
   CHECK(cheapest_of(task, cheaper) == "exact");
-  CHECK(grade_costs(session.lesson(), cheaper, "pca").says.find("fewer points") != std::string::npos);
+  CHECK(grade_costs(session.lesson().tasks[0], cheaper, "pca").says.find("fewer points") != std::string::npos);
   REQUIRE(session.move(0, {9, 9, 0}).has_value());
   CHECK(costs_of(session) == nullptr);  // other points: what was measured is not theirs
   CHECK(session.grade()->says == "Measure this shape.");

@@ -330,7 +330,7 @@ TEST_CASE("a wrong box is told from the task's by its verdict, and the sentence 
   away.boxes[0].center = {-9, 0, 0};
   REQUIRE(set_boxes(session, away).has_value());
   CHECK(session.grade()->says.find("right here") != std::string::npos);
-  REQUIRE(set_boxes(session, static_cast<const BoxTask&>(*session.lesson().task->terms).models[0]).has_value());
+  REQUIRE(session.set_rows(session.lesson().tasks[0].model).has_value());
   CHECK(session.grade()->done);
 }
 
@@ -344,12 +344,12 @@ TEST_CASE("each mistake about a frustum is told with its line") {
       {"taper = 0.3", "taper = 0", "taper = 0", "above 0"},
       {"[1.05, 1.15]]\nturn = [[-24]", "[0, 1.15]]\nturn = [[-24]", "half_extents", "of a frustum must be above 0"},
       {"volume = \"frustum_box\"", "volume = \"box_pair\"", "algorithms", "p_n_vertex"},
-      {"goals = [\"corners_outside\"]", "goals = [\"only_edges\"]", "goals", "only_edges"},
+      {"goal = \"corners_outside\"", "goal = \"only_edges\"", "goal", "only_edges"},
       {"asks = \"p_vertex\"", "asks = \"verdict\"", "[[question]]\nid = \"p-vertex\"",
        "can only be asked of classified"},
       {"asks = \"verdict\"", "asks = \"n_vertex\"", "[[question]]\nid = \"verdict\"",
        "can only be asked of plane_tested"},
-      {"[0.2, 1.7]", "[0.2, 0.17]", "[[task.model]]", "does not reach"},
+      {"[0.2, 1.7]", "[0.2, 0.17]", "[task.model]", "does not solve the task: The wrong test"},
       {"asks = \"n_vertex\"", "asks = \"nearest_vertex\"", "nearest_vertex", "none of point"},
   };
   const std::string good = text_of("frustum-2d");

@@ -39,7 +39,7 @@ std::string volume_of(std::size_t kind, int dim, const char* x) {
 }
 
 std::string lesson_text(std::size_t a, std::size_t b, int dim, const std::string& algorithms) {
-  return "version = 1\ntitle = \"Two volumes\"\nsummary = \"Two volumes.\"\nminutes = 1\n"
+  return "version = 2\ntitle = \"Two volumes\"\nsummary = \"Two volumes.\"\nminutes = 1\n"
          "covers = [\"L: s\"]\nvolume = \"volume_pair\"\nalgorithms = [" +
          algorithms + "]\n[volumes]\ndim = " + std::to_string(dim) + "\na = " + volume_of(a, dim, "-2") +
          "\nb = " + volume_of(b, dim, "1.7") + "\n[[section]]\ntitle = \"One\"\ntext = \"A text.\"\n";

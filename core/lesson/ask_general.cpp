@@ -1,0 +1,286 @@
+// What can be asked of any step, or of the lesson's algorithms.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "geometry/random.hpp"
+#include "geometry/tolerance.hpp"
+#include "lesson/ask.hpp"
+#include "lesson/names.hpp"
+#include "lesson/subjects.hpp"
+#include "lesson/words.hpp"
+
+namespace snug::lesson {
+namespace {
+
+const char* offer_points(Asked& asked, const Run& run) {
+  if (run.handles(asked.fact).empty()) return "\"point\" cannot be asked of a step that names no point";
+  asked.on_stage = true;
+  asked.stage_points = run.candidates(asked.fact);
+  return nullptr;
+}
+
+const char* offer_all_points(Asked& asked, const Run& run) {
+  asked.many = true;
+  return offer_points(asked, run);
+}
+
+Truth point_truth(const Asked& asked, const Run& run) {
+  Truth truth;
+  truth.points = run.handles(asked.fact);
+  truth.happened = asked.names(truth.points);
+  truth.sentence = truth.happened + " " + run.predicate(asked.fact, truth.points.size() > 1) + ".";
+  return truth;
+}
+
+const char* offer_choices(Asked& asked, const Run&) {
+  for (const std::string& choice : asked.question->choices) asked.add_choice(in_words_of(asked.dim, choice));
+  return nullptr;
+}
+
+/// Reads the choices and the right one.
+void read_choices(TomlTable& table, Question& question) {
+  question.choices = table.texts("choices", 2);
+  const std::string answer = table.text("answer");
+  const auto found = std::find(question.choices.begin(), question.choices.end(), answer);
+  if (found == question.choices.end() && !answer.empty()) table.wrong("answer", "is none of the choices: " + answer);
+  question.answer = static_cast<int>(found - question.choices.begin());
+}
+
+/// The lesson's choices, which its file has in the right order, shuffled; never into the right order.
+std::vector<std::size_t> shuffled_places(const Question& question) {
+  std::vector<std::size_t> places(question.choices.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::uint64_t seed = 0;
+  for (const char c : question.id) seed = seed * 31 + static_cast<unsigned char>(c);
+  Random random(seed);
+  for (std::size_t left = places.size(); left > 1; --left)
+    std::swap(places[left - 1], places[random.below(static_cast<std::uint32_t>(left))]);
+  const auto in_place = [&](std::size_t a, std::size_t b) { return question.choices[a] == question.choices[b]; };
+  bool right = true;
+  for (std::size_t i = 0; i < places.size(); ++i) right = right && in_place(places[i], i);
+  if (right) std::rotate(places.begin(), places.begin() + 1, places.end());
+  return places;
+}
+
+const char* offer_sequence(Asked& asked, const Run&) {
+  asked.ordered = true;
+  for (const std::size_t i : shuffled_places(*asked.question))
+    asked.add_choice(in_words_of(asked.dim, asked.question->choices[i]));
+  return nullptr;
+}
+
+void read_sequence(TomlTable& table, Question& question) { question.choices = table.texts("choices", 3); }
+
+/// The right order, and its sentence. Each choice has its rank: equal ones may stand either way round.
+Truth truth_of_ranks(const Asked& asked, std::vector<int> ranks) {
+  Truth truth;
+  truth.choices.resize(ranks.size());
+  std::iota(truth.choices.begin(), truth.choices.end(), 0);
+  std::stable_sort(truth.choices.begin(), truth.choices.end(), [&](int a, int b) { return ranks[a] < ranks[b]; });
+  for (const int choice : truth.choices)
+    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[static_cast<std::size_t>(choice)];
+  truth.sentence = "The order is: " + truth.happened + ".";
+  truth.ranks = std::move(ranks);
+  return truth;
+}
+
+Truth sequence_truth(const Asked& asked, const Run&) {
+  const std::vector<std::string>& right = asked.question->choices;
+  std::vector<int> ranks;
+  for (const std::size_t place : shuffled_places(*asked.question))
+    ranks.push_back(static_cast<int>(std::find(right.begin(), right.end(), right[place]) - right.begin()));
+  return truth_of_ranks(asked, std::move(ranks));
+}
+
+/// The place right after the step that is asked about.
+View view_after(const Asked& asked, const Run& run) {
+  const Method* method = find_method(*asked.lesson, asked.question->gate.algorithm);
+  return {{Slot{method, &run}, Slot{}}, 0, asked.until};
+}
+
+std::optional<Figure> figure_after(const Asked& asked, const Run& run) {
+  for (Figure& figure : asked.subject->figures(view_after(asked, run)))
+    if (figure.key == asked.question->figure && figure.known) return std::move(figure);
+  return std::nullopt;
+}
+
+const char* offer_ranges(Asked& asked, const Run& run) {
+  const auto figure = figure_after(asked, run);
+  if (!figure) return "\"figure\" names none that there is after this step";
+  for (std::string& range : range_texts(asked.question->bounds, figure->unit)) asked.add_choice(std::move(range));
+  return nullptr;
+}
+
+Truth range_truth(const Asked& asked, const Run& run) {
+  const Figure figure = *figure_after(asked, run);
+  const std::vector<double>& bounds = asked.question->bounds;
+  const auto range = std::lower_bound(bounds.begin(), bounds.end(), figure.value) - bounds.begin();
+  return {{static_cast<int>(range)}, {}, figure.text, figure.name + ": " + figure.text + "."};
+}
+
+void read_figure(TomlTable& table, Question& question) {
+  question.figure = table.text("figure");
+  read_bounds(table, question);
+}
+
+const char* offer_number(Asked& asked, const Run& run) {
+  const auto figure = figure_after(asked, run);
+  if (!figure) return "\"figure\" names none that there is after this step";
+  const bool whole = figure->value == std::floor(figure->value);
+  if (asked.question->tolerance == 0 && !whole) return "a figure that is no count needs a \"tolerance\"";
+  asked.number = true;
+  asked.unit = figure->unit;
+  return nullptr;
+}
+
+Truth number_truth(const Asked& asked, const Run& run) {
+  const Figure figure = *figure_after(asked, run);
+  Truth truth{{}, {}, figure.text, figure.name + ": " + figure.text + "."};
+  truth.number = figure.value;
+  truth.tolerance = asked.question->tolerance;
+  return truth;
+}
+
+void read_number(TomlTable& table, Question& question) {
+  question.figure = table.text("figure");
+  question.tolerance = table.any_number("tolerance", 0);
+  if (!(question.tolerance >= 0) || std::isinf(question.tolerance)) table.wrong("tolerance", "must be 0 or above");
+}
+
+const char* offer_methods(Asked& asked, const Run& run) {
+  const std::vector<Rival> rivals = asked.subject->rivals(*asked.lesson, view_after(asked, run));
+  if (rivals.size() < 2) return "the question compares algorithms, and only one takes these points";
+  for (const Rival& rival : rivals) asked.add_choice(std::string(rival.method->title));
+  return nullptr;
+}
+
+const char* offer_order(Asked& asked, const Run& run) {
+  asked.ordered = true;
+  return offer_methods(asked, run);
+}
+
+/// The rank of each value: how many are below it by more than rounding.
+std::vector<int> ranks_of(const std::vector<double>& values) {
+  std::vector<int> ranks;
+  for (const double value : values)
+    ranks.push_back(static_cast<int>(std::count_if(
+        values.begin(), values.end(), [&](double other) { return other * (1 + tolerance::kBoxProof) < value; })));
+  return ranks;
+}
+
+std::vector<double> sizes_of(const Asked& asked, const Run& run) {
+  std::vector<double> sizes;
+  for (const Rival& rival : asked.subject->rivals(*asked.lesson, view_after(asked, run))) sizes.push_back(rival.size);
+  return sizes;
+}
+
+std::vector<double> operations_of(const Asked& asked, const Run& run) {
+  std::vector<double> counts;
+  for (const Rival& rival : asked.subject->rivals(*asked.lesson, view_after(asked, run)))
+    counts.push_back(static_cast<double>(asked.subject->operations(*rival.method)));
+  return counts;
+}
+
+Truth order_truth(const Asked& asked, const Run& run) { return truth_of_ranks(asked, ranks_of(sizes_of(asked, run))); }
+Truth cost_order_truth(const Asked& asked, const Run& run) {
+  return truth_of_ranks(asked, ranks_of(operations_of(asked, run)));
+}
+
+/// Those of the first rank, each of which is right.
+Truth truth_of_first(const Asked& asked, const std::vector<int>& ranks) {
+  Truth truth;
+  for (std::size_t i = 0; i < ranks.size(); ++i) {
+    if (ranks[i] > 0) continue;
+    truth.choices.push_back(static_cast<int>(i));
+    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[i];
+  }
+  return truth;
+}
+
+/// Sizes that differ by rounding alone are equal.
+Truth tightest_truth(const Asked& asked, const Run& run) {
+  const std::vector<double> sizes = sizes_of(asked, run);
+  Truth truth = truth_of_first(asked, ranks_of(sizes));
+  const bool one = truth.choices.size() == 1;
+  truth.sentence = truth.happened + (one ? " is the tightest: " : " are the tightest: ") +
+                   number_text(*std::min_element(sizes.begin(), sizes.end())) + ".";
+  return truth;
+}
+
+Truth cheapest_truth(const Asked& asked, const Run& run) {
+  const std::vector<double> counts = operations_of(asked, run);
+  Truth truth = truth_of_first(asked, ranks_of(counts));
+  truth.sentence = truth.happened + (truth.choices.size() == 1 ? " takes the fewest" : " take the fewest") +
+                   " operations: " + count_text(std::llround(*std::min_element(counts.begin(), counts.end()))) + ".";
+  return truth;
+}
+
+constexpr Asking kPoint{"point", &offer_points, &point_truth}, kPoints{"points", &offer_all_points, &point_truth},
+    kChoice{.name = "choice", .offer = &offer_choices, .truth = &choice_truth, .read = &read_choices},
+    kSequence{.name = "sequence", .offer = &offer_sequence, .truth = &sequence_truth, .read = &read_sequence},
+    kFigure{.name = "figure", .offer = &offer_ranges, .truth = &range_truth, .read = &read_figure},
+    kNumber{.name = "number", .offer = &offer_number, .truth = &number_truth, .read = &read_number},
+    kTightest{.name = "tightest", .offer = &offer_methods, .truth = &tightest_truth, .figure = kComparedFigure},
+    kTightestOrder{.name = "tightest_order", .offer = &offer_order, .truth = &order_truth, .figure = kComparedFigure},
+    kCheapest{.name = "cheapest", .offer = &offer_methods, .truth = &cheapest_truth},
+    kCheapestOrder{.name = "cheapest_order", .offer = &offer_order, .truth = &cost_order_truth};
+
+constexpr std::array<const Asking*, 6> kOfAnyStep{&kPoint, &kPoints, &kChoice, &kSequence, &kFigure, &kNumber};
+constexpr std::array<const Asking*, 4> kOfMethods{&kTightest, &kTightestOrder, &kCheapest, &kCheapestOrder};
+
+}  // namespace
+
+Truth choice_truth(const Asked& asked, const Run&) {
+  const int right = asked.question->answer;
+  const std::string& text = asked.choices[static_cast<std::size_t>(right)];
+  return {{right}, {}, text, "The answer is “" + text + "”."};
+}
+
+std::vector<std::string_view> general_askings(const SubjectRow& subject) {
+  if (!subject.asks_of_steps) return {kChoice.name};
+  std::vector<std::string_view> names;
+  for (const Asking* asking : kOfAnyStep) names.push_back(asking->name);
+  if (subject.compares)
+    for (const Asking* asking : kOfMethods) names.push_back(asking->name);
+  return names;
+}
+
+const Asking* general_asking(std::string_view name, const SubjectRow& subject) {
+  if (!is_among(general_askings(subject), name)) return nullptr;
+  for (const Asking* asking : kOfAnyStep)
+    if (asking->name == name) return asking;
+  for (const Asking* asking : kOfMethods)
+    if (asking->name == name) return asking;
+  return nullptr;
+}
+
+void read_bounds(TomlTable& table, Question& question) {
+  question.bounds = table.numbers("bounds");
+  double last = -std::numeric_limits<double>::infinity();
+  const auto rises = [&](double bound) {
+    return bound > std::exchange(last, bound) && std::isfinite(bound);
+  };  // no NaN does
+  if (question.bounds.empty() || !std::all_of(question.bounds.begin(), question.bounds.end(), rises))
+    table.wrong("bounds", "must be numbers that rise"), question.bounds = {0};
+}
+
+std::vector<std::string> range_texts(std::span<const double> bounds, std::string_view unit) {
+  const bool measured = unit == "%" || unit.substr(0, 5) == "units" || unit == "times";
+  const auto whole = [](double bound) { return bound == std::floor(bound); };
+  const bool count = !measured && std::all_of(bounds.begin(), bounds.end(), whole);
+  const std::string of(unit.empty() ? "" : " " + std::string(unit));
+  const auto number = [&](double value) { return count ? count_text(std::llround(value)) : plain_number(value); };
+  std::vector<std::string> texts{count && bounds.front() == 0 ? "none" : "at most " + number(bounds.front()) + of};
+  for (std::size_t i = 1; i < bounds.size(); ++i) {
+    const double above = count ? bounds[i - 1] + 1 : bounds[i - 1];
+    texts.push_back((above == bounds[i] ? "" : number(above) + " to ") + number(bounds[i]) + of);
+  }
+  texts.push_back("more than " + number(bounds.back()) + of);
+  return texts;
+}
+
+}  // namespace snug::lesson

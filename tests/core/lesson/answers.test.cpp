@@ -1,0 +1,276 @@
+// Answers that are more than one point or one choice: several points, an order, a number; what wrong ones mean; and two
+// questions at one place.
+#include "core/lesson/small_lesson.hpp"
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lesson/kept_answers.hpp"
+#include "lesson/say.hpp"
+#include "lesson/subjects.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+using test::choice;
+using test::point;
+
+namespace {
+
+/// The small lesson with one more question about Ritter's run, before its task.
+std::string with_question(const std::string& keys) {
+  return test::small_lesson_with("[[task]]", "[[question]]\nid = \"own\"\nprompt = \"What?\"\nbecause = \"So.\"\n" +
+                                                 keys + "\n[[task]]");
+}
+
+/// Its session, at that question, with every other one skipped.
+Session at_own(const std::string& keys) {
+  std::string text = with_question(keys);
+  text.erase(text.find("[[question]]\nid = \"growth\""),
+             text.find("[[question]]\nid = \"again\"") - text.find("[[question]]\nid = \"growth\""));
+  Session session = test::open(text);
+  for (int turns = 0; session.asked() == nullptr || session.asked()->question->id != "own"; ++turns) {
+    REQUIRE(turns < 1000);
+    if (session.asked() != nullptr) REQUIRE(session.skip());
+    else session.forward();
+  }
+  return session;
+}
+
+const Outcome& outcome_of_own(const Session& session) {
+  for (const Outcome& outcome : session.outcomes())
+    if (outcome.question == "own") return outcome;
+  FAIL("it has no outcome");
+  return session.outcomes().front();
+}
+
+constexpr const char* kSupport = "algorithm = \"welzl\"\nbefore = \"finished\"\nasks = \"points\"\n";
+
+Session at_support() {
+  Session session = test::open(with_question(kSupport));
+  REQUIRE(session.choose(0, "welzl").has_value());
+  session.last();
+  REQUIRE(session.asked() != nullptr);
+  return session;
+}
+
+}  // namespace
+
+TEST_CASE("several points: all are tapped or typed, and only all of them are right") {
+  Session session = at_support();
+  CHECK(field_word(*session.asked()) == "Names");
+  REQUIRE(session.pick(point(0)));
+  REQUIRE(session.pick(point(4)));
+  REQUIRE(session.pick(point(2)));
+  REQUIRE(session.pick(point(2)));  // taken out again
+  REQUIRE(session.picked() != nullptr);
+  CHECK(names_handle(*session.picked(), 4));
+  CHECK_FALSE(names_handle(*session.picked(), 2));
+  REQUIRE(session.commit());
+  CHECK(session.tried() != nullptr);  // two of three
+  CHECK_FALSE(session.pick("P0, P1 and P99"));
+  CHECK(session.answer_says().find("P99") != std::string::npos);
+  REQUIRE(session.pick("p4, P0 and P1"));
+  REQUIRE(session.commit());
+  CHECK(outcome_of_own(session).right);
+  CHECK(outcome_of_own(session).tries == 2);
+  CHECK(outcome_of_own(session).predicted == "P0, P1 and P4");
+  CHECK(outcomes_of(kept_text(session.outcomes())).front().given == outcome_of_own(session).given);
+}
+
+TEST_CASE("a number is right within its tolerance, with its unit or without") {
+  const std::string keys =
+      "algorithm = \"ritter\"\nbefore = \"ball_grown\"\nasks = \"number\"\nfigure = \"radius\"\ntolerance = 0.01\n";
+  Session session = at_own(keys);
+  CHECK(field_word(*session.asked()) == "Number");
+  CHECK(session.asked_figure() == "radius");
+  CHECK_FALSE(session.pick("much"));
+  CHECK(session.answer_says() == "“much” is no number. Write it like 12 or 2.5.");
+  CHECK_FALSE(session.pick(choice(0)));
+  REQUIRE(session.pick("2"));
+  REQUIRE(session.commit());
+  CHECK(session.tried() != nullptr);
+  CHECK_FALSE(session.pick("2.0"));  // tried already
+  REQUIRE(session.pick("2.245 units"));
+  REQUIRE(session.commit());
+  CHECK(outcome_of_own(session).right);
+  CHECK(outcome_of_own(session).says == "Radius so far: 2.250 units.");
+  const Answer kept = outcomes_of(kept_text(session.outcomes())).back().given;
+  CHECK(kept == outcome_of_own(session).given);
+
+  Session other = at_own(keys);
+  REQUIRE(other.answer(Answer{.kind = Answer::Kind::kNumber, .number = 2.2601}));
+  CHECK_FALSE(outcome_of_own(other).right);
+  CHECK_FALSE(read_lesson(with_question("algorithm = \"ritter\"\nbefore = \"finished\"\nasks = \"number\"\nfigure = "
+                                        "\"excess\"\n"),
+                          "x.toml"));  // not a count: without a tolerance nobody could be right
+}
+
+TEST_CASE("numbers are read as people type them") {
+  CHECK(typed_number("2.5", "") == 2.5);
+  CHECK(typed_number(" −3 units ", "units") == -3);
+  CHECK(typed_number("12 %", "%") == 12);
+  CHECK(typed_number("1,839", "points") == 1839);
+  CHECK(typed_number("1,234,567.5", "") == 1234567.5);
+  for (const char* text : {"", "2,5", "1,2345", ",123", "1,23,456", "two", "3 points", "nan", "1e999", "--1"})
+    CHECK_FALSE(typed_number(text, "%").has_value());
+}
+
+TEST_CASE("an order: every choice has its place, and equal ones may change theirs") {
+  const std::string keys = "algorithm = \"ritter\"\nbefore = \"extremes_found\"\nasks = \"tightest_order\"\n";
+  Session session = test::open(test::small_lesson_with(
+      "[[question]]\nid = \"pair\"",
+      "[[question]]\nid = \"own\"\nprompt = \"What?\"\nbecause = \"So.\"\n" + keys + "\n[[question]]\nid = \"pair\""));
+  REQUIRE(session.asked() != nullptr);
+  REQUIRE(session.asked()->ordered);
+  CHECK(session.comparing());
+  // Ritter's circle has radius 2.25; Welzl's and that of brute force are the smallest.
+  REQUIRE(session.pick(choice(0)));
+  CHECK_FALSE(session.commit());
+  REQUIRE(session.pick(choice(0)));
+  REQUIRE(session.pick(choice(2)));
+  REQUIRE(session.pick(choice(1)));
+  REQUIRE(session.pick(choice(0)));
+  CHECK(place_in_order(*session.picked(), 2) == 1);
+  CHECK(place_in_order(*session.picked(), 0) == 3);
+  REQUIRE(session.commit());
+  CHECK(outcome_of_own(session).right);
+  CHECK_FALSE(session.comparing());
+}
+
+TEST_CASE("lines to be put into order are never shown in order") {
+  for (const char* id : {"a", "b", "c", "d", "e", "f"}) {
+    std::string text = with_question("algorithm = \"ritter\"\nbefore = \"extremes_found\"\nasks = \"sequence\"\n"
+                                     "choices = [\"first\", \"second\", \"third\"]\n");
+    text.replace(text.find("\"own\""), 5, '"' + std::string(id) + '"');
+    Session session = test::open(text);
+    REQUIRE(session.asked() != nullptr);
+    const std::vector<std::string> shown = session.asked()->choices;
+    CHECK(shown != std::vector<std::string>{"first", "second", "third"});
+    const Answer right = model_answer(*session.asked(), session.run(0));
+    std::vector<std::string> told;
+    for (const int one : right.list) told.push_back(shown[static_cast<std::size_t>(one)]);
+    CHECK(told == std::vector<std::string>{"first", "second", "third"});
+    REQUIRE(session.answer(right));
+    CHECK(session.outcomes().front().right);
+  }
+}
+
+TEST_CASE("the cheapest is that with the fewest operations") {
+  Session session = at_own("algorithm = \"ritter\"\nbefore = \"finished\"\nasks = \"cheapest\"\n");
+  const Subject& subject = session.subject();
+  const auto operations = [&](const char* name) { return subject.operations(*find_method(session.lesson(), name)); };
+  CHECK(operations("ritter") > 0);
+  CHECK(operations("ritter") < operations("brute_force"));
+  const Answer right = model_answer(*session.asked(), session.run(0));
+  const std::array<const char*, 3> names{"ritter", "welzl", "brute_force"};
+  for (const char* name : names) CHECK(operations(names[static_cast<std::size_t>(right.value)]) <= operations(name));
+}
+
+TEST_CASE("a wrong answer is told what it means, at the first try and in the outcome") {
+  const std::string keys = "algorithm = \"ritter\"\nbefore = \"pair_chosen\"\nasks = \"point\"\n"
+                           "wrong = { P4 = \"P4 is far from the origin, not from another point.\" }\n";
+  std::string text = with_question(keys);
+  text.erase(text.find("[[question]]\nid = \"pair\""),
+             text.find("[[question]]\nid = \"growth\"") - text.find("[[question]]\nid = \"pair\""));
+  Session session = test::open(text);
+  while (session.asked() == nullptr) session.forward();
+  REQUIRE(session.asked()->question->id == "own");
+  REQUIRE(session.pick(point(4)));
+  REQUIRE(session.commit());
+  CHECK(session.answer_says() == "Not that one. Try once more. P4 is far from the origin, not from another point.");
+  REQUIRE(session.pick(point(5)));
+  REQUIRE(session.commit());
+  CHECK(outcome_of_own(session).because == "So.");
+  session.forget_answers();
+  session.first();
+  while (session.asked() == nullptr) session.forward();
+  REQUIRE(session.answer(point(4)));
+  CHECK(outcome_of_own(session).because == "P4 is far from the origin, not from another point. So.");
+}
+
+TEST_CASE("two questions at one place are both asked before either is told") {
+  for (const bool plays : {false, true}) {
+    CAPTURE(plays);
+    Session session =
+        test::open(with_question("algorithm = \"ritter\"\nbefore = \"ball_grown\"\nafter = \"pair_chosen\"\n"
+                                 "asks = \"grows\"\n"));
+    session.play_answers(plays);
+    while (session.asked() == nullptr || session.asked()->question->id == "pair")
+      if (session.asked() != nullptr) REQUIRE(session.skip());
+      else session.forward();
+    const int step = session.step();
+    REQUIRE(session.asked()->question->id == "growth");
+    REQUIRE(session.pick(point(4)));
+    REQUIRE(session.commit());
+    CHECK(session.step() == step);
+    CHECK(session.outcome() == nullptr);
+    CHECK(session.deciding() == nullptr);
+    REQUIRE(session.asked() != nullptr);
+    CHECK(session.asked()->question->id == "own");
+    REQUIRE(session.pick(choice(0)));
+    REQUIRE(session.commit());
+    if (plays) {
+      REQUIRE(session.deciding() != nullptr);
+      session.decide();
+    }
+    REQUIRE(session.outcome() != nullptr);
+    CHECK(session.outcome()->question == "growth");
+    REQUIRE(session.acknowledge());
+    REQUIRE(session.outcome() != nullptr);
+    CHECK(session.outcome()->question == "own");
+    REQUIRE(session.acknowledge());
+    CHECK(session.outcome() == nullptr);
+    CHECK(session.asked() == nullptr);
+  }
+}
+
+TEST_CASE("a fixed answer with a condition is asked only where it holds") {
+  const std::string keys =
+      "algorithm = \"ritter\"\nbefore = \"radius_checked\"\nasks = \"choice\"\nchoices = [\"yes\", "
+      "\"no\"]\nanswer = \"no\"\n[[question.require]]\nfigure = \"excess\"\nat_least = 5\n";
+  Session session = test::open(with_question(keys));
+  const auto is_asked = [&] {
+    const auto& all = session.questions();
+    return std::any_of(all.begin(), all.end(), [](const Asked& asked) { return asked.question->id == "own"; });
+  };
+  CHECK(is_asked());
+  REQUIRE(session.move(4, {0, 1.5, 0}).has_value());  // now Ritter's circle is the smallest
+  CHECK_FALSE(is_asked());
+  session.undo();
+  CHECK(is_asked());
+}
+
+TEST_CASE("a task can leave a few handles to be moved, and nothing else counts") {
+  const std::string text = test::small_lesson_with("hint = \"Think.\"", "hint = \"Think.\"\nonly = [\"P2\", \"P3\"]");
+  Session session = test::open(text);
+  CHECK(session.may_move(0));  // it has not begun
+  session.start_task();
+  CHECK_FALSE(session.may_move(0));
+  CHECK(session.may_move(2));
+  const Point3 before = session.point(0);
+  const Done refused = session.move(0, {5, 5, 0});
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().what.find("only P2 and P3 move") != std::string::npos);
+  CHECK(session.point(0) == before);
+  REQUIRE(session.move(2, {0, -1, 0}).has_value());
+  REQUIRE(session.move(3, {0, 2.5, 0}).has_value());
+  CHECK(session.grade()->done);
+  REQUIRE(session.set_rows(session.lesson().tasks[0].model).has_value());  // not by hand
+  CHECK_FALSE(session.grade()->done);
+  CHECK(session.was_done(0));
+}
+
+TEST_CASE("a file of version 1 is told what to change, line by line") {
+  const std::string old =
+      "version = 1\n\n[[question]]\nid = \"a\"\nasks = \"choice\"\nanswer = \"yes\"\n\n[[question]]\nid = "
+      "\"b\"\nown_points = true\n\n[task]\nexcess_at_least = 0.1\nsupport_size = 2\n";
+  std::vector<std::string> said;
+  for (const FileError& mistake : read_draft(old, "old.toml").mistakes) said.push_back(mistake.message());
+  REQUIRE(said.size() == 6);
+  CHECK(said[0].find("old.toml:1:11: the file is of version 1") == 0);
+  CHECK(said[1].find("old.toml:6:10: a choice now says when its answer is true") == 0);
+  CHECK(said[2] == "old.toml:10:14: \"own_points\" is gone: write holds = \"here\"");
+  CHECK(said[3] == "old.toml:12:1: there can be several tasks now: write [[task]]");
+  CHECK(said[4].find("figure = \"excess\" and at_least = 10") != std::string::npos);
+  CHECK(said[5].find("equals = 2") != std::string::npos);
+}
