@@ -1,6 +1,8 @@
 #include "lesson/place.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 
 #include "geometry/generate.hpp"
 #include "lesson/names.hpp"
@@ -20,6 +22,25 @@ std::optional<io::PointFile> file_of(const Subject& subject) {
   return file;
 }
 
+/// What is picked one after the other to choose an answer; none for a number, which is typed.
+std::vector<Answer> parts_of(const Asked& asked, const Answer& answer) {
+  using Kind = Answer::Kind;
+  if (answer.kind == Kind::kNumber) return {};
+  std::vector<Answer> parts;
+  for (const int one : answer.list) parts.push_back({answer.kind == Kind::kPoints ? Kind::kPoint : Kind::kChoice, one});
+  if (!answer.list.empty()) return parts;
+  if (!asked.many) return {answer};
+  for (int i = 0; i < static_cast<int>(asked.choices.size()); ++i)
+    if (is_picked(asked, answer, i)) parts.push_back({Kind::kChoice, i});
+  return parts;
+}
+
+std::string typed(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.15g", number);
+  return text.data();
+}
+
 std::string name_of(const Session& session, int slot) {
   return session.method(slot) != nullptr ? name_in(session.lesson(), *session.method(slot)) : std::string();
 }
@@ -29,9 +50,9 @@ std::string name_of(const Session& session, int slot) {
 Place::Place(const Session& session)
     : lesson_(session.lesson().id), dim_(session.dim()), own_(session.own().rows()),
       scattered_(session.seed() != session.lesson().seed), origin_(session.subject().origin()),
-      own_source_(session.own().origin().source), algorithm_(name_of(session, 0)), step_(session.step()),
-      at_end_(session.step() > 0 && session.step() == session.steps()), previewing_(session.previewing()),
-      outcomes_(session.outcomes()) {
+      own_source_(session.own().origin().source), task_(session.task()), algorithm_(name_of(session, 0)),
+      step_(session.step()), at_end_(session.step() > 0 && session.step() == session.steps()),
+      previewing_(session.previewing()), outcomes_(session.outcomes()) {
   if (session.edited()) rows_ = session.subject().rows();
   const bool generated = is_among(generator_kinds(), origin_.source);
   if (origin_.source != own_source_ && origin_.source != kTaskSource && !generated) file_ = file_of(session.subject());
@@ -53,7 +74,7 @@ void Place::take(Session& session) const {
 
 /// What the stage was filled from, before it was edited by hand. What is refused is left out.
 void Place::take_source(Session& session) const {
-  if (origin_.source == kTaskSource) return session.start_task();
+  if (origin_.source == kTaskSource) return session.start_task(task_);
   if (file_) return static_cast<void>(session.load(*file_, origin_.source));
   if (origin_.source != own_source_)
     return static_cast<void>(session.set_generator(origin_.source, origin_.generated, dim_, origin_.seed));
@@ -94,10 +115,8 @@ void Place::take_try(Session& session) const {
   const Asked* asked = session.asked();
   if (!tried_ || asked == nullptr || asked->question->id != tried_->question) return;
   if (!answers(*asked, tried_->answer)) return;
-  const int choices = static_cast<int>(asked->choices.size());
-  if (!asked->many) session.pick(tried_->answer);
-  for (int i = 0; asked->many && i < choices; ++i)
-    if (is_picked(*asked, tried_->answer, i)) session.pick({Answer::Kind::kChoice, i});
+  if (tried_->answer.kind == Answer::Kind::kNumber) session.pick(std::string_view(typed(tried_->answer.number)));
+  for (const Answer& part : parts_of(*asked, tried_->answer)) session.pick(part);
   session.commit();
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/lesson/small_lesson.hpp"
 #include "geometry/generate.hpp"
+#include "lesson/place.hpp"
 #include "lesson/play.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
@@ -205,4 +206,25 @@ TEST_CASE("lessons/README.md names every step, algorithm and kind of points") {
   for (const auto& algorithm : fit::algorithms()) CHECK_MESSAGE(says(algorithm.name), algorithm.name);
   for (const std::string_view kind : generator_kinds()) CHECK_MESSAGE(says(kind), kind);
   for (const std::string& mesh : mesh_names()) CHECK_MESSAGE(says(mesh), mesh);
+}
+
+TEST_CASE("whatever the stage is about, a lesson that reads as before stands as before") {
+  for (const char* const subject : {"cloud", "pair", "frustum", "scene", "cost"}) {
+    CAPTURE(subject);
+    const std::string id = std::string("examples/") + subject;
+    Session before = session_of(id);
+    REQUIRE(before.choose(0, before.lesson().algorithms.back()));
+    before.first();
+    REQUIRE(before.move(1, before.point(1) + Point3(0.01, 0.02, before.dim() == 3 ? 0.03 : 0)));
+    before.jump(before.steps() / 2);
+    const Place place(before);
+    Session now = session_of(id);
+    place.take(now);
+    CHECK(now.subject().rows() == before.subject().rows());
+    CHECK(now.trace_hash() == before.trace_hash());
+    CHECK(now.step() == before.step());
+    CHECK(now.method(0) == before.method(0));
+    CHECK(now.outcomes().size() == before.outcomes().size());
+    CHECK(now.caption() == before.caption());
+  }
 }

@@ -118,6 +118,32 @@ TEST_CASE("a question that waits for its second try still waits for it") {
   CHECK(now.tried()->value == 5);
 }
 
+TEST_CASE("an answer of several points and a number wait for their second try as well") {
+  const auto with_own = [](std::string keys) {
+    keys = "[[question]]\nid = \"own\"\nprompt = \"What?\"\nbecause = \"So.\"\n" + keys + "\n[[task]]";
+    std::string text = small_lesson_with("[[task]]", keys);
+    const auto growth = text.find("[[question]]\nid = \"growth\"");
+    return text.erase(growth, text.find("[[question]]\nid = \"again\"") - growth);
+  };
+  const auto tried_again = [](const std::string& text, const char* algorithm, int step, const auto& give) {
+    Session before = open(text);
+    REQUIRE(before.choose(0, algorithm));
+    before.jump(step < 0 ? before.steps() - 1 : step);
+    REQUIRE(before.asked() != nullptr);
+    give(before);
+    REQUIRE(before.commit());
+    REQUIRE(before.tried() != nullptr);
+    const Session now = reread(text, before);
+    REQUIRE(now.tried() != nullptr);
+    CHECK(*now.tried() == *before.tried());
+  };
+  tried_again(with_own("algorithm = \"welzl\"\nbefore = \"finished\"\nasks = \"points\"\n"), "welzl", -1,
+              [](Session& session) { REQUIRE((session.pick(point(1)) && session.pick(point(2)))); });
+  tried_again(with_own("algorithm = \"ritter\"\nbefore = \"ball_grown\"\nasks = \"number\"\nfigure = "
+                       "\"radius\"\ntolerance = 0.01\n"),
+              "ritter", 7, [](Session& session) { REQUIRE(session.pick("3.25")); });
+}
+
 TEST_CASE("another lesson begins where it begins") {
   Session before = open_small();
   before.jump(4);
