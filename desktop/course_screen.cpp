@@ -270,7 +270,8 @@ void CourseScreen::draw_search(Shell& shell, const app::Rect& bar) {
 const std::string& CourseScreen::text_of(const Shell& shell, std::size_t lesson) {
   const auto& lessons = shell.lessons();
   for (std::size_t i = texts_.size(); i < lessons.size(); ++i)
-    texts_.push_back(lesson::search_text(lessons[i].lesson, static_cast<int>(i) + 1, lessons[i].chapter));
+    texts_.push_back(
+        lesson::search_text(lessons[i].lesson, static_cast<int>(i) + 1, lessons[i].chapter, lessons[i].slides));
   return texts_[lesson];
 }
 

@@ -13,9 +13,9 @@ import sys
 import tomllib
 
 
-def words_of(lesson: dict) -> str:
-    """Slides, headings, terms and algorithms, each once."""
-    slides = [slide.split(": ", 1)[-1] for slide in lesson.get("covers", [])]
+def words_of(lesson: dict, slides_of: dict[str, str]) -> str:
+    """Slides, headings, terms and algorithms, each once. slides_of: the slide of each idea."""
+    slides = [slides_of[idea] for idea in lesson.get("covers", []) if idea in slides_of]
     sections = lesson.get("section", [])
     texts = [re.sub(r"\[([^\]]+)\]\(\w+:[^)]+\)", r"\1", section["text"]) for section in sections]  # a link's words alone
     terms = [term for text in texts for term in re.findall(r"\*\*(.+?)\*\*", text, re.DOTALL) if "$" not in term]
@@ -24,11 +24,16 @@ def words_of(lesson: dict) -> str:
     return " · ".join(dict.fromkeys(" ".join(words.split()) for words in found))
 
 
-def lesson_entry(path: pathlib.Path) -> dict:
+def lesson_entry(path: pathlib.Path, slides_of: dict[str, str]) -> dict:
     lesson = tomllib.loads(path.read_text(encoding="utf-8"))
     shown = {key: lesson[key] for key in ("title", "summary", "minutes")}
     asked = {"questions": len(lesson.get("question", [])), "task": "task" in lesson}
-    return {"id": path.stem} | shown | asked | {"words": words_of(lesson)}
+    return {"id": path.stem} | shown | asked | {"words": words_of(lesson, slides_of)}
+
+
+def slides_in(course: pathlib.Path) -> dict[str, str]:
+    """The slide of each idea that the course lists."""
+    return {idea["id"]: idea["slide"] for idea in tomllib.loads(course.read_text(encoding="utf-8")).get("idea", [])}
 
 
 def course_of(path: pathlib.Path, lessons: dict[str, dict]) -> dict:
@@ -45,7 +50,7 @@ def write(path: pathlib.Path, what: dict) -> None:
 
 def main(site: pathlib.Path, course: pathlib.Path, lesson_files: list[pathlib.Path]) -> None:
     try:
-        write(site / "course.json", course_of(course, {path.stem: lesson_entry(path) for path in lesson_files}))
+        write(site / "course.json", course_of(course, {path.stem: lesson_entry(path, slides_in(course)) for path in lesson_files}))
     except ValueError as error:
         sys.exit(str(error))
     files = (path for path in sorted(site.rglob("*")) if path.is_file() and path.name != "sizes.json")

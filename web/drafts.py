@@ -101,7 +101,7 @@ class Drafts:
         except (OSError, ValueError):
             return None
         try:
-            return draft_entry(name, lesson) | {"words": words_of(lesson)}
+            return draft_entry(name, lesson) | {"words": words_of(lesson, {})}
         except Exception:  # a key of it is missing, or is something else
             return draft_entry(name, lesson)
 

@@ -41,7 +41,25 @@ Chapter read_chapter(const toml::table& toml, Seen& seen, Complaints& complaints
   return chapter;
 }
 
+Idea read_idea(const toml::table& toml, const std::vector<Idea>& before, Complaints& complaints) {
+  TomlTable table(toml, "[[idea]]", complaints);
+  Idea idea{table.text("id"), table.text("slide")};
+  const auto same = [&](const Idea& other) { return other.id == idea.id; };
+  if (std::any_of(before.begin(), before.end(), same)) table.wrong("id", "is that of an idea above: " + idea.id);
+  table.refuse_others();
+  return idea;
+}
+
 }  // namespace
+
+std::vector<std::string> slides_of(const Course& course, std::span<const std::string> covers) {
+  std::vector<std::string> slides;
+  for (const Idea& idea : course.ideas)
+    if (std::find(covers.begin(), covers.end(), idea.id) != covers.end() &&
+        std::find(slides.begin(), slides.end(), idea.slide) == slides.end())
+      slides.push_back(idea.slide);
+  return slides;
+}
 
 tl::expected<Course, InputError> read_course(std::string_view text, std::string_view name,
                                              std::span<const std::string> ids) {
@@ -58,6 +76,8 @@ tl::expected<Course, InputError> read_course(std::string_view text, std::string_
     last = static_cast<int>(chapter->source().begin.line);
     course.chapters.push_back(read_chapter(*chapter, seen, complaints));
   }
+  for (const toml::table* idea : table.tables("idea"))
+    course.ideas.push_back(read_idea(*idea, course.ideas, complaints));
   if (course.chapters.empty()) complaints.add(1, "the course has no [[chapter]]");
   table.refuse_others();
   for (const std::string& id : ids)

@@ -144,7 +144,7 @@ struct Lesson {
   std::string title;
   std::string summary;              // one sentence
   int minutes = 0;                  // how long it takes, about
-  std::vector<std::string> covers;  // "lecture title: slide title", the slides that it covers
+  std::vector<std::string> covers;  // the ids of the ideas that it covers (see Course)
   std::vector<Section> sections;
   Points points;
   const SubjectRow* subject = nullptr;   // what the stage is about; null: determined by the volume

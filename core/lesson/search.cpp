@@ -37,12 +37,12 @@ std::vector<std::string> words_of(std::string_view asked) {
 
 }  // namespace
 
-std::string search_text(const Lesson& lesson, int number, std::string_view chapter) {
+std::string search_text(const Lesson& lesson, int number, std::string_view chapter,
+                        std::span<const std::string> slides) {
   std::string text = std::to_string(number);
   const auto add = [&](std::string_view words) { text += ' ', text += words; };
   add(lesson.title), add(lesson.summary), add(chapter);
-  for (const std::string_view slide : lesson.covers)
-    add(slide.substr(slide.find(": ") == std::string_view::npos ? 0 : slide.find(": ") + 2));
+  for (const std::string_view slide : slides) add(slide);
   for (const Section& section : lesson.sections) {
     add(section.title);
     for (const Paragraph& paragraph : section.paragraphs)

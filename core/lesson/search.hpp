@@ -2,6 +2,7 @@
 // covers, its terms and its algorithms.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -9,8 +10,10 @@
 
 namespace snug::lesson {
 
-/// What a lesson is found by, in small letters without accents and apostrophes. number: counted from 1.
-[[nodiscard]] std::string search_text(const Lesson& lesson, int number, std::string_view chapter);
+/// What a lesson is found by, in small letters without accents and apostrophes. number: counted from 1. slides: those
+/// that it covers.
+[[nodiscard]] std::string search_text(const Lesson& lesson, int number, std::string_view chapter,
+                                      std::span<const std::string> slides);
 
 /// Whether each of the words that are asked for is among them, or begins within them.
 [[nodiscard]] bool is_found(std::string_view search_text, std::string_view asked);

@@ -113,6 +113,7 @@ void Drafts::put_in_order() {
     } else {
       for (const lesson::Chapter& chapter : course->chapters)
         for (const std::string& id : chapter.lessons) ranks.emplace(id, std::pair(ranks.size(), chapter.title));
+      for (DraftFile& draft : files_) draft.file.slides = lesson::slides_of(*course, draft.file.lesson.covers);
     }
   }
   const auto rank = [&](const DraftFile& draft) {

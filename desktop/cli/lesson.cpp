@@ -102,6 +102,25 @@ std::vector<InputError> lost_links(const std::string& path, const std::string& t
   return lost;
 }
 
+/// The mistakes of ideas that the lesson covers, but that the course beside it does not list.
+std::vector<InputError> lost_ideas(const std::string& path, const std::string& text, const lesson::Lesson& lesson) {
+  if (!is_beside(path, "course")) return {};
+  const auto course = read_course_of(std::filesystem::path(path).parent_path().string());
+  if (!course || course->ideas.empty()) return {};  // what is wrong with a course is told of its own file
+  std::vector<std::string> ids;
+  for (const lesson::Idea& idea : course->ideas) ids.push_back(idea.id);
+  std::vector<InputError> lost;
+  for (const std::string& id : lesson.covers) {
+    if (lesson::is_among(ids, id)) continue;
+    const std::string_view meant = lesson::nearest(ids, id);
+    lost.push_back(with_column({place_with(text, '"' + id + '"', {}),
+                                "\"covers\" names an idea that the course does not list: " + id +
+                                    (meant.empty() ? "" : "; did you mean " + std::string(meant) + "?"),
+                                path}));
+  }
+  return lost;
+}
+
 /// The result of checking a file: what is printed, or its mistakes; in either case its warnings.
 struct CheckedFile {
   Json json;
@@ -129,6 +148,7 @@ CheckedFile check_lesson(const std::string& path) {
     std::move(more.begin(), more.end(), std::back_inserter(checked.mistakes));
   };
   add(lost_links(path, *text, *draft.lesson));
+  add(lost_ideas(path, *text, *draft.lesson));
   if (!checked.mistakes.empty()) return checked;
   const LessonFile file{path, *std::move(draft.lesson), {}};
   if (const auto played = play(file)) add(faults_of(file, *played));
@@ -228,6 +248,7 @@ void add_lesson(Commands& commands) {
   check.add_option("FILE", checked->files, "Lesson files, course.toml, or folders of them")->required();
 
   add_lesson_facts(commands, group);
+  add_lesson_coverage(commands, group);
   add_lesson_new(commands, group);
   add_lesson_table(commands, group);
 

@@ -15,6 +15,7 @@ struct LessonFile {
   std::string path;
   lesson::Lesson lesson;
   std::string chapter;  // the chapter's title; empty if the folder has no course, or if the lesson was read alone
+  std::vector<std::string> slides = {};  // those that it covers, by the course's list
 };
 
 /// The file in a folder that lists the lessons of its course.

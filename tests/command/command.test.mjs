@@ -383,6 +383,25 @@ test("lessons/README.md lists what can be asked and required, as the program doe
   assert.equal(listed, good(["lesson", "table"]));
 });
 
+test("the coverage lists every idea of the course in its order, and says no while one has no lesson", () => {
+  const course = readFileSync(join(lessons, "course.toml"), "utf8");
+  const ids = [...course.matchAll(/^id = "(.*)"$/gm)].map(([, id]) => id);
+  const { status, stdout } = run(["lesson", "coverage"]);
+  const rows = json_lines(stdout);
+  assert.deepEqual(rows.map(({ id }) => id), ids);
+  assert.equal(status, rows.every(({ lessons: some }) => some.length > 0) ? 0 : 1);
+  assert.deepEqual(rows.find(({ id }) => id === "L1.sphere.ritter"), { id: "L1.sphere.ritter", slide: "Computing a Bounding Sphere", lessons: ["sphere-ritter"] });
+  const own = join(folder, "covered");
+  mkdirSync(own);
+  const text = readFileSync(join(lessons, "examples", "cloud.toml"), "utf8");
+  const put = (covers) => write("covered/mine.toml", text.replace("minutes", `covers = [${covers}]\nminutes`));
+  put('"a.tight"');
+  write("covered/course.toml", 'version = 1\n\n[[chapter]]\ntitle = "Own"\nlessons = ["mine"]\n\n[[idea]]\nid = "a.tight"\nslide = "One"\n');
+  assert.deepEqual(json_lines(good(["lesson", "coverage", "--lessons", own])), [{ id: "a.tight", slide: "One", lessons: ["mine"] }]);
+  put('"a.tigth"');
+  refused(["lesson", "check", own], /mine\.toml:\d+:\d+: "covers" names an idea that the course does not list: a\.tigth; did you mean a\.tight\?$/m);
+});
+
 test("lessons of lecturers' own, written by the guide, are sound and play to their end", () => {
   const own = join(root, "tests", "lessons");
   for (const file of readdirSync(own)) {
@@ -500,7 +519,7 @@ test("help says what the contract says", () => {
   for (const word of ["--volume", "--algorithm", "--scalar", "--dim", "--seed", "--repeat", "--steps", "support", "measure",
     "max_outside", "certificate", "operations", "time_ns", ".xyz", ".csv", ".txt", ".obj", ".ply", ".stl"])
     assert.ok(help.includes(word), word);
-  for (const command of [["algorithms"], ["lesson"], ["lesson", "list"], ["lesson", "check"], ["lesson", "play"], ["lesson", "new"], ["lesson", "facts"], ["lesson", "table"],
+  for (const command of [["algorithms"], ["lesson"], ["lesson", "list"], ["lesson", "check"], ["lesson", "play"], ["lesson", "new"], ["lesson", "facts"], ["lesson", "table"], ["lesson", "coverage"],
     ["trace-hash"], ["render"]])
     assert.match(good([...command, "--help"]), /Usage: snug/);
   assert.match(good(["--version"]), /^\d+\.\d+\.\d+\n$/);

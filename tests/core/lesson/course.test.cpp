@@ -22,6 +22,18 @@ lessons = [
 [[chapter]]
 title = "Boxes"
 lessons = ["sat"]
+
+[[idea]]
+id = "a.radius"
+slide = "Spheres"
+
+[[idea]]
+id = "a.support"
+slide = "Spheres"
+
+[[idea]]
+id = "b"
+slide = "Boxes"
 )";
 
 const std::array<std::string, 3> kIds{"ritter", "sat", "welzl"};
@@ -46,6 +58,8 @@ constexpr Broken kBroken[] = {
     {"\"welzl\"", "\"ritter\"", 7, "\"ritter\" is listed twice: in line 6 as well"},
     {"\"sat\"", "\"ritter\"", 12, "\"ritter\" is listed twice: in line 6 as well"},
     {"  \"welzl\",\n", "", 9, "\"welzl\" is in no chapter"},
+    {"id = \"a.support\"", "id = \"a.radius\"", 19, "of an idea above: a.radius"},
+    {"id = \"b\"\n", "", 22, "lacks the key \"id\""},
     {"[\"sat\"]", "[]", 12, "at least 1"},
     {"[\"sat\"]", "[3]", 12, "list of texts"},
     {"title = \"Boxes\"\n", "", 10, "lacks the key \"title\""},
@@ -62,6 +76,10 @@ TEST_CASE("a course has its chapters and lessons in order") {
   CHECK(course->chapters[0].title == "Spheres");
   CHECK(course->chapters[0].lessons == std::vector<std::string>{"ritter", "welzl"});
   CHECK(course->chapters[1].lessons == std::vector<std::string>{"sat"});
+  REQUIRE(course->ideas.size() == 3);
+  CHECK(course->ideas[1].id == "a.support");
+  CHECK(slides_of(*course, std::array<std::string, 3>{"b", "a.support", "a.radius"}) ==
+        std::vector<std::string>{"Spheres", "Boxes"});
 }
 
 TEST_CASE("a course that is wrong is refused with its line") {
