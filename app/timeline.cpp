@@ -134,7 +134,8 @@ Controls sizes(const Look& look, float width, bool low) {
 void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& session, const SubjectView& view,
                   const Rect& rect, float y, const PlayerView& player, PlayerWish& wish) {
   const Controls c = sizes(look, rect.width - 2 * 8, is_low(look, rect));
-  const bool gate = session.asked() != nullptr, chosen = session.picked() != nullptr;
+  const bool gate = session.asked() != nullptr;
+  const bool chosen = session.picked() != nullptr && answers(*session.asked(), *session.picked());
   const bool told = session.outcome() != nullptr;
   const bool at_end = session.step() == session.steps() && !session.previewing();
   const bool at_start = session.step() == 0;

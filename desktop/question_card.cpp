@@ -164,7 +164,8 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   const bool wrong = session.tried() != nullptr && session.picked() == nullptr;
   if (shell.presenting && session.answer_says().empty()) (says += ' ') += lesson::kSkipHint;  // a clicker has no other
   const app::Color color = session.answer_says().empty() ? look->muted : wrong ? look->wrong_text : look->current_text;
-  const std::array row{RowButton{"commit", lesson::kAnswerWord, ButtonKind::kPrimary, session.picked() != nullptr},
+  const std::array row{RowButton{"commit", lesson::kAnswerWord, ButtonKind::kPrimary,
+                                 session.picked() != nullptr && answers(asked, *session.picked())},
                        RowButton{"skip", lesson::kSkipWord, ButtonKind::kQuiet}};
   const int clicked = draw_row(column, says, color, row);
   if (chosen >= 0) static_cast<void>(session.pick({lesson::Answer::Kind::kChoice, chosen}));

@@ -42,6 +42,7 @@ val asked_object(const lesson::Asked* asked, const lesson::Session& session) {
   object.set("how", lesson::how_to_answer(*asked));
   object.set("picked", answer_object(*asked, session, session.picked()));
   object.set("tried", answer_object(*asked, session, session.tried()));
+  object.set("ready", session.picked() != nullptr && lesson::answers(*asked, *session.picked()));
   object.set("says", session.answer_says());
   return object;
 }

@@ -40,7 +40,7 @@ export class QuestionCard {
     const { asked, outcome, deciding, outcomes, score } = view;
     this.#watching = Boolean(deciding);
     const told = view.cover?.decided ? outcomes : [];
-    const question = asked && { ...asked, picked: null, says: "" };
+    const question = asked && { ...asked, picked: null, ready: false, says: "" };
     const now = JSON.stringify([view.lesson, question, outcome, deciding, told, score, view.summary && view.tasksDone]);
     if (now !== this.#shown) {
       this.#shown = now;
@@ -67,7 +67,7 @@ export class QuestionCard {
   }
 
   /** Shows the choice that is not committed yet. The card and the focus stay as they are. */
-  #show_picked({ picked, tried, says, how }) {
+  #show_picked({ picked, ready, tried, says, how }) {
     for (const [i, choice] of this.#choices.entries()) {
       const place = picked?.choices.indexOf(i) ?? -1;
       choice.setAttribute("aria-pressed", place >= 0);
@@ -76,7 +76,7 @@ export class QuestionCard {
     set_text(this.#says, says || how);
     this.#says.classList.toggle("chosen", says !== "");
     this.#says.classList.toggle("wrong", Boolean(tried) && !picked);
-    this.#commit.disabled = !picked;
+    this.#commit.disabled = !ready;
   }
 
   /** Scrolls to the open question, which the player waits for. */

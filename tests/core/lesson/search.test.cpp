@@ -19,7 +19,8 @@ Lesson a_lesson() {
 }  // namespace
 
 TEST_CASE("a lesson is found by all that a reader may know of it, however it is written") {
-  const std::string text = search_text(a_lesson(), 3, "Bounding spheres", std::vector<std::string>{"Gärtner’s Miniball"});
+  const std::string text =
+      search_text(a_lesson(), 3, "Bounding spheres", std::vector<std::string>{"Gärtner’s Miniball"});
   for (const char* asked : {"welzls", "WELZL’s", "three points", "spheres, list", "gartner", "Gärtners", "brute force",
                             "support", "mini", "3", "  "})
     CHECK_MESSAGE(is_found(text, asked), asked);
