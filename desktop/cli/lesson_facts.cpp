@@ -32,7 +32,7 @@ Json asks_of(const lesson::Session& session, int step) {
   if (!session.lesson().subject->asks_of_steps) return asks;
   for (const lesson::Asking& asking : session.run(0).askings(step)) asks.push_back(asking.name);
   for (const std::string_view name : lesson::general_askings(*session.lesson().subject))
-    if (name != "point" || !session.run(0).handles(step).empty()) asks.push_back(name);
+    if (!name.starts_with("point") || !session.run(0).handles(step).empty()) asks.push_back(name);
   return asks;
 }
 
