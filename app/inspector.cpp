@@ -41,7 +41,7 @@ class Column {
     rule(list_, x_, y_ - 1, width_, look_->line);
   }
 
-  void rival(const lesson::Rival& rival, double widest, bool chosen, bool beside, bool hidden) {
+  void rival(const std::string& title, const lesson::Rival& rival, double widest, bool chosen, bool beside, bool hidden) {
     const float size = 14, small = 13;
     const std::string value = hidden                    ? "—"
                               : chosen || !rival.excess ? lesson::number_text(rival.size)
@@ -51,7 +51,7 @@ class Column {
                chosen ? look_->current_text : look_->muted, value);
     const float room = width_ - measure(look_, Face::kMonoBold, small, value).x - 10;
     const Face face = chosen || beside ? Face::kSemiBold : Face::kRegular;
-    const auto lines = lines_of(look_, face, size, rival.method->title, room);
+    const auto lines = lines_of(look_, face, size, title, room);
     for (std::size_t i = 0; i < lines.size(); ++i, y_ += i < lines.size() ? look_.px(18) : 0)
       text(list_, look_, face, size, {x_, y_ + look_.px(3)}, look_->ink, lines[i]);
     const float top = y_ + look_.px(24), height = 6;
@@ -127,7 +127,7 @@ float draw_inspector(const Look& look, lesson::Session& session, const SubjectVi
   const float own = column.height(rect);
 
   if (session.method(1) != nullptr) {
-    column.heading("Compared: " + std::string(session.method(1)->title));
+    column.heading("Compared: " + lesson::title_in(session.lesson(), *session.method(1)));
     for (const lesson::Figure& figure : figures_beside(session)) column.figure(figure);
     column.gap(look.px(28));
   }
@@ -138,7 +138,7 @@ float draw_inspector(const Look& look, lesson::Session& session, const SubjectVi
     for (const auto& rival : session.rivals()) widest = std::max(widest, rival.size);
     for (const auto& rival : session.rivals()) {
       const bool chosen = rival.method == session.method(0);
-      column.rival(rival, widest * 1.08, chosen, rival.method == session.method(1),
+      column.rival(lesson::title_in(session.lesson(), *rival.method), rival, widest * 1.08, chosen, rival.method == session.method(1),
                    session.hides_result(*rival.method));
     }
     column.gap(look.px(20));

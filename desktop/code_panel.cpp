@@ -41,10 +41,10 @@ void draw_algorithms(Shell& shell, Column& column) {
     const lesson::Method* algorithm = lesson::find_method(session.lesson(), name);
     if (algorithm == nullptr) continue;
     if (algorithm == session.method(0)) main = static_cast<int>(titles.size());
-    titles.emplace_back(algorithm->title), names.push_back(name);
+    titles.push_back(lesson::title_in(session.lesson(), *algorithm)), names.push_back(name);
     if (algorithm == session.method(0)) continue;
     if (algorithm == session.method(1)) second = static_cast<int>(beside.size());
-    beside.emplace_back(algorithm->title), beside_names.push_back(name);
+    beside.push_back(lesson::title_in(session.lesson(), *algorithm)), beside_names.push_back(name);
   }
   if (const int chosen = draw_labelled(column, lesson::kAlgorithmWord, titles, main); chosen >= 0)
     shell.tell(session.choose(0, names[chosen]));

@@ -267,7 +267,7 @@ std::string draw_summary(Shell& shell, Column& column) {
     column.words(lesson::kWaitingWord, Face::kRegular, 14);
     column.gap(6);
     std::vector<std::string> titles;
-    for (const lesson::Method* method : waiting) titles.emplace_back(method->title);
+    for (const lesson::Method* method : waiting) titles.push_back(lesson::title_in(session.lesson(), *method));
     if (const int clicked = column.buttons("waiting", titles, -1); clicked >= 0)
       command = "ask:" + lesson::name_in(session.lesson(), *waiting[static_cast<std::size_t>(clicked)]);
     column.gap(10);

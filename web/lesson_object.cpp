@@ -37,7 +37,7 @@ val algorithm_object(const lesson::Lesson& lesson, std::string_view name) {
   val object = val::object();
   const lesson::Method* algorithm = lesson::find_method(lesson, name);
   object.set("name", text(name));
-  object.set("title", text(algorithm != nullptr ? algorithm->title : name));
+  object.set("title", algorithm != nullptr ? val(lesson::title_in(lesson, *algorithm)) : text(name));
   object.set("source", text(algorithm != nullptr ? algorithm->source : ""));
   object.set("maxPoints", algorithm != nullptr ? algorithm->max_points : 0);
   return object;

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "lesson/say.hpp"
 #include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
 #include "number/fnv.hpp"
@@ -31,7 +32,7 @@ void set_algorithms(val& object, const lesson::Session& session) {
   object.set("rivals", array_of(session.rivals(), [&](const lesson::Rival& rival) {
                val row = val::object();
                row.set("name", name(*rival.method));
-               row.set("title", text(rival.method->title));
+               row.set("title", lesson::title_in(session.lesson(), *rival.method));
                const bool hidden = session.hides_result(*rival.method);
                row.set("size", hidden ? val::null() : val(rival.size));
                row.set("excess", rival.excess && !hidden ? val(*rival.excess) : val::null());

@@ -10,6 +10,7 @@
 #include "geometry/tolerance.hpp"
 #include "lesson/ask.hpp"
 #include "lesson/names.hpp"
+#include "lesson/say.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/words.hpp"
 
@@ -154,7 +155,7 @@ void read_number(TomlTable& table, Question& question) {
 const char* offer_methods(Asked& asked, const Run& run) {
   const std::vector<Rival> rivals = asked.subject->rivals(*asked.lesson, view_after(asked, run));
   if (rivals.size() < 2) return "the question compares algorithms, and only one takes these points";
-  for (const Rival& rival : rivals) asked.add_choice(std::string(rival.method->title));
+  for (const Rival& rival : rivals) asked.add_choice(title_in(*asked.lesson, *rival.method));
   return nullptr;
 }
 

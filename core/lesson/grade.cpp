@@ -4,6 +4,7 @@
 
 #include "lesson/ask.hpp"
 #include "lesson/names.hpp"
+#include "lesson/say.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::lesson {
@@ -47,7 +48,7 @@ std::optional<Figure> excess_over(const Requirement& due, const Method& method, 
   if (!own || !than) return std::nullopt;
   const auto excess = excess_of(*own, *than);
   if (!excess) return std::nullopt;
-  return Figure{"Excess over " + std::string(other.title), "excess", percent_text(*excess), 100 * *excess, "%"};
+  return Figure{"Excess over " + title_in(lesson, other), "excess", percent_text(*excess), 100 * *excess, "%"};
 }
 
 std::optional<Figure> figure_of(const Requirement& due, const Method& method, const Lesson& lesson,
@@ -114,10 +115,10 @@ Judged judge_requirement(const Requirement& due, const Lesson& lesson, std::stri
   const Method& method = *find_method(lesson, due.algorithm.empty() ? algorithm : std::string_view(due.algorithm));
   if (const std::string refusal = subject.refusal(method); !refusal.empty()) return {false, 0, refusal + ".", false};
   const auto figure = figure_of(due, method, lesson, subject, view);
-  if (!figure) return {false, 0, std::string(method.title) + " has no figure " + due.figure + ".", false};
+  if (!figure) return {false, 0, title_in(lesson, method) + " has no figure " + due.figure + ".", false};
   const bool low = figure->value<due.at_least, high = figure->value> due.at_most;
   std::string says = figure->name;
-  if (!due.algorithm.empty() && due.algorithm != algorithm) says += " (" + std::string(method.title) + ")";
+  if (!due.algorithm.empty() && due.algorithm != algorithm) says += " (" + title_in(lesson, method) + ")";
   if (!low && !high) return {true, figure->value, says + ": " + without_plus(figure->text) + "."};
   says += ": " + missed_text(*figure, low ? due.at_least : due.at_most) + "; " + due_text(due, figure->unit) + ".";
   return {false, figure->value, says};

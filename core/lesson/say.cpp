@@ -1,6 +1,8 @@
 #include "lesson/say.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "lesson/names.hpp"
 #include "lesson/subjects.hpp"
@@ -16,7 +18,29 @@ std::string choice_of(std::span<const std::string> names) {
   return names.size() > kMostNamed ? std::string() : one_of(names);
 }
 
+/// How a volume's name begins a title; empty for k-DOPs, whose titles say it.
+std::string_view volume_title(std::string_view volume) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kTitles{{{"sphere", "Sphere"},
+                                                                                   {"aabb", "AABB"},
+                                                                                   {"obb", "OBB"},
+                                                                                   {"capsule", "Capsule"},
+                                                                                   {"lozenge", "Lozenge"},
+                                                                                   {"hull", "Convex hull"}}};
+  for (const auto& [name, title] : kTitles)
+    if (name == volume) return title;
+  return {};
+}
+
 }  // namespace
+
+std::string title_in(const Lesson& lesson, const Method& method) {
+  std::string title(method.title);
+  const std::string volume(is_mixed(lesson) ? volume_title(method.volume) : std::string_view());
+  if (volume.empty()) return title;
+  const auto is_capital = [&](std::size_t i) { return i < title.size() && title[i] >= 'A' && title[i] <= 'Z'; };
+  if (is_capital(0) && !is_capital(1)) title[0] = static_cast<char>(title[0] - 'A' + 'a');  // PCA stays PCA
+  return volume + ": " + title;
+}
 
 std::string_view verdict_text(const Outcome& outcome) {
   if (outcome.skipped) return "Skipped";

@@ -39,6 +39,9 @@ inline constexpr std::string_view
 /// Replaces the task's state while a question is open.
 inline constexpr std::string_view kTaskWaits = "The task is checked once the question is answered.";
 
+/// What a method is called in a lesson: "Exact minimum"; where there are several volumes, "OBB: exact minimum".
+[[nodiscard]] std::string title_in(const Lesson& lesson, const Method& method);
+
 /// "Correct", "Correct at the second try", "Not quite", "Skipped", or "Not decided" before the chart is measured.
 [[nodiscard]] std::string_view verdict_text(const Outcome& outcome);
 /// "Tap one of the ringed points, or type its name."
