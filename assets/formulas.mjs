@@ -9,10 +9,14 @@ const lower_primes = (math) => math
   .replace(/<msubsup>(<mi>[^<]*<\/mi>)(<m[in]>[^<]*<\/m[in]>)<mo[^>]*tml-prime[^>]*>(′+)<\/mo><\/msubsup>/g,
     '<msub><mrow>$1<mo lspace="0em" rspace="0em">$3</mo></mrow>$2</msub>');
 
+/** A formula between its signs; or a sign after a backslash, or code, within which there is none. */
+const kFormula = /\\+\$|`[^`\n]*`|(\$\$?)([^$]+)\1/g;
+
 const files = process.argv.slice(2, -1);
 const formulas = {};
 for (const file of files)
-  for (const [, signs, tex] of readFileSync(file, "utf8").matchAll(/(\$\$?)([^$]+)\1/g)) {
+  for (const [, signs, tex] of readFileSync(file, "utf8").matchAll(kFormula)) {
+    if (!signs) continue;
     const line = tex.replace(/\s+/g, " ").trim();
     const displayMode = signs === "$$";
     // The page's policy lets no style stand in an element.

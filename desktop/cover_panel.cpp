@@ -2,6 +2,7 @@
 #include "app/cover.hpp"
 #include "app/marks.hpp"
 #include "desktop/lower_panel.hpp"
+#include "desktop/prose.hpp"
 #include "desktop/prose_panel.hpp"
 #include "lesson/say.hpp"
 #include "lesson/subjects.hpp"
@@ -48,7 +49,7 @@ void draw_progress(Column& column, double progress) {
 }
 
 /// What came of one of the questions, which are decided all at once.
-void draw_outcome(Column& column, const lesson::Outcome& outcome) {
+void draw_outcome(Column& column, const lesson::Outcome& outcome, lesson::ProseFigures& figures) {
   const app::Look& look = column.look();
   column.begin_card();
   const bool open = outcome.skipped || outcome.pending;  // neither right nor wrong
@@ -63,7 +64,7 @@ void draw_outcome(Column& column, const lesson::Outcome& outcome) {
   column.words(outcome.says);
   if (!outcome.because.empty() && !outcome.pending) {
     column.gap(6);
-    column.words(outcome.because, Face::kRegular, 14, look->muted);
+    draw_prompt(column, outcome.because, figures, {14, 21, Face::kRegular, look->muted, look->panel});
   }
   column.end_card();
 }
@@ -92,8 +93,9 @@ void draw_cover_panel(Shell& shell, const app::Rect& rect) {
     column.gap(12);
     column.words(cover.status(session), Face::kRegular, 13, column.look()->muted);
     column.gap(8);
+    lesson::ProseFigures figures(session);
     if (session.asked() == nullptr && !cover.running() && cover.decided(session))
-      for (const lesson::Outcome& outcome : session.outcomes()) draw_outcome(column, outcome), column.gap(8);
+      for (const lesson::Outcome& outcome : session.outcomes()) draw_outcome(column, outcome, figures), column.gap(8);
     if (!session.lesson().subject->asks_of_steps) draw_score(shell, column);
   });
 }

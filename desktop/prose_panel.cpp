@@ -42,7 +42,8 @@ void draw_task(Shell& shell, Column& column, std::size_t number) {
   const app::Look& look = column.look();
   column.begin_card();
   column.heading(lesson::task_heading(number, session.lesson().tasks.size()), look->current_text);
-  column.words(task.prompt);
+  lesson::ProseFigures figures(session);
+  draw_prompt(column, task.prompt, figures, {.leading = 22, .ground = look->panel});
   column.gap(10);
   const float middle = column.y() + look.px(11);
   if (done) app::tick(column.list(), {column.x() + 6, middle}, 6, look->optimum, 2.25f);
@@ -57,7 +58,7 @@ void draw_task(Shell& shell, Column& column, std::size_t number) {
   const int clicked = column.buttons(number == 0 ? "task" : id.c_str(), buttons, hint_shown ? 1 : -1);
   if (clicked == 0) session.start_task(number);
   if (clicked == 1) shell.hint_of = hint_shown ? -1 : static_cast<int>(number);
-  if (hint_shown) column.words(task.hint, Face::kRegular, 13, look->muted);
+  if (hint_shown) draw_prompt(column, task.hint, figures, {13, 20, Face::kRegular, look->muted, look->panel});
   column.end_card();
 }
 
@@ -120,18 +121,15 @@ void draw_lesson(Shell& shell, Column& column) {
   const float beginning = column.y() + ImGui::GetScrollY();
   float top = 0, bottom = 0;
   ProseTouch touch;
+  lesson::ProseFigures figures(shell.session());
   for (int i = 0; const lesson::Section& section : lesson.sections) {
     if (i > 0) column.gap(16);
     const float from = column.y();
     column.title(section.title);
-    for (int number = 0; const lesson::Paragraph& paragraph : section.paragraphs) {
+    for (int number = 0; const lesson::Block& block : section.blocks) {
       ImGui::PushID(1000 * i + number++);
-      const ProseTouch here = draw_prose(column, paragraph, lit);
+      touch.add(draw_block(column, block, figures, lit));
       ImGui::PopID();
-      if (here.hovered != nullptr) touch.hovered = here.hovered;
-      if (here.focused != nullptr) touch.focused = here.focused;
-      if (here.clicked != nullptr) touch.clicked = here.clicked;
-      touch.links.insert(touch.links.end(), here.links.begin(), here.links.end());
       column.gap(10);
     }
     if (i++ != now) continue;
@@ -142,6 +140,7 @@ void draw_lesson(Shell& shell, Column& column) {
   const lesson::Link* const meant = touch.hovered != nullptr ? touch.hovered : touch.focused;
   const bool marks = meant != nullptr && meant->kind == lesson::Link::Kind::kMark;
   shell.links.clear();
+  shell.figures = std::move(touch.figures);
   for (const PlacedLink& one : touch.links) shell.links.emplace_back(one.link->target, one.rect);
   shell.app().light(marks ? std::string_view(meant->target) : std::string_view());
   const bool pointed = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);

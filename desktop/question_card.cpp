@@ -7,6 +7,7 @@
 
 #include "app/marks.hpp"
 #include "desktop/column.hpp"
+#include "desktop/prose.hpp"
 #include "lesson/say.hpp"
 #include "lesson/subjects.hpp"
 
@@ -17,6 +18,7 @@ using app::ButtonKind;
 using app::Face;
 using lesson::Standing;
 
+constexpr Writing kPromptWriting{16, 23};
 constexpr float kPad = 20, kBeside = 24, kBelow = 12, kWheel = 48;
 
 struct RowButton {
@@ -155,7 +157,8 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   lesson::Session& session = shell.session();
   const app::Look& look = column.look();
   draw_kicker(column, lesson::kPredictionWord, lesson::place_text(asked, session.questions()), Standing::kOpen);
-  column.words(asked.prompt, Face::kRegular, 16);
+  lesson::ProseFigures figures(session);
+  draw_prompt(column, asked.prompt, figures, kPromptWriting);
   column.gap(10);
   const int chosen = draw_choices(column, session, asked);
   const std::string_view field = lesson::field_word(asked);
@@ -184,7 +187,8 @@ void draw_deciding(Column& column, const lesson::Session& session, const lesson:
   const lesson::Asked* asked = session.question_of(outcome);
   draw_kicker(column, lesson::kPredictionWord,
               asked != nullptr ? lesson::place_text(*asked, session.questions()) : std::string(), Standing::kOpen);
-  if (asked != nullptr) column.words(asked->prompt, Face::kRegular, 16), column.gap(6);
+  lesson::ProseFigures figures(session);
+  if (asked != nullptr) draw_prompt(column, asked->prompt, figures, kPromptWriting), column.gap(6);
   draw_said(column, outcome);
   column.words(lesson::kWatching, Face::kRegular, 13, column.look()->muted);
 }
@@ -197,7 +201,9 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
   draw_kicker(column, lesson::verdict_text(outcome),
               asked != nullptr ? lesson::place_text(*asked, session.questions()) : std::string(),
               lesson::standing_of(&outcome));
-  if (asked != nullptr) column.words(asked->prompt, Face::kRegular, 14, look->muted), column.gap(6);
+  lesson::ProseFigures figures(session);
+  if (asked != nullptr)
+    draw_prompt(column, asked->prompt, figures, {14, 21, Face::kRegular, look->muted}), column.gap(6);
   draw_said(column, outcome);
   if (session.answer_shown() && asked != nullptr && !asked->choices.empty() && !asked->ordered) {
     draw_right_choices(column, session, *asked, outcome);
@@ -208,7 +214,7 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
     column.gap(beside.y() - column.y() + 4);
   }
   column.words(outcome.says);
-  if (!outcome.because.empty()) column.gap(4), column.words(outcome.because);
+  if (!outcome.because.empty()) column.gap(4), draw_prompt(column, outcome.because, figures, {15, 22});
   column.gap(12);
   std::vector<RowButton> row;
   std::vector<std::string_view> commands;
@@ -231,13 +237,14 @@ std::string draw_summary(Shell& shell, Column& column) {
   column.words(session.score(), Face::kRegular, 16);
   column.gap(8);
   int number = 0;
+  lesson::ProseFigures figures(session);
   for (const lesson::Asked& asked : session.questions()) {
+    const std::string prompt = plain_now(asked.prompt, figures);
     const lesson::Outcome* outcome = session.outcome_of(asked);
     const float height = look.px(32), middle = column.y() + height / 2;
     const std::string id = "line " + std::to_string(number++);
     app::rule(column.list(), column.x(), column.y(), column.width(), look->line);
-    const app::Touch touch =
-        app::touch_area(id.c_str(), {column.x(), column.y(), column.width(), height}, asked.prompt);
+    const app::Touch touch = app::touch_area(id.c_str(), {column.x(), column.y(), column.width(), height}, prompt);
     if (touch.hovered)
       column.list()->AddRectFilled({column.x() - 6, column.y() + 1},
                                    {column.x() + column.width() + 6, column.y() + height - 1}, look->raised, 6);
@@ -256,9 +263,9 @@ std::string draw_summary(Shell& shell, Column& column) {
                     : wrong ? look->wrong_text
                             : look->muted,
                     stands);
-    app::text(
-        column.list(), look, Face::kRegular, 14, {column.x() + 22, app::middle_of(middle, look.px(14))}, look->ink,
-        app::shortened(look, Face::kRegular, 14, lesson::short_prompt(asked.prompt), column.width() - width - 40));
+    app::text(column.list(), look, Face::kRegular, 14, {column.x() + 22, app::middle_of(middle, look.px(14))},
+              look->ink,
+              app::shortened(look, Face::kRegular, 14, lesson::short_prompt(prompt), column.width() - width - 40));
     column.gap(height);
   }
   app::rule(column.list(), column.x(), column.y(), column.width(), look->line);

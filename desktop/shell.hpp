@@ -91,6 +91,7 @@ class Shell {
   bool points_tab = false;
   bool task_wanted = false;                              // whether to scroll to the task in the next frame
   std::vector<std::pair<std::string, app::Rect>> links;  // the links of the prose: their targets and places
+  std::vector<std::string> figures;                      // the figures of the run in it, as they were drawn
   bool unread = false;                                   // another lesson was opened: its prose starts at the top
   float scrolled = 0;                                    // how far the prose was scrolled in the last frame
   int section = -1;                                      // the section that the step was about in the last frame

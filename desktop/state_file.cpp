@@ -64,6 +64,7 @@ void add_places(Json& state, Shell& shell, float scale) {
   for (const auto& [target, at] : shell.links)
     state["links"].push_back(
         {{"to", target}, {"x", (at.x + at.width / 2) * scale}, {"y", (at.y + at.height / 2) * scale}});
+  state["figures"] = shell.figures;
   state["handles"] = Json::array();
   for (const app::Handle& handle : shell.app().handles())
     state["handles"].push_back({{"id", handle.id}, {"x", handle.x * scale}, {"y", handle.y * scale}});

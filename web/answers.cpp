@@ -1,6 +1,7 @@
 // The questions, the answers and the task, for the page.
 #include "lesson/say.hpp"
 #include "lesson/subjects.hpp"
+#include "web/prose.hpp"
 #include "web/values.hpp"
 #include "web/view.hpp"
 
@@ -27,11 +28,17 @@ val answer_object(const lesson::Asked& asked, const lesson::Session& session, co
   return object;
 }
 
-val asked_object(const lesson::Asked* asked, const lesson::Session& session) {
+/// A question's prompt, in plain words and as the page shows it.
+void set_prompt(val& object, const lesson::Asked& asked, lesson::ProseFigures& figures) {
+  object.set("prompt", plain_now(asked.prompt, figures));
+  object.set("promptWords", prompt_array(asked.prompt));
+}
+
+val asked_object(const lesson::Asked* asked, const lesson::Session& session, lesson::ProseFigures& figures) {
   if (asked == nullptr) return val::null();
   val object = val::object();
   object.set("id", asked->question->id);
-  object.set("prompt", asked->prompt);
+  set_prompt(object, *asked, figures);
   object.set("step", asked->step);
   object.set("choices", array_of(asked->choices, text));
   object.set("many", asked->many);
@@ -57,7 +64,7 @@ std::string_view kind_of(const lesson::Outcome* outcome) {
   return "open";
 }
 
-val outcome_object(const lesson::Outcome& outcome) {
+val outcome_object(const lesson::Outcome& outcome, lesson::ProseFigures& figures) {
   val object = val::object();
   object.set("kind", text(kind_of(&outcome)));
   object.set("tries", outcome.tries);
@@ -72,17 +79,18 @@ val outcome_object(const lesson::Outcome& outcome) {
   object.set("predicted", outcome.predicted);
   object.set("happened", outcome.happened);
   object.set("says", outcome.says);
-  object.set("because", outcome.because);
+  object.set("because", plain_now(outcome.because, figures));
+  object.set("becauseWords", prompt_array(outcome.because));
   return object;
 }
 
 /// The outcome that is shown, or about to be shown, with its question.
-val told_object(const lesson::Session& session, const lesson::Outcome* outcome) {
+val told_object(const lesson::Session& session, const lesson::Outcome* outcome, lesson::ProseFigures& figures) {
   if (outcome == nullptr) return val::null();
-  val object = outcome_object(*outcome);
+  val object = outcome_object(*outcome, figures);
   const lesson::Asked* asked = session.question_of(*outcome);
   if (asked == nullptr) return object;
-  object.set("prompt", asked->prompt);
+  set_prompt(object, *asked, figures);
   object.set("place", lesson::place_text(*asked, session.questions()));
   object.set("choices", array_of(asked->choices, text));
   object.set("ordered", asked->ordered);
@@ -96,13 +104,14 @@ val told_object(const lesson::Session& session, const lesson::Outcome* outcome) 
 }
 
 /// Every question of the run, in order, with its state.
-val predictions(const lesson::Session& session) {
+val predictions(const lesson::Session& session, lesson::ProseFigures& figures) {
   return array_of(session.questions(), [&](const lesson::Asked& asked) {
     const lesson::Outcome* outcome = session.outcome_of(asked);
     val object = val::object();
     object.set("id", asked.question->id);
-    object.set("prompt", asked.prompt);
-    object.set("short", text(lesson::short_prompt(asked.prompt)));
+    const std::string prompt = plain_now(asked.prompt, figures);
+    object.set("prompt", prompt);
+    object.set("short", text(lesson::short_prompt(prompt)));
     object.set("kind", text(kind_of(outcome)));
     object.set("standing", text(lesson::standing_text(outcome)));
     return object;
@@ -134,17 +143,19 @@ val grade_object(const std::optional<lesson::Grade>& grade) {
 val target_names(const lesson::Session& session) { return array_of(session.target_names(), text); }
 
 void set_answers(val& object, const lesson::Session& session) {
-  object.set("asked", asked_object(session.asked(), session));
+  lesson::ProseFigures figures(session);
+  object.set("asked", asked_object(session.asked(), session, figures));
   object.set("questions", static_cast<int>(session.questions().size()));
-  object.set("outcome", told_object(session, session.outcome()));
-  object.set("deciding", told_object(session, session.deciding()));
-  object.set("predictions", predictions(session));
+  object.set("outcome", told_object(session, session.outcome(), figures));
+  object.set("deciding", told_object(session, session.deciding(), figures));
+  object.set("predictions", predictions(session, figures));
   object.set("tally", tally_object(session.tally()));
   object.set("summary", session.at_summary());
   object.set("waiting", array_of(session.waiting(), [&](const lesson::Method* method) {
                return text(lesson::name_in(session.lesson(), *method));
              }));
-  object.set("outcomes", array_of(session.outcomes(), outcome_object));
+  object.set("outcomes", array_of(session.outcomes(),
+                                  [&](const lesson::Outcome& outcome) { return outcome_object(outcome, figures); }));
   object.set("score", session.score());
   object.set("grade", grade_object(session.grade()));
   val tasks = val::array();

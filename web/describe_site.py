@@ -18,7 +18,7 @@ def words_of(lesson: dict, slides_of: dict[str, str]) -> str:
     slides = [slides_of[idea] for idea in lesson.get("covers", []) if idea in slides_of]
     sections = lesson.get("section", [])
     texts = [re.sub(r"\[([^\]]+)\]\(\w+:[^)]+\)", r"\1", section["text"]) for section in sections]  # a link's words alone
-    terms = [term for text in texts for term in re.findall(r"\*\*(.+?)\*\*", text, re.DOTALL) if "$" not in term]
+    terms = [term for text in texts for term in re.findall(r"\*\*(.+?)\*\*", text, re.DOTALL) if not re.search(r"[${]", term)]
     algorithms = [name.replace("_", " ") for name in lesson["algorithms"]]
     found = [*slides, *(section["title"] for section in sections), *terms, *algorithms]
     return " · ".join(dict.fromkeys(" ".join(words.split()) for words in found))

@@ -1,6 +1,7 @@
 // The constant data of an open lesson.
 #include "lesson/say.hpp"
 #include "lesson/subjects.hpp"
+#include "web/prose.hpp"
 #include "web/values.hpp"
 #include "web/view.hpp"
 
@@ -9,27 +10,10 @@ namespace {
 
 using emscripten::val;
 
-val link_object(const lesson::Link& link) {
-  constexpr std::array<const char*, 5> kKinds{"lesson", "mesh", "algorithm", "step", "mark"};
-  val object = val::object();
-  object.set("kind", kKinds[static_cast<std::size_t>(link.kind)]);
-  object.set("target", link.target);
-  return object;
-}
-
 val section_object(const lesson::Section& section) {
   val object = val::object();
   object.set("title", section.title);
-  object.set("paragraphs", array_of(section.paragraphs, [](const lesson::Paragraph& paragraph) {
-               return array_of(paragraph, [](const lesson::Stretch& stretch) {
-                 val piece = val::object();
-                 piece.set("text", stretch.text);
-                 piece.set("strong", stretch.strong);
-                 if (!stretch.tex.empty()) piece.set("tex", stretch.tex);
-                 if (stretch.link) piece.set("link", link_object(*stretch.link));
-                 return piece;
-               });
-             }));
+  object.set("blocks", array_of(section.blocks, block_object));
   return object;
 }
 
@@ -82,8 +66,8 @@ val lesson_object(const lesson::Session& session) {
     const lesson::Task& own = lesson.tasks[i];
     val task = val::object();
     task.set("heading", lesson::task_heading(i, lesson.tasks.size()));
-    task.set("prompt", own.prompt);
-    task.set("hint", own.hint);
+    task.set("prompt", prompt_array(own.prompt));
+    task.set("hint", prompt_array(own.hint));
     task.set("algorithm", own.algorithm);
     task.set("points", own.points);
     task.set("start", lesson::start_task_text(session, own));

@@ -8,6 +8,7 @@
 #include "number/fnv.hpp"
 #include "web/cover.hpp"
 #include "web/numbers.hpp"
+#include "web/prose.hpp"
 #include "web/values.hpp"
 
 namespace snug::web {
@@ -126,6 +127,7 @@ val view_object(app::App& app, const lesson::Session& session) {
   object.set("cover", cover_object(app));
   set_algorithms(object, session);
   set_figures(object, session);
+  object.set("proseFigures", prose_figures_object(session));
   set_points(object, app, session);
   object.set("effects", array_of(session.switches(), switch_object));
   return object;

@@ -6,8 +6,10 @@
 #include <string>
 
 #include "lesson/ask.hpp"
+#include "lesson/check_texts.hpp"
 #include "lesson/grade.hpp"
 #include "lesson/names.hpp"
+#include "lesson/prose.hpp"
 #include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/text_place.hpp"
@@ -183,14 +185,13 @@ void check_step(const Lesson& lesson, const Section& section, const std::string&
 void check_links(const Lesson& lesson, const toml::table& toml, Runs& runs, Complaints& complaints) {
   const toml::array& tables = *toml["section"].as_array();  // tables: that was checked when they were read
   for (std::size_t i = 0; i < lesson.sections.size(); ++i)
-    for (const Paragraph& paragraph : lesson.sections[i].paragraphs)
-      for (const Stretch& stretch : paragraph) {
-        if (!stretch.link) continue;
-        const auto& [kind, target] = *stretch.link;
-        const FilePlace place = place_in_text(*tables[i].as_table(), "text", ':' + target + ')');
-        if (kind == Link::Kind::kMark) check_mark(lesson, target, place, runs, complaints);
-        if (kind == Link::Kind::kStep) check_step(lesson, lesson.sections[i], target, place, runs, complaints);
-      }
+    for (const Stretch* stretch : stretches_of(lesson.sections[i])) {
+      if (!stretch->link) continue;
+      const auto& [kind, target] = *stretch->link;
+      const FilePlace place = place_in_text(*tables[i].as_table(), "text", stretch->at);
+      if (kind == Link::Kind::kMark) check_mark(lesson, target, place, runs, complaints);
+      if (kind == Link::Kind::kStep) check_step(lesson, lesson.sections[i], target, place, runs, complaints);
+    }
 }
 
 }  // namespace
@@ -217,6 +218,8 @@ bool check_lesson(Lesson& lesson, const toml::table& toml, Checked checked, Comp
   if (complaints.count() > before) return false;
   Runs runs(lesson, **own);
   check_links(lesson, toml, runs, complaints);
+  check_figures(
+      lesson, toml, **own, [&](const std::string& algorithm) { return runs.of(algorithm); }, complaints);
   if (gates) check_runs(lesson, runs, complaints);
   check_tasks(lesson, **own, complaints);
   return true;

@@ -24,18 +24,39 @@ struct Link {
   std::string target;  // a lesson's id, a mesh, an algorithm, a step's number, or a mark (see marked_handles)
 };
 
-/// A stretch of prose. It is strong if the file says **so**, as for a term at its first use.
+/// A figure of the run within a text: {radius}, {excess kdop/k8}, {count after_broad}.
+struct RunFigure {
+  std::string key;        // as figures have it
+  std::string algorithm;  // the lesson's name of one, at the end of its run; empty: the one on the stage, at its step
+  bool count = false;     // only its number, without the unit
+  friend bool operator==(const RunFigure&, const RunFigure&) = default;
+};
+
+/// A stretch of prose, as the file marks it: **strong**, as a term at its first use, *emphasised*, `code`.
 struct Stretch {
-  std::string text;  // for a formula: one line of Unicode
+  enum class Script : std::uint8_t { kNone, kLow, kHigh };
+  std::string text;  // for a formula: one line of Unicode; for a figure: kHiddenFigure (prose.hpp)
   bool strong = false;
   std::optional<Link> link = {};
   std::string tex = {};  // only for a formula
+  bool emphasis = false, code = false;
+  Script script = Script::kNone;
+  std::optional<RunFigure> figure = {};
+  std::size_t at = 0;  // where it begins in the text that was read
 };
 using Paragraph = std::vector<Stretch>;
 
+/// A paragraph of the prose, a list or a table: a paragraph is one cell, a list has a row of one cell for each item,
+/// and the first row of a table is its head.
+struct Block {
+  enum class Kind : std::uint8_t { kParagraph, kBullets, kNumbers, kTable } kind = Kind::kParagraph;
+  std::vector<std::vector<Paragraph>> rows;
+  std::vector<bool> right = {};  // of a table: for each column whether it is flush right
+};
+
 struct Section {
   std::string title;
-  std::vector<Paragraph> paragraphs;
+  std::vector<Block> blocks;
   std::vector<std::string> facts;  // the facts whose steps it is about
   std::string algorithm;           // only in the run of this one; empty for all
   FilePlace place;                 // where its text begins in the file, for errors
@@ -161,6 +182,7 @@ struct Lesson {
   std::vector<Pseudocode> pseudocode;   // the lesson's own, if it has any
   std::vector<Question> questions;
   std::vector<Task> tasks;
+  std::vector<RunFigure> figures;  // those that its texts show, each once
 };
 
 /// The greatest size of a lesson file, bytes: fifty times a long lesson. Nested tables, of which two bytes can open

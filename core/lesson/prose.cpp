@@ -10,32 +10,14 @@
 namespace snug::lesson {
 namespace {
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kSigns = "\\*`_^{}[]()$|-.";  // what a backslash makes an ordinary sign
+constexpr std::string_view kKeptSpace = "\u00a0";        // no line breaks at it
+constexpr std::size_t kShortFormula = 28;                // bytes: up to this length, a formula is not broken
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-  return text;
-}
+bool is_blank(char c) { return kBlanks.find(c) != std::string_view::npos; }
 
-/// Replaces each run of white space by one space.
-std::string joined(std::string_view text) {
-  std::string line;
-  bool space = false;
-  for (const char c : text) {
-    if (is_space(c)) {
-      space = !line.empty();
-      continue;
-    }
-    if (space) line += ' ';
-    space = false;
-    line += c;
-  }
-  return line;
-}
-
-constexpr std::string_view kKeptSpace = "\u00a0";  // no line breaks at it
-constexpr std::size_t kShortFormula = 28;          // bytes: up to this length, a formula is not broken
+bool is_of_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
 
 std::string with_kept_spaces(std::string_view words) {
   std::string out;
@@ -54,6 +36,14 @@ std::string kept_together(std::string line) {
   return line;
 }
 
+/// A hyphen before a digit is a minus sign.
+std::string with_minus_signs(std::string words) {
+  constexpr std::string_view kMinus = "−";
+  for (std::size_t i = 0; i + 1 < words.size(); ++i)
+    if (words[i] == '-' && words[i + 1] >= '0' && words[i + 1] <= '9') words.replace(i, 1, kMinus);
+  return words;
+}
+
 constexpr std::array<std::pair<std::string_view, Link::Kind>, 5> kLinkKinds{{{"lesson", Link::Kind::kLesson},
                                                                              {"mesh", Link::Kind::kMesh},
                                                                              {"algorithm", Link::Kind::kAlgorithm},
@@ -63,48 +53,127 @@ constexpr std::array<std::pair<std::string_view, Link::Kind>, 5> kLinkKinds{{{"l
 /// Parses a paragraph of prose, from left to right.
 class Line {
  public:
-  Line(std::string_view rest, std::vector<ProseFault>& faults) : rest_(rest), faults_(faults) {}
+  Line(std::string_view text, std::vector<ProseFault>& faults, Within within, std::size_t begin)
+      : text_(text), rest_(text), faults_(faults), within_(within), begin_(begin) {}
 
   Paragraph stretches() {
     while (!rest_.empty()) {
-      if (take("**")) flush(), strong_ = !strong_;
-      else if (take("$")) formula();
-      else if (!link()) plain_ += rest_.front(), rest_.remove_prefix(1);
+      const std::size_t from = here();
+      if (take("**")) toggle(strong_, "**", from);
+      else if (take("*")) toggle(emphasis_, "*", from);
+      else if (take("`")) code(from);
+      else if (take("$")) formula(from);
+      else if (take("_{")) script(Stretch::Script::kLow, "_{", from);
+      else if (take("^{")) script(Stretch::Script::kHigh, "^{", from);
+      else if (take("{")) figure(from);
+      else if (take("}")) complain("has a } without a {", from);
+      else if (take("\\")) sign(from);
+      else if (!link()) add(rest_.front()), rest_.remove_prefix(1);
     }
+    while (!plain_.empty() && plain_.back() == ' ') plain_.pop_back();
     flush();
-    if (strong_) complain("has a ** without a partner");
-    if (displayed_ && paragraph_.size() > 1) complain("has a $$ formula among words: it must be a paragraph by itself");
+    if (strong_) complain("has a ** without a partner", *strong_);
+    if (emphasis_) complain("has a * without a partner", *emphasis_);
+    if (displayed_ && within_ != Within::kSection)
+      complain("has a $$ formula, which can only be a paragraph of a section's text", *displayed_);
+    else if (displayed_ && paragraph_.size() > 1)
+      complain("has a $$ formula among words: it must be a paragraph by itself", *displayed_);
     return std::move(paragraph_);
   }
 
  private:
+  [[nodiscard]] std::size_t here() const { return text_.size() - rest_.size(); }
+  [[nodiscard]] bool after_blank(std::size_t at) const { return at == 0 || is_blank(text_[at - 1]); }
+
   bool take(std::string_view mark) {
     if (rest_.substr(0, mark.size()) != mark) return false;
     rest_.remove_prefix(mark.size());
     return true;
   }
 
-  void complain(std::string what, std::string_view words = {}) {
-    faults_.push_back({.what = std::move(what), .paragraph = {}, .words = std::string(words)});
+  /// Takes the text up to a sign, and the sign. Complains if it is not there.
+  std::optional<std::string_view> take_up_to(std::string_view sign, std::string_view what, std::size_t from) {
+    const auto end = rest_.find(sign);
+    if (end == std::string_view::npos) return complain("has a " + std::string(what), from), std::nullopt;
+    const std::string_view taken = rest_.substr(0, end);
+    rest_.remove_prefix(end + sign.size());
+    return taken;
+  }
+
+  void complain(std::string what, std::size_t at) { faults_.push_back({std::move(what), begin_ + at}); }
+
+  void add(char c) {
+    if (plain_.empty()) plain_at_ = here();
+    if (!is_blank(c)) plain_ += c;
+    else if (plain_.empty() ? !paragraph_.empty() : plain_.back() != ' ') plain_ += ' ';
+  }
+
+  void push(Stretch stretch, std::size_t at) {
+    flush();
+    stretch.strong = strong_.has_value(), stretch.emphasis = emphasis_.has_value(), stretch.at = begin_ + at;
+    paragraph_.push_back(std::move(stretch));
   }
 
   void flush() {
-    if (!plain_.empty()) paragraph_.push_back({.text = kept_together(std::move(plain_)), .strong = strong_});
-    plain_.clear();
+    if (plain_.empty()) return;
+    Stretch words{.text = kept_together(std::exchange(plain_, {}))};
+    push(std::move(words), plain_at_);
   }
 
-  void formula() {
-    const std::string_view signs = take("$") ? "$$" : "$";
-    const auto end = rest_.find(signs);
-    if (end == std::string_view::npos) return complain("has a " + std::string(signs) + " without a partner");
+  void toggle(std::optional<std::size_t>& since, const std::string& mark, std::size_t from) {
+    const bool apart = since ? after_blank(from) : rest_.empty() || is_blank(rest_.front());
+    const bool within =
+        mark == "*" && from > 0 && is_of_word(text_[from - 1]) && !rest_.empty() && is_of_word(rest_.front());
+    if (apart) complain("has a " + mark + " beside a space: it must touch its words. A sign is written \\*", from);
+    else if (within) complain("has a * within a word. A product is written ×, a sign \\*", from);
     flush();
-    displayed_ = displayed_ || signs == "$$";
-    const std::string_view tex = trimmed(rest_.substr(0, end));
-    rest_.remove_prefix(end + signs.size());
+    since = since ? std::nullopt : std::optional(from);
+  }
+
+  void code(std::size_t from) {
+    const auto words = take_up_to("`", "` without a partner", from);
+    if (!words) return;
+    if (joined(*words).empty()) return complain("has `` without words between", from);
+    push({.text = joined(*words), .code = true}, from);
+  }
+
+  void formula(std::size_t from) {
+    const std::string signs = take("$") ? "$$" : "$";
+    const auto inside = take_up_to(signs, signs + " without a partner", from);
+    if (!inside) return;
+    if (signs == "$$") displayed_ = from;
+    const std::string tex = joined(*inside);
     auto plain = plain_formula(tex);
-    if (!plain) return complain("has a formula that cannot be set, $" + std::string(tex) + "$: " + plain.error(), tex);
+    if (!plain) return complain("has a formula that cannot be set, $" + tex + "$: " + plain.error(), from);
     if (plain->size() <= kShortFormula) plain = with_kept_spaces(*plain);
-    paragraph_.push_back({.text = std::move(*plain), .strong = strong_, .tex = std::string(tex)});
+    push({.text = std::move(*plain), .tex = tex}, from);
+  }
+
+  void script(Stretch::Script script, const std::string& mark, std::size_t from) {
+    const auto inside = take_up_to("}", mark + " without a }", from);
+    if (!inside) return;
+    if (after_blank(from)) return complain("has a " + mark + " with nothing before it that it belongs to", from);
+    std::string words = with_minus_signs(joined(*inside));
+    if (words.empty()) return complain("has an empty " + mark + '}', from);
+    if (words.find_first_of("*`$[{") != std::string::npos)
+      return complain("has markup within " + mark + "}, which can only have plain words", from);
+    push({.text = std::move(words), .script = script}, from);
+  }
+
+  void figure(std::size_t from) {
+    const auto inside = take_up_to("}", "{ without a }", from);
+    if (!inside) return;
+    const auto figure = figure_named(joined(*inside));
+    if (figure) return push({.text = std::string(kHiddenFigure), .figure = figure}, from);
+    complain("has no figure of the run between { and }: " + joined(*inside) +
+                 ". It is {key}, {key algorithm} or {count key}; signs are written \\{ and \\}",
+             from);
+  }
+
+  void sign(std::size_t from) {
+    if (!rest_.empty() && kSigns.find(rest_.front()) != std::string_view::npos)
+      return add(rest_.front()), rest_.remove_prefix(1);
+    complain("has a \\ outside of a formula: TeX stands between two $", from);
   }
 
   /// Parses [words](kind:target). Other brackets are plain text.
@@ -114,62 +183,104 @@ class Line {
     if (middle == std::string_view::npos || rest_.substr(middle + 1, 1) != "(") return false;
     const auto end = rest_.find(')', middle);
     if (end == std::string_view::npos) return false;
-    const std::string_view words = rest_.substr(1, middle - 1), to = rest_.substr(middle + 2, end - middle - 2);
+    const std::size_t from = here();
+    const std::string words = joined(rest_.substr(1, middle - 1));
+    const std::string to = joined(rest_.substr(middle + 2, end - middle - 2));
+    rest_.remove_prefix(end + 1);
     const auto colon = std::min(to.find(':'), to.size());
     const auto* kind = std::find_if(kLinkKinds.begin(), kLinkKinds.end(),
                                     [&](const auto& one) { return one.first == to.substr(0, colon); });
-    rest_.remove_prefix(end + 1);
+    if (within_ == Within::kPrompt) return complain("has a link, which only a section's text can have", from), true;
     if (kind == kLinkKinds.end() || words.empty() || colon + 1 >= to.size()) {
-      complain("has a link that leads nowhere, (" + std::string(to) +
+      complain("has a link that leads nowhere, (" + to +
                    "): a target is lesson:, mesh:, algorithm:, step: or mark: and a name",
-               to);
+               from);
       return true;
     }
-    if (words.find("**") != std::string_view::npos) complain("has ** within a link: put it around the link", to);
-    if (words.find('$') != std::string_view::npos)
-      complain("has a formula within a link, which can only have plain words", to);
-    flush();
-    paragraph_.push_back({.text = kept_together(std::string(words)),
-                          .strong = strong_,
-                          .link = Link{kind->second, std::string(to.substr(colon + 1))}});
+    check_words_of_link(words, from);
+    push({.text = kept_together(words), .link = Link{kind->second, to.substr(colon + 1)}}, from);
     return true;
   }
 
-  std::string_view rest_;
+  void check_words_of_link(std::string_view words, std::size_t from) {
+    for (const std::string_view mark : {"**", "*"})
+      if (words.find(mark) != std::string_view::npos)
+        return complain("has " + std::string(mark) + " within a link: put it around the link", from);
+    if (words.find('$') != std::string_view::npos)
+      return complain("has a formula within a link, which can only have plain words", from);
+    if (words.find_first_of("`{}") != std::string_view::npos)
+      complain("has markup within a link, which can only have plain words", from);
+  }
+
+  std::string_view text_, rest_;
   std::vector<ProseFault>& faults_;
+  Within within_;
+  std::size_t begin_;
   std::string plain_;
-  bool strong_ = false;
-  bool displayed_ = false;  // whether the paragraph is a formula on its own line
+  std::size_t plain_at_ = 0;
+  std::optional<std::size_t> strong_, emphasis_;  // since where
+  std::optional<std::size_t> displayed_;          // where a formula on its own line begins
   Paragraph paragraph_;
 };
 
-/// Takes the lines up to the next empty line off the text.
-std::string_view next_block(std::string_view& text) {
-  std::size_t end = 0;
-  while (end < text.size()) {
-    const auto line_end = std::min(text.find('\n', end), text.size());
-    const bool blank = joined(text.substr(end, line_end - end)).empty();
-    if (blank) break;
-    end = std::min(line_end + 1, text.size());
-  }
-  const std::string_view block = text.substr(0, end);
-  text.remove_prefix(end);
-  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  return block;
-}
-
 }  // namespace
 
-std::vector<Paragraph> paragraphs_of(std::string_view text, std::vector<ProseFault>& faults) {
-  std::vector<Paragraph> paragraphs;
-  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty()) {
-    const std::string_view block = next_block(text);
-    const std::size_t before = faults.size();
-    paragraphs.push_back(Line(joined(block), faults).stretches());
-    for (std::size_t i = before; i < faults.size(); ++i) faults[i].paragraph = block.substr(0, block.find('\n'));
+std::string joined(std::string_view text) {
+  std::string line;
+  bool space = false;
+  for (const char c : text) {
+    if (is_blank(c)) {
+      space = !line.empty();
+      continue;
+    }
+    if (space) line += ' ';
+    space = false;
+    line += c;
   }
-  return paragraphs;
+  return line;
+}
+
+std::size_t end_of_span(std::string_view text, std::size_t at) {
+  if (text[at] == '\\') return std::min(at + 2, text.size());
+  const std::string_view sign = text.substr(at, 2) == "$$" ? "$$" : text.substr(at, 1);
+  if (sign != "$" && sign != "$$" && sign != "`") return at;
+  const std::size_t end = text.find(sign, at + sign.size());
+  return end == std::string_view::npos ? end : end + sign.size();
+}
+
+std::optional<RunFigure> figure_named(std::string_view name) {
+  constexpr std::string_view kOfNames = "abcdefghijklmnopqrstuvwxyz0123456789_/", kCount = "count ";
+  RunFigure figure{.count = name.substr(0, kCount.size()) == kCount};
+  if (figure.count) name.remove_prefix(kCount.size());
+  const std::size_t space = std::min(name.find(' '), name.size());
+  figure.key = name.substr(0, space);
+  figure.algorithm = name.substr(std::min(space + 1, name.size()));
+  const auto is_name = [&](const std::string& one) { return one.find_first_not_of(kOfNames) == std::string::npos; };
+  if (figure.key.empty() || !is_name(figure.key) || !is_name(figure.algorithm)) return std::nullopt;
+  return figure;
+}
+
+std::string name_of(const RunFigure& figure) {
+  return (figure.count ? "count " : "") + figure.key + (figure.algorithm.empty() ? "" : " ") + figure.algorithm;
+}
+
+Paragraph paragraph_of(std::string_view text, std::vector<ProseFault>& faults, Within within, std::size_t begin) {
+  return Line(text, faults, within, begin).stretches();
+}
+
+std::vector<const Paragraph*> paragraphs_of(const Section& section) {
+  std::vector<const Paragraph*> all;
+  for (const Block& block : section.blocks)
+    for (const std::vector<Paragraph>& row : block.rows)
+      for (const Paragraph& cell : row) all.push_back(&cell);
+  return all;
+}
+
+std::vector<const Stretch*> stretches_of(const Section& section) {
+  std::vector<const Stretch*> all;
+  for (const Paragraph* paragraph : paragraphs_of(section))
+    for (const Stretch& stretch : *paragraph) all.push_back(&stretch);
+  return all;
 }
 
 std::string plain_text(const Paragraph& paragraph) {

@@ -3,6 +3,7 @@
 
 #include "geometry/generate.hpp"
 #include "lesson/check_lesson.hpp"
+#include "lesson/check_texts.hpp"
 #include "lesson/grade.hpp"
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
@@ -87,9 +88,10 @@ std::vector<std::string_view> section_titles(const Lesson& lesson) {
 }
 
 /// Checks what can be checked of a link without running the lesson. Returns whether it can be followed.
-bool check_link(const toml::table& section, const Link& link, const Lesson& lesson, Complaints& complaints) {
+bool check_link(const toml::table& section, const Stretch& stretch, const Lesson& lesson, Complaints& complaints) {
+  const Link& link = *stretch.link;
   const auto wrong = [&](const std::string& what) {
-    complaints.add(place_in_text(section, "text", ':' + link.target + ')'), "\"text\" links to " + what);
+    complaints.add(place_in_text(section, "text", stretch.at), "\"text\" links to " + what);
     return false;
   };
   const auto check = [&](std::string_view what, const auto& names) {
@@ -115,14 +117,16 @@ Section read_section(const toml::table& toml, const Lesson& lesson, Complaints& 
   section.title = table.text("title");
   section.place = table.place_of("text");
   std::vector<ProseFault> faults;
-  section.paragraphs = paragraphs_of(table.text("text"), faults);
+  if (!table.text("text").empty()) section.blocks = blocks_of(text_of(toml, "text"), faults);
   for (const ProseFault& fault : faults)
-    complaints.add(place_in_text(toml, "text", fault.words, fault.paragraph), "\"text\" " + fault.what);
+    complaints.add(place_in_text(toml, "text", fault.at), "\"text\" " + fault.what);
   section.facts = read_names(table, "facts", 0, lesson.subject->facts());
   if (table.has("algorithm")) section.algorithm = read_algorithm(table, "algorithm", lesson);
-  for (Paragraph& paragraph : section.paragraphs)
-    for (Stretch& stretch : paragraph)
-      if (stretch.link && !check_link(toml, *stretch.link, lesson, complaints)) stretch.link.reset();
+  for (Block& block : section.blocks)
+    for (std::vector<Paragraph>& row : block.rows)
+      for (Paragraph& cell : row)
+        for (Stretch& stretch : cell)
+          if (stretch.link && !check_link(toml, stretch, lesson, complaints)) stretch.link.reset();
   table.refuse_others();
   return section;
 }
@@ -314,6 +318,7 @@ bool read(const toml::table& toml, Lesson& lesson, Complaints& complaints) {
   if (const toml::table* words = table.table("pseudocode")) read_pseudocode(*words, complaints, lesson);
   read_questions(table, lesson, complaints);
   read_tasks(table, lesson, complaints);
+  read_texts(toml, lesson, complaints);
   table.refuse_others();
   return sound;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "lesson/prose.hpp"
+
 namespace snug::lesson {
 namespace {
 
@@ -45,9 +47,8 @@ std::string search_text(const Lesson& lesson, int number, std::string_view chapt
   for (const std::string_view slide : slides) add(slide);
   for (const Section& section : lesson.sections) {
     add(section.title);
-    for (const Paragraph& paragraph : section.paragraphs)
-      for (const Stretch& stretch : paragraph)
-        if (stretch.strong && stretch.tex.empty()) add(stretch.text);
+    for (const Stretch* stretch : stretches_of(section))
+      if (stretch->strong && stretch->tex.empty() && !stretch->figure) add(stretch->text);
   }
   for (std::string name : lesson.algorithms) std::replace(name.begin(), name.end(), '_', ' '), add(name);
   return plain(text);

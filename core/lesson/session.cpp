@@ -92,7 +92,7 @@ void Session::run_again(int slot) {
 
 void Session::subject_changed() {
   const bool at_end = slots_[0].run != nullptr && step_ == steps() && step_ > 0;
-  rivals_.reset();
+  rivals_.reset(), results_.clear();
   for (std::optional<Grade>& grade : grades_) grade.reset();
   run_again(0);
   run_again(1);
@@ -102,6 +102,7 @@ void Session::subject_changed() {
 
 bool Session::turn(std::string_view name, bool on) {
   if (!now_->turn(name, on, view())) return false;
+  results_.clear();
   run_again(0);
   run_again(1);
   run_changed(false);
@@ -187,6 +188,17 @@ std::vector<Figure> Session::figures(int slot) const {
   for (Figure& figure : figures)
     if (hidden.hides(figure.key)) figure.text = "—", figure.known = false;
   return figures;
+}
+
+const std::vector<Figure>& Session::result(const Method& of) const {
+  const auto [found, is_new] = results_.try_emplace(&of);
+  if (!is_new || !now_->suits(of)) return found->second;
+  std::unique_ptr<Run> own;
+  const Run* run = nullptr;
+  for (const Used& used : slots_)
+    if (used.method == &of) run = used.run.get();
+  if (run == nullptr) own = now_->run(of, nullptr), run = own.get();
+  return found->second = now_->figures({{Slot{&of, run}, Slot{}}, 0, run->steps()});
 }
 
 std::vector<Proof> Session::proofs(int slot) const {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -228,6 +229,9 @@ class Session {
   // ---- figures ----------------------------------------------------------------------------------------------
   using Figure = lesson::Figure;
   [[nodiscard]] std::vector<Figure> figures(int slot = 0) const;
+  /// The figures of one of the lesson's methods at the end of its run; computed when first needed after an edit. None
+  /// if it cannot take these points. Whether they are hidden is for hides_result and is_hidden to say.
+  [[nodiscard]] const std::vector<Figure>& result(const Method& of) const;
   /// The key of the figure that the open question asks for, which is hidden meanwhile; empty for none.
   [[nodiscard]] std::string_view asked_figure() const;
   /// Whether a figure is hidden: it is asked for, or the first question about it is still open, further
@@ -292,6 +296,7 @@ class Session {
   std::array<Used, 2> slots_;
   // Computed on demand, and forgotten with the next edit.
   mutable std::optional<std::vector<Rival>> rivals_;
+  mutable std::map<const Method*, std::vector<Figure>> results_;
   mutable std::vector<std::optional<Grade>> grades_;  // one for each task
   mutable std::optional<std::uint64_t> hash_;
   int step_ = 0;

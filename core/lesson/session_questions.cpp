@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "io/text.hpp"
+#include "lesson/prose_figures.hpp"
 #include "lesson/say.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects.hpp"
@@ -242,7 +243,9 @@ bool Session::give(const Answer& answer, bool for_good) {
     tried_ = Tried{question->question->id, answer};
     unpick();
     answer_says_ = kTryAgain;
-    if (const std::string meaning = meaning_of(*question, answer); !meaning.empty()) answer_says_ += " " + meaning;
+    ProseFigures figures(*this);
+    if (const std::string meaning = meaning_of(*question, answer); !meaning.empty())
+      answer_says_ += " " + plain_now(meaning, figures);
     return true;
   }
   if (second && !judged.skipped) judged.tries = 2;

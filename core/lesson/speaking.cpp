@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lesson/names.hpp"
+#include "lesson/prose.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::lesson {
@@ -79,10 +80,9 @@ std::vector<Index> marked_handles(const Session& session, std::string_view mark)
 std::vector<std::string_view> marks_of(const Lesson& lesson) {
   std::vector<std::string_view> marks;
   for (const Section& section : lesson.sections)
-    for (const Paragraph& paragraph : section.paragraphs)
-      for (const Stretch& stretch : paragraph)
-        if (stretch.link && stretch.link->kind == Link::Kind::kMark && !is_among(marks, stretch.link->target))
-          marks.push_back(stretch.link->target);
+    for (const Stretch* stretch : stretches_of(section))
+      if (stretch->link && stretch->link->kind == Link::Kind::kMark && !is_among(marks, stretch->link->target))
+        marks.push_back(stretch->link->target);
   return marks;
 }
 

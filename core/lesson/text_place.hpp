@@ -7,9 +7,13 @@
 
 namespace snug::lesson {
 
-/// Where the words stand in the text of that key; from the beginning of a stretch of it on, where that is given. Where
-/// the text has not got them, where that stretch is, or the text.
-[[nodiscard]] FilePlace place_in_text(const toml::table& table, std::string_view key, std::string_view words,
-                                      std::string_view from = {});
+/// The text of that key, as it stands in the file; empty if there is none.
+[[nodiscard]] std::string_view text_of(const toml::table& table, std::string_view key);
+
+/// Where the text of that key has its letter `at`.
+[[nodiscard]] FilePlace place_in_text(const toml::table& table, std::string_view key, std::size_t at);
+
+/// Where the words first stand in the text of that key, or where the text begins.
+[[nodiscard]] FilePlace place_in_text(const toml::table& table, std::string_view key, std::string_view words);
 
 }  // namespace snug::lesson

@@ -74,13 +74,11 @@ int words_of(const Paragraph& paragraph) {
 }
 
 void warn_of_length(const toml::table& table, const Section& section, Complaints& complaints) {
-  for (const Paragraph& paragraph : section.paragraphs)
-    if (const int words = words_of(paragraph); words > kMostWords) {
-      const std::string begin = paragraph.front().text.substr(0, paragraph.front().text.find(' '));
-      complaints.warn(place_in_text(table, "text", begin), "a paragraph has " + std::to_string(words) +
-                                                               " words: beside a stage at most " +
-                                                               std::to_string(kMostWords) + " are read");
-    }
+  for (const Paragraph* paragraph : paragraphs_of(section))
+    if (const int words = words_of(*paragraph); words > kMostWords)
+      complaints.warn(place_in_text(table, "text", paragraph->front().at),
+                      "a paragraph has " + std::to_string(words) + " words: beside a stage at most " +
+                          std::to_string(kMostWords) + " are read");
 }
 
 }  // namespace

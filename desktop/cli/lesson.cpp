@@ -2,13 +2,17 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
+#include <memory>
 
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/json.hpp"
 #include "desktop/cli/lesson_commands.hpp"
 #include "desktop/cli/lesson_files.hpp"
+#include "lesson/check_texts.hpp"
 #include "lesson/play.hpp"
+#include "lesson/prose.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::desktop {
@@ -91,14 +95,37 @@ bool is_beside(const std::string& path, const std::string& lesson) {
 std::vector<InputError> lost_links(const std::string& path, const std::string& text, const lesson::Lesson& lesson) {
   std::vector<InputError> lost;
   for (const lesson::Section& section : lesson.sections)
-    for (const lesson::Paragraph& paragraph : section.paragraphs)
-      for (const lesson::Stretch& stretch : paragraph) {
-        if (!stretch.link || stretch.link->kind != lesson::Link::Kind::kLesson) continue;
-        const std::string& target = stretch.link->target;
-        if (!is_beside(path, target))
-          lost.push_back(with_column({place_with(text, "(lesson:" + target + ")", section.place),
-                                      "\"text\" links to a lesson that is not there: " + target, path}));
-      }
+    for (const lesson::Stretch* stretch : stretches_of(section)) {
+      if (!stretch->link || stretch->link->kind != lesson::Link::Kind::kLesson) continue;
+      const std::string& target = stretch->link->target;
+      if (!is_beside(path, target))
+        lost.push_back(with_column({place_with(text, "(lesson:" + target + ")", section.place),
+                                    "\"text\" links to a lesson that is not there: " + target, path}));
+    }
+  return lost;
+}
+
+/// The mistakes of figures that a mesh's runs do not have: the lesson's reader has no mesh to run on.
+std::vector<InputError> lost_figures(const LessonFile& file, const std::string& text) {
+  std::vector<InputError> lost;
+  if (file.lesson.points.mesh.empty() || file.lesson.figures.empty()) return lost;
+  const auto session = open_lesson(file);
+  if (!session) return lost;  // which playing it tells
+  std::map<std::string, std::unique_ptr<lesson::Run>> runs;
+  const auto run_of = [&](const std::string& algorithm) -> const lesson::Run* {
+    const lesson::Method& method = *lesson::find_method(file.lesson, algorithm);
+    if (!session->subject().suits(method)) return nullptr;
+    std::unique_ptr<lesson::Run>& run = runs[algorithm];
+    if (run == nullptr) run = session->subject().run(method, nullptr);
+    return run.get();
+  };
+  for (const lesson::RunFigure& figure : file.lesson.figures) {
+    const std::string name = '{' + name_of(figure) + '}';
+    const std::string lack = lesson::lack_of(figure, {}, file.lesson, session->subject(), run_of);
+    if (!lack.empty())
+      lost.push_back(
+          with_column({place_with(text, name, file.lesson.sections.front().place), name + ' ' + lack, file.path}));
+  }
   return lost;
 }
 
@@ -151,6 +178,7 @@ CheckedFile check_lesson(const std::string& path) {
   add(lost_ideas(path, *text, *draft.lesson));
   if (!checked.mistakes.empty()) return checked;
   const LessonFile file{path, *std::move(draft.lesson), {}};
+  add(lost_figures(file, *text));
   if (const auto played = play(file)) add(faults_of(file, *played));
   else add({played.error()});
   checked.json = {{"lesson", file.lesson.id}, {"questions", file.lesson.questions.size()}, {"file", path}};

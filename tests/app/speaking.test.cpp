@@ -18,7 +18,8 @@ lesson::Lesson with_marks() {
   lesson.algorithms = {"ritter"};
   lesson::Section section;
   for (const char* mark : {"pair_chosen", "P2"})
-    section.paragraphs.push_back({{.text = "words", .link = lesson::Link{lesson::Link::Kind::kMark, mark}}});
+    section.blocks.push_back(
+        {.rows = {{lesson::Paragraph{{.text = "words", .link = lesson::Link{lesson::Link::Kind::kMark, mark}}}}}});
   lesson.sections = {section};
   return lesson;
 }

@@ -1,7 +1,7 @@
 // Prose speaks to the stage: its links do what they say, its marks light handles and handles their words, its sections
 // follow the step, and its formulas are MathML.
 import { after, before, test } from "node:test";
-import { assert, handles, kPhone, kWide, lessons, load, start, state, still, stop, until, visit } from "./support.mjs";
+import { add_lesson, answer, assert, drag, go_on, handles, kPhone, kWide, lessons, load, start, state, still, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -183,4 +183,105 @@ test("no formula is wider than its column, on any screen", async (t) => {
       }).map((math) => math.getAttribute("aria-label")));
       assert.deepEqual(wide, [], `${id} at ${JSON.stringify(size.viewport)}`);
     }
+});
+
+const kWords = `version = 2
+title = "Words"
+summary = "Every kind of words."
+minutes = 1
+algorithms = ["ritter", "welzl"]
+
+[points]
+list = [[-2, 0], [2, 0], [0, 1], [0, -1], [0, 2.5], [0.5, 0.2]]
+
+[[section]]
+title = "Words"
+text = """
+An *emphasised*, a **strong** and a ***doubly marked*** word, \`code * {\`, x_{min} and n^{5}. Now {radius}.
+
+- one
+- *two*
+
+1. first
+2. second
+
+| circle | radius |
+|---|---:|
+| Ritter | {count radius ritter} |
+| smallest | {radius welzl} |
+"""
+
+[[question]]
+id = "pair"
+algorithm = "ritter"
+before = "pair_chosen"
+asks = "axis"
+prompt = "Which *pair* is d_{max}, with $d^2$? In the end {radius welzl}."
+because = "It is \`farther\` apart: {radius ritter}."
+
+[[task]]
+prompt = "Make it *fail*: {excess ritter}."
+algorithm = "ritter"
+points = 4
+hint = "Think of x_{max}."
+model = [[-2, 0], [2, 0], [0, -1], [0, 2.5]]
+
+[[task.require]]
+figure = "excess"
+at_least = 5
+`;
+
+test("words, lists and tables are HTML elements without a style of their own", async (t) => {
+  await add_lesson("words", kWords);
+  const page = await load(t, "?lesson=words&step=9999");
+  const texts = (what) => page.locator(`#prose ${what}`).allTextContents();
+  assert.deepEqual(await texts("em"), ["emphasised", "doubly marked", "two"]);
+  assert.deepEqual(await texts("strong"), ["strong", "doubly marked"]);
+  assert.deepEqual(await texts("code"), ["code * {"]);
+  assert.deepEqual([await texts("sub"), await texts("sup")], [["min"], ["5"]]);
+  assert.deepEqual([await texts("ul > li"), await texts("ol > li")], [["one", "two"], ["first", "second"]]);
+  assert.deepEqual(await texts("thead th[scope=col]"), ["circle", "radius"]);
+  assert.deepEqual(await texts("tbody tr:last-child td"), ["smallest", "2.050\u00a0units"]);
+  assert.equal(await page.locator("#prose td.right").first().evaluate((cell) => getComputedStyle(cell).textAlign), "right");
+  assert.equal(await page.locator("#prose [style], #task [style]").count(), 0);
+  assert.deepEqual(await page.locator("#task em, #task sub").allTextContents(), ["fail", "max"]);
+  for (const size of [kWide, kPhone]) {
+    await page.setViewportSize(size.viewport);
+    assert.ok(await page.locator("#prose table").evaluate((table) => table.getBoundingClientRect().right <= document.getElementById("prose").getBoundingClientRect().right + 1));
+  }
+});
+
+test("figures of the run follow a drag in place, and are not read out at each change", async (t) => {
+  await add_lesson("words", kWords);
+  const page = await load(t, "?lesson=words&step=9999");
+  const shown = () => page.locator("#prose .figure").allTextContents();
+  const due = ({ figures, readout, rivals }) => [figures.find(({ key }) => key === "radius").text, readout.radius.toFixed(3), `${rivals[1].size.toFixed(3)} units`].map((text) => text.replaceAll(" ", "\u00a0"));
+  const first = await shown();
+  assert.deepEqual(first, due(await state(page)));
+  const [node] = await page.locator("#prose .figure").elementHandles();
+  assert.equal(await node.getAttribute("aria-live"), "off");
+  await drag(page, "P1", 60, 40);
+  const dragged = await shown();
+  assert.notDeepEqual(dragged, first);
+  assert.deepEqual(dragged, due(await state(page)));
+  assert.ok(await node.evaluate((own) => own.isConnected), "it is the same element");
+  assert.equal(await page.locator("#task .figure").textContent(), (await state(page)).figures.find(({ key }) => key === "excess").text.replace(" ", "\u00a0"));
+});
+
+test("a figure that would give an answer away says that it is hidden, in the prompt as well", async (t) => {
+  await add_lesson("words", kWords);
+  const page = await load(t, "?lesson=words&step=1");
+  const { asked } = await until(page, (now) => now.asked);
+  assert.equal(asked.prompt, "Which pair is dmax, with d²? In the end ….");
+  const prompt = page.locator("#ask .prompt");
+  assert.deepEqual(await prompt.locator("em, sub").allTextContents(), ["pair", "max"]);
+  const hidden = prompt.locator(".figure");
+  assert.equal(await hidden.locator("[aria-hidden]").textContent(), "…");
+  assert.equal(await hidden.locator(".unseen").textContent(), "hidden until you answer");
+  assert.match(await page.locator("#prose table").textContent(), /hidden until you answer.*hidden until you answer/);
+  const { outcome } = await answer(page, 0);
+  assert.equal(outcome.because, "It is farther apart: 2.250\u00a0units.");
+  assert.deepEqual(await page.locator("#ask code, #ask .figure").allTextContents().then((all) => all.slice(-2)), ["farther", "2.250\u00a0units"]);
+  await go_on(page);
+  assert.doesNotMatch(await page.locator("#prose table").textContent(), /hidden/);
 });

@@ -49,3 +49,19 @@ point_at $(link sphere-ritter)
 sleep 0.2
 xdotool click 1
 until_state 's.lesson === "sphere-ritter" && s.scrolled === 0'
+kill "$pid" && wait "$pid" 2>/dev/null || true
+
+# The figures of the run in the prose follow a drag, and are hidden while a question is open.
+open_window --lesson sphere-ritter
+xdotool mousemove --window "$window" 150 400
+for i in $(seq 40); do xdotool click 5; done
+until_state 's.figures.length === 5 && s.figures.every((text) => /^[+]?[0-9.]+/.test(text))'
+before=$(state 's.figures.join()')
+last=
+until [[ $(handle P3) == "$last" ]]; do last=$(handle P3) && sleep 0.3; done
+read -r x y <<<"$last"
+xdotool mousemove --window "$window" "$x" "$y" sleep 0.3 mousedown 1 sleep 0.2 mousemove --window "$window" $((x + 40)) $((y - 90)) sleep 0.3 mousemove --window "$window" $((x + 60)) $((y - 150)) sleep 0.3 mouseup 1
+until_state "s.figures.join() !== '$before'"
+until_state 's.figures[2].startsWith(s.readout.radius.toFixed(3))'
+xdotool key Home Page_Down
+until_state 's.asked && s.figures.every((text) => text === "…")'

@@ -22,6 +22,7 @@ import { Settings } from "./settings.js";
 import { Side } from "./side.js";
 import { Stage } from "./stage.js";
 import { Tabs } from "./tabs.js";
+import { Words } from "./words.js";
 
 const kAddressDelay = 250; // milliseconds: browsers limit how often the address is replaced
 const kFilesDelay = 400; // milliseconds: if a lesson's files take longer, the page says so
@@ -65,11 +66,12 @@ class Page {
     this.#preview = preview;
     const act = (what) => this.act(what);
     const next = (id) => lessons[lessons.findIndex((lesson) => lesson.id === id) + 1];
-    const question = this.#question = new QuestionCard(door, act, { next: embed ? () => undefined : next, go: go_to, show_task: embed ? null : () => this.#show_task() });
+    const texts = new Words(formulas);
+    const question = this.#question = new QuestionCard(door, act, texts, { next: embed ? () => undefined : next, go: go_to, show_task: embed ? null : () => this.#show_task() });
     this.#points = new PointTools(door, act, (name) => this.#mesh(name));
-    this.#reading = new Reading(door.words(), { formulas, start_task: (task) => this.#start_task(task), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) });
+    this.#reading = new Reading(door.words(), { texts, start_task: (task) => this.#start_task(task), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) });
     this.#tabs = new Tabs((id) => id === "read" && this.#reading.bring_section());
-    this.#panels = [this.#reading, question, new Code(door, act), this.#points, new NumberTools(door, act), new CoverTools(door, act, () => this.#stage.request()), new Player(door, act), this.#tabs, new Side(door), new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()), new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place))];
+    this.#panels = [texts, this.#reading, question, new Code(door, act), this.#points, new NumberTools(door, act), new CoverTools(door, act, () => this.#stage.request()), new Player(door, act), this.#tabs, new Side(door), new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()), new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place))];
     this.#menu = new LessonMenu(lessons, go_to);
     this.#stage = new Stage(door, () => this.#show());
     settings.on_change(() => this.#apply_settings());

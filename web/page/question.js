@@ -4,6 +4,8 @@ import { by_id, button, element, followed_here, set_text, whole_names } from "./
 
 const kMarks = { right: "✓", wrong: "✕", skipped: "–", open: "?" };
 
+/** Of a text only its words count, whose figures follow the run without being laid out anew. */
+const as_laid_out = (key, value) => (key === "prompt" || key === "because" ? undefined : value);
 const kicker = (words, place, kind = "") =>
   element("h2", { class: `kicker ${kind}` }, words, ...(place ? [element("span", { class: "place-of" }, ` · ${place}`)] : []));
 const row = (...children) => element("div", { class: "commit" }, ...children);
@@ -13,6 +15,7 @@ export class QuestionCard {
   #door;
   #act;
   #words;
+  #texts;
   #after;
   #shown = "";
   #choices = [];
@@ -20,11 +23,12 @@ export class QuestionCard {
   #says = element("p", { class: "says", role: "status" });
   #commit;
 
-  /** act(what): does it and shows what came of it. after: {next(id): the lesson that follows or undefined, go(id),
+  /** act(what): does it and shows what came of it. texts: what makes HTML of prompts and reasons (words.js). after: {next(id): the lesson that follows or undefined, go(id),
    *  show_task(): null where the task is not on the page}. */
-  constructor(door, act, after) {
+  constructor(door, act, texts, after) {
     this.#door = door;
     this.#act = act;
+    this.#texts = texts;
     this.#after = after;
     this.#words = door.words();
     this.#commit = button(this.#words.answer, () => this.#do("commit_answer"), { class: "button primary" });
@@ -41,7 +45,7 @@ export class QuestionCard {
     this.#watching = Boolean(deciding);
     const told = view.cover?.decided ? outcomes : [];
     const question = asked && { ...asked, picked: null, ready: false, says: "" };
-    const now = JSON.stringify([view.lesson, question, outcome, deciding, told, score, view.summary && view.tasksDone]);
+    const now = JSON.stringify([view.lesson, question, outcome, deciding, told, score, view.summary && view.tasksDone], as_laid_out);
     if (now !== this.#shown) {
       this.#shown = now;
       this.#lay_out(view, told);
@@ -97,7 +101,7 @@ export class QuestionCard {
     this.#act(() => this.#door.command(command));
   }
 
-  #asked_card({ prompt, choices, field, ordered, place, tried }) {
+  #asked_card({ promptWords, choices, field, ordered, place, tried }) {
     this.#ordered = ordered;
     const first = choices.findIndex((_, i) => ordered || !tried?.choices.includes(i));
     this.#choices = choices.map((words, i) => {
@@ -108,7 +112,7 @@ export class QuestionCard {
     const pass = quiet(this.#words.skip, () => this.#do("skip_question"));
     return element("div", { class: "card predict", tabindex: "-1" },
       kicker(this.#words.prediction, place),
-      element("p", { class: "prompt" }, whole_names(prompt)),
+      element("p", { class: "prompt" }, ...this.#texts.of(promptWords)),
       ...(choices.length > 0 ? [element("div", { class: "choices" }, ...this.#choices)] : []),
       row(this.#says, ...(field ? [this.#answer_form(field)] : [this.#commit]), pass),
       element("p", { class: "foot presented" }, "Page Down twice skips"));
@@ -136,13 +140,13 @@ export class QuestionCard {
   /** The card while the steps up to the outcome are played: it tells nothing yet. */
   #deciding_card(deciding) {
     return element("div", { class: "card deciding", tabindex: "-1" }, kicker(this.#words.prediction, deciding.place),
-      element("p", { class: "prompt" }, whole_names(deciding.prompt)), ...this.#said(deciding),
+      element("p", { class: "prompt" }, ...this.#texts.of(deciding.promptWords)), ...this.#said(deciding),
       element("p", { class: "says" }, this.#words.watching));
   }
 
   /** The card with the outcome, until it is dismissed. */
   #outcome_card(outcome) {
-    const { verdict, kind, prompt, place, says, because, ordered, given, shown, canShow, rightChoices, happened, fromStep, step } = outcome;
+    const { verdict, kind, promptWords, place, says, becauseWords, ordered, given, shown, canShow, rightChoices, happened, fromStep, step } = outcome;
     const choices = ordered ? [] : outcome.choices; // of an order, the whole is told
     const marked = shown && choices.length > 0 ? [element("div", { class: "choices" }, ...choices.map((words, i) => {
       const mark = rightChoices.includes(i) ? "right" : given?.choices.includes(i) ? "wrong" : "";
@@ -153,9 +157,9 @@ export class QuestionCard {
       : choices.length === 0 ? [element("p", { class: "said right" }, `${kMarks.right} ${happened}`)] : [];
     return element("div", { class: `card outcome ${kind}`, tabindex: "-1" },
       kicker(`${kMarks[kind]} ${verdict}`, place, kind),
-      element("p", { class: "asked" }, whole_names(prompt)),
+      element("p", { class: "asked" }, ...this.#texts.of(promptWords)),
       ...marked,
-      element("p", {}, whole_names(says)), element("p", {}, whole_names(because)),
+      element("p", {}, whole_names(says)), element("p", {}, ...this.#texts.of(becauseWords)),
       row(...show,
         ...(step - fromStep > 1 ? [button(this.#words.watch, () => this.#do("watch_outcome"))] : []),
         element("span", { class: "gap" }),
@@ -192,13 +196,13 @@ export class QuestionCard {
 
   /** Where all are decided at once: one line each, to unfold. */
   #told_card(outcome) {
-    const { verdict, right, kind, pending, happened, says, because, skipped } = outcome;
+    const { verdict, right, kind, pending, happened, says, becauseWords, skipped } = outcome;
     if (pending) return element("div", { class: "card outcome skipped" }, element("h2", { class: "kicker" }, verdict), element("p", {}, says));
     // Beside "Not quite", what happened alone would read as the prediction.
     const line = right ? happened : `${this.#words.answer}: ${happened}`;
     return element("div", { class: `card outcome told ${kind}` },
       element("details", {}, element("summary", {}, kicker(skipped ? verdict : `${kMarks[kind]} ${verdict}`), ` · ${line}`),
-        ...this.#said(outcome), element("p", {}, whole_names(says)), element("p", {}, whole_names(because))));
+        ...this.#said(outcome), element("p", {}, whole_names(says)), element("p", {}, ...this.#texts.of(becauseWords))));
   }
 
   #score_card(score) {

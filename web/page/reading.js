@@ -26,7 +26,7 @@ export class Reading {
   #words;
   #start_task;
   #grade_says = []; // a line for each task
-  #formulas;
+  #texts;
   #follow;
   #light;
   #sections = [];
@@ -36,12 +36,12 @@ export class Reading {
   #pointed = false; // whether the mouse is over the prose
   #was_open = false; // whether the task was not done when it was last graded in this lesson
 
-  /** start_task: lays out the points that the task begins with. formulas: {TeX: MathML}. follow({kind, target}): follows
-   *  a link. light(mark): lights it up on the stage; "" for none. */
-  constructor(words, { start_task, formulas, follow, light }) {
+  /** start_task: lays out the points that the task begins with. texts: what makes HTML of them (words.js).
+   *  follow({kind, target}): follows a link. light(mark): lights it up on the stage; "" for none. */
+  constructor(words, { start_task, texts, follow, light }) {
     this.#words = words;
     this.#start_task = start_task;
-    this.#formulas = formulas;
+    this.#texts = texts;
     this.#follow = follow;
     this.#light = light;
     const read = by_id("read");
@@ -55,8 +55,8 @@ export class Reading {
   open(lesson) {
     for (const id of ["heading", "title"]) set_text(by_id(id), lesson.title);
     this.#words_of = [];
-    this.#sections = lesson.sections.map(({ title, paragraphs }) => element("section", {}, element("h2", {}, title),
-      ...paragraphs.map((stretches) => this.#paragraph(stretches))));
+    this.#sections = lesson.sections.map(({ title, blocks }) => element("section", {}, element("h2", {}, title),
+      ...blocks.map((block) => this.#texts.block(block, (text, link) => this.#link(text, link)))));
     by_id("prose").replaceChildren(...this.#sections);
     by_id("read").scrollTop = 0;
     this.#read_at = -Infinity;
@@ -65,29 +65,8 @@ export class Reading {
     set_hidden(box, lesson.tasks.length === 0);
     this.#grade_says = lesson.tasks.map(() => element("p", { class: "grade", role: "status" }));
     box.replaceChildren(...lesson.tasks.map((task, i) => element("section", { class: "card task" }, element("h2", { class: "kicker" }, task.heading),
-      element("p", {}, task.prompt), element("p", {}, button(task.start, () => this.#start_task(i))), this.#grade_says[i],
-      ...(task.hint ? [element("details", {}, element("summary", {}, this.#words.hint), element("p", {}, task.hint))] : []))));
-  }
-
-  /** A formula without other words is on its own line. */
-  #paragraph(stretches) {
-    const [{ text, tex }] = stretches;
-    if (stretches.length === 1 && tex) return element("p", { class: "display" }, this.#formula(tex, text, `$$${tex}$$`));
-    return element("p", {}, ...stretches.map((stretch) => this.#stretch(stretch)));
-  }
-
-  #stretch({ text, strong, tex, link }) {
-    const words = tex ? this.#formula(tex, text) : link ? this.#link(text, link) : whole_names(text);
-    return strong ? element("strong", {}, words) : words;
-  }
-
-  /** The formula as typeset when the page was built; if it was not, on one line. */
-  #formula(tex, plain, alone = tex) {
-    const typeset = this.#formulas[alone] ?? this.#formulas[tex];
-    const math = typeset && new DOMParser().parseFromString(typeset, "text/html").querySelector("math");
-    if (!math) return element("span", { class: "formula" }, plain);
-    math.setAttribute("aria-label", plain.replaceAll("\u00a0", " "));
-    return math;
+      element("p", {}, ...this.#texts.of(task.prompt)), element("p", {}, button(task.start, () => this.#start_task(i))), this.#grade_says[i],
+      ...(task.hint.length > 0 ? [element("details", {}, element("summary", {}, this.#words.hint), element("p", {}, ...this.#texts.of(task.hint)))] : []))));
   }
 
   #link(text, link) {

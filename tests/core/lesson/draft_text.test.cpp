@@ -1,6 +1,7 @@
 #include "lesson/draft_text.hpp"
 
 #include "core/lesson/small_lesson.hpp"
+#include "lesson/prose.hpp"
 
 using namespace snug::lesson;
 using snug::test::small_lesson_with;
@@ -27,8 +28,7 @@ TEST_CASE("a lesson that could not be run is not drawn, and one is drawn without
   const Draft draft = read_draft(small_lesson_with("over two lines", "over [two](step:two) lines"), "small.toml");
   CHECK(draft.mistakes.size() == 1);
   REQUIRE(draft.lesson);
-  for (const Paragraph& paragraph : draft.lesson->sections[0].paragraphs)
-    for (const Stretch& stretch : paragraph) CHECK_FALSE(stretch.link);
+  for (const Stretch* stretch : stretches_of(draft.lesson->sections[0])) CHECK_FALSE(stretch->link);
 }
 
 TEST_CASE("a file that cannot be drawn says so, and a sound one says nothing") {

@@ -9,6 +9,7 @@
 #include "geometry/generate.hpp"
 #include "lesson/place.hpp"
 #include "lesson/play.hpp"
+#include "lesson/prose.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 
@@ -59,9 +60,9 @@ TEST_CASE("each lesson reads well: sections, short paragraphs, terms, lectures")
     CHECK(std::count(lesson.meshes.begin(), lesson.meshes.end(), "bunny") == 1);
     int strong = 0;
     for (const Section& section : lesson.sections)
-      for (const Paragraph& paragraph : section.paragraphs) {
-        CHECK_MESSAGE(words(paragraph) <= 60, paragraph.front().text);
-        for (const Stretch& stretch : paragraph) strong += stretch.strong;
+      for (const Paragraph* paragraph : paragraphs_of(section)) {
+        CHECK_MESSAGE(words(*paragraph) <= 60, paragraph->front().text);
+        for (const Stretch& stretch : *paragraph) strong += stretch.strong;
       }
     CHECK(strong >= 5);
   }

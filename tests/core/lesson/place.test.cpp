@@ -1,6 +1,7 @@
 #include "lesson/place.hpp"
 
 #include "core/lesson/small_lesson.hpp"
+#include "lesson/prose.hpp"
 #include "lesson/subjects.hpp"
 
 using namespace snug;
@@ -36,7 +37,7 @@ TEST_CASE("a lesson that is read anew stays at its algorithm and step, and the e
   CHECK(now.step() == 4);
   CHECK(algorithm_of(now) == "welzl");
   CHECK(now.method(1) == find_method(now.lesson(), "ritter"));
-  CHECK(now.lesson().sections[0].paragraphs[1][0].text == "Other words.");
+  CHECK(plain_text(*paragraphs_of(now.lesson().sections[0]).at(1)) == "Other words.");
   before.jump(before.steps());
   const std::string more = small_lesson_with("[0.5, 0.2]]", "[0.5, 0.2], [0.1, 0.1], [0.3, 0.2]]");
   const Session longer = reread(more, before);

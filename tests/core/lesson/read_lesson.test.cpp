@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/lesson/small_lesson.hpp"
+#include "lesson/prose.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 
 using namespace snug;
@@ -113,14 +114,15 @@ TEST_CASE("a lesson file is read whole") {
 TEST_CASE("prose: paragraphs, joined lines and strong words") {
   const auto lesson = read_lesson(kSmallLesson, "small.toml");
   REQUIRE(lesson.has_value());
-  const auto& paragraphs = lesson->sections.at(0).paragraphs;
+  const auto paragraphs = paragraphs_of(lesson->sections.at(0));
   REQUIRE(paragraphs.size() == 2);
-  REQUIRE(paragraphs[0].size() == 3);
-  CHECK(paragraphs[0][0].text == "A ");
-  CHECK(paragraphs[0][1].text == "term");
-  CHECK(paragraphs[0][1].strong);
-  CHECK(paragraphs[0][2].text == " stands here over two lines.");
-  CHECK_FALSE(paragraphs[0][2].strong);
+  const Paragraph& first = *paragraphs[0];
+  REQUIRE(first.size() == 3);
+  CHECK(first[0].text == "A ");
+  CHECK(first[1].text == "term");
+  CHECK(first[1].strong);
+  CHECK(first[2].text == " stands here over two lines.");
+  CHECK_FALSE(first[2].strong);
 }
 
 TEST_CASE("each mistake in a lesson file is told with its line") {
@@ -167,8 +169,8 @@ TEST_CASE("all mistakes of a lesson file are told, in its order, each with line 
       "small.toml:2:1: the lesson has no key \"titel\": did you mean \"title\"?",
       "small.toml:4:11: \"minutes\" must be from 1 to 240",
       "small.toml:8:10: \"meshes\" is none of bunny, teapot or dragon: buny; did you mean bunny?",
-      "small.toml:18:1: \"text\" has a ** without a partner",
-      "small.toml:19:21: \"text\" links to an algorithm that is none of ritter, welzl or brute_force: wezl; did you "
+      "small.toml:18:3: \"text\" has a ** without a partner",
+      "small.toml:19:6: \"text\" links to an algorithm that is none of ritter, welzl or brute_force: wezl; did you "
       "mean "
       "welzl?",
       "small.toml:27:10: \"before\" of ritter is none of extremes_found, pair_chosen, point_examined, ball_grown, "

@@ -11,8 +11,8 @@ Lesson a_lesson() {
   lesson.title = "Welzl's algorithm";
   lesson.summary = "Three points fix the circle.";
   lesson.algorithms = {"brute_force"};
-  lesson.sections = {
-      {.title = "The list", .paragraphs = {{{.text = "plain "}, {.text = "support set", .strong = true}}}}};
+  const Paragraph words{{.text = "plain "}, {.text = "support set", .strong = true}};
+  lesson.sections = {{.title = "The list", .blocks = {{.rows = {{words}}}}}};
   return lesson;
 }
 

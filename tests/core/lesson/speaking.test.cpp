@@ -1,6 +1,7 @@
 #include "lesson/speaking.hpp"
 
 #include "core/lesson/small_lesson.hpp"
+#include "lesson/prose.hpp"
 
 using namespace snug;
 using namespace snug::lesson;
@@ -40,7 +41,7 @@ void pass_question(Session& session) {
 TEST_CASE("links and formulas of the prose are stretches of their own") {
   const auto lesson = read_lesson(speaking_lesson(), "small.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
-  const Paragraph& first = lesson->sections.at(0).paragraphs.at(0);
+  const Paragraph& first = *paragraphs_of(lesson->sections.at(0)).at(0);
   std::vector<std::string> links;
   for (const Stretch& stretch : first)
     if (stretch.link) links.push_back(stretch.text + " > " + stretch.link->target);
@@ -106,13 +107,13 @@ TEST_CASE("brackets before a link are brackets, and TeX stays as it was written"
       small_lesson_with(kText, "In [0, 1] the [pair](mark:pair_chosen).\n\n$$ r_A + r_B $$\n\nThe $r_A + r_B$."),
       "a.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
-  const std::vector<Paragraph>& paragraphs = lesson->sections.at(0).paragraphs;
-  CHECK(paragraphs.at(0).at(0).text == "In [0, 1] the ");
-  CHECK(paragraphs.at(0).at(1).text == "pair");
-  REQUIRE(paragraphs.at(1).size() == 1);
-  CHECK(paragraphs.at(1).at(0).tex == "r_A + r_B");
-  CHECK(paragraphs.at(2).at(1).tex == "r_A + r_B");
-  CHECK(paragraphs.at(2).at(1).text == "r_A\u00a0+\u00a0r_B");
+  const auto paragraphs = paragraphs_of(lesson->sections.at(0));
+  CHECK(paragraphs.at(0)->at(0).text == "In [0, 1] the ");
+  CHECK(paragraphs.at(0)->at(1).text == "pair");
+  REQUIRE(paragraphs.at(1)->size() == 1);
+  CHECK(paragraphs.at(1)->at(0).tex == "r_A + r_B");
+  CHECK(paragraphs.at(2)->at(1).tex == "r_A + r_B");
+  CHECK(paragraphs.at(2)->at(1).text == "r_A\u00a0+\u00a0r_B");
 }
 
 TEST_CASE("a mark lights what the run has of it by now") {

@@ -1,0 +1,88 @@
+#include "lesson/prose_figures.hpp"
+
+#include <algorithm>
+
+#include "lesson/subjects.hpp"
+
+namespace snug::lesson {
+namespace {
+
+const Figure* figure_of_key(const std::vector<Figure>& figures, std::string_view key) {
+  const auto found = std::find_if(figures.begin(), figures.end(), [&](const Figure& one) { return one.key == key; });
+  return found == figures.end() ? nullptr : &*found;
+}
+
+/// Whether a question about that figure in the run of that method waits for its answer; any question, where results are
+/// not shown beside the stage either.
+bool waits_for_answer(const Session& session, const Method& method, std::string_view key) {
+  const Lesson& lesson = session.lesson();
+  return session.is_own() &&
+         std::any_of(lesson.questions.begin(), lesson.questions.end(), [&](const Question& question) {
+           const bool about_it = question.figure == key || !lesson.subject->compares;
+           if (!about_it || find_method(lesson, question.gate.algorithm) != &method) return false;
+           const auto& outcomes = session.outcomes();
+           return std::none_of(outcomes.begin(), outcomes.end(),
+                               [&](const Outcome& one) { return one.question == question.id && !one.passed; });
+         });
+}
+
+/// Whether the result of a method must not be told now.
+bool hides_result(const Session& session, const Method& method, std::string_view key) {
+  return session.asked() != nullptr || session.hides_result(method) || session.is_hidden(key) ||
+         waits_for_answer(session, method, key);
+}
+
+/// The number of "3 of 15", "2.118 units", "21 pairs" or "1 pair".
+std::string number_alone(const Figure& figure) {
+  const std::string text = figure.text.substr(0, figure.text.find(" of "));
+  std::string one = figure.unit;
+  if (!one.empty() && one.back() == 's') one.pop_back();
+  for (const std::string& unit : {figure.unit, one})
+    if (!unit.empty() && text.ends_with(" " + unit)) return text.substr(0, text.size() - unit.size() - 1);
+  return text;
+}
+
+std::string on_one_line(const std::string& text) {
+  std::string line;
+  for (const char c : text)
+    if (c == ' ') line += "\u00a0";
+    else line += c;
+  return line;
+}
+
+}  // namespace
+
+const FigureNow& ProseFigures::of(const RunFigure& figure) {
+  const auto [found, is_new] = found_.try_emplace(name_of(figure));
+  if (is_new) found->second = look_up(figure);
+  return found->second;
+}
+
+FigureNow ProseFigures::look_up(const RunFigure& figure) {
+  const FigureNow hidden{std::string(kHiddenFigure), kFigureHidden},
+      unknown{std::string(kHiddenFigure), kFigureUnknown};
+  const Figure* found = nullptr;
+  if (figure.algorithm.empty()) {
+    if (session_.is_hidden(figure.key)) return hidden;
+    if (!shown_) shown_ = session_.figures();
+    found = figure_of_key(*shown_, figure.key);
+  } else {
+    const Method* method = find_method(session_.lesson(), figure.algorithm);
+    if (method == nullptr) return unknown;
+    if (!session_.subject().suits(*method)) return {std::string(kHiddenFigure), kFigureRefused};
+    if (hides_result(session_, *method, figure.key)) return hidden;
+    found = figure_of_key(session_.result(*method), figure.key);
+  }
+  if (found == nullptr || !found->known) return unknown;
+  return {on_one_line(figure.count ? number_alone(*found) : found->text), {}};
+}
+
+std::string plain_now(std::string_view text, ProseFigures& figures) {
+  std::vector<ProseFault> ignored;  // the lesson's reader has told them
+  std::string plain;
+  for (const Stretch& stretch : paragraph_of(text, ignored))
+    plain += stretch.figure ? figures.of(*stretch.figure).text : stretch.text;
+  return plain;
+}
+
+}  // namespace snug::lesson
