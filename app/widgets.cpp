@@ -131,6 +131,14 @@ void offer_field(std::string_view name) {
   if (here.focused && ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGuiKey_Escape, false)) focus->leave();
 }
 
+bool offer_slider(std::string_view name) {
+  Focus* const focus = Focus::current();
+  if (focus == nullptr) return false;
+  return focus
+      ->offer({.id = ImGui::GetItemID(), .low = ImGui::GetItemRectMin(), .high = ImGui::GetItemRectMax(), .name = name})
+      .focused;
+}
+
 void draw_icon(ImDrawList* list, Icon icon, ImVec2 m, float size, Color color) {
   switch (icon) {
     case Icon::kNone: break;

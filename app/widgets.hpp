@@ -47,6 +47,8 @@ Touch pointer_area(const char* id, const Rect& rect, bool enabled = true);
 Touch touch_area(const char* id, const Rect& rect, std::string_view name = {}, bool enabled = true, bool first = false);
 /// The ImGui text field that was just drawn is one of the keyboard's places too.
 void offer_field(std::string_view name);
+/// The same for an ImGui slider. Returns whether the keyboard is on it.
+bool offer_slider(std::string_view name);
 
 enum class Icon {
   kNone,

@@ -46,6 +46,7 @@ KeptLesson lesson_of(const Json& object) {
   KeptLesson lesson;
   lesson.seed = member<std::uint64_t>(object, "seed", 0, &Json::is_number_unsigned);
   lesson.step = count(object, "step"), lesson.steps = count(object, "steps");
+  lesson.situation = member<std::string>(object, "situation", "", &Json::is_string);
   lesson.algorithm = member<std::string>(object, "algorithm", "", &Json::is_string);
   lesson.beside = member<std::string>(object, "beside", "", &Json::is_string);
   lesson.answered = count(object, "answered");
@@ -94,6 +95,7 @@ void Kept::keep(const lesson::Session& session) {
   KeptLesson now;
   now.seed = session.seed();
   now.step = session.step(), now.steps = session.steps();
+  if (session.situation() != lesson::kOwnSituation) now.situation = session.situation();
   now.algorithm = lesson::name_in(session.lesson(), *session.method(0));
   now.beside =
       session.method(1) != nullptr ? lesson::name_in(session.lesson(), *session.method(1)) : std::string(kNone);
@@ -120,9 +122,10 @@ void Kept::write() {
   if (path_.empty()) return;
   Json state{{"version", kVersion}, {"last", last_}, {"invited", invited}, {"lessons", Json::object()}};
   for (const auto& [id, lesson] : lessons_)
-    state["lessons"][id] = {{"seed", lesson.seed},           {"step", lesson.step},     {"steps", lesson.steps},
-                            {"algorithm", lesson.algorithm}, {"beside", lesson.beside}, {"answered", lesson.answered},
-                            {"done", lesson.done},           {"task", lesson.task},     {"answers", lesson.answers}};
+    state["lessons"][id] = {{"seed", lesson.seed},         {"situation", lesson.situation}, {"step", lesson.step},
+                            {"steps", lesson.steps},       {"algorithm", lesson.algorithm}, {"beside", lesson.beside},
+                            {"answered", lesson.answered}, {"done", lesson.done},           {"task", lesson.task},
+                            {"answers", lesson.answers}};
   std::string text = state.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
   if (text == written_) return;
   std::error_code error;

@@ -19,6 +19,7 @@ inline constexpr std::string_view kNone = "none";
 struct KeptLesson {
   std::uint64_t seed = 0;
   int step = 0, steps = 0;
+  std::string situation;          // empty: the lesson's own
   std::string algorithm, beside;  // empty: the lesson's own choice; beside: "none" for none
   int answered = 0;
   bool done = false, task = false;

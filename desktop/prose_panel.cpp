@@ -9,6 +9,7 @@
 #include "desktop/lower_panel.hpp"
 #include "desktop/prose.hpp"
 #include "lesson/say.hpp"
+#include "lesson/situations.hpp"
 #include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
 
@@ -83,6 +84,7 @@ void follow(Shell& shell, const lesson::Link& link) {
     case lesson::Link::Kind::kMesh: shell.use_mesh(link.target); break;
     case lesson::Link::Kind::kAlgorithm: shell.tell(shell.session().choose(0, link.target)); break;
     case lesson::Link::Kind::kStep: shell.session().go(std::stoi(link.target)); break;  // of digits, as it was read
+    case lesson::Link::Kind::kSituation: shell.tell(shell.session().show_situation(link.target)); break;
     case lesson::Link::Kind::kMark: break;  // lights while it is pointed at, or has the keyboard
   }
 }
@@ -103,6 +105,17 @@ void follow_step(Shell& shell, int now, float top, float bottom, bool reads) {
   const bool there = std::abs(left) < 1 || shell.app().settings().reduced_motion || shell.scroll_to < 0;
   if (shell.scroll_to >= 0) ImGui::SetScrollY(ImGui::GetScrollY() + (there ? left : left * 0.25f));
   if (there) shell.scroll_to = -1;
+}
+
+/// The button that brings the situation that a section is about to the stage.
+void draw_show(Shell& shell, Column& column, const lesson::Section& section, int number) {
+  if (section.situation.empty()) return;
+  const bool on = section.situation == shell.session().situation();
+  const std::string& title = lesson::situation_title(shell.session().lesson(), section.situation);
+  const std::string id = "situation of section " + std::to_string(number) + " ";
+  column.gap(4);
+  if (column.buttons(id.c_str(), {"Show: " + title}, on ? 0 : -1) == 0)
+    shell.tell(shell.session().show_situation(section.situation));
 }
 
 void draw_lesson(Shell& shell, Column& column) {
@@ -126,6 +139,7 @@ void draw_lesson(Shell& shell, Column& column) {
     if (i > 0) column.gap(16);
     const float from = column.y();
     column.title(section.title);
+    draw_show(shell, column, section, i);
     for (int number = 0; const lesson::Block& block : section.blocks) {
       ImGui::PushID(1000 * i + number++);
       touch.add(draw_block(column, block, figures, lit));

@@ -9,6 +9,7 @@
 #include "desktop/column.hpp"
 #include "desktop/prose.hpp"
 #include "lesson/say.hpp"
+#include "lesson/situations.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::desktop {
@@ -270,13 +271,16 @@ std::string draw_summary(Shell& shell, Column& column) {
   }
   app::rule(column.list(), column.x(), column.y(), column.width(), look->line);
   column.gap(12);
-  if (const auto waiting = session.waiting(); !waiting.empty()) {
+  const auto situations = session.situations_waiting();
+  if (const auto waiting = session.waiting(); !waiting.empty() || !situations.empty()) {
     column.words(lesson::kWaitingWord, Face::kRegular, 14);
     column.gap(6);
     std::vector<std::string> titles;
     for (const lesson::Method* method : waiting) titles.push_back(lesson::title_in(session.lesson(), *method));
-    if (const int clicked = column.buttons("waiting", titles, -1); clicked >= 0)
-      command = "ask:" + lesson::name_in(session.lesson(), *waiting[static_cast<std::size_t>(clicked)]);
+    for (const std::string& name : situations) titles.push_back(lesson::situation_title(session.lesson(), name));
+    if (const auto clicked = static_cast<std::size_t>(column.buttons("waiting", titles, -1)); clicked < titles.size())
+      command = clicked < waiting.size() ? "ask:" + lesson::name_in(session.lesson(), *waiting[clicked])
+                                         : "situation:" + situations[clicked - waiting.size()];
     column.gap(10);
   }
   const auto grade = session.grade();
@@ -299,9 +303,11 @@ std::string draw_summary(Shell& shell, Column& column) {
 
 /// Does what the summary offers beyond the app's commands.
 void lead_on(Shell& shell, const std::string& command) {
-  constexpr std::string_view kAsk = "ask:";
+  constexpr std::string_view kAsk = "ask:", kSituation = "situation:";
   if (command.starts_with(kAsk))
     shell.tell(shell.session().choose(0, command.substr(kAsk.size()))), shell.app().command("first");
+  else if (command.starts_with(kSituation))
+    shell.tell(shell.session().show_situation(command.substr(kSituation.size())));
   else if (command == "next") shell.open_at_place(*shell.beside(1));
   else if (command == "task") shell.points_tab = false, shell.text_shown = shell.task_wanted = true;
   else if (!command.empty()) shell.app().command(command);

@@ -74,8 +74,9 @@ std::pair<std::size_t, std::string> Shell::lead() const {
 void Shell::go_to_kept_place() {
   const KeptLesson* const kept = kept_.lesson(session().lesson().id);
   if (kept == nullptr) return;
+  // A situation that the lesson no longer has is left out, as is a method.
+  if (!kept->situation.empty()) static_cast<void>(session().show_situation(kept->situation));
   if (kept->seed != session().seed()) session().scatter(kept->seed);
-  // A method that the lesson no longer offers is left out.
   if (!kept->algorithm.empty()) static_cast<void>(session().choose(0, kept->algorithm));
   if (!kept->beside.empty()) static_cast<void>(session().choose(1, kept->beside == kNone ? "" : kept->beside));
   session().jump(std::min(kept->step, session().steps()));

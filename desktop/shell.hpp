@@ -89,6 +89,8 @@ class Shell {
   int hint_of = -1;              // the task whose hint is shown; -1 for none
   std::array<char, 96> typed{};  // what is typed to answer a question
   bool points_tab = false;
+  int slider = -1;                                        // the one that the keyboard is on, by its number; -1 for none
+  std::vector<std::pair<std::size_t, app::Rect>> tracks;  // of the sliders, by their numbers
   bool task_wanted = false;                              // whether to scroll to the task in the next frame
   std::vector<std::pair<std::string, app::Rect>> links;  // the links of the prose: their targets and places
   std::vector<std::string> figures;                      // the figures of the run in it, as they were drawn

@@ -58,6 +58,18 @@ void add_answers(Json& state, const lesson::Session& session) {
   state["tally"] = {{"right", tally.right}, {"wrong", tally.wrong}, {"skipped", tally.skipped}, {"open", tally.open}};
 }
 
+/// With their tracks; scale: as for add_places.
+void add_sliders(Json& state, Shell& shell, float scale) {
+  state["sliders"] = Json::array();
+  for (const lesson::ShownSlider& slider : shell.session().sliders()) {
+    Json one{{"title", slider.slider->title}, {"value", slider.value}, {"text", slider.text}};
+    for (const auto& [number, track] : shell.tracks)
+      if (number == slider.number)
+        one["x"] = track.x * scale, one["y"] = (track.y + track.height / 2) * scale, one["width"] = track.width * scale;
+    state["sliders"].push_back(std::move(one));
+  }
+}
+
 /// scale: pixels of the window system, for a real mouse, in one pixel of the page.
 void add_places(Json& state, Shell& shell, float scale) {
   state["links"] = Json::array();
@@ -77,6 +89,8 @@ Json lesson_state(Shell& shell, float scale) {
              {"steps", session.steps()},      {"caption", app.caption()},  {"trace", hex_of(session.trace_hash())},
              {"points", session.size()},      {"selected", app.selected()}};
   add_answers(state, session);
+  state["situation"] = session.lesson().situations.empty() ? Json() : Json(session.situation());
+  add_sliders(state, shell, scale);
   state["notice"] = shell.notice;
   state["focus"] = shell.focus.name();
   state["presenting"] = shell.presenting;

@@ -7,6 +7,7 @@
 #include "desktop/column.hpp"
 #include "desktop/prose_panel.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/situations.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -161,10 +162,10 @@ void draw_sources(Shell& shell, Column& column) {
     column.gap(12);
     column.heading("Other points");
     constexpr int kUsual = 26;
-    const int count = lesson.points.count > 0 ? lesson.points.count : kUsual;
+    const lesson::Points& own = lesson::points_in(lesson, session.situation());
+    const int count = own.count > 0 ? own.count : kUsual;
     const int clicked = column.buttons("generator", lesson.generators, now(lesson.generators));
-    if (clicked >= 0)
-      shell.tell(session.set_generator(lesson.generators[clicked], count, lesson.points.dim, session.seed()));
+    if (clicked >= 0) shell.tell(session.set_generator(lesson.generators[clicked], count, own.dim, session.seed()));
   }
   if (!lesson.meshes.empty()) {
     column.gap(12);

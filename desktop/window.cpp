@@ -17,6 +17,7 @@
 #include "desktop/chart_file.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/timing.hpp"
+#include "desktop/controls.hpp"
 #include "desktop/glfw_host.hpp"
 #include "desktop/header.hpp"
 #include "desktop/picture.hpp"
@@ -52,7 +53,7 @@ std::string font_bytes(std::string_view name) {
 
 /// The rectangles of all parts; empty for those that are not shown.
 struct Parts {
-  app::Rect window, header, strip, column, cover, title, code;
+  app::Rect window, header, strip, column, cover, title, code, controls;
   app::Layout app;
 };
 
@@ -75,7 +76,10 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const float pinned = cover ? std::min(shell.pinned_height, height - look.px(164)) : 0;
   parts.column = {0, header, column, lecture ? height : height - pinned};
   if (cover && !lecture) parts.cover = {0, header + height - pinned, column, pinned};
-  parts.app.stage = {column, header, right - column - 1, height - timeline};  // and a line
+  const float middle = right - column - 1;  // and a line
+  const float controls = controls_height(shell, look, middle);
+  parts.app.stage = {column, header, middle, height - timeline - controls};
+  parts.controls = {column, header + height - timeline - controls, middle, controls};
   parts.app.timeline = {column, header + height - timeline, parts.app.stage.width, timeline};
   const float title = lecture ? title_height(shell, look, inspector) : 0;
   if (lecture) parts.title = {right, header, inspector, title};
@@ -121,6 +125,7 @@ void draw_stage_and_panels(Shell& shell, const Parts& parts, double now) {
   else shell.links.clear(), app.light({});
   if (shown(parts.cover)) draw_cover_panel(shell, parts.cover);
   if (shown(parts.code)) draw_code_panel(shell, parts.code);
+  if (shown(parts.controls)) draw_controls(shell, parts.controls);
   app.frame(parts.app, now);
   draw_question_card(shell, parts.app.stage);
   if (shell.presenting) draw_presentation(shell, parts.app.stage);
@@ -151,6 +156,7 @@ void draw(GlfwHost& host, Shell& shell, double now) {
   const app::Look& look = shell.app().look();
   const Parts parts = parts_of(extent, look, shell);
   shell.measured_anew = false;
+  shell.slider = -1, shell.tracks.clear();
   shell.focus.begin_frame(look->current);
   if (shell.course_shown) draw_course(shell, parts, now);
   else draw_stage_and_panels(shell, parts, now);
@@ -227,6 +233,7 @@ bool put_away(Shell& shell) {
 
 /// Moves the focus or presses the focused control. Returns whether the key did that.
 bool move_focus(Shell& shell, const std::string& key, bool shift) {
+  if (slide_by_key(shell, key)) return true;
   constexpr float kLine = 48;
   app::Focus& focus = shell.focus;
   const int way = key == "ArrowDown" ? 1 : key == "ArrowUp" ? -1 : 0;
@@ -322,6 +329,9 @@ int open_first(Shell& shell, const WindowOptions& options) {
     return shell.writing() && !picture ? 0 : stop(opened.error().message());
   if (bare) shell.go_to_kept_place();
   shell.course_shown = bare && options.lesson.empty();
+  if (!options.at.situation.empty())
+    if (const auto shown = shell.session().show_situation(options.at.situation); !shown)
+      return stop(shown.error().message());
   if (options.seed) shell.session().scatter(*options.seed);
   if (!options.points_file.empty()) {
     shell.use_file(options.points_file);

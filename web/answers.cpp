@@ -154,6 +154,7 @@ void set_answers(val& object, const lesson::Session& session) {
   object.set("waiting", array_of(session.waiting(), [&](const lesson::Method* method) {
                return text(lesson::name_in(session.lesson(), *method));
              }));
+  object.set("situationsWaiting", array_of(session.situations_waiting(), text));
   object.set("outcomes", array_of(session.outcomes(),
                                   [&](const lesson::Outcome& outcome) { return outcome_object(outcome, figures); }));
   object.set("score", session.score());

@@ -74,6 +74,25 @@ std::string move_point(int point, double x, double y, double z) {
   return sentence(session()->move(point, {x, y, session()->dim() == 2 ? 0 : z}));
 }
 
+std::string show_situation(const std::string& name) {
+  if (!session()) return "";
+  const auto shown = session()->show_situation(name);
+  if (shown && session()->is_own()) remember();
+  return sentence(shown);
+}
+
+void hold_slider(bool held) {
+  if (!session()) return;
+  if (held) session()->begin_drag();
+  else session()->end_drag();
+}
+std::string slide(int slider, int place) {
+  return session() ? sentence(session()->slide_to_place(static_cast<std::size_t>(slider), place)) : "";
+}
+std::string set_sliders(const val& values) {
+  return session() ? sentence(session()->set_sliders(emscripten::vecFromJSArray<double>(values))) : "";
+}
+
 static std::uint64_t whole(double seed) { return static_cast<std::uint64_t>(std::clamp(seed, 0.0, 0x1p53)); }
 
 void scatter(double seed) {

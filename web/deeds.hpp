@@ -33,6 +33,13 @@ void erase_answers();
 std::string choose(int slot, const std::string& name);
 void select_point(int point);
 std::string move_point(int point, double x, double y, double z);
+std::string show_situation(const std::string& name);
+/// Whether a slider is in hand: its moves meanwhile are one edit.
+void hold_slider(bool held);
+/// Moves a slider, by its number, to a place of its knob.
+std::string slide(int slider, int place);
+/// Moves all sliders to the values that shared_rows said.
+std::string set_sliders(const val& values);
 /// Scatters the same things again, from a seed.
 void scatter(double seed);
 /// Scatters points of another kind.

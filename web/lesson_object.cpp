@@ -1,5 +1,6 @@
 // The constant data of an open lesson.
 #include "lesson/say.hpp"
+#include "lesson/situations.hpp"
 #include "lesson/subjects.hpp"
 #include "web/prose.hpp"
 #include "web/values.hpp"
@@ -13,6 +14,7 @@ using emscripten::val;
 val section_object(const lesson::Section& section) {
   val object = val::object();
   object.set("title", section.title);
+  object.set("situation", section.situation);
   object.set("blocks", array_of(section.blocks, block_object));
   return object;
 }
@@ -36,6 +38,24 @@ val tools_object(const lesson::Subject& subject) {
   return object;
 }
 
+void set_points(val& object, const lesson::Points& points) {
+  object.set("generate", points.generate);
+  object.set("count", points.count);
+  object.set("mesh", points.mesh);
+}
+
+/// None where the lesson has only its own.
+val situations_array(const lesson::Lesson& lesson) {
+  if (lesson.situations.empty()) return val::array();
+  return array_of(lesson::situation_names(lesson), [&](std::string_view name) {
+    val object = val::object();
+    object.set("name", text(name));
+    object.set("title", lesson::situation_title(lesson, name));
+    set_points(object, lesson::points_in(lesson, name));
+    return object;
+  });
+}
+
 }  // namespace
 
 val lesson_object(const lesson::Session& session) {
@@ -53,10 +73,9 @@ val lesson_object(const lesson::Session& session) {
   object.set("tools", tools_object(session.subject()));
   object.set("stageSays", text(session.subject().stage_says()));
   object.set("handleWords", array_of(session.subject().handle_words(), text));
+  object.set("situations", situations_array(lesson));
   object.set("dim", lesson.points.dim);
-  object.set("generate", lesson.points.generate);
-  object.set("count", lesson.points.count);
-  object.set("mesh", lesson.points.mesh);
+  set_points(object, lesson.points);
   object.set("seed", static_cast<double>(lesson.seed));
   object.set("meshes", array_of(lesson.meshes, text));
   object.set("generators", array_of(lesson.generators, text));

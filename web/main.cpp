@@ -220,6 +220,10 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("set_rows", &web::set_rows);
   function("change_rows", &web::change_rows);
   function("shared_rows", &web::shared_rows);
+  function("show_situation", &web::show_situation);
+  function("hold_slider", &web::hold_slider);
+  function("slide", &web::slide);
+  function("set_sliders", &web::set_sliders);
   function("scatter", &web::scatter);
   function("set_generator", &web::set_generator);
   function("light", &web::light);

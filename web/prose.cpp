@@ -11,7 +11,7 @@ using emscripten::val;
 using lesson::Stretch;
 
 val link_object(const lesson::Link& link) {
-  constexpr std::array<const char*, 5> kKinds{"lesson", "mesh", "algorithm", "step", "mark"};
+  constexpr std::array<const char*, 6> kKinds{"lesson", "mesh", "algorithm", "step", "mark", "situation"};
   val object = val::object();
   object.set("kind", kKinds[static_cast<std::size_t>(link.kind)]);
   object.set("target", link.target);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "geometry/generate.hpp"
+#include "lesson/situations.hpp"
 #include "web/values.hpp"
 
 namespace snug::web {
@@ -28,7 +29,7 @@ bool is_one_of(const auto& names, const std::string& name) {
 
 /// How an address names the state, apart from the seed; none if it cannot.
 std::optional<std::string> words_for(const lesson::Session& session) {
-  const lesson::Points& own = session.lesson().points;
+  const lesson::Points& own = lesson::points_in(session.lesson(), session.situation());
   const std::string& source = session.source();
   if (source == "own" || (!own.mesh.empty() && source == own.mesh)) return "";
   if (source == own.generate && session.size() == own.count) return "";
@@ -47,7 +48,16 @@ void SharedRows::remember(const lesson::Session& session) {
   const auto how = words_for(session);
   if (!how) return;
   if (known_.size() == kMostKnown) known_.erase(known_.begin() + 1);  // the first is the lesson as it opened
-  known_.push_back({*how, session.seed(), session.subject().rows()});
+  known_.push_back({*how, session.seed(), session.snapshot()});
+}
+
+/// The rows that a known state has with the sliders where they stand now; none if it is another situation's.
+lesson::Rows SharedRows::rows_from(const Known& known, const lesson::Session& session) {
+  const lesson::Snapshot& state = known.state;
+  if (known.seed != session.seed() || state.subject->origin().situation != session.situation()) return {};
+  if (state.slid.values == session.slider_values()) return state.subject->rows();
+  const auto slid = lesson::slid_to(session.lesson(), state, session.slider_values());
+  return slid ? slid->subject->rows() : lesson::Rows();
 }
 
 val SharedRows::describe(const lesson::Session& session) const {
@@ -56,14 +66,19 @@ val SharedRows::describe(const lesson::Session& session) const {
   const Known* nearest = nullptr;
   std::vector<std::size_t> fewest;
   for (const Known& known : known_) {
-    if (known.seed != session.seed() || known.rows.size() != rows.size()) continue;
-    auto places = differences(known.rows, rows);
+    const lesson::Rows known_rows = rows_from(known, session);
+    if (known_rows.size() != rows.size()) continue;
+    auto places = differences(known_rows, rows);
     if (nearest != nullptr && places.size() >= fewest.size()) continue;
     nearest = &known;
     fewest = std::move(places);
   }
+  const auto set_slide = [&] {
+    if (session.has_slid()) object.set("slide", array_of(session.slider_values(), number));
+  };
   const bool few = rows.size() <= kMostInAddress;
   if (nearest != nullptr && fewest.size() <= kMostInAddress && (!few || 2 * fewest.size() < rows.size())) {
+    set_slide();
     object.set("how", nearest->how);
     object.set("moved", array_of(fewest, [&](std::size_t i) {
                  std::vector<double> row = rows[i];
@@ -71,6 +86,7 @@ val SharedRows::describe(const lesson::Session& session) const {
                  return row_object(row);
                }));
   } else if (few) {
+    set_slide();
     object.set("rows", array_of(rows, row_object));
   }
   return object;

@@ -19,16 +19,18 @@ class SharedRows {
   void forget() { known_.clear(); }
 
   /// {how, moved: [[i, numbers …] …]} relative to the nearest known state; {rows: [[numbers …] …]} if none is near and
-  /// there are few rows; or {} if an address cannot hold them. how: "" for the lesson's own, "clusters:200", "bunny",
-  /// "task".
+  /// there are few rows; or {} if an address cannot hold them. how: "" for the situation's own, "clusters:200",
+  /// "bunny", "task". slide: the sliders' values, if any has moved; a known state is near if they lead there.
   [[nodiscard]] emscripten::val describe(const lesson::Session& session) const;
 
  private:
   struct Known {
     std::string how;
     std::uint64_t seed;
-    lesson::Rows rows;
+    lesson::Snapshot state;
   };
+  [[nodiscard]] static lesson::Rows rows_from(const Known& known, const lesson::Session& session);
+
   std::vector<Known> known_;
 };
 

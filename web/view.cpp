@@ -72,6 +72,20 @@ void set_points(val& object, const app::App& app, const lesson::Session& session
   object.set("coordinates", any ? coordinates(session.point(selected), session.dim()) : val::null());
 }
 
+void set_sliders(val& object, const lesson::Session& session) {
+  object.set("situation", session.lesson().situations.empty() ? val::null() : val(session.situation()));
+  object.set("sliders", array_of(session.sliders(), [](const lesson::ShownSlider& slider) {
+               val row = val::object();
+               row.set("number", static_cast<double>(slider.number));
+               row.set("title", slider.slider->title);
+               row.set("value", slider.value);
+               row.set("text", slider.text);
+               row.set("place", slider.place);
+               row.set("places", slider.places);
+               return row;
+             }));
+}
+
 /// What the prose lights on the stage, and the stage in the prose.
 val lit_object(const app::App& app, const lesson::Session& session) {
   val object = val::object();
@@ -129,6 +143,7 @@ val view_object(app::App& app, const lesson::Session& session) {
   set_figures(object, session);
   object.set("proseFigures", prose_figures_object(session));
   set_points(object, app, session);
+  set_sliders(object, session);
   object.set("effects", array_of(session.switches(), switch_object));
   return object;
 }

@@ -202,6 +202,7 @@ std::vector<Asked> asked_on(const Lesson& lesson, std::string_view method, const
   std::vector<Asked> all;
   std::string why;
   for (const Question& question : lesson.questions) {
+    if (question.situation != subject.origin().situation) continue;
     if (lesson.subject->asks_of_steps && question.gate.algorithm != method) continue;
     if ((question.holds == Holds::kHere || !lesson.subject->asks_of_steps) && !own_run) continue;
     if (!conditions_hold(question, lesson, method, subject, run)) continue;

@@ -27,10 +27,14 @@ std::vector<NumberGroup> BoxSubject::numbers() const {
     const Box& box = pair_.boxes[i];
     const auto [heading, name, sizes] = words_of(i);
     const auto of = [&](const Point3& v) { return std::vector<double>(v.data(), v.data() + dim()); };
-    NumberRow turn{.words = "Turn", .names = {}, .values = {}, .unit = "degrees"};
+    NumberRow turn{.words = "Turn", .names = {}, .values = {}, .unit = "degrees", .drive = "turn"};
     if (dim() == 2) turn.values = {angle_of(box) / kDegree};
     else turn.names = names, turn.values = {0, 0, 0}, turn.turn = 15;
-    groups.push_back({heading, name, {{"Centre", names, of(box.center)}, {sizes, names, of(box.half_extents)}, turn}});
+    NumberRow half{.words = sizes, .names = names, .values = of(box.half_extents), .drive = "half"};
+    groups.push_back({heading,
+                      name,
+                      {{"Centre", names, of(box.center)}, std::move(half), std::move(turn)},
+                      name_of(index_of(dim(), {Place::Kind::kCenter, i, 0}))});
   }
   return groups;
 }

@@ -10,6 +10,7 @@
 #include "lesson/grade.hpp"
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
+#include "lesson/read_situations.hpp"
 #include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/text_place.hpp"
@@ -100,13 +101,14 @@ void check_questions(Lesson& lesson, const std::string& algorithm, const Subject
   keep_questions(lesson, [&](const Question& question) { return !is_among(passed_by, question.id); });
 }
 
-/// Checks that the methods shown from the start can take the points.
-void check_sizes(const Lesson& lesson, const Subject& own, const TomlTable& root, Complaints& complaints) {
+/// Checks that the methods shown from the start can take the points. place: that of the points.
+void check_sizes(const Lesson& lesson, const Subject& own, const TomlTable& root, FilePlace place,
+                 Complaints& complaints) {
   for (const std::string& name : lesson.algorithms) {
     const Method& method = *find_method(lesson, name);
     const std::string refusal = own.refusal(method);
     const bool first = &name == &lesson.algorithms.front() || name == lesson.compare;
-    if (!refusal.empty() && first) complaints.add(root.place_of(lesson.subject->table), refusal);
+    if (!refusal.empty() && first) complaints.add(place, refusal);
     if (!refusal.empty() && first) return;
     if (!refusal.empty()) complaints.warn(root.place_of("algorithms"), refusal + ", and is not offered for these");
   }
@@ -161,6 +163,58 @@ void check_tasks(const Lesson& lesson, const Subject& own, Complaints& complaint
   }
 }
 
+/// The runs of a situation.
+struct InSituation {
+  Lesson lesson;  // as lesson_in says
+  std::unique_ptr<Subject> own;
+  Runs runs;
+  InSituation(Lesson there, std::unique_ptr<Subject> subject)
+      : lesson(std::move(there)), own(std::move(subject)), runs(lesson, *own) {}
+  InSituation(const InSituation&) = delete;
+  InSituation& operator=(const InSituation&) = delete;
+};
+using Situations = std::vector<std::unique_ptr<InSituation>>;
+
+/// Where a situation's points, boxes or scene stand in the file.
+FilePlace place_of_situation(const Lesson& lesson, std::string_view name, const TomlTable& root) {
+  for (const Situation& situation : lesson.situations)
+    if (situation.name == name) return situation.place;
+  return root.place_of(lesson.subject->table);
+}
+
+/// Opens a situation without its sliders. Null, with a complaint, if that is impossible.
+std::unique_ptr<Subject> opened(const Lesson& lesson, std::string_view name, FilePlace place, Complaints& complaints) {
+  auto own = lesson.subject->open(lesson, std::nullopt, nullptr);
+  if (!own) {
+    const int line = static_cast<int>(own.error().position);
+    complaints.add(line > 0 ? FilePlace(line) : place, own.error().what);
+    return nullptr;
+  }
+  Subject::Origin origin = (*own)->origin();
+  origin.situation = name;
+  (*own)->set_origin(std::move(origin));
+  return *std::move(own);
+}
+
+/// Opens a situation as it will stand on the stage, and checks that its algorithms take it. Null, with complaints, if
+/// not.
+std::unique_ptr<InSituation> open_to_check(const Lesson& whole, std::string_view name, const TomlTable& root,
+                                           Complaints& complaints) {
+  const std::size_t before = complaints.count();
+  const FilePlace place = place_of_situation(whole, name, root);
+  Lesson lesson = lesson_in(whole, name);
+  auto subject = opened(lesson, name, place, complaints);
+  if (subject == nullptr) return nullptr;
+  check_sizes(lesson, *subject, root, place, complaints);
+  if (complaints.count() == before) check_sliders(lesson, *subject, complaints);
+  if (complaints.count() == before && lesson.subject->check_first != nullptr)
+    lesson.subject->check_first(lesson, *subject, complaints);
+  if (complaints.count() > before) return nullptr;
+  auto standing = with_sliders(lesson, std::move(subject), true);
+  if (!standing) return complaints.add(place, standing.error().what), nullptr;
+  return std::make_unique<InSituation>(std::move(lesson), std::move(standing->subject));
+}
+
 void check_mark(const Lesson& lesson, const std::string& mark, FilePlace place, Runs& runs, Complaints& complaints) {
   if (!is_mark(runs.own(), mark))
     return complaints.add(place, "there is no mark " + mark + ": a mark is support, a step's name or a handle's name");
@@ -181,14 +235,22 @@ void check_step(const Lesson& lesson, const Section& section, const std::string&
     complaints.add(place, "there is no step " + step + ": the run has " + std::to_string(steps));
 }
 
+/// The situation that a section is about; else the lesson's own.
+InSituation& situation_of(const Section& section, const Situations& situations) {
+  for (const auto& one : situations)
+    if (one->own->origin().situation == section.situation) return *one;
+  return *situations.front();
+}
+
 /// Checks the links that can only be checked on a run.
-void check_links(const Lesson& lesson, const toml::table& toml, Runs& runs, Complaints& complaints) {
+void check_links(const Lesson& lesson, const toml::table& toml, const Situations& situations, Complaints& complaints) {
   const toml::array& tables = *toml["section"].as_array();  // tables: that was checked when they were read
   for (std::size_t i = 0; i < lesson.sections.size(); ++i)
     for (const Stretch* stretch : stretches_of(lesson.sections[i])) {
       if (!stretch->link) continue;
       const auto& [kind, target] = *stretch->link;
       const FilePlace place = place_in_text(*tables[i].as_table(), "text", stretch->at);
+      Runs& runs = situation_of(lesson.sections[i], situations).runs;
       if (kind == Link::Kind::kMark) check_mark(lesson, target, place, runs, complaints);
       if (kind == Link::Kind::kStep) check_step(lesson, lesson.sections[i], target, place, runs, complaints);
     }
@@ -200,28 +262,32 @@ bool check_lesson(Lesson& lesson, const toml::table& toml, Checked checked, Comp
   const bool gates = lesson.subject->asks_of_steps;
   if (checked == Checked::kAsWritten || !lesson.points.mesh.empty()) {
     if (gates) check_gates(lesson, complaints);
-    warn_of_words(lesson, toml, nullptr, complaints);
+    warn_of_words(lesson, toml, {}, complaints);
     return true;
   }
   const TomlTable root(toml, "the lesson", complaints);
-  const auto own = lesson.subject->open(lesson, std::nullopt, nullptr);
-  if (!own) {
-    const int line = static_cast<int>(own.error().position);
-    complaints.add(line > 0 ? line : root.place_of(lesson.subject->table), own.error().what);
-    return false;
-  }
-  warn_of_words(lesson, toml, own->get(), complaints);
+  Situations situations;
+  std::vector<const Subject*> subjects;
   const std::size_t before = complaints.count();
-  check_sizes(lesson, **own, root, complaints);
-  if (complaints.count() == before && lesson.subject->check_first != nullptr)
-    lesson.subject->check_first(lesson, **own, complaints);
-  if (complaints.count() > before) return false;
-  Runs runs(lesson, **own);
-  check_links(lesson, toml, runs, complaints);
+  for (const std::string_view name : situation_names(lesson)) {
+    situations.push_back(open_to_check(lesson, name, root, complaints));
+    if (situations.back() != nullptr) subjects.push_back(situations.back()->own.get());
+  }
+  warn_of_words(lesson, toml, subjects, complaints);
+  if (complaints.count() > before) return subjects.size() == situations.size();
+  check_links(lesson, toml, situations, complaints);
   check_figures(
-      lesson, toml, **own, [&](const std::string& algorithm) { return runs.of(algorithm); }, complaints);
-  if (gates) check_runs(lesson, runs, complaints);
-  check_tasks(lesson, **own, complaints);
+      lesson, toml, *situations.front()->own,
+      [&](const std::string& algorithm) { return situations.front()->runs.of(algorithm); }, complaints);
+  if (gates)
+    for (const auto& one : situations) check_runs(one->lesson, one->runs, complaints);
+  for (const auto& one : situations) check_tasks(one->lesson, *one->own, complaints);
+  keep_questions(lesson, [&](const Question& question) {
+    return std::any_of(situations.begin(), situations.end(), [&](const auto& one) {
+      const auto& sound = one->lesson.questions;
+      return std::any_of(sound.begin(), sound.end(), [&](const Question& kept) { return kept.id == question.id; });
+    });
+  });
   return true;
 }
 

@@ -20,8 +20,8 @@ struct SubjectRow;
 
 /// The target of a link in the prose: an action, or a mark on the stage that lights up.
 struct Link {
-  enum class Kind : std::uint8_t { kLesson, kMesh, kAlgorithm, kStep, kMark } kind;
-  std::string target;  // a lesson's id, a mesh, an algorithm, a step's number, or a mark (see marked_handles)
+  enum class Kind : std::uint8_t { kLesson, kMesh, kAlgorithm, kStep, kMark, kSituation } kind;
+  std::string target;  // a lesson's id, a mesh, an algorithm, a step's number, a mark (see marked_handles), a situation
 };
 
 /// A figure of the run within a text: {radius}, {excess kdop/k8}, {count after_broad}.
@@ -59,6 +59,7 @@ struct Section {
   std::vector<Block> blocks;
   std::vector<std::string> facts;  // the facts whose steps it is about
   std::string algorithm;           // only in the run of this one; empty for all
+  std::string situation;           // which one it is about; empty for any
   FilePlace place;                 // where its text begins in the file, for errors
 };
 
@@ -71,6 +72,9 @@ struct Points {
   std::string mesh;      // one of mesh_names(): the page or the window loads it
   std::vector<Vector<double, 3>> list;
 };
+
+/// The name of the lesson's own situation, which its own tables describe.
+inline constexpr std::string_view kOwnSituation = "own";
 
 /// The available meshes: "bunny", "teapot", "dragon".
 [[nodiscard]] const std::vector<std::string>& mesh_names();
@@ -120,21 +124,43 @@ struct Question {
   std::vector<std::string> choices;  // for "choice"; for "sequence" in the right order
   int answer = 0;                    // for "choice", counted from 0
   Holds holds = Holds::kAlways;
-  std::vector<Requirement> conditions;  // it is asked where these hold, for its answer is true there
-  std::string figure;                   // for "figure" and "number": its key, and
-  std::vector<double> bounds;           // for "figure", rising: up to the first, up to the second, …, more
-  double tolerance = 0;                 // for "number": how far off a right answer may be
-  std::vector<Meaning> meanings;        // of wrong answers
-  std::string because;                  // shown with what happened, right or wrong
-  std::string prompt_here;              // replaces the prompt while the run is the lesson's own; empty for none
-  std::string because_here;             // the same for because
-  std::string section;                  // the title of the section that it is about; empty: that which names its fact
-  FilePlace place;                      // in the file, for errors
+  std::vector<Requirement> conditions;   // it is asked where these hold, for its answer is true there
+  std::string figure;                    // for "figure" and "number": its key, and
+  std::vector<double> bounds;            // for "figure", rising: up to the first, up to the second, …, more
+  double tolerance = 0;                  // for "number": how far off a right answer may be
+  std::vector<Meaning> meanings;         // of wrong answers
+  std::string because;                   // shown with what happened, right or wrong
+  std::string prompt_here;               // replaces the prompt while the run is the lesson's own; empty for none
+  std::string because_here;              // the same for because
+  std::string section;                   // the title of the section that it is about; empty: that which names its fact
+  std::string situation{kOwnSituation};  // asked in this one alone
+  FilePlace place;                       // in the file, for errors
 };
 
 /// A lesson's tables, as only its subject knows them. Each subject derives its own.
 struct Tables {
   virtual ~Tables() = default;
+};
+
+/// Another set of points, another pair or another scene on the same stage. It is named in links and addresses.
+struct Situation {
+  std::string name, title;  // title: the words on its control
+  Points points;
+  std::shared_ptr<const Tables> tables;
+  FilePlace place;  // in the file, for errors
+};
+
+/// A slider beside the stage, which drives a number of what stands there.
+struct Slider {
+  std::string title, drives;  // drives: one of Subject::drives
+  double from = 0, to = 1;
+  std::optional<double> start;      // none: where the lesson's own stands, if that lies between, or else `from`
+  int steps = 0;                    // from one end to the other; 0: as many as suit the numbers
+  bool logarithmic = false;         // each step is a factor
+  std::optional<int> decimals;      // none: as many as the steps need
+  std::optional<std::string> unit;  // none: that of what it drives
+  std::string situation;            // in this one alone; empty for all
+  FilePlace place, drives_place;    // in the file, for errors
 };
 
 /// "Make it fail" or "construct it": graded on what stands on the stage.
@@ -146,6 +172,7 @@ struct Task {
   std::vector<Requirement> conditions;
   std::string hint;
   std::vector<std::vector<double>> model;  // a solution, which the checks play: see Subject::rows
+  std::string situation{kOwnSituation};    // the one that it begins in and is graded in
   FilePlace place, model_place;            // in the file, for errors
 };
 
@@ -170,8 +197,11 @@ struct Lesson {
   Points points;
   const SubjectRow* subject = nullptr;   // what the stage is about; null: determined by the volume
   std::shared_ptr<const Tables> tables;  // the subject's; null if it has none besides the points
-  std::vector<std::string> meshes;       // those that the student may load instead
-  std::vector<std::string> generators;   // those that the student may scatter points with instead
+  std::string own_title = "First";       // the words on the control of the lesson's own situation
+  std::vector<Situation> situations;     // besides the lesson's own
+  std::vector<Slider> sliders;
+  std::vector<std::string> meshes;      // those that the student may load instead
+  std::vector<std::string> generators;  // those that the student may scatter points with instead
   std::uint64_t seed = 1;
   Start start = Start::kBegin;
   std::string volume = "sphere";        // the volume of the methods: one of kVolumeNames, or a subject's own word

@@ -53,6 +53,7 @@ Place::Place(const Session& session)
       own_source_(session.own().origin().source), task_(session.task()), algorithm_(name_of(session, 0)),
       step_(session.step()), at_end_(session.step() > 0 && session.step() == session.steps()),
       previewing_(session.previewing()), outcomes_(session.outcomes()) {
+  if (session.has_slid()) sliders_ = session.slider_values();
   if (session.edited()) rows_ = session.subject().rows();
   const bool generated = is_among(generator_kinds(), origin_.source);
   if (origin_.source != own_source_ && origin_.source != kTaskSource && !generated) file_ = file_of(session.subject());
@@ -82,8 +83,10 @@ void Place::take_source(Session& session) const {
 }
 
 void Place::take_stage(Session& session) const {
+  static_cast<void>(session.show_situation(origin_.situation));  // or the lesson's own, if that is gone
   const bool same = session.dim() == dim_ && session.own().rows() == own_;
   take_source(session);
+  if (!sliders_.empty()) static_cast<void>(session.set_sliders(sliders_));  // unless there are others now
   if (same && !rows_.empty() && !file_) static_cast<void>(session.set_rows(rows_));
 }
 

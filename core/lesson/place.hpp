@@ -34,11 +34,12 @@ class Place {
 
   std::string lesson_;
   int dim_ = 2;
-  Rows own_, rows_;         // of the lesson's own stage, and as it was edited; the latter empty if it was not
-  bool scattered_ = false;  // by another seed than the lesson's
-  Subject::Origin origin_;  // of what is on the stage, and
-  std::string own_source_;  // of the lesson's own
-  std::size_t task_;        // the one in hand, if the stage is a task's
+  Rows own_, rows_;              // of the lesson's own stage, and as it was edited; the latter empty if it was not
+  bool scattered_ = false;       // by another seed than the lesson's
+  std::vector<double> sliders_;  // their values, if any has moved
+  Subject::Origin origin_;       // of what is on the stage, and
+  std::string own_source_;       // of the lesson's own
+  std::size_t task_;             // the one in hand, if the stage is a task's
   std::optional<io::PointFile> file_;  // the points, if they come from a mesh or a file
   std::string algorithm_;
   std::optional<std::string> beside_;  // if it is not the lesson's own choice; "" for none

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lesson/situations.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::lesson {
@@ -25,7 +26,7 @@ bool advance(Session& session, std::vector<Outcome>& outcomes) {
 
 tl::expected<Played::Algorithm, InputError> play_algorithm(Session& session, const std::string& name) {
   if (const auto chosen = session.choose(0, name); !chosen) return tl::unexpected(chosen.error());
-  Played::Algorithm played{name, session.steps(), {}};
+  Played::Algorithm played{name, session.situation(), session.steps(), {}};
   session.first();
   // Every iteration answers a question or takes a step, so there are at most as many as both together.
   std::size_t turns = session.questions().size() + static_cast<std::size_t>(session.steps());
@@ -73,12 +74,16 @@ tl::expected<Played, InputError> play(Session& session) {
   Played played;
   const SubjectRow& subject = *session.lesson().subject;
   session.forget_answers();
-  if (subject.before_play != nullptr) subject.before_play(session);
-  for (const std::string& name : playable(session)) {
-    auto algorithm = play_algorithm(session, name);
-    if (!algorithm) return tl::unexpected(std::move(algorithm.error()));
-    played.algorithms.push_back(std::move(*algorithm));
+  for (const std::string_view situation : situation_names(session.lesson())) {
+    if (const Done shown = session.show_situation(situation); !shown) return tl::unexpected(shown.error());
+    if (subject.before_play != nullptr) subject.before_play(session);
+    for (const std::string& name : playable(session)) {
+      auto algorithm = play_algorithm(session, name);
+      if (!algorithm) return tl::unexpected(std::move(algorithm.error()));
+      played.algorithms.push_back(std::move(*algorithm));
+    }
   }
+  if (const Done shown = session.show_situation(kOwnSituation); !shown) return tl::unexpected(shown.error());
   find_not_asked(session.lesson(), played);
   for (std::size_t i = 0; i < session.lesson().tasks.size(); ++i) {
     auto grade = play_task(session, i);

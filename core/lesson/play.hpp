@@ -14,6 +14,7 @@ namespace snug::lesson {
 struct Played {
   struct Algorithm {
     std::string name;
+    std::string situation;
     int steps = 0;
     std::vector<Outcome> outcomes;  // one for each question, in the timeline's order
   };
@@ -25,10 +26,10 @@ struct Played {
   [[nodiscard]] bool sound() const;
 };
 
-/// Plays each playable algorithm from the first step to the last, gives each question its model answer, and grades the
-/// tasks' models. The session is left with the last of them. There is no clock: a lesson with the cost
-/// chart is played by counted operations, and its sentences mention them. Errors: those of choose and load; a player
-/// that does not move on.
+/// Plays in each situation each playable algorithm from the first step to the last, gives each question its model
+/// answer, and grades the tasks' models. The session is left with the last of them. There is no clock: a lesson with
+/// the cost chart is played by counted operations, and its sentences mention them. Errors: those of choose and load; a
+/// player that does not move on.
 [[nodiscard]] tl::expected<Played, InputError> play(Session& session);
 
 }  // namespace snug::lesson

@@ -170,14 +170,14 @@ Done PointSubject::set_rows(const Rows& rows) {
 Done PointSubject::load(const io::PointFile& file, std::string_view name) {
   auto set = io::to_point_set(file, name, 0, false);
   if (!set) return tl::unexpected(std::move(set.error()));
-  origin_ = {std::string(name), 0, origin_.seed, name != recipe_->mesh};
+  origin_ = {std::string(name), 0, origin_.seed, name != recipe_->mesh, origin_.situation};
   become(*std::move(set), std::make_shared<const Triangles>(file.triangles));
   return {};
 }
 
 /// kind: an existing one; count and dim: in range.
 void PointSubject::generate_points(std::string_view kind, int count, int dim, std::uint64_t seed, bool edited) {
-  origin_ = {std::string(kind), count, seed, edited};
+  origin_ = {std::string(kind), count, seed, edited, origin_.situation};
   become(*to_set(*generate(kind, count, dim, seed), dim), nullptr);
 }
 
@@ -207,7 +207,7 @@ void PointSubject::scatter(std::uint64_t seed, const Subject& own) {
 }
 
 void PointSubject::begin_task(const Lesson&, const Task& task, const Subject& own) {
-  origin_ = {"task", 0, own.origin().seed, true};
+  origin_ = {"task", 0, own.origin().seed, true, own.origin().situation};
   std::vector<Point3> points = all_points(*own.points());
   if (task.points > 0) points.resize(std::min(points.size(), static_cast<std::size_t>(task.points)));
   become(*to_set(points, own.dim()), nullptr);  // these points were accepted before

@@ -47,6 +47,12 @@ class PointSubject : public Subject {
   /// Drops the triangles if the number of points changes. Errors: those of to_set.
   Done set_rows(const Rows& rows) override;
 
+  /// "offset" moves all points along a slanting direction; "jitter" moves each along its own, at most so far in each
+  /// coordinate, by the seed; "scale" and "angle" are about their centroid, in space about z; "count" is how many are
+  /// generated.
+  [[nodiscard]] std::vector<Drive> drives() const override;
+  Done drive(std::string_view name, double from, double to) override;
+
   Done move(Index i, const Point3& to) override;
   /// Drops the triangles, as remove does.
   Done add(const Point3& at) override;
@@ -85,6 +91,7 @@ class PointSubject : public Subject {
   void generate_points(std::string_view kind, int count, int dim, std::uint64_t seed, bool edited);
 
  private:
+  Done drive_count(double to);
   [[nodiscard]] bool is_as_own(std::string_view kind, int count, int dim) const;
 
   AnyPointSet points_;

@@ -44,11 +44,12 @@ std::string with_minus_signs(std::string words) {
   return words;
 }
 
-constexpr std::array<std::pair<std::string_view, Link::Kind>, 5> kLinkKinds{{{"lesson", Link::Kind::kLesson},
+constexpr std::array<std::pair<std::string_view, Link::Kind>, 6> kLinkKinds{{{"lesson", Link::Kind::kLesson},
                                                                              {"mesh", Link::Kind::kMesh},
                                                                              {"algorithm", Link::Kind::kAlgorithm},
                                                                              {"step", Link::Kind::kStep},
-                                                                             {"mark", Link::Kind::kMark}}};
+                                                                             {"mark", Link::Kind::kMark},
+                                                                             {"situation", Link::Kind::kSituation}}};
 
 /// Parses a paragraph of prose, from left to right.
 class Line {

@@ -7,6 +7,7 @@
 #include "lesson/grade.hpp"
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
+#include "lesson/read_situations.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/text_place.hpp"
 #include "lesson/toml_file.hpp"
@@ -105,6 +106,7 @@ bool check_link(const toml::table& section, const Stretch& stretch, const Lesson
         if (is_among(lesson.algorithms, name_in(lesson, *method))) return true;
       return check("an algorithm", lesson.algorithms);
     case Link::Kind::kStep: return is_step_number(link.target) || wrong("a step that is not a number: " + link.target);
+    case Link::Kind::kSituation: return check("a situation", situation_names(lesson));
     case Link::Kind::kMark:  // a handle's name is known once the lesson runs
     case Link::Kind::kLesson: break;
   }
@@ -122,6 +124,7 @@ Section read_section(const toml::table& toml, const Lesson& lesson, Complaints& 
     complaints.add(place_in_text(toml, "text", fault.at), "\"text\" " + fault.what);
   section.facts = read_names(table, "facts", 0, lesson.subject->facts());
   if (table.has("algorithm")) section.algorithm = read_algorithm(table, "algorithm", lesson);
+  section.situation = read_situation(table, lesson, "");
   for (Block& block : section.blocks)
     for (std::vector<Paragraph>& row : block.rows)
       for (Paragraph& cell : row)
@@ -195,6 +198,7 @@ Question read_question(const toml::table& toml, const Lesson& lesson, Complaints
   read_asking(table, lesson, question);
   read_truth(table, lesson, question, complaints);
   read_meanings(table, question);
+  question.situation = read_situation(table, lesson, kOwnSituation);
   question.because = table.text("because");
   question.prompt_here = table.text_or("prompt_here", "");
   question.because_here = table.text_or("because_here", "");
@@ -217,7 +221,8 @@ Task read_task(const toml::table& toml, const Lesson& lesson, Complaints& compla
   task.conditions = read_requirements(table, lesson, complaints);
   if (task.conditions.empty()) table.lack("require", "the task has no [[task.require]]");
   task.model_place = table.place_of("model");
-  task.model = lesson.subject->read_model(table, lesson, complaints);
+  task.situation = read_situation(table, lesson, kOwnSituation);
+  task.model = lesson.subject->read_model(table, lesson_in(lesson, task.situation), complaints);
   table.refuse_others();
   return task;
 }
@@ -306,15 +311,17 @@ bool read(const toml::table& toml, Lesson& lesson, Complaints& complaints) {
   }
   read_head(table, lesson);
   bool sound = read_subject(table, lesson, complaints);
-  for (const toml::table* section : table.tables("section"))
-    lesson.sections.push_back(read_section(*section, lesson, complaints));
-  if (lesson.sections.empty()) table.lack("section", "the lesson has no [[section]]");
   const std::size_t before = complaints.count();
   const std::string own(lesson.subject->table);
   const bool known = sound || !lesson.algorithms.empty();
   if (table.table(own) != nullptr) lesson.subject->read(table, lesson, complaints);
   else if (known) table.lack(own, "the lesson lacks [" + own + "]");
+  read_situations(table, lesson, complaints);
   sound = sound && table.has(own) && complaints.count() == before;
+  read_sliders(table, lesson, complaints);
+  for (const toml::table* section : table.tables("section"))
+    lesson.sections.push_back(read_section(*section, lesson, complaints));
+  if (lesson.sections.empty()) table.lack("section", "the lesson has no [[section]]");
   if (const toml::table* words = table.table("pseudocode")) read_pseudocode(*words, complaints, lesson);
   read_questions(table, lesson, complaints);
   read_tasks(table, lesson, complaints);

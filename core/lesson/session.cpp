@@ -4,15 +4,20 @@
 #include <algorithm>
 
 #include "lesson/say.hpp"
+#include "lesson/situations.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::lesson {
 tl::expected<Session, InputError> Session::open(Lesson lesson, std::optional<io::PointFile> mesh, Clock clock) {
   if (lesson.subject == nullptr) lesson.subject = find_subject(lesson.volume, "");
   if (lesson.algorithms.empty()) return tl::unexpected(InputError{.what = "the lesson offers no algorithm"});
-  auto own = lesson.subject->open(lesson, std::move(mesh), clock);
-  if (!own) return tl::unexpected(std::move(own.error()));
-  Session session(std::move(lesson), *std::move(own));
+  std::vector<Situated> places;
+  for (const std::string_view name : situation_names(lesson)) {
+    auto own = open_situation(lesson, name, mesh, clock);
+    if (!own) return tl::unexpected(std::move(own.error()));
+    places.push_back({*std::move(own), {}});
+  }
+  Session session(std::move(lesson), std::move(places));
   if (auto made = session.make_room_for(*session.now_); !made) return tl::unexpected(std::move(made.error()));
   session.subject_changed();
   session.step_ = 0;
@@ -23,9 +28,9 @@ tl::expected<Session, InputError> Session::open(Lesson lesson, std::optional<io:
   return session;
 }
 
-Session::Session(Lesson lesson, Snapshot own)
-    : lesson_(std::make_unique<const Lesson>(std::move(lesson))), own_(std::move(own)), now_(own_->clone()),
-      grades_(lesson_->tasks.size()), done_(lesson_->tasks.size()) {
+Session::Session(Lesson lesson, std::vector<Situated> places)
+    : lesson_(std::make_unique<const Lesson>(std::move(lesson))), places_(std::move(places)), now_(own().clone()),
+      slid_(opened().slid), grades_(lesson_->tasks.size()), done_(lesson_->tasks.size()) {
   use(0, find_method(*lesson_, lesson_->algorithms.front()));
   if (!lesson_->compare.empty()) use(1, find_method(*lesson_, lesson_->compare));
 }
@@ -117,6 +122,8 @@ const std::vector<Rival>& Session::rivals() const {
 
 Grade Session::grade(std::size_t task) const {
   const Task& own = lesson_->tasks[task];
+  if (own.situation != situation())
+    return {.says = "This task is about “" + situation_title(*lesson_, own.situation) + "”: start it."};
   if (!grades_[task]) grades_[task] = now_->grade(*lesson_, own, view());
   Grade now = *grades_[task];
   if (now.done && !own.only.empty() && !(task_started_ && task_ == task)) now.done = false, now.says = only_text(own);

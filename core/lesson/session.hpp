@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "lesson/ask.hpp"
+#include "lesson/sliders.hpp"
 #include "lesson/subject.hpp"
 
 namespace snug::lesson {
@@ -36,7 +37,27 @@ class Session {
   /// The subject as it is on the stage.
   [[nodiscard]] const Subject& subject() const { return *now_; }
   /// The subject as the lesson opens with it.
-  [[nodiscard]] const Subject& own() const { return *own_; }
+  [[nodiscard]] const Subject& own() const { return *opened().subject; }
+
+  // ---- situations and sliders -------------------------------------------------------------------------------
+  /// The name of the situation that is on the stage.
+  [[nodiscard]] const std::string& situation() const { return now_->origin().situation; }
+  /// Shows a situation as it was left, as one entry of undo. Errors: there is none of that name.
+  Done show_situation(std::string_view name);
+  /// The sliders of the situation that is on the stage.
+  [[nodiscard]] std::vector<ShownSlider> sliders() const { return shown_sliders(*lesson_, slid_, *now_); }
+  /// Moves a slider, by its number among the lesson's. It is an edit like move: between begin_drag and end_drag, all of
+  /// its moves are one entry of undo. Errors: there is no such slider here; those of Subject::drive.
+  Done slide(std::size_t slider, double value);
+  /// The same, to a place of its knob.
+  Done slide_to_place(std::size_t slider, int place);
+  /// The values of all of the lesson's sliders, and whether any is not where the situation begins.
+  [[nodiscard]] const std::vector<double>& slider_values() const { return slid_.values; }
+  [[nodiscard]] bool has_slid() const { return slid_.values != opened().slid.values; }
+  /// Moves sliders to what slider_values said, as one edit.
+  Done set_sliders(std::vector<double> values);
+  /// The situations that still have open questions, besides the one on the stage: as `waiting`.
+  [[nodiscard]] std::vector<std::string> situations_waiting() const;
 
   // ---- its handles ------------------------------------------------------------------------------------------
   [[nodiscard]] int dim() const { return now_->dim(); }
@@ -45,6 +66,7 @@ class Session {
   [[nodiscard]] std::string name_of(Index i) const { return now_->name_of(i); }
   [[nodiscard]] std::uint64_t seed() const { return now_->origin().seed; }
   [[nodiscard]] const std::string& source() const { return now_->origin().source; }
+  [[nodiscard]] Snapshot snapshot() const { return {now_->clone(), slid_}; }
   /// Whether it differs from the lesson's own for this seed, so that an address cannot restore it.
   [[nodiscard]] bool edited() const { return now_->origin().edited; }
 
@@ -260,13 +282,27 @@ class Session {
     std::unique_ptr<Run> run;
     std::vector<std::string_view> pseudocode;
   };
-  using Snapshot = std::unique_ptr<Subject>;
+  /// A situation.
+  struct Situated {
+    Snapshot own;                    // as it opens, for reset
+    Snapshot left;                   // as it was when another was shown; null before that
+    const Method* method = nullptr;  // slot 0's then
+    int step = 0;
+    bool previewing = false;
+  };
 
-  Session(Lesson lesson, Snapshot own);
+  Session(Lesson lesson, std::vector<Situated> places);
+  [[nodiscard]] const Snapshot& opened() const { return places_[shown_].own; }
   [[nodiscard]] const Method* first_that_suits(const Subject& subject) const;
   Done make_room_for(const Subject& next);
   template <class Edit>
   Done edit(Edit edit);
+  template <class Edit>
+  Done edit_anew(Edit edit);
+  Done become(Snapshot next);
+  Snapshot exchange(Snapshot next);
+  void leave_situation();
+  void enter_situation();
   void remember(Snapshot before);
   void restore(std::vector<Snapshot>& from, std::vector<Snapshot>& to);
   void use(int slot, const Method* method);
@@ -287,8 +323,10 @@ class Session {
   Outcome& outcome_for(const std::string& id);
 
   std::unique_ptr<const Lesson> lesson_;
-  Snapshot own_;  // the lesson's own subject, for reset
-  Snapshot now_;
+  std::vector<Situated> places_;  // of each situation, the lesson's own first
+  std::size_t shown_ = 0;         // which of them is on the stage
+  std::unique_ptr<Subject> now_;
+  Slid slid_;
   std::vector<Snapshot> past_;
   std::vector<Snapshot> future_;
   Snapshot drag_;  // the subject when the drag began

@@ -16,30 +16,56 @@ constexpr std::size_t kMostUndo = 200;  // for the bunny, 10 MB
 /// Makes an edit, as one entry of undo. If it is refused, nothing changes.
 template <class Edit>
 Done Session::edit(Edit edit) {
-  Snapshot next = now_->clone();
+  auto next = now_->clone();
   if (Done done = edit(*next); !done) return done;
   return become(std::move(next));
 }
 
+/// The same for an edit that brings something new, over which the sliders begin again.
+template <class Edit>
+Done Session::edit_anew(Edit edit) {
+  auto next = now_->clone();
+  if (Done done = edit(*next); !done) return done;
+  auto begun = with_sliders(*lesson_, std::move(next), false);
+  if (!begun) return tl::unexpected(std::move(begun.error()));
+  return become(*std::move(begun));
+}
+
+Done Session::become(std::unique_ptr<Subject> next) {
+  Slid slid = slid_;
+  follow_edit(*lesson_, slid, *next);
+  return become(Snapshot{std::move(next), std::move(slid)});
+}
+
 Done Session::become(Snapshot next) {
-  if (Done made = make_room_for(*next); !made) return made;
+  if (Done made = make_room_for(*next.subject); !made) return made;
   end_drag();
-  remember(std::exchange(now_, std::move(next)));
+  remember(exchange(std::move(next)));
   task_started_ = false;
-  subject_changed();
   return {};
+}
+
+/// Replaces what stands on the stage, and returns it.
+Snapshot Session::exchange(Snapshot next) {
+  const bool goes = next.subject->origin().situation != situation();
+  if (goes) leave_situation();
+  Snapshot before{std::exchange(now_, std::move(next.subject)), std::exchange(slid_, std::move(next.slid))};
+  if (goes) enter_situation();
+  else subject_changed();
+  return before;
 }
 
 Done Session::move(Index i, const Point3& to) {
   if (i < 0 || i >= size()) return tl::unexpected(InputError{.what = "there is no point " + std::to_string(i)});
   if (!may_move(i)) return tl::unexpected(InputError{.what = only_text(lesson_->tasks[task_])});
-  if (!drag_) {
+  if (!drag_.subject) {
     const bool started = task_started_;
     Done moved = edit([&](Subject& next) { return next.move(i, to); });
     task_started_ = started;
     return moved;
   }
   if (Done moved = now_->move(i, to); !moved) return moved;
+  follow_edit(*lesson_, slid_, *now_);
   drag_moved_ = true;
   subject_changed();
   return {};
@@ -58,11 +84,11 @@ Done Session::remove(Index i) {
 }
 
 Done Session::load(const io::PointFile& file, std::string_view name) {
-  return edit([&](Subject& next) { return next.load(file, name); });
+  return edit_anew([&](Subject& next) { return next.load(file, name); });
 }
 
 Done Session::set_generator(std::string_view kind, int count, int dim, std::uint64_t seed) {
-  return edit([&](Subject& next) { return next.set_generator(kind, count, dim, seed, *own_); });
+  return edit_anew([&](Subject& next) { return next.set_generator(kind, count, dim, seed, own()); });
 }
 
 Done Session::set_numbers(std::size_t group, std::size_t row, std::span<const double> values) {
@@ -74,15 +100,18 @@ Done Session::set_rows(const Rows& rows) {
 }
 
 void Session::scatter(std::uint64_t seed) {
-  static_cast<void>(edit([&](Subject& next) { return next.scatter(seed, *own_), Done(); }));
+  static_cast<void>(edit_anew([&](Subject& next) { return next.scatter(seed, own()), Done(); }));
 }
 
-void Session::reset() { static_cast<void>(become(own_->clone())); }
+void Session::reset() { static_cast<void>(become(opened().clone())); }
 
 void Session::start_task(std::size_t task) {
   if (task >= lesson_->tasks.size()) return;
   const Task& own = lesson_->tasks[task];
-  static_cast<void>(edit([&](Subject& next) { return next.begin_task(*lesson_, own, *own_), Done(); }));
+  static_cast<void>(show_situation(own.situation));
+  static_cast<void>(edit([&](Subject& next) { return next.begin_task(*lesson_, own, this->own()), Done(); }));
+  slid_.values = slid_.base_values = opened().slid.values;
+  follow_edit(*lesson_, slid_, *now_);
   static_cast<void>(choose(0, own.algorithm));
   task_ = task;
   task_started_ = true;
@@ -107,7 +136,7 @@ bool Session::may_move(Index i) const {
   return only.empty() || is_among(only, name_of(i));
 }
 
-bool Session::is_own() const { return now_->origin() == own_->origin(); }
+bool Session::is_own() const { return now_->origin() == own().origin(); }
 
 void Session::remember(Snapshot before) {
   if (past_.size() == kMostUndo) past_.erase(past_.begin());
@@ -117,12 +146,12 @@ void Session::remember(Snapshot before) {
 
 void Session::begin_drag() {
   end_drag();
-  drag_ = now_->clone();
+  drag_ = snapshot();
 }
 
 void Session::end_drag() {
   Snapshot before = std::move(drag_);
-  if (before && drag_moved_) {
+  if (before.subject && drag_moved_) {
     remember(std::move(before));
     ++revision_;
   }
@@ -132,10 +161,10 @@ void Session::end_drag() {
 void Session::restore(std::vector<Snapshot>& from, std::vector<Snapshot>& to) {
   if (from.empty()) return;
   // Every snapshot was accepted before, so the lesson's methods can take it.
-  static_cast<void>(make_room_for(*from.back()));
-  to.push_back(std::exchange(now_, std::move(from.back())));
+  static_cast<void>(make_room_for(*from.back().subject));
+  Snapshot next = std::move(from.back());
   from.pop_back();
-  subject_changed();
+  to.push_back(exchange(std::move(next)));
 }
 
 void Session::undo() {

@@ -206,7 +206,7 @@ bool Session::comparing() const {
   if (!is_own()) return false;
   return std::any_of(lesson_->questions.begin(), lesson_->questions.end(), [&](const Question& question) {
     const Asking* asking = general_asking(question.asks, *lesson_->subject);
-    return asking != nullptr && asking->figure == kComparedFigure &&
+    return asking != nullptr && asking->figure == kComparedFigure && question.situation == situation() &&
            std::none_of(outcomes_.begin(), outcomes_.end(),
                         [&](const Outcome& it) { return it.question == question.id && !it.passed; });
   });
@@ -217,7 +217,7 @@ std::vector<const Method*> Session::waiting() const {
   if (!is_own()) return methods;
   for (const std::string& name : lesson_->algorithms) {
     const bool open = std::any_of(lesson_->questions.begin(), lesson_->questions.end(), [&](const Question& question) {
-      return question.gate.algorithm == name &&
+      return question.gate.algorithm == name && question.situation == situation() &&
              std::none_of(outcomes_.begin(), outcomes_.end(),
                           [&](const Outcome& it) { return it.question == question.id && !it.passed; });
     });

@@ -50,12 +50,17 @@ bool is_among_handles(const std::vector<Index>& handles, Index handle) {
   return std::find(handles.begin(), handles.end(), handle) != handles.end();
 }
 
-/// The first section about this algorithm that names the fact.
-std::optional<int> section_of(const Lesson& lesson, std::string_view fact, std::string_view algorithm) {
+bool is_about(const Section& section, std::string_view algorithm, std::string_view situation) {
+  return (section.algorithm.empty() || section.algorithm == algorithm) &&
+         (section.situation.empty() || section.situation == situation);
+}
+
+/// The first section about this algorithm and situation that names the fact.
+std::optional<int> section_of(const Lesson& lesson, std::string_view fact, std::string_view algorithm,
+                              std::string_view situation) {
   for (std::size_t i = 0; i < lesson.sections.size(); ++i) {
     const Section& section = lesson.sections[i];
-    if ((section.algorithm.empty() || section.algorithm == algorithm) && is_among(section.facts, fact))
-      return static_cast<int>(i);
+    if (is_about(section, algorithm, situation) && is_among(section.facts, fact)) return static_cast<int>(i);
   }
   return std::nullopt;
 }
@@ -63,7 +68,16 @@ std::optional<int> section_of(const Lesson& lesson, std::string_view fact, std::
 std::optional<int> section_of(const Lesson& lesson, const Question& question) {
   for (std::size_t i = 0; i < lesson.sections.size(); ++i)
     if (!question.section.empty() && lesson.sections[i].title == question.section) return static_cast<int>(i);
-  return section_of(lesson, question.gate.fact, question.gate.algorithm);
+  return section_of(lesson, question.gate.fact, question.gate.algorithm, question.situation);
+}
+
+/// The first section about a situation besides the lesson's own.
+std::optional<int> section_of_situation(const Session& session) {
+  const auto& sections = session.lesson().sections;
+  if (session.lesson().situations.empty()) return std::nullopt;
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    if (sections[i].situation == session.situation()) return static_cast<int>(i);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -112,11 +126,12 @@ std::optional<int> section_at(const Session& session) {
   const Asked* const about = asked != nullptr ? asked : told != nullptr ? session.question_of(*told) : nullptr;
   if (about != nullptr)
     if (const auto section = section_of(lesson, *about->question)) return section;
-  if (session.method(0) == nullptr || session.previewing()) return std::nullopt;
+  if (session.method(0) == nullptr || session.previewing()) return section_of_situation(session);
   const std::string own = name_in(lesson, *session.method(0));
   for (int step = session.step(); step > 0; --step)
-    if (const auto section = section_of(lesson, session.run(0).fact(step - 1), own)) return section;
-  return std::nullopt;
+    if (const auto section = section_of(lesson, session.run(0).fact(step - 1), own, session.situation()))
+      return section;
+  return section_of_situation(session);
 }
 
 }  // namespace snug::lesson

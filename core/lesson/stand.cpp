@@ -52,6 +52,9 @@ Done stand_at_question(Session& session, const Standpoint& at) {
   const std::string& own = question->gate.algorithm;
   if (!at.algorithm.empty() && !own.empty() && at.algorithm != own)
     return refused("the question " + at.question + " is about " + own + ", not about " + at.algorithm);
+  if (!at.situation.empty() && at.situation != question->situation)
+    return refused("the question " + at.question + " is asked in " + question->situation + ", not in " + at.situation);
+  if (Done shown = session.show_situation(question->situation); !shown) return shown;
   if (!own.empty())
     if (Done used = use(session, own); !used) return used;
   if (at.answered && !session.lesson().subject->asks_of_steps)
@@ -64,6 +67,8 @@ Done stand_at_question(Session& session, const Standpoint& at) {
 }  // namespace
 
 Done stand_at(Session& session, const Standpoint& at) {
+  if (!at.situation.empty())
+    if (Done shown = session.show_situation(at.situation); !shown) return shown;
   if (!at.algorithm.empty())
     if (Done used = use(session, at.algorithm); !used) return used;
   if (!at.question.empty()) return stand_at_question(session, at);

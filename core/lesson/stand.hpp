@@ -13,17 +13,18 @@ class Session;
 
 struct Standpoint {
   static constexpr int kLastStep = -1;
+  std::string situation;    // empty: the question's, or the one that is shown
   std::string algorithm;    // empty: the question's, or the one that is shown
   std::optional<int> step;  // or kLastStep; not together with a question, which has its own
   std::string question;     // its id; empty for none
   bool answered = false;    // whether its model answer is given and its outcome shown, or else it is open
 
   /// Whether no place is named.
-  [[nodiscard]] bool empty() const { return algorithm.empty() && !step && question.empty(); }
+  [[nodiscard]] bool empty() const { return situation.empty() && algorithm.empty() && !step && question.empty(); }
 };
 
-/// Errors: the lesson has no such algorithm or question; the run has no such step; the question does not come on what
-/// is on the stage.
+/// Errors: the lesson has no such situation, algorithm or question; the run has no such step; the question does not
+/// come on what is on the stage.
 [[nodiscard]] tl::expected<void, InputError> stand_at(Session& session, const Standpoint& at);
 
 }  // namespace snug::lesson

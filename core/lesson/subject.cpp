@@ -8,6 +8,13 @@
 namespace snug::lesson {
 namespace {
 
+std::string drive_name(const NumberGroup& group, const NumberRow& row, std::size_t i) {
+  std::string name = group.drive;
+  if (!row.drive.empty()) (name += ' ') += row.drive;
+  if (!row.names.empty()) (name += ' ') += row.names[i];
+  return name;
+}
+
 tl::unexpected<InputError> fixed_number() {
   return tl::unexpected(InputError{.what = "this lesson has two volumes: no more and no fewer"});
 }
@@ -35,6 +42,31 @@ std::string Subject::refusal(const Method& method) const {
   if (dim() == 2 && !method.plane) return title + " is for points in space";
   if (dim() == 3 && !method.space) return title + " is for points in the plane";
   return {};
+}
+std::vector<Drive> Subject::drives() const {
+  std::vector<Drive> all;
+  for (const NumberGroup& group : numbers())
+    for (const NumberRow& row : group.rows)
+      for (std::size_t i = 0; i < row.values.size(); ++i) {
+        Drive& drive = all.emplace_back(Drive{.name = drive_name(group, row, i), .now = row.values[i]});
+        if (!row.unit.empty()) drive.unit = row.unit;
+        if (row.turn > 0) drive.now.reset();
+      }
+  return all;
+}
+Done Subject::drive(std::string_view name, double from, double to) {
+  const std::vector<NumberGroup> groups = numbers();
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (std::size_t r = 0; r < groups[g].rows.size(); ++r) {
+      const NumberRow& row = groups[g].rows[r];
+      std::vector<double> values = row.values;
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        if (drive_name(groups[g], row, i) != name) continue;
+        values[i] = row.turn > 0 ? to - from : to;
+        return set_numbers(g, r, values);
+      }
+    }
+  return tl::unexpected(InputError{.what = "there is no " + std::string(name) + " to drive"});
 }
 Done Subject::add(const Point3&) { return fixed_number(); }
 Done Subject::remove(Index) { return fixed_number(); }

@@ -62,14 +62,25 @@ struct NumberRow {
   std::string_view words;               // its heading: "Centre"
   std::vector<std::string_view> names;  // a name for each number: "x"; empty for a single number
   std::vector<double> values;
-  std::string_view unit = "";  // "degrees"; empty for scene units
-  double turn = 0;             // > 0: each number rotates about an axis by so many degrees; this is the usual angle
+  std::string_view unit = "";   // "degrees"; empty for scene units
+  double turn = 0;              // > 0: each number rotates about an axis by so many degrees; this is the usual angle
+  std::string_view drive = "";  // its name in that of a Drive, after the group's: "turn"; empty for none
 };
 
 /// The number fields of one thing on the stage.
 struct NumberGroup {
   std::string_view heading, name;  // "Box A"; in a sentence "A"
   std::vector<NumberRow> rows;
+  std::string drive = {};  // its name in that of a Drive: "A"
+};
+
+/// A number that a slider can drive.
+struct Drive {
+  std::string name;  // as lesson files say it: "B turn", "offset"
+  std::string_view unit = "units";
+  std::optional<double> now;  // none if it cannot be told from what stands on the stage
+  double rest = 0;            // if it cannot be told: the value at which it changes nothing
+  bool whole = false;         // whether it takes whole numbers only
 };
 
 /// The state of a subject as numbers: a row for each point, box or volume.
@@ -165,6 +176,7 @@ class Subject {
     int generated = 0;           // how many points the source's generator made; 0 without one
     std::uint64_t seed = 1;
     bool edited = false;  // whether it differs from the lesson's own for this seed
+    std::string situation{kOwnSituation};
     friend bool operator==(const Origin&, const Origin&) = default;
   };
 
@@ -172,6 +184,7 @@ class Subject {
   [[nodiscard]] virtual const SubjectRow& row() const = 0;
   [[nodiscard]] virtual std::unique_ptr<Subject> clone() const = 0;
   [[nodiscard]] const Origin& origin() const { return origin_; }
+  virtual void set_origin(Origin origin) { origin_ = std::move(origin); }
   [[nodiscard]] virtual int dim() const = 0;
   /// The subject whose runs it shows: for a chart, its cloud.
   [[nodiscard]] virtual const Subject& shape() const { return *this; }
@@ -194,6 +207,10 @@ class Subject {
   [[nodiscard]] virtual std::vector<NumberGroup> numbers() const { return {}; }
   /// Sets a row of numbers. values: as many as the row has. Errors: there is no such row; those of move.
   virtual Done set_numbers(std::size_t group, std::size_t row, std::span<const double> values);
+  /// What sliders can drive: by default its number fields.
+  [[nodiscard]] virtual std::vector<Drive> drives() const;
+  /// Drives one of these from a value to another. Errors: there is none of that name; those of move.
+  virtual Done drive(std::string_view name, double from, double to);
   /// Everything that edits can change, exact to the last bit.
   [[nodiscard]] virtual Rows rows() const = 0;
   /// Restores that state. Errors: these are not rows of such a subject; those of move.

@@ -44,6 +44,7 @@ class TomlTable {
   /// name: the table's name in errors: "the lesson", "[points]", "[[question]]".
   TomlTable(const toml::table& table, std::string name, Complaints& complaints);
 
+  [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] FilePlace place() const { return place_; }
   /// The place of a key's value, or of the table where the key is missing.
   [[nodiscard]] FilePlace place_of(std::string_view key) const;

@@ -1,16 +1,20 @@
 #include "lesson/trace_hash.hpp"
 
 #include "lesson/play.hpp"
+#include "lesson/situations.hpp"
 #include "number/fnv.hpp"
 
 namespace snug::lesson {
 tl::expected<TraceHash, InputError> trace_hash(Session& session) {
   TraceHash result{session.lesson().id};
   Fnv1a hash;
-  for (const std::string& algorithm : playable(session)) {
-    if (const auto chosen = session.choose(0, algorithm); !chosen) return tl::unexpected(chosen.error());
-    result.steps += session.steps();
-    hash.add_bits(session.trace_hash());
+  for (const std::string_view situation : situation_names(session.lesson())) {
+    if (const Done shown = session.show_situation(situation); !shown) return tl::unexpected(shown.error());
+    for (const std::string& algorithm : playable(session)) {
+      if (const auto chosen = session.choose(0, algorithm); !chosen) return tl::unexpected(chosen.error());
+      result.steps += session.steps();
+      hash.add_bits(session.trace_hash());
+    }
   }
   result.hash = hash.value();
   return result;

@@ -33,8 +33,9 @@ std::vector<std::string> names_like_handles(std::string_view text) {
 /// The handles that a text may name.
 struct Handles {
   std::vector<std::string> names;
-  explicit Handles(const Subject& subject) {
-    for (Index i = 0; i < subject.size(); ++i) names.push_back(subject.name_of(i));
+  explicit Handles(std::span<const Subject* const> subjects) {
+    for (const Subject* subject : subjects)
+      for (Index i = 0; i < subject->size(); ++i) names.push_back(subject->name_of(i));
   }
   [[nodiscard]] bool has(const std::string& name) const {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -83,9 +84,10 @@ void warn_of_length(const toml::table& table, const Section& section, Complaints
 
 }  // namespace
 
-void warn_of_words(const Lesson& lesson, const toml::table& toml, const Subject* subject, Complaints& complaints) {
+void warn_of_words(const Lesson& lesson, const toml::table& toml, std::span<const Subject* const> subjects,
+                   Complaints& complaints) {
   std::optional<Handles> handles;
-  if (subject != nullptr) handles.emplace(*subject);
+  if (!subjects.empty()) handles.emplace(subjects);
   const auto each_of = [&](std::string_view key, auto see) {
     const toml::array* tables = toml[key].as_array();
     for (std::size_t i = 0; tables != nullptr && i < tables->size(); ++i)

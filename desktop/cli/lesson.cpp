@@ -211,14 +211,17 @@ CommandResult run_check(const LessonOptions& options) {
 
 // ---- play ------------------------------------------------------------------------------------------------------
 
-Json json_of_played(const lesson::Played::Algorithm& algorithm) {
+/// situations: whether the lesson has several.
+Json json_of_played(const lesson::Played::Algorithm& algorithm, bool situations) {
   Json questions = Json::array();
   for (const lesson::Outcome& outcome : algorithm.outcomes)
     questions.push_back({{"question", outcome.question},
                          {"answer", outcome.predicted},
                          {"happened", outcome.happened},
                          {"right", outcome.right}});
-  return {{"algorithm", algorithm.name}, {"steps", algorithm.steps}, {"questions", std::move(questions)}};
+  Json json{{"algorithm", algorithm.name}, {"steps", algorithm.steps}, {"questions", std::move(questions)}};
+  if (situations) json["situation"] = algorithm.situation;
+  return json;
 }
 
 CommandResult run_play(const LessonOptions& options) {
@@ -227,7 +230,8 @@ CommandResult run_play(const LessonOptions& options) {
   const auto played = play(*file);
   if (!played) return bad_input(played.error());
   Printed printed{"", played->sound() ? 0 : 1};
-  for (const auto& algorithm : played->algorithms) printed.text += line_of(json_of_played(algorithm));
+  for (const auto& algorithm : played->algorithms)
+    printed.text += line_of(json_of_played(algorithm, !file->lesson.situations.empty()));
   Json tasks = Json::array();
   for (const lesson::Grade& grade : played->grades)
     tasks.push_back({{"done", grade.done}, {"excess", grade.excess}, {"says", grade.says}});
@@ -284,7 +288,8 @@ void add_lesson(Commands& commands) {
   play.footer(
       "Plays each of the lesson's algorithms to the last step and gives every exercise its model answer.\n"
       "JSON Lines: {\"algorithm\",\"steps\",\"questions\":[{\"question\",\"answer\",\"happened\",\"right\"}]} for "
-      "each, then\n"
+      "each,\n"
+      "with \"situation\" if the lesson has several, each of which is played; then\n"
       "{\"lesson\",\"not_asked\",\"task\",\"tasks\",\"sound\"}: the grades of the tasks' models, and the first of "
       "them. Exit status 1 if a model answer is wrong or a question is never "
       "asked.\n"

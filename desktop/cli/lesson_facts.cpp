@@ -8,6 +8,7 @@
 #include "desktop/cli/lesson_files.hpp"
 #include "lesson/ask.hpp"
 #include "lesson/play.hpp"
+#include "lesson/situations.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::desktop {
@@ -42,6 +43,13 @@ Json names_of_handles(const lesson::Session& session, int step) {
   return names;
 }
 
+/// A line's beginning: which run it is of.
+Json begun_with(const lesson::Session& session, const std::string& algorithm) {
+  Json line{{"algorithm", algorithm}};
+  if (!session.lesson().situations.empty()) line["situation"] = session.situation();
+  return line;
+}
+
 /// The steps of the algorithm that stands, a line each; figures are those after the step.
 std::string steps_of(lesson::Session& session, const std::string& algorithm) {
   std::string text;
@@ -51,20 +59,22 @@ std::string steps_of(lesson::Session& session, const std::string& algorithm) {
     const std::string_view fact = session.run(0).fact(i);
     const bool counts = session.run(0).counts(i);
     if (counts) ++seen[fact];
-    text += line_of({{"algorithm", algorithm},
-                     {"step", i + 1},
-                     {"fact", fact},
-                     {"nth", counts ? Json(seen[fact]) : Json()},
-                     {"handles", names_of_handles(session, i)},
-                     {"asks", asks_of(session, i)},
-                     {"sentence", session.run(0).sentence(i, {})},
-                     {"figures", figures_of(session)}});
+    Json line = begun_with(session, algorithm);
+    line["step"] = i + 1;
+    line["fact"] = fact;
+    line["nth"] = counts ? Json(seen[fact]) : Json();
+    line["handles"] = names_of_handles(session, i);
+    line["asks"] = asks_of(session, i);
+    line["sentence"] = session.run(0).sentence(i, {});
+    line["figures"] = figures_of(session);
+    text += line_of(line);
   }
   return text;
 }
 
 Json result_of(const lesson::Session& session, const std::string& algorithm) {
-  Json json{{"algorithm", algorithm}, {"steps", session.steps()}};
+  Json json = begun_with(session, algorithm);
+  json["steps"] = session.steps();
   for (const lesson::Rival& rival : session.rivals()) {
     if (rival.method != session.method(0)) continue;
     json["size"] = rival.size;
@@ -74,20 +84,32 @@ Json result_of(const lesson::Session& session, const std::string& algorithm) {
   return json;
 }
 
+/// The facts of the situation that stands.
+tl::expected<std::string, InputError> facts_here(lesson::Session& session, const std::string& algorithm) {
+  const auto names = lesson::playable(session);
+  if (!algorithm.empty() && std::find(names.begin(), names.end(), algorithm) == names.end())
+    return tl::unexpected(InputError{.what = "the lesson does not offer the algorithm " + algorithm});
+  std::string text;
+  for (const std::string& name : names) {
+    if (!algorithm.empty() && name != algorithm) continue;
+    if (const auto chosen = session.choose(0, name); !chosen) return tl::unexpected(chosen.error());
+    text += steps_of(session, name);
+    text += line_of(result_of(session, name));
+  }
+  return text;
+}
+
 CommandResult run_facts(const FactsOptions& options) {
   const auto file = find_lesson(options.folder, options.id, lesson::Checked::kAsWritten);
   if (!file) return bad_input(file.error());
   auto session = open_lesson(*file);
   if (!session) return bad_input(session.error());
-  const auto names = lesson::playable(*session);
-  if (!options.algorithm.empty() && std::find(names.begin(), names.end(), options.algorithm) == names.end())
-    return bad_input("the lesson does not offer the algorithm " + options.algorithm);
   Printed printed;
-  for (const std::string& name : names) {
-    if (!options.algorithm.empty() && name != options.algorithm) continue;
-    if (const auto chosen = session->choose(0, name); !chosen) return bad_input(chosen.error());
-    printed.text += steps_of(*session, name);
-    printed.text += line_of(result_of(*session, name));
+  for (const std::string_view situation : lesson::situation_names(file->lesson)) {
+    if (const auto shown = session->show_situation(situation); !shown) return bad_input(shown.error());
+    const auto facts = facts_here(*session, options.algorithm);
+    if (!facts) return bad_input(facts.error());
+    printed.text += *facts;
   }
   return printed;
 }
@@ -105,7 +127,8 @@ void add_lesson_facts(Commands& commands, CLI::App& group) {
       "\"before\" and\n"
       "\"nth\" name (null where a recursion's inner call is not counted), \"asks\" what it can be asked. \"size\" is "
       "a\n"
-      "sphere's radius, of others the area or volume; \"excess\" is over the smallest, 0.1 for 10 %.");
+      "sphere's radius, of others the area or volume; \"excess\" is over the smallest, 0.1 for 10 %.\n"
+      "If the lesson has several situations, each line has its \"situation\".");
   const auto options = add_command<FactsOptions>(commands, facts, run_facts);
   facts.add_option("--algorithm", options->algorithm, "Only this one of the lesson's");
   add_lesson_options(facts, options->folder, options->id);

@@ -111,6 +111,7 @@ void add_common(CLI::App& command, WindowOptions& options) {
   command.add_option("--lessons", options.folder, "Folder of the lesson files; by default the one beside the program");
   command.add_option("--seed", options.seed, "Seed of the points; by default the lesson's own")
       ->transform(whole_number());
+  command.add_option("--situation", options.at.situation, "The situation to show; by default the lesson's own");
   add_size(command, options);
   command.add_option("--points", options.points_file, "Point file to show instead of the lesson's points");
 }

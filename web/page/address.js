@@ -1,10 +1,11 @@
-// The address says what is on the page: lesson, step, seed, algorithms, and what was edited, in rows of numbers.
+// The address says what is on the page: lesson, situation, step, seed, algorithms, where the sliders stand, and what was
+// edited, in rows of numbers.
 
 /** What an address asks for. Each mistake in it is left out, and gets a sentence in `problems`. */
 export function read_address(search) {
   const given = new URLSearchParams(search);
   const problems = [];
-  const asked = { lesson: given.get("lesson"), embed: given.get("embed") === "1", a: given.get("a"), b: given.get("b"), problems };
+  const asked = { lesson: given.get("lesson"), embed: given.get("embed") === "1", situation: given.get("situation"), a: given.get("a"), b: given.get("b"), problems };
 
   const whole = (name) => {
     const text = given.get(name);
@@ -33,6 +34,7 @@ export function read_address(search) {
   };
   asked.rows = rows("rows", "points", "boxes"); // the last two in links of old
   asked.moved = rows("moved");
+  asked.slide = rows("slide")?.[0] ?? null;
   return asked;
 }
 
@@ -42,9 +44,11 @@ export function write_address(view, lesson, shared, embed) {
   const parts = [`lesson=${encodeURIComponent(lesson.id)}`];
   if (!view.previewing) parts.push(`step=${view.step}`); // the preview is not a step that anyone chose
   parts.push(`seed=${view.seed}`);
+  if (view.situation !== null && view.situation !== lesson.situations[0].name) parts.push(`situation=${encodeURIComponent(view.situation)}`);
   if (view.algorithm !== lesson.algorithms[0]?.name) parts.push(`a=${view.algorithm}`);
   if ((view.beside ?? "") !== lesson.compare) parts.push(`b=${view.beside ?? "none"}`);
   if (shared.how) parts.push(`from=${shared.how}`);
+  if (shared.slide) parts.push(`slide=${shared.slide.join(",")}`);
   if (shared.moved?.length) parts.push(`moved=${rows(shared.moved)}`);
   if (shared.rows) parts.push(`rows=${rows(shared.rows)}`);
   if (embed) parts.push("embed=1");

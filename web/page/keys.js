@@ -23,10 +23,11 @@ export function listen_to_keys(door, act, choose, leave) {
       event.preventDefault();
       return act(() => door.command("continue"));
     }
-    if (target.closest(kWrites) && !(target.matches("input[type=text]") && kPages.has(event.key))) return;
-    if (scrolls(target, event.key) && !event.ctrlKey && !event.metaKey) return;
-    if (target.closest(kPresses) && (event.key === "Enter" || event.key === " ")) return;
     const control = event.ctrlKey || event.metaKey;
+    const nothing_in_it = (target.matches("input[type=text]") && kPages.has(event.key)) || (target.matches("input[type=range], input[type=radio]") && control);
+    if (target.closest(kWrites) && !nothing_in_it) return;
+    if (scrolls(target, event.key) && !control) return;
+    if (target.closest(kPresses) && (event.key === "Enter" || event.key === " ")) return;
     if (event.repeat && !event.key.startsWith("Arrow")) return; // a key that is held goes on stepping, but answers and skips once
     if (!control && event.key >= "1" && event.key <= "9" && choose(Number(event.key))) return event.preventDefault();
     if (event.key === "Escape" && leave()) return event.preventDefault();

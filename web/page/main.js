@@ -20,6 +20,7 @@ import { QuestionCard } from "./question.js";
 import { Reading } from "./reading.js";
 import { Settings } from "./settings.js";
 import { Side } from "./side.js";
+import { SituationTools } from "./situations.js";
 import { Stage } from "./stage.js";
 import { Tabs } from "./tabs.js";
 import { Words } from "./words.js";
@@ -71,7 +72,7 @@ class Page {
     this.#points = new PointTools(door, act, (name) => this.#mesh(name));
     this.#reading = new Reading(door.words(), { texts, start_task: (task) => this.#start_task(task), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) });
     this.#tabs = new Tabs((id) => id === "read" && this.#reading.bring_section());
-    this.#panels = [texts, this.#reading, question, new Code(door, act), this.#points, new NumberTools(door, act), new CoverTools(door, act, () => this.#stage.request()), new Player(door, act), this.#tabs, new Side(door), new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()), new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place))];
+    this.#panels = [texts, this.#reading, question, new Code(door, act), this.#points, new NumberTools(door, act), new SituationTools(door, act), new CoverTools(door, act, () => this.#stage.request()), new Player(door, act), this.#tabs, new Side(door), new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()), new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place))];
     this.#menu = new LessonMenu(lessons, go_to);
     this.#stage = new Stage(door, () => this.#show());
     settings.on_change(() => this.#apply_settings());
@@ -89,7 +90,7 @@ class Page {
     if (kind === "mesh") return this.#points.bring(target);
     const { step } = this.#view;
     this.act(() => {
-      const error = kind === "algorithm" ? this.#door.choose(0, target) : this.#door.go(Number(target));
+      const error = kind === "algorithm" ? this.#door.choose(0, target) : kind === "situation" ? this.#door.show_situation(target) : this.#door.go(Number(target));
       if (error) notice(`${error}.`);
     });
     if (kind === "step" && this.#view.asked && this.#view.step === step) this.#question.show(); // the question stops the player here
@@ -257,8 +258,10 @@ class Page {
   async #restore(asked) {
     const door = this.#door;
     const tell = (error) => error && asked.problems.push(`Part of the address cannot be used: ${error}.`);
+    if (asked.situation) tell(door.show_situation(asked.situation));
     if (asked.seed !== null && asked.seed !== this.#lesson.seed) door.scatter(asked.seed);
     if (asked.from) tell(await this.#restore_source(asked.from, asked.seed ?? this.#lesson.seed));
+    if (asked.slide) tell(door.set_sliders(asked.slide));
     if (asked.rows) tell(door.set_rows(asked.rows));
     if (asked.moved) tell(door.change_rows(asked.moved));
     if (asked.a) tell(door.choose(0, asked.a));
@@ -388,7 +391,7 @@ class Page {
 }
 
 /** Whether an address names a lesson but no place in it. */
-const is_bare = ({ step, seed, from, rows, moved, a, b }) => step === null && seed === null && !from && !rows && !moved && !a && !b;
+const is_bare = ({ step, seed, situation, from, slide, rows, moved, a, b }) => step === null && seed === null && !situation && !from && !slide && !rows && !moved && !a && !b;
 
 /** Shows the course or, if the address names a lesson, the page with the program. */
 class Site {

@@ -17,7 +17,9 @@ export class PointTools {
   #act;
   #bring_mesh;
   #view = null;
-  #own = "own"; // the source of the lesson's own points
+  #lesson = null;
+  #sets_of; // the situation whose sets are offered
+  #own = "own"; // the source of its own points
   #names = ["point", "points"]; // singular and plural
   #section;
   #title = element("h2", {});
@@ -63,14 +65,23 @@ export class PointTools {
     this.#names = lesson.handleWords;
     this.#title.textContent = capital(this.#names[1]);
     this.#point_words.textContent = capital(this.#names[0]);
-    const own = lesson.mesh ? capital(lesson.mesh) : lesson.generate ? capital(lesson.generate) : "The lesson’s";
+    this.#lesson = lesson;
+    this.#sets_of = undefined;
+  }
+
+  /** The sets to choose from. The situation's own is the first. */
+  #show_sets(situation) {
+    if (this.#sets_of === situation) return;
+    this.#sets_of = situation;
+    const { situations, generators, meshes } = this.#lesson;
+    const { mesh, generate, count } = situations.find(({ name }) => name === situation) ?? this.#lesson;
+    const own = mesh ? capital(mesh) : generate ? capital(generate) : "The lesson’s";
     const others = (names, kind, own_name) => names.filter((name) => name !== own_name)
       .map((name) => element("option", { value: `${kind}:${name}` }, capital(name)));
-    this.#set.replaceChildren(element("option", { value: "" }, own), ...others(lesson.generators, "generate", lesson.generate),
-      ...others(lesson.meshes, "mesh", lesson.mesh));
-    this.#count.value = lesson.count || 26;
+    this.#set.replaceChildren(element("option", { value: "" }, own), ...others(generators, "generate", generate), ...others(meshes, "mesh", mesh));
+    this.#count.value = count || 26;
     this.#count_label.hidden = true;
-    this.#own = lesson.mesh || lesson.generate || "own";
+    this.#own = mesh || generate || "own";
   }
 
   #command(name) {
@@ -204,7 +215,8 @@ export class PointTools {
     set_text(this.#says, `${view.size.toLocaleString("en")} ${this.#names[view.size === 1 ? 0 : 1]}${view.edited ? ", changed" : ""}`);
     this.#point.max = view.size - 1;
     this.#show_seed(view.lesson, view.seed);
-    this.#show_source(view.source, view.size, view.lesson);
+    this.#show_sets(view.situation);
+    this.#show_source(view.source, view.size, view.lesson, view.situation);
     this.#show_selected(view.lesson, view.selected, view.coordinates);
     by_id("undo").disabled = !view.canUndo;
     by_id("redo").disabled = !view.canRedo;

@@ -167,7 +167,9 @@ export class QuestionCard {
   }
 
   /** The card at the lesson's end: each prediction leads back to its reason. */
-  #summary_card({ score, predictions, lesson, grade, tasksDone, waiting }) {
+  #summary_card({ score, predictions, lesson, grade, tasksDone, waiting, situationsWaiting }) {
+    const others = [...waiting.map((name) => button(this.#title_of(name), () => this.#ask(name))),
+      ...situationsWaiting.map((name) => button(this.#door.lesson().situations.find((one) => one.name === name).title, () => this.#act(() => this.#door.show_situation(name))))];
     const lines = predictions.map(({ id, short, kind, standing }) => element("li", {},
       element("button", { type: "button", class: `line ${kind}`, onclick: () => this.#do(`review:${id}`) },
         element("span", { class: "mark", "aria-hidden": "true" }, kMarks[kind]), element("span", { class: "what" }, whole_names(short)), element("b", {}, standing))));
@@ -175,7 +177,7 @@ export class QuestionCard {
     return element("div", { class: "card summary", tabindex: "-1" },
       element("div", { class: "head" }, kicker(this.#words.summary), quiet(this.#words.close, () => this.#do("close_summary"))),
       element("p", { class: "prompt" }, score), element("ol", { class: "lines-of" }, ...lines),
-      ...(waiting.length > 0 ? [element("div", { class: "commit waiting" }, element("span", {}, this.#words.waiting), ...waiting.map((name) => button(this.#title_of(name), () => this.#ask(name))))] : []),
+      ...(others.length > 0 ? [element("div", { class: "commit waiting" }, element("span", {}, this.#words.waiting), ...others)] : []),
       row(quiet(this.#words.again, () => this.#do("predict_again")), element("span", { class: "gap" }),
         ...(grade && this.#after.show_task ? [button(tasksDone ? `${kMarks.right} ${this.#words.task}` : this.#words.to_task, this.#after.show_task, { class: "button to-task" })] : []),
         ...(next ? [element("a", { class: "button primary", href: `?lesson=${encodeURIComponent(next.id)}`, "data-first": true, title: next.title,

@@ -31,6 +31,7 @@ export class Reading {
   #light;
   #sections = [];
   #section = null; // the one at hand
+  #shows = []; // {name, node}: the buttons of sections that are about a situation
   #words_of = []; // {mark, node}: the words that light up when their handle on the stage is pointed at
   #read_at = -Infinity;
   #pointed = false; // whether the mouse is over the prose
@@ -55,8 +56,9 @@ export class Reading {
   open(lesson) {
     for (const id of ["heading", "title"]) set_text(by_id(id), lesson.title);
     this.#words_of = [];
-    this.#sections = lesson.sections.map(({ title, blocks }) => element("section", {}, element("h2", {}, title),
-      ...blocks.map((block) => this.#texts.block(block, (text, link) => this.#link(text, link)))));
+    this.#shows = [];
+    this.#sections = lesson.sections.map(({ title, situation, blocks }) => element("section", {}, element("h2", {}, title),
+      ...(situation ? [this.#show_button(lesson, situation)] : []), ...blocks.map((block) => this.#texts.block(block, (text, link) => this.#link(text, link)))));
     by_id("prose").replaceChildren(...this.#sections);
     by_id("read").scrollTop = 0;
     this.#read_at = -Infinity;
@@ -67,6 +69,14 @@ export class Reading {
     box.replaceChildren(...lesson.tasks.map((task, i) => element("section", { class: "card task" }, element("h2", { class: "kicker" }, task.heading),
       element("p", {}, ...this.#texts.of(task.prompt)), element("p", {}, button(task.start, () => this.#start_task(i))), this.#grade_says[i],
       ...(task.hint.length > 0 ? [element("details", {}, element("summary", {}, this.#words.hint), element("p", {}, ...this.#texts.of(task.hint)))] : []))));
+  }
+
+  /** Brings the situation that a section is about to the stage; pressed while it is there. */
+  #show_button({ situations }, name) {
+    const { title } = situations.find((one) => one.name === name);
+    const node = button(`Show: ${title}`, () => this.#follow({ kind: "situation", target: name }), { class: "button shows" });
+    this.#shows.push({ name, node });
+    return element("p", {}, node);
   }
 
   #link(text, link) {
@@ -86,6 +96,7 @@ export class Reading {
     this.#show_grades(view.lesson, view.tasks, view.task);
     this.#show_section(view.lesson, view.section);
     this.#show_lit(view.lesson, view.lit);
+    for (const { name, node } of this.#shows) node.setAttribute("aria-pressed", name === view.situation);
   }
 
   /** Scrolls to the section about the step or the question, unless the student is reading. */

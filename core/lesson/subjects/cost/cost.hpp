@@ -39,6 +39,9 @@ class CostSubject final : public Subject {
   void begin_task(const Lesson& lesson, const Task& task, const Subject& own) override;
 
   // The cloud's; an edit discards the measurement.
+  void set_origin(Origin origin) override { cloud_->set_origin(origin), origin_ = std::move(origin); }
+  [[nodiscard]] std::vector<Drive> drives() const override { return cloud_->drives(); }
+  Done drive(std::string_view name, double from, double to) override { return edited(cloud_->drive(name, from, to)); }
   [[nodiscard]] int dim() const override { return cloud_->dim(); }
   [[nodiscard]] Index size() const override { return cloud_->size(); }
   [[nodiscard]] Point3 at(Index i) const override { return cloud_->at(i); }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/pose.hpp"
 #include "geometry/random.hpp"
+#include "geometry/turn.hpp"
 #include "lesson/names.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/pair/box_figures.hpp"
@@ -55,6 +57,27 @@ Matrix<double, 3> random_turn(Random& random, int dim) {
   return matrix_of(normalized(spin));
 }
 
+/// A turn about a coordinate axis, or in the plane, where it has none.
+struct Turned {
+  std::string_view word = " turn";
+  int axis = -1;
+};
+
+/// The turns of a volume whose kind can rotate.
+std::vector<Turned> turned_of(const HeldVolume& held) {
+  const HeldVolume turned = placed(held, snug::turn(Point3::UnitZ(), 1), Point3::Zero());
+  if (row_of(turned) == row_of(held)) return {};
+  if (held.dim == 2) return {{}};
+  return {{" turn", 0}, {" turn", 1}, {" turn", 2}};
+}
+
+/// "A turn", "A turn x", and for the centre "A x".
+std::string name_of_drive(int side, const Turned& one) {
+  constexpr std::array<std::string_view, 3> kAxes{" x", " y", " z"};
+  std::string name = (side == 0 ? "A" : "B") + std::string(one.word);
+  return one.axis < 0 ? name : name.append(kAxes[static_cast<std::size_t>(one.axis)]);
+}
+
 }  // namespace
 
 const SubjectRow kVolumesRow{.name = "volumes",
@@ -86,6 +109,41 @@ Done VolumesSubject::move(Index i, const Point3& to) {
   pair_.held[side(i)] = *std::move(next);
   origin_.edited = true;
   return {};
+}
+
+std::vector<Drive> VolumesSubject::drives() const {
+  std::vector<Drive> all;
+  for (const int side : {0, 1}) {
+    const HeldVolume& held = pair_.held[side];
+    for (const Turned& one : turned_of(held)) all.push_back({.name = name_of_drive(side, one), .unit = "degrees"});
+    for (int axis = 0; axis < dim(); ++axis)
+      all.push_back({.name = name_of_drive(side, {"", axis}), .now = at_handle(held, {})[axis]});
+  }
+  return all;
+}
+
+Done VolumesSubject::drive(std::string_view name, double from, double to) {
+  for (const int side : {0, 1}) {
+    HeldVolume& held = pair_.held[side];
+    for (const Turned& one : turned_of(held)) {
+      if (name != name_of_drive(side, one)) continue;
+      const Point3 axis = Point3::Unit(one.axis < 0 ? 2 : one.axis);
+      held = placed(held, snug::turn(axis, (to - from) * std::numbers::pi / 180), Point3::Zero());
+      origin_.edited = true;
+      return {};
+    }
+    for (int axis = 0; axis < dim(); ++axis) {
+      if (name != name_of_drive(side, {"", axis})) continue;
+      Point3 center = at_handle(held, {});
+      center[axis] = to;
+      auto next = moved(held, {}, center);
+      if (!next) return tl::unexpected(std::move(next.error()));
+      held = *std::move(next);
+      origin_.edited = true;
+      return {};
+    }
+  }
+  return Subject::drive(name, from, to);
 }
 
 /// The handles of each volume, without its knobs.

@@ -60,6 +60,9 @@ class VolumesSubject final : public Subject {
   [[nodiscard]] std::vector<std::vector<Index>> things() const override;
   [[nodiscard]] std::string_view stage_says() const override { return "two volumes"; }
   [[nodiscard]] Tools tools() const override { return {"Volumes", "Volumes"}; }
+  /// Each volume's centre, and if its kind can rotate, its turn: in space one about each axis.
+  [[nodiscard]] std::vector<Drive> drives() const override;
+  Done drive(std::string_view name, double from, double to) override;
   [[nodiscard]] Rows rows() const override;
   Done set_rows(const Rows& rows) override;
   Done move(Index i, const Point3& to) override;

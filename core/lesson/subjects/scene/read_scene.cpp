@@ -115,7 +115,7 @@ void check_figure(TomlTable& table, const std::string& figure) {
 SceneSet read_scene_of(TomlTable& lesson, int dim, Complaints& complaints) {
   SceneSet set;
   const toml::table* own = lesson.table("scene");
-  if (own == nullptr) return lesson.lack("scene", "the lesson lacks [scene]"), set;
+  if (own == nullptr) return lesson.lack("scene", lesson.name() + " lacks [scene]"), set;
   TomlTable table(*own, "[scene]", complaints);
   if (dim != 3) complaints.add(table.place(), "a scene is in space: \"dim\" of [points] must be 3");
   set.frames = static_cast<int>(table.integer_or("frames", 1, 2000, set.frames));

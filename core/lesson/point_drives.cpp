@@ -1,0 +1,89 @@
+// What sliders drive of points.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/generate.hpp"
+#include "geometry/random.hpp"
+#include "geometry/turn.hpp"
+#include "lesson/point_subject.hpp"
+
+namespace snug::lesson {
+namespace {
+
+std::vector<Point3> points_of(const PointSubject& subject) {
+  std::vector<Point3> points;
+  for (Index i = 0; i < subject.size(); ++i) points.push_back(subject.at(i));
+  return points;
+}
+
+Point3 centroid_of(const std::vector<Point3>& points) {
+  Point3 sum = Point3::Zero();
+  for (const Point3& point : points) sum += point;
+  return sum / static_cast<double>(points.size());
+}
+
+/// Of unit length, and along no axis or diagonal, so that the coordinates round differently.
+Point3 slanting(int dim) { return dim == 2 ? Point3(0.8, 0.6, 0) : Point3(0.6, 0.48, 0.64); }
+
+void jitter(std::vector<Point3>& points, int dim, std::uint64_t seed, double by) {
+  Random random(seed);
+  for (Point3& point : points)
+    for (int axis = 0; axis < dim; ++axis) point[axis] += by * random.between(-1, 1);
+}
+
+}  // namespace
+
+std::vector<Drive> PointSubject::drives() const {
+  std::vector<Drive> all{{.name = "offset"},
+                         {.name = "jitter"},
+                         {.name = "scale", .unit = "times", .rest = 1},
+                         {.name = "angle", .unit = "degrees"}};
+  if (origin_.generated > 0)
+    all.push_back({.name = "count", .unit = handle_words()[1], .now = static_cast<double>(size()), .whole = true});
+  return all;
+}
+
+Done PointSubject::drive(std::string_view name, double from, double to) {
+  if (name == "count" && origin_.generated > 0) return drive_count(to);
+  std::vector<Point3> points = points_of(*this);
+  const Point3 middle = centroid_of(points);
+  if (name == "offset") {
+    for (Point3& point : points) point += slanting(dim()) * (to - from);
+  } else if (name == "jitter") {
+    jitter(points, dim(), origin_.seed, to - from);
+  } else if (name == "scale") {
+    if (!(from > 0 && to > 0)) return tl::unexpected(InputError{.what = "a scale is above 0"});
+    for (Point3& point : points) point = middle + (point - middle) * (to / from);
+  } else if (name == "angle") {
+    const Matrix<double, 3> rotation = snug::turn(Point3::UnitZ(), (to - from) * std::numbers::pi / 180);
+    for (Point3& point : points) point = middle + rotation * (point - middle);
+  } else {
+    return Subject::drive(name, from, to);
+  }
+  auto set = to_set(points, dim());
+  if (!set) return tl::unexpected(std::move(set.error()));
+  origin_.edited = true;
+  become(*std::move(set), triangles_);
+  return {};
+}
+
+/// Fewer points are the first of these; more are these and the last of as many generated ones.
+Done PointSubject::drive_count(double to) {
+  if (!(to >= 1 && to <= kMostGenerated))
+    return tl::unexpected(InputError{.what = "a set has 1 to " + std::to_string(kMostGenerated) + " points"});
+  const auto count = static_cast<std::size_t>(std::llround(to));
+  std::vector<Point3> points = points_of(*this);
+  if (count > points.size()) {
+    const auto more = *generate(origin_.source, static_cast<int>(count), dim(), origin_.seed);
+    points.insert(points.end(), more.begin() + static_cast<std::ptrdiff_t>(points.size()), more.end());
+  }
+  points.resize(count);
+  auto set = to_set(points, dim());
+  if (!set) return tl::unexpected(std::move(set.error()));
+  origin_.edited = true;
+  become(*std::move(set), nullptr);
+  return {};
+}
+
+}  // namespace snug::lesson

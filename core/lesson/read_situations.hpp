@@ -1,0 +1,21 @@
+// Reads a lesson's situations and sliders.
+#pragma once
+
+#include "lesson/lesson.hpp"
+#include "lesson/situations.hpp"
+#include "lesson/toml_table.hpp"
+
+namespace snug::lesson {
+
+/// Reads every [[situation]], whose tables are read by the lesson's subject as its own were.
+void read_situations(TomlTable& table, Lesson& lesson, Complaints& complaints);
+/// Reads every [[slider]]. What they drive is checked on the stage (check_sliders).
+void read_sliders(TomlTable& table, Lesson& lesson, Complaints& complaints);
+/// Reads the "situation" of a section, a question or a slider.
+[[nodiscard]] std::string read_situation(TomlTable& table, const Lesson& lesson, std::string_view otherwise);
+
+/// Checks that the sliders of a situation drive something, and can do so from one end to the other. subject: that
+/// situation's, before any slider has moved.
+void check_sliders(const Lesson& lesson, const Subject& subject, Complaints& complaints);
+
+}  // namespace snug::lesson

@@ -1,0 +1,99 @@
+// A session's situations and sliders.
+#include <algorithm>
+#include <cmath>
+
+#include "lesson/names.hpp"
+#include "lesson/say.hpp"
+#include "lesson/session.hpp"
+#include "lesson/situations.hpp"
+
+namespace snug::lesson {
+
+Done Session::show_situation(std::string_view name) {
+  if (name == situation()) return {};
+  for (Situated& place : places_)
+    if (place.own.subject->origin().situation == name)
+      return become((place.left.subject != nullptr ? place.left : place.own).clone());
+  return tl::unexpected(InputError{.what = "there is no situation " + std::string(name)});
+}
+
+void Session::leave_situation() {
+  Situated& place = places_[shown_];
+  place.left = snapshot();
+  place.method = slots_[0].method, place.step = step_, place.previewing = previewing_;
+}
+
+/// The player stands where it stood, or if another method was chosen since then, where a lesson begins.
+void Session::enter_situation() {
+  const auto is_here = [&](const Situated& place) { return place.own.subject->origin().situation == situation(); };
+  shown_ = static_cast<std::size_t>(std::find_if(places_.begin(), places_.end(), is_here) - places_.begin());
+  const Situated& place = places_[shown_];
+  rivals_.reset();
+  for (std::optional<Grade>& grade : grades_) grade.reset();
+  run_again(0);
+  run_again(1);
+  const bool again = place.method == slots_[0].method;  // null before the first time
+  const bool shows_end = lesson_->start == Lesson::Start::kEnd;
+  previewing_ = again ? place.previewing : shows_end;
+  step_ = again ? place.step : shows_end ? steps() : 0;
+  run_changed(previewing_);
+  ++revision_;
+}
+
+Done Session::slide(std::size_t slider, double value) {
+  if (slider >= slid_.values.size() || !is_there(lesson_->sliders[slider], *now_))
+    return tl::unexpected(InputError{.what = "there is no such slider"});
+  if (slid_.values[slider] == value) return {};
+  if (task_started_) {
+    const Task& task = lesson_->tasks[task_];
+    if (!task.only.empty() && !is_among(task.only, lesson_->sliders[slider].drives))
+      return tl::unexpected(InputError{.what = only_text(task)});
+  }
+  std::vector<double> values = slid_.values;
+  values[slider] = value;
+  const bool started = task_started_;
+  Done done = set_sliders(std::move(values));
+  task_started_ = started;
+  return done;
+}
+
+Done Session::slide_to_place(std::size_t slider, int place) {
+  if (slider >= slid_.values.size() || !is_there(lesson_->sliders[slider], *now_)) return slide(slider, 0);
+  const Slider& own = lesson_->sliders[slider];
+  return slide(slider, value_at(own, *drive_of(own, *now_), place));
+}
+
+Done Session::set_sliders(std::vector<double> values) {
+  if (values.size() != slid_.values.size()) return tl::unexpected(InputError{.what = "there are no such sliders"});
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i])) return tl::unexpected(InputError{.what = "a slider's value is a finite number"});
+    if (values[i] == slid_.values[i]) continue;  // it may have been edited to beyond the slider's ends
+    values[i] = std::clamp(values[i], lesson_->sliders[i].from, lesson_->sliders[i].to);
+  }
+  auto next = slid_to(*lesson_, snapshot(), std::move(values));
+  if (!next) return tl::unexpected(std::move(next.error()));
+  if (next->subject->rows() == own().rows()) next = opened().clone();
+  if (!next->subject->suits(*slots_[0].method))
+    return tl::unexpected(InputError{.what = next->subject->refusal(*slots_[0].method)});
+  if (!drag_.subject) return become(*std::move(next));
+  static_cast<void>(make_room_for(*next->subject));
+  static_cast<void>(exchange(*std::move(next)));
+  drag_moved_ = true;
+  return {};
+}
+
+std::vector<std::string> Session::situations_waiting() const {
+  std::vector<std::string> waiting;
+  for (const std::string_view name : situation_names(*lesson_)) {
+    const auto is_open = [&](const Question& question) {
+      return question.situation == name && std::none_of(outcomes_.begin(), outcomes_.end(), [&](const Outcome& it) {
+               return it.question == question.id && !it.passed;
+             });
+    };
+    if (name != situation() && std::any_of(lesson_->questions.begin(), lesson_->questions.end(), is_open))
+      waiting.emplace_back(name);
+  }
+  return waiting;
+}
+
+}  // namespace snug::lesson
