@@ -479,6 +479,7 @@ void App::frame(const Layout& layout, double now) {
   if (s.look.drawn != nullptr) s.look.drawn->clear();
   advance(now);
   if (!s.session) return;
+  const lesson::WithDecimals wished(s.session->lesson().view.decimals);
   const ImGuiIO& io = ImGui::GetIO();
   const auto any = [](const bool(&of)[5]) { return std::any_of(std::begin(of), std::end(of), std::identity{}); };
   if (any(io.MouseClicked) && s.session->deciding() != nullptr) s.end_watching(), s.press_ends = true;
@@ -543,6 +544,9 @@ long App::frames_drawn() const { return state_->frames; }
 std::string App::caption() const {
   if (state_->covered()) return state_->cover->caption(*state_->session);
   return state_->session ? state_->session->caption() : std::string();
+}
+std::optional<CloseUp> App::close_up() const {
+  return state_->session && !state_->covered() ? state_->stage.close_up() : std::nullopt;
 }
 std::vector<Handle> App::handles() const {
   if (state_->covered()) return state_->cover->handles();

@@ -60,6 +60,15 @@ struct Handle {
   float x = 0, y = 0;
 };
 
+/// The close-up on the stage.
+struct CloseUp {
+  Vector<double, 3> at;  // what is in its middle
+  double size = 0;       // how wide the part of the scene is that it shows, scene units
+  double times = 1;      // how many times larger than on the stage
+  Rect panel;            // its place on the canvas
+  float x = 0, y = 0;    // that of what it shows
+};
+
 /// What one who is new is asked to do next, beside what it speaks of.
 struct Invitation {
   std::string words;
@@ -171,6 +180,8 @@ class App {
   /// The sentence of the step, for both doors; "" before a lesson is open.
   [[nodiscard]] std::string caption() const;
   [[nodiscard]] std::vector<Handle> handles() const;
+  /// The lesson's close-up, as of the last frame; none if there is none on the stage.
+  [[nodiscard]] std::optional<CloseUp> close_up() const;
 
  private:
   struct State;

@@ -51,8 +51,8 @@ void Camera::frame(const Sphere<double, 3>& ball, bool at_once) {
   // In the plane through its centre, the silhouette of a ball of radius r has the radius r / sqrt(1 - (r/d)^2).
   const double fit = std::min(1.0, free_width() / free_height());
   goal_.height = 2 * radius / fit * (dim_ == 3 ? 1.0 / std::cos(kFieldOfView / 2 * fit) : 1.0);
-  if (dim_ == 3 && framed_ && now_.yaw == 0 && now_.pitch == 0) goal_.yaw = 0.55, goal_.pitch = 0.32;
-  framed_ = true;
+  if (dim_ == 3 && !placed_) turn_home();
+  framed_ = placed_ = true;
   if (at_once) now_ = goal_, turn();
 }
 
@@ -65,32 +65,38 @@ double Camera::share_of_room(const Sphere<double, 3>& ball) const {
 }
 
 ScreenPoint Camera::project(const V3& p) const {
+  const auto pixel = [&](double value, std::size_t axis) {
+    return static_cast<float>((value - lens_.from[axis]) * lens_.times + lens_.to[axis]);
+  };
   if (dim_ == 2) {
     const double scale = free_height() / now_.height;
-    return {static_cast<float>(center_x() + (p[0] - now_.target[0]) * scale),
-            static_cast<float>(center_y() - (p[1] - now_.target[1]) * scale), 0, true};
+    return {pixel(center_x() + (p[0] - now_.target[0]) * scale, 0),
+            pixel(center_y() - (p[1] - now_.target[1]) * scale, 1), 0, true};
   }
   const V3 from_eye = p - eye();
   const double depth = from_eye.dot(forward());
   const bool visible = depth > 0.02 * now_.height;
   const double scale = focal() / std::max(depth, 0.02 * now_.height);
-  return {static_cast<float>(center_x() + from_eye.dot(right()) * scale),
-          static_cast<float>(center_y() - from_eye.dot(up()) * scale), static_cast<float>(depth / now_.height),
-          visible};
+  return {pixel(center_x() + from_eye.dot(right()) * scale, 0), pixel(center_y() - from_eye.dot(up()) * scale, 1),
+          static_cast<float>(depth / now_.height), visible};
 }
 
 V3 Camera::unproject(float x, float y, const V3& through) const {
-  const double scale = scale_at(through);
-  const double dx = (x - center_x()) / scale;
-  const double dy = (center_y() - y) / scale;
+  const double scale = scale_at(through) / lens_.times;
+  const double dx = ((x - lens_.to[0]) / lens_.times + lens_.from[0] - center_x()) / scale;
+  const double dy = (center_y() - (y - lens_.to[1]) / lens_.times - lens_.from[1]) / scale;
   if (dim_ == 2) return {now_.target[0] + dx, now_.target[1] + dy, 0};
   const V3 middle = eye() + forward() * (through - eye()).dot(forward());
   return middle + right() * dx + up() * dy;
 }
 
 double Camera::scale_at(const V3& p) const {
-  if (dim_ == 2) return free_height() / now_.height;
-  return focal() / std::max((p - eye()).dot(forward()), 0.02 * now_.height);
+  if (dim_ == 2) return lens_.times * free_height() / now_.height;
+  return lens_.times * focal() / std::max((p - eye()).dot(forward()), 0.02 * now_.height);
+}
+
+void Camera::magnify(double times, const std::array<double, 2>& from, const std::array<double, 2>& to) {
+  lens_ = {times, from, to};
 }
 
 void Camera::pan(float dx, float dy) {

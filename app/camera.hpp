@@ -1,6 +1,7 @@
 // The camera: pan and zoom in 2-D, orbit in 3-D, and easing from one view to the next.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "app/app.hpp"
@@ -24,13 +25,22 @@ struct View {
 
 class Camera {
  public:
-  explicit Camera(int dim = 2) : dim_(dim) { turn(); }
+  /// yaw, pitch: where it looks from at first and after turn_home, in 3-D.
+  explicit Camera(int dim = 2, double yaw = kYaw, double pitch = kPitch) : dim_(dim), home_{yaw, pitch} { turn(); }
 
   /// The free room: the stage without the margins for what is drawn over it.
   void set_stage(const Rect& stage, float margin_top, float margin_side, float margin_bottom);
   [[nodiscard]] const Rect& stage() const { return stage_; }
   [[nodiscard]] int dim() const { return dim_; }
 
+  /// Turns back to where it looked from at first.
+  void turn_home() { goal_.yaw = home_[0], goal_.pitch = home_[1]; }
+  /// The same camera, which turns back to where another one does.
+  [[nodiscard]] Camera with_home_of(const Camera& other) const {
+    Camera camera = *this;
+    camera.home_ = other.home_;
+    return camera;
+  }
   /// Moves to where the ball fills the free room, at once or easing.
   void frame(const Sphere<double, 3>& ball, bool at_once);
   /// The fraction of the free room that the ball takes, by the larger side; > 1 if it reaches beyond.
@@ -41,6 +51,9 @@ class Camera {
   [[nodiscard]] Vector<double, 3> unproject(float x, float y, const Vector<double, 3>& through) const;
   /// How many page pixels a scene unit has at a place.
   [[nodiscard]] double scale_at(const Vector<double, 3>& p) const;
+
+  /// Magnifies the picture: what is at a pixel goes to another one, and what is around it is so many times larger.
+  void magnify(double times, const std::array<double, 2>& from, const std::array<double, 2>& to);
 
   // What the pointer does: immediate, because it follows the pointer.
   void pan(float dx, float dy);
@@ -71,7 +84,10 @@ class Camera {
   [[nodiscard]] double free_width() const;
   [[nodiscard]] double distance() const;  // from eye to target, scene units
 
+  static constexpr double kYaw = 0.55, kPitch = 0.32;  // radians
+
   int dim_;
+  std::array<double, 2> home_;  // yaw and pitch
   Rect stage_;
   float top_ = 0, side_ = 0, bottom_ = 0;
   void turn();  // updates what depends on now_, after every change of it
@@ -79,6 +95,11 @@ class Camera {
   View now_, goal_;
   Vector<double, 3> right_, up_, forward_, eye_;  // cached for now_: a frame projects tens of thousands of places
   bool framed_ = true;
+  bool placed_ = false;  // whether it was framed before
+  struct Lens {
+    double times = 1;
+    std::array<double, 2> from{}, to{};
+  } lens_;
 };
 
 }  // namespace snug::app

@@ -68,7 +68,8 @@ void draw_compared(Brush& brush, const Shown& shown) {
     draw_volume(canvas, *shown.rival, {Stroke::kLongDashed, p.previous, brush.stroke(), dim == 3 ? 0.03f : 0.0f});
     if (fit::size_of(*shown.rival, dim) > 0)
       brush.label(brush.at(top_of(canvas.camera, *shown.rival, -0.5)), 6, {-0.6f, -1},
-                  lesson::title_in(brush.session.lesson(), *brush.session.method(1)) + ": " + size(*shown.rival), p.previous_text);
+                  lesson::title_in(brush.session.lesson(), *brush.session.method(1)) + ": " + size(*shown.rival),
+                  p.previous_text);
   }
   if (!shown.optimum) return;
   const double smallest = fit::size_of(*shown.optimum, dim);

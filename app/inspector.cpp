@@ -41,7 +41,8 @@ class Column {
     rule(list_, x_, y_ - 1, width_, look_->line);
   }
 
-  void rival(const std::string& title, const lesson::Rival& rival, double widest, bool chosen, bool beside, bool hidden) {
+  void rival(const std::string& title, const lesson::Rival& rival, double widest, bool chosen, bool beside,
+             bool hidden) {
     const float size = 14, small = 13;
     const std::string value = hidden                    ? "—"
                               : chosen || !rival.excess ? lesson::number_text(rival.size)
@@ -138,8 +139,8 @@ float draw_inspector(const Look& look, lesson::Session& session, const SubjectVi
     for (const auto& rival : session.rivals()) widest = std::max(widest, rival.size);
     for (const auto& rival : session.rivals()) {
       const bool chosen = rival.method == session.method(0);
-      column.rival(lesson::title_in(session.lesson(), *rival.method), rival, widest * 1.08, chosen, rival.method == session.method(1),
-                   session.hides_result(*rival.method));
+      column.rival(lesson::title_in(session.lesson(), *rival.method), rival, widest * 1.08, chosen,
+                   rival.method == session.method(1), session.hides_result(*rival.method));
     }
     column.gap(look.px(20));
   }

@@ -1,6 +1,7 @@
 #include "app/marks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -20,23 +21,65 @@ bool near_clip(const ImDrawList* list, ImVec2 p, float reach) {
 
 ImVec2 between(ImVec2 a, ImVec2 b, float share) { return {a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share}; }
 
-/// Walks a path and calls part(from, to) for each stretch of `on` pixels, `off` pixels apart.
-template <class Part>
-void walk(std::span<const ImVec2> points, bool closed, float on, float off, Part part) {
+/// Stretches of `on` pixels, `off` pixels apart, along a path.
+struct Pattern {
+  float on, off;
   float left = on;  // of the current stretch or gap
   bool drawing = true;
+
+  void pass(float length) {
+    left -= length;
+    if (left <= 0) drawing = !drawing, left = drawing ? on : off;
+  }
+  /// Passes by what is not drawn.
+  void skip(float length) {
+    for (float rest = std::fmod(length, on + off); rest > 0;) {
+      const float step = std::min(left, rest);
+      rest -= step;
+      pass(step);
+    }
+  }
+};
+
+/// From where to where a segment may be seen, as fractions of it; the second is less than the first if nowhere.
+std::array<float, 2> seen_of(const ImDrawList* list, ImVec2 a, ImVec2 b) {
+  constexpr float kReach = 24;
+  const ImVec2 low = list->GetClipRectMin(), high = list->GetClipRectMax();
+  float enter = 0, leave = 1;
+  const auto cut = [&](float from, float way, float least, float most) {
+    if (way == 0 && (from < least || from > most)) leave = -1;
+    if (way == 0) return;
+    const float first = (least - from) / way, second = (most - from) / way;
+    enter = std::max(enter, std::min(first, second)), leave = std::min(leave, std::max(first, second));
+  };
+  cut(a.x, b.x - a.x, low.x - kReach, high.x + kReach);
+  cut(a.y, b.y - a.y, low.y - kReach, high.y + kReach);
+  return {enter, leave};
+}
+
+/// Walks a path and calls part(from, to) for each stretch of the pattern, where it may be seen.
+template <class Part>
+void walk(const ImDrawList* list, std::span<const ImVec2> points, bool closed, Pattern pattern, Part part) {
   std::size_t parts = 0;
   for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size() && parts < kMostParts; ++i) {
     const ImVec2 a = points[i], b = points[(i + 1) % points.size()];
     const float length = std::hypot(b.x - a.x, b.y - a.y);
-    float done = 0;
-    while (done < length && parts < kMostParts) {
-      const float step = std::min(left, length - done);
-      if (drawing) part(between(a, b, done / length), between(a, b, (done + step) / length)), ++parts;
-      done += step;
-      left -= step;
-      if (left <= 0) drawing = !drawing, left = drawing ? on : off;
+    const auto [enter, leave] = seen_of(list, a, b);
+    if (leave <= enter) {
+      pattern.skip(length);
+      continue;
     }
+    pattern.skip(enter * length);
+    float done = enter * length;
+    const float end = leave * length;
+    while (done < end && parts < kMostParts) {
+      const float step = std::min(pattern.left, end - done);
+      if (pattern.drawing) part(between(a, b, done / length), between(a, b, (done + step) / length)), ++parts;
+      if (done + step == done) break;  // shorter than a float can tell
+      done += step;
+      pattern.pass(step);
+    }
+    pattern.skip(length - end);
   }
 }
 
@@ -44,14 +87,12 @@ void patterned(ImDrawList* list, std::span<const ImVec2> points, bool closed, St
   const float scale = std::max(1.0f, width / 2);
   if (stroke != Stroke::kDotted) {
     const bool is_long = stroke == Stroke::kLongDashed;
-    walk(points, closed, (is_long ? kLongDash : kDash) * scale, (is_long ? kLongGap : kDashGap) * scale,
-         [&](ImVec2 a, ImVec2 b) {
-           if (near_clip(list, a, 20)) list->AddLine(a, b, color, width);
-         });
+    const Pattern dashes{(is_long ? kLongDash : kDash) * scale, (is_long ? kLongGap : kDashGap) * scale};
+    walk(list, points, closed, dashes, [&](ImVec2 a, ImVec2 b) { list->AddLine(a, b, color, width); });
     return;
   }
   // A dot is a stretch of almost no length, so the walk gives its place.
-  walk(points, closed, 0.01f, kDotPitch * scale, [&](ImVec2 a, ImVec2) {
+  walk(list, points, closed, {0.01f, kDotPitch * scale}, [&](ImVec2 a, ImVec2) {
     if (near_clip(list, a, 4)) list->AddCircleFilled(a, std::max(1.1f, width * 0.62f), color, 8);
   });
 }

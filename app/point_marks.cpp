@@ -42,7 +42,8 @@ void PointNames::name(Index i, std::string words, Color color, Face face, float 
   if (i == kNoIndex || named_[i]) return;
   named_[i] = true;
   const ImVec2 at = brush.at(brush.point(i));
-  brush.label(at, gap, {at.x - middle_.x, at.y - middle_.y}, std::move(words), color, face, size, optional);
+  brush.label(at, std::max(gap, brush.view.reach_of(brush, i)), {at.x - middle_.x, at.y - middle_.y}, std::move(words),
+              color, face, size, optional);
 }
 
 void PointNames::plain(Index i) {

@@ -1,12 +1,16 @@
 #include "app/polytope.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "fit/hull/quickhull.hpp"
 #include "fit/lift.hpp"
 #include "geometry/convert.hpp"
 #include "geometry/kdop.hpp"
+#include "geometry/tolerance.hpp"
 #include "query/support_function.hpp"
 
 namespace snug::app {
@@ -37,11 +41,29 @@ std::vector<int> joined(const std::vector<std::array<Index, 3>>& edges, std::siz
   return around;
 }
 
-/// The hull of a few points, which were accepted before.
-template <int Dim>
-Polytope hull_of(std::vector<Vector<double, Dim>> corners) {
-  const auto set = PointSet<double, Dim>::make(std::move(corners));
-  return set ? polytope_of(fit::lift(fit::quickhull(set->span()).volume), Dim) : Polytope{};
+/// The hull of a few points of the plane, which were accepted before.
+Polytope hull_of(std::vector<Vector<double, 2>> corners) {
+  const auto set = PointSet<double, 2>::make(std::move(corners));
+  return set ? polytope_of(fit::lift(fit::quickhull(set->span()).volume), 2) : Polytope{};
+}
+
+/// The corners on one side of a slab, in order around that face; outward: across it.
+std::vector<int> face_of(const std::vector<V3>& corners, const V3& outward, double bound, double doubt) {
+  std::vector<int> face;
+  V3 middle = V3::Zero();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (std::abs(outward.dot(corners[i]) - bound) > doubt) continue;
+    face.push_back(static_cast<int>(i));
+    middle += corners[i];
+  }
+  middle /= std::max(1.0, static_cast<double>(face.size()));
+  const V3 u = outward.cross(V3(std::abs(outward[1]) < 0.9 ? V3::UnitY() : V3::UnitX())), v = outward.cross(u);
+  const auto angle = [&](int corner) {
+    const V3 way = corners[static_cast<std::size_t>(corner)] - middle;
+    return std::atan2(way.dot(v), way.dot(u) * outward.norm());
+  };
+  std::sort(face.begin(), face.end(), [&](int a, int b) { return angle(a) < angle(b); });
+  return face;
 }
 
 }  // namespace
@@ -57,10 +79,17 @@ Polytope polytope_of(const Aabb<double, 3>& aabb, int dim) {
 
 /// A k-DOP's faces from its vertices: those that touch one side of a slab form a face, in order around it.
 Polytope polytope_of(const Kdop<double, 3>& kdop, int dim) {
-  if (dim == 2) {
-    return hull_of<2>(kdop_vertices(converted<double, 2>(kdop)));
+  if (dim == 2) return hull_of(kdop_vertices(converted<double, 2>(kdop)));
+  Polytope polytope{kdop_vertices(kdop), {}};
+  const double doubt = tolerance::kKdopCorner<double> * size_of(kdop);
+  const auto axes = kdop_axes<3>(kdop.k);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const V3 axis(axes[i][0], axes[i][1], axes[i][2]);
+    for (const auto& [outward, bound] : {std::pair{V3(-axis), -kdop.min[i]}, {axis, kdop.max[i]}})
+      if (auto face = face_of(polytope.corners, outward, bound, doubt); face.size() > 2)
+        polytope.faces.push_back(std::move(face));
   }
-  return hull_of<3>(kdop_vertices(kdop));
+  return polytope;
 }
 
 Polytope polytope_of(const ConvexHull<double, 3>& hull, int dim) {

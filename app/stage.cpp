@@ -3,8 +3,10 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
+#include "app/close_up.hpp"
 #include "app/mesh_normals.hpp"
 #include "app/numbers.hpp"
 #include "app/widgets.hpp"
@@ -20,6 +22,12 @@ constexpr double kRoomy = 0.55, kTight = 1.06;  // fractions of the free room at
 float radius_for(Index points, bool has_surface) {
   if (has_surface) return 1.7f;
   return points <= 60 ? 5.0f : points <= 250 ? 4.0f : points <= 1000 ? 2.8f : 1.9f;
+}
+
+Camera camera_of(const lesson::Session& session) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  const auto& angles = session.lesson().view.camera;
+  return angles ? Camera(session.dim(), (*angles)[0] * kDegree, (*angles)[1] * kDegree) : Camera(session.dim());
 }
 
 std::array<float, 16> matrix_of(const Camera& camera, const Frame& frame) {
@@ -56,8 +64,9 @@ void Stage::open(const lesson::Session& session, SubjectView& view) {
   *this = Stage();
   scene_.points_version = version;  // the graphics persist, and have uploaded the last lesson's points as this version
   view_ = &view;
-  camera_ = Camera(session.dim());
-  framed_ball_ = view.extent(session);
+  has_close_up_ = session.lesson().view.inset.has_value();
+  camera_ = camera_of(session);
+  framed_ball_ = aimed_at(session);
   seen_ = session.revision() - 1;
 }
 
@@ -66,13 +75,24 @@ void Stage::open_anew(const lesson::Session& session, SubjectView& view) {
   const Hands hands = hands_;
   open(session, view);
   camera_kept_ = !camera.framed() && camera.dim() == session.dim();
-  if (camera_kept_) camera_ = camera;
+  if (camera_kept_) camera_ = camera.with_home_of(camera_);
   if (hands.selected < session.size()) hands_.selected = hands.selected, hands_.arrows = hands.arrows;
 }
 
 void Stage::reset_view(const lesson::Session& session) {
-  framed_ball_ = view_->extent(session);
+  framed_ball_ = aimed_at(session);
   camera_.frame(framed_ball_, false);
+  if (session.lesson().view.camera) camera_.turn_home();
+}
+
+/// What the view is framed by: everything, unless the lesson's file says otherwise.
+fit::Sphere3 Stage::aimed_at(const lesson::Session& session) const {
+  const lesson::StageView& wish = session.lesson().view;
+  fit::Sphere3 ball = view_->extent(session);
+  ball.radius /= wish.zoom;
+  if (const auto ends = wish.look_at ? ends_of(*wish.look_at, *view_, session) : std::nullopt)
+    ball.center = ((*ends)[0] + (*ends)[1]) / 2;
+  return ball;
 }
 
 bool Stage::orbit_by(double yaw, double pitch) {
@@ -86,7 +106,8 @@ void Stage::set_room(const Rect& rect, const Settings& settings) {
   const float words = settings.text_scale * palette_of(settings.theme).text;
   // Buttons are at the top; on a narrow stage they take most of its width.
   const float below = wide ? 92.0f * words : 28;
-  camera_.set_stage(rect, wide ? 52.0f * words : kToolsHeight, wide ? 56.0f : 28,
+  const float narrow = has_close_up_ ? room_above(words) : kToolsHeight;
+  camera_.set_stage(rect, wide ? 52.0f * words : narrow, wide ? 56.0f : 28,
                     foot_ > 0 ? std::max(below, foot_ + kFootMargin) : below);
 }
 
@@ -102,7 +123,7 @@ void Stage::ease_foot(const Look& look, double dt) {
 void Stage::sync(const lesson::Session& session, const Settings& settings) {
   if (camera_.dim() != session.dim()) {
     const Rect stage = camera_.stage();
-    camera_ = Camera(session.dim());
+    camera_ = camera_of(session);
     set_room(stage, settings);
     scene_.points.clear();
     hands_.selected = kNoIndex;
@@ -115,7 +136,7 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
   view_->refresh(session, settings.show_optimum && !session.predicting());
   if (!view_->can_move(session)) hands_.arrows = false;
   if (first) {
-    framed_ball_ = view_->extent(session);
+    framed_ball_ = aimed_at(session);
     if (!std::exchange(camera_kept_, false)) camera_.frame(framed_ball_, true);
   }
   keep_framed(session);
@@ -141,11 +162,12 @@ void Stage::keep_framed(const lesson::Session& session) {
   if (hands_.dragging) return;
   const fit::Sphere3 all = view_->extent(session);
   if (camera_.framed()) {
-    const double share = camera_.share_of_room(all);
-    const bool elsewhere = (all.center - framed_ball_.center).norm() > 0.25 * framed_ball_.radius;
+    const fit::Sphere3 aim = aimed_at(session);
+    const double share = camera_.share_of_room(aim);
+    const bool elsewhere = (aim.center - framed_ball_.center).norm() > 0.25 * framed_ball_.radius;
     if (share > kTight || share < kRoomy || (elsewhere && !camera_.moving())) {
-      framed_ball_ = all;
-      camera_.frame(all, false);
+      framed_ball_ = aim;
+      camera_.frame(aim, false);
     }
   }
   const double unit = all.radius > 0 ? all.radius : 1;
@@ -223,7 +245,8 @@ void Stage::draw(const Look& look, Settings& settings, lesson::Session& session,
   auto volume = volume_drawn(look, session, now);
 
   project_points(session);
-  const float radius = radius_for(session.size(), !scene_.triangles.empty());
+  const float radius =
+      radius_for(session.size(), !scene_.triangles.empty()) * static_cast<float>(session.lesson().view.point_size);
   fill_scene(look, rect, radius, view_->shows_points(session));
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->PushClipRect({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, true);
@@ -247,7 +270,20 @@ void Stage::draw(const Look& look, Settings& settings, lesson::Session& session,
   list->PopClipRect();
 }
 
+/// Draws the lines that join the points in their order.
+void Stage::draw_outline(Brush& brush) {
+  if (!brush.session.lesson().view.outline || brush.session.subject().points() == nullptr) return;
+  std::vector<ImVec2> corners;
+  for (Index i = 0; i < brush.session.size(); ++i) corners.push_back(brush.at(brush.point(i)));
+  path(brush.list, corners, true, Stroke::kSolid, with_alpha(brush.p.point, 0.8f), brush.stroke(0.6f));
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const ImVec2 a = corners[i], b = corners[(i + 1) % corners.size()];
+    brush.canvas.obstacles.segments.push_back({a.x, a.y, b.x, b.y});
+  }
+}
+
 void Stage::draw_picture(Brush& brush) const {
+  draw_outline(brush);
   view_->draw(brush);
   // The farthest first, so that nearer volumes are blended over farther ones.
   auto& volumes = brush.canvas.gl.volumes;

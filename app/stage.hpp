@@ -43,12 +43,15 @@ class Stage {
   [[nodiscard]] std::vector<Handle> handles(const lesson::Session& session) const;
   /// The camera of the last frame.
   [[nodiscard]] const Camera& camera() const { return camera_; }
+  /// The lesson's close-up in the last frame.
+  [[nodiscard]] const std::optional<CloseUp>& close_up() const { return close_up_; }
   [[nodiscard]] bool dragging() const { return hands_.dragging; }
 
  private:
   // stage.cpp
   void sync(const lesson::Session& session, const Settings& settings);
   void keep_framed(const lesson::Session& session);
+  [[nodiscard]] fit::Sphere3 aimed_at(const lesson::Session& session) const;
   void set_room(const Rect& rect, const Settings& settings);
   void ease_foot(const Look& look, double dt);
   void upload_points(const lesson::Session& session);
@@ -56,6 +59,7 @@ class Stage {
   [[nodiscard]] std::optional<fit::Volume3> volume_drawn(const Look& look, const lesson::Session& session, double now);
   void fill_scene(const Look& look, const Rect& rect, float point_radius, bool points);
   void draw_picture(Brush& brush) const;
+  static void draw_outline(Brush& brush);
   // stage_hands.cpp
   void take(lesson::Session& session, const Look& look, const Rect& rect);
   void press(lesson::Session& session, const Look& look);
@@ -75,6 +79,9 @@ class Stage {
   void name_handles(Brush& brush) const;
   // stage_labels.cpp
   static void draw_labels(Brush& brush);
+  // stage_close_up.cpp
+  void draw_close_up(const Brush& brush, float top);
+  void draw_in_close_up(Brush& close) const;
   // stage_notes.cpp
   void draw_notes(Brush& brush, Settings& settings);
   void draw_tools(Brush& brush, Settings& settings, float y, float height);
@@ -89,6 +96,8 @@ class Stage {
   GlScene scene_;
   Motion motion_;
   std::vector<ScreenPoint> screen_;
+  bool has_close_up_ = false;  // whether the lesson asks for one
+  std::optional<CloseUp> close_up_;
 
   std::uint64_t seen_ = 0;  // the session's revision at the last refresh
   bool seen_optimum_ = false;

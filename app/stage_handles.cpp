@@ -36,8 +36,8 @@ void arrow_heads(ImDrawList* list, ImVec2 at, float from, Color color, Color hal
 
 void Stage::draw_handles(Brush& brush) const {
   // On a mesh of thousands of points, labels keep clear only of the marked ones.
-  if (screen_.size() <= 1500 && scene_.triangles.empty())
-    for (const ScreenPoint& point : screen_)
+  if (brush.handles.size() <= 1500 && scene_.triangles.empty())
+    for (const ScreenPoint& point : brush.handles)
       if (point.visible)
         brush.canvas.obstacles.discs.push_back(
             {point.x, point.y, brush.point_radius + (answered_on_stage(brush.session) ? 6 : 1)});
@@ -146,11 +146,12 @@ void Stage::name_handles(Brush& brush) const {
       names.name(i, session.name_of(i), p.current_text, Face::kSemiBold, 13);
   for (const Index i : view_->shown().spoken_of) names.plain(i);
   if (session.size() > kNameAll) return;
+  const bool all = session.lesson().view.named;
   const bool asked = answered_on_stage(session), alone = asked && view_->names_answers_alone();
-  const std::vector<Index> targets = alone ? session.targets() : std::vector<Index>{};
+  const std::vector<Index> targets = alone || (asked && !all) ? session.targets() : std::vector<Index>{};
   for (Index i = 0; i < session.size(); ++i) {
     const bool must = among(targets, i);  // the possible answers are always named
-    if (!view_->bears_name(session, i) || (alone && !must)) continue;
+    if (!view_->bears_name(session, i) || ((alone || !all) && !must)) continue;
     const bool signs = is_of_signs(session.name_of(i));  // signs are thin strokes on a volume's fill
     names.name(i, session.name_of(i),
                must    ? p.current_text

@@ -46,7 +46,7 @@ void Stage::draw_tools(Brush& brush, Settings& settings, float y, float height) 
   right -= height + 8;
 
   // A cover's button takes its place.
-  if (view_->offers_optimum() && !brush.session.predicting() && look.tools_right == 0)
+  if (!view_->optimum_button().empty() && !brush.session.predicting() && look.tools_right == 0)
     draw_toggle(brush, settings, right, y, height);
   keep_free(brush.canvas.obstacles, fit);
   if (look.tools_right > 0) keep_free(brush.canvas.obstacles, {right - look.tools_right, y, look.tools_right, height});
@@ -62,8 +62,11 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
   const float tools = look.tools;
   if (tools > 0) keep_free(brush.canvas.obstacles, {brush.rect.x, brush.rect.y, tools, height + 16});
 
-  if (const Rect inset = view_->draw_inset(brush, y + (tools > 0 ? height + 10 : 0)); inset.width > 0)
-    keep_free(brush.canvas.obstacles, inset);
+  const float top = y + (tools > 0 ? height + 10 : 0);
+  const Rect inset = view_->draw_inset(brush, top);
+  if (inset.width > 0) keep_free(brush.canvas.obstacles, inset);
+  draw_close_up(brush, settings.tools || tools > 0 ? y + height + 10 : y);
+  if (close_up_) keep_free(brush.canvas.obstacles, close_up_->panel);
   if (camera_.dim() == 3) draw_axis_cross(brush);
   if (look.foot > 0)
     keep_free(brush.canvas.obstacles,
@@ -72,20 +75,20 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
     draw_sentence(brush.list, look, brush.canvas.obstacles, brush.rect, brush.session.caption());
 }
 
-/// Draws the "Smallest" button, which shows the smallest volume before the end.
+/// Draws the button that shows the smallest volume before the end.
 void Stage::draw_toggle(Brush& brush, Settings& settings, float right, float y, float height) {
   const Palette& p = brush.p;
   const Look& look = brush.look;
-  const float width = measure(look, Face::kSemiBold, 13, "Smallest").x + look.px(52);
+  const std::string words(view_->optimum_button());
+  const float width = measure(look, Face::kSemiBold, 13, words).x + look.px(52);
   const Rect toggle{right - width, y, width, height};
   const bool on = settings.show_optimum;
   if (button(brush.list, look,
-             {.id = "Smallest", .rect = toggle, .kind = on ? ButtonKind::kChosen : ButtonKind::kOutlined}))
+             {.id = words.c_str(), .rect = toggle, .kind = on ? ButtonKind::kChosen : ButtonKind::kOutlined}))
     settings.show_optimum = !on;
   const float middle = y + height / 2;
   line(brush.list, {toggle.x + look.px(12), middle}, {toggle.x + look.px(36), middle}, Stroke::kDashed, p.optimum, 2);
-  text(brush.list, look, Face::kSemiBold, 13, {toggle.x + look.px(42), middle_of(middle, look.px(13))}, p.ink,
-       "Smallest");
+  text(brush.list, look, Face::kSemiBold, 13, {toggle.x + look.px(42), middle_of(middle, look.px(13))}, p.ink, words);
   keep_free(brush.canvas.obstacles, toggle);
 }
 

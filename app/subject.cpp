@@ -43,6 +43,7 @@ int SubjectView::axis_in_use(const lesson::Session&) const { return -1; }
 Point3 SubjectView::place_of(const lesson::Session& session, Index i) const { return session.point(i); }
 bool SubjectView::can_move(const lesson::Session& session) const { return session.subject().moves_at(session.step()); }
 bool SubjectView::shows_points(const lesson::Session&) const { return true; }
+float SubjectView::reach_of(const Brush&, Index) const { return 0; }
 bool SubjectView::bears_name(const lesson::Session&, Index) const { return true; }
 float SubjectView::draw_panels(const Look&, lesson::Session&, ImVec2, float) const { return 0; }
 bool SubjectView::fills_column(const lesson::Session&) const { return false; }

@@ -44,8 +44,8 @@ class SubjectView {
   [[nodiscard]] virtual fit::Sphere3 extent(const lesson::Session& session);
   /// Whether the volume moves smoothly from one step to the next; it jumps if the points inside move.
   [[nodiscard]] virtual bool glides() const { return true; }
-  /// Whether the smallest volume can be shown before the end.
-  [[nodiscard]] virtual bool offers_optimum() const { return false; }
+  /// The button that shows the smallest volume, or what the lesson compares with, before the end; empty for none.
+  [[nodiscard]] virtual std::string_view optimum_button() const { return {}; }
   /// The coordinate axis that the step works along, 0 to 2; -1 for none.
   [[nodiscard]] virtual int axis_in_use(const lesson::Session& session) const;
 
@@ -56,6 +56,8 @@ class SubjectView {
   [[nodiscard]] virtual bool can_move(const lesson::Session& session) const;
   /// Whether each handle is drawn as a point.
   [[nodiscard]] virtual bool shows_points(const lesson::Session& session) const;
+  /// How far what is at a handle reaches on the screen, pixels, beside which its name is placed; 0 for a point.
+  [[nodiscard]] virtual float reach_of(const Brush& brush, Index i) const;
   /// Whether a handle is named if there is room for all names.
   [[nodiscard]] virtual bool bears_name(const lesson::Session& session, Index i) const;
   /// Whether only possible answers are named while a question is answered on the stage.

@@ -25,10 +25,10 @@ float bounded(double value) { return static_cast<float>(std::clamp(value, -1e30,
 bool is_flat(const Canvas& canvas) { return canvas.camera.dim() == 2; }
 
 /// The points center + u cos t + v sin t.
-std::vector<V3> ellipse(const V3& center, const V3& u, const V3& v) {
+std::vector<V3> ellipse(const V3& center, const V3& u, const V3& v, int parts = kParts) {
   std::vector<V3> points;
-  for (int i = 0; i < kParts; ++i) {
-    const double t = 2 * std::numbers::pi * i / kParts;
+  for (int i = 0; i < parts; ++i) {
+    const double t = 2 * std::numbers::pi * i / parts;
     points.push_back(center + u * std::cos(t) + v * std::sin(t));
   }
   return points;
@@ -161,12 +161,18 @@ std::vector<V3> tangent_points(const Kind<double, 3>& volume, const V3& eye) {
   return points;
 }
 
-/// The border of a convex volume of the plane.
+/// The border of a convex volume of the plane. scale: pixels of a scene unit, for magnified arcs need more parts: a
+/// part of a circle is nowhere farther from it than radius (pi / parts)^2 / 2.
 template <template <class, int> class Kind>
-std::vector<V3> border_points(const Kind<double, 3>& volume) {
+std::vector<V3> border_points(const Kind<double, 3>& volume, double scale) {
+  constexpr double kOff = 0.1, kMostParts = 4096;  // pixels
   const auto own = converted<double, 2>(volume);
+  const Aabb<double, 2> box = query::box_around(own);
+  const double radius = (box.max - box.min).maxCoeff() / 2 * scale;
+  const int parts =
+      static_cast<int>(std::clamp(std::numbers::pi * std::sqrt(radius / (2 * kOff)), double{kParts}, kMostParts));
   std::vector<V3> points;
-  for (const V3& direction : ellipse(V3::Zero(), V3::UnitX(), V3::UnitY()))
+  for (const V3& direction : ellipse(V3::Zero(), V3::UnitX(), V3::UnitY(), parts))
     convert_into(points.emplace_back(), query::support(own, direction.head<2>()));
   return points;
 }
@@ -186,7 +192,8 @@ std::vector<ImVec2> apart(const std::vector<ImVec2>& points) {
 template <template <class, int> class Kind>
 void draw_volume(const Canvas& canvas, const Kind<double, 3>& volume, const VolumeStyle& style) {
   const std::vector<ImVec2> outline =
-      apart(projected(canvas, is_flat(canvas) ? border_points(volume) : tangent_points(volume, canvas.camera.eye())));
+      apart(projected(canvas, is_flat(canvas) ? border_points(volume, canvas.camera.scale_at(V3::Zero()))
+                                              : tangent_points(volume, canvas.camera.eye())));
   fill_convex(canvas, outline, style, 1);
   path(canvas.list, outline, true, style.stroke, style.color, style.width);
   add_sides(canvas, outline);

@@ -24,7 +24,7 @@ COLOURS = 48
 THEMES = {"": "light", "-dark": "dark"}
 MOST_BYTES = 15_000
 # Keys of a lesson that are words, or are asked: the picture shows the stage alone.
-WORDS = {"title", "summary", "minutes", "covers", "section", "question", "task", "pseudocode", "meshes", "generators"}
+WORDS = {"version", "title", "summary", "minutes", "covers", "section", "question", "task", "pseudocode", "meshes", "generators"}
 
 
 def lessons() -> list[str]:

@@ -91,15 +91,15 @@ class Shell {
   bool points_tab = false;
   int slider = -1;                                        // the one that the keyboard is on, by its number; -1 for none
   std::vector<std::pair<std::size_t, app::Rect>> tracks;  // of the sliders, by their numbers
-  bool task_wanted = false;                              // whether to scroll to the task in the next frame
-  std::vector<std::pair<std::string, app::Rect>> links;  // the links of the prose: their targets and places
-  std::vector<std::string> figures;                      // the figures of the run in it, as they were drawn
-  bool unread = false;                                   // another lesson was opened: its prose starts at the top
-  float scrolled = 0;                                    // how far the prose was scrolled in the last frame
-  int section = -1;                                      // the section that the step was about in the last frame
-  double read_at = -1e9;                                 // when the prose was last scrolled by hand, in ImGui's seconds
-  float scroll_by = 0;                                   // how far a key scrolls the prose in the next frame
-  float scroll_to = -1;                                  // where the prose is scrolling to; less than 0: nowhere
+  bool task_wanted = false;                               // whether to scroll to the task in the next frame
+  std::vector<std::pair<std::string, app::Rect>> links;   // the links of the prose: their targets and places
+  std::vector<std::string> figures;                       // the figures of the run in it, as they were drawn
+  bool unread = false;                                    // another lesson was opened: its prose starts at the top
+  float scrolled = 0;                                     // how far the prose was scrolled in the last frame
+  int section = -1;                                       // the section that the step was about in the last frame
+  double read_at = -1e9;  // when the prose was last scrolled by hand, in ImGui's seconds
+  float scroll_by = 0;    // how far a key scrolls the prose in the next frame
+  float scroll_to = -1;   // where the prose is scrolling to; less than 0: nowhere
   // Heights measured in the last frame: of the lower parts of the left and the right column, and of the stage's foot
   // that a question covers.
   float pinned_height = 300, code_height = 300, foot = 0;

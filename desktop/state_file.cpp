@@ -31,7 +31,7 @@ Json course_state(Shell& shell) {
              {"focus", shell.focus.name()}, {"asked", shell.course.asked()},        {"found", shell.course.found()},
              {"kept", shell.kept().works()}};
   for (std::size_t i = 0; i < shell.lessons().size(); ++i) {
-    const auto& [path, lesson, chapter] = shell.lessons()[i];
+    const auto& [path, lesson, chapter, slides] = shell.lessons()[i];
     const KeptLesson* const kept = shell.kept().lesson(lesson.id);
     state["course"].push_back({{"id", lesson.id},
                                {"number", i + 1},

@@ -108,6 +108,20 @@ val invitation_object(const std::optional<app::Invitation>& invitation) {
   return object;
 }
 
+/// The lesson's close-up: where in the scene, how wide, how many times larger; and its panel's place on the canvas.
+val close_up_object(const std::optional<app::CloseUp>& close_up, int dim) {
+  if (!close_up) return val::null();
+  val object = val::object();
+  object.set("at", coordinates(close_up->at, dim));
+  object.set("size", close_up->size);
+  object.set("times", close_up->times);
+  object.set("x", close_up->panel.x);
+  object.set("y", close_up->panel.y);
+  object.set("width", close_up->panel.width);
+  object.set("height", close_up->panel.height);
+  return object;
+}
+
 val switch_object(const lesson::Switch& one) {
   val object = val::object();
   object.set("effect", one.name);
@@ -131,6 +145,7 @@ val view_object(app::App& app, const lesson::Session& session) {
   object.set("section", section ? val(*section) : val::null());
   object.set("lit", lit_object(app, session));
   object.set("invitation", invitation_object(app.invitation()));
+  object.set("closeUp", close_up_object(app.close_up(), session.dim()));
   object.set("invited", app.invitations_followed());
   object.set("playing", app.playing());
   object.set("speed", app.speed());

@@ -349,6 +349,7 @@ Tally tally_of(std::span<const Asked> questions, std::span<const Outcome> outcom
 }
 
 Outcome judge(const Asked& asked, const Answer& answer, const Run& run) {
+  const WithDecimals wished(asked.lesson->view.decimals);
   Truth truth = asked.asking->truth(asked, run);
   Outcome outcome;
   outcome.question = asked.question->id;

@@ -34,7 +34,7 @@ std::vector<NumberGroup> BoxSubject::numbers() const {
     groups.push_back({heading,
                       name,
                       {{"Centre", names, of(box.center)}, std::move(half), std::move(turn)},
-                      name_of(index_of(dim(), {Place::Kind::kCenter, i, 0}))});
+                      name_of(index_of(dim(), {BoxHandle::Kind::kCenter, i, 0}))});
   }
   return groups;
 }

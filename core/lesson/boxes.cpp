@@ -14,7 +14,7 @@ namespace {
 
 using V3 = Vector<double, 3>;
 using Box = Obb<double, 3>;
-using PlaceKind = Place::Kind;
+using PlaceKind = BoxHandle::Kind;
 
 int knobs(int dim) { return dim - 1; }
 
@@ -70,14 +70,14 @@ Box stretched(const BoxPair& pair, int which, int bits, const V3& hand) {
 
 int places_of_box(int dim) { return 1 + knobs(dim) + (1 << dim); }
 
-Place place_of(int dim, Index i) {
+BoxHandle place_of(int dim, Index i) {
   const int box = i / places_of_box(dim), own = i % places_of_box(dim);
   if (own == 0) return {PlaceKind::kCenter, box, 0};
   if (own <= knobs(dim)) return {PlaceKind::kTurn, box, own - 1};
   return {PlaceKind::kCorner, box, own - 1 - knobs(dim)};
 }
 
-Index index_of(int dim, const Place& place) {
+Index index_of(int dim, const BoxHandle& place) {
   const int own = place.kind == PlaceKind::kCenter ? 0
                   : place.kind == PlaceKind::kTurn ? 1 + place.number
                                                    : 1 + knobs(dim) + place.number;
@@ -85,7 +85,7 @@ Index index_of(int dim, const Place& place) {
 }
 
 std::string place_name(int dim, Index i) {
-  const Place place = place_of(dim, i);
+  const BoxHandle place = place_of(dim, i);
   const std::string box = place.box == 0 ? "A" : "B";
   if (place.kind == PlaceKind::kCenter) return box;
   if (place.kind == PlaceKind::kCorner) return box + std::to_string(place.number);
@@ -117,7 +117,7 @@ V3 beyond_face(const BoxPair& pair, int box, int axis, double by) {
 }
 
 V3 at_place(const BoxPair& pair, Index i) {
-  const Place place = place_of(pair.dim, i);
+  const BoxHandle place = place_of(pair.dim, i);
   const Box& box = pair.boxes[place.box];
   if (place.kind == PlaceKind::kCenter) return box.center;
   if (place.kind == PlaceKind::kCorner) return corner_of(pair, place.box, place.number);
@@ -136,7 +136,7 @@ tl::expected<BoxPair, InputError> moved(const BoxPair& pair, Index i, const V3& 
   if (pair.dim == 2) to[2] = 0;
   if (auto fine = PointSet<double, 3>::make({to}); !fine) return tl::unexpected(std::move(fine.error()));
   BoxPair next = pair;
-  const Place place = place_of(pair.dim, i);
+  const BoxHandle place = place_of(pair.dim, i);
   Box& box = next.boxes[place.box];
   switch (place.kind) {
     case PlaceKind::kCenter: box.center = to; break;

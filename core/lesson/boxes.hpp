@@ -23,7 +23,7 @@ struct BoxPair {
 };
 
 /// A place on a box that can be dragged.
-struct Place {
+struct BoxHandle {
   enum class Kind { kCenter, kTurn, kCorner } kind = Kind::kCenter;
   int box = 0;     // 0: A, 1: B
   int number = 0;  // of a knob: its axis; of a vertex: its bits, 1 for +x, 2 for +y, 4 for +z
@@ -31,8 +31,8 @@ struct Place {
 
 /// The number of places on a box: its centre, a knob (in 3-D two), its vertices. A's places come first, then B's.
 [[nodiscard]] int places_of_box(int dim);
-[[nodiscard]] Place place_of(int dim, Index i);
-[[nodiscard]] Index index_of(int dim, const Place& place);
+[[nodiscard]] BoxHandle place_of(int dim, Index i);
+[[nodiscard]] Index index_of(int dim, const BoxHandle& place);
 /// "A", "A turn", "A3".
 [[nodiscard]] std::string place_name(int dim, Index i);
 /// The indices of a box's vertices.

@@ -11,6 +11,7 @@
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/read_situations.hpp"
+#include "lesson/read_view.hpp"
 #include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/text_place.hpp"
@@ -274,6 +275,7 @@ bool check_lesson(Lesson& lesson, const toml::table& toml, Checked checked, Comp
     if (situations.back() != nullptr) subjects.push_back(situations.back()->own.get());
   }
   warn_of_words(lesson, toml, subjects, complaints);
+  if (!subjects.empty()) check_view(lesson.view, toml, *subjects.front(), complaints);
   if (complaints.count() > before) return subjects.size() == situations.size();
   check_links(lesson, toml, situations, complaints);
   check_figures(

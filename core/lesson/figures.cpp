@@ -7,6 +7,9 @@
 namespace snug::lesson {
 namespace {
 
+constexpr int kMostDecimals = 5;    // of lengths around a gap
+constexpr double kTwoDigits = 9.5;  // of the last decimal: so much is rounded to 10
+
 std::string printed(const char* format, int precision, double value) {
   std::array<char, 64> buffer{};
   std::snprintf(buffer.data(), buffer.size(), format, precision, value);
@@ -23,19 +26,32 @@ std::string power_of_ten(const std::string& printed) {
   return text;
 }
 
+std::optional<int> wished_decimals;  // by the innermost WithDecimals
+
+/// The size with the decimals that are wished for; empty if that is no way to write it.
+std::string with_wished_decimals(double size) {
+  if (!wished_decimals || size >= 1e6) return {};
+  std::string text = printed("%.*f", *wished_decimals, size);
+  const bool zero = text.find_first_not_of("0.") == std::string::npos;
+  return zero && size > 0 ? std::string() : text;
+}
+
+std::string with_digits(double size, int digits) {
+  if (size == 0) return "0.000";
+  if (size < 1e-3 || size >= 1e6) return power_of_ten(printed("%.*e", digits - 1, size));
+  const int before = static_cast<int>(std::floor(std::log10(size)));  // below 0 for numbers below 1
+  return printed("%.*f", std::max(0, before >= 0 ? digits - 1 - before : std::max(digits - 1, 1 - before)), size);
+}
+
 }  // namespace
+
+WithDecimals::WithDecimals(std::optional<int> decimals) : before_(wished_decimals) { wished_decimals = decimals; }
+WithDecimals::~WithDecimals() { wished_decimals = before_; }
 
 std::string number_text(double value, int digits) {
   const double size = std::abs(value);
-  std::string text;
-  if (size == 0) {
-    text = "0.000";
-  } else if (size < 1e-3 || size >= 1e6) {
-    text = power_of_ten(printed("%.*e", digits - 1, size));
-  } else {
-    const int before = static_cast<int>(std::floor(std::log10(size)));  // below 0 for numbers below 1
-    text = printed("%.*f", std::max(0, before >= 0 ? digits - 1 - before : std::max(digits - 1, 1 - before)), size);
-  }
+  std::string text = digits == kUsualDigits ? with_wished_decimals(size) : std::string();
+  if (text.empty()) text = with_digits(size, digits);
   return value < 0 ? std::string("−").append(text) : text;
 }
 
@@ -46,15 +62,38 @@ std::string count_text(std::int64_t n) {
 }
 
 int digits_apart(double a, double b) {
-  constexpr int kMostDigits = 9, kUsual = 4;
-  for (int digits = kUsual; digits <= kMostDigits; ++digits)
+  constexpr int kMostDigits = 9;
+  for (int digits = kUsualDigits; digits <= kMostDigits; ++digits)
     if (number_text(a, digits) != number_text(b, digits)) return digits;
-  return kUsual;
+  return kUsualDigits;
 }
 
 std::pair<std::string, std::string> number_texts_apart(double a, double b) {
   const int digits = digits_apart(a, b);
   return {number_text(a, digits), number_text(b, digits)};
+}
+
+std::string decimal_text(double value, int decimals) {
+  const std::string text = printed("%.*f", decimals, std::abs(value));
+  return (value < 0 && text.find_first_not_of("0.") != std::string::npos ? "−" : "") + text;
+}
+
+int decimals_showing(double gap) {
+  for (int decimals = 0; decimals <= kMostDecimals; ++decimals)
+    if (std::abs(gap) * std::pow(10, decimals) >= kTwoDigits) return decimals;
+  return 0;
+}
+
+std::string length_text(double value, int decimals) {
+  std::string usual = number_text(value);
+  const auto dot = usual.find('.');
+  const bool enough = dot != std::string::npos && usual.size() - dot - 1 >= static_cast<std::size_t>(decimals);
+  return enough || decimals == 0 || usual.find("×") != std::string::npos ? usual : decimal_text(value, decimals);
+}
+
+std::string gap_text(double gap) {
+  const int decimals = std::abs(gap) < 1e-3 ? decimals_showing(gap) : 0;
+  return decimals > 0 ? decimal_text(gap, decimals) : number_text(gap);
 }
 
 std::optional<double> excess_of(double size, std::optional<double> smallest) {

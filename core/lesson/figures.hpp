@@ -28,7 +28,21 @@ struct Proof {
 
 /// Four significant digits and at most three decimals, or more if a small number would have fewer than two digits left:
 /// "2.118", "21.18", "0.042", "0.0042", "1.234 × 10¹⁰". The minus sign is U+2212.
-[[nodiscard]] std::string number_text(double value, int digits = 4);
+inline constexpr int kUsualDigits = 4;
+[[nodiscard]] std::string number_text(double value, int digits = kUsualDigits);
+
+/// While one exists, number_text gives numbers so many decimals, unless it is asked for other digits: those that a
+/// lesson's file wishes for (StageView::decimals). A number that is not 0 is never written as 0.
+class WithDecimals {
+ public:
+  explicit WithDecimals(std::optional<int> decimals);
+  ~WithDecimals();
+  WithDecimals(const WithDecimals&) = delete;
+  WithDecimals& operator=(const WithDecimals&) = delete;
+
+ private:
+  std::optional<int> before_;
+};
 
 /// A number as a person writes it: "10", "0.5", "1,200".
 [[nodiscard]] std::string plain_number(double value);
@@ -43,6 +57,18 @@ struct Proof {
 /// Two numbers with as many digits, at least four, as make them differ: "0.9921" and "0.9917". If they differ only by
 /// rounding, the texts are equal.
 [[nodiscard]] std::pair<std::string, std::string> number_texts_apart(double a, double b);
+
+/// A number with so many decimals: "0.30", "−1.0". Zero has no minus sign.
+[[nodiscard]] std::string decimal_text(double value, int decimals);
+
+/// How many decimals show a gap with two digits; 0 if that are more than fit beside each other.
+[[nodiscard]] int decimals_showing(double gap);
+
+/// A length as number_text writes it, or with so many decimals if those are more.
+[[nodiscard]] std::string length_text(double value, int decimals);
+
+/// A gap, with two digits if it is small: "0.123", "0.0034", "0.00034".
+[[nodiscard]] std::string gap_text(double gap);
 
 /// How much larger a size is than the smallest, 0.1 for 10 per cent: 0 if both are 0; none if unknown or infinite.
 [[nodiscard]] std::optional<double> excess_of(double size, std::optional<double> smallest);

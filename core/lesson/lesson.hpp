@@ -13,6 +13,7 @@
 #include "geometry/input_error.hpp"
 #include "geometry/vector.hpp"
 #include "lesson/file_place.hpp"
+#include "lesson/view.hpp"
 
 namespace snug::lesson {
 
@@ -210,6 +211,7 @@ struct Lesson {
   std::string reference;                // the algorithm that sizes are compared with; empty: see CloudSubject
   std::string compare;                  // a second one, shown from the start for comparison; empty for none
   std::vector<Pseudocode> pseudocode;   // the lesson's own, if it has any
+  StageView view;                       // how the stage shows it
   std::vector<Question> questions;
   std::vector<Task> tasks;
   std::vector<RunFigure> figures;  // those that its texts show, each once

@@ -6,6 +6,17 @@
 
 namespace snug::lesson {
 
+std::string plain_name(std::string_view name) {
+  constexpr std::string_view kMinus = "−";
+  std::string plain;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (name.substr(i, kMinus.size()) == kMinus) plain += '-', i += kMinus.size() - 1;
+    else if (name[i] >= 'A' && name[i] <= 'Z') plain += static_cast<char>(name[i] - 'A' + 'a');
+    else if (name[i] != ' ') plain += name[i];
+  }
+  return plain;
+}
+
 int spelling_distance(std::string_view a, std::string_view b) {
   // Row i has the distances of a's first i letters from each beginning of b; the last three rows are kept.
   std::array<std::vector<int>, 3> rows;

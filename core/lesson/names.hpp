@@ -29,6 +29,9 @@ namespace snug::lesson {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// A name as typed names are compared: without blanks, in lower case, and with a hyphen for a minus sign.
+[[nodiscard]] std::string plain_name(std::string_view name);
+
 /// How many letters must be added, left out, changed or swapped with their neighbour to turn one word into the other.
 /// Source: L. Boytsov, "Indexing methods for approximate dictionary searching", 2011 (optimal string alignment).
 [[nodiscard]] int spelling_distance(std::string_view a, std::string_view b);

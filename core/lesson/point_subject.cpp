@@ -28,14 +28,17 @@ const std::vector<std::string>& mesh_names() {
   return names;
 }
 
-std::string point_name(Index i) { return "P" + std::to_string(i); }
+std::string point_name(Index i, const NamesOfPoints& names) {
+  const bool own = names != nullptr && static_cast<std::size_t>(i) < names->size();
+  return own ? (*names)[static_cast<std::size_t>(i)] : "P" + std::to_string(i);
+}
 
-std::string point_names(std::span<const Index> points) {
+std::string point_names(std::span<const Index> points, const NamesOfPoints& names) {
   if (points.empty()) return "no point";
   std::string text;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (i > 0) text += i + 1 == points.size() ? " and " : ", ";
-    text += point_name(points[i]);
+    text += point_name(points[i], names);
   }
   return text;
 }
@@ -100,6 +103,7 @@ PointSubject::PointSubject(const Lesson& lesson, AnyPointSet points, std::option
     triangles_ = std::make_shared<const Triangles>(std::move(mesh->triangles));
   }
   recipe_ = std::make_shared<const Recipe>(std::move(recipe));
+  if (!lesson.view.names.empty()) names_ = std::make_shared<const std::vector<std::string>>(lesson.view.names);
 }
 
 std::span<const std::array<Index, 3>> PointSubject::triangles() const {
@@ -142,6 +146,11 @@ Done PointSubject::remove(Index i) {
   auto set = to_set(all, dim());
   if (!set) return tl::unexpected(std::move(set.error()));
   origin_.edited = true;
+  if (names_ != nullptr && static_cast<std::size_t>(i) < names_->size()) {  // the others keep their names
+    std::vector<std::string> left = *names_;
+    left.erase(left.begin() + i);
+    names_ = std::make_shared<const std::vector<std::string>>(std::move(left));
+  }
   become(*std::move(set), nullptr);
   return {};
 }

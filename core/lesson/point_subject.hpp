@@ -15,10 +15,12 @@ namespace snug::lesson {
 /// The most points that can be generated.
 inline constexpr int kMostGenerated = 100000;
 
-/// The name of a point, "P9", used everywhere.
-[[nodiscard]] std::string point_name(Index i);
+/// The names that a lesson gives to its first points; null for none.
+using NamesOfPoints = std::shared_ptr<const std::vector<std::string>>;
+/// The name of a point, used everywhere: the lesson's own or "P9".
+[[nodiscard]] std::string point_name(Index i, const NamesOfPoints& names);
 /// "P3", "P3 and P9", "P3, P9 and P12"; "no point" for none.
-[[nodiscard]] std::string point_names(std::span<const Index> points);
+[[nodiscard]] std::string point_names(std::span<const Index> points, const NamesOfPoints& names);
 
 /// A set in double. dim: 2 (z is dropped) or 3. Errors: those of PointSet::make.
 [[nodiscard]] tl::expected<AnyPointSet, InputError> to_set(const std::vector<Point3>& points, int dim);
@@ -38,7 +40,7 @@ class PointSubject : public Subject {
   [[nodiscard]] int dim() const override { return fit::dim_of(points_); }
   [[nodiscard]] Index size() const override { return fit::size_of(points_); }
   [[nodiscard]] Point3 at(Index i) const override { return fit::point_of(points_, i); }
-  [[nodiscard]] std::string name_of(Index i) const override { return point_name(i); }
+  [[nodiscard]] std::string name_of(Index i) const override { return point_name(i, names_); }
   [[nodiscard]] const AnyPointSet* points() const override { return &points_; }
   [[nodiscard]] std::span<const std::array<Index, 3>> triangles() const override;
   [[nodiscard]] std::string_view stage_says() const override { return "the points and the volume around them"; }
@@ -85,6 +87,7 @@ class PointSubject : public Subject {
   PointSubject(const PointSubject&) = default;
   PointSubject& operator=(const PointSubject&) = default;
 
+  [[nodiscard]] const NamesOfPoints& names() const { return names_; }
   /// Called when the points have changed, and cached results are stale.
   virtual void points_changed() {}
   void become(AnyPointSet points, std::shared_ptr<const Triangles> triangles);
@@ -97,6 +100,7 @@ class PointSubject : public Subject {
   AnyPointSet points_;
   std::shared_ptr<const Triangles> triangles_;  // shared, to keep snapshots small
   std::shared_ptr<const Recipe> recipe_;
+  NamesOfPoints names_;
 };
 
 }  // namespace snug::lesson

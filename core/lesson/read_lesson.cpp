@@ -8,6 +8,7 @@
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/read_situations.hpp"
+#include "lesson/read_view.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/text_place.hpp"
 #include "lesson/toml_file.hpp"
@@ -322,6 +323,7 @@ bool read(const toml::table& toml, Lesson& lesson, Complaints& complaints) {
   for (const toml::table* section : table.tables("section"))
     lesson.sections.push_back(read_section(*section, lesson, complaints));
   if (lesson.sections.empty()) table.lack("section", "the lesson has no [[section]]");
+  lesson.view = read_view(table, complaints);
   if (const toml::table* words = table.table("pseudocode")) read_pseudocode(*words, complaints, lesson);
   read_questions(table, lesson, complaints);
   read_tasks(table, lesson, complaints);

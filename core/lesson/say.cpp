@@ -21,11 +21,11 @@ std::string choice_of(std::span<const std::string> names) {
 /// How a volume's name begins a title; empty for k-DOPs, whose titles say it.
 std::string_view volume_title(std::string_view volume) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kTitles{{{"sphere", "Sphere"},
-                                                                                   {"aabb", "AABB"},
-                                                                                   {"obb", "OBB"},
-                                                                                   {"capsule", "Capsule"},
-                                                                                   {"lozenge", "Lozenge"},
-                                                                                   {"hull", "Convex hull"}}};
+                                                                                  {"aabb", "AABB"},
+                                                                                  {"obb", "OBB"},
+                                                                                  {"capsule", "Capsule"},
+                                                                                  {"lozenge", "Lozenge"},
+                                                                                  {"hull", "Convex hull"}}};
   for (const auto& [name, title] : kTitles)
     if (name == volume) return title;
   return {};

@@ -156,6 +156,7 @@ std::uint64_t Session::trace_hash() const {
 }
 
 std::string Session::caption() const {
+  const WithDecimals wished(lesson_->view.decimals);
   return step_ == 0 ? now_->opening(*method(0)) : run(0).sentence(step_ - 1, untold());
 }
 
@@ -190,6 +191,7 @@ Untold Session::untold() const {
 
 std::vector<Figure> Session::figures(int slot) const {
   if (method(slot) == nullptr) return {};
+  const WithDecimals wished(lesson_->view.decimals);
   std::vector<Figure> figures = now_->figures(view(slot));
   const Untold hidden = untold();
   for (Figure& figure : figures)
@@ -210,6 +212,7 @@ const std::vector<Figure>& Session::result(const Method& of) const {
 
 std::vector<Proof> Session::proofs(int slot) const {
   if (method(slot) == nullptr) return {};
+  const WithDecimals wished(lesson_->view.decimals);
   return now_->proofs(view(slot));
 }
 

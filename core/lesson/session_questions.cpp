@@ -3,28 +3,13 @@
 #include <numeric>
 
 #include "io/text.hpp"
+#include "lesson/names.hpp"
 #include "lesson/prose_figures.hpp"
 #include "lesson/say.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::lesson {
-namespace {
-
-/// A name as typed names are compared: without blanks, in lower case, and with a hyphen for a minus sign.
-std::string plain_name(std::string_view name) {
-  constexpr std::string_view kMinus = "−";
-  std::string plain;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    if (name.substr(i, kMinus.size()) == kMinus) plain += '-', i += kMinus.size() - 1;
-    else if (name[i] >= 'A' && name[i] <= 'Z') plain += static_cast<char>(name[i] - 'A' + 'a');
-    else if (name[i] != ' ') plain += name[i];
-  }
-  return plain;
-}
-
-}  // namespace
-
 bool Session::open_question(const Asked& asked) const {
   for (const Outcome& outcome : outcomes_)
     if (outcome.question == asked.question->id) return outcome.passed;

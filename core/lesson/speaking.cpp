@@ -11,12 +11,6 @@ namespace {
 
 constexpr std::string_view kSupport = "support";
 
-std::optional<Index> handle_named(const Subject& subject, std::string_view name) {
-  for (Index i = 0; i < subject.size(); ++i)
-    if (subject.name_of(i) == name) return i;
-  return std::nullopt;
-}
-
 /// A mark that is a fact: its name, and which of its handles; 0: all of them.
 struct FactMark {
   std::string_view fact;
@@ -81,6 +75,12 @@ std::optional<int> section_of_situation(const Session& session) {
 }
 
 }  // namespace
+
+std::optional<Index> handle_named(const Subject& subject, std::string_view name) {
+  for (Index i = 0; i < subject.size(); ++i)
+    if (subject.name_of(i) == name) return i;
+  return std::nullopt;
+}
 
 std::vector<Index> marked_handles(const Session& session, std::string_view mark) {
   if (session.asked() != nullptr && session.asked()->on_stage) return {};

@@ -9,6 +9,9 @@
 
 namespace snug::lesson {
 
+/// The handle of that name.
+[[nodiscard]] std::optional<Index> handle_named(const Subject& subject, std::string_view name);
+
 /// The handles that a mark lights now. mark: "support", for the support set at the current step; a fact's name, for the
 /// handles of its last step so far ("plane_tested/2" for the second of them); or a handle's name. None if there are no
 /// such handles, or while a question is answered on the stage.

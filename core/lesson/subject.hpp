@@ -198,6 +198,10 @@ class Subject {
   /// The handles of each thing on the stage: its points or vertices.
   [[nodiscard]] virtual std::vector<std::vector<Index>> things() const;
 
+  /// The nearest points of the two volumes on it, A's first. Where they overlap, the points that would touch if B were
+  /// moved out of A, from centre to centre. None if there are not two volumes.
+  [[nodiscard]] virtual std::optional<std::array<Point3, 2>> gap() const { return std::nullopt; }
+
   /// What is on the stage, in words, for people who cannot see it.
   [[nodiscard]] virtual std::string_view stage_says() const = 0;
 

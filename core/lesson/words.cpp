@@ -25,4 +25,16 @@ std::string in_words_of(int dim, std::string_view text) {
   return words;
 }
 
+std::string direction_name(const Vector<double, 3>& direction) {
+  std::string name;
+  for (int i = 0; i < 3; ++i)
+    if (direction[i] != 0) name += std::string(direction[i] > 0 ? "+" : "−") + "xyz"[i];
+  return name;
+}
+
+std::string axis_name(const Vector<double, 3>& direction) {
+  const std::string name = direction_name(direction);
+  return name.starts_with('+') ? name.substr(1) : name;
+}
+
 }  // namespace snug::lesson

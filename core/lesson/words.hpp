@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/vector.hpp"
+
 namespace snug::lesson {
 
 [[nodiscard]] inline const char* ball_word(int dim) { return dim == 2 ? "circle" : "sphere"; }
@@ -14,5 +16,9 @@ namespace snug::lesson {
 
 /// A text written for the plane, in words for another dimension: in space, its circles are spheres.
 [[nodiscard]] std::string in_words_of(int dim, std::string_view text);
+
+/// The name of a k-DOP's direction, "+x−y"; and of its axis, "x−y".
+[[nodiscard]] std::string direction_name(const Vector<double, 3>& direction);
+[[nodiscard]] std::string axis_name(const Vector<double, 3>& direction);
 
 }  // namespace snug::lesson

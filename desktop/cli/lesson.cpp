@@ -11,6 +11,7 @@
 #include "desktop/cli/lesson_commands.hpp"
 #include "desktop/cli/lesson_files.hpp"
 #include "lesson/check_texts.hpp"
+#include "lesson/names.hpp"
 #include "lesson/play.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/subjects.hpp"
@@ -35,7 +36,7 @@ CommandResult run_list(const LessonOptions& options) {
   const auto lessons = read_lessons(options.folder);
   if (!lessons) return bad_input(lessons.error());
   Printed printed;
-  for (const auto& [path, lesson, chapter] : *lessons)
+  for (const auto& [path, lesson, chapter, slides] : *lessons)
     printed.text += line_of({{"lesson", lesson.id},
                              {"group", chapter},
                              {"title", lesson.title},

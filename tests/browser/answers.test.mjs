@@ -13,7 +13,8 @@ before(async () => {
 after(stop);
 
 const card = (page) => page.locator("#ask");
-const choose = (page, words) => card(page).getByRole("button", { name: words, exact: true }).click();
+/** A choice that has its place in an order says that first. */
+const choose = (page, words) => card(page).getByRole("button", { name: new RegExp(`^(\\d+ ?)?${words}$`) }).click();
 
 test("an order is chosen one after the other, and is given once it is whole; then the next question is asked", async (t) => {
   const page = await visit(t, "?lesson=best-box&step=0");
@@ -29,6 +30,12 @@ test("an order is chosen one after the other, and is given once it is whole; the
   const places = await card(page).locator("[data-place]").evaluateAll((buttons) => buttons.map((button) => button.dataset.place));
   assert.deepEqual(places, ["2", "3", "4", "1"]);
   await commit.click();
+  const { asked: once } = await until(page, (now) => now.asked?.id === "cheapest" || now.asked?.tried);
+  if (once.tried) { // that was another order than the right one, which depends on the points alone
+    assert.deepEqual(once.picked, null);
+    for (const words of ["Exact minimum", "PCA of the hull", "PCA of the points", "Axis-aligned box"]) await choose(page, words);
+    await commit.click();
+  }
   // Two questions stand at the same place: nothing is told of the first before the second is answered.
   const { asked: second, outcome, step } = await until(page, (now) => now.asked?.id === "cheapest");
   assert.deepEqual([outcome, step], [null, 0]);
@@ -41,7 +48,7 @@ test("an order is chosen one after the other, and is given once it is whole; the
   await page.keyboard.press("Enter");
   const told = await until(page, (now) => now.outcome);
   assert.equal(told.outcome.question, "order");
-  assert.equal(told.outcome.predicted.startsWith("Exact minimum, PCA of the points"), true);
+  assert.match(told.outcome.predicted, /^Exact minimum, PCA of the /);
   await page.keyboard.press("Enter");
   await until(page, (now) => now.outcome?.question === "cheapest");
 });

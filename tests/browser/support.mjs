@@ -325,13 +325,19 @@ export const moved = (page, before) => until(page, (now, step, asked, told) =>
   now.step !== step || (now.asked?.id ?? null) !== asked || (now.outcome?.question ?? null) !== told, before.step, before.asked?.id ?? null, before.outcome?.question ?? null);
 
 async function answer_by_keys(page, what, asked) {
+  if (asked.ordered) { // in the order in which they stand, or, at the second try, from the second on
+    const from = (await state(page)).asked.tried ? 1 : 0;
+    for (const i of asked.choices.keys()) await page.keyboard.press(String((i + from) % asked.choices.length + 1));
+    await page.waitForFunction(() => window.snug.state().asked?.ready);
+    return page.keyboard.press("Enter");
+  }
   if (typeof what === "number") {
     await page.keyboard.press(String(what + 1));
     await page.waitForFunction(() => window.snug.state().asked?.picked);
     return page.keyboard.press("Enter");
   }
   for (let i = 0; i < 60; ++i) {
-    if (await page.evaluate(() => document.activeElement.getAttribute("aria-label") === "Name")) break;
+    if (await page.evaluate(() => ["Name", "Names"].includes(document.activeElement.getAttribute("aria-label")))) break;
     await page.keyboard.press("Tab");
   }
   assert.ok(asked.targets.includes(what), `${what} can be the answer`);

@@ -386,7 +386,7 @@ test("lessons/README.md lists what can be asked and required, as the program doe
 test("the coverage lists every idea of the course in its order, and says no while one has no lesson", () => {
   const course = readFileSync(join(lessons, "course.toml"), "utf8");
   const ids = [...course.matchAll(/^id = "(.*)"$/gm)].map(([, id]) => id);
-  const { status, stdout } = snug(["lesson", "coverage"]);
+  const { status, out: stdout } = snug(["lesson", "coverage"]);
   const rows = json_lines(stdout);
   assert.deepEqual(rows.map(({ id }) => id), ids);
   assert.equal(status, rows.every(({ lessons: some }) => some.length > 0) ? 0 : 1);

@@ -75,7 +75,7 @@ export class QuestionCard {
     for (const [i, choice] of this.#choices.entries()) {
       const place = picked?.choices.indexOf(i) ?? -1;
       choice.setAttribute("aria-pressed", place >= 0);
-      if (this.#ordered) choice.dataset.place = place >= 0 ? `${place + 1}` : "·";
+      if (this.#ordered) choice.dataset.place = place >= 0 ? place + 1 : "";
     }
     set_text(this.#says, says || how);
     this.#says.classList.toggle("chosen", says !== "");

@@ -16,16 +16,16 @@ using lesson::WaitingCall;
 using lesson::WelzlState;
 
 /// A note of always one line, so that what is below does not move.
-std::string list_note(const WelzlState& state) {
+std::string list_note(const lesson::Session& session, const WelzlState& state) {
   const auto place = [](int at) { return std::to_string(at + 1); };
-  if (state.moved != kNoIndex && state.moved_from == 0) return lesson::point_name(state.moved) + " is at the front.";
+  if (state.moved != kNoIndex && state.moved_from == 0) return session.name_of(state.moved) + " is at the front.";
   if (state.moved != kNoIndex)
-    return lesson::point_name(state.moved) + " moved to the front from place " + place(state.moved_from) + ".";
+    return session.name_of(state.moved) + " moved to the front from place " + place(state.moved_from) + ".";
   if (state.calls.empty()) return "All points have been tested.";
   if (state.calls.back().at == kNoIndex)
     return state.calls.size() == 1 ? "The points are in random order." : "The call begins at the front.";
   const auto at = std::find(state.list.begin(), state.list.end(), state.calls.back().at) - state.list.begin();
-  return lesson::point_name(state.calls.back().at) + " is tested, at place " + place(static_cast<int>(at)) + ".";
+  return session.name_of(state.calls.back().at) + " is tested, at place " + place(static_cast<int>(at)) + ".";
 }
 
 class CallPanel {
@@ -83,7 +83,7 @@ class CallPanel {
   static constexpr float kHeading = 13, kSize = 12, kCell = 24, kRow = 26, kIndent = 12, kCorner = 4, kGap = 3;
   static constexpr int kMostCells = 28;
 
-  [[nodiscard]] std::string name(int place) const { return lesson::point_name(state_.list[place]); }
+  [[nodiscard]] std::string name(int place) const { return session_.name_of(state_.list[place]); }
   [[nodiscard]] ImVec2 middle(const Rect& rect) const {
     return {rect.x + rect.width / 2, middle_of(rect.y + rect.height / 2, look_.px(kSize))};
   }
@@ -118,11 +118,11 @@ class CallPanel {
     const float baseline = middle_of(rect.y + rect.height / 2, look_.px(kSize));
     const std::string state = running ? std::to_string(call.done) + " of " +
                                             (call.length == 1 ? "1 point" : std::to_string(call.length) + " points")
-                                      : "waits at " + lesson::point_name(call.at);
+                                      : "waits at " + session_.name_of(call.at);
     const float room = rect.width - 16 - measure(look_, Face::kRegular, kSize, state).x - 8;
     text_right(list_, look_, Face::kRegular, kSize, {high.x - 8, baseline}, running ? look_->ink : look_->muted, state);
     std::string fixed;
-    for (const Index i : call.boundary) fixed += (fixed.empty() ? "" : " ") + lesson::point_name(i);
+    for (const Index i : call.boundary) fixed += (fixed.empty() ? "" : " ") + session_.name_of(i);
     if (fixed.empty()) text(list_, look_, Face::kRegular, kSize, {low.x + 8, baseline}, look_->muted, "none fixed");
     else
       text(list_, look_, Face::kMonoBold, kSize, {low.x + 8, baseline}, look_->support_text,
@@ -164,7 +164,7 @@ float draw_call_panel(const Look& look, const lesson::Session& session, ImVec2 a
   CallPanel panel(look, session, state, at, width);
   panel.heading("The list, front first");
   panel.cells();
-  panel.note(list_note(state));
+  panel.note(list_note(session, state));
   panel.heading("Calls, and what each has fixed");
   panel.calls();
   return panel.height();

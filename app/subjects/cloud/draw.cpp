@@ -88,6 +88,7 @@ void draw_cloud(Brush& brush, const CloudShown& shown) {
   draw_compared(brush, shown);
   draw_candidate(brush, shown);
   draw_fitted(brush, shown);
+  draw_slab(brush, shown);
   draw_axis_ends(brush, shown);
 }
 
@@ -100,6 +101,7 @@ void mark_cloud(Brush& brush, const CloudShown& shown) {
   if (shown.pair && !shown.volume)
     for (const Index i : {shown.pair->a, shown.pair->b}) mark_point(brush, i);
   draw_spoken_of(brush, shown);
+  mark_slab(brush, shown);
   draw_examined(brush, shown, extremes.empty() && among(shown.support, shown.examined));
 }
 
@@ -112,6 +114,7 @@ void name_cloud(PointNames& names, const CloudShown& shown) {
     else if (shown.outside_by < 0) words += " inside";
     names.name(shown.examined, std::move(words), p.examined_text, Face::kSemiBold, 19 * p.mark, 15);
   }
+  name_slab(names, shown);
   const std::vector<Index> extremes = extremes_alone(names.brush, shown);
   for (const Index i : extremes.empty() ? shown.support : extremes) names.plain(i);
   if (shown.pair)

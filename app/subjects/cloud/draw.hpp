@@ -10,6 +10,10 @@ void draw_cloud(Brush& brush, const CloudShown& shown);
 void mark_cloud(Brush& brush, const CloudShown& shown);
 void name_cloud(PointNames& names, const CloudShown& shown);
 
+/// Draws the slab of a k-DOP with its direction; marks and names the points on its planes.
+void draw_slab(Brush& brush, const CloudShown& shown);
+void mark_slab(Brush& brush, const CloudShown& shown);
+void name_slab(PointNames& names, const CloudShown& shown);
 /// Draws mean, covariance and axes.
 void draw_spread(Brush& brush, const CloudShown& shown);
 /// Draws the first diameter; along the main axis, with the projections that determined it.

@@ -6,6 +6,7 @@
 
 #include "fit/obb/principal_axes.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::app {
 namespace {
@@ -121,6 +122,13 @@ struct CloudFiller {
   }
   void operator()(const fit::EdgeSplit& fact) const { shown.spoken_of = {fact.a, fact.point, fact.b}; }
   void operator()(const fit::FacetsReplaced& fact) const { shown.spoken_of = {fact.eye}; }
+  void operator()(const fit::SlabFound& fact) const {
+    const Point3 axis = lesson::slab_axis(step, fact.slab, session.dim());
+    const double length = axis.norm();
+    shown.slab = {fact.slab + 1, axis / length, fact.min / length,      fact.max / length,
+                  fact.least,    fact.greatest, lesson::axis_name(axis)};
+    named();
+  }
   void operator()(const fit::Finished&) const {}  // its support set is marked anyway
 
   void named() const { shown.spoken_of = named_now(session); }
@@ -144,16 +152,26 @@ struct CloudFiller {
   }
 };
 
+/// Where the lesson compares with something, that is shown; else only the smallest of its kind, where it is known.
+void show_optimum(CloudShown& shown, const lesson::Session& session, bool wanted) {
+  const auto* cloud = lesson::as<lesson::CloudSubject>(session.subject());
+  if (cloud == nullptr) {
+    shown.optimum_word = "smallest " + std::string(lesson::volume_word(session.method(0)->volume, session.dim()));
+    return;
+  }
+  shown.optimum.reset();
+  const fit::Recording* optimum = wanted ? cloud->optimum(session.view()) : nullptr;
+  if (optimum == nullptr) return;
+  shown.optimum = optimum->result.volume;
+  shown.optimum_word = cloud->reference(session.view()).word;
+}
+
 }  // namespace
 
 CloudShown cloud_shown_at(const lesson::Session& session, bool want_optimum) {
   CloudShown shown{shown_at(session)};
   const lesson::FitTrace steps = lesson::fit_run(session.run(0)).trace().first(session.step());
-  if (!shown.optimum && (want_optimum || shown.finished))
-    if (const fit::Recording* optimum = lesson::optimum_of(session)) {
-      shown.optimum = optimum->result.volume;
-      shown.optimum_word = lesson::as<lesson::CloudSubject>(session.subject())->reference(session.view()).word;
-    }
+  show_optimum(shown, session, want_optimum || shown.finished);
   if (!steps.empty()) std::visit(CloudFiller{shown, steps.back().step, steps, session}, steps.back().step.fact);
   return shown;
 }

@@ -28,6 +28,14 @@ struct CloudShown : Shown {
     Point3 least, greatest, midpoint;
   };
   std::optional<Box> box;
+  struct Slab {
+    int number = 0;                         // counted from 1
+    Point3 direction;                       // across it, unit
+    double least = 0, greatest = 0;         // its planes' places along that, scene units
+    Index low = kNoIndex, high = kNoIndex;  // the points on them
+    std::string axis;                       // "x+y"
+  };
+  std::optional<Slab> slab;
   std::optional<fit::PairChosen> pair;  // the first diameter
   std::optional<Point3> mean;
   struct Spread {

@@ -2,21 +2,31 @@
 
 #include "app/subjects/cloud/call_panel.hpp"
 #include "app/subjects/cloud/draw.hpp"
+#include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::app {
 namespace {
 
+std::string_view button_for(const lesson::Session& session) {
+  const auto* cloud = lesson::as<lesson::CloudSubject>(session.subject());
+  const fit::Algorithm* than = cloud != nullptr ? cloud->compared_with() : nullptr;
+  if (cloud != nullptr && than == nullptr) return {};
+  if (than == nullptr || (than->exact && than->volume == session.lesson().volume)) return "Smallest";
+  return than->volume == "hull" ? "Hull" : "Reference";
+}
+
 class CloudView final : public SubjectView {
  public:
   void refresh(const lesson::Session& session, bool want_optimum) override {
     shown_ = cloud_shown_at(session, want_optimum);
+    button_ = button_for(session);
   }
   [[nodiscard]] const Shown& shown() const override { return shown_; }
   void draw(Brush& brush) const override { draw_cloud(brush, shown_); }
   void draw_marks(Brush& brush) const override { mark_cloud(brush, shown_); }
   void name_marks(PointNames& names) const override { name_cloud(names, shown_); }
-  [[nodiscard]] bool offers_optimum() const override { return true; }
+  [[nodiscard]] std::string_view optimum_button() const override { return button_; }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
     return draw_call_panel(look, session, at, width);
@@ -29,6 +39,7 @@ class CloudView final : public SubjectView {
 
  private:
   CloudShown shown_;
+  std::string_view button_;
 };
 
 }  // namespace

@@ -25,8 +25,8 @@ class FrustumView final : public SubjectView {
   }
   /// A centre has its box's name and a knob its arc; the frustum's vertices need no names.
   [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override {
-    const lesson::Place place = lesson::place_of(session.dim(), i);
-    return place.kind == lesson::Place::Kind::kCorner && place.box == 0;
+    const lesson::BoxHandle place = lesson::place_of(session.dim(), i);
+    return place.kind == lesson::BoxHandle::Kind::kCorner && place.box == 0;
   }
   [[nodiscard]] bool names_answers_alone() const override { return true; }
   [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {

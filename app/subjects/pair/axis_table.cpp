@@ -1,7 +1,8 @@
 #include "app/subjects/pair/axis_table.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cstdio>
+#include <span>
 #include <string>
 
 #include "app/shown.hpp"
@@ -14,9 +15,9 @@ namespace {
 
 using Axis = query::AxisTested<double, 3>;
 
-constexpr float kCell = 12, kRow = 24;
+constexpr float kCell = 12, kSmallCell = 10, kHead = 11, kRow = 24,
+                kBetween = 7;  // the last: between columns, at least
 constexpr std::array<const char*, 4> kHeads{"distance", "r_A", "r_B", "separation"};
-constexpr std::array<float, 4> kRight{0.42f, 0.575f, 0.73f, 1.0f};  // each column's end, as a fraction of the width
 
 /// The tested axes, by their row in the table.
 std::vector<const Axis*> rows_of(const std::vector<Axis>& seen, int dim) {
@@ -25,32 +26,73 @@ std::vector<const Axis*> rows_of(const std::vector<Axis>& seen, int dim) {
   return rows;
 }
 
+/// A row's figures, as they are on the stage and in the sentence.
+std::array<std::string, 4> figures_of(const Axis& axis) {
+  const auto along = [&](double length) { return lesson::length_along(axis, length); };
+  return {along(axis.distance), along(axis.radius_a), along(axis.radius_b), lesson::gap_text(axis.axis.gap)};
+}
+
+/// Where the columns of figures end: as wide as their figures, at equal distances.
+struct Columns {
+  std::array<float, 4> ends{};  // from the table's left
+  float cell = kCell;           // the size of the figures, smaller if there are so many digits that they need it
+
+  Columns(const Look& look, std::span<const lesson::AxisName> names, std::span<const Axis> seen, float width) {
+    float between = place(look, names, seen, width);
+    if (between >= kBetween) return;
+    cell = kSmallCell;
+    place(look, names, seen, width);
+  }
+
+ private:
+  /// Returns the distance between columns.
+  float place(const Look& look, std::span<const lesson::AxisName> names, std::span<const Axis> seen, float width) {
+    std::array<float, 4> widths{};
+    float sum = 0, name_width = 0;
+    for (int i = 0; i < 4; ++i) {
+      widths[i] = measure(look, Face::kRegular, kHead, kHeads[i]).x;
+      for (const Axis& axis : seen)
+        if (!axis.skipped)
+          widths[i] =
+              std::max(widths[i], measure(look, i == 3 ? Face::kMonoBold : Face::kMono, cell, figures_of(axis)[i]).x);
+      sum += widths[i];
+    }
+    for (const lesson::AxisName& name : names)
+      name_width = std::max(name_width, measure(look, Face::kMonoBold, cell, name.text).x);
+    const float between = (width - name_width - sum) / 4;
+    ends[3] = width;
+    for (int i = 3; i > 0; --i) ends[i - 1] = ends[i] - widths[i] - between;
+    return between;
+  }
+};
+
 struct AxisTable {
   const Look& look;
   ImDrawList* list;
   float x, width;
+  Columns columns;
 
   /// The right end of a column of figures.
-  [[nodiscard]] float right(int column) const { return x + width * kRight[column]; }
+  [[nodiscard]] float right(int column) const { return x + columns.ends[column]; }
 
   void head(float y) const {
     for (int i = 0; i < 4; ++i)
-      text_right(list, look, Face::kRegular, 11, {right(i), y + look.px(4)}, look->muted, kHeads[i]);
+      text_right(list, look, Face::kRegular, kHead, {right(i), y + look.px(4)}, look->muted, kHeads[i]);
   }
 
   void row(float y, const lesson::AxisName& name, const Axis* axis, bool lit) const {
-    const float middle = middle_of(y + look.px(kRow) / 2, look.px(kCell));
+    const float cell = columns.cell, middle = middle_of(y + look.px(kRow) / 2, look.px(cell));
     if (lit) list->AddRectFilled({x - 6, y}, {x + width + 6, y + look.px(kRow)}, with_alpha(look->current, 0.14f), 4);
     const bool separates = axis != nullptr && axis->separates;
     const Color ink = separates ? look->wrong_text : axis != nullptr ? look->ink : look->muted;
-    text(list, look, lit ? Face::kMonoBold : Face::kMono, kCell, {x, middle}, ink, name.text);
+    text(list, look, lit ? Face::kMonoBold : Face::kMono, cell, {x, middle}, ink, name.text);
     if (axis == nullptr) return;
     if (axis->skipped)
-      return text_right(list, look, Face::kRegular, 11, {x + width, middle}, look->muted, "parallel: none");
-    const std::array<double, 4> figures{axis->distance, axis->radius_a, axis->radius_b, axis->axis.gap};
+      return text_right(list, look, Face::kRegular, kHead, {x + width, middle}, look->muted, "parallel: none");
+    const std::array<std::string, 4> figures = figures_of(*axis);
     for (int i = 0; i < 4; ++i)
-      text_right(list, look, i == 3 ? Face::kMonoBold : Face::kMono, kCell, {right(i), middle},
-                 i == 3 ? ink : look->ink, lesson::number_text(figures[i], i == 3 ? 4 : 3));  // as elsewhere
+      text_right(list, look, i == 3 ? Face::kMonoBold : Face::kMono, cell, {right(i), middle}, i == 3 ? ink : look->ink,
+                 figures[i]);
   }
 };
 
@@ -78,7 +120,7 @@ float draw_table(const Look& look, lesson::Session& session, ImVec2 at, float wi
   const auto rows = rows_of(seen, dim);
   const int at_hand = lit_row(session);
   const auto names = lesson::axis_names(dim);
-  const AxisTable table{look, ImGui::GetWindowDrawList(), at.x, width};
+  const AxisTable table{look, ImGui::GetWindowDrawList(), at.x, width, Columns(look, names, seen, width)};
   const lesson::Asked* asked = session.asked();
   const bool choosing = asked != nullptr && asked->on_axes;
   table.head(at.y);

@@ -6,6 +6,7 @@
 #include "app/polytope.hpp"
 #include "app/subjects/pair/draw.hpp"
 #include "lesson/subjects/pair/volumes.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::app {
 namespace {
@@ -102,9 +103,10 @@ struct Drawing {
       brush.label(middle, 6, {b.y - a.y, a.x - b.x}, (side == 0 ? "r_A = " : "r_B = ") + lesson::number_text(radius),
                   p.current_text, Face::kSemiBold, 13);
     }
+    const double radii = lesson::radius_of(pair.held[0]) + lesson::radius_of(pair.held[1]);
     brush.label({(from.x + to.x) / 2, (from.y + to.y) / 2}, 8, {from.y - to.y, to.x - from.x},
-                "distance of the cores " + lesson::number_text(distance), known_apart ? p.wrong_text : p.examined_text,
-                Face::kSemiBold, 13);
+                "distance of the cores " + lesson::number_texts_apart(distance, radii).first,
+                known_apart ? p.wrong_text : p.examined_text, Face::kSemiBold, 13);
   }
   void operator()(const query::NearestFound& fact) const {
     for (std::size_t i = 0; i < fact.corners.size(); i += 2) difference(fact.corners[i], fact.corners[i + 1], true);
@@ -137,16 +139,16 @@ struct Drawing {
     for (const ImVec2 at : {from, to}) disc(brush.list, at, 4.5f * p.mark, p.wrong);
     brush.canvas.obstacles.segments.push_back({from.x, from.y, to.x, to.y});
     brush.label({(from.x + to.x) / 2, (from.y + to.y) / 2}, 8, {from.y - to.y, to.x - from.x},
-                "distance " + lesson::number_text(apart->distance), p.wrong_text, Face::kSemiBold, 13);
+                "distance " + lesson::gap_text(apart->distance), p.wrong_text, Face::kSemiBold, 13);
   }
 };
 
 // ---- the difference A - B ---------------------------------------------------------------------------------------
 
-constexpr float kPad = 10;
+constexpr float kDifferencePad = 10;
 
 /// Maps the plane of A - B to the picture.
-struct Plane {
+struct DifferencePlane {
   ImVec2 middle;
   float scale;
   Point3 center;
@@ -196,7 +198,7 @@ Rect draw_difference(Brush& brush, lesson::PairSteps steps, float top) {
   const ImVec2 low{panel.x, panel.y}, high{panel.x + panel.width, panel.y + panel.height};
   brush.list->AddRectFilled(low, high, p.panel, 8);
   brush.list->AddRect(low, high, p.line, 8, 0, 1);
-  text(brush.list, look, Face::kSemiBold, 12, {low.x + kPad, low.y + look.px(5)}, p.muted,
+  text(brush.list, look, Face::kSemiBold, 12, {low.x + kDifferencePad, low.y + look.px(5)}, p.muted,
        lesson::radius_of(pair.held[0]) + lesson::radius_of(pair.held[1]) > 0 ? "Cores: A − B" : "A − B");
 
   Point3 least = Point3::Zero(), greatest = Point3::Zero();  // starts at the origin, which is in the picture
@@ -207,9 +209,10 @@ Rect draw_difference(Brush& brush, lesson::PairSteps steps, float top) {
       least = least.cwiseMin(all.back()), greatest = greatest.cwiseMax(all.back());
     }
   const Point3 size = (greatest - least).cwiseMax(1e-9 * (1 + greatest.norm()));
-  const float scale =
-      static_cast<float>(std::min((panel.width - 4 * kPad) / size[0], (panel.height - head - 3 * kPad) / size[1]));
-  const Plane plane{{low.x + width / 2, low.y + head + (panel.height - head) / 2}, scale, (least + greatest) / 2};
+  const float scale = static_cast<float>(
+      std::min((panel.width - 4 * kDifferencePad) / size[0], (panel.height - head - 3 * kDifferencePad) / size[1]));
+  const DifferencePlane plane{
+      {low.x + width / 2, low.y + head + (panel.height - head) / 2}, scale, (least + greatest) / 2};
 
   std::vector<ImVec2> places;
   for (const Point3& vertex : all) places.push_back(plane.at(vertex));

@@ -134,17 +134,17 @@ void draw_projections(Brush& brush, const lesson::BoxPair& pair, const Axis& axi
     ruler.bar(middle, middle + inwards, lane, p.current, 2.4f);
     disc(brush.list, ruler.at(middle, 0), 4 * p.mark, p.current);
     ruler.label(middle, middle + inwards, false,
-                std::string(i == 0 ? "r_A = " : "r_B = ") + lesson::number_text(radius), p.current_text);
+                std::string(i == 0 ? "r_A = " : "r_B = ") + lesson::length_along(axis, radius), p.current_text);
   };
   draw_gap(ruler, {axis.radius_a, axis.distance - axis.radius_b}, axis.separates);
   project(0, 0, axis.radius_a, axis.near_a, kLaneA);
   project(1, axis.distance, axis.radius_b, axis.near_b, kLaneB);
   const double from = axis.radius_a, to = axis.distance - axis.radius_b;
   ruler.label(from, to, true,  // on the side without radii
-              (axis.separates ? "separation " : "penetration ") + lesson::number_text(std::abs(axis.axis.gap)),
+              (axis.separates ? "separation " : "penetration ") + lesson::gap_text(std::abs(axis.axis.gap)),
               axis.separates ? p.wrong_text : p.examined_text);
   ruler.bar(0, axis.distance, kLaneDistance, p.ink, 1.2f);
-  ruler.label(0, axis.distance, true, "distance " + lesson::number_text(axis.distance), p.ink);
+  ruler.label(0, axis.distance, true, "distance " + lesson::length_along(axis, axis.distance), p.ink);
   const ImVec2 along{tip.x - tail.x, tip.y - tail.y};
   brush.label(tip, 6, along, lesson::axis_text(pair.dim, axis.axis), axis.separates ? p.wrong_text : p.ink);
 }
@@ -170,7 +170,7 @@ void draw_intervals(Brush& brush, const Intervals& both) {
     ruler.label(place(side, 0), place(side, 1), true, side == 0 ? "A" : "B", p.current_text);
   }
   ruler.label(gap[0], gap[1], false,
-              (both.separates ? "separation " : "overlap ") + lesson::number_text(std::abs(gap[1] - gap[0])),
+              (both.separates ? "separation " : "overlap ") + lesson::gap_text(std::abs(gap[1] - gap[0])),
               both.separates ? p.wrong_text : p.examined_text);
   brush.label(tip, 6, {tip.x - tail.x, tip.y - tail.y}, both.name, both.separates ? p.wrong_text : p.ink);
 }

@@ -25,7 +25,7 @@ class PairView final : public SubjectView {
   }
   /// A centre has its box's name, a knob its arc.
   [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override {
-    return lesson::place_of(session.dim(), i).kind == lesson::Place::Kind::kCorner;
+    return lesson::place_of(session.dim(), i).kind == lesson::BoxHandle::Kind::kCorner;
   }
   [[nodiscard]] bool names_answers_alone() const override { return true; }
 

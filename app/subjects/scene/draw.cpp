@@ -6,10 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
+#include "app/subjects/scene/contacts.hpp"
 #include "app/subjects/scene/owner.hpp"
+#include "app/subjects/scene/pairs.hpp"
 #include "lesson/subjects/scene/scene.hpp"
 
 namespace snug::app {
@@ -18,11 +22,13 @@ namespace {
 using lesson::SceneFrame;
 
 constexpr std::size_t kBoxesOfAll =
-    60;  // more boxes than these hide what is inside them: then only those in pairs are drawn
-// With more bodies than these, edges and boxes are left out, except for the selected body's box, and only touching
-// pairs have lines: all of that would take eight times as many vertices.
-constexpr std::size_t kCrowd = 400;
+    60;                   // more boxes than these hide what is inside them: then only those in pairs are drawn
 constexpr int kRim = 24;  // points of the outline around a vertex with a radius
+
+/// Which of the colours a body was given; -1 for none.
+int painted(const Brush& brush, std::size_t i) {
+  return declared(lesson::set_of(brush.session), i, static_cast<std::size_t>(brush.session.size())).color;
+}
 
 /// A colour under the light.
 Color shaded(Color color, double share) {
@@ -136,9 +142,8 @@ void draw_faces(Brush& brush, const scene::Shape& shape, const SceneFrame::Place
 }
 
 /// Draws a solid body: the faces of a box, or the outline of any other shape.
-void draw_body(Brush& brush, const scene::Shape& shape, const SceneFrame::Placed& body, bool touching) {
+void draw_body(Brush& brush, const scene::Shape& shape, const SceneFrame::Placed& body, Color fill, bool touching) {
   const Palette& p = brush.p;
-  const Color fill = touching ? mixed(p.surface, p.support, 0.35) : p.surface;
   const Color edge = touching ? p.support_text : p.ink;
   const bool crowd = lesson::members_of(brush.session).size() > kCrowd;
   const float width = crowd ? 0 : brush.stroke(touching ? 0.9f : 0.5f);
@@ -166,45 +171,97 @@ void draw_body(Brush& brush, const scene::Shape& shape, const SceneFrame::Placed
   if (width > 0) path(brush.list, outline, true, Stroke::kSolid, edge, width);
 }
 
-/// Draws the farthest bodies first, so that nearer ones cover them.
-void draw_bodies(Brush& brush, const SceneFrame& frame) {
-  const std::span<const scene::Member> members = lesson::members_of(brush.session);
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < members.size(); ++i)
-    if (members[i].shape.cloud == nullptr)
-      order.emplace_back(-brush.canvas.camera.forward().dot(frame.bodies[i].position), i);
-  std::sort(order.begin(), order.end());
-  const std::vector<bool> touching = in_pairs(members.size(), frame.touching);
-  const ImDrawListFlags flags = brush.list->Flags;
-  if (members.size() > kCrowd)
-    brush.list->Flags &= ~ImDrawListFlags_AntiAliasedFill;  // the antialiased fringe is half of their triangles
-  for (const auto& [nearness, i] : order) draw_body(brush, members[i].shape, frame.bodies[i], touching[i]);
-  brush.list->Flags = flags;
+/// A body's colour: that of all, which touching bodies have with some of theirs, or the one that it was given.
+Color fill_of(const Brush& brush, std::size_t i, bool touching) {
+  constexpr double kTouching = 0.35, kPainted = 0.5;
+  const Palette& p = brush.p;
+  const std::array<Color, lesson::kBodyColors.size()> colors{p.current, p.optimum, p.wrong, p.muted};
+  const int own = painted(brush, i);
+  if (own >= 0) return mixed(p.surface, colors[static_cast<std::size_t>(own)], kPainted);
+  return touching && lesson::members_of(brush.session)[i].moves() ? mixed(p.surface, p.support, kTouching) : p.surface;
 }
 
-/// Draws pairs from centre to centre, by the last stage that let the pair pass: dotted boxes, dashed spheres, a line
-/// for those that touch.
-void draw_pairs(Brush& brush, const SceneFrame& frame) {
-  const Palette& p = brush.p;
-  const std::vector<scene::Pair>& touching = frame.touching;
-  const auto place = [&](Index body) { return brush.at(frame.bodies[body].position); };
-  if (frame.bodies.size() > kCrowd) {
-    for (const scene::Pair& pair : touching)
-      line(brush.list, place(pair.a), place(pair.b), Stroke::kSolid, p.support_text, brush.stroke(0.7f));
-    return;
+/// Bars in the middle of a painted body, one more for each colour, for those who cannot tell the colours apart.
+void draw_bars(Brush& brush, const Seen& body, int color) {
+  constexpr float kPitch = 4;
+  const ImVec2 at = brush.at(body.at.position);
+  const float half = std::clamp(
+      static_cast<float>(0.25 * body.shape.reach * brush.canvas.camera.scale_at(body.at.position)), 3.0f, 7.0f);
+  for (int bar = 0; bar <= color; ++bar) {
+    const float x = at.x + kPitch * (static_cast<float>(bar) - static_cast<float>(color) / 2);
+    line(brush.list, {x, at.y - half}, {x, at.y + half}, Stroke::kSolid, brush.p.ink, 1.5f);
   }
-  for (const scene::Pair& pair : frame.pairs) {
-    const ImVec2 a = place(pair.a), b = place(pair.b);
-    if (std::binary_search(touching.begin(), touching.end(), pair)) {
-      line(brush.list, a, b, Stroke::kSolid, p.ground, brush.stroke(2.6f));
-      line(brush.list, a, b, Stroke::kSolid, p.support_text, brush.stroke(1.4f));
-      diamond(brush.list, {(a.x + b.x) / 2, (a.y + b.y) / 2}, 6 * p.mark, p.support_text, p.ground);
-    } else if (std::binary_search(frame.near.begin(), frame.near.end(), pair)) {
-      line(brush.list, a, b, Stroke::kDashed, p.examined_text, brush.stroke(0.9f));
-    } else {
-      line(brush.list, a, b, Stroke::kDotted, p.previous, brush.stroke(0.9f));
+}
+
+/// Whether a body is drawn before all small ones, or after them: a floor that the eye looks down on is under what lies
+/// on it, wherever its middle is. 0: by its middle.
+int side_of_large(const Brush& brush, const SceneFrame& frame, std::size_t large) {
+  const Seen wall = body_in(brush, frame, large);
+  if (wall.shape.kind != scene::Shape::Kind::kBox) return 0;
+  const Matrix<double, 3> to_local = wall.at.rotation().transpose();
+  const auto beyond = [&](const Point3& p, int axis) {  // which of both faces across an axis it is beyond
+    const double at = to_local.row(axis).dot(p - wall.at.position);
+    return at > wall.shape.half_extents[axis] ? 1 : at < -wall.shape.half_extents[axis] ? -1 : 0;
+  };
+  int before = 0, after = 0;
+  for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
+    if (body_in(brush, frame, i).shape.reach * kMuchLarger > wall.shape.reach) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int body = beyond(frame.bodies[i].position, axis);
+      if (body == 0) continue;
+      ++(beyond(brush.canvas.camera.eye(), axis) == body ? before : after);
+      break;
     }
   }
+  return before > after ? -1 : after > before ? 1 : 0;
+}
+
+/// The bodies with a shape of their own, in the order in which they are drawn: nearer ones cover farther ones.
+std::vector<std::size_t> by_depth(const Brush& brush, const SceneFrame& frame) {
+  const std::span<const scene::Member> members = lesson::members_of(brush.session);
+  double least = std::numeric_limits<double>::infinity();
+  for (const scene::Member& member : members) least = std::min(least, member.shape.reach);
+  std::vector<std::tuple<int, double, std::size_t>> order;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (members[i].shape.cloud != nullptr) continue;
+    const int side = members[i].shape.reach > kMuchLarger * least ? side_of_large(brush, frame, i) : 0;
+    order.emplace_back(side, -brush.canvas.camera.forward().dot(frame.bodies[i].position), i);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::size_t> bodies;
+  for (const auto& [side, nearness, i] : order) bodies.push_back(i);
+  return bodies;
+}
+
+/// Names keep clear of bodies, so that a pile is not covered with them.
+void keep_clear_of(Brush& brush, const Seen& body) {
+  constexpr double kFilled = 0.8;  // of the ball around a body, about what its picture fills
+  const ImVec2 at = brush.at(body.at.position);
+  const double reach = kFilled * body.shape.reach * brush.canvas.camera.scale_at(body.at.position);
+  brush.canvas.obstacles.discs.push_back({at.x, at.y, static_cast<float>(reach)});
+}
+
+/// Draws the bodies, and after both bodies of a touching pair the place where they touch, which nearer bodies cover.
+void draw_bodies(Brush& brush, const SceneFrame& frame) {
+  const std::span<const scene::Member> members = lesson::members_of(brush.session);
+  const std::vector<bool> touching = in_pairs(members.size(), frame.touching);
+  const bool crowd = members.size() > kCrowd;
+  const ImDrawListFlags flags = brush.list->Flags;
+  if (crowd)
+    brush.list->Flags &= ~ImDrawListFlags_AntiAliasedFill;  // the antialiased fringe is half of their triangles
+  const std::vector<std::vector<std::size_t>> partners = crowd ? decltype(partners){} : partners_in(frame);
+  std::vector<bool> drawn(members.size(), false);
+  for (const std::size_t i : by_depth(brush, frame)) {
+    const Seen body = body_in(brush, frame, i);
+    draw_body(brush, body.shape, body.at, fill_of(brush, i, touching[i]), touching[i]);
+    drawn[i] = true;
+    if (crowd) continue;
+    if (const int color = painted(brush, i); color >= 0) draw_bars(brush, body, color);
+    for (const std::size_t other : partners[i])
+      if (drawn[other]) draw_contact(brush, body, body_in(brush, frame, other));
+    if (members[i].moves()) keep_clear_of(brush, body);
+  }
+  brush.list->Flags = flags;
 }
 
 }  // namespace
@@ -213,8 +270,9 @@ void draw_scene(Brush& brush) {
   const SceneFrame& frame = *lesson::frame_of(brush.session);
   draw_traces(brush, frame);
   draw_loose(brush, frame);
-  draw_bodies(brush, frame);
   draw_pairs(brush, frame);
+  draw_bodies(brush, frame);
+  if (frame.bodies.size() > kCrowd) draw_touching_in_crowd(brush, frame);
 }
 
 }  // namespace snug::app

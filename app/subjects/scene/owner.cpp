@@ -12,4 +12,13 @@ Owner owner_of(const lesson::SceneSet& scene) {
   return owner;
 }
 
+const lesson::SceneBody& declared(const lesson::SceneSet& scene, std::size_t i, std::size_t points) {
+  for (const lesson::SceneBody& one : scene.bodies) {
+    const std::size_t count = one.at_points ? points : 1;
+    if (i < count) return one;
+    i -= count;
+  }
+  return scene.bodies.back();
+}
+
 }  // namespace snug::app

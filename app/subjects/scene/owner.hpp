@@ -15,4 +15,7 @@ struct Owner {
 
 [[nodiscard]] Owner owner_of(const lesson::SceneSet& scene);
 
+/// The declared body that the i-th body of the scene is one of. points: how many there are.
+[[nodiscard]] const lesson::SceneBody& declared(const lesson::SceneSet& scene, std::size_t i, std::size_t points);
+
 }  // namespace snug::app

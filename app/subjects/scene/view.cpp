@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/brush.hpp"
 #include "app/subjects/scene/draw.hpp"
 #include "app/subjects/scene/owner.hpp"
 #include "app/subjects/scene/panel.hpp"
@@ -34,6 +35,13 @@ class SceneView final : public SubjectView {
   /// Not if there is a body at each point, which is drawn instead.
   [[nodiscard]] bool shows_points(const lesson::Session& session) const override {
     return owner_of(lesson::set_of(session)).of_points;
+  }
+
+  [[nodiscard]] float reach_of(const Brush& brush, Index i) const override {
+    const Owner owner = owner_of(lesson::set_of(brush.session));
+    if (!owner.at_points) return 0;
+    const double reach = members_of(brush.session)[owner.body + static_cast<std::size_t>(i)].shape.reach;
+    return static_cast<float>(0.85 * reach * brush.canvas.camera.scale_at(place_of(brush.session, i)));
   }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {

@@ -175,7 +175,7 @@ TEST_CASE("a mistake is told with its line and column, in prompts and hints too"
            {"\"It lies outside.\"", "\"It lies {outsid} outside.\"",
             "small.toml:39:20: \"because\" shows a figure that is none of "},
            {"because = \"It lies outside.\"", "because = \"It does.\"\nwrong = {P0 = \"It *lies.\"}",
-            "small.toml:40:13: \"P0\" has a * without a partner"},
+            "small.toml:40:19: \"P0\" has a * without a partner"},
            {"\"Think.\"", "\"Think `twice.\"", "small.toml:64:15: \"hint\" has a ` without a partner"},
        })) {
     CAPTURE(one.to);
@@ -214,7 +214,7 @@ TEST_CASE("a figure without an algorithm is that of the inspector; with one, its
 }
 
 TEST_CASE("a figure is hidden while a question asks for it, and results while they are to be predicted") {
-  const std::string text = small_lesson_with("[task]", R"([[question]]
+  const std::string text = small_lesson_with("[[task]]", R"([[question]]
 id = "how-large"
 algorithm = "ritter"
 before = "radius_checked"
@@ -252,5 +252,5 @@ TEST_CASE("prompts are plain words where there is no markup, and a search finds 
   ProseFigures figures(session);
   CHECK(plain_now(session.questions().front().prompt, figures) == "Which pair of 2.050?");
   const Session strong = open(small_lesson_with(kText, "**Bounds** and **{radius}**"));
-  CHECK(search_text(strong.lesson(), 1, "").find("…") == std::string::npos);
+  CHECK(search_text(strong.lesson(), 1, "", {}).find("…") == std::string::npos);
 }

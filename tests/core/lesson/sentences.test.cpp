@@ -255,10 +255,12 @@ TEST_CASE("a pass is judged with the digits that tell it from the best") {
 }
 
 TEST_CASE("names in a row") {
-  CHECK(lesson::point_names({}) == "no point");
+  CHECK(lesson::point_names({}, nullptr) == "no point");
   const std::array<Index, 3> three{3, 9, 12};
-  CHECK(lesson::point_names(std::span(three).first(1)) == "P3");
-  CHECK(lesson::point_names(three) == "P3, P9 and P12");
+  CHECK(lesson::point_names(std::span(three).first(1), nullptr) == "P3");
+  CHECK(lesson::point_names(three, nullptr) == "P3, P9 and P12");
+  const auto names = std::make_shared<const std::vector<std::string>>(std::vector<std::string>{"A", "B", "C", "D"});
+  CHECK(lesson::point_names(three, names) == "D, P9 and P12");
 }
 
 }  // namespace snug

@@ -81,7 +81,8 @@ std::unique_ptr<Run> CloudSubject::run(const Method& method, std::unique_ptr<Run
   fit::Recording room;
   if (earlier != nullptr) room = static_cast<FitRun&>(*earlier).give_up();
   return std::make_unique<FitRun>(*points(), method.exact,
-                                  algorithm_of(method).record(*points(), {.seed = origin_.seed}, std::move(room)));
+                                  algorithm_of(method).record(*points(), {.seed = origin_.seed}, std::move(room)),
+                                  names());
 }
 
 std::string CloudSubject::opening(const Method& method) const {

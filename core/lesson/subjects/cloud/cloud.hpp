@@ -42,6 +42,8 @@ class CloudSubject final : public PointSubject {
   /// reference is cheaper if only the size is needed.
   [[nodiscard]] const fit::Recording* optimum(const View& view) const;
   [[nodiscard]] Reference reference(const View& view) const;
+  /// What sizes are compared with; null for nothing.
+  [[nodiscard]] const fit::Algorithm* compared_with() const;
 
  protected:
   void points_changed() override { worked_ = {}; }
@@ -51,7 +53,6 @@ class CloudSubject final : public PointSubject {
     std::shared_ptr<const fit::Recording> optimum;
     std::optional<double> size;  // of the reference
   };
-  [[nodiscard]] const fit::Algorithm* compared_with() const;
   [[nodiscard]] double size_of(const fit::Algorithm& algorithm, const View& view) const;
   [[nodiscard]] double size_of(const fit::Volume3& volume) const;
 

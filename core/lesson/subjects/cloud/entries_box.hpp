@@ -25,7 +25,7 @@ struct Entry<fit::BallFound<double, 3>> : FitEntry {
   using Fact = fit::BallFound<double, 3>;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     return "The smallest " + where.ball() + " around the points has radius " + number_text(fact.ball.radius) +
-           "; it is supported by " + point_names(list_of(fact.support)) + ".";
+           "; it is supported by " + where.names(list_of(fact.support)) + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return list_of(fact.support); }
 };
@@ -56,9 +56,9 @@ struct Entry<fit::SurfaceFound<double, 3>> : FitEntry {
 template <>
 struct Entry<fit::PointsChosen> : FitEntry {
   using Fact = fit::PointsChosen;
-  static std::string sentence(const Fact& fact, const FitWhere&) {
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
     const bool one = fact.points.size() == 1;
-    return point_names(list_of(fact.points)) + (one ? " is" : " are") + " chosen: the axes are built on " +
+    return where.names(list_of(fact.points)) + (one ? " is" : " are") + " chosen: the axes are built on " +
            (one ? "it." : "them.");
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.points}); }
@@ -71,7 +71,7 @@ template <>
 struct Entry<fit::BoxTried<double, 3>> : FitEntry {
   using Fact = fit::BoxTried<double, 3>;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
-    const std::string on = fact.on.empty() ? "A box" : "The box on " + point_names(list_of(fact.on));
+    const std::string on = fact.on.empty() ? "A box" : "The box on " + where.names(list_of(fact.on));
     return on + " has " + where.size_word() + number_text(fact.measure) +
            (fact.better ? ", the smallest so far: it is kept." : ", no smaller than the best: it is dropped.");
   }
@@ -84,7 +84,7 @@ struct Entry<fit::RectangleFound<double, 3>> : FitEntry {
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string on = fact.edge_a == kNoIndex ? "The smallest rectangle"
                                                    : "The smallest rectangle lies on the hull's edge from " +
-                                                         point_name(fact.edge_a) + " to " + point_name(fact.edge_b);
+                                                         where.name(fact.edge_a) + " to " + where.name(fact.edge_b);
     return on + (where.dim() == 2 ? ": " : ", in the projection along the axis; its box has ") + where.size_word() +
            number_text(fact.measure) + (fact.better ? ", the smallest so far." : ": no better than before.");
   }
@@ -100,8 +100,8 @@ struct Entry<fit::RectangleFound<double, 3>> : FitEntry {
 template <>
 struct Entry<fit::EdgeSearched> : FitEntry {
   using Fact = fit::EdgeSearched;
-  static std::string sentence(const Fact& fact, const FitWhere&) {
-    return "Every box with a face on the edge from " + point_name(fact.a) + " to " + point_name(fact.b) +
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    return "Every box with a face on the edge from " + where.name(fact.a) + " to " + where.name(fact.b) +
            " and an adjacent face on one of " + counted(fact.pairs, "other edge") + " is tried or ruled out.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.a, fact.b}; }
@@ -111,8 +111,8 @@ struct Entry<fit::EdgeSearched> : FitEntry {
 template <>
 struct Entry<fit::BoxWidened> : FitEntry {
   using Fact = fit::BoxWidened;
-  static std::string sentence(const Fact& fact, const FitWhere&) {
-    return point_name(fact.point) + " lies outside the box so far: the box is widened to it.";
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    return where.name(fact.point) + " lies outside the box so far: the box is widened to it.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
   static std::string predicate(const Fact&, const FitWhere&, bool) { return "widens the box"; }
@@ -121,9 +121,9 @@ struct Entry<fit::BoxWidened> : FitEntry {
 template <>
 struct Entry<fit::LineFound> : FitEntry {
   using Fact = fit::LineFound;
-  static std::string sentence(const Fact& fact, const FitWhere&) {
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
     return "The line along the main axis that comes closest to all points is supported by " +
-           point_names(fact.support) + ", at a distance of " + number_text(fact.radius) + ".";
+           where.names(fact.support) + ", at a distance of " + number_text(fact.radius) + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.support}); }
   static std::string predicate(const Fact&, const FitWhere&, bool plural) {
@@ -134,9 +134,9 @@ struct Entry<fit::LineFound> : FitEntry {
 template <>
 struct Entry<fit::EndPulledIn> : FitEntry {
   using Fact = fit::EndPulledIn;
-  static std::string sentence(const Fact& fact, const FitWhere&) {
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
     return std::string(fact.end == 0 ? "The first" : "The second") + " end is pulled in by " + number_text(fact.by) +
-           ", until its cap touches " + point_name(fact.point) + ".";
+           ", until its cap touches " + where.name(fact.point) + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
   static std::string predicate(const Fact&, const FitWhere&, bool) { return "touches the cap"; }
@@ -159,9 +159,9 @@ struct Entry<fit::ThicknessFound> : FitEntry {
 template <>
 struct Entry<fit::SidePulledIn> : FitEntry {
   using Fact = fit::SidePulledIn;
-  static std::string sentence(const Fact& fact, const FitWhere&) {
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
     return "Side " + std::to_string(fact.side + 1) + " of the rectangle is pulled in by " + number_text(fact.by) +
-           ", until it touches " + point_name(fact.point) + ".";
+           ", until it touches " + where.name(fact.point) + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
   static std::string predicate(const Fact&, const FitWhere&, bool) { return "touches the side"; }
@@ -170,8 +170,8 @@ struct Entry<fit::SidePulledIn> : FitEntry {
 template <>
 struct Entry<fit::CornerMovedOut> : FitEntry {
   using Fact = fit::CornerMovedOut;
-  static std::string sentence(const Fact& fact, const FitWhere&) {
-    return point_name(fact.point) + " lies outside past a vertex of the rectangle: the vertex moves out to it.";
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    return where.name(fact.point) + " lies outside past a vertex of the rectangle: the vertex moves out to it.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
   static std::string predicate(const Fact&, const FitWhere&, bool) { return "lies outside, past a vertex"; }
@@ -180,9 +180,14 @@ struct Entry<fit::CornerMovedOut> : FitEntry {
 template <>
 struct Entry<fit::SlabFound> : FitEntry {
   using Fact = fit::SlabFound;
-  static std::string sentence(const Fact& fact, const FitWhere&) {
-    return "Slab " + std::to_string(fact.slab + 1) + " lies between " + point_name(fact.least) + " and " +
-           point_name(fact.greatest) + ", the extremes along its axis.";
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    return "Slab " + std::to_string(fact.slab + 1) + " lies between " + where.name(fact.least) + " and " +
+           where.name(fact.greatest) + ", the extremes along " +
+           axis_name(slab_axis(where.step(), fact.slab, where.dim())) + ".";
+  }
+  /// They stay on its boundary, however it is cut further.
+  static std::vector<Index> adds_to_support(const Fact& fact) {
+    return points_of({{&fact.least, 1}, {&fact.greatest, 1}});
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) {
     return points_of({{&fact.least, 1}, {&fact.greatest, 1}});

@@ -10,7 +10,7 @@ struct Entry<fit::SimplexChosen> : FitEntry {
   using Fact = fit::SimplexChosen;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     return std::string("The first hull is the ") + (where.dim() == 2 ? "segment" : "tetrahedron") + " of " +
-           point_names(fact.points) + ".";
+           where.names(fact.points) + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.points}); }
   static std::string predicate(const Fact&, const FitWhere&, bool) { return "are the vertices of the first hull"; }
@@ -47,7 +47,7 @@ template <>
 struct Entry<fit::EyeChosen> : FitEntry {
   using Fact = fit::EyeChosen;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
-    return point_name(fact.point) + " is farthest from its " + (where.dim() == 2 ? "edge" : "facet") + ", at " +
+    return where.name(fact.point) + " is farthest from its " + (where.dim() == 2 ? "edge" : "facet") + ", at " +
            number_text(fact.distance) + ": it is a vertex of the hull.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
@@ -59,9 +59,9 @@ struct Entry<fit::EyeChosen> : FitEntry {
 template <>
 struct Entry<fit::EdgeSplit> : FitEntry {
   using Fact = fit::EdgeSplit;
-  static std::string sentence(const Fact& fact, const FitWhere&) {
-    return "The edge from " + point_name(fact.a) + " to " + point_name(fact.b) + " is replaced by two, which meet at " +
-           point_name(fact.point) + ".";
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    return "The edge from " + where.name(fact.a) + " to " + where.name(fact.b) + " is replaced by two, which meet at " +
+           where.name(fact.point) + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
   static std::string predicate(const Fact&, const FitWhere&, bool) { return "splits the edge"; }
@@ -70,8 +70,8 @@ struct Entry<fit::EdgeSplit> : FitEntry {
 template <>
 struct Entry<fit::HorizonFound> : FitEntry {
   using Fact = fit::HorizonFound;
-  static std::string sentence(const Fact& fact, const FitWhere&) {
-    return point_name(fact.eye) + " sees " + counted(static_cast<std::int64_t>(fact.facets.size()), "facet") +
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    return where.name(fact.eye) + " sees " + counted(static_cast<std::int64_t>(fact.facets.size()), "facet") +
            (fact.facets.size() == 1 ? "; its" : "; their") + " boundary is the horizon.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.horizon}); }
@@ -80,10 +80,10 @@ struct Entry<fit::HorizonFound> : FitEntry {
 
 template <>
 struct Entry<fit::FacetsReplaced> : FitEntry {
-  static std::string sentence(const fit::FacetsReplaced& fact, const FitWhere&) {
+  static std::string sentence(const fit::FacetsReplaced& fact, const FitWhere& where) {
     return counted(static_cast<std::int64_t>(fact.removed.size()), "facet") +
            (fact.removed.size() == 1 ? " is" : " are") + " replaced by " + std::to_string(fact.added.size()) +
-           " new ones, from the horizon to " + point_name(fact.eye) + ".";
+           " new ones, from the horizon to " + where.name(fact.eye) + ".";
   }
 };
 

@@ -7,6 +7,7 @@
 #include "lesson/point_subject.hpp"
 #include "lesson/subjects/cloud/fit_run.hpp"
 #include "lesson/subjects/cloud/passes.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::lesson {
 
@@ -57,7 +58,7 @@ struct Entry<fit::PairChosen> : FitEntry {
   using Fact = fit::PairChosen;
   static constexpr std::array kAskings{kAxis, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
-    const std::string pair = point_name(fact.a) + " and " + point_name(fact.b);
+    const std::string pair = where.name(fact.a) + " and " + where.name(fact.b);
     const fit::Step3* before = where.before();
     if (before != nullptr && std::holds_alternative<fit::BallFound<double, 3>>(before->fact))
       return pair + " are the points of the support set that lie farthest apart: an axis runs along them.";
@@ -77,8 +78,8 @@ struct Entry<fit::PairChosen> : FitEntry {
 template <>
 struct Entry<fit::FarthestFound> : FitEntry {
   using Fact = fit::FarthestFound;
-  static std::string sentence(const Fact& fact, const FitWhere&) {
-    return point_name(fact.point) + " is farthest from the centre, at " + number_text(fact.distance) +
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    return where.name(fact.point) + " is farthest from the centre, at " + number_text(fact.distance) +
            ", so it sets the radius.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
@@ -90,7 +91,7 @@ template <>
 struct Entry<fit::PointExamined> : FitEntry {
   using Fact = fit::PointExamined;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
-    const std::string point = point_name(fact.point);
+    const std::string point = where.name(fact.point);
     if (!where.step().has_volume)
       return point + " is the first point: there is no " + where.ball() + " yet to contain it.";
     const double gap = fact.distance - where.radius();
@@ -112,7 +113,7 @@ struct Entry<fit::BallGrown<double, 3>> : FitEntry {
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const Point3 at = fit::point_of(where.run.points(), fact.point);
     const double gap = (at - fact.before.center).norm() - fact.before.radius;
-    return point_name(fact.point) + " lies outside by " + number_text(gap) + ", so the " + where.ball() +
+    return where.name(fact.point) + " lies outside by " + number_text(gap) + ", so the " + where.ball() +
            " grows to contain it.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
@@ -190,7 +191,7 @@ struct Entry<fit::BoundaryForced> : FitEntry {
   using Fact = fit::BoundaryForced;
   static constexpr std::array kAskings{kLeaves, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
-    const std::string call = "A call begins with " + point_names(list_of(fact.boundary)) + " on the boundary: ";
+    const std::string call = "A call begins with " + where.names(list_of(fact.boundary)) + " on the boundary: ";
     if (fact.boundary.size() == 1) return call + "the " + where.ball() + " is that point alone.";
     return call + "the smallest " + where.ball() + " through them has radius " + number_text(where.radius()) + ".";
   }
@@ -211,8 +212,8 @@ struct Entry<fit::BoundaryForced> : FitEntry {
 template <>
 struct Entry<fit::MovedToFront> : FitEntry {
   using Fact = fit::MovedToFront;
-  static std::string sentence(const Fact& fact, const FitWhere&) {
-    return point_name(fact.point) + " moves to the front of the list, and the call that waited for it goes on.";
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    return where.name(fact.point) + " moves to the front of the list, and the call that waited for it goes on.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
   static std::string predicate(const Fact&, const FitWhere&, bool) { return "moves to the front"; }
@@ -236,7 +237,7 @@ template <>
 struct Entry<fit::RadiusChecked> : FitEntry {
   using Fact = fit::RadiusChecked;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
-    return "The last check, in exact arithmetic: " + point_name(fact.farthest) + " is farthest from the " +
+    return "The last check, in exact arithmetic: " + where.name(fact.farthest) + " is farthest from the " +
            core(where) +
            (fact.widened ? ", and the radius grows in its last digit to contain it."
                          : ", and the " + (is_ball(where) ? where.ball() : "volume") + " contains it.");
@@ -259,11 +260,11 @@ struct Entry<fit::SupportReplaced> : FitEntry {
     std::vector<Index> gone;
     for (const Index i : fact.before)
       if (!fact.after.contains(i)) gone.push_back(i);
-    const std::string left = gone.empty() ? "" : point_names(gone) + (gone.size() == 1 ? " leaves" : " leave");
+    const std::string left = gone.empty() ? "" : where.names(gone) + (gone.size() == 1 ? " leaves" : " leave");
     if (fact.entered == kNoIndex)
       return (left.empty() ? "The support set is solved again" : left + " the support set") +
              ": the other points support the " + where.ball() + " alone.";
-    return point_name(fact.entered) + " joins the support set" +
+    return where.name(fact.entered) + " joins the support set" +
            (left.empty() ? ", and none leaves it." : ", and " + left + " it.");
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({{&fact.entered, 1}}); }
@@ -278,7 +279,7 @@ struct Entry<fit::CandidateTried<double, 3>> : FitEntry {
   using Verdict = Fact::Verdict;
   static constexpr std::array kAskings{kBetter, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
-    const std::string names = point_names(list_of(fact.points));
+    const std::string names = where.names(list_of(fact.points));
     const std::string tried = "The " + where.ball() + " of " + names;
     switch (fact.verdict) {
       case Verdict::kKept:
@@ -286,7 +287,7 @@ struct Entry<fit::CandidateTried<double, 3>> : FitEntry {
                ": it is kept.";
       case Verdict::kNotSmaller: return tried + " is no smaller than the best: no point needs testing.";
       case Verdict::kLeavesPointOutside:
-        return tried + " leaves " + point_name(fact.outside) + " outside: it is dropped.";
+        return tried + " leaves " + where.name(fact.outside) + " outside: it is dropped.";
       case Verdict::kNoBall: break;
     }
     return "The smallest " + where.ball() + " around " + names +
@@ -314,7 +315,7 @@ struct Entry<fit::Finished> : FitEntry {
     // The iterative algorithm starts from Ritter's result: the same fact, but not the end.
     if (where.next() != nullptr)
       return "It starts from Ritter's " + where.ball() + ", with radius " + number_text(where.radius()) + ".";
-    const std::string done = "Done: " + where.size(), names = point_names(fact.support);
+    const std::string done = "Done: " + where.size(), names = where.names(fact.support);
     return where.run.exact() ? done + ", supported by " + names + "." : done + "; it touches " + names + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.support}); }

@@ -70,7 +70,7 @@ Truth grows_truth(const Asked& asked, const Run& run) {
 const char* offer_support(Asked& asked, const Run& run) {
   asked.add_choice("none");
   for (const Index i : run.support(asked.fact)) {
-    asked.add_choice(point_name(i), {i});
+    asked.add_choice(asked.subject->name_of(i), {i});
     asked.stage_points.push_back(i);
   }
   if (asked.stage_points.empty()) return "\"leaves\" cannot be asked while no point supports the sphere";
@@ -105,7 +105,7 @@ Truth better_truth(const Asked& asked, const Run& run) {
   }
   if (better) return yes("It is the smallest so far, and is kept.");
   if (tried != nullptr && tried->outside != kNoIndex)
-    return no(point_name(tried->outside) + " lies outside, so it is not kept.");
+    return no(asked.subject->name_of(tried->outside) + " lies outside, so it is not kept.");
   return no("It is no smaller than the best so far.");
 }
 

@@ -1,5 +1,7 @@
 #include "lesson/subjects/cloud/fit_run.hpp"
 
+#include <algorithm>
+
 #include "lesson/fact_run.hpp"
 #include "lesson/subjects/cloud/entries.hpp"
 #include "lesson/words.hpp"
@@ -20,11 +22,24 @@ std::string FitRun::Where::size() const {
   return size_word() + number_text(fit::size_of(step().volume, dim()));
 }
 
+Point3 slab_axis(const fit::Step3& step, int slab, int dim) {
+  const int k = std::get_if<Kdop<double, 3>>(&step.volume)->k;
+  Point3 axis = Point3::Zero();
+  for (int i = 0; i < dim; ++i) axis[i] = dim == 2 ? kdop_axes<2>(k)[slab][i] : kdop_axes<3>(k)[slab][i];
+  return axis;
+}
+
 std::vector<Index> FitRun::support(int steps) const {
   const auto stated = []<class Fact>(const Fact& fact) { return Entry<Fact>::support(fact); };
-  for (int i = steps; i-- > 0;)
-    if (auto support = std::visit(stated, trace()[i].step.fact)) return *std::move(support);
-  return {};
+  const auto added = []<class Fact>(const Fact& fact) { return Entry<Fact>::adds_to_support(fact); };
+  std::optional<std::vector<Index>> support;
+  int i = steps;
+  while (i > 0 && !support) support = std::visit(stated, trace()[--i].step.fact);
+  std::vector<Index> all = support.value_or(std::vector<Index>{});
+  for (; i < steps; ++i)
+    for (const Index point : std::visit(added, trace()[i].step.fact))
+      if (std::find(all.begin(), all.end(), point) == all.end()) all.push_back(point);
+  return all;
 }
 
 }  // namespace snug::lesson

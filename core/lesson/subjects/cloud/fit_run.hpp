@@ -5,6 +5,7 @@
 
 #include "fit/catalogue.hpp"
 #include "lesson/facts.hpp"
+#include "lesson/point_subject.hpp"
 #include "lesson/subjects/cloud/fit_asks.hpp"
 
 namespace snug::lesson {
@@ -13,9 +14,9 @@ using FitTrace = std::span<const Recorder<fit::Step3>::Entry>;
 
 class FitRun final : public FactRun<FitRun, fit::Step3> {
  public:
-  /// points: those of the run; they must outlive it.
-  FitRun(const AnyPointSet& points, bool exact, fit::Recording recording)
-      : points_(points), exact_(exact), recording_(std::move(recording)) {}
+  /// points: those of the run; they must outlive it. names: the lesson's own for them.
+  FitRun(const AnyPointSet& points, bool exact, fit::Recording recording, NamesOfPoints names = {})
+      : points_(points), exact_(exact), recording_(std::move(recording)), names_(std::move(names)) {}
 
   [[nodiscard]] FitTrace trace() const { return recording_.steps; }
   [[nodiscard]] const fit::Recording& recording() const { return recording_; }
@@ -36,6 +37,8 @@ class FitRun final : public FactRun<FitRun, fit::Step3> {
     [[nodiscard]] const fit::Step3* next() const { return i + 1 < run.steps() ? &run.trace()[i + 1].step : nullptr; }
     [[nodiscard]] const fit::Step3* before() const { return i > 0 ? &run.trace()[i - 1].step : nullptr; }
     [[nodiscard]] int dim() const { return run.dim(); }
+    [[nodiscard]] std::string name(Index point) const { return point_name(point, run.names_); }
+    [[nodiscard]] std::string names(std::span<const Index> points) const { return point_names(points, run.names_); }
     /// Whether it brings the first volume.
     [[nodiscard]] bool is_first_volume() const {
       return step().has_volume && (before() == nullptr || !before()->has_volume);
@@ -51,9 +54,13 @@ class FitRun final : public FactRun<FitRun, fit::Step3> {
   const AnyPointSet& points_;
   bool exact_;
   fit::Recording recording_;
+  NamesOfPoints names_;
 };
 
 extern template class FactRun<FitRun, fit::Step3>;
+
+/// The direction across a slab of the step's k-DOP, not unit: small whole numbers.
+[[nodiscard]] Point3 slab_axis(const fit::Step3& step, int slab, int dim);
 
 /// The run of a subject whose methods fit volumes.
 [[nodiscard]] inline const FitRun& fit_run(const Run& run) { return static_cast<const FitRun&>(run); }
@@ -67,6 +74,8 @@ struct FitEntry : EntryDefaults {
   static std::optional<Mark::Kind> mark(const auto&, const FitRun::Where& where) { return first(where); }
   /// The support set that the fact states; none if it stays as it was.
   static std::optional<std::vector<Index>> support(const auto&) { return std::nullopt; }
+  /// The points that join it.
+  static std::vector<Index> adds_to_support(const auto&) { return {}; }
   static constexpr std::array kAskings{kGrows};
 
   static std::optional<Mark::Kind> first(const FitRun::Where& where) {

@@ -17,7 +17,7 @@ Truth vertex_truth(const Asked& asked, const query::PlaneTested<double, 3>& test
   for (int vertex = 0; vertex < 1 << asked.dim; ++vertex)
     if ((vertices >> vertex & 1) != 0) {
       truth.choices.push_back(vertex);
-      truth.points.push_back(index_of(asked.dim, {Place::Kind::kCorner, 0, vertex}));
+      truth.points.push_back(index_of(asked.dim, {BoxHandle::Kind::kCorner, 0, vertex}));
     }
   truth.happened = asked.names(truth.points);
   truth.sentence = truth.happened + " " + (truth.points.size() > 1 ? "lie" : "lies") + " farthest " +

@@ -47,7 +47,7 @@ struct Entry<query::PlaneTested<double, 3>> : EntryDefaults {
   static std::vector<Index> handles(const Fact& fact, const FrustumWhere& where) {
     std::vector<Index> named;
     for (const int vertex : {fact.p_vertex, fact.n_vertex})
-      if (!fact.skipped) named.push_back(index_of(where.dim(), {Place::Kind::kCorner, 0, vertex}));
+      if (!fact.skipped) named.push_back(index_of(where.dim(), {BoxHandle::Kind::kCorner, 0, vertex}));
     return named;
   }
   static std::string predicate(const Fact&, const FrustumWhere&, bool) { return "are the p- and the n-vertex"; }
@@ -67,7 +67,7 @@ struct Entry<query::CornerTested<double, 3>> : EntryDefaults {
            " plane" + by + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FrustumWhere& where) {
-    return {index_of(where.dim(), {Place::Kind::kCorner, 0, fact.corner})};
+    return {index_of(where.dim(), {BoxHandle::Kind::kCorner, 0, fact.corner})};
   }
   static std::string predicate(const Fact&, const FrustumWhere&, bool) { return "is tested against the frustum"; }
 };

@@ -69,11 +69,11 @@ const SubjectRow kFrustumRow{.name = "frustum",
                              .open = &open_frustum};
 
 std::string FrustumSubject::name_of(Index i) const {
-  const Place place = place_of(dim(), i);
-  if (place.kind == Place::Kind::kCorner)
+  const BoxHandle place = place_of(dim(), i);
+  if (place.kind == BoxHandle::Kind::kCorner)
     return place.box == 0 ? sign_name(dim(), place.number) : "F" + std::to_string(place.number);
   const std::string box = place.box == 0 ? "Box" : "Frustum";
-  return place.kind == Place::Kind::kCenter ? box : box + (place.number == 0 ? " turn" : " roll");
+  return place.kind == BoxHandle::Kind::kCenter ? box : box + (place.number == 0 ? " turn" : " roll");
 }
 
 Done FrustumSubject::check(const BoxPair& pair) const { return check_frustum(pair); }

@@ -13,30 +13,29 @@ const query::AxisTested<double, 3>* axis_of(const PairSteps& steps, int i) {
 Truth separates_truth(const Asked& asked, const Run& run) {
   const auto& axis = *axis_of(pair_run(run).trace(), asked.fact);
   if (axis.skipped) return no("The edges are parallel, so their cross product gives no axis.");
-  if (axis.separates)
-    return yes("There is a gap of " + number_text(axis.axis.gap) + ": this axis separates the boxes.");
+  if (axis.separates) return yes("There is a gap of " + gap_text(axis.axis.gap) + ": this axis separates the boxes.");
   if (!(axis.axis.gap < -axis.doubt)) return no("The projections touch, within rounding error.");
-  return no("The projections overlap by " + number_text(-axis.axis.gap) + ".");
+  return no("The projections overlap by " + gap_text(-axis.axis.gap) + ".");
 }
 
 Truth slab_truth(const Asked& asked, const Run& run) {
   const auto& slab = *std::get_if<query::SlabTested>(&pair_run(run).trace()[asked.fact].step.fact);
   if (!slab.separates) return no("The intervals overlap.");
   const double gap = std::max(slab.least_b - slab.greatest_a, slab.least_a - slab.greatest_b);
-  return yes("The intervals are " + number_text(gap) + " apart.");
+  return yes("The intervals are " + gap_text(gap) + " apart.");
 }
 
 Truth cores_truth(const Asked& asked, const Run& run) {
   const auto& cores = *std::get_if<query::CoresCompared>(&pair_run(run).trace()[asked.fact].step.fact);
-  const std::string both = number_text(cores.distance) + (cores.apart ? " is greater than " : " is not greater than ") +
-                           number_text(cores.radii) + ".";
+  const auto [distance, radii] = number_texts_apart(cores.distance, cores.radii);
+  const std::string both = distance + (cores.apart ? " is greater than " : " is not greater than ") + radii + ".";
   return cores.apart ? yes(both) : no(both);
 }
 
 Truth overlap_truth(const Asked& asked, const Run& run) {
   const auto& end = *std::get_if<OverlapDecided>(&pair_run(run).trace()[asked.fact].step.fact);
   if (end.overlap) return no("The volumes overlap.");
-  return yes("There is a gap of " + number_text(end.gap) + ".");
+  return yes("There is a gap of " + gap_text(end.gap) + ".");
 }
 
 const char* offer_tested_axes(Asked& asked, const Run& run) {

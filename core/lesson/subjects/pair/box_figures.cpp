@@ -9,9 +9,8 @@ namespace {
 
 using Axis = query::AxisTested<double, 3>;
 
-/// shown: the value to display, possibly without its sign.
-Figure length(std::string name, std::string key, double value, double shown, bool known) {
-  return {std::move(name), std::move(key), known ? number_text(shown) + " units" : "—", value, "units", known};
+Figure length(std::string name, std::string key, double value, const std::string& text, bool known) {
+  return {std::move(name), std::move(key), known ? text + " units" : "—", value, "units", known};
 }
 
 const query::Verdict<double, 3>* verdict_of(PairSteps steps) {
@@ -60,10 +59,11 @@ std::vector<Figure> box_figures(const View& view, const BoxPair& pair) {
   const bool apart = any && axis.axis.gap > 0;
   return {{"Axis", "axis", at ? axis_text(dim, axis.axis) : "—", static_cast<double>(axis_index(dim, axis.axis)), "",
            at.has_value()},
-          length("Distance along the axis", "distance", axis.distance, axis.distance, any),
-          length("Projected radius r_A", "radius_a", axis.radius_a, axis.radius_a, any),
-          length("Projected radius r_B", "radius_b", axis.radius_b, axis.radius_b, any),
-          length(!any || apart ? "Separation" : "Penetration", "gap", axis.axis.gap, std::abs(axis.axis.gap), any),
+          length("Distance along the axis", "distance", axis.distance, length_along(axis, axis.distance), any),
+          length("Projected radius r_A", "radius_a", axis.radius_a, length_along(axis, axis.radius_a), any),
+          length("Projected radius r_B", "radius_b", axis.radius_b, length_along(axis, axis.radius_b), any),
+          length(!any || apart ? "Separation" : "Penetration", "gap", axis.axis.gap, gap_text(std::abs(axis.axis.gap)),
+                 any),
           {"Axes tested", "tests", std::to_string(tested) + " of " + std::to_string(axis_names(dim).size()),
            static_cast<double>(tested), "axes"}};
 }

@@ -68,6 +68,10 @@ std::span<const AxisName> axis_names(int dim) {
   return dim == 2 ? plane : space;
 }
 
+std::string length_along(const query::AxisTested<double, 3>& axis, double length) {
+  return length_text(length, decimals_showing(axis.axis.gap));
+}
+
 int axis_index(int dim, const query::SatAxis<double, 3>& axis) {
   const auto names = axis_names(dim);
   const auto found = std::find_if(names.begin(), names.end(), [&](const AxisName& name) {

@@ -83,6 +83,8 @@ struct AxisName {
 };
 /// 4 in 2-D, 15 in 3-D.
 [[nodiscard]] std::span<const AxisName> axis_names(int dim);
+/// How a length along an axis is written everywhere, so that it shows whether there is a gap.
+[[nodiscard]] std::string length_along(const query::AxisTested<double, 3>& axis, double length);
 /// The axis's index in axis_names(dim), -1 for none.
 [[nodiscard]] int axis_index(int dim, const query::SatAxis<double, 3>& axis);
 /// The axis's name there, empty for none.

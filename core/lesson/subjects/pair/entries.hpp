@@ -5,6 +5,7 @@
 
 #include "lesson/subjects/pair/held_volume.hpp"
 #include "lesson/subjects/pair/pair.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::lesson {
 
@@ -32,8 +33,9 @@ struct Entry<query::AxisTested<double, 3>> : EntryDefaults {
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const std::string axis = name_of_axis(fact.axis, where);
     if (fact.skipped) return "Along " + axis + " there is nothing to test: the edges are parallel.";
-    const std::string sum = "r_A\u00a0+\u00a0r_B = " + number_text(fact.radius_a) + " + " + number_text(fact.radius_b);
-    return "Along " + axis + " the distance " + number_text(fact.distance) +
+    const std::string sum =
+        "r_A\u00a0+\u00a0r_B = " + length_along(fact, fact.radius_a) + " + " + length_along(fact, fact.radius_b);
+    return "Along " + axis + " the distance " + length_along(fact, fact.distance) +
            (fact.separates ? " is greater than " + sum + ": a gap, so the boxes are apart."
                            : " is not greater than " + sum + ": no gap.");
   }
@@ -41,7 +43,7 @@ struct Entry<query::AxisTested<double, 3>> : EntryDefaults {
   static std::vector<Index> handles(const Fact& fact, const PairWhere& where) {
     std::vector<Index> nearest;
     for (int bits = 0; bits < 8; ++bits)
-      if ((fact.near_b >> bits & 1) != 0) nearest.push_back(index_of(where.dim(), {Place::Kind::kCorner, 1, bits}));
+      if ((fact.near_b >> bits & 1) != 0) nearest.push_back(index_of(where.dim(), {BoxHandle::Kind::kCorner, 1, bits}));
     return nearest;
   }
   static std::string predicate(const Fact&, const PairWhere&, bool plural) {
@@ -76,7 +78,7 @@ struct Entry<query::CornerTried> : EntryDefaults {
            (fact.inside ? " lies inside " : " lies outside ") + (fact.box == 0 ? "B." : "A.");
   }
   static std::vector<Index> handles(const Fact& fact, const PairWhere& where) {
-    return {index_of(where.dim(), {Place::Kind::kCorner, fact.box, fact.corner})};
+    return {index_of(where.dim(), {BoxHandle::Kind::kCorner, fact.box, fact.corner})};
   }
   static std::string predicate(const Fact& fact, const PairWhere&, bool) {
     return fact.inside ? "lies inside the other box" : "lies outside the other box";
@@ -109,8 +111,8 @@ struct Entry<query::Verdict<double, 3>> : EntryDefaults {
       return "Overlap: none of the " + all + " axes separates the boxes" +
              (name.empty()
                   ? "."
-                  : "; the penetration is least along " + name + ", " + number_text(std::max(0.0, -axis.gap)) + ".");
-    return "Apart: along " + name + " there is a gap" + (axis.gap > 0 ? " of " + number_text(axis.gap) : "") + "; " +
+                  : "; the penetration is least along " + name + ", " + gap_text(std::max(0.0, -axis.gap)) + ".");
+    return "Apart: along " + name + " there is a gap" + (axis.gap > 0 ? " of " + gap_text(axis.gap) : "") + "; " +
            std::to_string(tests) + " of " + all + " axes were tested.";
   }
   static std::optional<Mark::Kind> mark(const Fact&, const PairWhere&) { return Mark::Kind::kReplaced; }
@@ -123,13 +125,19 @@ Truth slab_truth(const Asked& asked, const Run& run);
 Truth cores_truth(const Asked& asked, const Run& run);
 Truth overlap_truth(const Asked& asked, const Run& run);
 
+/// A bound of an interval, with digits that show whether the intervals are apart.
+[[nodiscard]] inline std::string bound_text(const query::SlabTested& fact, double bound) {
+  const double gap = std::max(fact.least_b - fact.greatest_a, fact.least_a - fact.greatest_b);
+  return length_text(bound, decimals_showing(gap));
+}
+
 template <>
 struct Entry<query::SlabTested> : EntryDefaults {
   using Fact = query::SlabTested;
   static constexpr std::array kAskings{Asking{"separates", &offer_yes_no, &slab_truth}};
   static std::string sentence(const Fact& fact, const PairWhere&) {
-    const auto interval = [](double least, double greatest) {
-      return "[" + number_text(least) + ", " + number_text(greatest) + "]";
+    const auto interval = [&](double least, double greatest) {
+      return "[" + bound_text(fact, least) + ", " + bound_text(fact, greatest) + "]";
     };
     return "Along " + axis_name(fact.direction) + " A covers " + interval(fact.least_a, fact.greatest_a) + " and B " +
            interval(fact.least_b, fact.greatest_b) +
@@ -145,8 +153,8 @@ struct Entry<query::CoresCompared> : EntryDefaults {
   using Fact = query::CoresCompared;
   static constexpr std::array kAskings{Asking{"apart", &offer_yes_no, &cores_truth}};
   static std::string sentence(const Fact& fact, const PairWhere&) {
-    return "The cores are " + number_text(fact.distance) + " apart, and the radii add up to " +
-           number_text(fact.radii) +
+    const auto [distance, radii] = number_texts_apart(fact.distance, fact.radii);
+    return "The cores are " + distance + " apart, and the radii add up to " + radii +
            (fact.apart ? ": the distance is greater, so the volumes are apart."
                        : ": the distance is not greater, so the volumes overlap.");
   }
@@ -227,8 +235,8 @@ struct Entry<OverlapDecided> : EntryDefaults {
   static constexpr std::array kAskings{Asking{"apart", &offer_yes_no, &overlap_truth}};
   static std::string sentence(const OverlapDecided& fact, const PairWhere&) {
     if (fact.overlap) return "The volumes overlap.";
-    if (fact.distance >= 0) return "Apart: the distance between the volumes is " + number_text(fact.distance) + ".";
-    return "Apart: along the separating axis there is a gap of " + number_text(fact.gap) + ".";
+    if (fact.distance >= 0) return "Apart: the distance between the volumes is " + gap_text(fact.distance) + ".";
+    return "Apart: along the separating axis there is a gap of " + gap_text(fact.gap) + ".";
   }
   static std::optional<Mark::Kind> mark(const OverlapDecided&, const PairWhere&) { return Mark::Kind::kReplaced; }
 };

@@ -8,6 +8,7 @@
 #include "geometry/kdop.hpp"
 #include "geometry/pose.hpp"
 #include "lesson/boxes.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -91,7 +92,7 @@ struct Grip<Box> {
     return {.dim = held.dim, .boxes = {box, box}, .knob = held.knob};
   }
   static Index place(const HeldVolume& held, const Handle& handle) {
-    using To = Place::Kind;
+    using To = BoxHandle::Kind;
     const To kind = handle.kind == Kind::kTurn ? To::kTurn : handle.kind == Kind::kVertex ? To::kCorner : To::kCenter;
     return index_of(held.dim, {kind, 0, handle.number});
   }
@@ -179,7 +180,7 @@ struct Grip<Lozenge<double, 3>> {
     const Box box = core(lozenge, held.dim);
     if (handle.kind == Kind::kVertex) return corner_of(box, handle.number);
     if (handle.kind == Kind::kTurn)
-      return at_place(pair_of(lozenge, held), index_of(held.dim, {Place::Kind::kTurn, 0, handle.number}));
+      return at_place(pair_of(lozenge, held), index_of(held.dim, {BoxHandle::Kind::kTurn, 0, handle.number}));
     return foot(box, held.dim) + lozenge.radius * outward(box, held.dim);
   }
   static Moved move(Volume& lozenge, HeldVolume& held, const Handle& handle, const Point3& to) {
@@ -189,7 +190,7 @@ struct Grip<Lozenge<double, 3>> {
       return {};
     }
     if (handle.kind == Kind::kTurn) {
-      const Index knob = index_of(held.dim, {Place::Kind::kTurn, 0, handle.number});
+      const Index knob = index_of(held.dim, {BoxHandle::Kind::kTurn, 0, handle.number});
       become(lozenge, lesson::moved(pair_of(lozenge, held), knob, to)->boxes[0]);
       return {};
     }
@@ -343,18 +344,6 @@ std::vector<Handle> handles_of(const HeldVolume& held) {
 Point3 at_handle(const HeldVolume& held, const Handle& handle) {
   if (handle.kind == Kind::kCenter) return center_of(held);
   return gripped(held, [&](auto grip, const auto& volume) { return decltype(grip)::at(volume, held, handle); });
-}
-
-std::string direction_name(const Point3& direction) {
-  std::string name;
-  for (int i = 0; i < 3; ++i)
-    if (direction[i] != 0) name += std::string(direction[i] > 0 ? "+" : "−") + "xyz"[i];
-  return name;
-}
-
-std::string axis_name(const Point3& direction) {
-  const std::string name = direction_name(direction);
-  return name.starts_with('+') ? name.substr(1) : name;
 }
 
 std::string handle_name(const HeldVolume& held, const Handle& handle) {

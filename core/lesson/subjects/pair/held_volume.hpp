@@ -48,8 +48,4 @@ struct HeldVolume {
 /// The volume rotated about its centre, if its kind can rotate, and moved.
 [[nodiscard]] HeldVolume placed(const HeldVolume& held, const Matrix<double, 3>& rotation, const Point3& by);
 
-/// The name of a k-DOP's direction, "+x−y"; and of its axis, "x−y".
-[[nodiscard]] std::string direction_name(const Point3& direction);
-[[nodiscard]] std::string axis_name(const Point3& direction);
-
 }  // namespace snug::lesson

@@ -60,6 +60,7 @@ class PairSubject final : public BoxSubject {
   PairSubject(const BoxPair& pair, std::uint64_t seed) : BoxSubject(pair, seed) {}
   [[nodiscard]] const SubjectRow& row() const override { return kRow; }
   [[nodiscard]] std::unique_ptr<Subject> clone() const override { return std::make_unique<PairSubject>(*this); }
+  [[nodiscard]] std::optional<std::array<Point3, 2>> gap() const override;
   [[nodiscard]] std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const override;
   [[nodiscard]] std::string opening(const Method& method) const override;
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;

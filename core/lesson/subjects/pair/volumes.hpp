@@ -56,6 +56,7 @@ class VolumesSubject final : public Subject {
   [[nodiscard]] Index size() const override { return static_cast<Index>(handles_.size()); }
   [[nodiscard]] Point3 at(Index i) const override;
   [[nodiscard]] std::string name_of(Index i) const override;
+  [[nodiscard]] std::optional<std::array<Point3, 2>> gap() const override;
   [[nodiscard]] std::array<std::string_view, 2> handle_words() const override { return {"vertex", "vertices"}; }
   [[nodiscard]] std::vector<std::vector<Index>> things() const override;
   [[nodiscard]] std::string_view stage_says() const override { return "two volumes"; }

@@ -63,6 +63,13 @@ void read_shape(TomlTable& table, SceneBody& one, bool has_mesh) {
   }
 }
 
+int read_color(TomlTable& table) {
+  const std::string color = table.text("color");
+  check_name(table, "color", color, kBodyColors);
+  const auto found = std::find(kBodyColors.begin(), kBodyColors.end(), color);
+  return found == kBodyColors.end() ? -1 : static_cast<int>(found - kBodyColors.begin());
+}
+
 SceneBody read_body(const toml::table& toml, bool has_mesh, Complaints& complaints) {
   TomlTable table(toml, "[[scene.body]]", complaints);
   SceneBody one;
@@ -70,6 +77,7 @@ SceneBody read_body(const toml::table& toml, bool has_mesh, Complaints& complain
   one.body.name = table.text_or("name", "");
   read_shape(table, one, has_mesh);
   one.at_points = table.flag_or("at_points", false);
+  if (table.has("color")) one.color = read_color(table);
   one.body.position = vector_or(table, "position", V3::Zero());
   one.body.orientation = turned_by(vector_or(table, "turn", V3::Zero()));
   one.body.fixed = table.flag_or("fixed", false);
@@ -78,6 +86,7 @@ SceneBody read_body(const toml::table& toml, bool has_mesh, Complaints& complain
   one.body.mass = table.any_number("mass", one.body.mass);
   if (one.of_points && one.at_points) table.wrong("at_points", "is for bodies of a shape of their own");
   if (one.at_points && !one.body.name.empty()) table.wrong("name", "would be that of several bodies");
+  table.allow("color");
   table.refuse_others();
   return one;
 }

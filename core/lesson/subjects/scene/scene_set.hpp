@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -22,7 +23,12 @@ struct SceneBody {
   scene::Body body;
   bool of_points = false;  // whether its shape is all of the lesson's points, which may be a mesh's
   bool at_points = false;  // whether there is one such body at each of the points
+  int color = -1;          // of kBodyColors; -1: that of every body
 };
+
+/// What bodies can be painted, so that they can be told apart. Each has its number of bars as well
+/// (app/subjects/scene).
+inline constexpr std::array<std::string_view, 4> kBodyColors{"blue", "green", "plum", "grey"};
 
 struct SceneSet : Tables {
   std::vector<SceneBody> bodies;

@@ -185,6 +185,35 @@ text = "A **term**."
   CHECK(says("hull", "quickhull") == "no smaller convex set contains the points");
 }
 
+TEST_CASE("a k-DOP is supported by the points of all slabs so far, and its sentence names the direction") {
+  Session session = test::open(R"(version = 2
+title = "Small"
+summary = "A lesson for tests."
+minutes = 1
+volume = "kdop"
+algorithms = ["k8"]
+[points]
+list = [[-2, 0], [2, 0], [0, 1], [0, -1], [0.5, 2.5], [0.5, 0.2]]
+[[section]]
+title = "First"
+text = "A **term**."
+)");
+  const auto supported = [&](int step) {
+    session.jump(step);
+    CHECK(session.caption().find(": nothing") == std::string::npos);
+    const auto figures = session.figures();
+    const Figure* support = find(figures, "support");
+    return support != nullptr ? support->text : "none";
+  };
+  CHECK(supported(1) == "none");  // there is no volume yet
+  CHECK(supported(2) == "4 points");
+  CHECK(supported(3) == "4 points");
+  CHECK(session.caption() == "Slab 3 lies between P0 and P4, the extremes along x+y.");
+  CHECK(session.support(0) == std::vector<Index>{0, 1, 3, 4});
+  CHECK(supported(4) == "4 points");
+  CHECK(session.caption().find("along x−y.") != std::string::npos);
+}
+
 TEST_CASE("a support set of no points is not counted") {
   Session session = open_small();
   session.jump(1);

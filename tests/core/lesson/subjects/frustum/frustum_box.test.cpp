@@ -14,7 +14,7 @@ using namespace snug;
 using namespace snug::lesson;
 using query::Culling;
 using V3 = Vector<double, 3>;
-using Kind = Place::Kind;
+using Kind = BoxHandle::Kind;
 
 namespace {
 

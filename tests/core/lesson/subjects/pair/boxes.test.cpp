@@ -13,7 +13,7 @@
 using namespace snug;
 using namespace snug::lesson;
 using V3 = Vector<double, 3>;
-using Kind = Place::Kind;
+using Kind = BoxHandle::Kind;
 
 namespace {
 

@@ -1,0 +1,117 @@
+// Draws the slab of a k-DOP that a step has found: its two planes (in 2-D lines), its direction, the points on it.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+
+#include "app/subjects/cloud/draw.hpp"
+
+namespace snug::app {
+namespace {
+
+using Slab = CloudShown::Slab;
+
+constexpr float kSlabAside = 22;   // from the points to the arrow, pixels
+constexpr float kSlabBeyond = 18;  // how far the arrow and the lines of the plane go on, pixels
+constexpr float kSlabFill = 0.07f;
+
+/// How far the points reach across a slab's direction.
+struct Across {
+  Point3 axis;  // unit
+  double least = 0, greatest = 0;
+
+  Across(const Brush& brush, const Point3& along) : axis(along) {
+    for (Index i = 0; i < brush.session.size(); ++i) {
+      const double at = axis.dot(brush.session.point(i));
+      least = i == 0 ? at : std::min(least, at), greatest = i == 0 ? at : std::max(greatest, at);
+    }
+  }
+  void widen(double by) { least -= by, greatest += by; }
+};
+
+/// The arrow from one plane to the other, and its name.
+void draw_direction(Brush& brush, const Slab& slab, const Point3& from, const Point3& to) {
+  const Palette& p = brush.p;
+  const double beyond = kSlabBeyond / brush.canvas.camera.scale_at(to);
+  const ImVec2 tail = brush.at(from), tip = brush.at(to + slab.direction * beyond);
+  arrow(brush.list, tail, tip, p.examined, brush.stroke(1.1f));
+  brush.canvas.obstacles.segments.push_back({tail.x, tail.y, tip.x, tip.y});
+  brush.label(tip, 6, {tip.x - tail.x, tip.y - tail.y}, "slab " + std::to_string(slab.number) + ": " + slab.axis,
+              p.examined_text, Face::kSemiBold, 13);
+}
+
+void draw_plane_lines(Brush& brush, const Slab& slab) {
+  const Palette& p = brush.p;
+  Across across(brush, Point3(slab.direction[1], -slab.direction[0], 0));
+  if (across.axis[1] > 0) across = Across(brush, -across.axis);  // the arrow is below the points
+  const double pixel = 1 / brush.canvas.camera.scale_at(Point3::Zero());
+  across.widen(kSlabAside * pixel);
+  const auto at = [&](double along, double aside) { return Point3(slab.direction * along + across.axis * aside); };
+  const double end = across.greatest + (kSlabBeyond - kSlabAside) * pixel, begin = across.least;
+  const std::array<ImVec2, 4> band{brush.at(at(slab.least, begin)), brush.at(at(slab.greatest, begin)),
+                                   brush.at(at(slab.greatest, end)), brush.at(at(slab.least, end))};
+  brush.list->AddConvexPolyFilled(band.data(), 4, with_alpha(p.examined, kSlabFill));
+  for (const double along : {slab.least, slab.greatest})
+    draw_line(brush.canvas, at(along, begin), at(along, across.greatest + kSlabBeyond * pixel),
+              {Stroke::kSolid, p.examined, brush.stroke(0.9f)});
+  draw_direction(brush, slab, at(slab.least, across.greatest), at(slab.greatest, across.greatest));
+}
+
+void draw_planes(Brush& brush, const Slab& slab) {
+  const Palette& p = brush.p;
+  const Camera& camera = brush.canvas.camera;
+  // Two directions in the planes, one of them as level as can be.
+  Point3 level = slab.direction.cross(Point3(Point3::UnitY()));
+  if (level.norm() < 1e-6) level = Point3::UnitX();
+  level.normalize();
+  Across u(brush, level), v(brush, Point3(slab.direction.cross(level).normalized()));
+  const double margin = 0.08 * std::max(u.greatest - u.least, v.greatest - v.least);
+  u.widen(margin), v.widen(margin);
+  const auto corner = [&](double along, int i) {
+    return Point3(slab.direction * along + u.axis * (i == 0 || i == 3 ? u.least : u.greatest) +
+                  v.axis * (i < 2 ? v.least : v.greatest));
+  };
+  const Point3 middle = corner(slab.least, 0) + (corner(slab.least, 2) - corner(slab.least, 0)) / 2;
+  const bool low_first = slab.direction.dot(camera.eye() - middle) > 0;  // the farther plane is drawn first
+  for (const bool low : {low_first, !low_first}) {
+    const double along = low ? slab.least : slab.greatest;
+    std::array<ImVec2, 4> outline;
+    for (int i = 0; i < 4; ++i) outline[static_cast<std::size_t>(i)] = brush.at(corner(along, i));
+    const bool near = low != low_first;
+    brush.list->AddConvexPolyFilled(outline.data(), 4, with_alpha(p.examined, kSlabFill));
+    path(brush.list, outline, true, Stroke::kSolid, with_alpha(p.examined, near ? 1.0f : 0.6f),
+         brush.stroke(near ? 0.9f : 0.6f));
+  }
+  int lowest = 0;
+  for (int i = 1; i < 4; ++i)
+    if (brush.at(corner(slab.least, i)).y > brush.at(corner(slab.least, lowest)).y) lowest = i;
+  draw_direction(brush, slab, corner(slab.least, lowest), corner(slab.greatest, lowest));
+}
+
+}  // namespace
+
+void draw_slab(Brush& brush, const CloudShown& shown) {
+  if (!shown.slab) return;
+  if (brush.dim() == 2) draw_plane_lines(brush, *shown.slab);
+  else draw_planes(brush, *shown.slab);
+}
+
+void mark_slab(Brush& brush, const CloudShown& shown) {
+  if (!shown.slab) return;
+  for (const Index i : {shown.slab->low, shown.slab->high}) {
+    mark_point(brush, i);
+    ring(brush.list, brush.at(brush.point(i)), (kRing + 2) * brush.p.mark, brush.p.examined, brush.stroke());
+  }
+}
+
+void name_slab(PointNames& names, const CloudShown& shown) {
+  if (!shown.slab) return;
+  const auto name = [&](Index i, const char* word) {
+    names.name(i, names.brush.session.name_of(i) + word, names.brush.p.examined_text, Face::kSemiBold,
+               17 * names.brush.p.mark);
+  };
+  const bool one = shown.slab->low == shown.slab->high;
+  name(shown.slab->low, one ? " least and greatest" : " least");
+  if (!one) name(shown.slab->high, " greatest");
+}
+
+}  // namespace snug::app

@@ -1,0 +1,193 @@
+// What a lesson's [view] changes on the stage: the camera, the close-up, names, outlines.
+#include <algorithm>
+#include <cmath>
+
+#include "app/look.hpp"
+#include "bench.hpp"
+#include "viewed_lessons.hpp"
+
+namespace snug::app {
+namespace {
+
+using test::boxes_apart;
+using test::flat_kdop;
+using test::space_kdop;
+
+const Layout kPhone{.stage = {0, 0, 390, 390}, .timeline = {0, 390, 390, 160}, .inspector = {}, .fingers = true};
+
+double distance(const Handle& a, const Handle& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+std::vector<std::string> words_of(Bench& bench) {
+  std::vector<DrawnWords> drawn;
+  bench.app.note_words(&drawn);
+  bench.frames(1);
+  bench.app.note_words(nullptr);
+  std::vector<std::string> words;
+  for (const DrawnWords& one : drawn) words.push_back(one.words);
+  return words;
+}
+
+bool says(Bench& bench, const std::string& words) {
+  const auto all = words_of(bench);
+  return std::find(all.begin(), all.end(), words) != all.end();
+}
+
+bool holds(const Rect& rect, float x, float y) {
+  return x >= rect.x && y >= rect.y && x <= rect.x + rect.width && y <= rect.y + rect.height;
+}
+
+int handles_under(const Bench& bench, const Rect& panel) {
+  int count = 0;
+  for (const Handle& handle : bench.app.handles()) count += holds(panel, handle.x, handle.y) ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("the camera zooms and looks where the file says, and comes back there") {
+  Bench plain(flat_kdop());
+  const double usual = distance(plain.handle("P0"), plain.handle("P1"));
+  Bench bench(flat_kdop("zoom = 2\nlook_at = \"P6\""));
+  const Handle middle = bench.handle("P6");
+  CHECK(distance(bench.handle("P0"), bench.handle("P1")) == doctest::Approx(2 * usual).epsilon(0.01));
+  CHECK(middle.x == doctest::Approx(400).epsilon(0.01));
+  bench.drag(300, 60, -90, 40);  // on the ground: it pans
+  CHECK(std::abs(bench.handle("P6").x - middle.x) > 50);
+  REQUIRE(bench.app.command("reset_view"));
+  bench.frames(2);
+  CHECK(bench.handle("P6").x == doctest::Approx(middle.x));
+  CHECK(bench.handle("P6").y == doctest::Approx(middle.y));
+  bench.session().jump(4);  // nor does a step take it away
+  bench.frames(3);
+  CHECK(bench.handle("P6").x == doctest::Approx(middle.x));
+}
+
+TEST_CASE("in space it turns to the angles of the file, and back to them") {
+  // From straight above, what is far along z is below on the screen; from the front it is not.
+  const auto y_of = [](Bench& bench, const char* id) { return bench.handle(id).y; };
+  const std::string tables = "[points]\ndim = 3\nlist = [[0, 0, -1], [0, 0, 1], [1, 0, 0], [-1, 0, 0], [0, 0.2, 0]]";
+  const std::string keys = "volume = \"kdop\"\nalgorithms = [\"k6\"]";
+  Bench above(test::viewed(keys, tables, "camera = [0, 80]"));
+  Bench front(test::viewed(keys, tables, "camera = [0, 0]"));
+  CHECK(y_of(above, "P1") > y_of(above, "P0") + 80);
+  CHECK(std::abs(y_of(front, "P1") - y_of(front, "P0")) < 8);
+  Bench side(test::viewed(keys, tables, "camera = [90, 0]"));
+  const Handle before = side.handle("P0");
+  CHECK(std::abs(side.handle("P0").x - side.handle("P1").x) > 100);
+  REQUIRE(side.app.command("orbit_left"));
+  side.frames(2);
+  CHECK(std::abs(side.handle("P0").x - before.x) > 1);
+  REQUIRE(side.app.command("reset_view"));
+  side.frames(2);
+  CHECK(side.handle("P0").x == doctest::Approx(before.x));
+}
+
+TEST_CASE("a gap of 0.003 is seen in the close-up, which says how many times larger it is") {
+  for (const int dim : {2, 3})
+    for (const bool phone : {false, true}) {
+      CAPTURE(dim);
+      CAPTURE(phone);
+      const lesson::Lesson lesson = boxes_apart("0.997", "inset = { at = \"gap\" }", dim);
+      Bench bench = phone ? Bench(lesson, kPhone) : Bench(lesson);
+      const auto close_up = bench.app.close_up();
+      REQUIRE(close_up);
+      CHECK(close_up->at[0] == doctest::Approx(0.0015));
+      CHECK(close_up->size == doctest::Approx(0.009));
+      CHECK(close_up->times > 40);
+      CHECK(handles_under(bench, close_up->panel) == 0);
+      CHECK_FALSE(holds(close_up->panel, close_up->x, close_up->y));
+      const auto words = words_of(bench);
+      CHECK(std::any_of(words.begin(), words.end(), [&](const std::string& one) {
+        return phone ? one.starts_with("×") : one.ends_with(" times larger");
+      }));
+      CHECK(says(bench, phone ? "0.002" : "0.001") != says(bench, phone ? "0.001" : "0.002"));
+    }
+  CHECK_FALSE(Bench(boxes_apart("0.5", "inset = { at = \"gap\" }")).app.close_up());  // seen as it is
+  CHECK_FALSE(Bench(boxes_apart("0.997")).app.close_up());
+}
+
+TEST_CASE("boxes that touch, and such as overlap a little, have a close-up of where") {
+  Bench touching(boxes_apart("1", "inset = { at = \"gap\" }"));
+  REQUIRE(touching.app.close_up());
+  CHECK(std::abs(touching.app.close_up()->at[0]) < 1e-9);
+  Bench overlapping(boxes_apart("1.002", "inset = { at = \"gap\" }"));
+  REQUIRE(overlapping.app.close_up());
+  CHECK(overlapping.app.close_up()->at[0] == doctest::Approx(-0.001));
+}
+
+TEST_CASE("a close-up follows what is dragged, and covers no handle") {
+  Bench bench(flat_kdop("inset = { at = \"P4\", size = 0.4 }"));
+  const auto before = bench.app.close_up();
+  REQUIRE(before);
+  CHECK(before->size == doctest::Approx(0.4));
+  const Handle handle = bench.handle("P4");
+  bench.press(handle.x, handle.y);
+  for (const auto& [dx, dy] : {std::pair{-300.0f, -60.0f}, {-200, 120}, {250, 130}, {250, -60}, {0, 40}}) {
+    bench.move(handle.x + dx, handle.y + dy);
+    const auto now = bench.app.close_up();
+    REQUIRE(now);
+    CHECK(handles_under(bench, now->panel) == 0);
+    CHECK(now->at == bench.session().point(4));
+    CHECK(now->times == doctest::Approx(before->times));
+  }
+  bench.release();
+}
+
+TEST_CASE("names that the file gives stand on the stage, or none that the step does not need") {
+  Bench named(flat_kdop("names = [\"North\", \"South\"]"));
+  CHECK(says(named, "North"));
+  CHECK(says(named, "P2"));
+  CHECK_FALSE(says(named, "P0"));
+  Bench silent(flat_kdop("names = \"none\""));
+  CHECK_FALSE(says(silent, "P2"));
+  silent.session().jump(1);
+  silent.frames(2);
+  CHECK(says(silent, "P0 least"));
+  CHECK_FALSE(says(silent, "P2"));
+}
+
+TEST_CASE("labels have the file's decimals") {
+  Bench bench(flat_kdop("decimals = 1"));
+  bench.session().jump(bench.session().steps());
+  bench.frames(2);
+  CHECK(says(bench, "area 7.8"));
+  Bench usual(flat_kdop());
+  usual.session().jump(usual.session().steps());
+  usual.frames(2);
+  CHECK(says(usual, "area 7.770"));
+}
+
+TEST_CASE("the slab that is found is drawn with its direction, and its two points are named") {
+  Bench flat(flat_kdop());
+  flat.session().jump(3);
+  flat.frames(2);
+  CHECK(says(flat, "slab 3: x+y"));
+  CHECK(says(flat, "P5 least"));
+  CHECK(says(flat, "P6 greatest"));
+  flat.session().jump(flat.session().steps());
+  flat.frames(2);
+  CHECK_FALSE(says(flat, "slab 3: x+y"));
+  Bench space(space_kdop());
+  space.session().jump(5);
+  space.frames(2);
+  CHECK(says(space, "slab 5: x+y−z"));
+}
+
+TEST_CASE("nothing is called smallest that is compared with nothing") {
+  Bench bench(flat_kdop());
+  CHECK_FALSE(says(bench, "Smallest"));
+  bench.session().jump(bench.session().steps());
+  bench.frames(2);
+  for (const std::string& words : words_of(bench)) CHECK(words.find("the ") != 0);
+  Bench hull(
+      test::viewed("algorithms = [\"kdop/k8\", \"obb/exact\"]\nreference = \"hull/quickhull\"", test::kEightPoints));
+  CHECK(says(hull, "Hull"));
+  Bench box(test::viewed("volume = \"obb\"\nalgorithms = [\"pca\", \"exact\"]", test::kEightPoints));
+  CHECK(says(box, "Smallest"));
+  REQUIRE(box.session().choose(0, "exact"));
+  box.session().jump(box.session().steps());
+  box.frames(2);
+  CHECK(says(box, "the smallest box"));
+}
+
+}  // namespace snug::app
