@@ -113,6 +113,7 @@ void draw_slider(Shell& shell, const lesson::ShownSlider& slider, const app::Rec
 }  // namespace
 
 float controls_height(Shell& shell, const app::Look& look, float width) {
+  if (shell.app().session() == nullptr) return 0;  // the course waits for a file that can be drawn
   return std::ceil(places_of(shell, look, width).height);
 }
 
