@@ -31,7 +31,7 @@ class Kept {
   /// Reads course.json in $XDG_STATE_HOME/snug, or else in ~/.local/state/snug. If neither variable names a folder,
   /// nothing is kept.
   Kept();
-  /// For pictures, and for lessons of one's own: keeps nothing.
+  /// Keeps nothing: pictures and previewed lessons leave no trace.
   struct Nothing {};
   explicit Kept(Nothing) : invited(lesson::Invitations::kAll), works_(false) {}
 

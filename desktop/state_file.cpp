@@ -58,7 +58,7 @@ void add_answers(Json& state, const lesson::Session& session) {
   state["tally"] = {{"right", tally.right}, {"wrong", tally.wrong}, {"skipped", tally.skipped}, {"open", tally.open}};
 }
 
-/// With their tracks; scale: as for add_places.
+/// Adds the sliders, with the places of their tracks. scale: as for add_places.
 void add_sliders(Json& state, Shell& shell, float scale) {
   state["sliders"] = Json::array();
   for (const lesson::ShownSlider& slider : shell.session().sliders()) {

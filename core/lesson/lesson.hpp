@@ -111,7 +111,7 @@ struct Requirement {
   FilePlace place;  // in the file, for errors
 };
 
-/// Of what a fixed answer is true.
+/// Which runs a fixed answer is true of.
 enum class Holds : std::uint8_t {
   kAlways,
   kHere,  // of the lesson's own run alone: the question is asked of no other

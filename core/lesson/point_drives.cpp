@@ -23,7 +23,7 @@ Point3 centroid_of(const std::vector<Point3>& points) {
   return sum / static_cast<double>(points.size());
 }
 
-/// Of unit length, and along no axis or diagonal, so that the coordinates round differently.
+/// A unit direction along no axis and no diagonal, so that the coordinates round differently.
 Point3 slanting(int dim) { return dim == 2 ? Point3(0.8, 0.6, 0) : Point3(0.6, 0.48, 0.64); }
 
 void jitter(std::vector<Point3>& points, int dim, std::uint64_t seed, double by) {

@@ -28,7 +28,7 @@ double rounded_to(double value, int decimals) {
   return std::round(value * scale) / scale;
 }
 
-/// To so few digits that the last bits of a library's logarithm do not show.
+/// Rounds to so few digits that it hides the last bits, in which logarithms differ from library to library.
 double rounded_to_digits(double value, int digits = kDigits) {
   if (value == 0) return 0;
   const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
