@@ -96,15 +96,20 @@ val lit_object(const app::App& app, const lesson::Session& session) {
   return object;
 }
 
+/// Adds a place on the canvas.
+void set_rect(val& object, const app::Rect& rect) {
+  object.set("x", rect.x);
+  object.set("y", rect.y);
+  object.set("width", rect.width);
+  object.set("height", rect.height);
+}
+
 /// What one who is new is asked to do next, at its place on the canvas.
 val invitation_object(const std::optional<app::Invitation>& invitation) {
   if (!invitation) return val::null();
   val object = val::object();
   object.set("words", invitation->words);
-  object.set("x", invitation->at.x);
-  object.set("y", invitation->at.y);
-  object.set("width", invitation->at.width);
-  object.set("height", invitation->at.height);
+  set_rect(object, invitation->at);
   return object;
 }
 
@@ -115,10 +120,7 @@ val close_up_object(const std::optional<app::CloseUp>& close_up, int dim) {
   object.set("at", coordinates(close_up->at, dim));
   object.set("size", close_up->size);
   object.set("times", close_up->times);
-  object.set("x", close_up->panel.x);
-  object.set("y", close_up->panel.y);
-  object.set("width", close_up->panel.width);
-  object.set("height", close_up->panel.height);
+  set_rect(object, close_up->panel);
   return object;
 }
 

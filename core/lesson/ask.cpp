@@ -1,7 +1,5 @@
 #include "lesson/ask.hpp"
 
-#include <fast_float/fast_float.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,6 +7,7 @@
 #include "io/text.hpp"
 #include "lesson/grade.hpp"
 #include "lesson/names.hpp"
+#include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/words.hpp"
 
@@ -284,10 +283,7 @@ bool names_handle(const Answer& picked, Index handle) {
 
 bool can_be_said(const Asked& asked, std::string_view answer) {
   if (is_among(asked.choices, in_words_of(asked.dim, std::string(answer)))) return true;
-  if (!asked.on_stage) return false;
-  for (Index i = 0; i < asked.subject->size(); ++i)
-    if (asked.subject->name_of(i) == answer) return true;
-  return false;
+  return asked.on_stage && handle_named(*asked.subject, answer).has_value();
 }
 
 std::string meaning_of(const Asked& asked, const Answer& answer) {

@@ -152,11 +152,8 @@ void check_tasks(const Lesson& lesson, const Subject& own, Complaints& complaint
     const std::size_t before = complaints.count();
     if (own.points() != nullptr && own.size() < task.points && lesson.subject->asks_of_steps)
       complaints.add(task.place, "the task is for more points than the lesson has");
-    for (const std::string& name : task.only) {
-      bool there = false;
-      for (Index i = 0; i < own.size(); ++i) there = there || own.name_of(i) == name;
-      if (!there) complaints.add(task.place, "\"only\" names what is not there: " + name);
-    }
+    for (const std::string& name : task.only)
+      if (!handle_named(own, name)) complaints.add(task.place, "\"only\" names what is not there: " + name);
     if (complaints.count() > before) continue;
     const auto check = lesson.subject->check_task;
     if (check != nullptr) check(lesson, task, own, complaints);

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <tuple>
 
+#include "io/text.hpp"
+
 namespace snug::lesson {
 namespace {
-
-std::string counted_text(std::size_t count, const std::string& word) {
-  return std::to_string(count) + ' ' + word + (count == 1 ? "" : "s");
-}
 
 struct Told {
   const FileError* error;
@@ -22,11 +20,12 @@ bool comes_first(const Told& a, const Told& b) {
 
 std::string heading_of(const Draft& draft, std::string_view file) {
   std::string text(file);
-  const std::size_t mistakes = draft.mistakes.size(), warnings = draft.warnings.size();
+  const auto mistakes = static_cast<std::int64_t>(draft.mistakes.size());
+  const auto warnings = static_cast<std::int64_t>(draft.warnings.size());
   text += ": ";
-  if (mistakes > 0) text += counted_text(mistakes, "mistake");
+  if (mistakes > 0) text += io::counted(mistakes, "mistake");
   if (mistakes > 0 && warnings > 0) text += " and ";
-  if (warnings > 0) text += counted_text(warnings, "warning");
+  if (warnings > 0) text += io::counted(warnings, "warning");
   return text;
 }
 

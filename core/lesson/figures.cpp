@@ -107,6 +107,11 @@ std::string percent_text(double ratio) {
   return (text == "0.0" ? "" : ratio < 0 ? "−" : "+") + text + " %";
 }
 
+std::string without_plus(std::string text) {
+  if (text.starts_with('+')) text.erase(0, 1);
+  return text;
+}
+
 std::string plain_number(double value) {
   if (value == std::floor(value) && std::abs(value) < 1e12)
     return (value < 0 ? "−" : "") + count_text(std::llround(std::abs(value)));

@@ -76,6 +76,9 @@ class WithDecimals {
 /// 0.091 as "+9.1 %".
 [[nodiscard]] std::string percent_text(double ratio);
 
+/// A figure's text without a plus sign: "9.1 %".
+[[nodiscard]] std::string without_plus(std::string text);
+
 /// The same for looseness, which can be large: "+35.0 %", "+385 %", "+1,885 %".
 [[nodiscard]] std::string looseness_text(double ratio);
 

@@ -12,11 +12,6 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-std::string without_plus(std::string text) {
-  if (text.starts_with('+')) text.erase(0, 1);
-  return text;
-}
-
 /// "10 %", "1 point", "0.5 units".
 std::string bound_text(double bound, const std::string& unit) {
   if (unit.empty()) return plain_number(bound);

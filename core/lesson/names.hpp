@@ -10,15 +10,17 @@
 
 namespace snug::lesson {
 
-/// "bunny, teapot or dragon"
-[[nodiscard]] std::string one_of(const auto& names) {
+/// The names with commas between them, and before the last one a word: "bunny, teapot or dragon".
+[[nodiscard]] std::string listed(const auto& names, std::string_view before_last) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+    if (i > 0) text += i + 1 == names.size() ? before_last : ", ";
     text += names[i];
   }
   return text;
 }
+/// "bunny, teapot or dragon"
+[[nodiscard]] std::string one_of(const auto& names) { return listed(names, " or "); }
 
 /// Whether a link's target is the number of a step: digits, of which a run never has more.
 [[nodiscard]] inline bool is_step_number(std::string_view target) {

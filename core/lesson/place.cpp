@@ -6,6 +6,7 @@
 
 #include "geometry/generate.hpp"
 #include "lesson/names.hpp"
+#include "lesson/point_subject.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::lesson {
@@ -16,8 +17,7 @@ constexpr std::string_view kTaskSource = "task";
 /// The points on the stage as a file would have them; none if the subject has no points.
 std::optional<io::PointFile> file_of(const Subject& subject) {
   if (subject.points() == nullptr) return std::nullopt;
-  io::PointFile file{subject.dim(), {}, {}};
-  for (Index i = 0; i < subject.size(); ++i) file.points.push_back(subject.at(i));
+  io::PointFile file{subject.dim(), all_points(*subject.points()), {}};
   file.triangles.assign(subject.triangles().begin(), subject.triangles().end());
   return file;
 }

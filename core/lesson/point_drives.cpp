@@ -11,12 +11,6 @@
 namespace snug::lesson {
 namespace {
 
-std::vector<Point3> points_of(const PointSubject& subject) {
-  std::vector<Point3> points;
-  for (Index i = 0; i < subject.size(); ++i) points.push_back(subject.at(i));
-  return points;
-}
-
 Point3 centroid_of(const std::vector<Point3>& points) {
   Point3 sum = Point3::Zero();
   for (const Point3& point : points) sum += point;
@@ -46,7 +40,7 @@ std::vector<Drive> PointSubject::drives() const {
 
 Done PointSubject::drive(std::string_view name, double from, double to) {
   if (name == "count" && origin_.generated > 0) return drive_count(to);
-  std::vector<Point3> points = points_of(*this);
+  std::vector<Point3> points = all_points(*this->points());
   const Point3 middle = centroid_of(points);
   if (name == "offset") {
     for (Point3& point : points) point += slanting(dim()) * (to - from);
@@ -73,7 +67,7 @@ Done PointSubject::drive_count(double to) {
   if (!(to >= 1 && to <= kMostGenerated))
     return tl::unexpected(InputError{.what = "a set has 1 to " + std::to_string(kMostGenerated) + " points"});
   const auto count = static_cast<std::size_t>(std::llround(to));
-  std::vector<Point3> points = points_of(*this);
+  std::vector<Point3> points = all_points(*this->points());
   if (count > points.size()) {
     const auto more = *generate(origin_.source, static_cast<int>(count), dim(), origin_.seed);
     points.insert(points.end(), more.begin() + static_cast<std::ptrdiff_t>(points.size()), more.end());

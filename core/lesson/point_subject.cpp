@@ -7,7 +7,6 @@
 #include "lesson/subjects.hpp"
 
 namespace snug::lesson {
-namespace {
 
 std::vector<Point3> all_points(const AnyPointSet& points) {
   std::vector<Point3> all;
@@ -15,6 +14,8 @@ std::vector<Point3> all_points(const AnyPointSet& points) {
   for (Index i = 0; i < fit::size_of(points); ++i) all.push_back(fit::point_of(points, i));
   return all;
 }
+
+namespace {
 
 bool is_generator(std::string_view kind) {
   const auto kinds = generator_kinds();

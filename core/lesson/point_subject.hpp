@@ -32,6 +32,9 @@ using NamesOfPoints = std::shared_ptr<const std::vector<std::string>>;
 [[nodiscard]] tl::expected<AnyPointSet, InputError> own_points(const Lesson& lesson,
                                                                const std::optional<io::PointFile>& mesh);
 
+/// The points of a set, in double; z = 0 in the plane.
+[[nodiscard]] std::vector<Point3> all_points(const AnyPointSet& points);
+
 /// Reads a task's "model", a list of points.
 [[nodiscard]] Rows read_point_model(TomlTable& task, const Lesson& lesson, Complaints& complaints);
 

@@ -19,10 +19,7 @@ bool waits_for_answer(const Session& session, const Method& method, std::string_
   return session.is_own() &&
          std::any_of(lesson.questions.begin(), lesson.questions.end(), [&](const Question& question) {
            const bool about_it = question.figure == key || !lesson.subject->compares;
-           if (!about_it || find_method(lesson, question.gate.algorithm) != &method) return false;
-           const auto& outcomes = session.outcomes();
-           return std::none_of(outcomes.begin(), outcomes.end(),
-                               [&](const Outcome& one) { return one.question == question.id && !one.passed; });
+           return about_it && find_method(lesson, question.gate.algorithm) == &method && session.is_open(question);
          });
 }
 

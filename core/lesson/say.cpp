@@ -154,9 +154,8 @@ std::string task_heading(std::size_t task, std::size_t tasks) {
 
 std::string only_text(const Task& task) {
   const std::size_t count = task.only.size();
-  std::string names;
-  for (std::size_t i = 0; i < count; ++i) names += (i == 0 ? "" : i + 1 == count ? " and " : ", ") + task.only[i];
-  return "In this task only " + names + (count == 1 ? " moves" : " move") + ". Press Start to begin it.";
+  return "In this task only " + listed(task.only, " and ") + (count == 1 ? " moves" : " move") +
+         ". Press Start to begin it.";
 }
 
 std::string no_number_text(std::string_view typed) {

@@ -67,7 +67,7 @@ Done Session::choose(int slot, std::string_view name) {
   if (slot == 0) {
     step_ = 0;
     run_changed(at_end);
-    for (std::optional<Grade>& grade : grades_) grade.reset();
+    forget_grades();
   }
   ++revision_;
   return {};
@@ -98,7 +98,7 @@ void Session::run_again(int slot) {
 void Session::subject_changed() {
   const bool at_end = slots_[0].run != nullptr && step_ == steps() && step_ > 0;
   rivals_.reset(), results_.clear();
-  for (std::optional<Grade>& grade : grades_) grade.reset();
+  forget_grades();
   run_again(0);
   run_again(1);
   run_changed(at_end);
@@ -118,6 +118,10 @@ bool Session::turn(std::string_view name, bool on) {
 const std::vector<Rival>& Session::rivals() const {
   if (!rivals_) rivals_ = now_->rivals(*lesson_, view());
   return *rivals_;
+}
+
+void Session::forget_grades() {
+  for (std::optional<Grade>& grade : grades_) grade.reset();
 }
 
 Grade Session::grade(std::size_t task) const {
@@ -179,11 +183,11 @@ Untold Session::untold() const {
     const std::string_view figure = asked.question->figure;
     if (figure.empty() || std::find(seen.begin(), seen.end(), figure) != seen.end()) continue;
     seen.push_back(figure);
-    if (step() < asked.until && open_question(asked)) untold.figures.push_back(figure);
+    if (step() < asked.until && is_open(*asked.question)) untold.figures.push_back(figure);
   }
   // A run's result gives too much of the run away, whatever is asked.
   if (std::any_of(asked_.begin(), asked_.end(),
-                  [&](const Asked& asked) { return step() < asked.until && open_question(asked); }))
+                  [&](const Asked& asked) { return step() < asked.until && is_open(*asked.question); }))
     untold.figures.push_back(kResultFigure);
   if (predicting()) untold.figures.push_back("excess");  // it is relative to the result of another run
   return untold;
@@ -201,13 +205,8 @@ std::vector<Figure> Session::figures(int slot) const {
 
 const std::vector<Figure>& Session::result(const Method& of) const {
   const auto [found, is_new] = results_.try_emplace(&of);
-  if (!is_new || !now_->suits(of)) return found->second;
-  std::unique_ptr<Run> own;
-  const Run* run = nullptr;
-  for (const Used& used : slots_)
-    if (used.method == &of) run = used.run.get();
-  if (run == nullptr) own = now_->run(of, nullptr), run = own.get();
-  return found->second = now_->figures({{Slot{&of, run}, Slot{}}, 0, run->steps()});
+  if (is_new && now_->suits(of)) found->second = now_->figures_at_end(of, view());
+  return found->second;
 }
 
 std::vector<Proof> Session::proofs(int slot) const {

@@ -230,6 +230,8 @@ class Session {
   /// The lesson's other methods that still have open questions; none if the subject was edited, because then the
   /// questions may not come.
   [[nodiscard]] std::vector<const Method*> waiting() const;
+  /// Whether a question was neither answered nor skipped; one that a jump passed is open.
+  [[nodiscard]] bool is_open(const Question& question) const;
   /// Whether the summary is shown: the run is finished, each question done and its outcome read. It can be closed.
   [[nodiscard]] bool at_summary() const;
   void close_summary();
@@ -312,7 +314,7 @@ class Session {
   void informed();
   void stand(int step);
   bool refuse(std::string why);
-  [[nodiscard]] bool open_question(const Asked& asked) const;
+  void forget_grades();
   [[nodiscard]] const Asked* standing() const;
   bool give(const Answer& answer, bool for_good);
   bool pick_one_more(const Asked& question, const Answer& chosen);

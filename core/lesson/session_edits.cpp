@@ -115,7 +115,7 @@ void Session::start_task(std::size_t task) {
   static_cast<void>(choose(0, own.algorithm));
   task_ = task;
   task_started_ = true;
-  for (std::optional<Grade>& grade : grades_) grade.reset();
+  forget_grades();
   // A student who builds an example looks at results, and was asked nothing yet. Bodies are placed at their start.
   previewing_ = now_->task_begins_at_end();
   step_ = previewing_ ? steps() : 0;

@@ -61,7 +61,8 @@ void Session::go(int step) {
   const int from = previewing_ ? 0 : step_;
   int to = begin ? 1 : std::clamp(step, 0, steps());
   for (const Asked& asked : asked_)
-    if (asked.step != Asked::kAnytime && asked.step >= from && asked.step < to && open_question(asked)) to = asked.step;
+    if (asked.step != Asked::kAnytime && asked.step >= from && asked.step < to && is_open(*asked.question))
+      to = asked.step;
   stand(to);
 }
 
@@ -76,7 +77,7 @@ void Session::jump(int step) {
   const int to = std::clamp(step, 0, steps());
   const int from = previewing_ ? 0 : step_;
   for (const Asked& asked : asked_) {
-    if (asked.step == Asked::kAnytime || asked.step < from || asked.step >= to || !open_question(asked)) continue;
+    if (asked.step == Asked::kAnytime || asked.step < from || asked.step >= to || !is_open(*asked.question)) continue;
     Outcome& outcome = outcome_for(asked.question->id);
     outcome = judge(asked, {}, run(0));
     outcome.passed = true;

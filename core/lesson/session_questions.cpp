@@ -10,9 +10,9 @@
 #include "lesson/subjects.hpp"
 
 namespace snug::lesson {
-bool Session::open_question(const Asked& asked) const {
+bool Session::is_open(const Question& question) const {
   for (const Outcome& outcome : outcomes_)
-    if (outcome.question == asked.question->id) return outcome.passed;
+    if (outcome.question == question.id) return outcome.passed;
   return true;
 }
 
@@ -20,7 +20,8 @@ const Asked* Session::asked() const { return deciding_ || outcome() != nullptr ?
 
 const Asked* Session::standing() const {
   for (const Asked& asked : asked_)
-    if ((asked.step == Asked::kAnytime || (asked.step == step_ && !previewing_)) && open_question(asked)) return &asked;
+    if ((asked.step == Asked::kAnytime || (asked.step == step_ && !previewing_)) && is_open(*asked.question))
+      return &asked;
   return nullptr;
 }
 
@@ -192,8 +193,7 @@ bool Session::comparing() const {
   return std::any_of(lesson_->questions.begin(), lesson_->questions.end(), [&](const Question& question) {
     const Asking* asking = general_asking(question.asks, *lesson_->subject);
     return asking != nullptr && asking->figure == kComparedFigure && question.situation == situation() &&
-           std::none_of(outcomes_.begin(), outcomes_.end(),
-                        [&](const Outcome& it) { return it.question == question.id && !it.passed; });
+           is_open(question);
   });
 }
 
@@ -202,9 +202,7 @@ std::vector<const Method*> Session::waiting() const {
   if (!is_own()) return methods;
   for (const std::string& name : lesson_->algorithms) {
     const bool open = std::any_of(lesson_->questions.begin(), lesson_->questions.end(), [&](const Question& question) {
-      return question.gate.algorithm == name && question.situation == situation() &&
-             std::none_of(outcomes_.begin(), outcomes_.end(),
-                          [&](const Outcome& it) { return it.question == question.id && !it.passed; });
+      return question.gate.algorithm == name && question.situation == situation() && is_open(question);
     });
     const Method* offered = find_method(*lesson_, name);
     if (open && offered != method(0)) methods.push_back(offered);
@@ -345,7 +343,7 @@ std::vector<int> Session::right_choices() const {
 
 /// Decides predictions that were made before anything was known, again whenever more is known.
 void Session::informed() {
-  for (std::optional<Grade>& grade : grades_) grade.reset();
+  forget_grades();
   for (const Asked& asked : asked_)
     for (Outcome& outcome : outcomes_)
       if (asked.step == Asked::kAnytime && outcome.question == asked.question->id)

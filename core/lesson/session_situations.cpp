@@ -29,7 +29,7 @@ void Session::enter_situation() {
   shown_ = static_cast<std::size_t>(std::find_if(places_.begin(), places_.end(), is_here) - places_.begin());
   const Situated& place = places_[shown_];
   rivals_.reset();
-  for (std::optional<Grade>& grade : grades_) grade.reset();
+  forget_grades();
   run_again(0);
   run_again(1);
   const bool again = place.method == slots_[0].method;  // null before the first time
@@ -85,12 +85,8 @@ Done Session::set_sliders(std::vector<double> values) {
 std::vector<std::string> Session::situations_waiting() const {
   std::vector<std::string> waiting;
   for (const std::string_view name : situation_names(*lesson_)) {
-    const auto is_open = [&](const Question& question) {
-      return question.situation == name && std::none_of(outcomes_.begin(), outcomes_.end(), [&](const Outcome& it) {
-               return it.question == question.id && !it.passed;
-             });
-    };
-    if (name != situation() && std::any_of(lesson_->questions.begin(), lesson_->questions.end(), is_open))
+    const auto waits = [&](const Question& question) { return question.situation == name && is_open(question); };
+    if (name != situation() && std::any_of(lesson_->questions.begin(), lesson_->questions.end(), waits))
       waiting.emplace_back(name);
   }
   return waiting;

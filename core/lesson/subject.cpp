@@ -76,11 +76,14 @@ Done Subject::set_numbers(std::size_t, std::size_t, std::span<const double>) {
 Done Subject::load(const io::PointFile&, std::string_view) { return fixed_number(); }
 Done Subject::set_generator(std::string_view, int, int, std::uint64_t, const Subject&) { return fixed_number(); }
 std::vector<Rival> Subject::rivals(const Lesson&, const View&) const { return {}; }
-std::vector<Figure> Subject::results(const Method& method, const View& view) const {
+std::vector<Figure> Subject::figures_at_end(const Method& method, const View& view) const {
   for (const Slot& slot : view.slots)
     if (slot.method == &method && slot.run != nullptr) return figures({{slot, Slot{}}, 0, slot.run->steps()});
   const std::unique_ptr<Run> own = run(method, nullptr);
   return figures({{Slot{&method, own.get()}, Slot{}}, 0, own->steps()});
+}
+std::vector<Figure> Subject::results(const Method& method, const View& view) const {
+  return figures_at_end(method, view);
 }
 std::optional<double> Subject::result_size(const Method&, bool, const View&) const { return std::nullopt; }
 std::int64_t Subject::operations(const Method&) const { return 0; }

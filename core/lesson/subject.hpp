@@ -255,7 +255,9 @@ class Subject {
   [[nodiscard]] virtual std::vector<Proof> proofs(const View& view) const = 0;
   /// The lesson's methods with their results, in order; none if there is nothing to compare.
   [[nodiscard]] virtual std::vector<Rival> rivals(const Lesson& lesson, const View& view) const;
-  /// The figures of a method's final result. A run that the view has is not repeated.
+  /// The figures at the end of a method's run. A run that the view has is not repeated.
+  [[nodiscard]] std::vector<Figure> figures_at_end(const Method& method, const View& view) const;
+  /// The figures by which tasks and conditions are judged: those at the end, with every part switched on.
   [[nodiscard]] virtual std::vector<Figure> results(const Method& method, const View& view) const;
   /// The size of a method's final result: of a ball the radius, unless its area or volume is wanted. None if it has no
   /// volume.

@@ -92,8 +92,7 @@ const cost::CostRow* find_row(Costs rows, std::string_view algorithm) {
 /// "12 % smaller than", "the same size as", "3.1 % larger than"
 std::string smaller_text(double size, double than) {
   const double share = size / than - 1;
-  std::string text = percent_text(share < 0 ? -share : share);
-  if (text.front() == '+') text.erase(0, 1);
+  const std::string text = without_plus(percent_text(share < 0 ? -share : share));
   return share == 0 ? "the same size as" : text + (share < 0 ? " smaller than" : " larger than");
 }
 
@@ -174,8 +173,7 @@ Grade grade_costs(const Task& task, Costs rows, std::string_view chosen) {
   if (than == nullptr || own == nullptr) return grade;
   grade.points = static_cast<int>(own->of);
   const std::string name = title_of(*than);
-  std::string asked_for = percent_text(tighter_by);
-  asked_for.erase(0, asked_for.front() == '+' ? 1 : 0);
+  const std::string asked_for = without_plus(percent_text(tighter_by));
   const std::string_view cheapest = cheapest_of(task, rows);
   if (cheapest.empty()) {
     grade.says = "On this shape nothing is " + asked_for + " smaller than " + name + ": take another shape.";

@@ -188,11 +188,7 @@ std::vector<Figure> SceneSubject::results(const Method& method, const View&) con
   const auto last = last_frame(set(), method.name, *points(), origin_.seed);
   if (!last) return {};
   std::vector<Figure> figures;
-  for (const std::string_view key : scene_figure_names()) {
-    const double value = figure_of(*last, key);
-    figures.push_back({std::string(scene_figure_title(key)), std::string(key), scene_figure_text(key, value), value,
-                       std::string(scene_figure_unit(key)), std::isfinite(value)});
-  }
+  for (const std::string_view key : scene_figure_names()) figures.push_back(scene_figure(key, figure_of(*last, key)));
   return figures;
 }
 

@@ -36,6 +36,13 @@ std::string counted_thing(std::string_view figure, bool one) {
   return figure == "cost" ? (one ? "point" : "points") : (one ? "pair" : "pairs");
 }
 
+/// Its unit: "pairs", "%"; empty for none.
+std::string_view unit_of(std::string_view figure) {
+  if (figure == "slack") return "%";
+  if (figure == kOverHull) return "times";
+  return figure == "energy" ? "" : figure == "cost" ? "points" : "pairs";
+}
+
 }  // namespace
 
 double over_hull(const fit::Volume3& volume, const AnyPointSet& points) {
@@ -54,14 +61,8 @@ std::string scene_figure_text(std::string_view figure, double value) {
 std::string looser_words(double slack, std::string_view than) {
   constexpr double kFew = 1, kMany = 99;  // above, a factor is clearer than per cent; and its tenths mean nothing
   const std::string loose = looseness_text(slack), tightest(than);
-  if (slack < kFew) return loose.substr(loose.front() == '+' ? 1 : 0) + " larger than " + tightest;
+  if (slack < kFew) return without_plus(loose) + " larger than " + tightest;
   return fixed_text(1 + slack, slack < kMany ? 1 : 0) + " times " + tightest + " (" + loose + ")";
-}
-
-std::string_view scene_figure_unit(std::string_view figure) {
-  if (figure == "slack") return "%";
-  if (figure == kOverHull) return "times";
-  return figure == "energy" ? "" : figure == "cost" ? "points" : "pairs";
 }
 
 std::string_view scene_figure_title(std::string_view figure) {
@@ -75,8 +76,7 @@ std::string effect_words(std::string name) {
 }
 
 std::string scene_bound_text(std::string_view figure, double value) {
-  std::string text = scene_figure_text(figure, value);
-  if (text.front() == '+') text.erase(0, 1);
+  std::string text = without_plus(scene_figure_text(figure, value));
   if (const std::size_t zero = text.find(".0 "); zero != std::string::npos) text.erase(zero, 2);
   return text;
 }
@@ -103,13 +103,20 @@ std::string effect_time_text(const scene::Tally& tally, double clock_step) {
   return "< " + fixed_text(std::ceil(doubt / unit) * unit, std::max(0, static_cast<int>(-places)));
 }
 
+Figure scene_figure(std::string_view key, double value) {
+  return {std::string(scene_figure_title(key)),
+          std::string(key),
+          scene_figure_text(key, value),
+          value,
+          std::string(unit_of(key)),
+          std::isfinite(value)};
+}
+
 std::vector<Figure> scene_figures(const FrameStep& step, const AnyPointSet& points) {
   const auto* frame = std::get_if<FrameTaken>(&step.fact);
   std::vector<Figure> figures{{"Frame", "frame", std::to_string(frame->frame), static_cast<double>(frame->frame), ""}};
   const auto add = [&](std::string_view key) {
-    const double value = key == kOverHull ? over_hull(step.volume, points) : figure_of(*frame, key);
-    figures.push_back({std::string(scene_figure_title(key)), std::string(key), scene_figure_text(key, value), value,
-                       std::string(scene_figure_unit(key)), std::isfinite(value)});
+    figures.push_back(scene_figure(key, key == kOverHull ? over_hull(step.volume, points) : figure_of(*frame, key)));
   };
   if (frame->all_pairs > 0) {
     for (const std::string_view key : {"all_pairs", "compared", "after_broad", "after_loose", "touching"}) add(key);

@@ -27,8 +27,8 @@ inline constexpr std::string_view kOverHull = "over_hull";
 /// infinite.
 [[nodiscard]] std::string scene_figure_text(std::string_view figure, double value);
 
-/// Its unit: "pairs", "%"; empty for none.
-[[nodiscard]] std::string_view scene_figure_unit(std::string_view figure);
+/// A row of the inspector; it is not known if its value is infinite.
+[[nodiscard]] Figure scene_figure(std::string_view key, double value);
 
 /// The same for a bound, which is exact and has no sign: "10 %", "1,000 %".
 [[nodiscard]] std::string scene_bound_text(std::string_view figure, double value);
