@@ -50,7 +50,7 @@ std::optional<Figure> figure_of(const Requirement& due, const Method& method, co
                                 const Subject& subject, const View& view) {
   if (!due.over.empty()) return excess_over(due, method, lesson, subject, view);
   for (Figure& figure : subject.results(method, view))
-    if (figure.key == due.figure && figure.known) return std::move(figure);
+    if (figure.key == due.figure) return std::move(figure);
   return std::nullopt;
 }
 
@@ -111,9 +111,10 @@ Judged judge_requirement(const Requirement& due, const Lesson& lesson, std::stri
   if (const std::string refusal = subject.refusal(method); !refusal.empty()) return {false, 0, refusal + ".", false};
   const auto figure = figure_of(due, method, lesson, subject, view);
   if (!figure) return {false, 0, title_in(lesson, method) + " has no figure " + due.figure + ".", false};
-  const bool low = figure->value<due.at_least, high = figure->value> due.at_most;
   std::string says = figure->name;
   if (!due.algorithm.empty() && due.algorithm != algorithm) says += " (" + title_in(lesson, method) + ")";
+  if (!figure->known) return {false, 0, says + ": none now; " + due_text(due, figure->unit) + "."};
+  const bool low = figure->value<due.at_least, high = figure->value> due.at_most;
   if (!low && !high) return {true, figure->value, says + ": " + without_plus(figure->text) + "."};
   says += ": " + missed_text(*figure, low ? due.at_least : due.at_most) + "; " + due_text(due, figure->unit) + ".";
   return {false, figure->value, says};
