@@ -270,17 +270,20 @@ void read_bounds(TomlTable& table, Question& question) {
 }
 
 std::vector<std::string> range_texts(std::span<const double> bounds, std::string_view unit) {
-  const bool measured = unit == "%" || unit.substr(0, 5) == "units" || unit == "times";
+  const bool measured = unit == "%" || unit.find("units") != std::string_view::npos || unit == "times";
   const auto whole = [](double bound) { return bound == std::floor(bound); };
   const bool count = !measured && std::all_of(bounds.begin(), bounds.end(), whole);
-  const std::string of(unit.empty() ? "" : " " + std::string(unit));
   const auto number = [&](double value) { return count ? count_text(std::llround(value)) : plain_number(value); };
-  std::vector<std::string> texts{count && bounds.front() == 0 ? "none" : "at most " + number(bounds.front()) + of};
+  const auto with_unit = [&](double value) {
+    const bool one = count && value == 1 && unit.ends_with('s');
+    return number(value) + (unit.empty() ? "" : " ") + std::string(unit.substr(0, unit.size() - (one ? 1 : 0)));
+  };
+  std::vector<std::string> texts{count && bounds.front() == 0 ? "none" : "at most " + with_unit(bounds.front())};
   for (std::size_t i = 1; i < bounds.size(); ++i) {
     const double above = count ? bounds[i - 1] + 1 : bounds[i - 1];
-    texts.push_back((above == bounds[i] ? "" : number(above) + " to ") + number(bounds[i]) + of);
+    texts.push_back((above == bounds[i] ? "" : number(above) + " to ") + with_unit(bounds[i]));
   }
-  texts.push_back("more than " + number(bounds.back()) + of);
+  texts.push_back("more than " + with_unit(bounds.back()));
   return texts;
 }
 

@@ -9,6 +9,7 @@
 #include "geometry/pose.hpp"
 #include "lesson/ask.hpp"
 #include "lesson/names.hpp"
+#include "lesson/subjects/scene/scene_figures.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -115,7 +116,7 @@ scene::EffectCall read_effect(const toml::table& toml, Complaints& complaints) {
 
 void check_figure(TomlTable& table, const std::string& figure) {
   const auto names = scene_figure_names();
-  if (!figure.empty() && std::find(names.begin(), names.end(), figure) == names.end())
+  if (!figure.empty() && figure != kOverHull && std::find(names.begin(), names.end(), figure) == names.end())
     table.wrong("figure", "is no figure of a scene: " + figure);
 }
 

@@ -123,16 +123,16 @@ std::string Entry<FrameTaken>::sentence(const FrameTaken& fact, const SceneRun::
 }
 
 const char* offer_ranges(Asked& asked, const Run&) {
-  for (std::string& range : scene_range_texts(asked.question->figure, asked.question->bounds))
-    asked.add_choice(std::move(range));
+  const std::string unit = scene_figure(asked.question->figure, 0).unit;
+  for (std::string& range : range_texts(asked.question->bounds, unit)) asked.add_choice(std::move(range));
   return nullptr;
 }
 
 /// The truth of "figure": the range that the figure lies in.
 Truth range_truth(const Asked& asked, const Run& run) {
   const Question& question = *asked.question;
-  const auto& frame = *std::get_if<FrameTaken>(&scene_run(run).trace()[asked.fact].step.fact);
-  const double value = figure_of(frame, question.figure);
+  const FrameStep& step = scene_run(run).trace()[asked.fact].step;
+  const double value = value_of(step, question.figure, *scene_run(run).subject().points());
   const auto range = std::lower_bound(question.bounds.begin(), question.bounds.end(), value) - question.bounds.begin();
   const bool none = value == 0 && asked.choices.front() == "none";
   const std::string text = none ? "none" : scene_figure_text(question.figure, value);
@@ -188,7 +188,9 @@ std::vector<Figure> SceneSubject::results(const Method& method, const View&) con
   const auto last = last_frame(set(), method.name, *points(), origin_.seed);
   if (!last) return {};
   std::vector<Figure> figures;
-  for (const std::string_view key : scene_figure_names()) figures.push_back(scene_figure(key, figure_of(*last, key)));
+  const auto add = [&](std::string_view key) { figures.push_back(scene_figure(key, value_of(*last, key, *points()))); };
+  for (const std::string_view key : scene_figure_names()) add(key);
+  if (last->has_volume) add(kOverHull);
   return figures;
 }
 

@@ -19,6 +19,7 @@ class SceneRun final : public FactRun<SceneRun, FrameStep> {
       : subject_(subject), recording_(std::move(recording)) {}
   [[nodiscard]] std::span<const Recorder<FrameStep>::Entry> trace() const { return recording_.steps; }
   [[nodiscard]] const SceneRecording& recording() const { return recording_; }
+  [[nodiscard]] const SceneSubject& subject() const { return subject_; }
   struct Where {
     const SceneRun& run;
     int i;

@@ -36,11 +36,11 @@ std::string counted_thing(std::string_view figure, bool one) {
   return figure == "cost" ? (one ? "point" : "points") : (one ? "pair" : "pairs");
 }
 
-/// Its unit: "pairs", "%"; empty for none.
+/// Its unit: "pairs", "%".
 std::string_view unit_of(std::string_view figure) {
   if (figure == "slack") return "%";
   if (figure == kOverHull) return "times";
-  return figure == "energy" ? "" : figure == "cost" ? "points" : "pairs";
+  return figure == "energy" ? "kg units²/s²" : figure == "cost" ? "points" : "pairs";
 }
 
 }  // namespace
@@ -48,6 +48,11 @@ std::string_view unit_of(std::string_view figure) {
 double over_hull(const fit::Volume3& volume, const AnyPointSet& points) {
   const fit::Result hull = fit::find_algorithm("hull", "quickhull")->fit(points, {});
   return fit::over_hull(fit::measure_of(volume, 3), fit::measure_of(hull.volume, 3));
+}
+
+double value_of(const FrameStep& step, std::string_view key, const AnyPointSet& points) {
+  if (key == kOverHull) return over_hull(step.volume, points);
+  return figure_of(*std::get_if<FrameTaken>(&step.fact), key);
 }
 
 std::string scene_figure_text(std::string_view figure, double value) {
@@ -75,25 +80,6 @@ std::string effect_words(std::string name) {
   return name;
 }
 
-std::string scene_bound_text(std::string_view figure, double value) {
-  std::string text = without_plus(scene_figure_text(figure, value));
-  if (const std::size_t zero = text.find(".0 "); zero != std::string::npos) text.erase(zero, 2);
-  return text;
-}
-
-std::vector<std::string> scene_range_texts(std::string_view figure, std::span<const double> bounds) {
-  const bool count = !counted_thing(figure, false).empty();
-  const auto bound = [&](double value) { return scene_bound_text(figure, value); };
-  std::vector<std::string> texts{count && bounds.front() == 0 ? "none" : "at most " + bound(bounds.front())};
-  for (std::size_t i = 1; i < bounds.size(); ++i) {
-    const double above = count ? bounds[i - 1] + 1 : bounds[i - 1];
-    const std::string from = count ? count_text(std::llround(above)) : bound(above);
-    texts.push_back(count && above == bounds[i] ? bound(above) : from + " to " + bound(bounds[i]));
-  }
-  texts.push_back("more than " + bound(bounds.back()));
-  return texts;
-}
-
 std::string effect_time_text(const scene::Tally& tally, double clock_step) {
   if (tally.run == 0) return {};
   const auto runs = static_cast<double>(tally.run);
@@ -115,9 +101,7 @@ Figure scene_figure(std::string_view key, double value) {
 std::vector<Figure> scene_figures(const FrameStep& step, const AnyPointSet& points) {
   const auto* frame = std::get_if<FrameTaken>(&step.fact);
   std::vector<Figure> figures{{"Frame", "frame", std::to_string(frame->frame), static_cast<double>(frame->frame), ""}};
-  const auto add = [&](std::string_view key) {
-    figures.push_back(scene_figure(key, key == kOverHull ? over_hull(step.volume, points) : figure_of(*frame, key)));
-  };
+  const auto add = [&](std::string_view key) { figures.push_back(scene_figure(key, value_of(step, key, points))); };
   if (frame->all_pairs > 0) {
     for (const std::string_view key : {"all_pairs", "compared", "after_broad", "after_loose", "touching"}) add(key);
   } else if (step.has_volume) {

@@ -19,6 +19,9 @@ namespace snug::lesson {
 /// The key of the volume divided by the hull's: the same yardstick for every kind of volume.
 inline constexpr std::string_view kOverHull = "over_hull";
 
+/// A figure of a step by its key: one of scene_figure_names(), or over_hull. points: those of the body.
+[[nodiscard]] double value_of(const FrameStep& step, std::string_view key, const AnyPointSet& points);
+
 /// That figure for a body of points. points: in any pose, because a hull's volume is the same in every pose. Infinite
 /// if they are flat. O(n log n) time.
 [[nodiscard]] double over_hull(const fit::Volume3& volume, const AnyPointSet& points);
@@ -30,9 +33,6 @@ inline constexpr std::string_view kOverHull = "over_hull";
 /// A row of the inspector; it is not known if its value is infinite.
 [[nodiscard]] Figure scene_figure(std::string_view key, double value);
 
-/// The same for a bound, which is exact and has no sign: "10 %", "1,000 %".
-[[nodiscard]] std::string scene_bound_text(std::string_view figure, double value);
-
 /// "35.0 % larger than the tightest"; from twice as large on, "4.8 times the tightest (+385 %)".
 [[nodiscard]] std::string looser_words(double slack, std::string_view than);
 
@@ -41,10 +41,6 @@ inline constexpr std::string_view kOverHull = "over_hull";
 
 /// An effect's name in words: "broad phase".
 [[nodiscard]] std::string effect_words(std::string name);
-
-/// The ranges between rising bounds: "none", "1 to 8 points", "9 to 79 points", "more than 79 points"; for figures that
-/// are not counts "at most 10 %", "10 % to 100 %".
-[[nodiscard]] std::vector<std::string> scene_range_texts(std::string_view figure, std::span<const double> bounds);
 
 /// The mean time of one run, microseconds: "3.2", or "< 20" if the clock cannot resolve it; "" if there was no run.
 /// clock_step: the smallest step of the clock, ns. A run's time is off by less than one such step either way, and the

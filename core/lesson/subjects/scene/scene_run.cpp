@@ -71,6 +71,12 @@ void add_frame(SceneRecording& run, const scene::Scene& scene) {
   for (const scene::Tally& tally : scene.tallies()) run.counts.push_back({tally.run, tally.skipped});
 }
 
+/// Only a body of points has its volume measured.
+FrameStep step_of(const scene::Scene& scene, int line) {
+  const bool measured = scene.world().members.front().shape.cloud != nullptr;
+  return {line, measured, scene.world().state.refitted.first, frame_of(scene)};
+}
+
 }  // namespace
 
 std::span<const std::string_view> scene_figure_names() { return kFigures; }
@@ -190,15 +196,14 @@ tl::expected<SceneRecording, InputError> run_scene(const SceneSet& set, std::str
   SceneRecording run{.frames = SceneFrames(*std::move(opened)), .bodies = {far, -far}, .volumes = {far, -far}};
   scene::Scene& scene = run.frames.scene();
   run.members = scene.world().members;
-  const bool measured = run.members.front().shape.cloud != nullptr;
   OperationCounts counts{};
   add_frame(run, scene);
   for (int frame = 0; frame < set.frames; ++frame) {
     switch_off(scene, off, frame);
     run.frames.step();
-    const FrameTaken taken = frame_of(scene);
-    counts[static_cast<std::size_t>(Operation::kPointsTouched)] += static_cast<std::int64_t>(taken.cost);
-    run.steps.push_back({{line, measured, scene.world().state.refitted.first, taken}, counts});
+    counts[static_cast<std::size_t>(Operation::kPointsTouched)] +=
+        static_cast<std::int64_t>(scene.world().state.refitted.cost);
+    run.steps.push_back({step_of(scene, line), counts});
     add_frame(run, scene);
   }
   run.tallies.assign(scene.tallies().begin(), scene.tallies().end());
@@ -206,13 +211,13 @@ tl::expected<SceneRecording, InputError> run_scene(const SceneSet& set, std::str
   return run;
 }
 
-tl::expected<FrameTaken, InputError> last_frame(const SceneSet& set, std::string_view method, const AnyPointSet& points,
-                                                std::uint64_t seed) {
+tl::expected<FrameStep, InputError> last_frame(const SceneSet& set, std::string_view method, const AnyPointSet& points,
+                                               std::uint64_t seed) {
   return declaration_with(set, method, points, seed)
       .and_then([](const scene::Declaration& declaration) { return scene::Scene::open(declaration); })
       .map([&](scene::Scene scene) {
         for (int frame = 0; frame < set.frames; ++frame) scene.step();
-        return frame_of(scene);
+        return step_of(scene, 0);
       });
 }
 

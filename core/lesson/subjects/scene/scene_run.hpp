@@ -42,9 +42,9 @@ struct SwitchedOff {
                                                                  scene::Clock clock = nullptr,
                                                                  std::span<const SwitchedOff> off = {});
 
-/// The figures of the last frame only. Errors: those of run_scene.
-[[nodiscard]] tl::expected<FrameTaken, InputError> last_frame(const SceneSet& set, std::string_view method,
-                                                              const AnyPointSet& points, std::uint64_t seed);
+/// The last frame only, with the first body's volume if that is measured. Errors: those of run_scene.
+[[nodiscard]] tl::expected<FrameStep, InputError> last_frame(const SceneSet& set, std::string_view method,
+                                                             const AnyPointSet& points, std::uint64_t seed);
 
 /// Checks that each method can run the scene. Errors: those of run_scene; too many frames of too many bodies.
 [[nodiscard]] tl::expected<void, InputError> check_scene_opens(const SceneSet& set,

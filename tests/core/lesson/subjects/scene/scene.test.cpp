@@ -215,12 +215,14 @@ TEST_CASE("volumes of different kinds are compared by the hull, which is one yar
 
 TEST_CASE("a figure's ranges are written as people write them") {
   const auto texts = [](std::string_view figure, std::vector<double> bounds) {
-    return lesson::scene_range_texts(figure, bounds);
+    return lesson::range_texts(bounds, lesson::scene_figure(figure, 0).unit);
   };
   using Texts = std::vector<std::string>;
   CHECK(texts("cost", {0, 8, 79}) == Texts{"none", "1 to 8 points", "9 to 79 points", "more than 79 points"});
   CHECK(texts("touching", {0, 1, 60}) == Texts{"none", "1 pair", "2 to 60 pairs", "more than 60 pairs"});
-  CHECK(texts("slack", {10, 1000}) == Texts{"at most 10 %", "10 % to 1,000 %", "more than 1,000 %"});
+  CHECK(texts("slack", {10, 1000}) == Texts{"at most 10 %", "10 to 1,000 %", "more than 1,000 %"});
+  CHECK(texts("over_hull", {1.2, 2}) == Texts{"at most 1.2 times", "1.2 to 2 times", "more than 2 times"});
+  CHECK(texts("energy", {1, 2}).at(1) == "1 to 2 kg units²/s²");
   CHECK(lesson::scene_figure_text("slack", 384.67) == "+385 %");
   CHECK(lesson::scene_figure_text("slack", 0) == "0.0 %");
   CHECK(lesson::looser_words(0.35, "the tightest") == "35.0 % larger than the tightest");
