@@ -12,15 +12,6 @@ namespace {
 
 constexpr ImVec2 kRightUp{1, -0.6f};
 
-/// Draws the convex hull of a box fitter: in 2-D its outline, in 3-D a ring around each vertex.
-void draw_hull(Brush& brush, const CloudShown& shown) {
-  std::vector<ImVec2> corners;
-  for (const Index i : shown.hull) corners.push_back(brush.at(brush.session.point(i)));
-  if (brush.dim() == 2)
-    return path(brush.list, convex_outline(std::move(corners)), true, Stroke::kSolid, brush.p.ink, brush.stroke(0.8f));
-  for (const ImVec2 at : corners) ring(brush.list, at, 4 * brush.p.mark, brush.p.ink, brush.stroke(0.6f));
-}
-
 /// Draws a volume that was tried but not kept.
 void draw_candidate(Brush& brush, const CloudShown& shown) {
   if (!shown.candidate) return;
@@ -81,7 +72,7 @@ void draw_extremes(Brush& brush, const CloudShown& shown) {
 }  // namespace
 
 void draw_cloud(Brush& brush, const CloudShown& shown) {
-  draw_hull(brush, shown);
+  draw_box_fit(brush, shown);
   draw_spread(brush, shown);
   draw_extremes(brush, shown);
   if (shown.before) draw_volume(brush.canvas, *shown.before, {Stroke::kDotted, brush.p.previous, brush.stroke(0.85f)});

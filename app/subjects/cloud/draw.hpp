@@ -14,6 +14,8 @@ void name_cloud(PointNames& names, const CloudShown& shown);
 void draw_slab(Brush& brush, const CloudShown& shown);
 void mark_slab(Brush& brush, const CloudShown& shown);
 void name_slab(PointNames& names, const CloudShown& shown);
+/// Draws the hull of a box fitter, the edges of it that a box was built on, and the projection behind a rectangle.
+void draw_box_fit(Brush& brush, const CloudShown& shown);
 /// Draws mean, covariance and axes.
 void draw_spread(Brush& brush, const CloudShown& shown);
 /// Draws the first diameter; along the main axis, with the projections that determined it.

@@ -101,7 +101,7 @@ struct CloudFiller {
     shown.before = fact.ball;
     named();
   }
-  void operator()(const fit::HullFound& fact) const { shown.hull = fact.vertices; }
+  void operator()(const fit::HullFound&) const { hull(); }
   void operator()(const fit::SurfaceFound<double, 3>& fact) const {
     shown.mean = fact.centroid;
     hull();
@@ -110,15 +110,19 @@ struct CloudFiller {
     if (!fact.better) shown.candidate = fact.box;
     shown.spoken_of = {fact.on.begin(), fact.on.end()};
     hull();
+    build_on(fact.on);
   }
   void operator()(const fit::RectangleFound<double, 3>& fact) const {
     if (!fact.better) shown.candidate = fact.box;
     named();
     hull();
+    build_on({fact.edge_a, fact.edge_b});
+    if (session.dim() == 3) shown.along = fact.along;
   }
-  void operator()(const fit::EdgeSearched&) const {
+  void operator()(const fit::EdgeSearched& fact) const {
     named();
     hull();
+    build_on({fact.a, fact.b});
   }
   void operator()(const fit::EdgeSplit& fact) const { shown.spoken_of = {fact.a, fact.point, fact.b}; }
   void operator()(const fit::FacetsReplaced& fact) const { shown.spoken_of = {fact.eye}; }
@@ -133,7 +137,20 @@ struct CloudFiller {
 
   void named() const { shown.spoken_of = named_now(session); }
   void hull() const {
-    if (const auto* found = last_fact<fit::HullFound>(steps)) shown.hull = found->vertices;
+    const auto* found = last_fact<fit::HullFound>(steps);
+    if (found == nullptr) return;
+    shown.hull = found->vertices;
+    const AnyPointSet* points = session.subject().points();
+    if (session.dim() == 3 && points != nullptr)
+      shown.hull_solid = fit::find_algorithm("hull", "quickhull")->fit(*points, {}).volume;
+  }
+  /// Two points are an edge, three a face, four two edges.
+  void build_on(const std::vector<Index>& on) const {
+    if (std::find(on.begin(), on.end(), kNoIndex) != on.end()) return;
+    if (on.size() == 2 || on.size() == 4)
+      for (std::size_t i = 0; i < on.size(); i += 2) shown.built_on.push_back({on[i], on[i + 1]});
+    if (on.size() == 3)
+      for (std::size_t i = 0; i < 3; ++i) shown.built_on.push_back({on[i], on[(i + 1) % 3]});
   }
   /// Keeps mean and axes visible while the box is built on them.
   void spread_of_points() const {

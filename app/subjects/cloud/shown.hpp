@@ -45,7 +45,10 @@ struct CloudShown : Shown {
     bool ends = false;       // whether the extreme points along the main axis have been found
   };
   std::optional<Spread> spread;
-  std::vector<Index> hull;  // its vertices, if a box fitter has computed them
+  std::vector<Index> hull;                     // its vertices, if a box fitter has computed them
+  std::optional<fit::Volume3> hull_solid;      // the same hull, in space
+  std::vector<std::array<Index, 2>> built_on;  // its edges that a box was built on
+  std::optional<Point3> along;  // in space, the direction along which the points were projected for a rectangle
 };
 
 /// want_optimum: as for shown_at.
