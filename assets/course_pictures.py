@@ -56,7 +56,10 @@ def stale() -> list[str]:
 def draw(snug: str, lesson: str, recipe: dict) -> None:
     for suffix, theme in THEMES.items():
         with tempfile.NamedTemporaryFile(suffix=".png") as large:
-            subprocess.run([snug, "render", lesson, "--stage", "--step", str(recipe["step"]), "--size", SIZE, "-o", large.name],
+            place = ["--step", str(recipe["step"])]
+            if "algorithm" in recipe:
+                place += ["--algorithm", recipe["algorithm"]]
+            subprocess.run([snug, "render", lesson, "--stage", *place, "--size", SIZE, "-o", large.name],
                            check=True, env={**os.environ, "SNUG_THEME": theme})
             small = PICTURES / f"{lesson}{suffix}.png"
             for colours in (COLOURS, COLOURS // 2, COLOURS // 4):
