@@ -17,7 +17,14 @@ void see_numbers(auto& box, auto&& see) { see(box.center), see(box.half_extents)
 
 }  // namespace
 
-std::vector<std::vector<Index>> BoxSubject::things() const { return {vertices_of(dim(), 0), vertices_of(dim(), 1)}; }
+std::vector<std::vector<Index>> BoxSubject::things() const {
+  std::vector<std::vector<Index>> things(2);
+  for (Index i = 0; i < size(); ++i)
+    if (const BoxHandle place = place_of(pair_, i); place.kind == BoxHandle::Kind::kCorner)
+      things[static_cast<std::size_t>(place.box)].push_back(i);
+  if (pair_.form != Form::kBox) things[0] = {0};
+  return things;
+}
 
 std::vector<NumberGroup> BoxSubject::numbers() const {
   constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
@@ -31,19 +38,27 @@ std::vector<NumberGroup> BoxSubject::numbers() const {
     if (dim() == 2) turn.values = {angle_of(box) / kDegree};
     else turn.names = names, turn.values = {0, 0, 0}, turn.turn = 15;
     NumberRow half{.words = sizes, .names = names, .values = of(box.half_extents), .drive = "half"};
-    groups.push_back({heading,
-                      name,
-                      {{"Centre", names, of(box.center)}, std::move(half), std::move(turn)},
-                      name_of(index_of(dim(), {BoxHandle::Kind::kCenter, i, 0}))});
+    std::vector<NumberRow> rows{{"Centre", names, of(box.center)}};
+    if (i == 1 || pair_.form == Form::kBox) rows.push_back(std::move(half)), rows.push_back(std::move(turn));
+    else if (pair_.form == Form::kBall)
+      rows.push_back({.words = sizes, .names = {}, .values = {box.half_extents[0]}, .drive = "radius"});
+    groups.push_back({heading, name, std::move(rows), name_of(index_of(pair_, {BoxHandle::Kind::kCenter, i, 0}))});
   }
   return groups;
 }
 
 Done BoxSubject::set_numbers(std::size_t group, std::size_t row, std::span<const double> values) {
-  const std::size_t due = row < 2 || dim() == 3 ? dim() : 1;
-  if (group > 1 || row > 2 || values.size() != due) return Subject::set_numbers(group, row, values);
+  const Form form = group == 0 ? pair_.form : Form::kBox;
+  const std::size_t rows = form == Form::kBox ? 3 : form == Form::kBall ? 2 : 1;
+  const bool radius = form == Form::kBall && row == 1;
+  const std::size_t due = !radius && (row < 2 || dim() == 3) ? dim() : 1;
+  if (group > 1 || row >= rows || values.size() != due) return Subject::set_numbers(group, row, values);
   BoxPair next = pair_;
   Box& box = next.boxes[group];
+  if (radius) {
+    box.half_extents.head(dim()).setConstant(values[0]);
+    return set_boxes(next);
+  }
   for (int axis = 0; axis < static_cast<int>(due); ++axis)
     if (row < 2) (row == 0 ? box.center : box.half_extents)[axis] = values[axis];
     else if (dim() == 3 && values[axis] != 0) box = turned_by(box, axis, values[axis] * kDegree);
@@ -62,12 +77,12 @@ Rows rows_of(const BoxPair& pair) {
 }
 
 Rows read_box_model(TomlTable& task, const Lesson& lesson, Complaints& complaints,
-                    BoxPair (*read)(TomlTable& table, int dim, double taper)) {
+                    BoxPair (*read)(TomlTable& table, const BoxPair& like)) {
   const toml::table* model = task.table("model");
   if (model == nullptr) return task.lack("model", "the task lacks [task.model]"), Rows();
   TomlTable own(*model, "[task.model]", complaints);
   const BoxPair& like = static_cast<const BoxTables&>(*lesson.tables).boxes;
-  const BoxPair boxes = read(own, like.dim, like.taper);
+  const BoxPair boxes = read(own, like);
   own.refuse_others();
   return rows_of(boxes);
 }
@@ -97,7 +112,9 @@ Done BoxSubject::move(Index i, const Point3& to) {
 Done BoxSubject::set_boxes(const BoxPair& pair) {
   if (pair.dim != pair_.dim) return tl::unexpected(InputError{.what = "there are no such boxes"});
   for (const Box& box : pair.boxes)
-    if (!(box.half_extents.minCoeff() >= 0)) return tl::unexpected(InputError{.what = "a half extent is below 0"});
+    if (!(box.half_extents.minCoeff() >= 0))
+      return tl::unexpected(InputError{.what = pair.form == Form::kBall ? "a radius or half extent is below 0"
+                                                                        : "a half extent is below 0"});
   if (Done fine = check(pair); !fine) return fine;
   pair_ = pair;
   origin_.edited = true;

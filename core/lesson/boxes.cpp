@@ -70,19 +70,32 @@ Box stretched(const BoxPair& pair, int which, int bits, const V3& hand) {
 
 int places_of_box(int dim) { return 1 + knobs(dim) + (1 << dim); }
 
-BoxHandle place_of(int dim, Index i) {
-  const int box = i / places_of_box(dim), own = i % places_of_box(dim);
-  if (own == 0) return {PlaceKind::kCenter, box, 0};
-  if (own <= knobs(dim)) return {PlaceKind::kTurn, box, own - 1};
-  return {PlaceKind::kCorner, box, own - 1 - knobs(dim)};
+int places_of(const BoxPair& pair, int box) {
+  if (box == 1 || pair.form == Form::kBox) return places_of_box(pair.dim);
+  return pair.form == Form::kBall ? 2 : 1;
 }
 
-Index index_of(int dim, const BoxHandle& place) {
-  const int own = place.kind == PlaceKind::kCenter ? 0
-                  : place.kind == PlaceKind::kTurn ? 1 + place.number
-                                                   : 1 + knobs(dim) + place.number;
-  return place.box * places_of_box(dim) + own;
+BoxHandle place_of(const BoxPair& pair, Index i) {
+  const int box = i < places_of(pair, 0) ? 0 : 1, own = box == 0 ? i : i - places_of(pair, 0);
+  if (own == 0) return {PlaceKind::kCenter, box, 0};
+  if (box == 0 && pair.form == Form::kBall) return {PlaceKind::kRadius, 0, 0};
+  if (own <= knobs(pair.dim)) return {PlaceKind::kTurn, box, own - 1};
+  return {PlaceKind::kCorner, box, own - 1 - knobs(pair.dim)};
 }
+
+Index index_of(const BoxPair& pair, const BoxHandle& place) {
+  const int first = place.box == 0 ? 0 : places_of(pair, 0);
+  switch (place.kind) {
+    case PlaceKind::kCenter: return first;
+    case PlaceKind::kRadius:
+    case PlaceKind::kTurn: return first + 1 + place.number;
+    case PlaceKind::kCorner: break;
+  }
+  return first + 1 + knobs(pair.dim) + place.number;
+}
+
+BoxHandle place_of(int dim, Index i) { return place_of(BoxPair{.dim = dim}, i); }
+Index index_of(int dim, const BoxHandle& place) { return index_of(BoxPair{.dim = dim}, place); }
 
 std::string place_name(int dim, Index i) {
   const BoxHandle place = place_of(dim, i);
@@ -117,16 +130,17 @@ V3 beyond_face(const BoxPair& pair, int box, int axis, double by) {
 }
 
 V3 at_place(const BoxPair& pair, Index i) {
-  const BoxHandle place = place_of(pair.dim, i);
+  const BoxHandle place = place_of(pair, i);
   const Box& box = pair.boxes[place.box];
   if (place.kind == PlaceKind::kCenter) return box.center;
+  if (place.kind == PlaceKind::kRadius) return box.center + V3::UnitX() * box.half_extents[0];
   if (place.kind == PlaceKind::kCorner) return corner_of(pair, place.box, place.number);
   return beyond_face(pair, place.box, place.number, pair.knob);
 }
 
 Done check_places(const BoxPair& pair) {
   std::vector<V3> all;
-  for (Index i = 0; i < 2 * places_of_box(pair.dim); ++i) all.push_back(at_place(pair, i));
+  for (Index i = 0; i < places_of(pair, 0) + places_of(pair, 1); ++i) all.push_back(at_place(pair, i));
   if (auto set = PointSet<double, 3>::make(std::move(all)); !set) return tl::unexpected(std::move(set.error()));
   return {};
 }
@@ -136,10 +150,11 @@ tl::expected<BoxPair, InputError> moved(const BoxPair& pair, Index i, const V3& 
   if (pair.dim == 2) to[2] = 0;
   if (auto fine = PointSet<double, 3>::make({to}); !fine) return tl::unexpected(std::move(fine.error()));
   BoxPair next = pair;
-  const BoxHandle place = place_of(pair.dim, i);
+  const BoxHandle place = place_of(pair, i);
   Box& box = next.boxes[place.box];
   switch (place.kind) {
     case PlaceKind::kCenter: box.center = to; break;
+    case PlaceKind::kRadius: box.half_extents.head(pair.dim).setConstant((to - box.center).norm()); break;
     case PlaceKind::kTurn: box = turned_to(box, place.number, to); break;
     case PlaceKind::kCorner: box = stretched(pair, place.box, place.number, to); break;
   }
@@ -173,15 +188,23 @@ Obb<double, 2> flat(const Box& box) {
   return {box.center.head<2>(), box.axes.topLeftCorner<2, 2>(), box.half_extents.head<2>()};
 }
 
-BoxPair read_pair(TomlTable& table, int dim, double taper) {
-  BoxPair pair{.dim = dim, .taper = taper};
-  const auto two = [&](std::string_view key, int numbers) {
+BoxPair read_pair(TomlTable& table, int dim, double taper, Form form) {
+  BoxPair pair{.dim = dim, .form = form, .taper = taper};
+  const auto list_of = [&](std::string_view key, int numbers, std::size_t due, const char* words) {
     auto list = table.points(key, numbers);
-    if (list.size() != 2) table.wrong(key, "must be two, for A and for B");
-    list.resize(2, V3::Zero());
+    if (list.size() != due) table.wrong(key, words);
+    list.resize(due, V3::Zero());
+    if (due == 1) list.insert(list.begin(), V3::Zero());
     return list;
   };
-  const auto centers = two("center", dim), halves = two("half_extents", dim), turns = two("turn", dim == 2 ? 1 : 3);
+  const bool boxes = form == Form::kBox;
+  const char* two = boxes ? "must be two, for A and for B" : "must be two, of the body and of the frustum";
+  const std::size_t sized = boxes ? 2 : 1;
+  const char* sizes = boxes ? two : "must be one, of the frustum";
+  const auto centers = list_of("center", dim, 2, two);
+  auto halves = list_of("half_extents", dim, sized, sizes);
+  const auto turns = list_of("turn", dim == 2 ? 1 : 3, sized, sizes);
+  if (form == Form::kBall) halves[0].head(dim).setConstant(table.number("radius", 1e9));
   double largest = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     if (halves[i].minCoeff() < 0) table.wrong("half_extents", "must not be negative");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <tl/expected.hpp>
 
@@ -14,9 +15,13 @@ namespace snug::lesson {
 
 class Session;
 
+/// What A is: a box, a ball whose radius every half extent is, or a point, whose half extents are 0.
+enum class Form : std::uint8_t { kBox, kBall, kPoint };
+
 /// In 2-D z is 0, and the third axis is z.
 struct BoxPair {
   int dim = 2;
+  Form form = Form::kBox;
   std::array<Obb<double, 3>, 2> boxes;
   double knob = 0.5;  // the distance of a knob from its face, scene units
   double taper = 1;   // below 1, B is a frustum: the width of its near face over that of its far face
@@ -24,13 +29,18 @@ struct BoxPair {
 
 /// A place on a box that can be dragged.
 struct BoxHandle {
-  enum class Kind { kCenter, kTurn, kCorner } kind = Kind::kCenter;
+  enum class Kind { kCenter, kTurn, kCorner, kRadius } kind = Kind::kCenter;
   int box = 0;     // 0: A, 1: B
   int number = 0;  // of a knob: its axis; of a vertex: its bits, 1 for +x, 2 for +y, 4 for +z
 };
 
 /// The number of places on a box: its centre, a knob (in 3-D two), its vertices. A's places come first, then B's.
 [[nodiscard]] int places_of_box(int dim);
+/// The same on A or B, whatever A is: a ball has its centre and its radius, a point itself.
+[[nodiscard]] int places_of(const BoxPair& pair, int box);
+[[nodiscard]] BoxHandle place_of(const BoxPair& pair, Index i);
+[[nodiscard]] Index index_of(const BoxPair& pair, const BoxHandle& place);
+// Of two boxes:
 [[nodiscard]] BoxHandle place_of(int dim, Index i);
 [[nodiscard]] Index index_of(int dim, const BoxHandle& place);
 /// "A", "A turn", "A3".
@@ -66,14 +76,14 @@ struct BoxHandle {
 [[nodiscard]] Obb<double, 2> flat(const Obb<double, 3>& box);
 
 /// Reads two boxes from a lesson's file, where each key has a list of two. turn: degrees, in 3-D about x, then y, then
-/// z. taper: 1 for two boxes.
-[[nodiscard]] BoxPair read_pair(TomlTable& table, int dim, double taper);
+/// z. taper: 1 for two boxes. Of a ball or a point only the centre is listed, and of a ball a radius.
+[[nodiscard]] BoxPair read_pair(TomlTable& table, int dim, double taper, Form form = Form::kBox);
 
 class BoxSubject : public Subject {
  public:
   [[nodiscard]] const BoxPair& boxes() const { return pair_; }
   [[nodiscard]] int dim() const override { return pair_.dim; }
-  [[nodiscard]] Index size() const override { return 2 * places_of_box(pair_.dim); }
+  [[nodiscard]] Index size() const override { return places_of(pair_, 0) + places_of(pair_, 1); }
   [[nodiscard]] Point3 at(Index i) const override { return at_place(pair_, i); }
   [[nodiscard]] std::string name_of(Index i) const override { return place_name(pair_.dim, i); }
   [[nodiscard]] std::array<std::string_view, 2> handle_words() const override { return {"vertex", "vertices"}; }
@@ -117,9 +127,10 @@ class BoxSubject : public Subject {
 }
 /// The rows of two boxes (Subject::rows).
 [[nodiscard]] Rows rows_of(const BoxPair& pair);
-/// Reads a task's "model", a table written as [boxes] is. read: reads its boxes, of that dimension and taper.
+/// Reads a task's "model", a table written as [boxes] is. read: reads its boxes, of the dimension, taper and form of
+/// like.
 [[nodiscard]] Rows read_box_model(TomlTable& task, const Lesson& lesson, Complaints& complaints,
-                                  BoxPair (*read)(TomlTable& table, int dim, double taper));
+                                  BoxPair (*read)(TomlTable& table, const BoxPair& like));
 /// Replaces the boxes of a session's BoxSubject, as one edit.
 Done set_boxes(Session& session, const BoxPair& pair);
 

@@ -23,13 +23,16 @@ struct Side {
   Point3 middle;
 };
 
-/// The frustum's vertices and faces, in the order of a box's.
+}  // namespace
+
 Polytope solid_of(const lesson::BoxPair& pair) {
   Polytope frustum = polytope_of(pair.boxes[1], pair.dim);
   for (std::size_t bits = 0; bits < frustum.corners.size(); ++bits)
     frustum.corners[bits] = lesson::corner_of(pair, 1, static_cast<int>(bits));
   return frustum;
 }
+
+namespace {
 
 Side side_of(const lesson::BoxPair& pair, int plane) {
   const auto [axis, positive] = lesson::face_on_plane(pair.dim, plane);
@@ -82,17 +85,20 @@ ImVec2 way_between(ImVec2 from, ImVec2 to) {
 /// "+0.42", "−0.17"
 std::string signed_words(double distance) { return (distance > 0 ? "+" : "") + lesson::number_text(distance); }
 
-/// The box's lowest vertex on the screen.
+/// The box's lowest vertex on the screen, or a ball's lowest point.
 ImVec2 lowest_corner(const Canvas& canvas, const lesson::BoxPair& pair) {
-  ImVec2 lowest = canvas.at(pair.boxes[0].center);
+  const Obb<double, 3>& box = pair.boxes[0];
+  if (pair.form != lesson::Form::kBox) return canvas.at(box.center - canvas.camera.up() * box.half_extents[0]);
+  ImVec2 lowest = canvas.at(box.center);
   for (int bits = 0; bits < 1 << pair.dim; ++bits)
     if (const ImVec2 at = canvas.at(lesson::corner_of(pair.boxes[0], bits)); at.y > lowest.y) lowest = at;
   return lowest;
 }
 
-std::string verdict_words(const FrustumShown& shown) {
-  if (!shown.verdict) return "Box";
-  return "Box: " + std::string(query::kCullingNames[static_cast<std::size_t>(*shown.verdict)]) +
+std::string verdict_words(const FrustumShown& shown, const lesson::Session& session) {
+  const std::string body = session.name_of(0);
+  if (!shown.verdict) return body;
+  return body + ": " + std::string(query::kCullingNames[static_cast<std::size_t>(*shown.verdict)]) +
          (shown.finished ? "" : " so far");
 }
 
@@ -158,7 +164,7 @@ void draw_plane(Brush& brush, const lesson::BoxPair& pair, const FrustumShown& s
   arrow(brush.list, middle, tip, p.ink, brush.stroke(1.1f));
   brush.canvas.obstacles.segments.push_back({middle.x, middle.y, tip.x, tip.y});
   const std::string name = lesson::plane_name(pair.dim, shown.plane_at);
-  const bool signs = shown.plane && !shown.plane_asked;
+  const bool signs = shown.plane && !shown.plane_asked && pair.form == lesson::Form::kBox;
   brush.label(tip, 6, way_between(middle, tip),
               signs ? name + ": " + normal_words(pair.dim, shown.plane->signs) : name + " plane", p.ink,
               Face::kSemiBold, 14);
@@ -169,6 +175,7 @@ void draw_plane(Brush& brush, const lesson::BoxPair& pair, const FrustumShown& s
 void draw_distances(Brush& brush, const lesson::BoxPair& pair, const Plane& plane) {
   const Palette& p = brush.p;
   const Point3 normal = normal_of(side_of(pair, plane.plane), pair);
+  if (pair.form != lesson::Form::kBox) return draw_center_distance(brush, plane, normal, pair);
   for (const bool along : {true, false}) {
     const Point3 vertex = along ? plane.p_point : plane.n_point;
     const double distance = along ? plane.p_distance : plane.n_distance;
@@ -210,16 +217,14 @@ void draw_frustum(Brush& brush, const FrustumShown& shown) {
   draw_camera(brush, pair);
   draw_volume(brush.canvas, solid_of(pair), {Stroke::kSolid, p.previous, brush.stroke(0.9f), 0.6f * p.fill});
   const bool outside = shown.finished && shown.verdict == Culling::kOutside;
-  draw_volume(brush.canvas, fit::Volume3(pair.boxes[0]),
-              {Stroke::kSolid, outside ? p.wrong : p.current, brush.stroke(), p.fill});
-  for (int i = 0; i < 2; ++i) {
-    draw_center(brush, pair.boxes[i].center, i == 1 ? p.previous : outside ? p.wrong : p.current);
-    draw_knobs(brush, pair, i);
-  }
+  draw_body(brush, pair, outside ? p.wrong : p.current);
+  draw_center(brush, pair.boxes[1].center, p.previous);
+  draw_knobs(brush, pair, 1);
   const Color verdict = outside                                                     ? p.wrong_text
                         : shown.finished && shown.verdict == Culling::kIntersecting ? p.examined_text
                                                                                     : p.current_text;
-  brush.label(lowest_corner(brush.canvas, pair), 16, {0, 1}, verdict_words(shown), verdict, Face::kSemiBold, 15);
+  brush.label(lowest_corner(brush.canvas, pair), 16, {0, 1}, verdict_words(shown, brush.session), verdict,
+              Face::kSemiBold, 15);
   if (shown.plane_at >= 0) draw_plane(brush, pair, shown);
   if (shown.plane && !shown.plane_asked) draw_distances(brush, pair, *shown.plane);
   draw_corners(brush, shown);

@@ -7,6 +7,14 @@
 
 namespace snug::app {
 
+/// The frustum's vertices and faces, in the order of a box's.
+[[nodiscard]] Polytope solid_of(const lesson::BoxPair& pair);
+/// Draws the body: a box, a ball with the frustum's planes moved out by its radius, or a point.
+void draw_body(Brush& brush, const lesson::BoxPair& pair, Color color);
+/// Draws the distance of a ball's or a point's centre from the plane, and the ball's radius towards it and away.
+void draw_center_distance(Brush& brush, const query::PlaneTested<double, 3>& plane, const Point3& normal,
+                          const lesson::BoxPair& pair);
+
 void draw_frustum(Brush& brush, const FrustumShown& shown);
 /// Marks the p- and the n-vertex with their letters.
 void mark_frustum(Brush& brush, const FrustumShown& shown);

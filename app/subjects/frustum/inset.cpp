@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace snug::app {
@@ -37,8 +38,25 @@ std::optional<Piece> clipped(const Eye& eye, Point3 a, Point3 b) {
   return Piece{a, b};
 }
 
+/// A circle around a ball, across the view; in 2-D its diameter. A point is drawn as a small one.
+std::vector<Piece> ball_seen(const Eye& eye, const lesson::BoxPair& pair) {
+  constexpr int kPieces = 24;
+  const double least = 0.02 * pair.boxes[1].half_extents[0];
+  const double radius = std::max(pair.boxes[0].half_extents[0], least);
+  const auto at = [&](int k) {
+    const double angle = 2 * std::numbers::pi * k / kPieces;
+    return eye.seen(pair.boxes[0].center + eye.camera.axes.col(0) * (radius * std::cos(angle)) +
+                    eye.camera.axes.col(1) * (radius * std::sin(angle)));
+  };
+  std::vector<Piece> pieces;
+  for (int k = 0; k < kPieces; ++k)
+    if (const auto piece = clipped(eye, at(k), at(k + 1))) pieces.push_back(*piece);
+  return pieces;
+}
+
 /// The box's edges as the camera sees them.
 std::vector<Piece> edges_seen(const Eye& eye, const lesson::BoxPair& pair) {
+  if (pair.form != lesson::Form::kBox) return ball_seen(eye, pair);
   std::vector<Piece> pieces;
   for (int from = 0; from < 1 << pair.dim; ++from)
     for (int axis = 0; axis < pair.dim; ++axis) {
@@ -52,6 +70,10 @@ std::vector<Piece> edges_seen(const Eye& eye, const lesson::BoxPair& pair) {
 /// The least and the greatest depth of the box's vertices.
 std::array<double, 2> depths(const Eye& eye, const lesson::BoxPair& pair) {
   double least = 1e300, greatest = -1e300;
+  if (pair.form != lesson::Form::kBox) {
+    const double depth = eye.seen(pair.boxes[0].center)[2], radius = pair.boxes[0].half_extents[0];
+    return {depth - radius, depth + radius};
+  }
   for (int bits = 0; bits < 1 << pair.dim; ++bits) {
     const double depth = eye.seen(lesson::corner_of(pair.boxes[0], bits))[2];
     least = std::min(least, depth), greatest = std::max(greatest, depth);
@@ -202,7 +224,8 @@ Rect draw_from_camera(Brush& brush, const FrustumShown& shown, float top) {
   if (shown.plane_at >= 0)
     path(brush.list, side_in(image, inset.pair.dim, shown.plane_at), false, Stroke::kSolid, p.examined,
          brush.stroke(1.4f));
-  if (shown.plane && !shown.plane_asked) name_vertices(brush, inset, *shown.plane);
+  if (shown.plane && !shown.plane_asked && inset.pair.form == lesson::Form::kBox)
+    name_vertices(brush, inset, *shown.plane);
   brush.list->PopClipRect();
   if (ends.empty())
     text(brush.list, brush.look, Face::kRegular, 12, {low.x + kPad, high.y - brush.look.px(18)}, p.muted,

@@ -29,7 +29,8 @@ struct FrustumFiller {
     shown.plane = fact;
     shown.verdict = fact.so_far;
     for (const int corner : {fact.p_vertex, fact.n_vertex})
-      shown.vertices.push_back(lesson::index_of(session.dim(), {lesson::BoxHandle::Kind::kCorner, 0, corner}));
+      if (corner >= 0)
+        shown.vertices.push_back(lesson::index_of(session.dim(), {lesson::BoxHandle::Kind::kCorner, 0, corner}));
   }
   void operator()(const Corner&) const { shown.corners = corners_tested(steps); }
   /// Keeps the plane that the whole box is outside of. Without such a plane, the vertices tested last mean nothing, and

@@ -25,7 +25,7 @@ class FrustumView final : public SubjectView {
   }
   /// A centre has its box's name and a knob its arc; the frustum's vertices need no names.
   [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override {
-    const lesson::BoxHandle place = lesson::place_of(session.dim(), i);
+    const lesson::BoxHandle place = lesson::place_of(lesson::boxes_of(session.subject()), i);
     return place.kind == lesson::BoxHandle::Kind::kCorner && place.box == 0;
   }
   [[nodiscard]] bool names_answers_alone() const override { return true; }

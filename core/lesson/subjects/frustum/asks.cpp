@@ -32,7 +32,36 @@ Truth culling_truth(Culling culling, std::string sentence) {
 
 }  // namespace
 
+std::string about_center(const query::PlaneTested<double, 3>& fact, const std::string& body) {
+  const double distance = center_distance(fact), radius = (fact.p_distance - fact.n_distance) / 2;
+  const std::string away = number_text(std::abs(distance));
+  if (body == "point") {
+    const std::string value = "n · p + d is " + std::string(distance > 0 ? "+" : "") + number_text(distance);
+    if (distance == 0 || fact.looked_closer)
+      return value + ", within rounding error of 0; exact arithmetic says " + culling_name(fact.side) + ".";
+    return value + (fact.side == Culling::kOutside ? ": the point is in its positive half-space, outside the frustum."
+                                                   : ": the point is in its negative half-space.");
+  }
+  if (fact.looked_closer)
+    return "the " + body + " touches it within rounding error; exact arithmetic says " + culling_name(fact.side) + ".";
+  std::string words = "the centre is " + std::string(distance > 0 ? "outside" : "inside") + " by " + away +
+                      ", and the radius is " + number_text(radius);
+  if (fact.side == Culling::kOutside && !(fact.n_distance > 0))
+    return words + ": n · c + d + r is above 0, so this test says outside.";
+  switch (fact.side) {
+    case Culling::kOutside: return words + ": the whole " + body + " is outside.";
+    case Culling::kInside: return words + ": the whole " + body + " is inside.";
+    case Culling::kIntersecting: break;
+  }
+  return words + ": the " + body + " crosses it.";
+}
+
+std::string rejected_words(const std::string& body) {
+  return body == "point" ? "point is beyond" : "whole " + body + " is beyond";
+}
+
 const char* offer_vertices(Asked& asked, const Run& run) {
+  if (!of_box(plane_of(asked, run))) return "\"p_vertex\" and \"n_vertex\" are asked of boxes";
   if (plane_of(asked, run).skipped) return "\"p_vertex\" and \"n_vertex\" cannot be asked of a skipped plane";
   asked.stage_points = vertices_of(asked.dim, 0);
   for (int vertex = 0; vertex < 1 << asked.dim; ++vertex)
@@ -52,6 +81,9 @@ Truth n_vertex_truth(const Asked& asked, const Run& run) { return vertex_truth(a
 Truth plane_side_truth(const Asked& asked, const Run& run) {
   const auto& tested = plane_of(asked, run);
   const std::string plane = " the " + plane_name(asked.dim, tested.plane) + " plane";
+  if (!of_box(tested)) {
+    return culling_truth(tested.side, "For" + plane + ", " + about_center(tested, frustum_run(run).body()));
+  }
   switch (tested.side) {
     case Culling::kOutside:
       return culling_truth(tested.side, "Even the n-vertex is outside" + plane + ", so the whole box is.");
@@ -66,10 +98,11 @@ Truth plane_side_truth(const Asked& asked, const Run& run) {
 Truth culling_verdict_truth(const Asked& asked, const Run& run) {
   const auto& result = std::get_if<query::Classified>(&frustum_run(run).trace()[asked.fact].step.fact)->result;
   if (result.rejected_by >= 0)
-    return culling_truth(result.verdict,
-                         "The whole box is outside the " + plane_name(asked.dim, result.rejected_by) + " plane.");
+    return culling_truth(result.verdict, "The " + rejected_words(frustum_run(run).body()) + " the " +
+                                             plane_name(asked.dim, result.rejected_by) + " plane.");
   if (result.crossing != 0)
-    return culling_truth(result.verdict, "The box crosses " + plane_names(asked.dim, result.crossing) +
+    return culling_truth(result.verdict, "The " + frustum_run(run).body() + " crosses " +
+                                             plane_names(asked.dim, result.crossing) +
                                              " and is not entirely outside any.");
   return culling_truth(result.verdict, "This test says " + culling_name(result.verdict) + ".");
 }

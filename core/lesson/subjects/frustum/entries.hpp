@@ -20,6 +20,13 @@ Truth n_vertex_truth(const Asked& asked, const Run& run);
 Truth plane_side_truth(const Asked& asked, const Run& run);
 Truth culling_verdict_truth(const Asked& asked, const Run& run);
 
+/// Whether a plane was tested against a box, by its vertices; else against a ball or a point, by its centre.
+[[nodiscard]] inline bool of_box(const query::PlaneTested<double, 3>& fact) { return fact.p_vertex >= 0; }
+/// What the test of a plane says by the centre of a ball, or of a point. body: "circle"
+[[nodiscard]] std::string about_center(const query::PlaneTested<double, 3>& fact, const std::string& body);
+/// "whole box is beyond", "point is beyond"
+[[nodiscard]] std::string rejected_words(const std::string& body);
+
 template <>
 struct Entry<query::PlaneTested<double, 3>> : EntryDefaults {
   using Fact = query::PlaneTested<double, 3>;
@@ -29,6 +36,7 @@ struct Entry<query::PlaneTested<double, 3>> : EntryDefaults {
   static std::string sentence(const Fact& fact, const FrustumWhere& where) {
     std::string plane = plane_name(where.dim(), fact.plane) + " plane: ";
     plane.front() = static_cast<char>(plane.front() - 'a' + 'A');
+    if (!of_box(fact) && !fact.skipped) return plane + about_center(fact, where.body());
     const std::string p = "p-vertex " + sign_name(where.dim(), fact.p_vertex),
                       n = "n-vertex " + sign_name(where.dim(), fact.n_vertex);
     const std::string p_by = number_text(std::abs(fact.p_distance)), n_by = number_text(std::abs(fact.n_distance));
@@ -45,12 +53,15 @@ struct Entry<query::PlaneTested<double, 3>> : EntryDefaults {
   }
   /// The p-vertex, then the n-vertex.
   static std::vector<Index> handles(const Fact& fact, const FrustumWhere& where) {
+    if (!of_box(fact)) return {0};
     std::vector<Index> named;
     for (const int vertex : {fact.p_vertex, fact.n_vertex})
       if (!fact.skipped) named.push_back(index_of(where.dim(), {BoxHandle::Kind::kCorner, 0, vertex}));
     return named;
   }
-  static std::string predicate(const Fact&, const FrustumWhere&, bool) { return "are the p- and the n-vertex"; }
+  static std::string predicate(const Fact& fact, const FrustumWhere&, bool) {
+    return of_box(fact) ? "are the p- and the n-vertex" : "is tested against the plane";
+  }
   static std::optional<Mark::Kind> mark(const Fact& fact, const FrustumWhere&) {
     return fact.side == query::Culling::kOutside ? std::optional(Mark::Kind::kBest) : std::nullopt;
   }
@@ -81,14 +92,18 @@ struct Entry<query::Classified> : EntryDefaults {
     using query::Culling;
     const query::CullResult& result = fact.result;
     if (result.rejected_by >= 0)
-      return "Outside: the whole box is beyond the " + plane_name(where.dim(), result.rejected_by) + " plane; " +
-             std::to_string(result.planes_tested) +
+      return "Outside: the " + rejected_words(where.body()) + " the " + plane_name(where.dim(), result.rejected_by) +
+             " plane; " + std::to_string(result.planes_tested) +
              (result.planes_tested == 1 ? " plane was tested." : " planes were tested.");
     if (result.verdict == Culling::kOutside)
-      return "No vertex lies in the frustum, so this test says outside; the proof says whether that is right.";
-    if (result.verdict == Culling::kInside) return "Inside: every vertex of the box is inside every plane.";
+      return (where.body() == "box" ? "No vertex lies in the frustum"
+                                    : "Part of the " + where.body() + " is outside a plane") +
+             ", so this test says outside; the proof says whether that is right.";
+    if (result.verdict == Culling::kInside)
+      return where.body() == "box" ? "Inside: every vertex of the box is inside every plane."
+                                   : "Inside: the " + where.body() + " is inside every plane.";
     if (result.crossing == 0) return "Intersecting: some vertices lie in the frustum and some do not.";
-    return "Intersecting: the box crosses " + plane_names(where.dim(), result.crossing) +
+    return "Intersecting: the " + where.body() + " crosses " + plane_names(where.dim(), result.crossing) +
            " and is not entirely outside any.";
   }
   static std::optional<Mark::Kind> mark(const Fact&, const FrustumWhere&) { return Mark::Kind::kReplaced; }

@@ -11,11 +11,16 @@ template class FactRun<FrustumRun, FrustumStep>;
 
 namespace {
 
-/// The goals: a box that this wrong test loses, although it shares a point with the frustum.
-constexpr std::array<std::string_view, 1> kFrustumGoals{"corners_outside"};
+/// The goals: a box that this wrong test loses, although it shares a point with the frustum; a circle or sphere that
+/// this one loses; a body that the right test keeps, although it shares none.
+constexpr std::string_view kFalsePositive = "false_positive";
+constexpr std::array<std::string_view, 3> kFrustumGoals{"corners_outside", "wrong_sign", kFalsePositive};
 
-std::vector<std::string_view> frustum_volumes() { return {kFrustumBox}; }
-std::span<const Method> frustum_methods(std::string_view) { return frustum_tests(); }
+std::vector<std::string_view> frustum_volumes() { return {kFrustumBox, kFrustumSphere, kFrustumPoint}; }
+
+Form form_of(std::string_view volume) {
+  return volume == kFrustumSphere ? Form::kBall : volume == kFrustumPoint ? Form::kPoint : Form::kBox;
+}
 
 Done check_frustum(const BoxPair& pair) {
   if (pair.dim == 2) {
@@ -26,9 +31,10 @@ Done check_frustum(const BoxPair& pair) {
   return check_places(pair);
 }
 
-BoxPair read_box_and_frustum(TomlTable& table, int dim, double taper) {
-  BoxPair pair = read_pair(table, dim, taper);
-  if (!(pair.boxes[1].half_extents.head(dim).minCoeff() > 0))
+/// like: with its dimension, taper and form.
+BoxPair read_body_and_frustum(TomlTable& table, const BoxPair& like) {
+  BoxPair pair = read_pair(table, like.dim, like.taper, like.form);
+  if (!(pair.boxes[1].half_extents.head(like.dim).minCoeff() > 0))
     table.wrong("half_extents", "of a frustum must be above 0");
   else if (const Done fine = check_frustum(pair); !fine) table.wrong("center", fine.error().what);
   return pair;
@@ -41,13 +47,14 @@ void read_frustum(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   const std::size_t before = complaints.count();
   const double taper = own.number("taper", 1);
   if (taper == 1 && own.has("taper") && complaints.count() == before) own.wrong("taper", "must be above 0 and below 1");
-  tables->boxes = read_box_and_frustum(own, lesson.points.dim, taper);
+  tables->boxes =
+      read_body_and_frustum(own, {.dim = lesson.points.dim, .form = form_of(lesson.volume), .taper = taper});
   own.refuse_others();
   lesson.tables = std::move(tables);
 }
 
 Rows read_frustum_model(TomlTable& task, const Lesson& lesson, Complaints& complaints) {
-  return read_box_model(task, lesson, complaints, &read_box_and_frustum);
+  return read_box_model(task, lesson, complaints, &read_body_and_frustum);
 }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_frustum(const Lesson& lesson, std::optional<io::PointFile>,
@@ -60,7 +67,7 @@ tl::expected<std::unique_ptr<Subject>, InputError> open_frustum(const Lesson& le
 const SubjectRow kFrustumRow{.name = "frustum",
                              .table = "boxes",
                              .volumes = &frustum_volumes,
-                             .methods = &frustum_methods,
+                             .methods = &frustum_tests,
                              .facts = &FactList<FrustumStep::Fact>::names,
                              .askings = &FactList<FrustumStep::Fact>::askings,
                              .read = &read_frustum,
@@ -68,37 +75,102 @@ const SubjectRow kFrustumRow{.name = "frustum",
                              .goals = kFrustumGoals,
                              .open = &open_frustum};
 
+namespace {
+
+/// "Box", "Circle"
+std::string body_name(const BoxPair& pair) {
+  std::string name = body_word(pair);
+  name.front() = static_cast<char>(name.front() - 'a' + 'A');
+  return name;
+}
+
+/// Words about a body: of a box, a circle, a sphere, a point.
+struct BodyWords {
+  std::string_view heading, name, stage, tools;
+};
+const BodyWords& words_for(const BoxPair& pair) {
+  static constexpr BodyWords kBox{"Box", "the box", "a box and a view frustum", "Box and frustum"},
+      kCircle{"Circle", "the circle", "a circle and a view frustum", "Circle and frustum"},
+      kSphere{"Sphere", "the sphere", "a sphere and a view frustum", "Sphere and frustum"},
+      kPoint{"Point", "the point", "a point and a view frustum", "Point and frustum"};
+  if (pair.form == Form::kPoint) return kPoint;
+  return pair.form == Form::kBox ? kBox : pair.dim == 2 ? kCircle : kSphere;
+}
+
+}  // namespace
+
 std::string FrustumSubject::name_of(Index i) const {
-  const BoxHandle place = place_of(dim(), i);
+  const BoxHandle place = place_of(boxes(), i);
   if (place.kind == BoxHandle::Kind::kCorner)
     return place.box == 0 ? sign_name(dim(), place.number) : "F" + std::to_string(place.number);
-  const std::string box = place.box == 0 ? "Box" : "Frustum";
-  return place.kind == BoxHandle::Kind::kCenter ? box : box + (place.number == 0 ? " turn" : " roll");
+  const std::string body = place.box == 0 ? body_name(boxes()) : "Frustum";
+  if (place.kind == BoxHandle::Kind::kRadius) return body + " radius";
+  return place.kind == BoxHandle::Kind::kCenter ? body : body + (place.number == 0 ? " turn" : " roll");
+}
+
+std::string_view FrustumSubject::stage_says() const { return words_for(boxes()).stage; }
+
+Tools FrustumSubject::tools() const {
+  const BodyWords& words = words_for(boxes());
+  return {boxes().form == Form::kBox ? "Boxes" : words.heading, words.tools};
+}
+
+BoxSubject::Words FrustumSubject::words_of(int box) const {
+  if (box == 1) return {"Frustum", "the frustum", "Half depth, far face"};
+  const BodyWords& words = words_for(boxes());
+  return {words.heading, words.name, boxes().form == Form::kBall ? "Radius" : "Half extents"};
 }
 
 Done FrustumSubject::check(const BoxPair& pair) const { return check_frustum(pair); }
 
 std::unique_ptr<Run> FrustumSubject::run(const Method& method, std::unique_ptr<Run>) const {
-  return std::make_unique<FrustumRun>(dim(), record_frustum(method.name, boxes()));
+  return std::make_unique<FrustumRun>(boxes(), record_frustum(method.name, boxes()));
 }
 
 std::string FrustumSubject::opening(const Method& method) const {
-  return std::string(method.title) + ", box and frustum: nothing is known yet. Take the first step.";
+  return std::string(method.title) + ", " + body_word(boxes()) +
+         " and frustum: nothing is known yet. Take the first step.";
 }
 
 std::vector<Figure> FrustumSubject::figures(const View& view) const { return frustum_figures(view, boxes()); }
 std::vector<Proof> FrustumSubject::proofs(const View& view) const { return frustum_proofs(view, boxes()); }
 
-/// Whether the wrong test calls the box outside, which it is not.
-bool FrustumSubject::reaches(std::string_view) const {
-  return says_of_box("corners_outside", boxes()) == query::Culling::kOutside && share_a_point(boxes()).value_or(false);
+namespace {
+
+/// The right test of the body.
+std::string_view right_test(const BoxPair& pair) {
+  return pair.form == Form::kBox ? "p_n_vertex" : pair.form == Form::kBall ? "grown_planes" : "half_spaces";
+}
+
+bool fits(std::string_view goal, const BoxPair& pair) {
+  if (goal == "corners_outside") return pair.form == Form::kBox;
+  return goal != "wrong_sign" || pair.form == Form::kBall;
+}
+
+}  // namespace
+
+bool FrustumSubject::reaches(std::string_view goal) const {
+  if (!fits(goal, boxes())) return false;
+  if (goal == kFalsePositive)
+    return verdict_of(right_test(boxes()), boxes()) == query::Culling::kIntersecting &&
+           !share_a_point(boxes()).value_or(true);
+  return verdict_of(goal, boxes()) == query::Culling::kOutside && share_a_point(boxes()).value_or(false);
 }
 
 std::string FrustumSubject::goal_says(std::string_view goal) const {
-  if (reaches(goal)) return "This box is lost: the wrong test says outside, yet the box reaches into the frustum.";
-  if (says_of_box("corners_outside", boxes()) != query::Culling::kOutside)
-    return "The wrong test keeps this box: a vertex of it lies in the frustum.";
-  return "The wrong test says outside, and it is right here: the box does not touch the frustum.";
+  const std::string body = body_word(boxes());
+  if (goal == kFalsePositive) {
+    if (reaches(goal)) return "A false positive: the test says intersecting, yet the " + body + " touches nothing.";
+    const query::Culling says = verdict_of(right_test(boxes()), boxes());
+    if (says != query::Culling::kIntersecting) return "The test says " + culling_name(says) + ".";
+    return "The test says intersecting, and it is right here: the " + body + " reaches into the frustum.";
+  }
+  if (reaches(goal))
+    return "This " + body + " is lost: the wrong test says outside, yet the " + body + " reaches into the frustum.";
+  if (fits(goal, boxes()) && verdict_of(goal, boxes()) == query::Culling::kOutside)
+    return "The wrong test says outside, and it is right here: the " + body + " does not touch the frustum.";
+  return boxes().form == Form::kBox ? "The wrong test keeps this box: a vertex of it lies in the frustum."
+                                    : "The wrong test keeps this " + body + ": all of it lies in the frustum.";
 }
 
 }  // namespace snug::lesson

@@ -1,4 +1,4 @@
-// A box and a frustum, and the tests that classify the box.
+// A body and a frustum, and the tests that classify the body.
 #pragma once
 
 #include "lesson/boxes.hpp"
@@ -11,19 +11,26 @@ extern const SubjectRow kFrustumRow;
 
 class FrustumRun final : public FactRun<FrustumRun, FrustumStep> {
  public:
-  FrustumRun(int dim, FrustumTrace trace) : dim_(dim), trace_(std::move(trace)) {}
+  FrustumRun(const BoxPair& pair, FrustumTrace trace)
+      : dim_(pair.dim), body_(body_word(pair)), box_(pair.form == Form::kBox), trace_(std::move(trace)) {}
   [[nodiscard]] FrustumSteps trace() const { return trace_; }
+  [[nodiscard]] const std::string& body() const { return body_; }
   /// Every vertex of the box.
-  [[nodiscard]] std::vector<Index> candidates(int) const override { return vertices_of(dim_, 0); }
+  [[nodiscard]] std::vector<Index> candidates(int) const override {
+    return box_ ? vertices_of(dim_, 0) : std::vector<Index>{};
+  }
   struct Where {
     const FrustumRun& run;
     int i;
     const Untold* untold;
     [[nodiscard]] int dim() const { return run.dim_; }
+    [[nodiscard]] const std::string& body() const { return run.body_; }
   };
 
  private:
   int dim_;
+  std::string body_;  // "box"
+  bool box_;
   FrustumTrace trace_;
 };
 
@@ -37,13 +44,11 @@ class FrustumSubject final : public BoxSubject {
   FrustumSubject(const BoxPair& pair, std::uint64_t seed) : BoxSubject(pair, seed) {}
   [[nodiscard]] const SubjectRow& row() const override { return kRow; }
   [[nodiscard]] std::unique_ptr<Subject> clone() const override { return std::make_unique<FrustumSubject>(*this); }
-  /// "Box", "Box turn", "+−" (sign_name), "Frustum", "Frustum turn", "F3".
+  /// "Box", "Box turn", "+−" (sign_name), "Circle", "Circle radius", "Point", "Frustum", "Frustum turn", "F3".
   [[nodiscard]] std::string name_of(Index i) const override;
-  [[nodiscard]] std::string_view stage_says() const override { return "a box and a view frustum"; }
-  [[nodiscard]] Tools tools() const override { return {"Boxes", "Box and frustum"}; }
-  [[nodiscard]] Words words_of(int box) const override {
-    return box == 0 ? Words{"Box", "the box", "Half extents"} : Words{"Frustum", "the frustum", "Half depth, far face"};
-  }
+  [[nodiscard]] std::string_view stage_says() const override;
+  [[nodiscard]] Tools tools() const override;
+  [[nodiscard]] Words words_of(int box) const override;
   [[nodiscard]] std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const override;
   [[nodiscard]] std::string opening(const Method& method) const override;
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;

@@ -1,5 +1,7 @@
 #include "lesson/subjects/frustum/frustum_box.hpp"
 
+#include "lesson/words.hpp"
+
 namespace snug::lesson {
 
 FrustumCamera<double, 3> camera_of(const BoxPair& pair) {
@@ -41,6 +43,11 @@ std::pair<int, bool> face_on_plane(int dim, int plane) {
   if (plane >= 2 * dim - 2) return {0, second};
   if (dim == 2) return {1, !second};
   return {plane < 2 ? 2 : 1, second};
+}
+
+std::string body_word(const BoxPair& pair) {
+  if (pair.form == Form::kPoint) return "point";
+  return pair.form == Form::kBall ? std::string(ball_word(pair.dim)) : "box";
 }
 
 std::string plane_name(int dim, int plane) {

@@ -1,4 +1,5 @@
-// A box and a frustum on the stage, stored as a pair of boxes (boxes.hpp) whose second one tapers. Its axis 0 is the
+// A body and a frustum on the stage, stored as a pair of boxes (boxes.hpp) whose second one tapers. The body is a box,
+// a ball or a point. Its axis 0 is the
 // camera's viewing direction, half_extents[0] is half of the depth, the others are half of the far face; the near face
 // is taper times as wide.
 #pragma once
@@ -29,6 +30,9 @@ template <int Dim>
 
 /// 4 in 2-D, 6 in 3-D.
 [[nodiscard]] inline int planes_of_frustum(int dim) { return 2 * dim; }
+/// "box", "point", and of a ball "circle" or "sphere".
+[[nodiscard]] std::string body_word(const BoxPair& pair);
+
 /// "left".
 [[nodiscard]] std::string plane_name(int dim, int plane);
 /// "the left and near planes".

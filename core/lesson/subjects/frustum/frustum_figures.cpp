@@ -19,7 +19,7 @@ class FrustumBoard {
   }
 
   std::vector<Figure> figures() && {
-    const bool by_planes = view_.method().name == "p_n_vertex";
+    const bool by_planes = view_.method().name == "p_n_vertex", by_center = view_.method().volume != kFrustumBox;
     const int plane = plane_at(steps_.first(view_.step));
     const bool any = plane >= 0;
     add("Plane", "plane", any ? plane_name(dim_, plane) : "", plane, "");
@@ -29,14 +29,21 @@ class FrustumBoard {
       length("n-vertex" + (any ? name_of(tested_.n_vertex) : ""), "n_distance", tested_.n_distance, any);
       add("Planes tested", "planes_tested", std::to_string(planes_) + " of " + std::to_string(planes_of_frustum(dim_)),
           planes_, "planes");
+    } else if (by_center) {
+      const double radius = (tested_.p_distance - tested_.n_distance) / 2;
+      const bool point = view_.method().volume == kFrustumPoint;
+      length(point ? "n · p + d" : "n · c + d", "distance", tested_.n_distance + radius, any);
+      if (!point) add("Radius", "radius", any ? number_text(radius) + " units" : "", radius, "units");
+      add("Planes tested", "planes_tested", std::to_string(planes_) + " of " + std::to_string(planes_of_frustum(dim_)),
+          planes_, "planes");
     } else {
       const bool known = any && !done_;
       length(known ? "Vertex" + name_of(corner_.corner) : "Vertex", "distance", corner_.distance, known);
     }
     const auto looked = view_.step > 0 ? steps_[view_.step - 1].counts[kTests] : 0;
-    add("Vertex tests", "corners", std::to_string(looked), static_cast<double>(looked), "");
-    add(done_ ? "Verdict" : "Verdict so far", "verdict", view_.step > 0 && (done_ || by_planes) ? word(verdict_) : "",
-        static_cast<double>(verdict_), "");
+    if (!by_center) add("Vertex tests", "corners", std::to_string(looked), static_cast<double>(looked), "");
+    add(done_ ? "Verdict" : "Verdict so far", "verdict",
+        view_.step > 0 && (done_ || by_planes || by_center) ? word(verdict_) : "", static_cast<double>(verdict_), "");
     return std::move(figures_);
   }
 
@@ -101,14 +108,21 @@ std::vector<Proof> frustum_proofs(const View& view, const BoxPair& pair) {
   const auto shares = share_a_point(pair);
   if (end == nullptr || !shares) return {};
   const Culling says = end->result.verdict;
+  const std::string body = body_word(pair), both = body + " and frustum share ";
+  const bool box = pair.form == Form::kBox;
   std::vector<Proof> proofs{{"this test says: " + word(says), true, true}};
   if (says == Culling::kOutside && *shares)
-    proofs.push_back({"wrong: box and frustum share points, for no axis separates them", false, true});
-  else if (says == Culling::kOutside) proofs.push_back({"right: box and frustum share no point", true, true});
-  else if (says == Culling::kInside) proofs.push_back({"right: every vertex is inside every plane", true, true});
-  else if (*shares) proofs.push_back({"right: they share points, and a vertex is outside", true, true});
-  else proofs.push_back({"a false positive: the box is outside, though no single plane shows it", false, false});
-  proofs.push_back({"decided in exact arithmetic", true, true});
+    proofs.push_back({"wrong: " + both + (box ? "points, for no axis separates them" : "points"), false, true});
+  else if (says == Culling::kOutside) proofs.push_back({"right: " + both + "no point", true, true});
+  else if (says == Culling::kInside)
+    proofs.push_back(
+        {"right: " + std::string(box ? "every vertex" : "the " + body) + " is inside every plane", true, true});
+  else if (*shares) proofs.push_back({"right: they share points, and a part is outside", true, true});
+  else
+    proofs.push_back({"a false positive: the " + body + " is outside, though no single plane shows it", false, false});
+  proofs.push_back(pair.form == Form::kBall
+                       ? Proof{"checked by the distance from the frustum, within rounding", true, true}
+                       : Proof{"decided in exact arithmetic", true, true});
   return proofs;
 }
 

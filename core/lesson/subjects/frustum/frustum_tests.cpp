@@ -1,11 +1,14 @@
 #include "lesson/subjects/frustum/frustum_tests.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "fit/lift.hpp"
 #include "query/classify.hpp"
 #include "query/classify_corners.hpp"
+#include "query/classify_sphere.hpp"
 #include "query/frustum_sat.hpp"
+#include "query/gjk.hpp"
 #include "query/wrong_corners_outside.hpp"
 
 namespace snug::lesson {
@@ -37,6 +40,15 @@ constexpr auto kOneBoxPseudocode = [] {
 }();
 int without_skip(int line) { return line > query::ClassifyLine::kSkip ? line - 1 : line; }
 
+constexpr std::array<std::string_view, 4> kPointPseudocode{
+    "for each plane n, d of the frustum",
+    "  v ← n · p + d",
+    "  outside if v > 0",
+    "inside",
+};
+/// The lines of the test of a box, without its first and without the choice of vertices.
+int line_of_point(int line) { return line == query::ClassifyLine::kVerdict ? 3 : 2; }
+
 constexpr std::string_view kWrongCorners = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007";
 constexpr std::array kFrustumTests{
     Method{kFrustumBox, "p_n_vertex", "P- and n-vertex",
@@ -45,6 +57,9 @@ constexpr std::array kFrustumTests{
            query::kClassifyCornersPseudocode},
     Method{kFrustumBox, "corners_outside", "All vertices outside (wrong)", kWrongCorners,
            query::kCornersOutsidePseudocode},
+    Method{kFrustumSphere, "grown_planes", "Planes moved out by r", kWrongCorners, query::kClassifySpherePseudocode},
+    Method{kFrustumSphere, "wrong_sign", "Planes moved in by r (wrong)", kWrongCorners, query::kWrongSignPseudocode},
+    Method{kFrustumPoint, "half_spaces", "Half-spaces", kWrongCorners, kPointPseudocode},
 };
 
 template <int Dim>
@@ -54,26 +69,51 @@ Obb<double, Dim> box_of(const BoxPair& pair) {
 }
 
 template <int Dim>
+Sphere<double, Dim> ball_of(const Obb<double, Dim>& box) {
+  return {box.center, box.half_extents[0]};
+}
+
+template <int Dim>
 FrustumTrace record_in(std::string_view test, const BoxPair& pair) {
   FrustumTrace trace;
   const auto frustum = frustum_of<Dim>(pair);
   if (!frustum) return trace;
   const Obb<double, Dim> box = box_of<Dim>(pair);
   query::ClassifyRecorder<double, Dim> recorder;
-  if (test == "corners_per_plane") query::classify_corners(*frustum, box, recorder);
+  if (test == "half_spaces") query::classify(*frustum, box.center, {}, recorder);
+  else if (test == "grown_planes") query::classify(*frustum, ball_of(box), {}, recorder);
+  else if (test == "wrong_sign") query::wrong_sphere_sign(*frustum, ball_of(box), recorder);
+  else if (test == "corners_per_plane") query::classify_corners(*frustum, box, recorder);
   else if (test == "corners_outside") query::corners_outside(*frustum, box, recorder);
   else query::classify(*frustum, box, {}, recorder);
   for (const auto& [step, counts] : recorder.entries) {
     trace.push_back({in_space(step), counts});
-    if (test == "p_n_vertex") trace.back().step.line = without_skip(step.line);
+    int& line = trace.back().step.line;
+    if (test == "p_n_vertex") line = without_skip(step.line);
+    if (test == "half_spaces") line = line_of_point(step.line);
+    if (test == "grown_planes") line = query::line_of_sphere(step.line);
   }
   return trace;
+}
+
+/// GJK on the frustum's rounded vertices.
+template <int Dim>
+std::optional<bool> shares_with_ball(const Frustum<double, Dim>& frustum, const Sphere<double, Dim>& ball) {
+  const auto corners = corners_of(frustum);
+  if (!corners) return std::nullopt;
+  ConvexHull<double, Dim> hull;
+  hull.vertices.assign(corners->begin(), corners->end());
+  const auto apart = query::gjk(Volume<double, Dim>(ball), Volume<double, Dim>(hull));
+  return !apart || apart->overlap;
 }
 
 template <int Dim>
 std::optional<bool> share_in(const BoxPair& pair) {
   const auto frustum = frustum_of<Dim>(pair);
   if (!frustum) return std::nullopt;
+  if (pair.form == Form::kPoint)
+    return query::classify(*frustum, box_of<Dim>(pair).center).verdict != query::Culling::kOutside;
+  if (pair.form == Form::kBall) return shares_with_ball<Dim>(*frustum, ball_of(box_of<Dim>(pair)));
   const auto exact = query::FrustumSat<double, Dim>::make(*frustum);
   if (!exact) return std::nullopt;
   return exact->overlaps(box_of<Dim>(pair));
@@ -81,13 +121,17 @@ std::optional<bool> share_in(const BoxPair& pair) {
 
 }  // namespace
 
-std::span<const Method> frustum_tests() { return kFrustumTests; }
+std::span<const Method> frustum_tests(std::string_view volume) {
+  const auto own = [&](const Method& test) { return test.volume == volume; };
+  const auto first = std::find_if(kFrustumTests.begin(), kFrustumTests.end(), own);
+  return {first, std::find_if_not(first, kFrustumTests.end(), own)};
+}
 
 FrustumTrace record_frustum(std::string_view test, const BoxPair& pair) {
   return pair.dim == 2 ? record_in<2>(test, pair) : record_in<3>(test, pair);
 }
 
-query::Culling says_of_box(std::string_view test, const BoxPair& pair) {
+query::Culling verdict_of(std::string_view test, const BoxPair& pair) {
   const FrustumTrace trace = record_frustum(test, pair);
   const auto* end = trace.empty() ? nullptr : std::get_if<query::Classified>(&trace.back().step.fact);
   return end != nullptr ? end->result.verdict : query::Culling::kIntersecting;

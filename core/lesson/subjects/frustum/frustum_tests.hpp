@@ -12,23 +12,31 @@
 
 namespace snug::lesson {
 
-/// The volume of a lesson about a box and a frustum.
-inline constexpr std::string_view kFrustumBox = "frustum_box";
+/// The volume of a lesson about a box and a frustum; about a ball; about a point.
+inline constexpr std::string_view kFrustumBox = "frustum_box", kFrustumSphere = "frustum_sphere",
+                                  kFrustumPoint = "frustum_point";
 
 /// A step in 3-D; from 2-D it has z = 0, and vertices keep their bits.
 using FrustumStep = query::ClassifyStep<double, 3>;
 using FrustumTrace = std::vector<Recorder<FrustumStep>::Entry>;
 using FrustumSteps = std::span<const Recorder<FrustumStep>::Entry>;
 
-/// "p_n_vertex", "corners_per_plane", and the wrong one, "corners_outside".
-[[nodiscard]] std::span<const Method> frustum_tests();
+/// Of a box "p_n_vertex", "corners_per_plane", and the wrong one, "corners_outside". Of a ball "grown_planes" and the
+/// wrong one, "wrong_sign". Of a point "half_spaces".
+[[nodiscard]] std::span<const Method> frustum_tests(std::string_view volume);
 /// pair: with a frustum that can be made.
 [[nodiscard]] FrustumTrace record_frustum(std::string_view test, const BoxPair& pair);
 
-/// What that test says of the box.
-[[nodiscard]] query::Culling says_of_box(std::string_view test, const BoxPair& pair);
+/// A ball's or a point's centre from a plane that was tested: positive outside, scene units.
+[[nodiscard]] inline double center_distance(const query::PlaneTested<double, 3>& fact) {
+  return fact.n_distance + (fact.p_distance - fact.n_distance) / 2;
+}
 
-/// Whether the box and the frustum share a point, exactly. None if the frustum is so thin that it has no vertices.
+/// What that test says.
+[[nodiscard]] query::Culling verdict_of(std::string_view test, const BoxPair& pair);
+
+/// Whether the body and the frustum share a point: of a box and of a point exactly, of a ball within rounding. None if
+/// the frustum is so thin that it has no vertices.
 [[nodiscard]] std::optional<bool> share_a_point(const BoxPair& pair);
 
 }  // namespace snug::lesson

@@ -26,7 +26,8 @@ void read_boxes(TomlTable& table, Lesson& lesson, Complaints& complaints) {
 }
 
 Rows read_pair_model(TomlTable& task, const Lesson& lesson, Complaints& complaints) {
-  return read_box_model(task, lesson, complaints, &read_pair);
+  return read_box_model(task, lesson, complaints,
+                        [](TomlTable& table, const BoxPair& like) { return read_pair(table, like.dim, 1); });
 }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_pair(const Lesson& lesson, std::optional<io::PointFile>,

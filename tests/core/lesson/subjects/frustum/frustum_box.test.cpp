@@ -44,7 +44,7 @@ std::string name_of(int dim, Index i) { return FrustumSubject(plain(dim, V3::Zer
 
 /// Whether the pair is what the lesson's task asks for.
 bool loses(const BoxPair& pair) {
-  return says_of_box("corners_outside", pair) == Culling::kOutside && share_a_point(pair) == true;
+  return verdict_of("corners_outside", pair) == Culling::kOutside && share_a_point(pair) == true;
 }
 
 /// A session on such a pair, which asks the given things of p_n_vertex.
@@ -192,8 +192,8 @@ TEST_CASE("box and frustum bear names of their own, and every place another") {
 
 TEST_CASE("the three tests: inside, intersecting, outside, and the box that the wrong one loses") {
   const auto says = [](const BoxPair& pair) {
-    return std::array{says_of_box("p_n_vertex", pair), says_of_box("corners_per_plane", pair),
-                      says_of_box("corners_outside", pair)};
+    return std::array{verdict_of("p_n_vertex", pair), verdict_of("corners_per_plane", pair),
+                      verdict_of("corners_outside", pair)};
   };
   for (const int dim : {2, 3}) {
     CAPTURE(dim);
@@ -310,7 +310,7 @@ TEST_CASE("figures and proof: the plane, the distances, the verdict, and whether
 
 TEST_CASE(
     "every line of the tests' pseudocode can be reached by one box: none is left for a parent that is not there") {
-  for (const Method& test : frustum_tests()) {
+  for (const Method& test : frustum_tests(kFrustumBox)) {
     CAPTURE(test.name);
     std::set<int> lit;
     for (const double x : {2.5, 1.0, -2.0})
