@@ -6,6 +6,7 @@
 #include "app/stage.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/speaking.hpp"
+#include "lesson/stored.hpp"
 
 namespace snug::app {
 namespace {
@@ -98,10 +99,19 @@ void Stage::draw_hovered(Brush& brush) const {
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
-/// Draws what a link in the prose marks, while it is pointed at.
+/// Draws what a link in the prose, or a member of a stored volume, marks while it is pointed at.
 void Stage::draw_lit(Brush& brush) const {
   if (lit_.empty()) return;
   const Palette& p = brush.p;
+  const auto draw_all = [&](Color color, float width, float radius) {
+    for (const std::vector<Point3>& points : lesson::stored_lines(brush.session, lit_)) {
+      for (std::size_t i = 1; i < points.size(); ++i)
+        draw_line(brush.canvas, points[i - 1], points[i], {Stroke::kSolid, color, width});
+      if (points.size() == 1) disc(brush.list, brush.at(points.front()), radius, color);
+    }
+  };
+  draw_all(p.ground, brush.stroke(2) + 4, brush.point_radius + 5);
+  draw_all(p.support, brush.stroke(2), brush.point_radius + 3);
   for (const Index i : lesson::marked_handles(brush.session, lit_)) {
     const ImVec2 at = brush.at(brush.point(i));
     const float radius = std::max(brush.point_radius, 4.0f) + 9;

@@ -156,7 +156,7 @@ void draw_lesson(Shell& shell, Column& column) {
   shell.links.clear();
   shell.figures = std::move(touch.figures);
   for (const PlacedLink& one : touch.links) shell.links.emplace_back(one.link->target, one.rect);
-  shell.app().light(marks ? std::string_view(meant->target) : std::string_view());
+  shell.app().light(marks ? std::string_view(meant->target) : std::string_view(shell.stored_lit));
   const bool pointed = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   if (pointed && ImGui::GetIO().MouseWheel != 0) shell.read_at = ImGui::GetTime();
   const bool reads = pointed || touch.focused != nullptr || ImGui::GetTime() - shell.read_at < kReads;
@@ -181,7 +181,7 @@ void draw_prose_panel(Shell& shell, const app::Rect& rect) {
     const app::Pane pane(shell.points_tab ? "##points" : "##prose", upper, app::Pane::Kind::kScrolls);
     pane.list()->AddRectFilled({upper.x, upper.y}, {upper.x + upper.width, upper.y + upper.height}, look->panel);
     Column column(look, upper.x + kMargin, upper.y + 20 - ImGui::GetScrollY(), upper.width - 2 * kMargin);
-    if (shell.points_tab) shell.app().light({}), draw_tools(shell, column);
+    if (shell.points_tab) shell.app().light(shell.stored_lit), draw_tools(shell, column);
     else draw_lesson(shell, column);
     ImGui::SetCursorScreenPos({column.x(), column.y() + 8});
     ImGui::Dummy({1, 1});

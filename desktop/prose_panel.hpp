@@ -1,5 +1,5 @@
 // The columns beside the stage: on the left the lesson's prose or the tools, with the controls of a cover below them;
-// on the right, below the numbers, the pseudocode.
+// on the right, below the numbers or how volumes are stored, the pseudocode.
 #pragma once
 
 #include "desktop/shell.hpp"

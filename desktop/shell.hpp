@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -89,6 +90,10 @@ class Shell {
   int hint_of = -1;              // the task whose hint is shown; -1 for none
   std::array<char, 96> typed{};  // what is typed to answer a question
   bool points_tab = false;
+  bool stored_tab = true;                                      // whether the right column shows how volumes are stored
+  std::vector<std::pair<std::string, app::Rect>> stored_rows;  // the members there: their marks and places
+  std::string stored_lit;                                      // the mark of the member that is pointed at there
+  std::map<std::string, std::pair<std::string, double>> stored_before;  // each member's numbers, and since when
   int slider = -1;                                        // the one that the keyboard is on, by its number; -1 for none
   std::vector<std::pair<std::size_t, app::Rect>> tracks;  // of the sliders, by their numbers
   bool task_wanted = false;                               // whether to scroll to the task in the next frame

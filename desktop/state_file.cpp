@@ -76,6 +76,12 @@ void add_places(Json& state, Shell& shell, float scale) {
   for (const auto& [target, at] : shell.links)
     state["links"].push_back(
         {{"to", target}, {"x", (at.x + at.width / 2) * scale}, {"y", (at.y + at.height / 2) * scale}});
+  state["stored"] = Json::array();
+  for (const auto& [mark, at] : shell.stored_rows)
+    state["stored"].push_back({{"mark", mark},
+                               {"text", shell.stored_before[mark].first},
+                               {"x", (at.x + at.width / 2) * scale},
+                               {"y", (at.y + at.height / 2) * scale}});
   state["figures"] = shell.figures;
   state["handles"] = Json::array();
   for (const app::Handle& handle : shell.app().handles())

@@ -26,8 +26,10 @@
 #include "desktop/question_card.hpp"
 #include "desktop/shell.hpp"
 #include "desktop/state_file.hpp"
+#include "desktop/stored_panel.hpp"
 #include "desktop/strip.hpp"
 #include "lesson/kept_answers.hpp"
+#include "lesson/stored.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -53,9 +55,24 @@ std::string font_bytes(std::string_view name) {
 
 /// The rectangles of all parts; empty for those that are not shown.
 struct Parts {
-  app::Rect window, header, strip, column, cover, title, code, controls;
+  app::Rect window, header, strip, column, cover, title, side_tabs, stored, code, controls;
   app::Layout app;
 };
+
+/// Where a lesson shows how volumes are stored, tabs over the numbers, and that in their place.
+void place_stored(Parts& parts, const app::Look& look, Shell& shell) {
+  if (shell.course_shown || shell.app().session() == nullptr || lesson::stored_of(shell.session()).empty()) {
+    shell.stored_lit.clear(), shell.stored_rows.clear();
+    return;
+  }
+  app::Rect& numbers = parts.app.inspector;
+  const float tabs = std::min(look.px(40), numbers.height);
+  parts.side_tabs = {numbers.x, numbers.y, numbers.width, tabs};
+  numbers.y += tabs, numbers.height -= tabs;
+  if (!shell.stored_tab) return shell.stored_lit.clear(), shell.stored_rows.clear();
+  parts.stored = numbers;
+  numbers.height = 0;
+}
 
 /// A presentation has no bar, and the lesson's text only on demand. The controls of a cover stand in the right column
 /// then.
@@ -88,6 +105,7 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   parts.code = {right, header + height - code, inspector, cover && lecture ? 0 : code};
   if (lecture && cover) parts.cover = {right, header + height - below, inspector, below};
   parts.app.inspector = {right, header + title, inspector, height - title - below};
+  place_stored(parts, look, shell);
   parts.app.tools = lecture ? presentation_reach(look) : 0;
   parts.app.foot = shell.foot;
   return parts;
@@ -122,8 +140,10 @@ void draw_stage_and_panels(Shell& shell, const Parts& parts, double now) {
   if (shown(parts.strip)) draw_strip(shell, parts.strip);
   if (shown(parts.title)) draw_title(shell, parts.title);
   if (shown(parts.column)) draw_prose_panel(shell, parts.column);
-  else shell.links.clear(), app.light({});
+  else shell.links.clear(), app.light(shell.stored_lit);
   if (shown(parts.cover)) draw_cover_panel(shell, parts.cover);
+  if (shown(parts.side_tabs)) draw_side_tabs(shell, parts.side_tabs);
+  if (shown(parts.stored)) draw_stored_panel(shell, parts.stored);
   if (shown(parts.code)) draw_code_panel(shell, parts.code);
   if (shown(parts.controls)) draw_controls(shell, parts.controls);
   app.frame(parts.app, now);

@@ -4,6 +4,7 @@
 
 #include "lesson/say.hpp"
 #include "lesson/speaking.hpp"
+#include "lesson/stored.hpp"
 #include "lesson/subjects.hpp"
 #include "number/fnv.hpp"
 #include "web/cover.hpp"
@@ -124,6 +125,37 @@ val close_up_object(const std::optional<app::CloseUp>& close_up, int dim) {
   return object;
 }
 
+val stored_form_object(const lesson::StoredForm& form) {
+  val object = val::object();
+  object.set("name", form.name);
+  object.set("bytes", form.bytes());
+  object.set("members", array_of(form.members, [](const lesson::StoredMember& member) {
+               val row = val::object();
+               row.set("declared", member.declared);
+               row.set("text", member.text);
+               row.set("mark", member.mark);
+               return row;
+             }));
+  object.set("operations", array_of(form.operations, [](const lesson::StoredOperation& operation) {
+               val row = val::object();
+               row.set("name", operation.name);
+               row.set("says", operation.says);
+               row.set("least", operation.least);
+               return row;
+             }));
+  return object;
+}
+
+/// How the volumes on the stage are stored.
+val stored_object(const lesson::Session& session) {
+  return array_of(lesson::stored_of(session), [](const lesson::StoredVolume& volume) {
+    val object = val::object();
+    object.set("title", volume.title);
+    object.set("forms", array_of(volume.forms, stored_form_object));
+    return object;
+  });
+}
+
 val switch_object(const lesson::Switch& one) {
   val object = val::object();
   object.set("effect", one.name);
@@ -161,6 +193,7 @@ val view_object(app::App& app, const lesson::Session& session) {
   object.set("proseFigures", prose_figures_object(session));
   set_points(object, app, session);
   set_sliders(object, session);
+  object.set("stored", stored_object(session));
   object.set("effects", array_of(session.switches(), switch_object));
   return object;
 }

@@ -4,10 +4,12 @@
 #include <array>
 
 #include "lesson/names.hpp"
+#include "lesson/stored.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/subjects/cost/cost.hpp"
 #include "lesson/subjects/frustum/frustum.hpp"
 #include "lesson/subjects/pair/pair.hpp"
+#include "lesson/subjects/pair/stored.hpp"
 #include "lesson/subjects/pair/volumes.hpp"
 #include "lesson/subjects/scene/scene.hpp"
 
@@ -16,6 +18,11 @@ namespace snug::lesson {
 std::span<const SubjectRow* const> subjects() {
   static constexpr std::array kSubjects{&kCloudRow, &kPairRow, &kVolumesRow, &kFrustumRow, &kSceneRow, &kCostRow};
   return kSubjects;
+}
+
+std::span<const StoredOn> stored_on_subjects() {
+  static constexpr std::array<StoredOn, 1> kStored{&stored_volumes};
+  return kStored;
 }
 
 const SubjectRow* find_subject(std::string_view volume, std::string_view chart) {

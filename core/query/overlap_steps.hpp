@@ -17,6 +17,11 @@ inline constexpr std::array<std::string_view, 4> kSlabsPseudocode{
     "  apart if one ends before the other begins",
     "if there is no such axis: they overlap",
 };
+inline constexpr std::array<std::string_view, 3> kSpheresPseudocode{
+    "d ← b.center - a.center",
+    "R ← a.radius + b.radius",
+    "apart if d · d > R · R",
+};
 inline constexpr std::array<std::string_view, 3> kDistancePseudocode{
     "p, q ← the cores' nearest points",
     "d ← |q - p|",
@@ -51,7 +56,7 @@ struct CoresCompared {
 
 struct OverlapStep {
   using Fact = std::variant<SlabTested, CoresCompared>;
-  int line = 0;  // of kSlabsPseudocode or kDistancePseudocode, counted from 0
+  int line = 0;  // of the test's pseudocode, counted from 0
   Fact fact;
 };
 

@@ -1,5 +1,6 @@
 // The column at the right of a wide window: the numbers have the room that they want and the pseudocode the rest. Where
-// the numbers fill the column, as the fifteen axes do, the pseudocode is a tab beside them.
+// the numbers fill the column, as the fifteen axes do, the pseudocode is a tab beside them. How the volumes are stored is
+// a tab as well, in the lessons that show it.
 import { by_id } from "./dom.js";
 import { TabList } from "./tab_list.js";
 
@@ -10,21 +11,27 @@ export class Side {
   #tabs;
   #of = null; // the lesson and the algorithm
   #since = 0; // frames drawn when they came; figures of before are not theirs
+  #stores = false; // whether the lesson shows how volumes are stored
   #most = 0; // pixels that the numbers have wanted at most
 
   constructor(door) {
     this.#door = door;
-    this.#tabs = new TabList(by_id("side-tabs"), [["numbers", "Numbers"], ["code", "Code"]], (id) => this.#choose(id));
+    this.#tabs = new TabList(by_id("side-tabs"), [["stored", "Stored as"], ["numbers", "Numbers"], ["code", "Code"]], (id) => this.#choose(id));
     this.#choose("numbers");
     new ResizeObserver(() => this.#fit()).observe(by_id("side"));
   }
 
   open() {
     this.#of = null;
-    this.#choose("numbers");
+    this.#choose(this.#stores ? "stored" : "numbers");
   }
 
-  update({ lesson, algorithm, framesDrawn }) {
+  update({ lesson, algorithm, framesDrawn, stored }) {
+    if (this.#stores !== stored.length > 0) { // it is what such a lesson is about
+      this.#stores = stored.length > 0;
+      this.#choose(this.#stores ? "stored" : "numbers");
+      this.#fit();
+    }
     if (this.#of !== `${lesson} ${algorithm}`) {
       this.#of = `${lesson} ${algorithm}`;
       this.#since = framesDrawn;

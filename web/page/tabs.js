@@ -1,9 +1,9 @@
 // The tabs beside the stage, because there is no room for everything: Lesson and Points always share a column; in a
-// small window Numbers and Code join them.
+// small window Numbers and Code join them, and how the volumes are stored where a lesson shows that.
 import { by_id } from "./dom.js";
 import { TabList } from "./tab_list.js";
 
-const kTabs = [["read", "Lesson"], ["points", "Points"], ["numbers", "Numbers"], ["code", "Code"]];
+const kTabs = [["read", "Lesson"], ["points", "Points"], ["stored", "Stored as"], ["numbers", "Numbers"], ["code", "Code"]];
 const kOfTheColumn = ["read", "points"];
 
 const kSeen = 0.5; // of a phone's screen, which what its tab has opened takes at least
@@ -32,6 +32,10 @@ export class Tabs {
 
   open(lesson) {
     this.#tabs.set_words(1, lesson.tools.word);
+  }
+
+  update({ stored }) {
+    if (stored.length === 0 && document.documentElement.dataset.tab === "stored") this.choose("read");
   }
 
   choose(id) {

@@ -178,7 +178,12 @@ struct Simplex {
 void draw_volumes(Brush& brush, lesson::PairSteps steps) {
   const Drawing drawing{brush, lesson::as<lesson::VolumesSubject>(brush.session.subject())->pair()};
   for (const int side : {0, 1}) drawing.volume(side);
-  if (!steps.empty()) std::visit(drawing, steps.back().step.fact);
+  if (steps.empty()) return;
+  const auto is_box = [&](int side) { return std::holds_alternative<Aabb<double, 3>>(drawing.pair.held[side].volume); };
+  if (is_box(0) && is_box(1))  // their intervals stay beside the axes
+    for (const auto& entry : steps.first(steps.size() - 1))
+      if (const auto* slab = std::get_if<query::SlabTested>(&entry.step.fact)) drawing(*slab);
+  std::visit(drawing, steps.back().step.fact);
 }
 
 Rect draw_difference(Brush& brush, lesson::PairSteps steps, float top) {

@@ -38,6 +38,30 @@ Truth overlap_truth(const Asked& asked, const Run& run) {
   return yes("There is a gap of " + gap_text(end.gap) + ".");
 }
 
+const char* offer_coordinate_axes(Asked& asked, const Run& run) {
+  const PairSteps steps = pair_run(run).trace();
+  const auto along_coordinate = [](const auto& entry) {
+    const auto* slab = std::get_if<query::SlabTested>(&entry.step.fact);
+    return slab != nullptr && slab->direction.cwiseAbs().maxCoeff() == 1;
+  };
+  if (asked.fact == 0 || !std::all_of(steps.begin(), steps.begin() + asked.fact, along_coordinate))
+    return "\"first_axis\" can only be asked of a test of intervals along the coordinate axes alone";
+  for (int i = 0; i < asked.dim; ++i) asked.add_choice(std::string(1, "xyz"[i]));
+  asked.add_choice("none");
+  return nullptr;
+}
+
+Truth first_axis_truth(const Asked& asked, const Run& run) {
+  const PairSteps steps = pair_run(run).trace();
+  for (int i = 0; i < asked.fact; ++i) {
+    const auto& slab = *std::get_if<query::SlabTested>(&steps[i].step.fact);
+    if (!slab.separates) continue;
+    const std::string name = axis_name(slab.direction);
+    return {{i}, {}, name, "The test meets the first gap along " + name + ", and ends there."};
+  }
+  return {{asked.dim}, {}, "none", "The intervals overlap along every axis, so there is no gap to meet."};
+}
+
 const char* offer_tested_axes(Asked& asked, const Run& run) {
   const PairSteps steps = pair_run(run).trace();
   std::size_t tested = 0;

@@ -124,6 +124,9 @@ struct Entry<query::Verdict<double, 3>> : EntryDefaults {
 Truth slab_truth(const Asked& asked, const Run& run);
 Truth cores_truth(const Asked& asked, const Run& run);
 Truth overlap_truth(const Asked& asked, const Run& run);
+/// "first_axis": the first axis whose intervals are apart; the choices are the coordinate axes, and none.
+const char* offer_coordinate_axes(Asked& asked, const Run& run);
+Truth first_axis_truth(const Asked& asked, const Run& run);
 
 /// A bound of an interval, with digits that show whether the intervals are apart.
 [[nodiscard]] inline std::string bound_text(const query::SlabTested& fact, double bound) {
@@ -232,7 +235,8 @@ struct Entry<query::DistanceFound> : EntryDefaults {
 
 template <>
 struct Entry<OverlapDecided> : EntryDefaults {
-  static constexpr std::array kAskings{Asking{"apart", &offer_yes_no, &overlap_truth}};
+  static constexpr std::array kAskings{Asking{"apart", &offer_yes_no, &overlap_truth},
+                                       Asking{"first_axis", &offer_coordinate_axes, &first_axis_truth}};
   static std::string sentence(const OverlapDecided& fact, const PairWhere&) {
     if (fact.overlap) return "The volumes overlap.";
     if (fact.distance >= 0) return "Apart: the distance between the volumes is " + gap_text(fact.distance) + ".";

@@ -57,6 +57,13 @@ struct FieldReader {
   void operator()(std::string_view name, std::vector<Point3>& vertices) const { vertices = table.points(name, dim); }
 };
 
+/// Reads which of the two volumes are shown as they are stored.
+std::array<bool, 2> read_stored(TomlTable& table) {
+  constexpr std::array<std::string_view, 2> kSides{"a", "b"};
+  const std::vector<std::string> names = read_names(table, "stored", 0, kSides);
+  return {is_among(names, kSides[0]), is_among(names, kSides[1])};
+}
+
 HeldVolume read_volume(const toml::table& toml, std::string name, int dim, Complaints& complaints) {
   const std::size_t before = complaints.count();
   TomlTable table(toml, std::move(name), complaints);
@@ -86,6 +93,7 @@ void read_volumes(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   TomlTable own(*table.table("volumes"), "[volumes]", complaints);
   tables->line = own.place().line;
   const int dim = tables->pair.dim = lesson.points.dim = static_cast<int>(own.integer_or("dim", 2, 3, 2));
+  tables->stored = read_stored(own);
   const std::size_t before = complaints.count();
   double reach = 0;
   for (const std::size_t side : {0, 1}) {
@@ -124,13 +132,11 @@ Rows read_volume_model(TomlTable& task, const Lesson& lesson, Complaints& compla
 }
 
 void check_volume_tests(const Lesson& lesson, const Subject& own, Complaints& complaints) {
-  const VolumePair& pair = as<VolumesSubject>(own)->pair();
-  const std::string_view test = query::kPairTestNames[static_cast<std::size_t>(test_of(pair))];
+  const std::vector<std::string_view> tests = tests_of(as<VolumesSubject>(own)->pair());
   for (const std::string& algorithm : lesson.algorithms)
-    if (algorithm != test && algorithm != "gjk")
+    if (!is_among(tests, algorithm))
       complaints.add(static_cast<const VolumeTables&>(*lesson.tables).line,
-                     "the test of these two volumes is " + std::string(test) + (test == "gjk" ? "" : " or gjk") +
-                         ", not " + algorithm);
+                     "the test of these two volumes is " + one_of(tests) + ", not " + algorithm);
 }
 
 }  // namespace snug::lesson

@@ -8,7 +8,8 @@ namespace snug::lesson {
 
 struct VolumeTables : Tables {
   VolumePair pair;
-  int line = 1;  // that of the table
+  std::array<bool, 2> stored{};  // whether the lesson shows how A and how B is stored (lesson/stored.hpp)
+  int line = 1;                  // that of the table
 };
 
 /// Reads a and b: each is a table with the kind of the volume, whose fields are named as in `snug overlap`. But an
@@ -16,7 +17,7 @@ struct VolumeTables : Tables {
 void read_volumes(TomlTable& table, Lesson& lesson, Complaints& complaints);
 /// Reads a task's "model", a table with a and b of the lesson's kinds.
 [[nodiscard]] Rows read_volume_model(TomlTable& task, const Lesson& lesson, Complaints& complaints);
-/// Checks that every algorithm is the pair's own test or GJK.
+/// Checks that every algorithm is a test of this pair.
 void check_volume_tests(const Lesson& lesson, const Subject& own, Complaints& complaints);
 
 }  // namespace snug::lesson

@@ -1,6 +1,8 @@
 #include <algorithm>
 
+#include "lesson/names.hpp"
 #include "lesson/subjects/pair/volumes.hpp"
+#include "query/overlaps_aabb_forms.hpp"
 #include "query/overlaps_any.hpp"
 
 namespace snug::lesson {
@@ -34,14 +36,28 @@ constexpr Method row(PairTest test, std::string_view title, std::string_view sou
   return {kVolumePair, query::kPairTestNames[static_cast<std::size_t>(test)], title, source, pseudocode, in_plane};
 }
 
+/// The tests of two axis-aligned boxes in each of their representations.
+constexpr std::string_view kMinMax = "min_max", kMinWidths = "min_widths", kCenterRadius = "center_radius";
+constexpr std::array kBoxForms{kMinMax, kMinWidths, kCenterRadius};
+/// The same without the line for z.
+constexpr auto in_plane(const std::array<std::string_view, 4>& lines) {
+  return std::array{lines[0], lines[1], lines[3]};
+}
+constexpr auto kMinMaxPlane = in_plane(query::kMinMaxPseudocode),
+               kMinWidthsPlane = in_plane(query::kMinWidthsPseudocode),
+               kCenterRadiusPlane = in_plane(query::kCenterRadiusPseudocode);
+
 constexpr std::array kVolumeTests{
-    row(PairTest::kSpheres, "Distance between the centres", kEricson, query::kDistancePseudocode),
+    row(PairTest::kSpheres, "Squared distance of the centres", kEricson, query::kSpheresPseudocode),
     row(PairTest::kSphereBox, "Nearest point of the box", kArvo, query::kDistancePseudocode),
     row(PairTest::kSweptSpheres, "Distance between the cores", kSwept, query::kDistancePseudocode),
     row(PairTest::kSlabs, "Intervals", kSlabs, query::kSlabsPseudocode),
     row(PairTest::kSlabsThenGjk, "Intervals, then GJK", kSlabs, kSlabsThenGjkPseudocode),
     row(PairTest::kSeparatingAxes, "Separating axes", kSat, query::kSatPseudocode3, query::kSatPseudocode2),
     row(PairTest::kGjk, "GJK", kGjk, query::kGjkPseudocode),
+    Method{kVolumePair, kMinMax, "Min-max", kEricson, query::kMinMaxPseudocode, kMinMaxPlane},
+    Method{kVolumePair, kMinWidths, "Min-widths", kEricson, query::kMinWidthsPseudocode, kMinWidthsPlane},
+    Method{kVolumePair, kCenterRadius, "Centre-radius", kEricson, query::kCenterRadiusPseudocode, kCenterRadiusPlane},
 };
 
 /// Calls a function with both volumes in their own dimension.
@@ -63,26 +79,59 @@ int last_line(PairTest test, const RecordPair& steps, bool overlap) {
   return steps.trace.empty() ? 0 : steps.trace.back().step.line;
 }
 
+/// Keeps the end of a test. line: of its pseudocode.
+template <int Dim>
+void keep_end(const query::OverlapResult<double, Dim>& result, int line, RecordPair& observe) {
+  OverlapDecided end{.overlap = result.overlap, .distance = result.distance ? *result.distance : -1};
+  if (result.separating_axis) {
+    end.gap = result.separating_axis->gap;
+    convert_into(end.direction, result.separating_axis->direction);
+  }
+  observe.keep(line, std::variant<OverlapDecided>(end));
+}
+
 template <int Dim>
 void decide(const Volume<double, Dim>& a, const Volume<double, Dim>& b, PairTest test, bool by_gjk,
             RecordPair& observe) {
   const auto result =
       by_gjk ? query::any_pair::by_gjk(a, b, observe) : query::any_pair::test_any_in_order(a, b, observe);
   if (!by_gjk && test == PairTest::kSeparatingAxes) return;  // it has its own end
-  OverlapDecided end{.overlap = result.overlap, .distance = result.distance ? *result.distance : -1};
-  if (result.separating_axis) {
-    end.gap = result.separating_axis->gap;
-    convert_into(end.direction, result.separating_axis->direction);
-  }
-  observe.keep(last_line(by_gjk ? PairTest::kGjk : test, observe, result.overlap), std::variant<OverlapDecided>(end));
+  keep_end<Dim>(result, last_line(by_gjk ? PairTest::kGjk : test, observe, result.overlap), observe);
+}
+
+/// Tests two axis-aligned boxes as they are in a representation; it ends on the line of the axis that separates them.
+template <int Dim>
+void decide_boxes(const Aabb<double, Dim>& a, const Aabb<double, Dim>& b, std::string_view form, RecordPair& observe) {
+  const auto result = form == kMinMax ? query::test_axis_by_axis(a, b, observe)
+                      : form == kMinWidths
+                          ? query::test_axis_by_axis(min_widths_of(a), min_widths_of(b), observe)
+                          : query::test_axis_by_axis(center_extents_of(a), center_extents_of(b), observe);
+  keep_end<Dim>(result, result.overlap ? Dim : result.tests - 1, observe);
 }
 
 }  // namespace
 
 std::span<const Method> volume_tests() { return kVolumeTests; }
 
+bool is_of_boxes(std::string_view test) { return is_among(kBoxForms, test); }
+
+std::vector<std::string_view> tests_of(const VolumePair& pair) {
+  const PairTest own = test_of(pair);
+  std::vector<std::string_view> tests{query::kPairTestNames[static_cast<std::size_t>(own)]};
+  const auto is_box = [](const HeldVolume& held) { return std::holds_alternative<Aabb<double, 3>>(held.volume); };
+  if (is_box(pair.held[0]) && is_box(pair.held[1])) tests.insert(tests.end(), kBoxForms.begin(), kBoxForms.end());
+  if (own != PairTest::kGjk) tests.push_back(query::kPairTestNames[static_cast<std::size_t>(PairTest::kGjk)]);
+  return tests;
+}
+
 PairTrace record(std::string_view test, const VolumePair& pair) {
   RecordPair observe;
+  if (is_of_boxes(test)) {
+    in_dimension(pair, [&]<int Dim>(const Volume<double, Dim>& a, const Volume<double, Dim>& b) {
+      decide_boxes<Dim>(*std::get_if<Aabb<double, Dim>>(&a), *std::get_if<Aabb<double, Dim>>(&b), test, observe);
+    });
+    return std::move(observe.trace);
+  }
   const PairTest own = test_of(pair);
   const bool by_gjk = test == query::kPairTestNames[static_cast<std::size_t>(PairTest::kGjk)];
   if (own == PairTest::kSlabsThenGjk && !by_gjk) observe.gjk_line = kSlabLines;

@@ -12,6 +12,7 @@
 #include "lesson/subjects/pair/box_figures.hpp"
 #include "lesson/subjects/pair/read_volumes.hpp"
 #include "lesson/subjects/pair/volume_rows.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -29,20 +30,55 @@ struct SoFar {
   int tests = 0;
   double radii = 0;
   std::optional<double> lower, upper;  // bounds on the cores' distance
-  const OverlapDecided* end = nullptr;
+  const query::SlabTested* slab = nullptr;
+  std::optional<double> gap;  // once they are known to be apart
 
-  void operator()(const query::SlabTested&) { ++tests; }
+  void operator()(const query::SlabTested& fact) { ++tests, slab = &fact; }
   void operator()(const query::AxisTested<double, 3>&) { ++tests; }
   void operator()(const query::CoresCompared& fact) { ++tests, lower = upper = fact.distance; }
   void operator()(const query::NearestFound& fact) { ++tests, upper = fact.distance; }
   void operator()(const query::SupportFound& fact) { lower = std::max(lower.value_or(0), fact.gap); }
-  void operator()(const OverlapDecided& fact) { end = &fact; }
+  void operator()(const query::Verdict<double, 3>& fact) {
+    if (!fact.result.overlap) gap = fact.result.axis.gap;
+  }
+  void operator()(const OverlapDecided& fact) {
+    if (!fact.overlap) gap = fact.gap;
+  }
   void operator()(const auto&) {}
 };
 
 Figure length(std::string name, std::string key, std::optional<double> value) {
   return {std::move(name),   std::move(key), value ? number_text(*value) + " units" : "—",
           value.value_or(0), "units",        value.has_value()};
+}
+
+/// What a test of two axis-aligned boxes compares along its last axis, as its representation has it.
+std::vector<Figure> compared_along(const query::SlabTested& fact, std::string_view test) {
+  const std::string axis = axis_name(fact.direction);
+  const auto figure = [&](std::string name, std::string key, double value) {
+    return length(std::move(name) + '.' + axis, std::move(key), value);
+  };
+  if (test == "min_max")
+    return {figure("a.max", "a_max", fact.greatest_a), figure("b.min", "b_min", fact.least_b),
+            figure("b.max", "b_max", fact.greatest_b), figure("a.min", "a_min", fact.least_a)};
+  if (test == "min_widths")
+    return {length("t = a.min − b.min, along " + axis, "t", fact.least_a - fact.least_b),
+            figure("b.d", "b_width", fact.greatest_b - fact.least_b),
+            figure("a.d", "a_width", fact.greatest_a - fact.least_a)};
+  const double center_a = (fact.least_a + fact.greatest_a) / 2, center_b = (fact.least_b + fact.greatest_b) / 2;
+  return {length("|a.c − b.c|, along " + axis, "centres", std::abs(center_a - center_b)),
+          length("a.r + b.r, along " + axis, "extents",
+                 (fact.greatest_a - fact.least_a + fact.greatest_b - fact.least_b) / 2)};
+}
+
+/// The squares that the test of two spheres compares.
+std::vector<Figure> squares_of(const VolumePair& pair, double radii, bool known) {
+  const double distance = (at_handle(pair.held[1], {}) - at_handle(pair.held[0], {})).squaredNorm();
+  const auto square = [&](const char* name, const char* key, double value) {
+    return Figure{name, key, known ? number_text(value) + " units²" : "—", value, "units²", known};
+  };
+  return {square("Squared distance", "distance_squared", distance),
+          square("Squared sum of the radii", "radii_squared", radii * radii)};
 }
 
 Point3 random_place(Random& random, double reach, int dim) {
@@ -88,6 +124,7 @@ const SubjectRow kVolumesRow{.name = "volumes",
                              .askings = &pair_askings,
                              .read = &read_volumes,
                              .read_model = &read_volume_model,
+                             .goals = kVolumeGoals,
                              .check_first = &check_volume_tests,
                              .open = &open_volumes};
 
@@ -228,7 +265,11 @@ std::vector<Figure> VolumesSubject::figures(const View& view) const {
   const PairSteps steps = pair_run(view.run()).trace();
   SoFar standing;
   for (const auto& entry : steps.first(view.step)) std::visit(standing, entry.step.fact);
-  if (!axes_seen(steps).empty()) return {};  // the table of axes says it all
+  const auto count = [&](const char* name) {
+    return Figure{name, "tests", std::to_string(standing.tests), static_cast<double>(standing.tests), ""};
+  };
+  if (!axes_seen(steps).empty())  // the table of axes says the rest
+    return {length("Separation", "gap", standing.gap), count("Axes so far")};
   std::vector<Figure> figures;
   const double radii = radius_of(pair_.held[0]) + radius_of(pair_.held[1]);
   const bool cores = std::any_of(steps.begin(), steps.end(), [](const auto& entry) {
@@ -243,12 +284,13 @@ std::vector<Figure> VolumesSubject::figures(const View& view) const {
       figures.push_back(length("Distance between the cores", "cores", standing.upper));
     }
     figures.push_back(length("Sum of the radii", "radii", radii));
+    if (view.method().name == "spheres")
+      for (Figure& figure : squares_of(pair_, radii, standing.tests > 0)) figures.push_back(std::move(figure));
   }
-  std::optional<double> gap;
-  if (standing.end != nullptr && !standing.end->overlap) gap = standing.end->gap;
-  figures.push_back(length("Separation", "gap", gap));
-  figures.push_back({view.method().name == "gjk" ? "Simplices so far" : "Tests so far", "tests",
-                     std::to_string(standing.tests), static_cast<double>(standing.tests), ""});
+  if (standing.slab != nullptr && is_of_boxes(view.method().name))
+    figures = compared_along(*standing.slab, view.method().name);
+  figures.push_back(length("Separation", "gap", standing.gap));
+  figures.push_back(count(view.method().name == "gjk" ? "Simplices so far" : "Tests so far"));
   return figures;
 }
 

@@ -26,9 +26,13 @@ struct VolumePair {
 /// The rows of both volumes (Subject::rows).
 [[nodiscard]] Rows rows_of(const VolumePair& pair);
 
-/// A method for each query::PairTest, with its name. GJK suits every pair, each other test its own pairs.
+/// A method for each query::PairTest, with its name, and one for each representation of two axis-aligned boxes.
 [[nodiscard]] std::span<const Method> volume_tests();
-/// Records the pair's own test, or GJK.
+/// The names of those that suit a pair: its own test, those of two axis-aligned boxes, and GJK, which suits every pair.
+[[nodiscard]] std::vector<std::string_view> tests_of(const VolumePair& pair);
+/// Whether it tests two axis-aligned boxes in one of their representations.
+[[nodiscard]] bool is_of_boxes(std::string_view test);
+/// Records one of these.
 [[nodiscard]] PairTrace record(std::string_view test, const VolumePair& pair);
 
 /// The vertices of a volume's core, as GJK knows them; none of a smooth one.
@@ -41,6 +45,11 @@ struct VolumePair {
 [[nodiscard]] std::optional<query::Separation<double, 3>> separation_of(const VolumePair& pair);
 /// The same for the cores alone, without the radii.
 [[nodiscard]] std::optional<query::Separation<double, 3>> core_separation_of(const VolumePair& pair);
+
+/// "only_last_axis": axis-aligned boxes that only the last coordinate axis separates; "touch_on_one_axis": those whose
+/// intervals have just one number in common along one axis, and more along every other; "sum_of_squares": spheres that
+/// overlap, and that would not if their squared radii were added instead of squaring their sum.
+inline constexpr std::array<std::string_view, 3> kVolumeGoals{"only_last_axis", "touch_on_one_axis", "sum_of_squares"};
 
 class VolumesSubject final : public Subject {
  public:
@@ -73,6 +82,8 @@ class VolumesSubject final : public Subject {
   [[nodiscard]] std::string opening(const Method& method) const override;
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
   [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
+  [[nodiscard]] bool reaches(std::string_view goal) const override;
+  [[nodiscard]] std::string goal_says(std::string_view goal) const override;
 
  private:
   struct Own {

@@ -1,0 +1,320 @@
+// The representations of each kind of volume, after the structs of the lectures.
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "geometry/convert.hpp"
+#include "geometry/stored_work.hpp"
+#include "geometry/tolerance.hpp"
+#include "lesson/figures.hpp"
+#include "lesson/stored.hpp"
+#include "lesson/words.hpp"
+
+namespace snug::lesson {
+namespace {
+
+using Line = std::vector<Point3>;
+using Lines = std::vector<Line>;
+
+template <int Dim>
+Point3 lifted(const Vector<double, Dim>& p) {
+  Point3 at = Point3::Zero();
+  at.head<Dim>() = p;
+  return at;
+}
+
+/// "(1.2, 0.4)", or a number alone.
+std::string text_of(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) text += (text.empty() ? "" : ", ") + number_text(number);
+  return numbers.size() == 1 ? text : '(' + text + ')';
+}
+
+/// The representation of a volume, as it is written down.
+template <int Dim>
+class Written {
+ public:
+  using V = Vector<double, Dim>;
+  explicit Written(std::string name) { form_.name = std::move(name); }
+
+  void place(std::string declared, const V& at) { member("Point " + declared, numbers_of(at), {{lifted<Dim>(at)}}); }
+  void vector(std::string declared, const V& way, const V& from) {
+    member("Vector " + declared, numbers_of(way), {{lifted<Dim>(from), lifted<Dim>(V(from + way))}});
+  }
+  void number(std::string declared, double value, Lines lines) {
+    member("float " + declared, {value}, std::move(lines));
+  }
+  void member(std::string declared, std::vector<double> numbers, Lines lines) {
+    std::string text = text_of(numbers);
+    form_.members.push_back({std::move(declared), std::move(numbers), std::move(text), std::move(lines)});
+  }
+  /// test: what a test of two such volumes takes, or what it allows.
+  template <class Stored>
+  void costs(std::string test, const Stored& stored, std::string_view no_turn, std::string_view no_growth);
+  [[nodiscard]] StoredForm done() && { return std::move(form_); }
+  /// The operations, additions and multiplications together, of move, turn and grow; 0 for one that has none.
+  [[nodiscard]] const std::array<int, 3>& work() const { return work_; }
+
+  static std::vector<double> numbers_of(const V& v) { return {v.data(), v.data() + Dim}; }
+
+ private:
+  StoredForm form_;
+  std::array<int, 3> work_{};
+};
+
+std::string work_text(const Work& work) {
+  const auto count = [](int n, const char* what) { return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s"); };
+  std::string text;
+  if (work.multiplications > 0) text = count(work.multiplications, "multiplication");
+  if (work.additions > 0) text += (text.empty() ? "" : ", ") + count(work.additions, "addition");
+  return text.empty() ? "nothing" : text;
+}
+
+/// Moves, turns and grows it as a program does, and writes down what that took.
+template <int Dim>
+template <class Stored>
+void Written<Dim>::costs(std::string test, const Stored& stored, std::string_view no_turn, std::string_view no_growth) {
+  const auto add = [&](std::size_t place, const char* name, const Work* work, std::string_view without) {
+    form_.operations.push_back({name, work != nullptr ? work_text(*work) : std::string(without)});
+    if (work != nullptr) work_[place] = std::max(1, work->all());
+  };
+  form_.operations.push_back({"test", std::move(test)});
+  Work move, turn, grow;
+  static_cast<void>(moved<Dim>(move, stored, V::Zero()));
+  add(0, "move", &move, {});
+  if constexpr (requires { placed<Stored, Dim>(turn, stored, Pose<double, Dim>()); }) {
+    static_cast<void>(placed<Stored, Dim>(turn, stored, Pose<double, Dim>()));
+    add(1, "turn", &turn, {});
+  } else {
+    add(1, "turn", nullptr, no_turn);
+  }
+  if constexpr (requires { grown<Dim>(grow, stored, 0.0); }) {
+    static_cast<void>(grown<Dim>(grow, stored, 0.0));
+    add(2, "grow", &grow, {});
+  } else {
+    add(2, "grow", nullptr, no_growth);
+  }
+}
+
+/// Marks of each operation the representations that take least, if some take more.
+template <int Dim>
+std::vector<StoredForm> compared(std::vector<Written<Dim>> forms) {
+  std::vector<std::array<int, 3>> work;
+  for (const Written<Dim>& form : forms) work.push_back(form.work());
+  std::vector<StoredForm> done;
+  for (Written<Dim>& form : forms) done.push_back(std::move(form).done());
+  for (std::size_t operation = 0; operation < 3; ++operation) {
+    int least = 0, most = 0;  // 0: none can
+    bool all_can = true;
+    for (const auto& own : work) {
+      all_can = all_can && own[operation] > 0;
+      if (own[operation] == 0) continue;
+      least = least == 0 ? own[operation] : std::min(least, own[operation]);
+      most = std::max(most, own[operation]);
+    }
+    if (least == 0 || (least == most && all_can)) continue;
+    for (std::size_t i = 0; i < done.size(); ++i) done[i].operations[operation + 1].least = work[i][operation] == least;
+  }
+  return done;
+}
+
+// ---- what they are on the stage ---------------------------------------------------------------------------------
+
+/// The face of a box on one side of an axis, as a closed line; in 2-D its edge.
+template <int Dim>
+Line face_of(const Obb<double, Dim>& box, int axis, double side) {
+  const Vector<double, Dim> middle = box.center + side * box.half_extents[axis] * box.axes.col(axis);
+  if constexpr (Dim == 2) {
+    const Vector<double, 2> arm = box.half_extents[1 - axis] * box.axes.col(1 - axis);
+    return {lifted<2>(Vector<double, 2>(middle - arm)), lifted<2>(Vector<double, 2>(middle + arm))};
+  } else {
+    const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+    const Vector<double, 3> u = box.half_extents[j] * box.axes.col(j), v = box.half_extents[k] * box.axes.col(k);
+    return {middle - u - v, middle + u - v, middle + u + v, middle - u + v, middle - u - v};
+  }
+}
+
+template <int Dim>
+Line half_extent_of(const Obb<double, Dim>& box, int axis) {
+  return {lifted<Dim>(box.center),
+          lifted<Dim>(Vector<double, Dim>(box.center + box.half_extents[axis] * box.axes.col(axis)))};
+}
+
+/// The points where a k-DOP meets one of its planes, in order around them.
+template <int Dim>
+Line bound_of(const Kdop<double, Dim>& kdop, const KdopAxis<Dim>& axis, double bound) {
+  using V = Vector<double, Dim>;
+  V normal;
+  double most = 0;
+  for (int i = 0; i < Dim; ++i) normal[i] = axis[static_cast<std::size_t>(i)];
+  for (int i = 0; i < kdop.k / 2; ++i)
+    most = std::max(
+        {most, std::abs(kdop.min[static_cast<std::size_t>(i)]), std::abs(kdop.max[static_cast<std::size_t>(i)])});
+  std::vector<V> there;
+  V middle = V::Zero();
+  for (const V& vertex : kdop_vertices(kdop))
+    if (std::abs(normal.dot(vertex) - bound) <= 2 * tolerance::kKdopCorner<double> * most)
+      there.push_back(vertex), middle += vertex;
+  if (there.empty()) return {};
+  middle /= static_cast<double>(there.size());
+  if constexpr (Dim == 3) {
+    const V u = (there.front() - middle).norm() > 0 ? V((there.front() - middle).normalized()) : V(V::UnitX());
+    const V n = normal.normalized(), v(n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0]);
+    std::sort(there.begin(), there.end(), [&](const V& p, const V& q) {
+      return std::atan2(v.dot(p - middle), u.dot(p - middle)) < std::atan2(v.dot(q - middle), u.dot(q - middle));
+    });
+    if (there.size() > 2) there.push_back(there.front());
+  }
+  Line line;
+  for (const V& vertex : there) line.push_back(lifted<Dim>(vertex));
+  return line;
+}
+
+std::string entry(const char* name, int i) { return std::string(name) + '[' + std::to_string(i) + ']'; }
+
+// ---- each kind --------------------------------------------------------------------------------------------------
+
+constexpr std::string_view kRefit = "a new fit";
+
+std::string operations(int n, const char* what) { return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s"); }
+
+template <int Dim>
+std::vector<StoredForm> forms_of(const Aabb<double, Dim>& box) {
+  using V = Vector<double, Dim>;
+  const auto widths = min_widths_of(box);
+  const auto centered = center_extents_of(box);
+  const Obb<double, Dim> upright{centered.center, Matrix<double, Dim>::Identity(), centered.half_extents};
+  std::vector<Written<Dim>> forms{Written<Dim>("min-max"), Written<Dim>("min-widths"), Written<Dim>("centre-radius")};
+  forms[0].place("min", box.min);
+  forms[0].place("max", box.max);
+  forms[0].costs("up to " + operations(2 * Dim, "comparison"), box, kRefit, {});
+  forms[1].place("min", widths.min);
+  for (int i = 0; i < Dim; ++i)
+    forms[1].number(entry("d", i), widths.widths[i],
+                    {{lifted<Dim>(box.min), lifted<Dim>(V(box.min + widths.widths[i] * V::Unit(i)))}});
+  forms[1].costs("up to " + operations(Dim, "subtraction") + ", " + operations(2 * Dim, "comparison"), widths, kRefit,
+                 {});
+  forms[2].place("c", centered.center);
+  for (int i = 0; i < Dim; ++i)
+    forms[2].number(entry("r", i), centered.half_extents[i], {half_extent_of<Dim>(upright, i)});
+  forms[2].costs("up to " + operations(2 * Dim, "addition") + ", " + operations(Dim, "comparison"), centered, kRefit,
+                 {});
+  return compared(std::move(forms));
+}
+
+template <int Dim>
+std::vector<StoredForm> forms_of(const Obb<double, Dim>& box) {
+  using V = Vector<double, Dim>;
+  const bool plane = Dim == 2;
+  const auto vertices = vertices_of(box);
+  const auto planes = planes_of(box);
+  const auto slabs = slabs_of(box);
+  const auto with = [](const V& normal, std::initializer_list<double> rest) {
+    std::vector<double> numbers = Written<Dim>::numbers_of(normal);
+    numbers.insert(numbers.end(), rest);
+    return numbers;
+  };
+  std::vector<Written<Dim>> forms{
+      Written<Dim>(plane ? "four vertices" : "eight vertices"), Written<Dim>(plane ? "four planes" : "six planes"),
+      Written<Dim>(plane ? "two slabs" : "three slabs"), Written<Dim>("centre, axes, half extents")};
+  for (std::size_t i = 0; i < vertices.size(); ++i) forms[0].place(entry("v", static_cast<int>(i)), vertices[i]);
+  forms[0].costs("its axes have to be found first", vertices, {}, "its axes have to be found first");
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    forms[1].member("Plane " + entry("p", static_cast<int>(i)), with(planes[i].normal, {planes[i].d}),
+                    {face_of<Dim>(box, static_cast<int>(i / 2), i % 2 == 0 ? 1 : -1)});
+  forms[1].costs("a point: " + operations(2 * Dim, "dot product"), planes, {}, {});
+  for (int i = 0; i < Dim; ++i) {
+    const auto& slab = slabs[static_cast<std::size_t>(i)];
+    forms[2].member("Slab " + entry("s", i), with(slab.normal, {slab.min, slab.max}),
+                    {face_of<Dim>(box, i, -1), face_of<Dim>(box, i, 1)});
+  }
+  forms[2].costs("a point or a ray: " + operations(Dim, "dot product"), slabs, {}, {});
+  forms[3].place("c", box.center);
+  for (int i = 0; i < Dim; ++i) forms[3].vector(entry("u", i), V(box.axes.col(i)), box.center);
+  for (int i = 0; i < Dim; ++i) forms[3].number(entry("e", i), box.half_extents[i], {half_extent_of<Dim>(box, i)});
+  forms[3].costs("separating axes, as it is", box, {}, {});
+  return compared(std::move(forms));
+}
+
+template <int Dim>
+std::vector<StoredForm> forms_of(const Sphere<double, Dim>& ball) {
+  Written<Dim> form(std::string("centre and radius"));
+  form.place("c", ball.center);
+  form.number("r", ball.radius,
+              {{lifted<Dim>(ball.center),
+                lifted<Dim>(Vector<double, Dim>(ball.center + ball.radius * Vector<double, Dim>::Unit(0)))}});
+  form.costs(operations(Dim + 1, "multiplication") + ", " + operations(2 * Dim, "addition") + ", 1 comparison", ball,
+             {}, {});
+  return {std::move(form).done()};
+}
+
+/// A radius around a core, from a point of it.
+template <int Dim>
+Lines radius_from(const Vector<double, Dim>& point, const Vector<double, Dim>& along, double radius) {
+  using V = Vector<double, Dim>;
+  V across = V::Unit(0);
+  if (along.norm() > 0) {
+    if constexpr (Dim == 2) {
+      across = V(-along[1], along[0]).normalized();
+    } else {
+      int least = 0;
+      along.cwiseAbs().minCoeff(&least);
+      across = (V::Unit(least) - along * (along[least] / along.squaredNorm())).normalized();
+    }
+  }
+  return {{lifted<Dim>(point), lifted<Dim>(V(point + radius * across))}};
+}
+
+template <int Dim>
+std::vector<StoredForm> forms_of(const Capsule<double, Dim>& capsule) {
+  using V = Vector<double, Dim>;
+  Written<Dim> form("segment and radius");
+  form.place("a", capsule.a);
+  form.place("b", capsule.b);
+  form.number("r", capsule.radius, radius_from<Dim>(capsule.a, V(capsule.b - capsule.a), capsule.radius));
+  form.costs("the distance of two segments", capsule, {}, {});
+  return {std::move(form).done()};
+}
+
+template <int Dim>
+std::vector<StoredForm> forms_of(const Lozenge<double, Dim>& lozenge) {
+  Written<Dim> form("rectangle and radius");
+  form.place("a", lozenge.origin);
+  for (int i = 0; i < 2; ++i) form.vector(entry("u", i), lozenge.edges[static_cast<std::size_t>(i)], lozenge.origin);
+  form.number("r", lozenge.radius, radius_from<Dim>(lozenge.origin, lozenge.edges[0], lozenge.radius));
+  form.costs("the distance of two rectangles", lozenge, {}, {});
+  return {std::move(form).done()};
+}
+
+template <int Dim>
+std::vector<StoredForm> forms_of(const Kdop<double, Dim>& kdop) {
+  Written<Dim> form("bounds of " + std::to_string(kdop.k / 2) + " slabs");
+  const auto axes = kdop_axes<Dim>(kdop.k);
+  for (const bool greatest : {false, true})
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      Point3 direction = Point3::Zero();
+      for (int j = 0; j < Dim; ++j) direction[j] = axes[i][static_cast<std::size_t>(j)];
+      const double bound = greatest ? kdop.max[i] : kdop.min[i];
+      form.number(entry(greatest ? "max" : "min", static_cast<int>(i)) + ": " + axis_name(direction), bound,
+                  {bound_of<Dim>(kdop, axes[i], bound)});
+    }
+  form.costs("up to " + operations(kdop.k, "comparison"), kdop, kRefit, {});
+  return {std::move(form).done()};
+}
+
+template <int Dim>
+std::vector<StoredForm> forms_of(const ConvexHull<double, Dim>&) {
+  return {};
+}
+
+}  // namespace
+
+std::vector<StoredForm> stored_forms(const fit::Volume3& volume, int dim) {
+  return std::visit(
+      [&](const auto& kind) {
+        return dim == 2 ? forms_of<2>(converted<double, 2>(kind)) : forms_of<3>(converted<double, 3>(kind));
+      },
+      volume);
+}
+
+}  // namespace snug::lesson

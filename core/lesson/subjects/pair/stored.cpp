@@ -1,0 +1,43 @@
+#include "lesson/stored.hpp"
+
+#include "lesson/subjects/pair/read_volumes.hpp"
+#include "lesson/subjects/pair/stored.hpp"
+#include "lesson/words.hpp"
+
+namespace snug::lesson {
+namespace {
+
+/// What a student calls a kind of volume.
+std::string_view title_of(std::string_view kind, int dim) {
+  if (kind == "aabb") return "AABB";
+  return kind == "obb" ? "OBB" : volume_word(kind, dim);
+}
+
+/// The tables of the situation that is shown, if it says what is stored, or else the lesson's own.
+const VolumeTables& tables_of(const Session& session) {
+  for (const Situation& situation : session.lesson().situations) {
+    if (situation.name != session.situation()) continue;
+    const auto& tables = static_cast<const VolumeTables&>(*situation.tables);
+    if (tables.stored[0] || tables.stored[1]) return tables;
+  }
+  return static_cast<const VolumeTables&>(*session.lesson().tables);
+}
+
+}  // namespace
+
+std::vector<StoredVolume> stored_volumes(const Session& session) {
+  const auto* subject = as<VolumesSubject>(session.subject());
+  if (subject == nullptr) return {};
+  const auto& wanted = tables_of(session).stored;
+  std::vector<StoredVolume> all;
+  for (const std::size_t side : {0, 1}) {
+    if (!wanted[side]) continue;
+    const HeldVolume& held = subject->pair().held[side];
+    const std::string name = side == 0 ? "A" : "B";
+    const std::string_view title = title_of(kVolumeNames[held.volume.index()], held.dim);
+    all.push_back({name, name + ": " + std::string(title), stored_forms(held.volume, held.dim)});
+  }
+  return all;
+}
+
+}  // namespace snug::lesson
