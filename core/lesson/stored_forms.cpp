@@ -218,7 +218,7 @@ std::vector<StoredForm> forms_of(const Obb<double, Dim>& box) {
       Written<Dim>(plane ? "four vertices" : "eight vertices"), Written<Dim>(plane ? "four planes" : "six planes"),
       Written<Dim>(plane ? "two slabs" : "three slabs"), Written<Dim>("centre, axes, half extents")};
   for (std::size_t i = 0; i < vertices.size(); ++i) forms[0].place(entry("v", static_cast<int>(i)), vertices[i]);
-  forms[0].costs("its axes have to be found first", vertices, {}, "its axes have to be found first");
+  forms[0].costs("find its axes first", vertices, {}, "find its axes first");
   for (std::size_t i = 0; i < planes.size(); ++i)
     forms[1].member("Plane " + entry("p", static_cast<int>(i)), with(planes[i].normal, {planes[i].d}),
                     {face_of<Dim>(box, static_cast<int>(i / 2), i % 2 == 0 ? 1 : -1)});
