@@ -60,7 +60,7 @@ template <class VolumeType, class Observer>
 /// TopDownFacts' variant.
 template <class VolumeType, class Observer>
 [[nodiscard]] Tree<VolumeType> build_top_down(Volumes<VolumeType> volumes, SplitRule rule, const Options& options,
-                                              std::array<int, 2> line_of, Observer& observe) {
+                                              std::array<int, 3> line_of, Observer& observe) {
   TopDownFacts facts;
   Shape shape = lay_out_top_down(layout_of(volumes), rule, options.most_in_leaf, kWatched<Observer> ? &facts : nullptr);
   for (const auto& fact : facts) std::visit([&](const auto& f) { observe(Step{line_of[fact.index()], f}); }, fact);
@@ -73,7 +73,7 @@ template <class VolumeType, class Observer>
 template <class VolumeType, StepObserver<Step> Observer = Ignore>
 [[nodiscard]] Tree<VolumeType> build_median(Volumes<VolumeType> volumes, const Options& options = {},
                                             Observer&& observe = {}) {
-  return build_top_down<VolumeType>(volumes, SplitRule::kMedian, options, {3, 1}, observe);
+  return build_top_down<VolumeType>(volumes, SplitRule::kMedian, options, {3, 3, 1}, observe);
 }
 
 /// Splits where a traversal is expected to be cheapest: where the sum of the children's surface areas, each times its
@@ -81,7 +81,7 @@ template <class VolumeType, StepObserver<Step> Observer = Ignore>
 template <class VolumeType, StepObserver<Step> Observer = Ignore>
 [[nodiscard]] Tree<VolumeType> build_surface_area(Volumes<VolumeType> volumes, const Options& options = {},
                                                   Observer&& observe = {}) {
-  return build_top_down<VolumeType>(volumes, SplitRule::kSurfaceArea, options, {4, 1}, observe);
+  return build_top_down<VolumeType>(volumes, SplitRule::kSurfaceArea, options, {3, 4, 1}, observe);
 }
 
 /// Merges nearest pairs, from single bodies up. Each leaf has one body. O(n^2) time: enough for some ten thousand

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <tuple>
 #include <variant>
+#include <vector>
 
 #include "geometry/vector.hpp"
 
@@ -22,6 +23,23 @@ struct SplitChosen {
   double cost = 0;
   static constexpr std::array<std::string_view, 6> kFields{"node", "axis", "position", "left", "right", "cost"};
   static auto tie(auto& own) { return std::tie(own.node, own.axis, own.position, own.left, own.right, own.cost); }
+};
+
+/// The surface-area heuristic priced every border between bins, for a node. axis and border: the cheapest; border is
+/// counted from 1. low and high: of the node's centres, for each axis, in scene units. costs: for each axis, one for
+/// each border, in tests of a body; infinite along an axis where the centres do not spread.
+struct SplitsPriced {
+  static constexpr std::string_view kName = "splits_priced";
+  Index node = 0;
+  int axis = kNoIndex, border = 0;
+  std::vector<double> low, high, costs;
+  [[nodiscard]] int borders() const { return static_cast<int>(costs.size() / low.size()); }
+  [[nodiscard]] double cost_at(int along, int at) const { return costs[along * borders() + at - 1]; }
+  [[nodiscard]] double position(int along, int at) const {
+    return low[along] + at * (high[along] - low[along]) / (borders() + 1);
+  }
+  static constexpr std::array<std::string_view, 6> kFields{"node", "axis", "border", "low", "high", "costs"};
+  static auto tie(auto& own) { return std::tie(own.node, own.axis, own.border, own.low, own.high, own.costs); }
 };
 
 /// A node became a leaf. bodies: how many it has.
@@ -116,8 +134,8 @@ struct Done {
 };
 
 struct Step {
-  using Fact = std::variant<SplitChosen, LeafMade, NodesMerged, BodyInserted, Rotated, VolumeMade, NodeVisited,
-                            BodyTested, PairTested, Done>;
+  using Fact = std::variant<SplitsPriced, SplitChosen, LeafMade, NodesMerged, BodyInserted, Rotated, VolumeMade,
+                            NodeVisited, BodyTested, PairTested, Done>;
   int line = 0;  // the line in the algorithm's pseudocode, counted from 0
   Fact fact;
 };

@@ -4,11 +4,12 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace snug::hierarchy {
 namespace {
 
-constexpr int kBins = 16;
+constexpr int kBins = 16, kBorders = kBins - 1;
 // From this depth on every node is split in half, so that no scene makes a deep tree.
 constexpr int kMostUneven = 40;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -104,6 +105,7 @@ class TopDown {
     const auto cost_of = [&](const Bin& bin) { return size(bin.box) * bin.count; };
     Split best;
     int best_border = 0;
+    std::vector<double> costs(facts_ != nullptr ? static_cast<std::size_t>(layout_.dim * kBorders) : 0, kInfinity);
     for (int axis = 0; axis < layout_.dim; ++axis) {
       if (!(centers.low[axis] < centers.high[axis])) continue;
       std::array<Bin, kBins> bins;
@@ -117,16 +119,29 @@ class TopDown {
       for (int border = 1; border < kBins; ++border) {
         sum.take(bins[border - 1]);
         const double cost = 2 + (cost_of(sum) + right[border]) / size(all);
+        if (facts_ != nullptr) costs[axis * kBorders + border - 1] = cost;
         if (cost >= best.cost) continue;
         const double width = (centers.high[axis] - centers.low[axis]) / kBins;
         best = {axis, centers.low[axis] + border * width, sum.count, cost};
         best_border = border;
       }
     }
+    if (facts_ != nullptr && best.axis != kNoIndex)
+      facts_->push_back(priced(part.node, best.axis, best_border, centers, std::move(costs)));
     if (best.axis != kNoIndex)
       std::partition(begin_of(part), end_of(part),
                      [&](Index body) { return bin_of(body, best.axis, centers) < best_border; });
     return best;
+  }
+
+  [[nodiscard]] SplitsPriced priced(Index node, int axis, int border, const Box& centers,
+                                    std::vector<double> costs) const {
+    SplitsPriced fact{.node = node, .axis = axis, .border = border, .low = {}, .high = {}, .costs = std::move(costs)};
+    for (int along = 0; along < layout_.dim; ++along) {
+      fact.low.push_back(layout_.position(along, centers.low[along]));
+      fact.high.push_back(layout_.position(along, centers.high[along]));
+    }
+    return fact;
   }
 
   [[nodiscard]] int bin_of(Index body, int axis, const Box& centers) const {

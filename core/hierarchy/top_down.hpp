@@ -34,8 +34,8 @@ inline constexpr std::array<std::string_view, 6> kSurfaceAreaPseudocode{
 
 enum class SplitRule : std::uint8_t { kMedian, kSurfaceArea };
 
-/// The facts of the build, in order: splits and leaves.
-using TopDownFacts = std::vector<std::variant<SplitChosen, LeafMade>>;
+/// The facts of the build, in order: prices of splits, splits and leaves.
+using TopDownFacts = std::vector<std::variant<SplitsPriced, SplitChosen, LeafMade>>;
 
 /// Bodies are divided by their boxes' centres, or by index if a node's centres are all in one place. The surface-area
 /// heuristic divides at the cheapest border between 16 bins per axis, which cover the node's centres; from depth 40 on

@@ -101,6 +101,9 @@ inline constexpr std::array<std::string_view, 6> kFirstHitPseudocode{
     "  open those hit, the nearer one first",
 };
 
+/// Which of two children that are both hit is taken first. kFar shows what the order is worth.
+enum class ChildOrder : std::uint8_t { kNear, kFar };
+
 template <class Scalar>
 struct Hit {
   Index body = kNoIndex;  // kNoIndex: none was hit
@@ -113,7 +116,7 @@ struct Hit {
 /// guarantees for boxes).
 template <class Scalar, class VolumeType, class HitTest, StepObserver<Step> Observer = Ignore>
 Hit<Scalar> first_hit(const Tree<VolumeType>& tree, std::type_identity_t<std::span<const VolumeType>> volumes,
-                      HitTest&& hit, Observer&& observe = {}) {
+                      HitTest&& hit, Observer&& observe = {}, ChildOrder order = ChildOrder::kNear) {
   struct Open {
     Index node;
     Scalar t;
@@ -137,7 +140,7 @@ Hit<Scalar> first_hit(const Tree<VolumeType>& tree, std::type_identity_t<std::sp
     const Node<VolumeType>& node = tree.nodes[now.node];
     if (!node.is_leaf()) {
       const auto left = test(node.first), right = test(node.first + 1);
-      const bool right_first = left && right && *right < *left;
+      const bool right_first = left && right && (order == ChildOrder::kNear ? *right < *left : *left < *right);
       if (right && !right_first) open.push_back({node.first + 1, *right});
       if (left) open.push_back({node.first, *left});
       if (right && right_first) open.push_back({node.first + 1, *right});

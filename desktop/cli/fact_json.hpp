@@ -25,7 +25,8 @@ void add_fields(Json& json, const Fact& fact, int dim) {
     Json& field = json[std::string(name)];
     if constexpr (std::is_enum_v<Value>) {
       field = static_cast<int>(value);
-    } else if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, std::vector<Index>>) {
+    } else if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, std::vector<Index>> ||
+                         std::is_same_v<Value, std::vector<double>>) {
       field = value;
     } else if constexpr (Value::ColsAtCompileTime == 1) {
       field = list_of(value);

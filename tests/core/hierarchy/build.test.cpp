@@ -1,5 +1,6 @@
 // Every tree of every builder holds each body once, and each node holds what is below it, exactly; after motion too.
 #include "hierarchy/build.hpp"
+#include "hierarchy/cost.hpp"
 #include "hierarchy/insertion.hpp"
 
 #include "core/hierarchy/scenes.hpp"
@@ -33,18 +34,6 @@ bool same(const hierarchy::Tree<VolumeType>& a, const hierarchy::Tree<VolumeType
     return x.first == y.first && x.count == y.count && x.volume.min == y.volume.min && x.volume.max == y.volume.max;
   };
   return a.bodies == b.bodies && std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), same_node);
-}
-
-/// What a traversal by chance is expected to cost, in tests of a body.
-template <class Scalar>
-double expected_cost(const hierarchy::Tree<Aabb<Scalar, 3>>& tree) {
-  const auto area = [](const Aabb<Scalar, 3>& box) {
-    const Vector<double, 3> d = (box.max - box.min).template cast<double>();
-    return d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
-  };
-  double cost = 0;
-  for (const auto& node : tree.nodes) cost += area(node.volume) * (node.is_leaf() ? node.count : 2);
-  return cost / area(tree.nodes[0].volume);
 }
 
 }  // namespace
@@ -177,12 +166,12 @@ TEST_CASE("bodies in one place are divided by index") {
 TEST_CASE("small scenes beside a far body are told apart") {
   // In floats a billionth of the scene would be one place, and the near bodies be divided by index.
   auto boxes = test::spread<double, 3>(2000, 5, 20);
-  const double alone = expected_cost(hierarchy::build_surface_area<Aabb<double, 3>>(boxes));
+  const double alone = hierarchy::expected_cost(hierarchy::build_surface_area<Aabb<double, 3>>(boxes));
   boxes.push_back({Vector<double, 3>::Constant(1e12), Vector<double, 3>::Constant(1e12 + 1)});
   auto tree = hierarchy::build_surface_area<Aabb<double, 3>>(boxes);
   boxes.back() = boxes.front();
   hierarchy::refit(tree, boxes);
-  CHECK(expected_cost(tree) < 1.1 * alone);
+  CHECK(hierarchy::expected_cost(tree) < 1.1 * alone);
 }
 
 TEST_CASE("surfaces are smaller than by the median where sizes differ") {
@@ -192,8 +181,8 @@ TEST_CASE("surfaces are smaller than by the median where sizes differ") {
     const double width = i % 20 == 0 ? 5 : 0.1;
     boxes.push_back(test::box_at<float, 3>(test::any_in<3>(random, 0, 50), test::any_in<3>(random, 0, width)));
   }
-  const double median = expected_cost(hierarchy::build_median<Aabb<float, 3>>(boxes));
-  CHECK(expected_cost(hierarchy::build_surface_area<Aabb<float, 3>>(boxes)) < 0.9 * median);
+  const double median = hierarchy::expected_cost(hierarchy::build_median<Aabb<float, 3>>(boxes));
+  CHECK(hierarchy::expected_cost(hierarchy::build_surface_area<Aabb<float, 3>>(boxes)) < 0.9 * median);
 }
 
 TEST_CASE("trees from the leaves up and by insertion come near those from the root down") {
@@ -202,9 +191,9 @@ TEST_CASE("trees from the leaves up and by insertion come near those from the ro
     CAPTURE(in_order);
     if (in_order)
       std::sort(boxes.begin(), boxes.end(), [](const auto& a, const auto& b) { return a.min[0] < b.min[0]; });
-    const double median = expected_cost(hierarchy::build_median<Aabb<float, 3>>(boxes, {1}));
-    CHECK(expected_cost(hierarchy::build_bottom_up<Aabb<float, 3>>(boxes)) < 1.15 * median);
-    CHECK(expected_cost(hierarchy::build_by_insertion<Aabb<float, 3>>(boxes)) < 1.15 * median);
+    const double median = hierarchy::expected_cost(hierarchy::build_median<Aabb<float, 3>>(boxes, {1}));
+    CHECK(hierarchy::expected_cost(hierarchy::build_bottom_up<Aabb<float, 3>>(boxes)) < 1.15 * median);
+    CHECK(hierarchy::expected_cost(hierarchy::build_by_insertion<Aabb<float, 3>>(boxes)) < 1.15 * median);
   }
 }
 
