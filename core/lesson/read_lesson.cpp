@@ -326,7 +326,8 @@ bool read(const toml::table& toml, Lesson& lesson, Complaints& complaints) {
   lesson.view = read_view(table, complaints);
   if (const toml::table* words = table.table("pseudocode")) read_pseudocode(*words, complaints, lesson);
   read_questions(table, lesson, complaints);
-  read_tasks(table, lesson, complaints);
+  if (table.has(own)) read_tasks(table, lesson, complaints);
+  else table.allow("task");  // its model is read as what stands on the stage is
   read_texts(toml, lesson, complaints);
   table.refuse_others();
   return sound;
