@@ -12,11 +12,13 @@
 #include "lesson/subjects/pair/stored.hpp"
 #include "lesson/subjects/pair/volumes.hpp"
 #include "lesson/subjects/scene/scene.hpp"
+#include "lesson/subjects/tree/tree.hpp"
 
 namespace snug::lesson {
 
 std::span<const SubjectRow* const> subjects() {
-  static constexpr std::array kSubjects{&kCloudRow, &kPairRow, &kVolumesRow, &kFrustumRow, &kSceneRow, &kCostRow};
+  static constexpr std::array kSubjects{&kCloudRow, &kPairRow,  &kVolumesRow, &kFrustumRow,
+                                        &kTreeRow,  &kSceneRow, &kCostRow};
   return kSubjects;
 }
 

@@ -13,6 +13,7 @@
 #include "lesson/subjects/pair/pair.hpp"
 #include "lesson/subjects/pair/read_volumes.hpp"
 #include "lesson/subjects/scene/scene.hpp"
+#include "lesson/subjects/tree/tree.hpp"
 
 namespace snug {
 namespace {
@@ -153,6 +154,31 @@ std::vector<lesson::Session> frustum_sessions() {
   return sessions;
 }
 
+/// Every way to build a tree, and every query, over boxes that lie apart, in one another, and all in one place.
+std::vector<lesson::Session> tree_sessions() {
+  std::vector<lesson::Session> sessions;
+  const auto add = [&](const lesson::TreeTables& tables, const lesson::Method& method) {
+    lesson::Lesson lesson;
+    lesson.id = "test";
+    lesson.volume = method.volume;
+    lesson.tables = std::make_shared<lesson::TreeTables>(tables);
+    lesson.algorithms = {std::string(method.name)};
+    auto session = lesson::Session::open(std::move(lesson));
+    REQUIRE(session.has_value());
+    sessions.push_back(*std::move(session));
+  };
+  for (const char* kind : {"clusters", "cube", "line"})
+    for (const double spread : {1.0, 0.0}) {
+      lesson::TreeTables tables;
+      tables.stage.boxes = lesson::boxes_by({kind, 9}, 4);
+      for (lesson::HeldBox& box : tables.stage.boxes) box.center *= spread;
+      tables.stage.query = lesson::QueryPlaces{{lesson::Point2(-1, -0.5), lesson::Point2(1.5, 1)}};
+      for (const lesson::Method& method : lesson::build_methods()) add(tables, method);
+      for (const lesson::Method& method : lesson::query_methods()) add(tables, method);
+    }
+  return sessions;
+}
+
 /// Scenes of pairs, of a volume that follows a body, and of one that comes to rest.
 std::vector<lesson::Session> scene_sessions() {
   std::vector<lesson::Session> sessions;
@@ -204,7 +230,7 @@ TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no numbe
         if (fit::takes(algorithm, dim)) check_fit(algorithm, set_of(*generate(kind, 12, dim, 7), dim));
     if (fit::takes(algorithm, 3)) check_fit(algorithm, set_of({{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, 3));
   }
-  for (const auto& sessions : {box_sessions, volume_sessions, frustum_sessions, scene_sessions})
+  for (const auto& sessions : {box_sessions, volume_sessions, frustum_sessions, tree_sessions, scene_sessions})
     for (const lesson::Session& session : sessions()) check(session.run(0), 3, true);
   for (const lesson::SubjectRow* subject : lesson::subjects())
     for (const std::string_view fact : subject->facts()) CHECK_MESSAGE(seen.count(fact) == 1, fact);

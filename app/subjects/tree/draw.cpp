@@ -1,0 +1,168 @@
+#include "app/subjects/tree/draw.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lesson/figures.hpp"
+
+namespace snug::app {
+namespace {
+
+using lesson::Box2;
+using lesson::Branch;
+using lesson::Forest;
+using lesson::Point2;
+
+constexpr float kRimStep = 4;  // how much farther out the outline of a node is than those of its children, pixels
+
+Point3 in_plane(const Point2& p) { return {p[0], p[1], 0}; }
+
+struct ScreenBox {
+  ImVec2 low, high;
+};
+
+ScreenBox on_screen(const Brush& brush, const Box2& box, float out) {
+  const ImVec2 a = brush.at(in_plane(box.min)), b = brush.at(in_plane(box.max));
+  return {{a.x - out, b.y - out}, {b.x + out, a.y + out}};
+}
+
+void draw_rim(Brush& brush, const ScreenBox& box, Stroke stroke, Color color, float width) {
+  const std::array<ImVec2, 4> corners{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
+  path(brush.list, corners, true, stroke, color, width);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const ImVec2 a = corners[i], b = corners[(i + 1) % 4];
+    brush.canvas.obstacles.segments.push_back({a.x, a.y, b.x, b.y});
+  }
+}
+
+void hatch_box(Brush& brush, const ScreenBox& box, Color color) {
+  brush.list->PushClipRect(box.low, box.high, true);
+  const ImVec2 middle{(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
+  hatching(brush.list, middle, std::hypot(box.high.x - box.low.x, box.high.y - box.low.y) / 2,
+           with_alpha(color, 0.35f));
+  brush.list->PopClipRect();
+}
+
+int rank_of(const Forest& forest, Index i) {
+  const Branch& branch = forest.at(i);
+  if (!branch.divides()) return branch.boxes.size() > 1 ? 1 : 0;
+  return 1 + std::max(rank_of(forest, branch.children[0]), rank_of(forest, branch.children[1]));
+}
+
+/// Draws the nodes that have more than one box, the current one over the others.
+void draw_nodes(Brush& brush, const TreeShown& shown) {
+  const Forest& forest = shown.forest();
+  const auto node = [&](Index i, bool now) {
+    if (forest.at(i).boxes.size() < 2) return;
+    const ScreenBox box = on_screen(brush, forest.at(i).box, kRimStep * static_cast<float>(rank_of(forest, i)));
+    const TreeInk ink = ink_of(brush.p, shown, i);
+    if (now || ink.crossed) brush.list->AddRectFilled(box.low, box.high, with_alpha(ink.line, brush.p.fill), 3);
+    if (ink.crossed) hatch_box(brush, box, ink.line);
+    draw_rim(brush, box, ink.pale ? Stroke::kDotted : Stroke::kSolid, now ? ink.line : with_alpha(ink.line, 0.8f),
+             brush.stroke(now ? 1.4f : 0.6f));
+  };
+  std::vector<Index> there = forest.there();
+  for (const Index i : there)
+    if (i != shown.branch) node(i, false);
+  if (std::find(there.begin(), there.end(), shown.branch) != there.end()) node(shown.branch, true);
+}
+
+void draw_boxes(Brush& brush, const TreeShown& shown) {
+  for (std::size_t i = 0; i < shown.run->boxes().size(); ++i) {
+    const ScreenBox box = on_screen(brush, shown.run->boxes()[i], 0);
+    const TreeInk ink = ink_of_box(brush.p, shown, static_cast<Index>(i));
+    brush.list->AddRectFilled(box.low, box.high, with_alpha(ink.line, ink.fill > 0 ? 3 * ink.fill : 0.1f), 2);
+    if (ink.crossed) hatch_box(brush, box, ink.line);
+    const bool waits = static_cast<Index>(i) == shown.incoming;
+    draw_rim(brush, box, ink.pale ? Stroke::kDotted : Stroke::kSolid, ink.line, brush.stroke(waits ? 1.4f : 0.8f));
+  }
+}
+
+/// Draws the line along which a node is or would be divided.
+void draw_border(Brush& brush, const TreeShown& shown) {
+  const Index node = shown.split != nullptr    ? shown.split->node
+                     : shown.priced != nullptr ? shown.priced->node
+                                               : kNoIndex;
+  const int axis = shown.split != nullptr ? shown.split->axis : shown.priced != nullptr ? shown.priced->axis : kNoIndex;
+  if (node == kNoIndex || axis == kNoIndex) return;
+  const double at = shown.split != nullptr ? shown.split->position : shown.priced->position(axis, shown.priced->border);
+  const Box2& box = shown.forest().at(node).box;
+  Point2 from = box.min, to = box.max;
+  from[axis] = to[axis] = at;
+  const ImVec2 a = brush.at(in_plane(from)), b = brush.at(in_plane(to));
+  const float out = 14;
+  const ImVec2 low{a.x - (axis == 1 ? out : 0), a.y + (axis == 0 ? out : 0)},
+      high{b.x + (axis == 1 ? out : 0), b.y - (axis == 0 ? out : 0)};
+  line(brush.list, low, high, Stroke::kDashed, brush.p.support, brush.stroke(1.1f));
+  brush.canvas.obstacles.segments.push_back({low.x, low.y, high.x, high.y});
+  brush.label(high, 6, {axis == 0 ? 0.0f : 1.0f, axis == 0 ? -1.0f : 0.0f},
+              std::string(1, "xy"[axis]) + " = " + lesson::number_text(at), brush.p.support_text, Face::kSemiBold, 13);
+}
+
+/// Where a line from a place on the screen leaves the stage.
+ImVec2 beyond_stage(const Rect& rect, ImVec2 from, ImVec2 through) {
+  const float dx = through.x - from.x, dy = through.y - from.y, length = std::hypot(dx, dy);
+  const float reach = rect.width + rect.height + std::hypot(from.x - rect.x, from.y - rect.y);
+  return length > 0 ? ImVec2{from.x + dx / length * reach, from.y + dy / length * reach} : from;
+}
+
+void draw_frustum_query(Brush& brush, const lesson::QueryPlaces& query, Color color) {
+  std::vector<ImVec2> corners;
+  for (const Point2& corner : lesson::corners_of_query(query)) corners.push_back(brush.at(in_plane(corner)));
+  brush.list->AddConvexPolyFilled(corners.data(), static_cast<int>(corners.size()), with_alpha(color, 0.07f));
+  path(brush.list, corners, true, Stroke::kLongDashed, color, brush.stroke(1.1f));
+}
+
+/// Draws what the method asks for, between Q and R.
+void draw_query(Brush& brush, const lesson::QueryPlaces& query, std::string_view method) {
+  const Color color = brush.p.support;
+  const ImVec2 from = brush.at(in_plane(query.at[0])), to = brush.at(in_plane(query.at[1]));
+  switch (lesson::shape_of_query(method)) {
+    case lesson::QueryShape::kPoint: plus(brush.list, from, 9 * brush.p.mark, color, brush.stroke(1.2f)); break;
+    case lesson::QueryShape::kBox: {
+      const ScreenBox box = on_screen(brush, lesson::box_of(query), 0);
+      brush.list->AddRectFilled(box.low, box.high, with_alpha(color, 0.07f));
+      draw_rim(brush, box, Stroke::kLongDashed, color, brush.stroke(1.1f));
+      break;
+    }
+    case lesson::QueryShape::kRay: {
+      const ImVec2 end = beyond_stage(brush.rect, from, to);
+      line(brush.list, from, end, Stroke::kLongDashed, color, brush.stroke(1.1f));
+      arrow(brush.list, from, to, color, brush.stroke(1.1f));
+      brush.canvas.obstacles.segments.push_back({from.x, from.y, end.x, end.y});
+      break;
+    }
+    case lesson::QueryShape::kFrustum: draw_frustum_query(brush, query, color); break;
+  }
+}
+
+}  // namespace
+
+Box2 stage_room(const lesson::TreeStage& stage) {
+  Box2 all = stage.boxes.front().aabb();
+  const auto take = [&](const Box2& box) { all = {all.min.cwiseMin(box.min), all.max.cwiseMax(box.max)}; };
+  for (const lesson::HeldBox& box : stage.boxes) take(box.aabb());
+  if (stage.query)
+    for (const Point2& at : stage.query->at) take({at, at});
+  return all;
+}
+
+Box2 tree_room(const lesson::TreeStage& stage) {
+  constexpr double kHeight = 0.4, kGap = 0.14, kNarrowest = 0.7;  // of the larger side of what is above
+  const Box2 above = stage_room(stage);
+  const Point2 size = above.max - above.min;
+  const double larger = size.maxCoeff(), half = std::max(size[0], kNarrowest * larger) / 2;
+  const double middle = (above.min[0] + above.max[0]) / 2, top = above.min[1] - kGap * larger;
+  return {{middle - half, top - kHeight * larger}, {middle + half, top}};
+}
+
+void draw_tree(Brush& brush, const TreeShown& shown) {
+  const auto& stage = lesson::as<lesson::TreeSubject>(brush.session.subject())->stage();
+  draw_boxes(brush, shown);
+  draw_nodes(brush, shown);
+  draw_border(brush, shown);
+  draw_tree_below(brush, shown);
+  if (shown.run->is_query() && stage.query) draw_query(brush, *stage.query, brush.session.method(0)->name);
+}
+
+}  // namespace snug::app

@@ -1,0 +1,67 @@
+#include "app/subjects/tree/shown.hpp"
+
+namespace snug::app {
+namespace {
+
+using lesson::Met;
+
+TreeInk ink_of_met(const Palette& p, Met met) {
+  switch (met) {
+    case Met::kOpen: return {p.examined, p.examined_text};
+    case Met::kMet: return {p.current, p.current_text, p.fill};
+    case Met::kMissed: return {.line = p.wrong, .words = p.wrong_text, .crossed = true};
+    case Met::kUnder: return {.line = with_alpha(p.muted, 0.55f), .words = p.muted, .pale = true};
+    case Met::kTaken: return {p.optimum, p.optimum_text, p.fill};
+    case Met::kNot: break;
+  }
+  return {p.muted, p.ink};
+}
+
+/// What an open question is about, which its step will show.
+void show_asked(TreeShown& shown, const lesson::Session& session) {
+  const lesson::Asked* asked = session.asked();
+  if (asked == nullptr) return;
+  shown.spoken_of.clear();
+  shown.split = nullptr;
+  if (asked->step != asked->fact) return;  // asked long before
+  const auto& fact = shown.run->trace()[asked->fact].step.fact;
+  shown.branch = shown.run->branch_of(asked->fact);
+  if (const auto* inserted = std::get_if<hierarchy::BodyInserted>(&fact)) shown.incoming = inserted->body;
+  const bool makes = shown.incoming != kNoIndex || std::holds_alternative<hierarchy::NodesMerged>(fact);
+  if (makes || std::holds_alternative<hierarchy::Done>(fact)) shown.branch = kNoIndex;  // it is not there yet
+}
+
+}  // namespace
+
+TreeShown tree_shown_at(const lesson::Session& session) {
+  TreeShown shown{shown_at(session)};
+  shown.run = &lesson::tree_run(session.run(0));
+  shown.step = session.step();
+  shown.spoken_of = named_now(session);
+  if (shown.step > 0) {
+    const auto& fact = shown.run->trace()[shown.step - 1].step.fact;
+    shown.branch = shown.run->branch_of(shown.step - 1);
+    shown.priced = std::get_if<hierarchy::SplitsPriced>(&fact);
+    shown.split = std::get_if<hierarchy::SplitChosen>(&fact);
+    if (shown.split != nullptr && shown.step > 1)
+      shown.priced = std::get_if<hierarchy::SplitsPriced>(&shown.run->trace()[shown.step - 2].step.fact);
+    if (std::holds_alternative<hierarchy::Done>(fact)) shown.branch = kNoIndex;
+  }
+  show_asked(shown, session);
+  return shown;
+}
+
+TreeInk ink_of(const Palette& palette, const TreeShown& shown, Index branch) {
+  TreeInk ink{palette.previous, palette.ink};
+  if (const auto* state = shown.query()) ink = ink_of_met(palette, state->nodes[static_cast<std::size_t>(branch)]);
+  else if (branch == shown.branch || shown.finished) ink = {palette.current, palette.current_text, palette.fill};
+  return ink;
+}
+
+TreeInk ink_of_box(const Palette& palette, const TreeShown& shown, Index box) {
+  if (const auto* state = shown.query()) return ink_of_met(palette, state->boxes[static_cast<std::size_t>(box)]);
+  if (box == shown.incoming) return {palette.examined, palette.examined_text};
+  return {palette.point, palette.ink};
+}
+
+}  // namespace snug::app

@@ -1,0 +1,36 @@
+// What a step of building a tree, or of a query through one, shows.
+#pragma once
+
+#include "app/palette.hpp"
+#include "app/shown.hpp"
+#include "lesson/subjects/tree/tree.hpp"
+
+namespace snug::app {
+
+struct TreeShown : Shown {
+  const lesson::TreeRun* run = nullptr;
+  int step = 0;
+  /// The branch that the step is about, or that an open question asks about; kNoIndex for none.
+  Index branch = kNoIndex;
+  /// The box that a question about an insertion speaks of.
+  Index incoming = kNoIndex;
+  const hierarchy::SplitsPriced* priced = nullptr;  // until its node is divided
+  const hierarchy::SplitChosen* split = nullptr;
+
+  [[nodiscard]] const lesson::Forest& forest() const { return run->forest(step); }
+  [[nodiscard]] const lesson::QueryState* query() const { return run->is_query() ? &run->state(step) : nullptr; }
+};
+
+[[nodiscard]] TreeShown tree_shown_at(const lesson::Session& session);
+
+/// A branch's or a box's colours: those of its state, the same on the stage and in the tree's picture.
+struct TreeInk {
+  Color line = 0, words = 0;
+  float fill = 0;        // alpha
+  bool crossed = false;  // left out by a test
+  bool pale = false;     // left out untested
+};
+[[nodiscard]] TreeInk ink_of(const Palette& palette, const TreeShown& shown, Index branch);
+[[nodiscard]] TreeInk ink_of_box(const Palette& palette, const TreeShown& shown, Index box);
+
+}  // namespace snug::app

@@ -1,0 +1,171 @@
+// What can be asked about building a tree and going through one.
+#include <set>
+
+#include "hierarchy/bounds.hpp"
+#include "lesson/subjects/tree/entries.hpp"
+
+namespace snug::lesson {
+namespace {
+
+constexpr std::size_t kMostChoices = 4;
+
+template <class Fact>
+const Fact& fact_of(const Asked& asked, const Run& run) {
+  return *std::get_if<Fact>(&tree_run(run).trace()[asked.fact].step.fact);
+}
+
+Truth axis_truth(int axis, const std::string& why) {
+  const std::string letter = axis_letter(axis);
+  return {{axis}, {}, letter, why + letter + "."};
+}
+
+/// Two groups of boxes, and how large the box around both is.
+struct Pair {
+  Index left, right;
+  double size;
+  std::string name;
+};
+
+std::string short_name(const Forest& forest, Index branch) {
+  std::string name;
+  for (const Index box : forest.at(branch).boxes) name += box_name(box);
+  return name;
+}
+
+double half_perimeter(const Box2& a, const Box2& b) { return (a.max.cwiseMax(b.max) - a.min.cwiseMin(b.min)).sum(); }
+
+/// The pairs of groups before a merger, the smallest first; equal ones by name.
+std::vector<Pair> pairs_before(const Forest& forest) {
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < forest.roots.size(); ++i)
+    for (std::size_t k = i + 1; k < forest.roots.size(); ++k) {
+      const Index left = forest.roots[i], right = forest.roots[k];
+      std::string a = short_name(forest, left), b = short_name(forest, right);
+      if (b < a) std::swap(a, b);
+      pairs.push_back({left, right, half_perimeter(forest.at(left).box, forest.at(right).box), a + " and " + b});
+    }
+  std::sort(pairs.begin(), pairs.end(),
+            [](const Pair& a, const Pair& b) { return a.size < b.size || (a.size == b.size && a.name < b.name); });
+  return pairs;
+}
+
+bool merges(const hierarchy::NodesMerged& fact, const Pair& pair) {
+  return std::minmax(fact.left, fact.right) == std::minmax(pair.left, pair.right);
+}
+
+/// The pair that is merged, and the smallest of the others; in the order of their names.
+std::vector<Pair> pairs_offered(const Asked& asked, const Run& run) {
+  const auto& fact = fact_of<hierarchy::NodesMerged>(asked, run);
+  std::vector<Pair> pairs = pairs_before(tree_run(run).forest(asked.fact));
+  std::stable_partition(pairs.begin(), pairs.end(), [&](const Pair& pair) { return merges(fact, pair); });
+  pairs.resize(std::min(pairs.size(), kMostChoices));
+  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.name < b.name; });
+  return pairs;
+}
+
+/// The nodes beside which a box might be inserted: where it is, what is around, above and below there, and others.
+std::vector<Index> places_offered(const Asked& asked, const Run& run) {
+  const Forest& forest = tree_run(run).forest(asked.fact);
+  const Index right = fact_of<hierarchy::BodyInserted>(asked, run).beside;
+  const Index parent = forest.parent_of(right);
+  std::vector<Index> near{right};
+  const auto add = [&](Index i) {
+    if (i != kNoIndex && near.size() < kMostChoices && std::find(near.begin(), near.end(), i) == near.end())
+      near.push_back(i);
+  };
+  add(parent);
+  if (parent != kNoIndex)
+    for (const Index child : forest.at(parent).children) add(child);
+  for (const Index child : forest.at(right).children) add(child);
+  for (const Index i : forest.there()) add(i);
+  std::sort(near.begin(), near.end(), [&](Index a, Index b) { return short_name(forest, a) < short_name(forest, b); });
+  return near;
+}
+
+}  // namespace
+
+const char* offer_split_axes(Asked& asked, const Run& run) {
+  const auto& fact = tree_run(run).trace()[asked.fact].step.fact;
+  const auto* split = std::get_if<hierarchy::SplitChosen>(&fact);
+  if (split != nullptr && split->axis == kNoIndex)
+    return "\"split_axis\" cannot be asked where all centres are in one place";
+  for (const int axis : {0, 1}) asked.add_choice(axis_letter(axis));
+  return nullptr;
+}
+Truth priced_axis_truth(const Asked& asked, const Run& run) {
+  return axis_truth(fact_of<hierarchy::SplitsPriced>(asked, run).axis, "The cheapest border is along ");
+}
+Truth split_axis_truth(const Asked& asked, const Run& run) {
+  return axis_truth(fact_of<hierarchy::SplitChosen>(asked, run).axis, "The node is split along ");
+}
+
+const char* offer_pairs(Asked& asked, const Run& run) {
+  const Forest& forest = tree_run(run).forest(asked.fact);
+  if (forest.roots.size() < 3) return "\"pair\" cannot be asked of the last two groups";
+  for (const Pair& pair : pairs_offered(asked, run)) {
+    std::vector<Index> boxes = forest.at(pair.left).boxes;
+    boxes.insert(boxes.end(), forest.at(pair.right).boxes.begin(), forest.at(pair.right).boxes.end());
+    asked.add_choice(pair.name, std::move(boxes));
+  }
+  return nullptr;
+}
+
+/// A pair whose box is as large, to the last bit, is right as well.
+Truth pair_truth(const Asked& asked, const Run& run) {
+  const std::vector<Pair> pairs = pairs_offered(asked, run);
+  const auto& fact = fact_of<hierarchy::NodesMerged>(asked, run);
+  const Pair& merged = *std::find_if(pairs.begin(), pairs.end(), [&](const Pair& pair) { return merges(fact, pair); });
+  Truth truth{{},
+              {},
+              merged.name,
+              "The box around " + merged.name + " has a half perimeter of " + number_text(fact.area) +
+                  ", the least of all."};
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (pairs[i].size == merged.size) truth.choices.push_back(static_cast<int>(i));
+  return truth;
+}
+
+const char* offer_places(Asked& asked, const Run& run) {
+  const Forest& forest = tree_run(run).forest(asked.fact);
+  if (forest.there().size() < 3) return "\"beside\" cannot be asked of the first two boxes";
+  for (const Index i : places_offered(asked, run)) {
+    const std::size_t there = forest.at(forest.roots.front()).boxes.size();
+    asked.add_choice(node_name(forest.at(i).boxes, there), forest.at(i).boxes);
+  }
+  return nullptr;
+}
+Truth beside_truth(const Asked& asked, const Run& run) {
+  const auto& fact = fact_of<hierarchy::BodyInserted>(asked, run);
+  const std::vector<Index> places = places_offered(asked, run);
+  const auto right = static_cast<int>(std::find(places.begin(), places.end(), fact.beside) - places.begin());
+  const std::string& name = asked.choices[static_cast<std::size_t>(right)];
+  return {{right},
+          {},
+          name,
+          box_name(fact.body) + " goes beside " + name + ": the half perimeters then grow by " +
+              number_text(fact.growth) + " in all."};
+}
+
+Truth rotates_truth(const Asked& asked, const Run& run) {
+  const TreeSteps steps = tree_run(run).trace();
+  const auto next = static_cast<std::size_t>(asked.fact) + 1;
+  if (next < steps.size() && std::holds_alternative<hierarchy::Rotated>(steps[next].step.fact))
+    return yes("Two nodes change places after it.");
+  return no("No exchange makes a node smaller.");
+}
+
+Truth left_out_truth(const Asked& asked, const Run& run) {
+  switch (fact_of<hierarchy::NodeVisited>(asked, run).answer) {
+    case hierarchy::Answer::kPrune: return yes("The query misses the node's box, and so all that is in it.");
+    case hierarchy::Answer::kAccept: return no("The node is inside, so all below is taken.");
+    case hierarchy::Answer::kDescend: break;
+  }
+  return no("The query meets the node's box, so what is below has to be looked at.");
+}
+Truth found_truth(const Asked& asked, const Run& run) {
+  const auto& fact = fact_of<hierarchy::BodyTested>(asked, run);
+  const std::string box = "box " + box_name(fact.body) + ".";
+  return fact.answer == hierarchy::Answer::kPrune ? no("The query misses " + box) : yes("The query meets " + box);
+}
+
+}  // namespace snug::lesson

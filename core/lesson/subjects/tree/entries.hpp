@@ -1,0 +1,194 @@
+// The entries of the facts that building a tree and going through one report.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "lesson/subjects/tree/tree_run.hpp"
+
+namespace snug::lesson {
+
+using TreeWhere = TreeRun::Where;
+
+const char* offer_split_axes(Asked& asked, const Run& run);
+Truth priced_axis_truth(const Asked& asked, const Run& run);
+Truth split_axis_truth(const Asked& asked, const Run& run);
+const char* offer_pairs(Asked& asked, const Run& run);
+Truth pair_truth(const Asked& asked, const Run& run);
+const char* offer_places(Asked& asked, const Run& run);
+Truth beside_truth(const Asked& asked, const Run& run);
+Truth rotates_truth(const Asked& asked, const Run& run);
+Truth left_out_truth(const Asked& asked, const Run& run);
+Truth found_truth(const Asked& asked, const Run& run);
+
+/// "x".
+[[nodiscard]] inline std::string axis_letter(int axis) { return std::string(1, "xy"[axis]); }
+[[nodiscard]] inline std::string capital(std::string text) {
+  if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text;
+}
+template <>
+struct Entry<hierarchy::SplitsPriced> : EntryDefaults {
+  using Fact = hierarchy::SplitsPriced;
+  static constexpr std::array kAskings{Asking{"split_axis", &offer_split_axes, &priced_axis_truth}};
+  static std::string sentence(const Fact& fact, const TreeWhere& where) {
+    const auto priced = std::count_if(fact.costs.begin(), fact.costs.end(), [](double c) { return std::isfinite(c); });
+    return capital(where.beside_name(fact.node)) + ": of " + std::to_string(priced) +
+           " possible borders, the cheapest is at " + axis_letter(fact.axis) + " = " +
+           number_text(fact.position(fact.axis, fact.border)) + ", with " +
+           number_text(fact.cost_at(fact.axis, fact.border)) + " expected tests.";
+  }
+};
+
+template <>
+struct Entry<hierarchy::SplitChosen> : EntryDefaults {
+  using Fact = hierarchy::SplitChosen;
+  static constexpr std::array kAskings{Asking{"split_axis", &offer_split_axes, &split_axis_truth}};
+  static std::string sentence(const Fact& fact, const TreeWhere& where) {
+    const Branch& node = where.after().at(fact.node);
+    const auto side = [&](int i) {
+      const std::vector<Index>& boxes = where.after().at(node.children[i]).boxes;
+      return box_names(boxes) + (boxes.size() == 1 ? " goes" : " go");
+    };
+    const std::string how = fact.axis == kNoIndex ? "all centres are in one place, so it is halved by number"
+                            : fact.cost == 0
+                                ? "the centres spread most along " + axis_letter(fact.axis) + ", so it is halved there"
+                                : "split at " + axis_letter(fact.axis) + " = " + number_text(fact.position);
+    return capital(where.beside_name(fact.node)) + ": " + how + "; " + side(0) + " into one child, " + side(1) +
+           " into the other.";
+  }
+  /// Those of the left child.
+  static std::vector<Index> handles(const Fact& fact, const TreeWhere& where) {
+    return where.after().at(where.after().at(fact.node).children[0]).boxes;
+  }
+  static std::string predicate(const Fact& fact, const TreeWhere&, bool plural) {
+    const std::string side = fact.axis == 1 ? "lower" : fact.axis == 0 ? "left" : "first";
+    return (plural ? "go into the " : "goes into the ") + side + " child";
+  }
+  static std::optional<Mark::Kind> mark(const Fact&, const TreeWhere&) { return Mark::Kind::kGrew; }
+};
+
+template <>
+struct Entry<hierarchy::LeafMade> : EntryDefaults {
+  using Fact = hierarchy::LeafMade;
+  static std::string sentence(const Fact& fact, const TreeWhere& where) {
+    return box_names(where.after().at(fact.node).boxes) + " is alone, so its node is a leaf.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const TreeWhere& where) {
+    return where.after().at(fact.node).boxes;
+  }
+  static std::string predicate(const Fact&, const TreeWhere&, bool) { return "becomes a leaf"; }
+};
+
+template <>
+struct Entry<hierarchy::NodesMerged> : EntryDefaults {
+  using Fact = hierarchy::NodesMerged;
+  static constexpr std::array kAskings{Asking{"pair", &offer_pairs, &pair_truth}};
+  static std::string sentence(const Fact& fact, const TreeWhere& where) {
+    return where.name_before(fact.left) + " and " + where.name_before(fact.right) +
+           " are merged: of all pairs, the box around these two is smallest, with a half perimeter of " +
+           number_text(fact.area) + ".";
+  }
+  static std::vector<Index> handles(const Fact& fact, const TreeWhere& where) {
+    return where.after().at(fact.merged).boxes;
+  }
+  static std::string predicate(const Fact&, const TreeWhere&, bool) { return "are in the merged node"; }
+  static std::optional<Mark::Kind> mark(const Fact&, const TreeWhere&) { return Mark::Kind::kGrew; }
+};
+
+template <>
+struct Entry<hierarchy::BodyInserted> : EntryDefaults {
+  using Fact = hierarchy::BodyInserted;
+  static constexpr std::array kAskings{Asking{"beside", &offer_places, &beside_truth},
+                                       Asking{"rotates", &offer_yes_no, &rotates_truth}};
+  static std::string sentence(const Fact& fact, const TreeWhere& where) {
+    const std::string box = box_name(fact.body);
+    if (fact.made == kNoIndex) return box + " is the first box, and the root of the tree.";
+    return box + " goes down to " + where.beside_name(fact.beside) +
+           " and is inserted beside it: the half perimeters of the nodes grow by " + number_text(fact.growth) +
+           " in all.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const TreeWhere&) { return {fact.body}; }
+  static std::string predicate(const Fact&, const TreeWhere&, bool) { return "is inserted"; }
+  static std::optional<Mark::Kind> mark(const Fact& fact, const TreeWhere&) {
+    return fact.made == kNoIndex ? std::nullopt : std::optional(Mark::Kind::kGrew);
+  }
+};
+
+template <>
+struct Entry<hierarchy::Rotated> : EntryDefaults {
+  using Fact = hierarchy::Rotated;
+  static std::string sentence(const Fact& fact, const TreeWhere& where) {
+    return "A rotation: " + where.beside_name(fact.up) + " and " + where.beside_name(fact.down) +
+           " change places, which makes a node's half perimeter smaller by " + number_text(fact.gain) + ".";
+  }
+  static std::vector<Index> handles(const Fact& fact, const TreeWhere& where) {
+    std::vector<Index> both = where.before().at(fact.up).boxes;
+    const auto& down = where.before().at(fact.down).boxes;
+    both.insert(both.end(), down.begin(), down.end());
+    return both;
+  }
+  static std::string predicate(const Fact&, const TreeWhere&, bool) { return "change places"; }
+  static std::optional<Mark::Kind> mark(const Fact&, const TreeWhere&) { return Mark::Kind::kReplaced; }
+};
+
+template <>
+struct Entry<hierarchy::NodeVisited> : EntryDefaults {
+  using Fact = hierarchy::NodeVisited;
+  static constexpr std::array kAskings{Asking{"left_out", &offer_yes_no, &left_out_truth}};
+  static std::string sentence(const Fact& fact, const TreeWhere& where) {
+    const Branch& node = where.before().at(fact.node);
+    const std::string name = capital(where.beside_name(fact.node));
+    switch (fact.answer) {
+      case hierarchy::Answer::kPrune:
+        return name + ": the query misses it" +
+               (node.boxes.size() == 1
+                    ? "."
+                    : ", so all " + std::to_string(node.boxes.size()) + " boxes below are left out.");
+      case hierarchy::Answer::kAccept:
+        return name + ": all of it is inside, so all " + std::to_string(node.boxes.size()) +
+               " boxes below are taken without a test.";
+      case hierarchy::Answer::kDescend: break;
+    }
+    return name + ": the query meets it" +
+           (where.run.tests_before() ? ", so it waits." : ", so its children are opened.");
+  }
+  static std::optional<Mark::Kind> mark(const Fact& fact, const TreeWhere&) {
+    return fact.answer == hierarchy::Answer::kDescend ? std::nullopt : std::optional(Mark::Kind::kBest);
+  }
+};
+
+template <>
+struct Entry<hierarchy::BodyTested> : EntryDefaults {
+  using Fact = hierarchy::BodyTested;
+  static constexpr std::array kAskings{Asking{"found", &offer_yes_no, &found_truth}};
+  static std::string sentence(const Fact& fact, const TreeWhere&) {
+    return "Box " + box_name(fact.body) + " is tested itself: the query " +
+           (fact.answer == hierarchy::Answer::kPrune ? "misses it." : "meets it.");
+  }
+  static std::vector<Index> handles(const Fact& fact, const TreeWhere&) { return {fact.body}; }
+  static std::string predicate(const Fact&, const TreeWhere&, bool) { return "is tested"; }
+  static std::optional<Mark::Kind> mark(const Fact& fact, const TreeWhere&) {
+    return fact.answer == hierarchy::Answer::kPrune ? std::nullopt : std::optional(Mark::Kind::kReplaced);
+  }
+};
+
+template <>
+struct Entry<hierarchy::Done> : EntryDefaults {
+  using Fact = hierarchy::Done;
+  static std::string sentence(const Fact& fact, const TreeWhere& where) {
+    const TreeRun& run = where.run;
+    if (!run.is_query())
+      return "The tree is finished: " + std::to_string(fact.nodes) + " nodes, each with the box around its children.";
+    return "The end: " + std::to_string(fact.volume_tests) + " tests found " + box_names(run.result().found) +
+           "; one by one it takes " + std::to_string(run.boxes().size()) + ".";
+  }
+  /// What a query found.
+  static std::vector<Index> handles(const Fact&, const TreeWhere& where) {
+    return where.run.is_query() ? where.run.result().found : std::vector<Index>{};
+  }
+  static std::string predicate(const Fact&, const TreeWhere&, bool plural) { return plural ? "are found" : "is found"; }
+  static std::optional<Mark::Kind> mark(const Fact&, const TreeWhere&) { return std::nullopt; }
+};
+
+}  // namespace snug::lesson

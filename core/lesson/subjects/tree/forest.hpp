@@ -1,0 +1,65 @@
+// A tree as it grows: after each step of its construction, a few trees, or one whose branches are still to be divided.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "hierarchy/steps.hpp"
+#include "hierarchy/tree.hpp"
+#include "lesson/subjects/tree/tree_stage.hpp"
+
+namespace snug::lesson {
+
+/// A node of it: from the root down numbered as in hierarchy::Tree, else by groups, the boxes first
+/// (hierarchy/steps.hpp).
+struct Branch {
+  std::array<Index, 2> children{kNoIndex, kNoIndex};
+  std::vector<Index> boxes;  // those below, rising
+  Box2 box;                  // around them
+  [[nodiscard]] bool divides() const { return children[0] != kNoIndex; }
+};
+
+struct Forest {
+  std::vector<Branch> branches;
+  std::vector<Index> roots;
+  [[nodiscard]] const Branch& at(Index i) const { return branches[static_cast<std::size_t>(i)]; }
+  /// The branches that are there, parents before children, left before right.
+  [[nodiscard]] std::vector<Index> there() const;
+  /// The branch whose child it is; kNoIndex for a root.
+  [[nodiscard]] Index parent_of(Index i) const;
+};
+
+using TreeOfBoxes = hierarchy::Tree<Box2>;
+
+/// The whole tree.
+[[nodiscard]] Forest forest_of(const TreeOfBoxes& tree, std::span<const Box2> boxes);
+
+/// Follows the construction of a tree, step by step.
+class Growth {
+ public:
+  enum class Way {
+    kDown,      // from the root
+    kUp,        // from the leaves
+    kInserting  // box by box
+  };
+  /// tree: the finished one.
+  Growth(Way way, const TreeOfBoxes& tree, std::span<const Box2> boxes);
+  [[nodiscard]] const Forest& forest() const { return now_; }
+
+  void operator()(const hierarchy::SplitChosen& fact);
+  void operator()(const hierarchy::NodesMerged& fact);
+  void operator()(const hierarchy::BodyInserted& fact);
+  void operator()(const hierarchy::Rotated& fact);
+  void operator()(const auto&) {}
+
+ private:
+  Branch& at(Index i) { return now_.branches[static_cast<std::size_t>(i)]; }
+  void join(Index made, Index left, Index right);
+  void refresh(Index i);
+
+  std::span<const Box2> boxes_;
+  Forest whole_;  // of a tree from the root down
+  Forest now_;
+};
+
+}  // namespace snug::lesson

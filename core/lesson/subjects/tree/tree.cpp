@@ -1,0 +1,146 @@
+#include "lesson/subjects/tree/tree.hpp"
+
+#include "hierarchy/cost.hpp"
+#include "lesson/fact_run.hpp"
+#include "lesson/subjects.hpp"
+#include "lesson/subjects/tree/entries.hpp"
+#include "lesson/subjects/tree/tree_figures.hpp"
+
+namespace snug::lesson {
+
+template class FactRun<TreeRun, TreeStep>;
+
+namespace {
+
+std::vector<std::string_view> tree_volumes() { return {kTreeBuild, kTreeQuery}; }
+std::span<const Method> tree_methods(std::string_view volume) {
+  return is_query(volume) ? query_methods() : build_methods();
+}
+
+tl::expected<std::unique_ptr<Subject>, InputError> open_tree(const Lesson& lesson, std::optional<io::PointFile>,
+                                                             Clock) {
+  const auto& tables = static_cast<const TreeTables&>(*lesson.tables);
+  if (const Done fine = check_stage(tables.stage); !fine) return tl::unexpected(fine.error());
+  return std::make_unique<TreeSubject>(tables, lesson.seed);
+}
+
+std::vector<double> numbers_of(const Point2& p) { return {p[0], p[1]}; }
+
+}  // namespace
+
+const SubjectRow kTreeRow{.name = "tree",
+                          .table = "objects",
+                          .volumes = &tree_volumes,
+                          .methods = &tree_methods,
+                          .facts = &FactList<TreeStep::Fact>::names,
+                          .askings = &FactList<TreeStep::Fact>::askings,
+                          .read = &read_tree,
+                          .read_model = &read_tree_model,
+                          .open = &open_tree};
+
+TreeSubject::TreeSubject(const TreeTables& tables, std::uint64_t seed)
+    : lesson_seed_(seed), recipe_(tables.recipe), rule_(tables.rule), stage_(tables.stage) {
+  origin_.seed = seed;
+}
+
+Point3 TreeSubject::at(Index i) const {
+  const Point2& p = i < boxes() ? stage_.boxes[i].center : stage_.query->at[i - boxes()];
+  return {p[0], p[1], 0};
+}
+
+std::string TreeSubject::name_of(Index i) const { return i < boxes() ? box_name(i) : i == boxes() ? "Q" : "R"; }
+
+std::vector<NumberGroup> TreeSubject::numbers() const {
+  const std::vector<std::string_view> axes{"x", "y"};
+  constexpr std::array<std::string_view, kMostBoxes> kHeadings{"Box A", "Box B", "Box C", "Box D", "Box E",
+                                                               "Box F", "Box G", "Box H", "Box I", "Box J",
+                                                               "Box K", "Box L", "Box M", "Box N"};
+  std::vector<NumberGroup> groups;
+  for (Index i = 0; i < boxes(); ++i) {
+    const HeldBox& box = stage_.boxes[i];
+    NumberRow half{.words = "Half extents", .names = axes, .values = numbers_of(box.half), .drive = "half"};
+    groups.push_back({kHeadings[i],
+                      kHeadings[i].substr(4),
+                      {{"Centre", axes, numbers_of(box.center)}, std::move(half)},
+                      box_name(i)});
+  }
+  if (!stage_.query) return groups;
+  groups.push_back({"Query, from Q", "Q", {{"Place", axes, numbers_of(stage_.query->at[0])}}, "Q"});
+  groups.push_back({"Query, to R", "R", {{"Place", axes, numbers_of(stage_.query->at[1])}}, "R"});
+  return groups;
+}
+
+Done TreeSubject::set_numbers(std::size_t group, std::size_t row, std::span<const double> values) {
+  const bool of_box = group < stage_.boxes.size();
+  if (group >= static_cast<std::size_t>(size()) || row > (of_box ? 1 : 0) || values.size() != 2)
+    return Subject::set_numbers(group, row, values);
+  TreeStage next = stage_;
+  const Point2 to(values[0], values[1]);
+  if (!of_box) next.query->at[group - stage_.boxes.size()] = to;
+  else (row == 0 ? next.boxes[group].center : next.boxes[group].half) = to;
+  return become(std::move(next));
+}
+
+Done TreeSubject::set_rows(const Rows& rows) {
+  auto next = with_rows(stage_, rows);
+  if (!next) return tl::unexpected(std::move(next.error()));
+  return become(*std::move(next));
+}
+
+Done TreeSubject::move(Index i, const Point3& to) {
+  TreeStage next = stage_;
+  (i < boxes() ? next.boxes[i].center : next.query->at[i - boxes()]) = to.head<2>();
+  return become(std::move(next));
+}
+
+Done TreeSubject::become(TreeStage next) {
+  if (Done fine = check_stage(next); !fine) return fine;
+  stage_ = std::move(next);
+  origin_.edited = true;
+  return {};
+}
+
+void TreeSubject::scatter(std::uint64_t seed, const Subject& own) {
+  const auto& first = *as<TreeSubject>(own);
+  stage_ = first.stage_;
+  origin_ = own.origin();
+  origin_.seed = seed;
+  if (seed != lesson_seed_)
+    stage_.boxes = recipe_.kind.empty() ? scattered(first.stage_.boxes, seed) : boxes_by(recipe_, seed);
+}
+
+void TreeSubject::begin_task(const Lesson&, const Task&, const Subject& own) {
+  stage_ = as<TreeSubject>(own)->stage_;
+  origin_ = own.origin();
+}
+
+std::unique_ptr<Run> TreeSubject::run(const Method& method, std::unique_ptr<Run>) const {
+  if (!is_query(method.volume)) return std::make_unique<TreeRun>(method.name, stage_.aabbs());
+  return std::make_unique<TreeRun>(method.name, stage_.aabbs(), rule_, *stage_.query);
+}
+
+std::string TreeSubject::opening(const Method& method) const {
+  return std::string(method.title) + ", " + std::to_string(boxes()) +
+         " boxes: nothing is known yet. Take the first step.";
+}
+
+std::vector<Figure> TreeSubject::figures(const View& view) const { return tree_figures(view); }
+std::vector<Proof> TreeSubject::proofs(const View& view) const {
+  return tree_proofs(view, stage_.query ? &*stage_.query : nullptr);
+}
+
+std::optional<double> TreeSubject::result_size(const Method& method, bool, const View&) const {
+  if (is_query(method.volume)) return std::nullopt;
+  return hierarchy::expected_cost(build_tree(method.name, stage_.aabbs()));
+}
+
+std::vector<Rival> TreeSubject::rivals(const Lesson& lesson, const View& view) const {
+  std::vector<Rival> rivals;
+  for (const std::string& name : lesson.algorithms) {
+    const Method& method = *find_method(lesson, name);
+    if (const auto cost = result_size(method, false, view)) rivals.push_back({&method, *cost, std::nullopt});
+  }
+  return rivals;
+}
+
+}  // namespace snug::lesson

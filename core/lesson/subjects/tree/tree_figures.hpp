@@ -1,0 +1,14 @@
+// The figures and proofs of a tree and of a query through it.
+#pragma once
+
+#include "lesson/subjects/tree/tree_run.hpp"
+
+namespace snug::lesson {
+
+/// Keys: of a tree nodes depth cost of_median; of a query visited node_tests box_tests tests left_out taken
+/// found.
+[[nodiscard]] std::vector<Figure> tree_figures(const View& view);
+/// At the end of the run; none before. method: the name of the run's. query: null if there is none.
+[[nodiscard]] std::vector<Proof> tree_proofs(const View& view, const QueryPlaces* query);
+
+}  // namespace snug::lesson

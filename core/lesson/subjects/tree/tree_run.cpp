@@ -1,0 +1,167 @@
+#include "lesson/subjects/tree/tree_run.hpp"
+
+#include <algorithm>
+
+#include "hierarchy/cost.hpp"
+#include "query/ray_aabb.hpp"
+
+namespace snug::lesson {
+namespace {
+
+/// Follows a query through a tree by its steps alone.
+struct Follower {
+  const TreeRun& run;
+  bool first;  // whether it looks for the first box: then a node is tested before it waits
+  hierarchy::ChildOrder order;
+  Ray<double, 2> ray;
+  QueryState now = {};
+
+  [[nodiscard]] const Forest& forest() const { return run.forest(0); }
+  Met& of(Index node) { return now.nodes[static_cast<std::size_t>(node)]; }
+  Met& of_box(Index box) { return now.boxes[static_cast<std::size_t>(box)]; }
+
+  void operator()(const auto&) {}
+  void operator()(const hierarchy::NodeVisited& fact) {
+    ++now.node_tests;
+    if (first) return test_before(fact.node, fact.answer != hierarchy::Answer::kPrune);
+    take(fact.node);
+    const Branch& branch = forest().at(fact.node);
+    if (fact.answer == hierarchy::Answer::kPrune) mark(fact.node, Met::kUnder), of(fact.node) = Met::kMissed;
+    else if (fact.answer == hierarchy::Answer::kAccept) mark(fact.node, Met::kTaken), of(fact.node) = Met::kMet;
+    else if (branch.divides())
+      for (const int side : {1, 0}) open(branch.children[side]);
+  }
+  void operator()(const hierarchy::BodyTested& fact) {
+    ++now.box_tests;
+    const Index leaf = run.leaf_of(fact.body);
+    take(leaf);
+    of(leaf) = of_box(fact.body) = fact.answer != hierarchy::Answer::kPrune ? Met::kMet : Met::kMissed;
+  }
+  void operator()(const hierarchy::Done&) {
+    for (const Index beyond : now.waiting) mark(beyond, Met::kUnder);
+    now.waiting.clear();
+  }
+
+  void open(Index node) { now.waiting.push_back(node), of(node) = Met::kOpen; }
+
+  /// Takes a node from those that wait. What lies before it has been left out: it is beyond the best.
+  void take(Index node) {
+    while (!now.waiting.empty()) {
+      const Index next = now.waiting.back();
+      now.waiting.pop_back();
+      if (next == node) break;
+      mark(next, Met::kUnder);
+    }
+    of(node) = Met::kMet;
+    ++now.visited;
+  }
+
+  /// A child is tested when its parent is taken, and waits if the ray meets it; of two, the order says which is next.
+  void test_before(Index node, bool met) {
+    const Index parent = forest().parent_of(node);
+    if (parent != kNoIndex && of(parent) == Met::kOpen) take(parent);
+    if (!met) return mark(node, Met::kUnder), static_cast<void>(of(node) = Met::kMissed);
+    open(node);
+    const std::size_t count = now.waiting.size();
+    if (count < 2 || forest().parent_of(now.waiting[count - 2]) != parent) return;
+    const auto at = [&](Index i) { return *query::ray_enters(forest().at(i).box, ray); };
+    const double own = at(node), other = at(now.waiting[count - 2]);
+    if (order == hierarchy::ChildOrder::kNear ? !(own < other) : !(other < own))
+      std::swap(now.waiting[count - 2], now.waiting[count - 1]);
+  }
+
+  /// All below a node, and the node.
+  void mark(Index node, Met met) {
+    of(node) = met;
+    const Branch& branch = forest().at(node);
+    if (branch.divides())
+      for (const Index child : branch.children) mark(child, met);
+    else of_box(branch.boxes.front()) = met;
+  }
+};
+
+/// The branch that a fact is about.
+struct BranchOf {
+  const TreeRun& run;
+  Index operator()(const auto& fact) const {
+    if constexpr (requires { fact.node; }) return fact.node;
+    else return kNoIndex;
+  }
+  Index operator()(const hierarchy::NodesMerged& fact) const { return fact.merged; }
+  Index operator()(const hierarchy::BodyInserted& fact) const { return fact.made; }
+  Index operator()(const hierarchy::Rotated& fact) const { return fact.group; }
+  Index operator()(const hierarchy::BodyTested& fact) const { return run.leaf_of(fact.body); }
+};
+
+}  // namespace
+
+std::vector<Index> QueryState::found() const {
+  std::vector<Index> all;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (boxes[i] == Met::kMet || boxes[i] == Met::kTaken) all.push_back(static_cast<Index>(i));
+  return all;
+}
+
+TreeRun::TreeRun(std::string_view method, std::vector<Box2> boxes) : boxes_(std::move(boxes)), way_(way_of(method)) {
+  tree_ = build_tree(method, boxes_, &trace_);
+  follow_growth();
+}
+
+TreeRun::TreeRun(std::string_view method, std::vector<Box2> boxes, std::string_view rule, const QueryPlaces& query)
+    : boxes_(std::move(boxes)), first_(finds_first(method)),
+      order_(method == "ray_far_first" ? hierarchy::ChildOrder::kFar : hierarchy::ChildOrder::kNear), query_(query) {
+  tree_ = build_tree(rule, boxes_);
+  result_ = run_query(method, query, tree_, boxes_, &trace_);
+  forests_ = {forest_of(tree_, boxes_)};
+  follow_query(query);
+}
+
+void TreeRun::follow_growth() {
+  Growth growth(way_, tree_, boxes_);
+  forests_ = {growth.forest()};
+  for (const auto& entry : trace_) {
+    std::visit(growth, entry.step.fact);
+    forests_.push_back(growth.forest());
+  }
+}
+
+void TreeRun::follow_query(const QueryPlaces& query) {
+  Follower follower{*this, first_, order_, {query.at[0], query.at[1] - query.at[0]}};
+  follower.now.nodes.assign(tree_.nodes.size(), Met::kNot);
+  follower.now.boxes.assign(boxes_.size(), Met::kNot);
+  if (!first_) follower.open(0);
+  states_ = {follower.now};
+  for (const auto& entry : trace_) {
+    std::visit(follower, entry.step.fact);
+    states_.push_back(follower.now);
+  }
+}
+
+double TreeRun::cost() const { return hierarchy::expected_cost(tree_); }
+
+Index TreeRun::branch_of(int step) const { return std::visit(BranchOf{*this}, trace_[step].step.fact); }
+
+Index TreeRun::leaf_of(Index box) const {
+  for (std::size_t i = 0; i < tree_.nodes.size(); ++i)
+    if (tree_.nodes[i].is_leaf() && tree_.bodies[tree_.nodes[i].first] == box) return static_cast<Index>(i);
+  return kNoIndex;
+}
+
+std::string TreeRun::Where::beside_name(Index branch) const {
+  const std::string name = name_before(branch);
+  return name == "the root" ? name : (name.size() == 1 ? "box " : "node ") + name;
+}
+
+std::string TreeRun::name_of(const Forest& forest, Index branch) const {
+  return node_name(forest.at(branch).boxes, boxes_.size());
+}
+
+std::vector<Index> TreeRun::candidates(int i) const {
+  std::vector<Index> all;
+  if (const auto* split = std::get_if<hierarchy::SplitChosen>(&trace_[i].step.fact))
+    return forest(i).at(split->node).boxes;
+  for (Index box = 0; box < static_cast<Index>(boxes_.size()); ++box) all.push_back(box);
+  return all;
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,93 @@
+// A run of a method on a tree: its steps, and what stands after each of them.
+#pragma once
+
+#include "hierarchy/traverse.hpp"
+#include "lesson/facts.hpp"
+#include "lesson/subjects/tree/tree_methods.hpp"
+
+namespace snug::lesson {
+
+/// What a query has made of a node or of a box so far.
+enum class Met : std::uint8_t {
+  kNot,     // nothing yet
+  kOpen,    // it waits
+  kMet,     // it was taken up, and the query meets it
+  kMissed,  // it was tested and left out
+  kUnder,   // left out untested, with what is above it
+  kTaken,   // taken untested, since what is above it is inside
+};
+
+/// What a query has done so far.
+struct QueryState {
+  std::vector<Met> nodes, boxes;
+  std::vector<Index> waiting;  // the open nodes; the last is the next one
+  std::int64_t visited = 0, node_tests = 0, box_tests = 0;
+  [[nodiscard]] std::int64_t tests() const { return node_tests + box_tests; }
+  /// The boxes that are found by now.
+  [[nodiscard]] std::vector<Index> found() const;
+};
+
+class TreeRun final : public FactRun<TreeRun, TreeStep> {
+ public:
+  /// Builds a tree.
+  TreeRun(std::string_view method, std::vector<Box2> boxes);
+  /// Sends a query through a tree that is built by a rule.
+  TreeRun(std::string_view method, std::vector<Box2> boxes, std::string_view rule, const QueryPlaces& query);
+
+  [[nodiscard]] TreeSteps trace() const { return trace_; }
+  [[nodiscard]] const std::vector<Box2>& boxes() const { return boxes_; }
+  /// Whether a node is tested before it waits, as where a ray looks for the first box.
+  [[nodiscard]] bool tests_before() const { return first_; }
+  [[nodiscard]] bool is_query() const { return !states_.empty(); }
+  [[nodiscard]] Growth::Way way() const { return way_; }
+  /// The finished tree, and its cost (hierarchy::expected_cost).
+  [[nodiscard]] const TreeOfBoxes& tree() const { return tree_; }
+  [[nodiscard]] double cost() const;
+  /// What stands after so many steps. A query's tree stands from the beginning.
+  [[nodiscard]] const Forest& forest(int steps) const { return forests_[is_query() ? 0 : steps]; }
+  /// Of a query.
+  [[nodiscard]] const QueryState& state(int steps) const { return states_[steps]; }
+  [[nodiscard]] const QueryResult& result() const { return result_; }
+  [[nodiscard]] const QueryPlaces& query() const { return query_; }
+  /// The branch that a step is about, in the forest before it: the one that it divides, tests, or merges into; kNoIndex
+  /// for none.
+  [[nodiscard]] Index branch_of(int step) const;
+  /// The finished tree's leaf with a box.
+  [[nodiscard]] Index leaf_of(Index box) const;
+  /// "the root", "BDE", "B".
+  [[nodiscard]] std::string name_of(const Forest& forest, Index branch) const;
+  /// Those that can be tapped: of a node that is divided its own, else all.
+  [[nodiscard]] std::vector<Index> candidates(int i) const override;
+
+  struct Where {
+    const TreeRun& run;
+    int i;
+    const Untold* untold;
+    [[nodiscard]] const Forest& before() const { return run.forest(i); }
+    [[nodiscard]] const Forest& after() const { return run.forest(i + 1); }
+    [[nodiscard]] std::string name_before(Index branch) const { return run.name_of(before(), branch); }
+    /// "box B", "node BDE", "the root".
+    [[nodiscard]] std::string beside_name(Index branch) const;
+  };
+
+ private:
+  void follow_growth();
+  void follow_query(const QueryPlaces& query);
+
+  std::vector<Box2> boxes_;
+  Growth::Way way_ = Growth::Way::kDown;
+  bool first_ = false;
+  hierarchy::ChildOrder order_ = hierarchy::ChildOrder::kNear;
+  TreeTrace trace_;
+  TreeOfBoxes tree_;
+  std::vector<Forest> forests_;
+  std::vector<QueryState> states_;  // of a query
+  QueryResult result_;
+  QueryPlaces query_;
+};
+
+extern template class FactRun<TreeRun, TreeStep>;
+
+[[nodiscard]] inline const TreeRun& tree_run(const Run& run) { return static_cast<const TreeRun&>(run); }
+
+}  // namespace snug::lesson

@@ -1,0 +1,210 @@
+#include "lesson/subjects/tree/tree_stage.hpp"
+
+#include <algorithm>
+
+#include "geometry/generate.hpp"
+#include "geometry/random.hpp"
+#include "lesson/lesson.hpp"
+#include "lesson/names.hpp"
+#include "lesson/rows.hpp"
+#include "lesson/subjects/tree/tree.hpp"
+
+namespace snug::lesson {
+namespace {
+
+constexpr double kSpread = 2;  // generated centres are about so far from the origin
+
+tl::unexpected<InputError> refused(std::string why) { return tl::unexpected(InputError{.what = std::move(why)}); }
+
+Point3 lifted(const Point2& p) { return {p[0], p[1], 0}; }
+
+void see_box(auto& box, auto&& see) {
+  for (const int axis : {0, 1}) see(box.center[axis]);
+  for (const int axis : {0, 1}) see(box.half[axis]);
+}
+void see_query(auto& query, auto&& see) {
+  for (auto& at : query.at)
+    for (const int axis : {0, 1}) see(at[axis]);
+}
+
+/// Reads boxes by their centres and half extents, of which one may stand for all.
+std::vector<HeldBox> read_boxes(TomlTable& table) {
+  const auto centers = table.points("center", 2);
+  auto halves = table.points("half_extents", 2);
+  if (halves.size() == 1) halves.resize(centers.size(), halves.front());
+  if (halves.size() != centers.size() && !halves.empty() && !centers.empty())
+    table.wrong("half_extents", "must be as many as the centres, or one for all boxes");
+  halves.resize(centers.size(), Point3::Zero());
+  std::vector<HeldBox> boxes;
+  for (std::size_t i = 0; i < centers.size(); ++i) boxes.push_back({centers[i].head<2>(), halves[i].head<2>()});
+  return boxes;
+}
+
+/// Reads one of the query's places.
+void read_place(TomlTable& table, std::string_view key, Point2& place) {
+  const std::vector<double> at = table.numbers(key);
+  if (at.size() == 2) place = {at[0], at[1]};
+  else if (table.has(key)) table.wrong(key, "must be two numbers");
+}
+
+BoxRecipe read_recipe(TomlTable& table) {
+  BoxRecipe recipe{.kind = table.text("generate")};
+  check_name(table, "generate", recipe.kind, generator_kinds());
+  recipe.count = static_cast<int>(table.integer("count", kFewestBoxes, kMostBoxes));
+  if (!table.has("size")) return static_cast<void>(table.any_number("size", 0)), recipe;
+  const std::vector<double> size = table.numbers("size");
+  if (size.size() == 2 && size[0] >= 0 && size[0] <= size[1] && size[1] < 1e6) recipe.size = {size[0], size[1]};
+  else table.wrong("size", "must be two numbers, the least and the greatest half extent");
+  return recipe;
+}
+
+/// Whether one of the lesson's methods is a query.
+bool asks_queries(const Lesson& lesson) {
+  if (is_query(lesson.volume)) return true;
+  const std::string prefix = std::string(kTreeQuery) + '/';
+  return std::any_of(lesson.algorithms.begin(), lesson.algorithms.end(),
+                     [&](const std::string& name) { return name.starts_with(prefix); });
+}
+
+void read_query(TomlTable& root, const Lesson& lesson, TreeTables& tables, Complaints& complaints) {
+  const toml::table* toml = root.table("query");
+  const bool due = asks_queries(lesson);
+  if (toml == nullptr && due) root.lack("query", "the lesson lacks [query]");
+  if (toml == nullptr) return;
+  if (!due) root.wrong("query", "is for lessons with volume = \"" + std::string(kTreeQuery) + "\"");
+  TomlTable own(*toml, "[query]", complaints);
+  QueryPlaces query;
+  read_place(own, "from", query.at[0]), read_place(own, "to", query.at[1]);
+  tables.rule = own.text_or("tree", tables.rule);
+  std::vector<std::string_view> rules;
+  for (const Method& method : build_methods()) rules.push_back(method.name);
+  check_name(own, "tree", tables.rule, rules);
+  own.refuse_others();
+  tables.stage.query = query;
+}
+
+}  // namespace
+
+std::vector<Box2> TreeStage::aabbs() const {
+  std::vector<Box2> all;
+  for (const HeldBox& box : boxes) all.push_back(box.aabb());
+  return all;
+}
+
+std::string box_name(Index box) { return std::string(1, static_cast<char>('A' + box)); }
+
+std::string box_names(std::span<const Index> boxes) {
+  std::vector<std::string> names;
+  for (const Index box : boxes) names.push_back(box_name(box));
+  return names.empty() ? "no box" : listed(names, " and ");
+}
+
+std::string node_name(std::span<const Index> boxes, std::size_t all) {
+  if (boxes.size() == all) return "the root";
+  std::string name;
+  for (const Index box : boxes) name += box_name(box);
+  return name;
+}
+
+Done check_stage(const TreeStage& stage) {
+  const auto count = static_cast<int>(stage.boxes.size());
+  if (count < kFewestBoxes || count > kMostBoxes)
+    return refused("there are " + std::to_string(kFewestBoxes) + " to " + std::to_string(kMostBoxes) + " boxes");
+  std::vector<Point3> all;
+  for (const HeldBox& box : stage.boxes) {
+    if (!(box.half.minCoeff() >= 0)) return refused("a half extent is below 0");
+    all.push_back(lifted(box.aabb().min)), all.push_back(lifted(box.aabb().max));
+  }
+  if (stage.query)
+    for (const Point2& at : stage.query->at) all.push_back(lifted(at));
+  if (stage.query)
+    if (auto frustum = frustum_of(*stage.query); !frustum) return tl::unexpected(std::move(frustum.error()));
+  if (auto set = PointSet<double, 3>::make(std::move(all)); !set) return tl::unexpected(std::move(set.error()));
+  return {};
+}
+
+std::vector<HeldBox> boxes_by(const BoxRecipe& recipe, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<HeldBox> boxes;
+  const auto centers = generate(recipe.kind, recipe.count, 2, seed);
+  for (const Point3& center : *centers) {
+    HeldBox& box = boxes.emplace_back(HeldBox{kSpread * center.head<2>()});
+    for (const int axis : {0, 1}) box.half[axis] = random.between(recipe.size[0], recipe.size[1]);
+  }
+  return boxes;
+}
+
+std::vector<HeldBox> scattered(const std::vector<HeldBox>& like, std::uint64_t seed) {
+  Random random(seed);
+  Box2 room = like.front().aabb();
+  for (const HeldBox& box : like) room = {room.min.cwiseMin(box.aabb().min), room.max.cwiseMax(box.aabb().max)};
+  std::vector<HeldBox> boxes = like;
+  for (HeldBox& box : boxes)
+    for (const int axis : {0, 1}) box.center[axis] = random.between(room.min[axis], room.max[axis]);
+  return boxes;
+}
+
+Rows rows_of(const TreeStage& stage) {
+  Rows rows;
+  for (const HeldBox& box : stage.boxes) {
+    RowWriter writer(2);
+    see_box(box, writer);
+    rows.push_back(writer.take());
+  }
+  if (!stage.query) return rows;
+  RowWriter writer(2);
+  see_query(*stage.query, writer);
+  rows.push_back(writer.take());
+  return rows;
+}
+
+tl::expected<TreeStage, InputError> with_rows(const TreeStage& like, const Rows& rows) {
+  const std::size_t own = like.query ? 1 : 0;
+  if (rows.size() <= own) return refused("these are not the rows of boxes");
+  TreeStage next = like;
+  next.boxes.assign(rows.size() - own, HeldBox());
+  bool fits = true;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    RowReader reader(rows[i], 2);
+    if (i < next.boxes.size()) see_box(next.boxes[i], reader);
+    else see_query(*next.query, reader);
+    fits = fits && reader.fits();
+  }
+  if (!fits) return refused("a box has four numbers, and so has a query");
+  if (Done fine = check_stage(next); !fine) return tl::unexpected(std::move(fine.error()));
+  return next;
+}
+
+void read_tree(TomlTable& table, Lesson& lesson, Complaints& complaints) {
+  auto tables = std::make_shared<TreeTables>();
+  TomlTable own(*table.table("objects"), "[objects]", complaints);
+  lesson.points.dim = 2;
+  const std::size_t before = complaints.count();
+  if (own.has("generate")) tables->recipe = read_recipe(own);
+  else tables->stage.boxes = read_boxes(own);
+  own.refuse_others();
+  if (complaints.count() == before && !tables->recipe.kind.empty())
+    tables->stage.boxes = boxes_by(tables->recipe, lesson.seed);
+  read_query(table, lesson, *tables, complaints);
+  if (complaints.count() == before)
+    if (const Done fine = check_stage(tables->stage); !fine)
+      own.wrong(tables->recipe.kind.empty() ? "center" : "generate", fine.error().what);
+  lesson.tables = std::move(tables);
+}
+
+Rows read_tree_model(TomlTable& task, const Lesson& lesson, Complaints& complaints) {
+  const toml::table* model = task.table("model");
+  if (model == nullptr) return task.lack("model", "the task lacks [task.model]"), Rows();
+  TomlTable own(*model, "[task.model]", complaints);
+  const std::size_t before = complaints.count();
+  TreeStage stage = static_cast<const TreeTables&>(*lesson.tables).stage;
+  if (!stage.query || own.has("center")) stage.boxes = read_boxes(own);
+  if (stage.query && own.has("from")) read_place(own, "from", stage.query->at[0]);
+  if (stage.query && own.has("to")) read_place(own, "to", stage.query->at[1]);
+  own.refuse_others();
+  if (complaints.count() == before)
+    if (const Done fine = check_stage(stage); !fine) own.wrong("center", fine.error().what);
+  return rows_of(stage);
+}
+
+}  // namespace snug::lesson

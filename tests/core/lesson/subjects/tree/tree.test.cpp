@@ -1,0 +1,252 @@
+// Trees of boxes in a lesson: how they grow, what queries do in them, and what is asked about both.
+#include "lesson/subjects/tree/tree.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "geometry/random.hpp"
+#include "hierarchy/cull.hpp"
+#include "lesson/session.hpp"
+#include "lesson/subjects.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+
+namespace {
+
+/// Boxes by chance: spread, in one another, in a row, some as flat as a line or in the same place.
+TreeStage any_stage(std::uint64_t seed) {
+  Random random(seed);
+  TreeStage stage;
+  const int count = kFewestBoxes + static_cast<int>(random.below(kMostBoxes - kFewestBoxes + 1));
+  const double wide = random.between(0, 3), high = seed % 5 == 0 ? 0 : 3;
+  for (int i = 0; i < count; ++i)
+    stage.boxes.push_back({{random.between(-wide, wide), random.between(-high, high)},
+                           {random.between(0, 0.7), seed % 7 == 0 ? 0 : random.between(0, 0.7)}});
+  if (seed % 6 == 0) stage.boxes[1] = stage.boxes[0];
+  const auto place = [&] { return Point2(random.between(-4, 4), random.between(-4, 4)); };
+  stage.query = QueryPlaces{{place(), place()}};
+  return stage;
+}
+
+Lesson lesson_on(const TreeStage& stage, std::string_view volume) {
+  Lesson lesson;
+  lesson.id = "test";
+  lesson.volume = volume;
+  auto tables = std::make_shared<TreeTables>();
+  tables->stage = stage;
+  if (volume == kTreeBuild) tables->stage.query.reset();
+  lesson.tables = std::move(tables);
+  for (const Method& method : volume == kTreeBuild ? build_methods() : query_methods())
+    lesson.algorithms.emplace_back(method.name);
+  return lesson;
+}
+
+Session session_on(const TreeStage& stage, std::string_view volume) {
+  auto session = Session::open(lesson_on(stage, volume));
+  REQUIRE_MESSAGE(session.has_value(), (session ? "" : session.error().message()));
+  return *std::move(session);
+}
+
+/// The nodes of a forest, by the boxes below each.
+std::set<std::vector<Index>> nodes_of(const Forest& forest) {
+  std::set<std::vector<Index>> all;
+  for (const Index i : forest.there()) all.insert(forest.at(i).boxes);
+  return all;
+}
+
+double figure(const Session& session, std::string_view key) {
+  for (const Figure& figure : session.figures())
+    if (figure.key == key && figure.known) return figure.value;
+  return -1;
+}
+
+}  // namespace
+
+TEST_CASE("step by step, each way to build grows into the tree that it builds") {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const std::vector<Box2> boxes = any_stage(seed).aabbs();
+    for (const Method& method : build_methods()) {
+      CAPTURE(seed);
+      CAPTURE(method.name);
+      const TreeRun run(method.name, boxes);
+      const TreeOfBoxes tree = build_tree(method.name, boxes);
+      CHECK(nodes_of(run.forest(run.steps())) == nodes_of(forest_of(tree, boxes)));
+      for (int step = 0; step <= run.steps(); ++step) {
+        const Forest& forest = run.forest(step);
+        std::set<Index> below;
+        for (const Index root : forest.roots)
+          for (const Index box : forest.at(root).boxes) CHECK(below.insert(box).second);
+        for (const Index i : forest.there())
+          for (const Index box : forest.at(i).boxes) {
+            CHECK((forest.at(i).box.min.array() <= boxes[box].min.array()).all());
+            CHECK((forest.at(i).box.max.array() >= boxes[box].max.array()).all());
+          }
+        if (run.way() != Growth::Way::kInserting) CHECK(below.size() == boxes.size());
+      }
+    }
+  }
+}
+
+TEST_CASE("the figures at the end are the tree's own") {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const TreeStage stage = any_stage(seed);
+    Session session = session_on(stage, kTreeBuild);
+    for (const Method& method : build_methods()) {
+      REQUIRE(session.choose(0, method.name).has_value());
+      session.last();
+      const TreeOfBoxes tree = build_tree(method.name, stage.aabbs());
+      CHECK(figure(session, "nodes") == static_cast<double>(tree.nodes.size()));
+      CHECK(figure(session, "depth") == tree.depth());
+      REQUIRE(session.proofs().size() == 1);
+      CHECK(session.proofs().front().holds);
+      if (method.name == "top_down_median") CHECK(figure(session, "of_median") == 100);
+    }
+  }
+}
+
+TEST_CASE("a query through any tree finds what testing each box finds, and its state is what its steps say") {
+  int missed = 0, found = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    const TreeStage stage = any_stage(seed);
+    const std::vector<Box2> boxes = stage.aabbs();
+    const Method& rule = build_methods()[seed % build_methods().size()];
+    for (const Method& method : query_methods()) {
+      CAPTURE(seed);
+      CAPTURE(method.name);
+      const TreeRun run(method.name, boxes, rule.name, *stage.query);
+      const QueryState& end = run.state(run.steps());
+      const std::vector<Index> one_by_one = found_one_by_one(method.name, *stage.query, boxes);
+      if (!finds_first(method.name)) {
+        CHECK(run.result().found == one_by_one);
+        CHECK(end.found() == one_by_one);
+      } else {
+        CHECK(run.result().found == one_by_one);
+      }
+      CHECK(end.visited == run.result().counts.nodes_visited);
+      CHECK(end.node_tests == run.result().counts.node_tests);
+      CHECK(end.box_tests == run.result().counts.body_tests);
+      CHECK(end.waiting.empty());
+      for (const Met met : end.boxes) CHECK(met != Met::kOpen);
+      for (const Index box : one_by_one)
+        if (!finds_first(method.name)) CHECK((end.boxes[box] == Met::kMet || end.boxes[box] == Met::kTaken));
+      missed += static_cast<int>(std::count(end.boxes.begin(), end.boxes.end(), Met::kUnder));
+      found += static_cast<int>(one_by_one.size());
+    }
+  }
+  CHECK(missed > 1000);
+  CHECK(found > 1000);
+}
+
+TEST_CASE("the stack's top is the node that is tested next, but for what lies beyond the first box") {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const TreeStage stage = any_stage(seed);
+    for (const Method& method : query_methods()) {
+      if (finds_first(method.name)) continue;
+      const TreeRun run(method.name, stage.aabbs(), "insertion", *stage.query);
+      for (int step = 0; step + 1 < run.steps(); ++step) {
+        REQUIRE_FALSE(run.state(step).waiting.empty());
+        CHECK(run.state(step).waiting.back() == run.branch_of(step));
+      }
+    }
+  }
+}
+
+TEST_CASE("a frustum goes through the tree as hierarchy::cull does") {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const TreeStage stage = any_stage(seed);
+    const std::vector<Box2> boxes = stage.aabbs();
+    const TreeOfBoxes tree = build_tree("top_down_sah", boxes);
+    const auto result = run_query("frustum_query", *stage.query, tree, boxes);
+    std::vector<Index> seen;
+    const auto culled = hierarchy::cull(tree, boxes, frustum_of(*stage.query).value(), nullptr,
+                                        [&](Index box, query::Culling) { seen.push_back(box); });
+    std::sort(seen.begin(), seen.end());
+    CHECK(result.found == seen);
+    CHECK(result.counts.volume_tests() == culled.counts.volume_tests());
+    CHECK(result.planes_tested == culled.planes_tested);
+    // Its outline is that of its planes.
+    const auto frustum = frustum_of(*stage.query);
+    for (const Point2& corner : corners_of_query(*stage.query))
+      for (const auto& plane : frustum->planes())
+        CHECK(plane.normal.dot(corner) + plane.d < 1e-12 * (1 + corner.norm()));
+  }
+}
+
+TEST_CASE("the pair that is merged is the smallest of all, and the question says so") {
+  int asked_of = 0;
+  for (std::uint64_t seed = 1; seed < 40; ++seed) {
+    const TreeStage stage = any_stage(seed);
+    if (stage.boxes.size() < 4) continue;
+    Lesson lesson = lesson_on(stage, kTreeBuild);
+    for (int nth = 1; nth + 1 < static_cast<int>(stage.boxes.size()); ++nth) {
+      Question& question = lesson.questions.emplace_back();
+      question.id = "pair" + std::to_string(nth);
+      question.gate = {"bottom_up", "nodes_merged", nth, ""};
+      question.asks = "pair";
+    }
+    auto session = Session::open(std::move(lesson));
+    REQUIRE(session.has_value());
+    REQUIRE(session->choose(0, "bottom_up").has_value());
+    for (const Asked& asked : session->questions()) {
+      const Forest& forest = tree_run(session->run(0)).forest(asked.fact);
+      double least = 1e9;
+      for (const Index a : forest.roots)
+        for (const Index b : forest.roots)
+          if (a != b) {
+            const Box2 &one = forest.at(a).box, &two = forest.at(b).box;
+            least = std::min(least, (one.max.cwiseMax(two.max) - one.min.cwiseMin(two.min)).sum());
+          }
+      const auto& fact = std::get<hierarchy::NodesMerged>(tree_run(session->run(0)).trace()[asked.fact].step.fact);
+      CHECK(fact.area == doctest::Approx(least));
+      CHECK(asked.choices.size() >= 3);
+      const Outcome outcome = judge(asked, model_answer(asked, session->run(0)), session->run(0));
+      CHECK(outcome.right);
+      ++asked_of;
+    }
+  }
+  CHECK(asked_of > 100);
+}
+
+TEST_CASE("boxes are moved, sized, scattered, undone and kept as rows") {
+  const TreeStage stage = any_stage(11);
+  Session session = session_on(stage, kTreeQuery);
+  const Rows own = session.subject().rows();
+  REQUIRE(own.size() == stage.boxes.size() + 1);
+  CHECK(session.name_of(0) == "A");
+  CHECK(session.name_of(session.size() - 2) == "Q");
+  CHECK(session.name_of(session.size() - 1) == "R");
+  REQUIRE(session.move(0, {1, 2, 0}).has_value());
+  CHECK(session.point(0) == Point3(1, 2, 0));
+  const std::array<double, 2> half{0.5, 0.25};
+  REQUIRE(session.set_numbers(0, 1, half).has_value());
+  REQUIRE(session.move(session.size() - 1, {-3, 0.5, 0}).has_value());
+  const Rows edited = session.subject().rows();
+  CHECK(edited[0] == std::vector<double>{1, 2, 0.5, 0.25});
+  session.scatter(5);
+  CHECK(session.subject().rows() != edited);
+  CHECK(session.subject().rows().back() == own.back());
+  session.undo();
+  CHECK(session.subject().rows() == edited);
+  for (int i = 0; i < 3; ++i) session.undo();
+  CHECK(session.subject().rows() == own);
+  REQUIRE(session.set_rows(edited).has_value());
+  CHECK(session.subject().rows() == edited);
+  CHECK_FALSE(session.subject().drives().empty());
+}
+
+TEST_CASE("what is no stage is refused, and nothing changes") {
+  Session session = session_on(any_stage(11), kTreeQuery);
+  const Rows own = session.subject().rows();
+  Rows few{own[0], own.back()}, negative = own, long_row = own, one_place = own;
+  negative[0][2] = -0.1;
+  long_row[0].push_back(1);
+  one_place.back() = {1, 1, 1, 1};
+  for (const Rows& rows : {few, negative, long_row, one_place, Rows{}}) CHECK_FALSE(session.set_rows(rows).has_value());
+  CHECK_FALSE(session.move(session.size() - 1, session.point(session.size() - 2)).has_value());
+  CHECK_FALSE(session.move(0, {std::nan(""), 0, 0}).has_value());
+  CHECK_FALSE(session.add({0, 0, 0}).has_value());
+  CHECK(session.subject().rows() == own);
+}
