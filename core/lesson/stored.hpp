@@ -47,7 +47,7 @@ struct StoredVolume {
   std::vector<StoredForm> forms;
 };
 
-/// The representations of a volume; of a hull none. In 2-D its z is 0.
+/// The representations of a volume; none of a kind that has none in stored_forms.cpp. In 2-D its z is 0.
 [[nodiscard]] std::vector<StoredForm> stored_forms(const fit::Volume3& volume, int dim);
 
 /// The volumes whose representations the lesson shows, each with a mark for each of its members; none if it asks for

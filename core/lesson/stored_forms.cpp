@@ -302,19 +302,18 @@ std::vector<StoredForm> forms_of(const Kdop<double, Dim>& kdop) {
   return {std::move(form).done()};
 }
 
+/// Those of a volume in its own dimension, if its kind has any here.
 template <int Dim>
-std::vector<StoredForm> forms_of(const ConvexHull<double, Dim>&) {
-  return {};
+std::vector<StoredForm> forms_in(const auto& kind) {
+  const auto own = converted<double, Dim>(kind);
+  if constexpr (requires { forms_of<Dim>(own); }) return forms_of<Dim>(own);
+  else return {};
 }
 
 }  // namespace
 
 std::vector<StoredForm> stored_forms(const fit::Volume3& volume, int dim) {
-  return std::visit(
-      [&](const auto& kind) {
-        return dim == 2 ? forms_of<2>(converted<double, 2>(kind)) : forms_of<3>(converted<double, 3>(kind));
-      },
-      volume);
+  return std::visit([&](const auto& kind) { return dim == 2 ? forms_in<2>(kind) : forms_in<3>(kind); }, volume);
 }
 
 }  // namespace snug::lesson

@@ -314,10 +314,11 @@ async function answer_once(page, asked, what, by) {
   return until(page, given, asked.id, Boolean(tried));
 }
 
-/** Continues where an outcome is told. */
+/** Continues where an outcome is told: to what comes next, which may be the outcome of another question. */
 export async function go_on(page) {
+  const { outcome } = await state(page);
   await page.getByRole("button", { name: "Continue", exact: true }).click();
-  return until(page, (now) => !now.outcome);
+  return until(page, (now, told) => now.outcome?.question !== told, outcome.question);
 }
 
 /** Until the lesson stands elsewhere than before: at another step, question or outcome. */

@@ -1,0 +1,64 @@
+// What the lesson on swept spheres says of cylinders: how many simplices GJK takes for two of them, and for two
+// capsules on the same axes.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "core/query/cylinder.hpp"
+#include "geometry/capsule.hpp"
+#include "geometry/random.hpp"
+#include "query/gjk.hpp"
+
+using namespace snug;
+
+namespace {
+
+constexpr int kPairs = 1000;
+
+struct Axes {
+  std::array<Vector<double, 3>, 4> ends;
+  std::array<double, 2> radii;
+};
+
+Axes any_axes(Random& random) {
+  Axes axes;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (int j = 0; j < 3; ++j) axes.ends[i][j] = random.between(-1, 1) + (i < 2 || j > 0 ? 0.0 : 2.0);
+  for (double& radius : axes.radii) radius = random.between(0.1, 0.5);
+  return axes;
+}
+
+template <template <class, int> class Kind>
+int simplices(const Axes& axes) {
+  const auto& [a, b, c, d] = axes.ends;
+  return query::gjk(Kind<double, 3>{a, b, axes.radii[0]}, Kind<double, 3>{c, d, axes.radii[1]})->turns;
+}
+
+/// With one decimal, as the prose has it.
+std::string mean_text(int sum) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1f", static_cast<double>(sum) / kPairs);
+  return text.data();
+}
+
+}  // namespace
+
+TEST_CASE("GJK takes as many simplices for two cylinders and for two capsules as the lesson says") {
+  Random random(1);
+  int cylinders = 0, capsules = 0;
+  for (int i = 0; i < kPairs; ++i) {
+    const Axes axes = any_axes(random);
+    cylinders += simplices<Cylinder>(axes), capsules += simplices<Capsule>(axes);
+  }
+  CHECK(cylinders > 2 * capsules);
+  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/swept-volumes.toml", std::ios::binary);
+  const std::string lesson{std::istreambuf_iterator<char>(file), {}};
+  CAPTURE(mean_text(cylinders));
+  CAPTURE(mean_text(capsules));
+  CHECK(lesson.find(mean_text(cylinders) + " for two cylinders") != std::string::npos);
+  CHECK(lesson.find(mean_text(capsules) + " simplices for two capsules") != std::string::npos);
+}
