@@ -1,6 +1,7 @@
 // The representations of each kind of volume, after the structs of the lectures.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "geometry/convert.hpp"
@@ -30,6 +31,12 @@ std::string text_of(const std::vector<double>& numbers) {
   return numbers.size() == 1 ? text : '(' + text + ')';
 }
 
+/// What an operation takes, in words and in operations; 0: it is not allowed as the volume is stored.
+struct Cost {
+  std::string says;
+  int work = 0;
+};
+
 /// The representation of a volume, as it is written down.
 template <int Dim>
 class Written {
@@ -48,73 +55,72 @@ class Written {
     std::string text = text_of(numbers);
     form_.members.push_back({std::move(declared), std::move(numbers), std::move(text), std::move(lines)});
   }
-  /// test: what a test of two such volumes takes, or what it allows.
+  /// Moves, turns and grows it as a program does, and writes down what that takes; test: what a test of two such
+  /// volumes takes. no_turn, no_growth: what is said where the numbers alone do not tell the result.
   template <class Stored>
-  void costs(std::string test, const Stored& stored, std::string_view no_turn, std::string_view no_growth);
+  void costs(Cost test, const Stored& stored, std::string_view no_turn, std::string_view no_growth);
+  void ticks(std::size_t operation, bool least) { form_.operations[operation].least = least; }
   [[nodiscard]] StoredForm done() && { return std::move(form_); }
-  /// The operations, additions and multiplications together, of move, turn and grow; 0 for one that has none.
-  [[nodiscard]] const std::array<int, 3>& work() const { return work_; }
+  /// What each of its operations takes; 0 for one that it does not allow as it is.
+  [[nodiscard]] const std::array<int, 4>& work() const { return work_; }
 
   static std::vector<double> numbers_of(const V& v) { return {v.data(), v.data() + Dim}; }
 
  private:
   StoredForm form_;
-  std::array<int, 3> work_{};
+  std::array<int, 4> work_{};  // of test, move, turn, grow
 };
 
-std::string work_text(const Work& work) {
-  const auto count = [](int n, const char* what) { return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s"); };
-  std::string text;
-  if (work.multiplications > 0) text = count(work.multiplications, "multiplication");
-  if (work.additions > 0) text += (text.empty() ? "" : ", ") + count(work.additions, "addition");
-  return text.empty() ? "nothing" : text;
+std::string counted(int n, const char* what) { return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s"); }
+
+Cost cost_of(const Work& work) {
+  std::string says;
+  if (work.multiplications > 0) says = counted(work.multiplications, "multiplication");
+  if (work.additions > 0) says += (says.empty() ? "" : ", ") + counted(work.additions, "addition");
+  return {says.empty() ? "nothing" : says, std::max(1, work.all())};
 }
 
-/// Moves, turns and grows it as a program does, and writes down what that took.
+/// What an update takes that counts its work; `without` in words where there is none.
+Cost cost_of(auto update, std::string_view without) {
+  Work work;
+  if constexpr (requires { update(work); }) {
+    static_cast<void>(update(work));
+    return cost_of(work);
+  } else {
+    return {std::string(without), 0};
+  }
+}
+
 template <int Dim>
 template <class Stored>
-void Written<Dim>::costs(std::string test, const Stored& stored, std::string_view no_turn, std::string_view no_growth) {
-  const auto add = [&](std::size_t place, const char* name, const Work* work, std::string_view without) {
-    form_.operations.push_back({name, work != nullptr ? work_text(*work) : std::string(without)});
-    if (work != nullptr) work_[place] = std::max(1, work->all());
-  };
-  form_.operations.push_back({"test", std::move(test)});
-  Work move, turn, grow;
-  static_cast<void>(moved<Dim>(move, stored, V::Zero()));
-  add(0, "move", &move, {});
-  if constexpr (requires { placed<Stored, Dim>(turn, stored, Pose<double, Dim>()); }) {
-    static_cast<void>(placed<Stored, Dim>(turn, stored, Pose<double, Dim>()));
-    add(1, "turn", &turn, {});
-  } else {
-    add(1, "turn", nullptr, no_turn);
-  }
-  if constexpr (requires { grown<Dim>(grow, stored, 0.0); }) {
-    static_cast<void>(grown<Dim>(grow, stored, 0.0));
-    add(2, "grow", &grow, {});
-  } else {
-    add(2, "grow", nullptr, no_growth);
+void Written<Dim>::costs(Cost test, const Stored& stored, std::string_view no_turn, std::string_view no_growth) {
+  const Pose<double, Dim> pose;
+  const auto turn = [&](auto& work) requires requires { placed<Stored, Dim>(work, stored, pose); }
+  { return placed<Stored, Dim>(work, stored, pose); };
+  const auto grow = [&](auto& work) requires requires { grown<Dim>(work, stored, 0.0); }
+  { return grown<Dim>(work, stored, 0.0); };
+  const auto move = [&](Work& work) { return moved<Dim>(work, stored, pose.translation); };
+  constexpr std::array<const char*, 4> kNames{"test", "move", "turn", "grow"};
+  std::array<Cost, 4> all{std::move(test), cost_of(move, {}), cost_of(turn, no_turn), cost_of(grow, no_growth)};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    work_[i] = all[i].work;
+    form_.operations.push_back({kNames[i], std::move(all[i].says)});
   }
 }
 
 /// Marks of each operation the representations that take least, if some take more.
 template <int Dim>
 std::vector<StoredForm> compared(std::vector<Written<Dim>> forms) {
-  std::vector<std::array<int, 3>> work;
-  for (const Written<Dim>& form : forms) work.push_back(form.work());
   std::vector<StoredForm> done;
-  for (Written<Dim>& form : forms) done.push_back(std::move(form).done());
-  for (std::size_t operation = 0; operation < 3; ++operation) {
-    int least = 0, most = 0;  // 0: none can
-    bool all_can = true;
-    for (const auto& own : work) {
-      all_can = all_can && own[operation] > 0;
-      if (own[operation] == 0) continue;
-      least = least == 0 ? own[operation] : std::min(least, own[operation]);
-      most = std::max(most, own[operation]);
-    }
-    if (least == 0 || (least == most && all_can)) continue;
-    for (std::size_t i = 0; i < done.size(); ++i) done[i].operations[operation + 1].least = work[i][operation] == least;
+  for (std::size_t operation = 0; operation < 4; ++operation) {
+    constexpr int kNotAllowed = std::numeric_limits<int>::max();
+    std::vector<int> work;
+    for (const Written<Dim>& form : forms)
+      work.push_back(form.work()[operation] > 0 ? form.work()[operation] : kNotAllowed);
+    const auto [least, most] = std::minmax_element(work.begin(), work.end());
+    for (std::size_t i = 0; i < forms.size(); ++i) forms[i].ticks(operation, *least < *most && work[i] == *least);
   }
+  for (Written<Dim>& form : forms) done.push_back(std::move(form).done());
   return done;
 }
 
@@ -176,8 +182,6 @@ std::string entry(const char* name, int i) { return std::string(name) + '[' + st
 
 constexpr std::string_view kRefit = "a new fit";
 
-std::string operations(int n, const char* what) { return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s"); }
-
 template <int Dim>
 std::vector<StoredForm> forms_of(const Aabb<double, Dim>& box) {
   using V = Vector<double, Dim>;
@@ -187,18 +191,18 @@ std::vector<StoredForm> forms_of(const Aabb<double, Dim>& box) {
   std::vector<Written<Dim>> forms{Written<Dim>("min-max"), Written<Dim>("min-widths"), Written<Dim>("centre-radius")};
   forms[0].place("min", box.min);
   forms[0].place("max", box.max);
-  forms[0].costs("up to " + operations(2 * Dim, "comparison"), box, kRefit, {});
+  forms[0].costs({"up to " + counted(2 * Dim, "comparison"), 2 * Dim}, box, kRefit, {});
   forms[1].place("min", widths.min);
   for (int i = 0; i < Dim; ++i)
     forms[1].number(entry("d", i), widths.widths[i],
                     {{lifted<Dim>(box.min), lifted<Dim>(V(box.min + widths.widths[i] * V::Unit(i)))}});
-  forms[1].costs("up to " + operations(Dim, "subtraction") + ", " + operations(2 * Dim, "comparison"), widths, kRefit,
-                 {});
+  forms[1].costs({"up to " + counted(Dim, "subtraction") + ", " + counted(2 * Dim, "comparison"), 3 * Dim}, widths,
+                 kRefit, {});
   forms[2].place("c", centered.center);
   for (int i = 0; i < Dim; ++i)
     forms[2].number(entry("r", i), centered.half_extents[i], {half_extent_of<Dim>(upright, i)});
-  forms[2].costs("up to " + operations(2 * Dim, "addition") + ", " + operations(Dim, "comparison"), centered, kRefit,
-                 {});
+  forms[2].costs({"up to " + counted(2 * Dim, "addition") + ", " + counted(Dim, "comparison"), 3 * Dim}, centered,
+                 kRefit, {});
   return compared(std::move(forms));
 }
 
@@ -218,21 +222,21 @@ std::vector<StoredForm> forms_of(const Obb<double, Dim>& box) {
       Written<Dim>(plane ? "four vertices" : "eight vertices"), Written<Dim>(plane ? "four planes" : "six planes"),
       Written<Dim>(plane ? "two slabs" : "three slabs"), Written<Dim>("centre, axes, half extents")};
   for (std::size_t i = 0; i < vertices.size(); ++i) forms[0].place(entry("v", static_cast<int>(i)), vertices[i]);
-  forms[0].costs("find its axes first", vertices, {}, "find its axes first");
+  forms[0].costs({"find its axes first"}, vertices, {}, "find its axes first");
   for (std::size_t i = 0; i < planes.size(); ++i)
     forms[1].member("Plane " + entry("p", static_cast<int>(i)), with(planes[i].normal, {planes[i].d}),
                     {face_of<Dim>(box, static_cast<int>(i / 2), i % 2 == 0 ? 1 : -1)});
-  forms[1].costs("a point: " + operations(2 * Dim, "dot product"), planes, {}, {});
+  forms[1].costs({"of a point: " + counted(2 * Dim, "dot product")}, planes, {}, {});
   for (int i = 0; i < Dim; ++i) {
     const auto& slab = slabs[static_cast<std::size_t>(i)];
     forms[2].member("Slab " + entry("s", i), with(slab.normal, {slab.min, slab.max}),
                     {face_of<Dim>(box, i, -1), face_of<Dim>(box, i, 1)});
   }
-  forms[2].costs("a point or a ray: " + operations(Dim, "dot product"), slabs, {}, {});
+  forms[2].costs({"of a point or a ray: " + counted(Dim, "dot product")}, slabs, {}, {});
   forms[3].place("c", box.center);
   for (int i = 0; i < Dim; ++i) forms[3].vector(entry("u", i), V(box.axes.col(i)), box.center);
   for (int i = 0; i < Dim; ++i) forms[3].number(entry("e", i), box.half_extents[i], {half_extent_of<Dim>(box, i)});
-  forms[3].costs("separating axes, as it is", box, {}, {});
+  forms[3].costs({"separating axes, as it is", 1}, box, {}, {});
   return compared(std::move(forms));
 }
 
@@ -243,8 +247,8 @@ std::vector<StoredForm> forms_of(const Sphere<double, Dim>& ball) {
   form.number("r", ball.radius,
               {{lifted<Dim>(ball.center),
                 lifted<Dim>(Vector<double, Dim>(ball.center + ball.radius * Vector<double, Dim>::Unit(0)))}});
-  form.costs(operations(Dim + 1, "multiplication") + ", " + operations(2 * Dim, "addition") + ", 1 comparison", ball,
-             {}, {});
+  form.costs({counted(Dim + 1, "multiplication") + ", " + counted(2 * Dim, "addition") + ", 1 comparison", 1}, ball, {},
+             {});
   return {std::move(form).done()};
 }
 
@@ -272,7 +276,7 @@ std::vector<StoredForm> forms_of(const Capsule<double, Dim>& capsule) {
   form.place("a", capsule.a);
   form.place("b", capsule.b);
   form.number("r", capsule.radius, radius_from<Dim>(capsule.a, V(capsule.b - capsule.a), capsule.radius));
-  form.costs("the distance of two segments", capsule, {}, {});
+  form.costs({"the distance of two segments", 1}, capsule, {}, {});
   return {std::move(form).done()};
 }
 
@@ -282,7 +286,7 @@ std::vector<StoredForm> forms_of(const Lozenge<double, Dim>& lozenge) {
   form.place("a", lozenge.origin);
   for (int i = 0; i < 2; ++i) form.vector(entry("u", i), lozenge.edges[static_cast<std::size_t>(i)], lozenge.origin);
   form.number("r", lozenge.radius, radius_from<Dim>(lozenge.origin, lozenge.edges[0], lozenge.radius));
-  form.costs("the distance of two rectangles", lozenge, {}, {});
+  form.costs({"the distance of two rectangles", 1}, lozenge, {}, {});
   return {std::move(form).done()};
 }
 
@@ -298,7 +302,7 @@ std::vector<StoredForm> forms_of(const Kdop<double, Dim>& kdop) {
       form.number(entry(greatest ? "max" : "min", static_cast<int>(i)) + ": " + axis_name(direction), bound,
                   {bound_of<Dim>(kdop, axes[i], bound)});
     }
-  form.costs("up to " + operations(kdop.k, "comparison"), kdop, kRefit, {});
+  form.costs({"up to " + counted(kdop.k, "comparison"), 1}, kdop, kRefit, {});
   return {std::move(form).done()};
 }
 

@@ -140,10 +140,12 @@ TEST_CASE("the least of each operation is ticked, where another takes more") {
     return names;
   };
   const auto upright = stored_forms(Aabb<double, 3>{{0, 0, 0}, {1, 2, 3}}, 3);
+  CHECK(least(upright, 0) == "min-max; ");
   CHECK(least(upright, 1) == "min-widths; centre-radius; ");
   CHECK(least(upright, 2).empty());
   CHECK(least(upright, 3) == "centre-radius; ");
   const auto turned = stored_forms(Obb<double, 3>{{0, 0, 0}, Matrix<double, 3>::Identity(), {1, 2, 3}}, 3);
+  CHECK(least(turned, 0) == "centre, axes, half extents; ");
   CHECK(least(turned, 1) == "centre, axes, half extents; ");
   CHECK(least(turned, 3) == "centre, axes, half extents; ");
   CHECK(least(stored_forms(Sphere<double, 3>{{0, 0, 0}, 1}, 3), 1).empty());

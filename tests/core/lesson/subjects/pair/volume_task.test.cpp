@@ -1,0 +1,103 @@
+// What tasks on two axis-aligned boxes or two spheres ask for, to the last digit; and what is asked of the boxes'
+// tests.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "lesson/session.hpp"
+#include "lesson/subjects/pair/volumes.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+
+namespace {
+
+Session session_of(const std::string& algorithm, const std::string& volumes, const std::string& more = "") {
+  auto lesson = read_lesson(
+      "version = 2\ntitle = \"Two\"\nsummary = \"Two.\"\nminutes = 1\nvolume = \"volume_pair\"\nalgorithms = [\"" +
+          algorithm + "\"]\n[volumes]\n" + volumes + "[[section]]\ntitle = \"One\"\ntext = \"A text.\"\n" + more,
+      "two.toml");
+  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+  auto session = Session::open(*std::move(lesson));
+  REQUIRE(session.has_value());
+  return *std::move(session);
+}
+
+/// Two boxes in the plane: A from (0, 0) to (1, 1), and B with these bounds.
+const Subject& put(Session& session, double x, double y, double right, double top) {
+  REQUIRE(session.set_rows({{0, 0, 1, 1}, {x, y, right, top}}).has_value());
+  return session.subject();
+}
+
+constexpr const char* kBoxes =
+    "a = { aabb = { min = [0, 0], max = [1, 1] } }\nb = { aabb = { min = [0.5, 0.5], max = [2, 2] } }\n";
+
+}  // namespace
+
+TEST_CASE("boxes that only the last axis separates are apart along it by any gap, and along no other") {
+  Session session = session_of("min_max", kBoxes);
+  CHECK_FALSE(session.subject().reaches("only_last_axis"));
+  CHECK(put(session, 0.5, std::nextafter(1.0, 2.0), 2, 2).reaches("only_last_axis"));
+  CHECK_FALSE(put(session, 0.5, 1, 2, 2).reaches("only_last_axis"));    // they touch
+  CHECK_FALSE(put(session, 1.5, 1.5, 2, 2).reaches("only_last_axis"));  // along x as well
+  CHECK_FALSE(put(session, 1.5, 0.5, 2, 2).reaches("only_last_axis"));  // along x alone
+  CHECK(session.subject().goal_says("only_last_axis") ==
+        "Along x the intervals are apart; along y the intervals overlap.");
+}
+
+TEST_CASE("boxes touch along an axis where two bounds are equal to the last bit") {
+  Session session = session_of("min_max", kBoxes);
+  CHECK_FALSE(session.subject().reaches("touch_on_one_axis"));
+  CHECK(put(session, 1, 0.5, 2, 2).reaches("touch_on_one_axis"));
+  CHECK(put(session, -1, -0.5, 0, 2).reaches("touch_on_one_axis"));
+  CHECK_FALSE(put(session, std::nextafter(1.0, 2.0), 0.5, 2, 2).reaches("touch_on_one_axis"));
+  CHECK_FALSE(put(session, std::nextafter(1.0, 0.0), 0.5, 2, 2).reaches("touch_on_one_axis"));
+  CHECK_FALSE(put(session, 1, 1, 2, 2).reaches("touch_on_one_axis"));  // along both
+  CHECK_FALSE(put(session, 1, 3, 2, 4).reaches("touch_on_one_axis"));  // and apart along the other
+}
+
+TEST_CASE("spheres mislead a test that adds the squares of their radii where they overlap and it says no") {
+  Session session = session_of("spheres", "a = { sphere = { center = [0, 0], radius = 1 } }\n"
+                                          "b = { sphere = { center = [1, 0], radius = 1 } }\n");
+  const auto at = [&](double x) {
+    REQUIRE(session.set_rows({{0, 0, 1}, {x, 0, 1}}).has_value());
+    return session.subject().reaches("sum_of_squares");
+  };
+  CHECK_FALSE(at(1.4));  // both say that they overlap
+  CHECK(at(1.5));
+  CHECK(at(2));  // they touch
+  CHECK_FALSE(at(2.5));
+  CHECK_FALSE(session.subject().reaches("only_last_axis"));
+}
+
+TEST_CASE("the first axis with a gap is asked of a test of two boxes, and of no other test") {
+  const std::string question =
+      "[[question]]\nid = \"q\"\nalgorithm = \"ALGORITHM\"\nbefore = \"overlap_decided\"\nafter = \"start\"\n"
+      "asks = \"first_axis\"\nprompt = \"Which?\"\nbecause = \"So.\"\n";
+  const auto asking = [&](const std::string& algorithm) {
+    std::string text = question;
+    return text.replace(text.find("ALGORITHM"), 9, algorithm);
+  };
+  for (const char* algorithm : {"min_max", "min_widths", "center_radius", "slabs"}) {
+    Session session = session_of(algorithm, kBoxes, asking(algorithm));
+    const auto truth = [&] {
+      const Asked* asked = session.asked();
+      REQUIRE(asked != nullptr);
+      CHECK(asked->choices == std::vector<std::string>{"x", "y", "none"});
+      return model_answer(*asked, session.run(0)).value;
+    };
+    session.jump(0);
+    CHECK(truth() == 2);
+    put(session, 0.5, 1.5, 2, 2), session.jump(0);
+    CHECK(truth() == 1);
+    put(session, 1.5, 1.5, 2, 2), session.jump(0);
+    CHECK(truth() == 0);
+  }
+  const auto lesson =
+      read_lesson("version = 2\ntitle = \"Two\"\nsummary = \"Two.\"\nminutes = 1\nvolume = \"volume_pair\"\n"
+                  "algorithms = [\"gjk\"]\n[volumes]\n" +
+                      std::string(kBoxes) + "[[section]]\ntitle = \"One\"\ntext = \"A text.\"\n" + asking("gjk"),
+                  "two.toml");
+  REQUIRE_FALSE(lesson.has_value());
+  CHECK(lesson.error().message().find("\"first_axis\" can only be asked of") != std::string::npos);
+}
