@@ -67,6 +67,43 @@ void draw_nodes(Brush& brush, const TreeShown& shown) {
   if (std::find(there.begin(), there.end(), shown.branch) != there.end()) node(shown.branch, true);
 }
 
+/// Draws the volumes that nodes have got by merging: the last one with its children's, and with the one around the
+/// vertices; and the boxes that nodes had when the tree was built.
+void draw_merged(Brush& brush, const TreeShown& shown) {
+  const lesson::TreeRun& run = *shown.run;
+  const Palette& p = brush.p;
+  const auto& [merged, tight] = run.volumes();
+  const auto draw = [&](const fit::Volume3& volume, const VolumeStyle& style) {
+    draw_volume(brush.canvas, volume, style);
+  };
+  for (const Index i : shown.forest().there()) {
+    const auto at = static_cast<std::size_t>(i);
+    if (shown.forest().at(i).boxes.size() < 2 || i == shown.branch) continue;
+    if (run.has_volume(i, shown.step))
+      draw(merged[at], {Stroke::kSolid, with_alpha(p.current, 0.55f), brush.stroke(0.6f), 0});
+    else draw_rim(brush, on_screen(brush, run.before().at(i).box, 0), Stroke::kDotted, p.previous, brush.stroke(0.7f));
+  }
+  if (shown.branch == kNoIndex || !run.has_volume(shown.branch, shown.step)) return;
+  const auto at = static_cast<std::size_t>(shown.branch);
+  if (shown.forest().at(shown.branch).divides())
+    for (const Index child : shown.forest().at(shown.branch).children)
+      draw(merged[static_cast<std::size_t>(child)], {Stroke::kSolid, p.current, brush.stroke(0.8f), 0});
+  draw(merged[at], {Stroke::kSolid, p.current, brush.stroke(1.4f), p.fill});
+  draw(tight[at], {Stroke::kDashed, p.optimum, brush.stroke(), 0});
+}
+
+/// Draws where the boxes were when the tree was built.
+void draw_built(Brush& brush, const lesson::TreeStage& stage) {
+  const std::vector<Box2> now = stage.aabbs(), built = stage.aabbs_built();
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now[i].min == built[i].min && now[i].max == built[i].max) continue;
+    draw_rim(brush, on_screen(brush, built[i], 0), Stroke::kDotted, brush.p.previous, brush.stroke(0.8f));
+    const ImVec2 from = brush.at(in_plane((built[i].min + built[i].max) / 2)),
+                 to = brush.at(in_plane((now[i].min + now[i].max) / 2));
+    arrow(brush.list, from, to, with_alpha(brush.p.previous, 0.7f), brush.stroke(0.7f));
+  }
+}
+
 void draw_boxes(Brush& brush, const TreeShown& shown) {
   for (std::size_t i = 0; i < shown.run->boxes().size(); ++i) {
     const ScreenBox box = on_screen(brush, shown.run->boxes()[i], 0);
@@ -138,18 +175,23 @@ void draw_query(Brush& brush, const lesson::QueryPlaces& query, std::string_view
 
 }  // namespace
 
-Box2 stage_room(const lesson::TreeStage& stage) {
+Box2 stage_room(const lesson::Session& session) {
+  const auto& stage = lesson::as<lesson::TreeSubject>(session.subject())->stage();
   Box2 all = stage.boxes.front().aabb();
   const auto take = [&](const Box2& box) { all = {all.min.cwiseMin(box.min), all.max.cwiseMax(box.max)}; };
   for (const lesson::HeldBox& box : stage.boxes) take(box.aabb());
+  if (!stage.built.empty())
+    for (const Box2& box : stage.aabbs_built()) take(box);
   if (stage.query)
     for (const Point2& at : stage.query->at) take({at, at});
+  if (stage.query && lesson::shape_of_query(session.method(0)->name) == lesson::QueryShape::kFrustum)
+    for (const Point2& at : lesson::corners_of_query(*stage.query)) take({at, at});
   return all;
 }
 
-Box2 tree_room(const lesson::TreeStage& stage) {
+Box2 tree_room(const lesson::Session& session) {
   constexpr double kHeight = 0.4, kGap = 0.14, kNarrowest = 0.7;  // of the larger side of what is above
-  const Box2 above = stage_room(stage);
+  const Box2 above = stage_room(session);
   const Point2 size = above.max - above.min;
   const double larger = size.maxCoeff(), half = std::max(size[0], kNarrowest * larger) / 2;
   const double middle = (above.min[0] + above.max[0]) / 2, top = above.min[1] - kGap * larger;
@@ -159,7 +201,9 @@ Box2 tree_room(const lesson::TreeStage& stage) {
 void draw_tree(Brush& brush, const TreeShown& shown) {
   const auto& stage = lesson::as<lesson::TreeSubject>(brush.session.subject())->stage();
   draw_boxes(brush, shown);
-  draw_nodes(brush, shown);
+  if (shown.run->is_update()) draw_built(brush, stage);
+  if (shown.run->is_merging()) draw_merged(brush, shown);
+  else draw_nodes(brush, shown);
   draw_border(brush, shown);
   draw_tree_below(brush, shown);
   if (shown.run->is_query() && stage.query) draw_query(brush, *stage.query, brush.session.method(0)->name);

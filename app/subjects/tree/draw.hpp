@@ -9,10 +9,10 @@ namespace snug::app {
 void draw_tree(Brush& brush, const TreeShown& shown);
 /// Draws the tree in its room.
 void draw_tree_below(Brush& brush, const TreeShown& shown);
-/// Where the tree is drawn: below all that can be dragged.
-[[nodiscard]] lesson::Box2 tree_room(const lesson::TreeStage& stage);
-/// Around all that can be dragged.
-[[nodiscard]] lesson::Box2 stage_room(const lesson::TreeStage& stage);
+/// Where the tree is drawn: below the rest.
+[[nodiscard]] lesson::Box2 tree_room(const lesson::Session& session);
+/// Around all that can be dragged, and the frustum of a query.
+[[nodiscard]] lesson::Box2 stage_room(const lesson::Session& session);
 
 /// Draws a query's stack or, where borders are priced, the curve of their costs. Returns the height.
 float draw_tree_panel(const Look& look, const TreeShown& shown, ImVec2 at, float width);

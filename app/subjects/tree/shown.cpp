@@ -53,6 +53,8 @@ TreeShown tree_shown_at(const lesson::Session& session) {
 
 TreeInk ink_of(const Palette& palette, const TreeShown& shown, Index branch) {
   TreeInk ink{palette.previous, palette.ink};
+  if (shown.run->is_merging() && !shown.run->has_volume(branch, shown.step))
+    return {.line = with_alpha(palette.muted, 0.55f), .words = palette.muted, .pale = true};
   if (const auto* state = shown.query()) ink = ink_of_met(palette, state->nodes[static_cast<std::size_t>(branch)]);
   else if (branch == shown.branch || shown.finished) ink = {palette.current, palette.current_text, palette.fill};
   return ink;

@@ -147,7 +147,7 @@ std::string waiting_words(const TreeShown& shown) {
 }  // namespace
 
 void draw_tree_below(Brush& brush, const TreeShown& shown) {
-  const lesson::Box2 room = tree_room(lesson::as<lesson::TreeSubject>(brush.session.subject())->stage());
+  const lesson::Box2 room = tree_room(brush.session);
   const ImVec2 low = brush.at({room.min[0], room.max[1], 0}), high = brush.at({room.max[0], room.min[1], 0});
   TreePicture(brush, shown, {low.x, low.y, high.x - low.x, high.y - low.y}).draw();
 }

@@ -15,8 +15,7 @@ class TreeView final : public SubjectView {
   void draw(Brush& brush) const override { draw_tree(brush, shown_); }
 
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
-    const lesson::TreeStage& stage = lesson::as<lesson::TreeSubject>(session.subject())->stage();
-    const lesson::Box2 boxes = stage_room(stage), tree = tree_room(stage);
+    const lesson::Box2 boxes = stage_room(session), tree = tree_room(session);
     const lesson::Box2 all{boxes.min.cwiseMin(tree.min), boxes.max.cwiseMax(tree.max)};
     const lesson::Point2 middle = (all.min + all.max) / 2, half = (all.max - all.min) / 2;
     return {{middle[0], middle[1], 0}, kRoom * half.maxCoeff()};

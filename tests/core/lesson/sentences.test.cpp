@@ -175,6 +175,7 @@ std::vector<lesson::Session> tree_sessions() {
       tables.stage.query = lesson::QueryPlaces{{lesson::Point2(-1, -0.5), lesson::Point2(1.5, 1)}};
       for (const lesson::Method& method : lesson::build_methods()) add(tables, method);
       for (const lesson::Method& method : lesson::query_methods()) add(tables, method);
+      for (const lesson::Method& method : lesson::update_methods()) add(tables, method);
     }
   return sessions;
 }
@@ -231,7 +232,7 @@ TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no numbe
     if (fit::takes(algorithm, 3)) check_fit(algorithm, set_of({{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, 3));
   }
   for (const auto& sessions : {box_sessions, volume_sessions, frustum_sessions, tree_sessions, scene_sessions})
-    for (const lesson::Session& session : sessions()) check(session.run(0), 3, true);
+    for (const lesson::Session& session : sessions()) check(session.run(0), session.dim(), true);
   for (const lesson::SubjectRow* subject : lesson::subjects())
     for (const std::string_view fact : subject->facts()) CHECK_MESSAGE(seen.count(fact) == 1, fact);
 }

@@ -1,7 +1,8 @@
 // What can be asked about building a tree and going through one.
 #include <set>
 
-#include "hierarchy/bounds.hpp"
+#include "fit/catalogue.hpp"
+#include "geometry/tolerance.hpp"
 #include "lesson/subjects/tree/entries.hpp"
 
 namespace snug::lesson {
@@ -162,6 +163,19 @@ Truth left_out_truth(const Asked& asked, const Run& run) {
   }
   return no("The query meets the node's box, so what is below has to be looked at.");
 }
+double merging_loss(const TreeRun& run, Index node) {
+  const auto at = static_cast<std::size_t>(node);
+  const double merged = fit::measure_of(run.volumes().merged[at], 2),
+               tight = fit::measure_of(run.volumes().tight[at], 2);
+  return tight > 0 && merged > tight * (1 + tolerance::kBoxProof) ? merged / tight - 1 : 0;
+}
+
+Truth loses_truth(const Asked& asked, const Run& run) {
+  const double loss = merging_loss(tree_run(run), fact_of<hierarchy::VolumeMade>(asked, run).node);
+  if (loss > 0) return yes("The merged volume is " + without_plus(percent_text(loss)) + " larger.");
+  return no("Both are equally large.");
+}
+
 Truth found_truth(const Asked& asked, const Run& run) {
   const auto& fact = fact_of<hierarchy::BodyTested>(asked, run);
   const std::string box = "box " + box_name(fact.body) + ".";

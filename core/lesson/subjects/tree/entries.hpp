@@ -20,6 +20,11 @@ Truth beside_truth(const Asked& asked, const Run& run);
 Truth rotates_truth(const Asked& asked, const Run& run);
 Truth left_out_truth(const Asked& asked, const Run& run);
 Truth found_truth(const Asked& asked, const Run& run);
+Truth loses_truth(const Asked& asked, const Run& run);
+
+/// How much larger a node's merged volume is than the one around the vertices, 0.1 for 10 per cent; 0 where rounding
+/// alone makes the difference.
+[[nodiscard]] double merging_loss(const TreeRun& run, Index node);
 
 /// "x".
 [[nodiscard]] inline std::string axis_letter(int axis) { return std::string(1, "xy"[axis]); }
@@ -133,6 +138,30 @@ struct Entry<hierarchy::Rotated> : EntryDefaults {
 };
 
 template <>
+struct Entry<hierarchy::VolumeMade> : EntryDefaults {
+  using Fact = hierarchy::VolumeMade;
+  static constexpr std::array kAskings{Asking{"loses", &offer_yes_no, &loses_truth}};
+  static std::string sentence(const Fact& fact, const TreeWhere& where) {
+    const std::string word(where.run.volume_word()), name = capital(where.beside_name(fact.node));
+    const auto& children = where.before().at(fact.node).children;
+    if (!where.before().at(fact.node).divides()) return name + ": a leaf has the " + word + " around its box.";
+    const std::string merged = name + ": the " + word + "s of " + where.beside_name(children[0]) + " and " +
+                               where.beside_name(children[1]) + " are merged";
+    const double loss = merging_loss(where.run, fact.node);
+    if (loss <= 0) return merged + ", and nothing is lost.";
+    return merged + "; the result is " + without_plus(percent_text(loss)) + " larger than the smallest " + word +
+           " around the vertices.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const TreeWhere& where) {
+    return where.before().at(fact.node).boxes;
+  }
+  static std::string predicate(const Fact&, const TreeWhere&, bool) { return "are in the node"; }
+  static std::optional<Mark::Kind> mark(const Fact& fact, const TreeWhere& where) {
+    return where.before().at(fact.node).divides() ? std::optional(Mark::Kind::kGrew) : std::nullopt;
+  }
+};
+
+template <>
 struct Entry<hierarchy::NodeVisited> : EntryDefaults {
   using Fact = hierarchy::NodeVisited;
   static constexpr std::array kAskings{Asking{"left_out", &offer_yes_no, &left_out_truth}};
@@ -178,6 +207,9 @@ struct Entry<hierarchy::Done> : EntryDefaults {
   using Fact = hierarchy::Done;
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const TreeRun& run = where.run;
+    if (run.is_merging())
+      return "Every node has its " + std::string(run.volume_word()) + ", after " + std::to_string(fact.nodes / 2) +
+             " mergers; each has the children that it had.";
     if (!run.is_query())
       return "The tree is finished: " + std::to_string(fact.nodes) + " nodes, each with the box around its children.";
     return "The end: " + std::to_string(fact.volume_tests) + " tests found " + box_names(run.result().found) +

@@ -12,9 +12,9 @@ template class FactRun<TreeRun, TreeStep>;
 
 namespace {
 
-std::vector<std::string_view> tree_volumes() { return {kTreeBuild, kTreeQuery}; }
+std::vector<std::string_view> tree_volumes() { return {kTreeBuild, kTreeQuery, kTreeUpdate}; }
 std::span<const Method> tree_methods(std::string_view volume) {
-  return is_query(volume) ? query_methods() : build_methods();
+  return is_query(volume) ? query_methods() : volume == kTreeUpdate ? update_methods() : build_methods();
 }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_tree(const Lesson& lesson, std::optional<io::PointFile>,
@@ -115,7 +115,8 @@ void TreeSubject::begin_task(const Lesson&, const Task&, const Subject& own) {
 }
 
 std::unique_ptr<Run> TreeSubject::run(const Method& method, std::unique_ptr<Run>) const {
-  if (!is_query(method.volume)) return std::make_unique<TreeRun>(method.name, stage_.aabbs());
+  if (method.volume == kTreeBuild) return std::make_unique<TreeRun>(method.name, stage_.aabbs());
+  if (method.volume == kTreeUpdate) return std::make_unique<TreeRun>(method.name, stage_.aabbs(), stage_.aabbs_built());
   return std::make_unique<TreeRun>(method.name, stage_.aabbs(), rule_, *stage_.query);
 }
 
@@ -130,7 +131,7 @@ std::vector<Proof> TreeSubject::proofs(const View& view) const {
 }
 
 std::optional<double> TreeSubject::result_size(const Method& method, bool, const View&) const {
-  if (is_query(method.volume)) return std::nullopt;
+  if (method.volume != kTreeBuild) return std::nullopt;
   return hierarchy::expected_cost(build_tree(method.name, stage_.aabbs()));
 }
 

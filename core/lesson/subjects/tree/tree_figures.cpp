@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "fit/catalogue.hpp"
+#include "geometry/tolerance.hpp"
 #include "hierarchy/cost.hpp"
+#include "lesson/subjects/tree/entries.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -22,17 +25,30 @@ int depth_of(const Forest& forest, Index branch) {
   return 1 + std::max(depth_of(forest, own.children[0]), depth_of(forest, own.children[1]));
 }
 
+/// The tree's cost, refitted or rebuilt, and what it was when it was built.
+void add_costs(std::vector<Figure>& figures, const TreeRun& run, bool done) {
+  const double cost = run.cost(), rebuilt = hierarchy::expected_cost(build_tree("top_down_sah", run.boxes()));
+  const double share = 100 * (cost / rebuilt);
+  figures.push_back(at_end("SAH cost as built", "cost_built", number_text(run.cost_built()) + " tests",
+                           run.cost_built(), "tests", true));
+  figures.push_back(at_end("SAH cost now", "cost", number_text(cost) + " tests", cost, "tests", done));
+  figures.push_back(at_end("Of the rebuilt tree's cost", "of_rebuilt", number_text(share) + " %", share, "%", done));
+}
+
 std::vector<Figure> figures_of_growth(const TreeRun& run, int step) {
   const Forest& forest = run.forest(step);
   int depth = 0;
   for (const Index root : forest.roots) depth = std::max(depth, depth_of(forest, root));
   const bool done = step == run.steps();
+  std::vector<Figure> figures{
+      count(done ? "Nodes" : "Nodes so far", "nodes", static_cast<std::int64_t>(forest.there().size())),
+      count(done ? "Depth" : "Depth so far", "depth", depth)};
+  if (run.is_update()) return add_costs(figures, run, done), figures;
   const double cost = run.cost(), median = hierarchy::expected_cost(build_tree("top_down_median", run.boxes()));
   const double share = 100 * (cost / median);
-  return {count(done ? "Nodes" : "Nodes so far", "nodes", static_cast<std::int64_t>(forest.there().size())),
-          count(done ? "Depth" : "Depth so far", "depth", depth),
-          at_end("SAH cost", "cost", number_text(cost) + " tests", cost, "tests", done),
-          at_end("Of the median tree's cost", "of_median", number_text(share) + " %", share, "%", done)};
+  figures.push_back(at_end("SAH cost", "cost", number_text(cost) + " tests", cost, "tests", done));
+  figures.push_back(at_end("Of the median tree's cost", "of_median", number_text(share) + " %", share, "%", done));
+  return figures;
 }
 
 /// How many tests front to back, of those that back to front takes.
@@ -59,6 +75,25 @@ std::vector<Figure> figures_of_query(const TreeRun& run, int step) {
   return figures;
 }
 
+std::vector<Figure> figures_of_merging(const TreeRun& run, int step) {
+  const auto nodes = static_cast<Index>(run.tree().nodes.size());
+  const Index node = std::max(nodes - step, Index{0});  // the last one that has got its volume
+  const bool any = step > 0;
+  const auto area = [&](std::string name, std::string key, const std::vector<fit::Volume3>& volumes) {
+    const double value = any ? fit::measure_of(volumes[static_cast<std::size_t>(node)], 2) : 0;
+    return at_end(std::move(name), std::move(key), number_text(value) + " units²", value, "units²", any);
+  };
+  std::int64_t merged = 0;
+  for (Index i = node; i < nodes; ++i) merged += any && !run.tree().nodes[i].is_leaf();
+  const double loss = any ? merging_loss(run, node) : 0;
+  std::vector<Figure> figures{area("Area, merged", "area", run.volumes().merged),
+                              area("Area, round the vertices", "area_points", run.volumes().tight),
+                              at_end("Merging loses", "loss", percent_text(loss), 100 * loss, "%", any),
+                              count("Mergers", "mergers", merged)};
+  if (run.volume_word() == "AABB") add_costs(figures, run, step == run.steps());
+  return figures;
+}
+
 /// Whether each box is in one leaf, and each node's box is the smallest around what is below it.
 bool is_sound(const TreeRun& run) {
   const Forest& forest = run.forest(run.steps());
@@ -78,16 +113,47 @@ bool is_sound(const TreeRun& run) {
   return once && tight;
 }
 
+bool has_point(const fit::Volume3& volume, const Point3& p) {
+  const double reach = 1 + p.norm();
+  return std::visit(
+      [&]<class Kind>(const Kind& own) {
+        if constexpr (std::is_same_v<Kind, Sphere<double, 3>>)
+          return (p - own.center).norm() <= own.radius + tolerance::kBoxProof * reach;
+        else if constexpr (std::is_same_v<Kind, Obb<double, 3>>)
+          return ((own.axes.transpose() * (p - own.center)).cwiseAbs() - own.half_extents).head(2).maxCoeff() <=
+                 tolerance::kBoxProof * reach;
+        else if constexpr (std::is_same_v<Kind, Aabb<double, 3>>)
+          return (p - own.min).minCoeff() >= 0 && (own.max - p).minCoeff() >= 0;
+        else return false;
+      },
+      volume);
+}
+
+/// Whether each node's volume has every vertex of the boxes below it, but for rounding where it is no box along the
+/// axes.
+Proof contains_all(const TreeRun& run) {
+  bool holds = true;
+  for (std::size_t i = 0; i < run.tree().nodes.size(); ++i)
+    for (const Index box : run.tree().bodies_below(static_cast<Index>(i))) {
+      const Box2& own = run.boxes()[box];
+      for (const double x : {own.min[0], own.max[0]})
+        for (const double y : {own.min[1], own.max[1]}) holds = holds && has_point(run.volumes().merged[i], {x, y, 0});
+    }
+  return {"each node's volume has all vertices of the boxes below it", holds, true};
+}
+
 }  // namespace
 
 std::vector<Figure> tree_figures(const View& view) {
   const TreeRun& run = tree_run(view.run());
-  return run.is_query() ? figures_of_query(run, view.step) : figures_of_growth(run, view.step);
+  if (run.is_query()) return figures_of_query(run, view.step);
+  return run.is_merging() ? figures_of_merging(run, view.step) : figures_of_growth(run, view.step);
 }
 
 std::vector<Proof> tree_proofs(const View& view, const QueryPlaces* query) {
   if (!view.at_end()) return {};
   const TreeRun& run = tree_run(view.run());
+  if (run.is_merging()) return {contains_all(run)};
   if (!run.is_query())
     return {
         {"each box is in one leaf, and each node's box is the smallest around those below it", is_sound(run), true}};

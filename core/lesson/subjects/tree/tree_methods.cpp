@@ -53,7 +53,9 @@ void append(const BuildRecorder& recorder, TreeTrace* trace) {
   for (const auto& [step, counts] : recorder.entries)
     std::visit(
         [&, line = step.line, counts = counts](const auto& fact) {
-          if constexpr (requires { TreeStep::Fact(fact); }) trace->push_back({TreeStep{line, fact}, counts});
+          using Fact = std::remove_cvref_t<decltype(fact)>;
+          if constexpr (requires { TreeStep::Fact(fact); } && !std::is_same_v<Fact, hierarchy::VolumeMade>)
+            trace->push_back({TreeStep{line, fact}, counts});
         },
         step.fact);
 }

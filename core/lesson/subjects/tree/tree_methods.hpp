@@ -12,14 +12,15 @@
 
 namespace snug::lesson {
 
-/// The volumes of lessons about trees: how they are built, and how queries go through them.
-inline constexpr std::string_view kTreeBuild = "bvh_build", kTreeQuery = "bvh_query";
+/// The volumes of lessons about trees: how they are built, how queries go through them, and what becomes of them when
+/// boxes have moved.
+inline constexpr std::string_view kTreeBuild = "bvh_build", kTreeQuery = "bvh_query", kTreeUpdate = "bvh_update";
 [[nodiscard]] inline bool is_query(std::string_view volume) { return volume == kTreeQuery; }
 
 struct TreeStep {
   using Fact = std::variant<hierarchy::SplitsPriced, hierarchy::SplitChosen, hierarchy::LeafMade,
-                            hierarchy::NodesMerged, hierarchy::BodyInserted, hierarchy::Rotated, hierarchy::NodeVisited,
-                            hierarchy::BodyTested, hierarchy::Done>;
+                            hierarchy::NodesMerged, hierarchy::BodyInserted, hierarchy::Rotated, hierarchy::VolumeMade,
+                            hierarchy::NodeVisited, hierarchy::BodyTested, hierarchy::Done>;
   int line = 0;
   Fact fact;
 };

@@ -80,6 +80,8 @@ struct Follower {
   }
 };
 
+constexpr std::string_view kBuildRule = "top_down_sah";  // of a tree whose boxes move
+
 /// The branch that a fact is about.
 struct BranchOf {
   const TreeRun& run;
@@ -114,6 +116,22 @@ TreeRun::TreeRun(std::string_view method, std::vector<Box2> boxes, std::string_v
   result_ = run_query(method, query, tree_, boxes_, &trace_);
   forests_ = {forest_of(tree_, boxes_)};
   follow_query(query);
+}
+
+TreeRun::TreeRun(std::string_view method, std::vector<Box2> boxes, std::span<const Box2> built)
+    : boxes_(std::move(boxes)) {
+  const TreeOfBoxes old = build_tree(kBuildRule, built);
+  before_ = Before{forest_of(old, built), hierarchy::expected_cost(old)};
+  if (!merges(method)) {
+    tree_ = build_tree(kBuildRule, boxes_, &trace_);
+    follow_growth();
+    return;
+  }
+  tree_ = refitted(old, boxes_);
+  volumes_ = merge_volumes(method, tree_, boxes_, &trace_);
+  trace_.push_back({TreeStep{3, hierarchy::Done{static_cast<std::int64_t>(tree_.nodes.size()), 0}}, {}});
+  forests_ = {forest_of(tree_, boxes_)};
+  word_ = method == "merge_sphere" ? "circle" : method == "merge_obb" ? "OBB" : "AABB";
 }
 
 void TreeRun::follow_growth() {

@@ -3,7 +3,7 @@
 
 #include "hierarchy/traverse.hpp"
 #include "lesson/facts.hpp"
-#include "lesson/subjects/tree/tree_methods.hpp"
+#include "lesson/subjects/tree/tree_merge.hpp"
 
 namespace snug::lesson {
 
@@ -34,17 +34,34 @@ class TreeRun final : public FactRun<TreeRun, TreeStep> {
   /// Sends a query through a tree that is built by a rule.
   TreeRun(std::string_view method, std::vector<Box2> boxes, std::string_view rule, const QueryPlaces& query);
 
+  /// Merges the volumes of a tree, or rebuilds it, after its boxes have moved. built: as they were when it was built.
+  TreeRun(std::string_view method, std::vector<Box2> boxes, std::span<const Box2> built);
+
   [[nodiscard]] TreeSteps trace() const { return trace_; }
   [[nodiscard]] const std::vector<Box2>& boxes() const { return boxes_; }
   /// Whether a node is tested before it waits, as where a ray looks for the first box.
   [[nodiscard]] bool tests_before() const { return first_; }
   [[nodiscard]] bool is_query() const { return !states_.empty(); }
+  /// Whether it merges volumes: then the tree stands from the beginning, and its nodes get their volumes.
+  [[nodiscard]] bool is_merging() const { return !volumes_.merged.empty(); }
+  /// Whether it is about a tree whose boxes have moved.
+  [[nodiscard]] bool is_update() const { return before_.has_value(); }
+  /// Of such a tree: as it was built, and what it cost then.
+  [[nodiscard]] const Forest& before() const { return before_->forest; }
+  [[nodiscard]] double cost_built() const { return before_->cost; }
+  /// Of merged volumes: whether a node has its own after so many steps, and which.
+  [[nodiscard]] bool has_volume(Index node, int steps) const {
+    return node >= static_cast<Index>(tree_.nodes.size()) - steps;
+  }
+  [[nodiscard]] const MergedVolumes& volumes() const { return volumes_; }
+  /// "AABB", "circle", "OBB".
+  [[nodiscard]] std::string_view volume_word() const { return word_; }
   [[nodiscard]] Growth::Way way() const { return way_; }
   /// The finished tree, and its cost (hierarchy::expected_cost).
   [[nodiscard]] const TreeOfBoxes& tree() const { return tree_; }
   [[nodiscard]] double cost() const;
-  /// What stands after so many steps. A query's tree stands from the beginning.
-  [[nodiscard]] const Forest& forest(int steps) const { return forests_[is_query() ? 0 : steps]; }
+  /// What stands after so many steps. A tree that is not being built stands from the beginning.
+  [[nodiscard]] const Forest& forest(int steps) const { return forests_[forests_.size() == 1 ? 0 : steps]; }
   /// Of a query.
   [[nodiscard]] const QueryState& state(int steps) const { return states_[steps]; }
   [[nodiscard]] const QueryResult& result() const { return result_; }
@@ -84,6 +101,13 @@ class TreeRun final : public FactRun<TreeRun, TreeStep> {
   std::vector<QueryState> states_;  // of a query
   QueryResult result_;
   QueryPlaces query_;
+  struct Before {
+    Forest forest;
+    double cost = 0;
+  };
+  std::optional<Before> before_;  // of an update
+  MergedVolumes volumes_;
+  std::string_view word_;
 };
 
 extern template class FactRun<TreeRun, TreeStep>;

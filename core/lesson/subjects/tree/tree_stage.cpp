@@ -83,11 +83,28 @@ void read_query(TomlTable& root, const Lesson& lesson, TreeTables& tables, Compl
   tables.stage.query = query;
 }
 
+/// Reads where the boxes were when the tree was built.
+void read_built(TomlTable& table, const Lesson& lesson, TreeStage& stage) {
+  if (!table.has("built")) return table.allow("built");
+  for (const Point3& center : table.points("built", 2)) stage.built.push_back(center.head<2>());
+  if (lesson.volume != kTreeUpdate)
+    table.wrong("built", "is for lessons with volume = \"" + std::string(kTreeUpdate) + "\"");
+  else if (!stage.boxes.empty() && stage.built.size() != stage.boxes.size())
+    table.wrong("built", "must be as many as the boxes");
+}
+
 }  // namespace
 
 std::vector<Box2> TreeStage::aabbs() const {
   std::vector<Box2> all;
   for (const HeldBox& box : boxes) all.push_back(box.aabb());
+  return all;
+}
+
+std::vector<Box2> TreeStage::aabbs_built() const {
+  std::vector<Box2> all;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    all.push_back(HeldBox{built.empty() ? boxes[i].center : built[i], boxes[i].half}.aabb());
   return all;
 }
 
@@ -110,6 +127,8 @@ Done check_stage(const TreeStage& stage) {
   const auto count = static_cast<int>(stage.boxes.size());
   if (count < kFewestBoxes || count > kMostBoxes)
     return refused("there are " + std::to_string(kFewestBoxes) + " to " + std::to_string(kMostBoxes) + " boxes");
+  if (!stage.built.empty() && stage.built.size() != stage.boxes.size())
+    return refused("the tree was built of " + std::to_string(stage.built.size()) + " boxes");
   std::vector<Point3> all;
   for (const HeldBox& box : stage.boxes) {
     if (!(box.half.minCoeff() >= 0)) return refused("a half extent is below 0");
@@ -182,6 +201,7 @@ void read_tree(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   const std::size_t before = complaints.count();
   if (own.has("generate")) tables->recipe = read_recipe(own);
   else tables->stage.boxes = read_boxes(own);
+  read_built(own, lesson, tables->stage);
   own.refuse_others();
   if (complaints.count() == before && !tables->recipe.kind.empty())
     tables->stage.boxes = boxes_by(tables->recipe, lesson.seed);

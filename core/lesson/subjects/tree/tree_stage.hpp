@@ -38,8 +38,10 @@ struct BoxRecipe {
 
 struct TreeStage {
   std::vector<HeldBox> boxes;
-  std::optional<QueryPlaces> query;
+  std::optional<QueryPlaces> query = {};
+  std::vector<Point2> built = {};  // where the centres were when the tree was built; empty: where they are
   [[nodiscard]] std::vector<Box2> aabbs() const;
+  [[nodiscard]] std::vector<Box2> aabbs_built() const;
 };
 
 /// The subject's tables in a lesson's file.
@@ -56,7 +58,8 @@ struct TreeTables final : Tables {
 /// A node by the boxes below it: "the root" for all of them, "BDE", and for a leaf "B".
 [[nodiscard]] std::string node_name(std::span<const Index> boxes, std::size_t all);
 
-/// Errors: too few or too many boxes; a half extent below 0; a coordinate that a point may not have.
+/// Errors: too few or too many boxes; not as many as the tree was built of; a half extent below 0; a coordinate that a
+/// point may not have.
 [[nodiscard]] Done check_stage(const TreeStage& stage);
 
 /// Generated boxes. recipe: of an existing kind.

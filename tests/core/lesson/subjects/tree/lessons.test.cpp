@@ -13,7 +13,7 @@ using namespace snug::lesson;
 
 namespace {
 
-constexpr std::array kLessons{"bvh-build", "examples/tree"};
+constexpr std::array kLessons{"bvh-build", "bvh-traverse", "bvh-merge", "examples/tree"};
 
 std::string text_of(const std::string& id) {
   std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml", std::ios::binary);
@@ -98,6 +98,7 @@ TEST_CASE("each mistake about boxes under a tree is told with its line") {
            {"volume = \"bvh_build\"", "volume = \"bvh_query\"", "# A lesson", "the lesson lacks [query]"},
            {"asks = \"points\"", "asks = \"pair\"", "[[question]]", "can only be asked of nodes_merged"},
            {"[20, -0.2]", "[2, -0.2]", "model = {", "does not solve the task"},
+           {"[[section]]", "built = [[0, 0]]\n[[section]]", "built", "bvh_update"},
            {"[[section]]", "[query]\nfrom = [0, 0]\nto = [1, 1]\n[[section]]", "[query]", "bvh_query"},
        })
     check_broken(build, broken);

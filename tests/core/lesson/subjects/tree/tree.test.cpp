@@ -7,9 +7,12 @@
 #include <set>
 
 #include "geometry/random.hpp"
+#include "hierarchy/cost.hpp"
 #include "hierarchy/cull.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects.hpp"
+#include "lesson/subjects/tree/entries.hpp"
+#include "lesson/subjects/tree/tree_figures.hpp"
 
 using namespace snug;
 using namespace snug::lesson;
@@ -173,6 +176,45 @@ TEST_CASE("a frustum goes through the tree as hierarchy::cull does") {
       for (const auto& plane : frustum->planes())
         CHECK(plane.normal.dot(corner) + plane.d < 1e-12 * (1 + corner.norm()));
   }
+}
+
+TEST_CASE("merged volumes are of the kind, hold what is below, and lose nothing where they are AABBs") {
+  double circles = 0, boxes_lost = 0;
+  for (std::uint64_t seed = 1; seed < 60; ++seed) {
+    const TreeStage then = any_stage(seed), now = any_stage(seed + 100);
+    TreeStage stage = then;
+    stage.query.reset();
+    for (const HeldBox& box : then.boxes) stage.built.push_back(box.center);
+    for (std::size_t i = 0; i < stage.boxes.size(); ++i) stage.boxes[i].center = now.boxes[i % now.boxes.size()].center;
+    for (const Method& method : update_methods()) {
+      CAPTURE(seed);
+      CAPTURE(method.name);
+      const TreeRun run(method.name, stage.aabbs(), stage.aabbs_built());
+      CHECK(run.cost_built() ==
+            doctest::Approx(hierarchy::expected_cost(build_tree("top_down_sah", stage.aabbs_built()))));
+      const View view{{Slot{&method, &run}, Slot{}}, 0, run.steps()};
+      for (const Proof& proof : tree_proofs(view, nullptr)) CHECK_MESSAGE(proof.holds, proof.text);
+      if (!merges(method.name)) {
+        CHECK(run.cost() == hierarchy::expected_cost(build_tree("top_down_sah", stage.aabbs())));
+        continue;
+      }
+      REQUIRE(run.steps() == static_cast<int>(run.tree().nodes.size()) + 1);
+      const TreeOfBoxes refit = refitted(build_tree("top_down_sah", stage.aabbs_built()), stage.aabbs());
+      CHECK(run.cost() == hierarchy::expected_cost(refit));
+      for (std::size_t i = 0; i < run.tree().nodes.size(); ++i) {
+        const auto node = static_cast<Index>(i);
+        CHECK(run.has_volume(node, run.steps() - 1 - static_cast<int>(i)));
+        CHECK_FALSE(run.has_volume(node, run.steps() - 2 - static_cast<int>(i)));
+        const double loss = merging_loss(run, node);
+        CHECK(loss >= 0);
+        if (method.name == "merge_aabb") CHECK(loss == 0);
+        if (method.name == "merge_sphere") circles = std::max(circles, loss);
+        if (method.name == "merge_obb") boxes_lost = std::max(boxes_lost, loss);
+      }
+    }
+  }
+  CHECK(circles > 0.1);
+  CHECK(boxes_lost > 0.1);
 }
 
 TEST_CASE("the pair that is merged is the smallest of all, and the question says so") {
