@@ -14,7 +14,7 @@ const fit_args = (algorithm, ...more) => ["fit", "--volume", "sphere", "--algori
 const fit = (algorithm, ...more) => JSON.parse(good(fit_args(algorithm, ...more)));
 
 const tetra = write("tetra.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
-const algorithms = ["aabb_center", "ritter", "ritter_iterative", "pca", "welzl", "pivot", "brute_force"];
+const algorithms = ["aabb_center", "ritter", "ritter_iterative", "pca", "welzl", "pivot", "brute_force", "welzl_recursive", "brute_force_slide"];
 
 test("fit prints one object with the contract's keys in their order", () => {
   for (const algorithm of algorithms) {
@@ -41,7 +41,7 @@ test("fit prints one object with the contract's keys in their order", () => {
 
 test("only exact algorithms claim to be optimal, and are", () => {
   for (const algorithm of algorithms)
-    assert.equal(fit(algorithm, tetra).certificate.optimal, ["welzl", "pivot", "brute_force"].includes(algorithm) ? true : null);
+    assert.equal(fit(algorithm, tetra).certificate.optimal, ["welzl", "pivot", "brute_force", "welzl_recursive"].includes(algorithm) ? true : null);
   const { sphere, support } = fit("welzl", tetra);
   assert.deepEqual([...support].sort(), [1, 2, 3]);
   assert.ok(Math.abs(sphere.radius - Math.sqrt(2 / 3)) < 1e-15);
@@ -188,7 +188,7 @@ test("bad usage is refused in one line", () => {
   refused(["fit"], /--volume is required/);
   refused(["fit", "--volume", "cube", "--algorithm", "welzl", tetra], 'there is no volume "cube"; known: sphere, aabb, obb, capsule, lozenge, kdop, hull');
   refused(fit_args("quick", tetra),
-    `there is no algorithm "quick" for sphere; known: ${algorithms.slice(0, 1)}, ritter, ritter_iterative, pca, welzl, pivot, brute_force`);
+    `there is no algorithm "quick" for sphere; known: ${algorithms.slice(0, 1)}, ritter, ritter_iterative, pca, welzl, pivot, brute_force, welzl_recursive, brute_force_slide`);
   refused(fit_args("welzl"), /FILE is required/);
   refused(fit_args("welzl", tetra, tetra), /not expected/);
   refused(fit_args("welzl", "--repeat", "0", tetra), /--repeat/);

@@ -16,6 +16,10 @@ void mark_slab(Brush& brush, const CloudShown& shown);
 void name_slab(PointNames& names, const CloudShown& shown);
 /// Draws the hull of a box fitter, the edges of it that a box was built on, and the projection behind a rectangle.
 void draw_box_fit(Brush& brush, const CloudShown& shown);
+/// Draws Quickhull's hull so far, and what the step does with it; fades the points that it dropped.
+void draw_growing_hull(Brush& brush, const CloudShown& shown);
+/// Draws the lengths of Ritter's formula, where the step lets a sphere grow.
+void draw_growth(Brush& brush, const CloudShown& shown);
 /// Draws mean, covariance and axes.
 void draw_spread(Brush& brush, const CloudShown& shown);
 /// Draws the first diameter; along the main axis, with the projections that determined it.

@@ -58,7 +58,10 @@ struct CloudFiller {
     shown.outside_by = ball != nullptr ? fact.distance - ball->radius : 0;
     force(fact.depth);
   }
-  void operator()(const fit::BallGrown<double, 3>& fact) const { shown.before = fact.before; }
+  void operator()(const fit::BallGrown<double, 3>& fact) const {
+    shown.before = fact.before;
+    shown.grown = fact;
+  }
   void operator()(const fit::MeanFound<double, 3>& fact) const { shown.mean = fact.mean; }
   void operator()(const fit::CovarianceFound<double, 3>& fact) const {
     shown.mean = fact.mean;
@@ -89,7 +92,7 @@ struct CloudFiller {
       shown.before = ball_before(steps);
       return;
     }
-    if (fact.verdict != Verdict::kNoBall) shown.candidate = fact.candidate;
+    if (fact.verdict != Verdict::kNoBall && fact.verdict != Verdict::kDependent) shown.candidate = fact.candidate;
     shown.candidate_fails = true;
     shown.left_outside = fact.outside;
   }
@@ -124,8 +127,30 @@ struct CloudFiller {
     hull();
     build_on({fact.a, fact.b});
   }
+  void operator()(const fit::PointsAssigned&) const {}
+  void operator()(const fit::EyeChosen& fact) const {
+    shown.examined = fact.point;
+    shown.examined_outside = true;
+  }
   void operator()(const fit::EdgeSplit& fact) const { shown.spoken_of = {fact.a, fact.point, fact.b}; }
+  void operator()(const fit::HorizonFound& fact) const { shown.examined = fact.eye; }
   void operator()(const fit::FacetsReplaced& fact) const { shown.spoken_of = {fact.eye}; }
+  void operator()(const fit::FacesMerged&) const {
+    if (shown.growing) shown.flat = lesson::flat_edges(*shown.growing, lesson::fit_run(session.run(0)).points());
+  }
+  void operator()(const fit::CallEntered& fact) const {
+    shown.examined = fact.point;
+    shown.forced = fact.boundary;
+    if (fact.point == kNoIndex) shown.before = ball_before(steps);
+  }
+  void operator()(const fit::CallDecided& fact) const {
+    shown.examined = fact.point;
+    const fit::Sphere3* ball = ball_of(step);
+    shown.examined_outside = fact.outside && ball != nullptr;
+    shown.outside_by = ball != nullptr ? fact.distance - ball->radius : 0;
+    shown.forced = fact.boundary;
+  }
+  void operator()(const fit::RecursionStopped&) const {}
   void operator()(const fit::SlabFound& fact) const {
     const Point3 axis = lesson::slab_axis(step, fact.slab, session.dim());
     const double length = axis.norm();
@@ -189,6 +214,8 @@ CloudShown cloud_shown_at(const lesson::Session& session, bool want_optimum) {
   CloudShown shown{shown_at(session)};
   const lesson::FitTrace steps = lesson::fit_run(session.run(0)).trace().first(session.step());
   show_optimum(shown, session, want_optimum || shown.finished);
+  shown.growing = lesson::growing_hull(lesson::fit_run(session.run(0)).trace(), session.step());
+  if (shown.growing && !shown.volume) shown.support = shown.growing->vertices();  // some are gone again
   if (!steps.empty()) std::visit(CloudFiller{shown, steps.back().step, steps, session}, steps.back().step.fact);
   return shown;
 }

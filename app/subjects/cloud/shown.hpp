@@ -4,7 +4,7 @@
 #include <array>
 
 #include "app/shown.hpp"
-#include "lesson/subjects/cloud/fit_run.hpp"
+#include "lesson/subjects/cloud/hull_growth.hpp"
 
 namespace snug::app {
 
@@ -49,6 +49,9 @@ struct CloudShown : Shown {
   std::optional<fit::Volume3> hull_solid;      // the same hull, in space
   std::vector<std::array<Index, 2>> built_on;  // its edges that a box was built on
   std::optional<Point3> along;  // in space, the direction along which the points were projected for a rectangle
+  std::optional<fit::BallGrown<double, 3>> grown;  // how this step let a sphere grow
+  std::optional<lesson::GrowingHull> growing;      // the hull that Quickhull has so far
+  std::vector<std::pair<Index, Index>> flat;       // the edges between its coplanar facets, where they are merged
 };
 
 /// want_optimum: as for shown_at.

@@ -2,6 +2,7 @@
 
 #include "app/subjects/cloud/call_panel.hpp"
 #include "app/subjects/cloud/draw.hpp"
+#include "app/subjects/cloud/tree_panel.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/words.hpp"
 
@@ -12,8 +13,9 @@ std::string_view button_for(const lesson::Session& session) {
   const auto* cloud = lesson::as<lesson::CloudSubject>(session.subject());
   const fit::Algorithm* than = cloud != nullptr ? cloud->compared_with() : nullptr;
   if (cloud != nullptr && than == nullptr) return {};
+  if (than != nullptr && than->volume == "hull") return "Hull";
   if (than == nullptr || (than->exact && than->volume == session.lesson().volume)) return "Smallest";
-  return than->volume == "hull" ? "Hull" : "Reference";
+  return "Reference";
 }
 
 class CloudView final : public SubjectView {
@@ -29,7 +31,8 @@ class CloudView final : public SubjectView {
   [[nodiscard]] std::string_view optimum_button() const override { return button_; }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
-    return draw_call_panel(look, session, at, width);
+    const float height = draw_call_panel(look, session, at, width);
+    return height > 0 ? height : draw_tree_panel(look, session, at, width);
   }
   [[nodiscard]] MarkWords mark_words(const lesson::Session& session) const override {
     MarkWords words;

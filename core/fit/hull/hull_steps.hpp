@@ -35,14 +35,17 @@ struct FlatFound {
   static auto tie(auto& own) { return std::tie(own.affine_dim, own.points); }
 };
 
-/// Points outside were assigned to facets that see them: counts[i] to facets[i]. dropped: how many no facet sees.
+/// Points outside were assigned to facets that see them: counts[i] to facets[i]. points: those of facets[0], then those
+/// of facets[1], ...; inside: those that no facet sees, which are dropped.
 struct PointsAssigned {
   static constexpr std::string_view kName = "points_assigned";
   std::vector<Index> facets;
   std::vector<Index> counts;
-  Index dropped = 0;
-  static constexpr std::array<std::string_view, 3> kFields{"facets", "counts", "dropped"};
-  static auto tie(auto& own) { return std::tie(own.facets, own.counts, own.dropped); }
+  std::vector<Index> points;
+  std::vector<Index> inside;
+  Index dropped = 0;  // how many are inside
+  static constexpr std::array<std::string_view, 5> kFields{"facets", "counts", "points", "inside", "dropped"};
+  static auto tie(auto& own) { return std::tie(own.facets, own.counts, own.points, own.inside, own.dropped); }
 };
 
 /// The farthest of the facet's points was chosen. distance: from the facet's line or plane, scene units, rounded; of:

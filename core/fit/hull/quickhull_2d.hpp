@@ -8,6 +8,7 @@
 #include <numeric>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fit/hull/hull_steps.hpp"
@@ -99,13 +100,13 @@ class Quickhull2 {
     open_.push_back(first);
     observe_.count(Operation::kPointsTouched, edge.count());
     observe_.count(Operation::kOrientationTests, 2 * std::int64_t{edge.count()} - first.count());
-    if constexpr (kWatched<Observer>)
-      observe_(Step{line,
-                    false,
-                    {},
-                    PointsAssigned{{first_id, second_id},
-                                   {first.count(), second.count()},
-                                   edge.count() - first.count() - second.count()}});
+    if constexpr (kWatched<Observer>) {
+      PointsAssigned assigned{{first_id, second_id}, {first.count(), second.count()}, {edge.begin, second_end}, {}, 0};
+      for (Place i = second_end; i != edge.end; ++i)
+        if (*i != edge.a && *i != c) assigned.inside.push_back(*i);
+      assigned.dropped = static_cast<Index>(assigned.inside.size());
+      observe_(Step{line, false, {}, std::move(assigned)});
+    }
   }
 
   /// The farthest outside point; of several, the last on the way from a to b, which is a vertex for certain.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -50,7 +51,6 @@ class Quickhull3 {
     HullSurface<Scalar> surface(points_);
     start(surface, {simplex[0], simplex[1], simplex[2], simplex[3]});
     for (Index f = surface.next_open(); f != kNoIndex; f = surface.next_open()) add_farthest(surface, f);
-    observe_.count(Operation::kOrientationTests, surface.tests());
     MergedFaces<Scalar> merged = merge_faces(surface, points_);
     if constexpr (kWatched<Observer>)
       if (merged.faces > 0) tell(8, FacesMerged{merged.faces, merged.dropped});
@@ -66,31 +66,44 @@ class Quickhull3 {
   }
 
   void start(HullSurface<Scalar>& surface, std::array<Index, 4> simplex) {
-    const Index dropped = surface.start(simplex);
+    surface.start(simplex);
     observe_.count(Operation::kPointsTouched, points_.size());
+    count_tests(surface);
     if constexpr (kWatched<Observer>) {
       std::vector<Index> vertices;
       for (const Index f : surface.added())
         for (const Index v : facet(surface, f).vertices) vertices.push_back(v);
       tell(0, SimplexChosen{{simplex.begin(), simplex.end()}, vertices});
-      tell_assigned(surface, 2, dropped);
+      tell_assigned(surface, 2);
     }
   }
 
   void add_farthest(HullSurface<Scalar>& surface, Index f) {
     if constexpr (kWatched<Observer>) tell(4, eye_of(facet(surface, f), f));
     surface.look_from_above(f);
+    count_tests(surface);
     if constexpr (kWatched<Observer>) tell(5, HorizonFound{surface.eye(), surface.visible(), surface.horizon()});
-    const Index dropped = surface.raise_cone();
+    surface.raise_cone();
+    count_tests(surface);
     if constexpr (kWatched<Observer>) {
       tell(6, FacetsReplaced{surface.eye(), surface.visible(), surface.horizon(), surface.added()});
-      tell_assigned(surface, 7, dropped);
+      tell_assigned(surface, 7);
     }
   }
 
-  void tell_assigned(const HullSurface<Scalar>& surface, int line, Index dropped) {
-    PointsAssigned assigned{surface.added(), {}, dropped};
-    for (const Index f : assigned.facets) assigned.counts.push_back(facet(surface, f).count);
+  /// Counts the tests since it was last called.
+  void count_tests(const HullSurface<Scalar>& surface) {
+    observe_.count(Operation::kOrientationTests, surface.tests() - counted_);
+    counted_ = surface.tests();
+  }
+
+  void tell_assigned(const HullSurface<Scalar>& surface, int line) {
+    PointsAssigned assigned{surface.added(), {}, {}, surface.dropped(), 0};
+    for (const Index f : assigned.facets) {
+      assigned.counts.push_back(facet(surface, f).count);
+      surface.append_outside(f, assigned.points);
+    }
+    assigned.dropped = static_cast<Index>(assigned.inside.size());
     tell(line, std::move(assigned));
   }
 
@@ -133,6 +146,7 @@ class Quickhull3 {
 
   PointSpan<Scalar, 3> points_;
   Observer& observe_;
+  std::int64_t counted_ = 0;
 };
 
 template <class Scalar, class Observer>

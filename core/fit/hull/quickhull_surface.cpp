@@ -96,10 +96,10 @@ Index HullSurface<Scalar>::add_facet(const std::array<Index, 3>& vertices) {
   return place;
 }
 
-/// Assigns the point to the first of the facets that sees it; false if none does. A list's head is its farthest point
-/// (of equally far ones, the first in the set), so that of coincident points the first is taken.
+/// Assigns the point to the first of the facets that sees it; drops it if none does. A list's head is its farthest
+/// point (of equally far ones, the first in the set), so that of coincident points the first is taken.
 template <class Scalar>
-bool HullSurface<Scalar>::give(Index point, const std::vector<Index>& to) {
+void HullSurface<Scalar>::give(Index point, const std::vector<Index>& to) {
   for (const Index f : to) {
     Facet& owner = facet(f);
     const double h = height(owner, point);
@@ -115,13 +115,18 @@ bool HullSurface<Scalar>::give(Index point, const std::vector<Index>& to) {
       site(point).next = site(owner.farthest).next;
       site(owner.farthest).next = point;
     }
-    return true;
+    return;
   }
-  return false;
+  dropped_.push_back(point);
 }
 
 template <class Scalar>
-Index HullSurface<Scalar>::start(std::array<Index, 4>& simplex) {
+void HullSurface<Scalar>::append_outside(Index f, std::vector<Index>& list) const {
+  for (Index i = facet(f).farthest; i != kNoIndex; i = site(i).next) list.push_back(i);
+}
+
+template <class Scalar>
+void HullSurface<Scalar>::start(std::array<Index, 4>& simplex) {
   const auto at = [&](std::size_t i) -> Vector<double, 3> { return points_[simplex[i]].template cast<double>(); };
   if (orient3d(at(0), at(1), at(2), at(3)) > 0) std::swap(simplex[2], simplex[3]);
   const auto [a, b, c, d] = simplex;
@@ -133,10 +138,9 @@ Index HullSurface<Scalar>::start(std::array<Index, 4>& simplex) {
     added_.push_back(add_facet(vertices[i]));
     facets_[i].across = across[i];
   }
-  Index dropped = 0;
+  dropped_.clear();
   for (Index i = 0; i < points_.size(); ++i)
-    if (i != a && i != b && i != c && i != d && !give(i, added_)) ++dropped;
-  return dropped;
+    if (i != a && i != b && i != c && i != d) give(i, added_);
 }
 
 template <class Scalar>
@@ -215,7 +219,7 @@ void HullSurface<Scalar>::remove_visible() {
 }
 
 template <class Scalar>
-Index HullSurface<Scalar>::raise_cone() {
+void HullSurface<Scalar>::raise_cone() {
   gather_points();
   remove_visible();
   added_.clear();
@@ -230,10 +234,8 @@ Index HullSurface<Scalar>::raise_cone() {
     facet(added_[i]).across[1] = added_[(i + 1) % n];
     facet(added_[i]).across[2] = added_[(i + n - 1) % n];
   }
-  Index dropped = 0;
-  for (const Index point : orphans_)
-    if (!give(point, added_)) ++dropped;
-  return dropped;
+  dropped_.clear();
+  for (const Index point : orphans_) give(point, added_);
 }
 
 template class HullSurface<float>;

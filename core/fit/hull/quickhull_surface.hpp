@@ -33,17 +33,21 @@ class HullSurface {
   /// points: not all in one plane.
   explicit HullSurface(PointSpan<Scalar, 3> points);
 
-  /// Starts with a tetrahedron, and assigns every other point to the first facet that sees it. Returns how many points
-  /// no facet sees. simplex: not in one plane; its last two are swapped if facets would face inward.
-  Index start(std::array<Index, 4>& simplex);
+  /// Starts with a tetrahedron, and assigns every other point to the first facet that sees it. simplex: not in one
+  /// plane; its last two are swapped if facets would face inward.
+  void start(std::array<Index, 4>& simplex);
 
   /// The oldest facet with outside points; kNoIndex if there is none.
   [[nodiscard]] Index next_open();
 
   /// Finds the facets that see the farthest point of a facet, and their horizon.
   void look_from_above(Index facet);
-  /// Replaces these by a cone to that point, and assigns their points to it. Returns how many no facet sees.
-  Index raise_cone();
+  /// Replaces these by a cone to that point, and assigns their points to it.
+  void raise_cone();
+  /// The points that no facet saw when points were last assigned.
+  [[nodiscard]] const std::vector<Index>& dropped() const { return dropped_; }
+  /// Adds the facet's outside points to a list, the farthest first.
+  void append_outside(Index facet, std::vector<Index>& list) const;
 
   /// The farthest point that the last look_from_above found.
   [[nodiscard]] Index eye() const { return eye_; }
@@ -82,7 +86,7 @@ class HullSurface {
   [[nodiscard]] int side_exact(const Facet& facet, Index point) const;
   void put_plane(Facet& facet) const;
   Index add_facet(const std::array<Index, 3>& vertices);
-  bool give(Index point, const std::vector<Index>& to);
+  void give(Index point, const std::vector<Index>& to);
   void order_border();
   void gather_points();
   void remove_visible();
@@ -101,6 +105,7 @@ class HullSurface {
   std::vector<BorderEdge> border_;
   std::vector<BorderEdge> border_scratch_;
   std::vector<Index> orphans_;
+  std::vector<Index> dropped_;
 };
 
 }  // namespace snug::fit

@@ -19,18 +19,36 @@ inline constexpr std::array<std::string_view, 6> kBruteForcePseudocode{
     "return best",
 };
 
+inline constexpr std::array<std::string_view, 6> kBruteForceSlidePseudocode{
+    "for each triple (in 3-D quadruple) of points",
+    "  candidate ← the one through all of them",
+    "  if candidate is smaller than best",
+    "    if no point lies outside candidate",
+    "      best ← candidate",
+    "return best; if there is none, try fewer points",
+};
+
+/// Which subsets are tried.
+enum class Subsets { kAll, kLargest };
+
 /// Callers refuse more points than this: 40 points in 3-D have 102,050 candidates.
 inline constexpr Index kBruteForceLimit = 40;
 
-/// The state of one run over all subsets of two to Dim + 1 points, in lexicographic order, small ones first.
+/// The state of one run over subsets, in lexicographic order: all those of two to Dim + 1 points, small ones first; or
+/// those of Dim + 1 alone, and smaller ones only where no such ball contains all points.
 template <class Scalar, int Dim, class Observer>
 class BruteForce {
  public:
-  BruteForce(PointSpan<Scalar, Dim> points, Observer& observe) : points_(points), observe_(observe) {}
+  BruteForce(PointSpan<Scalar, Dim> points, Subsets subsets, Observer& observe)
+      : points_(points), subsets_(subsets), observe_(observe) {}
 
   Fit<Sphere<Scalar, Dim>> run() {
-    for (int size = 2; size <= Dim + 1; ++size) choose(size, 0, {});
+    if (subsets_ == Subsets::kAll)
+      for (int size = 2; size <= Dim + 1; ++size) choose(size, 0, {});
+    else
+      for (int size = Dim + 1; size >= 2 && !has_ball_; --size) choose(size, 0, {});
     if (!has_ball_) attempt({0});  // one point, or the same one many times
+    if (!has_ball_) start_anywhere();
     best_.radius = enclosing_radius(best_.center, points_, farthest_points(best_.center, points_));
     observe_(Step{5, true, best_, Finished{support_.list()}});
     return {best_, support_};
@@ -54,7 +72,9 @@ class BruteForce {
     const auto ball = ball_through(points_, support);
     observe_.count(Operation::kBallSolves, 1);
     // If the centre is outside their hull, fewer of these points support a smaller ball, which is a candidate itself.
-    if (!ball || !ball->center_in_hull()) return tell(1, {support, best_, Verdict::kNoBall, kNoIndex});
+    const bool all = subsets_ == Subsets::kAll;
+    if (!ball && !all) return tell(1, {support, best_, Verdict::kDependent, kNoIndex});
+    if (!ball || (all && !ball->center_in_hull())) return tell(1, {support, best_, Verdict::kNoBall, kNoIndex});
     const Sphere<Scalar, Dim> candidate{ball->center.template cast<Scalar>(), static_cast<Scalar>(ball->radius)};
     if (has_ball_ && !(candidate.radius < best_.radius))
       return tell(2, {support, candidate, Verdict::kNotSmaller, kNoIndex});
@@ -64,6 +84,13 @@ class BruteForce {
     support_ = support;
     has_ball_ = true;
     tell(4, {support, candidate, Verdict::kKept, kNoIndex});
+  }
+
+  /// Where rounding leaves every candidate without some point: around any of them, the last check finds the radius.
+  void start_anywhere() {
+    best_.center = points_[0];
+    support_ = {0};
+    has_ball_ = true;
   }
 
   void tell(int line, const Tried& tried) { observe_(Step{line, has_ball_, best_, tried}); }
@@ -84,6 +111,7 @@ class BruteForce {
   }
 
   PointSpan<Scalar, Dim> points_;
+  Subsets subsets_;
   Observer& observe_;
   Sphere<Scalar, Dim> best_;
   Support support_;
@@ -94,7 +122,15 @@ class BruteForce {
 /// points: 1 <= n <= kBruteForceLimit finite points, scene units. O(n^(Dim + 2)) time.
 template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer = Ignore>
 Fit<Sphere<Scalar, Dim>> brute_force(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
-  return BruteForce<Scalar, Dim, std::remove_reference_t<Observer>>(points, observe).run();
+  return BruteForce<Scalar, Dim, std::remove_reference_t<Observer>>(points, Subsets::kAll, observe).run();
+}
+
+/// The smallest ball through exactly Dim + 1 of the points that contains all others, as lectures print it. It is the
+/// smallest of all only where so many points support that. Where the points lie on a line or in a plane, so that no
+/// such ball contains them, fewer points are tried. points: as for brute_force. O(n^(Dim + 2)) time.
+template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer = Ignore>
+Fit<Sphere<Scalar, Dim>> brute_force_slide(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
+  return BruteForce<Scalar, Dim, std::remove_reference_t<Observer>>(points, Subsets::kLargest, observe).run();
 }
 
 }  // namespace snug::fit

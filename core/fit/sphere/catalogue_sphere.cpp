@@ -8,6 +8,7 @@
 #include "fit/sphere/ritter.hpp"
 #include "fit/sphere/ritter_iterative.hpp"
 #include "fit/sphere/welzl.hpp"
+#include "fit/sphere/welzl_recursive.hpp"
 
 namespace snug::fit {
 namespace {
@@ -19,8 +20,12 @@ constexpr auto kRitterIterative = [](auto p, const Options& options, auto& o) {
 };
 constexpr auto kPcaSphere = [](auto p, const Options&, auto& o) { return pca_sphere(p, o); };
 constexpr auto kWelzl = [](auto p, const Options& options, auto& o) { return welzl(p, options, o); };
+constexpr auto kWelzlRecursive = [](auto p, const Options& options, auto& o) { return welzl_recursive(p, options, o); };
 constexpr auto kPivot = [](auto p, const Options& options, auto& o) { return pivot(p, options, o); };
 constexpr auto kBruteForce = [](auto p, const Options&, auto& o) { return brute_force(p, o); };
+constexpr auto kBruteForceSlide = [](auto p, const Options&, auto& o) { return brute_force_slide(p, o); };
+
+constexpr Theory kAllSubsets{"O(n^5)", growth::fifth, false, kRomanick, "O(n^4)", growth::fourth};
 
 constexpr std::string_view kWelzlPaper = "E. Welzl, Smallest enclosing disks (balls and ellipsoids), 1991";
 
@@ -51,9 +56,23 @@ constexpr std::array kSphereRows{
                             .name = "brute_force",
                             .title = "Brute force",
                             .source = kRomanick,
-                            .theory = {"O(n^5)", growth::fifth, false, kRomanick, "O(n^4)", growth::fourth},
+                            .theory = kAllSubsets,
                             .pseudocode = kBruteForcePseudocode,
                             .max_points = kBruteForceLimit}),
+    row<kWelzlRecursive, true>({.volume = "sphere",
+                                .name = "welzl_recursive",
+                                .title = "Welzl, as printed",
+                                .source = kRomanick,
+                                .theory = {"O(n) expected", growth::linear, false, kWelzlPaper},
+                                .pseudocode = kWelzlRecursivePseudocode,
+                                .max_points = kWelzlRecursiveLimit}),
+    row<kBruteForceSlide>({.volume = "sphere",
+                           .name = "brute_force_slide",
+                           .title = "Brute force, as printed",
+                           .source = kRomanick,
+                           .theory = kAllSubsets,
+                           .pseudocode = kBruteForceSlidePseudocode,
+                           .max_points = kBruteForceLimit}),
 };
 
 }  // namespace

@@ -57,6 +57,19 @@ class Pivoting {
     }
   }
 
+  /// A recursion in exact arithmetic ends with its centre in the support's hull. If rounding moved it out, the smallest
+  /// ball of these few points is a sound start.
+  void drop_idle_support(int line) {
+    if (ball_.center_in_hull()) return;
+    const Support support = ball_.support;
+    SupportBall<Dim> best = *ball_through(points_, Support{support[0]});
+    for (const Index i : support) {
+      const SupportBall<Dim> ball = smallest_ball_with(points_, i, support);
+      if (smaller(best, ball)) best = ball;
+    }
+    replace(best, kNoIndex, line);
+  }
+
   /// Tests all points, and lets the farthest of each block enter, until no point lies outside. Then sets the radius so
   /// that the ball contains every point exactly.
   [[nodiscard]] Fit<Sphere<Scalar, Dim>> finish() {

@@ -120,12 +120,51 @@ struct SupportReplaced {
   static auto tie(auto& own) { return std::tie(own.entered, own.before, own.after); }
 };
 
+/// The recursion as lectures print it: a call was made for the first points of the list, which has `left`, with those
+/// of the support on the boundary. It removes the last point, and calls on the others; where there is none to remove
+/// (point is kNoIndex), it returns the ball through the support at once. depth: how many calls are open, this one
+/// included; bytes: what they keep.
+struct CallEntered {
+  static constexpr std::string_view kName = "call_entered";
+  Index point = kNoIndex;
+  Index left = 0;
+  Support boundary;
+  int depth = 0;
+  int bytes = 0;
+  static constexpr std::array<std::string_view, 5> kFields{"point", "left", "boundary", "depth", "bytes"};
+  static auto tie(auto& own) { return std::tie(own.point, own.left, own.boundary, own.depth, own.bytes); }
+};
+
+/// The first call has returned, and its ball was tested against the point that was removed: inside, this call returns
+/// the same ball; outside, the point joins the support, and the call on the others is made again. distance: from the
+/// ball's centre, 0 where there is no ball yet.
+struct CallDecided {
+  static constexpr std::string_view kName = "call_decided";
+  Index point = kNoIndex;
+  double distance = 0;
+  bool outside = false;
+  Support boundary;
+  int depth = 0;
+  static constexpr std::array<std::string_view, 5> kFields{"point", "distance", "outside", "boundary", "depth"};
+  static auto tie(auto& own) { return std::tie(own.point, own.distance, own.outside, own.boundary, own.depth); }
+};
+
+/// The recursion reached the depth that the stack is given, and was stopped: so many points had not been removed yet.
+struct RecursionStopped {
+  static constexpr std::string_view kName = "recursion_stopped";
+  int depth = 0;
+  Index left = 0;
+  int bytes = 0;
+  static constexpr std::array<std::string_view, 3> kFields{"depth", "left", "bytes"};
+  static auto tie(auto& own) { return std::tie(own.depth, own.left, own.bytes); }
+};
+
 /// Brute force: the ball of a few points was kept, was no smaller than the best, or left a point outside; or there was
-/// none (kNoBall: fewer of these points support their smallest ball).
+/// none (kNoBall: fewer of these points support their smallest ball; kDependent: no ball passes through them all).
 template <class Scalar, int Dim>
 struct CandidateTried {
   static constexpr std::string_view kName = "candidate_tried";
-  enum class Verdict { kKept, kNotSmaller, kLeavesPointOutside, kNoBall };
+  enum class Verdict { kKept, kNotSmaller, kLeavesPointOutside, kNoBall, kDependent };
   Support points;
   Sphere<Scalar, Dim> candidate;
   Verdict verdict = Verdict::kKept;
@@ -139,7 +178,8 @@ using SphereStep =
     Step<Sphere<Scalar, Dim>, ExtremesFound<Scalar, Dim>, MidpointFound<Scalar, Dim>, PairChosen, FarthestFound,
          PointExamined, BallGrown<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>,
          AxesFound<Scalar, Dim>, BallShrunk<Scalar, Dim>, PassJudged<Scalar, Dim>, BoundaryForced, MovedToFront,
-         AllChecked, RadiusChecked, SupportReplaced, CandidateTried<Scalar, Dim>, Finished>;
+         AllChecked, RadiusChecked, SupportReplaced, CandidateTried<Scalar, Dim>, CallEntered, CallDecided,
+         RecursionStopped, Finished>;
 
 /// What fits spheres.
 [[nodiscard]] std::span<const Algorithm> rows_of(const Sphere<double, 3>*);

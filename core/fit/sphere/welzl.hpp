@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <string_view>
 #include <vector>
 
 #include "fit/sphere/pivoting.hpp"
-#include "geometry/random.hpp"
+#include "fit/sphere/random_order.hpp"
 
 namespace snug::fit {
 
@@ -34,9 +33,9 @@ class Welzl {
       : points_(points), observe_(observe), pivoting_(points, {.tested = 2, .let_in = 2}, observe) {}
 
   Fit<Sphere<Scalar, Dim>> run(std::uint64_t seed) {
-    shuffle(seed);
+    list_ = random_order(points_.size(), seed);
     recursion();
-    drop_idle_support();
+    pivoting_.drop_idle_support(2);
     // In exact arithmetic no point is outside now. If rounding left one outside, pivoting lets it enter.
     const Fit<Sphere<Scalar, Dim>> fit = pivoting_.finish();
     observe_(Step{3, true, fit.volume, Finished{fit.support.list()}});
@@ -45,14 +44,6 @@ class Welzl {
 
  private:
   using Step = SphereStep<Scalar, Dim>;
-
-  void shuffle(std::uint64_t seed) {
-    list_.resize(static_cast<std::size_t>(points_.size()));
-    std::iota(list_.begin(), list_.end(), Index{0});
-    Random random(seed);
-    for (std::size_t i = list_.size(); i-- > 1;)
-      std::swap(list_[i], list_[random.below(static_cast<std::uint32_t>(i + 1))]);
-  }
 
   [[nodiscard]] bool outside(Index i, int depth) {
     const Scalar square = pivoting_.square_to(i);
@@ -110,19 +101,6 @@ class Welzl {
     const Index point = *place;
     std::rotate(list_.begin(), place, place + 1);
     observe_(Step{9, true, pivoting_.current(), MovedToFront{point, depth}});
-  }
-
-  // In exact arithmetic the recursion ends with its centre in the support's hull. If rounding moved it out, the
-  // smallest ball of these few points is a sound start for the pivoting.
-  void drop_idle_support() {
-    if (pivoting_.ball().center_in_hull()) return;
-    const Support support = pivoting_.ball().support;
-    SupportBall<Dim> best = *ball_through(points_, Support{support[0]});
-    for (const Index i : support) {
-      const SupportBall<Dim> ball = smallest_ball_with(points_, i, support);
-      if (smaller(best, ball)) best = ball;
-    }
-    pivoting_.replace(best, kNoIndex, 2);
   }
 
   PointSpan<Scalar, Dim> points_;

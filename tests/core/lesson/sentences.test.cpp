@@ -231,6 +231,7 @@ TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no numbe
         if (fit::takes(algorithm, dim)) check_fit(algorithm, set_of(*generate(kind, 12, dim, 7), dim));
     if (fit::takes(algorithm, 3)) check_fit(algorithm, set_of({{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, 3));
   }
+  check_fit(*fit::find_algorithm("sphere", "welzl_recursive"), set_of(*generate("gaussian", 1100, 3, 7), 3));
   for (const auto& sessions : {box_sessions, volume_sessions, frustum_sessions, tree_sessions, scene_sessions})
     for (const lesson::Session& session : sessions()) check(session.run(0), session.dim(), true);
   for (const lesson::SubjectRow* subject : lesson::subjects())

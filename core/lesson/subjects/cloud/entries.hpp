@@ -2,5 +2,6 @@
 #pragma once
 
 #include "lesson/subjects/cloud/entries_box.hpp"
+#include "lesson/subjects/cloud/entries_calls.hpp"
 #include "lesson/subjects/cloud/entries_hull.hpp"
 #include "lesson/subjects/cloud/entries_sphere.hpp"

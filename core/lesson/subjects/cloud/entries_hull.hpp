@@ -14,6 +14,7 @@ struct Entry<fit::SimplexChosen> : FitEntry {
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.points}); }
   static std::string predicate(const Fact&, const FitWhere&, bool) { return "are the vertices of the first hull"; }
+  static std::optional<std::vector<Index>> support(const Fact& fact) { return fact.points; }
 };
 
 template <>
@@ -31,15 +32,24 @@ struct Entry<fit::FlatFound> : FitEntry {
 
 template <>
 struct Entry<fit::PointsAssigned> : FitEntry {
-  static std::string sentence(const fit::PointsAssigned& fact, const FitWhere& where) {
+  using Fact = fit::PointsAssigned;
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
     std::int64_t outside = 0;
     for (const Index count : fact.counts) outside += count;
-    const std::string facet = where.dim() == 2 ? "an edge" : "a facet";
-    return counted(outside, "point") +
-           (outside == 1 ? " lies outside and is assigned to " + facet + "; "
-                         : " lie outside and are assigned to " + facet + " each; ") +
-           counted(fact.dropped, "point") +
-           (fact.dropped == 1 ? " lies inside and is dropped." : " lie inside and are dropped.");
+    const std::string facet = where.dim() == 2 ? "edge" : "facet";
+    if (outside == 0 && fact.dropped == 0) return "No point is left to assign to these " + facet + "s.";
+    const std::string dropped = counted(fact.dropped, "point") +
+                                (fact.dropped == 1 ? " lies inside and is dropped." : " lie inside and are dropped.");
+    if (outside == 0) return "No point lies outside these " + facet + "s; " + dropped;
+    const std::string assigned =
+        counted(outside, "point") + (outside == 1
+                                         ? " lies outside and is assigned to the " + facet + " that it is outside of"
+                                         : " lie outside and are assigned to " + facet + "s");
+    return assigned + (fact.dropped == 0 ? "; none is dropped." : "; " + dropped);
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.inside}); }
+  static std::string predicate(const Fact&, const FitWhere&, bool plural) {
+    return plural ? "are dropped" : "is dropped";
   }
 };
 
@@ -65,6 +75,7 @@ struct Entry<fit::EdgeSplit> : FitEntry {
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
   static std::string predicate(const Fact&, const FitWhere&, bool) { return "splits the edge"; }
+  static std::vector<Index> adds_to_support(const Fact& fact) { return {fact.point}; }
 };
 
 template <>
@@ -80,7 +91,9 @@ struct Entry<fit::HorizonFound> : FitEntry {
 
 template <>
 struct Entry<fit::FacetsReplaced> : FitEntry {
-  static std::string sentence(const fit::FacetsReplaced& fact, const FitWhere& where) {
+  using Fact = fit::FacetsReplaced;
+  static std::vector<Index> adds_to_support(const Fact& fact) { return {fact.eye}; }
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
     return counted(static_cast<std::int64_t>(fact.removed.size()), "facet") +
            (fact.removed.size() == 1 ? " is" : " are") + " replaced by " + std::to_string(fact.added.size()) +
            " new ones, from the horizon to " + where.name(fact.eye) + ".";
@@ -90,7 +103,7 @@ struct Entry<fit::FacetsReplaced> : FitEntry {
 template <>
 struct Entry<fit::FacesMerged> : FitEntry {
   static std::string sentence(const fit::FacesMerged& fact, const FitWhere&) {
-    const std::string faces = "Coplanar facets are merged: the hull has " + counted(fact.faces, "face");
+    const std::string faces = "Coplanar facets are merged into " + counted(fact.faces, "face");
     if (fact.dropped.empty()) return faces + ".";
     return faces + ", and " + counted(static_cast<std::int64_t>(fact.dropped.size()), "point") +
            (fact.dropped.size() == 1 ? " that lies on a face is not a vertex."

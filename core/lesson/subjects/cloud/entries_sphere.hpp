@@ -288,6 +288,9 @@ struct Entry<fit::CandidateTried<double, 3>> : FitEntry {
       case Verdict::kNotSmaller: return tried + " is no smaller than the best: no point needs testing.";
       case Verdict::kLeavesPointOutside:
         return tried + " leaves " + where.name(fact.outside) + " outside: it is dropped.";
+      case Verdict::kDependent:
+        return "No " + where.ball() + " passes through " + names + ": they lie " +
+               (fact.points.size() <= 3 ? "on one line." : "in one plane.");
       case Verdict::kNoBall: break;
     }
     return "The smallest " + where.ball() + " around " + names +
@@ -316,6 +319,10 @@ struct Entry<fit::Finished> : FitEntry {
     if (where.next() != nullptr)
       return "It starts from Ritter's " + where.ball() + ", with radius " + number_text(where.radius()) + ".";
     const std::string done = "Done: " + where.size(), names = where.names(fact.support);
+    if (std::holds_alternative<ConvexHull<double, 3>>(where.step().volume))
+      return done + "; the hull has " +
+             (fact.support.size() == 1 ? "1 vertex."
+                                       : count_text(static_cast<std::int64_t>(fact.support.size())) + " vertices.");
     return where.run.exact() ? done + ", supported by " + names + "." : done + "; it touches " + names + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.support}); }

@@ -1,7 +1,9 @@
 #include <array>
 #include <cmath>
 
+#include "lesson/subjects/cloud/call_tree.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
+#include "lesson/subjects/cloud/hull_growth.hpp"
 #include "lesson/subjects/cloud/passes.hpp"
 #include "lesson/subjects/cloud/volume_check.hpp"
 #include "lesson/words.hpp"
@@ -30,6 +32,8 @@ class FitBoard {
     volume();
     seen();
     best();
+    hull();
+    calls();
     if (entry_ != nullptr) spread(entry_->step.fact);
     operations();
     return std::move(figures_);
@@ -97,6 +101,18 @@ class FitBoard {
     const Sphere3* ball = ball_of(entry_->step);
     if (examined != nullptr && examined->outside && ball != nullptr)
       length("Outside by", "outside_by", examined->distance - ball->radius);
+    if (const auto* grown = std::get_if<BallGrown<double, 3>>(&entry_->step.fact); grown != nullptr && ball != nullptr)
+      growth(*grown, ball->radius);
+  }
+
+  /// The lengths of Ritter's formula.
+  void growth(const BallGrown<double, 3>& grown, double radius) {
+    const double dist = (point_of(run_.points(), grown.point) - grown.before.center).norm();
+    length("Old radius", "old_radius", grown.before.radius);
+    length("Distance dist", "dist", dist);
+    if (dist > 0)
+      add("Factor k", "k", number_text((radius - grown.before.radius) / dist), (radius - grown.before.radius) / dist,
+          "");
   }
 
   /// The number of digits with which a radius differs from the one that it is compared with.
@@ -118,6 +134,38 @@ class FitBoard {
       if (std::holds_alternative<CandidateTried<double, 3>>(trace_[i].step.fact)) ++tried;
     const std::string one = ball_word(run_.dim()), many = one + "s";
     if (tried > 0) add("Candidates tried", "candidates", things_text(tried, one, many), tried, many);
+  }
+
+  /// How far Quickhull has come: the same rows at every step.
+  void hull() {
+    const auto* result = std::get_if<ConvexHull<double, 3>>(&run_.recording().result.volume);
+    if (result == nullptr) return;
+    const auto grown = growing_hull(trace_, view_.step);
+    const bool done = view_.step == static_cast<int>(trace_.size());
+    const auto number = [&](std::string_view name, std::string key, std::size_t n, std::string_view unit) {
+      add(name, std::move(key), count_text(static_cast<std::int64_t>(n)), static_cast<double>(n), unit);
+    };
+    const std::size_t vertices = done ? result->vertices.size() : grown ? grown->vertices().size() : 0;
+    const std::size_t facets = done ? result->facets.size() : grown ? static_cast<std::size_t>(grown->alive()) : 0;
+    number("Vertices" + so_far(), "vertices", vertices, "vertices");
+    number((run_.dim() == 2 ? "Edges" : "Facets") + so_far(), "facets", facets, run_.dim() == 2 ? "edges" : "facets");
+    if (!grown) return;
+    number("Still outside", "still_outside", static_cast<std::size_t>(done ? 0 : grown->still_outside()), "points");
+    number("Dropped", "dropped", grown->dropped.size(), "points");
+    number("Farthest points chosen", "rounds", static_cast<std::size_t>(grown->rounds), "points");
+    if (run_.dim() == 3) number("Facets that see the eye", "seen_facets", grown->seen.size(), "facets");
+  }
+
+  /// How deep the recursion is.
+  void calls() {
+    if (!has_calls(trace_)) return;
+    const CallTree tree = call_tree(trace_, view_.step);
+    const auto open = static_cast<std::int64_t>(tree.open.size()), made = static_cast<std::int64_t>(tree.calls.size());
+    add("Calls open", "depth", count_text(open), static_cast<double>(open), "calls");
+    add("Deepest so far", "deepest", things_text(tree.deepest, "call", "calls"), tree.deepest, "calls");
+    add("Kept on the stack", "stack_bytes", things_text(tree.bytes, "byte", "bytes"), static_cast<double>(tree.bytes),
+        "bytes");
+    add("Calls made", "calls", count_text(made), static_cast<double>(made), "calls");
   }
 
   void spread(const Step3::Fact& fact) {

@@ -267,7 +267,13 @@ struct Rebuilt {
   }
   void operator()(const fit::PointsAssigned& fact) {
     REQUIRE(fact.facets.size() == fact.counts.size());
-    for (std::size_t i = 0; i < fact.facets.size(); ++i) counts[fact.facets[i]] = fact.counts[i];
+    std::size_t given = 0;
+    for (std::size_t i = 0; i < fact.facets.size(); ++i) {
+      counts[fact.facets[i]] = fact.counts[i];
+      given += static_cast<std::size_t>(fact.counts[i]);
+    }
+    CHECK(fact.points.size() == given);
+    CHECK(fact.inside.size() == static_cast<std::size_t>(fact.dropped));
   }
   void operator()(const fit::EyeChosen& fact) {
     CHECK(counts.at(fact.facet) == fact.of);

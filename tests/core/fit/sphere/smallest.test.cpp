@@ -19,7 +19,7 @@ void check_against_brute_force(const std::string& name, const test::Cloud<Scalar
   INFO(name << ", " << points.size() << " points, dim " << Dim << ", " << sizeof(Scalar) << " bytes");
   const Rational exact = exact::smallest_square(points);
   const auto set = test::set_of<Scalar, Dim>(points);
-  for (const char* algorithm : {"welzl", "pivot", "brute_force"}) {
+  for (const char* algorithm : {"welzl", "pivot", "brute_force", "welzl_recursive"}) {
     CAPTURE(algorithm);
     const auto fit = fit::find_algorithm("sphere", algorithm)->fit(set, {});
     const Rational radius(ball_of(fit).radius);
@@ -74,7 +74,7 @@ TEST_CASE("Welzl's recursion and pivoting end with the same ball, and prove it, 
 TEST_CASE("the optimum is worked out by pivoting; in the catalogue it stands between Welzl and brute force") {
   CHECK(fit::exact_algorithm("sphere")->name == "pivot");
   const auto rows = fit::algorithms_of("sphere");
-  REQUIRE(rows.size() == 7);
+  REQUIRE(rows.size() == 9);
   CHECK(rows[4].name == "welzl");
   CHECK(rows[5].name == "pivot");
   CHECK(rows[6].name == "brute_force");

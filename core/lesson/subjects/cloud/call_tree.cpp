@@ -1,0 +1,67 @@
+#include "lesson/subjects/cloud/call_tree.hpp"
+
+#include <algorithm>
+
+namespace snug::lesson {
+namespace {
+
+using namespace fit;
+
+/// Follows the facts from the beginning.
+struct TreeFollower {
+  CallTree tree;
+  std::int64_t bytes_per_call = 0;
+
+  void operator()(const CallEntered& fact) {
+    const int parent = tree.open.empty() ? -1 : tree.open.back();
+    const bool again = parent >= 0 && tree.calls[static_cast<std::size_t>(parent)].decided;
+    tree.calls.push_back({parent, fact.depth, fact.point, fact.left, fact.boundary, again});
+    tree.open.push_back(static_cast<int>(tree.calls.size()) - 1);
+    tree.deepest = std::max(tree.deepest, fact.depth);
+    bytes_per_call = fact.bytes / fact.depth;
+    if (fact.point == kNoIndex) give_back();
+  }
+  void operator()(const CallDecided& fact) {
+    running().decided = true;
+    if (!fact.outside) give_back();
+  }
+  void operator()(const RecursionStopped& fact) {
+    tree.stopped_at = fact.depth;
+    tree.deepest = std::max(tree.deepest, fact.depth);
+    end();
+  }
+  void operator()(const AllChecked&) { end(); }
+  void operator()(const SupportReplaced&) { end(); }
+  void operator()(const Finished&) { end(); }
+  void operator()(const auto&) {}
+
+  TreeCall& running() { return tree.calls[static_cast<std::size_t>(tree.open.back())]; }
+
+  /// The running call returns. If it was its caller's second, the caller returns with it.
+  void give_back() {
+    for (bool again = true; again && !tree.open.empty(); tree.open.pop_back()) {
+      running().open = false;
+      again = running().again;
+    }
+  }
+  void end() {
+    for (const int i : tree.open) tree.calls[static_cast<std::size_t>(i)].open = false;
+    tree.open.clear();
+  }
+};
+
+}  // namespace
+
+bool has_calls(FitTrace trace) {
+  return !trace.empty() && std::holds_alternative<CallEntered>(trace.front().step.fact);
+}
+
+CallTree call_tree(FitTrace trace, int steps) {
+  if (!has_calls(trace)) return {};
+  TreeFollower follower;
+  for (const auto& entry : trace.first(static_cast<std::size_t>(steps))) std::visit(follower, entry.step.fact);
+  follower.tree.bytes = follower.bytes_per_call * static_cast<std::int64_t>(follower.tree.open.size());
+  return std::move(follower.tree);
+}
+
+}  // namespace snug::lesson
