@@ -52,6 +52,10 @@ target_compile_options(snug_lean INTERFACE -fno-exceptions -fno-rtti)
 
 if(EMSCRIPTEN)
   target_compile_options(snug_options INTERFACE -msimd128)
+  # From 3.1.27 on a stack has 64 kB, too little for the recursion that a lesson lets go deep (kWelzlDepthLimit).
+  if(EMSCRIPTEN_VERSION VERSION_GREATER_EQUAL 3.1.27)
+    target_link_options(snug_options INTERFACE -sSTACK_SIZE=5MB)
+  endif()
   # A Node that is not Debian's own does not look where Debian's emscripten keeps acorn.
   if(NOT DEFINED ENV{NODE_PATH} AND EXISTS /usr/share/nodejs/acorn)
     set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK

@@ -1,13 +1,16 @@
 #include "app/subjects/cloud/view.hpp"
 
 #include "app/subjects/cloud/call_panel.hpp"
+#include "app/subjects/cloud/call_tree_view.hpp"
 #include "app/subjects/cloud/draw.hpp"
-#include "app/subjects/cloud/tree_panel.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::app {
 namespace {
+
+// The tree of calls is in the stage's upper left corner: the points are framed with room for it there.
+constexpr double kRoomForTree = 1.3, kAsideOfTree = -0.27, kBelowTree = 0.13;  // times the radius around the points
 
 std::string_view button_for(const lesson::Session& session) {
   const auto* cloud = lesson::as<lesson::CloudSubject>(session.subject());
@@ -28,11 +31,19 @@ class CloudView final : public SubjectView {
   void draw(Brush& brush) const override { draw_cloud(brush, shown_); }
   void draw_marks(Brush& brush) const override { mark_cloud(brush, shown_); }
   void name_marks(PointNames& names) const override { name_cloud(names, shown_); }
+  [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override { return draw_call_tree(brush, top); }
+  [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
+    fit::Sphere3 all = SubjectView::extent(session);
+    if (!shows_calls(session)) return all;
+    all.center += Point3(kAsideOfTree, kBelowTree, 0) * all.radius;
+    all.radius *= kRoomForTree;
+    return all;
+  }
   [[nodiscard]] std::string_view optimum_button() const override { return button_; }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
     const float height = draw_call_panel(look, session, at, width);
-    return height > 0 ? height : draw_tree_panel(look, session, at, width);
+    return height > 0 ? height : draw_call_stack(look, session, at, width);
   }
   [[nodiscard]] MarkWords mark_words(const lesson::Session& session) const override {
     MarkWords words;

@@ -25,8 +25,8 @@ inline constexpr std::array<std::string_view, 10> kWelzlRecursivePseudocode{
     "  return solve(rest, support + u)",
 };
 
-/// The recursion is stopped at this depth, so that no stack overflows: a call in WebAssembly takes some 300 bytes of
-/// the page's stack, natively about as many, and both have several megabytes.
+/// The recursion is stopped at this depth, long before a stack is full: a call takes some 200 bytes of it (`snug cost
+/// --claims` measures that), and a stack has several megabytes, on the page as well (cmake/options.cmake).
 inline constexpr int kWelzlDepthLimit = 1024;
 
 /// Callers refuse more points than this. From kWelzlDepthLimit on the recursion is stopped: a few more points are

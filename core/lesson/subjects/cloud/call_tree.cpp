@@ -28,7 +28,6 @@ struct TreeFollower {
   void operator()(const RecursionStopped& fact) {
     tree.stopped_at = fact.depth;
     tree.deepest = std::max(tree.deepest, fact.depth);
-    end();
   }
   void operator()(const AllChecked&) { end(); }
   void operator()(const SupportReplaced&) { end(); }

@@ -116,4 +116,43 @@ TEST_CASE("a candidate of brute force fails for a point, or is kept") {
   CHECK(cloud_shown_at(session, false).rival);
 }
 
+TEST_CASE("Quickhull's hull stands on the stage until the result does, with its vertices as support") {
+  for (const int dim : {2, 3}) {
+    lesson::Lesson lesson;
+    lesson.id = "test";
+    lesson.volume = "hull";
+    lesson.points = {.dim = dim, .generate = "lattice", .count = 27};
+    lesson.algorithms = {"quickhull"};
+    lesson::Session session = *lesson::Session::open(std::move(lesson));
+    bool merged = false;
+    for (int step = 1; step < session.steps(); ++step) {
+      session.jump(step);
+      const CloudShown shown = cloud_shown_at(session, false);
+      REQUIRE(shown.growing);
+      CHECK_FALSE(shown.volume);
+      CHECK(shown.support == shown.growing->vertices());
+      CHECK(shown.flat.empty() != shown.growing->merged);
+      merged = merged || shown.growing->merged;
+    }
+    CHECK(merged == (dim == 3));
+    session.jump(session.steps());
+    CHECK(cloud_shown_at(session, false).volume);
+  }
+}
+
+TEST_CASE("where Ritter's ball grows, the lengths of his formula are shown, and nowhere else") {
+  lesson::Session session = session_of("ritter", 2);
+  int grown = 0;
+  for (int step = 1; step <= session.steps(); ++step) {
+    session.jump(step);
+    const CloudShown shown = cloud_shown_at(session, false);
+    CHECK(shown.grown.has_value() == (session.run(0).fact(step - 1) == "ball_grown"));
+    if (!shown.grown) continue;
+    ++grown;
+    const double dist = (session.point(shown.grown->point) - shown.grown->before.center).norm();
+    CHECK(ball_of(shown.volume).radius == doctest::Approx((shown.grown->before.radius + dist) / 2));
+  }
+  CHECK(grown > 0);
+}
+
 }  // namespace snug::app
