@@ -34,7 +34,7 @@ bool draw_member(Shell& shell, Column& column, const lesson::StoredMember& membe
   const float declared = app::measure(look, Face::kMono, kSmall, member.declared).x;
   const float numbers = app::measure(look, Face::kMonoBold, kSmall, member.text).x;
   const float row = look.px(kRow);
-  const bool below = declared + numbers + 12 > column.width();
+  const bool below = declared + numbers + 8 > column.width();
   const float height = below ? row * 1.8f : row;
   const app::Rect rect{column.x() - 8, column.y(), column.width() + 16, height};
   const app::Touch touch = app::touch_area(member.mark.c_str(), rect, member.declared);

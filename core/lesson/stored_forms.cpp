@@ -24,11 +24,11 @@ Point3 lifted(const Vector<double, Dim>& p) {
   return at;
 }
 
-/// "(1.2, 0.4)", or a number alone.
+/// "1.200, 0.400"
 std::string text_of(const std::vector<double>& numbers) {
   std::string text;
   for (const double number : numbers) text += (text.empty() ? "" : ", ") + number_text(number);
-  return numbers.size() == 1 ? text : '(' + text + ')';
+  return text;
 }
 
 /// What an operation takes, in words and in operations; 0: it is not allowed as the volume is stored.

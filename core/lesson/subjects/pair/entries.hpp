@@ -240,7 +240,9 @@ struct Entry<OverlapDecided> : EntryDefaults {
   static std::string sentence(const OverlapDecided& fact, const PairWhere&) {
     if (fact.overlap) return "The volumes overlap.";
     if (fact.distance >= 0) return "Apart: the distance between the volumes is " + gap_text(fact.distance) + ".";
-    return "Apart: along the separating axis there is a gap of " + gap_text(fact.gap) + ".";
+    const Vector<double, 3> way = fact.direction.cwiseAbs();
+    const std::string axis = way.maxCoeff() == 1 ? axis_name(way) : "the separating axis";
+    return "Apart: along " + axis + " there is a gap of " + gap_text(fact.gap) + ".";
   }
   static std::optional<Mark::Kind> mark(const OverlapDecided&, const PairWhere&) { return Mark::Kind::kReplaced; }
 };
