@@ -10,7 +10,7 @@ namespace snug::app {
 namespace {
 
 // The tree of calls is in the stage's upper left corner: the points are framed with room for it there.
-constexpr double kRoomForTree = 1.3, kAsideOfTree = -0.27, kBelowTree = 0.13;  // times the radius around the points
+constexpr double kRoomForTree = 1.4, kAsideOfTree = -0.38, kBelowTree = 0.12;  // times the radius around the points
 
 std::string_view button_for(const lesson::Session& session) {
   const auto* cloud = lesson::as<lesson::CloudSubject>(session.subject());
