@@ -59,7 +59,9 @@ void draw_nodes(Brush& brush, const TreeShown& shown) {
     if (now || ink.crossed) brush.list->AddRectFilled(box.low, box.high, with_alpha(ink.line, brush.p.fill), 3);
     if (ink.crossed) hatch_box(brush, box, ink.line);
     draw_rim(brush, box, ink.pale ? Stroke::kDotted : Stroke::kSolid, now ? ink.line : with_alpha(ink.line, 0.8f),
-             brush.stroke(now ? 1.4f : 0.6f));
+             brush.stroke(now        ? 1.4f
+                          : ink.pale ? 0.4f
+                                     : 0.6f));
   };
   std::vector<Index> there = forest.there();
   for (const Index i : there)

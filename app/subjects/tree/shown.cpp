@@ -10,7 +10,7 @@ TreeInk ink_of_met(const Palette& p, Met met) {
     case Met::kOpen: return {p.examined, p.examined_text};
     case Met::kMet: return {p.current, p.current_text, p.fill};
     case Met::kMissed: return {.line = p.wrong, .words = p.wrong_text, .crossed = true};
-    case Met::kUnder: return {.line = with_alpha(p.muted, 0.55f), .words = p.muted, .pale = true};
+    case Met::kUnder: return {.line = with_alpha(p.muted, 0.4f), .words = p.muted, .pale = true};
     case Met::kTaken: return {p.optimum, p.optimum_text, p.fill};
     case Met::kNot: break;
   }

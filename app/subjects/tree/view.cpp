@@ -21,16 +21,20 @@ class TreeView final : public SubjectView {
     return {{middle[0], middle[1], 0}, kRoom * half.maxCoeff()};
   }
 
-  float draw_panels(const Look& look, lesson::Session&, ImVec2 at, float width) const override {
-    return shown_.run != nullptr ? draw_tree_panel(look, shown_, at, width) : 0;
+  float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
+    const TreeShown shown = tree_shown_at(session);  // an edit in this frame has ended the run that was drawn
+    if (shown.run->is_by_hand() && session.asked() == nullptr)
+      return draw_hand_panel(look, session, shown, at, width, first_);
+    return draw_tree_panel(look, shown, at, width);
   }
-  [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {
-    const bool query = shown_.run != nullptr && shown_.run->is_query();
+  [[nodiscard]] MarkWords mark_words(const lesson::Session& session) const override {
+    const bool query = lesson::tree_run(session.run(0)).is_query();
     return {.grew = "node made", .replaced = query ? "box met" : "rotation", .best = "left out or taken"};
   }
 
  private:
   TreeShown shown_;
+  mutable Index first_ = kNoIndex;  // of two nodes that are to be merged by hand
 };
 
 }  // namespace

@@ -173,7 +173,8 @@ std::vector<lesson::Session> tree_sessions() {
       tables.stage.boxes = lesson::boxes_by({kind, 9}, 4);
       for (lesson::HeldBox& box : tables.stage.boxes) box.center *= spread;
       tables.stage.query = lesson::QueryPlaces{{lesson::Point2(-1, -0.5), lesson::Point2(1.5, 1)}};
-      for (const lesson::Method& method : lesson::build_methods()) add(tables, method);
+      tables.stage.by_hand = std::vector<lesson::HandPair>{{0, 1}, {2, 9}};
+      for (const lesson::Method& method : lesson::build_methods_and_hand()) add(tables, method);
       for (const lesson::Method& method : lesson::query_methods()) add(tables, method);
       for (const lesson::Method& method : lesson::update_methods()) add(tables, method);
     }

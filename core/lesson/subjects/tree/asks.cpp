@@ -102,6 +102,7 @@ Truth split_axis_truth(const Asked& asked, const Run& run) {
 
 const char* offer_pairs(Asked& asked, const Run& run) {
   const Forest& forest = tree_run(run).forest(asked.fact);
+  if (tree_run(run).is_by_hand()) return "\"pair\" cannot be asked of what is done by hand";
   if (forest.roots.size() < 3) return "\"pair\" cannot be asked of the last two groups";
   for (const Pair& pair : pairs_offered(asked, run)) {
     std::vector<Index> boxes = forest.at(pair.left).boxes;

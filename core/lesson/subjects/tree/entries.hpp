@@ -90,6 +90,9 @@ struct Entry<hierarchy::NodesMerged> : EntryDefaults {
   using Fact = hierarchy::NodesMerged;
   static constexpr std::array kAskings{Asking{"pair", &offer_pairs, &pair_truth}};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
+    if (where.run.is_by_hand())
+      return where.name_before(fact.left) + " and " + where.name_before(fact.right) +
+             " are merged by hand, into a box with a half perimeter of " + number_text(fact.area) + ".";
     return where.name_before(fact.left) + " and " + where.name_before(fact.right) +
            " are merged: of all pairs, the box around these two is smallest, with a half perimeter of " +
            number_text(fact.area) + ".";
@@ -207,6 +210,9 @@ struct Entry<hierarchy::Done> : EntryDefaults {
   using Fact = hierarchy::Done;
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const TreeRun& run = where.run;
+    if (!run.is_merging() && !run.is_query() && !run.is_whole())
+      return "There are " + std::to_string(where.before().roots.size()) +
+             " nodes without a parent: choose two of them beside the stage, to be merged.";
     if (run.is_merging())
       return "Every node has its " + std::string(run.volume_word()) + ", after " + std::to_string(fact.nodes / 2) +
              " mergers; each has the children that it had.";

@@ -14,7 +14,7 @@ namespace {
 
 std::vector<std::string_view> tree_volumes() { return {kTreeBuild, kTreeQuery, kTreeUpdate}; }
 std::span<const Method> tree_methods(std::string_view volume) {
-  return is_query(volume) ? query_methods() : volume == kTreeUpdate ? update_methods() : build_methods();
+  return is_query(volume) ? query_methods() : volume == kTreeUpdate ? update_methods() : build_methods_and_hand();
 }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_tree(const Lesson& lesson, std::optional<io::PointFile>,
@@ -115,9 +115,14 @@ void TreeSubject::begin_task(const Lesson&, const Task&, const Subject& own) {
 }
 
 std::unique_ptr<Run> TreeSubject::run(const Method& method, std::unique_ptr<Run>) const {
+  if (method.name == kByHand) return std::make_unique<TreeRun>(stage_.aabbs(), mergers());
   if (method.volume == kTreeBuild) return std::make_unique<TreeRun>(method.name, stage_.aabbs());
   if (method.volume == kTreeUpdate) return std::make_unique<TreeRun>(method.name, stage_.aabbs(), stage_.aabbs_built());
   return std::make_unique<TreeRun>(method.name, stage_.aabbs(), rule_, *stage_.query);
+}
+
+std::span<const HandPair> TreeSubject::mergers() const {
+  return stage_.by_hand ? std::span<const HandPair>(*stage_.by_hand) : std::span<const HandPair>();
 }
 
 std::string TreeSubject::opening(const Method& method) const {
@@ -132,6 +137,10 @@ std::vector<Proof> TreeSubject::proofs(const View& view) const {
 
 std::optional<double> TreeSubject::result_size(const Method& method, bool, const View&) const {
   if (method.volume != kTreeBuild) return std::nullopt;
+  if (method.name == kByHand) {
+    if (mergers().size() + 1 != stage_.boxes.size()) return std::nullopt;
+    return hierarchy::expected_cost(tree_by_hand(mergers(), stage_.aabbs()));
+  }
   return hierarchy::expected_cost(build_tree(method.name, stage_.aabbs()));
 }
 

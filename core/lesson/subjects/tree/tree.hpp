@@ -42,6 +42,7 @@ class TreeSubject final : public Subject {
 
  private:
   Done become(TreeStage next);
+  [[nodiscard]] std::span<const HandPair> mergers() const;
 
   std::uint64_t lesson_seed_;
   BoxRecipe recipe_;

@@ -39,7 +39,7 @@ std::vector<Figure> figures_of_growth(const TreeRun& run, int step) {
   const Forest& forest = run.forest(step);
   int depth = 0;
   for (const Index root : forest.roots) depth = std::max(depth, depth_of(forest, root));
-  const bool done = step == run.steps();
+  const bool done = step == run.steps() && run.is_whole();
   std::vector<Figure> figures{
       count(done ? "Nodes" : "Nodes so far", "nodes", static_cast<std::int64_t>(forest.there().size())),
       count(done ? "Depth" : "Depth so far", "depth", depth)};
@@ -48,6 +48,9 @@ std::vector<Figure> figures_of_growth(const TreeRun& run, int step) {
   const double share = 100 * (cost / median);
   figures.push_back(at_end("SAH cost", "cost", number_text(cost) + " tests", cost, "tests", done));
   figures.push_back(at_end("Of the median tree's cost", "of_median", number_text(share) + " %", share, "%", done));
+  if (!run.is_by_hand()) return figures;
+  const double of_sah = 100 * (cost / hierarchy::expected_cost(build_tree("top_down_sah", run.boxes())));
+  figures.push_back(at_end("Of the SAH tree's cost", "of_sah", number_text(of_sah) + " %", of_sah, "%", done));
   return figures;
 }
 
@@ -154,6 +157,7 @@ std::vector<Proof> tree_proofs(const View& view, const QueryPlaces* query) {
   if (!view.at_end()) return {};
   const TreeRun& run = tree_run(view.run());
   if (run.is_merging()) return {contains_all(run)};
+  if (!run.is_query() && !run.is_whole()) return {};
   if (!run.is_query())
     return {
         {"each box is in one leaf, and each node's box is the smallest around those below it", is_sound(run), true}};

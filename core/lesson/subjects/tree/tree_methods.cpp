@@ -4,6 +4,7 @@
 
 #include "hierarchy/build.hpp"
 #include "hierarchy/cull.hpp"
+#include "hierarchy/shape.hpp"
 #include "query/contains.hpp"
 #include "query/overlaps.hpp"
 #include "query/ray_aabb.hpp"
@@ -15,6 +16,12 @@ using BuildRecorder = Recorder<hierarchy::Step>;
 
 constexpr double kNearShare = 0.1, kHalfTangent = 0.5;  // of the frustum: its near side's distance over its far side's
 
+constexpr auto kHandPseudocode = [] {
+  auto lines = hierarchy::kBottomUpPseudocode;
+  lines[2] = "  a, b ← two that you choose";
+  return lines;
+}();
+
 constexpr std::array kBuildMethods{
     Method{kTreeBuild, "top_down_median", "Top-down, median", "C. Ericson, Real-Time Collision Detection, 2005, 6.2.1",
            hierarchy::kMedianPseudocode},
@@ -25,6 +32,7 @@ constexpr std::array kBuildMethods{
            hierarchy::kBottomUpPseudocode},
     Method{kTreeBuild, "insertion", "Insertion", "J. Goldsmith, J. Salmon, 1987; A. Kensler, Tree rotations, 2008",
            hierarchy::kInsertionPseudocode},
+    Method{kTreeBuild, kByHand, "By hand", "your own choice of pairs", kHandPseudocode},
 };
 
 constexpr auto kFarFirstPseudocode = [] {
@@ -89,7 +97,8 @@ hierarchy::Answer answer_of(QueryShape shape, const QueryPlaces& query, const Bo
 
 }  // namespace
 
-std::span<const Method> build_methods() { return kBuildMethods; }
+std::span<const Method> build_methods() { return std::span(kBuildMethods).first(kBuildMethods.size() - 1); }
+std::span<const Method> build_methods_and_hand() { return kBuildMethods; }
 std::span<const Method> query_methods() { return kQueryMethods; }
 
 TreeOfBoxes build_tree(std::string_view method, std::span<const Box2> boxes, TreeTrace* trace) {
@@ -97,6 +106,14 @@ TreeOfBoxes build_tree(std::string_view method, std::span<const Box2> boxes, Tre
   TreeOfBoxes tree = built(method, boxes, recorder);
   append(recorder, trace);
   return tree;
+}
+
+TreeOfBoxes tree_by_hand(std::span<const HandPair> pairs, std::span<const Box2> boxes) {
+  const auto count = static_cast<Index>(boxes.size());
+  const std::vector<std::array<Index, 2>> all(pairs.begin(), pairs.end());
+  Ignore ignore;
+  return hierarchy::fill<Box2>(hierarchy::shape_of(all, count, count + static_cast<Index>(pairs.size()) - 1), boxes, 4,
+                               ignore);
 }
 
 Growth::Way way_of(std::string_view method) {

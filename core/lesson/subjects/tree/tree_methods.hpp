@@ -27,14 +27,20 @@ struct TreeStep {
 using TreeTrace = std::vector<Recorder<TreeStep>::Entry>;
 using TreeSteps = std::span<const Recorder<TreeStep>::Entry>;
 
+/// The method by which a student builds: by_hand.
+inline constexpr std::string_view kByHand = "by_hand";
 /// top_down_median, top_down_sah, bottom_up, insertion.
 [[nodiscard]] std::span<const Method> build_methods();
+/// The same, and by_hand.
+[[nodiscard]] std::span<const Method> build_methods_and_hand();
 /// point_query, box_query, ray_query, ray_far_first, ray_nearest, frustum_query.
 [[nodiscard]] std::span<const Method> query_methods();
 
 /// Builds a tree whose leaves have one box each. trace: null, or where its steps are appended; a node's volume is no
 /// step of its own. method: the name of a build method.
 [[nodiscard]] TreeOfBoxes build_tree(std::string_view method, std::span<const Box2> boxes, TreeTrace* trace = nullptr);
+/// The tree that mergers by hand make. pairs: all that it takes.
+[[nodiscard]] TreeOfBoxes tree_by_hand(std::span<const HandPair> pairs, std::span<const Box2> boxes);
 [[nodiscard]] Growth::Way way_of(std::string_view method);
 
 /// A query's shape, by the method that asks it.

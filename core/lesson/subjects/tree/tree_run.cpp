@@ -109,6 +109,23 @@ TreeRun::TreeRun(std::string_view method, std::vector<Box2> boxes) : boxes_(std:
   follow_growth();
 }
 
+TreeRun::TreeRun(std::vector<Box2> boxes, std::span<const HandPair> pairs)
+    : boxes_(std::move(boxes)), way_(Growth::Way::kUp) {
+  Growth growth(way_, {}, boxes_);
+  auto made = static_cast<Index>(boxes_.size());
+  for (const HandPair& pair : pairs) {
+    const hierarchy::NodesMerged fact{.merged = made++, .left = pair[0], .right = pair[1], .area = 0};
+    growth(fact);
+    const Box2& box = growth.forest().at(fact.merged).box;
+    trace_.push_back(
+        {TreeStep{3, hierarchy::NodesMerged{fact.merged, fact.left, fact.right, (box.max - box.min).sum()}}, {}});
+  }
+  if (pairs.size() + 1 == boxes_.size()) tree_ = tree_by_hand(pairs, boxes_);
+  trace_.push_back({TreeStep{4, hierarchy::Done{made, 0}}, {}});
+  by_hand_ = true;
+  follow_growth();
+}
+
 TreeRun::TreeRun(std::string_view method, std::vector<Box2> boxes, std::string_view rule, const QueryPlaces& query)
     : boxes_(std::move(boxes)), first_(finds_first(method)),
       order_(method == "ray_far_first" ? hierarchy::ChildOrder::kFar : hierarchy::ChildOrder::kNear), query_(query) {

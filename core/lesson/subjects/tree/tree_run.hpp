@@ -31,6 +31,8 @@ class TreeRun final : public FactRun<TreeRun, TreeStep> {
  public:
   /// Builds a tree.
   TreeRun(std::string_view method, std::vector<Box2> boxes);
+  /// Builds a tree by the mergers that were chosen by hand; it may not be finished. pairs: of groups that are there.
+  TreeRun(std::vector<Box2> boxes, std::span<const HandPair> pairs);
   /// Sends a query through a tree that is built by a rule.
   TreeRun(std::string_view method, std::vector<Box2> boxes, std::string_view rule, const QueryPlaces& query);
 
@@ -39,8 +41,11 @@ class TreeRun final : public FactRun<TreeRun, TreeStep> {
 
   [[nodiscard]] TreeSteps trace() const { return trace_; }
   [[nodiscard]] const std::vector<Box2>& boxes() const { return boxes_; }
+  [[nodiscard]] bool is_by_hand() const { return by_hand_; }
   /// Whether a node is tested before it waits, as where a ray looks for the first box.
   [[nodiscard]] bool tests_before() const { return first_; }
+  /// Whether the tree is finished at the end; by hand, it may not be.
+  [[nodiscard]] bool is_whole() const { return !tree_.nodes.empty(); }
   [[nodiscard]] bool is_query() const { return !states_.empty(); }
   /// Whether it merges volumes: then the tree stands from the beginning, and its nodes get their volumes.
   [[nodiscard]] bool is_merging() const { return !volumes_.merged.empty(); }
@@ -93,7 +98,7 @@ class TreeRun final : public FactRun<TreeRun, TreeStep> {
 
   std::vector<Box2> boxes_;
   Growth::Way way_ = Growth::Way::kDown;
-  bool first_ = false;
+  bool by_hand_ = false, first_ = false;
   hierarchy::ChildOrder order_ = hierarchy::ChildOrder::kNear;
   TreeTrace trace_;
   TreeOfBoxes tree_;

@@ -1,6 +1,8 @@
 #include "lesson/subjects/tree/tree_stage.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "geometry/generate.hpp"
 #include "geometry/random.hpp"
@@ -129,6 +131,8 @@ Done check_stage(const TreeStage& stage) {
     return refused("there are " + std::to_string(kFewestBoxes) + " to " + std::to_string(kMostBoxes) + " boxes");
   if (!stage.built.empty() && stage.built.size() != stage.boxes.size())
     return refused("the tree was built of " + std::to_string(stage.built.size()) + " boxes");
+  if (stage.by_hand && !groups_left(stage.boxes.size(), *stage.by_hand))
+    return refused("a merger by hand is of groups that are not there");
   std::vector<Point3> all;
   for (const HeldBox& box : stage.boxes) {
     if (!(box.half.minCoeff() >= 0)) return refused("a half extent is below 0");
@@ -163,6 +167,16 @@ std::vector<HeldBox> scattered(const std::vector<HeldBox>& like, std::uint64_t s
   return boxes;
 }
 
+std::optional<std::vector<Index>> groups_left(std::size_t boxes, std::span<const HandPair> pairs) {
+  std::vector<Index> left(boxes);
+  std::iota(left.begin(), left.end(), 0);
+  for (const HandPair& pair : pairs) {
+    if (pair[0] == pair[1] || std::erase(left, pair[0]) == 0 || std::erase(left, pair[1]) == 0) return std::nullopt;
+    left.push_back(static_cast<Index>(boxes++));
+  }
+  return left;
+}
+
 Rows rows_of(const TreeStage& stage) {
   Rows rows;
   for (const HeldBox& box : stage.boxes) {
@@ -170,17 +184,46 @@ Rows rows_of(const TreeStage& stage) {
     see_box(box, writer);
     rows.push_back(writer.take());
   }
-  if (!stage.query) return rows;
-  RowWriter writer(2);
-  see_query(*stage.query, writer);
-  rows.push_back(writer.take());
+  if (stage.query) {
+    RowWriter writer(2);
+    see_query(*stage.query, writer);
+    rows.push_back(writer.take());
+  }
+  if (!stage.by_hand) return rows;
+  std::vector<double>& mergers = rows.emplace_back(1, static_cast<double>(stage.by_hand->size()));
+  for (const HandPair& pair : *stage.by_hand) mergers.insert(mergers.end(), pair.begin(), pair.end());
   return rows;
 }
 
-tl::expected<TreeStage, InputError> with_rows(const TreeStage& like, const Rows& rows) {
+namespace {
+
+/// The mergers in a row of numbers; none if it has none.
+std::optional<std::vector<HandPair>> pairs_in(std::span<const double> row) {
+  std::vector<HandPair> pairs;
+  if (row.size() % 2 == 0 || row[0] != static_cast<double>(row.size() / 2)) return std::nullopt;
+  for (std::size_t i = 1; i < row.size(); i += 2) {
+    HandPair& pair = pairs.emplace_back();
+    for (const std::size_t side : {0, 1}) {
+      const double group = row[i + side];
+      if (!(group >= 0 && group < 2 * kMostBoxes) || group != std::floor(group)) return std::nullopt;
+      pair[side] = static_cast<Index>(group);
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
+tl::expected<TreeStage, InputError> with_rows(const TreeStage& like, const Rows& all_rows) {
   const std::size_t own = like.query ? 1 : 0;
-  if (rows.size() <= own) return refused("these are not the rows of boxes");
+  if (all_rows.size() <= own + (like.by_hand ? 1 : 0)) return refused("these are not the rows of boxes");
   TreeStage next = like;
+  const std::span<const std::vector<double>> rows(all_rows.data(), all_rows.size() - (like.by_hand ? 1 : 0));
+  if (like.by_hand) {
+    auto pairs = pairs_in(all_rows.back());
+    if (!pairs) return refused("mergers are their number, and two groups each");
+    next.by_hand = *std::move(pairs);
+  }
   next.boxes.assign(rows.size() - own, HeldBox());
   bool fits = true;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -206,6 +249,7 @@ void read_tree(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   if (complaints.count() == before && !tables->recipe.kind.empty())
     tables->stage.boxes = boxes_by(tables->recipe, lesson.seed);
   read_query(table, lesson, *tables, complaints);
+  if (is_among(lesson.algorithms, kByHand)) tables->stage.by_hand.emplace();
   if (complaints.count() == before)
     if (const Done fine = check_stage(tables->stage); !fine)
       own.wrong(tables->recipe.kind.empty() ? "center" : "generate", fine.error().what);
@@ -218,7 +262,10 @@ Rows read_tree_model(TomlTable& task, const Lesson& lesson, Complaints& complain
   TomlTable own(*model, "[task.model]", complaints);
   const std::size_t before = complaints.count();
   TreeStage stage = static_cast<const TreeTables&>(*lesson.tables).stage;
-  if (!stage.query || own.has("center")) stage.boxes = read_boxes(own);
+  if ((!stage.query && !own.has("mergers")) || own.has("center")) stage.boxes = read_boxes(own);
+  if (stage.by_hand && own.has("mergers"))
+    for (const Point3& pair : own.points("mergers", 2))
+      stage.by_hand->push_back({static_cast<Index>(pair[0]), static_cast<Index>(pair[1])});
   if (stage.query && own.has("from")) read_place(own, "from", stage.query->at[0]);
   if (stage.query && own.has("to")) read_place(own, "to", stage.query->at[1]);
   own.refuse_others();

@@ -29,6 +29,9 @@ struct QueryPlaces {
   std::array<Point2, 2> at{Point2::Zero(), Point2::Zero()};
 };
 
+/// Two groups that were merged by hand: boxes first, then merged groups in their order (hierarchy/steps.hpp).
+using HandPair = std::array<Index, 2>;
+
 /// How boxes are generated; an empty kind: they are a list.
 struct BoxRecipe {
   std::string kind;
@@ -40,6 +43,7 @@ struct TreeStage {
   std::vector<HeldBox> boxes;
   std::optional<QueryPlaces> query = {};
   std::vector<Point2> built = {};  // where the centres were when the tree was built; empty: where they are
+  std::optional<std::vector<HandPair>> by_hand = {};  // the mergers so far, in a lesson with that method
   [[nodiscard]] std::vector<Box2> aabbs() const;
   [[nodiscard]] std::vector<Box2> aabbs_built() const;
 };
@@ -58,8 +62,8 @@ struct TreeTables final : Tables {
 /// A node by the boxes below it: "the root" for all of them, "BDE", and for a leaf "B".
 [[nodiscard]] std::string node_name(std::span<const Index> boxes, std::size_t all);
 
-/// Errors: too few or too many boxes; not as many as the tree was built of; a half extent below 0; a coordinate that a
-/// point may not have.
+/// Errors: mergers of groups that are not there; too few or too many boxes; not as many as the tree was built of; a
+/// half extent below 0; a coordinate that a point may not have.
 [[nodiscard]] Done check_stage(const TreeStage& stage);
 
 /// Generated boxes. recipe: of an existing kind.
@@ -67,7 +71,11 @@ struct TreeTables final : Tables {
 /// The boxes of the same sizes, in other places.
 [[nodiscard]] std::vector<HeldBox> scattered(const std::vector<HeldBox>& like, std::uint64_t seed);
 
-/// A row for each box, of its centre and its half extents; and one for the query, of both places.
+/// The groups that have no parent yet, of so many boxes; none if these are no mergers of them.
+[[nodiscard]] std::optional<std::vector<Index>> groups_left(std::size_t boxes, std::span<const HandPair> pairs);
+
+/// A row for each box, of its centre and its half extents; one for the query, of both places; and one for the mergers
+/// by hand, of how many there are and two groups each.
 [[nodiscard]] Rows rows_of(const TreeStage& stage);
 /// The stage with these rows. Errors: these are none of such a stage; those of check_stage.
 [[nodiscard]] tl::expected<TreeStage, InputError> with_rows(const TreeStage& like, const Rows& rows);

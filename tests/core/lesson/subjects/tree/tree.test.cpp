@@ -252,6 +252,31 @@ TEST_CASE("the pair that is merged is the smallest of all, and the question says
   CHECK(asked_of > 100);
 }
 
+TEST_CASE("a tree by hand: mergers of any two groups, with the cost of the same tree built from the leaves up") {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const std::vector<Box2> boxes = any_stage(seed).aabbs();
+    TreeTrace trace;
+    const TreeOfBoxes tree = build_tree("bottom_up", boxes, &trace);
+    std::vector<HandPair> pairs;
+    for (const auto& entry : trace)
+      if (const auto* fact = std::get_if<hierarchy::NodesMerged>(&entry.step.fact))
+        pairs.push_back({fact->left, fact->right});
+    const TreeRun whole(boxes, pairs);
+    CHECK(whole.is_whole());
+    CHECK(whole.cost() == hierarchy::expected_cost(tree));
+    CHECK(nodes_of(whole.forest(whole.steps())) == nodes_of(forest_of(tree, boxes)));
+    pairs.pop_back();
+    const TreeRun part(boxes, pairs);
+    CHECK_FALSE(part.is_whole());
+    CHECK(part.forest(part.steps()).roots.size() == 2);
+    CHECK(groups_left(boxes.size(), pairs)->size() == 2);
+  }
+  CHECK(groups_left(3, std::vector<HandPair>{{0, 1}, {2, 3}})->size() == 1);
+  for (const HandPair& wrong : {HandPair{0, 0}, HandPair{0, 3}, HandPair{-1, 1}})
+    CHECK_FALSE(groups_left(3, std::vector<HandPair>{wrong}).has_value());
+  CHECK_FALSE(groups_left(3, std::vector<HandPair>{{0, 1}, {0, 2}}).has_value());
+}
+
 TEST_CASE("boxes are moved, sized, scattered, undone and kept as rows") {
   const TreeStage stage = any_stage(11);
   Session session = session_on(stage, kTreeQuery);

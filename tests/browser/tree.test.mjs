@@ -1,0 +1,77 @@
+// Trees of boxes: built step by step, asked about, dragged and shared by the address; queries; merging; building by hand.
+import { after, before, test } from "node:test";
+import { answer, assert, drag, drag_by_finger, handles, kPhone, ready, start, state, stop, until, visit } from "./support.mjs";
+
+before(start);
+after(stop);
+
+const text_of = (view) => JSON.stringify(view.numbers);
+const changed = (now, numbers) => JSON.stringify(now.numbers) !== numbers;
+
+for (const lesson of ["bvh-build", "bvh-traverse", "bvh-merge"])
+  test(`${lesson}: a box is dragged, by itself, and undone`, async (t) => {
+    const page = await visit(t, `?lesson=${lesson}`);
+    const own = await state(page);
+    await drag(page, "C", 13, -9);
+    const now = await until(page, changed, text_of(own));
+    assert.notDeepEqual(now.numbers[2], own.numbers[2]);
+    assert.deepEqual(now.numbers[1], own.numbers[1]);
+    await page.keyboard.press("Control+z");
+    await until(page, (view, text) => JSON.stringify(view.numbers) === text, text_of(own));
+  });
+
+test("a finger drags a query's place on a phone, and the counts follow", async (t) => {
+  const page = await visit(t, "?lesson=bvh-traverse&a=ray_query&step=99", kPhone);
+  const own = await until(page, (now) => now.step === now.steps);
+  await drag_by_finger(page, "R", 0, -70);
+  const now = await until(page, changed, text_of(own));
+  assert.notDeepEqual(now.readout, own.readout);
+});
+
+test("which boxes go left? Five boxes are tapped on the stage, and are right", async (t) => {
+  const page = await visit(t, "?lesson=bvh-build");
+  const { asked } = await until(page, (now) => now.asked);
+  assert.equal(asked.id, "halves");
+  for (const name of ["A", "B", "C", "D", "F"]) {
+    const { x, y } = (await handles(page)).find(({ id }) => id === name);
+    await page.mouse.click(x, y);
+  }
+  await page.locator("#ask").getByRole("button", { name: "Answer", exact: true }).click();
+  // Another question is asked at the same place, before either is told.
+  const { outcomes } = await until(page, (now) => now.outcomes.some(({ question }) => question === "halves"));
+  assert.ok(outcomes.find(({ question }) => question === "halves").right);
+});
+
+test("a yes or no about a node is answered by its button", async (t) => {
+  const page = await visit(t, "?lesson=bvh-traverse&step=1");
+  const { asked } = await until(page, (now) => now.asked);
+  assert.deepEqual(asked.choices.map((choice) => choice.text ?? choice), ["yes", "no"]);
+  const { outcome } = await answer(page, "no");
+  assert.ok(outcome.right);
+});
+
+test("the address carries boxes and query to the last digit", async (t) => {
+  const page = await visit(t, "?lesson=bvh-traverse");
+  const own = await state(page);
+  await drag(page, "Q", 17, 31);
+  const moved = await until(page, changed, text_of(own));
+  for (let href = ""; href !== page.url() || !/(rows|moved)=/.test(href); await page.waitForTimeout(400)) href = page.url(); // it follows a moment later
+  await page.reload();
+  await ready(page);
+  const again = await state(page);
+  assert.equal(text_of(again), text_of(moved));
+  assert.equal(again.trace, moved.trace);
+});
+
+test("a tree that is built by hand is in the address: its mergers, and what it comes to", async (t) => {
+  const page = await visit(t, "?lesson=bvh-build&a=by_hand&step=9&moved=10,2,0,3,10,2");
+  const view = await until(page, (now) => now.step === now.steps);
+  assert.equal(view.steps, 3); // two mergers, and the end
+  assert.equal(view.readout.nodes, 12);
+  assert.equal(view.readout.cost, undefined); // it is not finished
+  assert.match(view.caption, /8 nodes without a parent/);
+  const whole = await visit(t, "?lesson=bvh-build&a=by_hand&step=99&moved=10,9,1,4,0,3,5,6,2,10,7,8,11,13,9,14,12,15,16,17");
+  const { readout, grade } = await until(whole, (now) => now.steps === 10 && now.step === 10);
+  assert.ok(readout.of_sah <= 100);
+  assert.ok(grade);
+});
