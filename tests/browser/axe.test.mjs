@@ -36,7 +36,8 @@ for (const [name, size] of [["laptop", kWide], ["phone", { ...kPhone, deviceScal
         if (asked) {
           assert.deepEqual(await violations(page), [], `${id}, ${asked.id}`);
           // Each in turn is skipped, answered by its first and by its last answer: some of them are right, some wrong.
-          if (questions % 3 === 2 || asked.many) await page.getByRole("button", { name: "Skip", exact: true }).click();
+          // A number has no first and last answer.
+          if (questions % 3 === 2 || asked.many || asked.field === "Number") await page.getByRole("button", { name: "Skip", exact: true }).click();
           else await answer_with(page, asked, questions % 3 === 0 ? 0 : Math.max(asked.choices.length, asked.targets.length) - 1);
           ++questions;
         } else if (now.cover) {
@@ -51,7 +52,8 @@ for (const [name, size] of [["laptop", kWide], ["phone", { ...kPhone, deviceScal
         seen.add(now.outcome.skipped ? "skipped" : now.outcome.right ? "right" : "wrong");
         assert.deepEqual(await violations(page), [], `${id}, the outcome of ${now.outcome.question}`);
       }
-      assert.ok(questions >= 3, `${id} asks ${questions} times`);
+      // Some of its questions may wait in other situations and algorithms.
+      assert.ok(questions > 0 && questions >= Math.min(3, now.questions), `${id} asks ${questions} times of ${now.questions}`);
       assert.deepEqual(await violations(page), [], `${id}, at its end`);
     }
     assert.deepEqual([...seen].sort(), ["right", "skipped", "wrong"]);
