@@ -82,9 +82,10 @@ class TreeInset {
   void draw_call(std::size_t i) {
     const TreeCall& call = now_.calls[i];
     const ImVec2 at = place(i);
-    if (runs(i)) disc(brush_.list, at, 5 * p_.mark, p_.examined);
-    else if (call.open) diamond(brush_.list, at, 5 * p_.mark, p_.support, p_.panel);
-    else disc(brush_.list, at, 2.5f * p_.mark, p_.muted);
+    const float size = (narrow() ? 3.0f : 5.0f) * p_.mark;
+    if (runs(i)) disc(brush_.list, at, size, p_.examined);
+    else if (call.open) diamond(brush_.list, at, size, p_.support, p_.panel);
+    else disc(brush_.list, at, size / 2, p_.muted);
     if (!call.open || call.point == kNoIndex || (narrow() && !runs(i))) return;
     const std::string name = brush_.session.name_of(call.point);
     const float wide = measure(brush_.look, Face::kMonoBold, kNameSize, name).x;
