@@ -11,11 +11,15 @@ test("every lesson is stepped to its end by keyboard alone, each prediction answ
     const page = await visit(t, `?lesson=${id}`);
     await page.keyboard.press("Home");
     let now = await until(page, (it) => it.step === 0);
-    let answered = 0;
+    let answered = 0, skipped = 0;
     for (let presses = 0; now.step < now.steps || now.asked || now.outcome; ++presses) {
       assert.ok(presses < 3 * now.steps + 50, `${id} goes on`);
       if (now.asked || now.outcome) assert.deepEqual(await cut_off(page), [], `${id}, step ${now.step}`);
-      if (now.asked) {
+      if (now.asked?.field === "Number") { // it has no first answer
+        ++skipped;
+        await page.evaluate(() => document.activeElement.blur());
+        await page.keyboard.press("s");
+      } else if (now.asked) {
         ++answered;
         await answer(page, now.asked.choices.length > 0 ? 0 : now.asked.targets[0], "keyboard");
       } else {
@@ -23,9 +27,11 @@ test("every lesson is stepped to its end by keyboard alone, each prediction answ
       }
       now = await moved(page, now);
     }
-    assert.ok(answered >= 3, `${id} asks ${answered} times`);
+    // Some of its questions may wait in other situations and algorithms.
+    const asked = answered + skipped;
+    assert.ok(asked > 0 && asked >= Math.min(3, now.questions), `${id} asks ${asked} times of ${now.questions}`);
     assert.equal(now.outcomes.filter((outcome) => !outcome.skipped).length, answered, id);
-    await page.locator(".summary").getByText(/\d+ of \d+ predictions correct/).waitFor();
+    await page.locator(".summary").getByText(/\d+ of \d+ predictions? correct/).waitFor();
   }
 });
 
