@@ -31,7 +31,7 @@ test("every lesson is stepped to its end by keyboard alone, each prediction answ
     const asked = answered + skipped;
     assert.ok(asked > 0 && asked >= Math.min(3, now.questions), `${id} asks ${asked} times of ${now.questions}`);
     assert.equal(now.outcomes.filter((outcome) => !outcome.skipped).length, answered, id);
-    await page.locator(".summary").getByText(/\d+ of \d+ predictions? correct/).waitFor();
+    if (answered > 0) await page.locator(".summary").getByText(/\d+ of \d+ predictions? correct/).waitFor();
   }
 });
 
