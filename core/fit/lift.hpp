@@ -44,6 +44,10 @@ template <class Scalar, int Dim>
 CovarianceFound<double, 3> lift_fact(const CovarianceFound<Scalar, Dim>& fact) {
   return {lift<Scalar, Dim>(fact.mean), lift<Scalar, Dim>(fact.covariance, 0)};
 }
+template <class Scalar, int Dim>
+ProductsAdded<double, 3> lift_fact(const ProductsAdded<Scalar, Dim>& fact) {
+  return {fact.point, fact.from_mean, lift<Scalar, Dim>(fact.offset), lift<Scalar, Dim>(fact.sum, 0)};
+}
 /// By rising variance: in 2-D the added axis, of variance 0, comes first.
 template <class Scalar, int Dim>
 AxesFound<double, 3> lift_fact(const AxesFound<Scalar, Dim>& fact) {

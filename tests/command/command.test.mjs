@@ -265,7 +265,7 @@ test("algorithms lists what fit takes", () => {
   const of = (volume) => rows.filter((row) => row.volume === volume).map((row) => row.algorithm);
   assert.deepEqual(of("sphere"), algorithms);
   assert.deepEqual(of("aabb"), ["min_max"]);
-  assert.deepEqual(of("obb"), ["aabb", "sphere_axis", "pca", "pca_hull", "pca_hull_area", "pca_rectangle", "face_aligned", "dito", "exact"]);
+  assert.deepEqual(of("obb"), ["aabb", "sphere_axis", "pca", "pca_sums", "pca_one_pass", "pca_hull", "pca_hull_area", "pca_rectangle", "face_aligned", "dito", "exact"]);
   assert.deepEqual([...of("capsule"), ...of("lozenge"), ...of("hull")], ["pca", "pca", "quickhull"]);
   const dims = Object.fromEntries(rows.filter((row) => row.volume === "kdop").map((row) => [row.algorithm, row.dims]));
   assert.deepEqual(dims, { k4: [2], k6: [2, 3], k8: [2], k14: [3], k18: [3], k26: [3] });

@@ -74,6 +74,7 @@ void draw_extremes(Brush& brush, const CloudShown& shown) {
 void draw_cloud(Brush& brush, const CloudShown& shown) {
   draw_box_fit(brush, shown);
   draw_growing_hull(brush, shown);
+  draw_products(brush, shown);
   draw_spread(brush, shown);
   draw_extremes(brush, shown);
   if (shown.before) draw_volume(brush.canvas, *shown.before, {Stroke::kDotted, brush.p.previous, brush.stroke(0.85f)});

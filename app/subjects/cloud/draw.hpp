@@ -20,6 +20,8 @@ void draw_box_fit(Brush& brush, const CloudShown& shown);
 void draw_growing_hull(Brush& brush, const CloudShown& shown);
 /// Draws the lengths of Ritter's formula, where the step lets a sphere grow.
 void draw_growth(Brush& brush, const CloudShown& shown);
+/// In 2-D, draws a product as the rectangle between a point and the mean or the origin.
+void draw_products(Brush& brush, const CloudShown& shown);
 /// Draws mean, covariance and axes.
 void draw_spread(Brush& brush, const CloudShown& shown);
 /// Draws the first diameter; along the main axis, with the projections that determined it.

@@ -68,6 +68,12 @@ struct CloudFiller {
     const auto found = fit::principal_axes(fact);
     shown.spread = {found.axes, deviations(found.variances), false, false};
   }
+  void operator()(const fit::ProductsAdded<double, 3>& fact) const {
+    shown.products = {fact.point, session.point(fact.point) - fact.offset};
+    if (fact.from_mean)
+      if (const auto* mean = last_fact<fit::MeanFound<double, 3>>(steps)) shown.mean = mean->mean;
+    shown.spoken_of = {fact.point};
+  }
   void operator()(const fit::AxesFound<double, 3>& fact) const {
     shown.mean = fact.mean;
     shown.spread = {fact.axes, deviations(fact.variances), true, false};

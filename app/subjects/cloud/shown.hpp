@@ -48,7 +48,12 @@ struct CloudShown : Shown {
   std::vector<Index> hull;                     // its vertices, if a box fitter has computed them
   std::optional<fit::Volume3> hull_solid;      // the same hull, in space
   std::vector<std::array<Index, 2>> built_on;  // its edges that a box was built on
-  std::optional<Point3> along;  // in space, the direction along which the points were projected for a rectangle
+  struct Products {
+    Index point = kNoIndex;
+    Point3 from;  // the mean or the origin
+  };
+  std::optional<Products> products;  // the point whose products a step adds to the sums
+  std::optional<Point3> along;       // in space, the direction along which the points were projected for a rectangle
   std::optional<fit::BallGrown<double, 3>> grown;  // how this step let a sphere grow
   std::optional<lesson::GrowingHull> growing;      // the hull that Quickhull has so far
   std::vector<std::pair<Index, Index>> flat;       // the edges between its coplanar facets, where they are merged

@@ -3,6 +3,7 @@
 #include "app/subjects/cloud/call_panel.hpp"
 #include "app/subjects/cloud/call_tree_view.hpp"
 #include "app/subjects/cloud/draw.hpp"
+#include "app/subjects/cloud/products_panel.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/words.hpp"
 
@@ -42,8 +43,9 @@ class CloudView final : public SubjectView {
   [[nodiscard]] std::string_view optimum_button() const override { return button_; }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
-    const float height = draw_call_panel(look, session, at, width);
-    return height > 0 ? height : draw_call_stack(look, session, at, width);
+    float height = draw_call_panel(look, session, at, width);
+    if (height == 0) height = draw_call_stack(look, session, at, width);
+    return height > 0 ? height : draw_products_panel(look, session, at, width);
   }
   [[nodiscard]] MarkWords mark_words(const lesson::Session& session) const override {
     MarkWords words;

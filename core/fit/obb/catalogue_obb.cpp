@@ -10,6 +10,7 @@
 #include "fit/obb/obb_pca_hull.hpp"
 #include "fit/obb/obb_pca_hull_area.hpp"
 #include "fit/obb/obb_pca_rectangle.hpp"
+#include "fit/obb/obb_pca_sums.hpp"
 #include "fit/obb/obb_sphere_axis.hpp"
 
 namespace snug::fit {
@@ -18,6 +19,8 @@ namespace {
 constexpr auto kAabb = [](auto p, const Options&, auto& o) { return obb_aabb(p, o); };
 constexpr auto kSphereAxis = [](auto p, const Options&, auto& o) { return obb_sphere_axis(p, o); };
 constexpr auto kPca = [](auto p, const Options&, auto& o) { return obb_pca(p, o); };
+constexpr auto kPcaSums = [](auto p, const Options&, auto& o) { return obb_pca_sums(p, o); };
+constexpr auto kPcaOnePass = [](auto p, const Options&, auto& o) { return obb_pca_one_pass(p, o); };
 constexpr auto kPcaHull = [](auto p, const Options&, auto& o) { return obb_pca_hull(p, o); };
 constexpr auto kPcaHullArea = [](auto p, const Options&, auto& o) { return obb_pca_hull_area(p, o); };
 constexpr auto kPcaRectangle = [](auto p, const Options&, auto& o) { return obb_pca_rectangle(p, o); };
@@ -46,6 +49,9 @@ constexpr std::array kObbRows{
     row<kSphereAxis>(
         {"obb", "sphere_axis", "Axis of the bounding sphere", kRomanick, kFewPasses, kObbSphereAxisPseudocode}),
     row<kPca>({"obb", "pca", "PCA of the points", kGottschalk, kFixedPasses, kObbPcaPseudocode}),
+    row<kPcaSums>({"obb", "pca_sums", "PCA, point by point", kGottschalk, kFixedPasses, kObbPcaSumsPseudocode}),
+    row<kPcaOnePass>(
+        {"obb", "pca_one_pass", "PCA, one-pass formula (naive)", kRomanick, kFixedPasses, kObbPcaOnePassPseudocode}),
     row<kPcaHull>({"obb", "pca_hull", "PCA of the hull", kGottschalk, kBalancedHull, kObbPcaHullPseudocode}),
     row<kPcaHullArea>(
         {"obb", "pca_hull_area", "PCA of the hull's surface", kGottschalk, kBalancedHull, kObbPcaHullAreaPseudocode}),

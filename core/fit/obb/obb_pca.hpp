@@ -20,6 +20,16 @@ inline constexpr std::array<std::string_view, 5> kObbPcaPseudocode{
     "return box",
 };
 
+/// Principal axes as those of a box, right-handed, as one step.
+template <class Scalar, int Dim, class Observer>
+Matrix<Scalar, Dim> watched_axes(AxesFound<Scalar, Dim> found, int line, Observer& observe) {
+  // The eigenvectors are perpendicular to a few digits fewer than a box's axes have to be.
+  const Matrix<double, Dim> axes = orthonormal<double, Dim>(found.axes.template cast<double>());
+  found.axes = right_handed<double, Dim>(axes).template cast<Scalar>();
+  observe(ObbStep<Scalar, Dim>{line, false, {}, found});
+  return found.axes;
+}
+
 /// Mean, covariance and principal axes, right-handed, as three steps from the given line of the pseudocode on.
 template <class Scalar, int Dim, class Observer>
 Matrix<Scalar, Dim> watched_principal_axes(PointSpan<Scalar, Dim> points, int line, Observer& observe) {
@@ -28,12 +38,7 @@ Matrix<Scalar, Dim> watched_principal_axes(PointSpan<Scalar, Dim> points, int li
   observe(Step{line, false, {}, mean});
   const CovarianceFound<Scalar, Dim> spread = covariance_of(mean.mean, points, observe);
   observe(Step{line + 1, false, {}, spread});
-  AxesFound<Scalar, Dim> found = principal_axes(spread, points, observe);
-  // The eigenvectors are perpendicular to a few digits fewer than a box's axes have to be.
-  const Matrix<double, Dim> axes = orthonormal<double, Dim>(found.axes.template cast<double>());
-  found.axes = right_handed<double, Dim>(axes).template cast<Scalar>();
-  observe(Step{line + 2, false, {}, found});
-  return found.axes;
+  return watched_axes(principal_axes(spread, points, observe), line + 2, observe);
 }
 
 /// The box along the directions in which the points spread most and least. Dense clusters of points skew it, whether

@@ -54,6 +54,19 @@ struct SurfaceFound {
   static auto tie(auto& own) { return std::tie(own.area, own.centroid); }
 };
 
+/// The products of a point's offset were added to the sums that become a covariance. offset: of the point from the
+/// mean, or from the origin if the mean is not known yet; sum: so far, scene units squared.
+template <class Scalar, int Dim>
+struct ProductsAdded {
+  static constexpr std::string_view kName = "products_added";
+  Index point = kNoIndex;
+  bool from_mean = true;
+  Vector<Scalar, Dim> offset;
+  Matrix<Scalar, Dim> sum;
+  static constexpr std::array<std::string_view, 4> kFields{"point", "from_mean", "offset", "sum"};
+  static auto tie(auto& own) { return std::tie(own.point, own.from_mean, own.offset, own.sum); }
+};
+
 /// The points that were chosen: extremes along fixed directions, a base triangle, apexes, or the ends of an
 /// edge.
 struct PointsChosen {
@@ -101,10 +114,10 @@ struct EdgeSearched {
 };
 
 template <class Scalar, int Dim>
-using ObbStep =
-    Step<Obb<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>, AxesFound<Scalar, Dim>, PairChosen,
-         ExtentsFound<Scalar, Dim>, BallFound<Scalar, Dim>, HullFound, SurfaceFound<Scalar, Dim>, PointsChosen,
-         BoxTried<Scalar, Dim>, RectangleFound<Scalar, Dim>, EdgeSearched, Finished>;
+using ObbStep = Step<Obb<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>, AxesFound<Scalar, Dim>,
+                     PairChosen, ExtentsFound<Scalar, Dim>, BallFound<Scalar, Dim>, HullFound,
+                     SurfaceFound<Scalar, Dim>, ProductsAdded<Scalar, Dim>, PointsChosen, BoxTried<Scalar, Dim>,
+                     RectangleFound<Scalar, Dim>, EdgeSearched, Finished>;
 
 /// What fits oriented boxes.
 [[nodiscard]] std::span<const Algorithm> rows_of(const Obb<double, 3>*);

@@ -21,18 +21,33 @@ MeanFound<Scalar, Dim> mean_of(PointSpan<Scalar, Dim> points, Observer& observe)
   return {points[0] + sum / static_cast<Scalar>(points.size())};
 }
 
-/// The sum of (scale (p - mean)) (scale (p - mean))^T. One pass.
-template <class Scalar, int Dim, class Observer>
+/// Sees nothing.
+struct SeeNoProducts {
+  void operator()(Index, const auto&, const auto&) const {}
+};
+
+/// The lower half of a symmetric matrix, above as well.
+template <class Scalar, int Dim>
+[[nodiscard]] Matrix<Scalar, Dim> mirrored(Matrix<Scalar, Dim> lower) {
+  for (int row = 0; row < Dim; ++row)
+    for (int column = 0; column < row; ++column) lower(column, row) = lower(row, column);
+  return lower;
+}
+
+/// The sum of (scale (p - mean)) (scale (p - mean))^T. One pass. see: receives each point's index, its offset and the
+/// lower half of the sum so far.
+template <class Scalar, int Dim, class Observer, class See = SeeNoProducts>
 Matrix<Scalar, Dim> sum_of_products(const Vector<Scalar, Dim>& mean, Scalar scale, PointSpan<Scalar, Dim> points,
-                                    Observer& observe) {
+                                    Observer& observe, See see = {}) {
   Matrix<Scalar, Dim> sum = Matrix<Scalar, Dim>::Zero();
+  Index at = 0;
   for (const auto& p : points) {
     const Vector<Scalar, Dim> d = scale * (p - mean);
     for (int row = 0; row < Dim; ++row)
       for (int column = 0; column <= row; ++column) sum(row, column) += d[row] * d[column];
+    see(at++, d, sum);
   }
-  for (int row = 0; row < Dim; ++row)
-    for (int column = 0; column < row; ++column) sum(column, row) = sum(row, column);
+  sum = mirrored<Scalar, Dim>(sum);
   observe.count(Operation::kPointsTouched, points.size());
   observe.count(Operation::kDotProducts, Dim * (Dim + 1) / 2 * std::int64_t{points.size()});
   return sum;
@@ -40,11 +55,11 @@ Matrix<Scalar, Dim> sum_of_products(const Vector<Scalar, Dim>& mean, Scalar scal
 
 /// The mean of (p - mean)(p - mean)^T. One pass; a second if the sum of the points overflows, though their mean does
 /// not.
-template <class Scalar, int Dim, class Observer>
+template <class Scalar, int Dim, class Observer, class See = SeeNoProducts>
 CovarianceFound<Scalar, Dim> covariance_of(const Vector<Scalar, Dim>& mean, PointSpan<Scalar, Dim> points,
-                                           Observer& observe) {
+                                           Observer& observe, See see = {}) {
   const auto n = static_cast<Scalar>(points.size());
-  const Matrix<Scalar, Dim> sum = sum_of_products(mean, Scalar{1}, points, observe);
+  const Matrix<Scalar, Dim> sum = sum_of_products(mean, Scalar{1}, points, observe, see);
   if (sum.allFinite()) return {mean, sum / n};
   constexpr auto kScale = static_cast<Scalar>(0x1p-16);  // its square offsets the largest possible number of points
   return {mean, sum_of_products(mean, kScale, points, observe) / n / (kScale * kScale)};

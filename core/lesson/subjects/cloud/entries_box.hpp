@@ -53,6 +53,25 @@ struct Entry<fit::SurfaceFound<double, 3>> : FitEntry {
   }
 };
 
+/// "sign": whether a point's products raise or lower the sum of x y.
+const char* offer_signs(Asked& asked, const Run& run);
+Truth sign_truth(const Asked& asked, const Run& run);
+
+template <>
+struct Entry<fit::ProductsAdded<double, 3>> : FitEntry {
+  using Fact = fit::ProductsAdded<double, 3>;
+  static constexpr std::array kAskings{Asking{"sign", &offer_signs, &sign_truth}, kGrows};
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    std::string offset;
+    for (int i = 0; i < where.dim(); ++i) offset += (i > 0 ? ", " : "") + number_text(fact.offset[i]);
+    const std::string name = where.name(fact.point);
+    return name + (fact.from_mean ? " lies (" + offset + ") from the mean" : " is (" + offset + ")") +
+           ": the products of these coordinates are added to the sums.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "is added to the sums"; }
+};
+
 template <>
 struct Entry<fit::PointsChosen> : FitEntry {
   using Fact = fit::PointsChosen;

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "lesson/subjects/cloud/call_tree.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
+#include "lesson/subjects/cloud/covariance_digits.hpp"
 #include "lesson/subjects/cloud/hull_growth.hpp"
 #include "lesson/subjects/cloud/passes.hpp"
 #include "lesson/subjects/cloud/volume_check.hpp"
@@ -170,7 +172,12 @@ class FitBoard {
 
   void spread(const Step3::Fact& fact) {
     if (const auto* mean = std::get_if<MeanFound<double, 3>>(&fact)) middle(mean->mean);
-    if (const auto* covariance = std::get_if<CovarianceFound<double, 3>>(&fact)) middle(covariance->mean);
+    if (const auto* covariance = covariance_at()) {
+      if (std::holds_alternative<CovarianceFound<double, 3>>(fact)) middle(covariance->mean);
+      entries("C", "covariance_", covariance->covariance);
+      if (sums()) digits(*covariance);
+    }
+    if (const auto* products = std::get_if<ProductsAdded<double, 3>>(&fact)) entries("Sum of", "sum_", products->sum);
     const auto* axes = std::get_if<AxesFound<double, 3>>(&fact);
     if (axes == nullptr) return;
     for (int i = 1; i <= run_.dim(); ++i) {
@@ -179,6 +186,31 @@ class FitBoard {
       add("Variance along v" + n, "variance_" + n, number_text(variance) + " units²", variance, "units²");
       length("Standard deviation along v" + n, "deviation_" + n, std::sqrt(std::max(variance, 0.0)));
     }
+  }
+  /// The entries of a symmetric matrix: "C x y", "Sum of x y".
+  void entries(const std::string& word, const std::string& key, const Matrix<double, 3>& matrix) {
+    constexpr std::string_view kNames = "xyz";
+    for (int row = 0; row < run_.dim(); ++row)
+      for (int column = row; column < run_.dim(); ++column) {
+        const std::string pair{kNames[row], kNames[column]};
+        add(word + " " + pair[0] + " " + pair[1], key + pair, number_text(matrix(row, column)) + " units²",
+            matrix(row, column), "units²");
+      }
+  }
+  /// That of this step; where its sums are the run's subject, the one found before as well.
+  [[nodiscard]] const CovarianceFound<double, 3>* covariance_at() const {
+    for (int i = view_.step; i-- > (sums() ? 0 : view_.step - 1);)
+      if (const auto* found = std::get_if<CovarianceFound<double, 3>>(&trace_[i].step.fact)) return found;
+    return nullptr;
+  }
+  [[nodiscard]] bool sums() const {
+    return std::any_of(trace_.begin(), trace_.end(), [](const auto& entry) {
+      return std::holds_alternative<ProductsAdded<double, 3>>(entry.step.fact);
+    });
+  }
+  void digits(const CovarianceFound<double, 3>& found) {
+    const int right = digits_right(found.covariance, run_.points());
+    add("Digits that are right", "digits", std::to_string(right), right, "digits");
   }
   void middle(const Vector<double, 3>& mean) {
     for (int i = 0; i < run_.dim(); ++i)

@@ -67,6 +67,25 @@ Truth grows_truth(const Asked& asked, const Run& run) {
   return no("The radius stays " + number_text(before) + ".");
 }
 
+/// The choices of "sign".
+constexpr int kRaises = 0, kLowers = 1, kSame = 2;
+
+const char* offer_signs(Asked& asked, const Run&) {
+  for (const char* choice : {"It grows", "It shrinks", "It stays the same"}) asked.add_choice(choice);
+  return nullptr;
+}
+
+Truth sign_truth(const Asked& asked, const Run& run) {
+  const auto& fact = fact_of<ProductsAdded<double, 3>>(asked, run);
+  const double product = fact.offset[0] * fact.offset[1];
+  const int choice = product > 0 ? kRaises : product < 0 ? kLowers : kSame;
+  const std::string factors = number_text(fact.offset[0]) + " · " + number_text(fact.offset[1]);
+  return {{choice},
+          {},
+          asked.choices[static_cast<std::size_t>(choice)],
+          "The product is " + factors + " = " + number_text(product) + "."};
+}
+
 const char* offer_support(Asked& asked, const Run& run) {
   asked.add_choice("none");
   for (const Index i : run.support(asked.fact)) {

@@ -173,3 +173,37 @@ TEST_CASE("DiTO's box is never larger than the AABB, and near the smallest on tu
     CHECK(dito < 8 * 0.6 * 1.3);
   }
 }
+
+TEST_CASE("the box from watched sums is PCA's, to the last bit") {
+  for (const char* kind : {"gaussian", "stick", "clusters", "line"})
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      const auto points = test::set_of<double, 3>(test::generated<double, 3>(kind, 30, seed, 1, 10));
+      const auto plain = fit::find_algorithm("obb", "pca")->fit(points, {}).volume;
+      const auto run = fit::find_algorithm("obb", "pca_sums")->record(points, {});
+      CHECK(std::get<Obb<double, 3>>(run.result.volume).axes == std::get<Obb<double, 3>>(plain).axes);
+      CHECK(std::get<Obb<double, 3>>(run.result.volume).half_extents == std::get<Obb<double, 3>>(plain).half_extents);
+      CHECK(run.steps.size() == 30 + 5);
+    }
+}
+
+TEST_CASE("the one-pass formula loses its digits far from the origin, and its box contains every point even so") {
+  int looser = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto volume = [&](const char* name, double offset) {
+      const auto points = test::set_of<double, 3>(test::generated<double, 3>("stick", 30, seed, 1, offset));
+      const auto run = fit::find_algorithm("obb", name)->record(points, {});
+      CHECK(run.certificate.contains);
+      return fit::measure_of(run.result.volume, 3);
+    };
+    CHECK(volume("pca_one_pass", 0) == doctest::Approx(volume("pca", 0)).epsilon(1e-9));
+    looser += volume("pca_one_pass", 1e9) > 2 * volume("pca", 1e9) ? 1 : 0;
+  }
+  CHECK(looser > 10);
+}
+
+TEST_CASE("sums that overflow leave a box with the world's axes") {
+  const auto points = test::set_of<double, 3>({{1e200, 0, 0}, {0, 1e200, 0}, {0, 0, 1e200}, {-1e200, 1, 1}});
+  const auto run = fit::find_algorithm("obb", "pca_one_pass")->record(points, {});
+  CHECK(run.certificate.contains);
+  CHECK(std::get<Obb<double, 3>>(run.result.volume).axes.isIdentity(1e-12));
+}
