@@ -78,7 +78,7 @@ float draw_products_panel(const Look& look, const lesson::Session& session, ImVe
   text(list, look, Face::kSemiBold, 13, {at.x, at.y + look.px(5)}, look->muted, "Products, added up");
   float y = at.y + look.px(28);
   const float column = width / kColumns;
-  const Row head = from_mean ? Row{"", "x − mx", "y − my", "xx", "xy", "yy"} : Row{"", "x", "y", "xx", "xy", "yy"};
+  const Row head = from_mean ? Row{"", "dx", "dy", "xx", "xy", "yy"} : Row{"", "x", "y", "xx", "xy", "yy"};
   const auto line_of = [&](const Row& row, Face face, Color ink) {
     for (int i = 0; i < kColumns; ++i) {
       const std::string& cell = row[static_cast<std::size_t>(i)];

@@ -13,7 +13,7 @@ namespace snug::fit {
 inline constexpr std::array<std::string_view, 7> kObbPcaSumsPseudocode{
     "m ← mean of the points",
     "for each point p",
-    "  add (p − m)(p − m)ᵀ to the sum",
+    "  add (p − m)(p − m)^T to the sum",
     "C ← sum / n",
     "axes ← eigenvectors of C",
     "extents ← least and greatest along each",
@@ -21,7 +21,7 @@ inline constexpr std::array<std::string_view, 7> kObbPcaSumsPseudocode{
 };
 
 inline constexpr std::array<std::string_view, 7> kObbPcaOnePassPseudocode{
-    "for each point p",         "  add p to s, and p pᵀ to the sum",       "m ← s / n",  "C ← sum / n − m mᵀ",
+    "for each point p",         "  add p to s, and p p^T to the sum",       "m ← s / n",  "C ← sum / n − m m^T",
     "axes ← eigenvectors of C", "extents ← least and greatest along each", "return box",
 };
 
