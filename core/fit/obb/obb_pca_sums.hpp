@@ -21,7 +21,7 @@ inline constexpr std::array<std::string_view, 7> kObbPcaSumsPseudocode{
 };
 
 inline constexpr std::array<std::string_view, 7> kObbPcaOnePassPseudocode{
-    "for each point p",         "  add p to s, and p p^T to the sum",       "m ← s / n",  "C ← sum / n − m m^T",
+    "for each point p",         "  add p to s, and p p^T to the sum",      "m ← s / n",  "C ← sum / n − m m^T",
     "axes ← eigenvectors of C", "extents ← least and greatest along each", "return box",
 };
 
