@@ -270,6 +270,7 @@ void draw_scene(Brush& brush) {
   const SceneFrame& frame = *lesson::frame_of(brush.session);
   draw_traces(brush, frame);
   draw_loose(brush, frame);
+  draw_update(brush, frame);
   draw_pairs(brush, frame);
   draw_bodies(brush, frame);
   if (frame.bodies.size() > kCrowd) draw_touching_in_crowd(brush, frame);
