@@ -1,6 +1,8 @@
 // Draws how the sums of a covariance grow: each product x y as the area of a rectangle, with its sign; and the table of
 // all products so far, beside the stage.
 #include <array>
+#include <cmath>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -19,8 +21,15 @@ constexpr int kColumns = 6;
 constexpr std::size_t kMostRows = 8;
 using Row = std::array<std::string, kColumns>;
 
-/// Four digits, however small: the columns are narrow.
-std::string cell_text(double value) { return lesson::number_text(value, 3); }
+/// A number of at most five signs, for the columns are narrow: "−0.25", "12.5", "1e18".
+std::string cell_text(double value) {
+  const double size = std::abs(value);
+  const int exponent = size >= 1000 && std::isfinite(size) ? static_cast<int>(std::floor(std::log10(size))) : 0;
+  std::array<char, 32> text{};
+  if (exponent > 0) std::snprintf(text.data(), text.size(), "%.0fe%d", size / std::pow(10, exponent), exponent);
+  else std::snprintf(text.data(), text.size(), "%.*f", size < 9.995 ? 2 : size < 99.95 ? 1 : 0, size);
+  return (value < 0 && size >= 0.005 ? "−" : "") + std::string(text.data());
+}
 
 Row row_of(const Added& fact, const std::string& name) {
   const double x = fact.offset[0], y = fact.offset[1];
@@ -77,7 +86,7 @@ float draw_products_panel(const Look& look, const lesson::Session& session, ImVe
   const bool from_mean = first->from_mean;
   text(list, look, Face::kSemiBold, 13, {at.x, at.y + look.px(5)}, look->muted, "Products, added up");
   float y = at.y + look.px(28);
-  const float column = width / kColumns;
+  const float first_column = look.px(28), column = (width - first_column) / (kColumns - 1);
   const Row head = from_mean ? Row{"", "dx", "dy", "xx", "xy", "yy"} : Row{"", "x", "y", "xx", "xy", "yy"};
   const auto line_of = [&](const Row& row, Face face, Color ink) {
     for (int i = 0; i < kColumns; ++i) {
@@ -85,8 +94,8 @@ float draw_products_panel(const Look& look, const lesson::Session& session, ImVe
       const float baseline = y + look.px(3);
       if (i == 0) text(list, look, face, kSize, {at.x, baseline}, ink, cell);
       else
-        text_right(list, look, face, kSize, {at.x + static_cast<float>(i + 1) * column, baseline}, ink,
-                   shortened(look, face, kSize, cell, column - 4));
+        text_right(list, look, face, kSize, {at.x + first_column + static_cast<float>(i) * column, baseline}, ink,
+                   shortened(look, face, kSize, cell, column - 1));
     }
     y += look.px(kHigh);
   };
