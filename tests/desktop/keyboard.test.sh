@@ -34,11 +34,11 @@ xdotool key Return
 until_state 's.focus === "Welzl'"'"'s algorithm and the support set"'
 sleep 0.3
 xdotool key Down
-until_state 's.focus === "Iterative Ritter and brute force"'
+until_state 's.focus === "Welzl'"'"'s recursion, as printed"'
 xdotool key Escape
 until_state 's.focus === "Welzl'"'"'s algorithm and the support set"'
 xdotool key Return sleep 0.3 key Down sleep 0.3 key Return
-until_state 's.lesson === "sphere-iterative"'
+until_state 's.lesson === "welzl-recursion"'
 kill "$pid" && wait "$pid" 2>/dev/null || true
 rm -f "$SNUG_STATE"
 

@@ -49,9 +49,9 @@ TEST_CASE("of the largest subsets alone the ball is too large where fewer points
 TEST_CASE_TEMPLATE("the largest subsets alone are never better than all, and contain all points", Scalar, float,
                    double) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed)
-    for (const auto& [name, cloud] : test::degenerate_clouds<Scalar, 2>(seed, 8)) {
-      CAPTURE(name);
-      const auto points = test::set_of<Scalar, 2>(cloud);
+    for (const auto& named : test::degenerate_clouds<Scalar, 2>(seed, 8)) {
+      CAPTURE(named.name);
+      const auto points = test::set_of<Scalar, 2>(named.points);
       const auto printed = sphere("brute_force_slide").watch(points, {}, {});
       CHECK(printed.certificate.contains);
       CHECK(std::isfinite(ball_of(printed.result).radius));
