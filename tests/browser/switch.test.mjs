@@ -41,6 +41,10 @@ async function choose(page, id) {
 async function shown(page) {
   await still(page);
   await page.waitForTimeout(300); // the address follows
+  await page.waitForFunction(() => new Promise((resolve) => { // a long text is scrolled smoothly
+    const from = document.getElementById("read").scrollTop;
+    setTimeout(() => resolve(document.getElementById("read").scrollTop === from), 150);
+  }));
   const places = (await handles(page)).map(({ id, x, y }) => `${id} ${Math.round(x)} ${Math.round(y)}`);
   return { places, ...await page.evaluate(() => {
     const seen = (selector) => [...document.querySelectorAll(selector)];
