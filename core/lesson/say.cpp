@@ -38,7 +38,9 @@ std::string title_in(const Lesson& lesson, const Method& method) {
   const std::string volume(is_mixed(lesson) ? volume_title(method.volume) : std::string_view());
   if (volume.empty()) return title;
   const auto is_capital = [&](std::size_t i) { return i < title.size() && title[i] >= 'A' && title[i] <= 'Z'; };
-  if (is_capital(0) && !is_capital(1)) title[0] = static_cast<char>(title[0] - 'A' + 'a');  // PCA stays PCA
+  const std::string first = title.substr(0, title.find_first_of(" ,"));
+  const bool author = method.source.find(". " + first) != std::string_view::npos;  // "E. Welzl, ..."
+  if (is_capital(0) && !is_capital(1) && !author) title[0] = static_cast<char>(title[0] - 'A' + 'a');  // PCA stays PCA
   return volume + ": " + title;
 }
 

@@ -51,7 +51,7 @@ constexpr std::array kObbRows{
     row<kPca>({"obb", "pca", "PCA of the points", kGottschalk, kFixedPasses, kObbPcaPseudocode}),
     row<kPcaSums>({"obb", "pca_sums", "PCA, point by point", kGottschalk, kFixedPasses, kObbPcaSumsPseudocode}),
     row<kPcaOnePass>(
-        {"obb", "pca_one_pass", "PCA, one-pass formula (naive)", kRomanick, kFixedPasses, kObbPcaOnePassPseudocode}),
+        {"obb", "pca_one_pass", "PCA in one pass (naive)", kRomanick, kFixedPasses, kObbPcaOnePassPseudocode}),
     row<kPcaHull>({"obb", "pca_hull", "PCA of the hull", kGottschalk, kBalancedHull, kObbPcaHullPseudocode}),
     row<kPcaHullArea>(
         {"obb", "pca_hull_area", "PCA of the hull's surface", kGottschalk, kBalancedHull, kObbPcaHullAreaPseudocode}),

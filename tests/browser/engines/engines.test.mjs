@@ -110,7 +110,8 @@ class Page {
   }
 }
 
-/** The line of a lesson that is open as `snug trace-hash` prints it: every algorithm is chosen, and its run's hash folded in (FNV-1a). */
+/** The line of a lesson that is open as `snug trace-hash` prints it: in every situation every algorithm is chosen, and its
+ *  run's hash folded in (FNV-1a). */
 async function line_of(page, id) {
   const runs = await page.ask(`(() => {
     const select = document.getElementById("algorithm");
@@ -119,10 +120,14 @@ async function line_of(page, id) {
       select.dispatchEvent(new Event("change"));
       return snug.state();
     };
-    const names = [...select.options].map(({ value }) => value);
-    const runs = names.map((name) => [name, choose(name)]).filter(([name, now]) => now.algorithm === name);
-    choose(names[0]);
-    return runs.map(([, { steps, trace }]) => ({ steps, trace }));
+    const situations = [...document.querySelectorAll('input[name="situation"]')];
+    return (situations.length > 0 ? situations : [null]).flatMap((situation) => {
+      situation?.click();
+      const names = [...select.options].map(({ value }) => value);
+      const runs = names.map((name) => [name, choose(name)]).filter(([name, now]) => now.algorithm === name);
+      choose(names[0]);
+      return runs.map(([, { steps, trace }]) => ({ steps, trace }));
+    });
   })()`);
   let hash = 0xcbf29ce484222325n;
   for (const { trace } of runs)
@@ -132,18 +137,25 @@ async function line_of(page, id) {
 
 const given = (now) => now.outcomes.filter((outcome) => !outcome.skipped);
 
-/** Drags the first handle, and takes it back. picture: as the page looks before. */
+/** Drags a handle, and takes it back. picture: as the page looks before. A point inside of all others may change no run:
+ *  then one on the outside is dragged as well. */
 async function drags(page, picture) {
   const before = await page.state();
   const handles = await page.ask("snug.handles()");
   if (before.cover && handles.length === 0) return; // its points come with the chart's other side
   assert.ok(handles.length > 0, "there is nothing to drag");
-  const { x, y } = handles[0];
-  await page.hand([x, y], [x + 12, y + 8], [x + 24, y + 15], [x + 33, y + 21]);
-  await page.until(`snug.state().canUndo && snug.state().trace !== "${before.trace}"`, "what was dragged has changed the run");
+  const leftmost = handles.reduce((a, b) => (b.x < a.x ? b : a));
+  let drags = 0;
+  for (const { x, y } of [handles[0], leftmost]) {
+    await page.hand([x, y], [x + 12, y + 8], [x + 24, y + 15], [x + 33, y + 21]);
+    await page.until("snug.state().canUndo", "what was dragged can be taken back");
+    ++drags;
+    if ((await page.state()).trace !== before.trace) break;
+  }
+  assert.notEqual((await page.state()).trace, before.trace, "what was dragged has changed the run");
   assert.ok(difference(picture, await page.picture(), await page.place("#stage")) > 200, "and the stage shows it");
-  await page.press("z", "Control");
-  await page.until(`snug.state().trace === "${before.trace}"`, "it is as before the drag");
+  for (; drags > 0; --drags) await page.press("z", "Control");
+  await page.until(`!snug.state().canUndo && snug.state().trace === "${before.trace}"`, "it is as before the drag");
 }
 
 /** Steps on until something is asked; lessons that ask at once are not stepped. */
@@ -158,11 +170,16 @@ async function steps_to_a_question(page) {
   throw new Error(`${kMostWaits} presses, and nothing is asked`);
 }
 
-/** Answers with the mouse: chooses, and taps what is chosen once more. */
+/** Answers with the mouse: chooses, and taps what is chosen once more. A number is typed. */
 async function answers(page, asked) {
   // Decided, or wrong at the first of two tries.
   const answered = `snug.state().outcomes.some((each) => each.question === ${JSON.stringify(asked.id)}) || Boolean(snug.state().asked?.tried)`;
-  const tap = asked.choices.length > 0 ? () => page.click(".predict .choices .button") : await tap_on_stage(page, asked);
+  const tap = asked.field === "Number" ? null : asked.choices.length > 0 ? () => page.click(".predict .choices .button") : await tap_on_stage(page, asked);
+  if (asked.field === "Number") {
+    await page.click(".predict input");
+    await page.press("7");
+    return page.click(".predict .button.primary").then(() => page.until(answered, "the number is taken"));
+  }
   await tap();
   if (asked.many) await page.click(".predict .button.primary");
   else if (!(await page.ask(answered))) await page.ask("new Promise((later) => setTimeout(later, 400))").then(tap); // two taps, no double click
@@ -201,7 +218,8 @@ for (const [name, driver] of Object.entries(kEngines)) {
         assert.ok(given(now).length === 1 || now.asked.tried, "it is decided, or to be tried once more");
         assert.ok(now.framesDrawn > framesDrawn && now.step >= step);
         assert.equal(await line_of(page, id), native.get(id), "every run is the native program's");
-        assert.deepEqual(await page.ask("complaints"), []);
+        // Firefox says so where a size that was watched changed once more in the same frame, which is no fault.
+        assert.deepEqual((await page.ask("complaints")).filter((said) => !said.startsWith("ResizeObserver loop completed")), []);
         const foreign = await page.ask(`performance.getEntriesByType("resource").map((each) => each.name).filter((each) => !each.startsWith(${JSON.stringify(site.url)}) && !/^(data|blob):/.test(each))`);
         assert.deepEqual(foreign, []);
       });

@@ -48,7 +48,7 @@ constexpr auto kMinMaxPlane = in_plane(query::kMinMaxPseudocode),
                kCenterRadiusPlane = in_plane(query::kCenterRadiusPseudocode);
 
 constexpr std::array kVolumeTests{
-    row(PairTest::kSpheres, "Squared distance of the centres", kEricson, query::kSpheresPseudocode),
+    row(PairTest::kSpheres, "Squared distance", kEricson, query::kSpheresPseudocode),
     row(PairTest::kSphereBox, "Nearest point of the box", kArvo, query::kDistancePseudocode),
     row(PairTest::kSweptSpheres, "Distance between the cores", kSwept, query::kDistancePseudocode),
     row(PairTest::kSlabs, "Intervals", kSlabs, query::kSlabsPseudocode),
