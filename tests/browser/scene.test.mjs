@@ -8,7 +8,7 @@ after(stop);
 const kFrames = 120;
 const kScenes = [
   { id: "scene-broad", first: "boxes", effects: ["spin", "orbit", "refit", "broad_phase", "narrow_phase"] },
-  { id: "scene-updates", first: "frame", effects: ["spin body", "refit"] },
+  { id: "scene-updates", first: "slack-turned", effects: ["spin body", "refit"] },
 ];
 
 const counts = (view) => Object.fromEntries(view.effects.map(({ effect, constructed, run, skipped }) => [effect, [constructed, run, skipped]]));
