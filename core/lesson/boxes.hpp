@@ -40,7 +40,7 @@ struct BoxHandle {
 [[nodiscard]] int places_of(const BoxPair& pair, int box);
 [[nodiscard]] BoxHandle place_of(const BoxPair& pair, Index i);
 [[nodiscard]] Index index_of(const BoxPair& pair, const BoxHandle& place);
-// Of two boxes:
+// The same where A is a box, whatever the boxes are:
 [[nodiscard]] BoxHandle place_of(int dim, Index i);
 [[nodiscard]] Index index_of(int dim, const BoxHandle& place);
 /// "A", "A turn", "A3".

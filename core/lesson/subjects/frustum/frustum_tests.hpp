@@ -21,8 +21,8 @@ using FrustumStep = query::ClassifyStep<double, 3>;
 using FrustumTrace = std::vector<Recorder<FrustumStep>::Entry>;
 using FrustumSteps = std::span<const Recorder<FrustumStep>::Entry>;
 
-/// Of a box "p_n_vertex", "corners_per_plane", and the wrong one, "corners_outside". Of a ball "grown_planes" and the
-/// wrong one, "wrong_sign". Of a point "half_spaces".
+/// A box has "p_n_vertex", "corners_per_plane", and the wrong one, "corners_outside"; a ball "grown_planes" and the
+/// wrong one, "wrong_sign"; a point "half_spaces".
 [[nodiscard]] std::span<const Method> frustum_tests(std::string_view volume);
 /// pair: with a frustum that can be made.
 [[nodiscard]] FrustumTrace record_frustum(std::string_view test, const BoxPair& pair);

@@ -10,7 +10,7 @@ namespace {
 /// How the intervals of two axis-aligned boxes lie along a coordinate axis.
 enum class Along { kApart, kTouching, kOverlapping };
 
-/// For each axis, decided on the bounds as they are; none for other volumes.
+/// How they lie along each axis, decided on the bounds as they are; empty for other volumes.
 std::vector<Along> along_axes(const VolumePair& pair) {
   const auto* a = std::get_if<Aabb<double, 3>>(&pair.held[0].volume);
   const auto* b = std::get_if<Aabb<double, 3>>(&pair.held[1].volume);

@@ -51,10 +51,10 @@ class TreeRun final : public FactRun<TreeRun, TreeStep> {
   [[nodiscard]] bool is_merging() const { return !volumes_.merged.empty(); }
   /// Whether it is about a tree whose boxes have moved.
   [[nodiscard]] bool is_update() const { return before_.has_value(); }
-  /// Of such a tree: as it was built, and what it cost then.
+  /// The tree before the move, as it was built, and what it cost then.
   [[nodiscard]] const Forest& before() const { return before_->forest; }
   [[nodiscard]] double cost_built() const { return before_->cost; }
-  /// Of merged volumes: whether a node has its own after so many steps, and which.
+  /// Whether a node has its merged volume after so many steps; and all of these volumes.
   [[nodiscard]] bool has_volume(Index node, int steps) const {
     return node >= static_cast<Index>(tree_.nodes.size()) - steps;
   }
@@ -67,7 +67,7 @@ class TreeRun final : public FactRun<TreeRun, TreeStep> {
   [[nodiscard]] double cost() const;
   /// What stands after so many steps. A tree that is not being built stands from the beginning.
   [[nodiscard]] const Forest& forest(int steps) const { return forests_[forests_.size() == 1 ? 0 : steps]; }
-  /// Of a query.
+  /// How far the query has come after so many steps; its result; where it is.
   [[nodiscard]] const QueryState& state(int steps) const { return states_[steps]; }
   [[nodiscard]] const QueryResult& result() const { return result_; }
   [[nodiscard]] const QueryPlaces& query() const { return query_; }

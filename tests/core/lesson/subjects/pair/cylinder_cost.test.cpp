@@ -38,7 +38,7 @@ int simplices(const Axes& axes) {
   return query::gjk(Kind<double, 3>{a, b, axes.radii[0]}, Kind<double, 3>{c, d, axes.radii[1]})->turns;
 }
 
-/// With one decimal, as the prose has it.
+/// The mean of that sum with one decimal, as the prose has it.
 std::string mean_text(int sum) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.1f", static_cast<double>(sum) / kPairs);
