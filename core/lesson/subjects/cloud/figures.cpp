@@ -199,14 +199,18 @@ class FitBoard {
   }
   /// That of this step; where its sums are the run's subject, the one found before as well.
   [[nodiscard]] const CovarianceFound<double, 3>* covariance_at() const {
-    for (int i = view_.step; i-- > (sums() ? 0 : view_.step - 1);)
+    const int oldest = sums() ? 0 : view_.step - 1;
+    for (int i = view_.step; i-- > oldest;)
       if (const auto* found = std::get_if<CovarianceFound<double, 3>>(&trace_[i].step.fact)) return found;
     return nullptr;
   }
+  /// Products are added before there is a volume, so a long trace is not read to its end.
   [[nodiscard]] bool sums() const {
-    return std::any_of(trace_.begin(), trace_.end(), [](const auto& entry) {
-      return std::holds_alternative<ProductsAdded<double, 3>>(entry.step.fact);
-    });
+    const auto decides = [](const auto& entry) {
+      return entry.step.has_volume || std::holds_alternative<ProductsAdded<double, 3>>(entry.step.fact);
+    };
+    const auto found = std::find_if(trace_.begin(), trace_.end(), decides);
+    return found != trace_.end() && !found->step.has_volume;
   }
   void digits(const CovarianceFound<double, 3>& found) {
     const int right = digits_right(found.covariance, run_.points());
