@@ -2,7 +2,7 @@
 // and more than one task.
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { add_lesson, assert, cut_off, handles, kPhone, start, state, stop, until, visit } from "./support.mjs";
+import { add_lesson, assert, cut_off, handles, kPhone, start, state, still, stop, until, visit } from "./support.mjs";
 
 const lesson = (id) => readFileSync(new URL(`../lessons/${id}.toml`, import.meta.url), "utf8");
 
@@ -66,6 +66,7 @@ test("several points are tapped on a phone, and taken back by a second tap", asy
   const { asked } = await until(page, (now) => now.asked?.id === "extremes");
   assert.deepEqual([asked.many, asked.field, asked.choices], [true, "Names", []]);
   const tap = async (name) => {
+    await still(page);
     const { x, y } = (await handles(page)).find(({ id }) => id === name);
     await page.touchscreen.tap(x, y);
   };

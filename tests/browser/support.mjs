@@ -173,6 +173,13 @@ export async function still(page) {
   }));
 }
 
+/** Clicks on a handle, once the view stands still. */
+export async function tap(page, id) {
+  await still(page);
+  const { x, y } = (await handles(page)).find((handle) => handle.id === id);
+  await page.mouse.click(x, y);
+}
+
 /** Drags what is at a handle by so many CSS pixels with the mouse, once the view stands still: it eases after every edit. */
 export async function drag(page, id, dx, dy) {
   await still(page);

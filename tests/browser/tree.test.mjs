@@ -1,6 +1,6 @@
 // Trees of boxes: built step by step, asked about, dragged and shared by the address; queries; merging; building by hand.
 import { after, before, test } from "node:test";
-import { answer, assert, drag, drag_by_finger, handles, kPhone, ready, start, state, stop, until, visit } from "./support.mjs";
+import { answer, assert, drag, drag_by_finger, kPhone, ready, start, state, stop, tap, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -33,8 +33,8 @@ test("which boxes go left? Five boxes are tapped on the stage, and are right", a
   const { asked } = await until(page, (now) => now.asked);
   assert.equal(asked.id, "halves");
   for (const name of ["A", "B", "C", "D", "F"]) {
-    const { x, y } = (await handles(page)).find(({ id }) => id === name);
-    await page.mouse.click(x, y);
+    await tap(page, name);
+    await until(page, (now, last) => now.asked.picked?.handle.endsWith(last), name);
   }
   await page.locator("#ask").getByRole("button", { name: "Answer", exact: true }).click();
   // Another question is asked at the same place, before either is told.

@@ -80,7 +80,8 @@ class CallPanel {
   }
 
  private:
-  static constexpr float kHeading = 13, kSize = 12, kCell = 24, kRow = 26, kIndent = 12, kCorner = 4, kGap = 3;
+  static constexpr float kHeading = 13, kSize = 12, kCell = 24, kRow = 26, kIndent = 12, kCorner = 4, kGap = 3,
+                         kPadding = 8;
   static constexpr int kMostCells = 28;
 
   [[nodiscard]] std::string name(int place) const { return session_.name_of(state_.list[place]); }
@@ -115,18 +116,32 @@ class CallPanel {
     const ImVec2 low{rect.x, rect.y}, high{rect.x + rect.width, rect.y + rect.height};
     if (running) list_->AddRectFilled(low, high, look_->lit, kCorner);
     else list_->AddRect(low, high, look_->support, kCorner, 0, 1.5f * look_->mark);
-    const float baseline = middle_of(rect.y + rect.height / 2, look_.px(kSize));
-    const std::string state = running ? std::to_string(call.done) + " of " +
-                                            (call.length == 1 ? "1 point" : std::to_string(call.length) + " points")
-                                      : "waits at " + session_.name_of(call.at);
-    const float room = rect.width - 16 - measure(look_, Face::kRegular, kSize, state).x - 8;
-    text_right(list_, look_, Face::kRegular, kSize, {high.x - 8, baseline}, running ? look_->ink : look_->muted, state);
-    std::string fixed;
-    for (const Index i : call.boundary) fixed += (fixed.empty() ? "" : " ") + session_.name_of(i);
-    if (fixed.empty()) text(list_, look_, Face::kRegular, kSize, {low.x + 8, baseline}, look_->muted, "none fixed");
-    else
-      text(list_, look_, Face::kMonoBold, kSize, {low.x + 8, baseline}, look_->support_text,
-           shortened(look_, Face::kMonoBold, kSize, fixed, room));
+    const float baseline = middle_of(rect.y + rect.height / 2, look_.px(kSize)), room = rect.width - 2 * kPadding;
+    const std::string fixed = names(call.boundary);
+    const Face face = call.boundary.size() == 0 ? Face::kRegular : Face::kMonoBold;
+    text(list_, look_, face, kSize, {low.x + kPadding, baseline},
+         call.boundary.size() == 0 ? look_->muted : look_->support_text, shortened(look_, face, kSize, fixed, room));
+    // The fixed points matter more: where they leave no room, the other side says less.
+    const float left = room - kPadding - measure(look_, face, kSize, fixed).x;
+    for (const std::string& state : states(call, running)) {
+      if (measure(look_, Face::kRegular, kSize, state).x > left) continue;
+      text_right(list_, look_, Face::kRegular, kSize, {high.x - kPadding, baseline},
+                 running ? look_->ink : look_->muted, state);
+      break;
+    }
+  }
+
+  [[nodiscard]] std::string names(const fit::Support& points) const {
+    std::string names;
+    for (const Index i : points) names += (names.empty() ? "" : " ") + session_.name_of(i);
+    return names.empty() ? "none fixed" : names;
+  }
+
+  /// What a call is doing, in words from long to short.
+  [[nodiscard]] std::vector<std::string> states(const WaitingCall& call, bool running) const {
+    if (!running) return {"waits at " + session_.name_of(call.at), "at " + session_.name_of(call.at)};
+    const std::string count = std::to_string(call.done) + " of " + std::to_string(call.length);
+    return {count + (call.length == 1 ? " point" : " points"), count};
   }
 
   const Look& look_;
