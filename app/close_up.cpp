@@ -55,19 +55,6 @@ std::vector<Rect> places_for(const Brush& brush, float top) {
   return places;
 }
 
-/// The place where it covers the fewest handles.
-std::optional<Rect> free_place(const Brush& brush, ImVec2 source, float top, const Rect& last) {
-  const std::vector<Rect>& taken = brush.canvas.obstacles.taken;
-  std::optional<Rect> best;
-  int least = 0;
-  for (const Rect& place : places_for(brush, top)) {
-    if (std::any_of(taken.begin(), taken.end(), [&](const Rect& other) { return overlap(place, other); })) continue;
-    const int covered = 2 * covered_by(place, brush, source) - (place.x == last.x && place.y == last.y ? 1 : 0);
-    if (!best || covered < least) best = place, least = covered;
-  }
-  return best;
-}
-
 /// A round number that is shorter than a panel: "0.0002".
 std::string scale_text(double length) {
   const int decimals = static_cast<int>(std::ceil(-std::log10(length) - 1e-9));
@@ -81,6 +68,18 @@ std::string times_text(double times) {
 }
 
 }  // namespace
+
+std::optional<Rect> free_place(const Brush& brush, ImVec2 source, float top, const Rect& last) {
+  const std::vector<Rect>& taken = brush.canvas.obstacles.taken;
+  std::optional<Rect> best;
+  int least = 0;
+  for (const Rect& place : places_for(brush, top)) {
+    if (std::any_of(taken.begin(), taken.end(), [&](const Rect& other) { return overlap(place, other); })) continue;
+    const int covered = 2 * covered_by(place, brush, source) - (place.x == last.x && place.y == last.y ? 1 : 0);
+    if (!best || covered < least) best = place, least = covered;
+  }
+  return best;
+}
 
 float room_above(float words) { return 2 * kPanelMargin + kNarrowWidth * kPanelAspect + kHead * words; }
 

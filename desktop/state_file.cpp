@@ -97,6 +97,7 @@ Json lesson_state(Shell& shell, float scale) {
   add_answers(state, session);
   state["situation"] = session.lesson().situations.empty() ? Json() : Json(session.situation());
   add_sliders(state, shell, scale);
+  state["scalar"] = session.subject().in_float() ? "float" : "double";
   state["notice"] = shell.notice;
   state["focus"] = shell.focus.name();
   state["presenting"] = shell.presenting;

@@ -87,6 +87,18 @@ void draw_edits(Shell& shell, Column& column) {
   if (clicked >= 0) shell.app().command(commands[clicked]);
 }
 
+/// The switch between float and double.
+void draw_scalar(Shell& shell, Column& column) {
+  lesson::Session& session = shell.session();
+  if (!session.subject().takes_float()) return;
+  const bool in_float = session.subject().in_float();
+  column.gap(12);
+  column.heading("Computed in");
+  const int clicked = column.buttons("scalar", {"double", "float"}, in_float ? 1 : 0);
+  if (clicked >= 0) shell.tell(session.set_float(clicked == 1));
+  if (in_float) column.words("The points are rounded to float.", Face::kRegular, 14, column.look()->muted);
+}
+
 void draw_selected(Shell& shell, Column& column) {
   lesson::Session& session = shell.session();
   const Index selected = shell.app().selected();
@@ -197,6 +209,7 @@ void draw_tools(Shell& shell, Column& column) {
   column.gap(10);
   draw_edits(shell, column);
   draw_selected(shell, column);
+  draw_scalar(shell, column);
   draw_scatter(shell, column);
   draw_sources(shell, column);
 }

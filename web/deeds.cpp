@@ -108,6 +108,8 @@ std::string set_generator(const std::string& kind, int count, double seed) {
   return sentence(set);
 }
 
+std::string set_float(bool in_float) { return session() ? sentence(session()->set_float(in_float)) : ""; }
+
 std::string load_file(const std::string& bytes, const std::string& name) {
   if (!session()) return "";
   if (app::Cover* const cover = door().app->cover())

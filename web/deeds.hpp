@@ -44,6 +44,8 @@ std::string set_sliders(const val& values);
 void scatter(double seed);
 /// Scatters points of another kind.
 std::string set_generator(const std::string& kind, int count, double seed);
+/// Chooses float or double for the runs.
+std::string set_float(bool in_float);
 /// Loads a point file in any of the formats, or an earlier file of the cover.
 std::string load_file(const std::string& bytes, const std::string& name);
 /// Does a slice of the running measurement. milliseconds: the budget.

@@ -42,6 +42,7 @@ void set_points(val& object, const lesson::Points& points) {
   object.set("generate", points.generate);
   object.set("count", points.count);
   object.set("mesh", points.mesh);
+  object.set("scalar", points.in_float ? "float" : "double");
 }
 
 /// None where the lesson has only its own.

@@ -226,6 +226,7 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("set_sliders", &web::set_sliders);
   function("scatter", &web::scatter);
   function("set_generator", &web::set_generator);
+  function("set_float", &web::set_float);
   function("light", &web::light);
   function("invite", &web::invite);
   function("start_task", &web::start_task);

@@ -9,6 +9,7 @@
 #include "fit/hull/hull_steps.hpp"
 #include "fit/kdop/kdop_steps.hpp"
 #include "fit/obb/obb_steps.hpp"
+#include "fit/sphere/naive_steps.hpp"
 #include "fit/sphere/sphere_steps.hpp"
 #include "fit/swept/capsule_steps.hpp"
 #include "fit/swept/lozenge_steps.hpp"
@@ -38,10 +39,10 @@ struct Union {
 template <class First, class... Facts, class... Others>
 struct Union<First, std::variant<Facts...>, Others...> : Union<typename AddFacts<First, Facts...>::Type, Others...> {};
 
-/// Every fact that a fitter reports.
+/// Every fact that a fitter reports. New ones come last: a trace's hash counts them.
 using Fact3 = Union<SphereStep<double, 3>::Fact, ObbStep<double, 3>::Fact, AabbStep<double, 3>::Fact,
                     CapsuleStep<double, 3>::Fact, LozengeStep<double, 3>::Fact, KdopStep<double, 3>::Fact,
-                    HullStep<double, 3>::Fact>::Type;
+                    HullStep<double, 3>::Fact, NaiveSphereStep<double, 3>::Fact>::Type;
 
 struct Step3 {
   using Fact = Fact3;

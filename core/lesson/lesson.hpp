@@ -72,6 +72,7 @@ struct Points {
   int count = 0;         // how many are generated
   std::string mesh;      // one of mesh_names(): the page or the window loads it
   std::vector<Vector<double, 3>> list;
+  bool in_float = false;  // whether they are rounded to float, and the runs computed in it
 };
 
 /// The name of the lesson's own situation, which its own tables describe.

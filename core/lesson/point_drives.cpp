@@ -40,7 +40,7 @@ std::vector<Drive> PointSubject::drives() const {
 
 Done PointSubject::drive(std::string_view name, double from, double to) {
   if (name == "count" && origin_.generated > 0) return drive_count(to);
-  std::vector<Point3> points = all_points(*this->points());
+  std::vector<Point3> points = all_points(unrounded_);
   const Point3 middle = centroid_of(points);
   if (name == "offset") {
     for (Point3& point : points) point += slanting(dim()) * (to - from);
@@ -55,11 +55,7 @@ Done PointSubject::drive(std::string_view name, double from, double to) {
   } else {
     return Subject::drive(name, from, to);
   }
-  auto set = to_set(points, dim());
-  if (!set) return tl::unexpected(std::move(set.error()));
-  origin_.edited = true;
-  become(*std::move(set), triangles_);
-  return {};
+  return take(points, dim(), triangles_);
 }
 
 /// Fewer points are the first of these; more are these and the last of as many generated ones.
@@ -67,17 +63,13 @@ Done PointSubject::drive_count(double to) {
   if (!(to >= 1 && to <= kMostGenerated))
     return tl::unexpected(InputError{.what = "a set has 1 to " + std::to_string(kMostGenerated) + " points"});
   const auto count = static_cast<std::size_t>(std::llround(to));
-  std::vector<Point3> points = all_points(*this->points());
+  std::vector<Point3> points = all_points(unrounded_);
   if (count > points.size()) {
     const auto more = *generate(origin_.source, static_cast<int>(count), dim(), origin_.seed);
     points.insert(points.end(), more.begin() + static_cast<std::ptrdiff_t>(points.size()), more.end());
   }
   points.resize(count);
-  auto set = to_set(points, dim());
-  if (!set) return tl::unexpected(std::move(set.error()));
-  origin_.edited = true;
-  become(*std::move(set), nullptr);
-  return {};
+  return take(points, dim(), nullptr);
 }
 
 }  // namespace snug::lesson

@@ -44,11 +44,22 @@ std::string point_names(std::span<const Index> points, const NamesOfPoints& name
   return text;
 }
 
-tl::expected<AnyPointSet, InputError> to_set(const std::vector<Point3>& points, int dim) {
-  return io::to_point_set({dim, points, {}}, {}, 0, false);
+tl::expected<AnyPointSet, InputError> to_set(const std::vector<Point3>& points, int dim, bool in_float) {
+  return io::to_point_set({dim, points, {}}, {}, 0, in_float);
 }
 
-Points read_points(const toml::table& toml, Complaints& complaints) {
+namespace {
+
+/// Whether a lesson's file chooses float.
+bool read_scalar(TomlTable& table) {
+  const std::string name = table.text_or("scalar", "double");
+  if (name != "float" && name != "double") table.wrong("scalar", "must be \"float\" or \"double\"");
+  return name == "float";
+}
+
+}  // namespace
+
+Points read_points(const toml::table& toml, Complaints& complaints, bool may_be_float) {
   TomlTable table(toml, "[points]", complaints);
   Points points;
   points.dim = static_cast<int>(table.integer_or("dim", 2, 3, 2));
@@ -66,6 +77,7 @@ Points read_points(const toml::table& toml, Complaints& complaints) {
     points.dim = 3;
   }
   if (table.has("list")) points.list = table.points("list", points.dim);
+  if (may_be_float) points.in_float = read_scalar(table);
   table.refuse_others();
   return points;
 }
@@ -90,14 +102,14 @@ Rows read_point_model(TomlTable& task, const Lesson& lesson, Complaints&) {
 }
 
 PointSubject::PointSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh)
-    : points_(std::move(points)) {
+    : unrounded_(std::move(points)) {
   const Points& own = lesson.points;
   Recipe recipe{own.generate, own.count, own.dim, own.generate.empty(), own.mesh, lesson.seed};
   origin_.seed = lesson.seed;
   if (!own.generate.empty()) origin_.source = own.generate, origin_.generated = own.count;
   if (recipe.own_list) {
     recipe.kind = lesson.generators.empty() ? "gaussian" : lesson.generators.front();
-    recipe.count = std::min(fit::size_of(points_), Index{kMostGenerated}), recipe.dim = fit::dim_of(points_);
+    recipe.count = std::min(size(), Index{kMostGenerated}), recipe.dim = dim();
   }
   if (mesh && !own.mesh.empty()) {
     origin_.source = own.mesh;
@@ -111,54 +123,76 @@ std::span<const std::array<Index, 3>> PointSubject::triangles() const {
   return triangles_ ? std::span<const std::array<Index, 3>>(*triangles_) : std::span<const std::array<Index, 3>>();
 }
 
+/// Where float cannot hold a coordinate, the runs are in double from then on.
 void PointSubject::become(AnyPointSet points, std::shared_ptr<const Triangles> triangles) {
-  points_ = std::move(points);
+  unrounded_ = std::move(points);
   triangles_ = std::move(triangles);
+  rounded_.reset();
+  if (origin_.in_float)
+    if (auto rounded = to_set(all_points(unrounded_), dim(), true)) rounded_ = *std::move(rounded);
+  origin_.in_float = rounded_.has_value();
   points_changed();
 }
 
+Done PointSubject::take(const std::vector<Point3>& points, int dim, std::shared_ptr<const Triangles> triangles) {
+  auto set = to_set(points, dim);
+  if (!set) return tl::unexpected(std::move(set.error()));
+  if (in_float())
+    if (auto rounded = to_set(points, dim, true); !rounded) return tl::unexpected(std::move(rounded.error()));
+  origin_.edited = true;
+  become(*std::move(set), std::move(triangles));
+  return {};
+}
+
+Done PointSubject::set_float(bool in_float) {
+  if (in_float && !takes_float()) return Subject::set_float(in_float);
+  std::optional<AnyPointSet> rounded;
+  if (in_float) {
+    auto set = to_set(all_points(unrounded_), dim(), true);
+    if (!set) return tl::unexpected(std::move(set.error()));
+    rounded = *std::move(set);
+  }
+  rounded_ = std::move(rounded);
+  origin_.in_float = in_float;
+  points_changed();
+  return {};
+}
+
 Done PointSubject::move(Index i, const Point3& to) {
-  const auto moved = std::visit(
-      [&]<class Scalar, int Dim>(PointSet<Scalar, Dim>& set) {
-        return set.move(i, to.template head<Dim>().template cast<Scalar>());
-      },
-      points_);
-  if (!moved) return tl::unexpected(moved.error());
+  const auto place = [&]<class Scalar, int Dim>(PointSet<Scalar, Dim>& set) {
+    return set.move(i, to.template head<Dim>().template cast<Scalar>());
+  };
+  // Float takes less than double: what it takes, double does not refuse.
+  if (rounded_)
+    if (Done moved = std::visit(place, *rounded_); !moved) return moved;
+  if (Done moved = std::visit(place, unrounded_); !moved) return moved;
   origin_.edited = true;
   points_changed();
   return {};
 }
 
 Done PointSubject::add(const Point3& at) {
-  std::vector<Point3> all = all_points(points_);
+  std::vector<Point3> all = all_points(unrounded_);
   all.push_back(at);
-  auto set = to_set(all, dim());
-  if (!set) return tl::unexpected(std::move(set.error()));
-  origin_.edited = true;
-  become(*std::move(set), nullptr);
-  return {};
+  return take(all, dim(), nullptr);
 }
 
 Done PointSubject::remove(Index i) {
   if (i < 0 || i >= size()) return tl::unexpected(InputError{.what = "there is no point " + std::to_string(i)});
   if (size() == 1) return tl::unexpected(InputError{.what = "the last point cannot be deleted"});
-  std::vector<Point3> all = all_points(points_);
+  std::vector<Point3> all = all_points(unrounded_);
   all.erase(all.begin() + i);
-  auto set = to_set(all, dim());
-  if (!set) return tl::unexpected(std::move(set.error()));
-  origin_.edited = true;
   if (names_ != nullptr && static_cast<std::size_t>(i) < names_->size()) {  // the others keep their names
     std::vector<std::string> left = *names_;
     left.erase(left.begin() + i);
     names_ = std::make_shared<const std::vector<std::string>>(std::move(left));
   }
-  become(*std::move(set), nullptr);
-  return {};
+  return take(all, dim(), nullptr);
 }
 
 Rows PointSubject::rows() const {
   Rows rows;
-  for (const Point3& point : all_points(points_)) rows.emplace_back(point.data(), point.data() + dim());
+  for (const Point3& point : all_points(unrounded_)) rows.emplace_back(point.data(), point.data() + dim());
   return rows;
 }
 
@@ -170,24 +204,20 @@ Done PointSubject::set_rows(const Rows& rows) {
       return tl::unexpected(InputError{.what = "a point has two or three numbers, and all have as many"});
     all.emplace_back(row[0], row[1], dim == 3 ? row[2] : 0);
   }
-  auto set = to_set(all, dim);
-  if (!set) return tl::unexpected(std::move(set.error()));
-  origin_.edited = true;
-  become(*std::move(set), all.size() == static_cast<std::size_t>(size()) ? triangles_ : nullptr);
-  return {};
+  return take(all, dim, all.size() == static_cast<std::size_t>(size()) ? triangles_ : nullptr);
 }
 
 Done PointSubject::load(const io::PointFile& file, std::string_view name) {
   auto set = io::to_point_set(file, name, 0, false);
   if (!set) return tl::unexpected(std::move(set.error()));
-  origin_ = {std::string(name), 0, origin_.seed, name != recipe_->mesh, origin_.situation};
+  origin_ = {std::string(name), 0, origin_.seed, name != recipe_->mesh, origin_.situation, in_float()};
   become(*std::move(set), std::make_shared<const Triangles>(file.triangles));
   return {};
 }
 
 /// kind: an existing one; count and dim: in range.
 void PointSubject::generate_points(std::string_view kind, int count, int dim, std::uint64_t seed, bool edited) {
-  origin_ = {std::string(kind), count, seed, edited, origin_.situation};
+  origin_ = {std::string(kind), count, seed, edited, origin_.situation, in_float()};
   become(*to_set(*generate(kind, count, dim, seed), dim), nullptr);
 }
 
@@ -213,11 +243,12 @@ void PointSubject::scatter(std::uint64_t seed, const Subject& own) {
   if (seed != recipe_->seed) return generate_points(recipe_->kind, recipe_->count, recipe_->dim, seed, false);
   const auto& first = static_cast<const PointSubject&>(own);
   origin_ = first.origin_;
-  become(first.points_, first.triangles_);
+  origin_.in_float = now.in_float;
+  become(first.unrounded_, first.triangles_);
 }
 
 void PointSubject::begin_task(const Lesson&, const Task& task, const Subject& own) {
-  origin_ = {"task", 0, own.origin().seed, true, own.origin().situation};
+  origin_ = {"task", 0, own.origin().seed, true, own.origin().situation, in_float()};
   std::vector<Point3> points = all_points(*own.points());
   if (task.points > 0) points.resize(std::min(points.size(), static_cast<std::size_t>(task.points)));
   become(*to_set(points, own.dim()), nullptr);  // these points were accepted before

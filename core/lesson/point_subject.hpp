@@ -22,11 +22,12 @@ using NamesOfPoints = std::shared_ptr<const std::vector<std::string>>;
 /// "P3", "P3 and P9", "P3, P9 and P12"; "no point" for none.
 [[nodiscard]] std::string point_names(std::span<const Index> points, const NamesOfPoints& names);
 
-/// A set in double. dim: 2 (z is dropped) or 3. Errors: those of PointSet::make.
-[[nodiscard]] tl::expected<AnyPointSet, InputError> to_set(const std::vector<Point3>& points, int dim);
+/// A set in double, or rounded to float. dim: 2 (z is dropped) or 3. Errors: those of PointSet::make.
+[[nodiscard]] tl::expected<AnyPointSet, InputError> to_set(const std::vector<Point3>& points, int dim,
+                                                           bool in_float = false);
 
-/// Reads [points] of a lesson's file.
-[[nodiscard]] Points read_points(const toml::table& toml, Complaints& complaints);
+/// Reads [points] of a lesson's file. may_be_float: whether it may name a scalar.
+[[nodiscard]] Points read_points(const toml::table& toml, Complaints& complaints, bool may_be_float = false);
 
 /// The lesson's own points at its seed, or a mesh's vertices. Errors: those of PointSet::make; a missing mesh.
 [[nodiscard]] tl::expected<AnyPointSet, InputError> own_points(const Lesson& lesson,
@@ -40,11 +41,13 @@ using NamesOfPoints = std::shared_ptr<const std::vector<std::string>>;
 
 class PointSubject : public Subject {
  public:
-  [[nodiscard]] int dim() const override { return fit::dim_of(points_); }
-  [[nodiscard]] Index size() const override { return fit::size_of(points_); }
-  [[nodiscard]] Point3 at(Index i) const override { return fit::point_of(points_, i); }
+  [[nodiscard]] int dim() const override { return fit::dim_of(unrounded_); }
+  [[nodiscard]] Index size() const override { return fit::size_of(unrounded_); }
+  [[nodiscard]] Point3 at(Index i) const override { return fit::point_of(*points(), i); }
   [[nodiscard]] std::string name_of(Index i) const override { return point_name(i, names_); }
-  [[nodiscard]] const AnyPointSet* points() const override { return &points_; }
+  /// In float, the rounded ones.
+  [[nodiscard]] const AnyPointSet* points() const override { return rounded_ ? &*rounded_ : &unrounded_; }
+  Done set_float(bool in_float) override;
   [[nodiscard]] std::span<const std::array<Index, 3>> triangles() const override;
   [[nodiscard]] std::string_view stage_says() const override { return "the points and the volume around them"; }
   [[nodiscard]] Tools tools() const override { return {"Points", "Points", true}; }
@@ -93,14 +96,17 @@ class PointSubject : public Subject {
   [[nodiscard]] const NamesOfPoints& names() const { return names_; }
   /// Called when the points have changed, and cached results are stale.
   virtual void points_changed() {}
-  void become(AnyPointSet points, std::shared_ptr<const Triangles> triangles);
+  /// Takes over edited points. Errors: those of to_set, and of float where the runs are in float.
+  Done take(const std::vector<Point3>& points, int dim, std::shared_ptr<const Triangles> triangles);
   void generate_points(std::string_view kind, int count, int dim, std::uint64_t seed, bool edited);
 
  private:
+  void become(AnyPointSet points, std::shared_ptr<const Triangles> triangles);
   Done drive_count(double to);
   [[nodiscard]] bool is_as_own(std::string_view kind, int count, int dim) const;
 
-  AnyPointSet points_;
+  AnyPointSet unrounded_;                       // in double
+  std::optional<AnyPointSet> rounded_;          // the same in float, where that is chosen
   std::shared_ptr<const Triangles> triangles_;  // shared, to keep snapshots small
   std::shared_ptr<const Recipe> recipe_;
   NamesOfPoints names_;

@@ -80,6 +80,8 @@ class Session {
   Done set_generator(std::string_view kind, int count, int dim, std::uint64_t seed);
   Done set_numbers(std::size_t group, std::size_t row, std::span<const double> values);
   Done set_rows(const Rows& rows);
+  /// Chooses the scalar of the runs, as one entry of undo (Subject::set_float).
+  Done set_float(bool in_float);
   void scatter(std::uint64_t seed);
   /// Restores the lesson's own.
   void reset();

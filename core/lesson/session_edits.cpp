@@ -99,6 +99,21 @@ Done Session::set_rows(const Rows& rows) {
   return edit([&](Subject& next) { return next.set_rows(rows); });
 }
 
+Done Session::set_float(bool in_float) {
+  if (in_float == now_->in_float()) return {};
+  Snapshot next = snapshot();
+  if (next.slid.base != nullptr) {  // from which the sliders' next move begins
+    auto base = next.slid.base->clone();
+    if (Done set = base->set_float(in_float); !set) return set;
+    next.slid.base = std::move(base);
+  }
+  if (Done set = next.subject->set_float(in_float); !set) return set;
+  const bool started = task_started_;
+  Done done = become(std::move(next));
+  task_started_ = started;
+  return done;
+}
+
 void Session::scatter(std::uint64_t seed) {
   static_cast<void>(edit_anew([&](Subject& next) { return next.scatter(seed, own()), Done(); }));
 }

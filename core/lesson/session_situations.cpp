@@ -72,7 +72,7 @@ Done Session::set_sliders(std::vector<double> values) {
   }
   auto next = slid_to(*lesson_, snapshot(), std::move(values));
   if (!next) return tl::unexpected(std::move(next.error()));
-  if (next->subject->rows() == own().rows()) next = opened().clone();
+  if (next->subject->rows() == own().rows() && next->subject->in_float() == own().in_float()) next = opened().clone();
   if (!next->subject->suits(*slots_[0].method))
     return tl::unexpected(InputError{.what = next->subject->refusal(*slots_[0].method)});
   if (!drag_.subject) return become(*std::move(next));

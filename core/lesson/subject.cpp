@@ -43,6 +43,10 @@ std::string Subject::refusal(const Method& method) const {
   if (dim() == 3 && !method.space) return title + " is for points in the plane";
   return {};
 }
+Done Subject::set_float(bool in_float) {
+  if (!in_float) return {};
+  return tl::unexpected(InputError{.what = "this lesson is computed in double alone"});
+}
 std::vector<Drive> Subject::drives() const {
   std::vector<Drive> all;
   for (const NumberGroup& group : numbers())

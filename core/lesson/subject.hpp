@@ -44,6 +44,7 @@ struct Method {
   bool exact = false;                                       // whether it guarantees the smallest volume of its kind
   Index max_points = std::numeric_limits<Index>::max();     // more are refused
   bool plane = true, space = true;                          // the dimensions that it takes
+  bool naive = false;  // as textbooks print it: rounding may leave points outside its result
 };
 
 [[nodiscard]] inline std::span<const std::string_view> pseudocode_of(const Method& method, int dim) {
@@ -177,6 +178,7 @@ class Subject {
     std::uint64_t seed = 1;
     bool edited = false;  // whether it differs from the lesson's own for this seed
     std::string situation{kOwnSituation};
+    bool in_float = false;  // whether its runs are computed in float, on points rounded to float
     friend bool operator==(const Origin&, const Origin&) = default;
   };
 
@@ -235,6 +237,13 @@ class Subject {
   /// Whether things can be moved at a step, and if not, why.
   [[nodiscard]] virtual bool moves_at(int step) const { return step >= 0; }
   [[nodiscard]] virtual std::string_view fixed_now() const { return {}; }
+
+  /// Whether its runs can be computed in float as well as in double.
+  [[nodiscard]] virtual bool takes_float() const { return false; }
+  [[nodiscard]] bool in_float() const { return origin_.in_float; }
+  /// Chooses the scalar of its runs. In float, points are rounded to float; double shows them as they were before.
+  /// Errors: it takes none but double; a coordinate that is too large for float.
+  virtual Done set_float(bool in_float);
 
   /// The points, if the subject has points; null otherwise.
   [[nodiscard]] virtual const AnyPointSet* points() const { return nullptr; }

@@ -102,7 +102,7 @@ tl::expected<std::vector<const fit::Algorithm*>, InputError> algorithms_of(const
   std::vector<bool> met(options.algorithms.size());
   for (const fit::Algorithm& algorithm :
        options.volume.empty() ? fit::algorithms() : fit::algorithms_of(options.volume)) {
-    bool wanted = options.algorithms.empty();
+    bool wanted = options.algorithms.empty() && !algorithm.naive;  // a result that may be wrong has no accuracy
     for (std::size_t i = 0; i < met.size(); ++i)
       if (is_named(algorithm, options.algorithms[i])) wanted = met[i] = true;
     if (wanted && fit::takes(algorithm, dim)) chosen.push_back(&algorithm);

@@ -17,6 +17,12 @@ export function read_address(search) {
   asked.step = whole("step");
   asked.seed = whole("seed");
 
+  asked.scalar = given.get("scalar");
+  if (asked.scalar !== null && !["float", "double"].includes(asked.scalar)) {
+    problems.push("The address has a scalar that is neither float nor double.");
+    asked.scalar = null;
+  }
+
   const from = given.get("from");
   asked.from = from === null ? "" : from;
   if (!/^([a-z]+|[a-z]+:[1-9]\d{0,4})?$/.test(asked.from)) {
@@ -38,6 +44,9 @@ export function read_address(search) {
   return asked;
 }
 
+/** The scalar that the lesson's file gives to the situation that is shown. */
+const own_scalar = (view, lesson) => (lesson.situations.find(({ name }) => name === view.situation) ?? lesson).scalar;
+
 /** The address of what is on the page. shared: as web/deeds.hpp's shared_rows says it. */
 export function write_address(view, lesson, shared, embed) {
   const rows = (list) => list.map((row) => row.join(",")).join(";");
@@ -47,6 +56,7 @@ export function write_address(view, lesson, shared, embed) {
   if (view.situation !== null && view.situation !== lesson.situations[0].name) parts.push(`situation=${encodeURIComponent(view.situation)}`);
   if (view.algorithm !== lesson.algorithms[0]?.name) parts.push(`a=${view.algorithm}`);
   if ((view.beside ?? "") !== lesson.compare) parts.push(`b=${view.beside ?? "none"}`);
+  if (view.scalar !== null && view.scalar !== own_scalar(view, lesson)) parts.push(`scalar=${view.scalar}`);
   if (shared.how) parts.push(`from=${shared.how}`);
   if (shared.slide) parts.push(`slide=${shared.slide.join(",")}`);
   if (shared.moved?.length) parts.push(`moved=${rows(shared.moved)}`);

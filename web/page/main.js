@@ -262,6 +262,7 @@ class Page {
     if (asked.situation) tell(door.show_situation(asked.situation));
     if (asked.seed !== null && asked.seed !== this.#lesson.seed) door.scatter(asked.seed);
     if (asked.from) tell(await this.#restore_source(asked.from, asked.seed ?? this.#lesson.seed));
+    if (asked.scalar) tell(door.set_float(asked.scalar === "float"));
     if (asked.slide) tell(door.set_sliders(asked.slide));
     if (asked.rows) tell(door.set_rows(asked.rows));
     if (asked.moved) tell(door.change_rows(asked.moved));
@@ -392,7 +393,7 @@ class Page {
 }
 
 /** Whether an address names a lesson but no place in it. */
-const is_bare = ({ step, seed, situation, from, slide, rows, moved, a, b }) => step === null && seed === null && !situation && !from && !slide && !rows && !moved && !a && !b;
+const is_bare = ({ step, seed, situation, scalar, from, slide, rows, moved, a, b }) => step === null && seed === null && !situation && !scalar && !from && !slide && !rows && !moved && !a && !b;
 
 /** Shows the course or, if the address names a lesson, the page with the program. */
 class Site {

@@ -5,6 +5,7 @@
 
 #include "app/fitted.hpp"
 #include "app/point_marks.hpp"
+#include "app/subjects/cloud/ulp_inset.hpp"
 #include "lesson/figures.hpp"
 
 namespace snug::app {
@@ -96,6 +97,7 @@ void mark_cloud(Brush& brush, const CloudShown& shown) {
     for (const Index i : {shown.pair->a, shown.pair->b}) mark_point(brush, i);
   draw_spoken_of(brush, shown);
   mark_slab(brush, shown);
+  mark_left_outside(brush, shown);
   draw_examined(brush, shown, extremes.empty() && among(shown.support, shown.examined));
 }
 
@@ -108,6 +110,7 @@ void name_cloud(PointNames& names, const CloudShown& shown) {
     else if (shown.outside_by < 0) words += " inside";
     names.name(shown.examined, std::move(words), p.examined_text, Face::kSemiBold, 19 * p.mark, 15);
   }
+  name_left_outside(names, shown);
   name_slab(names, shown);
   const std::vector<Index> extremes = extremes_alone(names.brush, shown);
   for (const Index i : extremes.empty() ? shown.support : extremes) names.plain(i);

@@ -214,6 +214,13 @@ void show_optimum(CloudShown& shown, const lesson::Session& session, bool wanted
   shown.optimum_word = cloud->reference(session.view()).word;
 }
 
+std::optional<lesson::LeftOutside> left_outside_now(const lesson::Session& session) {
+  const fit::Recording& run = lesson::fit_run(session.run(0)).recording();
+  const auto* sphere = std::get_if<fit::Sphere3>(&run.result.volume);
+  if (!session.view().at_end() || run.certificate.contains || sphere == nullptr) return std::nullopt;
+  return lesson::left_outside(lesson::fit_run(session.run(0)).points(), *sphere);
+}
+
 }  // namespace
 
 CloudShown cloud_shown_at(const lesson::Session& session, bool want_optimum) {
@@ -222,6 +229,7 @@ CloudShown cloud_shown_at(const lesson::Session& session, bool want_optimum) {
   show_optimum(shown, session, want_optimum || shown.finished);
   shown.growing = lesson::growing_hull(lesson::fit_run(session.run(0)).trace(), session.step());
   if (shown.growing && !shown.volume) shown.support = shown.growing->vertices();  // some are gone again
+  shown.left = left_outside_now(session);
   if (!steps.empty()) std::visit(CloudFiller{shown, steps.back().step, steps, session}, steps.back().step.fact);
   return shown;
 }

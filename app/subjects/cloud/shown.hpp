@@ -5,6 +5,7 @@
 
 #include "app/shown.hpp"
 #include "lesson/subjects/cloud/hull_growth.hpp"
+#include "lesson/subjects/cloud/left_outside.hpp"
 
 namespace snug::app {
 
@@ -56,6 +57,7 @@ struct CloudShown : Shown {
   std::optional<Point3> along;       // in space, the direction along which the points were projected for a rectangle
   std::optional<fit::BallGrown<double, 3>> grown;  // how this step let a sphere grow
   std::optional<lesson::GrowingHull> growing;      // the hull that Quickhull has so far
+  std::optional<lesson::LeftOutside> left;         // what a finished sphere leaves outside, if anything
   std::vector<std::pair<Index, Index>> flat;       // the edges between its coplanar facets, where they are merged
 };
 

@@ -1,9 +1,12 @@
 #include "app/subjects/cloud/view.hpp"
 
+#include <algorithm>
+
 #include "app/subjects/cloud/call_panel.hpp"
 #include "app/subjects/cloud/call_tree_view.hpp"
 #include "app/subjects/cloud/draw.hpp"
 #include "app/subjects/cloud/products_panel.hpp"
+#include "app/subjects/cloud/ulp_inset.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/words.hpp"
 
@@ -22,6 +25,14 @@ std::string_view button_for(const lesson::Session& session) {
   return "Reference";
 }
 
+/// Widened to the points that a naive run leaves outside its volume.
+fit::Sphere3 with_left_outside(fit::Sphere3 all, const lesson::Session& session) {
+  const fit::Recording* run = lesson::recording_of(session, 0);
+  if (run == nullptr || run->certificate.contains) return all;
+  for (Index i = 0; i < session.size(); ++i) all.radius = std::max(all.radius, (session.point(i) - all.center).norm());
+  return all;
+}
+
 class CloudView final : public SubjectView {
  public:
   void refresh(const lesson::Session& session, bool want_optimum) override {
@@ -32,9 +43,12 @@ class CloudView final : public SubjectView {
   void draw(Brush& brush) const override { draw_cloud(brush, shown_); }
   void draw_marks(Brush& brush) const override { mark_cloud(brush, shown_); }
   void name_marks(PointNames& names) const override { name_cloud(names, shown_); }
-  [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override { return draw_call_tree(brush, top); }
+  [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override {
+    const Rect tree = draw_call_tree(brush, top);
+    return tree.width > 0 ? tree : draw_ulp_inset(brush, shown_, top);
+  }
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
-    fit::Sphere3 all = SubjectView::extent(session);
+    fit::Sphere3 all = with_left_outside(SubjectView::extent(session), session);
     if (!shows_calls(session)) return all;
     all.center += Point3(kAsideOfTree, kBelowTree, 0) * all.radius;
     all.radius *= kRoomForTree;

@@ -8,6 +8,7 @@
 #include "fit/sphere/ritter.hpp"
 #include "fit/sphere/ritter_iterative.hpp"
 #include "fit/sphere/welzl.hpp"
+#include "fit/sphere/welzl_naive.hpp"
 #include "fit/sphere/welzl_recursive.hpp"
 
 namespace snug::fit {
@@ -21,6 +22,12 @@ constexpr auto kRitterIterative = [](auto p, const Options& options, auto& o) {
 constexpr auto kPcaSphere = [](auto p, const Options&, auto& o) { return pca_sphere(p, o); };
 constexpr auto kWelzl = [](auto p, const Options& options, auto& o) { return welzl(p, options, o); };
 constexpr auto kWelzlRecursive = [](auto p, const Options& options, auto& o) { return welzl_recursive(p, options, o); };
+constexpr auto kWelzlNaive = [](auto p, const Options& options, auto& o) {
+  return welzl_naive<NoSlack>(p, options, o);
+};
+constexpr auto kWelzlEpsilon = [](auto p, const Options& options, auto& o) {
+  return welzl_naive<AbsoluteSlack>(p, options, o);
+};
 constexpr auto kPivot = [](auto p, const Options& options, auto& o) { return pivot(p, options, o); };
 constexpr auto kBruteForce = [](auto p, const Options&, auto& o) { return brute_force(p, o); };
 constexpr auto kBruteForceSlide = [](auto p, const Options&, auto& o) { return brute_force_slide(p, o); };
@@ -31,6 +38,8 @@ constexpr std::string_view kWelzlPaper = "E. Welzl, Smallest enclosing disks (ba
 
 // Its passes visit the points in random order: each access takes longer once they no longer fit into the caches.
 constexpr Theory kRandomOrder{"O(n)", growth::linear, false, kFixedPasses.source};
+
+constexpr Theory kStoppedInTime{"O(n) expected", growth::linear, false, kWelzlPaper};
 
 constexpr std::array kSphereRows{
     row<kAabbCenter>({"sphere", "aabb_center", "AABB centre", kEricson, kFixedPasses, kAabbCenterPseudocode}),
@@ -73,6 +82,22 @@ constexpr std::array kSphereRows{
                            .theory = kAllSubsets,
                            .pseudocode = kBruteForceSlidePseudocode,
                            .max_points = kBruteForceLimit}),
+    row<kWelzlNaive>({.volume = "sphere",
+                      .name = "welzl_naive",
+                      .title = "Welzl, no slack (naive)",
+                      .source = kWelzlPaper,
+                      .theory = kStoppedInTime,
+                      .pseudocode = kWelzlNaivePseudocode,
+                      .max_points = kWelzlNaiveLimit,
+                      .naive = true}),
+    row<kWelzlEpsilon>({.volume = "sphere",
+                        .name = "welzl_epsilon",
+                        .title = "Welzl, absolute slack (naive)",
+                        .source = kWelzlPaper,
+                        .theory = kStoppedInTime,
+                        .pseudocode = kWelzlEpsilonPseudocode,
+                        .max_points = kWelzlNaiveLimit,
+                        .naive = true}),
 };
 
 }  // namespace

@@ -98,9 +98,11 @@ TEST_CASE("one point is a volume of no size, for every algorithm") {
 
 TEST_CASE("every kind of step happens, and reads as JSON with its own name") {
   // What only tests of boxes and scenes tell of happens in tests/app/captions.test.cpp.
-  std::set<std::string_view> seen{"frames_related",    "axis_tested",  "looked_closer", "verdict",
-                                  "outlines_compared", "corner_tried", "claimed",       "plane_tested",
-                                  "corner_tested",     "classified",   "frame_taken"};
+  std::set<std::string_view> seen{"frames_related", "axis_tested", "looked_closer", "verdict", "outlines_compared",
+                                  "corner_tried", "claimed", "plane_tested", "corner_tested", "classified",
+                                  "frame_taken",
+                                  // These need harder clouds: tests/core/fit/sphere/naive.test.cpp.
+                                  "circumsphere_failed", "tests_exhausted"};
   for (const fit::Algorithm& algorithm : fit::algorithms())
     for (const char* kind : {"gaussian", "lattice", "clusters", "ball", "stick"})
       for (const int n : {12, 300, 1100}) {

@@ -11,14 +11,14 @@ using namespace snug;
 namespace {
 
 template <class Scalar, int Dim>
-std::uint64_t hash_of_all() {
+std::uint64_t hash_of_all(bool naive = false) {
   std::uint64_t all = 0;
   for (const std::uint64_t seed : {1, 2, 3})
     for (const int n : {5, 20, 700})
       for (const auto& cloud : test::degenerate_clouds<Scalar, Dim>(seed, n)) {
         const AnyPointSet set = test::set_of<Scalar, Dim>(cloud.points);
         for (const fit::Algorithm& algorithm : fit::algorithms())
-          if (fit::takes(algorithm, Dim) && fit::size_of(set) <= algorithm.max_points &&
+          if (algorithm.naive == naive && fit::takes(algorithm, Dim) && fit::size_of(set) <= algorithm.max_points &&
               (algorithm.volume == "sphere" || n * static_cast<int>(seed) <= 20))
             all = all * 0x100000001b3u ^ fit::hash_of(algorithm.record(set, {}).steps);
       }
@@ -32,4 +32,11 @@ TEST_CASE("the same bits everywhere") {
   CHECK(hash_of_all<double, 3>() == 7367299477195449561u);
   CHECK(hash_of_all<float, 2>() == 14246322649422643037u);
   CHECK(hash_of_all<float, 3>() == 13496882955160129437u);
+}
+
+TEST_CASE("the same bits everywhere, of naive algorithms too") {
+  CHECK(hash_of_all<double, 2>(true) == 17681174394320221060u);
+  CHECK(hash_of_all<double, 3>(true) == 10911335116801584479u);
+  CHECK(hash_of_all<float, 2>(true) == 8471878142381823883u);
+  CHECK(hash_of_all<float, 3>(true) == 1470054789129837789u);
 }

@@ -80,7 +80,7 @@ constexpr Broken kBroken[] = {
     {"at_least = 5", "at_least = 5\nat_most = 4", "at_most", "leaves no number"},
     {"at_least = 5", "at_least = 5\nover = \"aabb/min_max\"", "[[task]]", "before the student begins"},
     {"figure = \"excess\"", "figure = \"exces\"", "[[task.require]]", "Ritter has no figure exces"},
-    {"figure = \"excess\"\nat_least = 5", "goal = \"fail\"", "goal", "figures alone"},
+    {"figure = \"excess\"\nat_least = 5", "goal = \"fail\"", "goal", "none of wrong_in_float_alone"},
     {"hint = \"Think.\"", "hint = \"Think.\"\nonly = [\"P9\"]", "[[task]]", "not there: P9"},
     {"points = 4", "points = 6", "[[task]]", "before the student begins"},
     {"points = 4", "points = 7", "[[task]]", "more points than"},

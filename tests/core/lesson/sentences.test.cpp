@@ -207,6 +207,15 @@ std::vector<lesson::Session> scene_sessions() {
   return sessions;
 }
 
+/// Points on a grid of 27 places, where a textbook's rounding goes wrong: most places have several points.
+AnyPointSet small_grid(int n) {
+  Random random(1);
+  std::vector<Vector<double, 3>> points(static_cast<std::size_t>(n));
+  for (auto& point : points)
+    for (int axis = 0; axis < 3; ++axis) point[axis] = random.below(3);
+  return set_of(points, 3);
+}
+
 }  // namespace
 
 TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no number that is not one") {
@@ -233,6 +242,7 @@ TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no numbe
     if (fit::takes(algorithm, 3)) check_fit(algorithm, set_of({{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, 3));
   }
   check_fit(*fit::find_algorithm("sphere", "welzl_recursive"), set_of(*generate("gaussian", 1100, 3, 7), 3));
+  check_fit(*fit::find_algorithm("sphere", "welzl_naive"), small_grid(200));
   for (const auto& sessions : {box_sessions, volume_sessions, frustum_sessions, tree_sessions, scene_sessions})
     for (const lesson::Session& session : sessions()) check(session.run(0), session.dim(), true);
   for (const lesson::SubjectRow* subject : lesson::subjects())

@@ -24,7 +24,7 @@ cost::Clock own_clock() {
 std::vector<const fit::Algorithm*> all_for(int dim) {
   std::vector<const fit::Algorithm*> list;
   for (const fit::Algorithm& algorithm : fit::algorithms())
-    if (fit::takes(algorithm, dim)) list.push_back(&algorithm);
+    if (!algorithm.naive && fit::takes(algorithm, dim)) list.push_back(&algorithm);
   return list;
 }
 

@@ -4,7 +4,10 @@
 #include <numeric>
 
 #include "lesson/subjects.hpp"
+#include "lesson/subjects/cloud/break_it.hpp"
+#include "lesson/subjects/cloud/certificate_figures.hpp"
 #include "lesson/subjects/cloud/entries.hpp"
+#include "lesson/subjects/cloud/left_outside.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::lesson {
@@ -18,8 +21,10 @@ std::vector<std::string_view> fitted_volumes() {
 }
 
 Method method_of(const fit::Algorithm& algorithm) {
-  return {algorithm.volume,           algorithm.name,  algorithm.title,      algorithm.source, algorithm.pseudocode,
-          algorithm.plane_pseudocode, algorithm.exact, algorithm.max_points, algorithm.plane,  algorithm.space};
+  return {algorithm.volume, algorithm.name,       algorithm.title,
+          algorithm.source, algorithm.pseudocode, algorithm.plane_pseudocode,
+          algorithm.exact,  algorithm.max_points, algorithm.plane,
+          algorithm.space,  algorithm.naive};
 }
 
 /// Sorted by volume, as in the catalogue.
@@ -33,14 +38,16 @@ const std::vector<Method>& all_methods() {
 }
 
 void read_cloud(TomlTable& table, Lesson& lesson, Complaints& complaints) {
-  lesson.points = read_points(*table.table("points"), complaints);
+  lesson.points = read_points(*table.table("points"), complaints, true);
 }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_cloud(const Lesson& lesson, std::optional<io::PointFile> mesh,
                                                               Clock) {
   auto points = own_points(lesson, mesh);
   if (!points) return tl::unexpected(std::move(points.error()));
-  return std::make_unique<CloudSubject>(lesson, *std::move(points), std::move(mesh));
+  auto cloud = std::make_unique<CloudSubject>(lesson, *std::move(points), std::move(mesh));
+  if (Done set = cloud->set_float(lesson.points.in_float); !set) return tl::unexpected(std::move(set.error()));
+  return cloud;
 }
 
 }  // namespace
@@ -62,6 +69,7 @@ const SubjectRow kCloudRow{.name = "cloud",
                            .compares = true,
                            .read = &read_cloud,
                            .read_model = &read_point_model,
+                           .goals = kCloudGoals,
                            .open = &open_cloud};
 
 /// The algorithm that sizes are compared with. If the lesson names none, the exact one of its volume; null if there are
@@ -75,7 +83,9 @@ const fit::Algorithm* reference_of(const Lesson& lesson) {
 
 CloudSubject::CloudSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh)
     : PointSubject(lesson, std::move(points), std::move(mesh)), reference_(reference_of(lesson)),
-      by_measure_(is_mixed(lesson) || (reference_ != nullptr && reference_->volume != lesson.volume)) {}
+      by_measure_(is_mixed(lesson) || (reference_ != nullptr && reference_->volume != lesson.volume)),
+      has_naive_(std::any_of(lesson.algorithms.begin(), lesson.algorithms.end(),
+                             [&](const std::string& name) { return find_method(lesson, name)->naive; })) {}
 
 std::unique_ptr<Run> CloudSubject::run(const Method& method, std::unique_ptr<Run> earlier) const {
   fit::Recording room;
@@ -90,7 +100,11 @@ std::string CloudSubject::opening(const Method& method) const {
 }
 
 std::vector<Figure> CloudSubject::figures(const View& view) const {
-  return fit_figures(view, fit_run(view.run()), reference(view));
+  std::vector<Figure> figures = fit_figures(view, fit_run(view.run()), reference(view));
+  if (!has_naive_ || !view.at_end()) return figures;
+  add_left_outside(figures, fit_run(view.run()));
+  add_certificate(figures, fit_run(view.run()), names());
+  return figures;
 }
 
 std::vector<Proof> CloudSubject::proofs(const View& view) const { return fit_proofs(view, fit_run(view.run())); }
@@ -99,6 +113,12 @@ std::optional<double> CloudSubject::result_size(const Method& method, bool by_me
   if (by_measure == by_measure_) return size_of(algorithm_of(method), view);
   const fit::Volume3 volume = algorithm_of(method).fit(*points(), {.seed = origin_.seed}).volume;
   return by_measure ? fit::measure_of(volume, dim()) : fit::size_of(volume, dim());
+}
+
+bool CloudSubject::reaches(std::string_view) const { return breaks(compare_scalars(*points(), origin_.seed)); }
+
+std::string CloudSubject::goal_says(std::string_view) const {
+  return says_of(compare_scalars(*points(), origin_.seed), [&](Index i) { return name_of(i); });
 }
 
 std::int64_t CloudSubject::operations(const Method& method) const {

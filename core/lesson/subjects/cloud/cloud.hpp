@@ -36,6 +36,9 @@ class CloudSubject final : public PointSubject {
   [[nodiscard]] std::optional<double> result_size(const Method& method, bool by_measure,
                                                   const View& view) const override;
   [[nodiscard]] std::int64_t operations(const Method& method) const override;
+  [[nodiscard]] bool takes_float() const override { return true; }
+  [[nodiscard]] bool reaches(std::string_view goal) const override;
+  [[nodiscard]] std::string goal_says(std::string_view goal) const override;
 
   /// The recording of the lesson's reference, or else of the smallest volume of the lesson's kind: computed when first
   /// needed after an edit, unless the view shows it. Null if there is no such algorithm or it cannot take these points.
@@ -58,7 +61,8 @@ class CloudSubject final : public PointSubject {
 
   const fit::Algorithm* reference_ = nullptr;  // null for none
   bool by_measure_ = false;
-  mutable Worked worked_;  // computed on demand, and forgotten with the next edit
+  bool has_naive_ = false;  // whether the lesson offers a naive method: then containment is judged exactly
+  mutable Worked worked_;   // computed on demand, and forgotten with the next edit
 };
 
 /// A slot's recording, if the subject's methods fit volumes; null otherwise, or if the slot is empty.

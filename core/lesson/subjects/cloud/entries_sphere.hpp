@@ -313,7 +313,7 @@ struct Entry<fit::CandidateTried<double, 3>> : FitEntry {
 template <>
 struct Entry<fit::Finished> : FitEntry {
   using Fact = fit::Finished;
-  static constexpr std::array kAskings{kHolds, kGrows};
+  static constexpr std::array kAskings{kHolds, kGrows, kOutside};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     // The iterative algorithm starts from Ritter's result: the same fact, but not the end.
     if (where.next() != nullptr)

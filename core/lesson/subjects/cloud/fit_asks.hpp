@@ -18,6 +18,10 @@ Truth better_truth(const Asked& asked, const Run& run);
 /// "holds": how many points support the ball.
 const char* offer_counts(Asked& asked, const Run& run);
 Truth holds_truth(const Asked& asked, const Run& run);
+/// "outside": which point the finished sphere leaves outside, in exact arithmetic; the choices are the points, and
+/// none.
+const char* offer_left_outside(Asked& asked, const Run& run);
+Truth left_outside_truth(const Asked& asked, const Run& run);
 /// The place after the step; for a point forced onto the boundary, after the end of its recursion.
 int after_recursion(const Run& run, int fact);
 
@@ -27,5 +31,7 @@ inline constexpr Asking kAxis{"axis", &offer_axes, &axis_truth};
 inline constexpr Asking kBetter{
     .name = "better", .offer = &offer_yes_no, .truth = &better_truth, .figure = kResultFigure};
 inline constexpr Asking kHolds{"holds", &offer_counts, &holds_truth};
+inline constexpr Asking kOutside{
+    .name = "outside", .offer = &offer_left_outside, .truth = &left_outside_truth, .figure = "outside_count"};
 
 }  // namespace snug::lesson

@@ -1,0 +1,126 @@
+#include "app/subjects/cloud/ulp_inset.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/close_up.hpp"
+#include "app/marks.hpp"
+#include "app/numbers.hpp"
+#include "lesson/figures.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr float kButtons = 42;              // how high the stage's own buttons are, pixels
+constexpr double kSeenAsItIs = 1e-2;        // in parts of the radius: from there on, the stage itself shows it
+constexpr int kTicksOut = 4, kTicksIn = 2;  // on either side of the boundary
+constexpr double kLongestShare = 3;         // ticks that the worst point is out, at most
+
+/// The boundary, so far enlarged that it is a straight line, and the point beyond it.
+class UlpPicture {
+ public:
+  UlpPicture(Brush& brush, const lesson::LeftOutside& left, const Rect& picture)
+      : brush_(brush), p_(brush.p), left_(left), picture_(picture),
+        tick_(std::max(1.0, nice_at_least(left.ulps() / kLongestShare))) {}
+
+  /// How many ulps the picture is high.
+  [[nodiscard]] double height() const { return tick_ * (kTicksOut + kTicksIn); }
+
+  void draw() {
+    draw_inside();
+    draw_ruler();
+    draw_point();
+    draw_scale();
+  }
+
+ private:
+  [[nodiscard]] float y_of(double ulps) const {
+    const double share = (ulps / tick_ + kTicksIn) / (kTicksOut + kTicksIn);
+    return picture_.y + picture_.height * static_cast<float>(1 - share);
+  }
+  [[nodiscard]] float right() const { return picture_.x + picture_.width; }
+  [[nodiscard]] float ruler_x() const { return picture_.x + brush_.look.px(narrow() ? 26 : 44); }
+  [[nodiscard]] bool narrow() const { return picture_.width < 150; }
+
+  void draw_inside() {
+    brush_.list->AddRectFilled({picture_.x, y_of(0)}, {right(), picture_.y + picture_.height},
+                               with_alpha(p_.current, 0.09f), 7, ImDrawFlags_RoundCornersBottom);
+    line(brush_.list, {picture_.x, y_of(0)}, {right(), y_of(0)}, Stroke::kSolid, p_.current, brush_.stroke());
+  }
+
+  void draw_ruler() {
+    line(brush_.list, {ruler_x(), picture_.y}, {ruler_x(), y_of(-tick_)}, Stroke::kSolid, p_.ink, 1.5f);
+    for (int tick = 1 - kTicksIn; tick < kTicksOut; ++tick) {
+      const float y = y_of(tick * tick_);
+      line(brush_.list, {ruler_x() - 4, y}, {ruler_x() + 4, y}, Stroke::kSolid, p_.ink, 1.5f);
+      if (tick == 0) continue;  // the boundary itself
+      text_right(brush_.list, brush_.look, Face::kMono, 11, {ruler_x() - 7, middle_of(y, brush_.look.px(11))}, p_.ink,
+                 lesson::plain_number(tick * tick_));
+    }
+  }
+
+  void draw_point() {
+    const ImVec2 at{picture_.x + picture_.width * 0.62f, y_of(left_.ulps())};
+    line(brush_.list, {at.x, y_of(0)}, at, Stroke::kDotted, p_.examined, brush_.stroke());
+    disc(brush_.list, at, 4, p_.examined);
+    ring(brush_.list, at, 8, p_.examined, brush_.stroke(0.8f));
+    text(brush_.list, brush_.look, Face::kSemiBold, 12, {at.x + 13, middle_of(at.y, brush_.look.px(12))},
+         p_.examined_text, brush_.session.name_of(left_.worst));
+  }
+
+  void draw_scale() {
+    const std::string words =
+        (narrow() ? "ulps" : "1 ulp = ") + (narrow() ? "" : lesson::number_text(left_.radius_ulp, 3));
+    text_right(brush_.list, brush_.look, Face::kMono, 11,
+               {right() - 6, picture_.y + picture_.height - brush_.look.px(16)}, p_.ink, words);
+  }
+
+  Brush& brush_;
+  const Palette& p_;
+  const lesson::LeftOutside& left_;
+  const Rect picture_;
+  const double tick_;
+};
+
+}  // namespace
+
+void mark_left_outside(Brush& brush, const CloudShown& shown) {
+  if (!shown.left) return;
+  for (const Index i : shown.left->points) {
+    const ImVec2 at = brush.at(brush.point(i));
+    ring(brush.list, at, (kRing + 4) * brush.p.mark, brush.p.examined, brush.stroke());
+    brush.canvas.obstacles.discs.push_back({at.x, at.y, kRing + 6});
+  }
+}
+
+void name_left_outside(PointNames& names, const CloudShown& shown) {
+  if (!shown.left) return;
+  const Palette& p = names.brush.p;
+  const auto name = [&](Index i, const std::string& words) {
+    names.name(i, names.brush.session.name_of(i) + words, p.examined_text, Face::kSemiBold, 19 * p.mark, 15);
+  };
+  const double ulps = shown.left->ulps();
+  name(shown.left->worst, std::isfinite(ulps) ? " outside by " + lesson::ulps_text(ulps) : " outside");
+  for (const Index i : shown.left->points) name(i, " outside");
+}
+
+Rect draw_ulp_inset(Brush& brush, const CloudShown& shown, float top) {
+  const fit::Sphere3* sphere = ball_in(shown.volume);
+  if (!shown.left || sphere == nullptr || !(shown.left->by < kSeenAsItIs * sphere->radius)) return {};
+  const Point3 worst = brush.point(shown.left->worst);
+  const ImVec2 source = brush.at(worst);
+  const auto panel = free_place(brush, source, top + brush.look.px(kButtons), {});
+  if (!panel) return {};
+  CloseUp close_up{.at = worst, .panel = *panel, .x = source.x, .y = source.y};
+  const Rect picture = picture_of(close_up, brush.look);
+  UlpPicture drawn(brush, *shown.left, picture);
+  close_up.size = drawn.height() * shown.left->radius_ulp;
+  close_up.times = picture.height / (close_up.size * brush.canvas.camera.scale_at(worst));
+  draw_close_up_panel(brush, close_up);
+  drawn.draw();
+  brush.list->AddRect({panel->x, panel->y}, {panel->x + panel->width, panel->y + panel->height}, brush.p.muted, 8, 0,
+                      1);
+  return *panel;
+}
+
+}  // namespace snug::app

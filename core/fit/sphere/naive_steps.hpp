@@ -1,0 +1,29 @@
+// The steps of the sphere fitters that are as textbooks print them.
+#pragma once
+
+#include "fit/sphere/sphere_steps.hpp"
+
+namespace snug::fit {
+
+/// The textbook's formula for the sphere through these points has no finite result in rounded arithmetic: the
+/// determinant that it divides by is 0, or too small. The last of them is passed over.
+struct CircumsphereFailed {
+  static constexpr std::string_view kName = "circumsphere_failed";
+  Support points;
+  static constexpr std::array<std::string_view, 1> kFields{"points"};
+  static auto tie(auto& own) { return std::tie(own.points); }
+};
+
+/// The algorithm has made as many tests as it may, and was stopped with the ball as it stood.
+struct TestsExhausted {
+  static constexpr std::string_view kName = "tests_exhausted";
+  Index tests = 0;
+  static constexpr std::array<std::string_view, 1> kFields{"tests"};
+  static auto tie(auto& own) { return std::tie(own.tests); }
+};
+
+template <class Scalar, int Dim>
+using NaiveSphereStep = Step<Sphere<Scalar, Dim>, PointExamined, BoundaryForced, MovedToFront, CircumsphereFailed,
+                             TestsExhausted, Finished>;
+
+}  // namespace snug::fit

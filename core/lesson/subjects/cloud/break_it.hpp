@@ -1,0 +1,28 @@
+// The task "break it": points on which the naive algorithm is wrong in float, and right in double.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "lesson/subjects/cloud/left_outside.hpp"
+
+namespace snug::lesson {
+
+inline constexpr std::array<std::string_view, 1> kCloudGoals{"wrong_in_float_alone"};
+
+/// What welzl_naive leaves outside in each scalar, on the same points: those rounded to float, which double holds as
+/// they are.
+struct ScalarsCompared {
+  bool fits = true;  // whether float can hold the points
+  LeftOutside in_float, in_double;
+};
+[[nodiscard]] ScalarsCompared compare_scalars(const AnyPointSet& points, std::uint64_t seed);
+
+/// Whether a point is left outside in float, and none in double.
+[[nodiscard]] bool breaks(const ScalarsCompared& compared);
+/// A sentence about it. name_of: a point's name.
+[[nodiscard]] std::string says_of(const ScalarsCompared& compared, const std::function<std::string(Index)>& name_of);
+
+}  // namespace snug::lesson

@@ -1,0 +1,185 @@
+// Float or double: a choice like any other edit, which loses none of the points' digits.
+#include <cmath>
+#include <limits>
+
+#include "core/lesson/small_lesson.hpp"
+#include "fit/catalogue.hpp"
+#include "geometry/random.hpp"
+#include "lesson/subjects/cloud/break_it.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+using snug::test::kSmallLesson;
+using snug::test::open;
+
+namespace {
+
+std::string with(std::string text, const std::string& old, const std::string& now) {
+  return text.replace(text.find(old), old.size(), now);
+}
+
+/// The small lesson with a point that float cannot hold, and a slider.
+std::string with_fraction() {
+  return with(std::string(kSmallLesson), "[0.5, 0.2]]", "[0.5, 0.1]]") +
+         "\n[[slider]]\ntitle = \"Offset\"\ndrives = \"offset\"\nfrom = 0\nto = 1000\n";
+}
+
+constexpr double kExact = 0.1;
+const double kRounded = static_cast<double>(0.1f);
+
+double fraction(const Session& session) { return session.point(5)[1]; }
+
+}  // namespace
+
+TEST_CASE("in float the points are rounded; double shows them as they were, and undo goes back") {
+  Session session = open(with_fraction());
+  const std::uint64_t in_double = session.trace_hash();
+  REQUIRE(session.set_float(true));
+  CHECK(fraction(session) == kRounded);
+  CHECK(session.subject().rows()[5][1] == kExact);
+  CHECK(session.trace_hash() != in_double);
+  CHECK_FALSE(session.edited());
+  CHECK_FALSE(session.is_own());
+  REQUIRE(session.set_float(false));
+  CHECK(fraction(session) == kExact);
+  CHECK(session.trace_hash() == in_double);
+  session.undo();
+  CHECK(session.subject().in_float());
+  CHECK(fraction(session) == kRounded);
+  session.undo();
+  CHECK_FALSE(session.subject().in_float());
+  CHECK_FALSE(session.can_undo());
+}
+
+TEST_CASE("float is kept by drags, sliders and scattering, and given up by a reset") {
+  Session session = open(with_fraction());
+  REQUIRE(session.slide(0, 10));  // the next slide begins at what stood before, in float from then on
+  REQUIRE(session.set_float(true));
+  REQUIRE(session.slide(0, 20));
+  CHECK(session.subject().in_float());
+  REQUIRE(session.slide(0, 0));
+  CHECK(session.subject().in_float());
+  CHECK(fraction(session) == kRounded);
+  REQUIRE(session.move(0, {kExact, kExact, 0}));
+  CHECK(session.point(0)[0] == kRounded);
+  session.scatter(9);
+  CHECK(session.subject().in_float());
+  CHECK(session.point(3)[0] == static_cast<double>(static_cast<float>(session.point(3)[0])));
+  session.start_task();
+  CHECK(session.subject().in_float());
+  session.reset();
+  CHECK_FALSE(session.subject().in_float());
+}
+
+TEST_CASE("what float cannot hold is refused, and nothing changes") {
+  Session session = open(std::string(kSmallLesson));
+  REQUIRE(session.move(0, {1e30, 0, 0}));
+  CHECK_FALSE(session.set_float(true));
+  CHECK(session.point(0)[0] == 1e30);
+  session.undo();
+  REQUIRE(session.set_float(true));
+  CHECK_FALSE(session.move(0, {1e30, 0, 0}));
+  CHECK(session.point(0)[0] == -2);
+  CHECK_FALSE(session.set_rows({{0, 0}, {1e30, 0}}));
+  CHECK(session.size() == 6);
+}
+
+TEST_CASE("a lesson's file chooses the scalar of its points, for a cloud alone") {
+  const std::string in_float = with(std::string(kSmallLesson), "dim = 2", "dim = 2\nscalar = \"float\"");
+  Session session = open(in_float);
+  CHECK(session.subject().in_float());
+  CHECK(session.is_own());
+  REQUIRE(session.set_float(false));
+  session.reset();
+  CHECK(session.subject().in_float());
+  const Draft draft = read_draft(with(in_float, "\"float\"", "\"half\""), "small.toml");
+  REQUIRE(draft.mistakes.size() == 1);
+  CHECK(draft.mistakes[0].message().find("\"float\" or \"double\"") != std::string::npos);
+}
+
+TEST_CASE_TEMPLATE("how far a point is outside is told in ulps of the radius and of the size", Scalar, float, double) {
+  const Scalar one_up = std::nextafter(Scalar(1), Scalar(2)), step = one_up - 1;
+  const AnyPointSet points = *PointSet<Scalar, 2>::make({{0, 0}, {one_up, 0}, {0, -1}, {0, 1 + 3 * step}, {8, 0}});
+  LeftOutside left = left_outside(points, {Point3(0, 0, 0), 1});
+  CHECK(left.points == std::vector<Index>{1, 3, 4});
+  CHECK(left.worst == 4);
+  const AnyPointSet near = *PointSet<Scalar, 2>::make({{0, 0}, {one_up, 0}, {0, -1}, {0, 1 + 3 * step}, {-1, 0}});
+  left = left_outside(near, {Point3(0, 0, 0), 1});
+  CHECK(left.points == std::vector<Index>{1, 3});
+  CHECK(left.worst == 3);
+  CHECK(left.ulps() == doctest::Approx(3).epsilon(1e-6));
+  CHECK(left.by / left.size_ulp == doctest::Approx(3).epsilon(1e-6));
+  CHECK(left_outside(near, {Point3(0, 0, 0), 1 + 3 * static_cast<double>(step)}).points.empty());
+}
+
+TEST_CASE("a ball that a distance's own rounding would call right is told by exact arithmetic") {
+  // The point lies outside by a few thousandths of an ulp, which no distance in double shows.
+  const double radius = std::sqrt(2.0);
+  const AnyPointSet points = *PointSet<double, 2>::make({{1, 1}});
+  const bool outside = radius * radius < 2 || std::fma(radius, radius, -2.0) < 0;
+  const LeftOutside left = left_outside(points, {Point3(0, 0, 0), radius});
+  CHECK(left.points.size() == (outside ? 1 : 0));
+  const LeftOutside below = left_outside(points, {Point3(0, 0, 0), std::nextafter(radius, 0)});
+  REQUIRE(below.points.size() == 1);
+  CHECK(below.ulps() > 0);
+  CHECK(below.ulps() < 1);
+}
+
+TEST_CASE("a finished run's certificate comes with its numbers, where a naive method is offered") {
+  const std::string naive = with(std::string(kSmallLesson), "\"brute_force\"]", "\"welzl_naive\"]");
+  Session session = open(naive);
+  REQUIRE(session.choose(0, "welzl"));
+  session.last();
+  const auto value = [&](std::string_view key) {
+    for (const Figure& figure : session.subject().figures(session.view()))
+      if (figure.key == key) return figure.value;
+    return -1.0;
+  };
+  // The circle of (-2, 0), (2, 0) and (0, 2.5) is about (0, 0.45): 0.45 / 2.5 = 0.18, and half of the rest each.
+  CHECK(value("least_weight") == doctest::Approx(0.18).epsilon(1e-12));
+  CHECK(value("weight_1") + value("weight_2") + value("weight_3") == doctest::Approx(1).epsilon(1e-12));
+  CHECK(value("lower_bound") == doctest::Approx(2.05).epsilon(1e-12));
+  CHECK(value("boundary_ulps") <= 2);
+  CHECK(value("outside_count") == 0);
+  CHECK(value("outside") == -1);
+  CHECK(value("steps") == session.steps());
+  session.back();
+  CHECK(value("steps") == -1);
+}
+
+TEST_CASE("which point is left outside is asked of the finished run, and none is an answer") {
+  const std::string asks =
+      with(with(std::string(kSmallLesson), "\"brute_force\"]", "\"welzl_naive\"]"), "dim = 2", "scalar = \"float\"") +
+      "\n[[question]]\nid = \"lost\"\nalgorithm = \"welzl_naive\"\nbefore = \"finished\"\nasks = \"outside\"\n"
+      "prompt = \"Which?\"\nbecause = \"So.\"\n";
+  Session session = open(asks);
+  REQUIRE(session.choose(0, "welzl_naive"));
+  session.last();
+  REQUIRE(session.asked() != nullptr);
+  const LeftOutside left =
+      left_outside(*session.subject().points(), *std::get_if<fit::Sphere3>(session.run(0).volume(session.steps())));
+  REQUIRE(session.pick(left.points.empty() ? "none" : session.name_of(left.worst)));
+  REQUIRE(session.commit());
+  REQUIRE(session.outcomes().size() == 1);
+  CHECK(session.outcomes()[0].right);
+}
+
+TEST_CASE("the goal of breaking it is judged on the same points in both scalars") {
+  int reached = 0, wrong_in_both = 0, right_in_both = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Random random(seed);
+    std::vector<Vector<double, 2>> points(4);
+    for (auto& point : points) point = {random.between(-2, 2), random.between(-2, 2)};
+    const AnyPointSet set = *PointSet<double, 2>::make(std::move(points));
+    const ScalarsCompared compared = compare_scalars(set, 1);
+    REQUIRE(compared.fits);
+    const bool in_float = compared.in_float.points.empty(), in_double = compared.in_double.points.empty();
+    CHECK(breaks(compared) == (!in_float && in_double));
+    reached += breaks(compared) ? 1 : 0, wrong_in_both += !in_float && !in_double ? 1 : 0;
+    right_in_both += in_float && in_double ? 1 : 0;
+  }
+  CHECK(reached > 0);
+  CHECK(wrong_in_both > 0);
+  CHECK(right_in_both > 0);
+  CHECK_FALSE(breaks(compare_scalars(*PointSet<double, 2>::make({{1e30, 0}, {0, 0}}), 1)));
+}
