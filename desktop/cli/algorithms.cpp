@@ -15,9 +15,9 @@ CommandResult run_algorithms() {
                              {"algorithm", algorithm.name},
                              {"dims", dims},
                              {"exact", algorithm.exact},
-                             {"naive", algorithm.naive},
                              {"source", algorithm.source},
-                             {"title", algorithm.title}});
+                             {"title", algorithm.title},
+                             {"naive", algorithm.naive}});
   }
   return printed;
 }
@@ -27,7 +27,7 @@ CommandResult run_algorithms() {
 void add_algorithms(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("algorithms", "List every volume and algorithm that fit knows");
   command.footer(
-      "JSON Lines: {\"volume\",\"algorithm\",\"dims\":[..],\"exact\":bool,\"naive\":bool,\"source\",\"title\"};\n"
+      "JSON Lines: {\"volume\",\"algorithm\",\"dims\":[..],\"exact\":bool,\"source\",\"title\",\"naive\":bool};\n"
       "exact says whether the algorithm guarantees the smallest volume of its kind, naive whether it is as\n"
       "textbooks print it: rounding may leave points outside its result.");
   command.callback([&commands] { commands.chosen = run_algorithms; });

@@ -15,6 +15,7 @@ const fit = (algorithm, ...more) => JSON.parse(good(fit_args(algorithm, ...more)
 
 const tetra = write("tetra.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
 const algorithms = ["aabb_center", "ritter", "ritter_iterative", "pca", "welzl", "pivot", "brute_force", "welzl_recursive", "brute_force_slide"];
+const naive = ["welzl_naive", "welzl_epsilon"]; // they promise nothing
 
 test("fit prints one object with the contract's keys in their order", () => {
   for (const algorithm of algorithms) {
@@ -188,7 +189,7 @@ test("bad usage is refused in one line", () => {
   refused(["fit"], /--volume is required/);
   refused(["fit", "--volume", "cube", "--algorithm", "welzl", tetra], 'there is no volume "cube"; known: sphere, aabb, obb, capsule, lozenge, kdop, hull');
   refused(fit_args("quick", tetra),
-    `there is no algorithm "quick" for sphere; known: ${algorithms.slice(0, 1)}, ritter, ritter_iterative, pca, welzl, pivot, brute_force, welzl_recursive, brute_force_slide`);
+    `there is no algorithm "quick" for sphere; known: ${algorithms.slice(0, 1)}, ritter, ritter_iterative, pca, welzl, pivot, brute_force, welzl_recursive, brute_force_slide, ${naive.join(", ")}`);
   refused(fit_args("welzl"), /FILE is required/);
   refused(fit_args("welzl", tetra, tetra), /not expected/);
   refused(fit_args("welzl", "--repeat", "0", tetra), /--repeat/);
@@ -263,7 +264,8 @@ test("output that cannot be written is an error", () => {
 test("algorithms lists what fit takes", () => {
   const rows = json_lines(good(["algorithms"]));
   const of = (volume) => rows.filter((row) => row.volume === volume).map((row) => row.algorithm);
-  assert.deepEqual(of("sphere"), algorithms);
+  assert.deepEqual(of("sphere"), [...algorithms, ...naive]);
+  assert.deepEqual(rows.filter((row) => row.naive).map((row) => row.algorithm), naive);
   assert.deepEqual(of("aabb"), ["min_max"]);
   assert.deepEqual(of("obb"), ["aabb", "sphere_axis", "pca", "pca_sums", "pca_one_pass", "pca_hull", "pca_hull_area", "pca_rectangle", "face_aligned", "dito", "exact"]);
   assert.deepEqual([...of("capsule"), ...of("lozenge"), ...of("hull")], ["pca", "pca", "quickhull"]);
