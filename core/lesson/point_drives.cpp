@@ -26,12 +26,21 @@ void jitter(std::vector<Point3>& points, int dim, std::uint64_t seed, double by)
     for (int axis = 0; axis < dim; ++axis) point[axis] += by * random.between(-1, 1);
 }
 
+/// Scales the points' offsets from a line through the middle; what lies along it stays.
+void squeeze(std::vector<Point3>& points, const Point3& middle, const Point3& along, double times) {
+  for (Point3& point : points) {
+    const Point3 on_line = middle + along * along.dot(point - middle);
+    point = on_line + (point - on_line) * times;
+  }
+}
+
 }  // namespace
 
 std::vector<Drive> PointSubject::drives() const {
   std::vector<Drive> all{{.name = "offset"},
                          {.name = "jitter"},
                          {.name = "scale", .unit = "times", .rest = 1},
+                         {.name = "squeeze", .unit = "times", .rest = 1},
                          {.name = "angle", .unit = "degrees"}};
   if (origin_.generated > 0)
     all.push_back({.name = "count", .unit = handle_words()[1], .now = static_cast<double>(size()), .whole = true});
@@ -49,6 +58,9 @@ Done PointSubject::drive(std::string_view name, double from, double to) {
   } else if (name == "scale") {
     if (!(from > 0 && to > 0)) return tl::unexpected(InputError{.what = "a scale is above 0"});
     for (Point3& point : points) point = middle + (point - middle) * (to / from);
+  } else if (name == "squeeze") {
+    if (!(from > 0 && to > 0)) return tl::unexpected(InputError{.what = "a squeeze is above 0"});
+    squeeze(points, middle, slanting(dim()), to / from);
   } else if (name == "angle") {
     const Matrix<double, 3> rotation = snug::turn(Point3::UnitZ(), (to - from) * std::numbers::pi / 180);
     for (Point3& point : points) point = middle + rotation * (point - middle);

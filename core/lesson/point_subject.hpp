@@ -56,8 +56,8 @@ class PointSubject : public Subject {
   Done set_rows(const Rows& rows) override;
 
   /// "offset" moves all points along a slanting direction; "jitter" moves each along its own, at most so far in each
-  /// coordinate, by the seed; "scale" and "angle" are about their centroid, in space about z; "count" is how many are
-  /// generated.
+  /// coordinate, by the seed; "scale" and "angle" are about their centroid, in space about z; "squeeze" scales their
+  /// distances from the slanting line through it; "count" is how many are generated.
   [[nodiscard]] std::vector<Drive> drives() const override;
   Done drive(std::string_view name, double from, double to) override;
 

@@ -34,7 +34,7 @@ export class PointTools {
   #delete = button("Delete", () => this.#command("delete_point"));
   #count_label = label("How many", this.#count);
   #scalar = element("select", { onchange: () => this.#act(() => this.#tell(this.#door.set_float(this.#scalar.value === "float"))) },
-    element("option", { value: "double" }, "double"), element("option", { value: "float" }, "float: points are rounded"));
+    element("option", { value: "double" }, "double"), element("option", { value: "float" }, "float"));
   #scalar_label = label("Computed in", this.#scalar);
 
   /** bring_mesh(name): the mesh's bytes. */
@@ -224,7 +224,7 @@ export class PointTools {
 
   update(view) {
     this.#view = view;
-    set_text(this.#says, `${view.size.toLocaleString("en")} ${this.#names[view.size === 1 ? 0 : 1]}${view.edited ? ", changed" : ""}`);
+    set_text(this.#says, `${view.size.toLocaleString("en")} ${this.#names[view.size === 1 ? 0 : 1]}${view.edited ? ", changed" : ""}${view.scalar === "float" ? ", rounded to float" : ""}`);
     this.#point.max = view.size - 1;
     this.#show_seed(view.lesson, view.seed);
     this.#show_scalar(view.lesson, view.scalar);

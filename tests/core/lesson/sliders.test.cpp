@@ -208,7 +208,7 @@ TEST_CASE("a value that an algorithm cannot take is refused, and nothing moves")
 
 TEST_CASE("mistakes in sliders are told with their place") {
   CHECK(only_mistake(small_with("drives = \"ofset\"\nfrom = 0\nto = 1"))
-            .find("\"drives\" is none of offset, jitter, scale or angle: ofset; did you mean offset?") !=
+            .find("\"drives\" is none of offset, jitter, scale, squeeze or angle: ofset; did you mean offset?") !=
         std::string::npos);
   CHECK(only_mistake(small_with("drives = \"offset\"\nfrom = 2\nto = 1")).find("\"to\" must be above \"from\"") !=
         std::string::npos);

@@ -71,6 +71,23 @@ TEST_CASE("float is kept by drags, sliders and scattering, and given up by a res
   CHECK_FALSE(session.subject().in_float());
 }
 
+TEST_CASE("a squeeze brings points as near to a line as it says, and back to the last bit") {
+  Session session = open(std::string(kSmallLesson) +
+                         "\n[[slider]]\ntitle = \"Squeeze\"\ndrives = \"squeeze\"\nfrom = 1e-9\nto = 1\nstart = 1\n");
+  const auto across = [&](Index i) {  // from the first point, at a right angle to the line
+    const Point3 offset = session.point(i) - session.point(0);
+    return offset[0] * -0.6 + offset[1] * 0.8;
+  };
+  std::vector<double> before;
+  for (Index i = 0; i < session.size(); ++i) before.push_back(across(i));
+  REQUIRE(session.slide(0, 1e-3));
+  for (Index i = 0; i < session.size(); ++i)
+    CHECK(across(i) == doctest::Approx(1e-3 * before[static_cast<std::size_t>(i)]).epsilon(1e-9));
+  CHECK(session.point(1)[0] - session.point(0)[0] == doctest::Approx(4 * 0.8 * 0.8).epsilon(1e-2));
+  REQUIRE(session.slide(0, 1));
+  CHECK(session.is_own());
+}
+
 TEST_CASE("what float cannot hold is refused, and nothing changes") {
   Session session = open(std::string(kSmallLesson));
   REQUIRE(session.move(0, {1e30, 0, 0}));
