@@ -31,7 +31,7 @@ class Stage {
   [[nodiscard]] Index selected() const { return hands_.selected; }
   [[nodiscard]] Index hovered() const { return hands_.hovered; }
   /// Lights a mark of the prose (lesson/speaking.hpp) until another is lit; "" lights none.
-  void light(std::string_view mark) { lit_ = mark; }
+  void light(std::string_view mark);
   [[nodiscard]] const std::string& lit() const { return lit_; }
   /// Selects a point deliberately: the arrow keys move it from now on.
   void select(Index point) {

@@ -35,6 +35,11 @@ void arrow_heads(ImDrawList* list, ImVec2 at, float from, Color color, Color hal
 
 }  // namespace
 
+void Stage::light(std::string_view mark) {
+  lit_ = mark;
+  if (view_ != nullptr) view_->light(mark);
+}
+
 void Stage::draw_handles(Brush& brush) const {
   // On a mesh of thousands of points, labels keep clear only of the marked ones.
   if (brush.handles.size() <= 1500 && scene_.triangles.empty())

@@ -49,6 +49,9 @@ class SubjectView {
   /// The coordinate axis that the step works along, 0 to 2; -1 for none.
   [[nodiscard]] virtual int axis_in_use(const lesson::Session& session) const;
 
+  /// Lights a mark of the prose that is no handle, until another is lit; "" for none.
+  virtual void light(std::string_view) {}
+
   // ---- the handles --------------------------------------------------------------------------------------------
   /// Where a handle is at the step.
   [[nodiscard]] virtual Point3 place_of(const lesson::Session& session, Index i) const;

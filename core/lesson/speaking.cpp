@@ -74,6 +74,12 @@ std::optional<int> section_of_situation(const Session& session) {
   return std::nullopt;
 }
 
+/// Whether it lights something else than handles.
+bool is_own_mark(const Subject& subject, std::string_view mark) {
+  const auto marks = marks_on_subjects();
+  return std::any_of(marks.begin(), marks.end(), [&](MarkOn known) { return known(subject, mark); });
+}
+
 }  // namespace
 
 std::optional<Index> handle_named(const Subject& subject, std::string_view name) {
@@ -107,13 +113,14 @@ std::vector<std::string_view> marks_at(const Session& session, Index handle) {
 }
 
 bool is_mark(const Subject& subject, std::string_view mark) {
-  return mark == kSupport || fact_mark(subject.row(), mark) || handle_named(subject, mark);
+  return mark == kSupport || fact_mark(subject.row(), mark) || handle_named(subject, mark) ||
+         is_own_mark(subject, mark);
 }
 
 bool lights(const Run& run, const Subject& subject, std::string_view mark) {
   if (mark == kSupport) return !run.support(run.steps()).empty();
   const auto fact = fact_mark(subject.row(), mark);
-  if (!fact) return handle_named(subject, mark).has_value();
+  if (!fact) return handle_named(subject, mark).has_value() || is_own_mark(subject, mark);
   for (int i = 0; i < run.steps(); ++i)
     if (run.fact(i) == fact->fact && !handles_at(*fact, run, i).empty()) return true;
   return false;

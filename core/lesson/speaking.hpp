@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,11 @@ namespace snug::lesson {
 /// The marks that the lesson's prose links to, each once; and those of them that light a given handle now.
 [[nodiscard]] std::vector<std::string_view> marks_of(const Lesson& lesson);
 [[nodiscard]] std::vector<std::string_view> marks_at(const Session& session, Index handle);
+
+/// Whether a subject knows a mark that lights something else than handles, as a row of its table; one for each such
+/// subject, in subjects.cpp.
+using MarkOn = bool (*)(const Subject& subject, std::string_view mark);
+[[nodiscard]] std::span<const MarkOn> marks_on_subjects();
 
 /// Whether a lesson on the subject can have this mark; and whether it lights anything at some step of a run.
 [[nodiscard]] bool is_mark(const Subject& subject, std::string_view mark);

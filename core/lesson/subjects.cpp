@@ -4,10 +4,12 @@
 #include <array>
 
 #include "lesson/names.hpp"
+#include "lesson/speaking.hpp"
 #include "lesson/stored.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/subjects/cost/cost.hpp"
 #include "lesson/subjects/frustum/frustum.hpp"
+#include "lesson/subjects/pair/axis_rows.hpp"
 #include "lesson/subjects/pair/pair.hpp"
 #include "lesson/subjects/pair/stored.hpp"
 #include "lesson/subjects/pair/volumes.hpp"
@@ -25,6 +27,11 @@ std::span<const SubjectRow* const> subjects() {
 std::span<const StoredOn> stored_on_subjects() {
   static constexpr std::array<StoredOn, 1> kStored{&stored_volumes};
   return kStored;
+}
+
+std::span<const MarkOn> marks_on_subjects() {
+  static constexpr std::array<MarkOn, 1> kMarks{&is_axis_mark};
+  return kMarks;
 }
 
 const SubjectRow* find_subject(std::string_view volume, std::string_view chart) {

@@ -9,6 +9,7 @@
 #include "geometry/sphere.hpp"
 #include "geometry/tolerance.hpp"
 #include "number/dyadic.hpp"
+#include "query/exact_gap.hpp"
 #include "query/numbers.hpp"
 
 namespace snug::query {
@@ -78,14 +79,20 @@ Vector<double, Dim> approximate(const Numbers<Dyadic, Dim>& v) {
   return result;
 }
 
-/// The axis and its gap in scene units. axis: not zero, though perhaps smaller than any double.
-template <class Scalar, int Dim>
-SatAxis<Scalar, Dim> separating_axis(int place, typename Pair<Dyadic, Dim>::Along along) {
+/// Scales a tiny axis up with its gap, for its length must not underflow. axis: not zero.
+template <int Dim>
+void make_measurable(typename Pair<Dyadic, Dim>::Along& along) {
   constexpr double kSmall = 0x1p-500, kLarge = 0x1p600;
   while (approximate<Dim>(along.axis).cwiseAbs().maxCoeff() < kSmall) {
     for (Dyadic& coordinate : along.axis) coordinate *= kLarge;
     along.gap *= kLarge;
   }
+}
+
+/// The axis and its gap in scene units. axis: not zero, though perhaps smaller than any double.
+template <class Scalar, int Dim>
+SatAxis<Scalar, Dim> separating_axis(int place, typename Pair<Dyadic, Dim>::Along along) {
+  make_measurable<Dim>(along);
   const Vector<double, Dim> axis = approximate<Dim>(along.axis);
   const double length = scaled_norm<double, Dim>(axis);
   const double towards_b = along.offset.sign() < 0 ? -1 : 1;
@@ -134,7 +141,17 @@ std::optional<SatAxis<Scalar, Dim>> separating_exactly(const Obb<Scalar, Dim>& a
   return best;
 }
 
+template <class Scalar, int Dim>
+double exact_gap(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, int place) {
+  auto along = Pair<Dyadic, Dim>(a, b).along(place);
+  if (along.gap.sign() == 0) return 0;  // where the axis is zero as well
+  make_measurable<Dim>(along);
+  const double gap = along.gap.approximate() / scaled_norm<double, Dim>(approximate<Dim>(along.axis));
+  return gap == 0 ? along.gap.sign() * std::numeric_limits<double>::denorm_min() : gap;
+}
+
 #define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
+  template double exact_gap(const Obb<Scalar, Dim>&, const Obb<Scalar, Dim>&, int);                                    \
   template std::optional<SatAxis<Scalar, Dim>> separating_exactly(const Obb<Scalar, Dim>&, const Obb<Scalar, Dim>&,    \
                                                                   AxisSet);
 SNUG_INSTANTIATE(float, 2)

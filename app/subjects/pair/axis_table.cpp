@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "app/marks.hpp"
 #include "app/shown.hpp"
 #include "app/subjects/pair/shown.hpp"
 #include "app/widgets.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 using Axis = query::AxisTested<double, 3>;
 
-constexpr float kCell = 12, kSmallCell = 10, kHead = 11, kRow = 24,
+constexpr float kCell = 12, kSmallCell = 10, kHead = 11, kRow = 21,
                 kBetween = 7;  // the last: between columns, at least
 constexpr std::array<const char*, 4> kHeads{"distance", "r_A", "r_B", "separation"};
 
@@ -87,6 +88,7 @@ struct AxisTable {
     const Color ink = separates ? look->wrong_text : axis != nullptr ? look->ink : look->muted;
     text(list, look, lit ? Face::kMonoBold : Face::kMono, cell, {x, middle}, ink, name.text);
     if (axis == nullptr) return;
+    if (name.kind == query::AxisKind::kEdgeEdge) length_bar(y, name, axis->length);
     if (axis->skipped)
       return text_right(list, look, Face::kRegular, kHead, {x + width, middle}, look->muted, "parallel: none");
     const std::array<std::string, 4> figures = figures_of(*axis);
@@ -94,43 +96,73 @@ struct AxisTable {
       text_right(list, look, i == 3 ? Face::kMonoBold : Face::kMono, cell, {right(i), middle}, i == 3 ? ink : look->ink,
                  figures[i]);
   }
+
+  /// Under the name of two edges, how long their cross product is: as wide as the name where they are perpendicular.
+  void length_bar(float y, const lesson::AxisName& name, double length) const {
+    const float whole = measure(look, Face::kMonoBold, columns.cell, name.text).x, foot = y + look.px(kRow) - 2;
+    list->AddRectFilled({x, foot}, {x + whole, foot + 2}, look->track);
+    list->AddRectFilled({x, foot}, {x + whole * static_cast<float>(std::min(1.0, length)), foot + 2}, look->examined);
+  }
 };
 
-/// Draws the frame of a row that can be chosen, and returns whether it was clicked.
-bool choice_clicked(const AxisTable& table, const lesson::Session& session, int row, float y) {
+/// Draws the frame of a row that can be chosen.
+void draw_choice(const AxisTable& table, const lesson::Session& session, int row, float y, bool hovered) {
   const Look& look = table.look;
-  const float height = look.px(kRow);
-  ImGui::SetCursorScreenPos({table.x - 6, y});
-  ImGui::PushID(row);
-  const bool clicked = ImGui::InvisibleButton("axis", {table.width + 12, height});
-  const bool hovered = ImGui::IsItemHovered();
-  ImGui::PopID();
   if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   const lesson::Answer* picked = session.picked();
   const bool chosen = picked != nullptr && picked->value == row;
-  table.list->AddRect({table.x - 6, y + 1}, {table.x + table.width + 6, y + height - 1},
+  table.list->AddRect({table.x - 6, y + 1}, {table.x + table.width + 6, y + look.px(kRow) - 1},
                       with_alpha(look->current, chosen || hovered ? 0.9f : 0.35f), 4, 0, chosen ? 2.5f : 1.0f);
-  return clicked;
+}
+
+/// A cross before a row that says what is not so.
+void draw_wrong_row(const AxisTable& table, float y) {
+  cross(table.list, {table.x - 12, y + table.look.px(kRow) / 2}, 3.5f, table.look->wrong, 2);
+}
+
+/// The rows whose verdict is not the exact one, of a naive test.
+std::vector<bool> wrong_rows(const lesson::Session& session) {
+  std::vector<bool> wrong(lesson::axis_names(session.dim()).size(), false);
+  const lesson::PairRun& run = lesson::pair_run(session.run(0));
+  for (int i = 0; i < session.step(); ++i) {
+    const auto* row = std::get_if<Axis>(&run.trace()[i].step.fact);
+    if (row != nullptr && run.truth(i) != nullptr && lesson::is_wrong(*row, *run.truth(i)))
+      wrong[static_cast<std::size_t>(lesson::axis_index(session.dim(), row->axis))] = true;
+  }
+  return wrong;
+}
+
+/// What the pointer, a finger or the keyboard does on a row.
+Touch touch_row(const AxisTable& table, const lesson::AxisName& name, float y) {
+  const Rect rect{table.x - 6, y, table.width + 12, table.look.px(kRow)};
+  return touch_area(("axis " + name.text).c_str(), rect, name.text);
 }
 
 /// Draws the table and returns its height.
-float draw_table(const Look& look, lesson::Session& session, ImVec2 at, float width) {
+float draw_table(const Look& look, lesson::Session& session, ImVec2 at, float width, AxisLight* light) {
   const int dim = session.dim();
   const std::vector<Axis> seen = lesson::axes_seen(steps_shown(session));
   const auto rows = rows_of(seen, dim);
-  const int at_hand = lit_row(session);
+  const int at_hand = lit_row(session), lit = light != nullptr ? light->row(dim) : -1;
   const auto names = lesson::axis_names(dim);
+  const std::vector<bool> wrong = wrong_rows(session);
   const AxisTable table{look, ImGui::GetWindowDrawList(), at.x, width, Columns(look, names, seen, width)};
   const lesson::Asked* asked = session.asked();
   const bool choosing = asked != nullptr && asked->on_axes;
   table.head(at.y);
+  if (light != nullptr) light->pointed = -1;
   float y = at.y + look.px(kRow);
   for (int i = 0; i < static_cast<int>(names.size()); ++i, y += look.px(kRow)) {
-    if (choosing && choice_clicked(table, session, i, y)) {
+    const Touch touch = choosing || light != nullptr ? touch_row(table, names[i], y) : Touch{};
+    if (light != nullptr && (touch.hovered || touch.focused)) light->pointed = i;
+    if (choosing) draw_choice(table, session, i, y, touch.hovered);
+    if (choosing && touch.clicked) {
       static_cast<void>(session.pick({lesson::Answer::Kind::kChoice, i}));
       return y - at.y;  // the click may have closed the question
     }
-    table.row(y, names[i], rows[i], i == at_hand);
+    if (light != nullptr && touch.clicked) light->tapped = light->tapped == i ? -1 : i;
+    table.row(y, names[i], rows[i], i == (lit >= 0 ? lit : at_hand));
+    if (wrong[static_cast<std::size_t>(i)]) draw_wrong_row(table, y);
   }
   return y - at.y;
 }
@@ -142,11 +174,11 @@ int lit_row(const lesson::Session& session) {
   return axis ? lesson::axis_index(session.dim(), axis->axis) : -1;
 }
 
-float draw_axis_panel(const Look& look, lesson::Session& session, ImVec2 at, float width) {
+float draw_axis_panel(const Look& look, lesson::Session& session, ImVec2 at, float width, AxisLight* light) {
   if (lesson::axes_seen(lesson::pair_run(session.run(0)).trace()).empty()) return 0;
   text(ImGui::GetWindowDrawList(), look, Face::kSemiBold, 13, {at.x, at.y + look.px(5)}, look->muted, "The axes");
   const float head = look.px(24);
-  return head + draw_table(look, session, {at.x, at.y + head}, width);
+  return head + draw_table(look, session, {at.x, at.y + head}, width, light);
 }
 
 }  // namespace snug::app

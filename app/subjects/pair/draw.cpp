@@ -2,8 +2,10 @@
 #include "app/subjects/pair/draw.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/box_marks.hpp"
+#include "lesson/figures.hpp"
 #include "lesson/subjects/pair/box_tests.hpp"
 
 namespace snug::app {
@@ -40,6 +42,21 @@ void draw_asked_axis(Brush& brush, const lesson::BoxPair& pair, const query::Axi
               Face::kSemiBold, 15);
 }
 
+/// Draws the cross product of two edges from A's centre, as long as it is beside one of length 1: it shrinks as the
+/// edges become parallel.
+void draw_cross_product(Brush& brush, const lesson::BoxPair& pair, const query::AxisTested<double, 3>& axis) {
+  if (axis.axis.kind != query::AxisKind::kEdgeEdge) return;
+  const Point3& center = pair.boxes[0].center;
+  const double whole = pair.boxes[0].half_extents.maxCoeff();
+  const ImVec2 from = brush.at(center), to = brush.at(center + axis.axis.direction * (whole * axis.length)),
+               end = brush.at(center + axis.axis.direction * whole);
+  line(brush.list, from, end, Stroke::kDotted, brush.p.muted, brush.stroke(0.7f));
+  if (std::hypot(to.x - from.x, to.y - from.y) > 4) arrow(brush.list, from, to, brush.p.examined, brush.stroke(1.4f));
+  else disc(brush.list, from, 3.5f * brush.p.mark, brush.p.examined);
+  brush.label(to, 8, {end.x - from.x, end.y - from.y}, "length " + lesson::number_text(axis.length),
+              brush.p.examined_text, Face::kSemiBold, 13);
+}
+
 }  // namespace
 
 void draw_pair(Brush& brush, const PairShown& shown) {
@@ -55,6 +72,7 @@ void draw_pair(Brush& brush, const PairShown& shown) {
   }
   if (shown.axis && !shown.axis->skipped) draw_projections(brush, pair, *shown.axis);
   if (shown.axis_asked) draw_asked_axis(brush, pair, *shown.axis_asked);
+  if (shown.axis) draw_cross_product(brush, pair, *shown.axis);
   draw_wrong_test(brush, pair, shown);
 }
 

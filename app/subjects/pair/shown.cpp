@@ -1,5 +1,7 @@
 #include "app/subjects/pair/shown.hpp"
 
+#include <algorithm>
+
 #include "lesson/subjects/pair/box_figures.hpp"
 
 namespace snug::app {
@@ -28,6 +30,21 @@ void show_axis_asked(PairShown& shown, const lesson::Session& session) {
 
 lesson::PairSteps steps_shown(const lesson::Session& session) {
   return lesson::pair_run(session.run(0)).trace().first(session.step());
+}
+
+void show_row(PairShown& shown, const lesson::Session& session, int row) {
+  const auto in_row = [&](const query::AxisTested<double, 3>& axis) {
+    return lesson::axis_index(session.dim(), axis.axis) == row;
+  };
+  const auto tested = lesson::axes_seen(steps_shown(session));
+  shown.axis.reset(), shown.axis_asked.reset();
+  if (const auto found = std::find_if(tested.begin(), tested.end(), in_row); found != tested.end()) {
+    shown.axis = *found;
+    return;
+  }
+  const lesson::PairTrace all = lesson::record("sat_all", lesson::boxes_of(session.subject()));
+  const auto axes = lesson::axes_seen(all);
+  if (const auto found = std::find_if(axes.begin(), axes.end(), in_row); found != axes.end()) shown.axis_asked = *found;
 }
 
 PairShown pair_shown_at(const lesson::Session& session) {

@@ -15,6 +15,10 @@ struct PairShown : Shown {
 
 [[nodiscard]] PairShown pair_shown_at(const lesson::Session& session);
 
+/// Shows a row of the table instead of the step's axis: with both projections if it was tested, and otherwise its
+/// direction alone.
+void show_row(PairShown& shown, const lesson::Session& session, int row);
+
 /// The steps up to and including the current one; none before the first.
 [[nodiscard]] lesson::PairSteps steps_shown(const lesson::Session& session);
 

@@ -3,6 +3,7 @@
 #include "app/polytope.hpp"
 #include "app/subjects/pair/axis_table.hpp"
 #include "app/subjects/pair/draw.hpp"
+#include "app/subjects/pair/frame_panel.hpp"
 #include "lesson/subjects/pair/volumes.hpp"
 
 namespace snug::app {
@@ -14,7 +15,13 @@ class PairView final : public SubjectView {
  public:
   void refresh(const lesson::Session& session, bool) override { shown_ = pair_shown_at(session); }
   [[nodiscard]] const Shown& shown() const override { return shown_; }
-  void draw(Brush& brush) const override { draw_pair(brush, shown_); }
+  void draw(Brush& brush) const override {
+    PairShown shown = shown_;
+    const int row = light_.row(brush.dim());
+    if (row >= 0 && !answered_on_stage(brush.session)) show_row(shown, brush.session, row);
+    draw_pair(brush, shown);
+  }
+  void light(std::string_view mark) override { light_.mark = mark; }
 
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
     const auto ball = [&](int box) {
@@ -30,7 +37,12 @@ class PairView final : public SubjectView {
   [[nodiscard]] bool names_answers_alone() const override { return true; }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
-    return draw_axis_panel(look, session, at, width);
+    const float frames = draw_frame_panel(look, session, light_, at, width);
+    return frames + draw_axis_panel(look, session, {at.x, at.y + frames}, width, &light_);
+  }
+  /// The lit row of the table has them.
+  [[nodiscard]] bool in_panels(const lesson::Figure& figure) const override {
+    return lesson::is_along_axis(figure.key);
   }
   /// Two boxes in space have fifteen axes.
   [[nodiscard]] bool fills_column(const lesson::Session& session) const override { return session.dim() == 3; }
@@ -40,6 +52,7 @@ class PairView final : public SubjectView {
 
  private:
   PairShown shown_;
+  mutable AxisLight light_;  // the panel says which row is pointed at
 };
 
 /// Any two volumes and their test.

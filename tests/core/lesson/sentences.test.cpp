@@ -62,7 +62,9 @@ std::vector<lesson::Session> box_sessions() {
   std::vector<lesson::Session> sessions;
   for (const int dim : {2, 3})
     for (const double gap : {2.5, 0.1, 2.0})
-      for (const char* test : {"sat", "sat_all", "extents_only", "corners_only"}) {
+      for (const lesson::Method& method : lesson::box_tests()) {
+        if (dim == 2 && !method.plane) continue;
+        const std::string test(method.name);
         lesson::BoxPair pair{.dim = dim};
         for (auto& box : pair.boxes) box.half_extents = {1, 1, dim == 3 ? 1.0 : 0.0};
         pair.boxes[1].center[0] = gap;

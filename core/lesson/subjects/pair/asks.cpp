@@ -8,6 +8,13 @@ const query::AxisTested<double, 3>* axis_of(const PairSteps& steps, int i) {
   return std::get_if<query::AxisTested<double, 3>>(&steps[i].step.fact);
 }
 
+/// The test's axes, to be chosen in the table as well, and none.
+void offer_axes(Asked& asked) {
+  for (const AxisName& axis : axis_names(asked.dim)) asked.add_choice(axis.text);
+  asked.add_choice("none");
+  asked.on_axes = true;
+}
+
 }  // namespace
 
 Truth separates_truth(const Asked& asked, const Run& run) {
@@ -62,15 +69,58 @@ Truth first_axis_truth(const Asked& asked, const Run& run) {
   return {{asked.dim}, {}, "none", "The intervals overlap along every axis, so there is no gap to meet."};
 }
 
+const char* offer_first_axis(Asked& asked, const Run&) {
+  offer_axes(asked);
+  return nullptr;
+}
+
+Truth first_axis_of_test(const Asked& asked, const Run& run) {
+  const PairSteps steps = pair_run(run).trace();
+  int first = -1;
+  for (int i = 0; i < asked.fact && first < 0; ++i)
+    if (const auto* axis = axis_of(steps, i); axis != nullptr && axis->separates)
+      first = axis_index(asked.dim, axis->axis);
+  const auto& result = std::get_if<query::Verdict<double, 3>>(&steps[asked.fact].step.fact)->result;
+  if (first < 0 && !result.overlap) first = axis_index(asked.dim, result.axis);
+  if (first < 0)
+    return {
+        {static_cast<int>(asked.choices.size()) - 1}, {}, "none", "No axis separates the boxes, so all are tested."};
+  const std::string& name = asked.choices[static_cast<std::size_t>(first)];
+  return {{first}, {}, name, name + " is the first axis in the table's order that separates the boxes."};
+}
+
+const char* offer_least_penetration(Asked& asked, const Run& run) {
+  const auto& result = std::get_if<query::Verdict<double, 3>>(&pair_run(run).trace()[asked.fact].step.fact)->result;
+  if (!result.overlap || result.axis.kind == query::AxisKind::kNone)
+    return "\"least_penetration\" can only be asked of boxes that overlap, in a test that goes through all axes";
+  offer_axes(asked);
+  asked.choices.pop_back();
+  asked.choice_handles.pop_back();
+  return nullptr;
+}
+
+/// Every axis whose penetration is least but for rounding is a right answer.
+Truth least_penetration_truth(const Asked& asked, const Run& run) {
+  const PairSteps steps = pair_run(run).trace();
+  const auto& best = std::get_if<query::Verdict<double, 3>>(&steps[asked.fact].step.fact)->result.axis;
+  Truth truth;
+  for (int i = 0; i < asked.fact; ++i) {
+    const auto* axis = axis_of(steps, i);
+    if (axis == nullptr || axis->skipped || axis->axis.gap < best.gap - axis->doubt) continue;
+    truth.choices.push_back(axis_index(asked.dim, axis->axis));
+  }
+  truth.happened = axis_text(asked.dim, best);
+  truth.sentence = "Along " + truth.happened + " the projections overlap least, by " + gap_text(-best.gap) + ".";
+  return truth;
+}
+
 const char* offer_tested_axes(Asked& asked, const Run& run) {
   const PairSteps steps = pair_run(run).trace();
   std::size_t tested = 0;
   for (int i = 0; i < asked.fact; ++i) tested += axis_of(steps, i) != nullptr;
   if (tested != axis_names(asked.dim).size())
     return "\"which_axis\" can only be asked of a test that goes through all axes";
-  for (const AxisName& axis : axis_names(asked.dim)) asked.add_choice(axis.text);
-  asked.add_choice("none");
-  asked.on_axes = true;
+  offer_axes(asked);
   return nullptr;
 }
 

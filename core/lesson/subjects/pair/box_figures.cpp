@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace snug::lesson {
 namespace {
@@ -21,6 +22,20 @@ const query::Verdict<double, 3>* verdict_of(PairSteps steps) {
 bool looked_closer(PairSteps steps) {
   return std::any_of(steps.begin(), steps.end(),
                      [](const auto& entry) { return std::holds_alternative<query::LookedCloser>(entry.step.fact); });
+}
+
+/// What exact arithmetic says to a naive test's row, and how many of its rows are wrong so far.
+void add_truths(std::vector<Figure>& figures, const View& view) {
+  const PairRun& run = pair_run(view.run());
+  if (run.steps() == 0 || run.truth(0) == nullptr) return;
+  const RowTruth* last = nullptr;
+  int wrong = 0;
+  for (int i = 0; i < view.step; ++i)
+    if (const auto* row = std::get_if<Axis>(&run.trace()[i].step.fact))
+      last = run.truth(i), wrong += is_wrong(*row, *last) ? 1 : 0;
+  figures.push_back(length("Exact separation", "exact_gap", last != nullptr ? last->gap : 0,
+                           last != nullptr ? gap_text(last->gap) : "", last != nullptr));
+  figures.push_back({"Wrong rows", "wrong_rows", std::to_string(wrong), static_cast<double>(wrong), "rows"});
 }
 
 }  // namespace
@@ -57,29 +72,42 @@ std::vector<Figure> box_figures(const View& view, const BoxPair& pair) {
   const bool any = at && !at->skipped;
   const Axis axis = at.value_or(Axis{});
   const bool apart = any && axis.axis.gap > 0;
-  return {{"Axis", "axis", at ? axis_text(dim, axis.axis) : "—", static_cast<double>(axis_index(dim, axis.axis)), "",
-           at.has_value()},
-          length("Distance along the axis", "distance", axis.distance, length_along(axis, axis.distance), any),
-          length("Projected radius r_A", "radius_a", axis.radius_a, length_along(axis, axis.radius_a), any),
-          length("Projected radius r_B", "radius_b", axis.radius_b, length_along(axis, axis.radius_b), any),
-          length(!any || apart ? "Separation" : "Penetration", "gap", axis.axis.gap, gap_text(std::abs(axis.axis.gap)),
-                 any),
-          {"Axes tested", "tests", std::to_string(tested) + " of " + std::to_string(axis_names(dim).size()),
-           static_cast<double>(tested), "axes"}};
+  std::vector<Figure> figures{
+      {"Axis", "axis", at ? axis_text(dim, axis.axis) : "—", static_cast<double>(axis_index(dim, axis.axis)), "",
+       at.has_value()},
+      length("Distance along the axis", "distance", axis.distance, length_along(axis, axis.distance), any),
+      length("Projected radius r_A", "radius_a", axis.radius_a, length_along(axis, axis.radius_a), any),
+      length("Projected radius r_B", "radius_b", axis.radius_b, length_along(axis, axis.radius_b), any),
+      length(!any || apart ? "Separation" : "Penetration", "gap", axis.axis.gap, gap_text(std::abs(axis.axis.gap)),
+             any),
+      {"Axes tested", "tests", std::to_string(tested) + " of " + std::to_string(axis_names(dim).size()),
+       static_cast<double>(tested), "axes"}};
+  if (pair.dim == 3)
+    figures.push_back({"Length of the cross product", "length", at ? number_text(axis.length) : "—", axis.length, "",
+                       at.has_value()});
+  add_truths(figures, view);
+  return figures;
+}
+
+bool is_along_axis(std::string_view key) {
+  return key == "distance" || key == "radius_a" || key == "radius_b" || key == "gap" || key == "length";
 }
 
 std::vector<Proof> box_proofs(const View& view, const BoxPair& pair) {
   if (!view.at_end()) return {};
   const PairSteps steps = pair_run(view.run()).trace();
   const auto* verdict = verdict_of(steps);
-  const bool right = says_overlap("sat", pair);
+  const bool naive = is_naive(view.method().name);
+  const bool right = overlap_exactly(view.method().name, pair);
   const bool says = says_overlap(view.method().name, pair);
   const std::string said = says ? "this test says: the boxes overlap" : "this test says: the boxes are apart";
-  if (verdict == nullptr || says != right)
-    return {
-        {said, true, true},
-        {says == right ? "right here: the separating axes say the same" : "wrong: the separating axes say otherwise",
-         says == right, true}};
+  if (verdict == nullptr || naive || says != right)
+    return {{said, true, true},
+            {says == right
+                 ? naive ? "right here: exact arithmetic says the same" : "right here: the separating axes say the same"
+             : naive ? "wrong: exact arithmetic says otherwise"
+                     : "wrong: the separating axes say otherwise",
+             says == right, true}};
   const bool exactly = looked_closer(steps);
   if (says)
     return {{"none of the " + std::to_string(axis_names(pair.dim).size()) + " axes separates the boxes" +

@@ -16,8 +16,12 @@ namespace snug::lesson {
 /// there is no such axis, for example when boxes overlap and the test ends at the first gap.
 [[nodiscard]] std::optional<query::AxisTested<double, 3>> axis_at(PairSteps steps);
 
-/// Keys: axis distance radius_a radius_b gap tests. All but tests are about axis_at.
+/// Keys: axis distance radius_a radius_b gap tests, in space length, and of a naive test exact_gap and wrong_rows. All
+/// but tests and wrong_rows are about one axis, axis_at.
 [[nodiscard]] std::vector<Figure> box_figures(const View& view, const BoxPair& pair);
+
+/// Whether a figure with this key stands in the table's row of its axis.
+[[nodiscard]] bool is_along_axis(std::string_view key);
 
 /// The proofs at the end of the run; none before.
 [[nodiscard]] std::vector<Proof> box_proofs(const View& view, const BoxPair& pair);

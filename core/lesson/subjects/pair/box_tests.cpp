@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lesson/subjects/pair/naive_tests.hpp"
 #include "lesson/subjects/pair/pair.hpp"
 #include "query/obb_sat.hpp"
 #include "query/wrong_corners_only.hpp"
@@ -28,8 +29,8 @@ auto in_dimension(const BoxPair& pair, Call call) {
   return pair.dim == 2 ? call(flat(pair.boxes[0]), flat(pair.boxes[1])) : call(pair.boxes[0], pair.boxes[1]);
 }
 
-template <class Observer>
-bool run_test(std::string_view test, const BoxPair& pair, Observer& observe) {
+bool run_test(std::string_view test, const BoxPair& pair, RecordPair& observe) {
+  if (is_naive(test)) return run_naive(test, pair, observe);
   return in_dimension(pair, [&](const auto& a, const auto& b) {
     if (test == "extents_only") return query::extents_only(a, b, observe);
     if (test == "corners_only") return query::corners_only(a, b, observe);
@@ -50,7 +51,14 @@ std::vector<AxisName> names_of(int dim) {
 
 }  // namespace
 
-std::span<const Method> box_tests() { return kTests; }
+std::span<const Method> box_tests() {
+  static const std::vector<Method> all = [] {
+    std::vector<Method> tests(kTests.begin(), kTests.end());
+    tests.insert(tests.end(), naive_tests().begin(), naive_tests().end());
+    return tests;
+  }();
+  return all;
+}
 
 PairTrace record(std::string_view test, const BoxPair& pair) {
   RecordPair observe;
@@ -59,8 +67,8 @@ PairTrace record(std::string_view test, const BoxPair& pair) {
 }
 
 bool says_overlap(std::string_view test, const BoxPair& pair) {
-  Ignore ignore;
-  return run_test(test, pair, ignore);
+  RecordPair ignored;
+  return run_test(test, pair, ignored);
 }
 
 std::span<const AxisName> axis_names(int dim) {

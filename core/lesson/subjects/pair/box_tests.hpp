@@ -61,13 +61,13 @@ struct RecordPair {
   static const Plain& in_space(const Plain& fact) {
     return fact;
   }
-  template <template <class, int> class Fact, int Dim>
-  static Fact<double, 3> in_space(const Fact<double, Dim>& fact) {
+  template <template <class, int> class Fact, class Scalar, int Dim>
+  static Fact<double, 3> in_space(const Fact<Scalar, Dim>& fact) {
     return converted<double, 3>(fact);
   }
 };
 
-/// "sat", "sat_all", and the two wrong ones, "extents_only" and "corners_only".
+/// "sat", "sat_all", the two wrong ones, "extents_only" and "corners_only", and the naive ones (naive_tests.hpp).
 [[nodiscard]] std::span<const Method> box_tests();
 [[nodiscard]] PairTrace record(std::string_view test, const BoxPair& pair);
 

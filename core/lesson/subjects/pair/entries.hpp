@@ -33,6 +33,10 @@ struct Entry<query::AxisTested<double, 3>> : EntryDefaults {
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const std::string axis = name_of_axis(fact.axis, where);
     if (fact.skipped) return "Along " + axis + " there is nothing to test: the edges are parallel.";
+    if (const RowTruth* truth = where.truth(); truth != nullptr && is_wrong(fact, *truth))
+      return "Along " + axis + " this test sees " +
+             (fact.separates ? "a gap of " + gap_text(fact.axis.gap) : "no gap") + ". Wrong: " + truth_text(*truth) +
+             ".";
     const std::string sum =
         "r_A\u00a0+\u00a0r_B = " + length_along(fact, fact.radius_a) + " + " + length_along(fact, fact.radius_b);
     return "Along " + axis + " the distance " + length_along(fact, fact.distance) +
@@ -98,15 +102,27 @@ struct Entry<query::Claimed> : EntryDefaults {
 /// "which_axis": which axis separates the boxes; the choices are the test's axes, and none.
 const char* offer_tested_axes(Asked& asked, const Run& run);
 Truth which_axis_truth(const Asked& asked, const Run& run);
+/// "first_axis": the first one in the table's order that separates. "least_penetration": of overlapping boxes, the axis
+/// along which they overlap least.
+const char* offer_first_axis(Asked& asked, const Run& run);
+Truth first_axis_of_test(const Asked& asked, const Run& run);
+const char* offer_least_penetration(Asked& asked, const Run& run);
+Truth least_penetration_truth(const Asked& asked, const Run& run);
 
 template <>
 struct Entry<query::Verdict<double, 3>> : EntryDefaults {
   using Fact = query::Verdict<double, 3>;
-  static constexpr std::array kAskings{Asking{"which_axis", &offer_tested_axes, &which_axis_truth}};
+  static constexpr std::array kAskings{Asking{"which_axis", &offer_tested_axes, &which_axis_truth},
+                                       Asking{"first_axis", &offer_first_axis, &first_axis_of_test},
+                                       Asking{"least_penetration", &offer_least_penetration, &least_penetration_truth}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const auto& [overlap, tests, axis] = fact.result;
     const std::string name = name_of_axis(axis, where);
     const std::string all = std::to_string(axis_names(where.dim()).size());
+    if (where.truth() != nullptr)
+      return (overlap ? "This test says overlap: none of its " + std::to_string(tests) + " axes shows a gap."
+                      : "This test says apart: along " + name + " there is a gap of " + gap_text(axis.gap) + ".") +
+             " The proof says whether that is right.";
     if (overlap)
       return "Overlap: none of the " + all + " axes separates the boxes" +
              (name.empty()

@@ -68,7 +68,9 @@ std::vector<Index> PairRun::candidates(int i) const {
 }
 
 std::unique_ptr<Run> PairSubject::run(const Method& method, std::unique_ptr<Run>) const {
-  return std::make_unique<PairRun>(dim(), record(method.name, boxes()));
+  PairTrace trace = record(method.name, boxes());
+  std::vector<RowTruth> truths = row_truths(method.name, boxes(), trace);
+  return std::make_unique<PairRun>(dim(), std::move(trace), std::move(truths));
 }
 
 std::string PairSubject::opening(const Method& method) const {

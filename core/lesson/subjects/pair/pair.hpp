@@ -3,7 +3,7 @@
 
 #include "lesson/boxes.hpp"
 #include "lesson/facts.hpp"
-#include "lesson/subjects/pair/box_tests.hpp"
+#include "lesson/subjects/pair/naive_tests.hpp"
 
 namespace snug::lesson {
 
@@ -27,7 +27,8 @@ class PairRun final : public FactRun<PairRun, PairStep> {
   /// The vertices of A and of B, for tests that mention them.
   using Vertices = std::array<std::vector<CoreVertex>, 2>;
 
-  PairRun(int dim, PairTrace trace) : dim_(dim), trace_(std::move(trace)) {}
+  PairRun(int dim, PairTrace trace, std::vector<RowTruth> truths)
+      : dim_(dim), trace_(std::move(trace)), truths_(std::move(truths)) {}
   PairRun(int dim, PairTrace trace, Vertices vertices)
       : dim_(dim), trace_(std::move(trace)), vertices_(std::move(vertices)) {}
   [[nodiscard]] std::span<const PairTrace::value_type> trace() const { return trace_; }
@@ -37,6 +38,8 @@ class PairRun final : public FactRun<PairRun, PairStep> {
     int i;
     const Untold* untold;
     [[nodiscard]] int dim() const { return run.dim_; }
+    /// What the row should have said; null where the test's own word is to be trusted.
+    [[nodiscard]] const RowTruth* truth() const { return run.truth(i); }
     /// place: kNoIndex for a point of a smooth core, which is no vertex.
     [[nodiscard]] CoreVertex vertex(int side, Index place) const {
       if (place == kNoIndex) return {side == 0 ? "a point of A" : "a point of B"};
@@ -44,9 +47,14 @@ class PairRun final : public FactRun<PairRun, PairStep> {
     }
   };
 
+  [[nodiscard]] const RowTruth* truth(int i) const {
+    return truths_.empty() ? nullptr : &truths_[static_cast<std::size_t>(i)];
+  }
+
  private:
   int dim_;
   PairTrace trace_;
+  std::vector<RowTruth> truths_;  // of a naive test, one for each step
   Vertices vertices_;
 };
 
@@ -65,12 +73,28 @@ class PairSubject final : public BoxSubject {
   [[nodiscard]] std::string opening(const Method& method) const override;
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
   [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
+  /// Besides the number fields, "scale", and in space "angle": B's axes are A's, rotated by so many radians about a
+  /// slanting line, so that three pairs of edges are nearly parallel.
+  [[nodiscard]] std::vector<Drive> drives() const override;
+  Done drive(std::string_view name, double from, double to) override;
   [[nodiscard]] bool reaches(std::string_view goal) const override;
   [[nodiscard]] std::string goal_says(std::string_view goal) const override;
 };
 
-/// "extents_only", "corners_only": boxes on which that test is wrong; "only_edges", "last_axis": boxes that only edge
-/// axes, or only the last axis, separate.
-inline constexpr std::array<std::string_view, 4> kPairGoals{"extents_only", "corners_only", "only_edges", "last_axis"};
+/// "only_edges", "last_axis": boxes that only edge axes, or only the last axis, separate; any other: boxes on which the
+/// wrong or naive test of that name is wrong.
+inline constexpr std::array<std::string_view, 13> kPairGoals{"extents_only",
+                                                             "corners_only",
+                                                             "only_edges",
+                                                             "last_axis",
+                                                             "faces_only",
+                                                             "no_epsilon",
+                                                             "no_epsilon_float",
+                                                             "epsilon_on_r",
+                                                             "epsilon_on_r_float",
+                                                             "absolute_epsilon",
+                                                             "absolute_epsilon_float",
+                                                             "relative_epsilon",
+                                                             "relative_epsilon_float"};
 
 }  // namespace snug::lesson

@@ -24,7 +24,7 @@ constexpr int kFaceAxes = 6, kLastAxis = 14;
 bool PairSubject::reaches(std::string_view goal) const {
   if (goal == "only_edges") return only_from(boxes(), kFaceAxes);
   if (goal == "last_axis") return only_from(boxes(), kLastAxis);
-  return says_overlap(goal, boxes()) != says_overlap("sat", boxes());
+  return says_overlap(goal, boxes()) != overlap_exactly(goal, boxes());
 }
 
 std::string PairSubject::goal_says(std::string_view goal) const {

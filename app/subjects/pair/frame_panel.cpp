@@ -1,0 +1,120 @@
+#include "app/subjects/pair/frame_panel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/subjects/pair/shown.hpp"
+#include "app/widgets.hpp"
+#include "lesson/formula.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr float kEntry = 10, kLine = 18, kNames = 24, kFormula = 11;
+
+/// A number of R, t or the half extents in at most seven signs: "0.422", "−12.5", "3e-07" where edges are nearly
+/// parallel, "1.2e+06" where boxes are large.
+std::string entry_text(double value) {
+  const double size = std::abs(value);
+  if (size == 0) return "0";
+  std::array<char, 32> text{};
+  const char* format = size < 0.0005 ? "%.0e" : size < 10 ? "%.3f" : size < 1e4 ? "%.1f" : "%.1e";
+  std::snprintf(text.data(), text.size(), format, size);
+  return (value < 0 ? "−" : "") + std::string(text.data());
+}
+
+/// R with t and a at its right and b below, in columns of equal width.
+struct FrameTable {
+  const Look& look;
+  ImDrawList* list;
+  ImVec2 at;
+  float width;
+  int dim;
+  lesson::RowEntries lit;
+
+  [[nodiscard]] float column() const { return (width - look.px(kNames)) / static_cast<float>(dim + 2); }
+  [[nodiscard]] float right(int i) const { return at.x + look.px(kNames) + static_cast<float>(i + 1) * column(); }
+  [[nodiscard]] float top(int row) const { return at.y + static_cast<float>(row) * look.px(kLine); }
+
+  void head() const {
+    for (int i = 0; i < dim; ++i) name(right(i), 0, std::string("B ") + "xyz"[i]);
+    name(right(dim), 0, "t");
+    name(right(dim + 1), 0, "a");
+    for (int i = 0; i < dim; ++i)
+      text(list, look, Face::kRegular, kEntry, {at.x, top(i + 1) + look.px(3)}, look->muted,
+           std::string("A ") + "xyz"[i]);
+    text(list, look, Face::kRegular, kEntry, {at.x, top(dim + 1) + look.px(3)}, look->muted, "b");
+    rule(list, at.x, top(dim + 1), width, look->line);
+  }
+  void name(float right_end, int row, const std::string& words) const {
+    text_right(list, look, Face::kRegular, kEntry, {right_end, top(row) + look.px(3)}, look->muted, words);
+  }
+  void number(int row, int i, double value, bool is_lit, bool known) const {
+    const float y = top(row + 1);
+    if (is_lit)
+      list->AddRectFilled({right(i) - column() + 5, y + 1}, {right(i) + 3, y + look.px(kLine) - 1},
+                          with_alpha(look->examined, 0.28f), 3);
+    text_right(list, look, is_lit ? Face::kMonoBold : Face::kMono, kEntry, {right(i), y + look.px(3)},
+               known ? look->ink : look->muted, known ? entry_text(value) : "—");
+  }
+};
+
+void draw_numbers(const FrameTable& table, const lesson::BoxPair& pair, const query::FramesRelated<double, 3>* frames) {
+  const auto bit = [](auto mask, int i) { return (mask >> i & 1) != 0; };
+  const auto known = frames != nullptr ? *frames : query::FramesRelated<double, 3>{};
+  for (int i = 0; i < table.dim; ++i) {
+    for (int j = 0; j < table.dim; ++j)
+      table.number(i, j, known.rotation(i, j), bit(table.lit.rotation, 3 * i + j), frames != nullptr);
+    table.number(i, table.dim, known.translation[i], bit(table.lit.translation, i), frames != nullptr);
+    table.number(i, table.dim + 1, pair.boxes[0].half_extents[i], bit(table.lit.half_a, i), true);
+    table.number(table.dim, i, pair.boxes[1].half_extents[i], bit(table.lit.half_b, i), true);
+  }
+}
+
+/// Draws the three formulas of a row and returns the room for them, which is the same before any row is meant.
+float draw_formulas(const Look& look, int dim, int row, ImVec2 at) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  constexpr int kLines = 4;
+  const float room = kLines * look.px(kLine);
+  if (row < 0) {
+    text(list, look, Face::kRegular, kFormula, at, look->muted, "Point at a row to see its formulas.");
+    return room;
+  }
+  const lesson::RowFormulas formulas = lesson::row_formulas(dim, row);
+  float y = at.y;
+  const auto line = [&](std::string_view name, const std::string& tex) {
+    text(list, look, Face::kRegular, kFormula, {at.x, y}, look->muted, name);
+    text(list, look, Face::kMono, kFormula, {at.x + look.px(54), y}, look->ink,
+         lesson::plain_formula(tex).value_or(std::string()));
+    y += look.px(kLine);
+  };
+  line("distance", formulas.distance);
+  line("r_A", formulas.radius_a);
+  line("r_B", formulas.radius_b);
+  if (lesson::axis_names(dim)[static_cast<std::size_t>(row)].kind == query::AxisKind::kEdgeEdge)
+    text(list, look, Face::kRegular, kEntry, {at.x, y}, look->muted, "each divided by the axis's length");
+  return room;
+}
+
+}  // namespace
+
+float draw_frame_panel(const Look& look, const lesson::Session& session, const AxisLight& light, ImVec2 at,
+                       float width) {
+  const lesson::PairRun& run = lesson::pair_run(session.run(0));
+  if (lesson::axes_seen(run.trace()).empty()) return 0;
+  const int dim = session.dim(), lit = light.row(dim), row = lit >= 0 ? lit : lit_row(session);
+  const float head = look.px(22);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  text(list, look, Face::kSemiBold, 13, {at.x, at.y + look.px(3)}, look->muted,
+       "B in A's frame: R, t; half extents a, b");
+  const FrameTable table{look,  list, {at.x, at.y + head},
+                         width, dim,  row < 0 ? lesson::RowEntries{} : lesson::row_entries(dim, row)};
+  table.head();
+  draw_numbers(table, lesson::boxes_of(session.subject()),
+               last_fact<query::FramesRelated<double, 3>>(steps_shown(session)));
+  const float numbers = head + static_cast<float>(dim + 2) * look.px(kLine) + look.px(6);
+  return numbers + draw_formulas(look, dim, row, {at.x, at.y + numbers}) + look.px(8);
+}
+
+}  // namespace snug::app

@@ -1,0 +1,14 @@
+// What the table of axes is computed from: the matrix R, the vector t and both boxes' half extents, and the formulas of
+// a row, with its entries lit.
+#pragma once
+
+#include "app/subjects/pair/axis_table.hpp"
+
+namespace snug::app {
+
+/// Draws them if the method tests axes, and returns their height. The row that is lit by light or else the step's gives
+/// the formulas.
+float draw_frame_panel(const Look& look, const lesson::Session& session, const AxisLight& light, ImVec2 at,
+                       float width);
+
+}  // namespace snug::app
