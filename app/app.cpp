@@ -263,8 +263,12 @@ bool App::State::select(std::string_view name) {
   if ((next || name == "select_previous") && choose_target(next ? 1 : -1)) return true;
   if (name == "select_none" && session->picked() != nullptr) return session->unpick(), true;
   const Index n = session->size(), at = stage.selected();
-  if (name == "select_next") stage.select(at == kNoIndex ? 0 : (at + 1) % n);
-  else if (name == "select_previous") stage.select(at == kNoIndex ? n - 1 : (at + n - 1) % n);
+  const auto select_from = [&](Index to, Index by) {
+    while (!stage.shows(*session, to)) to = (to + n + by) % n;
+    stage.select(to);
+  };
+  if (name == "select_next") select_from(at == kNoIndex ? 0 : (at + 1) % n, 1);
+  else if (name == "select_previous") select_from(at == kNoIndex ? n - 1 : (at + n - 1) % n, -1);
   else if (name == "select_none" && at != kNoIndex) stage.select(kNoIndex);
   else return false;
   return true;

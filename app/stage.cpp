@@ -10,6 +10,7 @@
 #include "app/mesh_normals.hpp"
 #include "app/numbers.hpp"
 #include "app/widgets.hpp"
+#include "lesson/point_subject.hpp"
 
 namespace snug::app {
 namespace {
@@ -147,7 +148,8 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
 void Stage::upload_points(const lesson::Session& session) {
   std::vector<Point3f> points;
   points.reserve(session.size());
-  for (Index i = 0; i < session.size(); ++i) points.push_back(frame_.to_stage(view_->place_of(session, i)));
+  for (Index i = 0; i < session.size(); ++i)
+    if (view_->is_point(session, i)) points.push_back(frame_.to_stage(view_->place_of(session, i)));
   points_moved_ = points != scene_.points || session.subject().triangles().size() != scene_.triangles.size();
   if (!points_moved_) return;
   scene_.points = std::move(points);
@@ -186,7 +188,9 @@ void Stage::project_points(const lesson::Session& session) {
     const auto k = static_cast<std::size_t>(i);
     screen_[k] = camera_.project(view_->place_of(session, i));
     // A vertex on the far side of a closed surface can be neither seen nor picked.
-    if (surface && scene_.normals[k].dot(eye - scene_.points[k]) < 0) screen_[k].visible = false;
+    if (surface && k < scene_.normals.size() && scene_.normals[k].dot(eye - scene_.points[k]) < 0)
+      screen_[k].visible = false;
+    if (!view_->shows(session, i)) screen_[k].visible = false;
   }
 }
 
@@ -245,8 +249,8 @@ void Stage::draw(const Look& look, Settings& settings, lesson::Session& session,
   auto volume = volume_drawn(look, session, now);
 
   project_points(session);
-  const float radius =
-      radius_for(session.size(), !scene_.triangles.empty()) * static_cast<float>(session.lesson().view.point_size);
+  const float radius = radius_for(lesson::count_of(session.subject()), !scene_.triangles.empty()) *
+                       static_cast<float>(session.lesson().view.point_size);
   fill_scene(look, rect, radius, view_->shows_points(session));
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->PushClipRect({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, true);
@@ -274,7 +278,7 @@ void Stage::draw(const Look& look, Settings& settings, lesson::Session& session,
 void Stage::draw_outline(Brush& brush) {
   if (!brush.session.lesson().view.outline || brush.session.subject().points() == nullptr) return;
   std::vector<ImVec2> corners;
-  for (Index i = 0; i < brush.session.size(); ++i) corners.push_back(brush.at(brush.point(i)));
+  for (Index i = 0; i < lesson::count_of(brush.session.subject()); ++i) corners.push_back(brush.at(brush.point(i)));
   path(brush.list, corners, true, Stroke::kSolid, with_alpha(brush.p.point, 0.8f), brush.stroke(0.6f));
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const ImVec2 a = corners[i], b = corners[(i + 1) % corners.size()];

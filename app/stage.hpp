@@ -29,6 +29,8 @@ class Stage {
   void pinch(float factor, float x, float y, float dx, float dy);
 
   [[nodiscard]] Index selected() const { return hands_.selected; }
+  /// Whether a handle is on the stage.
+  [[nodiscard]] bool shows(const lesson::Session& session, Index i) const { return view_->shows(session, i); }
   [[nodiscard]] Index hovered() const { return hands_.hovered; }
   /// Lights a mark of the prose (lesson/speaking.hpp) until another is lit; "" lights none.
   void light(std::string_view mark);

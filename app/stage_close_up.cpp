@@ -49,9 +49,12 @@ void Stage::draw_in_close_up(Brush& close) const {
   view_->draw(close);
   const ImVec2 low = close.list->GetClipRectMin(), high = close.list->GetClipRectMax();
   const Rect seen{low.x - 9, low.y - 9, high.x - low.x + 18, high.y - low.y + 18};  // with the halves of points
-  for (const ScreenPoint& handle : close.handles)
-    if (handle.visible && view_->shows_points(close.session) && inside(seen, {handle.x, handle.y}))
+  for (Index i = 0; i < close.session.size(); ++i) {
+    const ScreenPoint& handle = close.handles[i];
+    if (handle.visible && view_->shows_points(close.session) && view_->is_point(close.session, i) &&
+        inside(seen, {handle.x, handle.y}))
       disc(close.list, {handle.x, handle.y}, close.point_radius, close.p.point);
+  }
   draw_handles(close);
   std::erase_if(close.labels, [&](const Label& label) {
     return !inside(close.rect, {label.request.x, label.request.y});

@@ -5,6 +5,7 @@
 #include "app/picking.hpp"
 #include "app/stage.hpp"
 #include "app/widgets.hpp"
+#include "lesson/point_subject.hpp"
 
 namespace snug::app {
 namespace {
@@ -34,7 +35,7 @@ void Stage::take(lesson::Session& session, const Look& look, const Rect& rect) {
   if (over && view_->can_move(session) && !answered_on_stage(session) && hands_.hovered == kNoIndex && !travelled_ &&
       ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     const Point3 at = camera_.unproject(io.MousePos.x, io.MousePos.y, camera_.view().target);
-    if (session.add(at)) hands_.selected = session.size() - 1, hands_.arrows = false;
+    if (session.add(at)) hands_.selected = lesson::count_of(session.subject()) - 1, hands_.arrows = false;
   }
 }
 
@@ -146,7 +147,7 @@ bool Stage::add_point(lesson::Session& session) {
                     mouse.x < stage.x + stage.width && mouse.y < stage.y + stage.height;
   const Point3 at = over ? camera_.unproject(mouse.x, mouse.y, camera_.view().target) : Point3(camera_.view().target);
   if (!session.add(at)) return false;
-  hands_.selected = session.size() - 1;
+  hands_.selected = lesson::count_of(session.subject()) - 1;
   hands_.arrows = false;
   return true;
 }

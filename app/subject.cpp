@@ -42,6 +42,8 @@ fit::Sphere3 SubjectView::extent(const lesson::Session& session) {
 int SubjectView::axis_in_use(const lesson::Session&) const { return -1; }
 Point3 SubjectView::place_of(const lesson::Session& session, Index i) const { return session.point(i); }
 bool SubjectView::can_move(const lesson::Session& session) const { return session.subject().moves_at(session.step()); }
+bool SubjectView::shows(const lesson::Session&, Index) const { return true; }
+bool SubjectView::is_point(const lesson::Session&, Index) const { return true; }
 bool SubjectView::shows_points(const lesson::Session&) const { return true; }
 float SubjectView::reach_of(const Brush&, Index) const { return 0; }
 bool SubjectView::bears_name(const lesson::Session&, Index) const { return true; }

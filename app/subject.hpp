@@ -57,7 +57,11 @@ class SubjectView {
   [[nodiscard]] virtual Point3 place_of(const lesson::Session& session, Index i) const;
   /// Whether handles can be moved at the step.
   [[nodiscard]] virtual bool can_move(const lesson::Session& session) const;
-  /// Whether each handle is drawn as a point.
+  /// Whether a handle is on the stage at all: it may belong to a method that is not shown.
+  [[nodiscard]] virtual bool shows(const lesson::Session& session, Index i) const;
+  /// Whether a handle is a point, or else something that the view draws itself.
+  [[nodiscard]] virtual bool is_point(const lesson::Session& session, Index i) const;
+  /// Whether the points are drawn.
   [[nodiscard]] virtual bool shows_points(const lesson::Session& session) const;
   /// How far what is at a handle reaches on the screen, pixels, beside which its name is placed; 0 for a point.
   [[nodiscard]] virtual float reach_of(const Brush& brush, Index i) const;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "desktop/cli/files.hpp"
+#include "lesson/point_subject.hpp"
 #include "lesson/subjects.hpp"
 #include "number/fnv.hpp"
 
@@ -91,9 +92,14 @@ void add_places(Json& state, Shell& shell, float scale) {
 Json lesson_state(Shell& shell, float scale) {
   const app::App& app = shell.app();
   const lesson::Session& session = shell.session();
-  Json state{{"lesson", session.lesson().id}, {"seed", session.seed()},    {"step", session.step()},
-             {"steps", session.steps()},      {"caption", app.caption()},  {"trace", hex_of(session.trace_hash())},
-             {"points", session.size()},      {"selected", app.selected()}};
+  Json state{{"lesson", session.lesson().id},
+             {"seed", session.seed()},
+             {"step", session.step()},
+             {"steps", session.steps()},
+             {"caption", app.caption()},
+             {"trace", hex_of(session.trace_hash())},
+             {"points", lesson::count_of(session.subject())},
+             {"selected", app.selected()}};
   add_answers(state, session);
   state["situation"] = session.lesson().situations.empty() ? Json() : Json(session.situation());
   add_sliders(state, shell, scale);

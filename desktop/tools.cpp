@@ -7,6 +7,7 @@
 #include "desktop/column.hpp"
 #include "desktop/prose_panel.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/point_subject.hpp"
 #include "lesson/situations.hpp"
 
 namespace snug::desktop {
@@ -81,7 +82,7 @@ bool draw_fields(Column& column, const std::string& id, std::span<const std::str
 void draw_edits(Shell& shell, Column& column) {
   const std::array<const char*, 4> commands{"add_point", "delete_point", "undo", "redo"};
   const lesson::Session& session = shell.session();
-  const bool can_delete = shell.app().selected() != kNoIndex && session.size() > 1;
+  const bool can_delete = shell.app().selected() != kNoIndex && lesson::count_of(session.subject()) > 1;
   const std::vector<bool> can{true, can_delete, session.can_undo(), session.can_redo()};
   const int clicked = column.buttons("edit", {"Add", "Delete", "Undo", "Redo"}, -1, can);
   if (clicked >= 0) shell.app().command(commands[clicked]);
@@ -202,8 +203,8 @@ void draw_tools(Shell& shell, Column& column) {
     return draw_scatter(shell, column);
   }
   const std::string source = session.source().empty() ? "" : " · " + session.source();
-  column.title(std::to_string(session.size()) + " " +
-               std::string(session.subject().handle_words()[session.size() == 1 ? 0 : 1]));
+  const Index count = lesson::count_of(session.subject());
+  column.title(std::to_string(count) + " " + std::string(session.subject().handle_words()[count == 1 ? 0 : 1]));
   column.words(std::to_string(session.dim()) + "-D" + source + (session.edited() ? " · changed by you" : ""),
                Face::kRegular, 14, column.look()->muted);
   column.gap(10);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "geometry/generate.hpp"
+#include "lesson/point_subject.hpp"
 #include "lesson/situations.hpp"
 #include "web/values.hpp"
 
@@ -32,9 +33,10 @@ std::optional<std::string> words_for(const lesson::Session& session) {
   const lesson::Points& own = lesson::points_in(session.lesson(), session.situation());
   const std::string& source = session.source();
   if (source == "own" || (!own.mesh.empty() && source == own.mesh)) return "";
-  if (source == own.generate && session.size() == own.count) return "";
+  const Index count = lesson::count_of(session.subject());
+  if (source == own.generate && count == own.count) return "";
   if (source == "task" || is_one_of(lesson::mesh_names(), source)) return source;
-  if (is_one_of(generator_kinds(), source)) return source + ":" + std::to_string(session.size());
+  if (is_one_of(generator_kinds(), source)) return source + ":" + std::to_string(count);
   return std::nullopt;
 }
 

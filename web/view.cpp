@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "lesson/point_subject.hpp"
 #include "lesson/say.hpp"
 #include "lesson/speaking.hpp"
 #include "lesson/stored.hpp"
@@ -59,7 +60,7 @@ void set_figures(val& object, const lesson::Session& session) {
 
 void set_points(val& object, const app::App& app, const lesson::Session& session) {
   object.set("numbers", numbers_object(session));
-  object.set("size", session.size());
+  object.set("size", lesson::count_of(session.subject()));
   object.set("dim", session.dim());
   object.set("edited", session.edited());
   object.set("source", session.source());

@@ -152,8 +152,15 @@ void read_number(TomlTable& table, Question& question) {
   if (!(question.tolerance >= 0) || std::isinf(question.tolerance)) table.wrong("tolerance", "must be 0 or above");
 }
 
+/// The methods that are compared: a student's own result can be anything.
+std::vector<Rival> rivals_of(const Asked& asked, const Run& run) {
+  std::vector<Rival> rivals = asked.subject->rivals(*asked.lesson, view_after(asked, run));
+  std::erase_if(rivals, [](const Rival& rival) { return rival.method->by_hand; });
+  return rivals;
+}
+
 const char* offer_methods(Asked& asked, const Run& run) {
-  const std::vector<Rival> rivals = asked.subject->rivals(*asked.lesson, view_after(asked, run));
+  const std::vector<Rival> rivals = rivals_of(asked, run);
   if (rivals.size() < 2) return "the question compares algorithms, and only one takes these points";
   for (const Rival& rival : rivals) asked.add_choice(title_in(*asked.lesson, *rival.method));
   return nullptr;
@@ -175,13 +182,13 @@ std::vector<int> ranks_of(const std::vector<double>& values) {
 
 std::vector<double> sizes_of(const Asked& asked, const Run& run) {
   std::vector<double> sizes;
-  for (const Rival& rival : asked.subject->rivals(*asked.lesson, view_after(asked, run))) sizes.push_back(rival.size);
+  for (const Rival& rival : rivals_of(asked, run)) sizes.push_back(rival.size);
   return sizes;
 }
 
 std::vector<double> operations_of(const Asked& asked, const Run& run) {
   std::vector<double> counts;
-  for (const Rival& rival : asked.subject->rivals(*asked.lesson, view_after(asked, run)))
+  for (const Rival& rival : rivals_of(asked, run))
     counts.push_back(static_cast<double>(asked.subject->operations(*rival.method)));
   return counts;
 }

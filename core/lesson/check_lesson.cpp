@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "fit/catalogue.hpp"
 #include "lesson/ask.hpp"
 #include "lesson/check_texts.hpp"
 #include "lesson/grade.hpp"
@@ -150,7 +151,7 @@ void check_gates(Lesson& lesson, Complaints& complaints) {
 void check_tasks(const Lesson& lesson, const Subject& own, Complaints& complaints) {
   for (const Task& task : lesson.tasks) {
     const std::size_t before = complaints.count();
-    if (own.points() != nullptr && own.size() < task.points && lesson.subject->asks_of_steps)
+    if (own.points() != nullptr && fit::size_of(*own.points()) < task.points && lesson.subject->asks_of_steps)
       complaints.add(task.place, "the task is for more points than the lesson has");
     for (const std::string& name : task.only)
       if (!handle_named(own, name)) complaints.add(task.place, "\"only\" names what is not there: " + name);

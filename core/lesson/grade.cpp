@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "fit/catalogue.hpp"
 #include "lesson/ask.hpp"
 #include "lesson/names.hpp"
 #include "lesson/say.hpp"
@@ -124,7 +125,7 @@ Grade grade_by_requirements(const Lesson& lesson, const Task& task, const Subjec
   Grade grade;
   grade.done = true;
   if (subject.points() != nullptr) {
-    grade.points = static_cast<int>(subject.size());
+    grade.points = static_cast<int>(fit::size_of(*subject.points()));
     grade.done = task.points == 0 || grade.points == task.points;
     const auto words = subject.handle_words();
     if (!grade.done)

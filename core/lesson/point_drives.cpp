@@ -43,7 +43,7 @@ std::vector<Drive> PointSubject::drives() const {
                          {.name = "squeeze", .unit = "times", .rest = 1},
                          {.name = "angle", .unit = "degrees"}};
   if (origin_.generated > 0)
-    all.push_back({.name = "count", .unit = handle_words()[1], .now = static_cast<double>(size()), .whole = true});
+    all.push_back({.name = "count", .unit = handle_words()[1], .now = static_cast<double>(count()), .whole = true});
   return all;
 }
 

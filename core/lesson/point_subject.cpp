@@ -15,6 +15,10 @@ std::vector<Point3> all_points(const AnyPointSet& points) {
   return all;
 }
 
+Index count_of(const Subject& subject) {
+  return subject.points() != nullptr ? fit::size_of(*subject.points()) : subject.size();
+}
+
 namespace {
 
 bool is_generator(std::string_view kind) {
@@ -178,8 +182,8 @@ Done PointSubject::add(const Point3& at) {
 }
 
 Done PointSubject::remove(Index i) {
-  if (i < 0 || i >= size()) return tl::unexpected(InputError{.what = "there is no point " + std::to_string(i)});
-  if (size() == 1) return tl::unexpected(InputError{.what = "the last point cannot be deleted"});
+  if (i < 0 || i >= count()) return tl::unexpected(InputError{.what = "there is no point " + std::to_string(i)});
+  if (count() == 1) return tl::unexpected(InputError{.what = "the last point cannot be deleted"});
   std::vector<Point3> all = all_points(unrounded_);
   all.erase(all.begin() + i);
   if (names_ != nullptr && static_cast<std::size_t>(i) < names_->size()) {  // the others keep their names
@@ -204,7 +208,7 @@ Done PointSubject::set_rows(const Rows& rows) {
       return tl::unexpected(InputError{.what = "a point has two or three numbers, and all have as many"});
     all.emplace_back(row[0], row[1], dim == 3 ? row[2] : 0);
   }
-  return take(all, dim, all.size() == static_cast<std::size_t>(size()) ? triangles_ : nullptr);
+  return take(all, dim, all.size() == static_cast<std::size_t>(count()) ? triangles_ : nullptr);
 }
 
 Done PointSubject::load(const io::PointFile& file, std::string_view name) {

@@ -33,6 +33,9 @@ using NamesOfPoints = std::shared_ptr<const std::vector<std::string>>;
 [[nodiscard]] tl::expected<AnyPointSet, InputError> own_points(const Lesson& lesson,
                                                                const std::optional<io::PointFile>& mesh);
 
+/// How many points the subject has; how many handles if it has no points.
+[[nodiscard]] Index count_of(const Subject& subject);
+
 /// The points of a set, in double; z = 0 in the plane.
 [[nodiscard]] std::vector<Point3> all_points(const AnyPointSet& points);
 
@@ -94,6 +97,8 @@ class PointSubject : public Subject {
   PointSubject& operator=(const PointSubject&) = default;
 
   [[nodiscard]] const NamesOfPoints& names() const { return names_; }
+  /// The number of points: a subject may have more handles.
+  [[nodiscard]] Index count() const { return fit::size_of(*points()); }
   /// Called when the points have changed, and cached results are stale.
   virtual void points_changed() {}
   /// Takes over edited points. Errors: those of to_set, and of float where the runs are in float.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "fit/catalogue.hpp"
 #include "lesson/ask.hpp"
 
 namespace snug::lesson {
@@ -38,7 +39,8 @@ std::vector<std::vector<Index>> Subject::things() const {
 std::string Subject::refusal(const Method& method) const {
   const std::string title(method.title);
   if (points() == nullptr) return {};
-  if (size() > method.max_points) return title + " takes at most " + std::to_string(method.max_points) + " points";
+  if (fit::size_of(*points()) > method.max_points)
+    return title + " takes at most " + std::to_string(method.max_points) + " points";
   if (dim() == 2 && !method.plane) return title + " is for points in space";
   if (dim() == 3 && !method.space) return title + " is for points in the plane";
   return {};

@@ -44,7 +44,8 @@ struct Method {
   bool exact = false;                                       // whether it guarantees the smallest volume of its kind
   Index max_points = std::numeric_limits<Index>::max();     // more are refused
   bool plane = true, space = true;                          // the dimensions that it takes
-  bool naive = false;  // as textbooks print it: rounding may leave points outside its result
+  bool naive = false;    // as textbooks print it: rounding may leave points outside its result
+  bool by_hand = false;  // whether its result is what the student makes of it
 };
 
 [[nodiscard]] inline std::span<const std::string_view> pseudocode_of(const Method& method, int dim) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/subjects/cloud/draw.hpp"
+#include "lesson/point_subject.hpp"
 
 namespace snug::app {
 namespace {
@@ -31,7 +32,7 @@ Screen screen_of(const Brush& brush, const CloudShown& shown, const Obb<double, 
   Point3 along = shown.along->normalized();
   if (along.dot(brush.canvas.camera.eye() - box.center) > 0) along = -along;
   double reach = 0, least = 0;
-  for (Index i = 0; i < brush.session.size(); ++i) {
+  for (Index i = 0; i < lesson::count_of(brush.session.subject()); ++i) {
     const double at = along.dot(brush.session.point(i) - box.center);
     reach = std::max(reach, at), least = std::min(least, at);
   }

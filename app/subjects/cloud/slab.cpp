@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/subjects/cloud/draw.hpp"
+#include "lesson/point_subject.hpp"
 
 namespace snug::app {
 namespace {
@@ -20,7 +21,7 @@ struct Across {
   double least = 0, greatest = 0;
 
   Across(const Brush& brush, const Point3& along) : axis(along) {
-    for (Index i = 0; i < brush.session.size(); ++i) {
+    for (Index i = 0; i < lesson::count_of(brush.session.subject()); ++i) {
       const double at = axis.dot(brush.session.point(i));
       least = i == 0 ? at : std::min(least, at), greatest = i == 0 ? at : std::max(greatest, at);
     }

@@ -5,6 +5,7 @@
 #include "app/subjects/cloud/call_panel.hpp"
 #include "app/subjects/cloud/call_tree_view.hpp"
 #include "app/subjects/cloud/draw.hpp"
+#include "app/subjects/cloud/hand.hpp"
 #include "app/subjects/cloud/products_panel.hpp"
 #include "app/subjects/cloud/ulp_inset.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
@@ -18,7 +19,7 @@ constexpr double kRoomForTree = 1.4, kAsideOfTree = -0.38, kBelowTree = 0.12;  /
 
 std::string_view button_for(const lesson::Session& session) {
   const auto* cloud = lesson::as<lesson::CloudSubject>(session.subject());
-  const fit::Algorithm* than = cloud != nullptr ? cloud->compared_with() : nullptr;
+  const lesson::Method* than = cloud != nullptr ? cloud->compared_with() : nullptr;
   if (cloud != nullptr && than == nullptr) return {};
   if (than != nullptr && than->volume == "hull") return "Hull";
   if (than == nullptr || (than->exact && than->volume == session.lesson().volume)) return "Smallest";
@@ -40,7 +41,11 @@ class CloudView final : public SubjectView {
     button_ = button_for(session);
   }
   [[nodiscard]] const Shown& shown() const override { return shown_; }
-  void draw(Brush& brush) const override { draw_cloud(brush, shown_); }
+  void draw(Brush& brush) const override {
+    draw_cloud(brush, shown_);
+    draw_hand(brush);
+    draw_image(brush);
+  }
   void draw_marks(Brush& brush) const override { mark_cloud(brush, shown_); }
   void name_marks(PointNames& names) const override { name_cloud(names, shown_); }
   [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override {
@@ -48,12 +53,18 @@ class CloudView final : public SubjectView {
     return tree.width > 0 ? tree : draw_ulp_inset(brush, shown_, top);
   }
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
-    fit::Sphere3 all = with_left_outside(SubjectView::extent(session), session);
+    fit::Sphere3 all = with_hand(session, with_left_outside(SubjectView::extent(session), session));
     if (!shows_calls(session)) return all;
     all.center += Point3(kAsideOfTree, kBelowTree, 0) * all.radius;
     all.radius *= kRoomForTree;
     return all;
   }
+  [[nodiscard]] bool shows(const lesson::Session& session, Index i) const override { return shows_handle(session, i); }
+  [[nodiscard]] bool is_point(const lesson::Session& session, Index i) const override {
+    return i < lesson::count_of(session.subject());
+  }
+  /// What is set by hand is named where it is selected or pointed at.
+  [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override { return is_point(session, i); }
   [[nodiscard]] std::string_view optimum_button() const override { return button_; }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {

@@ -5,9 +5,11 @@
 
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/cloud/break_it.hpp"
+#include "lesson/subjects/cloud/by_hand.hpp"
 #include "lesson/subjects/cloud/certificate_figures.hpp"
 #include "lesson/subjects/cloud/entries.hpp"
 #include "lesson/subjects/cloud/left_outside.hpp"
+#include "lesson/subjects/cloud/read_hand.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::lesson {
@@ -31,11 +33,18 @@ Method method_of(const fit::Algorithm& algorithm) {
 const std::vector<Method>& all_methods() {
   static const std::vector<Method> all = [] {
     std::vector<Method> methods;
-    for (const fit::Algorithm& algorithm : fit::algorithms()) methods.push_back(method_of(algorithm));
+    for (const std::string_view volume : fitted_volumes()) {
+      for (const fit::Algorithm& algorithm : fit::algorithms_of(volume)) methods.push_back(method_of(algorithm));
+      for (const Method& method : hand_methods())
+        if (method.volume == volume) methods.push_back(method);
+    }
     return methods;
   }();
   return all;
 }
+
+/// A method of the catalogue.
+const fit::Algorithm& algorithm_of(const Method& method) { return *fit::find_algorithm(method.volume, method.name); }
 
 void read_cloud(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   lesson.points = read_points(*table.table("points"), complaints, true);
@@ -68,35 +77,108 @@ const SubjectRow kCloudRow{.name = "cloud",
                            .askings = &FactList<fit::Fact3>::askings,
                            .compares = true,
                            .read = &read_cloud,
-                           .read_model = &read_point_model,
+                           .read_model = &read_cloud_model,
                            .goals = kCloudGoals,
                            .open = &open_cloud};
 
-/// The algorithm that sizes are compared with. If the lesson names none, the exact one of its volume; null if there are
+/// The method that sizes are compared with. If the lesson names none, the exact one of its volume; null if there are
 /// several volumes, and for k-DOPs, because k-DOPs with different directions are different kinds of volume. Null for a
 /// cost chart as well, which is to reveal it.
-const fit::Algorithm* reference_of(const Lesson& lesson) {
+const Method* reference_of(const Lesson& lesson) {
   if (lesson.subject != &kCloudRow) return nullptr;
-  if (!lesson.reference.empty()) return &algorithm_of(*find_method(lesson, lesson.reference));
-  return is_mixed(lesson) || lesson.volume == "kdop" ? nullptr : fit::exact_algorithm(lesson.volume);
+  if (!lesson.reference.empty()) return find_method(lesson, lesson.reference);
+  if (is_mixed(lesson) || lesson.volume == "kdop") return nullptr;
+  const fit::Algorithm* exact = fit::exact_algorithm(lesson.volume);
+  return exact != nullptr ? find_method(fit_methods(lesson.volume), exact->name) : nullptr;
 }
 
 CloudSubject::CloudSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh)
     : PointSubject(lesson, std::move(points), std::move(mesh)), reference_(reference_of(lesson)),
       by_measure_(is_mixed(lesson) || (reference_ != nullptr && reference_->volume != lesson.volume)),
       has_naive_(std::any_of(lesson.algorithms.begin(), lesson.algorithms.end(),
-                             [&](const std::string& name) { return find_method(lesson, name)->naive; })) {}
+                             [&](const std::string& name) { return find_method(lesson, name)->naive; })),
+      hand_(volumes_by_hand(lesson), *this->points()) {}
+
+Point3 CloudSubject::at(Index i) const { return i < count() ? PointSubject::at(i) : hand_.at(i - count()); }
+std::string CloudSubject::name_of(Index i) const {
+  return i < count() ? PointSubject::name_of(i) : hand_.name_of(i - count());
+}
+
+/// The points alone.
+std::vector<std::vector<Index>> CloudSubject::things() const {
+  std::vector<Index> all(static_cast<std::size_t>(count()));
+  std::iota(all.begin(), all.end(), Index{0});
+  return {all};
+}
+
+Rows CloudSubject::rows() const {
+  Rows rows = PointSubject::rows();
+  for (std::vector<double>& row : hand_.rows()) rows.push_back(std::move(row));
+  return rows;
+}
+
+Done CloudSubject::set_rows(const Rows& rows) {
+  const auto border = std::find_if(rows.begin(), rows.end(), &Hand::is_row);
+  CloudSubject next = *this;
+  if (border != rows.begin() || rows.empty())
+    if (Done set = next.PointSubject::set_rows(Rows(rows.begin(), border)); !set) return set;
+  const auto of_hand = std::span(rows).subspan(static_cast<std::size_t>(border - rows.begin()));
+  if (Done set = next.hand_.set_rows(of_hand, *next.points()); !set) return set;
+  *this = std::move(next);
+  origin_.edited = true;
+  return {};
+}
+
+Done CloudSubject::move(Index i, const Point3& to) {
+  if (i < count()) return PointSubject::move(i, to);
+  if (Done moved = hand_.move(i - count(), to, *points()); !moved) return moved;
+  worked_ = {};
+  origin_.edited = true;
+  return {};
+}
+
+/// For other points, what was set by hand begins again.
+Done CloudSubject::begun(Done done) {
+  if (done) hand_.begin(*points());
+  return done;
+}
+
+Done CloudSubject::load(const io::PointFile& file, std::string_view name) {
+  return begun(PointSubject::load(file, name));
+}
+
+Done CloudSubject::set_generator(std::string_view kind, int count, int dim, std::uint64_t seed, const Subject& own) {
+  return begun(PointSubject::set_generator(kind, count, dim, seed, own));
+}
+
+void CloudSubject::scatter(std::uint64_t seed, const Subject& own) {
+  PointSubject::scatter(seed, own);
+  hand_.begin(*points());
+}
+
+void CloudSubject::begin_task(const Lesson& lesson, const Task& task, const Subject& own) {
+  PointSubject::begin_task(lesson, task, own);
+  hand_.begin(*points());
+}
+
+fit::Recording CloudSubject::record(const Method& method, fit::Recording room) const {
+  if (method.by_hand) return record_by_hand(method, hand_.held(method.volume)->volume, *points(), std::move(room));
+  return algorithm_of(method).record(*points(), {.seed = origin_.seed}, std::move(room));
+}
+
+fit::Volume3 CloudSubject::fitted(const Method& method) const {
+  if (method.by_hand) return fit_by_hand(hand_.held(method.volume)->volume, *points());
+  return algorithm_of(method).fit(*points(), {.seed = origin_.seed}).volume;
+}
 
 std::unique_ptr<Run> CloudSubject::run(const Method& method, std::unique_ptr<Run> earlier) const {
   fit::Recording room;
   if (earlier != nullptr) room = static_cast<FitRun&>(*earlier).give_up();
-  return std::make_unique<FitRun>(*points(), method.exact,
-                                  algorithm_of(method).record(*points(), {.seed = origin_.seed}, std::move(room)),
-                                  names());
+  return std::make_unique<FitRun>(*points(), method.exact, record(method, std::move(room)), names(), hand_.size() > 0);
 }
 
 std::string CloudSubject::opening(const Method& method) const {
-  return std::string(method.title) + ", " + counted(size(), "point") + ": nothing is known yet. Take the first step.";
+  return std::string(method.title) + ", " + counted(count(), "point") + ": nothing is known yet. Take the first step.";
 }
 
 std::vector<Figure> CloudSubject::figures(const View& view) const {
@@ -110,8 +192,8 @@ std::vector<Figure> CloudSubject::figures(const View& view) const {
 std::vector<Proof> CloudSubject::proofs(const View& view) const { return fit_proofs(view, fit_run(view.run())); }
 
 std::optional<double> CloudSubject::result_size(const Method& method, bool by_measure, const View& view) const {
-  if (by_measure == by_measure_) return size_of(algorithm_of(method), view);
-  const fit::Volume3 volume = algorithm_of(method).fit(*points(), {.seed = origin_.seed}).volume;
+  if (by_measure == by_measure_) return size_of(method, view);
+  const fit::Volume3 volume = fitted(method);
   return by_measure ? fit::measure_of(volume, dim()) : fit::size_of(volume, dim());
 }
 
@@ -122,29 +204,29 @@ std::string CloudSubject::goal_says(std::string_view) const {
 }
 
 std::int64_t CloudSubject::operations(const Method& method) const {
-  const fit::Watched run = algorithm_of(method).watch(*points(), {.seed = origin_.seed}, {});
-  return std::accumulate(run.counts.begin(), run.counts.end(), std::int64_t{0});
+  const OperationCounts counts = method.by_hand
+                                     ? record(method, {}).counts
+                                     : algorithm_of(method).watch(*points(), {.seed = origin_.seed}, {}).counts;
+  return std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
 }
 
 /// Null if there is none, or if it cannot take these points.
-const fit::Algorithm* CloudSubject::compared_with() const {
-  const bool takes = reference_ != nullptr && size() <= reference_->max_points && fit::takes(*reference_, dim());
-  return takes ? reference_ : nullptr;
+const Method* CloudSubject::compared_with() const {
+  return reference_ != nullptr && suits(*reference_) ? reference_ : nullptr;
 }
 
 const fit::Recording* CloudSubject::optimum(const View& view) const {
-  const fit::Algorithm* own = compared_with();
+  const Method* own = compared_with();
   if (own == nullptr) return nullptr;
   for (const Slot& slot : view.slots)
-    if (slot.method != nullptr && &algorithm_of(*slot.method) == own) return &fit_run(*slot.run).recording();
-  if (!worked_.optimum)
-    worked_.optimum = std::make_shared<const fit::Recording>(own->record(*points(), {.seed = origin_.seed}));
+    if (slot.method == own) return &fit_run(*slot.run).recording();
+  if (!worked_.optimum) worked_.optimum = std::make_shared<const fit::Recording>(record(*own, {}));
   return worked_.optimum.get();
 }
 
 Reference CloudSubject::reference(const View& view) const {
   Reference reference{.size = {}, .name = "the optimum", .word = {}, .by_measure = by_measure_};
-  const fit::Algorithm* own = compared_with();
+  const Method* own = compared_with();
   if (own == nullptr) return reference;
   reference.word = "smallest " + std::string(volume_word(own->volume, dim()));
   if (!worked_.size) worked_.size = size_of(*own, view);
@@ -158,13 +240,12 @@ double CloudSubject::size_of(const fit::Volume3& volume) const {
   return by_measure_ ? fit::measure_of(volume, dim()) : fit::size_of(volume, dim());
 }
 
-/// The size of an algorithm's volume. A run that a slot shows is not repeated.
-double CloudSubject::size_of(const fit::Algorithm& algorithm, const View& view) const {
+/// The size of a method's volume. A run that a slot shows is not repeated.
+double CloudSubject::size_of(const Method& method, const View& view) const {
   for (const Slot& slot : view.slots)
-    if (slot.method != nullptr && &algorithm_of(*slot.method) == &algorithm)
-      return size_of(fit_run(*slot.run).recording().result.volume);
-  if (&algorithm == compared_with() && worked_.size) return *worked_.size;
-  return size_of(algorithm.fit(*points(), {.seed = origin_.seed}).volume);
+    if (slot.method == &method) return size_of(fit_run(*slot.run).recording().result.volume);
+  if (&method == compared_with() && worked_.size) return *worked_.size;
+  return size_of(fitted(method));
 }
 
 std::vector<Rival> CloudSubject::rivals(const Lesson& lesson, const View& view) const {
@@ -173,7 +254,7 @@ std::vector<Rival> CloudSubject::rivals(const Lesson& lesson, const View& view) 
   for (const std::string& name : lesson.algorithms) {
     const Method& method = *find_method(lesson, name);
     if (!suits(method)) continue;
-    const double own = size_of(algorithm_of(method), view);
+    const double own = size_of(method, view);
     rivals.push_back({&method, own, excess_of(own, than.size)});
   }
   return rivals;

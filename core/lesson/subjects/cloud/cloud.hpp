@@ -8,6 +8,7 @@
 #include "lesson/point_subject.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects/cloud/fit_run.hpp"
+#include "lesson/subjects/cloud/hand.hpp"
 
 namespace snug::lesson {
 
@@ -28,6 +29,22 @@ class CloudSubject final : public PointSubject {
 
   [[nodiscard]] const SubjectRow& row() const override { return kRow; }
   [[nodiscard]] std::unique_ptr<Subject> clone() const override { return std::make_unique<CloudSubject>(*this); }
+  // Behind the points come the handles of what is set by hand, in a lesson that has such a method.
+  [[nodiscard]] const Hand& hand() const { return hand_; }
+  [[nodiscard]] Index size() const override { return count() + hand_.size(); }
+  [[nodiscard]] Point3 at(Index i) const override;
+  [[nodiscard]] std::string name_of(Index i) const override;
+  [[nodiscard]] std::vector<std::vector<Index>> things() const override;
+  /// The points, and the rows of what is set by hand.
+  [[nodiscard]] Rows rows() const override;
+  /// rows: if there are none of the points, or none of the hand, those stay as they are.
+  Done set_rows(const Rows& rows) override;
+  Done move(Index i, const Point3& to) override;
+  Done load(const io::PointFile& file, std::string_view name) override;
+  Done set_generator(std::string_view kind, int count, int dim, std::uint64_t seed, const Subject& own) override;
+  void scatter(std::uint64_t seed, const Subject& own) override;
+  void begin_task(const Lesson& lesson, const Task& task, const Subject& own) override;
+
   [[nodiscard]] std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const override;
   [[nodiscard]] std::string opening(const Method& method) const override;
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
@@ -46,23 +63,30 @@ class CloudSubject final : public PointSubject {
   [[nodiscard]] const fit::Recording* optimum(const View& view) const;
   [[nodiscard]] Reference reference(const View& view) const;
   /// What sizes are compared with; null for nothing.
-  [[nodiscard]] const fit::Algorithm* compared_with() const;
+  [[nodiscard]] const Method* compared_with() const;
 
  protected:
-  void points_changed() override { worked_ = {}; }
+  void points_changed() override {
+    worked_ = {};
+    hand_.follow(*points());
+  }
 
  private:
   struct Worked {
     std::shared_ptr<const fit::Recording> optimum;
     std::optional<double> size;  // of the reference
   };
-  [[nodiscard]] double size_of(const fit::Algorithm& algorithm, const View& view) const;
+  [[nodiscard]] Done begun(Done done);
+  [[nodiscard]] fit::Recording record(const Method& method, fit::Recording room) const;
+  [[nodiscard]] fit::Volume3 fitted(const Method& method) const;
+  [[nodiscard]] double size_of(const Method& method, const View& view) const;
   [[nodiscard]] double size_of(const fit::Volume3& volume) const;
 
-  const fit::Algorithm* reference_ = nullptr;  // null for none
+  const Method* reference_ = nullptr;  // null for none
   bool by_measure_ = false;
   bool has_naive_ = false;  // whether the lesson offers a naive method: then containment is judged exactly
-  mutable Worked worked_;   // computed on demand, and forgotten with the next edit
+  Hand hand_;
+  mutable Worked worked_;  // computed on demand, and forgotten with the next edit
 };
 
 /// A slot's recording, if the subject's methods fit volumes; null otherwise, or if the slot is empty.
@@ -70,11 +94,8 @@ class CloudSubject final : public PointSubject {
 /// CloudSubject::optimum of a lesson about a cloud; null for other lessons.
 [[nodiscard]] const fit::Recording* optimum_of(const Session& session);
 
-/// The catalogue's algorithms of a volume.
+/// The catalogue's algorithms of a volume, and the methods by hand.
 [[nodiscard]] std::span<const Method> fit_methods(std::string_view volume);
-[[nodiscard]] inline const fit::Algorithm& algorithm_of(const Method& method) {
-  return *fit::find_algorithm(method.volume, method.name);
-}
 
 // figures.cpp, proofs.cpp
 [[nodiscard]] std::vector<Figure> fit_figures(const View& view, const FitRun& run, const Reference& reference);

@@ -237,6 +237,8 @@ template <>
 struct Entry<fit::RadiusChecked> : FitEntry {
   using Fact = fit::RadiusChecked;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
+    if (where.before() == nullptr)  // the core was set by hand
+      return "Of all points, " + where.name(fact.farthest) + " is farthest from the core: the radius reaches to it.";
     return "The last check, in exact arithmetic: " + where.name(fact.farthest) + " is farthest from the " +
            core(where) +
            (fact.widened ? ", and the radius grows in its last digit to contain it."

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "lesson/subjects/cloud/by_hand.hpp"
 #include "lesson/subjects/cloud/call_tree.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/subjects/cloud/covariance_digits.hpp"
@@ -37,6 +38,7 @@ class FitBoard {
     hull();
     calls();
     if (entry_ != nullptr) spread(entry_->step.fact);
+    image();
     operations();
     return std::move(figures_);
   }
@@ -215,6 +217,15 @@ class FitBoard {
   void digits(const CovarianceFound<double, 3>& found) {
     const int right = digits_right(found.covariance, run_.points());
     add("Digits that are right", "digits", std::to_string(right), right, "digits");
+  }
+  /// How far a direction set by hand is from being an eigenvector.
+  void image() {
+    if (view_.method().name != kEigenByHand) return;
+    const auto seen = image_after(run_.recording(), view_.step);
+    if (!seen) return;
+    add("Angle between v and C v", "image_angle", number_text(seen->degrees) + "°", seen->degrees, "degrees");
+    const double along = seen->direction.dot(seen->image);
+    add("Variance along v", "image_variance", number_text(along) + " units²", along, "units²");
   }
   void middle(const Vector<double, 3>& mean) {
     for (int i = 0; i < run_.dim(); ++i)

@@ -1,6 +1,7 @@
 #include "lesson/subjects/cloud/fit_run.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "lesson/fact_run.hpp"
 #include "lesson/subjects/cloud/entries.hpp"
@@ -39,6 +40,12 @@ std::vector<Index> FitRun::support(int steps) const {
   for (; i < steps; ++i)
     for (const Index point : std::visit(added, trace()[i].step.fact))
       if (std::find(all.begin(), all.end(), point) == all.end()) all.push_back(point);
+  return all;
+}
+
+std::vector<Index> FitRun::candidates(int) const {
+  std::vector<Index> all(points_alone_ ? static_cast<std::size_t>(fit::size_of(points_)) : 0);
+  std::iota(all.begin(), all.end(), Index{0});
   return all;
 }
 

@@ -14,9 +14,12 @@ using FitTrace = std::span<const Recorder<fit::Step3>::Entry>;
 
 class FitRun final : public FactRun<FitRun, fit::Step3> {
  public:
-  /// points: those of the run; they must outlive it. names: the lesson's own for them.
-  FitRun(const AnyPointSet& points, bool exact, fit::Recording recording, NamesOfPoints names = {})
-      : points_(points), exact_(exact), recording_(std::move(recording)), names_(std::move(names)) {}
+  /// points: those of the run; they must outlive it. names: the lesson's own for them. points_alone: whether the
+  /// subject has other handles than points, which are no answers.
+  FitRun(const AnyPointSet& points, bool exact, fit::Recording recording, NamesOfPoints names = {},
+         bool points_alone = false)
+      : points_(points), exact_(exact), points_alone_(points_alone), recording_(std::move(recording)),
+        names_(std::move(names)) {}
 
   [[nodiscard]] FitTrace trace() const { return recording_.steps; }
   [[nodiscard]] const fit::Recording& recording() const { return recording_; }
@@ -26,6 +29,7 @@ class FitRun final : public FactRun<FitRun, fit::Step3> {
   [[nodiscard]] int dim() const { return fit::dim_of(points_); }
   [[nodiscard]] bool exact() const { return exact_; }
   [[nodiscard]] std::vector<Index> support(int steps) const override;
+  [[nodiscard]] std::vector<Index> candidates(int i) const override;
 
   /// A step in the run.
   struct Where {
@@ -52,7 +56,7 @@ class FitRun final : public FactRun<FitRun, fit::Step3> {
 
  private:
   const AnyPointSet& points_;
-  bool exact_;
+  bool exact_, points_alone_;
   fit::Recording recording_;
   NamesOfPoints names_;
 };

@@ -27,7 +27,12 @@ std::vector<std::string_view> charted_volumes() {
   return names;
 }
 
-std::span<const Method> charted_methods(std::string_view volume) { return cloud_row().methods(volume); }
+/// Those of the catalogue: the cloud's last methods are by hand, and cannot be timed.
+std::span<const Method> charted_methods(std::string_view volume) {
+  std::span<const Method> methods = cloud_row().methods(volume);
+  while (!methods.empty() && methods.back().by_hand) methods = methods.first(methods.size() - 1);
+  return methods;
+}
 std::vector<std::string_view> no_facts() { return {}; }
 
 std::vector<AskingOf> cost_askings() {

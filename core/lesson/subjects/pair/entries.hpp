@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lesson/subjects/pair/held_volume.hpp"
+#include "lesson/held_volume.hpp"
 #include "lesson/subjects/pair/pair.hpp"
 #include "lesson/words.hpp"
 

@@ -11,7 +11,7 @@
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/pair/box_figures.hpp"
 #include "lesson/subjects/pair/read_volumes.hpp"
-#include "lesson/subjects/pair/volume_rows.hpp"
+#include "lesson/volume_rows.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::lesson {

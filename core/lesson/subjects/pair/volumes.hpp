@@ -1,7 +1,7 @@
 // Any two volumes and the test that decides whether they overlap.
 #pragma once
 
-#include "lesson/subjects/pair/held_volume.hpp"
+#include "lesson/held_volume.hpp"
 #include "lesson/subjects/pair/pair.hpp"
 #include "query/overlap_table.hpp"
 

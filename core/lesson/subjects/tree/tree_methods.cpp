@@ -32,7 +32,12 @@ constexpr std::array kBuildMethods{
            hierarchy::kBottomUpPseudocode},
     Method{kTreeBuild, "insertion", "Insertion", "J. Goldsmith, J. Salmon, 1987; A. Kensler, Tree rotations, 2008",
            hierarchy::kInsertionPseudocode},
-    Method{kTreeBuild, kByHand, "By hand", "your own choice of pairs", kHandPseudocode},
+    Method{.volume = kTreeBuild,
+           .name = kByHand,
+           .title = "By hand",
+           .source = "your own choice of pairs",
+           .pseudocode = kHandPseudocode,
+           .by_hand = true},
 };
 
 constexpr auto kFarFirstPseudocode = [] {

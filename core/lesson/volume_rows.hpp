@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "lesson/subjects/pair/held_volume.hpp"
+#include "lesson/held_volume.hpp"
 
 namespace snug::lesson {
 

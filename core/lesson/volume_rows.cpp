@@ -1,4 +1,4 @@
-#include "lesson/subjects/pair/volume_rows.hpp"
+#include "lesson/volume_rows.hpp"
 
 #include <algorithm>
 #include <cmath>

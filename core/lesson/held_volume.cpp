@@ -1,4 +1,4 @@
-#include "lesson/subjects/pair/held_volume.hpp"
+#include "lesson/held_volume.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,56 @@
+// A volume is fitted by hand: its knobs and ends are dragged by mouse, finger and keyboard, shared and taken back.
+import { after, before, test } from "node:test";
+import { assert, drag, drag_by_finger, handles, kPhone, start, state, stop, until, visit } from "./support.mjs";
+
+before(start);
+after(stop);
+
+const kBox = "?lesson=obb-pca&a=by_hand&step=2";
+const number_of = (view, key) => Number.parseFloat(view.figures.find((figure) => figure.key === key).text);
+const measure_of = (view) => number_of(view, "measure");
+const differs = (now, text) => now.figures.find((figure) => figure.key === "measure").text !== text;
+const text_of = (view) => view.figures.find((figure) => figure.key === "measure").text;
+const has = async (page, id) => (await handles(page)).some((handle) => handle.id === id);
+
+test("the knob is there with the box by hand alone; dragged, it turns the box, which keeps every point, and undo turns it back", async (t) => {
+  const page = await visit(t, kBox);
+  const before = await state(page);
+  await drag(page, "Box turn", -20, -90);
+  const turned = await until(page, differs, text_of(before));
+  assert.ok(measure_of(turned) < measure_of(before), "towards the cloud's own direction the box is smaller");
+  assert.equal(number_of(turned, "outside"), 0);
+  assert.equal(turned.size, before.size, "a knob is no point");
+  await page.keyboard.press("Control+z");
+  assert.equal(text_of(await until(page, (now) => now.canRedo)), text_of(before));
+  assert.ok(await has(page, "Box turn"));
+  assert.ok(!(await has(await visit(t, "?lesson=obb-pca&a=pca&step=5"), "Box turn")));
+});
+
+test("a finger turns the box on a phone", async (t) => {
+  const page = await visit(t, kBox, kPhone);
+  const before = await state(page);
+  await drag_by_finger(page, "Box turn", -6, -30);
+  const turned = await until(page, differs, text_of(before));
+  assert.equal(number_of(turned, "outside"), 0);
+});
+
+test("arrow keys turn the box", async (t) => {
+  const page = await visit(t, kBox);
+  const before = await state(page);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("[");  // the last handle
+  await until(page, (now) => now.selectedName === "Box turn");
+  await page.keyboard.press("ArrowUp");
+  await until(page, differs, text_of(before));
+});
+
+test("an address brings back what the hand has set", async (t) => {
+  const page = await visit(t, "?lesson=swept-fit&a=capsule/by_hand&step=2");
+  const before = await state(page);
+  await drag(page, "Capsule b", 60, -40);
+  const dragged = await until(page, differs, text_of(before));
+  await page.waitForTimeout(400); // the page's own delay: browsers count how often an address is replaced
+  assert.match(page.url(), /moved=|rows=/);
+  const again = await visit(t, new URL(page.url()).search);
+  assert.equal(text_of(await until(again, (now, text) => now.figures.some((figure) => figure.key === "measure" && figure.text === text), text_of(dragged))), text_of(dragged));
+});

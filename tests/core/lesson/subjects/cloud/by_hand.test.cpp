@@ -1,0 +1,160 @@
+// Volumes that are set by hand: they contain every point whatever the hand does, and their state is kept with the
+// points.
+#include "lesson/subjects/cloud/by_hand.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "core/lesson/small_lesson.hpp"
+#include "geometry/random.hpp"
+#include "lesson/speaking.hpp"
+#include "lesson/subjects/cloud/cloud.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+
+namespace {
+
+std::string hand_lesson(const std::string& points, const std::string& methods) {
+  return "version = 2\ntitle = \"Hand\"\nsummary = \"A box by hand.\"\nminutes = 3\nalgorithms = [" + methods +
+         "]\nreference = \"hull/quickhull\"\n\n[points]\n" + points +
+         "\n\n[[section]]\ntitle = \"First\"\ntext = \"Turn it.\"\n";
+}
+const std::string kEveryHand =
+    R"("obb/by_hand", "capsule/by_hand", "lozenge/by_hand", "obb/eigen_by_hand", "obb/pca", "obb/exact")";
+const std::string kDiamond = "list = [[2, 0], [0, 1], [-2, 0], [0, -1]]";
+
+const CloudSubject& cloud_of(const Session& session) { return *as<CloudSubject>(session.subject()); }
+
+Index handle_of(const Session& session, std::string_view name) { return *handle_named(session.subject(), name); }
+
+double figure(const Session& session, std::string_view key) {
+  for (const Figure& one : session.figures())
+    if (one.key == key) return one.value;
+  FAIL("there is no such figure");
+  return 0;
+}
+
+/// Moves a random handle to a random place near the points.
+void move_at_random(Session& session, Random& random) {
+  const Index first = count_of(session.subject());
+  const auto handles = static_cast<std::uint32_t>(session.size() - first);
+  Point3 to = Point3::Zero();
+  for (int axis = 0; axis < session.dim(); ++axis) to[axis] = random.between(-2, 2);
+  REQUIRE(session.move(first + static_cast<Index>(random.below(handles)), to));
+}
+
+void check_every_volume(Session& session) {
+  for (const std::string& name : session.lesson().algorithms) {
+    REQUIRE(session.choose(0, name));
+    if (!session.method(0)->by_hand) continue;
+    session.last();
+    const fit::Recording& recording = *recording_of(session, 0);
+    CAPTURE(name);
+    CHECK(recording.certificate.contains);
+    CHECK(recording.certificate.outside == 0);
+    CHECK(recording.certificate.on_boundary);
+    CHECK_FALSE(recording.result.support.empty());
+  }
+}
+
+}  // namespace
+
+TEST_CASE("whatever the hand does, the volume contains every point, exactly") {
+  for (const std::string dim : {"2", "3"})
+    for (const std::string kind : {"gaussian", "stick", "sphere", "line"})
+      for (const std::uint64_t seed : {1, 2}) {
+        Session session =
+            test::open(hand_lesson("dim = " + dim + "\ngenerate = \"" + kind + "\"\ncount = 30", kEveryHand));
+        session.scatter(seed);
+        Random random(seed);
+        for (int moves = 0; moves < 12; ++moves) {
+          move_at_random(session, random);
+          check_every_volume(session);
+        }
+      }
+}
+
+TEST_CASE("a box by hand has its handle off the box, and is as tight as its axes allow") {
+  Session session = test::open(hand_lesson(kDiamond, kEveryHand));
+  session.last();
+  CHECK(figure(session, "measure") == doctest::Approx(8));
+  const Index turn = handle_of(session, "Box turn");
+  REQUIRE(session.move(turn, {1, 0.5, 0}));  // along an edge of the diamond
+  CHECK(figure(session, "measure") == doctest::Approx(2.4 * 8 / 3).epsilon(0.2));
+  const auto& box = *std::get_if<Obb<double, 3>>(&recording_of(session, 0)->result.volume);
+  CHECK(std::abs(box.axes(1, 0) / box.axes(0, 0)) == doctest::Approx(0.5));
+  CHECK((session.point(turn) - box.center).norm() > box.half_extents[0]);
+}
+
+TEST_CASE("the radius of a capsule by hand reaches to the farthest point from the segment") {
+  Session session = test::open(hand_lesson(kDiamond, kEveryHand));
+  REQUIRE(session.choose(0, "capsule/by_hand"));
+  session.last();
+  REQUIRE(session.move(handle_of(session, "Capsule a"), {-1.5, 0, 0}));
+  REQUIRE(session.move(handle_of(session, "Capsule b"), {1.5, 0, 0}));
+  CHECK(std::get_if<Capsule<double, 3>>(&recording_of(session, 0)->result.volume)->radius == 1);
+  CHECK(session.support(0) == std::vector<Index>{1, 3});
+}
+
+TEST_CASE("a direction is an eigenvector where its image lies along it") {
+  Session session = test::open(hand_lesson(kDiamond, kEveryHand));
+  REQUIRE(session.choose(0, "obb/eigen_by_hand"));
+  session.last();
+  const Index turn = handle_of(session, "Box turn");
+  for (const Point3& along : {Point3(3, 0, 0), Point3(0, 3, 0)}) {
+    REQUIRE(session.move(turn, along));
+    CHECK(figure(session, "image_angle") == doctest::Approx(0).epsilon(1e-9));
+  }
+  CHECK(figure(session, "image_variance") == doctest::Approx(0.5));
+  REQUIRE(session.move(turn, {3, 3, 0}));  // the covariance is diagonal: 2 and 0.5, so the image is (2, 0.5)
+  CHECK(figure(session, "image_angle") == doctest::Approx(45 - 14.0362).epsilon(1e-4));
+}
+
+TEST_CASE("what the hand set is in the rows and in undo, and begins again with other points") {
+  Session session = test::open(hand_lesson(kDiamond, kEveryHand));
+  session.last();
+  const Index turn = handle_of(session, "Box turn");
+  const Point3 before = session.point(turn);
+  session.begin_drag();
+  REQUIRE(session.move(turn, {3, 1, 0}));
+  REQUIRE(session.move(turn, {3, 2, 0}));
+  session.end_drag();
+  const Rows rows = session.subject().rows();
+  const std::uint64_t hash = session.trace_hash();
+  CHECK(rows.size() == 4 + 3);
+  session.undo();
+  CHECK(session.point(turn) == before);
+  CHECK(session.trace_hash() != hash);
+  REQUIRE(session.set_rows(rows));
+  CHECK(session.subject().rows() == rows);
+  CHECK(session.trace_hash() == hash);
+
+  REQUIRE(session.set_rows({{0, 0}, {1, 0}, {0, 1}}));  // an address that knows only points
+  CHECK(count_of(session.subject()) == 3);
+  CHECK(session.subject().rows()[3].size() == rows[4].size());
+  CHECK_FALSE(session.set_rows({{0, 0}, {1, 2, 3, 4}}));
+  session.scatter(session.seed());
+  CHECK(session.point(turn) == before);
+}
+
+TEST_CASE("a point that moves takes the volume along, and only points can be deleted or be an answer") {
+  Session session = test::open(hand_lesson(kDiamond, kEveryHand));
+  session.last();
+  REQUIRE(session.move(0, {5, 0, 0}));
+  CHECK(figure(session, "measure") == doctest::Approx(14));
+  CHECK_FALSE(session.remove(handle_of(session, "Box turn")));
+  REQUIRE(session.add({0, 3, 0}));
+  CHECK(count_of(session.subject()) == 5);
+  CHECK(session.name_of(4) == "P4");
+  CHECK(session.run(0).candidates(0).size() == 5);
+  CHECK(session.subject().things().front().size() == 5);
+}
+
+TEST_CASE("a lesson without a method by hand has no more handles than points") {
+  const Session session = test::open_small();
+  CHECK(cloud_of(session).hand().size() == 0);
+  CHECK(session.size() == count_of(session.subject()));
+}
