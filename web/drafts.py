@@ -60,13 +60,14 @@ class Drafts:
         stamps = self.stamps()
         lessons = {pathlib.Path(name).stem: self.entry(name, stamp) for name, stamp in stamps.items() if name != COURSE}
         course = {"chapters": [{"title": self.folder.resolve().name, "lessons": list(lessons.values())}]}
-        mistake = None
+        mistake, ideas = None, []
         if COURSE in stamps:
             try:
                 course = course_of(self.folder / COURSE, lessons)
+                ideas = [idea["id"] for idea in tomllib.loads((self.folder / COURSE).read_text(encoding="utf-8")).get("idea", [])]
             except Exception as error:  # whatever is in it
                 mistake = str(error) or type(error).__name__
-        return course | {"preview": {"files": stamps, "mistake": mistake}}
+        return course | {"preview": {"files": stamps, "mistake": mistake, "ideas": ideas}}
 
     def entry(self, name: str, stamp: str) -> dict:
         """As far as the file says; while it cannot be read at all, as it said before."""

@@ -16,6 +16,7 @@
 
 #include "app/app.hpp"
 #include "io/point_file.hpp"
+#include "lesson/check_beside.hpp"
 #include "lesson/place.hpp"
 #include "snug_gl.h"
 #include "web/canvas.hpp"
@@ -139,6 +140,19 @@ val read_lesson(const std::string& toml, const std::string& name) {
   return answer;
 }
 
+/// What is wrong with a lesson that is being written, with what only playing it shows, and what it names that is not
+/// there. toml, name: its file. lessons, ideas: the ids of those beside it. mesh: as for open_lesson. As `says` above.
+val check_draft(const std::string& toml, const std::string& name, const val& lessons, const val& ideas,
+                const std::string& mesh) {
+  lesson::Draft draft = lesson::read_draft(toml, name);
+  const auto ids = [](const val& list) { return emscripten::vecFromJSArray<std::string>(list); };
+  lesson::check_names_beside(draft, toml, name, {ids(lessons), ids(ideas)});
+  std::optional<io::PointFile> file;
+  if (auto read = io::read_points(mesh, "mesh.ply"); !mesh.empty() && read) file = std::move(*read);
+  lesson::check_played(draft, toml, name, std::move(file));
+  return web::draft_object(draft, name);
+}
+
 /// Opens the lesson that was read. mesh: a PLY file's bytes, "" for none. anew: at the place where it stands now.
 std::string open_lesson(const std::string& mesh, bool anew) {
   std::optional<lesson::Lesson> lesson = std::exchange(door().draft.lesson, std::nullopt);
@@ -198,6 +212,7 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("modifiers_held", &web::modifiers_held);
   function("cursor", &web::cursor);
   function("read_lesson", &read_lesson);
+  function("check_draft", &check_draft);
   function("open_lesson", &open_lesson);
   function("lesson", &opened_lesson);
   function("view", &view_now);

@@ -16,6 +16,8 @@
 #include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/text_place.hpp"
+#include "lesson/warn_answers.hpp"
+#include "lesson/warn_figures.hpp"
 #include "lesson/warn_lesson.hpp"
 
 namespace snug::lesson {
@@ -81,6 +83,7 @@ void check_questions(Lesson& lesson, const std::string& algorithm, const Subject
     if (!check_gate(question.gate, *lesson.subject, fits, complaints)) return false;
     const auto asked = resolve(question, lesson, subject, run, why);
     if (!asked) return complaints.add(question.place, why), false;
+    warn_of_answer(*asked, run, complaints);
     return check_meanings(*asked, complaints) &&
            check_conditions(question, lesson, algorithm, subject, run, complaints);
   });
@@ -241,6 +244,16 @@ InSituation& situation_of(const Section& section, const Situations& situations) 
   return *situations.front();
 }
 
+void warn_of_numbers(const Lesson& lesson, const toml::table& toml, const Situations& situations,
+                     Complaints& complaints) {
+  const toml::array& tables = *toml["section"].as_array();
+  for (std::size_t i = 0; i < lesson.sections.size(); ++i) {
+    Runs& runs = situation_of(lesson.sections[i], situations).runs;
+    const auto run_of = [&](const std::string& algorithm) { return runs.of(algorithm); };
+    warn_of_figures(*tables[i].as_table(), lesson.sections[i], lesson, runs.own(), run_of, complaints);
+  }
+}
+
 /// Checks the links that can only be checked on a run.
 void check_links(const Lesson& lesson, const toml::table& toml, const Situations& situations, Complaints& complaints) {
   const toml::array& tables = *toml["section"].as_array();  // tables: that was checked when they were read
@@ -276,6 +289,7 @@ bool check_lesson(Lesson& lesson, const toml::table& toml, Checked checked, Comp
   if (!subjects.empty()) check_view(lesson.view, toml, *subjects.front(), complaints);
   if (complaints.count() > before) return subjects.size() == situations.size();
   check_links(lesson, toml, situations, complaints);
+  warn_of_numbers(lesson, toml, situations, complaints);
   check_figures(
       lesson, toml, *situations.front()->own,
       [&](const std::string& algorithm) { return situations.front()->runs.of(algorithm); }, complaints);

@@ -1,5 +1,6 @@
 // Reads a lesson's TOML into a Lesson. check_lesson.cpp checks it as a whole.
 #include <algorithm>
+#include <map>
 
 #include "geometry/generate.hpp"
 #include "lesson/check_lesson.hpp"
@@ -189,8 +190,16 @@ void read_truth(TomlTable& table, const Lesson& lesson, Question& question, Comp
                "stage; or a [[question.require]]");
 }
 
-Question read_question(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
+/// What was read of a table, and whether it can be used in spite of its mistakes.
+template <class What>
+struct Read {
+  What what;
+  bool sound = false;
+};
+
+Read<Question> read_question(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
   TomlTable table(toml, "[[question]]", complaints);
+  const std::size_t before = complaints.count();
   Question question;
   question.place = table.place();
   question.id = table.text("id");
@@ -205,12 +214,13 @@ Question read_question(const toml::table& toml, const Lesson& lesson, Complaints
   question.because_here = table.text_or("because_here", "");
   question.section = table.text_or("section", "");
   if (!question.section.empty()) check_name(table, "section", question.section, section_titles(lesson));
-  table.refuse_others();
-  return question;
+  const bool sound = complaints.count() == before;
+  return {std::move(question), table.refuse_others() && sound};
 }
 
-Task read_task(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
+Read<Task> read_task(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
   TomlTable table(toml, "[[task]]", complaints);
+  const std::size_t before = complaints.count();
   Task task;
   task.place = table.place();
   task.prompt = table.text("prompt");
@@ -224,15 +234,14 @@ Task read_task(const toml::table& toml, const Lesson& lesson, Complaints& compla
   task.model_place = table.place_of("model");
   task.situation = read_situation(table, lesson, kOwnSituation);
   task.model = lesson.subject->read_model(table, lesson_in(lesson, task.situation), complaints);
-  table.refuse_others();
-  return task;
+  const bool sound = complaints.count() == before;
+  return {std::move(task), table.refuse_others() && sound};
 }
 
 void read_tasks(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   for (const toml::table* one : table.tables("task")) {
-    const std::size_t before = complaints.count();
-    Task task = read_task(*one, lesson, complaints);
-    if (complaints.count() == before) lesson.tasks.push_back(std::move(task));
+    auto [task, sound] = read_task(*one, lesson, complaints);
+    if (sound) lesson.tasks.push_back(std::move(task));
   }
 }
 
@@ -285,20 +294,15 @@ void read_head(TomlTable& table, Lesson& lesson) {
   lesson.generators = read_names(table, "generators", 0, generator_kinds());
 }
 
-/// Adds a question, unless another has its id.
-void add_question(Lesson& lesson, Question question, Complaints& complaints) {
-  const auto same = [&](const Question& other) { return other.id == question.id; };
-  const auto other = std::find_if(lesson.questions.begin(), lesson.questions.end(), same);
-  if (other == lesson.questions.end()) return lesson.questions.push_back(std::move(question));
-  complaints.add(question.place, "there is another question with the id " + question.id + ", in line " +
-                                     std::to_string(other->place.line));
-}
-
 void read_questions(TomlTable& table, Lesson& lesson, Complaints& complaints) {
+  std::map<std::string, int> lines;  // of the ids so far
   for (const toml::table* one : table.tables("question")) {
-    const std::size_t before = complaints.count();
-    Question question = read_question(*one, lesson, complaints);
-    if (complaints.count() == before) add_question(lesson, std::move(question), complaints);
+    auto [question, sound] = read_question(*one, lesson, complaints);
+    const auto [other, is_new] = lines.emplace(question.id, question.place.line);
+    if (!is_new && !question.id.empty())
+      complaints.add(question.place, "there is another question with the id " + question.id + ", in line " +
+                                         std::to_string(other->second));
+    else if (sound) lesson.questions.push_back(std::move(question));
   }
 }
 

@@ -7,6 +7,8 @@
 
 namespace snug::lesson {
 
+[[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// The text of that key, as it stands in the file; empty if there is none.
 [[nodiscard]] std::string_view text_of(const toml::table& table, std::string_view key);
 

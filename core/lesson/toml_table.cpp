@@ -208,7 +208,8 @@ std::vector<const toml::table*> TomlTable::tables(std::string_view key) {
   return all;
 }
 
-void TomlTable::refuse_others() {
+bool TomlTable::refuse_others() {
+  bool usable = missing_.empty();
   for (const auto& [key, node] : table_) {
     if (is_among(asked_, key.str())) continue;
     // A key that is missing is the likeliest to be meant, and then is not told as missing too.
@@ -216,12 +217,14 @@ void TomlTable::refuse_others() {
     if (meant.empty()) meant = nearest(asked_, key.str());
     complaints_.add(file_place(key.source()), name_ + " has no key " + in_quotes(key.str()) +
                                                   (meant.empty() ? "" : ": did you mean " + in_quotes(meant) + "?"));
+    usable = usable && (meant.empty() || has(meant));
     for (std::size_t i = missing_.size(); i-- > 0;)
       if (missing_[i] == meant) missing_says_[i].clear();
   }
   for (std::string& what : missing_says_)
     if (!what.empty()) complaints_.add(place_, std::move(what));
   missing_.clear(), missing_says_.clear();
+  return usable;
 }
 
 }  // namespace snug::lesson

@@ -78,8 +78,10 @@ class TomlTable {
   /// Notes that a key is missing; refuse_others complains about it.
   void lack(std::string_view key, std::string what);
   /// Complains about every key that was not asked for, and about every required key that is missing, unless an unknown
-  /// key is a misspelling of it. Only after this call is it known whether what was read has mistakes.
-  void refuse_others();
+  /// key is a misspelling of it. Only after this call is it known whether what was read has mistakes. Returns whether
+  /// it can be used in spite of them: no required key is missing, and no unknown one is likely to be another's
+  /// misspelling.
+  bool refuse_others();
 
  private:
   const toml::node* find(std::string_view key);

@@ -14,7 +14,6 @@ namespace {
 constexpr int kMostWords = 60;  // of a paragraph
 
 bool is_letter_or_digit(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// The words that are a capital letter and a number, as names of handles are: "P12", "A0".
 std::vector<std::string> names_like_handles(std::string_view text) {

@@ -20,21 +20,33 @@ std::string stamp_of(const std::string& path) {
   return std::to_string(time.time_since_epoch().count()) + ' ' + std::to_string(size);
 }
 
-lesson::Draft draft_of(const std::string& path) {
+/// played: whether to play the lesson as well, which takes up to seconds.
+lesson::Draft draft_of(const std::string& path, bool played) {
   const auto text = read_start(path, lesson::kMostLessonBytes);
-  if (text) return lesson::read_draft(*text, path);
-  return {{}, {{1, text.error().what, path}}, {}};
+  if (!text) return {{}, {{1, text.error().what, path}}, {}};
+  lesson::Draft draft = lesson::read_draft(*text, path);
+  lesson::check_names_beside(draft, *text, path, beside(path));
+  if (!played || !draft.lesson) return draft;
+  auto mesh = mesh_of(*draft.lesson);
+  if (mesh) lesson::check_played(draft, *text, path, *std::move(mesh));
+  else draft.mistakes.push_back({1, mesh.error().what, path});
+  return draft;
 }
 
-/// Reads it if it has changed. Returns whether it has.
-bool read_anew(DraftFile& draft) {
-  std::string stamp = stamp_of(draft.file.path);
-  if (draft.version > 0 && stamp == draft.stamp) return false;
-  draft.stamp = std::move(stamp);
-  lesson::Draft read = draft_of(draft.file.path);
+void read_into(DraftFile& draft, bool played) {
+  lesson::Draft read = draft_of(draft.file.path, played);
   draft.says = lesson::text_of(read, fs::path(draft.file.path).filename().string());
+  draft.played = played;
   draft.draws = read.lesson.has_value();
   if (draft.draws) draft.file.lesson = *std::move(read.lesson), draft.drawn = true;
+}
+
+/// Reads it if it has changed. names: of the files beside it. Returns whether it has.
+bool read_anew(DraftFile& draft, const std::string& names) {
+  std::string stamp = stamp_of(draft.file.path) + ' ' + names;
+  if (draft.version > 0 && stamp == draft.stamp) return false;
+  draft.stamp = std::move(stamp);
+  read_into(draft, false);
   ++draft.version;
   return true;
 }
@@ -96,7 +108,9 @@ bool Drafts::refresh(std::string_view kept) {
       changed = true;
     }
   }
-  for (DraftFile& draft : files_) changed = read_anew(draft) || changed;
+  std::string names = folder_.empty() ? "" : stamp_of((fs::path(folder_) / kCourseFile).string());
+  for (const DraftFile& draft : files_) names += ' ' + draft.file.path;
+  for (DraftFile& draft : files_) changed = read_anew(draft, names) || changed;
   std::string stamp = folder_.empty() ? "" : stamp_of((fs::path(folder_) / kCourseFile).string());
   changed = std::exchange(course_stamp_, stamp) != stamp || changed;
   if (changed) put_in_order();
@@ -126,6 +140,11 @@ void Drafts::put_in_order() {
     const auto found = ranks.find(draft.file.lesson.id);
     draft.file.chapter = found != ranks.end() ? found->second.second : others;
   }
+}
+
+void Drafts::play(std::string_view id) {
+  for (DraftFile& draft : files_)
+    if (draft.file.lesson.id == id && !draft.played) read_into(draft, true);
 }
 
 const DraftFile* Drafts::find(std::string_view id) const {

@@ -17,7 +17,8 @@ struct DraftFile {
   bool draws = false;      // whether the file as it reads now is one
   int version = 0;         // how often the file was read
   lesson::DraftText says;  // what is wrong with the file
-  std::string stamp;       // changes with the file
+  std::string stamp;       // changes with the file, and with the names of those beside it
+  bool played = false;     // whether `says` has what playing shows
 };
 
 class Drafts {
@@ -29,6 +30,8 @@ class Drafts {
   /// Reads the files that have changed. A lesson whose file is gone is dropped, unless its id is `kept` or
   /// none is left. Returns whether anything has changed.
   bool refresh(std::string_view kept);
+  /// Plays a lesson, unless that was done since its file changed, so that what it says has what only playing shows.
+  void play(std::string_view id);
   /// In the order of the folder's course; by name if it has none or if there is a mistake in it.
   [[nodiscard]] const std::vector<DraftFile>& files() const { return files_; }
   /// Null if there is none with that id.

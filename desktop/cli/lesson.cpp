@@ -2,15 +2,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <map>
-#include <memory>
 
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/json.hpp"
 #include "desktop/cli/lesson_commands.hpp"
 #include "desktop/cli/lesson_files.hpp"
-#include "lesson/check_texts.hpp"
+#include "lesson/check_beside.hpp"
 #include "lesson/names.hpp"
 #include "lesson/play.hpp"
 #include "lesson/prose.hpp"
@@ -64,91 +62,6 @@ InputError with_column(lesson::FileError error) {
           error.file + ':' + std::to_string(error.place.line) + ':' + std::to_string(error.place.column)};
 }
 
-/// The mistakes that only playing can find: on a mesh's points, questions are known only from playing.
-std::vector<InputError> faults_of(const LessonFile& file, const lesson::Played& played) {
-  std::vector<InputError> faults;
-  for (const lesson::Question& question : file.lesson.questions)
-    for (const std::string& id : played.not_asked)
-      if (question.id == id)
-        faults.push_back(with_column(
-            {question.place, "the question \"" + id + "\" is never asked: its step does not come", file.path}));
-  if (faults.empty() && !played.sound())
-    faults.push_back({.what = "a model answer is graded as wrong", .file = file.path});
-  return faults;
-}
-
-/// The place of some words in a file's text; `otherwise` if it does not have them.
-lesson::FilePlace place_with(const std::string& text, const std::string& words, lesson::FilePlace otherwise) {
-  const std::size_t at = text.find(words);
-  if (at == std::string::npos) return otherwise;
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(at);
-  const std::size_t line_end = at > 0 ? text.rfind('\n', at - 1) : std::string::npos;
-  return {1 + static_cast<int>(std::count(text.begin(), end, '\n')),
-          static_cast<int>(line_end == std::string::npos ? at + 1 : at - line_end)};
-}
-
-bool is_beside(const std::string& path, const std::string& lesson) {
-  std::error_code ignored;
-  return std::filesystem::exists(std::filesystem::path(path).parent_path() / (lesson + ".toml"), ignored);
-}
-
-/// The mistakes of links to lessons that are not in the lesson's folder.
-std::vector<InputError> lost_links(const std::string& path, const std::string& text, const lesson::Lesson& lesson) {
-  std::vector<InputError> lost;
-  for (const lesson::Section& section : lesson.sections)
-    for (const lesson::Stretch* stretch : stretches_of(section)) {
-      if (!stretch->link || stretch->link->kind != lesson::Link::Kind::kLesson) continue;
-      const std::string& target = stretch->link->target;
-      if (!is_beside(path, target))
-        lost.push_back(with_column({place_with(text, "(lesson:" + target + ")", section.place),
-                                    "\"text\" links to a lesson that is not there: " + target, path}));
-    }
-  return lost;
-}
-
-/// The mistakes of figures that a mesh's runs do not have: the lesson's reader has no mesh to run on.
-std::vector<InputError> lost_figures(const LessonFile& file, const std::string& text) {
-  std::vector<InputError> lost;
-  if (file.lesson.points.mesh.empty() || file.lesson.figures.empty()) return lost;
-  const auto session = open_lesson(file);
-  if (!session) return lost;  // which playing it tells
-  std::map<std::string, std::unique_ptr<lesson::Run>> runs;
-  const auto run_of = [&](const std::string& algorithm) -> const lesson::Run* {
-    const lesson::Method& method = *lesson::find_method(file.lesson, algorithm);
-    if (!session->subject().suits(method)) return nullptr;
-    std::unique_ptr<lesson::Run>& run = runs[algorithm];
-    if (run == nullptr) run = session->subject().run(method, nullptr);
-    return run.get();
-  };
-  for (const lesson::RunFigure& figure : file.lesson.figures) {
-    const std::string name = '{' + name_of(figure) + '}';
-    const std::string lack = lesson::lack_of(figure, {}, file.lesson, session->subject(), run_of);
-    if (!lack.empty())
-      lost.push_back(
-          with_column({place_with(text, name, file.lesson.sections.front().place), name + ' ' + lack, file.path}));
-  }
-  return lost;
-}
-
-/// The mistakes of ideas that the lesson covers, but that the course beside it does not list.
-std::vector<InputError> lost_ideas(const std::string& path, const std::string& text, const lesson::Lesson& lesson) {
-  if (!is_beside(path, "course")) return {};
-  const auto course = read_course_of(std::filesystem::path(path).parent_path().string());
-  if (!course || course->ideas.empty()) return {};  // what is wrong with a course is told of its own file
-  std::vector<std::string> ids;
-  for (const lesson::Idea& idea : course->ideas) ids.push_back(idea.id);
-  std::vector<InputError> lost;
-  for (const std::string& id : lesson.covers) {
-    if (lesson::is_among(ids, id)) continue;
-    const std::string_view meant = lesson::nearest(ids, id);
-    lost.push_back(with_column({place_with(text, '"' + id + '"', {}),
-                                "\"covers\" names an idea that the course does not list: " + id +
-                                    (meant.empty() ? "" : "; did you mean " + std::string(meant) + "?"),
-                                path}));
-  }
-  return lost;
-}
-
 /// The result of checking a file: what is printed, or its mistakes; in either case its warnings.
 struct CheckedFile {
   Json json;
@@ -168,23 +81,19 @@ CheckedFile check_lesson(const std::string& path) {
   const auto text = read_start(path, lesson::kMostLessonBytes);
   if (!text) return {.mistakes = {text.error()}};
   lesson::Draft draft = lesson::read_draft(*text, path);
+  lesson::check_names_beside(draft, *text, path, beside(path));
   CheckedFile checked;
+  if (draft.mistakes.empty() && draft.lesson) {
+    auto mesh = mesh_of(*draft.lesson);
+    if (!mesh) return {.mistakes = {mesh.error()}};
+    lesson::check_played(draft, *text, path, *std::move(mesh));
+  }
   for (lesson::FileError& mistake : draft.mistakes) checked.mistakes.push_back(with_column(std::move(mistake)));
   for (lesson::FileError& warning : draft.warnings) checked.warnings.push_back(with_column(std::move(warning)));
-  if (!draft.lesson) return checked;
-  const auto add = [&](std::vector<InputError> more) {
-    std::move(more.begin(), more.end(), std::back_inserter(checked.mistakes));
-  };
-  add(lost_links(path, *text, *draft.lesson));
-  add(lost_ideas(path, *text, *draft.lesson));
-  if (!checked.mistakes.empty()) return checked;
-  const LessonFile file{path, *std::move(draft.lesson), {}};
-  add(lost_figures(file, *text));
-  if (const auto played = play(file)) add(faults_of(file, *played));
-  else add({played.error()});
-  checked.json = {{"lesson", file.lesson.id}, {"questions", file.lesson.questions.size()}, {"file", path}};
+  if (!checked.mistakes.empty() || !draft.lesson) return checked;
+  checked.json = {{"lesson", draft.lesson->id}, {"questions", draft.lesson->questions.size()}, {"file", path}};
   if (!checked.warnings.empty()) checked.json["warnings"] = checked.warnings.size();
-  add_decided_by(checked.json, file.lesson);
+  add_decided_by(checked.json, *draft.lesson);
   return checked;
 }
 

@@ -63,13 +63,6 @@ std::vector<LessonFile> in_order(std::vector<LessonFile> lessons, const lesson::
   return sorted;
 }
 
-/// The lesson's mesh; none if it has none.
-tl::expected<std::optional<io::PointFile>, InputError> mesh_of(const lesson::Lesson& lesson) {
-  if (lesson.points.mesh.empty()) return std::nullopt;
-  const fs::path path = program_folder() / "assets" / "meshes" / (lesson.points.mesh + ".ply");
-  return read_point_file(path.string()).map([](io::PointFile&& mesh) { return std::optional(std::move(mesh)); });
-}
-
 }  // namespace
 
 bool is_path(std::string_view lesson) { return lesson.ends_with(".toml"); }
@@ -131,6 +124,21 @@ tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, cons
   for (const std::string& path : *paths)
     if (id_of(path) == id) return read_lesson_file(path, checked);
   return tl::unexpected(no_lesson(folder, id));
+}
+
+lesson::Beside beside(const std::string& path) {
+  const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : ".";
+  lesson::Beside beside;
+  if (const auto paths = toml_files(folder)) beside.lessons = ids_of(*paths);
+  if (const auto course = read_course_of(folder.string()))  // what is wrong with it is told of its own file
+    for (const lesson::Idea& idea : course->ideas) beside.ideas.push_back(idea.id);
+  return beside;
+}
+
+tl::expected<std::optional<io::PointFile>, InputError> mesh_of(const lesson::Lesson& lesson) {
+  if (lesson.points.mesh.empty()) return std::nullopt;
+  const fs::path path = program_folder() / "assets" / "meshes" / (lesson.points.mesh + ".ply");
+  return read_point_file(path.string()).map([](io::PointFile&& mesh) { return std::optional(std::move(mesh)); });
 }
 
 tl::expected<std::unique_ptr<lesson::Subject>, InputError> subject_of(const LessonFile& file) {

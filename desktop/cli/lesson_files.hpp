@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/input_error.hpp"
+#include "lesson/check_beside.hpp"
 #include "lesson/course.hpp"
 #include "lesson/session.hpp"
 
@@ -49,6 +50,12 @@ inline constexpr std::string_view kCourseFile = "course.toml";
 
 /// Says that a folder has no lesson with an id.
 [[nodiscard]] InputError no_lesson(const std::string& folder, const std::string& id);
+
+/// What stands beside a lesson's file, as far as it can be read.
+[[nodiscard]] lesson::Beside beside(const std::string& path);
+
+/// The mesh that a lesson begins with; none if it has none. Errors: those of its file.
+[[nodiscard]] tl::expected<std::optional<io::PointFile>, InputError> mesh_of(const lesson::Lesson& lesson);
 
 /// The lesson's subject as it opens. Errors: those of the mesh's file and of the subject's open, with a path.
 [[nodiscard]] tl::expected<std::unique_ptr<lesson::Subject>, InputError> subject_of(const LessonFile& file);

@@ -122,6 +122,16 @@ test("two mistakes stand in the strip with their places, and the lesson is drawn
   assert.equal((await state(page)).questions, 1);
 });
 
+test("a link to no lesson stands in the strip until that lesson is there", async (t) => {
+  const page = await open(t);
+  const linked = changed("has a centre.", "has a centre, as [there](lesson:other).");
+  write("mine.toml", linked);
+  await page.locator("#strip li").getByText("links to a lesson that is not there: other").waitFor({ timeout: kSecond });
+  assert.ok((await page.locator("#strip li").textContent()).startsWith(`${place_of(linked, "(lesson:other)")}: `));
+  write("other.toml", kCloud); // and now it is there
+  await page.locator("#strip").waitFor({ state: "hidden", timeout: kSecond });
+});
+
 test("a warning is told as one", async (t) => {
   const page = await open(t);
   write("mine.toml", changed("Drag an outer point", "Drag P7"));

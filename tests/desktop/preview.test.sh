@@ -43,6 +43,14 @@ within_a_second 's.mistakes.length === 2 && /cannot be drawn/.test(s.mistakes[0]
 text | write mine
 within_a_second 's.mistakes.length === 0'
 
+# A link to a lesson that is not there is a mistake until it is there.
+text | sed 's/has a centre\./has a centre, as [there](lesson:other)./' | write mine
+within_a_second 's.mistakes.length === 2 && /links to a lesson that is not there: other/.test(s.mistakes[1])'
+text | write other
+within_a_second 's.mistakes.length === 0'
+rm "$folder/other.toml"
+text | write mine
+
 # Nothing is drawn while nothing changes; looking at the files costs next to nothing.
 sleep 1.5
 ticks() { awk '{print $14 + $15}' "/proc/$pid/stat"; }

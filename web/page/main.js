@@ -55,6 +55,7 @@ class Page {
   #address_timer = 0;
   #panels_timer = 0;
   #preview;
+  #draft; // as #read gave it
   #wanted = null; // what could not be opened, because of its file
 
   /** go_to(id): to another lesson. preview: where the lessons are being written, else null. */
@@ -183,6 +184,7 @@ class Page {
     if (error) return veil.failed(`This lesson cannot be opened. ${error}.`, null);
     this.#wanted = null;
     this.#show_lesson();
+    this.#check_draft(id, read, turn);
     const back = kept && (is_bare(asked) || location.search === kept.address);
     await this.#restore(back ? { ...read_address(kept.address), problems: asked.problems } : asked);
     if (turn !== this.#opens) return;
@@ -220,7 +222,13 @@ class Page {
     if (!this.#opening) this.#show_anew();
   }
 
-  /** Reads a lesson's file for open_lesson: {opens, error, bytes}, the bytes those of its mesh. One that is being written
+  /** Once the lesson is seen: playing it may take longer than a frame. */
+  #check_draft(id, read, turn) {
+    this.#draft = read;
+    if (this.#preview) setTimeout(() => turn === this.#opens && this.#preview.check(this.#door, id, read, this.#lessons));
+  }
+
+  /** Reads a lesson's file for open_lesson: {toml, opens, error, bytes}, the bytes those of its mesh. One that is being written
    *  opens in spite of its mistakes, as far as it can be drawn. Throws if a file does not arrive. */
   async #read(id, turn) {
     const slow = setTimeout(() => (this.#reveal(), veil.loading()), kFilesDelay);
@@ -230,7 +238,7 @@ class Page {
       const { draws, error, says, mesh } = this.#door.read_lesson(toml, `${id}.toml`);
       this.#preview?.lesson_says(says);
       const opens = draws && (Boolean(this.#preview) || !error);
-      return { opens, error, bytes: opens && mesh ? await this.#mesh(mesh) : "" };
+      return { toml, opens, error, bytes: opens && mesh ? await this.#mesh(mesh) : "" };
     } finally {
       clearTimeout(slow);
     }
@@ -242,12 +250,15 @@ class Page {
     for (const name of names) this.#downloads.forget(`lessons/${name}`);
     if (this.#wanted) return this.open(this.#wanted.asked, this.#wanted.reveal);
     const id = this.#lesson?.id;
-    if (this.#opening || !names.includes(`${id}.toml`)) return;
+    if (this.#opening) return;
+    if (!names.includes(`${id}.toml`)) return this.#check_draft(id, this.#draft, this.#opens); // its links
     if (!this.#preview.has(`${id}.toml`)) return this.#preview.lesson_says({ heading: `${id}.toml is gone.`, lines: [{ text: "The lesson is shown as it was.", warning: false }] });
     const turn = (this.#opens += 1);
     const read = await this.#read(id, turn);
     if (turn !== this.#opens || !read.opens) return;
-    if (!this.#door.open_lesson(read.bytes, true)) this.#show_anew();
+    if (this.#door.open_lesson(read.bytes, true)) return;
+    this.#show_anew();
+    this.#check_draft(id, read, turn);
   }
 
   #offer_lessons(id) {
@@ -473,7 +484,7 @@ class Site {
     for (const path of ["course.json", "formulas.json"]) this.#downloads.forget(path);
     const made = JSON.parse(await this.#downloads.text("course.json"));
     this.#course.replace(made);
-    this.#preview.course_says(made.preview.mistake);
+    this.#preview.course_says(made.preview);
     if (document.documentElement.dataset.view === "course") this.#course.show();
     await this.#page?.files_changed(names);
     if (this.#page) await this.#typeset_anew();

@@ -11,11 +11,13 @@ export class Preview {
   #stamps; // by the files' names
   #lesson = nothing;
   #course = nothing;
+  #ideas;
 
-  /** of: the course's "preview": the files' stamps as the course was made, and what is wrong with its own file. */
+  /** of: the course's "preview": the files' stamps as the course was made, the ids of the ideas that it lists, and what
+   *  is wrong with its own file. */
   constructor(of) {
     this.#stamps = of.files;
-    this.course_says(of.mistake);
+    this.course_says(of);
   }
 
   /** Calls changed(names) whenever files have changed, and waits for it. */
@@ -47,8 +49,14 @@ export class Preview {
     this.#show(this.says);
   }
 
-  /** mistake: what is wrong with the course's file; null for nothing. */
-  course_says(mistake) {
+  /** Says what is wrong with the lesson that is shown, after playing it too. read: as Door's read of it. */
+  check(door, id, { toml, bytes }, lessons) {
+    this.lesson_says(door.check_draft(toml, `${id}.toml`, lessons.map((lesson) => lesson.id), this.#ideas, bytes));
+  }
+
+  /** of: the course's "preview". */
+  course_says({ mistake, ideas }) {
+    this.#ideas = ideas;
     this.#course = mistake ? { heading: "course.toml: 1 mistake", lines: [{ text: mistake, warning: false }] } : nothing;
     this.#show(this.says);
   }

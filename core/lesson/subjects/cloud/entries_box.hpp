@@ -100,6 +100,7 @@ struct Entry<fit::BoxTried<double, 3>> : FitEntry {
 template <>
 struct Entry<fit::RectangleFound<double, 3>> : FitEntry {
   using Fact = fit::RectangleFound<double, 3>;
+  static constexpr std::array kAskings{kHullEdge, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string on = fact.edge_a == kNoIndex ? "The smallest rectangle"
                                                    : "The smallest rectangle lies on the hull's edge from " +

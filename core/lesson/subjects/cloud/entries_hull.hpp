@@ -81,6 +81,7 @@ struct Entry<fit::EdgeSplit> : FitEntry {
 template <>
 struct Entry<fit::HorizonFound> : FitEntry {
   using Fact = fit::HorizonFound;
+  static constexpr std::array kAskings{kFaces, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     return where.name(fact.eye) + " sees " + counted(static_cast<std::int64_t>(fact.facets.size()), "facet") +
            (fact.facets.size() == 1 ? "; its" : "; their") + " boundary is the horizon.";

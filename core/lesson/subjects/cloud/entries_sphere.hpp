@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lesson/point_subject.hpp"
+#include "lesson/subjects/cloud/facet_asks.hpp"
 #include "lesson/subjects/cloud/fit_run.hpp"
 #include "lesson/subjects/cloud/passes.hpp"
 #include "lesson/words.hpp"
@@ -315,7 +316,7 @@ struct Entry<fit::CandidateTried<double, 3>> : FitEntry {
 template <>
 struct Entry<fit::Finished> : FitEntry {
   using Fact = fit::Finished;
-  static constexpr std::array kAskings{kHolds, kGrows, kOutside};
+  static constexpr std::array kAskings{kHolds, kSlab, kGrows, kOutside};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     // The iterative algorithm starts from Ritter's result: the same fact, but not the end.
     if (where.next() != nullptr)

@@ -14,11 +14,6 @@ namespace {
 
 using namespace fit;
 
-template <class Fact>
-const Fact& fact_of(const Asked& asked, const Run& run) {
-  return *std::get_if<Fact>(&fit_run(run).trace()[asked.fact].step.fact);
-}
-
 /// Whether a radius grew by more than the last digits that the final check may add.
 bool grew(double before, double after) {
   return after - before > tolerance::kBoundaryRoundoffs * tolerance::kRoundoff<double> * after;

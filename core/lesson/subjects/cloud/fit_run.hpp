@@ -68,6 +68,11 @@ extern template class FactRun<FitRun, fit::Step3>;
 
 /// The run of a subject whose methods fit volumes.
 [[nodiscard]] inline const FitRun& fit_run(const Run& run) { return static_cast<const FitRun&>(run); }
+/// The fact that a question about it is asked of.
+template <class Fact>
+const Fact& fact_of(const Asked& asked, const Run& run) {
+  return *std::get_if<Fact>(&fit_run(run).trace()[asked.fact].step.fact);
+}
 
 /// Defaults for the entries of fitters' facts: the only question is whether the volume grows, the support set stays as
 /// it was, and a step is a mark if it brings the first volume.

@@ -1,0 +1,114 @@
+#include "lesson/check_beside.hpp"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "lesson/check_texts.hpp"
+#include "lesson/names.hpp"
+#include "lesson/play.hpp"
+#include "lesson/prose.hpp"
+#include "lesson/subjects.hpp"
+
+namespace snug::lesson {
+namespace {
+
+/// The place of some words in a file's text; `otherwise` if it does not have them.
+FilePlace place_of_words(std::string_view text, std::string_view words, FilePlace otherwise) {
+  const std::size_t at = text.find(words);
+  if (at == std::string_view::npos) return otherwise;
+  const std::string_view before = text.substr(0, at);
+  const std::size_t line_end = before.rfind('\n');
+  return {1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
+          static_cast<int>(line_end == std::string_view::npos ? at + 1 : at - line_end)};
+}
+
+/// Collects a draft's mistakes and leaves them in the file's order.
+class Mistakes {
+ public:
+  Mistakes(Draft& draft, std::string_view file) : draft_(draft), file_(file) {}
+  Mistakes(const Mistakes&) = delete;
+  Mistakes& operator=(const Mistakes&) = delete;
+  ~Mistakes() {
+    const auto earlier = [](const FileError& a, const FileError& b) {
+      return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+    };
+    std::stable_sort(draft_.mistakes.begin(), draft_.mistakes.end(), earlier);
+  }
+  void add(FilePlace place, std::string what) { draft_.mistakes.push_back({place, std::move(what), file_}); }
+
+ private:
+  Draft& draft_;
+  std::string file_;
+};
+
+/// The figures that the runs do not have.
+void check_figures(const Session& session, std::string_view text, Mistakes& mistakes) {
+  std::map<std::string, std::unique_ptr<Run>> runs;
+  const auto run_of = [&](const std::string& algorithm) -> const Run* {
+    const Method& method = *find_method(session.lesson(), algorithm);
+    if (!session.subject().suits(method)) return nullptr;
+    std::unique_ptr<Run>& run = runs[algorithm];
+    if (run == nullptr) run = session.subject().run(method, nullptr);
+    return run.get();
+  };
+  for (const RunFigure& figure : session.lesson().figures) {
+    const std::string name = '{' + name_of(figure) + '}';
+    const std::string lack = lack_of(figure, {}, session.lesson(), session.subject(), run_of);
+    if (lack.empty()) continue;
+    mistakes.add(place_of_words(text, name, session.lesson().sections.front().place), name + ' ' + lack);
+  }
+}
+
+void check_play(const Played& played, const Lesson& lesson, Mistakes& mistakes) {
+  const auto place_of = [&](const std::string& id) {
+    const auto named = [&](const Question& question) { return question.id == id; };
+    return std::find_if(lesson.questions.begin(), lesson.questions.end(), named)->place;
+  };
+  for (const std::string& id : played.not_asked)
+    mistakes.add(place_of(id), "the question \"" + id + "\" is never asked: its step does not come");
+  for (const Played::Algorithm& algorithm : played.algorithms)
+    for (const Outcome& outcome : algorithm.outcomes)
+      if (!outcome.right)
+        mistakes.add(place_of(outcome.question), "the question \"" + outcome.question +
+                                                     "\" takes its own answer for wrong: it says " + outcome.says);
+  for (std::size_t i = 0; i < played.grades.size(); ++i)
+    if (!played.grades[i].done)
+      mistakes.add(lesson.tasks[i].model_place, "the model does not solve the task: " + played.grades[i].says);
+}
+
+}  // namespace
+
+void check_names_beside(Draft& draft, std::string_view text, std::string_view file, const Beside& beside) {
+  if (!draft.lesson) return;
+  Mistakes mistakes(draft, file);
+  for (const Section& section : draft.lesson->sections)
+    for (const Stretch* stretch : stretches_of(section)) {
+      if (!stretch->link || stretch->link->kind != Link::Kind::kLesson) continue;
+      const std::string& target = stretch->link->target;
+      if (!is_among(beside.lessons, target))
+        mistakes.add(place_of_words(text, "(lesson:" + target + ")", section.place),
+                     "\"text\" links to a lesson that is not there: " + target);
+    }
+  for (const std::string& id : draft.lesson->covers) {
+    if (beside.ideas.empty() || is_among(beside.ideas, id)) continue;
+    const std::string_view meant = nearest(beside.ideas, id);
+    mistakes.add(place_of_words(text, '"' + id + '"', {}),
+                 "\"covers\" names an idea that the course does not list: " + id +
+                     (meant.empty() ? "" : "; did you mean " + std::string(meant) + "?"));
+  }
+}
+
+void check_played(Draft& draft, std::string_view text, std::string_view file, std::optional<io::PointFile> mesh) {
+  if (!draft.lesson || !draft.mistakes.empty()) return;
+  const Lesson lesson = *draft.lesson;
+  Mistakes mistakes(draft, file);
+  auto session = Session::open(lesson, std::move(mesh));
+  if (!session) return mistakes.add({}, session.error().what);
+  if (!lesson.points.mesh.empty()) check_figures(*session, text, mistakes);
+  const auto played = play(*session);
+  if (played) check_play(*played, lesson, mistakes);
+  else mistakes.add({}, played.error().what);
+}
+
+}  // namespace snug::lesson

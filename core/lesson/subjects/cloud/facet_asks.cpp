@@ -1,0 +1,109 @@
+#include "lesson/subjects/cloud/facet_asks.hpp"
+
+#include <algorithm>
+
+#include "geometry/kdop.hpp"
+#include "geometry/tolerance.hpp"
+#include "lesson/subjects/cloud/fit_run.hpp"
+#include "lesson/subjects/cloud/hull_growth.hpp"
+#include "lesson/words.hpp"
+
+namespace snug::lesson {
+namespace {
+
+using namespace fit;
+
+constexpr std::size_t kMostFacets = 10;  // more choices are not read
+
+/// "P3 to P8"
+std::string edge_name(const Asked& asked, const std::vector<Index>& ends) {
+  return asked.subject->name_of(ends[0]) + " to " + asked.subject->name_of(ends[1]);
+}
+
+}  // namespace
+
+const char* offer_faces(Asked& asked, const Run& run) {
+  const auto hull = growing_hull(fit_run(run).trace(), asked.fact);
+  asked.many = true;
+  for (const GrowingFacet& facet : hull->facets)
+    if (facet.alive()) asked.add_choice(asked.names(facet.vertices), facet.vertices);
+  return asked.choices.size() > kMostFacets ? "the hull has more than 10 facets at this step" : nullptr;
+}
+
+Truth faces_truth(const Asked& asked, const Run& run) {
+  const auto& fact = fact_of<HorizonFound>(asked, run);
+  const auto hull = growing_hull(fit_run(run).trace(), asked.fact);
+  Truth truth;
+  int choice = 0;
+  for (std::size_t f = 0; f < hull->facets.size(); ++f) {
+    if (!hull->facets[f].alive()) continue;
+    if (std::find(fact.facets.begin(), fact.facets.end(), static_cast<Index>(f)) != fact.facets.end())
+      truth.choices.push_back(choice);
+    ++choice;
+  }
+  for (const int right : truth.choices)
+    truth.happened += (truth.happened.empty() ? "" : "; ") + asked.choices[static_cast<std::size_t>(right)];
+  truth.sentence = asked.subject->name_of(fact.eye) + " sees " + counted(std::ssize(truth.choices), "facet") + ": " +
+                   truth.happened + ".";
+  return truth;
+}
+
+const char* offer_hull_edges(Asked& asked, const Run& run) {
+  if (asked.dim != 2) return "\"edge\" can only be asked of a rectangle in the plane";
+  const FitTrace trace = fit_run(run).trace();
+  const HullFound* hull = nullptr;
+  for (int i = asked.fact; hull == nullptr && i-- > 0;) hull = std::get_if<HullFound>(&trace[i].step.fact);
+  if (hull == nullptr || fact_of<RectangleFound<double, 3>>(asked, run).edge_a == kNoIndex)
+    return "\"edge\" can only be asked of a rectangle on the points' hull";
+  const std::vector<Index>& ring = hull->vertices;
+  if (ring.size() > kMostFacets) return "the hull has more than 10 edges";
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const std::vector<Index> ends{ring[i], ring[(i + 1) % ring.size()]};
+    asked.add_choice(edge_name(asked, ends), ends);
+  }
+  return nullptr;
+}
+
+Truth hull_edge_truth(const Asked& asked, const Run& run) {
+  const auto& fact = fact_of<RectangleFound<double, 3>>(asked, run);
+  const auto has = [](const std::vector<Index>& ends, Index i) {
+    return std::find(ends.begin(), ends.end(), i) != ends.end();
+  };
+  Truth truth;
+  for (std::size_t i = 0; i < asked.choices.size(); ++i)
+    if (has(asked.choice_handles[i], fact.edge_a) && has(asked.choice_handles[i], fact.edge_b))
+      truth.choices.push_back(static_cast<int>(i));
+  truth.points = {fact.edge_a, fact.edge_b};
+  truth.happened = edge_name(asked, truth.points);
+  truth.sentence = "The smallest rectangle lies on the edge from " + truth.happened + ", with area " +
+                   number_text(fact.measure) + ".";
+  return truth;
+}
+
+const char* offer_narrowest(Asked& asked, const Run& run) {
+  const Step3& step = fit_run(run).trace()[asked.fact].step;
+  const auto* kdop = std::get_if<Kdop<double, 3>>(&step.volume);
+  if (kdop == nullptr) return "\"slab\" can only be asked of a k-DOP";
+  for (int i = 0; i < kdop->k / 2; ++i) asked.add_choice(axis_name(slab_axis(step, i, asked.dim)));
+  return nullptr;
+}
+
+/// Slabs whose widths differ by rounding alone are equal.
+Truth narrowest_truth(const Asked& asked, const Run& run) {
+  const Step3& step = fit_run(run).trace()[asked.fact].step;
+  const auto& kdop = *std::get_if<Kdop<double, 3>>(&step.volume);
+  std::vector<double> widths;
+  for (int i = 0; i < kdop.k / 2; ++i)
+    widths.push_back((kdop.max[i] - kdop.min[i]) / slab_axis(step, i, asked.dim).norm());
+  const double least = *std::min_element(widths.begin(), widths.end());
+  Truth truth;
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    if (widths[i] > least * (1 + tolerance::kBoxProof)) continue;
+    truth.choices.push_back(static_cast<int>(i));
+    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[i];
+  }
+  truth.sentence = "The narrowest slab is " + number_text(least) + " wide, along " + truth.happened + ".";
+  return truth;
+}
+
+}  // namespace snug::lesson

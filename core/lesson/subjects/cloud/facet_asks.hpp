@@ -1,0 +1,21 @@
+// Questions that an edge, a face or a slab answers.
+#pragma once
+
+#include "lesson/facts.hpp"
+
+namespace snug::lesson {
+
+/// "faces": which of the hull's faces the eye sees. Any number may be right.
+const char* offer_faces(Asked& asked, const Run& run);
+Truth faces_truth(const Asked& asked, const Run& run);
+/// "edge" of a rectangle: which of the hull's edges it lies on; in 2-D alone.
+const char* offer_hull_edges(Asked& asked, const Run& run);
+Truth hull_edge_truth(const Asked& asked, const Run& run);
+/// "slab": which slab of the k-DOP is the narrowest.
+const char* offer_narrowest(Asked& asked, const Run& run);
+Truth narrowest_truth(const Asked& asked, const Run& run);
+
+inline constexpr Asking kFaces{"faces", &offer_faces, &faces_truth},
+    kHullEdge{"edge", &offer_hull_edges, &hull_edge_truth}, kSlab{"slab", &offer_narrowest, &narrowest_truth};
+
+}  // namespace snug::lesson
