@@ -1,5 +1,6 @@
 // axe-core finds nothing to complain of: in the idle state of every lesson, at every question, beside every outcome, be
-// it right, wrong or skipped, at its task as it is set and as it is done.
+// it right, wrong or skipped, at its task as it is set and as it is done. On a phone the same parts stand in another
+// place, so that there every fourth lesson is played.
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
@@ -22,12 +23,13 @@ async function violations(page) {
 /** Answers what is asked by its number-th choice, or by the name of the number-th handle that can be the answer. */
 const answer_with = (page, asked, number) => answer(page, asked.choices.length > 0 ? number % asked.choices.length : asked.targets[number % asked.targets.length], "keyboard");
 
-for (const [name, size] of [["laptop", kWide], ["phone", { ...kPhone, deviceScaleFactor: 1 }]]) {
+for (const [name, size, of] of [["laptop", kWide, 1], ["phone", { ...kPhone, deviceScaleFactor: 1 }, 4]]) {
   test(`on a ${name} every lesson is clean at rest, at each question, beside each outcome and at its end`, async (t) => {
     const seen = new Set();
-    for (const { id } of await lessons()) {
+    for (const [i, { id }] of (await lessons()).entries()) {
       const page = await visit(t, `?lesson=${id}&step=0`, size);
       assert.deepEqual(await violations(page), [], `${id}, at rest`);
+      if (i % of !== 0) continue;
       let questions = 0;
       let now = await state(page);
       for (let presses = 0; presses < 400 && (now.asked || now.outcome || now.step < now.steps); ++presses) {

@@ -92,8 +92,8 @@ test("every lesson opens in place of every other kind as it would by itself, for
     window.context = document.getElementById("canvas").getContext("webgl2");
   });
   const asked = watch_requests(page);
-  // There and back: each is come to from two sides, and the second time nothing is fetched.
-  for (const id of [...all.slice(1), ...all.slice(0, -1).reverse()]) {
+  // There and, in steps of four, back: those are come to from two sides, and the second time nothing is fetched.
+  for (const id of [...all.slice(1), ...all.slice(0, -1).filter((_, i) => i % 4 === 0).reverse()]) {
     await use(page);
     const fresh = id !== all[0] && !asked.includes(`lessons/${id}.toml`);
     if (!fresh) await erase_answers(page); // it would open where it was left
