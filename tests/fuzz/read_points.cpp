@@ -1,20 +1,16 @@
-// libFuzzer: any bytes at all are refused, or read as something sound.
-// Build with clang++ and -DSNUG_FUZZ=ON; run `fuzz_read_points -malloc_limit_mb=64 FOLDER tests/corpus/points`.
+// libFuzzer: any bytes as a file of points. They are refused, or read as something sound.
 #include <array>
-#include <cstdlib>
 
+#include "fuzz/bytes.hpp"
 #include "io/point_file.hpp"
 
 namespace {
 
 using namespace snug;
+using fuzz::require;
 
 /// The formats that an extension can ask for; the size stands for a choice that the bytes alone make repeatable.
 constexpr std::array<std::string_view, 5> kNames{"a.xyz", "a.csv", "a.obj", "a.ply", "a.stl"};
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 void check(const io::PointFile& file, std::size_t size) {
   require(!file.points.empty() && (file.dim == 2 || file.dim == 3));

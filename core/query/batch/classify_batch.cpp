@@ -9,7 +9,7 @@
 #include "query/classify.hpp"
 
 // No vector is passed between functions that are not inlined, so its calling convention does not matter.
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__x86_64__)
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 
@@ -170,6 +170,11 @@ SNUG_INLINE void classify_in(const Frustum<Scalar, 3>& frustum, const Array& arr
 }
 
 #if defined(__x86_64__)
+#if defined(__clang__)  // it has no such target, and may choose half the width
+#define SNUG_FULL_WIDTH
+#else
+#define SNUG_FULL_WIDTH ",prefer-vector-width=512"
+#endif
 // Each lane does the same operations, so the bits are the same: this target has no fused multiply-add.
 template <class Scalar, class Array>
 [[gnu::target("avx2")]] void classify_in_32_bytes(const Frustum<Scalar, 3>& frustum, const Array& array,
@@ -177,7 +182,7 @@ template <class Scalar, class Array>
   classify_in<Scalar, 32>(frustum, array, verdicts);
 }
 template <class Scalar, class Array>
-[[gnu::target("avx512f,avx512bw,avx512dq,avx512vl,prefer-vector-width=512")]] void
+[[gnu::target("avx512f,avx512bw,avx512dq,avx512vl" SNUG_FULL_WIDTH)]] void
 classify_in_64_bytes(const Frustum<Scalar, 3>& frustum, const Array& array, std::span<Culling> verdicts) {
   classify_in<Scalar, 64>(frustum, array, verdicts);
 }

@@ -1,0 +1,69 @@
+// libFuzzer: volumes of any two kinds, fitted round points that they share or do not share, and a frustum round some of
+// them. What has a point in common overlaps, in either order; what has a point in the frustum is not outside of it, and
+// what is inside has none outside.
+#include "core/exact.hpp"
+#include "fit/catalogue.hpp"
+#include "fuzz/bytes.hpp"
+#include "query/classify.hpp"
+#include "query/overlaps.hpp"
+
+namespace {
+
+using namespace snug;
+using fuzz::require;
+using Point = Vector<double, 3>;
+using Cloud = std::vector<Point>;
+
+constexpr unsigned kMostPoints = 8;
+
+/// Fitted by one of the algorithms that take so few points in space.
+fit::Volume3 fitted(fuzz::Bytes& bytes, const Cloud& points) {
+  const auto algorithms = fit::algorithms();
+  const fit::Algorithm* algorithm = nullptr;
+  while (algorithm == nullptr || !algorithm->space || static_cast<Index>(points.size()) > algorithm->max_points)
+    algorithm = algorithm == nullptr
+                    ? &algorithms[bytes.below(static_cast<unsigned>(algorithms.size()))]
+                    : &algorithms[static_cast<std::size_t>(algorithm - algorithms.data() + 1) % algorithms.size()];
+  return algorithm->fit(*PointSet<double, 3>::make(points), {}).volume;
+}
+
+void check_pair(const fit::Volume3& a, const fit::Volume3& b, bool shared) {
+  const auto one = query::test_overlap(a, b), other = query::test_overlap(b, a);
+  require(one.overlap == other.overlap);
+  require(!shared || one.overlap);
+  if (one.distance) require(*one.distance >= 0 && (one.overlap ? *one.distance == 0 : true));
+}
+
+/// The sign of normal . p + d.
+int exact_side(const Plane<double, 3>& plane, const Point& p) {
+  exact::Rational sum = plane.d;
+  for (int i = 0; i < 3; ++i) sum += exact::Rational(plane.normal[i]) * exact::Rational(p[i]);
+  return sum.sign();
+}
+
+void check_cull(fuzz::Bytes& bytes, const fit::Volume3& volume, const Cloud& points) {
+  Frustum<double, 3>::Planes planes;
+  for (auto& plane : planes) plane = {bytes.point<double, 3>(), bytes.number<double>()};
+  const auto frustum = Frustum<double, 3>::make(planes);
+  if (!frustum) return;
+  const auto inside = [&](const Point& p) {
+    return std::all_of(planes.begin(), planes.end(), [&](const auto& plane) { return exact_side(plane, p) <= 0; });
+  };
+  const auto verdict = query::classify_volume(*frustum, volume).verdict;
+  if (std::any_of(points.begin(), points.end(), inside)) require(verdict != query::Culling::kOutside);
+  if (verdict == query::Culling::kInside) require(std::all_of(points.begin(), points.end(), inside));
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  fuzz::Bytes bytes(data, size);
+  const Cloud first = bytes.cloud<double, 3>(kMostPoints);
+  Cloud second = bytes.cloud<double, 3>(kMostPoints);
+  const bool shared = bytes.below(2) == 0;
+  if (shared) second.front() = first.back();
+  const fit::Volume3 a = fitted(bytes, first), b = fitted(bytes, second);
+  check_pair(a, b, shared);
+  check_cull(bytes, a, first);
+  return 0;
+}
