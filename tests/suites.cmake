@@ -47,11 +47,6 @@ foreach(room IN LISTS rooms)
   endif()
 endforeach()
 
-if(SNUG_FUZZ) # a minute each
-  file(GLOB files CONFIGURE_DEPENDS fuzz/*.cpp)
-  snug_suites(fuzz fuzz FILES ${files} LAUNCHER tests/fuzz/fuzz.sh)
-endif()
-
 # Its settings stay when no window is left, and there is room for a window at two pixels to one.
 set(screen xvfb-run -a -s "-screen 0 2560x1600x24 -noreset")
 set(node_test ${SNUG_NODE} --test --test-reporter=tap)
