@@ -7,6 +7,7 @@
 #include "app/subjects/pair/shown.hpp"
 #include "app/widgets.hpp"
 #include "lesson/formula.hpp"
+#include "lesson/subjects/pair/box_figures.hpp"
 
 namespace snug::app {
 namespace {

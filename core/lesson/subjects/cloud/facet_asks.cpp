@@ -4,6 +4,7 @@
 
 #include "geometry/kdop.hpp"
 #include "geometry/tolerance.hpp"
+#include "io/text.hpp"
 #include "lesson/subjects/cloud/fit_run.hpp"
 #include "lesson/subjects/cloud/hull_growth.hpp"
 #include "lesson/words.hpp"
@@ -43,8 +44,8 @@ Truth faces_truth(const Asked& asked, const Run& run) {
   }
   for (const int right : truth.choices)
     truth.happened += (truth.happened.empty() ? "" : "; ") + asked.choices[static_cast<std::size_t>(right)];
-  truth.sentence = asked.subject->name_of(fact.eye) + " sees " + counted(std::ssize(truth.choices), "facet") + ": " +
-                   truth.happened + ".";
+  truth.sentence = asked.subject->name_of(fact.eye) + " sees " + io::counted(std::ssize(truth.choices), "facet") +
+                   ": " + truth.happened + ".";
   return truth;
 }
 

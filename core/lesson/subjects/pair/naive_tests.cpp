@@ -16,11 +16,15 @@ namespace {
 
 using query::Guard;
 
-constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005, 4.4.1";
+constexpr std::string_view kEricsonOnBoxes = "C. Ericson, Real-Time Collision Detection, 2005, 4.4.1";
 
 constexpr Method naive(std::string_view name, std::string_view title, std::span<const std::string_view> pseudocode) {
-  return {
-      .volume = kBoxPair, .name = name, .title = title, .source = kEricson, .pseudocode = pseudocode, .plane = false};
+  return {.volume = kBoxPair,
+          .name = name,
+          .title = title,
+          .source = kEricsonOnBoxes,
+          .pseudocode = pseudocode,
+          .plane = false};
 }
 
 constexpr std::array kNaive{

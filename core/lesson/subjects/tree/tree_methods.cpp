@@ -47,11 +47,11 @@ constexpr auto kFarFirstPseudocode = [] {
   return lines;
 }();
 
-constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005, 6.3";
+constexpr std::string_view kEricsonOnTrees = "C. Ericson, Real-Time Collision Detection, 2005, 6.3";
 constexpr std::array kQueryMethods{
-    Method{kTreeQuery, "point_query", "Point query", kEricson, hierarchy::kTraversePseudocode},
-    Method{kTreeQuery, "box_query", "Box query", kEricson, hierarchy::kTraversePseudocode},
-    Method{kTreeQuery, "ray_query", "Ray: every box", kEricson, hierarchy::kTraversePseudocode},
+    Method{kTreeQuery, "point_query", "Point query", kEricsonOnTrees, hierarchy::kTraversePseudocode},
+    Method{kTreeQuery, "box_query", "Box query", kEricsonOnTrees, hierarchy::kTraversePseudocode},
+    Method{kTreeQuery, "ray_query", "Ray: every box", kEricsonOnTrees, hierarchy::kTraversePseudocode},
     Method{kTreeQuery, "ray_far_first", "Ray: back to front",
            "T. L. Kay, J. T. Kajiya, Ray tracing complex scenes, 1986", kFarFirstPseudocode},
     Method{kTreeQuery, "ray_nearest", "Ray: front to back", "T. L. Kay, J. T. Kajiya, Ray tracing complex scenes, 1986",
