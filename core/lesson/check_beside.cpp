@@ -23,6 +23,10 @@ FilePlace place_of_words(std::string_view text, std::string_view words, FilePlac
           static_cast<int>(line_end == std::string_view::npos ? at + 1 : at - line_end)};
 }
 
+FilePlace place_of_error(const InputError& error) {
+  return error.unit == InputError::Unit::kLine ? FilePlace(static_cast<int>(error.position)) : FilePlace();
+}
+
 /// Collects a draft's mistakes and leaves them in the file's order.
 class Mistakes {
  public:
@@ -104,11 +108,11 @@ void check_played(Draft& draft, std::string_view text, std::string_view file, st
   const Lesson lesson = *draft.lesson;
   Mistakes mistakes(draft, file);
   auto session = Session::open(lesson, std::move(mesh));
-  if (!session) return mistakes.add({}, session.error().what);
+  if (!session) return mistakes.add(place_of_error(session.error()), session.error().what);
   if (!lesson.points.mesh.empty()) check_figures(*session, text, mistakes);
   const auto played = play(*session);
   if (played) check_play(*played, lesson, mistakes);
-  else mistakes.add({}, played.error().what);
+  else mistakes.add(place_of_error(played.error()), played.error().what);
 }
 
 }  // namespace snug::lesson

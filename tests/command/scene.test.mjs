@@ -184,7 +184,7 @@ test("a mesh is a body: it is run, and impulses refuse it with file and line", (
   assert.ok(lines.at(-1).slack > 0);
   const solid = more("broad_phase", "narrow_phase", "bounce");
   const line = solid.slice(0, solid.indexOf('"bounce"')).split("\n").length - 1;
-  refused(["lesson", "check", write("solid.toml", solid)], `solid.toml:${line}: bounce: has impulses for spheres and boxes alone; give body such a shape`);
+  refused(["lesson", "check", write("solid.toml", solid)], `solid.toml:${line}:1: bounce: has impulses for spheres and boxes alone; give body such a shape`);
 });
 
 test("what is asked for wrongly is said in one line", () => {
