@@ -9,7 +9,7 @@ import gzip
 import pathlib
 import sys
 
-BUDGET = 1_190_000  # the aim is 900,000: single precision of every fitter is an eighth of it, the ten subjects of lessons more
+BUDGET = 1_225_000  # the aim is 900,000: single precision of every fitter is an eighth of it, the ten subjects of lessons more
 LATER = {"meshes/dragon.ply", "preview.js"}
 ONE_OF = {"meshes", "lessons", "course"}  # folders of which not all is loaded; their indexes always are
 PACKED_ALREADY = {".png"}

@@ -20,6 +20,7 @@ export class QuestionCard {
   #shown = "";
   #choices = [];
   #ordered = false; // whether they are put into an order
+  #many = false; // whether several choices can be right
   #says = element("p", { class: "says", role: "status" });
   #commit;
 
@@ -93,7 +94,8 @@ export class QuestionCard {
     const choice = this.#choices[digit - 1];
     const had_focus = by_id("ask").contains(document.activeElement);
     choice?.click();
-    if (had_focus) choice?.focus(); // Enter commits this choice, not the one that had the focus before
+    // Enter commits this choice, not the one that had the focus before; where several can be chosen, all of them.
+    if (had_focus) (this.#many ? choice?.closest(".card") : choice)?.focus({ preventScroll: true });
     return Boolean(choice);
   }
 
@@ -101,8 +103,9 @@ export class QuestionCard {
     this.#act(() => this.#door.command(command));
   }
 
-  #asked_card({ promptWords, choices, field, ordered, place, tried }) {
+  #asked_card({ promptWords, choices, field, ordered, many, place, tried }) {
     this.#ordered = ordered;
+    this.#many = many;
     const first = choices.findIndex((_, i) => ordered || !tried?.choices.includes(i));
     this.#choices = choices.map((words, i) => {
       const was = !ordered && tried?.choices.includes(i);
