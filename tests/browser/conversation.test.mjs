@@ -142,7 +142,7 @@ test("in a low window the question has the column beside the stage, and the way 
     await still(page);
     const { y, height } = await page.locator("#ask").getByRole("button", { name: what, exact: true }).boundingBox();
     assert.ok(y > 44 && y + height <= 390, `${what} stands at ${y}`);
-    assert.ok((await box(page, "#ask")).height > 250);
+    assert.ok((await box(page, "#ask")).height > 300);
     await page.keyboard.press("s");
   }
 });
