@@ -20,8 +20,8 @@ async function violations(page) {
   });
 }
 
-/** Answers what is asked by its number-th choice, or by the name of the number-th handle that can be the answer. */
-const answer_with = (page, asked, number) => answer(page, asked.choices.length > 0 ? number % asked.choices.length : asked.targets[number % asked.targets.length], "keyboard");
+/** Answers what is asked by its number-th choice, as far as digits reach, or by the name of the number-th handle that can be the answer. */
+const answer_with = (page, asked, number) => answer(page, asked.choices.length > 0 ? number % Math.min(asked.choices.length, 9) : asked.targets[number % asked.targets.length], "keyboard");
 
 for (const [name, size, of] of [["laptop", kWide, 1], ["phone", { ...kPhone, deviceScaleFactor: 1 }, 4]]) {
   test(`on a ${name} every lesson is clean at rest, at each question, beside each outcome and at its end`, async (t) => {
