@@ -29,7 +29,7 @@ struct DirectionImage {
   double degrees = 0;             // between both; 0 for an image of 0
   double spread = 0;              // the largest that an image can be, which is the largest eigenvalue
 };
-/// Of the first axis of a run by kEigenByHand, after some of its steps; none before the covariance is known.
+/// The first axis of a run by kEigenByHand after some of its steps; none until the covariance is known.
 [[nodiscard]] std::optional<DirectionImage> image_after(const fit::Recording& recording, int steps);
 
 }  // namespace snug::lesson

@@ -137,7 +137,7 @@ Done CloudSubject::move(Index i, const Point3& to) {
   return {};
 }
 
-/// For other points, what was set by hand begins again.
+/// Other points start with the hand at its first place.
 Done CloudSubject::begun(Done done) {
   if (done) hand_.begin(*points());
   return done;

@@ -9,7 +9,7 @@ namespace snug::lesson {
 
 struct LeftOutside {
   std::vector<Index> points;
-  // Of the one that lies farthest outside:
+  // The point that lies farthest outside:
   Index worst = kNoIndex;
   double by = 0;  // scene units
   // An ulp, the distance to the next number, in the scalar of the points; scene units:

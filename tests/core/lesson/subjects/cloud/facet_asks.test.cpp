@@ -48,7 +48,7 @@ std::vector<std::string> right_choices(const Session& session) {
 }  // namespace
 
 TEST_CASE("an edge: that of the hull on which the smallest rectangle lies") {
-  // Of this trapezium's edges, P1 to P2 is the only one without a rectangle of area 4 on it.
+  // Each edge of this trapezium but P1 to P2 has a rectangle of area 4 on it.
   Session session =
       at_question(lesson_of("list = [[0, 0], [4, 0], [3, 1], [0, 1]]", "obb/pca_rectangle", "rectangle_found", "edge"));
   CHECK(session.asked()->choices.size() == 4);
