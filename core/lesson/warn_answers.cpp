@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "io/text.hpp"
 #include "lesson/names.hpp"
 #include "lesson/say.hpp"
 #include "lesson/speaking.hpp"
@@ -20,14 +21,8 @@ struct Told {
   std::string asks;        // what works it out: "point"
 };
 
-std::string lower(std::string_view text) {
-  std::string low(text);
-  for (char& c : low) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return low;
-}
-
 bool speaks_of(const Asked& asked, std::string_view words) {
-  return lower(asked.question->prompt).find(lower(words)) != std::string::npos;
+  return io::lower_case(asked.question->prompt).find(io::lower_case(words)) != std::string::npos;
 }
 
 /// Where the choices are handles: those that the step is about.
