@@ -10,6 +10,9 @@ namespace {
 
 using Point = Vector<double, 3>;
 
+/// Longer stretches are soon halved, and not worth a second look.
+constexpr double kShortTurn = 0x1p-16;
+
 Point mix(const Point& a, const Point& b, double share) { return (1 - share) * a + share * b; }
 double mix(double a, double b, double share) { return (1 - share) * a + share * b; }
 
@@ -98,6 +101,15 @@ void EdgePairSearch::search_pair(const Pair& pair, PairTally& tally, const SeeSm
   if (all_ruled_out) ++tally.ruled_out;
 }
 
+/// Where the dot product is a product of a function of t and one of s, or nearly so, the curve is two lines that cross:
+/// there rounding may put a place beside its stretch, which would never become shorter.
+EdgePairSearch::Place EdgePairSearch::within(const Stretch& stretch, const Place& place) {
+  const auto between = [](double from, double to, double at) {
+    return std::clamp(at, std::min(from, to), std::max(from, to));
+  };
+  return {between(stretch.from.t, stretch.to.t, place.t), between(stretch.from.s, stretch.to.s, place.s)};
+}
+
 template <class Count>
 void EdgePairSearch::halve(const Pair& pair, const Stretch& whole, PairTally& tally, const SeeSmaller& see,
                            Count& count) {
@@ -109,8 +121,8 @@ void EdgePairSearch::halve(const Pair& pair, const Stretch& whole, PairTally& ta
     const double first_turn = std::abs(stretch.to.t - stretch.from.t) * pair.first.angle;
     const double second_turn = std::abs(stretch.to.s - stretch.from.s) * pair.second.angle;
     const bool by_first = first_turn >= second_turn;
-    const Place middle = by_first ? pair.at_first((stretch.from.t + stretch.to.t) / 2)
-                                  : pair.at_second((stretch.from.s + stretch.to.s) / 2);
+    const Place middle = within(stretch, by_first ? pair.at_first((stretch.from.t + stretch.to.t) / 2)
+                                                  : pair.at_second((stretch.from.s + stretch.to.s) / 2));
     const Point first = mix(pair.first.a, pair.first.b, middle.t).normalized();
     const Point second = mix(pair.second.a, pair.second.b, middle.s).normalized();
     const Spans spans = spans_at(pair, first, second, count);
@@ -123,6 +135,7 @@ void EdgePairSearch::halve(const Pair& pair, const Stretch& whole, PairTally& ta
       if (take(frame(first, second))) see(vertices_of(pair));
     }
     if (all_larger(by_first ? pair.by_first(stretch) : pair.by_second(stretch), spans, count)) continue;
+    if (first_turn + second_turn <= kShortTurn && all_larger_around(pair, stretch, spans, count)) continue;
     if (first_turn + second_turn <= tolerance::kSameTurn) continue;
     ++tally.halvings;
     open_.push_back({middle, stretch.to});
@@ -170,6 +183,37 @@ bool EdgePairSearch::all_larger(const Ends& ends, const Spans& spans, Count& cou
   for (std::size_t i = 0; i < volume.size(); ++i) {
     count.count(Operation::kComparisons, 1);
     if (!(volume[i] >= to_beat_ * scale[i])) return false;
+  }
+  return true;
+}
+
+// The same of any normals within the stretch, whether or not they are quite perpendicular: a quadratic in either
+// parameter. It needs no place on the curve, which rounding moves by much where the curve is nearly two lines that
+// cross.
+template <class Count>
+bool EdgePairSearch::all_larger_around(const Pair& pair, const Stretch& stretch, const Spans& spans,
+                                       Count& count) const {
+  count.count(Operation::kDotProducts, 14);
+  count.count(Operation::kComparisons, 17);
+  const std::array<Point, 2> m{mix(pair.first.a, pair.first.b, stretch.from.t),
+                               mix(pair.first.a, pair.first.b, stretch.to.t)};
+  const std::array<Point, 2> n{mix(pair.second.a, pair.second.b, stretch.from.s),
+                               mix(pair.second.a, pair.second.b, stretch.to.s)};
+  const double p0 = spans.first.dot(m[0]), p1 = spans.first.dot(m[1]);
+  const double q0 = spans.second.dot(n[0]), q1 = spans.second.dot(n[1]);
+  std::array<std::array<double, 2>, 2> third;
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j) third[i][j] = spans.third.cross(m[i]).dot(n[j]);
+  if (!(std::min({p0, p1, q0, q1, third[0][0], third[0][1], third[1][0], third[1][1]}) >= 0)) return false;
+  const Quadratic mm{m[0].squaredNorm(), m[0].dot(m[1]), m[1].squaredNorm()};
+  const Quadratic nn{n[0].squaredNorm(), n[0].dot(n[1]), n[1].squaredNorm()};
+  // Of p(t) third(t, s), by t, for both ends of s; then times q(s).
+  const Quadratic at_from = product(p0, p1, third[0][0], third[1][0]),
+                  at_to = product(p0, p1, third[0][1], third[1][1]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Quadratic volume = product(q0, q1, at_from[i], at_to[i]);
+    for (std::size_t j = 0; j < 3; ++j)
+      if (!(volume[j] >= to_beat_ * mm[i] * nn[j])) return false;
   }
   return true;
 }

@@ -86,6 +86,10 @@ class EdgePairSearch {
   [[nodiscard]] std::array<Index, 4> vertices_of(const Pair& pair) const;
   template <class Count>
   [[nodiscard]] bool all_larger(const Ends& ends, const Spans& spans, Count& count) const;
+  template <class Count>
+  [[nodiscard]] bool all_larger_around(const Pair& pair, const Stretch& stretch, const Spans& spans,
+                                       Count& count) const;
+  [[nodiscard]] static Place within(const Stretch& stretch, const Place& place);
   bool take(const Matrix<double, 3>& axes);
 
   const HullSolid& solid_;

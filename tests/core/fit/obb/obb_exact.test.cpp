@@ -341,3 +341,13 @@ TEST_CASE("the normals of thin triangles keep their digits") {
     }
   }
 }
+
+TEST_CASE("the search ends where the boxes on two edges turn along two lines that cross") {
+  // Found by the long run (tests/long.cpp): halving went on for ever, because rounding put the middle of a stretch
+  // beside it. Five corners of a cube.
+  const double r = static_cast<double>(1.47197449f);
+  const Cloud corners{{r, r, r}, {-r, -r, r}, {-r, r, r}, {-r, -r, -r}, {r, -r, r}};
+  const auto set = test::set_of<double, 3>(corners);
+  const auto fit = fit::obb_exact(set.span());
+  CHECK(certify(fit, set.span(), true).optimal == true);
+}
