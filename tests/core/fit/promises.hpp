@@ -11,17 +11,12 @@
 #include <span>
 #include <string>
 
+#include "core/fit/volume_hash.hpp"
 #include "core/point_clouds.hpp"
 #include "fit/catalogue.hpp"
 #include "geometry/tolerance.hpp"
 
 namespace snug::test {
-
-/// The same, number by number: by what a trace's hash makes of them.
-inline std::uint64_t hash_of(const fit::Volume3& volume) {
-  const Recorder<fit::Step3>::Entry entry{{0, true, volume, fit::Finished{}}, {}};
-  return fit::hash_of({&entry, 1});
-}
 
 /// No volume is held by more points than fix it, where that is known.
 inline std::size_t most_support(std::string_view volume, int dim) {

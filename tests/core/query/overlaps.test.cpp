@@ -6,6 +6,7 @@
 #include "core/exact.hpp"
 #include "core/query/volume_pairs.hpp"
 #include "geometry/point_set.hpp"
+#include "query/contains.hpp"
 
 using namespace snug;
 using exact::Rational;
@@ -378,4 +379,22 @@ TEST_CASE("a supporting point is the farthest of its volume") {
   CHECK(query::support(Lozenge<double, 3>{{0, 0, 0}, {V(2, 0, 0), V(0, 2, 0)}, 1}, V(0, 0, -3))[2] == -1);
   CHECK(query::support(Kdop<double, 3>{6, {0, 0, 0}, {1, 2, 3}}, V(1, 1, 1)) == V(1, 2, 3));
   CHECK(query::support(ConvexHull<double, 3>{.vertices = {V(0, 0, 0), V(0, 7, 0)}}, V(0, 1, 0)) == V(0, 7, 0));
+}
+
+TEST_CASE("boxes may be apart although they share a point, by the rounding of their axes and no more") {
+  // Found by fuzzing (tests/corpus/fuzz/query). A box contains what is within its slabs; two boxes are tested as the
+  // sums of their edges, and edges that are not quite unit end short of the slabs.
+  const Vector<double, 3> p(-0x1.ep+2, 0x1.ep+2, 0x1.dffffffffffffp+2);
+  const Obb<double, 3> point{p};
+  Obb<double, 3> box{{0x1p-50, 0x1p-50, 0x1.c000000000004p+0},
+                     Matrix<double, 3>::Identity(),
+                     {0x1.d521e650fc41bp-50, 0x1.08dc6e12a2942p-49, 0x1.8213e4f575a6bp+3}};
+  box.axes << 0x1.7a01ab9c616a2p-1, 0x1.0bfca8c73d2bep-2, -0x1.3e4723dabb57cp-1,  //
+      0x1.0bfca8c73d2b9p-2, 0x1.7a01ab9c616a2p-1, 0x1.3e4723dabb57ep-1,           //
+      0x1.3e4723dabb57dp-1, -0x1.3e4723dabb57cp-1, 0x1.e806ae7185a89p-2;
+  CHECK(query::contains(box, p));
+  CHECK(query::contains(point, p));
+  const auto result = consistent<double, 3>(point, box);
+  CHECK_FALSE(result.overlap);
+  CHECK(result.separating_axis->gap <= 2 * tolerance::kObbAxes<double> * box.half_extents.sum());
 }
