@@ -48,7 +48,7 @@ fi
 rm -f build/logs/{release,wasm,sanitize}-*.log
 if built release snug_tests snug_app_tests snug_desktop; then suites release; fi
 if built wasm all; then suites wasm; fi
-if [[ ${sanitize:-} ]] && built sanitize snug_tests; then suites sanitize; fi
+if [[ ${sanitize:-} ]] && built sanitize snug_tests snug_fuzz; then suites sanitize; fi
 
 say "$passed passed, $failed failed"
 ((failed == 0))

@@ -47,6 +47,15 @@ foreach(room IN LISTS rooms)
   endif()
 endforeach()
 
+# Half a minute each, two at a time; for longer, and led by what the code does: fuzz/fuzz.sh.
+if(kind STREQUAL sanitize)
+  file(GLOB files CONFIGURE_DEPENDS fuzz/*.cpp)
+  foreach(file IN LISTS files)
+    get_filename_component(name ${file} NAME_WE)
+    snug_suite(fuzz.${name} LABELS fuzz COMMAND tests/fuzz/fuzz.sh ${name} 30 sanitize)
+  endforeach()
+endif()
+
 # Its settings stay when no window is left, and there is room for a window at two pixels to one.
 set(screen xvfb-run -a -s "-screen 0 2560x1600x24 -noreset")
 set(node_test ${SNUG_NODE} --test --test-reporter=tap)

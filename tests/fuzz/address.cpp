@@ -1,0 +1,74 @@
+// libFuzzer: what an address may ask of a lesson: any rows of numbers on its stage, any places of its sliders, any
+// step, seed and algorithm. All of it is taken or refused with a sentence, and the lesson plays on.
+#include <array>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "fuzz/bytes.hpp"
+#include "lesson/session.hpp"
+#include "lesson/subjects.hpp"
+
+namespace {
+
+using namespace snug;
+using fuzz::require;
+
+/// One lesson a subject; fuzz.sh runs in the project's folder.
+const std::vector<lesson::Lesson>& lessons() {
+  static const std::vector<lesson::Lesson> read = [] {
+    std::vector<lesson::Lesson> all;
+    for (const char* name :
+         {"sphere-ritter", "aabb", "swept-overlap", "obb-axes", "frustum-3d", "bvh-build", "scene-broad"}) {
+      std::ifstream file("lessons/" + std::string(name) + ".toml");
+      std::stringstream text;
+      text << file.rdbuf();
+      auto draft = lesson::read_draft(text.str(), name, lesson::Checked::kAsWritten);
+      if (draft.lesson && draft.mistakes.empty()) all.push_back(*std::move(draft.lesson));
+    }
+    require(all.size() == 7);
+    return all;
+  }();
+  return read;
+}
+
+double any_number(fuzz::Bytes& bytes) {
+  constexpr std::array kOdd{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300,
+                            -0.0, 5e-324};
+  return bytes.below(16) == 0 ? kOdd[bytes.below(kOdd.size())] : bytes.number<double>();
+}
+
+void edit(lesson::Session& session, fuzz::Bytes& bytes) {
+  lesson::Rows rows = session.subject().rows();
+  for (unsigned edits = bytes.below(4); edits > 0; --edits) {
+    if (rows.empty() || bytes.below(8) == 0) {
+      rows.emplace_back();
+      continue;
+    }
+    auto& row = rows[bytes.byte() % rows.size()];
+    if (row.empty() || bytes.below(8) == 0) row.push_back(any_number(bytes));
+    else row[bytes.byte() % row.size()] = any_number(bytes);
+  }
+  const lesson::Rows before = session.subject().rows();
+  if (const auto done = session.set_rows(rows); !done) {
+    require(!done.error().message().empty());
+    require(session.subject().rows() == before);  // as if it had not been asked
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  fuzz::Bytes bytes(data, size);
+  auto session = lesson::Session::open(lessons()[bytes.byte() % lessons().size()]);
+  require(session.has_value());
+  for (int turn = 0; turn < 3; ++turn) {
+    edit(*session, bytes);
+    if (bytes.below(4) == 0) session->scatter(bytes.byte());
+    if (bytes.below(4) == 0) session->undo();
+    session->jump(static_cast<int>(bytes.byte()) * session->steps() / 255);
+    require(session->step() >= 0 && session->step() <= session->steps());
+    require(session->caption().find("nan") == std::string::npos);
+  }
+  return 0;
+}
